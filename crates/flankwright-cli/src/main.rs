@@ -1,0 +1,3 @@
+//! The command `flankwright`.
+
+fn main() {}
