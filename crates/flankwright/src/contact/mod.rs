@@ -1,1 +1,19 @@
-//! (being built)
+//! Where worm and workpiece touch: closed forms for involute flanks (spec 20 sections 2-8) and one exact solver for any
+//! worm surface given by point, normal and derivatives (section 14). Knows no dresser and no plan.
+
+mod diagonal;
+mod error;
+mod exact;
+mod kernel;
+mod pair;
+mod relative_curvature;
+mod surface;
+mod thread;
+
+pub use diagonal::{DiagonalLine, DiagonalRatio, LineMap, PointMap};
+pub use error::ContactError;
+pub use exact::{ContactSolution, ExactContact, Measure, Sensitivities};
+pub use pair::{FlankPair, Pair};
+pub use relative_curvature::RelativeCurvature;
+pub use surface::{SurfaceJet, ToolSurface};
+pub use thread::{ModifiedThread, ThreadFunction, Unmodified};

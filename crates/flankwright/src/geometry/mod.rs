@@ -1,5 +1,21 @@
 //! Shapes: involute flanks, gears, worms, racks and surfaces of revolution. Knows no motion and no process.
 
+mod blank;
+mod error;
+mod gear;
+mod involute;
+mod rack;
+mod revolution;
 mod sides;
+mod thickness;
+mod worm;
 
+pub use blank::{Blank, BlankWarning, EvaluationLimits};
+pub use error::GeometryError;
+pub use gear::{Gear, GearData, involute_function};
+pub use involute::{FlankDeviation, FlankFrame, InvoluteFlank};
+pub use rack::Rack;
+pub use revolution::{MeridianPoint, Revolution};
 pub use sides::{Flank, Sides};
+pub use thickness::{OverBalls, Span, ThicknessMeasure};
+pub use worm::{WormChoice, WormForGear, check_mating, worm_for_gear};

@@ -1,5 +1,9 @@
 //! Numerical tools: the scalar trait, series, splines and roots. Knows no gears.
 
+mod chebyshev;
+mod roots;
 mod scalar;
 
-pub use scalar::Scalar;
+pub use chebyshev::Chebyshev;
+pub use roots::{bisect, golden_section};
+pub use scalar::{Scalar, gradient_of, value_of, variables};

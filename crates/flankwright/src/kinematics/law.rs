@@ -1,0 +1,106 @@
+//! Motion laws: how one axis follows another, as plain data with derivatives.
+
+use crate::numerics::{Chebyshev, Scalar, value_of};
+
+/// A smooth function of one machine coordinate. Units are those of the axis per mm of the argument.
+#[derive(Clone, Debug, PartialEq)]
+pub enum MotionLaw {
+    /// sum c_k (x - origin)^k.
+    Polynomial {
+        /// Origin, mm.
+        origin: f64,
+        /// c_0, c_1, ...
+        coefficients: Vec<f64>,
+    },
+    /// A Chebyshev series with its first two derivatives at hand.
+    Series(Box<[Chebyshev; 3]>),
+}
+
+impl MotionLaw {
+    /// The law that is zero everywhere.
+    pub fn zero() -> Self {
+        Self::polynomial(0.0, Vec::new())
+    }
+
+    /// sum c_k (x - origin)^k.
+    pub fn polynomial(origin: f64, coefficients: Vec<f64>) -> Self {
+        Self::Polynomial { origin, coefficients }
+    }
+
+    /// A law from a series.
+    pub fn series(series: Chebyshev) -> Self {
+        let first = series.derivative();
+        let second = first.derivative();
+        Self::Series(Box::new([series, first, second]))
+    }
+
+    /// `[f, f', f'']` at x.
+    pub fn jet(&self, x: f64) -> [f64; 3] {
+        match self {
+            Self::Polynomial { origin, coefficients } => {
+                let h = x - origin;
+                let mut jet = [0.0; 3];
+                for &c in coefficients.iter().rev() {
+                    jet[2] = jet[2] * h + 2.0 * jet[1];
+                    jet[1] = jet[1] * h + jet[0];
+                    jet[0] = jet[0] * h + c;
+                }
+                jet
+            }
+            Self::Series(s) => [s[0].value(x), s[1].value(x), s[2].value(x)],
+        }
+    }
+
+    /// Value at x.
+    pub fn value(&self, x: f64) -> f64 {
+        self.jet(x)[0]
+    }
+
+    /// Value and first derivative for a dual argument, exact to first order.
+    pub fn lifted<T: Scalar>(&self, x: T) -> [T; 2] {
+        let at = value_of(x);
+        let [f0, f1, f2] = self.jet(at);
+        let dx = x - at;
+        [dx * f1 + f0, dx * f2 + f1]
+    }
+
+    /// The law times a factor.
+    pub fn scaled(&self, factor: f64) -> Self {
+        match self {
+            Self::Polynomial { origin, coefficients } => Self::Polynomial {
+                origin: *origin,
+                coefficients: coefficients.iter().map(|c| c * factor).collect(),
+            },
+            Self::Series(s) => Self::series(s[0].scaled(factor)),
+        }
+    }
+
+    /// Whether the law is constant zero.
+    pub fn is_zero(&self) -> bool {
+        match self {
+            Self::Polynomial { coefficients, .. } => coefficients.iter().all(|&c| c == 0.0),
+            Self::Series(s) => s[0].coefficients().iter().all(|&c| c == 0.0),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn polynomial_and_series_agree_with_their_derivatives() {
+        let law = MotionLaw::polynomial(0.5, vec![1.0, -2.0, 0.5, 0.25]);
+        let f = |x: f64| 1.0 - 2.0 * (x - 0.5) + 0.5 * (x - 0.5).powi(2) + 0.25 * (x - 0.5).powi(3);
+        let series = MotionLaw::series(Chebyshev::fit(-1.0, 3.0, 6, |x| Ok::<_, ()>(f(x))).unwrap());
+        for x in [-0.9, 0.0, 1.3, 2.9] {
+            let (a, b) = (law.jet(x), series.jet(x));
+            assert!((a[0] - f(x)).abs() < 1e-14);
+            for k in 0..3 {
+                assert!((a[k] - b[k]).abs() < 1e-12, "{x} {k}");
+            }
+            assert!((law.scaled(2.0).value(x) - 2.0 * f(x)).abs() < 1e-13);
+        }
+        assert!(MotionLaw::zero().is_zero() && !law.is_zero());
+    }
+}

@@ -1,0 +1,129 @@
+//! Chebyshev series of one variable: interpolation at Chebyshev nodes, evaluation with derivatives.
+
+use super::Scalar;
+
+/// A polynomial on `[a, b]` in Chebyshev form. Outside the interval the polynomial continues (callers guard it).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chebyshev {
+    a: f64,
+    b: f64,
+    coefficients: Vec<f64>,
+}
+
+impl Chebyshev {
+    /// The `n` Chebyshev nodes (first kind) of `[a, b]`, ascending.
+    pub fn nodes(a: f64, b: f64, n: usize) -> Vec<f64> {
+        (0..n)
+            .map(|k| {
+                let angle = std::f64::consts::PI * (2 * (n - 1 - k) + 1) as f64 / (2 * n) as f64;
+                0.5 * (a + b) + 0.5 * (b - a) * angle.cos()
+            })
+            .collect()
+    }
+
+    /// Interpolates values given at [`Chebyshev::nodes`]`(a, b, values.len())` in that order.
+    pub fn interpolate(a: f64, b: f64, values: &[f64]) -> Self {
+        let n = values.len();
+        let coefficients = (0..n)
+            .map(|j| {
+                let sum: f64 = values
+                    .iter()
+                    .enumerate()
+                    .map(|(k, value)| {
+                        let angle = std::f64::consts::PI * (2 * (n - 1 - k) + 1) as f64 / (2 * n) as f64;
+                        value * (j as f64 * angle).cos()
+                    })
+                    .sum();
+                sum * if j == 0 { 1.0 } else { 2.0 } / n as f64
+            })
+            .collect();
+        Self { a, b, coefficients }
+    }
+
+    /// Samples `f` at `n` nodes of `[a, b]` and interpolates; the first error ends it.
+    pub fn fit<E>(a: f64, b: f64, n: usize, f: impl FnMut(f64) -> Result<f64, E>) -> Result<Self, E> {
+        let values = Self::nodes(a, b, n).into_iter().map(f).collect::<Result<Vec<_>, E>>()?;
+        Ok(Self::interpolate(a, b, &values))
+    }
+
+    /// The constant function `value` on `[a, b]`.
+    pub fn constant(a: f64, b: f64, value: f64) -> Self {
+        Self { a, b, coefficients: vec![value] }
+    }
+
+    /// The interval the series was made for.
+    pub fn interval(&self) -> (f64, f64) {
+        (self.a, self.b)
+    }
+
+    /// The Chebyshev coefficients c_0, c_1, ... of sum c_j T_j.
+    pub fn coefficients(&self) -> &[f64] {
+        &self.coefficients
+    }
+
+    /// Whether `x` lies in the interval, with a margin of 1e-9 of its length for rounding.
+    pub fn covers(&self, x: f64) -> bool {
+        let margin = 1e-9 * (self.b - self.a);
+        x >= self.a - margin && x <= self.b + margin
+    }
+
+    /// Value at `x` (Clenshaw's recurrence).
+    pub fn value<T: Scalar>(&self, x: T) -> T {
+        let t = (x * 2.0 - (self.a + self.b)) / (self.b - self.a);
+        let twice = t * 2.0;
+        let mut b1 = T::from(0.0);
+        let mut b2 = T::from(0.0);
+        for &c in self.coefficients.iter().skip(1).rev() {
+            let b0 = twice * b1 - b2 + c;
+            b2 = b1;
+            b1 = b0;
+        }
+        t * b1 - b2 + self.coefficients.first().copied().unwrap_or(0.0)
+    }
+
+    /// The series times a factor.
+    pub fn scaled(&self, factor: f64) -> Self {
+        Self { coefficients: self.coefficients.iter().map(|c| c * factor).collect(), ..*self }
+    }
+
+    /// The series without trailing coefficients below `relative` times the largest one.
+    pub fn truncated(mut self, relative: f64) -> Self {
+        let limit = relative * self.coefficients.iter().fold(0.0, |m: f64, c| m.max(c.abs()));
+        while self.coefficients.len() > 1 && self.coefficients.last().is_some_and(|c| c.abs() <= limit) {
+            self.coefficients.pop();
+        }
+        self
+    }
+
+    /// The derivative as a series of its own.
+    pub fn derivative(&self) -> Self {
+        let n = self.coefficients.len();
+        let mut d = vec![0.0; n.max(2) + 1];
+        for j in (1..n).rev() {
+            d[j - 1] = d[j + 1] + 2.0 * j as f64 * self.coefficients[j];
+        }
+        d[0] *= 0.5;
+        d.truncate(n.saturating_sub(1).max(1));
+        let scale = 2.0 / (self.b - self.a);
+        d.iter_mut().for_each(|c| *c *= scale);
+        Self { a: self.a, b: self.b, coefficients: d }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn interpolates_and_differentiates() {
+        let series = Chebyshev::fit(1.0, 3.0, 24, |x: f64| Ok::<_, ()>((2.0 * x).sin())).unwrap();
+        let derivative = series.derivative();
+        for k in 0..=20 {
+            let x = 1.0 + 0.1 * k as f64;
+            assert!((series.value(x) - (2.0 * x).sin()).abs() < 1e-14);
+            assert!((derivative.value(x) - 2.0 * (2.0 * x).cos()).abs() < 1e-12);
+        }
+        assert_eq!(Chebyshev::constant(0.0, 1.0, 4.0).value(0.3), 4.0);
+        assert_eq!(Chebyshev::constant(0.0, 1.0, 4.0).derivative().value(0.3), 0.0);
+    }
+}
