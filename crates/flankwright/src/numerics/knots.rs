@@ -74,7 +74,8 @@ impl Knots {
         let (first, last) = (values[0], values[values.len() - 1]);
         let step = (last - first) / (values.len() - 1) as f64;
         // A tenth of a step is no risk: the index found from the step is checked against the knots.
-        let uniform = values.iter().enumerate().all(|(i, x)| (x - first - i as f64 * step).abs() < 0.1 * step);
+        let uniform =
+            values.iter().enumerate().all(|(i, x)| (x - first - i as f64 * step).abs() < 0.1 * step);
         Ok(Self { values: values.to_vec(), inverse_step: uniform.then_some(1.0 / step) })
     }
 

@@ -63,7 +63,8 @@ impl Polynomial2 {
 
     /// Product of two polynomials.
     pub fn multiply(&self, other: &Self) -> Self {
-        let pairs = self.terms().flat_map(|(i, j, a)| other.terms().map(move |(k, l, b)| (i + k, j + l, a * b)));
+        let pairs =
+            self.terms().flat_map(|(i, j, a)| other.terms().map(move |(k, l, b)| (i + k, j + l, a * b)));
         Self::from_terms(pairs)
     }
 
@@ -99,9 +100,8 @@ impl Polynomial2 {
     pub fn jet(&self, u: f64, v: f64) -> Jet2 {
         let mut jet = Jet2::default();
         for row in self.rows.iter().rev() {
-            let [p, p1, p2] = row.iter().rev().fold([0.0; 3], |[p, p1, p2], c| {
-                [p * v + c, p1 * v + p, p2 * v + 2.0 * p1]
-            });
+            let [p, p1, p2] =
+                row.iter().rev().fold([0.0; 3], |[p, p1, p2], c| [p * v + c, p1 * v + p, p2 * v + 2.0 * p1]);
             jet = Jet2 {
                 fuu: jet.fuu * u + 2.0 * jet.fu,
                 fu: jet.fu * u + jet.f,

@@ -49,12 +49,7 @@ impl CubicSpline {
     pub fn derivatives(&self, x: f64) -> [f64; 4] {
         let (index, t) = self.knots.locate(x);
         let [a, b, c, d] = self.pieces[index];
-        [
-            a + t * (b + t * (c + t * d)),
-            b + t * (2.0 * c + t * 3.0 * d),
-            2.0 * c + 6.0 * d * t,
-            6.0 * d,
-        ]
+        [a + t * (b + t * (c + t * d)), b + t * (2.0 * c + t * 3.0 * d), 2.0 * c + 6.0 * d * t, 6.0 * d]
     }
 }
 

@@ -67,8 +67,7 @@ pub fn fit_tensor_spline(points: &[[f64; 3]], intervals: [usize; 2]) -> Result<T
 fn equal_knots(points: &[[f64; 3]], axis: usize, intervals: usize) -> Result<Knots, SplineError> {
     let low = points.iter().map(|p| p[axis]).fold(f64::INFINITY, f64::min);
     let high = points.iter().map(|p| p[axis]).fold(f64::NEG_INFINITY, f64::max);
-    let knots: Vec<f64> =
-        (0..=intervals).map(|i| low + (high - low) * i as f64 / intervals as f64).collect();
+    let knots: Vec<f64> = (0..=intervals).map(|i| low + (high - low) * i as f64 / intervals as f64).collect();
     Knots::new(&knots, 2, axis)
 }
 
