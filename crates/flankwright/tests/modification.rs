@@ -764,7 +764,7 @@ fn any_spec() -> impl Strategy<Value = Value> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(2000))]
+    #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn no_description_gives_nan_or_panics(value in any_spec(), w in any_number(), z in any_number()) {

@@ -469,7 +469,8 @@ pub enum PointMethod {
     #[default]
     #[serde(rename = "linear")]
     Linear,
-    /// Least-squares tensor B-spline, C2.
+    /// Least-squares tensor B-spline, C2, over at most 12 x 12 equal cells: as many as leave about four points for
+    /// each coefficient, fewer where the cloud has holes. Needs 16 points.
     #[serde(rename = "spline")]
     Spline,
 }
