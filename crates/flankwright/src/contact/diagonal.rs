@@ -93,7 +93,9 @@ impl FlankPair {
         let g_1 = self.c_zv11 * ratio + self.c_zv21;
         let g_2 = self.c_zv12 * ratio + self.c_zv22;
         let g_h = self.hat_zv1 * ratio + self.hat_zv2;
-        Ok(DiagonalLine { rho: direction(self.hat_w2 * g_2 - self.c_w2 * (g_h - n1.p * g_1), g_h - n1.p * g_1) })
+        Ok(DiagonalLine {
+            rho: direction(self.hat_w2 * g_2 - self.c_w2 * (g_h - n1.p * g_1), g_h - n1.p * g_1),
+        })
     }
 
     /// Direction on the worm that gives lines rho_2 of the workpiece at ratio K.
@@ -105,7 +107,9 @@ impl FlankPair {
         let g_1 = self.c_zv11 * ratio + self.c_zv21;
         let g_2 = self.c_zv12 * ratio + self.c_zv22;
         let g_h = self.hat_zv1 * ratio + self.hat_zv2;
-        Ok(DiagonalLine { rho: direction(self.hat_w1 * g_1 - self.c_w1 * (g_h - n2.p * g_2), g_h - n2.p * g_2) })
+        Ok(DiagonalLine {
+            rho: direction(self.hat_w1 * g_1 - self.c_w1 * (g_h - n2.p * g_2), g_h - n2.p * g_2),
+        })
     }
 
     /// X_2 = a X_1 + o between the line coordinates of matching directions (spec 20 section 5).

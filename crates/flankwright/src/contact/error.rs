@@ -22,7 +22,9 @@ pub enum ContactError {
         angle_deg: f64,
     },
     /// No direction is normal to both flanks.
-    #[error("worm and workpiece have no common normal on the {flank} flank at crossed-axes angle {angle_deg} deg")]
+    #[error(
+        "worm and workpiece have no common normal on the {flank} flank at crossed-axes angle {angle_deg} deg"
+    )]
     NoCommonNormal {
         /// Flank concerned.
         flank: Flank,
@@ -38,7 +40,9 @@ pub enum ContactError {
         right_deg: f64,
     },
     /// The contact would lie below a base circle.
-    #[error("the contact for length of roll {w_2} mm needs length of roll {w_1} mm on the worm, below its base circle")]
+    #[error(
+        "the contact for length of roll {w_2} mm needs length of roll {w_1} mm on the worm, below its base circle"
+    )]
     ContactBelowBase {
         /// Length of roll on the workpiece.
         w_2: f64,
@@ -46,13 +50,17 @@ pub enum ContactError {
         w_1: f64,
     },
     /// The direction of a modification runs along the contact path.
-    #[error("direction {direction_deg} deg runs along the contact path: the worm has no line of its own for it")]
+    #[error(
+        "direction {direction_deg} deg runs along the contact path: the worm has no line of its own for it"
+    )]
     DirectionIsContactPath {
         /// Direction rho, degrees.
         direction_deg: f64,
     },
     /// The direction is that of the profile: the diagonal ratio is not determined.
-    #[error("direction {direction_deg} deg is a profile direction: the diagonal ratio is not determined by it")]
+    #[error(
+        "direction {direction_deg} deg is a profile direction: the diagonal ratio is not determined by it"
+    )]
     DirectionIsProfile {
         /// Direction rho, degrees.
         direction_deg: f64,
@@ -70,7 +78,9 @@ pub enum ContactError {
         ratio: f64,
     },
     /// The tool envelope folds: no flank is left at this point.
-    #[error("the {flank} flank is undercut at length of roll {w:.4} mm, z = {z:.4} mm (determinant ratio {ratio:.3})")]
+    #[error(
+        "the {flank} flank is undercut at length of roll {w:.4} mm, z = {z:.4} mm (determinant ratio {ratio:.3})"
+    )]
     Undercut {
         /// Flank concerned.
         flank: Flank,
@@ -135,16 +145,26 @@ impl ContactError {
         match self {
             Self::Geometry(e) => e.way_out(),
             Self::InternalUnsupported { .. } => "use an external gear",
-            Self::AxesParallel { .. } | Self::NoCommonNormal { .. } => "change the worm's helix (threads, diameter, hand)",
-            Self::RacksNotCongruent { .. } => "grind the flanks one by one or use the design crossed-axes angle",
+            Self::AxesParallel { .. } | Self::NoCommonNormal { .. } => {
+                "change the worm's helix (threads, diameter, hand)"
+            }
+            Self::RacksNotCongruent { .. } => {
+                "grind the flanks one by one or use the design crossed-axes angle"
+            }
             Self::ContactBelowBase { .. } | Self::NoStart { .. } => {
                 "raise the form diameter of the gear or use a larger worm"
             }
-            Self::DirectionIsContactPath { .. } => "let the grinding motion make this part of the modification",
+            Self::DirectionIsContactPath { .. } => {
+                "let the grinding motion make this part of the modification"
+            }
             Self::DirectionIsProfile { .. } => "let the dresser profile make this part of the modification",
-            Self::DiagonalRatioInfinite { .. } | Self::FeedDoesNotMoveContact { .. } => "choose another direction or ratio",
+            Self::DiagonalRatioInfinite { .. } | Self::FeedDoesNotMoveContact { .. } => {
+                "choose another direction or ratio"
+            }
             Self::Undercut { .. } => "reduce the amount of the modification or choose another diagonal ratio",
-            Self::WormSurfaceMissing { .. } => "dress a longer part of the worm or a larger part of its profile",
+            Self::WormSurfaceMissing { .. } => {
+                "dress a longer part of the worm or a larger part of its profile"
+            }
             Self::InvalidNumber { .. } => "give a value inside the allowed range",
         }
     }

@@ -180,9 +180,11 @@ impl FlankPair {
         };
         // k_0F from any contact: it is the constant of R4.
         let w_2 = work.pitch_radius() * work.transverse_pressure_angle(flank).sin();
-        let (w_1, z_1, z_2) = (pair.worm_roll(w_2, 0.0, 0.0), pair.worm_z(0.0, 0.0, 0.0), pair.work_z(w_2, 0.0, 0.0));
+        let (w_1, z_1, z_2) =
+            (pair.worm_roll(w_2, 0.0, 0.0), pair.worm_z(0.0, 0.0, 0.0), pair.work_z(w_2, 0.0, 0.0));
         let z_1 = z_1 + pair.c_w1 * w_1;
-        pair.phase = worm.tooth_count() * pair.worm_angle(w_1, z_1) + work.tooth_count() * pair.work_angle(w_2, z_2);
+        pair.phase =
+            worm.tooth_count() * pair.worm_angle(w_1, z_1) + work.tooth_count() * pair.work_angle(w_2, z_2);
         Ok(pair)
     }
 
@@ -272,8 +274,7 @@ impl Pair {
         let trial = Self::new(worm, work, chain)?;
         trial.require_common_rack()?;
         let rack = &trial.flanks.left;
-        let rack_radius =
-            |teeth: f64, beta: f64| teeth * rack.operating_module / (2.0 * beta.cos());
+        let rack_radius = |teeth: f64, beta: f64| teeth * rack.operating_module / (2.0 * beta.cos());
         let r_w1 = rack_radius(worm.tooth_count(), rack.operating_beta_w1);
         let r_w2 = rack_radius(work.tooth_count(), rack.operating_beta_w2);
         chain.work_pivot = pivots(chain.work_cone, r_w2);
@@ -298,7 +299,8 @@ impl Pair {
             let psi = |flank: &InvoluteFlank, r: f64| {
                 flank.base_space_half_angle + involute_function((flank.base_radius / r).acos())
             };
-            space += self.worm.tooth_count() * psi(&f.worm, r_w1) + self.work.tooth_count() * psi(&f.work, r_w2);
+            space +=
+                self.worm.tooth_count() * psi(&f.worm, r_w1) + self.work.tooth_count() * psi(&f.work, r_w2);
             tangents += f.operating_alpha_n.tan();
         }
         self.flanks.left.operating_module * (2.0 * std::f64::consts::PI - space) / (2.0 * tangents)

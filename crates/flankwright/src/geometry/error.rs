@@ -136,7 +136,9 @@ pub enum GeometryError {
         gear: f64,
     },
     /// The worm's pitch diameter is too small for its threads.
-    #[error("a worm of {threads} threads and module {module} mm needs more than {least} mm pitch diameter, not {diameter} mm")]
+    #[error(
+        "a worm of {threads} threads and module {module} mm needs more than {least} mm pitch diameter, not {diameter} mm"
+    )]
     WormTooSmall {
         /// Threads.
         threads: i32,
@@ -190,7 +192,9 @@ impl GeometryError {
             Self::BallTooLarge { .. } => "use a smaller ball",
             Self::ContactOffFlank { .. } => "choose another ball diameter or number of spanned teeth",
             Self::NoRack { .. } => "choose a smaller pressure angle or a pitch radius above the base circle",
-            Self::CylindricalOnly => "leave the worm's pressure angle out so that the gear's own rack is used",
+            Self::CylindricalOnly => {
+                "leave the worm's pressure angle out so that the gear's own rack is used"
+            }
             Self::NotMating { .. } => "match m_n cos(alpha_n) of worm and gear",
             Self::WormTooSmall { .. } => "use a larger worm diameter or fewer threads",
         }

@@ -48,9 +48,19 @@ impl GearData {
             number("normal_pressure_angle_deg", a.to_degrees(), good, "between 0 and 90 deg, both excluded")?;
         }
         let beta = self.helix_angle;
-        number("helix_angle_deg", beta.to_degrees(), beta.abs() < PI / 2.0, "between -90 and 90 deg, both excluded")?;
+        number(
+            "helix_angle_deg",
+            beta.to_degrees(),
+            beta.abs() < PI / 2.0,
+            "between -90 and 90 deg, both excluded",
+        )?;
         let theta = self.cone_angle;
-        number("cone_angle_deg", theta.to_degrees(), theta.abs() < PI / 2.0, "between -90 and 90 deg, both excluded")?;
+        number(
+            "cone_angle_deg",
+            theta.to_degrees(),
+            theta.abs() < PI / 2.0,
+            "between -90 and 90 deg, both excluded",
+        )?;
         number("profile_shift", self.profile_shift, self.profile_shift.is_finite(), "a finite number")?;
         if self.teeth < 0 && theta != 0.0 {
             return Err(GeometryError::InternalConicalUnsupported {
@@ -78,8 +88,13 @@ impl Gear {
         let r_w = z * m_t / 2.0;
         let tangent = Sides::try_from_fn(|flank| {
             let s = flank.sign();
-            let tangent = (data.pressure_angle[flank].tan() * cos_theta + s * sin_beta * sin_theta) / cos_beta;
-            if tangent > 0.0 { Ok(tangent) } else { Err(GeometryError::PressureAngleNotPositive { flank, tangent }) }
+            let tangent =
+                (data.pressure_angle[flank].tan() * cos_theta + s * sin_beta * sin_theta) / cos_beta;
+            if tangent > 0.0 {
+                Ok(tangent)
+            } else {
+                Err(GeometryError::PressureAngleNotPositive { flank, tangent })
+            }
         })?;
         let flanks = Sides::from_fn(|flank| {
             let s = flank.sign();
@@ -103,7 +118,8 @@ impl Gear {
             flanks,
         };
         for (_, f) in gear.flanks.iter() {
-            let sound = f.base_radius.is_finite() && f.base_radius > 0.0 && f.base_space_half_angle.is_finite();
+            let sound =
+                f.base_radius.is_finite() && f.base_radius > 0.0 && f.base_space_half_angle.is_finite();
             if !sound || !f.base_helix_angle.is_finite() {
                 return Err(GeometryError::InvalidGeometry {
                     what: "base radius".into(),

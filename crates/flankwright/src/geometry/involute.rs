@@ -62,7 +62,8 @@ impl InvoluteFlank {
     /// Angle phi of the tangent point on the base cylinder, from +y towards +x, rad.
     pub fn phi<T: Scalar>(&self, w: T, z: T) -> T {
         let s = self.s();
-        (w * self.external_sign / self.base_radius + self.base_space_half_angle) * s - z * self.twist_per_length()
+        (w * self.external_sign / self.base_radius + self.base_space_half_angle) * s
+            - z * self.twist_per_length()
     }
 
     /// Unit directions at (w, z).
@@ -90,11 +91,7 @@ impl InvoluteFlank {
     pub fn point_in<T: Scalar>(&self, frame: &FlankFrame<T>, w: T, z: T) -> Vector3<T> {
         let w_s = w * self.external_sign;
         let r_b = self.base_radius;
-        Vector3::new(
-            frame.e_r.x * r_b + frame.e_t.x * w_s,
-            frame.e_r.y * r_b + frame.e_t.y * w_s,
-            z,
-        )
+        Vector3::new(frame.e_r.x * r_b + frame.e_t.x * w_s, frame.e_r.y * r_b + frame.e_t.y * w_s, z)
     }
 
     /// Unit normal out of the material.

@@ -80,7 +80,10 @@ impl Gear {
     /// [`GeometryError::NoRack`], [`GeometryError::CylindricalOnly`].
     pub fn rack_with_pressure_angle(&self, flank: Flank, angle: f64) -> Result<Rack, GeometryError> {
         if !(angle > 0.0 && angle < std::f64::consts::PI / 2.0) {
-            return Err(GeometryError::NoRack { field: "normal pressure angle (deg)", value: angle.to_degrees() });
+            return Err(GeometryError::NoRack {
+                field: "normal pressure angle (deg)",
+                value: angle.to_degrees(),
+            });
         }
         let m = self.base_module(flank) * self.flank(flank).base_helix_angle.cos() / angle.cos();
         self.rack_with_module(m).map_err(|e| match e {

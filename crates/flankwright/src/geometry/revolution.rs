@@ -90,8 +90,7 @@ impl Revolution {
         };
         let [g0, g1, g2] = offset.jet(x);
         let (g, dg) = (lift(g0, g1), lift(g1, g2));
-        let (ar, az) =
-            (lift(r2, series(&self.radius, 3)), lift(z2, series(&self.axial, 3)));
+        let (ar, az) = (lift(r2, series(&self.radius, 3)), lift(z2, series(&self.axial, 3)));
         // N' = -kappa (tangent), kappa = (r' z'' - z' r'')/length^3 in the sense of the orientation.
         let turn = (tr * az - tz * ar) / (length * length) * self.orientation;
         let (mr, mz) = (tr / length * turn, tz / length * turn);

@@ -148,8 +148,11 @@ impl Gear {
             })
             .sum();
         let excess = |r: f64| {
-            let sum: f64 =
-                self.flanks().iter().map(|(_, f)| involute_function((f.base_radius / r).min(1.0).acos())).sum();
+            let sum: f64 = self
+                .flanks()
+                .iter()
+                .map(|(_, f)| involute_function((f.base_radius / r).min(1.0).acos()))
+                .sum();
             sum + sg * q
         };
         let base = self.flanks().left.base_radius.max(self.flanks().right.base_radius);
@@ -215,7 +218,11 @@ impl ThicknessMeasure {
             }
             Self::OverBalls { ball, size } => {
                 if !(ball > 0.0 && ball.is_finite()) {
-                    return Err(GeometryError::InvalidNumber { field: "ball", value: ball, allowed: "> 0 mm" });
+                    return Err(GeometryError::InvalidNumber {
+                        field: "ball",
+                        value: ball,
+                        allowed: "> 0 mm",
+                    });
                 }
                 // The ball's centre follows from the size, and the sum of the half-angles eta_b is linear in x.
                 let sg = plain.external_sign();

@@ -1,6 +1,6 @@
 //! Generating grinding: the chain workpiece -> worm of spec 00 and the coupled motion of its axes (spec 20 sections 4, 14).
 
-use super::{MotionLaw, Pose, Worm, Workpiece};
+use super::{MotionLaw, Pose, Workpiece, Worm};
 use crate::geometry::Sides;
 
 /// The constant part of the chain K_R: distances and angles. mm, rad.
@@ -100,7 +100,8 @@ impl GeneratingMotion {
     /// The state of all axes at worm angle `worm_angle` and feed `feed`; `phase` is k_0F of the flank looked at.
     pub fn state(&self, worm_angle: f64, feed: f64, phase: f64) -> GeneratingState {
         let shift = self.shift.value(feed);
-        let turned = phase - self.threads * worm_angle + self.shift_coupling * shift + self.feed_coupling * feed;
+        let turned =
+            phase - self.threads * worm_angle + self.shift_coupling * shift + self.feed_coupling * feed;
         GeneratingState {
             worm_angle,
             work_angle: turned / self.teeth + self.delta_phi_2.value(feed),

@@ -9,4 +9,4 @@ mod pose;
 pub use dressing::{DressingChain, DressingCorrection, DressingMotion, DressingPosition};
 pub use generating::{GeneratingChain, GeneratingMotion, GeneratingState};
 pub use law::MotionLaw;
-pub use pose::{Direction, Dresser, Point, Pose, Room, Worm, Workpiece};
+pub use pose::{Direction, Dresser, Point, Pose, Room, Workpiece, Worm};

@@ -1,21 +1,21 @@
 //! Numerical tools: the scalar trait, series, splines, polynomials and roots. Knows no gears.
 
 mod chebyshev;
-mod roots;
 mod jet;
 mod knots;
 mod polynomial;
+mod roots;
 mod scalar;
 mod spline;
 mod spline_fit;
 mod tensor_spline;
 
 pub use chebyshev::Chebyshev;
-pub use roots::{bisect, golden_section};
-pub use scalar::{Scalar, gradient_of, value_of, variables};
 pub use jet::Jet2;
 pub use knots::SplineError;
 pub use polynomial::Polynomial2;
+pub use roots::{bisect, golden_section};
+pub use scalar::{Scalar, gradient_of, value_of, variables};
 pub use spline::CubicSpline;
 pub use spline_fit::fit_tensor_spline;
 pub use tensor_spline::TensorSpline;

@@ -1,0 +1,307 @@
+//! The exact contact solver: what a tool surface really leaves on the workpiece flank (spec 20 section 14).
+
+pub use super::kernel::Measure;
+use super::kernel::{Evaluation, Kernel, Target, about_z, turned_z};
+use super::{ContactError, FlankPair, Pair, ToolSurface};
+use crate::geometry::Flank;
+use crate::kinematics::GeneratingMotion;
+use nalgebra::{Matrix4, Vector3, Vector4};
+use std::f64::consts::PI;
+
+const MAX_ITERATIONS: usize = 40;
+const CONVERGED: f64 = 1e-12;
+const STALLED: f64 = 1e-9;
+
+/// The ground flank at one workpiece point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactSolution {
+    /// f_n2, mm; > 0 material left.
+    pub f_n: f64,
+    /// Surface parameters of the tool point that grinds it.
+    pub tool: (f64, f64),
+    /// Worm angle phi_1, rad.
+    pub worm_angle: f64,
+    /// Feed z_V2, mm.
+    pub feed: f64,
+    /// det J / det J_0; 1 without modification, <= 0 beyond the fold.
+    pub determinant_ratio: f64,
+    /// Newton steps taken.
+    pub iterations: usize,
+}
+
+/// Exact derivatives of f_n2 at a solution.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sensitivities {
+    /// By the centre distance, mm/mm.
+    pub centre_distance: f64,
+    /// By an extra workpiece angle, mm/rad.
+    pub work_angle: f64,
+    /// By the crossed-axes angle, mm/rad.
+    pub crossed_axes_angle: f64,
+    /// By the tool shift, mm/mm.
+    pub shift: f64,
+    /// By the tool's own normal modification at its point, mm/mm.
+    pub tool_modification: f64,
+}
+
+/// A pair, a motion and a tool surface: the forward model of generating grinding for one flank.
+pub struct ExactContact<'a, S: ToolSurface> {
+    pair: &'a FlankPair,
+    kernel: Kernel<'a>,
+    plain: GeneratingMotion,
+    surface: &'a S,
+    measure: Measure,
+    /// Rotation of the coupling by whole pitches that brings the start onto the workpiece flank.
+    pitch: f64,
+}
+
+type State = Vector4<f64>;
+
+impl<'a, S: ToolSurface> ExactContact<'a, S> {
+    /// Prepares the flank `flank` of `pair` moved by `motion`, ground by `surface` (given in worm coordinates).
+    pub fn new(pair: &'a Pair, flank: Flank, motion: &'a GeneratingMotion, surface: &'a S) -> Self {
+        Self {
+            pair: &pair.flanks[flank],
+            kernel: Kernel::new(motion, motion.phase[flank]),
+            plain: motion.uncorrected(),
+            surface,
+            measure: Measure::Ray,
+            pitch: 2.0 * PI / motion.teeth,
+        }
+    }
+
+    /// The same with another measure.
+    pub fn with_measure(mut self, measure: Measure) -> Self {
+        self.measure = measure;
+        self
+    }
+
+    /// The unmodified contact of (w_2, z_2): feed, worm point and worm angle.
+    fn nominal(&self, w_2: f64, z_2: f64) -> Result<(State, f64), ContactError> {
+        let missing = ContactError::NoStart { w: w_2, z: z_2 };
+        let pair = self.pair;
+        let motion = self.kernel.motion;
+        // R6 in the feed alone; linear for a constant ratio, a few Newton steps otherwise.
+        let mut v = 0.0;
+        for round in 0.. {
+            let [shift, slope, _] = motion.shift.jet(v);
+            let residual = pair.work_z(w_2, shift, v) - z_2;
+            let derivative = pair.c_zv12 * slope + pair.c_zv22;
+            let step = residual / derivative;
+            if !step.is_finite() || round > 60 {
+                return Err(missing);
+            }
+            v -= step;
+            if step.abs() <= 1e-13 * (1.0 + v.abs()) {
+                break;
+            }
+        }
+        let shift = motion.shift.value(v);
+        let w_1 = pair.worm_roll(w_2, shift, v);
+        if w_1.is_nan() || w_1 <= 0.0 || w_2 < 0.0 {
+            return Err(ContactError::ContactBelowBase { w_2, w_1 });
+        }
+        let z_1 = pair.worm_z(w_1, shift, v);
+        let phi_1 = pair.worm_angle(w_1, z_1);
+        let (p, q) = self.surface.start(w_1, z_1);
+        // Whole pitches are settled here once and never wrapped later.
+        let wanted = pair.work_angle(w_2, z_2);
+        let coupled = Kernel::new(&self.plain, self.kernel.phase).work_angle(phi_1, v);
+        let pitches = ((wanted - coupled) / self.pitch).round() * self.pitch;
+        Ok((State::new(p, q, phi_1, v), pitches))
+    }
+
+    fn evaluate(
+        kernel: &Kernel<'_>,
+        surface: &dyn ToolSurface,
+        y: &State,
+        target: &Target,
+        measure: Measure,
+    ) -> Option<Evaluation> {
+        let jet = surface.jet(y[0], y[1])?;
+        let e = kernel.evaluate(&jet, y[2], y[3], target, measure);
+        e.residual.iter().chain(e.jacobian.iter()).all(|x| x.is_finite()).then_some(e)
+    }
+
+    /// Newton from y; the last evaluation stands at the returned state.
+    fn newton(
+        &self,
+        kernel: &Kernel<'_>,
+        surface: &dyn ToolSurface,
+        mut y: State,
+        target: &Target,
+    ) -> Option<(State, Evaluation, usize)> {
+        let (limit_p, limit_q) = surface.step_limits();
+        let limits = [limit_p, limit_q, 0.3, 4.0];
+        let mut previous = f64::INFINITY;
+        for iteration in 1..=MAX_ITERATIONS {
+            let e = Self::evaluate(kernel, surface, &y, target, self.measure)?;
+            let mut step = solve4(&e.jacobian, &e.residual)?;
+            let excess = (0..4).map(|k| step[k].abs() / limits[k]).fold(1.0, f64::max);
+            step /= excess;
+            y -= step;
+            let size = step.norm() / (1.0 + y.norm());
+            if size < CONVERGED || (size < STALLED && size >= previous) {
+                let e = Self::evaluate(kernel, surface, &y, target, self.measure)?;
+                return Some((y, e, iteration));
+            }
+            previous = size;
+        }
+        None
+    }
+
+    /// Solves at (w_2, z_2) from the unmodified contact.
+    ///
+    /// # Errors
+    /// `NoStart`, `ContactBelowBase`, `WormSurfaceMissing`, `Undercut`.
+    pub fn solve(&self, w_2: f64, z_2: f64) -> Result<ContactSolution, ContactError> {
+        self.solve_from(w_2, z_2, None).map(|(solution, _)| solution)
+    }
+
+    /// Solves a grid point, starting from the correction found at a neighbour (difference to its unmodified contact).
+    fn solve_from(
+        &self,
+        w_2: f64,
+        z_2: f64,
+        neighbour: Option<&State>,
+    ) -> Result<(ContactSolution, State), ContactError> {
+        let target = Target::new(&self.pair.work, w_2, z_2);
+        let (y_0, pitches) = self.nominal(w_2, z_2)?;
+        let mut kernel = self.kernel.clone();
+        kernel.phase += pitches * kernel.motion.teeth;
+        let reference = {
+            let plain = Kernel::new(&self.plain, kernel.phase);
+            let surface = self.surface.with_share(0.0);
+            let e = Self::evaluate(&plain, surface.as_ref(), &y_0, &target, self.measure)
+                .ok_or(ContactError::WormSurfaceMissing { p: y_0[0], q: y_0[1] })?;
+            e.jacobian.determinant()
+        };
+        let accepted = |found: Option<(State, Evaluation, usize)>| {
+            let (y, e, iterations) = found?;
+            let ratio = e.jacobian.determinant() / reference;
+            (ratio > 0.0).then_some((y, e, iterations, ratio))
+        };
+        let mut found = None;
+        if let Some(delta) = neighbour {
+            found = accepted(self.newton(&kernel, self.surface, y_0 + delta, &target));
+        }
+        if found.is_none() {
+            found = accepted(self.newton(&kernel, self.surface, y_0, &target));
+        }
+        let (y, e, iterations, ratio) = match found {
+            Some(found) => found,
+            None => self.step_up(&kernel, y_0, &target, reference, w_2, z_2)?,
+        };
+        let f_n = (e.q_2 - target.point).dot(&target.n);
+        let solution = ContactSolution {
+            f_n,
+            tool: (y[0], y[1]),
+            worm_angle: y[2],
+            feed: y[3],
+            determinant_ratio: ratio,
+            iterations,
+        };
+        Ok((solution, y - y_0))
+    }
+
+    /// Raises modification and corrections from zero in steps, keeping to the near branch.
+    fn step_up(
+        &self,
+        kernel: &Kernel<'_>,
+        y_0: State,
+        target: &Target,
+        reference: f64,
+        w: f64,
+        z: f64,
+    ) -> Result<(State, Evaluation, usize, f64), ContactError> {
+        let (mut share, mut step, mut y, mut last) = (0.0, 0.25, y_0, 1.0);
+        while step > 1e-3 {
+            let next: f64 = f64::min(share + step, 1.0);
+            let motion = kernel.motion.with_share(next);
+            let scaled = Kernel::new(&motion, kernel.phase);
+            let surface = self.surface.with_share(next);
+            match self.newton(&scaled, surface.as_ref(), y, target) {
+                Some((found, e, n)) if e.jacobian.determinant() / reference > 0.0 => {
+                    last = e.jacobian.determinant() / reference;
+                    (share, y) = (next, found);
+                    if share >= 1.0 {
+                        return Ok((y, e, n, last));
+                    }
+                }
+                _ => step *= 0.5,
+            }
+        }
+        if self.surface.jet(y[0], y[1]).is_none() {
+            return Err(ContactError::WormSurfaceMissing { p: y[0], q: y[1] });
+        }
+        Err(ContactError::Undercut { flank: self.pair.flank(), w, z, ratio: last })
+    }
+
+    /// Solves on the grid `w` x `z`, row-major `[w][z]`, each row started from its neighbour.
+    ///
+    /// # Errors
+    /// Those of [`ExactContact::solve`], at the first point that fails.
+    pub fn solve_grid(&self, w: &[f64], z: &[f64]) -> Result<Vec<ContactSolution>, ContactError> {
+        let mut solutions = Vec::with_capacity(w.len() * z.len());
+        let mut row_start: Option<State> = None;
+        for &w_2 in w {
+            let mut neighbour = row_start;
+            for (j, &z_2) in z.iter().enumerate() {
+                let (solution, delta) = self.solve_from(w_2, z_2, neighbour.as_ref())?;
+                solutions.push(solution);
+                neighbour = Some(delta);
+                if j == 0 {
+                    row_start = Some(delta);
+                }
+            }
+        }
+        Ok(solutions)
+    }
+
+    /// Derivatives of f_n2 at a solution, exact at finite modification.
+    ///
+    /// # Errors
+    /// `WormSurfaceMissing` if the solution does not belong to this surface.
+    pub fn sensitivities(
+        &self,
+        w_2: f64,
+        z_2: f64,
+        at: &ContactSolution,
+    ) -> Result<Sensitivities, ContactError> {
+        let target = Target::new(&self.pair.work, w_2, z_2);
+        let (_, pitches) = self.nominal(w_2, z_2)?;
+        let mut kernel = self.kernel.clone();
+        kernel.phase += pitches * kernel.motion.teeth;
+        let y = State::new(at.tool.0, at.tool.1, at.worm_angle, at.feed);
+        let jet =
+            self.surface.jet(y[0], y[1]).ok_or(ContactError::WormSurfaceMissing { p: y[0], q: y[1] })?;
+        let e = kernel.evaluate(&jet, y[2], y[3], &target, self.measure);
+        let n_q = e.n_q / e.n_q.norm();
+        let along = match self.measure {
+            Measure::Ray => 1.0 / n_q.dot(&target.n),
+            Measure::Arc => {
+                let around = about_z(&e.q_2) / e.q_2.x.hypot(e.q_2.y);
+                target.n.dot(&around) / n_q.dot(&around)
+            }
+        };
+        let by = |dq: &Vector3<f64>| n_q.dot(dq) * along;
+        let room = |v: Vector3<f64>| kernel.room_to_work(e.gamma, e.work_angle, &v);
+        let around = about_z(&e.q_2);
+        let lever = turned_z((-e.work_angle).sin_cos(), &e.gamma_lever);
+        let swing = kernel.swing_axis(e.work_angle).cross(&lever);
+        let z_2 = kernel.motion.teeth;
+        // The image of the thread's own normal has n_q . image = |N| with N = n - a e_r - c g, i.e. 1 over its length here.
+        let image = 1.0 / jet.n.norm();
+        Ok(Sensitivities {
+            centre_distance: by(&room(-Vector3::y())),
+            work_angle: by(&-around),
+            crossed_axes_angle: by(&-swing),
+            shift: by(&(room(Vector3::z()) - around * (kernel.motion.shift_coupling / z_2))),
+            tool_modification: image * along,
+        })
+    }
+}
+
+fn solve4(matrix: &Matrix4<f64>, rhs: &Vector4<f64>) -> Option<Vector4<f64>> {
+    matrix.lu().solve(rhs)
+}
