@@ -15,7 +15,7 @@ pub use error::GeometryError;
 pub use gear::{Gear, GearData, involute_function};
 pub use involute::{FlankDeviation, FlankFrame, InvoluteFlank};
 pub use rack::Rack;
-pub use revolution::{MeridianPoint, Revolution};
+pub use revolution::{MeridianPoint, ProfileOffset, Revolution};
 pub use sides::{Flank, Sides};
 pub use thickness::{OverBalls, Span, ThicknessMeasure};
 pub use worm::{WormChoice, WormForGear, check_mating, worm_for_gear};

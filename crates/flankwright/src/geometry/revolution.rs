@@ -56,9 +56,9 @@ impl Revolution {
         Self { offset: None, ..self.clone() }
     }
 
-    /// Whether the profile carries an offset.
-    pub fn has_offset(&self) -> bool {
-        self.offset.is_some()
+    /// The offset the profile carries, if any.
+    pub fn offset(&self) -> Option<&Arc<dyn ProfileOffset>> {
+        self.offset.as_ref()
     }
 
     /// Parameter interval the series were made for.

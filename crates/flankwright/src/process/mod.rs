@@ -1,1 +1,4 @@
-//! (being built)
+//! Processes: each maps settings to a flank and inverts that map. Knows the layers below, never the referee.
+
+pub mod dressing;
+pub mod generating;

@@ -1,0 +1,171 @@
+//! The disc dresser of a worm: both flank profiles as conjugates of the worm, optionally the head, and given offsets.
+
+use super::{DressingError, nominal_contact};
+use crate::geometry::{Flank, Gear, InvoluteFlank, ProfileOffset, Revolution, Sides};
+use crate::kinematics::DressingChain;
+use crate::numerics::{Chebyshev, value_of};
+use std::sync::Arc;
+
+/// Range of lengths of roll on the worm that generates the gear's usable flank, mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GeometricRange {
+    /// w_NfS: smaller end (generates the gear's tip).
+    pub w_nf: f64,
+    /// w_NaS: larger end (generates the gear's root).
+    pub w_na: f64,
+}
+
+impl GeometricRange {
+    /// Length m = w_NaS - w_NfS.
+    pub fn length(&self) -> f64 {
+        self.w_na - self.w_nf
+    }
+
+    /// Middle of the range.
+    pub fn middle(&self) -> f64 {
+        0.5 * (self.w_na + self.w_nf)
+    }
+}
+
+/// One flank of the dresser with the nominal contact line it was designed for.
+#[derive(Clone, Debug)]
+pub struct FlankDresser {
+    /// The meridian over t = the w it was designed for.
+    pub profile: Revolution,
+    /// Nominal contact line b(w), mm, at v_zS = 0.
+    pub line: Chebyshev,
+    /// Range of the worm it serves.
+    pub range: GeometricRange,
+}
+
+/// A disc dresser for a given worm and nominal kinematics.
+#[derive(Clone, Debug)]
+pub struct DresserTool {
+    /// The worm flanks it was designed for.
+    pub worm: Sides<InvoluteFlank>,
+    /// Nominal kinematics.
+    pub chain: DressingChain,
+    /// Both flanks.
+    pub flanks: Sides<FlankDresser>,
+    /// Head part that dresses the worm's outside cylinder, parameter t_H = b.
+    pub head: Option<Revolution>,
+}
+
+/// Nodes of the meridian series; 48 reach 1e-13 mm (spec 30 section 3).
+const NODES: usize = 48;
+/// Share of the used range by which the profile is continued at each end, because DK moves the contact along it.
+const MARGIN: f64 = 0.6;
+
+impl DresserTool {
+    /// Conjugate dresser of the unmodified worm.
+    ///
+    /// # Errors
+    /// [`DressingError::NoConjugate`]; [`DressingError::InvalidNumber`] for an empty range.
+    pub fn conjugate(
+        worm: &Gear,
+        chain: DressingChain,
+        ranges: Sides<GeometricRange>,
+    ) -> Result<Self, DressingError> {
+        let flanks = Sides::try_from_fn(|flank| {
+            let range = ranges[flank];
+            if !(range.w_nf > 0.0 && range.w_na > range.w_nf) {
+                return Err(DressingError::InvalidNumber {
+                    field: "w_NfS",
+                    value: range.w_nf,
+                    allowed: "0 < w_NfS < w_NaS",
+                });
+            }
+            let m = range.length();
+            let (from, to) = (range.w_nf - MARGIN * m, range.w_na + MARGIN * m);
+            let contacts = Chebyshev::nodes(from, to, NODES)
+                .into_iter()
+                .map(|w| nominal_contact(worm.flank(flank), &chain, w))
+                .collect::<Result<Vec<_>, _>>()?;
+            let fit = |value: &dyn Fn(&super::NominalContact) -> f64| {
+                Chebyshev::interpolate(from, to, &contacts.iter().map(value).collect::<Vec<_>>())
+                    .truncated(1e-17)
+            };
+            let middle = &contacts[NODES / 2];
+            let profile = oriented(fit(&|c| c.r), fit(&|c| c.z), 0.5 * (from + to), middle.n_r, middle.n_z);
+            Ok(FlankDresser { profile, line: fit(&|c| c.b), range })
+        })?;
+        Ok(Self { worm: *worm.flanks(), chain, flanks, head: None })
+    }
+
+    /// Adds the head part: conjugate of the worm's outside cylinder over b in [-half_width, half_width].
+    ///
+    /// # Errors
+    /// [`DressingError::InvalidNumber`] when the cylinder has no conjugate.
+    pub fn with_head(mut self, radius: f64, half_width: f64) -> Result<Self, DressingError> {
+        let (sin_g, cos_g) = self.chain.crossing_angle.sin_cos();
+        let (d, v_y) = (self.chain.centre_distance, self.chain.offset);
+        let contact = |b: f64| -> Result<[f64; 4], DressingError> {
+            let mut angle: f64 = 0.0;
+            for _ in 0..60 {
+                let (s, c) = angle.sin_cos();
+                let g = sin_g * (b - v_y * sin_g) * c - cos_g * (d * s + v_y * cos_g * c);
+                let slope = -sin_g * (b - v_y * sin_g) * s - cos_g * (d * c - v_y * cos_g * s);
+                let step = g / slope;
+                angle -= step;
+                if step.abs() < 1e-15 {
+                    break;
+                }
+            }
+            let (s, c) = angle.sin_cos();
+            let arm = [radius * c - d, radius * s + v_y * cos_g, b - v_y * sin_g];
+            let across = arm[1] * cos_g - arm[2] * sin_g;
+            let r = arm[0].hypot(across);
+            let values =
+                [r, arm[1] * sin_g + arm[2] * cos_g, -(c * arm[0] + s * cos_g * across) / r, -s * sin_g];
+            if values.iter().all(|x| x.is_finite()) {
+                Ok(values)
+            } else {
+                Err(DressingError::InvalidNumber {
+                    field: "worm head radius",
+                    value: radius,
+                    allowed: "a radius the dresser reaches",
+                })
+            }
+        };
+        let nodes = Chebyshev::nodes(-half_width, half_width, 24);
+        let values = nodes.iter().map(|&b| contact(b)).collect::<Result<Vec<_>, _>>()?;
+        let fit = |k: usize| {
+            Chebyshev::interpolate(-half_width, half_width, &values.iter().map(|v| v[k]).collect::<Vec<_>>())
+                .truncated(1e-17)
+        };
+        let at_zero = contact(0.0)?;
+        self.head = Some(oriented(fit(0), fit(1), 0.0, at_zero[2], at_zero[3]));
+        Ok(self)
+    }
+
+    /// The same dresser with normal profile offsets (g > 0: more dresser).
+    pub fn with_offsets(&self, offsets: &Sides<Option<Arc<dyn ProfileOffset>>>) -> Self {
+        let mut tool = self.clone();
+        for (flank, offset) in offsets.iter() {
+            if let Some(offset) = offset {
+                tool.flanks[flank].profile = self.flanks[flank].profile.with_offset(offset.clone());
+            }
+        }
+        tool
+    }
+
+    /// The same dresser without profile offsets.
+    pub fn plain(&self) -> Self {
+        let mut tool = self.clone();
+        for flank in Flank::BOTH {
+            tool.flanks[flank].profile = self.flanks[flank].profile.plain();
+        }
+        tool
+    }
+}
+
+/// A meridian whose outward normal at t agrees with (n_r, n_z).
+fn oriented(radius: Chebyshev, axial: Chebyshev, t: f64, n_r: f64, n_z: f64) -> Revolution {
+    let outward = Revolution::new(radius.clone(), axial.clone(), 1.0);
+    let at = outward.at(t);
+    if value_of(at.n_r) * n_r + value_of(at.n_z) * n_z > 0.0 {
+        outward
+    } else {
+        Revolution::new(radius, axial, -1.0)
+    }
+}

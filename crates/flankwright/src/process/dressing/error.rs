@@ -1,0 +1,118 @@
+//! Errors of dressing (spec 30 section 18).
+
+use crate::geometry::{Flank, GeometryError};
+use thiserror::Error;
+
+/// What can go wrong between dresser and worm. Lengths mm.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum DressingError {
+    /// A body is impossible by itself.
+    #[error(transparent)]
+    Geometry(#[from] GeometryError),
+    /// A number that is not usable.
+    #[error("{field} = {value} is not usable; allowed: {allowed}")]
+    InvalidNumber {
+        /// Name of the quantity.
+        field: &'static str,
+        /// Its value.
+        value: f64,
+        /// Allowed range in words.
+        allowed: &'static str,
+    },
+    /// The involute flank has no conjugate dresser in the design range.
+    #[error("the {flank} flank has no conjugate dresser at length of roll {w:.4} mm")]
+    NoConjugate {
+        /// Flank concerned.
+        flank: Flank,
+        /// Length of roll.
+        w: f64,
+    },
+    /// A circle of the dresser touches nothing.
+    #[error("the dresser circle at profile parameter {t:.4} mm does not touch the {flank} flank of the worm")]
+    NoContact {
+        /// Flank concerned.
+        flank: Flank,
+        /// Profile parameter.
+        t: f64,
+    },
+    /// The contact leaves the dresser's profile.
+    #[error(
+        "length of roll {w:.4} mm of the {flank} worm flank needs dresser profile outside [{from:.3}, {to:.3}] mm"
+    )]
+    OutOfDresser {
+        /// Flank concerned.
+        flank: Flank,
+        /// Length of roll on the worm.
+        w: f64,
+        /// Profile from.
+        from: f64,
+        /// Profile to.
+        to: f64,
+    },
+    /// Pitch points and additional conditions must be four, and differ.
+    #[error(
+        "{count} conditions were given for the four dressing corrections; needed: exactly 4 different ones"
+    )]
+    ConditionCount {
+        /// How many there were.
+        count: usize,
+    },
+    /// The conditions do not determine the corrections.
+    #[error("the conditions do not determine the corrections (singular value ratio {ratio:.1e})")]
+    Singular {
+        /// sigma_4/sigma_1.
+        ratio: f64,
+    },
+    /// No corrections fulfil the conditions.
+    #[error("no dressing correction fulfils the conditions on the {flank} flank at v_zS = {v:.3} mm; reached {:.1} percent ({reason})", fraction * 100.0)]
+    NoZero {
+        /// Flank concerned.
+        flank: Flank,
+        /// Worm position.
+        v: f64,
+        /// Reached share of the target, 0..1.
+        fraction: f64,
+        /// Why it went no further.
+        reason: &'static str,
+    },
+    /// Crossing angle 0 in the K chart.
+    #[error("at crossing angle 0 the dressing corrections are not unique")]
+    PoleOfChart,
+}
+
+impl DressingError {
+    /// Stable kebab-case code.
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Geometry(e) => e.code(),
+            Self::InvalidNumber { .. } => "invalid-number",
+            Self::NoConjugate { .. } => "no-conjugate",
+            Self::NoContact { .. } => "no-contact",
+            Self::OutOfDresser { .. } => "out-of-dresser",
+            Self::ConditionCount { .. } => "condition-count",
+            Self::Singular { .. } => "singular",
+            Self::NoZero { .. } => "no-zero",
+            Self::PoleOfChart => "pole-of-chart",
+        }
+    }
+
+    /// What the user can do about it, in one sentence.
+    pub fn way_out(&self) -> &'static str {
+        match self {
+            Self::Geometry(e) => e.way_out(),
+            Self::InvalidNumber { .. } => "give a value inside the allowed range",
+            Self::NoConjugate { .. } => "use a larger worm, fewer threads or a smaller dresser",
+            Self::NoContact { .. } | Self::OutOfDresser { .. } => {
+                "reduce the modification made by the dressing motion, or let the dresser's profile make it"
+            }
+            Self::ConditionCount { .. } => {
+                "give four different conditions: pitch points, map rows, head rows or fixed axes"
+            }
+            Self::Singular { .. } => "replace one pitch point by a radius-map row or a fixed axis",
+            Self::NoZero { .. } => {
+                "reduce the amount, take a worm with more threads or smaller diameter, or let the dresser's profile make it"
+            }
+            Self::PoleOfChart => "use the tilt chart or a crossing angle other than 0",
+        }
+    }
+}

@@ -1,0 +1,21 @@
+//! Dressing a grinding worm with a disc dresser in line contact (spec 30): settings DK -> worm flank, and back.
+
+mod conditions;
+mod contact_line;
+mod dresser;
+mod envelope;
+mod error;
+mod forward;
+mod nominal;
+mod tilt_chart;
+mod topological;
+
+pub use conditions::{Condition, ConditionSolver};
+pub use contact_line::ContactLine;
+pub use dresser::{DresserTool, FlankDresser, GeometricRange};
+pub use envelope::{DressedWorm, EnvelopePoint, dressing_motion};
+pub use error::DressingError;
+pub use forward::{DressedProfile, ProfilePoint, head_gradient};
+pub use nominal::{NominalContact, nominal_contact};
+pub use tilt_chart::TiltChart;
+pub use topological::{NodePlan, NodeSolution, solve_dressing_motion, solve_node};

@@ -1,0 +1,77 @@
+//! The tilt chart of dressing kinematics, which has no pole at crossing angle 0 (spec 30 section 7).
+
+use super::DressingError;
+
+/// Dressing kinematics as (phi_S, gamma_X, d_X, tau): rad, rad, mm, rad; tau is a swivel that changes the pressure angle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TiltChart {
+    /// phi_S, rad.
+    pub phi: f64,
+    /// gamma_X, rad.
+    pub gamma: f64,
+    /// d_X, mm.
+    pub d: f64,
+    /// tau, rad.
+    pub tau: f64,
+}
+
+impl TiltChart {
+    /// From absolute kinematics K = (phi_S, gamma, d, v_y); p = screw parameter.
+    pub fn from_kinematics([phi, g, d, v_y]: [f64; 4], p: f64) -> Self {
+        let de = -(-v_y * g.cos()).atan2(d);
+        let a = [-de.sin() * g.sin(), de.cos() * g.sin(), g.cos()];
+        Self {
+            phi: phi + de + v_y * g.sin() / p,
+            gamma: a[1].atan2(a[2]),
+            d: d.hypot(v_y * g.cos()),
+            tau: a[0].clamp(-1.0, 1.0).asin(),
+        }
+    }
+
+    /// Back to K; of the two solutions the one whose d is nearer to `previous_d`, phi_S unwrapped to `previous_phi`.
+    ///
+    /// # Errors
+    /// [`DressingError::PoleOfChart`] when the dresser axis is parallel to the worm axis.
+    pub fn to_kinematics(
+        &self,
+        p: f64,
+        previous_d: f64,
+        previous_phi: f64,
+    ) -> Result<[f64; 4], DressingError> {
+        let a = [self.tau.sin(), self.tau.cos() * self.gamma.sin(), self.tau.cos() * self.gamma.cos()];
+        let across = a[0].hypot(a[1]);
+        if across == 0.0 {
+            return Err(DressingError::PoleOfChart);
+        }
+        let branch = |sign: f64| {
+            let g = (sign * across).atan2(a[2]);
+            let de = sign * std::f64::consts::FRAC_PI_2 - a[1].atan2(a[0]);
+            let d = self.d * de.cos();
+            let v_y = -self.d * de.sin() / g.cos();
+            [self.phi + de - v_y * g.sin() / p, g, d, v_y]
+        };
+        let (plus, minus) = (branch(1.0), branch(-1.0));
+        let nearer = if (plus[2] - previous_d).abs() <= (minus[2] - previous_d).abs() { plus } else { minus };
+        let turn = 2.0 * std::f64::consts::PI;
+        let phi = nearer[0] - turn * ((nearer[0] - previous_phi) / turn).round();
+        Ok([phi, nearer[1], nearer[2], nearer[3]])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn charts_go_round() {
+        for (g, v_y) in [(-0.17, 3.0), (0.05, -2.0), (-0.01, 0.3), (0.2, 0.0)] {
+            let k = [-1.57, g, 107.2, v_y];
+            let back = TiltChart::from_kinematics(k, 8.9).to_kinematics(8.9, 107.0, -1.5).unwrap();
+            for j in 0..4 {
+                assert!((back[j] - k[j]).abs() < 1e-11, "{g} {j}: {} {}", back[j], k[j]);
+            }
+        }
+        let pole = TiltChart { phi: 0.0, gamma: 0.0, d: 100.0, tau: 0.0 };
+        assert_eq!(pole.to_kinematics(8.9, 100.0, 0.0), Err(DressingError::PoleOfChart));
+    }
+}
