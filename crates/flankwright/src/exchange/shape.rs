@@ -124,13 +124,6 @@ impl<'s> Walk<'s> {
     fn forms(&self, schema: &'s Value, around: &Form<'s>) -> Vec<Form<'s>> {
         let mut form = around.clone();
         form.keywords.push(schema);
-        if let Some(referred) = schema.get("$ref").and_then(Value::as_str) {
-            let target = referred.strip_prefix('#').and_then(|pointer| self.schema.pointer(pointer));
-            let mut forms = target.map_or_else(Vec::new, |target| self.forms(target, &form));
-            // What stands beside the reference is nearer to the key than what it refers to.
-            forms.iter_mut().for_each(|form| form.keywords.push(schema));
-            return forms;
-        }
         match schema.get("type") {
             Some(Value::String(name)) => form.types = vec![name],
             Some(Value::Array(names)) => form.types = names.iter().filter_map(Value::as_str).collect(),
@@ -149,6 +142,14 @@ impl<'s> Walk<'s> {
             .iter()
             .any(|k| schema.get(k) == Some(&false.into()));
         let mut forms = vec![form];
+        if let Some(referred) = schema.get("$ref").and_then(Value::as_str) {
+            let target = referred.strip_prefix('#').and_then(|pointer| self.schema.pointer(pointer));
+            forms = target.map_or_else(Vec::new, |target| {
+                forms.iter().flat_map(|form| self.forms(target, form)).collect()
+            });
+            // What stands beside the reference is nearer to the key than what it refers to.
+            forms.iter_mut().for_each(|form| form.keywords.push(schema));
+        }
         for part in schema.get("allOf").and_then(Value::as_array).into_iter().flatten() {
             forms = forms.iter().flat_map(|form| self.forms(part, form)).collect();
         }
