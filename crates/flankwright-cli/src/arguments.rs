@@ -11,8 +11,10 @@ use crate::commands::schema::SchemaArguments;
 /// Plans, simulates and proves the manufacture of gear teeth.
 #[derive(Debug, Parser)]
 #[command(name = "flankwright", version, propagate_version = true, arg_required_else_help = true)]
-#[command(after_help = "Example:\n  flankwright new generating-grinding > job.toml\n  flankwright check job.toml\n\n\
-    Exit status: 0 done, 1 internal error, 2 bad input, 3 target missed, 4 not producible")]
+#[command(
+    after_help = "Example:\n  flankwright new generating-grinding > job.toml\n  flankwright check job.toml\n\n\
+    Exit status: 0 done, 1 internal error, 2 bad input, 3 target missed, 4 not producible"
+)]
 pub struct Arguments {
     /// What to do.
     #[command(subcommand)]

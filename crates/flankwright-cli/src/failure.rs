@@ -62,8 +62,9 @@ impl Failure {
 
     /// A file or stream that cannot be written.
     pub fn cannot_write(name: &str, error: &io::Error) -> Self {
-        let finding = Diagnostic::with_code("unwritable-file", format!("`{name}` cannot be written: {error}"))
-            .way_out("choose another directory with `-o DIR`, or check permissions and space");
+        let finding =
+            Diagnostic::with_code("unwritable-file", format!("`{name}` cannot be written: {error}"))
+                .way_out("choose another directory with `-o DIR`, or check permissions and space");
         Self::new(Exit::BadInput, finding)
     }
 
@@ -142,15 +143,16 @@ impl Failure {
             ("allowed", &diagnostic.allowed),
             ("way out", &diagnostic.way_out),
         ];
-        let help: Vec<String> =
-            parts.iter().filter_map(|(name, part)| part.as_ref().map(|text| format!("{name}: {text}"))).collect();
+        let help: Vec<String> = parts
+            .iter()
+            .filter_map(|(name, part)| part.as_ref().map(|text| format!("{name}: {text}")))
+            .collect();
         if !help.is_empty() {
             drawn = drawn.with_help(help.join("\n"));
         }
         match (&self.source, shown) {
             (Some(source), Some(span)) => {
-                let label = diagnostic.allowed.is_some().then(|| "here".to_owned());
-                Report::new(drawn.with_label(LabeledSpan::new_with_span(label, span)))
+                Report::new(drawn.with_label(LabeledSpan::new_with_span(None, span)))
                     .with_source_code(NamedSource::new(source.name(), source.text().to_owned()))
             }
             _ => Report::new(drawn),
@@ -170,5 +172,6 @@ impl Failure {
 
 /// An input that cannot be read.
 pub fn unreadable(name: &str, error: &io::Error) -> Diagnostic {
-    Diagnostic::with_code("unreadable-file", format!("{name} cannot be read: {error}")).way_out("check the input")
+    Diagnostic::with_code("unreadable-file", format!("{name} cannot be read: {error}"))
+        .way_out("check the input")
 }

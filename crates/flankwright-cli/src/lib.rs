@@ -49,7 +49,8 @@ fn usage(error: &clap::Error, arguments: &[OsString]) -> ExitCode {
     if error.use_stderr() && arguments.iter().any(|a| a == "--json") {
         let text = error.to_string();
         let (message, rest) = text.split_once("\n\n").unwrap_or((&text, ""));
-        let finding = Diagnostic::with_code("usage", message.trim_start_matches("error: ")).way_out(rest.trim());
+        let finding =
+            Diagnostic::with_code("usage", message.trim_start_matches("error: ")).way_out(rest.trim());
         Failure::new(Exit::BadInput, finding).tell(true);
         return Exit::BadInput.into();
     }

@@ -17,7 +17,9 @@ use crate::failure::Failure;
 pub fn print(text: &str) -> Result<(), Failure> {
     let mut stdout = io::stdout().lock();
     match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Failure::cannot_write("standard output", &error)),
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            Err(Failure::cannot_write("standard output", &error))
+        }
         _ => Ok(()),
     }
 }
@@ -54,8 +56,9 @@ pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
 /// Everything that is wrong with the job.
 pub fn load_job(path: &Path) -> Result<LoadedJob, Failure> {
     if path == Path::new("-") {
-        let source = Source::read_from("-", io::stdin().lock())
-            .map_err(|error| Failure::new(Exit::BadInput, crate::failure::unreadable("standard input", &error)))??;
+        let source = Source::read_from("-", io::stdin().lock()).map_err(|error| {
+            Failure::new(Exit::BadInput, crate::failure::unreadable("standard input", &error))
+        })??;
         return Ok(flankwright::exchange::parse_job(source)?);
     }
     Ok(read_job(path)?)

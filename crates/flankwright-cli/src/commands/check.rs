@@ -49,7 +49,12 @@ pub fn run(arguments: &CheckArguments) -> Result<Exit, Failure> {
 
 fn text(loaded: &LoadedJob, derived: &DerivedGeometry, directory: &str) -> String {
     let info = &loaded.job.job;
-    let mut text = format!("{}: valid job \"{}\" ({})\n", loaded.document.source().name(), info.name, info.process.name());
+    let mut text = format!(
+        "{}: valid job \"{}\" ({})\n",
+        loaded.document.source().name(),
+        info.name,
+        info.process.name()
+    );
     if let Some(description) = &info.description {
         text += &format!("{description}\n");
     }

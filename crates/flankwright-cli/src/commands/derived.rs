@@ -35,7 +35,13 @@ impl DerivedGeometry {
     }
 
     /// Adds a quantity to the last section.
-    fn quantity(&mut self, key: &'static str, label: &'static str, value: impl Into<Value>, unit: &'static str) {
+    fn quantity(
+        &mut self,
+        key: &'static str,
+        label: &'static str,
+        value: impl Into<Value>,
+        unit: &'static str,
+    ) {
         if let Some(section) = self.sections.last_mut() {
             section.quantities.push(Quantity { key, label, value: value.into(), unit });
         }

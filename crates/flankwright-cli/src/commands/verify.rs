@@ -8,8 +8,10 @@ use crate::arguments::CommonArguments;
 
 /// Arguments of `verify`.
 #[derive(Args, Debug)]
-#[command(after_help = "Example:\n  flankwright verify tests/reference/10-gears.json tests/reference/28-planning.json\n\n\
-    Exit status 0 only if no check failed and, without --allow-uncovered, no block was left out.")]
+#[command(
+    after_help = "Example:\n  flankwright verify tests/reference/10-gears.json tests/reference/28-planning.json\n\n\
+    Exit status 0 only if no check failed and, without --allow-uncovered, no block was left out."
+)]
 pub struct VerifyArguments {
     /// Reference files
     #[arg(value_name = "FILE", required = true)]

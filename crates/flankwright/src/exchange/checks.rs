@@ -248,6 +248,8 @@ fn dresser(job: &Job, findings: &mut Vec<Diagnostic>) {
     if dresser.designed_for.is_some() {
         findings.push(
             not_yet("dresser.designed_for", "a dresser made for another worm")
+                .value("a table")
+                .allowed("no key")
                 .way_out("leave `designed_for` out: the dresser is then made for this worm"),
         );
     }

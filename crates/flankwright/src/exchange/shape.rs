@@ -199,7 +199,7 @@ impl<'s> Walk<'s> {
         match &node.kind {
             Kind::Integer(value) => self.number(node, &fitting, *value as f64, path),
             Kind::Float(value) => self.number(node, &fitting, *value, path),
-            Kind::Text(text) => self.text(node, &fitting, text, path),
+            Kind::Text(text) => self.text(node, &forms, text, path),
             Kind::List(items) => self.list(node, fitting[0], items, path),
             Kind::Table(entries) => self.table(node, &fitting, entries, path),
             Kind::Null | Kind::Bool(_) | Kind::Date(_) => {}
@@ -230,9 +230,15 @@ impl<'s> Walk<'s> {
         let form = forms[0];
         let whole = form.types.contains(&"integer") && !form.types.contains(&"number");
         let finding = if !value.is_finite() {
-            Diagnostic::new(Problem::InvalidNumber, format!("`{path}` is not a finite number"))
+            Diagnostic::new(
+                Problem::InvalidNumber,
+                format!("`{path}` = {} is not a finite number", node.shown()),
+            )
         } else if !form.contains(value) {
-            Diagnostic::new(Problem::InvalidNumber, format!("`{path}` is outside its range"))
+            Diagnostic::new(
+                Problem::InvalidNumber,
+                format!("`{path}` = {} is outside its range", node.shown()),
+            )
         } else if whole && !matches!(node.kind, Kind::Integer(_)) {
             Diagnostic::new(
                 Problem::WrongType,
@@ -254,8 +260,8 @@ impl<'s> Walk<'s> {
         );
     }
 
-    fn text(&mut self, node: &Node, forms: &[&Form<'s>], text: &str, path: &str) {
-        if let Some(free) = forms.iter().find(|f| f.words.is_empty()) {
+    fn text(&mut self, node: &Node, forms: &[Form<'s>], text: &str, path: &str) {
+        if let Some(free) = forms.iter().find(|f| f.words.is_empty() && f.takes(&Kind::Text(String::new()))) {
             let length = text.chars().count() as f64;
             let (least, most) = (free.number("minLength"), free.number("maxLength"));
             if least.is_some_and(|l| length < l) || most.is_some_and(|l| length > l) {
@@ -276,11 +282,16 @@ impl<'s> Walk<'s> {
         }
         let words: Vec<&str> = forms.iter().flat_map(|f| f.words.iter().copied()).collect();
         if !words.contains(&text) {
-            self.unknown_word(node, text, &words, path);
+            let others = forms
+                .iter()
+                .filter(|f| f.words.is_empty())
+                .map(|f| format!(" or {}", f.expected()))
+                .collect();
+            self.unknown_word(node, text, &words, others, path);
         }
     }
 
-    fn unknown_word(&mut self, node: &Node, text: &str, words: &[&str], path: &str) {
+    fn unknown_word(&mut self, node: &Node, text: &str, words: &[&str], others: String, path: &str) {
         let way_out = match nearest(text, words.iter().copied()) {
             Some(word) => format!("did you mean \"{word}\"?"),
             None => "use one of the allowed words".to_owned(),
@@ -292,7 +303,7 @@ impl<'s> Walk<'s> {
             )
             .field(path)
             .value(node.shown())
-            .allowed(listed(words))
+            .allowed(listed(words) + &others)
             .way_out(way_out)
             .span(Some(node.span.clone())),
         );
@@ -369,7 +380,7 @@ impl<'s> Walk<'s> {
             Some((value, Kind::Text(word))) => {
                 let found = forms.iter().find(|f| word_of(f, tag) == Some(word));
                 if found.is_none() {
-                    self.unknown_word(value, word, &words, &tag_path);
+                    self.unknown_word(value, word, &words, String::new(), &tag_path);
                 }
                 found.map(|form| (*form).clone())
             }
