@@ -28,13 +28,11 @@ pub fn run() -> ExitCode {
         Err(error) => return usage(&error, &arguments),
     };
     let json = parsed.command.common().json;
-    // A panic has been told by the hook; what is left is the exit status, and for programs the JSON answer.
-    let outcome = catch_unwind(AssertUnwindSafe(|| match &parsed.command {
+    let outcome = survived(|| match &parsed.command {
         Command::New(arguments) => commands::new::run(arguments),
         Command::Schema(arguments) => commands::schema::run(arguments),
         Command::Check(arguments) => commands::check::run(arguments),
-    }))
-    .unwrap_or_else(|_| Err(Failure::panicked()));
+    });
     match outcome {
         Ok(exit) => exit.into(),
         Err(failure) => {
@@ -42,6 +40,12 @@ pub fn run() -> ExitCode {
             failure.exit.into()
         }
     }
+}
+
+/// The outcome of a command, a panic made into a failure. The hook has told where; what is left is the exit status
+/// and, for programs, the JSON answer.
+fn survived(command: impl FnOnce() -> Result<Exit, Failure>) -> Result<Exit, Failure> {
+    catch_unwind(AssertUnwindSafe(command)).unwrap_or_else(|_| Err(Failure::panicked()))
 }
 
 /// Help and version go to standard output; a wrong command line is bad input.
@@ -57,4 +61,17 @@ fn usage(error: &clap::Error, arguments: &[OsString]) -> ExitCode {
     // Nothing is left to do if even this cannot be printed.
     let _ = error.print();
     if error.use_stderr() { Exit::BadInput.into() } else { Exit::Done.into() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_panic_is_an_internal_error() {
+        let failure = survived(|| panic!("on purpose")).unwrap_err();
+        assert_eq!(failure.exit.code(), 1);
+        assert_eq!(failure.to_json()["error"]["code"], "internal-error");
+        assert_eq!(survived(|| Ok(Exit::TargetMissed)).map(Exit::code), Ok(3));
+    }
 }

@@ -1,7 +1,7 @@
 //! Checks the tree of a document against the schema: unknown and missing keys, types, words, ranges; all
 //! findings at once, each with its place. Knows the parts of JSON Schema that the job's schema uses, and no key.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashSet};
 
 use serde_json::Value;
 
@@ -324,8 +324,10 @@ impl<'s> Walk<'s> {
             );
         }
         if form.keyword("uniqueItems") == Some(&Value::Bool(true)) {
+            // Such lists hold words; anything else in them is told by its type.
+            let mut seen = HashSet::new();
             for (i, item) in items.iter().enumerate() {
-                if items[..i].iter().any(|earlier| earlier.kind == item.kind) {
+                if matches!(&item.kind, Kind::Text(word) if !seen.insert(word.as_str())) {
                     let message = format!("{} stands twice in `{path}`", item.shown());
                     self.findings.push(
                         Diagnostic::new(Problem::InvalidList, message)
