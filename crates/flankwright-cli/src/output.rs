@@ -27,7 +27,7 @@ pub fn print(text: &str) -> Result<(), Failure> {
 /// Prints one JSON document.
 ///
 /// # Errors
-/// As [`print`]; a value that JSON cannot hold is an internal error.
+/// As [`print()`]; a value that JSON cannot hold is an internal error.
 pub fn print_json(value: &impl Serialize) -> Result<(), Failure> {
     print(&json_text(value)?)
 }

@@ -7,6 +7,7 @@ mod csv;
 mod diagnostic;
 mod document;
 mod files;
+mod form;
 mod grid_file;
 pub mod job;
 mod json_tree;

@@ -1,12 +1,13 @@
 //! Checks the tree of a document against the schema: unknown and missing keys, types, words, ranges; all
-//! findings at once, each with its place. Knows the parts of JSON Schema that the job's schema uses, and no key.
+//! findings at once, each with its place. Knows no key.
 
-use std::collections::{BTreeMap, HashSet};
+use std::collections::HashSet;
 
 use serde_json::Value;
 
 use super::diagnostic::{Diagnostic, Problem};
-use super::node::{Entry, Kind, Node, shown_number};
+use super::form::{Form, listed};
+use super::node::{Entry, Kind, Node};
 
 /// All findings about a document.
 pub(super) fn check(root: &Node, schema: &Value) -> Vec<Diagnostic> {
@@ -34,136 +35,9 @@ struct Walk<'s> {
     findings: Vec<Diagnostic>,
 }
 
-/// One alternative of a schema, its references and `allOf` resolved.
-#[derive(Clone, Default)]
-struct Form<'s> {
-    types: Vec<&'s str>,
-    words: Vec<&'s str>,
-    properties: BTreeMap<&'s str, &'s Value>,
-    required: Vec<&'s str>,
-    closed: bool,
-    /// Where ranges, items and advice stand.
-    keywords: Vec<&'s Value>,
-}
-
-impl<'s> Form<'s> {
-    fn keyword(&self, name: &str) -> Option<&'s Value> {
-        self.keywords.iter().rev().find_map(|schema| schema.get(name))
-    }
-
-    fn number(&self, name: &str) -> Option<f64> {
-        self.keyword(name).and_then(Value::as_f64)
-    }
-
-    fn takes(&self, kind: &Kind) -> bool {
-        let takes = |name: &str| self.types.contains(&name);
-        match kind {
-            Kind::Null | Kind::Date(_) => false,
-            Kind::Bool(_) => takes("boolean"),
-            Kind::Integer(_) | Kind::Float(_) => takes("number") || takes("integer"),
-            Kind::Text(_) => takes("string") || !self.words.is_empty(),
-            Kind::List(_) => takes("array"),
-            Kind::Table(_) => takes("object"),
-        }
-    }
-
-    /// What the form takes, in words.
-    fn expected(&self) -> String {
-        if !self.words.is_empty() {
-            return listed(&self.words);
-        }
-        let named = |name: &&str| match *name {
-            "object" if self.properties.is_empty() => "a table".to_owned(),
-            "object" => {
-                let keys: Vec<&str> = self.properties.keys().copied().collect();
-                format!("a table {{ {} }}", keys.join(", "))
-            }
-            "array" => "a list".to_owned(),
-            "string" => "a text".to_owned(),
-            "boolean" => "true or false".to_owned(),
-            "integer" => format!("a whole number{}", self.range_suffix()),
-            _ => format!("a number{}", self.range_suffix()),
-        };
-        self.types.iter().map(named).collect::<Vec<_>>().join(" or ")
-    }
-
-    fn range_suffix(&self) -> String {
-        self.range().map_or_else(String::new, |range| format!(" {range}"))
-    }
-
-    fn range(&self) -> Option<String> {
-        let mut parts = Vec::new();
-        for (keyword, sign) in
-            [("exclusiveMinimum", "> "), ("minimum", ">= "), ("exclusiveMaximum", "< "), ("maximum", "<= ")]
-        {
-            if let Some(limit) = self.number(keyword) {
-                parts.push(format!("{sign}{}", shown_number(limit)));
-            }
-        }
-        if let Some(hole) = self.keyword("not").and_then(|not| not.get("const")) {
-            parts.push(format!("not {hole}"));
-        }
-        (!parts.is_empty()).then(|| parts.join(" and "))
-    }
-
-    fn contains(&self, value: f64) -> bool {
-        self.number("minimum").is_none_or(|limit| value >= limit)
-            && self.number("exclusiveMinimum").is_none_or(|limit| value > limit)
-            && self.number("maximum").is_none_or(|limit| value <= limit)
-            && self.number("exclusiveMaximum").is_none_or(|limit| value < limit)
-            && self.keyword("not").and_then(|not| not.get("const")?.as_f64()).is_none_or(|hole| value != hole)
-    }
-
-    fn way_out(&self) -> Option<String> {
-        self.keyword("x-way-out").and_then(Value::as_str).map(str::to_owned)
-    }
-}
-
 impl<'s> Walk<'s> {
-    /// All alternatives of a schema, each with what its surroundings add.
-    fn forms(&self, schema: &'s Value, around: &Form<'s>) -> Vec<Form<'s>> {
-        let mut form = around.clone();
-        form.keywords.push(schema);
-        match schema.get("type") {
-            Some(Value::String(name)) => form.types = vec![name],
-            Some(Value::Array(names)) => form.types = names.iter().filter_map(Value::as_str).collect(),
-            _ => {}
-        }
-        form.words.extend(schema.get("const").and_then(Value::as_str));
-        form.words.extend(
-            schema.get("enum").and_then(Value::as_array).into_iter().flatten().filter_map(Value::as_str),
-        );
-        if let Some(properties) = schema.get("properties").and_then(Value::as_object) {
-            form.properties.extend(properties.iter().map(|(key, value)| (key.as_str(), value)));
-        }
-        let required = schema.get("required").and_then(Value::as_array).into_iter().flatten();
-        form.required.extend(required.filter_map(Value::as_str));
-        form.closed |= ["additionalProperties", "unevaluatedProperties"]
-            .iter()
-            .any(|k| schema.get(k) == Some(&false.into()));
-        let mut forms = vec![form];
-        if let Some(referred) = schema.get("$ref").and_then(Value::as_str) {
-            let target = referred.strip_prefix('#').and_then(|pointer| self.schema.pointer(pointer));
-            forms = target.map_or_else(Vec::new, |target| {
-                forms.iter().flat_map(|form| self.forms(target, form)).collect()
-            });
-            // What stands beside the reference is nearer to the key than what it refers to.
-            forms.iter_mut().for_each(|form| form.keywords.push(schema));
-        }
-        for part in schema.get("allOf").and_then(Value::as_array).into_iter().flatten() {
-            forms = forms.iter().flat_map(|form| self.forms(part, form)).collect();
-        }
-        for keyword in ["anyOf", "oneOf"] {
-            if let Some(parts) = schema.get(keyword).and_then(Value::as_array) {
-                forms =
-                    forms.iter().flat_map(|form| parts.iter().flat_map(|p| self.forms(p, form))).collect();
-            }
-        }
-        forms
-    }
-
     fn node(&mut self, node: &Node, schema: &'s Value, path: &str, key: Option<&Entry>) {
-        let forms = self.forms(schema, &Form::default());
+        let forms = Form::alternatives(self.schema, schema);
         let name = if path.is_empty() { "the job".to_owned() } else { format!("`{path}`") };
         let at =
             |diagnostic: Diagnostic| diagnostic.field(path).value(node.shown()).span(Some(node.span.clone()));
@@ -209,9 +83,7 @@ impl<'s> Walk<'s> {
     /// Where the schema leaves a value open, its numbers must still be finite.
     fn anything(&mut self, node: &Node, path: &str) {
         match &node.kind {
-            Kind::Float(value) => {
-                self.number(node, &[&Form { types: vec!["number"], ..Form::default() }], *value, path)
-            }
+            Kind::Float(value) => self.number(node, &[&Form::any_number()], *value, path),
             Kind::List(items) => {
                 for (i, item) in items.iter().enumerate() {
                     self.anything(item, &format!("{path}[{i}]"));
@@ -431,7 +303,7 @@ impl<'s> Walk<'s> {
 
     fn missing_key(&mut self, node: &Node, form: &Form<'s>, path: &str, key: &str) {
         let wanted =
-            form.properties.get(key).map_or_else(Vec::new, |schema| self.forms(schema, &Form::default()));
+            form.properties.get(key).map_or_else(Vec::new, |schema| Form::alternatives(self.schema, schema));
         let expected = wanted.iter().map(Form::expected).collect::<Vec<_>>().join(" or ");
         let table = wanted.iter().any(|f| f.types.contains(&"object")) && wanted.len() == 1;
         let (message, way_out) = match (path.is_empty(), table) {
@@ -458,10 +330,6 @@ impl<'s> Walk<'s> {
 
 fn joined(path: &str, key: &str) -> String {
     if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") }
-}
-
-fn listed(words: &[&str]) -> String {
-    words.iter().map(|word| format!("\"{word}\"")).collect::<Vec<_>>().join(", ")
 }
 
 /// Keys come from the file and may be of any length.
