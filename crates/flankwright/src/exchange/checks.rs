@@ -254,7 +254,7 @@ fn dresser(job: &Job, findings: &mut Vec<Diagnostic>) {
         );
     }
     if let DresserModification::Given(entry) = &dresser.modification {
-        let kind = entry.get("kind").and_then(|k| k.as_str()).unwrap_or_default();
+        let kind = entry.kind();
         let of_profile = ["profile_", "tip_", "root_"].iter().any(|start| kind.starts_with(start));
         if !of_profile {
             findings.push(

@@ -9,7 +9,6 @@ mod gear;
 mod grid;
 mod grinding;
 mod machine;
-mod modification_keys;
 mod one_or_sides;
 mod output;
 mod process;

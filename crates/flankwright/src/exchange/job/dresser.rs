@@ -42,7 +42,7 @@ pub enum DresserModification {
     /// `"target"` or `"none"`.
     Rule(FixedDresser),
     /// A dresser that exists: one entry as in `[target] modifications`, of a profile kind.
-    Given(#[schemars(schema_with = "super::modification_keys::modification_schema")] Modification),
+    Given(Modification),
 }
 
 impl Default for DresserModification {

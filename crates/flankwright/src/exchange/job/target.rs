@@ -3,10 +3,10 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::modification_keys::modifications_schema;
+use crate::modification::ModificationSpec;
 
 /// One entry of `modifications`: a table with `kind` and the keys of that kind.
-pub type Modification = serde_json::Value;
+pub type Modification = ModificationSpec;
 
 /// The wanted flank: modifications of the involute, or a grid of values from a file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -20,7 +20,6 @@ pub struct Target {
     /// Modifications that add up; amounts are transverse, positive = material removed. An empty list asks for
     /// the pure involute.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(schema_with = "modifications_schema")]
     pub modifications: Option<Vec<Modification>>,
     /// Table of values (CSV with the columns w_mm, z_mm, f_um), beside the job file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
