@@ -15,8 +15,9 @@ pub struct ContactLine {
     pub straightness: f64,
 }
 
-/// Points of the fit.
-const SAMPLES: usize = 61;
+/// Equidistant points of the fit; the direction of a line that is straight to a micrometre does not need more, and every
+/// calculation must use the same number, because the diagonal ratio follows from the direction.
+const SAMPLES: usize = 7;
 
 impl ContactLine {
     /// Fits the contact line of `flank` at correction `dk` over the used range.
@@ -24,24 +25,11 @@ impl ContactLine {
     /// # Errors
     /// As [`DressedProfile::at_roll`].
     pub fn fit(tool: &DresserTool, flank: Flank, dk: DressingCorrection) -> Result<Self, DressingError> {
-        Self::fit_sampled(tool, flank, dk, SAMPLES)
-    }
-
-    /// As [`ContactLine::fit`] with a given number of equidistant points.
-    ///
-    /// # Errors
-    /// As [`DressedProfile::at_roll`].
-    pub fn fit_sampled(
-        tool: &DresserTool,
-        flank: Flank,
-        dk: DressingCorrection,
-        samples: usize,
-    ) -> Result<Self, DressingError> {
         let range = tool.flanks[flank].range;
         let profile = DressedProfile::new(tool, flank, dk);
-        let points = (0..samples)
+        let points = (0..SAMPLES)
             .map(|i| {
-                let w = range.w_nf + range.length() * i as f64 / (samples - 1) as f64;
+                let w = range.w_nf + range.length() * i as f64 / (SAMPLES - 1) as f64;
                 profile.at_roll(w).map(|p| (p.w - range.middle(), p.b))
             })
             .collect::<Result<Vec<_>, _>>()?;
