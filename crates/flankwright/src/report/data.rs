@@ -131,30 +131,37 @@ pub struct Column {
     pub title: String,
     /// Unit below the heading; empty for none.
     pub unit: String,
-    /// Side on which the cells line up.
-    pub align: Align,
+    /// What its cells hold.
+    pub kind: ColumnKind,
 }
 
 impl Column {
     /// A column of words, aligned left.
     pub fn text(title: impl Into<String>) -> Self {
-        Self { title: title.into(), unit: String::new(), align: Align::Left }
+        Self { title: title.into(), unit: String::new(), kind: ColumnKind::Text }
+    }
+
+    /// A column of words with symbols: `C_β` is set with an index.
+    pub fn symbols(title: impl Into<String>) -> Self {
+        Self { title: title.into(), unit: String::new(), kind: ColumnKind::Symbols }
     }
 
     /// A column of numbers, aligned right.
     pub fn number(title: impl Into<String>, unit: impl Into<String>) -> Self {
-        Self { title: title.into(), unit: unit.into(), align: Align::Right }
+        Self { title: title.into(), unit: unit.into(), kind: ColumnKind::Number }
     }
 }
 
-/// Side on which the cells of a column line up.
+/// What the cells of a column hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Align {
-    /// Words.
-    Left,
-    /// Numbers.
-    Right,
+pub enum ColumnKind {
+    /// Words, aligned left.
+    Text,
+    /// Words with symbols whose `_` sets an index, aligned left.
+    Symbols,
+    /// Numbers, aligned right.
+    Number,
 }
 
 /// Something to know, and what helps.
@@ -248,7 +255,7 @@ impl Table {
             caption: caption.into(),
             columns: vec![
                 Column::text("Quantity"),
-                Column::text("Symbol"),
+                Column::symbols("Symbol"),
                 Column::number("Value", ""),
                 Column::text("Unit"),
             ],

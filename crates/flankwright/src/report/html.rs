@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
-use super::charts::escape;
-use super::data::{Align, Banner, Block, Fact, Figure, PlanReport, Section, Status, Table, Warning};
+use super::charts::{escape, indices};
+use super::data::{Banner, Block, ColumnKind, Fact, Figure, PlanReport, Section, Status, Table, Warning};
 
 const STYLE: &str = include_str!("style.css");
 
@@ -91,15 +91,21 @@ fn write_table(page: &mut String, table: &Table) {
         } else {
             format!("<span class=\"unit\">{}</span>", escape(&column.unit))
         };
-        let _ = write!(page, "<th scope=\"col\"{}>{}{unit}</th>", class(column.align), escape(&column.title));
+        let _ = write!(
+            page,
+            "<th scope=\"col\"{}>{}{unit}</th>",
+            class(column.kind),
+            with_indices(&column.title)
+        );
     }
     page.push_str("</tr></thead>\n<tbody>\n");
     for row in &table.rows {
         page.push_str("<tr>");
         for k in 0..row.len().max(table.columns.len()) {
-            let align = table.columns.get(k).map_or(Align::Left, |column| column.align);
-            let text = row.get(k).map(|text| escape(text)).unwrap_or_default();
-            let _ = write!(page, "<td{}>{text}</td>", class(align));
+            let kind = table.columns.get(k).map_or(ColumnKind::Text, |column| column.kind);
+            let text = row.get(k).map_or("", String::as_str);
+            let text = if kind == ColumnKind::Symbols { with_indices(text) } else { escape(text) };
+            let _ = write!(page, "<td{}>{text}</td>", class(kind));
         }
         page.push_str("</tr>\n");
     }
@@ -110,11 +116,19 @@ fn write_table(page: &mut String, table: &Table) {
     page.push_str("</div>\n");
 }
 
-fn class(align: Align) -> &'static str {
-    match align {
-        Align::Left => "",
-        Align::Right => " class=\"right\"",
+fn class(kind: ColumnKind) -> &'static str {
+    match kind {
+        ColumnKind::Text | ColumnKind::Symbols => "",
+        ColumnKind::Number => " class=\"right\"",
     }
+}
+
+/// Escaped text, indices of symbols as `<sub>`.
+fn with_indices(text: &str) -> String {
+    indices(text)
+        .into_iter()
+        .map(|(piece, below)| if below { format!("<sub>{}</sub>", escape(&piece)) } else { escape(&piece) })
+        .collect()
 }
 
 fn write_figure(page: &mut String, figure: &Figure) {

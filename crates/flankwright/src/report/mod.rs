@@ -26,6 +26,6 @@ pub mod html;
 mod data;
 
 pub use data::{
-    Align, Banner, Block, Column, Fact, Figure, PlanReport, Quantity, QuantityValue, Section, Status, Table,
-    Warning,
+    Banner, Block, Column, ColumnKind, Fact, Figure, PlanReport, Quantity, QuantityValue, Section, Status,
+    Table, Warning,
 };

@@ -4,8 +4,8 @@
 use flankwright::geometry::{Flank, Sides};
 use flankwright::report::charts::{SectionTrace, Topography};
 use flankwright::report::generating::{
-    Characteristics, ConvergenceRound, DressingMotion, FlankReport, GeneratingReport, GrindingMotion, Reason,
-    RatioCandidate, RatioChoice, RefereeStage, TargetAmount, Timing, Verification, WrittenFile,
+    Characteristics, ConvergenceRound, DressingMotion, FlankReport, GeneratingReport, GrindingMotion,
+    RatioCandidate, RatioChoice, Reason, RefereeStage, TargetAmount, Timing, Verification, WrittenFile,
 };
 use flankwright::report::{Quantity, Status, Warning};
 
@@ -66,8 +66,9 @@ fn flank(side: Flank, twist_um: f64) -> FlankReport {
         trace.values_um = vec![(crowning.0.to_owned(), crowning.1), (slope.0.to_owned(), slope.1)];
         trace
     };
-    let profiles = [4, 20, 36]
-        .map(|j| trace(SectionTrace::profile(&simulated, Some(&target), j), ("C_α", 4.998), ("C_Hα", -0.001)));
+    let profiles = [4, 20, 36].map(|j| {
+        trace(SectionTrace::profile(&simulated, Some(&target), j), ("C_α", 4.998), ("C_Hα", -0.001))
+    });
     let helices = [4, 20, 36]
         .map(|i| trace(SectionTrace::helix(&simulated, Some(&target), i), ("C_β", 20.0), ("C_Hβ", 0.0004)));
     let amount = |name: &str, amount_um: f64| TargetAmount {
@@ -118,7 +119,8 @@ fn dressing(side: Flank) -> DressingMotion {
 /// The report of a job that met its tolerance.
 pub fn met() -> GeneratingReport {
     let feed = spread(-21.0, 21.0, 85);
-    let written = |path: &str, content: &str| WrittenFile { path: path.to_owned(), content: content.to_owned() };
+    let written =
+        |path: &str, content: &str| WrittenFile { path: path.to_owned(), content: content.to_owned() };
     let timing = |stage: &str, seconds: f64| Timing { stage: stage.to_owned(), seconds };
     GeneratingReport {
         job_name: "twist-free-crowning".to_owned(),

@@ -3,7 +3,6 @@
 use super::axes::{Frame, TICK_SIZE};
 use super::contours::{Line, isolines, region_above};
 use super::error::{ChartError, check_count};
-use super::numbers::format_significant;
 use super::palette::{INK, MUTED, signed_color};
 use super::scale::{Axis, LevelScale};
 use super::svg::{Anchor, Canvas, Stroke, Svg, TextStyle};
@@ -27,7 +26,7 @@ const WIDTH: f64 = 880.0;
 const TOP: f64 = 64.0;
 const PLOT_HEIGHT: f64 = 200.0;
 const LEFT: f64 = 52.0;
-const BAR_SPACE: f64 = 96.0;
+const BAR_SPACE: f64 = 84.0;
 const GAP: f64 = 56.0;
 
 /// Draws filled contours with labelled isolines: z [mm] to the right, w [mm] upwards. Negative isolines are dashed, the
@@ -77,7 +76,7 @@ fn draw_panel(canvas: &mut Canvas, frame: Frame, panel: &NamedTopography, scale:
     frame.ordinate(canvas, &y_axis);
     frame.ordinate_title(canvas, &y_axis, "w [mm]", 36.0);
     let (lo, hi) = field.range_um();
-    let text = format!("min {} µm · max {} µm", format_significant(lo, 4), format_significant(hi, 4));
+    let text = format!("min {} µm · max {} µm", scale.precise_label(lo), scale.precise_label(hi));
     let at = [frame.left + 0.5 * frame.width, frame.bottom() + 52.0];
     canvas.text(at, &text, TextStyle::new(TICK_SIZE, Anchor::Middle).muted());
 }
@@ -118,8 +117,11 @@ fn draw_isolines(
     let mut taken: Vec<Area> = Vec::new();
     let mut labels = Vec::new();
     for level in scale.edges_um() {
-        let lines = place(isolines(field, level));
-        let (width, dash) = if level == 0.0 { (1.9, "") } else { (0.9, if level < 0.0 { "5 2.5" } else { "" }) };
+        // Specks are rounding noise around a summit that just touches the level.
+        let mut lines = place(isolines(field, level));
+        lines.retain(|line| arc_lengths(line).iter().sum::<f64>() > 12.0);
+        let (width, dash) =
+            if level == 0.0 { (1.9, "") } else { (0.9, if level < 0.0 { "5 2.5" } else { "" }) };
         canvas.polylines(&lines, Stroke { color: INK, width, dash });
         let text = scale.label(level);
         for line in &lines {
@@ -142,7 +144,7 @@ fn label_place(
     taken: &[Area],
 ) -> Option<([f64; 2], f64, Area)> {
     const SIZE: f64 = 11.0;
-    let lengths: Vec<f64> = line.windows(2).map(|p| distance(p[0], p[1])).collect();
+    let lengths = arc_lengths(line);
     let total: f64 = lengths.iter().sum();
     let width = text_width(text, SIZE) + 4.0;
     if total < 1.6 * width {
@@ -165,8 +167,8 @@ fn label_place(
         let area = Area::around(
             here[0],
             here[1],
-            width * cosine.abs() + SIZE * sine.abs(),
-            width * sine.abs() + SIZE * cosine.abs(),
+            width * cosine.abs() + 1.2 * SIZE * sine.abs(),
+            width * sine.abs() + 1.2 * SIZE * cosine.abs(),
         );
         if !border.contains(&area) || taken.iter().any(|other| other.overlaps(&area)) {
             continue;
@@ -180,6 +182,10 @@ fn label_place(
         }
     }
     best.map(|(_, at, turn, area)| (at, turn, area))
+}
+
+fn arc_lengths(line: &[[f64; 2]]) -> Vec<f64> {
+    line.windows(2).map(|pair| distance(pair[0], pair[1])).collect()
 }
 
 fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
@@ -230,7 +236,7 @@ fn hatch_lines(loops: &[Line], pitch: f64) -> Vec<Line> {
 
 fn draw_colour_bar(canvas: &mut Canvas, bar: Frame, scale: &LevelScale, quantity: &str) {
     let edges = scale.edges_um();
-    canvas.text([bar.left - 4.0, bar.top - 8.0], quantity, TextStyle::new(TICK_SIZE, Anchor::Start));
+    canvas.text([bar.left - 4.0, bar.top - 14.0], quantity, TextStyle::new(TICK_SIZE, Anchor::Start));
     let label = TextStyle::new(11.0, Anchor::Start);
     if edges.len() < 2 {
         canvas.rect([bar.left, bar.top], [bar.width, bar.height], &signed_color(0.0), None);

@@ -62,7 +62,9 @@ impl ChartError {
     /// What would help, in one sentence.
     pub fn way_out(&self) -> &'static str {
         match self {
-            ChartError::InvalidNumber { .. } => "Leave undefined points out or report the failure that made them.",
+            ChartError::InvalidNumber { .. } => {
+                "Leave undefined points out or report the failure that made them."
+            }
             ChartError::TooFewValues { .. } => "Leave the chart out or compute it on more points.",
             ChartError::LengthMismatch { .. } => "Give every list of a chart the same number of points.",
             ChartError::NotAscending { .. } => "Sort the coordinates and remove duplicates.",
@@ -100,8 +102,6 @@ pub(crate) fn check_length(quantity: &str, expected: usize, actual: usize) -> Re
 pub(crate) fn check_ascending(quantity: &str, values: &[f64]) -> Result<(), ChartError> {
     match values.windows(2).position(|pair| pair[1] <= pair[0]) {
         None => Ok(()),
-        Some(before) => {
-            Err(ChartError::NotAscending { quantity: quantity.to_owned(), index: before + 1 })
-        }
+        Some(before) => Err(ChartError::NotAscending { quantity: quantity.to_owned(), index: before + 1 }),
     }
 }

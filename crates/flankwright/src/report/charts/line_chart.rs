@@ -134,7 +134,7 @@ fn range<'a>(values: impl Iterator<Item = &'a f64>) -> (f64, f64) {
 }
 
 fn draw_legend(canvas: &mut Canvas, names: &[&str]) {
-    let mut x = 4.0;
+    let mut x = 0.0;
     for (k, name) in names.iter().enumerate() {
         let style = series_style(k);
         let y = 38.0;
@@ -147,7 +147,7 @@ fn draw_legend(canvas: &mut Canvas, names: &[&str]) {
 
 fn draw_panel(canvas: &mut Canvas, frame: Frame, panel: &Panel, x_axis: &Axis, names: &[&str]) {
     let values = || panel.series.iter().flat_map(|series| &series.y);
-    let count = if frame.height < 150.0 { 4 } else { 7 };
+    let count = if frame.height < 150.0 { 5 } else { 7 };
     let positive = range(values().filter(|v| **v > 0.0));
     let y_axis = match panel.scale {
         YScale::Logarithmic if positive.1 > 0.0 => Axis::decades(positive.0, positive.1),
@@ -165,7 +165,8 @@ fn draw_panel(canvas: &mut Canvas, frame: Frame, panel: &Panel, x_axis: &Axis, n
     frame.ordinate(canvas, &y_axis);
     frame.outline(canvas);
     for series in &panel.series {
-        let style = series_style(names.iter().position(|name| *name == series.name).unwrap_or(0));
+        let place = names.iter().position(|name| *name == series.name).unwrap_or(0);
+        let style = series_style(place);
         let points: Vec<[f64; 2]> = series
             .x
             .iter()
@@ -174,18 +175,20 @@ fn draw_panel(canvas: &mut Canvas, frame: Frame, panel: &Panel, x_axis: &Axis, n
             .collect();
         let line = Stroke { color: style.color, width: 1.8, dash: style.dash };
         canvas.polylines(std::slice::from_ref(&points), line);
-        for k in marked(points.len()) {
+        for k in marked(points.len(), place) {
             draw_marker(canvas, points[k], &style);
         }
     }
 }
 
-/// Few points carry a marker, so that the line stays visible: at most nine, evenly spread.
-fn marked(count: usize) -> Vec<usize> {
+/// Few points carry a marker, so that the line stays visible: at most nine, evenly spread. Neighbouring series mark
+/// different points, so that coinciding lines show both markers.
+fn marked(count: usize, series: usize) -> Vec<usize> {
     if count <= 9 {
         return (0..count).collect();
     }
-    (0..9).map(|k| k * (count - 1) / 8).collect()
+    let shift = (series % 2) * (count - 1) / 16;
+    (0..9).map(|k| k * (count - 1) / 8 + shift).filter(|k| *k < count).collect()
 }
 
 fn draw_marker(canvas: &mut Canvas, at: [f64; 2], style: &SeriesStyle) {

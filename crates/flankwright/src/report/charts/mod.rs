@@ -31,3 +31,4 @@ pub use topography::{NamedTopography, Topography};
 pub use topography_net::{TopographyNet, topography_net};
 
 pub(crate) use svg::escape;
+pub(crate) use text::indices;

@@ -42,8 +42,10 @@ pub(crate) fn series_style(k: usize) -> SeriesStyle {
 }
 
 /// White through blue to dark for relief, white through ochre to brown for material left; sorted from light to dark.
-const RELIEF: [[u8; 3]; 5] = [[250, 250, 248], [205, 222, 236], [146, 182, 212], [84, 135, 182], [38, 84, 136]];
-const MATERIAL: [[u8; 3]; 5] = [[250, 250, 248], [247, 223, 190], [233, 178, 118], [203, 126, 61], [147, 78, 22]];
+const RELIEF: [[u8; 3]; 5] =
+    [[250, 250, 248], [205, 222, 236], [146, 182, 212], [84, 135, 182], [38, 84, 136]];
+const MATERIAL: [[u8; 3]; 5] =
+    [[250, 250, 248], [247, 223, 190], [233, 178, 118], [203, 126, 61], [147, 78, 22]];
 
 /// Colour of a signed value, `share` = value / largest magnitude in -1 .. 1. Lightness falls with the magnitude on
 /// both sides, so that the order survives a grey copy; the sign is told by hatching and labels.

@@ -6,7 +6,7 @@ use serde::Serialize;
 use super::axes::{Frame, TICK_SIZE, horizontal_bar};
 use super::error::{ChartError, check_ascending, check_count, check_length, check_values};
 use super::numbers::{format_fixed, format_significant};
-use super::palette::{BLUE, FAINT, GRID, INK, RUST};
+use super::palette::{BLUE, FAINT, GRID, INK};
 use super::scale::{Axis, decimals_of, round_below, round_step};
 use super::svg::{Anchor, Canvas, Stroke, Svg, TextStyle};
 use super::topography::Topography;
@@ -162,15 +162,16 @@ fn check_trace(trace: &SectionTrace) -> Result<(), ChartError> {
 
 fn draw_legend(canvas: &mut Canvas, diagram: &ProfileHelixDiagram) {
     let style = TextStyle::new(TICK_SIZE, Anchor::Start);
-    canvas.line([4.0, 36.0], [38.0, 36.0], SIMULATED);
-    canvas.text([44.0, 40.0], &diagram.simulated_name, style);
+    canvas.line([0.0, 36.0], [34.0, 36.0], SIMULATED);
+    canvas.text([40.0, 40.0], &diagram.simulated_name, style);
     canvas.line([150.0, 36.0], [184.0, 36.0], TARGET);
     canvas.text([190.0, 40.0], &diagram.target_name, style);
     canvas.text([300.0, 40.0], "to the right: + material left standing", style.muted());
 }
 
-const SIMULATED: Stroke = Stroke::solid(BLUE, 1.8);
-const TARGET: Stroke = Stroke { color: RUST, width: 1.8, dash: "5 3" };
+/// Thin over broad, so that both are seen where they coincide.
+const SIMULATED: Stroke = Stroke::solid(BLUE, 1.2);
+const TARGET: Stroke = Stroke { color: "#dd9a66", width: 3.6, dash: "7 4" };
 
 impl Row<'_> {
     fn value_lines(&self) -> usize {
@@ -190,8 +191,9 @@ impl Row<'_> {
             }
             let left = k as f64 * (width + GAP);
             let heading = format!("{}, {}", self.heading, lower_first(name));
-            canvas.text([left + 4.0, top + 20.0], &heading, TextStyle::new(13.0, Anchor::Start).bold());
-            let frame = Frame { left: left + 48.0, top: top + 30.0, width: width - 56.0, height: PLOT_HEIGHT };
+            canvas.text([left, top + 20.0], &heading, TextStyle::new(13.0, Anchor::Start).bold());
+            let frame =
+                Frame { left: left + 48.0, top: top + 30.0, width: width - 96.0, height: PLOT_HEIGHT };
             self.draw_block(canvas, frame, traces, (lo, hi));
         }
     }
@@ -208,9 +210,9 @@ impl Row<'_> {
         }
         frame.ordinate(canvas, &axis);
         frame.ordinate_title(canvas, &axis, self.coordinate, 36.0);
-        let end = TextStyle::new(11.0, Anchor::Start).muted().halo();
-        canvas.text([frame.left + 4.0, frame.top + 12.0], self.upper, end);
-        canvas.text([frame.left + 4.0, frame.bottom() - 5.0], self.lower, end);
+        let end = TextStyle::new(11.0, Anchor::Start).muted();
+        canvas.text([frame.right() + 5.0, frame.top + 9.0], self.upper, end);
+        canvas.text([frame.right() + 5.0, frame.bottom()], self.lower, end);
 
         let slot = frame.width / traces.len() as f64;
         let margin = (0.14 * slot).clamp(6.0, 24.0);
@@ -227,10 +229,10 @@ impl Row<'_> {
             let curve = |values: &[f64]| -> Vec<[f64; 2]> {
                 trace.coordinate_mm.iter().zip(values).map(|(&x, &f)| point(x, f)).collect()
             };
-            canvas.polylines(&[curve(&trace.simulated_um)], SIMULATED);
             if let Some(target) = &trace.target_um {
                 canvas.polylines(&[curve(target)], TARGET);
             }
+            canvas.polylines(&[curve(&trace.simulated_um)], SIMULATED);
             self.draw_values(canvas, [slot_left + 0.5 * slot, frame.bottom()], trace);
         }
         frame.outline(canvas);

@@ -137,7 +137,11 @@ impl LevelScale {
         }
         let step = round_step(hi - lo, 11);
         // A thousandth of a step beyond a level is rounding noise and earns no band of its own.
-        Self { lo_um: (lo / step + 1e-3).floor() * step, hi_um: (hi / step - 1e-3).ceil() * step, step_um: step }
+        Self {
+            lo_um: (lo / step + 1e-3).floor() * step,
+            hi_um: (hi / step - 1e-3).ceil() * step,
+            step_um: step,
+        }
     }
 
     /// True if all values are zero and there is nothing to contour.
@@ -167,9 +171,20 @@ impl LevelScale {
 
     /// A level as text, with the decimals of the step.
     pub(crate) fn label(&self, level: f64) -> String {
+        if level == 0.0 {
+            return "0".to_owned();
+        }
         if self.step_um < 1e-5 {
             return super::numbers::format_significant(level, 2);
         }
         format_fixed(level, decimals_of(self.step_um))
+    }
+
+    /// A value between the levels as text, to about a hundredth of a step.
+    pub(crate) fn precise_label(&self, value: f64) -> String {
+        if self.step_um < 1e-5 {
+            return super::numbers::format_significant(value, 3);
+        }
+        format_fixed(value, decimals_of(self.step_um) + 2)
     }
 }

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use serde::Serialize;
 
 use super::palette::{INK, MUTED};
+use super::text::indices;
 
 /// A finished chart: one `<svg>` element that can stand alone or inline in HTML. Only the charts make one, so that a
 /// page can insert it as it is.
@@ -211,16 +212,16 @@ impl Canvas {
             "<text x=\"{x}\" y=\"{y}\" font-size=\"{}\" fill=\"{}\"{anchor}{weight}{turn}{halo}>{}</text>",
             place(style.size),
             style.color,
-            escape(text)
+            spans(text, style.size)
         );
     }
 
     /// Title and subtitle in the upper left corner.
     pub(crate) fn heading(&mut self, subtitle: &str) {
         let title = self.title.clone();
-        self.text([4.0, 18.0], &title, TextStyle::new(15.0, Anchor::Start).bold());
+        self.text([0.0, 18.0], &title, TextStyle::new(15.0, Anchor::Start).bold());
         if !subtitle.is_empty() {
-            self.text([4.0, 35.0], subtitle, TextStyle::new(12.0, Anchor::Start).muted());
+            self.text([0.0, 35.0], subtitle, TextStyle::new(12.0, Anchor::Start).muted());
         }
     }
 
@@ -235,6 +236,28 @@ impl Canvas {
             self.body
         ))
     }
+}
+
+/// Escaped text, indices of symbols smaller and below the line.
+fn spans(text: &str, size: f64) -> String {
+    let drop = 0.22 * size;
+    let mut out = String::new();
+    let mut lowered = false;
+    for (piece, below) in indices(text) {
+        let piece = escape(&piece);
+        match (below, lowered) {
+            (true, _) => {
+                let (dy, small) = (place(drop), place(0.75 * size));
+                let _ = write!(out, "<tspan dy=\"{dy}\" font-size=\"{small}\">{piece}</tspan>");
+            }
+            (false, true) => {
+                let _ = write!(out, "<tspan dy=\"{}\">{piece}</tspan>", place(-drop));
+            }
+            (false, false) => out.push_str(&piece),
+        }
+        lowered = below;
+    }
+    out
 }
 
 /// A coordinate with at most two decimals and no needless zeros.

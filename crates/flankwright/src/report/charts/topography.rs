@@ -112,8 +112,8 @@ impl NamedTopography {
 
 /// Smallest and largest value over all panels.
 pub(crate) fn common_range(panels: &[NamedTopography]) -> (f64, f64) {
-    panels.iter().map(|panel| panel.topography.range_um()).fold(
-        (f64::INFINITY, f64::NEG_INFINITY),
-        |(lo, hi), (a, b)| (lo.min(a), hi.max(b)),
-    )
+    panels
+        .iter()
+        .map(|panel| panel.topography.range_um())
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), (a, b)| (lo.min(a), hi.max(b)))
 }

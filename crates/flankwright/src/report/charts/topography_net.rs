@@ -2,7 +2,7 @@
 
 use super::axes::{TICK_SIZE, vertical_bar};
 use super::error::{ChartError, check_count, check_values};
-use super::numbers::{format_fixed, format_significant};
+use super::numbers::{decimal_exponent, format_fixed, format_significant};
 use super::palette::{FAINT, INK, MUTED, signed_color};
 use super::scale::{Axis, decimals_of, round_below};
 use super::svg::{Anchor, Canvas, Stroke, Svg, TextStyle};
@@ -35,7 +35,7 @@ struct View<'a> {
 }
 
 impl View<'_> {
-    const ALONG_Z: [f64; 2] = [208.0, 42.0];
+    const ALONG_Z: [f64; 2] = [204.0, 42.0];
     const ALONG_W: [f64; 2] = [104.0, -66.0];
 
     fn at(&self, z_share: f64, w_share: f64, f_um: f64) -> [f64; 2] {
@@ -88,16 +88,20 @@ pub fn topography_net(net: &TopographyNet) -> Result<Svg, ChartError> {
     let below = relief - above;
     let height = plane_top + plane_height + below + 46.0;
     let mut canvas = Canvas::new(WIDTH, height, &net.title);
-    canvas.heading("dotted: nominal flank; values normal to it, up = material left standing; corner values in µm");
+    canvas.heading(
+        "dotted: nominal flank; values normal to it, up = material left standing; corner values in µm",
+    );
     let size = lo.abs().max(hi.abs());
     for (k, panel) in net.panels.iter().enumerate() {
         let places = net.panels.len().max(2) as f64;
         let left = k as f64 * WIDTH / places;
         let floor_um = if flat { 0.0 } else { lo };
-        let origin = [left + 74.0, plane_top - View::ALONG_W[1]];
+        let origin = [left + 64.0, plane_top - View::ALONG_W[1]];
         let view = View { field: &panel.topography, origin, per_um, floor_um };
-        canvas.text([left + 4.0, 60.0], &panel.name, TextStyle::new(13.0, Anchor::Start).bold());
+        canvas.text([left, 60.0], &panel.name, TextStyle::new(13.0, Anchor::Start).bold());
         draw_floor(&mut canvas, &view, if flat { relief } else { 0.0 });
+        let corners = corners(&view, size);
+        corners[0].draw_stick(&mut canvas);
         let sum: f64 = panel.topography.f_um().iter().flatten().sum();
         // What lies above is drawn later: the plane over relief, standing material over the plane.
         if sum > 0.0 {
@@ -107,13 +111,13 @@ pub fn topography_net(net: &TopographyNet) -> Result<Svg, ChartError> {
             draw_surface(&mut canvas, &view, size);
             draw_plane(&mut canvas, &view);
         }
-        draw_corners(&mut canvas, &view, size);
+        corners[1..].iter().for_each(|corner| corner.draw_stick(&mut canvas));
+        corners.iter().for_each(|corner| corner.draw_value(&mut canvas));
         if !flat {
-            let bar = round_below(0.6 * (hi - lo));
+            let bar = round_below(0.4 * (hi - lo));
             let label = format!("{} µm", format_fixed(bar, decimals_of(bar)));
             let label = if bar < 1e-4 { format!("{} µm", format_significant(bar, 1)) } else { label };
-            let bottom = view.at(0.0, 0.0, floor_um)[1];
-            vertical_bar(&mut canvas, left + 12.0, bottom + 30.0 - per_um * bar, per_um * bar, &label);
+            vertical_bar(&mut canvas, left + 10.0, 76.0, per_um * bar, &label);
         }
     }
     Ok(canvas.finish())
@@ -192,22 +196,38 @@ fn thinned(count: usize) -> Vec<usize> {
     (0..lines).map(|k| (k * (count - 1) + (lines - 1) / 2) / (lines - 1)).collect()
 }
 
-fn draw_corners(canvas: &mut Canvas, view: &View, size: f64) {
+/// A corner of the net: foot on the plane, head on the surface, and the place of its value.
+struct Corner {
+    foot: [f64; 2],
+    head: [f64; 2],
+    value: String,
+    value_at: [f64; 2],
+    anchor: Anchor,
+}
+
+/// The corners, the hindmost first: the surface may hide it.
+fn corners(view: &View, size: f64) -> [Corner; 4] {
     let (last_i, last_j) = (view.field.w_mm().len() - 1, view.field.z_mm().len() - 1);
-    for (i, j, anchor) in [
-        (0, 0, Anchor::End),
-        (0, last_j, Anchor::Start),
-        (last_i, 0, Anchor::End),
-        (last_i, last_j, Anchor::Start),
-    ] {
-        let value = view.field.f_um()[i][j];
+    let decimals = if size > 0.0 { (2 - decimal_exponent(size)).clamp(0, 9) as usize } else { 0 };
+    [(last_i, 0), (last_i, last_j), (0, 0), (0, last_j)].map(|(i, j)| {
         let foot = view.at(view.z_share(j), view.w_share(i), 0.0);
         let head = view.surface(i, j);
-        canvas.line(foot, head, Stroke::solid(INK, 1.3));
-        canvas.disc(head, 2.2, INK, Stroke::solid(INK, 0.5));
-        let shift = if anchor == Anchor::End { -7.0 } else { 7.0 };
-        let text = if value.abs() < 1e-6 * size { "0".to_owned() } else { format_significant(value, 3) };
-        let style = TextStyle::new(TICK_SIZE, anchor).halo();
-        canvas.text([foot[0] + shift, 0.5 * (foot[1] + head[1]) + 3.0], &text, style);
+        let (anchor, shift) = if j == 0 { (Anchor::End, -7.0) } else { (Anchor::Start, 7.0) };
+        let hindmost = i == last_i && j == 0;
+        // The hindmost value stands at the top, clear of the surface; the others beside the middle.
+        let y = if hindmost { foot[1].min(head[1]) } else { 0.5 * (foot[1] + head[1]) + 3.0 };
+        let value = format_fixed(view.field.f_um()[i][j], decimals);
+        Corner { foot, head, value, value_at: [foot[0] + shift, y], anchor }
+    })
+}
+
+impl Corner {
+    fn draw_stick(&self, canvas: &mut Canvas) {
+        canvas.line(self.foot, self.head, Stroke::solid(INK, 1.3));
+        canvas.disc(self.head, 2.2, INK, Stroke::solid(INK, 0.5));
+    }
+
+    fn draw_value(&self, canvas: &mut Canvas) {
+        canvas.text(self.value_at, &self.value, TextStyle::new(TICK_SIZE, self.anchor).halo());
     }
 }

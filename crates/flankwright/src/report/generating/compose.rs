@@ -20,7 +20,10 @@ impl GeneratingReport {
             Section::new("Profile and helix", topographies::diagram(&self.flanks)?),
             Section::new("Grinding motion", motions::grinding(self.grinding_motion.as_ref())?),
             Section::new("Dressing corrections", motions::dressing(&self.dressing)?),
-            Section::new("How it was verified", self.verification.as_ref().map(verification).unwrap_or_default()),
+            Section::new(
+                "How it was verified",
+                self.verification.as_ref().map(verification).unwrap_or_default(),
+            ),
             Section::new("Convergence of the precompensation", motions::convergence(&self.convergence)?),
             Section::new("Time and files", time_and_files(self)),
         ];
@@ -35,11 +38,8 @@ impl GeneratingReport {
 }
 
 fn warnings(report: &GeneratingReport) -> Section {
-    let blocks = if report.warnings.is_empty() {
-        Vec::new()
-    } else {
-        vec![Block::Warnings(report.warnings.clone())]
-    };
+    let blocks =
+        if report.warnings.is_empty() { Vec::new() } else { vec![Block::Warnings(report.warnings.clone())] };
     Section::new("Warnings", blocks)
 }
 
@@ -68,7 +68,8 @@ fn ratio_choice(ratio: &RatioChoice) -> Vec<Block> {
     let text = format!("Diagonal ratio K = {}. {}", format_significant(ratio.chosen, 7), ratio.reason);
     let mut blocks = vec![Block::Paragraph(text)];
     if !ratio.candidates.is_empty() {
-        let or_dash = |value: Option<f64>, digits| value.map_or("–".to_owned(), |v| format_significant(v, digits));
+        let or_dash =
+            |value: Option<f64>, digits| value.map_or("–".to_owned(), |v| format_significant(v, digits));
         blocks.push(Block::Table(Table {
             caption: "Diagonal ratios compared".to_owned(),
             columns: vec![

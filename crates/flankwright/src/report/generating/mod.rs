@@ -10,6 +10,7 @@ mod result;
 mod topographies;
 
 pub use data::{
-    Characteristics, ConvergenceRound, DressingMotion, FlankReport, GeneratingReport, GrindingMotion, OutsideTerm,
-    RatioCandidate, RatioChoice, RefereeStage, Reason, TargetAmount, Timing, Verification, WrittenFile,
+    Characteristics, ConvergenceRound, DressingMotion, FlankReport, GeneratingReport, GrindingMotion,
+    OutsideTerm, RatioCandidate, RatioChoice, Reason, RefereeStage, TargetAmount, Timing, Verification,
+    WrittenFile,
 };

@@ -50,7 +50,9 @@ pub(super) fn dressing(motions: &Sides<Option<DressingMotion>>) -> Result<Vec<Bl
     let panel = |title: &str, least_span: f64, pick: fn(&DressingMotion) -> &Vec<f64>| {
         let series = present
             .iter()
-            .map(|(side, motion)| Series::new(flank_name(*side), motion.v_zs_mm.clone(), pick(motion).clone()))
+            .map(|(side, motion)| {
+                Series::new(flank_name(*side), motion.v_zs_mm.clone(), pick(motion).clone())
+            })
             .collect();
         Panel::linear(title, least_span, series)
     };
@@ -61,20 +63,22 @@ pub(super) fn dressing(motions: &Sides<Option<DressingMotion>>) -> Result<Vec<Bl
             panel("Worm rotation d_φS [°]", 1e-4, |m| &m.d_phi_s_deg),
             panel("Axis crossing angle d_γ [°]", 1e-4, |m| &m.d_gamma_deg),
             panel("Centre distance d_d [mm]", 1e-4, |m| &m.d_d_mm),
-            panel("Tangential offset d_v_yA [mm]", 1e-4, |m| &m.d_v_ya_mm),
+            panel("Tangential offset d_vyA [mm]", 1e-4, |m| &m.d_v_ya_mm),
         ],
     })?;
-    let mut blocks = vec![figure(svg, "Changes against the nominal dressing position, per flank of the worm.")];
-    for (side, motion) in present {
+    let mut blocks =
+        vec![figure(svg, "Changes against the nominal dressing position, per flank of the worm.")];
+    let tables = present.into_iter().map(|(side, motion)| {
         let columns = [
             (Column::number("v_zS", "mm"), &motion.v_zs_mm, 3),
             (Column::number("d_φS", "°"), &motion.d_phi_s_deg, 6),
             (Column::number("d_γ", "°"), &motion.d_gamma_deg, 6),
             (Column::number("d_d", "mm"), &motion.d_d_mm, 6),
-            (Column::number("d_v_yA", "mm"), &motion.d_v_ya_mm, 6),
+            (Column::number("d_vyA", "mm"), &motion.d_v_ya_mm, 6),
         ];
-        blocks.push(Block::Table(thinned(&format!("Dressing corrections, {}", flank_name(side)), columns)));
-    }
+        thinned(&format!("Dressing corrections, {}", flank_name(side)), columns)
+    });
+    blocks.push(Block::Tables(tables.collect()));
     Ok(blocks)
 }
 

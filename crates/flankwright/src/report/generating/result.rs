@@ -30,15 +30,15 @@ pub(super) fn banner(report: &GeneratingReport) -> Banner {
         },
     };
     let mut figures = Vec::new();
-    let mut add = |label: &str, value: Option<f64>| {
-        if let Some(value) = value {
-            figures.push(Fact::new(label, format!("{} µm", micrometres(value))));
-        }
-    };
-    add("Deviation, max", deviation);
-    add("Deviation, rms", worst(report, |flank| flank.rms_deviation_um));
-    add("Tolerance", Some(report.tolerance_um));
-    add("Analytic against referee", worst(report, |flank| flank.model_difference_um));
+    let text = |value: f64| format!("{} µm", micrometres(value));
+    for (label, value) in [
+        ("Deviation, max", deviation.map(text)),
+        ("Deviation, rms", worst(report, |flank| flank.rms_deviation_um).map(text)),
+        ("Tolerance", Some(format!("{tolerance} µm"))),
+        ("Analytic against referee", worst(report, |flank| flank.model_difference_um).map(text)),
+    ] {
+        figures.extend(value.map(|value| Fact::new(label, value)));
+    }
     if let Some(ratio) = &report.ratio {
         figures.push(Fact::new("Diagonal ratio", format_significant(ratio.chosen, 5)));
     }
@@ -116,7 +116,7 @@ const ROWS: [Row; 8] = [
 ];
 
 fn characteristics(flanks: &[(String, &FlankReport)]) -> Table {
-    let mut columns = vec![Column::text("Characteristic")];
+    let mut columns = vec![Column::symbols("Characteristic")];
     let mut sources: Vec<&Characteristics> = Vec::new();
     for (side, flank) in flanks {
         let stages = [
@@ -136,7 +136,8 @@ fn characteristics(flanks: &[(String, &FlankReport)]) -> Table {
         .filter(|(_, value)| sources.iter().any(|values| value(values).is_some()))
         .map(|(name, value)| {
             let mut row = vec![(*name).to_owned()];
-            let cell = |values: &&Characteristics| value(values).map_or("–".to_owned(), |v| format_fixed(v, 3));
+            let cell =
+                |values: &&Characteristics| value(values).map_or("–".to_owned(), |v| format_fixed(v, 3));
             row.extend(sources.iter().map(cell));
             row
         })
@@ -153,6 +154,8 @@ fn deviations(flanks: &[(String, &FlankReport)], tolerance_um: f64) -> Table {
         row.extend(flanks.iter().map(|(_, flank)| figure(flank).map_or("–".to_owned(), micrometres)));
         row
     };
+    let mut tolerance = vec!["Tolerance".to_owned()];
+    tolerance.extend(flanks.iter().map(|_| format_significant(tolerance_um, 4)));
     Table {
         caption: "Deviation from the target".to_owned(),
         columns,
@@ -160,7 +163,7 @@ fn deviations(flanks: &[(String, &FlankReport)], tolerance_um: f64) -> Table {
             row("Simulated against target, max", &|flank| flank.max_deviation_um),
             row("Simulated against target, rms", &|flank| flank.rms_deviation_um),
             row("Planned against simulated, max", &|flank| flank.model_difference_um),
-            row("Tolerance", &|_| Some(tolerance_um)),
+            tolerance,
         ],
         note: String::new(),
     }

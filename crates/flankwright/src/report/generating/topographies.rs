@@ -3,8 +3,8 @@
 use super::data::FlankReport;
 use crate::geometry::{Flank, Sides};
 use crate::report::charts::{
-    ChartError, ContourMap, FlankSections, LevelScale, NamedTopography, ProfileHelixDiagram, SectionTrace, Topography,
-    TopographyNet, contour_map, profile_helix_diagram, topography_net,
+    ChartError, ContourMap, FlankSections, LevelScale, NamedTopography, ProfileHelixDiagram, SectionTrace,
+    Topography, TopographyNet, contour_map, profile_helix_diagram, topography_net,
 };
 use crate::report::{Block, Figure};
 
@@ -25,7 +25,9 @@ fn outcome(flank: &FlankReport) -> Option<&Topography> {
 fn panels(flanks: &Flanks, pick: impl Fn(&FlankReport) -> Option<Topography>) -> Vec<NamedTopography> {
     flanks
         .iter()
-        .filter_map(|(side, flank)| flank.as_ref().and_then(&pick).map(|t| NamedTopography::new(heading(side), t)))
+        .filter_map(|(side, flank)| {
+            flank.as_ref().and_then(&pick).map(|t| NamedTopography::new(heading(side), t))
+        })
         .collect()
 }
 
@@ -38,9 +40,8 @@ pub(super) fn figures(flanks: &Flanks) -> Result<Vec<Block>, ChartError> {
     ];
     let all = || stages.iter().flat_map(|(_, panels)| panels).map(|panel| &panel.topography);
     let scale = LevelScale::covering(all());
-    let range = all()
-        .map(Topography::range_um)
-        .fold((0.0_f64, 0.0_f64), |(lo, hi), (a, b)| (lo.min(a), hi.max(b)));
+    let range =
+        all().map(Topography::range_um).fold((0.0_f64, 0.0_f64), |(lo, hi), (a, b)| (lo.min(a), hi.max(b)));
     let mut blocks = Vec::new();
     for (name, panels) in stages.iter().filter(|(_, panels)| !panels.is_empty()) {
         blocks.extend(net_and_map(name, panels, Some(range), Some(scale), "f_n [µm]")?);
@@ -90,20 +91,23 @@ pub(super) fn diagram(flanks: &Flanks) -> Result<Vec<Block>, ChartError> {
     if columns.is_empty() {
         return Ok(Vec::new());
     }
-    let simulated = flanks.iter().any(|(_, flank)| flank.as_ref().is_some_and(|flank| flank.simulated.is_some()));
+    let simulated =
+        flanks.iter().any(|(_, flank)| flank.as_ref().is_some_and(|flank| flank.simulated.is_some()));
     let svg = profile_helix_diagram(&ProfileHelixDiagram {
         title: "Profile and helix diagram".to_owned(),
         flanks: columns,
         target_name: "target".to_owned(),
         simulated_name: if simulated { "simulated" } else { "planned" }.to_owned(),
     })?;
-    let caption = "Values normal to the flank, one scale for all traces. Face I: least z, face II: greatest z.";
+    let caption =
+        "Values normal to the flank, one scale for all traces. Face I: least z, face II: greatest z.";
     Ok(vec![Block::Figure(Figure { svg, caption: caption.to_owned() })])
 }
 
 fn sections(side: Flank, flank: &FlankReport) -> FlankSections {
     let made = outcome(flank);
-    let given = |traces: &[SectionTrace], cut: &dyn Fn(&Topography) -> Vec<SectionTrace>| match (made, traces) {
+    let given = |traces: &[SectionTrace], cut: &dyn Fn(&Topography) -> Vec<SectionTrace>| match (made, traces)
+    {
         (Some(made), []) => cut(made),
         _ => traces.to_vec(),
     };
