@@ -11,6 +11,7 @@ use flankwright::report::charts::{
 use flankwright::report::{
     Banner, Block, Column, Fact, PlanReport, Quantity, Section, Status, Table, Warning, html,
 };
+use proptest::prelude::*;
 use report_sample::{crowned, field, ripple, spread};
 
 /// All text of a chart without its markup; panics if the chart is not well-formed XML or holds no number.
@@ -146,7 +147,7 @@ fn decades_stand_on_a_logarithmic_ordinate() {
 
 #[test]
 fn constant_data_are_drawn() {
-    for value in [0.0, 3.7, -1e-9, -20.0, 1e9] {
+    for value in [0.0, 3.7, -1e-9, -20.0, 1e9, 1e-310] {
         let constant = || both(|_| field(|_, _| value));
         text_of(&net(constant()));
         text_of(&map(constant()));
@@ -155,6 +156,34 @@ fn constant_data_are_drawn() {
         text_of(&one_line("a", vec![value], vec![value], 0.0).unwrap());
     }
     assert_holds(&text_of(&map(both(|_| field(|_, _| 0.0)))), &["0 everywhere"]);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    /// Whatever finite numbers come, of any size, the charts are well-formed and hold no number that isn't one.
+    #[test]
+    fn any_finite_data_are_drawn(
+        corners in prop::collection::vec((-1.0..1.0_f64, -330..12_i32), 6),
+        coordinates in prop::collection::vec((-1.0..1.0_f64, -320..12_i32), 3),
+        least_span in 0.0..1.0_f64,
+    ) {
+        let sized = |pairs: &[(f64, i32)]| -> Vec<f64> { pairs.iter().map(|(m, e)| m * 10f64.powi(*e)).collect() };
+        let (values, mut x) = (sized(&corners), sized(&coordinates));
+        text_of(&one_line("a", x.clone(), values[..3].to_vec(), least_span).unwrap());
+        let series = vec![Series::new("a", x.clone(), values[3..].to_vec())];
+        let panel = Panel { y_title: "y".into(), least_span, scale: YScale::Logarithmic, series };
+        text_of(&line_chart(&LineChart { title: "t".into(), x_title: "x".into(), panels: vec![panel] }).unwrap());
+        x.sort_by(f64::total_cmp);
+        if let Ok(topography) = Topography::from_row_major(vec![0.0, 1.0], x, &values) {
+            text_of(&map(both(|_| topography.clone())));
+            text_of(&net(both(|_| topography.clone())));
+            let trace = SectionTrace::helix(&topography, Some(&topography), 1);
+            let mut sheet = diagram("Left", &field(crowned));
+            sheet.flanks[0].helices = vec![trace];
+            text_of(&profile_helix_diagram(&sheet).unwrap());
+        }
+    }
 }
 
 #[test]
@@ -336,7 +365,16 @@ fn the_same_report_gives_the_same_bytes() {
 #[test]
 fn absent_data_leave_no_section() {
     let page = html::render(&report_sample::not_producible().to_page().unwrap());
-    assert_holds(&page, &["not producible", "worm-too-short", "60 mm are given", "Diagonal ratios compared"]);
+    assert_holds(
+        &page,
+        &[
+            "not producible",
+            "worm-too-short",
+            "60 mm are given",
+            "No diagonal ratio is allowed",
+            "Diagonal ratios compared",
+        ],
+    );
     for absent in ["<h2>Result per flank", "<h2>Topographies", "<h2>Warnings", "<h2>Time", "<svg"] {
         assert!(!page.contains(absent), "{absent}");
     }
@@ -345,7 +383,10 @@ fn absent_data_leave_no_section() {
 #[test]
 fn a_missed_target_is_said_with_its_figures() {
     let page = html::render(&report_sample::missed().to_page().unwrap());
-    assert_holds(&page, &["banner missed", "Largest deviation 10.", "outside the tolerance of 1 µm", "−51.539"]);
+    assert_holds(
+        &page,
+        &["banner missed", "Largest deviation 10.", "outside the tolerance of 1 µm", "natural-twist"],
+    );
 }
 
 #[test]

@@ -164,7 +164,7 @@ pub fn met() -> GeneratingReport {
             Quantity::per_flank("Direction of the dressing contact line", "ρ_1", 0.0213, -0.0213, ""),
         ],
         ratio: Some(RatioChoice {
-            chosen: -1.916_05,
+            chosen: Some(-1.916_05),
             reason: "At this ratio the worm needs no part linear in the length of roll (lead-correction ratio K*), \
                      so dressing is a pure change of the worm rotation. Both flanks want the same ratio."
                 .to_owned(),
@@ -237,6 +237,12 @@ pub fn missed() -> GeneratingReport {
     let mut report = met();
     report.job_name = "radial-feed-crowning".to_owned();
     report.status = Status::Missed;
+    report.reason = Some(Reason {
+        code: "natural-twist".to_owned(),
+        cause: "The radial method leaves its natural twist, −51.539 µm on the left and 51.539 µm on the right flank."
+            .to_owned(),
+        way_out: "Grind with the diagonal method.".to_owned(),
+    });
     report.flanks = Sides::from_fn(|side| Some(flank(side, -51.539 * side.sign())));
     report.warnings.clear();
     report.convergence.clear();
@@ -255,6 +261,19 @@ pub fn not_producible() -> GeneratingReport {
         flanks: Sides::from_fn(|_| None),
         grinding_motion: None,
         dressing: Sides::from_fn(|_| None),
+        ratio: Some(RatioChoice {
+            chosen: None,
+            reason: "All candidates need more width than the worm has.".to_owned(),
+            candidates: vec![
+                candidate(
+                    -1.916_05,
+                    "dresser",
+                    Some((0.020, 79.0, 0.0013)),
+                    "dropped: 95.5 mm of width needed",
+                ),
+                candidate(1.916_05, "dresser", None, "dropped: no-zero at v = 31.2 mm, right flank"),
+            ],
+        }),
         warnings: vec![],
         verification: None,
         convergence: vec![],

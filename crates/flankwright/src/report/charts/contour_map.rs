@@ -14,7 +14,7 @@ use super::topography::{NamedTopography, Topography};
 pub struct ContourMap {
     /// Heading of the chart.
     pub title: String,
-    /// What the values are, with unit, for the colour bar; for example "f_n [µm]".
+    /// What the values are, with unit, for the colour bar; for example `f_n [µm]`.
     pub quantity: String,
     /// One panel per flank.
     pub panels: Vec<NamedTopography>,

@@ -5,6 +5,9 @@ use thiserror::Error;
 /// Largest magnitude that a chart accepts; anything above is a fault of the caller, not a quantity of gears.
 pub(crate) const LARGEST: f64 = 1e12;
 
+/// Ranges below this are constant for a chart: nothing in metrology is as small, and reciprocals stay finite.
+pub(crate) const LEAST_SPAN: f64 = 1e-100;
+
 /// Data that can't be drawn. A chart is either right or refused, never a broken picture.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum ChartError {

@@ -12,7 +12,7 @@ use super::text::text_width;
 pub struct LineChart {
     /// Heading of the chart.
     pub title: String,
-    /// Quantity and unit of the abscissa, for example "z_V2 [mm]".
+    /// Quantity and unit of the abscissa, for example `z_V2 [mm]`.
     pub x_title: String,
     /// Panels from top to bottom; all share the abscissa.
     pub panels: Vec<Panel>,
@@ -21,7 +21,7 @@ pub struct LineChart {
 /// One quantity of a line chart.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Panel {
-    /// Quantity and unit, for example "Δd [µm]".
+    /// Quantity and unit, for example `Δd [µm]`.
     pub y_title: String,
     /// Smallest span of the ordinate in its unit: noise below it stays a flat line. 0 = no limit.
     pub least_span: f64,
@@ -86,7 +86,9 @@ pub fn line_chart(chart: &LineChart) -> Result<Svg, ChartError> {
     canvas.heading("");
     draw_legend(&mut canvas, &names);
     let (lo, hi) = range(chart.panels.iter().flat_map(|p| &p.series).flat_map(|s| &s.x));
-    let x_axis = Axis::tight(lo, hi, 10);
+    let mut abscissae = chart.panels.iter().flat_map(|p| &p.series).flat_map(|s| &s.x);
+    let whole = abscissae.all(|x| x.fract() == 0.0);
+    let x_axis = if whole { Axis::counts(lo, hi, 10) } else { Axis::tight(lo, hi, 10) };
     for (k, panel) in chart.panels.iter().enumerate() {
         let frame = Frame {
             left: LEFT,

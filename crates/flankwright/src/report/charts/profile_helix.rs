@@ -4,7 +4,7 @@
 use serde::Serialize;
 
 use super::axes::{Frame, TICK_SIZE, horizontal_bar};
-use super::error::{ChartError, check_ascending, check_count, check_length, check_values};
+use super::error::{ChartError, LEAST_SPAN, check_ascending, check_count, check_length, check_values};
 use super::numbers::{format_fixed, format_significant};
 use super::palette::{BLUE, FAINT, GRID, INK};
 use super::scale::{Axis, decimals_of, round_below, round_step};
@@ -112,7 +112,7 @@ pub fn profile_helix_diagram(diagram: &ProfileHelixDiagram) -> Result<Svg, Chart
     let (lo, hi) = traces()
         .flat_map(|trace| trace.simulated_um.iter().chain(trace.target_um.iter().flatten()))
         .fold((0.0_f64, 0.0_f64), |(lo, hi), &f| (lo.min(f), hi.max(f)));
-    let (lo, hi) = if hi > lo { (lo, hi) } else { (-0.5, 0.5) };
+    let (lo, hi) = if hi - lo > LEAST_SPAN { (lo, hi) } else { (-0.5, 0.5) };
 
     let row = |heading, coordinate, section, ends: [&'static str; 2], helices: bool| Row {
         heading,

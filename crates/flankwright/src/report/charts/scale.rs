@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::error::LEAST_SPAN;
 use super::numbers::{decimal_exponent, format_fixed, power_of_ten};
 use super::topography::Topography;
 
@@ -41,9 +42,9 @@ impl Axis {
     /// noise from being blown up to a full axis.
     pub(crate) fn rounded(lo: f64, hi: f64, count: usize, least_span: f64) -> Self {
         let size = lo.abs().max(hi.abs());
-        let noise = size * 1e-9;
+        let noise = (size * 1e-9).max(LEAST_SPAN);
         let least = if hi - lo > noise { least_span } else { least_span.max(size * 0.2) };
-        let least = if least > 0.0 { least } else { 1.0 };
+        let least = if least > LEAST_SPAN { least } else { 1.0 };
         let (lo, hi) = if hi - lo > noise.max(least_span) {
             (lo, hi)
         } else {
@@ -58,8 +59,15 @@ impl Axis {
 
     /// Exactly the range of the data (coordinates of a grid), ticks inside.
     pub(crate) fn tight(lo: f64, hi: f64, count: usize) -> Self {
-        let (lo, hi) = if hi > lo { (lo, hi) } else { (lo - 0.5, lo + 0.5) };
+        let constant = hi - lo <= (lo.abs().max(hi.abs()) * 1e-12).max(LEAST_SPAN);
+        let (lo, hi) = if constant { (lo - 0.5, lo + 0.5) } else { (lo, hi) };
         Self::linear(lo, hi, round_step(hi - lo, count))
+    }
+
+    /// As [`Axis::tight`] with steps of at least 1, for counts.
+    pub(crate) fn counts(lo: f64, hi: f64, count: usize) -> Self {
+        let axis = Self::tight(lo, hi, count);
+        Self { step: axis.step.max(1.0), ..axis }
     }
 
     fn linear(lo: f64, hi: f64, step: f64) -> Self {
@@ -68,8 +76,10 @@ impl Axis {
         Self { lo, hi, step, logarithmic: false, exponent }
     }
 
-    /// Whole decades around positive data; values below `floor` are drawn at the floor.
+    /// Whole decades around positive data, twelve at most; what lies below is drawn at the lower end.
     pub(crate) fn decades(lo: f64, hi: f64) -> Self {
+        let hi = hi.max(LEAST_SPAN);
+        let lo = lo.max(1e-12 * hi);
         let lo = f64::from(decimal_exponent(lo));
         let hi = (hi.log10() - 1e-12).ceil().max(lo + 1.0);
         let step = ((hi - lo) / 6.0).ceil().max(1.0);
@@ -132,7 +142,7 @@ impl LevelScale {
 
     fn over(lo: f64, hi: f64) -> Self {
         let (lo, hi) = (lo.min(0.0), hi.max(0.0));
-        if hi - lo <= 0.0 {
+        if hi - lo <= LEAST_SPAN {
             return Self { lo_um: 0.0, hi_um: 0.0, step_um: 1.0 };
         }
         let step = round_step(hi - lo, 11);

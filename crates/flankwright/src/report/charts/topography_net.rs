@@ -1,7 +1,7 @@
 //! Topographies as nets in space: the nominal flank as a plane, the value drawn at right angles to it.
 
 use super::axes::{TICK_SIZE, vertical_bar};
-use super::error::{ChartError, check_count, check_values};
+use super::error::{ChartError, LEAST_SPAN, check_count, check_values};
 use super::numbers::{decimal_exponent, format_fixed, format_significant};
 use super::palette::{FAINT, INK, MUTED, signed_color};
 use super::scale::{Axis, decimals_of, round_below};
@@ -80,13 +80,13 @@ pub fn topography_net(net: &TopographyNet) -> Result<Svg, ChartError> {
         }
     };
     let (lo, hi) = (lo.min(0.0), hi.max(0.0));
-    let flat = hi - lo <= 0.0;
+    let flat = hi - lo <= LEAST_SPAN;
     let (per_um, relief) = if flat { (0.0, 30.0) } else { (RELIEF_HEIGHT / (hi - lo), RELIEF_HEIGHT) };
     let above = per_um * hi;
     let plane_top = 78.0 + above;
     let plane_height = View::ALONG_Z[1] - View::ALONG_W[1];
     let below = relief - above;
-    let height = plane_top + plane_height + below + 46.0;
+    let height = plane_top + plane_height + below + 42.0;
     let mut canvas = Canvas::new(WIDTH, height, &net.title);
     canvas.heading(
         "dotted: nominal flank; values normal to it, up = material left standing; corner values in µm",
@@ -208,7 +208,7 @@ struct Corner {
 /// The corners, the hindmost first: the surface may hide it.
 fn corners(view: &View, size: f64) -> [Corner; 4] {
     let (last_i, last_j) = (view.field.w_mm().len() - 1, view.field.z_mm().len() - 1);
-    let decimals = if size > 0.0 { (2 - decimal_exponent(size)).clamp(0, 9) as usize } else { 0 };
+    let decimals = if size > LEAST_SPAN { (2 - decimal_exponent(size)).clamp(0, 9) as usize } else { 0 };
     [(last_i, 0), (last_i, last_j), (0, 0), (0, last_j)].map(|(i, j)| {
         let foot = view.at(view.z_share(j), view.w_share(i), 0.0);
         let head = view.surface(i, j);

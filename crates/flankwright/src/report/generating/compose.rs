@@ -65,7 +65,10 @@ fn settings(report: &GeneratingReport) -> Vec<Block> {
 }
 
 fn ratio_choice(ratio: &RatioChoice) -> Vec<Block> {
-    let text = format!("Diagonal ratio K = {}. {}", format_significant(ratio.chosen, 7), ratio.reason);
+    let text = match ratio.chosen {
+        Some(chosen) => format!("Diagonal ratio K = {}. {}", format_significant(chosen, 7), ratio.reason),
+        None => format!("No diagonal ratio is allowed. {}", ratio.reason),
+    };
     let mut blocks = vec![Block::Paragraph(text)];
     if !ratio.candidates.is_empty() {
         let or_dash =

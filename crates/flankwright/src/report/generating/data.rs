@@ -19,7 +19,8 @@ pub struct GeneratingReport {
     pub version: String,
     /// How the job ended.
     pub status: Status,
-    /// Why the job ended so, where the figures of the flanks don't say it: always for "not producible".
+    /// Why the job ended so, where the figures of the flanks don't say it: always for "not producible", for "missed" if
+    /// there is a cause to name (natural twist, terms outside the class).
     pub reason: Option<Reason>,
     /// Tolerance on the simulated deviation, um, normal.
     pub tolerance_um: f64,
@@ -139,8 +140,8 @@ pub struct OutsideTerm {
 /// The diagonal ratio and how it was found.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct RatioChoice {
-    /// Chosen ratio K = shift of the worm per axial feed.
-    pub chosen: f64,
+    /// Chosen ratio K = shift of the worm per axial feed; `None` if no candidate was allowed.
+    pub chosen: Option<f64>,
     /// Why this one, in one or two sentences.
     pub reason: String,
     /// What was compared.

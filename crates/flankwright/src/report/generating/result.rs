@@ -12,23 +12,22 @@ fn worst(report: &GeneratingReport, figure: impl Fn(&FlankReport) -> Option<f64>
 pub(super) fn banner(report: &GeneratingReport) -> Banner {
     let deviation = worst(report, |flank| flank.max_deviation_um);
     let tolerance = format_significant(report.tolerance_um, 4);
-    let headline = match (&report.reason, deviation) {
-        (Some(reason), _) if reason.way_out.is_empty() => reason.cause.clone(),
-        (Some(reason), _) => format!("{} {}", reason.cause, reason.way_out),
-        (None, Some(deviation)) => {
-            let place = match report.status {
-                Status::Met => "within",
-                Status::Missed | Status::NotProducible => "outside",
-            };
-            let deviation = micrometres(deviation);
-            format!("Largest deviation {deviation} µm, {place} the tolerance of {tolerance} µm.")
+    let mut sentences = Vec::new();
+    match (report.status, deviation) {
+        (Status::Met, Some(deviation)) => sentences.push(compared(deviation, "within", &tolerance)),
+        (Status::Missed, Some(deviation)) => sentences.push(compared(deviation, "outside", &tolerance)),
+        (Status::Met, None) => sentences.push("The target is met within its tolerance.".to_owned()),
+        (Status::Missed, None) => sentences.push("The target is missed.".to_owned()),
+        (Status::NotProducible, _) if report.reason.is_none() => {
+            sentences.push("These bodies can't make the target.".to_owned());
         }
-        (None, None) => match report.status {
-            Status::Met => "The target is met within its tolerance.".to_owned(),
-            Status::Missed => "The target is missed.".to_owned(),
-            Status::NotProducible => "These bodies can't make the target.".to_owned(),
-        },
-    };
+        (Status::NotProducible, _) => {}
+    }
+    if let Some(reason) = &report.reason {
+        let parts = [&reason.cause, &reason.way_out];
+        sentences.extend(parts.into_iter().filter(|part| !part.is_empty()).cloned());
+    }
+    let headline = sentences.join(" ");
     let mut figures = Vec::new();
     let text = |value: f64| format!("{} µm", micrometres(value));
     for (label, value) in [
@@ -39,13 +38,17 @@ pub(super) fn banner(report: &GeneratingReport) -> Banner {
     ] {
         figures.extend(value.map(|value| Fact::new(label, value)));
     }
-    if let Some(ratio) = &report.ratio {
-        figures.push(Fact::new("Diagonal ratio", format_significant(ratio.chosen, 5)));
+    if let Some(chosen) = report.ratio.as_ref().and_then(|ratio| ratio.chosen) {
+        figures.push(Fact::new("Diagonal ratio", format_significant(chosen, 5)));
     }
     if let Some(reason) = &report.reason {
         figures.push(Fact::new("Code", &reason.code));
     }
     Banner { status: report.status, headline, figures }
+}
+
+fn compared(deviation: f64, place: &str, tolerance: &str) -> String {
+    format!("Largest deviation {} µm, {place} the tolerance of {tolerance} µm.", micrometres(deviation))
 }
 
 pub(super) fn summary(report: &GeneratingReport) -> Vec<Block> {

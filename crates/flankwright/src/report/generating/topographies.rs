@@ -31,6 +31,10 @@ fn panels(flanks: &Flanks, pick: impl Fn(&FlankReport) -> Option<Topography>) ->
         .collect()
 }
 
+const INTRODUCTION: &str = "All values are normal to the flank, positive where material is left standing. Target, \
+     planned and simulated flank share one scale; the deviation, what comes out minus target, has its own. w is the length of \
+     roll; face I lies at the least z, face II at the greatest.";
+
 /// Nets and maps of target, planned and simulated flank with one scale, of the deviation with its own.
 pub(super) fn figures(flanks: &Flanks) -> Result<Vec<Block>, ChartError> {
     let stages = [
@@ -42,7 +46,10 @@ pub(super) fn figures(flanks: &Flanks) -> Result<Vec<Block>, ChartError> {
     let scale = LevelScale::covering(all());
     let range =
         all().map(Topography::range_um).fold((0.0_f64, 0.0_f64), |(lo, hi), (a, b)| (lo.min(a), hi.max(b)));
-    let mut blocks = Vec::new();
+    if all().next().is_none() {
+        return Ok(Vec::new());
+    }
+    let mut blocks = vec![Block::Paragraph(INTRODUCTION.to_owned())];
     for (name, panels) in stages.iter().filter(|(_, panels)| !panels.is_empty()) {
         blocks.extend(net_and_map(name, panels, Some(range), Some(scale), "f_n [µm]")?);
     }
@@ -73,12 +80,7 @@ fn net_and_map(
         panels: panels.to_vec(),
         scale,
     })?;
-    let figure = |svg, caption: &str| Block::Figure(Figure { svg, caption: caption.to_owned() });
-    let caption = match scale {
-        Some(_) => "Values normal to the flank. Target, planned and simulated flank share one scale.",
-        None => "Simulated minus target, normal to the flank, on its own scale.",
-    };
-    Ok(vec![figure(net, ""), figure(map, caption)])
+    Ok([net, map].map(|svg| Block::Figure(Figure { svg, caption: String::new() })).into())
 }
 
 /// Profile and helix traces of both flanks.
