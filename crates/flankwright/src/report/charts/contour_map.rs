@@ -29,7 +29,7 @@ const LEFT: f64 = 52.0;
 const BAR_SPACE: f64 = 84.0;
 const GAP: f64 = 56.0;
 
-/// Draws filled contours with labelled isolines: z [mm] to the right, w [mm] upwards. Negative isolines are dashed, the
+/// Draws filled contours with labelled isolines: z in mm to the right, w in mm upwards. Negative isolines are dashed, the
 /// zero line is thick, areas with material left standing (f > 0) are hatched.
 ///
 /// # Errors
