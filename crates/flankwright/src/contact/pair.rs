@@ -273,15 +273,22 @@ impl Pair {
         };
         let trial = Self::new(worm, work, chain)?;
         trial.require_common_rack()?;
-        let rack = &trial.flanks.left;
-        let rack_radius = |teeth: f64, beta: f64| teeth * rack.operating_module / (2.0 * beta.cos());
-        let r_w1 = rack_radius(worm.tooth_count(), rack.operating_beta_w1);
-        let r_w2 = rack_radius(work.tooth_count(), rack.operating_beta_w2);
+        let (r_w1, r_w2) = trial.rack_radii();
         chain.work_pivot = pivots(chain.work_cone, r_w2);
         chain.worm_pivot = pivots(chain.worm_cone, r_w1);
         let delta_y = trial.backlash_free_gap(r_w1, r_w2);
         chain.centre_distance = Self::centre_distance_of_gap(&chain, r_w1, r_w2, delta_y);
         Self::new(worm, work, chain)
+    }
+
+    /// Pitch radii (r_w1, r_w2) on the common rack, mm (that of the left flank where the racks differ).
+    pub fn rack_radii(&self) -> (f64, f64) {
+        let rack = &self.flanks.left;
+        let radius = |teeth: f64, beta: f64| teeth * rack.operating_module / (2.0 * beta.cos());
+        (
+            radius(self.worm.tooth_count(), rack.operating_beta_w1),
+            radius(self.work.tooth_count(), rack.operating_beta_w2),
+        )
     }
 
     /// d for a gap delta_y between the pitch planes (spec 20 section 1).

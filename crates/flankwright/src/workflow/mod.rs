@@ -1,1 +1,3 @@
-//! (being built)
+//! The rooms' meeting place: what command line, server and Python call. Knows every layer below, and no user interface.
+
+pub mod verify;
