@@ -238,19 +238,27 @@ impl Pair {
     /// Worm and workpiece in a given chain.
     ///
     /// # Errors
-    /// `InternalUnsupported`, `NotMating` (as geometry error), `AxesParallel`, `NoCommonNormal`, `InvalidNumber` for d <= 0.
+    /// `InternalUnsupported`, `NotMating` (as geometry error), `AxesParallel`, `NoCommonNormal`, `InvalidNumber` for d <= 0 and for
+    /// numbers that are not finite.
     pub fn new(worm: Gear, work: Gear, chain: GeneratingChain) -> Result<Self, ContactError> {
         for body in [&worm, &work] {
             if body.data().teeth < 0 {
                 return Err(ContactError::InternalUnsupported { teeth: body.data().teeth });
             }
         }
-        if !(chain.centre_distance > 0.0 && chain.centre_distance.is_finite()) {
-            return Err(ContactError::InvalidNumber {
-                field: "centre_distance",
-                value: chain.centre_distance,
-                allowed: "> 0 mm",
-            });
+        let number = |field, value: f64, good: bool, allowed| {
+            if good { Ok(()) } else { Err(ContactError::InvalidNumber { field, value, allowed }) }
+        };
+        let d = chain.centre_distance;
+        number("centre_distance", d, d.is_finite() && d > 0.0, "> 0 mm")?;
+        for (field, value) in [
+            ("crossed_axes_angle", chain.crossed_axes_angle),
+            ("worm_cone", chain.worm_cone),
+            ("work_cone", chain.work_cone),
+            ("worm_pivot", chain.worm_pivot),
+            ("work_pivot", chain.work_pivot),
+        ] {
+            number(field, value, value.is_finite(), "a finite number")?;
         }
         crate::geometry::check_mating(&worm, &work)?;
         let flanks = Sides::try_from_fn(|flank| FlankPair::new(&worm, &work, &chain, flank))?;
