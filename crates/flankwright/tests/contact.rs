@@ -102,12 +102,13 @@ impl<F: ThreadFunction> Brute<'_, F> {
                 break;
             }
         }
-        // Nothing in the neighbourhood cuts deeper.
+        // Nothing in the neighbourhood (well within a pitch) cuts deeper.
+        let module = self.pair.work.data().normal_module;
         let least = f(x);
         for k in 0..24 {
             let (sin, cos) = (f64::from(k) * PI / 12.0).sin_cos();
-            for reach in [0.05, 0.5, 2.0] {
-                assert!(f([x[0] + reach * cos, x[1] + 3.0 * reach * sin]) > least - 1e-12);
+            for reach in [0.02, 0.1, 0.3].map(|share| share * module) {
+                assert!(f([x[0] + reach * cos, x[1] + reach * sin]) > least - 1e-12);
             }
         }
         least
@@ -269,7 +270,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(ProptestConfig::with_cases(96))]
 
     /// What the exact solver finds is the least length of the ray over all positions, to 1e-6 um.
     #[test]
