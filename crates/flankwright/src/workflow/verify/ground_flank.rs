@@ -65,7 +65,7 @@ struct Side {
 struct ThreadPolynomial {
     w_0_mm: f64,
     z_0_mm: f64,
-    terms: Vec<(usize, usize, f64)>,
+    terms: Vec<(u8, u8, f64)>,
 }
 
 impl Law {
@@ -81,7 +81,8 @@ impl Law {
 
 impl ThreadPolynomial {
     fn function(&self) -> Polynomial2 {
-        let centred = Polynomial2::from_terms(self.terms.iter().map(|&(i, j, a)| (i, j, a * UM)));
+        let centred =
+            Polynomial2::from_terms(self.terms.iter().map(|&(i, j, a)| (i.into(), j.into(), a * UM)));
         centred.shifted(-self.w_0_mm, -self.z_0_mm)
     }
 }

@@ -273,9 +273,9 @@ impl Schema {
     /// that knows most of its top-level entries.
     pub fn recognise(root: &Value) -> Option<Schema> {
         let top = root.as_object()?;
-        if let Some(first) = top.get("cases").and_then(Value::as_array).and_then(|list| list.first()) {
-            let input = &first["input"];
-            let has = |key: &str| input.get(key).is_some();
+        let first = |key: &str| top.get(key).and_then(Value::as_array).and_then(|list| list.first());
+        if let Some(case) = first("cases").or_else(|| first("errors")) {
+            let has = |key: &str| case["input"].get(key).is_some();
             if has("chain") {
                 return Some(Self::Contact);
             } else if has("modifications") || has("worm_threads") {
@@ -286,11 +286,14 @@ impl Schema {
                 return Some(Self::Gears);
             }
         }
-        let known = |schema: Schema| {
-            top.keys()
-                .filter(|key| schema.blocks().iter().any(|b| b.key == **key && b.key != "cases"))
-                .count()
+        // `gears` is a list of cases in a contact file and a table of named gears in one of modifications.
+        let fits = |schema: Schema, key: &str, value: &Value| match (key, schema) {
+            ("cases", _) => false,
+            ("gears", Self::Contact) => value.is_array(),
+            ("gears", Self::Modifications) => value.is_object(),
+            _ => schema.blocks().iter().any(|block| block.key == key),
         };
+        let known = |schema: Schema| top.iter().filter(|(key, value)| fits(schema, key, value)).count();
         let best = Self::ALL.into_iter().max_by_key(|&schema| known(schema))?;
         let count = known(best);
         let rivals = Self::ALL.into_iter().filter(|&schema| known(schema) == count).count();
