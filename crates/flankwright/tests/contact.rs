@@ -512,15 +512,22 @@ fn impossible_lines_and_ranges_are_refused() {
     let f = &conical.flanks.left;
     let still = DiagonalRatio { ratio: -f.c_zv22 / f.c_zv12, shift_origin: 0.0 };
     refused(f.point_map(14.0, 0.0, still), "feed-does-not-move-contact", &["ratio"]);
-    // The worm direction for which the denominator of K vanishes.
-    let work_line = line(30.0);
-    let p_2 = f.hat_w2 * work_line.rho.cos() / (work_line.rho.sin() + f.c_w2 * work_line.rho.cos());
-    let p_1 = (f.hat_zv1 - p_2 * f.c_zv12) / f.c_zv11;
-    let worm_line = DiagonalLine { rho: (f.hat_w1 / p_1 - f.c_w1).atan() };
-    match f.ratio_of_directions(worm_line, work_line) {
-        Ok(ratio) => assert!(ratio.abs() > 1e9, "{ratio}"),
-        Err(e) => assert_eq!(e.code(), "diagonal-ratio-infinite"),
+    // The worm directions for which the denominator of K vanishes, as far as rounding lets it.
+    let mut infinite = 0;
+    for deg in [-50.0, -20.0, 0.0, 20.0, 30.0, 45.0, 60.0] {
+        let work_line = line(deg);
+        let p_2 = f.hat_w2 * work_line.rho.cos() / (work_line.rho.sin() + f.c_w2 * work_line.rho.cos());
+        let p_1 = (f.hat_zv1 - p_2 * f.c_zv12) / f.c_zv11;
+        let worm_line = DiagonalLine { rho: (f.hat_w1 / p_1 - f.c_w1).atan() };
+        match f.ratio_of_directions(worm_line, work_line) {
+            Ok(ratio) => assert!(ratio.abs() > 1e9, "{ratio}"),
+            error => {
+                refused(error, "diagonal-ratio-infinite", &[&format!("{}", line(deg).rho.to_degrees())]);
+                infinite += 1;
+            }
+        }
     }
+    assert!(infinite > 0);
 }
 
 /// A function that ends at a border of the dressed worm.
@@ -558,4 +565,10 @@ fn contacts_that_do_not_exist_are_refused() {
             [10.0, 12.0, 14.5, 16.0].map(|w| exact.solve(w, 0.0).err().map_or("", |e| e.code())).into();
         assert!(codes.contains(&"undercut"), "{codes:?}");
     }
+}
+
+#[test]
+fn solvers_may_be_shared_and_sent_between_threads() {
+    fn shared<T: Send + Sync>() {}
+    shared::<ExactContact<'_, ModifiedThread<'_, Polynomial2>>>();
 }
