@@ -1,6 +1,7 @@
 //! Dressing: the chain dresser -> worm of spec 00 and the corrected motion DK(v) along the worm (spec 30).
 
 use super::{Dresser, MotionLaw, Pose, Worm};
+use crate::numerics::Scalar;
 
 /// A dressing correction vector DK = (d_phi_S, d_gamma, d_d, d_v_yA): rad, rad, mm, mm.
 pub type DressingCorrection = [f64; 4];
@@ -20,29 +21,28 @@ pub struct DressingChain {
     pub screw_parameter: f64,
 }
 
-/// Where dresser and worm stand at one instant.
+/// Where dresser and worm stand at one instant; with dual numbers also their velocities.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DressingPosition {
+pub struct DressingPosition<T: Scalar = f64> {
     /// Worm angle phi_S, rad.
-    pub worm_angle: f64,
+    pub worm_angle: T,
     /// Axial position of the worm v_zS, mm.
-    pub worm_shift: f64,
+    pub worm_shift: T,
     /// Crossing angle gamma_A, rad.
-    pub crossing_angle: f64,
+    pub crossing_angle: T,
     /// Centre distance d_A, mm.
-    pub centre_distance: f64,
+    pub centre_distance: T,
     /// Tangential offset v_yA, mm.
-    pub offset: f64,
+    pub offset: T,
 }
 
-impl DressingPosition {
+impl<T: Scalar> DressingPosition<T> {
     /// X_SA = K_R of spec 00 (dresser coordinates into worm coordinates; the dresser's own rotation is immaterial).
-    pub fn pose(&self) -> Pose<Worm, Dresser> {
-        type Link = Pose<Worm, Worm>;
-        Link::rz(-self.worm_angle)
-            .then(&Link::tz(-self.worm_shift))
-            .then(&Link::rx(-self.crossing_angle))
-            .then(&Link::tx(self.centre_distance))
+    pub fn pose(&self) -> Pose<Worm, Dresser, T> {
+        Pose::<Worm, Worm, T>::rz(-self.worm_angle)
+            .then(&Pose::<Worm, Worm, T>::tz(-self.worm_shift))
+            .then(&Pose::<Worm, Worm, T>::rx(-self.crossing_angle))
+            .then(&Pose::<Worm, Worm, T>::tx(self.centre_distance))
             .then(&Pose::ty(-self.offset))
     }
 }
@@ -67,15 +67,15 @@ impl DressingMotion {
         [0, 1, 2, 3].map(|j| self.correction[j].value(v))
     }
 
-    /// Position of worm and dresser at v.
-    pub fn position(&self, v: f64) -> DressingPosition {
-        let [phi, gamma, d, v_y] = self.correction_at(v);
+    /// Position of worm and dresser at v. A dual argument gives the velocities along with it.
+    pub fn position<T: Scalar>(&self, v: T) -> DressingPosition<T> {
+        let [phi, gamma, d, v_y] = [0, 1, 2, 3].map(|j| self.correction[j].lifted(v)[0]);
         DressingPosition {
-            worm_angle: self.chain.worm_angle + phi + v / self.chain.screw_parameter,
+            worm_angle: phi + v / self.chain.screw_parameter + self.chain.worm_angle,
             worm_shift: v,
-            crossing_angle: self.chain.crossing_angle + gamma,
-            centre_distance: self.chain.centre_distance + d,
-            offset: self.chain.offset + v_y,
+            crossing_angle: gamma + self.chain.crossing_angle,
+            centre_distance: d + self.chain.centre_distance,
+            offset: v_y + self.chain.offset,
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::{MotionLaw, Pose, Workpiece, Worm};
 use crate::geometry::Sides;
+use crate::numerics::Scalar;
 
 /// The constant part of the chain K_R: distances and angles. mm, rad.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,38 +21,37 @@ pub struct GeneratingChain {
     pub work_pivot: f64,
 }
 
-/// Angles and feeds at one instant.
+/// Angles and feeds at one instant; with dual numbers also their velocities.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct GeneratingState {
+pub struct GeneratingState<T: Scalar = f64> {
     /// Worm rotation phi_1, rad.
-    pub worm_angle: f64,
+    pub worm_angle: T,
     /// Workpiece rotation phi_2, rad.
-    pub work_angle: f64,
+    pub work_angle: T,
     /// Tool shift z_V1, mm.
-    pub shift: f64,
+    pub shift: T,
     /// Axial feed of the workpiece z_V2, mm.
-    pub feed: f64,
+    pub feed: T,
     /// Added to the centre distance, mm.
-    pub delta_d: f64,
+    pub delta_d: T,
     /// Added to the crossed-axes angle, rad.
-    pub delta_gamma: f64,
+    pub delta_gamma: T,
 }
 
 impl GeneratingChain {
     /// X_SV = K_R of spec 00 at the given state.
-    pub fn pose(&self, state: &GeneratingState) -> Pose<Worm, Workpiece> {
-        type Link = Pose<Worm, Worm>;
-        let head = Link::rz(-state.worm_angle)
-            .then(&Link::ty(self.worm_pivot))
-            .then(&Link::rx(self.worm_cone))
-            .then(&Link::tz(-state.shift))
-            .then(&Link::ty(self.centre_distance + state.delta_d))
-            .then(&Link::ry(self.crossed_axes_angle + state.delta_gamma));
-        type Turn = Pose<Workpiece, Workpiece>;
-        let tail = Pose::<Worm, Workpiece>::tz(state.feed)
-            .then(&Turn::rx(-self.work_cone))
-            .then(&Turn::ty(-self.work_pivot))
-            .then(&Turn::rz(state.work_angle));
+    pub fn pose<T: Scalar>(&self, state: &GeneratingState<T>) -> Pose<Worm, Workpiece, T> {
+        let constant = |x: f64| T::from(x);
+        let head = Pose::<Worm, Worm, T>::rz(-state.worm_angle)
+            .then(&Pose::<Worm, Worm, T>::ty(constant(self.worm_pivot)))
+            .then(&Pose::<Worm, Worm, T>::rx(constant(self.worm_cone)))
+            .then(&Pose::<Worm, Worm, T>::tz(-state.shift))
+            .then(&Pose::<Worm, Worm, T>::ty(state.delta_d + self.centre_distance))
+            .then(&Pose::<Worm, Worm, T>::ry(state.delta_gamma + self.crossed_axes_angle));
+        let tail = Pose::<Worm, Workpiece, T>::tz(state.feed)
+            .then(&Pose::<Workpiece, Workpiece, T>::rx(constant(-self.work_cone)))
+            .then(&Pose::<Workpiece, Workpiece, T>::ty(constant(-self.work_pivot)))
+            .then(&Pose::<Workpiece, Workpiece, T>::rz(state.work_angle));
         head.then(&tail)
     }
 }
@@ -97,18 +97,19 @@ impl GeneratingMotion {
         }
     }
 
-    /// The state of all axes at worm angle `worm_angle` and feed `feed`; `phase` is k_0F of the flank looked at.
-    pub fn state(&self, worm_angle: f64, feed: f64, phase: f64) -> GeneratingState {
-        let shift = self.shift.value(feed);
+    /// The state of all axes at worm angle `worm_angle` (rad) and feed `feed` (mm); `phase` is k_0F of the flank looked
+    /// at. Dual arguments give the velocities along with it.
+    pub fn state<T: Scalar>(&self, worm_angle: T, feed: T, phase: f64) -> GeneratingState<T> {
+        let [shift, _] = self.shift.lifted(feed);
         let turned =
-            phase - self.threads * worm_angle + self.shift_coupling * shift + self.feed_coupling * feed;
+            -worm_angle * self.threads + phase + shift * self.shift_coupling + feed * self.feed_coupling;
         GeneratingState {
             worm_angle,
-            work_angle: turned / self.teeth + self.delta_phi_2.value(feed),
+            work_angle: turned / self.teeth + self.delta_phi_2.lifted(feed)[0],
             shift,
             feed,
-            delta_d: self.delta_d.value(feed),
-            delta_gamma: self.delta_gamma.value(feed),
+            delta_d: self.delta_d.lifted(feed)[0],
+            delta_gamma: self.delta_gamma.lifted(feed)[0],
         }
     }
 }

@@ -1,1 +1,27 @@
-//! (being built)
+//! The referee: what is left on a flank when normal rays are shortened by the moving tool.
+//!
+//! Stage one shortens rays of the worm by the dresser ([`dress`]), stage two rays of the workpiece by the worm that
+//! stage one left ([`grind`]). The room knows shapes, poses and motions. It must not know how `contact` or `process`
+//! find a contact: every length here comes from a ray that meets a body in a pose of the real motion, so that an error
+//! in a closed form shows as a difference instead of cancelling out.
+
+mod descent;
+mod dress;
+mod dressed_flank;
+mod error;
+mod grid;
+mod grind;
+mod ground_flank;
+mod meridian;
+mod statistics;
+mod sweep;
+mod worm_surface;
+
+pub use dress::{Dressing, dress};
+pub use dressed_flank::{DressedFlank, DressedRay, DressedSurface};
+pub use error::{RemovalError, Stage, Uncut};
+pub use grid::RayGrid;
+pub use grind::{Grinding, GrindingMode, grind};
+pub use ground_flank::{GroundFlank, GroundRay};
+pub use statistics::Statistics;
+pub use worm_surface::{Unmodified, WormArea, WormModification};

@@ -1,0 +1,165 @@
+//! What can go wrong in the referee: unusable input, rays that nobody cut, minima that were not found.
+
+use crate::geometry::Flank;
+use crate::numerics::SplineError;
+use thiserror::Error;
+
+/// The two stages of the referee.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// Dresser against worm.
+    Dressing,
+    /// Worm against workpiece.
+    Grinding,
+}
+
+impl std::fmt::Display for Stage {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Dressing => "dressing",
+            Self::Grinding => "grinding",
+        })
+    }
+}
+
+/// Why a ray has no length: the tool did not finish it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Uncut {
+    /// No pose of the whole stroke brings the tool within the stock of the ray.
+    NotReached,
+    /// The tool is still approaching where the stroke ends.
+    StrokeTooShort,
+    /// The contact wanders off the tool's surface before the ray is finished.
+    ToolMissing,
+    /// The search for the shortest length did not settle.
+    NotConverged,
+}
+
+impl std::fmt::Display for Uncut {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::NotReached => "no pose of the stroke brings the tool near it",
+            Self::StrokeTooShort => "the stroke ends before the tool has passed it",
+            Self::ToolMissing => "the contact leaves the surface of the tool",
+            Self::NotConverged => "the search for the shortest length did not settle",
+        })
+    }
+}
+
+/// Errors of the referee. Lengths mm.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum RemovalError {
+    /// A number that is not usable.
+    #[error("{field} = {value} is not usable; allowed: {allowed}")]
+    InvalidNumber {
+        /// Name of the quantity.
+        field: &'static str,
+        /// Its value.
+        value: f64,
+        /// Allowed range in words.
+        allowed: &'static str,
+    },
+    /// The abscissae of a ray grid are empty, not finite or not ascending.
+    #[error("ray grid: {axis}[{index}] = {value} mm; allowed: finite, ascending, lengths of roll above 0")]
+    InvalidGrid {
+        /// `"w"` or `"z"`.
+        axis: &'static str,
+        /// Index of the offending abscissa.
+        index: usize,
+        /// Its value; NaN when the axis is empty.
+        value: f64,
+    },
+    /// Left works on left, right on right.
+    #[error("the {worm} flank of the worm cannot grind the {work} flank of the workpiece")]
+    FlanksDiffer {
+        /// Flank of the worm.
+        worm: Flank,
+        /// Flank of the workpiece.
+        work: Flank,
+    },
+    /// Internal bodies have no place in the chain.
+    #[error("the {stage} stage of the referee handles external bodies only")]
+    InternalUnsupported {
+        /// Stage concerned.
+        stage: Stage,
+    },
+    /// The dresser's meridian is no function of the radius.
+    #[error("the dresser profile turns back at profile parameter {t:.4} mm (radius {r:.4} mm)")]
+    ProfileFolds {
+        /// Profile parameter.
+        t: f64,
+        /// Radius there.
+        r: f64,
+    },
+    /// Rays without a length where a whole flank is wanted.
+    #[error("{stage}: {count} rays were not finished, first at w = {w:.4} mm, z = {z:.4} mm: {reason}")]
+    RayUncut {
+        /// Stage concerned.
+        stage: Stage,
+        /// Length of roll of the first one.
+        w: f64,
+        /// Axial position of the first one.
+        z: f64,
+        /// Why.
+        reason: Uncut,
+        /// How many there are.
+        count: usize,
+    },
+    /// The rays make no interpolating surface.
+    #[error("the rays of the worm make no smooth surface: {0}")]
+    Surface(#[from] SplineError),
+}
+
+impl RemovalError {
+    /// Stable kebab-case code.
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::InvalidNumber { .. } => "invalid-number",
+            Self::InvalidGrid { .. } => "invalid-ray-grid",
+            Self::FlanksDiffer { .. } => "flanks-differ",
+            Self::InternalUnsupported { .. } => "internal-unsupported",
+            Self::ProfileFolds { .. } => "dresser-profile-folds",
+            Self::RayUncut { .. } => "ray-uncut",
+            Self::Surface(_) => "no-worm-surface",
+        }
+    }
+
+    /// What the user can do about it, in one sentence.
+    pub fn way_out(&self) -> &'static str {
+        match self {
+            Self::InvalidNumber { .. } => "give a value inside the allowed range",
+            Self::InvalidGrid { .. } => "give ascending finite abscissae with lengths of roll above 0",
+            Self::FlanksDiffer { .. } => "pair left with left and right with right",
+            Self::InternalUnsupported { .. } => "use an external gear and worm",
+            Self::ProfileFolds { .. } => "shorten the dresser profile or reduce its modification",
+            Self::RayUncut { reason, .. } => match reason {
+                Uncut::NotReached => "check centre distance and phase, or allow more stock",
+                Uncut::StrokeTooShort => "lengthen the stroke at that end",
+                Uncut::ToolMissing => "lengthen the tool's profile or width, or shrink the field of rays",
+                Uncut::NotConverged => "smooth the modification: it bends too sharply there",
+            },
+            Self::Surface(_) => "use at least four lengths of roll and four axial positions",
+        }
+    }
+}
+
+/// Tests a number that must be finite and positive.
+pub(super) fn positive(field: &'static str, value: f64) -> Result<(), RemovalError> {
+    if value.is_finite() && value > 0.0 {
+        Ok(())
+    } else {
+        Err(RemovalError::InvalidNumber { field, value, allowed: "> 0 and finite" })
+    }
+}
+
+/// Tests a range: finite and not empty.
+pub(super) fn range(field: &'static str, [from, to]: [f64; 2]) -> Result<(), RemovalError> {
+    if !from.is_finite() {
+        return Err(RemovalError::InvalidNumber { field, value: from, allowed: "two finite ends" });
+    }
+    if to.is_finite() && to > from {
+        Ok(())
+    } else {
+        Err(RemovalError::InvalidNumber { field, value: to, allowed: "finite and above the other end" })
+    }
+}
