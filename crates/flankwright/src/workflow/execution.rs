@@ -9,8 +9,8 @@ use crate::metrology::Topography;
 use crate::numerics::Chebyshev;
 use crate::process::dressing::{DressedWorm, DresserTool, dressing_motion};
 use crate::process::generating::{
-    Decomposition, GeneratingError, GrindingPlan, IdealPlan, IdealWorm, PlanningGrid, ProfilePlace, ProfilePolicy,
-    dresser_of_plan, dressing_interval,
+    Decomposition, GeneratingError, GrindingPlan, IdealPlan, IdealWorm, PlanningGrid, ProfilePlace,
+    ProfilePolicy, dresser_of_plan, dressing_interval,
 };
 use std::f64::consts::PI;
 
@@ -76,7 +76,10 @@ fn determinant_warnings(flanks: &Sides<Option<ExecutedFlank>>, warnings: &mut Ve
         if executed.determinant < LOW_DETERMINANT {
             warnings.push(Remark {
                 code: "low-determinant-ratio",
-                text: format!("the envelope of the {flank} flank comes near a fold (ratio {:.3})", executed.determinant),
+                text: format!(
+                    "the envelope of the {flank} flank comes near a fold (ratio {:.3})",
+                    executed.determinant
+                ),
                 way_out: "reduce the amount or choose another diagonal ratio".into(),
             });
         }
@@ -108,7 +111,8 @@ impl Execution {
                 determinant,
             })
         });
-        let feeds = plan.flanks.iter().filter_map(|(_, f)| f.as_ref()).flat_map(|f| f.planned.iter().map(|p| p.feed));
+        let feeds =
+            plan.flanks.iter().filter_map(|(_, f)| f.as_ref()).flat_map(|f| f.planned.iter().map(|p| p.feed));
         let mut warnings = Vec::new();
         determinant_warnings(&flanks, &mut warnings);
         Self {
@@ -149,7 +153,8 @@ impl Execution {
                     t_k: setup.lines[flank].t_k,
                     constant: [0.0; 4],
                     linear: [0.0; 3],
-                    profile: given(flank).map_or(Vec::new(), |s| s.profile_um.iter().map(|p| p * 1e-3).collect()),
+                    profile: given(flank)
+                        .map_or(Vec::new(), |s| s.profile_um.iter().map(|p| p * 1e-3).collect()),
                     kinematic: [0.0; 4],
                 },
                 reliefs: target.reliefs.clone(),
@@ -216,7 +221,8 @@ impl Execution {
         let flank = |flank: Flank| {
             let f = self.flanks[flank].as_ref()?;
             let (from, to) = f.corrections[0].interval();
-            let series = |j: usize, unit: f64| f.corrections[j].coefficients().iter().map(|c| c * unit).collect();
+            let series =
+                |j: usize, unit: f64| f.corrections[j].coefficients().iter().map(|c| c * unit).collect();
             Some(FlankSettings {
                 v_from_mm: from,
                 v_to_mm: to,

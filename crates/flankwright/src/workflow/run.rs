@@ -52,19 +52,28 @@ fn prepared(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
 /// Parts of the job format that this process does not carry out yet are refused, never ignored.
 fn supported(job: &Job) -> Result<(), RunFailure> {
     let refuse = |field: &str, what: &str, way_out: &str| {
-        let finding = Diagnostic::new(Problem::NotYetSupported, format!("{what} is not carried out by this version"))
-            .field(field)
-            .way_out(way_out);
+        let finding =
+            Diagnostic::new(Problem::NotYetSupported, format!("{what} is not carried out by this version"))
+                .field(field)
+                .way_out(way_out);
         Err(RunFailure::BadInput(finding))
     };
     if job.gear.cone_angle_deg != 0.0 {
-        return refuse("gear.cone_angle_deg", "planning for a conical gear", "plan for a cylindrical gear (`check` works for conical ones)");
+        return refuse(
+            "gear.cone_angle_deg",
+            "planning for a conical gear",
+            "plan for a cylindrical gear (`check` works for conical ones)",
+        );
     }
     if job.worm.cone_angle_deg != 0.0 {
         return refuse("worm.cone_angle_deg", "planning with a conical worm", "use a cylindrical worm");
     }
     if job.dressing.flanks == crate::exchange::job::DressingFlanks::Two {
-        return refuse("dressing.flanks", "dressing both flanks at once", "dress one flank after the other (\"one\")");
+        return refuse(
+            "dressing.flanks",
+            "dressing both flanks at once",
+            "dress one flank after the other (\"one\")",
+        );
     }
     let rows = crate::exchange::job::Dressing::default();
     if job.dressing.conditions != rows.conditions || !job.dressing.fixed().is_empty() {
@@ -75,7 +84,11 @@ fn supported(job: &Job) -> Result<(), RunFailure> {
         );
     }
     if job.machine.is_some() {
-        return refuse("machine", "a machine description", "leave [machine] out; the default axis limits hold");
+        return refuse(
+            "machine",
+            "a machine description",
+            "leave [machine] out; the default axis limits hold",
+        );
     }
     Ok(())
 }
@@ -124,11 +137,13 @@ fn finish(
 ) -> Result<Outcome, RunFailure> {
     let job = &loaded.job;
     let refereeing = Instant::now();
-    let verdicts = referee::run(&prepared.setup, &execution, GrindingMode::Continuous, progress).map_err(|e| {
-        let finding =
-            Diagnostic::with_code(e.code(), e.to_string()).field("grinding").way_out(e.way_out().to_string());
-        RunFailure::NotProducible(finding)
-    })?;
+    let verdicts =
+        referee::run(&prepared.setup, &execution, GrindingMode::Continuous, progress).map_err(|e| {
+            let finding = Diagnostic::with_code(e.code(), e.to_string())
+                .field("grinding")
+                .way_out(e.way_out().to_string());
+            RunFailure::NotProducible(finding)
+        })?;
     timing.insert("referee", refereeing.elapsed().as_secs_f64());
     let mut warnings = prepared.warnings.clone();
     warnings.extend(execution.warnings.iter().cloned());
@@ -213,7 +228,9 @@ pub fn ratio_reason(reason: RatioReason) -> &'static str {
         RatioReason::LeadCorrection => {
             "lead-correction ratio K*: the worm needs no part linear in the roll length, so that the dressing correction is least"
         }
-        RatioReason::Compromise => "the flanks want different lead-correction ratios: least score between them",
+        RatioReason::Compromise => {
+            "the flanks want different lead-correction ratios: least score between them"
+        }
         RatioReason::Scan => "least score of a scan over both signs",
     }
 }
@@ -261,7 +278,8 @@ fn missed(
         for flank in Flank::BOTH {
             let Some(target) = &prepared.targets[flank] else { continue };
             let lines = &prepared.setup.lines[flank];
-            let crowning = -target.polynomial.coefficient(0, 2) * ((lines.face[1] - lines.face[0]) / 2.0).powi(2);
+            let crowning =
+                -target.polynomial.coefficient(0, 2) * ((lines.face[1] - lines.face[0]) / 2.0).powi(2);
             let natural = natural_twist(lines, crowning);
             way_out += &format!(
                 "; on the {flank} flank a profile crowning of {:.3} um less in the dresser would take out the natural profile crowning",
@@ -276,7 +294,8 @@ fn missed(
         return Remark {
             code: "outside-class",
             text,
-            way_out: "use modifications of lower degree, reliefs of the profile only, or a wider tolerance".into(),
+            way_out: "use modifications of lower degree, reliefs of the profile only, or a wider tolerance"
+                .into(),
         };
     }
     Remark {
