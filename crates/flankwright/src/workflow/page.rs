@@ -30,6 +30,9 @@ fn characteristics(c: &CharacteristicsUm) -> Characteristics {
 
 /// The amount of a target entry as the job has it, where its kind has one.
 fn target_amounts(job: &Job, flank: Flank) -> Vec<TargetAmount> {
+    let named = |kind: &str| {
+        job.target.modifications.iter().flatten().any(|s| s.kind() == kind && s.flank().includes(flank))
+    };
     let entries = job.target.modifications.iter().flatten().filter(|spec| spec.flank().includes(flank));
     entries
         .map(|spec: &Spec| {
@@ -48,6 +51,11 @@ fn target_amounts(job: &Job, flank: Flank) -> Vec<TargetAmount> {
                 .join(", ");
             TargetAmount { name: spec.kind().replace('_', " "), amount_um, detail }
         })
+        .chain((!named("twist") && job.target.file.is_none()).then(|| TargetAmount {
+            name: "twist".into(),
+            amount_um: 0.0,
+            detail: "no entry: zero twist is wanted".into(),
+        }))
         .collect()
 }
 

@@ -223,15 +223,15 @@ fn finish(
 /// The rule that settled the ratio, in words.
 pub fn ratio_reason(reason: RatioReason) -> &'static str {
     match reason {
-        RatioReason::Given => "given in the job",
-        RatioReason::RadialSuffices => "the radial method makes this target without mixed residual",
+        RatioReason::Given => "Given in the job.",
+        RatioReason::RadialSuffices => "The radial method makes this target without mixed residual.",
         RatioReason::LeadCorrection => {
-            "lead-correction ratio K*: the worm needs no part linear in the roll length, so that the dressing correction is least"
+            "Lead-correction ratio K*: the worm needs no part linear in the roll length, so that the dressing correction is least."
         }
         RatioReason::Compromise => {
-            "the flanks want different lead-correction ratios: least score between them"
+            "The flanks want different lead-correction ratios: least score between them."
         }
-        RatioReason::Scan => "least score of a scan over both signs",
+        RatioReason::Scan => "Least score of a scan over both signs.",
     }
 }
 
