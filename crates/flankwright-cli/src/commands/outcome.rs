@@ -40,6 +40,15 @@ pub fn deliver(
     })
 }
 
+/// A number with fixed decimals; what rounds to zero has no sign.
+fn fixed(x: f64, decimals: usize) -> String {
+    let text = format!("{x:.decimals$}");
+    match text.strip_prefix('-') {
+        Some(rest) if rest.chars().all(|c| c == '0' || c == '.') => rest.to_owned(),
+        _ => text,
+    }
+}
+
 fn summary(result: &JobResult, written: &[PathBuf]) -> String {
     let mut text = String::new();
     let verdict = match result.status {
@@ -61,13 +70,18 @@ fn summary(result: &JobResult, written: &[PathBuf]) -> String {
         let s = &f.simulated_characteristics;
         let _ = writeln!(
             text,
-            "  {flank:<5} target: helix crowning {:.2} um, profile crowning {:.2} um, twist {:.2} um",
-            t.helix_crowning_um, t.profile_crowning_um, t.twist_corner_um
+            "  {flank:<5} target: helix crowning {} um, profile crowning {} um, twist {} um",
+            fixed(t.helix_crowning_um, 2),
+            fixed(t.profile_crowning_um, 2),
+            fixed(t.twist_corner_um, 2)
         );
         let _ = writeln!(
             text,
-            "        simulated: helix crowning {:.3} um, profile crowning {:.3} um, twist {:.4} um (corners), {:.4} um (fit)",
-            s.helix_crowning_um, s.profile_crowning_um, s.twist_corner_um, s.twist_fit_um
+            "        simulated: helix crowning {} um, profile crowning {} um, twist {} um (corners), {} um (fit)",
+            fixed(s.helix_crowning_um, 3),
+            fixed(s.profile_crowning_um, 3),
+            fixed(s.twist_corner_um, 4),
+            fixed(s.twist_fit_um, 4)
         );
         let _ = writeln!(
             text,

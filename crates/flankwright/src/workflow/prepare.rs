@@ -225,6 +225,9 @@ fn target_of_flank(
     }
 }
 
+/// Overlaps of worm tip and gear root below this are rounding of the drawing, mm.
+const WORTH_SAYING: f64 = 1e-3;
+
 /// Bodies, targets and rules of a job.
 ///
 /// # Errors
@@ -284,7 +287,7 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, (Diagnostic, bool)> {
         .way_out("let the dresser be made for the target (dresser.modification = \"target\")");
         return Err((d, true));
     }
-    if setup.root_cut > 0.0 {
+    if setup.root_cut > WORTH_SAYING {
         warnings.push(Remark {
             code: "worm-cuts-root",
             text: format!(
@@ -294,7 +297,7 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, (Diagnostic, bool)> {
             way_out: "reduce worm.tip_diameter or check gear.root_diameter".into(),
         });
     }
-    if setup.tip_short > 0.0 {
+    if setup.tip_short > WORTH_SAYING {
         warnings.push(Remark {
             code: "worm-tip-short",
             text: format!(

@@ -231,6 +231,7 @@ pub fn ratio_reason(reason: RatioReason) -> &'static str {
         RatioReason::Compromise => {
             "The flanks want different lead-correction ratios: least score between them."
         }
+        RatioReason::LeastError => "No ratio is exact enough for the tolerance: the one of least error.",
         RatioReason::Scan => "Least score of a scan over both signs.",
     }
 }

@@ -105,6 +105,8 @@ impl PlanTask<'_> {
         let rule = self.rule(grid);
         let Some(ratio) = self.ratio else { return rule.choose(&self.places) };
         let place = *self.places.first().ok_or(GeneratingError::NoFlank)?;
+        let [from, to] = self.setup.occupation(ratio, &rule.which());
+        rule.check_width(to - from, ratio)?;
         let candidate = if ratio == 0.0 {
             let (plan, error, _) =
                 precompensate(self.setup, &self.targets, grid, 0.0, self.policy(place), 0)?;
@@ -121,7 +123,6 @@ impl PlanTask<'_> {
         } else {
             rule.judge(ratio, place)?
         };
-        rule.check_width(candidate.occupation, ratio)?;
         if let Some(GeneratingError::EnvelopeBroken { ratio, .. }) = candidate.refusal {
             if ratio <= 0.0 {
                 return Err(GeneratingError::EnvelopeBroken {

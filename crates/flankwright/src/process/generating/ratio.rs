@@ -48,6 +48,8 @@ pub enum RatioReason {
     Compromise,
     /// Scan over both signs.
     Scan,
+    /// No ratio is exact enough: the one of least error.
+    LeastError,
 }
 
 /// The chosen ratio and how it was found.
@@ -101,7 +103,8 @@ pub(super) struct Rule<'a> {
 }
 
 impl Rule<'_> {
-    fn which(&self) -> Vec<Flank> {
+    /// Flanks that are ground.
+    pub fn which(&self) -> Vec<Flank> {
         self.targets.iter().filter(|(_, t)| t.is_some()).map(|(f, _)| f).collect()
     }
 
@@ -316,9 +319,17 @@ impl Rule<'_> {
         if let Some(best) = best_of(&choice.candidates).map(|c| c.ratio) {
             crate::numerics::golden_section(best / step, best * step, GOLDEN, |k| self.try_ratio(k, choice));
         }
-        match best_of(&choice.candidates) {
+        let inexact = choice
+            .candidates
+            .iter()
+            .filter(|c| matches!(c.refusal, Some(GeneratingError::ModelError { .. })))
+            .min_by(|a, b| a.error.total_cmp(&b.error));
+        match best_of(&choice.candidates).or(inexact) {
             Some(best) => {
-                (choice.ratio, choice.reason) = (best.ratio, RatioReason::Scan);
+                // A ratio that is only not exact enough is made all the same: the target is then missed with figures.
+                let exact = best.refusal.is_none();
+                choice.reason = if exact { RatioReason::Scan } else { RatioReason::LeastError };
+                choice.ratio = best.ratio;
                 Ok(())
             }
             None => {
