@@ -67,9 +67,12 @@ proptest! {
         let motion = pair.motion(MotionLaw::polynomial(0.0, vec![0.0, ratio]));
         for flank in Flank::BOTH {
             let grid = field(&pair.work, flank, 7, 8.0 * module, 7);
+            // A worm that reaches beyond the contact at the gear's base circle would undercut the gear.
+            let f = &pair.flanks[flank];
+            let tip = 0.5 * grid.w()[0] * f.hat_w2 / f.hat_w1;
             let setup = Grinding {
                 worm: pair.worm.flank(flank),
-                area: area(&pair, flank, &grid, &motion, [2.0 * module, 4.0 * module]),
+                area: area(&pair, flank, &grid, &motion, [tip, 4.0 * module]),
                 modification: &Unmodified,
                 work: pair.work.flank(flank),
                 motion: &motion,
