@@ -1,3 +1,5 @@
 //! The command `flankwright`.
 
-fn main() {}
+fn main() -> std::process::ExitCode {
+    flankwright_cli::run()
+}

@@ -1,1 +1,31 @@
-//! (being built)
+//! What crosses the border of the library as files: job documents with the place of every value, their
+//! JSON schema, tables. Reads and writes files; knows the shapes and targets that a job describes, but
+//! neither plans nor reports anything.
+
+mod checks;
+mod csv;
+mod diagnostic;
+mod document;
+mod files;
+mod form;
+mod grid_file;
+pub mod job;
+mod json_tree;
+mod load;
+mod node;
+mod schema;
+mod shape;
+mod source;
+mod template;
+mod toml_tree;
+
+pub use csv::{Column, CsvError, CsvTable};
+pub use diagnostic::{Diagnostic, JobError, Problem};
+pub use document::Document;
+pub use files::write_atomically;
+pub use grid_file::{GridTarget, read_grid_target};
+pub use job::Job;
+pub use load::{LoadedJob, parse_job, read_job};
+pub use schema::job_schema;
+pub use source::{MAXIMUM_BYTES, Source};
+pub use template::job_template;

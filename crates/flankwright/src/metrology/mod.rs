@@ -1,1 +1,7 @@
-//! (being built)
+//! Pure evaluation of measured or computed flanks: grids, characteristics, comparison. Knows no process.
+
+mod characteristics;
+mod topography;
+
+pub use characteristics::Characteristics;
+pub use topography::Topography;

@@ -1,1 +1,31 @@
-//! (being built)
+//! What a person reads: charts drawn as SVG and the self-contained HTML report.
+//!
+//! The room turns finished numbers into pictures and pages. It must not know how a number came about: no
+//! process, no contact, no removal, no workflow. [`charts`] draws, [`PlanReport`] is the page as data
+//! (a banner and an ordered list of sections, the same for every process), [`html`] writes it, and
+//! [`generating`] composes the page of diagonal generating grinding.
+//!
+//! ```
+//! use flankwright::report::{Banner, Block, PlanReport, Section, Status, html};
+//!
+//! let page = PlanReport {
+//!     title: "housing <A>".into(),
+//!     subtitle: None,
+//!     facts: vec![],
+//!     banner: Banner { status: Status::Met, headline: "within 1 um".into(), figures: vec![] },
+//!     sections: vec![Section::new("Result", vec![Block::Paragraph("All is well.".into())])],
+//! };
+//! let text = html::render(&page);
+//! assert!(text.contains("housing &lt;A&gt;"));
+//! ```
+
+pub mod charts;
+pub mod generating;
+pub mod html;
+
+mod data;
+
+pub use data::{
+    Banner, Block, Column, ColumnKind, Fact, Figure, PlanReport, Quantity, QuantityValue, Section, Status,
+    Table, Warning,
+};

@@ -15,8 +15,9 @@ pub struct ContactLine {
     pub straightness: f64,
 }
 
-/// Points of the fit.
-const SAMPLES: usize = 61;
+/// Equidistant points of the fit; every calculation must use the same number, because the diagonal ratio follows from the
+/// direction (spec 28's reference numbers: 21).
+const SAMPLES: usize = 21;
 
 impl ContactLine {
     /// Fits the contact line of `flank` at correction `dk` over the used range.
@@ -24,38 +25,28 @@ impl ContactLine {
     /// # Errors
     /// As [`DressedProfile::at_roll`].
     pub fn fit(tool: &DresserTool, flank: Flank, dk: DressingCorrection) -> Result<Self, DressingError> {
-        Self::fit_sampled(tool, flank, dk, SAMPLES)
-    }
-
-    /// As [`ContactLine::fit`] with a given number of equidistant points.
-    ///
-    /// # Errors
-    /// As [`DressedProfile::at_roll`].
-    pub fn fit_sampled(
-        tool: &DresserTool,
-        flank: Flank,
-        dk: DressingCorrection,
-        samples: usize,
-    ) -> Result<Self, DressingError> {
         let range = tool.flanks[flank].range;
         let profile = DressedProfile::new(tool, flank, dk);
-        let points = (0..samples)
+        let points = (0..SAMPLES)
             .map(|i| {
-                let w = range.w_nf + range.length() * i as f64 / (samples - 1) as f64;
-                profile.at_roll(w).map(|p| (p.w - range.middle(), p.b))
+                let w = range.w_nf + range.length() * i as f64 / (SAMPLES - 1) as f64;
+                profile.at_roll(w).map(|p| (p.w, p.b))
             })
             .collect::<Result<Vec<_>, _>>()?;
+        Ok(Self::through(&points))
+    }
+
+    /// Least-squares line through points (w, b) of a contact line, mm; at least two different w.
+    pub fn through(points: &[(f64, f64)]) -> Self {
         let n = points.len() as f64;
-        let (mean_x, mean_b) =
+        let (mean_w, mean_b) =
             (points.iter().map(|p| p.0).sum::<f64>() / n, points.iter().map(|p| p.1).sum::<f64>() / n);
-        let slope = points.iter().map(|p| (p.0 - mean_x) * (p.1 - mean_b)).sum::<f64>()
-            / points.iter().map(|p| (p.0 - mean_x).powi(2)).sum::<f64>();
+        let slope = points.iter().map(|p| (p.0 - mean_w) * (p.1 - mean_b)).sum::<f64>()
+            / points.iter().map(|p| (p.0 - mean_w).powi(2)).sum::<f64>();
         let rho = (-slope).atan();
         let (sin, cos) = rho.sin_cos();
-        let along: Vec<f64> = points.iter().map(|p| p.0 * sin + p.1 * cos).collect();
-        let (low, high) =
-            along.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &x| (l.min(x), h.max(x)));
-        let b_0 = mean_b - slope * (mean_x + range.middle());
-        Ok(Self { rho, coordinate: b_0 * cos, straightness: high - low })
+        let across = points.iter().map(|p| (p.0 - mean_w) * sin + p.1 * cos);
+        let (low, high) = across.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
+        Self { rho, coordinate: (mean_b - slope * mean_w) * cos, straightness: high - low }
     }
 }

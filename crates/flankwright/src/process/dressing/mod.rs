@@ -18,4 +18,4 @@ pub use error::DressingError;
 pub use forward::{DressedProfile, ProfilePoint, head_gradient};
 pub use nominal::{NominalContact, nominal_contact};
 pub use tilt_chart::TiltChart;
-pub use topological::{NodePlan, NodeSolution, solve_dressing_motion, solve_node};
+pub use topological::{NodePlan, NodeSolution, pitch_rolls, solve_dressing_motion, solve_node};

@@ -27,7 +27,13 @@ pub struct NodePlan {
 const ROUNDS: usize = 12;
 const ROUND_TOLERANCE: f64 = 1e-9;
 
-/// Solves the 3-point rows with the radius map at one worm position v: f(w_i) = wanted(w_i, b_i - v).
+/// The three lengths of roll of the pitch points: both ends and the middle of the used range.
+pub fn pitch_rolls(tool: &DresserTool, flank: Flank) -> [f64; 3] {
+    let range = tool.flanks[flank].range;
+    [range.w_nf, range.middle(), range.w_na]
+}
+
+/// Solves the 3-point rows with the radius map at one worm position v: f(w_i) = wanted(i, b_i - v), w_i = [`pitch_rolls`].
 ///
 /// # Errors
 /// Those of [`ConditionSolver::solve`], with v filled in.
@@ -37,16 +43,16 @@ pub fn solve_node(
     reference_radius: f64,
     v: f64,
     start: &DressingCorrection,
-    wanted: &dyn Fn(f64, f64) -> f64,
+    wanted: &dyn Fn(usize, f64) -> f64,
 ) -> Result<DressingCorrection, DressingError> {
     let range = tool.flanks[flank].range;
-    let rolls = [range.w_nf, range.middle(), range.w_na];
+    let rolls = pitch_rolls(tool, flank);
     let solver = ConditionSolver::new(tool, reference_radius);
     let mut dk = *start;
     let profile = DressedProfile::new(tool, flank, dk);
     let mut b = [profile.at_roll(rolls[0])?.b, profile.at_roll(rolls[1])?.b, profile.at_roll(rolls[2])?.b];
     for _ in 0..ROUNDS {
-        let point = |i: usize| Condition::Point { flank, w: rolls[i], f: wanted(rolls[i], b[i] - v) };
+        let point = |i: usize| Condition::Point { flank, w: rolls[i], f: wanted(i, b[i] - v) };
         let rows = [point(0), point(1), point(2), Condition::Map { flank, t: range.w_na, w: range.w_na }];
         dk = solver.solve(&rows, &dk).map_err(|e| match e {
             DressingError::NoZero { flank, fraction, reason, .. } => {
@@ -77,7 +83,7 @@ pub fn solve_dressing_motion(
     flank: Flank,
     reference_radius: f64,
     plan: &NodePlan,
-    wanted: &dyn Fn(f64, f64) -> f64,
+    wanted: &dyn Fn(usize, f64) -> f64,
 ) -> Result<([Chebyshev; 4], Vec<NodeSolution>), DressingError> {
     let (from, to) = plan.interval;
     let nodes = Chebyshev::nodes(from, to, plan.nodes);

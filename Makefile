@@ -1,0 +1,29 @@
+# Everything a visitor needs: `make demo` shows a plan, `make test` proves the whole. Both work in a fresh clone.
+
+CARGO ?= cargo
+DEMO ?= examples/twist-free-crowning.toml
+
+.PHONY: demo test setup format check clean
+
+setup:
+	@scripts/setup
+
+# Plans the first example; the summary names the report.
+demo: setup
+	$(CARGO) build --release --package flankwright-cli
+	target/release/flankwright plan $(DEMO)
+
+test: setup
+	$(CARGO) fmt --all -- --check
+	$(CARGO) clippy --workspace --all-targets -- -D warnings
+	$(CARGO) test --workspace --no-fail-fast
+
+format:
+	$(CARGO) fmt --all
+
+# Quick look while writing.
+check:
+	$(CARGO) clippy --workspace --all-targets
+
+clean:
+	$(CARGO) clean

@@ -1,0 +1,58 @@
+//! The command line.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+
+use crate::commands::check::CheckArguments;
+use crate::commands::new::NewArguments;
+use crate::commands::schema::SchemaArguments;
+
+/// Plans, simulates and proves the manufacture of gear teeth.
+#[derive(Debug, Parser)]
+#[command(name = "flankwright", version, propagate_version = true, arg_required_else_help = true)]
+#[command(
+    after_help = "Example:\n  flankwright new generating-grinding > job.toml\n  flankwright check job.toml\n\n\
+    Exit status: 0 done, 1 internal error, 2 bad input, 3 target missed, 4 not producible"
+)]
+pub struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Print a commented, runnable example job
+    New(NewArguments),
+    /// Print the JSON schema of the job file (draft 2020-12)
+    Schema(SchemaArguments),
+    /// Check a job and print the geometry derived from it
+    Check(CheckArguments),
+}
+
+impl Command {
+    /// The arguments that every command has.
+    pub fn common(&self) -> &CommonArguments {
+        match self {
+            Command::New(arguments) => &arguments.common,
+            Command::Schema(arguments) => &arguments.common,
+            Command::Check(arguments) => &arguments.common,
+        }
+    }
+}
+
+/// Arguments that every command has.
+#[derive(Args, Clone, Debug, Default)]
+pub struct CommonArguments {
+    /// Print one JSON document on standard output and nothing else there
+    #[arg(long)]
+    pub json: bool,
+    /// Print no progress and no summary
+    #[arg(long, short)]
+    pub quiet: bool,
+    /// Directory for files; default `<job name>.out/` beside the job
+    #[arg(long = "output", short, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+}

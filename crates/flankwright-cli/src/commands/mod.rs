@@ -1,0 +1,9 @@
+//! The commands, one a file: arguments and what they print.
+
+pub mod check;
+mod derived;
+pub mod new;
+pub mod plan;
+pub mod schema;
+pub mod simulate;
+pub mod verify;

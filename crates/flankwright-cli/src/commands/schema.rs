@@ -1,0 +1,32 @@
+//! `flankwright schema`: the schema of the job file.
+
+use clap::Args;
+use flankwright::exchange::job_schema;
+
+use crate::arguments::CommonArguments;
+use crate::exit::Exit;
+use crate::failure::Failure;
+use crate::output;
+
+/// Arguments of `schema`.
+#[derive(Args, Debug)]
+#[command(after_help = "Example:\n  flankwright schema > job.schema.json\n\n\
+    Editors use it to complete and check job files. With -o it is written to DIR/job.schema.json.")]
+pub struct SchemaArguments {
+    /// Arguments that every command has.
+    #[command(flatten)]
+    pub common: CommonArguments,
+}
+
+/// Prints the schema, or writes it to the directory told.
+///
+/// # Errors
+/// The output cannot be written.
+pub fn run(arguments: &SchemaArguments) -> Result<Exit, Failure> {
+    let text = output::json_text(&job_schema())?;
+    match &arguments.common.output {
+        Some(directory) => output::write_file(&directory.join("job.schema.json"), text.as_bytes())?,
+        None => output::print(&text)?,
+    }
+    Ok(Exit::Done)
+}

@@ -1,0 +1,563 @@
+//! Everything that can be wrong with a job ends with exit status 2 and a message that names file, line, key, value,
+//! what is allowed and a way out; never with a panic.
+
+use std::time::{Duration, Instant};
+
+use crate::command::{check, example, run, run_with};
+use serde_json::Value;
+
+/// What a change to the first example has to be answered with.
+struct Case {
+    from: &'static str,
+    to: &'static str,
+    code: &'static str,
+    field: &'static str,
+    /// Parts of value, allowed and way out.
+    says: &'static [&'static str],
+}
+
+const fn case(
+    from: &'static str,
+    to: &'static str,
+    code: &'static str,
+    field: &'static str,
+    says: &'static [&'static str],
+) -> Case {
+    Case { from, to, code, field, says }
+}
+
+const CASES: &[Case] = &[
+    // keys
+    case(
+        "normal_module = 3.5",
+        "normal_modul = 3.5",
+        "unknown-key",
+        "gear.normal_modul",
+        &["did you mean `normal_module`", "teeth"],
+    ),
+    case(
+        "amount_um = 20.0",
+        "amount = 20.0",
+        "unknown-key",
+        "target.modifications[0].amount",
+        &["did you mean `amount_um`"],
+    ),
+    case(
+        "z_start = -20.0",
+        "zstart = -20.0",
+        "unknown-key",
+        "gear.evaluation.zstart",
+        &["did you mean `z_start`"],
+    ),
+    case("[grid]", "[grids]", "unknown-key", "grids", &["did you mean `grid`"]),
+    case("teeth = 19\n", "", "missing-key", "gear.teeth", &["whole number", "number of teeth"]),
+    case(
+        "tip_diameter = 123.0\n",
+        "",
+        "missing-key",
+        "dresser.tip_diameter",
+        &["tip diameter of the dresser"],
+    ),
+    case("kind = \"helix_crowning\", ", "", "missing-key", "target.modifications[0].kind", &["twist"]),
+    case("profile_shift = 0.0\n", "", "missing-key", "gear.profile_shift", &["exactly one of", "over_balls"]),
+    case(
+        "form_diameter = 76.2065\nevaluation = { start_diameter = 76.2065,",
+        "evaluation = {",
+        "missing-key",
+        "gear.form_diameter",
+        &["start_diameter"],
+    ),
+    case("tip_diameter = 200.0", "# none", "missing-key", "worm.tip_diameter", &["pitch_diameter"]),
+    case(
+        "modifications = [",
+        "modification = [",
+        "unknown-key",
+        "target.modification",
+        &["did you mean `modifications`"],
+    ),
+    // types
+    case(
+        "normal_module = 3.5",
+        "normal_module = \"3.5\"",
+        "wrong-type",
+        "gear.normal_module",
+        &["\"3.5\"", "number", "remove the quotes"],
+    ),
+    case("teeth = 19", "teeth = 19.5", "wrong-type", "gear.teeth", &["19.5", "whole number"]),
+    case("threads = 3", "threads = [3]", "wrong-type", "worm.threads", &["a list", "whole number"]),
+    case(
+        "threads = 3",
+        "threads = 2026-01-01",
+        "wrong-type",
+        "worm.threads",
+        &["2026-01-01", "whole number"],
+    ),
+    case("evaluation = {", "evaluation = 3 # {", "wrong-type", "gear.evaluation", &["a table", "z_end"]),
+    case("name = \"twist-free-crowning\"", "name = true", "wrong-type", "job.name", &["true", "a text"]),
+    case("[job]", "job = 3\n[jobs]", "wrong-type", "job", &["a table"]),
+    // words
+    case(
+        "hand = \"left\"",
+        "hand = \"lefthand\"",
+        "unknown-value",
+        "worm.hand",
+        &["\"left\", \"right\"", "did you mean \"left\""],
+    ),
+    case(
+        "kind = \"helix_crowning\"",
+        "kind = \"helix_crown\"",
+        "unknown-value",
+        "target.modifications[0].kind",
+        &["did you mean \"helix_crowning\""],
+    ),
+    case(
+        "diagonal_ratio = \"auto\"",
+        "diagonal_ratio = \"best\"",
+        "unknown-value",
+        "grinding.diagonal_ratio",
+        &["\"auto\"", "or a number"],
+    ),
+    case("\"siemens\"", "\"simens\"", "unknown-value", "output.programs[1]", &["did you mean \"siemens\""]),
+    case(
+        "\"generating-grinding\"",
+        "\"generating\"",
+        "unknown-value",
+        "job.process",
+        &["did you mean \"generating-grinding\""],
+    ),
+    case(
+        "\"generating-grinding\"",
+        "\"five-axis-milling\"",
+        "process-not-available",
+        "job.process",
+        &["generating-grinding"],
+    ),
+    // numbers
+    case(
+        "normal_module = 3.5",
+        "normal_module = nan",
+        "invalid-number",
+        "gear.normal_module",
+        &["NaN", "> 0"],
+    ),
+    case(
+        "normal_module = 3.5",
+        "normal_module = inf",
+        "invalid-number",
+        "gear.normal_module",
+        &["inf", "> 0"],
+    ),
+    case(
+        "normal_module = 3.5",
+        "normal_module = 1e308",
+        "invalid-number",
+        "gear.normal_module",
+        &["1e308", "<= 100"],
+    ),
+    case("normal_module = 3.5", "normal_module = 0", "invalid-number", "gear.normal_module", &["0", "> 0"]),
+    case(
+        "normal_module = 3.5",
+        "normal_module = -3.5",
+        "invalid-number",
+        "gear.normal_module",
+        &["-3.5", "> 0"],
+    ),
+    case("teeth = 19", "teeth = 0", "invalid-number", "gear.teeth", &["not 0", "internal gear"]),
+    case(
+        "teeth = 19",
+        "teeth = 99999999999999999999999",
+        "invalid-number",
+        "gear.teeth",
+        &["1e23", "<= 2000"],
+    ),
+    case("teeth = 19", "teeth = 2001", "invalid-number", "gear.teeth", &["<= 2000"]),
+    case(
+        "normal_pressure_angle_deg = 17.5",
+        "normal_pressure_angle_deg = 4",
+        "invalid-number",
+        "gear.normal_pressure_angle_deg",
+        &[">= 5 and <= 45"],
+    ),
+    case(
+        "normal_pressure_angle_deg = 17.5",
+        "normal_pressure_angle_deg = {left = 17.5, right = 91}",
+        "invalid-number",
+        "gear.normal_pressure_angle_deg.right",
+        &["91", "<= 45"],
+    ),
+    case(
+        "helix_angle_deg = -35.0",
+        "helix_angle_deg = 90",
+        "invalid-number",
+        "gear.helix_angle_deg",
+        &["< 90"],
+    ),
+    case("face_width = 40.0", "face_width = 0.0", "invalid-number", "gear.face_width", &["> 0"]),
+    case(
+        "amount_um = 20.0",
+        "amount_um = -inf",
+        "invalid-number",
+        "target.modifications[0].amount_um",
+        &["-inf"],
+    ),
+    case("tolerance_um = 1.0", "tolerance_um = 0.0", "invalid-number", "target.tolerance_um", &["> 0"]),
+    case("threads = 3", "threads = 0", "invalid-number", "worm.threads", &[">= 1"]),
+    case("width = 100.0", "width = -1", "invalid-number", "worm.width", &["> 0"]),
+    case(
+        "feed_per_revolution = 0.3",
+        "feed_per_revolution = 0",
+        "invalid-number",
+        "grinding.feed_per_revolution",
+        &["> 0"],
+    ),
+    case(
+        "profile_points = 41",
+        "profile_points = 2",
+        "invalid-number",
+        "grid.profile_points",
+        &[">= 3 and <= 1001"],
+    ),
+    case("helix_points = 41", "helix_points = 1002", "invalid-number", "grid.helix_points", &["<= 1001"]),
+    case("profile_points = 41", "profile_points = -1", "invalid-number", "grid.profile_points", &[">= 3"]),
+    // lists
+    case(
+        "conditions = [\"three-point\", \"radius-map\"]",
+        "conditions = []",
+        "invalid-list",
+        "dressing.conditions",
+        &["1 or more"],
+    ),
+    case("\"siemens\"", "\"linuxcnc\"", "invalid-list", "output.programs[1]", &["each entry once"]),
+    // contradictions
+    case(
+        "conditions = [\"three-point\", \"radius-map\"]",
+        "conditions = [\"four-point\", \"head\"]",
+        "invalid-job",
+        "dressing.conditions",
+        &["4", "three-point"],
+    ),
+    case(
+        "profile_shift = 0.0",
+        "profile_shift = 0.0\nspan = {teeth = 3, length = 27.5}",
+        "invalid-job",
+        "gear.span",
+        &["exactly one of"],
+    ),
+    case(
+        "method = \"diagonal\"",
+        "method = \"radial\"",
+        "invalid-job",
+        "grinding.diagonal_ratio",
+        &["radial", "diagonal"],
+    ),
+    case(
+        "method = \"diagonal\"\nflanks = \"both\"\ndiagonal_ratio = \"auto\"",
+        "method = \"radial\"\ndiagonal_ratio = -1.9",
+        "invalid-job",
+        "grinding.diagonal_ratio",
+        &["-1.9"],
+    ),
+    case(
+        "tolerance_um = 1.0",
+        "tolerance_um = 1.0\nfile = \"grid.csv\"",
+        "invalid-job",
+        "target.file",
+        &["either"],
+    ),
+    case(
+        "name = \"twist-free-crowning\"",
+        "name = \"../elsewhere\"",
+        "invalid-job",
+        "job.name",
+        &["plain name"],
+    ),
+    case(
+        "name = \"twist-free-crowning\"",
+        "name = \"\"",
+        "unknown-value",
+        "job.name",
+        &["1 to 100 characters"],
+    ),
+    // bodies
+    case(
+        "root_diameter = 72.4315",
+        "root_diameter = 90.0",
+        "invalid-geometry",
+        "gear.tip_diameter",
+        &["root diameter <= form diameter < tip diameter"],
+    ),
+    case(
+        "form_diameter = 76.2065",
+        "form_diameter = 70.0",
+        "invalid-geometry",
+        "gear.form_diameter",
+        &["70", "drawing"],
+    ),
+    case(
+        "form_diameter = 76.2065",
+        "form_diameter = 88.6",
+        "invalid-geometry",
+        "gear.form_diameter",
+        &["88.6"],
+    ),
+    case(
+        "start_diameter = 76.2065",
+        "start_diameter = 76.0",
+        "invalid-geometry",
+        "gear.evaluation.start_diameter",
+        &["76.2065"],
+    ),
+    case(
+        "end_diameter = 88.5315",
+        "end_diameter = 89.0",
+        "invalid-geometry",
+        "gear.evaluation.end_diameter",
+        &["88.5315"],
+    ),
+    case(
+        "end_diameter = 88.5315",
+        "end_diameter = 76.2",
+        "invalid-geometry",
+        "gear.evaluation.end_diameter",
+        &["exchange"],
+    ),
+    case("z_start = -20.0", "z_start = -20.1", "invalid-geometry", "gear.evaluation.z_start", &["-20 to 20"]),
+    case("z_end = 20.0", "z_end = 20.1", "invalid-geometry", "gear.evaluation.z_end", &["-20 to 20"]),
+    case(
+        "z_start = -20.0, z_end = 20.0",
+        "z_start = 5.0, z_end = 5.0",
+        "invalid-geometry",
+        "gear.evaluation.z_end",
+        &["exchange"],
+    ),
+    case(
+        "threads = 3",
+        "threads = 3\npitch_diameter = 200.0",
+        "invalid-geometry",
+        "worm.pitch_diameter",
+        &["< 200"],
+    ),
+    case(
+        "pitch_diameter = 115.65",
+        "pitch_diameter = 123.0",
+        "invalid-geometry",
+        "dresser.pitch_diameter",
+        &["< 123"],
+    ),
+    case("teeth = 19", "teeth = -19", "invalid-geometry", "gear.tip_diameter", &["internal gear"]),
+    // not yet
+    case(
+        "diagonal_ratio = \"auto\"",
+        "diagonal_ratio = { z = [1], ratio = [2] }",
+        "not-yet-supported",
+        "grinding.diagonal_ratio",
+        &["\"auto\""],
+    ),
+    case("overrun = 1.0", "overrun = 1.0\nareas = 2", "not-yet-supported", "grinding.areas", &["2", "leave"]),
+    case("[dressing]", "[dressing]\nstrokes = 3", "not-yet-supported", "dressing.strokes", &["3", "leave"]),
+    case(
+        "[dresser]",
+        "[dresser]\ndesigned_for = { threads = 2 }",
+        "not-yet-supported",
+        "dresser.designed_for",
+        &["leave"],
+    ),
+];
+
+/// The example without its comments, so that changes meet entries.
+fn job() -> String {
+    let text = example("twist-free-crowning.toml");
+    text.lines().map(|line| line.split('#').next().unwrap_or(line).trim_end().to_owned() + "\n").collect()
+}
+
+#[test]
+fn every_case_is_told_in_full() {
+    let job = job();
+    for case in CASES {
+        assert!(job.contains(case.from), "the example has no `{}`", case.from);
+        let text = job.replacen(case.from, case.to, 1);
+        let (human, machine) = check("bad.toml", text.as_bytes());
+        let about = format!("{} -> {}\n{}\n{}", case.from, case.to, human.stderr, machine.stdout);
+        assert_eq!((human.exit, machine.exit), (Some(2), Some(2)), "{about}");
+        assert_eq!(human.stdout, "", "{about}");
+        assert_eq!(machine.stderr, "", "{about}");
+
+        let answer = machine.json();
+        let errors = answer["errors"].as_array().unwrap();
+        assert_eq!(answer["error"], errors[0], "{about}");
+        let found = errors.iter().find(|e| e["code"] == case.code && e["field"] == case.field);
+        let error = found.unwrap_or_else(|| panic!("no {} of {}: {about}", case.code, case.field));
+        assert!(error["file"].as_str().unwrap().ends_with("bad.toml"), "{about}");
+        for part in ["message", "allowed", "way_out"] {
+            assert!(error[part].as_str().is_some_and(|t| !t.is_empty()), "{part}: {about}");
+        }
+        assert!(case.code == "missing-key" || error["value"].is_string(), "{about}");
+        let line = error["line"].as_u64().unwrap_or_else(|| panic!("no line: {about}"));
+        let column = error["column"].as_u64().unwrap();
+
+        let message = human.message();
+        let place = format!("bad.toml:{line}:{column}");
+        for said in case.says.iter().copied().chain([case.code, case.field, place.as_str()]) {
+            assert!(message.contains(said), "`{said}` is not said: {about}");
+        }
+        // The place is that of the changed entry, or of the table that lacks a key.
+        if case.code != "missing-key" {
+            let at = text.lines().nth(line as usize - 1).unwrap();
+            let key = case.field.rsplit('.').next().unwrap().split('[').next().unwrap();
+            assert!(at.contains(key), "line {line} `{at}` has no `{key}`: {about}");
+        }
+    }
+}
+
+#[test]
+fn all_findings_are_told_at_once() {
+    let text =
+        job().replace("teeth", "tooth").replace("threads", "thread").replace("width = 100.0", "width = nan");
+    let (human, machine) = check("bad.toml", text.as_bytes());
+    let fields: Vec<Value> =
+        machine.json()["errors"].as_array().unwrap().iter().map(|e| e["field"].clone()).collect();
+    for field in ["gear.tooth", "gear.teeth", "worm.thread", "worm.threads", "worm.width"] {
+        assert!(fields.iter().any(|f| f == field), "{field}: {fields:?}");
+        assert!(human.message().contains(field), "{field}: {}", human.stderr);
+    }
+}
+
+#[test]
+fn missing_tables_are_named() {
+    for name in ["empty.toml", "empty.json"] {
+        let text = if name.ends_with("toml") { "" } else { "{}" };
+        let (human, machine) = check(name, text.as_bytes());
+        assert_eq!(human.exit, Some(2));
+        for table in ["[job]", "[gear]", "[target]", "[worm]", "[dresser]", "[grinding]"] {
+            assert!(human.message().contains(table), "{table}: {}", human.stderr);
+        }
+        assert!(human.message().contains(name));
+        assert_eq!(machine.json()["error"]["code"], "missing-key");
+    }
+}
+
+#[test]
+fn malformed_texts_name_file_line_and_column() {
+    let cases: &[(&str, &[u8], &str, &str)] = &[
+        ("a.toml", b"[gear]\nteeth = = 3", "invalid-toml", "a.toml:2:"),
+        ("a.toml", b"[gear]\nteeth = 3\nteeth = 4\n", "duplicate-key", "a.toml:3:"),
+        ("a.toml", b"[gear]\n[gear]\n", "duplicate-key", "a.toml:2:"),
+        ("a.toml", b"[gear]\nname = \"open\n", "invalid-toml", "a.toml:2:"),
+        ("a.json", b"{\"gear\": {\"teeth\": 3\n \"x\": 1}}", "invalid-json", "a.json:1:21"),
+        ("a.json", b"{\"gear\": 1,\n\"gear\": 2}", "duplicate-key", "a.json:2:"),
+        ("a.json", b"{\"gear\":\n{\"teeth\": NaN}}", "invalid-json", "a.json:2:"),
+        ("a.json", b"", "invalid-json", "a.json:1:1"),
+        ("a.json", b"[1, 2]", "wrong-type", "a.json:1:1"),
+        ("a.json", b"{\"worm\": null}", "wrong-type", "a.json:1:10"),
+        ("a.toml", b"\x7fELF\x02\x01\x01\xff\xfe\x00", "invalid-text", "line 1"),
+        ("a.toml", b"a = 1\nb = \"\x00\"\n", "invalid-text", "line 2"),
+        ("a.toml", b"\xff\xfea\x00", "invalid-text", "line 1"),
+    ];
+    for (name, bytes, code, place) in cases {
+        let (human, machine) = check(name, bytes);
+        assert_eq!((human.exit, machine.exit), (Some(2), Some(2)), "{}", human.stderr);
+        let answer = machine.json();
+        assert!(answer["errors"].as_array().unwrap().iter().any(|e| e["code"] == *code), "{code}: {answer}");
+        assert!(human.message().contains(place), "{place}: {}", human.stderr);
+    }
+}
+
+#[test]
+fn nesting_without_end_is_refused() {
+    let brackets = "[".repeat(1_000_000);
+    let objects = "{\"a\":".repeat(500_000);
+    let tables = "a = {a = ".repeat(100_000);
+    let keys = format!("a{} = 1", ".a".repeat(200_000));
+    let texts = [
+        ("a.toml", format!("a = {brackets}")),
+        ("a.json", brackets),
+        ("a.json", objects),
+        ("a.toml", tables),
+        ("a.toml", keys),
+    ];
+    for (name, text) in texts {
+        let (human, machine) = check(name, text.as_bytes());
+        assert_eq!(
+            (human.exit, machine.exit),
+            (Some(2), Some(2)),
+            "{}",
+            &human.stderr[..human.stderr.len().min(500)]
+        );
+        assert!(human.stderr.len() < 5000, "{} bytes of message", human.stderr.len());
+    }
+}
+
+#[test]
+fn large_files_are_refused_quickly() {
+    let mut line = b"x = 1.0 # a file of ten megabytes\n".repeat(300_000);
+    line.truncate(10_000_000);
+    for bytes in [line, vec![b'['; 10_000_000], vec![0; 10_000_000]] {
+        let begun = Instant::now();
+        let (human, machine) = check("large.toml", &bytes);
+        assert!(begun.elapsed() < Duration::from_secs(5), "{:?}", begun.elapsed());
+        assert_eq!((human.exit, machine.exit), (Some(2), Some(2)));
+        assert!(human.message().contains("4 MiB"), "{}", human.stderr);
+        assert_eq!(machine.json()["error"]["code"], "file-too-large");
+    }
+}
+
+#[test]
+fn many_findings_stay_readable() {
+    let text: String = (0..50_000).map(|i| format!("unknown{i} = nan\n")).collect();
+    let begun = Instant::now();
+    let (human, machine) = check("many.toml", text.as_bytes());
+    assert!(begun.elapsed() < Duration::from_secs(20), "{:?}", begun.elapsed());
+    assert_eq!((human.exit, machine.exit), (Some(2), Some(2)));
+    assert_eq!(machine.json()["errors"].as_array().unwrap().len(), 100);
+    assert!(human.stderr.len() < 20_000);
+    assert!(human.message().contains("more"));
+}
+
+#[test]
+fn files_that_are_none() {
+    for (path, says) in [("no/such/job.toml", "does not exist"), ("examples", "is a directory")] {
+        let (human, machine) = (run(&["check", path]), run(&["check", "--json", path]));
+        assert_eq!((human.exit, machine.exit), (Some(2), Some(2)));
+        assert!(human.message().contains(says), "{}", human.stderr);
+        assert_eq!(machine.json()["error"]["code"], "unreadable-file");
+        assert_eq!(machine.json()["error"]["file"], path);
+    }
+}
+
+#[test]
+fn a_wrong_command_line_is_bad_input() {
+    for arguments in [&["check"][..], &["nonsense"], &["new", "nonsense"], &["check", "--nonsense", "x"]] {
+        let human = run(arguments);
+        assert_eq!(human.exit, Some(2), "{human:?}");
+        assert!(human.stderr.contains("Usage") || human.stderr.contains("--help"), "{human:?}");
+        let machine = run(&[arguments, &["--json"]].concat());
+        assert_eq!(machine.exit, Some(2));
+        assert_eq!(machine.json()["error"]["code"], "usage");
+    }
+}
+
+#[test]
+fn marks_and_line_ends_do_no_harm() {
+    let text = job();
+    let marked = [b"\xef\xbb\xbf", text.as_bytes()].concat();
+    let dos = text.replace('\n', "\r\n");
+    for bytes in [marked.as_slice(), dos.as_bytes()] {
+        let (human, machine) = check("job.toml", bytes);
+        assert_eq!((human.exit, machine.exit), (Some(0), Some(0)), "{}", human.stderr);
+        let plain = run_with(&["check", "--json", "-"], text.as_bytes());
+        assert_eq!(machine.json()["job"], plain.json()["job"]);
+    }
+    let (wrong, _) = check("job.toml", dos.replace("teeth = 19", "teeth = 0").as_bytes());
+    assert!(wrong.message().contains("job.toml:10:9"), "{}", wrong.stderr);
+}
+
+#[test]
+fn empty_lists_are_no_error_where_they_mean_something() {
+    let start = job();
+    let list = start.find("modifications = [").unwrap();
+    let end = list + start[list..].find("\n]").unwrap() + 2;
+    let text = format!("{}modifications = []{}", &start[..list], &start[end..]);
+    let text = text.replace("[\"linuxcnc\", \"siemens\", \"fanuc\"]", "[]").replace("[\"csv\"]", "[]");
+    let (human, _) = check("job.toml", text.as_bytes());
+    assert_eq!(human.exit, Some(0), "{}", human.stderr);
+}

@@ -1,0 +1,7 @@
+//! The command as its users meet it.
+
+mod bad_input;
+mod command;
+mod commands;
+mod examples;
+mod robustness;

@@ -1,0 +1,125 @@
+//! Whatever stands in a job file: an answer, never a panic.
+
+use flankwright::exchange::{Source, parse_job};
+use flankwright_cli::failure::Failure;
+use proptest::prelude::*;
+
+/// Reads the bytes as both formats and draws every message.
+fn read(bytes: &[u8]) {
+    for name in ["a.toml", "a.json", "a"] {
+        if let Err(error) = Source::from_bytes(name, bytes).and_then(parse_job) {
+            assert!(!error.diagnostics.is_empty());
+            for diagnostic in &error.diagnostics {
+                if let Some(span) = &diagnostic.span {
+                    assert!(
+                        span.start <= span.end && span.end <= error.source.text().len(),
+                        "{diagnostic:?}"
+                    );
+                }
+                assert!(!diagnostic.message.is_empty());
+            }
+            let failure = Failure::from(error);
+            assert!(!failure.to_text(false).is_empty());
+            assert!(failure.to_json()["error"]["code"].is_string());
+        }
+    }
+}
+
+fn job() -> (String, String) {
+    let toml = crate::command::example("automotive-bias.toml");
+    let loaded = parse_job(Source::new("job.toml", &toml)).expect("a valid example");
+    (toml, serde_json::to_string_pretty(&loaded.job).expect("JSON"))
+}
+
+/// What is put into a job in place of something else.
+fn piece() -> impl Strategy<Value = String> {
+    prop_oneof![
+        prop::sample::select(vec![
+            "",
+            "nan",
+            "-inf",
+            "1e308",
+            "-1e-308",
+            "0",
+            "-1",
+            "999999999999999999999",
+            "\"",
+            "'",
+            "[",
+            "]",
+            "{",
+            "}",
+            "{}",
+            "[]",
+            "=",
+            ",",
+            "\n",
+            "\n\n[gear]\n",
+            "true",
+            "null",
+            "\"auto\"",
+            "µ",
+            "\u{feff}",
+            "1979-05-27",
+            "#",
+            ".",
+            "\\u00e4",
+            "\"\\ud800\"",
+            "x = 1\n",
+            "kind",
+            "\t",
+            "\r",
+        ])
+        .prop_map(str::to_owned),
+        any::<f64>().prop_map(|v| format!("{v:e}")),
+        any::<i64>().prop_map(|v| v.to_string()),
+        "\\PC{0,12}",
+    ]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+
+    #[test]
+    fn any_bytes(bytes in prop::collection::vec(any::<u8>(), 0..400)) {
+        read(&bytes);
+    }
+
+    #[test]
+    fn any_text(text in "[\\[\\]{}=\",.:a-z0-9#\\n \\\\-]{0,200}") {
+        read(text.as_bytes());
+    }
+
+    #[test]
+    fn changed_jobs(changes in prop::collection::vec((any::<prop::sample::Index>(), 0usize..12, piece()), 1..5), json in any::<bool>()) {
+        let (toml, as_json) = job();
+        let mut text: Vec<char> = if json { as_json } else { toml }.chars().collect();
+        for (place, length, piece) in changes {
+            let start = place.index(text.len() + 1);
+            let end = (start + length).min(text.len());
+            text.splice(start..end, piece.chars());
+        }
+        read(text.into_iter().collect::<String>().as_bytes());
+    }
+
+    #[test]
+    fn changed_values(place in any::<prop::sample::Index>(), piece in piece()) {
+        let (toml, _) = job();
+        // Entries of the form `key = value` on a line of their own.
+        let lines: Vec<&str> = toml.lines().collect();
+        let entries: Vec<usize> = (0..lines.len()).filter(|&i| lines[i].contains(" = ") && !lines[i].starts_with([' ', '#'])).collect();
+        let changed = entries[place.index(entries.len())];
+        let text: String = lines.iter().enumerate().map(|(i, line)| {
+            let key = line.split(" = ").next().unwrap_or_default();
+            if i == changed { format!("{key} = {piece}\n") } else { format!("{line}\n") }
+        }).collect();
+        read(text.as_bytes());
+    }
+
+    #[test]
+    fn cut_jobs(place in any::<prop::sample::Index>(), json in any::<bool>()) {
+        let (toml, as_json) = job();
+        let text = if json { as_json } else { toml };
+        read(&text.as_bytes()[..place.index(text.len())]);
+    }
+}

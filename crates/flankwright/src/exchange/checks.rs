@@ -1,0 +1,346 @@
+//! Contradictions between entries of a job that are each in range. Knows the job, no geometry beyond the order
+//! of diameters.
+
+use super::diagnostic::{Diagnostic, Problem};
+use super::job::{DiagonalRatio, DiagonalRule, DresserModification, Gear, Job, Method};
+use super::node::shown_number;
+
+/// All contradictions in a job; without places, which the caller knows.
+pub(super) fn check(job: &Job) -> Vec<Diagnostic> {
+    let mut findings = Vec::new();
+    name(job, &mut findings);
+    thickness(&job.gear, &mut findings);
+    diameters(&job.gear, &mut findings);
+    evaluation(&job.gear, &mut findings);
+    target(job, &mut findings);
+    worm(job, &mut findings);
+    dresser(job, &mut findings);
+    dressing(job, &mut findings);
+    grinding(job, &mut findings);
+    findings
+}
+
+fn name(job: &Job, findings: &mut Vec<Diagnostic>) {
+    let name = &job.job.name;
+    let plain = |c: char| c.is_alphanumeric() || matches!(c, '-' | '_' | '.' | ' ');
+    // The name becomes a directory: nothing that leads elsewhere or that a file system trims.
+    if !name.chars().all(plain) || name.starts_with(['.', ' ']) || name.ends_with(['.', ' ']) {
+        findings.push(
+            Diagnostic::new(Problem::InvalidJob, "the name of the job cannot name a directory")
+                .field("job.name")
+                .value(format!("{name:?}"))
+                .allowed("letters, digits, `-`, `_`, and inside also `.` and spaces")
+                .way_out("choose a plain name such as \"twist-free-crowning\""),
+        );
+    }
+}
+
+fn thickness(gear: &Gear, findings: &mut Vec<Diagnostic>) {
+    let forms = [
+        ("profile_shift", gear.profile_shift.is_some()),
+        ("normal_tooth_thickness", gear.normal_tooth_thickness.is_some()),
+        ("span", gear.span.is_some()),
+        ("over_balls", gear.over_balls.is_some()),
+    ];
+    let given: Vec<&str> = forms.iter().filter(|(_, given)| *given).map(|(key, _)| *key).collect();
+    let allowed = "exactly one of profile_shift, normal_tooth_thickness, span, over_balls";
+    match given.as_slice() {
+        [_] => {}
+        [] => findings.push(
+            Diagnostic::new(Problem::MissingKey, "`gear` does not say how thick the teeth are")
+                .field("gear.profile_shift")
+                .allowed(allowed)
+                .way_out("add one of them; `profile_shift = 0.0` for standard teeth"),
+        ),
+        [_, more @ ..] => findings.extend(more.iter().map(|key| {
+            Diagnostic::new(Problem::InvalidJob, "the tooth thickness is given more than once")
+                .field(format!("gear.{key}"))
+                .value(given.join(", "))
+                .allowed(allowed)
+                .way_out("keep the one that the drawing gives")
+        })),
+    }
+}
+
+/// Diameters in the order in which they must grow from the tooth root towards its tip.
+fn diameters(gear: &Gear, findings: &mut Vec<Diagnostic>) {
+    let start = gear.evaluation.and_then(|e| e.start_diameter);
+    let form = match (gear.form_diameter, start) {
+        (Some(form), _) => ("form_diameter", form),
+        (None, Some(start)) => ("evaluation.start_diameter", start),
+        (None, None) => {
+            findings.push(
+                Diagnostic::new(Problem::MissingKey, "`gear` does not say where the involute begins")
+                    .field("gear.form_diameter")
+                    .allowed("form_diameter, or evaluation = { start_diameter = .. }")
+                    .way_out("add the root form diameter of the drawing in mm"),
+            );
+            return;
+        }
+    };
+    let internal = gear.teeth < 0;
+    let order = if internal {
+        "internal gear: root diameter >= form diameter > tip diameter"
+    } else {
+        "root diameter <= form diameter < tip diameter"
+    };
+    // Towards the tip diameters grow, in internal gears they shrink.
+    let outwards = if internal { -1.0 } else { 1.0 };
+    let (root, tip) = (gear.root_diameter, gear.tip_diameter);
+    let mut refuse = |key: &str, value: f64, message: String| {
+        findings.push(
+            Diagnostic::new(Problem::InvalidGeometry, message)
+                .field(format!("gear.{key}"))
+                .value(shown_number(value))
+                .allowed(order)
+                .way_out("compare the diameters with the drawing"),
+        );
+    };
+    if outwards * (tip - root) <= 0.0 {
+        refuse(
+            "tip_diameter",
+            tip,
+            format!("the tip diameter {tip} does not lie outside the root diameter {root}"),
+        );
+        return;
+    }
+    let (key, value) = form;
+    if outwards * (value - root) < 0.0 {
+        refuse(key, value, format!("the involute begins at {value}, below the root diameter {root}"));
+    } else if outwards * (tip - value) <= 0.0 {
+        refuse(key, value, format!("the involute begins at {value}, not before the tip diameter {tip}"));
+    }
+}
+
+fn evaluation(gear: &Gear, findings: &mut Vec<Diagnostic>) {
+    let range = gear.evaluation_range();
+    let form = gear.root_form_diameter();
+    let outwards = if gear.teeth < 0 { -1.0 } else { 1.0 };
+    let half = gear.face_width / 2.0;
+    let mut refuse = |key: &str, value: f64, message: String, allowed: String, way_out: &str| {
+        findings.push(
+            Diagnostic::new(Problem::InvalidGeometry, message)
+                .field(format!("gear.evaluation.{key}"))
+                .value(shown_number(value))
+                .allowed(allowed)
+                .way_out(way_out),
+        );
+    };
+    let diameters = format!("from the form diameter {form} to the tip diameter {}", gear.tip_diameter);
+    let (start, end) = (range.start_diameter, range.end_diameter);
+    if outwards * (start - form) < 0.0 {
+        refuse(
+            "start_diameter",
+            start,
+            format!("the evaluation begins at {start}, below the involute"),
+            diameters,
+            "leave `start_diameter` out to begin at the form diameter",
+        );
+    } else if outwards * (gear.tip_diameter - end) < 0.0 {
+        refuse(
+            "end_diameter",
+            end,
+            format!("the evaluation ends at {end}, beyond the tip"),
+            diameters,
+            "leave `end_diameter` out to end at the tip diameter",
+        );
+    } else if outwards * (end - start) <= 0.0 {
+        refuse(
+            "end_diameter",
+            end,
+            format!("the evaluation ends at {end}, not beyond its start {start}"),
+            diameters,
+            "exchange start and end",
+        );
+    }
+    let faces = format!("from {} to {} (z = 0 is the middle of the face width)", -half, half);
+    // A face given as decimal and half a face width computed may differ in the last digit.
+    let slack = 1e-9 * gear.face_width;
+    let (lower, upper) = (range.z_start, range.z_end);
+    if lower < -half - slack || lower > half {
+        refuse(
+            "z_start",
+            lower,
+            format!("the evaluation begins at z = {lower}, outside the face width"),
+            faces.clone(),
+            "leave `z_start` out to begin at the lower face",
+        );
+    }
+    if upper > half + slack || upper < -half {
+        refuse(
+            "z_end",
+            upper,
+            format!("the evaluation ends at z = {upper}, outside the face width"),
+            faces.clone(),
+            "leave `z_end` out to end at the upper face",
+        );
+    }
+    if upper <= lower {
+        refuse(
+            "z_end",
+            upper,
+            format!("the evaluation ends at z = {upper}, not above its start z = {lower}"),
+            faces,
+            "exchange `z_start` and `z_end`",
+        );
+    }
+}
+
+fn target(job: &Job, findings: &mut Vec<Diagnostic>) {
+    let allowed = "either `modifications = [ ... ]` or `file = \"grid.csv\"`";
+    match (&job.target.modifications, &job.target.file) {
+        (None, None) => findings.push(
+            Diagnostic::new(Problem::MissingKey, "`target` does not say which flank is wanted")
+                .field("target.modifications")
+                .allowed(allowed)
+                .way_out("add `modifications`; an empty list asks for the pure involute"),
+        ),
+        (Some(_), Some(file)) => findings.push(
+            Diagnostic::new(Problem::InvalidJob, "the target is given twice")
+                .field("target.file")
+                .value(format!("{file:?}"))
+                .allowed(allowed)
+                .way_out("keep one of them; a grid can also be an entry of the list (kind = \"grid\")"),
+        ),
+        _ => {}
+    }
+}
+
+fn worm(job: &Job, findings: &mut Vec<Diagnostic>) {
+    match (job.worm.pitch_diameter, job.worm.tip_diameter) {
+        (None, None) => findings.push(
+            Diagnostic::new(Problem::MissingKey, "`worm` has no diameter")
+                .field("worm.tip_diameter")
+                .allowed("tip_diameter or pitch_diameter, or both")
+                .way_out("add the present tip diameter of the worm in mm"),
+        ),
+        (Some(pitch), Some(tip)) if pitch >= tip => findings.push(
+            Diagnostic::new(
+                Problem::InvalidGeometry,
+                format!("the pitch diameter {pitch} is not below the tip diameter {tip}"),
+            )
+            .field("worm.pitch_diameter")
+            .value(shown_number(pitch))
+            .allowed(format!("< {}", shown_number(tip)))
+            .way_out("leave `pitch_diameter` out: it follows from the tip diameter"),
+        ),
+        _ => {}
+    }
+}
+
+fn dresser(job: &Job, findings: &mut Vec<Diagnostic>) {
+    let dresser = &job.dresser;
+    if let Some(pitch) = dresser.pitch_diameter
+        && pitch >= dresser.tip_diameter
+    {
+        let tip = dresser.tip_diameter;
+        findings.push(
+            Diagnostic::new(
+                Problem::InvalidGeometry,
+                format!("the pitch diameter {pitch} is not below the tip diameter {tip}"),
+            )
+            .field("dresser.pitch_diameter")
+            .value(shown_number(pitch))
+            .allowed(format!("< {}", shown_number(tip)))
+            .way_out("leave `pitch_diameter` out: the disc tip then touches the worm root"),
+        );
+    }
+    if dresser.designed_for.is_some() {
+        findings.push(
+            not_yet("dresser.designed_for", "a dresser made for another worm")
+                .value("a table")
+                .allowed("no key")
+                .way_out("leave `designed_for` out: the dresser is then made for this worm"),
+        );
+    }
+    if let DresserModification::Given(entry) = &dresser.modification {
+        let kind = entry.kind();
+        let of_profile = ["profile_", "tip_", "root_"].iter().any(|start| kind.starts_with(start));
+        if !of_profile {
+            findings.push(
+                Diagnostic::new(Problem::InvalidJob, "a dresser carries a profile only, the same all round")
+                    .field("dresser.modification.kind")
+                    .value(format!("{kind:?}"))
+                    .allowed("a kind of profile modification or relief at tip or root")
+                    .way_out("use a profile kind, e.g. \"profile_crowning\""),
+            );
+        }
+    }
+}
+
+fn dressing(job: &Job, findings: &mut Vec<Diagnostic>) {
+    let dressing = &job.dressing;
+    let rows = dressing.rows();
+    if rows != 4 {
+        findings.push(
+            Diagnostic::new(Problem::InvalidJob, format!("the dressing conditions give {rows} equations for 4 motions"))
+                .field("dressing.conditions")
+                .value(rows)
+                .allowed("4: `three-point` counts 3, `four-point` 4, every other condition and every motion left out of \
+                     `degrees_of_freedom` 1")
+                .way_out("use [\"three-point\", \"radius-map\"], the default"),
+        );
+    }
+    if let Some(strokes) = dressing.strokes
+        && strokes > 1
+    {
+        findings.push(
+            not_yet("dressing.strokes", "dressing in several strokes")
+                .value(strokes)
+                .allowed("1")
+                .way_out("leave `strokes` out"),
+        );
+    }
+}
+
+fn grinding(job: &Job, findings: &mut Vec<Diagnostic>) {
+    let grinding = &job.grinding;
+    let field = "grinding.diagonal_ratio";
+    match (&grinding.diagonal_ratio, grinding.method) {
+        (Some(DiagonalRatio::Table(_)), _) => findings.push(
+            not_yet(field, "a diagonal ratio that changes over the feed")
+                .value("a table")
+                .allowed("a number or \"auto\"")
+                .way_out("use \"auto\""),
+        ),
+        (Some(DiagonalRatio::Number(ratio)), Method::Radial) if *ratio != 0.0 => findings.push(
+            Diagnostic::new(
+                Problem::InvalidJob,
+                "the method `radial` has no shift, yet a diagonal ratio is given",
+            )
+            .field(field)
+            .value(shown_number(*ratio))
+            .allowed("0, or no key, with method = \"radial\"")
+            .way_out("use method = \"diagonal\", or leave `diagonal_ratio` out"),
+        ),
+        (Some(DiagonalRatio::Rule(DiagonalRule::Auto)), Method::Radial) => findings.push(
+            Diagnostic::new(
+                Problem::InvalidJob,
+                "the method `radial` has no shift, yet a diagonal ratio is asked for",
+            )
+            .field(field)
+            .value("\"auto\"")
+            .allowed("0, or no key, with method = \"radial\"")
+            .way_out("use method = \"diagonal\", or leave `diagonal_ratio` out"),
+        ),
+        _ => {}
+    }
+    if let Some(areas) = grinding.areas
+        && areas > 1
+    {
+        findings.push(
+            not_yet("grinding.areas", "several areas of the worm")
+                .value(areas)
+                .allowed("1")
+                .way_out("leave `areas` out"),
+        );
+    }
+}
+
+fn not_yet(field: &str, what: &str) -> Diagnostic {
+    Diagnostic::new(
+        Problem::NotYetSupported,
+        format!("{what}: part of the job format, but not yet supported"),
+    )
+    .field(field)
+}

@@ -1,0 +1,116 @@
+//! Tables of numbers as comma-separated text, units in the header.
+
+use std::fmt::Write;
+
+use thiserror::Error;
+
+/// Name and unit of a column.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Column {
+    /// What stands in the column, e.g. `v_zS`.
+    pub name: &'static str,
+    /// Its unit, e.g. `mm`; empty for a number without one.
+    pub unit: &'static str,
+}
+
+impl Column {
+    /// A column with its unit.
+    pub const fn new(name: &'static str, unit: &'static str) -> Self {
+        Self { name, unit }
+    }
+}
+
+/// A row that does not fit a table.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum CsvError {
+    /// Another number of values than columns.
+    #[error("a row of {values} values in a table of {columns} columns")]
+    WrongWidth {
+        /// Values of the row.
+        values: usize,
+        /// Columns of the table.
+        columns: usize,
+    },
+    /// A value that is not finite.
+    #[error("the value {value} in column `{column}` of row {row} is not finite")]
+    InvalidNumber {
+        /// The column's name.
+        column: &'static str,
+        /// Row, from 1.
+        row: usize,
+        /// The value.
+        value: f64,
+    },
+}
+
+/// A table that grows row by row. Numbers are written with as many digits as it takes to read the same back.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CsvTable {
+    columns: Vec<Column>,
+    rows: usize,
+    text: String,
+}
+
+impl CsvTable {
+    /// A table with its header `name_unit,...`.
+    pub fn new(columns: &[Column]) -> Self {
+        let titles: Vec<String> = columns
+            .iter()
+            .map(|c| if c.unit.is_empty() { c.name.to_owned() } else { format!("{}_{}", c.name, c.unit) })
+            .collect();
+        Self { columns: columns.to_vec(), rows: 0, text: titles.join(",") + "\n" }
+    }
+
+    /// Adds a row.
+    ///
+    /// # Errors
+    /// A row of another width or with a value that is not finite; the table stays as it was.
+    pub fn push(&mut self, row: &[f64]) -> Result<(), CsvError> {
+        if row.len() != self.columns.len() {
+            return Err(CsvError::WrongWidth { values: row.len(), columns: self.columns.len() });
+        }
+        if let Some(i) = row.iter().position(|v| !v.is_finite()) {
+            return Err(CsvError::InvalidNumber {
+                column: self.columns[i].name,
+                row: self.rows + 1,
+                value: row[i],
+            });
+        }
+        for (i, value) in row.iter().enumerate() {
+            let comma = if i == 0 { "" } else { "," };
+            // Writing to a text cannot fail.
+            let _ = write!(self.text, "{comma}{value}");
+        }
+        self.text.push('\n');
+        self.rows += 1;
+        Ok(())
+    }
+
+    /// The whole table as text.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Number of rows without the header.
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn header_with_units_and_exact_numbers() {
+        let mut table = CsvTable::new(&[Column::new("v_zS", "mm"), Column::new("share", "")]);
+        table.push(&[0.1, -2.0]).unwrap();
+        assert_eq!(table.text(), "v_zS_mm,share\n0.1,-2\n");
+        assert_eq!(table.push(&[1.0]), Err(CsvError::WrongWidth { values: 1, columns: 2 }));
+        assert!(matches!(
+            table.push(&[1.0, f64::NAN]),
+            Err(CsvError::InvalidNumber { column: "share", row: 2, .. })
+        ));
+        assert_eq!(table.rows(), 1);
+    }
+}

@@ -1,0 +1,74 @@
+//! The job file of generating grinding as types: one table of the file, one file here. A `Job` has the right
+//! keys, types and ranges; contradictions between entries are found by [`super::read_job`]. The ranges stand
+//! beside the fields, so that the published schema and the messages cannot disagree.
+
+mod choices;
+mod dresser;
+mod dressing;
+mod gear;
+mod grid;
+mod grinding;
+mod machine;
+mod one_or_sides;
+mod output;
+mod process;
+mod target;
+mod worm;
+
+pub use choices::{Flanks, Hand};
+pub use dresser::{Dresser, DresserModification, FixedDresser};
+pub use dressing::{Condition, DegreeOfFreedom, Dressing, DressingFlanks, ProfileCrowningBy};
+pub use gear::{Evaluation, EvaluationRange, Gear, OverBalls, Span};
+pub use grid::Grid;
+pub use grinding::{DiagonalRatio, DiagonalRule, Grinding, Method};
+pub use machine::Machine;
+pub use one_or_sides::OneOrSides;
+pub use output::{Mesh, Output, Program, Table};
+pub use process::{JobInfo, Process};
+pub use target::{Modification, Target};
+pub use worm::Worm;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A job of generating grinding: what flank is wanted, with which bodies, by which motions.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Job {
+    /// Name and process.
+    pub job: JobInfo,
+    /// The workpiece.
+    pub gear: Gear,
+    /// The wanted flank.
+    pub target: Target,
+    /// The grinding worm.
+    pub worm: Worm,
+    /// The disc dresser that profiles the worm.
+    pub dresser: Dresser,
+    /// How the worm is dressed.
+    #[serde(default)]
+    pub dressing: Dressing,
+    /// How the gear is ground.
+    pub grinding: Grinding,
+    /// The machine; without one the default limits hold.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub machine: Option<Machine>,
+    /// Points of the result grid.
+    #[serde(default)]
+    pub grid: Grid,
+    /// What to write beside result and report.
+    #[serde(default)]
+    pub output: Output,
+}
+
+impl Job {
+    /// Hand of the worm: as given, else that of the gear (spur: right).
+    pub fn worm_hand(&self) -> Hand {
+        self.worm.hand.unwrap_or(if self.gear.helix_angle_deg < 0.0 { Hand::Left } else { Hand::Right })
+    }
+
+    /// Normal pressure angles of the worm in degrees: as given, else those of the gear.
+    pub fn worm_pressure_angle_deg(&self) -> OneOrSides<f64> {
+        self.worm.normal_pressure_angle_deg.unwrap_or(self.gear.normal_pressure_angle_deg)
+    }
+}

@@ -1,0 +1,62 @@
+//! `[dresser]`: the disc that profiles the worm.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
+
+use super::target::Modification;
+
+/// The disc dresser. Lengths in mm.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Dresser {
+    /// Tip diameter.
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 2000, "x-way-out" = "give the tip diameter of the dresser in mm"))]
+    pub tip_diameter: f64,
+    /// Pitch diameter; with it the dressing centre distance is the sum of the pitch radii, without it the disc
+    /// tip touches the worm root.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 2000,
+        "x-way-out" = "give the pitch diameter of the dresser in mm, or leave it out"))]
+    pub pitch_diameter: Option<f64>,
+    /// Clearance between the gear's tip and the worm's root; default 0.25 normal modules.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("minimum" = 0, "maximum" = 100, "x-way-out" = "give the clearance in mm, or leave it out"))]
+    pub root_clearance: Option<f64>,
+    /// Width of the cylindrical land at the tip; default the largest that spares the counter flank.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("minimum" = 0, "maximum" = 1000, "x-way-out" = "give the width of the tip land in mm, or leave it out"))]
+    pub tip_land: Option<f64>,
+    /// What profile the dresser carries.
+    #[serde(default)]
+    pub modification: DresserModification,
+    /// Another worm for which the dresser was made.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub designed_for: Option<Map<String, Value>>,
+}
+
+/// Profile modification of the dresser.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum DresserModification {
+    /// `"target"` or `"none"`.
+    Rule(FixedDresser),
+    /// A dresser that exists: one entry as in `[target] modifications`, of a profile kind.
+    Given(Modification),
+}
+
+impl Default for DresserModification {
+    fn default() -> Self {
+        Self::Rule(FixedDresser::Target)
+    }
+}
+
+/// Where the dresser's profile comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum FixedDresser {
+    /// It is made for the target: profile terms and reliefs.
+    Target,
+    /// It is plain.
+    None,
+}

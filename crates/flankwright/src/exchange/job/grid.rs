@@ -1,0 +1,28 @@
+//! `[grid]`: points of the result.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Points of the result grid, equidistant in length of roll and face width.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Grid {
+    /// Points along the profile.
+    #[serde(default = "default_points")]
+    #[schemars(extend("minimum" = 3, "maximum" = 1001, "x-way-out" = "41 points are the default"))]
+    pub profile_points: usize,
+    /// Points along the face width.
+    #[serde(default = "default_points")]
+    #[schemars(extend("minimum" = 3, "maximum" = 1001, "x-way-out" = "41 points are the default"))]
+    pub helix_points: usize,
+}
+
+impl Default for Grid {
+    fn default() -> Self {
+        Self { profile_points: default_points(), helix_points: default_points() }
+    }
+}
+
+fn default_points() -> usize {
+    41
+}

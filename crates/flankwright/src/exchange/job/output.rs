@@ -1,0 +1,57 @@
+//! `[output]`: what to write beside result and report.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// What to write beside result and report; all lists may be empty.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Output {
+    /// Dialects of the axis programs.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[schemars(extend("uniqueItems" = true))]
+    pub programs: Vec<Program>,
+    /// Formats of bodies and flanks.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[schemars(extend("uniqueItems" = true))]
+    pub meshes: Vec<Mesh>,
+    /// Formats of tables.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[schemars(extend("uniqueItems" = true))]
+    pub tables: Vec<Table>,
+}
+
+/// Dialect of an axis program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Program {
+    /// LinuxCNC.
+    Linuxcnc,
+    /// Siemens.
+    Siemens,
+    /// Fanuc.
+    Fanuc,
+}
+
+/// Format of a body or flank.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Mesh {
+    /// Triangles, binary.
+    Stl,
+    /// Triangles with units.
+    #[serde(rename = "3mf")]
+    ThreeMf,
+    /// Grids with values.
+    Vtk,
+}
+
+/// Format of a table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Table {
+    /// Comma-separated text.
+    Csv,
+    /// Apache Parquet.
+    Parquet,
+}

@@ -1,0 +1,42 @@
+//! `[job]`: name and process.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Name, process and description of a job.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct JobInfo {
+    /// Names the job and its output directory; letters, digits, `-`, `_`, `.` and spaces.
+    #[schemars(extend("minLength" = 1, "maxLength" = 100))]
+    pub name: String,
+    /// What is to be planned.
+    pub process: Process,
+    /// Free text for the report.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub description: Option<String>,
+}
+
+/// The processes that can be planned.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Process {
+    /// Generating grinding with a dressed worm.
+    GeneratingGrinding,
+}
+
+impl Process {
+    /// All processes that can be planned.
+    pub const ALL: [Process; 1] = [Process::GeneratingGrinding];
+
+    /// Processes that the job format knows and this version does not plan.
+    pub const NOT_AVAILABLE: [&str; 3] =
+        ["tangential-dressing", "five-axis-milling", "skiving-tool-measuring"];
+
+    /// The name in job files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Process::GeneratingGrinding => "generating-grinding",
+        }
+    }
+}

@@ -1,0 +1,160 @@
+//! The text of an input file and its name, read within a size limit. Knows no format.
+
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+use std::sync::Arc;
+
+use super::diagnostic::{Diagnostic, JobError, Problem};
+
+/// Largest job or table that is read: 4 MiB. A job holds a few hundred numbers, a measured topography some
+/// ten thousand; anything larger is a wrong file, and saying so must not take the time of reading it.
+pub const MAXIMUM_BYTES: usize = 4 << 20;
+
+/// Name and text of an input. Cheap to clone.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Source {
+    name: Arc<str>,
+    text: Arc<str>,
+}
+
+impl Source {
+    /// A text that is already in memory; `name` is what messages call it. A byte order mark is dropped.
+    pub fn new(name: impl Into<Arc<str>>, text: &str) -> Self {
+        Self { name: name.into(), text: text.strip_prefix('\u{feff}').unwrap_or(text).into() }
+    }
+
+    /// Reads a file.
+    ///
+    /// # Errors
+    /// `unreadable-file`, `file-too-large`, `invalid-text`.
+    pub fn read(path: &Path) -> Result<Self, JobError> {
+        let name = path.display().to_string();
+        let unreadable = |error: &io::Error| {
+            let way_out = match error.kind() {
+                io::ErrorKind::NotFound => {
+                    "check the path; `flankwright new generating-grinding` prints an example job"
+                }
+                io::ErrorKind::IsADirectory => "name a file in this directory",
+                _ => "check the path and the permissions of the file",
+            };
+            let message = match error.kind() {
+                io::ErrorKind::NotFound => format!("the file `{name}` does not exist"),
+                io::ErrorKind::IsADirectory => format!("`{name}` is a directory, not a file"),
+                _ => format!("the file `{name}` cannot be read: {error}"),
+            };
+            let finding = Diagnostic::new(Problem::UnreadableFile, message).way_out(way_out);
+            JobError::single(Source::new(name.as_str(), ""), finding)
+        };
+        let file = File::open(path).map_err(|e| unreadable(&e))?;
+        if file.metadata().is_ok_and(|data| data.is_dir()) {
+            return Err(unreadable(&io::ErrorKind::IsADirectory.into()));
+        }
+        Self::read_from(&name, file).map_err(|e| unreadable(&e))?
+    }
+
+    /// Reads a stream, e.g. standard input; `name` is what messages call it.
+    ///
+    /// # Errors
+    /// The outer error is the stream's own; the inner one `file-too-large` or `invalid-text`.
+    pub fn read_from(name: &str, stream: impl Read) -> io::Result<Result<Self, JobError>> {
+        let mut bytes = Vec::new();
+        stream.take(MAXIMUM_BYTES as u64 + 1).read_to_end(&mut bytes)?;
+        Ok(Self::from_bytes(name, &bytes))
+    }
+
+    /// Takes bytes as text.
+    ///
+    /// # Errors
+    /// `file-too-large`, `invalid-text`.
+    pub fn from_bytes(name: &str, bytes: &[u8]) -> Result<Self, JobError> {
+        let refuse = |finding| Err(JobError::single(Source::new(name, ""), finding));
+        if bytes.len() > MAXIMUM_BYTES {
+            return refuse(
+                Diagnostic::new(Problem::FileTooLarge, format!("`{name}` is too large for a job or a table"))
+                    .value(format!("more than {MAXIMUM_BYTES} bytes"))
+                    .allowed(format!("at most {MAXIMUM_BYTES} bytes (4 MiB)"))
+                    .way_out("check that this is the right file; thin out a measured topography"),
+            );
+        }
+        let not_text = |offset: usize, what: String| {
+            let line = 1 + bytes[..offset].iter().filter(|&&b| b == b'\n').count();
+            Diagnostic::new(
+                Problem::InvalidText,
+                format!("`{name}` is not a text file: {what} in line {line}"),
+            )
+            .allowed("UTF-8 text")
+            .way_out("check that this is the right file, or save it with the encoding UTF-8")
+        };
+        let text = match std::str::from_utf8(bytes) {
+            Ok(text) => text,
+            Err(error) => {
+                let offset = error.valid_up_to();
+                return refuse(not_text(offset, format!("byte 0x{:02x} is not UTF-8", bytes[offset])));
+            }
+        };
+        if let Some(offset) = bytes.iter().position(|&b| b == 0) {
+            return refuse(not_text(offset, "a NUL byte".to_owned()));
+        }
+        Ok(Self::new(name, text))
+    }
+
+    /// What messages call the input: the path as given.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The whole text, without byte order mark.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Line and column (in characters), both from 1, of a byte offset.
+    pub fn line_column(&self, offset: usize) -> (usize, usize) {
+        let mut offset = offset.min(self.text.len());
+        while !self.text.is_char_boundary(offset) {
+            offset -= 1;
+        }
+        let before = &self.text[..offset];
+        let line_start = before.rfind('\n').map_or(0, |i| i + 1);
+        (1 + before.bytes().filter(|&b| b == b'\n').count(), 1 + before[line_start..].chars().count())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_and_columns_count_characters() {
+        let source = Source::new("x", "a = 1\nµm = 2\n");
+        assert_eq!(source.line_column(0), (1, 1));
+        assert_eq!(source.line_column(6), (2, 1));
+        assert_eq!(source.line_column(8), (2, 2));
+        assert_eq!(source.line_column(usize::MAX), (3, 1));
+    }
+
+    #[test]
+    fn byte_order_mark_is_dropped() {
+        assert_eq!(
+            Source::from_bytes("x", b"\xef\xbb\xbfa = 1").map(|s| s.text().to_owned()),
+            Ok("a = 1".into())
+        );
+    }
+
+    #[test]
+    fn size_limit_is_exact() {
+        assert!(Source::from_bytes("x", &vec![b' '; MAXIMUM_BYTES]).is_ok());
+        let error = Source::from_bytes("x", &vec![b' '; MAXIMUM_BYTES + 1]).unwrap_err();
+        assert_eq!(error.diagnostics[0].code, "file-too-large");
+    }
+
+    #[test]
+    fn binary_input_names_its_line() {
+        for (bytes, line) in [(&b"a = 1\n\xff"[..], "line 2"), (&b"\0"[..], "line 1")] {
+            let error = Source::from_bytes("x", bytes).unwrap_err();
+            assert_eq!(error.diagnostics[0].code, "invalid-text");
+            assert!(error.diagnostics[0].message.contains(line));
+        }
+    }
+}

@@ -1,0 +1,165 @@
+//! Decomposition of a target polynomial into worm functions, profile and grinding motion (spec 25 section 4):
+//! class {C, L, P, K} for dressed worms and class `radial` = {P, K}.
+//!
+//! All polynomials are in u = w - w_m, y = z - z_m, transverse, mm.
+
+use crate::numerics::{Jet2, Polynomial2};
+
+/// f_t = F_C(X) + F_L(X) u + F_P(u) + F_K(X_K) with X = c (t u + y), X_K = c_K (t_K u + y); gauge `centred`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Decomposition {
+    /// tan(rho_2); 0 with `constant` and `linear` empty for the class `radial`.
+    pub t: f64,
+    /// t_K.
+    pub t_k: f64,
+    /// K_00 .. K_03: F_C.
+    pub constant: [f64; 4],
+    /// K_10 .. K_12: F_L.
+    pub linear: [f64; 3],
+    /// p_0, p_1, p_2, ...: F_P.
+    pub profile: Vec<f64>,
+    /// K_K0 .. K_K3: F_K.
+    pub kinematic: [f64; 4],
+}
+
+fn cosine(t: f64) -> f64 {
+    1.0 / t.hypot(1.0)
+}
+
+/// Value and two derivatives of sum c_k x^k.
+pub(super) fn power_jet(coefficients: &[f64], x: f64) -> [f64; 3] {
+    coefficients.iter().rev().fold([0.0; 3], |[f, f1, f2], &c| [f * x + c, f1 * x + f, f2 * x + 2.0 * f1])
+}
+
+/// Class {C, L, P, K} at direction t on the workpiece; `p_2` is the share of u^2 that the profile carries.
+///
+/// Exact for every polynomial whose mixed terms have degree <= 3; mixed terms of higher degree are outside the class and
+/// ignored here (callers split them off before).
+pub fn decompose_diagonal(a: &Polynomial2, t: f64, t_k: f64, p_2: f64) -> Decomposition {
+    let (c, c_k) = (cosine(t), cosine(t_k));
+    let at = |i: usize, j: usize| a.coefficient(i, j);
+    let (big_a, big_b) = (c_k * (t_k - t), c_k / c);
+    let q_20 = at(2, 0) - t * at(1, 1) + t * t * at(0, 2);
+    let q_11 = (at(1, 1) - 2.0 * t * at(0, 2)) / c;
+    let q_02 = at(0, 2) / (c * c);
+    let q_30 = at(3, 0) - t * at(2, 1) + t * t * at(1, 2) - t.powi(3) * at(0, 3);
+    let q_21 = (at(2, 1) - 2.0 * t * at(1, 2) + 3.0 * t * t * at(0, 3)) / c;
+    let q_12 = (at(1, 2) - 3.0 * t * at(0, 3)) / (c * c);
+    let q_03 = at(0, 3) / c.powi(3);
+    let k_k3 = q_21 / (3.0 * big_a * big_a * big_b);
+    let k_k2 = (q_20 - p_2) / (big_a * big_a);
+    let mut profile = vec![0.0, 0.0, p_2, q_30 - big_a.powi(3) * k_k3];
+    let highest = a.terms().filter(|term| term.1 == 0).map(|term| term.0).max().unwrap_or(0);
+    profile.extend((4..=highest).map(|i| at(i, 0)));
+    Decomposition {
+        t,
+        t_k,
+        constant: [at(0, 0), at(0, 1) / c, q_02 - big_b * big_b * k_k2, q_03 - big_b.powi(3) * k_k3],
+        linear: [
+            at(1, 0) - t * at(0, 1),
+            q_11 - 2.0 * big_a * big_b * k_k2,
+            q_12 - 3.0 * big_a * big_b * big_b * k_k3,
+        ],
+        profile,
+        kinematic: [0.0, 0.0, k_k2, k_k3],
+    }
+}
+
+/// Class `radial` (K = 0): {P, K} with every F_K that the terms pure in y ask for and the profile that completes the terms
+/// pure in u.
+pub fn decompose_radial(a: &Polynomial2, t_k: f64) -> Decomposition {
+    let c_k = cosine(t_k);
+    let at = |i: usize, j: usize| a.coefficient(i, j);
+    let kinematic: [f64; 4] = std::array::from_fn(|k| at(0, k) / c_k.powi(k as i32));
+    let highest = a.terms().filter(|term| term.1 == 0).map(|term| term.0).max().unwrap_or(0).max(3);
+    let profile = (0..=highest)
+        .map(|i| match i {
+            0 => 0.0,
+            1..=3 => at(i, 0) - kinematic[i] * (c_k * t_k).powi(i as i32),
+            _ => at(i, 0),
+        })
+        .collect();
+    Decomposition { t: 0.0, t_k, constant: [0.0; 4], linear: [0.0; 3], profile, kinematic }
+}
+
+/// Mixed terms that the class `radial` cannot make: `[r_11, r_21, r_12]`.
+pub fn radial_residual(a: &Polynomial2, t_k: f64) -> [f64; 3] {
+    let at = |i: usize, j: usize| a.coefficient(i, j);
+    [at(1, 1) - 2.0 * t_k * at(0, 2), at(2, 1) - 3.0 * t_k * t_k * at(0, 3), at(1, 2) - 3.0 * t_k * at(0, 3)]
+}
+
+impl Decomposition {
+    /// F_C(X) + F_L(X) u with derivatives in (u, y): what the dressing motion carries.
+    pub fn dressing_jet(&self, u: f64, y: f64) -> Jet2 {
+        let c = cosine(self.t);
+        let x = c * (self.t * u + y);
+        let constant = Jet2::ridge(power_jet(&self.constant, x), c * self.t, c);
+        let linear = Jet2::ridge(power_jet(&self.linear, x), c * self.t, c);
+        constant + linear * Jet2 { f: u, fu: 1.0, ..Jet2::default() }
+    }
+
+    /// F_P(u) with two derivatives.
+    pub fn profile_jet(&self, u: f64) -> [f64; 3] {
+        power_jet(&self.profile, u)
+    }
+
+    /// F_K(X_K).
+    pub fn kinematic_value(&self, x_k: f64) -> f64 {
+        power_jet(&self.kinematic, x_k)[0]
+    }
+
+    /// X_K at (u, y).
+    pub fn path_coordinate(&self, u: f64, y: f64) -> f64 {
+        cosine(self.t_k) * (self.t_k * u + y)
+    }
+
+    /// The sum of all parts at (u, y).
+    pub fn value(&self, u: f64, y: f64) -> f64 {
+        self.dressing_jet(u, y).f + self.profile_jet(u)[0] + self.kinematic_value(self.path_coordinate(u, y))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sample() -> Polynomial2 {
+        Polynomial2::from_terms([
+            (0, 0, 0.4),
+            (0, 1, -0.05),
+            (0, 2, -0.044),
+            (0, 3, -3e-4),
+            (1, 0, 0.2),
+            (1, 1, 9e-3),
+            (1, 2, 8e-4),
+            (2, 0, -0.098),
+            (2, 1, -1.5e-3),
+            (3, 0, 2e-3),
+            (4, 0, 1e-4),
+            (5, 0, -2e-6),
+        ])
+    }
+
+    #[test]
+    fn the_parts_add_up_to_the_target() {
+        let a = sample();
+        for p_2 in [a.coefficient(2, 0), 0.0] {
+            let d = decompose_diagonal(&a, 1.3, -0.65, p_2);
+            for (u, y) in [(-9.0, -20.0), (3.0, 7.0), (9.0, 20.0), (0.0, 0.0)] {
+                assert!((d.value(u, y) - a.value(u, y)).abs() < 1e-12);
+            }
+        }
+    }
+
+    #[test]
+    fn radial_leaves_exactly_the_mixed_residual() {
+        let a = sample();
+        let t_k = 0.34;
+        let d = decompose_radial(&a, t_k);
+        let [r11, r21, r12] = radial_residual(&a, t_k);
+        for (u, y) in [(-6.0, 12.0), (5.0, -3.0)] {
+            let left = a.value(u, y) - d.value(u, y);
+            assert!((left - (r11 * u * y + r21 * u * u * y + r12 * u * y * y)).abs() < 1e-12);
+        }
+    }
+}

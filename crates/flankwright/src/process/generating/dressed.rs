@@ -1,0 +1,140 @@
+//! From the ideal worm to the dressed one: dresser profile, corrections DK(v), exact envelope (spec 28 section 4, steps 6, 7).
+
+use super::{GeneratingError, GrindingSetup, IdealPlan, IdealWorm, ProfilePlace, ProfilePolicy};
+use crate::geometry::{Flank, ProfileOffset, Sides};
+use crate::kinematics::DressingCorrection;
+use crate::numerics::Chebyshev;
+use crate::process::dressing::{
+    DressedProfile, DressedWorm, DresserTool, NodePlan, NodeSolution, pitch_rolls, solve_dressing_motion,
+    solve_node,
+};
+use std::sync::Arc;
+
+/// Profile of the dresser that leaves F_P and the reliefs on the gear: g(t) = cos b2 F_P(u(w_1 = t)), mm.
+#[derive(Debug)]
+struct GearProfile(IdealWorm);
+
+impl ProfileOffset for GearProfile {
+    fn jet(&self, t: f64) -> [f64; 3] {
+        let l = &self.0.lines;
+        let shrink = -l.cos_b2 / l.cos_b1;
+        // Where an arc ends its circle the offset is not defined; NaN makes the point "no contact" further on.
+        let [f, f1, f2] = self.0.profile_share(l.work_roll(t)).unwrap_or([f64::NAN; 3]);
+        [l.cos_b2 * f, l.cos_b2 * f1 * shrink, l.cos_b2 * f2 * shrink * shrink]
+    }
+}
+
+/// Margin of the dressed length beyond the occupation, mm: the contact shift of a modified worm stays below it.
+pub const DRESSING_MARGIN: f64 = 3.0;
+/// Chebyshev nodes of DK(v).
+pub const DRESSING_NODES: usize = 17;
+
+/// One flank of the worm as dressed.
+#[derive(Clone, Debug)]
+pub struct DressedFlank {
+    /// DK over v: rad, rad, mm, mm.
+    pub corrections: [Chebyshev; 4],
+    /// Solved nodes.
+    pub nodes: Vec<NodeSolution>,
+    /// The exact envelope.
+    pub worm: DressedWorm,
+}
+
+/// The dresser made for a plan: plain under `correction` or when it is not free and nothing is given.
+pub fn dresser_of_plan(setup: &GrindingSetup, plan: &IdealPlan, policy: ProfilePolicy) -> DresserTool {
+    let offsets = Sides::from_fn(|flank| -> Option<Arc<dyn ProfileOffset>> {
+        let mut worm = plan.worms[flank].clone()?;
+        if policy.place == ProfilePlace::Correction {
+            worm.parts.profile.clear();
+        }
+        let empty = worm.reliefs.is_empty() && worm.parts.profile.iter().all(|&p| p == 0.0);
+        (!empty).then(|| Arc::new(GearProfile(worm)) as Arc<dyn ProfileOffset>)
+    });
+    setup.dresser.with_offsets(&offsets)
+}
+
+/// Interval of v that dresses the plan's occupation of one flank with a margin at each end, mm.
+pub fn dressing_interval(setup: &GrindingSetup, plan: &IdealPlan, flank: Flank, margin: f64) -> (f64, f64) {
+    let lines = &setup.lines[flank];
+    let z = lines
+        .corners()
+        .map(|(w, z)| lines.worm_point(w, z, plan.ratio, plan.shift_origin).1)
+        .into_iter()
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], z| [a.min(z), b.max(z)]);
+    let b = pitch_rolls(&setup.dresser, flank)
+        .map(|w| setup.dresser.flanks[flank].line.value(w))
+        .into_iter()
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], b| [l.min(b), h.max(b)]);
+    (b[0] - z[1] - margin, b[1] - z[0] + margin)
+}
+
+/// Rows of the dressing motion: wanted modification at pitch point i and worm position b.
+fn wanted_rows<'a>(
+    tool: &DresserTool,
+    plan: &'a IdealPlan,
+    flank: Flank,
+    policy: ProfilePolicy,
+) -> Result<impl Fn(usize, f64) -> f64 + 'a, GeneratingError> {
+    let worm = plan.worms[flank].as_ref().ok_or(GeneratingError::NoFlank)?;
+    let rolls = pitch_rolls(tool, flank);
+    let uncorrected = DressedProfile::new(tool, flank, [0.0; 4]);
+    let mut base = [0.0; 3];
+    for i in 0..3 {
+        base[i] = uncorrected.at_roll(rolls[i])?.f;
+        if policy.place == ProfilePlace::Correction {
+            let u = worm.lines.work_roll(rolls[i]) - worm.lines.w_m;
+            base[i] -= worm.lines.cos_b2 * worm.parts.profile_jet(u)[0];
+        }
+    }
+    Ok(move |i: usize, b: f64| base[i] + worm.dressing_share(rolls[i], b))
+}
+
+/// DK at a few positions over the occupation: enough for the score of a candidate.
+///
+/// # Errors
+/// Those of the dressing rows.
+pub fn sample_corrections(
+    setup: &GrindingSetup,
+    plan: &IdealPlan,
+    tool: &DresserTool,
+    flank: Flank,
+    policy: ProfilePolicy,
+    samples: usize,
+) -> Result<Vec<DressingCorrection>, GeneratingError> {
+    let wanted = wanted_rows(tool, plan, flank, policy)?;
+    let (from, to) = dressing_interval(setup, plan, flank, DRESSING_MARGIN);
+    let nodes = Chebyshev::nodes(from, to, samples);
+    let mut dks = vec![[0.0; 4]; samples];
+    let middle = samples / 2;
+    let order = (middle..samples).map(|k| (k, k.checked_sub(1).filter(|_| k > middle)));
+    for (k, neighbour) in order.chain((0..middle).rev().map(|k| (k, Some(k + 1)))) {
+        let start = neighbour.map_or([0.0; 4], |n| dks[n]);
+        dks[k] = solve_node(tool, flank, setup.worm_pitch_radius, nodes[k], &start, &wanted)?;
+    }
+    Ok(dks)
+}
+
+/// Dresses one flank of the worm for a plan.
+///
+/// # Errors
+/// Those of the dressing rows, with the worm position.
+pub fn dress_flank(
+    setup: &GrindingSetup,
+    plan: &IdealPlan,
+    tool: &DresserTool,
+    flank: Flank,
+    policy: ProfilePolicy,
+    margin: f64,
+) -> Result<DressedFlank, GeneratingError> {
+    let interval = dressing_interval(setup, plan, flank, margin);
+    let (corrections, nodes) = if plan.ratio == 0.0 {
+        let zero = Chebyshev::constant(interval.0, interval.1, 0.0);
+        ([zero.clone(), zero.clone(), zero.clone(), zero], Vec::new())
+    } else {
+        let wanted = wanted_rows(tool, plan, flank, policy)?;
+        let nodes = NodePlan { interval, nodes: DRESSING_NODES };
+        solve_dressing_motion(tool, flank, setup.worm_pitch_radius, &nodes, &wanted)?
+    };
+    let worm = DressedWorm::new(tool, flank, &corrections);
+    Ok(DressedFlank { corrections, nodes, worm })
+}

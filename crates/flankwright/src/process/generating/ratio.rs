@@ -1,0 +1,353 @@
+//! The diagonal ratio "auto" (spec 28 section 2): candidates, their score and why one of them is taken.
+
+use super::dressed::{dresser_of_plan, sample_corrections};
+use super::precompensation::precompensate;
+use super::{
+    DressingLimits, FlankLines, FlankTarget, GeneratingError, GrindingSetup, PlanningGrid, ProfilePlace,
+    ProfilePolicy, radial_residual,
+};
+use crate::geometry::{Flank, Sides};
+use crate::numerics::Polynomial2;
+
+/// One judged ratio.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Candidate {
+    /// K.
+    pub ratio: f64,
+    /// Place of the profile crowning.
+    pub place: ProfilePlace,
+    /// max |DK_j|/limit_j.
+    pub dressing_share: f64,
+    /// max |Delta_d|/limit.
+    pub delta_d_share: f64,
+    /// Worm occupation, mm.
+    pub occupation: f64,
+    /// Largest error of the ideal worm, mm.
+    pub error: f64,
+    /// Why it is not allowed, if so.
+    pub refusal: Option<GeneratingError>,
+}
+
+impl Candidate {
+    /// S(K).
+    pub fn score(&self) -> f64 {
+        self.dressing_share.max(self.delta_d_share)
+    }
+}
+
+/// Which rule settled the ratio.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RatioReason {
+    /// Given in the job.
+    Given,
+    /// The radial method suffices.
+    RadialSuffices,
+    /// K* is the same on both flanks (or one flank is ground).
+    LeadCorrection,
+    /// Compromise between flanks by golden section of the score.
+    Compromise,
+    /// Scan over both signs.
+    Scan,
+}
+
+/// The chosen ratio and how it was found.
+#[derive(Clone, Debug)]
+pub struct RatioChoice {
+    /// K.
+    pub ratio: f64,
+    /// Place of the profile crowning.
+    pub place: ProfilePlace,
+    /// Rule.
+    pub reason: RatioReason,
+    /// K* per flank for that place.
+    pub lead_correction: Sides<Option<f64>>,
+    /// All candidates judged, in order.
+    pub candidates: Vec<Candidate>,
+    /// Candidates that failed with an error.
+    pub failed: Vec<(f64, GeneratingError)>,
+}
+
+/// K*: the ratio at which the worm needs no part linear in w, for target polynomial `a` with `p_2` in the profile.
+/// `None` when any direction does it (pure profile target) or none.
+pub fn lead_correction_ratio(lines: &FlankLines, a: &Polynomial2, p_2: f64) -> Option<f64> {
+    let a_20 = a.coefficient(2, 0) - p_2;
+    let (a_11, a_02, t_k) = (a.coefficient(1, 1), a.coefficient(0, 2), lines.t_k);
+    let q = a_20 - a_11 * t_k + a_02 * t_k * t_k;
+    let n = 2.0 * a_02 * t_k - a_11;
+    let ratio = lines.big_t1 * n / (2.0 * lines.cos_b2 * q);
+    ratio.is_finite().then_some(ratio)
+}
+
+/// Number of nodes at which a candidate's corrections are sampled.
+const SCORE_NODES: usize = 5;
+/// Precompensation rounds of a candidate.
+const SCORE_ROUNDS: usize = 2;
+/// Evaluations of the golden section.
+const GOLDEN: usize = 9;
+/// Ratios per sign in the scan.
+const SCAN: usize = 24;
+/// Least determinant ratio allowed.
+pub const LEAST_DETERMINANT: f64 = 0.3;
+
+/// What the rule needs to know.
+pub(super) struct Rule<'a> {
+    pub setup: &'a GrindingSetup,
+    pub targets: &'a Sides<Option<FlankTarget>>,
+    pub grid: &'a PlanningGrid,
+    pub limits: DressingLimits,
+    /// mm.
+    pub tolerance: f64,
+    pub free_dresser: bool,
+}
+
+impl Rule<'_> {
+    fn which(&self) -> Vec<Flank> {
+        self.targets.iter().filter(|(_, t)| t.is_some()).map(|(f, _)| f).collect()
+    }
+
+    /// Worm width needed for an occupation: 1.5 modules and 3 mm at each end.
+    pub fn width_needed(&self, occupation: f64) -> f64 {
+        occupation + 2.0 * (1.5 * self.setup.worm_module() + 3.0)
+    }
+
+    pub fn check_width(&self, occupation: f64, ratio: f64) -> Result<(), GeneratingError> {
+        let needed = self.width_needed(occupation);
+        match self.setup.input.worm_width {
+            Some(width) if needed > width => Err(GeneratingError::WormTooShort { needed, width, ratio }),
+            _ => Ok(()),
+        }
+    }
+
+    /// Judges a ratio; `Err` only if it cannot be evaluated.
+    pub fn judge(&self, ratio: f64, place: ProfilePlace) -> Result<Candidate, GeneratingError> {
+        let policy = ProfilePolicy { place, free_dresser: self.free_dresser };
+        let (plan, error, _) =
+            precompensate(self.setup, self.targets, self.grid, ratio, policy, SCORE_ROUNDS)?;
+        let tool = dresser_of_plan(self.setup, &plan, policy);
+        let mut dressing_share: f64 = 0.0;
+        let mut worst = (0, 0.0);
+        if ratio != 0.0 {
+            for flank in self.which() {
+                for dk in sample_corrections(self.setup, &plan, &tool, flank, policy, SCORE_NODES)? {
+                    for j in 0..4 {
+                        let share = dk[j].abs() / self.limits.correction[j];
+                        if share > dressing_share {
+                            (dressing_share, worst) = (share, (j, dk[j].abs()));
+                        }
+                    }
+                }
+            }
+        }
+        let feeds = self.setup.feed_range(&self.which());
+        let delta_d = (0..=16)
+            .map(|k| plan.motion.delta_d.value(feeds[0] + (feeds[1] - feeds[0]) * f64::from(k) / 16.0).abs())
+            .fold(0.0, f64::max);
+        let delta_d_share = delta_d / self.limits.delta_d;
+        let occupation = plan.occupation[1] - plan.occupation[0];
+        let refusal = self
+            .check_width(occupation, ratio)
+            .and_then(|()| self.check_axes(dressing_share, worst, delta_d))
+            .and_then(|()| {
+                if error.determinant < LEAST_DETERMINANT {
+                    let (ratio, limit) = (error.determinant, LEAST_DETERMINANT);
+                    return Err(GeneratingError::EnvelopeBroken { flank: self.which()[0], ratio, limit });
+                }
+                if error.max() > self.tolerance / 2.0 {
+                    let (error_um, allowed_um) = (error.max() * 1e3, self.tolerance * 500.0);
+                    return Err(GeneratingError::ModelError { ratio, error_um, allowed_um });
+                }
+                Ok(())
+            })
+            .err();
+        Ok(Candidate { ratio, place, dressing_share, delta_d_share, occupation, error: error.max(), refusal })
+    }
+
+    fn check_axes(&self, share: f64, (j, value): (usize, f64), delta_d: f64) -> Result<(), GeneratingError> {
+        if share > 1.0 {
+            let angle = j < 2;
+            let convert = |x: f64| if angle { x.to_degrees() } else { x };
+            return Err(GeneratingError::AxisLimit {
+                axis: ["d_phi_S", "d_gamma", "d_d", "d_v_yA"][j],
+                value: convert(value),
+                limit: convert(self.limits.correction[j]),
+                unit: if angle { "deg" } else { "mm" },
+            });
+        }
+        if delta_d > self.limits.delta_d {
+            return Err(GeneratingError::AxisLimit {
+                axis: "Delta_d",
+                value: delta_d,
+                limit: self.limits.delta_d,
+                unit: "mm",
+            });
+        }
+        Ok(())
+    }
+
+    /// Largest mixed residual of the class `radial` over the field, normal, mm.
+    fn radial_residual(&self) -> f64 {
+        let mut largest: f64 = 0.0;
+        for flank in self.which() {
+            let Some(target) = &self.targets[flank] else { continue };
+            let lines = &self.setup.lines[flank];
+            let [r11, r21, r12] = radial_residual(&target.polynomial, lines.t_k);
+            let (hu, hy) = (0.5 * (lines.roll[1] - lines.roll[0]), 0.5 * (lines.face[1] - lines.face[0]));
+            let here = (r11 * hu * hy).abs() + (r21 * hu * hu * hy).abs() + (r12 * hu * hy * hy).abs();
+            largest = largest.max(here * lines.cos_b2);
+        }
+        largest
+    }
+
+    /// Chooses K for the given places of the profile crowning.
+    ///
+    /// # Errors
+    /// When no candidate is allowed: the refusal of the best one.
+    pub fn choose(&self, places: &[ProfilePlace]) -> Result<RatioChoice, GeneratingError> {
+        let mut choices = Vec::new();
+        let mut refusal = None;
+        for &place in places {
+            match self.choose_for(place) {
+                Ok(choice) => choices.push(choice),
+                Err(error) => {
+                    refusal.get_or_insert(error);
+                }
+            }
+        }
+        let score = |c: &RatioChoice| best_of(&c.candidates).map_or(0.0, |b| b.score());
+        let occupation = |c: &RatioChoice| best_of(&c.candidates).map_or(0.0, |b| b.occupation);
+        let least = choices.iter().map(score).fold(f64::INFINITY, f64::min);
+        // Within 5 percent of the best score the shorter worm occupation decides.
+        let chosen = choices
+            .into_iter()
+            .filter(|c| score(c) <= 1.05 * least)
+            .min_by(|a, b| occupation(a).total_cmp(&occupation(b)));
+        chosen.ok_or_else(|| refusal.unwrap_or(GeneratingError::NoFlank))
+    }
+
+    fn choose_for(&self, place: ProfilePlace) -> Result<RatioChoice, GeneratingError> {
+        let which = self.which();
+        let p_2 = |a: &Polynomial2| if place == ProfilePlace::Diagonal { 0.0 } else { a.coefficient(2, 0) };
+        let stars = Sides::from_fn(|flank| {
+            let a = &self.targets[flank].as_ref()?.polynomial;
+            lead_correction_ratio(&self.setup.lines[flank], a, p_2(a))
+        });
+        let level = |flank: Flank| self.setup.lines[flank].ratio_of_direction(0.0);
+        let mut choice = RatioChoice {
+            ratio: 0.0,
+            place,
+            reason: RatioReason::RadialSuffices,
+            lead_correction: stars,
+            candidates: Vec::new(),
+            failed: Vec::new(),
+        };
+        let pure_profile_elsewhere = place == ProfilePlace::Diagonal
+            && which.iter().any(|&f| {
+                self.targets[f].as_ref().is_some_and(|t| t.polynomial.coefficient(2, 0).abs() > 0.0)
+            });
+        if !pure_profile_elsewhere && self.radial_residual() < 0.1 * self.tolerance {
+            if let Ok(candidate) = self.judge(0.0, place) {
+                let allowed = candidate.refusal.is_none();
+                choice.candidates.push(candidate);
+                if allowed {
+                    return Ok(choice);
+                }
+            }
+        }
+        let found: Vec<f64> = which.iter().filter_map(|&f| stars[f]).collect();
+        let same = found.len() == which.len()
+            && found.iter().all(|k| (k - found[0]).abs() <= 1e-9 * found[0].abs())
+            && found.first().is_some_and(|k| *k != 0.0);
+        if same {
+            self.try_ratio(found[0], &mut choice);
+            if best_of(&choice.candidates).is_some_and(|c| c.ratio == found[0]) {
+                choice.ratio = found[0];
+                choice.reason = RatioReason::LeadCorrection;
+                return Ok(choice);
+            }
+        } else {
+            let bounds: Vec<f64> = found
+                .iter()
+                .copied()
+                .chain(which.iter().map(|&f| level(f)))
+                .filter(|k| k.is_finite())
+                .collect();
+            let widest =
+                1.6 * which.iter().map(|&f| level(f).abs()).filter(|k| k.is_finite()).fold(0.0, f64::max);
+            for sign in [1.0, -1.0] {
+                let mine: Vec<f64> =
+                    bounds.iter().filter(|k| *k * sign > 0.0).map(|k| k.abs().min(widest)).collect();
+                let (low, high) =
+                    mine.iter().fold((f64::INFINITY, 0.0f64), |(l, h), &k| (l.min(k), h.max(k)));
+                if mine.len() < 2 || high - low < 1e-9 * high {
+                    continue;
+                }
+                crate::numerics::golden_section(sign * low, sign * high, GOLDEN, |k| {
+                    self.try_ratio(k, &mut choice)
+                });
+            }
+            if let Some(best) = best_of(&choice.candidates).filter(|c| c.ratio != 0.0) {
+                (choice.ratio, choice.reason) = (best.ratio, RatioReason::Compromise);
+                return Ok(choice);
+            }
+        }
+        self.scan(&mut choice, &which, &level)?;
+        Ok(choice)
+    }
+
+    fn scan(
+        &self,
+        choice: &mut RatioChoice,
+        which: &[Flank],
+        level: &dyn Fn(Flank) -> f64,
+    ) -> Result<(), GeneratingError> {
+        let reach = which.iter().map(|&f| level(f).abs()).filter(|k| k.is_finite()).fold(0.0, f64::max);
+        let stars = which.iter().filter_map(|&f| choice.lead_correction[f]).map(f64::abs).fold(0.0, f64::max);
+        // A spur gear has no ratio for rho_2 = 0; the K that a worm of unit pitch would want serves as the scale.
+        let mut top = if reach > 0.0 { 2.0 * reach } else { 4.0 };
+        if self.setup.input.worm_width.is_none() {
+            top = top.max(stars);
+        }
+        let step = (top / 0.1).powf(1.0 / (SCAN - 1) as f64);
+        for sign in [-1.0, 1.0] {
+            for k in 0..SCAN {
+                self.try_ratio(sign * 0.1 * step.powi(k as i32), choice);
+            }
+        }
+        if let Some(best) = best_of(&choice.candidates).map(|c| c.ratio) {
+            crate::numerics::golden_section(best / step, best * step, GOLDEN, |k| self.try_ratio(k, choice));
+        }
+        match best_of(&choice.candidates) {
+            Some(best) => {
+                (choice.ratio, choice.reason) = (best.ratio, RatioReason::Scan);
+                Ok(())
+            }
+            None => {
+                let least = choice.candidates.iter().min_by(|a, b| a.score().total_cmp(&b.score()));
+                let refusal = least.and_then(|c| c.refusal.clone());
+                Err(refusal
+                    .or_else(|| choice.failed.first().map(|f| f.1.clone()))
+                    .unwrap_or(GeneratingError::NoFlank))
+            }
+        }
+    }
+
+    /// Judges a ratio and records it; the score, infinite if it is not allowed.
+    fn try_ratio(&self, ratio: f64, choice: &mut RatioChoice) -> f64 {
+        match self.judge(ratio, choice.place) {
+            Ok(candidate) => {
+                let score = if candidate.refusal.is_none() { candidate.score() } else { f64::INFINITY };
+                choice.candidates.push(candidate);
+                score
+            }
+            Err(error) => {
+                choice.failed.push((ratio, error));
+                f64::INFINITY
+            }
+        }
+    }
+}
+
+/// The allowed candidate of least score.
+pub(super) fn best_of(candidates: &[Candidate]) -> Option<&Candidate> {
+    candidates.iter().filter(|c| c.refusal.is_none()).min_by(|a, b| a.score().total_cmp(&b.score()))
+}

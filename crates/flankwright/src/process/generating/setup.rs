@@ -1,0 +1,196 @@
+//! The bodies of a grinding job by the one table of defaults (spec 10 section 7): gear, worm, dresser and how they stand.
+
+use super::{FlankLines, GeneratingError};
+use crate::contact::Pair;
+use crate::geometry::{Blank, Flank, Gear, Sides, WormChoice, worm_for_gear};
+use crate::kinematics::DressingChain;
+use crate::modification::EvaluationField;
+use crate::process::dressing::{ContactLine, DresserTool, GeometricRange};
+
+/// What a job says of the bodies. mm, rad.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SetupInput {
+    /// The workpiece.
+    pub gear: Gear,
+    /// Its diameters and face width.
+    pub blank: Blank,
+    /// Evaluation range: start diameter, end diameter, z from, z to.
+    pub evaluation: [f64; 4],
+    /// The worm.
+    pub worm: WormChoice,
+    /// Usable width of the worm, if limited.
+    pub worm_width: Option<f64>,
+    /// Outside diameter of the dresser.
+    pub dresser_tip_diameter: f64,
+    /// Pitch diameter of the dresser, if given.
+    pub dresser_pitch_diameter: Option<f64>,
+    /// Clearance between gear tip and worm root; default 0.25 m_n0.
+    pub root_clearance: Option<f64>,
+}
+
+/// Who carries the u^2 part of the profile (spec 28 section 1).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ProfilePlace {
+    /// The dresser's profile.
+    Dresser,
+    /// A constant part of the dressing correction.
+    Correction,
+    /// The diagonal: F_K and F_L.
+    Diagonal,
+}
+
+impl ProfilePlace {
+    /// As job files spell it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Dresser => "dresser",
+            Self::Correction => "correction",
+            Self::Diagonal => "diagonal",
+        }
+    }
+}
+
+/// Ranges of the correcting axes (spec 28 section 2).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DressingLimits {
+    /// |d_phi_S|, |d_gamma| (rad), |d_d|, |d_v_yA| (mm).
+    pub correction: [f64; 4],
+    /// |Delta_d|, mm.
+    pub delta_d: f64,
+}
+
+impl Default for DressingLimits {
+    fn default() -> Self {
+        Self { correction: [10f64.to_radians(), 3f64.to_radians(), 5.0, 10.0], delta_d: 1.0 }
+    }
+}
+
+/// All bodies of a job, in place.
+#[derive(Clone, Debug)]
+pub struct GrindingSetup {
+    /// What it was made from.
+    pub input: SetupInput,
+    /// Worm and workpiece without backlash.
+    pub pair: Pair,
+    /// Pitch radius of the worm, mm.
+    pub worm_pitch_radius: f64,
+    /// Tip radius of the worm, mm.
+    pub worm_tip_radius: f64,
+    /// Root radius of the worm, mm.
+    pub worm_root_radius: f64,
+    /// Evaluation field per flank.
+    pub fields: Sides<EvaluationField>,
+    /// Plain dresser: conjugate of the unmodified worm.
+    pub dresser: DresserTool,
+    /// Mean direction of the dressed lines, tan(rho_1).
+    pub dressed_direction: Sides<f64>,
+    /// Numbers per flank.
+    pub lines: Sides<FlankLines>,
+    /// The worm's tip reaches beyond the gear's root circle by this much, mm (<= 0: it does not).
+    pub root_cut: f64,
+    /// The worm's tip fails to reach the largest roll needed by this much in radius, mm (<= 0: it reaches).
+    pub tip_short: f64,
+}
+
+impl GrindingSetup {
+    /// Puts all bodies in place.
+    ///
+    /// # Errors
+    /// Impossible bodies, bodies that do not mesh, a worm without conjugate dresser.
+    pub fn new(input: SetupInput) -> Result<Self, GeneratingError> {
+        let gear = input.gear;
+        input.blank.check(&gear)?;
+        let made = worm_for_gear(&gear, &input.worm)?;
+        let pair = Pair::without_backlash(made.worm, gear, made.crossed_axes_angle)?;
+        let module = made.rack.normal_module;
+        let r_w1 = made.worm.pitch_radius();
+        let d = pair.chain.centre_distance;
+        let r_aa = input.dresser_tip_diameter / 2.0;
+        let clearance = input.root_clearance.unwrap_or(0.25 * module);
+        let (root_radius, d_a0) = match input.dresser_pitch_diameter {
+            Some(pitch) => {
+                let d_a0 = r_w1 + pitch / 2.0;
+                (d_a0 - r_aa, d_a0)
+            }
+            None => {
+                let root = d - input.blank.tip_diameter / 2.0 - clearance;
+                (root, root + r_aa)
+            }
+        };
+        let p = pair.flanks.left.worm.base_radius / pair.flanks.left.worm.base_helix_angle.tan();
+        let chain = DressingChain {
+            worm_angle: -std::f64::consts::FRAC_PI_2,
+            crossing_angle: -(p / r_w1).atan(),
+            centre_distance: d_a0,
+            offset: 0.0,
+            screw_parameter: p,
+        };
+        let forms = input.blank.limits(&gear)?;
+        let ranges = Sides::try_from_fn(|flank| {
+            let f = &pair.flanks[flank];
+            let (a, b) = (forms[flank].w_a, forms[flank].w_f);
+            let (w_nf, w_na) = (f.worm_roll(a, 0.0, 0.0), f.worm_roll(b, 0.0, 0.0));
+            if w_nf > 0.0 {
+                Ok(GeometricRange { w_nf, w_na })
+            } else {
+                Err(crate::contact::ContactError::ContactBelowBase { w_2: a, w_1: w_nf })
+            }
+        })?;
+        let dresser = DresserTool::conjugate(&made.worm, chain, ranges)?;
+        let [start, end, z_from, z_to] = input.evaluation;
+        let fields = Sides::try_from_fn(|flank| -> Result<_, GeneratingError> {
+            let f = gear.flank(flank);
+            let roll = [f.length_of_roll(start / 2.0)?, f.length_of_roll(end / 2.0)?];
+            Ok(EvaluationField::new(roll, [z_from, z_to], f.base_radius, f.base_helix_angle)?)
+        })?;
+        let dressed_direction =
+            Sides::try_from_fn(|flank| ContactLine::fit(&dresser, flank, [0.0; 4]).map(|l| l.rho.tan()))?;
+        let lines = Sides::from_fn(|flank| {
+            FlankLines::new(&pair.flanks[flank], &fields[flank], dressed_direction[flank])
+        });
+        let reach = Flank::BOTH
+            .map(|flank| ranges[flank].w_na.hypot(made.worm.flank(flank).base_radius))
+            .into_iter()
+            .fold(0.0, f64::max);
+        Ok(Self {
+            pair,
+            worm_pitch_radius: r_w1,
+            worm_tip_radius: made.tip_radius,
+            worm_root_radius: root_radius,
+            fields,
+            dresser,
+            dressed_direction,
+            lines,
+            root_cut: made.tip_radius - (d - input.blank.root_diameter / 2.0),
+            tip_short: reach - made.tip_radius,
+            input,
+        })
+    }
+
+    /// Worm occupation [min, max] of z_1 over the field corners of the flanks `which`, at ratio K and z_V01 = 0, mm.
+    pub fn occupation(&self, ratio: f64, which: &[Flank]) -> [f64; 2] {
+        which
+            .iter()
+            .flat_map(|&flank| {
+                let lines = self.lines[flank];
+                lines.corners().map(move |(w, z)| lines.worm_point(w, z, ratio, 0.0).1)
+            })
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], z| [a.min(z), b.max(z)])
+    }
+
+    /// Feed range [min, max] of z_V2 over the field corners of the flanks `which`, mm.
+    pub fn feed_range(&self, which: &[Flank]) -> [f64; 2] {
+        which
+            .iter()
+            .flat_map(|&flank| {
+                let lines = self.lines[flank];
+                lines.corners().map(move |(w, z)| lines.feed(w, z))
+            })
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| [a.min(v), b.max(v)])
+    }
+
+    /// Normal module of the worm, mm.
+    pub fn worm_module(&self) -> f64 {
+        self.pair.worm.data().normal_module
+    }
+}

@@ -1,0 +1,34 @@
+//! The one place that draws charts: plain numbers in, SVG text out.
+//!
+//! Every chart carries a title, axis units and a legend, and is made for paper: white ground, dark ink, and
+//! no meaning that colour carries alone. Series differ by dash and marker, isolines carry their value,
+//! negative isolines are dashed, and material left standing is hatched. Drawing the same data gives the same
+//! bytes. The module must not know gears beyond the names of their coordinates: w (length of roll, mm) and
+//! z (face width, mm).
+
+mod axes;
+mod contour_map;
+mod contours;
+mod error;
+mod line_chart;
+mod numbers;
+mod palette;
+mod profile_helix;
+mod scale;
+mod svg;
+mod text;
+mod topography;
+mod topography_net;
+
+pub use contour_map::{ContourMap, contour_map};
+pub use error::ChartError;
+pub use line_chart::{LineChart, Panel, Series, YScale, line_chart};
+pub use numbers::{format_fixed, format_significant};
+pub use profile_helix::{FlankSections, ProfileHelixDiagram, SectionTrace, profile_helix_diagram};
+pub use scale::LevelScale;
+pub use svg::Svg;
+pub use topography::{NamedTopography, Topography};
+pub use topography_net::{TopographyNet, topography_net};
+
+pub(crate) use svg::escape;
+pub(crate) use text::indices;

@@ -1,0 +1,16 @@
+//! The report of diagonal generating grinding: typed figures in, a [`PlanReport`](super::PlanReport) out.
+//!
+//! The workflow fills [`GeneratingReport`] with finished numbers; this room only arranges them. Whatever is absent
+//! (`None`, an empty list) leaves no trace on the page.
+
+mod compose;
+mod data;
+mod motions;
+mod result;
+mod topographies;
+
+pub use data::{
+    Characteristics, ConvergenceRound, DressingMotion, FlankReport, GeneratingReport, GrindingMotion,
+    OutsideTerm, RatioCandidate, RatioChoice, Reason, RefereeStage, TargetAmount, Timing, Verification,
+    WrittenFile,
+};

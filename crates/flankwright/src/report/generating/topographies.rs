@@ -1,0 +1,141 @@
+//! The flank as pictures: nets, contour maps, and the profile and helix diagram.
+
+use super::data::FlankReport;
+use crate::geometry::{Flank, Sides};
+use crate::report::charts::{
+    ChartError, ContourMap, FlankSections, LevelScale, NamedTopography, ProfileHelixDiagram, SectionTrace,
+    Topography, TopographyNet, contour_map, profile_helix_diagram, topography_net,
+};
+use crate::report::{Block, Figure};
+
+type Flanks = Sides<Option<FlankReport>>;
+
+fn heading(side: Flank) -> &'static str {
+    match side {
+        Flank::Left => "Left flank",
+        Flank::Right => "Right flank",
+    }
+}
+
+/// What comes out: by the referee, else by the model.
+fn outcome(flank: &FlankReport) -> Option<&Topography> {
+    flank.simulated.as_ref().or(flank.planned.as_ref())
+}
+
+fn panels(flanks: &Flanks, pick: impl Fn(&FlankReport) -> Option<Topography>) -> Vec<NamedTopography> {
+    flanks
+        .iter()
+        .filter_map(|(side, flank)| {
+            flank.as_ref().and_then(&pick).map(|t| NamedTopography::new(heading(side), t))
+        })
+        .collect()
+}
+
+const INTRODUCTION: &str = "All values are normal to the flank, positive where material is left standing. Target, \
+     planned and simulated flank share one scale; the deviation, what comes out minus target, has its own. w is the length of \
+     roll; face I lies at the least z, face II at the greatest.";
+
+/// Nets and maps of target, planned and simulated flank with one scale, of the deviation with its own.
+pub(super) fn figures(flanks: &Flanks) -> Result<Vec<Block>, ChartError> {
+    let stages = [
+        ("Target", panels(flanks, |flank| Some(flank.target.clone()))),
+        ("Planned (analytic)", panels(flanks, |flank| flank.planned.clone())),
+        ("Simulated (referee)", panels(flanks, |flank| flank.simulated.clone())),
+    ];
+    let all = || stages.iter().flat_map(|(_, panels)| panels).map(|panel| &panel.topography);
+    let scale = LevelScale::covering(all());
+    let range =
+        all().map(Topography::range_um).fold((0.0_f64, 0.0_f64), |(lo, hi), (a, b)| (lo.min(a), hi.max(b)));
+    if all().next().is_none() {
+        return Ok(Vec::new());
+    }
+    let mut blocks = vec![Block::Paragraph(INTRODUCTION.to_owned())];
+    for (name, panels) in stages.iter().filter(|(_, panels)| !panels.is_empty()) {
+        blocks.extend(net_and_map(name, panels, Some(range), Some(scale), "f_n [µm]")?);
+    }
+    let mut deviation = Vec::new();
+    for (side, flank) in flanks.iter() {
+        let Some(flank) = flank else { continue };
+        if let Some(made) = outcome(flank) {
+            deviation.push(NamedTopography::new(heading(side), made.minus(&flank.target)?));
+        }
+    }
+    if !deviation.is_empty() {
+        blocks.extend(net_and_map("Deviation from the target", &deviation, None, None, "Δf_n [µm]")?);
+    }
+    Ok(blocks)
+}
+
+fn net_and_map(
+    name: &str,
+    panels: &[NamedTopography],
+    range_um: Option<(f64, f64)>,
+    scale: Option<LevelScale>,
+    quantity: &str,
+) -> Result<Vec<Block>, ChartError> {
+    let net = topography_net(&TopographyNet { title: name.to_owned(), panels: panels.to_vec(), range_um })?;
+    let map = contour_map(&ContourMap {
+        title: format!("{name}, contour map"),
+        quantity: quantity.to_owned(),
+        panels: panels.to_vec(),
+        scale,
+    })?;
+    Ok([net, map].map(|svg| Block::Figure(Figure { svg, caption: String::new() })).into())
+}
+
+/// Profile and helix traces of both flanks.
+pub(super) fn diagram(flanks: &Flanks) -> Result<Vec<Block>, ChartError> {
+    let columns: Vec<FlankSections> = flanks
+        .iter()
+        .filter_map(|(side, flank)| flank.as_ref().map(|flank| sections(side, flank)))
+        .filter(|sections| !sections.profiles.is_empty() || !sections.helices.is_empty())
+        .collect();
+    if columns.is_empty() {
+        return Ok(Vec::new());
+    }
+    let simulated =
+        flanks.iter().any(|(_, flank)| flank.as_ref().is_some_and(|flank| flank.simulated.is_some()));
+    let svg = profile_helix_diagram(&ProfileHelixDiagram {
+        title: "Profile and helix diagram".to_owned(),
+        flanks: columns,
+        target_name: "target".to_owned(),
+        simulated_name: if simulated { "simulated" } else { "planned" }.to_owned(),
+    })?;
+    let caption =
+        "Values normal to the flank, one scale for all traces. Face I: least z, face II: greatest z.";
+    Ok(vec![Block::Figure(Figure { svg, caption: caption.to_owned() })])
+}
+
+fn sections(side: Flank, flank: &FlankReport) -> FlankSections {
+    let made = outcome(flank);
+    let given = |traces: &[SectionTrace], cut: &dyn Fn(&Topography) -> Vec<SectionTrace>| match (made, traces)
+    {
+        (Some(made), []) => cut(made),
+        _ => traces.to_vec(),
+    };
+    FlankSections {
+        name: heading(side).to_owned(),
+        profiles: given(&flank.profiles, &|made| {
+            let places = three_places(made.z_mm());
+            places.into_iter().map(|j| SectionTrace::profile(made, Some(&flank.target), j)).collect()
+        }),
+        helices: given(&flank.helices, &|made| {
+            let places = three_places(made.w_mm());
+            places.into_iter().map(|i| SectionTrace::helix(made, Some(&flank.target), i)).collect()
+        }),
+    }
+}
+
+/// Indices near one eighth, the middle and seven eighths of a grid, without repetition.
+fn three_places(values: &[f64]) -> Vec<usize> {
+    let (first, last) = (values[0], values[values.len() - 1]);
+    let mut places: Vec<usize> = [0.125, 0.5, 0.875]
+        .into_iter()
+        .map(|share| {
+            let wanted = first + share * (last - first);
+            values.partition_point(|v| *v < wanted - 1e-9 * (last - first)).min(values.len() - 1)
+        })
+        .collect();
+    places.dedup();
+    places
+}

@@ -1,0 +1,360 @@
+//! From a checked job to bodies, targets and the task of planning. Every finding names the job's key.
+
+use crate::exchange::job::{
+    DiagonalRatio, DresserModification, FixedDresser, Flanks, Job, Method, Modification as JobModification,
+    ProfileCrowningBy,
+};
+use crate::exchange::{Diagnostic, LoadedJob, Problem, read_grid_target};
+use crate::geometry::{Blank, Flank, Gear, GearData, GeometryError, Sides, ThicknessMeasure, WormChoice};
+use crate::modification::{
+    EvaluationField, GridTable, Modification, ModificationError, ModificationFiles, ModificationSpec,
+};
+use crate::process::generating::{
+    DressingLimits, FlankTarget, GeneratingError, GrindingSetup, PlanTask, ProfilePlace, SetupInput,
+};
+
+/// A job made ready for planning.
+pub struct Prepared {
+    /// The bodies.
+    pub setup: GrindingSetup,
+    /// Targets of the flanks that are ground.
+    pub targets: Sides<Option<FlankTarget>>,
+    /// Places allowed for the profile crowning.
+    pub places: Vec<ProfilePlace>,
+    /// Whether the dresser is made for this job.
+    pub free_dresser: bool,
+    /// Remarks on the job, each with a way out.
+    pub warnings: Vec<Remark>,
+}
+
+/// Something worth saying that is no error.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct Remark {
+    /// Stable code.
+    pub code: &'static str,
+    /// What.
+    pub text: String,
+    /// What can be done about it.
+    pub way_out: String,
+}
+
+/// Grid and point files named in a job, beside the job file.
+struct Beside<'a>(&'a LoadedJob);
+
+impl ModificationFiles for Beside<'_> {
+    fn grid(&self, file: &str) -> Result<GridTable, String> {
+        let table = read_grid_target(&self.0.beside(file)).map_err(|e| e.to_string())?;
+        Ok(GridTable { w_mm: table.w_mm, z_mm: table.z_mm, f_um: table.f_um })
+    }
+
+    fn points(&self, file: &str) -> Result<Vec<[f64; 3]>, String> {
+        let table = read_grid_target(&self.0.beside(file)).map_err(|e| e.to_string())?;
+        let points = table.w_mm.iter().enumerate().flat_map(|(i, &w)| {
+            let row = &table.f_um[i];
+            table.z_mm.iter().zip(row).map(move |(&z, &f)| [w, z, f])
+        });
+        Ok(points.collect())
+    }
+}
+
+/// A geometry error as a finding on a key of the job.
+fn geometry_finding(error: &GeometryError, table: &str) -> Diagnostic {
+    let field = match error {
+        GeometryError::InvalidNumber { field, .. } if field.contains('.') => (*field).to_string(),
+        GeometryError::InvalidNumber { field, .. } => format!("{table}.{field}"),
+        GeometryError::DiametersInconsistent { inner, .. } if inner.contains('.') => (*inner).to_string(),
+        GeometryError::DiametersInconsistent { inner, .. } => format!("{table}.{inner}"),
+        GeometryError::RadiusBelowBaseCircle { .. } => format!("{table}.form_diameter"),
+        GeometryError::ToothPointed { .. } => format!("{table}.tip_diameter"),
+        GeometryError::WormTooSmall { .. } => "worm.threads".to_string(),
+        GeometryError::NoRack { .. } => "worm.normal_pressure_angle_deg".to_string(),
+        GeometryError::BallTooSmall { .. } | GeometryError::BallTooLarge { .. } => {
+            format!("{table}.over_balls")
+        }
+        GeometryError::SpanUndefined { .. } => format!("{table}.span"),
+        GeometryError::PressureAngleNotPositive { .. } | GeometryError::InternalConicalUnsupported { .. } => {
+            format!("{table}.cone_angle_deg")
+        }
+        _ => table.to_string(),
+    };
+    Diagnostic::with_code(error.code(), error.to_string()).field(field).way_out(error.way_out())
+}
+
+/// A planning error as a finding on a key of the job.
+pub fn generating_finding(error: &GeneratingError) -> Diagnostic {
+    match error {
+        GeneratingError::Geometry(e) => geometry_finding(e, "gear"),
+        GeneratingError::Modification(_) => finding(error, "target.modifications"),
+        GeneratingError::WormTooShort { .. } => finding(error, "worm.width"),
+        GeneratingError::DegenerateDirection { .. } => finding(error, "grinding.diagonal_ratio"),
+        GeneratingError::NoFlank => finding(error, "grinding.flanks"),
+        GeneratingError::Dressing(_) => finding(error, "dressing"),
+        _ => finding(error, "grinding"),
+    }
+}
+
+fn finding(error: &GeneratingError, field: &str) -> Diagnostic {
+    Diagnostic::with_code(error.code(), error.to_string()).field(field).way_out(error.way_out())
+}
+
+/// The gear of a job with its thickness measure turned into the profile shift.
+///
+/// # Errors
+/// A finding on the key concerned.
+pub fn gear_of_job(job: &Job) -> Result<Gear, Diagnostic> {
+    let g = &job.gear;
+    let data = GearData {
+        teeth: g.teeth,
+        normal_module: g.normal_module,
+        pressure_angle: g.normal_pressure_angle_deg.sides().map(|_, a| a.to_radians()),
+        helix_angle: g.helix_angle_deg.to_radians(),
+        profile_shift: 0.0,
+        cone_angle: g.cone_angle_deg.to_radians(),
+    };
+    let measure = if let Some(s) = g.normal_tooth_thickness {
+        ThicknessMeasure::NormalThickness(s)
+    } else if let Some(span) = &g.span {
+        ThicknessMeasure::Span { teeth: span.teeth, length: span.length }
+    } else if let Some(balls) = &g.over_balls {
+        ThicknessMeasure::OverBalls { ball: balls.ball, size: balls.size }
+    } else {
+        ThicknessMeasure::ProfileShift(g.profile_shift.unwrap_or(0.0))
+    };
+    let profile_shift = measure.profile_shift(data).map_err(|e| geometry_finding(&e, "gear"))?;
+    Gear::new(GearData { profile_shift, ..data }).map_err(|e| geometry_finding(&e, "gear"))
+}
+
+/// Diameters and face width of the job's gear.
+pub fn blank_of_job(job: &Job) -> Blank {
+    Blank {
+        face_width: job.gear.face_width,
+        tip_diameter: job.gear.tip_diameter,
+        root_diameter: job.gear.root_diameter,
+        tip_form_diameter: job.gear.tip_diameter,
+        form_diameter: job.gear.root_form_diameter(),
+        rack_addendum: None,
+    }
+}
+
+/// Bodies of the job.
+///
+/// # Errors
+/// A finding on the key concerned; the flag tells bad input (exit 2) from bodies that cannot work together (exit 4).
+pub fn setup_of_job(job: &Job) -> Result<GrindingSetup, (Diagnostic, bool)> {
+    let gear = gear_of_job(job).map_err(|d| (d, true))?;
+    let blank = blank_of_job(job);
+    blank.check(&gear).map_err(|e| (geometry_finding(&e, "gear"), true))?;
+    let range = job.gear.evaluation_range();
+    let angle = job.worm_pressure_angle_deg().sides();
+    let setup = GrindingSetup::new(SetupInput {
+        gear,
+        blank,
+        evaluation: [range.start_diameter, range.end_diameter, range.z_start, range.z_end],
+        worm: WormChoice {
+            threads: i32::try_from(job.worm.threads).unwrap_or(i32::MAX),
+            hand: job.worm_hand().sign(),
+            pitch_diameter: job.worm.pitch_diameter,
+            tip_diameter: job.worm.tip_diameter,
+            pressure_angle: Some(angle.left.to_radians()),
+            profile_shift: job.worm.profile_shift,
+            cone_angle: job.worm.cone_angle_deg.to_radians(),
+        },
+        worm_width: job.worm.width,
+        dresser_tip_diameter: job.dresser.tip_diameter,
+        dresser_pitch_diameter: job.dresser.pitch_diameter,
+        root_clearance: job.dresser.root_clearance,
+    })
+    .map_err(|e| (generating_finding(&e), e.is_bad_input()))?;
+    let made = setup.pair.worm.data().pressure_angle;
+    for (flank, angle) in angle.iter() {
+        let wanted = angle.to_radians();
+        if (made[flank] - wanted).abs() > 1e-9 {
+            let text = format!(
+                "a worm that meshes on both flanks has {:.6} deg on the {flank} flank when its left flank has {:.6} deg",
+                made[flank].to_degrees(),
+                made.left.to_degrees()
+            );
+            let d = Diagnostic::with_code("not-mating", text)
+                .field("worm.normal_pressure_angle_deg")
+                .way_out("give the matching angle, or leave the worm's pressure angle out");
+            return Err((d, true));
+        }
+    }
+    Ok(setup)
+}
+
+fn specs_of_flank(
+    loaded: &LoadedJob,
+    specs: &[ModificationSpec],
+    flank: Flank,
+    field: &EvaluationField,
+) -> Result<Modification, Diagnostic> {
+    Modification::for_flank(specs, flank, field, &Beside(loaded)).map_err(|error| {
+        // The position of the offending entry makes the message point into the file.
+        let index = specs.iter().position(|spec| {
+            spec.flank().includes(flank)
+                && Modification::build_with_files(spec, field, &Beside(loaded)).is_err()
+        });
+        let entry =
+            index.map_or("target.modifications".to_string(), |i| format!("target.modifications[{i}]"));
+        modification_finding(&error, &entry)
+    })
+}
+
+fn modification_finding(error: &ModificationError, entry: &str) -> Diagnostic {
+    Diagnostic::with_code(error.code(), error.to_string()).field(entry.to_string()).way_out(error.way_out())
+}
+
+fn target_of_flank(
+    loaded: &LoadedJob,
+    flank: Flank,
+    field: &EvaluationField,
+) -> Result<Modification, Diagnostic> {
+    let target = &loaded.job.target;
+    match (&target.modifications, &target.file) {
+        (_, Some(file)) => {
+            let spec = ModificationSpec::from_json(&serde_json::json!({ "kind": "grid", "file": file }))
+                .map_err(|e| modification_finding(&e, "target.file"))?;
+            let mut specs = vec![spec];
+            specs.extend(target.modifications.iter().flatten().cloned());
+            Modification::for_flank(&specs, flank, field, &Beside(loaded))
+                .map_err(|e| modification_finding(&e, "target.file"))
+        }
+        (Some(specs), None) => specs_of_flank(loaded, specs, flank, field),
+        (None, None) => Ok(Modification::none(field)),
+    }
+}
+
+/// Bodies, targets and rules of a job.
+///
+/// # Errors
+/// A finding on the key concerned; the flag tells bad input (exit 2) from bodies that cannot work together (exit 4).
+pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, (Diagnostic, bool)> {
+    let job = &loaded.job;
+    let setup = setup_of_job(job)?;
+    let mut warnings = Vec::new();
+    let given = match &job.dresser.modification {
+        DresserModification::Rule(FixedDresser::Target) => None,
+        DresserModification::Rule(FixedDresser::None) => Some(None),
+        DresserModification::Given(spec) => Some(Some(spec)),
+    };
+    let ground = |flank: Flank| match job.grinding.flanks {
+        Flanks::Both => true,
+        Flanks::Left => flank == Flank::Left,
+        Flanks::Right => flank == Flank::Right,
+    };
+    let targets = Sides::try_from_fn(|flank| {
+        if !ground(flank) {
+            return Ok(None);
+        }
+        let field = &setup.fields[flank];
+        let wanted = target_of_flank(loaded, flank, field).map_err(|d| (d, true))?;
+        for warning in wanted.warnings() {
+            warnings.push(Remark {
+                code: warning.code(),
+                text: format!("{flank} flank: {warning}"),
+                way_out: "check the length against the evaluation range".into(),
+            });
+        }
+        let target = match given {
+            None => FlankTarget::new(wanted),
+            Some(None) => FlankTarget::with_given_dresser(wanted, Modification::none(field)),
+            Some(Some(spec)) => {
+                let made = dresser_profile(loaded, spec, flank, field).map_err(|d| (d, true))?;
+                FlankTarget::with_given_dresser(wanted, made)
+            }
+        };
+        target.map(Some).map_err(|e| (generating_finding(&e), true))
+    })?;
+    let free_dresser = given.is_none();
+    let places = match job.dressing.profile_crowning_by {
+        ProfileCrowningBy::Dresser => vec![ProfilePlace::Dresser],
+        ProfileCrowningBy::Correction => vec![ProfilePlace::Correction],
+        ProfileCrowningBy::Diagonal => vec![ProfilePlace::Diagonal],
+        ProfileCrowningBy::Auto if free_dresser => vec![ProfilePlace::Dresser],
+        ProfileCrowningBy::Auto => vec![ProfilePlace::Diagonal, ProfilePlace::Correction],
+    };
+    if places == [ProfilePlace::Dresser] && !free_dresser {
+        let d = Diagnostic::new(
+            Problem::InvalidJob,
+            "the profile crowning cannot go into a dresser whose profile is given",
+        )
+        .field("dressing.profile_crowning_by")
+        .allowed("\"auto\", \"diagonal\" or \"correction\"")
+        .way_out("let the dresser be made for the target (dresser.modification = \"target\")");
+        return Err((d, true));
+    }
+    if setup.root_cut > 0.0 {
+        warnings.push(Remark {
+            code: "worm-cuts-root",
+            text: format!(
+                "the worm's tip reaches {:.3} mm beyond the root circle of the gear",
+                setup.root_cut
+            ),
+            way_out: "reduce worm.tip_diameter or check gear.root_diameter".into(),
+        });
+    }
+    if setup.tip_short > 0.0 {
+        warnings.push(Remark {
+            code: "worm-tip-short",
+            text: format!(
+                "the worm's tip ends {:.3} mm before the radius that grinds the root form circle",
+                setup.tip_short
+            ),
+            way_out: "raise worm.tip_diameter or gear.form_diameter".into(),
+        });
+    }
+    if let Ok(found) = setup.input.blank.check(&setup.input.gear) {
+        for warning in found {
+            warnings.push(Remark {
+                code: "tooth-pointed",
+                text: warning.to_string(),
+                way_out: "reduce gear.tip_diameter or gear.profile_shift".into(),
+            });
+        }
+    }
+    Ok(Prepared { setup, targets, places, free_dresser, warnings })
+}
+
+fn dresser_profile(
+    loaded: &LoadedJob,
+    spec: &JobModification,
+    flank: Flank,
+    field: &EvaluationField,
+) -> Result<Modification, Diagnostic> {
+    let made = Modification::for_flank(std::slice::from_ref(spec), flank, field, &Beside(loaded))
+        .map_err(|e| modification_finding(&e, "dresser.modification"))?;
+    if !made.terms().iter().all(Modification::depends_on_profile_only) {
+        return Err(Diagnostic::new(
+            Problem::InvalidJob,
+            "a dresser can only carry modifications of the profile",
+        )
+        .field("dresser.modification")
+        .allowed("profile crowning, profile slope, tip or root relief")
+        .way_out("leave helix modifications to the target"));
+    }
+    Ok(made)
+}
+
+impl Prepared {
+    /// The task of planning this job.
+    pub fn task(&self, job: &Job) -> PlanTask<'_> {
+        let radial = job.grinding.method == Method::Radial;
+        let ratio = match &job.grinding.diagonal_ratio {
+            _ if radial => Some(0.0),
+            Some(DiagonalRatio::Number(k)) => Some(*k),
+            _ => None,
+        };
+        PlanTask {
+            setup: &self.setup,
+            targets: self.targets.clone(),
+            tolerance: job.target.tolerance_um * 1e-3,
+            limits: DressingLimits::default(),
+            ratio,
+            places: self.places.clone(),
+            free_dresser: self.free_dresser,
+            precompensation: job.grinding.precompensation.unwrap_or(!radial),
+            grid: (job.grid.profile_points as usize, job.grid.helix_points as usize),
+        }
+    }
+}
