@@ -64,6 +64,20 @@ impl FlankPair {
         Ok(Numbers { sg, p: hat_w * cos / sg, cos })
     }
 
+    /// The worm lines in which axial planes cut the thread at the worm point that grinds length of roll `w_2` (zero feeds):
+    /// the direction of dressed lines where nothing better is known (spec 25 section 3).
+    pub fn axial_section_line(&self, w_2: f64) -> DiagonalLine {
+        let w_1 = self.worm_roll(w_2, 0.0, 0.0);
+        let share = (w_1 / self.worm.radius(w_1)).powi(2);
+        DiagonalLine { rho: (-self.flank().sign() * share / self.worm.base_helix_angle.tan()).atan() }
+    }
+
+    /// Direction of the contact path on worm and workpiece: rho_Ki = s beta_bi, rad (spec 20 section 5).
+    pub fn contact_path(&self) -> [DiagonalLine; 2] {
+        let s = self.flank().sign();
+        [self.worm.base_helix_angle, self.work.base_helix_angle].map(|b| DiagonalLine { rho: s * b })
+    }
+
     /// K_ZV1 that lays lines rho_1 of the worm onto lines rho_2 of the workpiece.
     ///
     /// # Errors

@@ -49,6 +49,12 @@ pub enum ContactError {
         /// Length of roll on the worm.
         w_1: f64,
     },
+    /// The evaluation range of the workpiece would need a worm flank below its base circle.
+    #[error("the range needs length of roll {w_1} mm on the worm, below its base circle")]
+    WormBelowBase {
+        /// Smallest length of roll needed on the worm.
+        w_1: f64,
+    },
     /// The direction of a modification runs along the contact path.
     #[error(
         "direction {direction_deg} deg runs along the contact path: the worm has no line of its own for it"
@@ -129,6 +135,7 @@ impl ContactError {
             Self::NoCommonNormal { .. } => "no-common-normal",
             Self::RacksNotCongruent { .. } => "racks-not-congruent",
             Self::ContactBelowBase { .. } => "contact-below-base",
+            Self::WormBelowBase { .. } => "worm-below-base",
             Self::DirectionIsContactPath { .. } => "direction-is-contact-path",
             Self::DirectionIsProfile { .. } => "direction-is-profile",
             Self::DiagonalRatioInfinite { .. } => "diagonal-ratio-infinite",
@@ -151,7 +158,7 @@ impl ContactError {
             Self::RacksNotCongruent { .. } => {
                 "grind the flanks one by one or use the design crossed-axes angle"
             }
-            Self::ContactBelowBase { .. } | Self::NoStart { .. } => {
+            Self::ContactBelowBase { .. } | Self::WormBelowBase { .. } | Self::NoStart { .. } => {
                 "raise the form diameter of the gear or use a larger worm"
             }
             Self::DirectionIsContactPath { .. } => {

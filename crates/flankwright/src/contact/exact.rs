@@ -50,6 +50,8 @@ pub struct ExactContact<'a, S: ToolSurface> {
     kernel: Kernel<'a>,
     plain: GeneratingMotion,
     surface: &'a S,
+    /// The surface without its modification: what the determinant ratio refers to.
+    unmodified: Box<dyn ToolSurface + 'a>,
     measure: Measure,
     /// Rotation of the coupling by whole pitches that brings the start onto the workpiece flank.
     pitch: f64,
@@ -65,6 +67,7 @@ impl<'a, S: ToolSurface> ExactContact<'a, S> {
             kernel: Kernel::new(motion, motion.phase[flank]),
             plain: motion.uncorrected(),
             surface,
+            unmodified: surface.with_share(0.0),
             measure: Measure::Ray,
             pitch: 2.0 * PI / motion.teeth,
         }
@@ -123,7 +126,7 @@ impl<'a, S: ToolSurface> ExactContact<'a, S> {
         e.residual.iter().chain(e.jacobian.iter()).all(|x| x.is_finite()).then_some(e)
     }
 
-    /// Newton from y; the last evaluation stands at the returned state.
+    /// Newton from y; the evaluation returned stands at the state returned.
     fn newton(
         &self,
         kernel: &Kernel<'_>,
@@ -139,9 +142,13 @@ impl<'a, S: ToolSurface> ExactContact<'a, S> {
             let mut step = solve4(&e.jacobian, &e.residual)?;
             let excess = (0..4).map(|k| step[k].abs() / limits[k]).fold(1.0, f64::max);
             step /= excess;
-            y -= step;
             let size = step.norm() / (1.0 + y.norm());
-            if size < CONVERGED || (size < STALLED && size >= previous) {
+            if size < CONVERGED {
+                // The step is the error of y, and f_n changes along it only by the angle between the normals.
+                return Some((y, e, iteration));
+            }
+            y -= step;
+            if size < STALLED && size >= previous {
                 let e = Self::evaluate(kernel, surface, &y, target, self.measure)?;
                 return Some((y, e, iteration));
             }
@@ -171,8 +178,7 @@ impl<'a, S: ToolSurface> ExactContact<'a, S> {
         kernel.phase += pitches * kernel.motion.teeth;
         let reference = {
             let plain = Kernel::new(&self.plain, kernel.phase);
-            let surface = self.surface.with_share(0.0);
-            let e = Self::evaluate(&plain, surface.as_ref(), &y_0, &target, self.measure)
+            let e = Self::evaluate(&plain, self.unmodified.as_ref(), &y_0, &target, self.measure)
                 .ok_or(ContactError::WormSurfaceMissing { p: y_0[0], q: y_0[1] })?;
             e.jacobian.determinant()
         };
@@ -237,21 +243,23 @@ impl<'a, S: ToolSurface> ExactContact<'a, S> {
         Err(ContactError::Undercut { flank: self.pair.flank(), w, z, ratio: last })
     }
 
-    /// Solves on the grid `w` x `z`, row-major `[w][z]`, each row started from its neighbour.
+    /// Solves on the grid `w` x `z`, row-major `[w][z]`; each point starts from the correction that its neighbours in the
+    /// row (the first of a row: in the column) let expect.
     ///
     /// # Errors
     /// Those of [`ExactContact::solve`], at the first point that fails.
     pub fn solve_grid(&self, w: &[f64], z: &[f64]) -> Result<Vec<ContactSolution>, ContactError> {
         let mut solutions = Vec::with_capacity(w.len() * z.len());
-        let mut row_start: Option<State> = None;
+        let mut column = Trail::default();
         for &w_2 in w {
-            let mut neighbour = row_start;
+            let mut row = Trail::default();
             for (j, &z_2) in z.iter().enumerate() {
-                let (solution, delta) = self.solve_from(w_2, z_2, neighbour.as_ref())?;
+                let start = if j == 0 { column.expected(w_2) } else { row.expected(z_2) };
+                let (solution, delta) = self.solve_from(w_2, z_2, start.as_ref())?;
                 solutions.push(solution);
-                neighbour = Some(delta);
+                row.push(z_2, delta);
                 if j == 0 {
-                    row_start = Some(delta);
+                    column.push(w_2, delta);
                 }
             }
         }
@@ -299,6 +307,32 @@ impl<'a, S: ToolSurface> ExactContact<'a, S> {
             shift: by(&(room(Vector3::z()) - around * (kernel.motion.shift_coupling / z_2))),
             tool_modification: image * along,
         })
+    }
+}
+
+/// The last corrections along a grid line and where the next is expected.
+#[derive(Default)]
+struct Trail(Vec<(f64, State)>);
+
+impl Trail {
+    fn push(&mut self, at: f64, delta: State) {
+        if self.0.len() == 3 {
+            self.0.remove(0);
+        }
+        self.0.push((at, delta));
+    }
+
+    /// Polynomial through the last (up to three) corrections.
+    fn expected(&self, at: f64) -> Option<State> {
+        if self.0.is_empty() {
+            return None;
+        }
+        let weight = |k: usize| -> f64 {
+            let others = (0..self.0.len()).filter(|&i| i != k);
+            others.map(|i| (at - self.0[i].0) / (self.0[k].0 - self.0[i].0)).product()
+        };
+        let sum = (0..self.0.len()).map(|k| self.0[k].1 * weight(k)).sum::<State>();
+        sum.iter().all(|x| x.is_finite()).then_some(sum)
     }
 }
 

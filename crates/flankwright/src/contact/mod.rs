@@ -9,6 +9,7 @@ mod pair;
 mod relative_curvature;
 mod surface;
 mod thread;
+mod working_area;
 
 pub use diagonal::{DiagonalLine, DiagonalRatio, LineMap, PointMap};
 pub use error::ContactError;
@@ -17,3 +18,4 @@ pub use pair::{FlankPair, Pair};
 pub use relative_curvature::RelativeCurvature;
 pub use surface::{SurfaceJet, ToolSurface};
 pub use thread::{ModifiedThread, ThreadFunction, Unmodified};
+pub use working_area::WorkingArea;

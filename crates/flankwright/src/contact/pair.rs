@@ -238,19 +238,27 @@ impl Pair {
     /// Worm and workpiece in a given chain.
     ///
     /// # Errors
-    /// `InternalUnsupported`, `NotMating` (as geometry error), `AxesParallel`, `NoCommonNormal`, `InvalidNumber` for d <= 0.
+    /// `InternalUnsupported`, `NotMating` (as geometry error), `AxesParallel`, `NoCommonNormal`, `InvalidNumber` for d <= 0 and for
+    /// numbers that are not finite.
     pub fn new(worm: Gear, work: Gear, chain: GeneratingChain) -> Result<Self, ContactError> {
         for body in [&worm, &work] {
             if body.data().teeth < 0 {
                 return Err(ContactError::InternalUnsupported { teeth: body.data().teeth });
             }
         }
-        if !(chain.centre_distance > 0.0 && chain.centre_distance.is_finite()) {
-            return Err(ContactError::InvalidNumber {
-                field: "centre_distance",
-                value: chain.centre_distance,
-                allowed: "> 0 mm",
-            });
+        let number = |field, value: f64, good: bool, allowed| {
+            if good { Ok(()) } else { Err(ContactError::InvalidNumber { field, value, allowed }) }
+        };
+        let d = chain.centre_distance;
+        number("centre_distance", d, d.is_finite() && d > 0.0, "> 0 mm")?;
+        for (field, value) in [
+            ("crossed_axes_angle", chain.crossed_axes_angle),
+            ("worm_cone", chain.worm_cone),
+            ("work_cone", chain.work_cone),
+            ("worm_pivot", chain.worm_pivot),
+            ("work_pivot", chain.work_pivot),
+        ] {
+            number(field, value, value.is_finite(), "a finite number")?;
         }
         crate::geometry::check_mating(&worm, &work)?;
         let flanks = Sides::try_from_fn(|flank| FlankPair::new(&worm, &work, &chain, flank))?;
@@ -273,15 +281,22 @@ impl Pair {
         };
         let trial = Self::new(worm, work, chain)?;
         trial.require_common_rack()?;
-        let rack = &trial.flanks.left;
-        let rack_radius = |teeth: f64, beta: f64| teeth * rack.operating_module / (2.0 * beta.cos());
-        let r_w1 = rack_radius(worm.tooth_count(), rack.operating_beta_w1);
-        let r_w2 = rack_radius(work.tooth_count(), rack.operating_beta_w2);
+        let (r_w1, r_w2) = trial.rack_radii();
         chain.work_pivot = pivots(chain.work_cone, r_w2);
         chain.worm_pivot = pivots(chain.worm_cone, r_w1);
         let delta_y = trial.backlash_free_gap(r_w1, r_w2);
         chain.centre_distance = Self::centre_distance_of_gap(&chain, r_w1, r_w2, delta_y);
         Self::new(worm, work, chain)
+    }
+
+    /// Pitch radii (r_w1, r_w2) on the common rack, mm (that of the left flank where the racks differ).
+    pub fn rack_radii(&self) -> (f64, f64) {
+        let rack = &self.flanks.left;
+        let radius = |teeth: f64, beta: f64| teeth * rack.operating_module / (2.0 * beta.cos());
+        (
+            radius(self.worm.tooth_count(), rack.operating_beta_w1),
+            radius(self.work.tooth_count(), rack.operating_beta_w2),
+        )
     }
 
     /// d for a gap delta_y between the pitch planes (spec 20 section 1).

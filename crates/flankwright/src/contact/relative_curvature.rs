@@ -18,14 +18,25 @@ pub struct RelativeCurvature {
 }
 
 impl FlankPair {
+    /// Straight generatrices g_1 of the worm and g_2 of the workpiece at the contact, unit vectors in the room frame; with
+    /// e_r1 and e_r2 they span the common tangent plane (spec 20 section 7).
+    pub fn generatrices(&self) -> [Vector3<f64>; 2] {
+        let s = self.flank().sign();
+        let along = |normal: Vector3<f64>, axis: &Vector3<f64>, b: f64| {
+            let e_t = (normal + axis * (s * b.sin())) / b.cos();
+            e_t * (s * b.sin()) + axis * b.cos()
+        };
+        [
+            along(self.normal, &self.a_1, self.worm.base_helix_angle),
+            along(-self.normal, &self.a_2, self.work.base_helix_angle),
+        ]
+    }
+
     /// Relative curvature where worm roll `w_1` touches workpiece roll `w_2`, at local diagonal ratio `ratio`.
     pub fn relative_curvature(&self, w_1: f64, w_2: f64, ratio: f64) -> RelativeCurvature {
         let s = self.flank().sign();
         let (b_1, b_2) = (self.worm.base_helix_angle, self.work.base_helix_angle);
-        let e_t1 = (self.normal + self.a_1 * (s * b_1.sin())) / b_1.cos();
-        let e_t2 = (-self.normal + self.a_2 * (s * b_2.sin())) / b_2.cos();
-        let g_1 = e_t1 * (s * b_1.sin()) + self.a_1 * b_1.cos();
-        let g_2 = e_t2 * (s * b_2.sin()) + self.a_2 * b_2.cos();
+        let [g_1, g_2] = self.generatrices();
         let step = |dw: f64, dz: f64| {
             self.e_r2 * (w_2 / self.work.base_radius * (dw - s * b_2.tan() * dz)) + g_2 * (dz / b_2.cos())
         };

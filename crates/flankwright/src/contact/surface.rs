@@ -22,7 +22,7 @@ pub struct SurfaceJet {
 
 /// A smooth tool flank with parameters (p, q) (spec 20 section 14): involute thread with a modification, worm as
 /// dressed, spline through measured points.
-pub trait ToolSurface: Sync {
+pub trait ToolSurface: Send + Sync {
     /// Point, normal and derivatives; `None` where the surface does not exist.
     fn jet(&self, p: f64, q: f64) -> Option<SurfaceJet>;
 

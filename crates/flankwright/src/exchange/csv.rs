@@ -43,10 +43,11 @@ pub enum CsvError {
     },
 }
 
-/// A table that grows row by row. Numbers are written with as many digits as it takes to read the same back.
+/// A table that grows row by row; a labelled one begins each row with a word. Numbers are written with as many digits as it takes to read the same back.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CsvTable {
     columns: Vec<Column>,
+    label: bool,
     rows: usize,
     text: String,
 }
@@ -58,7 +59,15 @@ impl CsvTable {
             .iter()
             .map(|c| if c.unit.is_empty() { c.name.to_owned() } else { format!("{}_{}", c.name, c.unit) })
             .collect();
-        Self { columns: columns.to_vec(), rows: 0, text: titles.join(",") + "\n" }
+        Self { columns: columns.to_vec(), label: false, rows: 0, text: titles.join(",") + "\n" }
+    }
+
+    /// A table whose rows begin with a word, under the heading `label`.
+    pub fn labelled(label: &str, columns: &[Column]) -> Self {
+        let mut table = Self::new(columns);
+        table.text.insert_str(0, &format!("{label},"));
+        table.label = true;
+        table
     }
 
     /// Adds a row.
@@ -66,6 +75,14 @@ impl CsvTable {
     /// # Errors
     /// A row of another width or with a value that is not finite; the table stays as it was.
     pub fn push(&mut self, row: &[f64]) -> Result<(), CsvError> {
+        self.push_labelled("", row)
+    }
+
+    /// Adds a row that begins with `label` (a plain word; only in a labelled table).
+    ///
+    /// # Errors
+    /// As [`CsvTable::push`].
+    pub fn push_labelled(&mut self, label: &str, row: &[f64]) -> Result<(), CsvError> {
         if row.len() != self.columns.len() {
             return Err(CsvError::WrongWidth { values: row.len(), columns: self.columns.len() });
         }
@@ -76,8 +93,11 @@ impl CsvTable {
                 value: row[i],
             });
         }
+        if self.label {
+            self.text.push_str(label);
+        }
         for (i, value) in row.iter().enumerate() {
-            let comma = if i == 0 { "" } else { "," };
+            let comma = if i == 0 && !self.label { "" } else { "," };
             // Writing to a text cannot fail.
             let _ = write!(self.text, "{comma}{value}");
         }
@@ -112,5 +132,8 @@ mod tests {
             Err(CsvError::InvalidNumber { column: "share", row: 2, .. })
         ));
         assert_eq!(table.rows(), 1);
+        let mut labelled = CsvTable::labelled("flank", &[Column::new("w", "mm")]);
+        labelled.push_labelled("left", &[2.5]).unwrap();
+        assert_eq!(labelled.text(), "flank,w_mm\nleft,2.5\n");
     }
 }

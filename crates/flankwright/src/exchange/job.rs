@@ -12,6 +12,7 @@ mod machine;
 mod one_or_sides;
 mod output;
 mod process;
+mod settings;
 mod target;
 mod worm;
 
@@ -25,6 +26,7 @@ pub use machine::Machine;
 pub use one_or_sides::OneOrSides;
 pub use output::{Mesh, Output, Program, Table};
 pub use process::{JobInfo, Process};
+pub use settings::{FlankSettings, Settings};
 pub use target::{Modification, Target};
 pub use worm::Worm;
 
@@ -59,6 +61,9 @@ pub struct Job {
     /// What to write beside result and report.
     #[serde(default)]
     pub output: Output,
+    /// Settings of motions and dresser that `simulate` runs; `plan` writes them and does not read them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub settings: Option<Settings>,
 }
 
 impl Job {

@@ -1,6 +1,6 @@
 //! The machined body round the flanks: face width and diameters, and whether they fit the teeth (spec 10 sections 5, 8).
 
-use super::{Flank, Gear, GeometryError, Sides};
+use super::{Flank, Gear, GeometryError, OverBalls, Sides, Span};
 
 /// Face width and diameters at z = 0 of a gear, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -120,6 +120,35 @@ impl Blank {
                     outer: outer.0,
                     outer_value: outer.1,
                 });
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether the balls of a measure touch the usable flanks.
+    ///
+    /// # Errors
+    /// [`GeometryError::ContactOffFlank`], [`GeometryError::RadiusBelowBaseCircle`].
+    pub fn check_balls(&self, gear: &Gear, balls: &OverBalls) -> Result<(), GeometryError> {
+        self.check_contact(gear, &balls.contact_w)
+    }
+
+    /// Whether the faces of a span measure touch the usable flanks.
+    ///
+    /// # Errors
+    /// [`GeometryError::ContactOffFlank`], [`GeometryError::RadiusBelowBaseCircle`].
+    pub fn check_span(&self, gear: &Gear, span: &Span) -> Result<(), GeometryError> {
+        let contact = Sides::try_from_fn(|flank| gear.flank(flank).length_of_roll(span.contact_radius))?;
+        self.check_contact(gear, &contact)
+    }
+
+    fn check_contact(&self, gear: &Gear, contact_w: &Sides<f64>) -> Result<(), GeometryError> {
+        let limits = self.limits(gear)?;
+        for (flank, &w) in contact_w.iter() {
+            let (a, b) = (limits[flank].w_f, limits[flank].w_a);
+            let (w_from, w_to) = (a.min(b), a.max(b));
+            if !(w_from..=w_to).contains(&w) {
+                return Err(GeometryError::ContactOffFlank { flank, w, w_from, w_to });
             }
         }
         Ok(())

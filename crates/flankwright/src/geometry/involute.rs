@@ -104,6 +104,16 @@ impl InvoluteFlank {
         self.base_helix_angle.cos() / (w * self.external_sign)
     }
 
+    /// Both principal curvatures, 1/mm: along e_r and along the straight generatrix g.
+    pub fn principal_curvatures(&self, w: f64) -> [f64; 2] {
+        [self.curvature(w), 0.0]
+    }
+
+    /// Roll angle xi = w/r_b, rad.
+    pub fn roll_angle(&self, w: f64) -> f64 {
+        w / self.base_radius
+    }
+
     /// Length of roll at radius r, mm.
     ///
     /// # Errors

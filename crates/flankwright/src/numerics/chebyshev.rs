@@ -46,6 +46,11 @@ impl Chebyshev {
         Ok(Self::interpolate(a, b, &values))
     }
 
+    /// sum c_j T_j on `[a, b]`.
+    pub fn from_coefficients(a: f64, b: f64, coefficients: Vec<f64>) -> Self {
+        Self { a, b, coefficients }
+    }
+
     /// The constant function `value` on `[a, b]`.
     pub fn constant(a: f64, b: f64, value: f64) -> Self {
         Self { a, b, coefficients: vec![value] }

@@ -1,5 +1,19 @@
-//! Plan, simulate and verify: the only room where processes, referee and reports meet; what command, server and Python call.
+//! Plan, simulate and verify: the only room where processes, referee and reports meet; what command, server and Python
+//! call. Knows every layer below, and no user interface.
 
+mod execution;
+mod page;
 mod prepare;
+mod referee;
+mod result;
+mod run;
+mod tables;
+pub mod verify;
+mod write;
 
-pub use prepare::{Prepared, prepare};
+pub use execution::{ExecutedFlank, Execution};
+pub use prepare::{Prepared, Remark, blank_of_job, gear_of_job, prepare, setup_of_job};
+pub use referee::{StageReport, Verdict};
+pub use result::{CandidateResult, CharacteristicsUm, FlankResult, JobResult, SettingsResult, Status};
+pub use run::{Outcome, RunFailure, plan_job, simulate_job};
+pub use write::{WriteError, write_outcome};

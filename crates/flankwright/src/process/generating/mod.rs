@@ -15,7 +15,7 @@ mod target;
 mod worm_function;
 
 pub use decomposition::{Decomposition, decompose_diagonal, decompose_radial, radial_residual};
-pub use dressed::{DressedFlank, dress_flank};
+pub use dressed::{DressedFlank, dress_flank, dresser_of_plan, dressing_interval};
 pub use error::GeneratingError;
 pub use lines::FlankLines;
 pub use motion::{common_motion, motion_of_flanks};

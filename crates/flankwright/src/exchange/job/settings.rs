@@ -1,0 +1,64 @@
+//! `[settings]`: what the axes do and what profile the dresser has. `plan` writes it, `simulate` runs it.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Settings of grinding and dressing.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Settings {
+    /// Diagonal ratio K of z_V1 = K z_V2 + z_V01; 0 = no shift.
+    #[schemars(extend("minimum" = -1000, "maximum" = 1000, "x-way-out" = "give a ratio of a few units"))]
+    pub diagonal_ratio: f64,
+    /// z_V01, mm: tool shift at z_V2 = 0.
+    #[serde(default)]
+    #[schemars(extend("minimum" = -5000, "maximum" = 5000, "x-way-out" = "give the tool shift at mid stroke in mm"))]
+    pub shift_origin_mm: f64,
+    /// Coefficients of Delta_d over z_V2, um/mm^k, k = 0, 1, ...
+    #[serde(default)]
+    #[schemars(extend("maxItems" = 20))]
+    pub delta_d_um: Vec<f64>,
+    /// Coefficients of Delta_phi_2 over z_V2, urad/mm^k, k = 0, 1, ...
+    #[serde(default)]
+    #[schemars(extend("maxItems" = 20))]
+    pub delta_phi_2_urad: Vec<f64>,
+    /// Dressing of the left worm flank; absent: nominal.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub left: Option<FlankSettings>,
+    /// Dressing of the right worm flank; absent: nominal.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub right: Option<FlankSettings>,
+}
+
+/// Dressing of one worm flank: corrections DK(v) as Chebyshev series of the worm position v_zS, and the dresser's profile.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FlankSettings {
+    /// First worm position v_zS of the series, mm.
+    #[schemars(extend("minimum" = -5000, "maximum" = 5000, "x-way-out" = "give the start of the dressing stroke in mm"))]
+    pub v_from_mm: f64,
+    /// Last worm position v_zS of the series, mm.
+    #[schemars(extend("minimum" = -5000, "maximum" = 5000, "x-way-out" = "give the end of the dressing stroke in mm"))]
+    pub v_to_mm: f64,
+    /// Chebyshev coefficients of d_phi_S, deg.
+    #[serde(default, rename = "d_phi_S_deg")]
+    #[schemars(extend("maxItems" = 200))]
+    pub d_phi_s_deg: Vec<f64>,
+    /// Chebyshev coefficients of d_gamma, deg.
+    #[serde(default)]
+    #[schemars(extend("maxItems" = 200))]
+    pub d_gamma_deg: Vec<f64>,
+    /// Chebyshev coefficients of d_d, mm.
+    #[serde(default)]
+    #[schemars(extend("maxItems" = 200))]
+    pub d_d_mm: Vec<f64>,
+    /// Chebyshev coefficients of d_v_yA, mm.
+    #[serde(default, rename = "d_v_yA_mm")]
+    #[schemars(extend("maxItems" = 200))]
+    pub d_v_ya_mm: Vec<f64>,
+    /// Profile that the dresser leaves on the gear: coefficients of (w - w_m)^k, um/mm^k, transverse, > 0 material left.
+    /// Reliefs and other profile forms of the target stay in the dresser beside it.
+    #[serde(default)]
+    #[schemars(extend("maxItems" = 50))]
+    pub profile_um: Vec<f64>,
+}

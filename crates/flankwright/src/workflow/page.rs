@@ -1,0 +1,354 @@
+//! Fills the report of a run. Timing stays out of it, so that the same job gives the same bytes.
+
+use super::result::{CharacteristicsUm, FlankResult, Status};
+use super::run::{Outcome, ratio_reason};
+use super::tables::steps;
+use crate::exchange::job::{Job, Modification as Spec};
+use crate::geometry::{Flank, Sides};
+use crate::report::charts::{ChartError, SectionTrace, Topography};
+use crate::report::generating::{
+    Characteristics, ConvergenceRound, DressingMotion, FlankReport, GeneratingReport, GrindingMotion,
+    OutsideTerm, RatioCandidate, RatioChoice, Reason, RefereeStage, TargetAmount, Verification, WrittenFile,
+};
+use crate::report::{Quantity, Status as Banner, Warning, html};
+
+/// Points of the motion charts.
+const CHART_POINTS: usize = 121;
+
+fn characteristics(c: &CharacteristicsUm) -> Characteristics {
+    Characteristics {
+        helix_crowning_um: Some(c.helix_crowning_um),
+        profile_crowning_um: Some(c.profile_crowning_um),
+        helix_slope_um: Some(c.helix_slope_um),
+        profile_slope_um: Some(c.profile_slope_um),
+        twist_corner_um: Some(c.twist_corner_um),
+        twist_corner_normal_um: Some(c.twist_corner_normal_um),
+        twist_fit_um: Some(c.twist_fit_um),
+        twist_fit_normal_um: Some(c.twist_fit_normal_um),
+    }
+}
+
+/// The amount of a target entry as the job has it, where its kind has one.
+fn target_amounts(job: &Job, flank: Flank) -> Vec<TargetAmount> {
+    let named = |kind: &str| {
+        job.target.modifications.iter().flatten().any(|s| s.kind() == kind && s.flank().includes(flank))
+    };
+    let entries = job.target.modifications.iter().flatten().filter(|spec| spec.flank().includes(flank));
+    entries
+        .map(|spec: &Spec| {
+            let keys = serde_json::to_value(spec).unwrap_or_default();
+            let amount_um = keys.get("amount_um").and_then(serde_json::Value::as_f64).unwrap_or(0.0);
+            let detail = keys
+                .as_object()
+                .into_iter()
+                .flatten()
+                .filter(|(key, value)| {
+                    !["kind", "amount_um", "flank", "terms", "f_um", "points"].contains(&key.as_str())
+                        && !value.is_null()
+                })
+                .map(|(key, value)| format!("{key} = {value}"))
+                .collect::<Vec<_>>()
+                .join(", ");
+            TargetAmount { name: spec.kind().replace('_', " "), amount_um, detail }
+        })
+        .chain((!named("twist") && job.target.file.is_none()).then(|| TargetAmount {
+            name: "twist".into(),
+            amount_um: 0.0,
+            detail: "no entry: zero twist is wanted".into(),
+        }))
+        .collect()
+}
+
+/// Sections at the ends and in the middle, each with its own characteristic values.
+fn traces(simulated: &Topography, target: &Topography) -> (Vec<SectionTrace>, Vec<SectionTrace>) {
+    let thirds = |n: usize| [0, n / 2, n - 1];
+    let values = |trace: &mut SectionTrace, crowning: &str, slope: &str| {
+        let (c, s) = trace_values(&trace.coordinate_mm, &trace.simulated_um);
+        trace.values_um = vec![(crowning.to_string(), c), (slope.to_string(), s)];
+    };
+    let profiles = thirds(simulated.z_mm().len()).map(|j| {
+        let mut trace = SectionTrace::profile(simulated, Some(target), j);
+        values(&mut trace, "C_α n", "C_Hα n");
+        trace
+    });
+    let helices = thirds(simulated.w_mm().len()).map(|i| {
+        let mut trace = SectionTrace::helix(simulated, Some(target), i);
+        values(&mut trace, "C_β n", "C_Hβ n");
+        trace
+    });
+    (profiles.to_vec(), helices.to_vec())
+}
+
+/// Crowning and slope of one trace by least squares of {1, x, x^2} over x in [-1, 1]; positive = material removed.
+fn trace_values(x: &[f64], f: &[f64]) -> (f64, f64) {
+    let (a, b) = (x[0], x[x.len() - 1]);
+    let n = x.len() as f64;
+    let t: Vec<f64> = x.iter().map(|x| (2.0 * x - a - b) / (b - a)).collect();
+    // Orthogonal polynomials on the given abscissae: 1, t - t0, t^2 - p t - q.
+    let mean = |g: &dyn Fn(usize) -> f64| (0..t.len()).map(g).sum::<f64>() / n;
+    let t0 = mean(&|i| t[i]);
+    let l = |i: usize| t[i] - t0;
+    let l2 = mean(&|i| l(i) * l(i));
+    let p = mean(&|i| t[i] * t[i] * l(i)) / l2;
+    let q = mean(&|i| t[i] * t[i]);
+    let quadratic = |i: usize| t[i] * t[i] - q - p * l(i);
+    let c2 = mean(&|i| f[i] * quadratic(i)) / mean(&|i| quadratic(i) * quadratic(i));
+    let c1 = mean(&|i| f[i] * l(i)) / l2 - c2 * p;
+    (-c2, -2.0 * c1)
+}
+
+fn flank_report(
+    job: &Job,
+    flank: Flank,
+    f: &FlankResult,
+    planned: &CharacteristicsUm,
+) -> Result<FlankReport, ChartError> {
+    let map = |rows: &Vec<Vec<f64>>| Topography::new(f.w_mm.clone(), f.z_mm.clone(), rows.clone());
+    let (target, simulated) = (map(&f.target_um)?, map(&f.simulated_um)?);
+    let (profiles, helices) = traces(&simulated, &target);
+    let outside = if f.outside_class_um > 0.0 {
+        vec![OutsideTerm {
+            name: "parts outside the producible class (transverse)".into(),
+            wanted_um: f.outside_class_um,
+            residual_um: f.outside_class_um,
+        }]
+    } else {
+        Vec::new()
+    };
+    Ok(FlankReport {
+        amounts: target_amounts(job, flank),
+        target,
+        planned: Some(map(&f.planned_um)?),
+        simulated: Some(simulated),
+        target_values: characteristics(&f.target_characteristics),
+        planned_values: Some(characteristics(planned)),
+        simulated_values: Some(characteristics(&f.simulated_characteristics)),
+        max_deviation_um: Some(f.max_deviation_um),
+        rms_deviation_um: Some(f.rms_deviation_um),
+        model_difference_um: Some(f.model_difference_um),
+        outside,
+        profiles,
+        helices,
+    })
+}
+
+fn gear_quantities(outcome: &Outcome) -> Vec<Quantity> {
+    let setup = &outcome.prepared.setup;
+    let (gear, blank) = (&setup.input.gear, &setup.input.blank);
+    let d = gear.data();
+    let (l, r) = (gear.flank(Flank::Left), gear.flank(Flank::Right));
+    vec![
+        Quantity::count("number of teeth", "z", i64::from(d.teeth)),
+        Quantity::number("normal module", "m_n", d.normal_module, "mm"),
+        Quantity::per_flank(
+            "normal pressure angle",
+            "α_n",
+            d.pressure_angle.left.to_degrees(),
+            d.pressure_angle.right.to_degrees(),
+            "deg",
+        ),
+        Quantity::number("helix angle", "β", d.helix_angle.to_degrees(), "deg"),
+        Quantity::number("profile shift coefficient", "x", d.profile_shift, ""),
+        Quantity::number("face width", "b", blank.face_width, "mm"),
+        Quantity::number("tip diameter", "d_a", blank.tip_diameter, "mm"),
+        Quantity::number("root form diameter", "d_Ff", blank.form_diameter, "mm"),
+        Quantity::number("root diameter", "d_f", blank.root_diameter, "mm"),
+        Quantity::per_flank("base diameter", "d_b", 2.0 * l.base_radius, 2.0 * r.base_radius, "mm"),
+        Quantity::per_flank(
+            "base helix angle",
+            "β_b",
+            l.base_helix_angle.to_degrees(),
+            r.base_helix_angle.to_degrees(),
+            "deg",
+        ),
+    ]
+}
+
+fn tool_quantities(outcome: &Outcome, job: &Job) -> (Vec<Quantity>, Vec<Quantity>) {
+    let setup = &outcome.prepared.setup;
+    let worm = &setup.pair.worm;
+    let mut of_worm = vec![
+        Quantity::count("number of threads", "z_S", i64::from(worm.data().teeth)),
+        Quantity::text("hand", if worm.data().helix_angle > 0.0 { "right" } else { "left" }),
+        Quantity::number("normal module", "m_nS", worm.data().normal_module, "mm"),
+        Quantity::number("pitch diameter", "d_S", 2.0 * setup.worm_pitch_radius, "mm"),
+        Quantity::number("tip diameter", "d_aS", 2.0 * setup.worm_tip_radius, "mm"),
+        Quantity::number("root diameter", "d_fS", 2.0 * setup.worm_root_radius, "mm"),
+        Quantity::number("lead angle", "γ", 90.0 - worm.data().helix_angle.to_degrees().abs(), "deg"),
+        Quantity::number("worm length used", "", outcome.result.settings.worm_length_mm, "mm"),
+    ];
+    of_worm.extend(job.worm.width.map(|w| Quantity::number("worm width", "", w, "mm")));
+    let chain = &setup.dresser.chain;
+    let of_dresser = vec![
+        Quantity::number("tip diameter", "d_aA", setup.input.dresser_tip_diameter, "mm"),
+        Quantity::number("nominal centre distance", "d_A0", chain.centre_distance, "mm"),
+        Quantity::number("nominal crossing angle", "γ_A0", chain.crossing_angle.to_degrees(), "deg"),
+        Quantity::text(
+            "profile",
+            if outcome.execution.tool.flanks.left.profile.offset().is_some()
+                || outcome.execution.tool.flanks.right.profile.offset().is_some()
+            {
+                "conjugate to the worm, with the profile modifications of the target"
+            } else {
+                "conjugate to the unmodified worm"
+            },
+        ),
+    ];
+    (of_worm, of_dresser)
+}
+
+fn settings_quantities(outcome: &Outcome) -> Vec<Quantity> {
+    let s = &outcome.result.settings;
+    let mut list = vec![
+        Quantity::number("centre distance", "d", s.centre_distance_mm, "mm"),
+        Quantity::number("crossed-axes angle", "γ", s.crossed_axes_angle_deg, "deg"),
+        Quantity::number("diagonal ratio", "K", s.settings.diagonal_ratio, ""),
+        Quantity::number("tool shift at z_V2 = 0", "z_V01", s.settings.shift_origin_mm, "mm"),
+        Quantity::number("feed stroke from", "z_V2", s.feed_stroke_mm[0], "mm"),
+        Quantity::number("feed stroke to", "z_V2", s.feed_stroke_mm[1], "mm"),
+    ];
+    if let Some(stars) = s.lead_correction_ratio {
+        if let (Some(l), Some(r)) = (stars.left, stars.right) {
+            list.push(Quantity::per_flank("lead-correction ratio", "K*", l, r, ""));
+        }
+    }
+    if let Some(place) = s.profile_crowning_by {
+        list.push(Quantity::text("profile crowning made by", place));
+    }
+    list
+}
+
+fn grinding_motion(outcome: &Outcome) -> GrindingMotion {
+    let motion = &outcome.execution.motion;
+    let feeds: Vec<f64> = steps(outcome.execution.feed_range, CHART_POINTS).collect();
+    GrindingMotion {
+        z_v1_mm: feeds.iter().map(|&v| motion.shift.value(v)).collect(),
+        delta_d_um: feeds.iter().map(|&v| motion.delta_d.value(v) * 1e3).collect(),
+        delta_phi_2_urad: feeds.iter().map(|&v| motion.delta_phi_2.value(v) * 1e6).collect(),
+        z_v2_mm: feeds,
+    }
+}
+
+fn dressing_motion(outcome: &Outcome, flank: Flank) -> Option<DressingMotion> {
+    let executed = outcome.execution.flanks[flank].as_ref()?;
+    let motion = executed.dressing(&outcome.execution.tool);
+    let (from, to) = executed.corrections[0].interval();
+    let v: Vec<f64> = steps([from, to], CHART_POINTS).collect();
+    let component = |j: usize, unit: f64| v.iter().map(|&v| motion.correction_at(v)[j] * unit).collect();
+    let deg = 180.0 / std::f64::consts::PI;
+    Some(DressingMotion {
+        d_phi_s_deg: component(0, deg),
+        d_gamma_deg: component(1, deg),
+        d_d_mm: component(2, 1.0),
+        d_v_ya_mm: component(3, 1.0),
+        v_zs_mm: v,
+    })
+}
+
+fn verification(outcome: &Outcome) -> Verification {
+    let mut stages = Vec::new();
+    for (flank, verdict) in outcome.verdicts.iter() {
+        let Some(v) = verdict else { continue };
+        for (name, stage) in [("dresser against worm", &v.dressing), ("worm against workpiece", &v.grinding)]
+        {
+            stages.push(RefereeStage {
+                name: format!("{flank} flank: {name}"),
+                rays: stage.statistics.rays,
+                poses: stage.statistics.poses,
+                discretisation_um: stage.error_um,
+            });
+        }
+    }
+    Verification {
+        paragraphs: vec![
+            "The planned flank is the exact contact of the worm as dressed with the workpiece, solved point by point."
+                .into(),
+            "The simulated flank comes from a second calculation that shares no formula with the first: normal rays of the \
+             worm are shortened by the dresser over the real dressing motion, a smooth surface through their ends is the \
+             worm, and normal rays of the workpiece are shortened by that worm over the real grinding motion. Only the \
+             shapes, the chain of axes and the motions are common to both."
+                .into(),
+        ],
+        stages,
+    }
+}
+
+/// The report of a run as a self-contained HTML page.
+///
+/// # Errors
+/// A number that is not finite.
+pub fn html_page(
+    job: &Job,
+    outcome: &Outcome,
+    files: &[(String, &'static str)],
+) -> Result<String, ChartError> {
+    let result = &outcome.result;
+    let flanks = Sides::try_from_fn(|flank| -> Result<_, ChartError> {
+        let (Some(f), Some(executed)) = (result.flanks.get(flank.name()), &outcome.execution.flanks[flank])
+        else {
+            return Ok(None);
+        };
+        let cos_b = outcome.prepared.setup.lines[flank].cos_b2;
+        Ok(Some(flank_report(job, flank, f, &CharacteristicsUm::of(&executed.planned, cos_b))?))
+    })?;
+    let rounds = result.ideal_error_by_round_um.left.len().max(result.ideal_error_by_round_um.right.len());
+    let (worm, dresser) = tool_quantities(outcome, job);
+    let report = GeneratingReport {
+        job_name: result.job.clone(),
+        description: job.job.description.clone(),
+        process: "Generating grinding".into(),
+        version: result.version.into(),
+        status: match result.status {
+            Status::Met => Banner::Met,
+            Status::Missed => Banner::Missed,
+        },
+        reason: result.reason.as_ref().map(|r| Reason {
+            code: r.code.into(),
+            cause: r.text.clone(),
+            way_out: r.way_out.clone(),
+        }),
+        tolerance_um: result.tolerance_um,
+        flanks,
+        gear: gear_quantities(outcome),
+        worm,
+        dresser,
+        settings: settings_quantities(outcome),
+        ratio: outcome.plan.as_ref().map(|plan| RatioChoice {
+            chosen: Some(plan.choice.ratio),
+            reason: ratio_reason(plan.choice.reason).into(),
+            candidates: result
+                .settings
+                .candidates
+                .iter()
+                .map(|c| RatioCandidate {
+                    ratio: c.diagonal_ratio,
+                    place: c.profile_crowning_by.into(),
+                    score: Some(c.score),
+                    occupation_mm: Some(c.worm_occupation_mm),
+                    error_um: Some(c.ideal_error_um),
+                    note: c.refused.clone().unwrap_or_default(),
+                })
+                .collect(),
+        }),
+        grinding_motion: Some(grinding_motion(outcome)),
+        dressing: Sides::from_fn(|flank| dressing_motion(outcome, flank)),
+        warnings: result
+            .warnings
+            .iter()
+            .map(|w| Warning { text: w.text.clone(), way_out: w.way_out.clone() })
+            .collect(),
+        verification: Some(verification(outcome)),
+        convergence: (0..rounds)
+            .map(|k| ConvergenceRound {
+                round: k as u32,
+                error_um: result.ideal_error_by_round_um.map(|_, e| e.get(k).copied()),
+            })
+            .collect(),
+        timing: Vec::new(),
+        files: files
+            .iter()
+            .map(|(path, content)| WrittenFile { path: path.clone(), content: (*content).into() })
+            .collect(),
+    };
+    Ok(html::render(&report.to_page()?))
+}

@@ -1,0 +1,169 @@
+//! `result.json`: what a plan or a simulation came to, with units in the key names (spec 90 section 3).
+
+use super::prepare::Remark;
+use crate::exchange::job::Settings;
+use crate::geometry::Sides;
+use crate::metrology::{Characteristics, Topography};
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// Whether the target is met.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Status {
+    /// Within the tolerance.
+    Met,
+    /// Done, but outside the tolerance.
+    Missed,
+}
+
+/// Characteristics in micrometres, transverse unless the key says `normal`; > 0 material removed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct CharacteristicsUm {
+    /// C_beta.
+    pub helix_crowning_um: f64,
+    /// C_alpha.
+    pub profile_crowning_um: f64,
+    /// C_Hbeta: > 0 removes at face II.
+    pub helix_slope_um: f64,
+    /// C_Halpha: > 0 removes at the tip.
+    pub profile_slope_um: f64,
+    /// Twist S from the corners.
+    pub twist_corner_um: f64,
+    /// The same, normal.
+    pub twist_corner_normal_um: f64,
+    /// Twist S from the bilinear term.
+    pub twist_fit_um: f64,
+    /// The same, normal.
+    pub twist_fit_normal_um: f64,
+}
+
+impl CharacteristicsUm {
+    /// Of a topography of normal values.
+    pub fn of(topography: &Topography, cos_b: f64) -> Self {
+        let c = Characteristics::of(topography, cos_b);
+        Self {
+            helix_crowning_um: c.helix_crowning * 1e3,
+            profile_crowning_um: c.profile_crowning * 1e3,
+            helix_slope_um: c.helix_slope * 1e3,
+            profile_slope_um: c.profile_slope * 1e3,
+            twist_corner_um: c.twist_corner * 1e3,
+            twist_corner_normal_um: c.twist_corner * 1e3 * cos_b,
+            twist_fit_um: c.twist_fit * 1e3,
+            twist_fit_normal_um: c.twist_fit * 1e3 * cos_b,
+        }
+    }
+}
+
+/// One flank.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FlankResult {
+    /// Lengths of roll of the grid.
+    pub w_mm: Vec<f64>,
+    /// Axial positions of the grid.
+    pub z_mm: Vec<f64>,
+    /// Target, normal, `[profile][helix]`.
+    pub target_um: Vec<Vec<f64>>,
+    /// Exact contact with the worm as dressed, normal.
+    pub planned_um: Vec<Vec<f64>>,
+    /// What the referee's rays left, normal.
+    pub simulated_um: Vec<Vec<f64>>,
+    /// Largest |simulated - target|.
+    pub max_deviation_um: f64,
+    /// Root mean square of simulated - target.
+    pub rms_deviation_um: f64,
+    /// Largest |planned - simulated|.
+    pub model_difference_um: f64,
+    /// Bound of the referee's own error.
+    pub referee_error_um: f64,
+    /// Characteristics of the target.
+    pub target_characteristics: CharacteristicsUm,
+    /// Characteristics of the simulated flank.
+    pub simulated_characteristics: CharacteristicsUm,
+    /// Largest part of the target outside the producible class, transverse.
+    pub outside_class_um: f64,
+    /// Least det J / det J_0.
+    pub least_determinant_ratio: f64,
+}
+
+/// One candidate of the diagonal ratio.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CandidateResult {
+    /// K.
+    pub diagonal_ratio: f64,
+    /// Place of the profile crowning.
+    pub profile_crowning_by: &'static str,
+    /// Largest share of an axis limit.
+    pub score: f64,
+    /// Worm length used.
+    pub worm_occupation_mm: f64,
+    /// Largest error of the ideal worm.
+    pub ideal_error_um: f64,
+    /// Why it is not allowed, if so.
+    pub refused: Option<String>,
+}
+
+/// Settings, with how the diagonal ratio was found.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SettingsResult {
+    /// The settings that `simulate` takes.
+    #[serde(flatten)]
+    pub settings: Settings,
+    /// Why this diagonal ratio; absent for a simulation.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub diagonal_ratio_reason: Option<String>,
+    /// Ratio at which the worm needs no part linear in w, per flank.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lead_correction_ratio: Option<Sides<Option<f64>>>,
+    /// Place of the profile crowning.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub profile_crowning_by: Option<&'static str>,
+    /// Candidates judged.
+    pub candidates: Vec<CandidateResult>,
+    /// Centre distance of worm and workpiece.
+    pub centre_distance_mm: f64,
+    /// Crossed-axes angle of worm and workpiece.
+    pub crossed_axes_angle_deg: f64,
+    /// Feed stroke z_V2, overrun included.
+    pub feed_stroke_mm: [f64; 2],
+    /// Part of the worm that is used, z_1.
+    pub worm_occupation_mm: [f64; 2],
+    /// Length of that part.
+    pub worm_length_mm: f64,
+    /// Pitch diameter of the worm.
+    pub worm_pitch_diameter_mm: f64,
+    /// Root diameter of the worm.
+    pub worm_root_diameter_mm: f64,
+    /// Nominal centre distance of dresser and worm.
+    pub dressing_centre_distance_mm: f64,
+    /// Nominal crossing angle of dresser and worm.
+    pub dressing_crossing_angle_deg: f64,
+}
+
+/// The whole document.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct JobResult {
+    /// Name of the job.
+    pub job: String,
+    /// Process.
+    pub process: String,
+    /// Version of flankwright.
+    pub version: &'static str,
+    /// Verdict.
+    pub status: Status,
+    /// Tolerance of the job.
+    pub tolerance_um: f64,
+    /// Why the target is missed, if it is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reason: Option<Remark>,
+    /// Warnings.
+    pub warnings: Vec<Remark>,
+    /// Settings.
+    pub settings: SettingsResult,
+    /// Flanks that are ground.
+    pub flanks: BTreeMap<&'static str, FlankResult>,
+    /// Largest error of the ideal worm by round of precompensation, per flank.
+    pub ideal_error_by_round_um: Sides<Vec<f64>>,
+    /// Seconds per stage; the only part that differs between two runs.
+    pub timing_s: BTreeMap<&'static str, f64>,
+}

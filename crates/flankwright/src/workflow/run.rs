@@ -1,0 +1,306 @@
+//! `plan` and `simulate`: from a checked job to result, tables and report.
+
+use super::execution::Execution;
+use super::prepare::{Prepared, Remark, generating_finding, prepare};
+use super::referee::{self, Verdict};
+use super::result::{CandidateResult, CharacteristicsUm, FlankResult, JobResult, SettingsResult, Status};
+use crate::exchange::job::{Job, Method};
+use crate::exchange::{Diagnostic, LoadedJob, Problem};
+use crate::geometry::{Flank, Sides};
+use crate::numerics::Progress;
+use crate::process::generating::{GeneratingError, GrindingPlan, RatioReason, natural_twist};
+use crate::removal::GrindingMode;
+use std::collections::BTreeMap;
+use std::time::Instant;
+
+/// Why a job has no result.
+#[derive(Clone, Debug)]
+pub enum RunFailure {
+    /// The input itself is wrong (exit 2).
+    BadInput(Diagnostic),
+    /// These bodies cannot make the target (exit 4).
+    NotProducible(Diagnostic),
+}
+
+/// Everything that a run produces.
+pub struct Outcome {
+    /// The document of `result.json`.
+    pub result: JobResult,
+    /// Bodies and targets.
+    pub prepared: Prepared,
+    /// Motions and flanks.
+    pub execution: Execution,
+    /// The plan, unless the settings stood in the job.
+    pub plan: Option<GrindingPlan>,
+    /// What the referee found.
+    pub verdicts: Sides<Option<Verdict>>,
+}
+
+fn failure(error: &GeneratingError) -> RunFailure {
+    let finding = generating_finding(error);
+    if error.is_bad_input() { RunFailure::BadInput(finding) } else { RunFailure::NotProducible(finding) }
+}
+
+fn prepared(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
+    let ready = prepare(loaded).map_err(|(finding, bad)| {
+        if bad { RunFailure::BadInput(finding) } else { RunFailure::NotProducible(finding) }
+    })?;
+    supported(&loaded.job)?;
+    Ok(ready)
+}
+
+/// Parts of the job format that this process does not carry out yet are refused, never ignored.
+fn supported(job: &Job) -> Result<(), RunFailure> {
+    let refuse = |field: &str, what: &str, way_out: &str| {
+        let finding =
+            Diagnostic::new(Problem::NotYetSupported, format!("{what} is not carried out by this version"))
+                .field(field)
+                .way_out(way_out);
+        Err(RunFailure::BadInput(finding))
+    };
+    if job.gear.cone_angle_deg != 0.0 {
+        return refuse(
+            "gear.cone_angle_deg",
+            "planning for a conical gear",
+            "plan for a cylindrical gear (`check` works for conical ones)",
+        );
+    }
+    if job.worm.cone_angle_deg != 0.0 {
+        return refuse("worm.cone_angle_deg", "planning with a conical worm", "use a cylindrical worm");
+    }
+    if job.dressing.flanks == crate::exchange::job::DressingFlanks::Two {
+        return refuse(
+            "dressing.flanks",
+            "dressing both flanks at once",
+            "dress one flank after the other (\"one\")",
+        );
+    }
+    let rows = crate::exchange::job::Dressing::default();
+    if job.dressing.conditions != rows.conditions || !job.dressing.fixed().is_empty() {
+        return refuse(
+            "dressing.conditions",
+            "another set of dressing conditions than [\"three-point\", \"radius-map\"]",
+            "leave dressing.conditions and dressing.degrees_of_freedom out",
+        );
+    }
+    if job.machine.is_some() {
+        return refuse(
+            "machine",
+            "a machine description",
+            "leave [machine] out; the default axis limits hold",
+        );
+    }
+    Ok(())
+}
+
+/// Plans a job and has the plan refereed.
+///
+/// # Errors
+/// [`RunFailure`]. A target missed within its tolerance is no error: the status says so.
+pub fn plan_job(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Outcome, RunFailure> {
+    let begun = Instant::now();
+    let ready = prepared(loaded)?;
+    let prepared_at = begun.elapsed().as_secs_f64();
+    let planning = Instant::now();
+    let plan = ready.task(&loaded.job).plan().map_err(|e| failure(&e))?;
+    let planned_in = planning.elapsed().as_secs_f64();
+    let execution = Execution::of_plan(&loaded.job, &plan);
+    let timing = BTreeMap::from([("prepare", prepared_at), ("plan", planned_in)]);
+    finish(loaded, ready, execution, Some(plan), timing, progress)
+}
+
+/// Runs the settings that stand in the job.
+///
+/// # Errors
+/// [`RunFailure`], among them a job without `[settings]`.
+pub fn simulate_job(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Outcome, RunFailure> {
+    let begun = Instant::now();
+    let ready = prepared(loaded)?;
+    let Some(settings) = &loaded.job.settings else {
+        let finding = Diagnostic::new(Problem::MissingKey, "the job has no settings to simulate")
+            .field("settings")
+            .way_out("plan the job first: `flankwright plan` writes settings.json, which `simulate` takes");
+        return Err(RunFailure::BadInput(finding));
+    };
+    let execution = Execution::of_settings(&loaded.job, &ready, settings).map_err(|e| failure(&e))?;
+    let timing = BTreeMap::from([("prepare", begun.elapsed().as_secs_f64())]);
+    finish(loaded, ready, execution, None, timing, progress)
+}
+
+fn finish(
+    loaded: &LoadedJob,
+    prepared: Prepared,
+    execution: Execution,
+    plan: Option<GrindingPlan>,
+    mut timing: BTreeMap<&'static str, f64>,
+    progress: &dyn Progress,
+) -> Result<Outcome, RunFailure> {
+    let job = &loaded.job;
+    let refereeing = Instant::now();
+    let verdicts =
+        referee::run(&prepared.setup, &execution, GrindingMode::Continuous, progress).map_err(|e| {
+            let finding = Diagnostic::with_code(e.code(), e.to_string())
+                .field("grinding")
+                .way_out(e.way_out().to_string());
+            RunFailure::NotProducible(finding)
+        })?;
+    timing.insert("referee", refereeing.elapsed().as_secs_f64());
+    let mut warnings = prepared.warnings.clone();
+    warnings.extend(execution.warnings.iter().cloned());
+    warnings.extend(output_warnings(job));
+    let tolerance = job.target.tolerance_um;
+    let mut flanks = BTreeMap::new();
+    for flank in Flank::BOTH {
+        let (Some(executed), Some(verdict)) = (&execution.flanks[flank], &verdicts[flank]) else { continue };
+        let cos_b = prepared.setup.lines[flank].cos_b2;
+        let deviation = verdict.simulated.minus(&executed.target);
+        flanks.insert(
+            flank.name(),
+            FlankResult {
+                w_mm: executed.target.w.clone(),
+                z_mm: executed.target.z.clone(),
+                target_um: executed.target.rows_um(),
+                planned_um: executed.planned.rows_um(),
+                simulated_um: verdict.simulated.rows_um(),
+                max_deviation_um: deviation.largest() * 1e3,
+                rms_deviation_um: deviation.rms() * 1e3,
+                model_difference_um: executed.planned.minus(&verdict.simulated).largest() * 1e3,
+                referee_error_um: verdict.grinding.error_um,
+                target_characteristics: CharacteristicsUm::of(&executed.target, cos_b),
+                simulated_characteristics: CharacteristicsUm::of(&verdict.simulated, cos_b),
+                outside_class_um: prepared.targets[flank].as_ref().map_or(0.0, |t| t.outside * 1e3),
+                least_determinant_ratio: executed.determinant,
+            },
+        );
+    }
+    let worst = flanks.values().map(|f| f.max_deviation_um).fold(0.0, f64::max);
+    let status = if worst <= tolerance { Status::Met } else { Status::Missed };
+    let reason = (status == Status::Missed).then(|| missed(job, &prepared, &flanks, worst, tolerance));
+    let setup = &prepared.setup;
+    let candidates = plan.iter().flat_map(|p| &p.choice.candidates);
+    let result = JobResult {
+        job: job.job.name.clone(),
+        process: job.job.process.name().to_string(),
+        version: env!("CARGO_PKG_VERSION"),
+        status,
+        tolerance_um: tolerance,
+        reason,
+        warnings,
+        settings: SettingsResult {
+            settings: execution.settings(),
+            diagonal_ratio_reason: plan.as_ref().map(|p| ratio_reason(p.choice.reason).to_string()),
+            lead_correction_ratio: plan.as_ref().map(|p| p.choice.lead_correction),
+            profile_crowning_by: plan.as_ref().map(|p| p.choice.place.name()),
+            candidates: candidates
+                .map(|c| CandidateResult {
+                    diagonal_ratio: c.ratio,
+                    profile_crowning_by: c.place.name(),
+                    score: c.score(),
+                    worm_occupation_mm: c.occupation,
+                    ideal_error_um: c.error * 1e3,
+                    refused: c.refusal.as_ref().map(ToString::to_string),
+                })
+                .collect(),
+            centre_distance_mm: setup.pair.chain.centre_distance,
+            crossed_axes_angle_deg: setup.pair.chain.crossed_axes_angle.to_degrees(),
+            feed_stroke_mm: execution.feed_range,
+            worm_occupation_mm: execution.occupation,
+            worm_length_mm: execution.occupation[1] - execution.occupation[0],
+            worm_pitch_diameter_mm: 2.0 * setup.worm_pitch_radius,
+            worm_root_diameter_mm: 2.0 * setup.worm_root_radius,
+            dressing_centre_distance_mm: setup.dresser.chain.centre_distance,
+            dressing_crossing_angle_deg: setup.dresser.chain.crossing_angle.to_degrees(),
+        },
+        flanks,
+        ideal_error_by_round_um: plan.as_ref().map_or(Sides { left: Vec::new(), right: Vec::new() }, |p| {
+            p.ideal_error_by_round.map(|_, e| e.iter().map(|e| e * 1e3).collect())
+        }),
+        timing_s: timing,
+    };
+    Ok(Outcome { result, prepared, execution, plan, verdicts })
+}
+
+/// The rule that settled the ratio, in words.
+pub fn ratio_reason(reason: RatioReason) -> &'static str {
+    match reason {
+        RatioReason::Given => "Given in the job.",
+        RatioReason::RadialSuffices => "The radial method makes this target without mixed residual.",
+        RatioReason::LeadCorrection => {
+            "Lead-correction ratio K*: the worm needs no part linear in the roll length, so that the dressing correction is least."
+        }
+        RatioReason::Compromise => {
+            "The flanks want different lead-correction ratios: least score between them."
+        }
+        RatioReason::Scan => "Least score of a scan over both signs.",
+    }
+}
+
+/// Formats and machines that the job asks for and that come with later versions.
+fn output_warnings(job: &Job) -> Vec<Remark> {
+    let mut warnings = Vec::new();
+    let mut later = |code, what: &str, key: &str| {
+        warnings.push(Remark {
+            code,
+            text: format!("{what} are not written by this version"),
+            way_out: format!("take the tables in motions/*.csv, or leave {key} out"),
+        });
+    };
+    if !job.output.programs.is_empty() {
+        later("programs-not-written", "NC programs", "output.programs");
+    }
+    if !job.output.meshes.is_empty() {
+        later("meshes-not-written", "meshes", "output.meshes");
+    }
+    if job.output.tables.contains(&crate::exchange::job::Table::Parquet) {
+        later("parquet-not-written", "Parquet tables", "\"parquet\" in output.tables");
+    }
+    warnings
+}
+
+/// Why the target is missed and what would help.
+fn missed(
+    job: &Job,
+    prepared: &Prepared,
+    flanks: &BTreeMap<&'static str, FlankResult>,
+    worst: f64,
+    tolerance: f64,
+) -> Remark {
+    let mut text = format!("largest deviation {worst:.3} um, tolerance {tolerance} um");
+    if job.grinding.method == Method::Radial {
+        for (name, f) in flanks {
+            let c = &f.simulated_characteristics;
+            text += &format!(
+                "; {name} flank: natural twist {:.3} um from the corners ({:.3} um normal), {:.3} um by least squares",
+                c.twist_corner_um, c.twist_corner_normal_um, c.twist_fit_um
+            );
+        }
+        let mut way_out = String::from("use method = \"diagonal\" with diagonal_ratio = \"auto\"");
+        for flank in Flank::BOTH {
+            let Some(target) = &prepared.targets[flank] else { continue };
+            let lines = &prepared.setup.lines[flank];
+            let crowning =
+                -target.polynomial.coefficient(0, 2) * ((lines.face[1] - lines.face[0]) / 2.0).powi(2);
+            let natural = natural_twist(lines, crowning);
+            way_out += &format!(
+                "; on the {flank} flank a profile crowning of {:.3} um less in the dresser would take out the natural profile crowning",
+                natural.profile_crowning * 1e3
+            );
+        }
+        return Remark { code: "natural-twist", text, way_out };
+    }
+    let outside = flanks.values().map(|f| f.outside_class_um).fold(0.0, f64::max);
+    if outside > 0.0 {
+        text += &format!("; the target has parts outside the producible class ({outside:.3} um transverse)");
+        return Remark {
+            code: "outside-class",
+            text,
+            way_out: "use modifications of lower degree, reliefs of the profile only, or a wider tolerance"
+                .into(),
+        };
+    }
+    Remark {
+        code: "tolerance-missed",
+        text,
+        way_out: "choose another diagonal ratio, switch precompensation on, or widen the tolerance".into(),
+    }
+}

@@ -1,0 +1,103 @@
+//! Tables of a run as CSV: topographies of the flanks and both motions over their strokes.
+
+use super::run::Outcome;
+use crate::exchange::{Column, CsvError, CsvTable};
+use crate::geometry::Flank;
+
+/// Rows of a motion table.
+const ROWS: usize = 201;
+
+/// Axis positions of dressing and grinding that charts and tables share.
+pub(super) fn steps([from, to]: [f64; 2], n: usize) -> impl Iterator<Item = f64> {
+    (0..n).map(move |i| from + (to - from) * i as f64 / (n - 1) as f64)
+}
+
+/// Target, planned, simulated and deviation of every flank, um, normal.
+///
+/// # Errors
+/// A value that is not finite.
+pub fn topography(outcome: &Outcome) -> Result<CsvTable, CsvError> {
+    let columns = [
+        Column::new("w", "mm"),
+        Column::new("z", "mm"),
+        Column::new("target", "um"),
+        Column::new("planned", "um"),
+        Column::new("simulated", "um"),
+        Column::new("deviation", "um"),
+    ];
+    let mut table = CsvTable::labelled("flank", &columns);
+    for (name, f) in &outcome.result.flanks {
+        for (i, &w) in f.w_mm.iter().enumerate() {
+            for (j, &z) in f.z_mm.iter().enumerate() {
+                let (t, p, s) = (f.target_um[i][j], f.planned_um[i][j], f.simulated_um[i][j]);
+                table.push_labelled(name, &[w, z, t, p, s, s - t])?;
+            }
+        }
+    }
+    Ok(table)
+}
+
+/// The grinding motion over the feed z_V2.
+///
+/// # Errors
+/// A value that is not finite.
+pub fn grinding_motion(outcome: &Outcome) -> Result<CsvTable, CsvError> {
+    let motion = &outcome.execution.motion;
+    let mut table = CsvTable::new(&[
+        Column::new("z_V2", "mm"),
+        Column::new("z_V1", "mm"),
+        Column::new("delta_d", "um"),
+        Column::new("centre_distance", "mm"),
+        Column::new("delta_phi_2", "urad"),
+        Column::new("crossed_axes_angle", "deg"),
+    ]);
+    for v in steps(outcome.execution.feed_range, ROWS) {
+        let (d, phi) = (motion.delta_d.value(v), motion.delta_phi_2.value(v));
+        table.push(&[
+            v,
+            motion.shift.value(v),
+            d * 1e3,
+            motion.chain.centre_distance + d,
+            phi * 1e6,
+            (motion.chain.crossed_axes_angle + motion.delta_gamma.value(v)).to_degrees(),
+        ])?;
+    }
+    Ok(table)
+}
+
+/// The dressing motion of one flank over the worm position v_zS; `None` if the flank is not dressed.
+///
+/// # Errors
+/// A value that is not finite.
+pub fn dressing_motion(outcome: &Outcome, flank: Flank) -> Result<Option<CsvTable>, CsvError> {
+    let Some(executed) = &outcome.execution.flanks[flank] else { return Ok(None) };
+    let motion = executed.dressing(&outcome.execution.tool);
+    let (from, to) = executed.corrections[0].interval();
+    let mut table = CsvTable::new(&[
+        Column::new("v_zS", "mm"),
+        Column::new("d_phi_S", "deg"),
+        Column::new("d_gamma", "deg"),
+        Column::new("d_d", "mm"),
+        Column::new("d_v_yA", "mm"),
+        Column::new("phi_S", "deg"),
+        Column::new("gamma_A", "deg"),
+        Column::new("d_A", "mm"),
+        Column::new("v_yA", "mm"),
+    ]);
+    for v in steps([from, to], ROWS) {
+        let dk = motion.correction_at(v);
+        let at = motion.position(v);
+        table.push(&[
+            v,
+            dk[0].to_degrees(),
+            dk[1].to_degrees(),
+            dk[2],
+            dk[3],
+            at.worm_angle.to_degrees(),
+            at.crossing_angle.to_degrees(),
+            at.centre_distance,
+            at.offset,
+        ])?;
+    }
+    Ok(Some(table))
+}

@@ -1,0 +1,56 @@
+//! Why a file could not be checked at all.
+
+use thiserror::Error;
+
+/// A reference file that cannot be checked. Disagreeing numbers are no errors; they stand in the report.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum VerifyError {
+    /// The file cannot be read.
+    #[error("{file} cannot be read: {cause}")]
+    Unreadable {
+        /// File as given.
+        file: String,
+        /// What the system says.
+        cause: String,
+    },
+    /// The file is not JSON.
+    #[error("{file} is not JSON (line {line}): {cause}")]
+    NotJson {
+        /// File as given.
+        file: String,
+        /// Line, from 1.
+        line: usize,
+        /// What the parser says.
+        cause: String,
+    },
+    /// The content belongs to no schema of reference files.
+    #[error("{file} is no reference file of a known schema (top level: {found})")]
+    UnknownSchema {
+        /// File as given.
+        file: String,
+        /// Keys found on the top level.
+        found: String,
+    },
+}
+
+impl VerifyError {
+    /// Stable kebab-case code (spec 90 section 5).
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Unreadable { .. } => "unreadable-file",
+            Self::NotJson { .. } => "invalid-json",
+            Self::UnknownSchema { .. } => "unknown-schema",
+        }
+    }
+
+    /// What the user can do about it, in one sentence.
+    pub fn way_out(&self) -> &'static str {
+        match self {
+            Self::Unreadable { .. } => "check the path and the permissions",
+            Self::NotJson { .. } => "correct the file at this line",
+            Self::UnknownSchema { .. } => {
+                "give a file of one of the schemas 10, 20, 25, 26, 28, 30, 40, 50, 60, 70, 85"
+            }
+        }
+    }
+}

@@ -1,0 +1,75 @@
+//! Recomputes every expected number of a reference file and compares (spec 90 section 4). Knows the schemas of the
+//! files and the library's public functions; contains no formula of its own beyond units and file conventions.
+//!
+//! ```no_run
+//! use flankwright::workflow::verify::{VerifyOptions, VerifySummary, verify_file};
+//!
+//! let report = verify_file("tests/reference/10-gears.json".as_ref(), &VerifyOptions::default())?;
+//! let summary = VerifySummary::new(vec![report]);
+//! assert_eq!(summary.exit_code(false), 0);
+//! # Ok::<(), flankwright::workflow::verify::VerifyError>(())
+//! ```
+
+mod bodies;
+mod contact;
+mod error;
+mod expected;
+mod gears;
+mod ground_flank;
+mod ledger;
+mod modifications;
+mod reference;
+mod report;
+mod schema;
+
+pub use error::VerifyError;
+pub use ledger::{Failure, NotCovered, NotRun, Worst};
+pub use report::{FileReport, VerifySummary};
+pub use schema::Schema;
+
+use ledger::Ledger;
+use reference::Reference;
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+
+/// How reference files are checked.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct VerifyOptions {
+    /// Directories in which data files named by a case are looked for, after the file's own directory and
+    /// `../measurements/` beside it.
+    pub data_directories: Vec<PathBuf>,
+}
+
+/// Checks one reference file; its schema is recognised from the content.
+///
+/// # Errors
+/// [`VerifyError::Unreadable`], [`VerifyError::NotJson`], [`VerifyError::UnknownSchema`]. Numbers that disagree, unknown
+/// quantities and cases that cannot be computed are no errors but failures in the report.
+pub fn verify_file(path: &Path, options: &VerifyOptions) -> Result<FileReport, VerifyError> {
+    let file = path.display().to_string();
+    let text = std::fs::read_to_string(path)
+        .map_err(|e| VerifyError::Unreadable { file: file.clone(), cause: e.to_string() })?;
+    let root: Value = serde_json::from_str(&text).map_err(|e| VerifyError::NotJson {
+        file: file.clone(),
+        line: e.line(),
+        cause: e.to_string(),
+    })?;
+    let beside = path.parent().unwrap_or(Path::new("."));
+    let mut data_directories = vec![beside.to_path_buf(), beside.join("../measurements")];
+    data_directories.extend(options.data_directories.iter().cloned());
+    verify_value(&file, &root, &VerifyOptions { data_directories })
+}
+
+/// Checks reference content that is already parsed; `file` is the name under which it is reported.
+///
+/// # Errors
+/// [`VerifyError::UnknownSchema`].
+pub fn verify_value(file: &str, root: &Value, options: &VerifyOptions) -> Result<FileReport, VerifyError> {
+    let schema = Schema::recognise(root).ok_or_else(|| VerifyError::UnknownSchema {
+        file: file.into(),
+        found: schema::top_level_keys(root),
+    })?;
+    let mut ledger = Ledger::default();
+    schema.check(&Reference::new(root, options), &mut ledger);
+    Ok(FileReport::new(file, schema, ledger))
+}

@@ -1,0 +1,359 @@
+//! The schemas of reference files: how each is recognised from its content and which blocks it consists of.
+//!
+//! A block that gains a check changes its line in [`Schema::blocks`] from [`Block::to_come`] to [`Block::checked`].
+
+use super::ledger::Ledger;
+use super::reference::Reference;
+use super::{contact, gears, ground_flank, modifications};
+use serde::Serialize;
+use serde_json::Value;
+
+/// A schema of reference files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub enum Schema {
+    /// Involute geometry.
+    #[serde(rename = "10-gears")]
+    Gears,
+    /// Contact of worm and workpiece.
+    #[serde(rename = "20-generating-contact")]
+    Contact,
+    /// Flank modifications and their manufacture.
+    #[serde(rename = "25-modifications")]
+    Modifications,
+    /// Machine chains.
+    #[serde(rename = "26-machine-chains")]
+    MachineChains,
+    /// Planning.
+    #[serde(rename = "28-planning")]
+    Planning,
+    /// Dressing.
+    #[serde(rename = "30-dressing")]
+    Dressing,
+    /// Tangential dressing.
+    #[serde(rename = "40-tdm")]
+    TangentialDressing,
+    /// Five-axis milling.
+    #[serde(rename = "50-milling")]
+    Milling,
+    /// Measuring of skiving tools.
+    #[serde(rename = "60-skiving")]
+    Skiving,
+    /// Electronic gearbox.
+    #[serde(rename = "70-gearbox")]
+    Gearbox,
+    /// Inspection.
+    #[serde(rename = "85-inspection")]
+    Inspection,
+}
+
+/// Computes the quantities of one block and compares.
+type Check = fn(&Reference<'_>, &Value, &mut Ledger);
+
+/// One top-level entry of a schema.
+struct Block {
+    key: &'static str,
+    check: Option<Check>,
+}
+
+impl Block {
+    const fn checked(key: &'static str, check: Check) -> Self {
+        Self { key, check: Some(check) }
+    }
+
+    const fn to_come(key: &'static str) -> Self {
+        Self { key, check: None }
+    }
+}
+
+/// Entries that describe a file and expect nothing.
+const HEADERS: [&str; 13] = [
+    "title",
+    "topic",
+    "about",
+    "_about",
+    "_conventions",
+    "note",
+    "spec",
+    "set",
+    "units",
+    "tolerance",
+    "gears_tolerance",
+    "random",
+    "schema",
+];
+
+macro_rules! to_come {
+    ($($key:literal),* $(,)?) => { &[$(Block::to_come($key)),*] };
+}
+
+impl Schema {
+    const ALL: [Schema; 11] = [
+        Self::Gears,
+        Self::Contact,
+        Self::Modifications,
+        Self::MachineChains,
+        Self::Planning,
+        Self::Dressing,
+        Self::TangentialDressing,
+        Self::Milling,
+        Self::Skiving,
+        Self::Gearbox,
+        Self::Inspection,
+    ];
+
+    /// Name of the schema as files are called.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Gears => "10-gears",
+            Self::Contact => "20-generating-contact",
+            Self::Modifications => "25-modifications",
+            Self::MachineChains => "26-machine-chains",
+            Self::Planning => "28-planning",
+            Self::Dressing => "30-dressing",
+            Self::TangentialDressing => "40-tdm",
+            Self::Milling => "50-milling",
+            Self::Skiving => "60-skiving",
+            Self::Gearbox => "70-gearbox",
+            Self::Inspection => "85-inspection",
+        }
+    }
+
+    /// The blocks of the schema, in the order in which they are checked.
+    fn blocks(self) -> &'static [Block] {
+        match self {
+            Self::Gears => {
+                const { &[Block::checked("cases", gears::cases), Block::checked("errors", gears::errors)] }
+            }
+            Self::Contact => {
+                const {
+                    &[
+                        Block::checked("cases", contact::cases),
+                        Block::to_come("equal_diagonal_ratio"),
+                        Block::checked("ground_flank", ground_flank::block),
+                        Block::checked("gears", gears::gears_block),
+                    ]
+                }
+            }
+            Self::Modifications => {
+                const {
+                    &[
+                        Block::checked("gears", modifications::gears),
+                        Block::checked("elementary", modifications::elementary),
+                        Block::to_come("decomposition_clpk"),
+                        Block::to_come("radial_class"),
+                        Block::checked("mapping", modifications::mapping),
+                        Block::to_come("polynomial"),
+                        Block::to_come("precompensation"),
+                        Block::to_come("natural_twist"),
+                        Block::to_come("two_flank_motion"),
+                        Block::to_come("waviness"),
+                        Block::to_come("figure_29_31"),
+                        Block::to_come("least_squares"),
+                        Block::to_come("two_flanks"),
+                        Block::to_come("equal_swivel"),
+                        Block::to_come("figure_25"),
+                        Block::to_come("figure_26_28"),
+                        Block::to_come("areas"),
+                        Block::checked("constant_ratio_lengths", modifications::constant_ratio_lengths),
+                        Block::to_come("left_out_threads"),
+                    ]
+                }
+            }
+            Self::MachineChains => {
+                const { to_come!["machines", "forward", "inverse", "stroke", "gearbox", "influence", "errors"] }
+            }
+            Self::Planning | Self::Dressing => const { to_come!["cases"] },
+            Self::TangentialDressing => {
+                const {
+                    to_come![
+                        "input",
+                        "machine",
+                        "grid",
+                        "dresser_profile",
+                        "left",
+                        "right",
+                        "undercut",
+                        "twist_conventional",
+                        "examples",
+                        "two_flank_same_motions",
+                    ]
+                }
+            }
+            Self::Milling => {
+                const {
+                    to_come![
+                        "cases",
+                        "spur_exact_stock",
+                        "helical_zero_eps_lead_radius",
+                        "tool_too_big",
+                        "root",
+                        "wear",
+                        "inverse_kinematics",
+                        "linear_axes",
+                        "orientation_comparison",
+                        "pole",
+                        "density",
+                        "output",
+                        "screw_row",
+                        "feed",
+                        "octoid",
+                        "herringbone",
+                        "full_flank",
+                        "shift_invariance",
+                        "equal_scallop",
+                        "grid_surface",
+                        "internal_cylinder",
+                        "blade_limits",
+                        "shear_scan",
+                    ]
+                }
+            }
+            Self::Skiving => {
+                const {
+                    to_come![
+                        "examples",
+                        "measurement",
+                        "mounting_only",
+                        "conventional_axis_parallel_beam",
+                        "calibration",
+                        "scan_fixed_Y_vertical_stylus",
+                    ]
+                }
+            }
+            Self::Gearbox => {
+                const {
+                    to_come![
+                        "pulse_trains",
+                        "chain",
+                        "rate_multiplier",
+                        "coefficients",
+                        "error_budget",
+                        "literal_reversal_loss",
+                        "gearbox",
+                        "bresenham",
+                        "ratio_of_lead",
+                        "couplings",
+                        "table",
+                        "synchroniser",
+                        "servo",
+                    ]
+                }
+            }
+            Self::Inspection => {
+                const {
+                    to_come![
+                        "reader",
+                        "real_parts",
+                        "traces",
+                        "trace_errors",
+                        "k_band",
+                        "pitch",
+                        "thickness",
+                        "eccentricity",
+                        "tolerances",
+                        "tolerance_errors",
+                        "classes",
+                        "areal",
+                        "reconstruction",
+                        "twist_from_traces",
+                        "closed_loop",
+                        "axis_recovery",
+                        "dressing_influence",
+                        "trace_layouts",
+                        "systematic_test",
+                        "series",
+                        "rexs",
+                    ]
+                }
+            }
+        }
+    }
+
+    /// The schema of a file's content: by the shape of its first case where it has a list of cases, else the schema
+    /// that knows most of its top-level entries.
+    pub fn recognise(root: &Value) -> Option<Schema> {
+        let top = root.as_object()?;
+        let first = |key: &str| top.get(key).and_then(Value::as_array).and_then(|list| list.first());
+        if let Some(case) = first("cases").or_else(|| first("errors")) {
+            let has = |key: &str| case["input"].get(key).is_some();
+            if has("chain") {
+                return Some(Self::Contact);
+            } else if has("modifications") || has("worm_threads") {
+                return Some(Self::Planning);
+            } else if has("z_S") {
+                return Some(Self::Dressing);
+            } else if has("z") {
+                return Some(Self::Gears);
+            }
+        }
+        // `gears` is a list of cases in a contact file and a table of named gears in one of modifications.
+        let fits = |schema: Schema, key: &str, value: &Value| match (key, schema) {
+            ("cases", _) => false,
+            ("gears", Self::Contact) => value.is_array(),
+            ("gears", Self::Modifications) => value.is_object(),
+            _ => schema.blocks().iter().any(|block| block.key == key),
+        };
+        let known = |schema: Schema| top.iter().filter(|(key, value)| fits(schema, key, value)).count();
+        let best = Self::ALL.into_iter().max_by_key(|&schema| known(schema))?;
+        let count = known(best);
+        let rivals = Self::ALL.into_iter().filter(|&schema| known(schema) == count).count();
+        (count > 0 && rivals == 1).then_some(best)
+    }
+
+    /// Checks every block of the file.
+    pub(super) fn check(self, reference: &Reference<'_>, ledger: &mut Ledger) {
+        let Some(top) = reference.root.as_object() else { return };
+        for block in self.blocks() {
+            let Some(value) = top.get(block.key) else { continue };
+            match block.check {
+                Some(check) => check(reference, value, ledger),
+                None => to_come(self, reference, block.key, value, ledger),
+            }
+        }
+        for (key, value) in top {
+            let known = HEADERS.contains(&key.as_str()) || self.blocks().iter().any(|b| b.key == key);
+            if !known {
+                ledger.fail(self.name(), &format!("unknown block {key}"), value.clone(), Value::Null);
+            }
+        }
+    }
+}
+
+/// Lists a block that is not computed yet; of the block `cases` every block of every case.
+fn to_come(schema: Schema, reference: &Reference<'_>, key: &str, value: &Value, ledger: &mut Ledger) {
+    let items = value.as_array().map(Vec::as_slice).unwrap_or_default();
+    for (k, item) in items.iter().enumerate() {
+        let name = [&item["name"], &item["input"]["name"]].into_iter().find_map(Value::as_str);
+        let name = name.map_or_else(|| format!("{key}[{k}]"), str::to_owned);
+        for file in data_files(item).filter(|file| reference.data_file(file).is_none()) {
+            ledger.not_run(&name, &format!("data file {file} is absent"));
+        }
+        if key == "cases" {
+            let blocks = item.get("expected").unwrap_or(item).as_object();
+            let blocks = blocks.into_iter().flat_map(|m| m.keys()).map(String::as_str);
+            for block in blocks.filter(|block| !matches!(*block, "name" | "input")) {
+                ledger.not_covered(&name, block);
+            }
+        }
+    }
+    if key != "cases" || items.is_empty() {
+        ledger.not_covered(schema.name(), key);
+    }
+}
+
+/// Names of data files that a case gives under `file` or `..._file`.
+fn data_files(case: &Value) -> impl Iterator<Item = &str> {
+    let entries = case.as_object().into_iter().flatten();
+    entries
+        .filter(|(key, _)| *key == "file" || key.ends_with("_file"))
+        .filter_map(|(_, value)| value.as_str())
+}
+
+/// The keys of the top level, for messages.
+pub(super) fn top_level_keys(root: &Value) -> String {
+    match root.as_object() {
+        Some(map) if map.is_empty() => "an empty object".into(),
+        Some(map) => map.keys().take(8).cloned().collect::<Vec<_>>().join(", "),
+        None => "no object".into(),
+    }
+}

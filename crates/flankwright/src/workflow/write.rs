@@ -1,0 +1,89 @@
+//! Writes what a run produced: result, tables, settings, report. Every file appears whole or not at all.
+
+use super::run::Outcome;
+use super::{page, tables};
+use crate::exchange::job::Job;
+use crate::exchange::{CsvError, write_atomically};
+use crate::geometry::Flank;
+use crate::report::charts::ChartError;
+use std::path::{Path, PathBuf};
+use thiserror::Error;
+
+/// Why the files of a run could not be written.
+#[derive(Debug, Error)]
+pub enum WriteError {
+    /// The directory or a file cannot be written.
+    #[error("cannot write {path}: {source}")]
+    Io {
+        /// Where.
+        path: PathBuf,
+        /// What the system says.
+        source: std::io::Error,
+    },
+    /// A table holds a value that is no number.
+    #[error(transparent)]
+    Table(#[from] CsvError),
+    /// A chart cannot be drawn.
+    #[error("the report cannot be drawn: {0}")]
+    Chart(#[from] ChartError),
+    /// The result cannot be written as JSON.
+    #[error("the result cannot be written as JSON: {0}")]
+    Json(#[from] serde_json::Error),
+}
+
+/// Writes all files of a run into `directory` (made if missing); returns the paths in the order written, the report last.
+///
+/// # Errors
+/// [`WriteError`]; files written before the error stay.
+pub fn write_outcome(job: &Job, outcome: &Outcome, directory: &Path) -> Result<Vec<PathBuf>, WriteError> {
+    let mut files: Vec<(String, &'static str, Vec<u8>)> = vec![
+        ("result.json".into(), "result with settings and flanks", json(&outcome.result)?),
+        (
+            "settings.json".into(),
+            "the job with its settings: input of `flankwright simulate`",
+            json(&with_settings(job, outcome))?,
+        ),
+        (
+            "topography.csv".into(),
+            "target, planned, simulated and deviation of both flanks",
+            tables::topography(outcome)?.text().into(),
+        ),
+        (
+            "motions/grinding.csv".into(),
+            "grinding motion over the feed",
+            tables::grinding_motion(outcome)?.text().into(),
+        ),
+    ];
+    for flank in Flank::BOTH {
+        if let Some(table) = tables::dressing_motion(outcome, flank)? {
+            let path = format!("motions/dressing-{flank}.csv");
+            files.push((path, "dressing motion over the worm position", table.text().into()));
+        }
+    }
+    let mut named: Vec<(String, &'static str)> =
+        files.iter().map(|(path, what, _)| (path.clone(), *what)).collect();
+    named.push(("report.html".into(), "this report"));
+    let report = page::html_page(job, outcome, &named)?;
+    files.push(("report.html".into(), "report", report.into_bytes()));
+    let mut written = Vec::with_capacity(files.len());
+    for (name, _, bytes) in files {
+        let path = directory.join(&name);
+        let failed = |source| WriteError::Io { path: path.clone(), source };
+        if let Some(parent) = path.parent() {
+            std::fs::create_dir_all(parent).map_err(failed)?;
+        }
+        write_atomically(&path, &bytes).map_err(failed)?;
+        written.push(path);
+    }
+    Ok(written)
+}
+
+fn with_settings(job: &Job, outcome: &Outcome) -> Job {
+    Job { settings: Some(outcome.execution.settings()), ..job.clone() }
+}
+
+fn json(value: &impl serde::Serialize) -> Result<Vec<u8>, serde_json::Error> {
+    let mut bytes = serde_json::to_vec_pretty(value)?;
+    bytes.push(b'\n');
+    Ok(bytes)
+}
