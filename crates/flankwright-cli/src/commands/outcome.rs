@@ -89,6 +89,14 @@ fn summary(result: &JobResult, written: &[PathBuf]) -> String {
             f.max_deviation_um, f.rms_deviation_um, f.model_difference_um, f.referee_error_um
         );
     }
+    let marks: Vec<String> = result
+        .flanks
+        .iter()
+        .filter_map(|(flank, f)| Some(format!("{flank} {:.3} um", f.feed_mark_um?)))
+        .collect();
+    if !marks.is_empty() {
+        let _ = writeln!(text, "  feed marks stand above the envelope by up to {}", marks.join(", "));
+    }
     for warning in &result.warnings {
         let _ = writeln!(text, "  warning: {} ({})", warning.text, warning.way_out);
     }

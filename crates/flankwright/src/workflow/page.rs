@@ -5,7 +5,7 @@ use super::run::{Outcome, ratio_reason};
 use super::tables::steps;
 use crate::exchange::job::{Job, Modification as Spec};
 use crate::geometry::{Flank, Sides};
-use crate::report::charts::{ChartError, SectionTrace, Topography};
+use crate::report::charts::{ChartError, SectionTrace, Topography, format_significant};
 use crate::report::generating::{
     Characteristics, ConvergenceRound, DressingMotion, FlankReport, GeneratingReport, GrindingMotion,
     OutsideTerm, RatioCandidate, RatioChoice, Reason, RefereeStage, TargetAmount, Verification, WrittenFile,
@@ -245,6 +245,22 @@ fn dressing_motion(outcome: &Outcome, flank: Flank) -> Option<DressingMotion> {
     })
 }
 
+fn feed_marks(outcome: &Outcome) -> Option<String> {
+    let heights: Vec<String> = outcome
+        .result
+        .flanks
+        .iter()
+        .filter_map(|(flank, f)| Some(format!("{flank} flank {} um", format_significant(f.feed_mark_um?, 2))))
+        .collect();
+    (!heights.is_empty()).then(|| {
+        format!(
+            "The simulated flank is the envelope, as an endlessly slow feed leaves it. At the feed of the job the marks stand \
+             above it by up to: {}.",
+            heights.join(", ")
+        )
+    })
+}
+
 fn verification(outcome: &Outcome) -> Verification {
     let mut stages = Vec::new();
     for (flank, verdict) in outcome.verdicts.iter() {
@@ -260,7 +276,7 @@ fn verification(outcome: &Outcome) -> Verification {
         }
     }
     Verification {
-        paragraphs: vec![
+        paragraphs: [
             "The planned flank is the exact contact of the worm as dressed with the workpiece, solved point by point."
                 .into(),
             "The simulated flank comes from a second calculation that shares no formula with the first: normal rays of the \
@@ -268,7 +284,10 @@ fn verification(outcome: &Outcome) -> Verification {
              worm, and normal rays of the workpiece are shortened by that worm over the real grinding motion. Only the \
              shapes, the chain of axes and the motions are common to both."
                 .into(),
-        ],
+        ]
+        .into_iter()
+        .chain(feed_marks(outcome))
+        .collect(),
         stages,
     }
 }

@@ -28,6 +28,8 @@ pub struct Verdict {
     pub dressing: StageReport,
     /// Worm against workpiece; its error contains that of the worm surface.
     pub grinding: StageReport,
+    /// Height of the true feed marks over the envelope on a sample of rays, mm; `None` without a feed.
+    pub feed_mark: Option<f64>,
 }
 
 /// Spacing of the worm's rays: over the profile and along the worm, mm (spec 28 section 5).
@@ -46,10 +48,10 @@ const STOCK: f64 = 0.2;
 pub fn run(
     setup: &GrindingSetup,
     execution: &Execution,
-    mode: GrindingMode,
+    feed_per_revolution: Option<f64>,
     progress: &dyn Progress,
 ) -> Result<Sides<Option<Verdict>>, RemovalError> {
-    Sides::try_from_fn(|flank| run_flank(setup, execution, flank, mode, progress))
+    Sides::try_from_fn(|flank| run_flank(setup, execution, flank, feed_per_revolution, progress))
 }
 
 /// Columns along the worm on which the spacing over the profile is judged.
@@ -96,7 +98,7 @@ fn run_flank(
     setup: &GrindingSetup,
     execution: &Execution,
     flank: Flank,
-    mode: GrindingMode,
+    feed_per_revolution: Option<f64>,
     progress: &dyn Progress,
 ) -> Result<Option<Verdict>, RemovalError> {
     let Some(executed) = &execution.flanks[flank] else { return Ok(None) };
@@ -117,24 +119,48 @@ fn run_flank(
     let dressed = dress(&dressing, &worm_grid, progress)?;
     let surface = dressed.surface()?;
     let grid = RayGrid::new(executed.target.w.clone(), executed.target.z.clone())?;
-    let ground = grind(
-        &Grinding {
-            worm,
-            area: WormArea { w, z },
-            modification: &surface,
-            work,
-            motion: &execution.motion,
-            feed_range: execution.feed_range,
-            stock,
-            mode,
-        },
-        &grid,
-        progress,
-    )?;
+    let grinding = Grinding {
+        worm,
+        area: WormArea { w, z },
+        modification: &surface,
+        work,
+        motion: &execution.motion,
+        feed_range: execution.feed_range,
+        stock,
+        mode: GrindingMode::Continuous,
+    };
+    let ground = grind(&grinding, &grid, progress)?;
+    let feed_mark = match feed_per_revolution {
+        Some(feed) => Some(feed_mark(&grinding, feed, &executed.target, progress)?),
+        None => None,
+    };
     let simulated = Topography { f: ground.lengths()?, ..executed.target.clone() };
     Ok(Some(Verdict {
         simulated,
         dressing: StageReport { statistics: dressed.statistics, error_um: surface.error_um },
         grinding: StageReport { statistics: ground.statistics, error_um: ground.error_um },
+        feed_mark,
     }))
+}
+
+/// Rays of the feed-mark sample over the profile and over the face width: their phases in the marks differ.
+const MARK_SAMPLE: usize = 9;
+
+/// Largest height of the true feed marks over the envelope on a sample of rays, mm.
+fn feed_mark(
+    grinding: &Grinding<'_>,
+    feed_per_revolution: f64,
+    target: &Topography,
+    progress: &dyn Progress,
+) -> Result<f64, RemovalError> {
+    let sample = |x: &[f64]| -> Vec<f64> {
+        let last = MARK_SAMPLE - 1;
+        (0..MARK_SAMPLE).map(|k| x[0] + (x[x.len() - 1] - x[0]) * k as f64 / last as f64).collect()
+    };
+    let grid = RayGrid::new(sample(&target.w), sample(&target.z))?;
+    let envelope = grind(grinding, &grid, progress)?.lengths()?;
+    let start = grinding.feed_range[0];
+    let passes = Grinding { mode: GrindingMode::FeedMarks { feed_per_revolution, start }, ..*grinding };
+    let marked = grind(&passes, &grid, progress)?.lengths()?;
+    Ok(marked.iter().zip(&envelope).map(|(m, e)| m - e).fold(0.0, f64::max))
 }

@@ -9,7 +9,6 @@ use crate::exchange::{Diagnostic, LoadedJob, Problem};
 use crate::geometry::{Flank, Sides};
 use crate::numerics::Progress;
 use crate::process::generating::{GeneratingError, GrindingPlan, RatioReason, natural_twist};
-use crate::removal::GrindingMode;
 use std::collections::BTreeMap;
 use std::time::Instant;
 
@@ -137,8 +136,8 @@ fn finish(
 ) -> Result<Outcome, RunFailure> {
     let job = &loaded.job;
     let refereeing = Instant::now();
-    let verdicts =
-        referee::run(&prepared.setup, &execution, GrindingMode::Continuous, progress).map_err(|e| {
+    let verdicts = referee::run(&prepared.setup, &execution, job.grinding.feed_per_revolution, progress)
+        .map_err(|e| {
             let finding = Diagnostic::with_code(e.code(), e.to_string())
                 .field("grinding")
                 .way_out(e.way_out().to_string());
@@ -166,6 +165,7 @@ fn finish(
                 rms_deviation_um: deviation.rms() * 1e3,
                 model_difference_um: executed.planned.minus(&verdict.simulated).largest() * 1e3,
                 referee_error_um: verdict.grinding.error_um,
+                feed_mark_um: verdict.feed_mark.map(|h| h * 1e3),
                 target_characteristics: CharacteristicsUm::of(&executed.target, cos_b),
                 simulated_characteristics: CharacteristicsUm::of(&verdict.simulated, cos_b),
                 outside_class_um: prepared.targets[flank].as_ref().map_or(0.0, |t| t.outside * 1e3),

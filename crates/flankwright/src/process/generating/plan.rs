@@ -8,7 +8,7 @@ use super::{
     DressingLimits, FlankTarget, GeneratingError, GrindingSetup, IdealPlan, PlanningGrid, ProfilePlace,
     ProfilePolicy,
 };
-use crate::contact::ContactSolution;
+use crate::contact::{ContactError, ContactSolution};
 use crate::geometry::{Flank, Sides};
 use crate::numerics::Polynomial2;
 use crate::process::dressing::DresserTool;
@@ -73,7 +73,9 @@ pub struct GrindingPlan {
 }
 
 /// Rounds of precompensation with the ideal worm.
-const ROUNDS: usize = 4;
+pub(super) const ROUNDS: usize = 4;
+/// Largest margin dressed beyond the occupation, mm.
+const LARGEST_DRESSING_MARGIN: f64 = 48.0;
 /// Outer rounds with the worm as dressed.
 const OUTER_ROUNDS: usize = 3;
 
@@ -204,15 +206,38 @@ impl PlanTask<'_> {
         })
     }
 
+    /// Dresses the worm for an ideal plan; where the contact shift of a large modification leaves the dressed length, more
+    /// of the worm is dressed.
     fn dress(
         &self,
         ideal: IdealPlan,
         policy: ProfilePolicy,
         grid: &PlanningGrid,
     ) -> Result<Dressed, GeneratingError> {
-        let tool = dresser_of_plan(self.setup, &ideal, policy);
+        let mut margin = DRESSING_MARGIN;
+        loop {
+            match self.dress_with(&ideal, policy, grid, margin) {
+                Ok((tool, flanks, error)) => return Ok(Dressed { ideal, tool, flanks, error }),
+                Err(GeneratingError::Contact(ContactError::WormSurfaceMissing { .. }))
+                    if margin < LARGEST_DRESSING_MARGIN =>
+                {
+                    margin *= 2.0;
+                }
+                Err(error) => return Err(error),
+            }
+        }
+    }
+
+    fn dress_with(
+        &self,
+        ideal: &IdealPlan,
+        policy: ProfilePolicy,
+        grid: &PlanningGrid,
+        margin: f64,
+    ) -> Result<(DresserTool, Sides<Option<DressedFlank>>, GroundError), GeneratingError> {
+        let tool = dresser_of_plan(self.setup, ideal, policy);
         let dress = |flank: Flank| match &ideal.worms[flank] {
-            Some(_) => dress_flank(self.setup, &ideal, &tool, flank, policy, DRESSING_MARGIN).map(Some),
+            Some(_) => dress_flank(self.setup, ideal, &tool, flank, policy, margin).map(Some),
             None => Ok(None),
         };
         let (left, right) = rayon::join(|| dress(Flank::Left), || dress(Flank::Right));
@@ -227,7 +252,7 @@ impl PlanTask<'_> {
             determinant = ground.iter().map(|g| g.determinant_ratio).fold(determinant, f64::min);
             Ok(Some(wanted.iter().zip(&ground).map(|(t, g)| t - g.f_n).collect()))
         })?;
-        Ok(Dressed { ideal, tool, flanks, error: GroundError { error, determinant } })
+        Ok((tool, flanks, GroundError { error, determinant }))
     }
 
     fn flank_plan(
