@@ -297,6 +297,16 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, (Diagnostic, bool)> {
             way_out: "reduce worm.tip_diameter or check gear.root_diameter".into(),
         });
     }
+    if setup.undercut > WORTH_SAYING {
+        warnings.push(Remark {
+            code: "undercut-by-worm-tip",
+            text: format!(
+                "the worm's tip reaches {:.3} mm of roll beyond the point that grinds the base circle and undercuts the gear",
+                setup.undercut
+            ),
+            way_out: "reduce worm.tip_diameter".into(),
+        });
+    }
     if setup.tip_short > WORTH_SAYING {
         warnings.push(Remark {
             code: "worm-tip-short",
