@@ -32,10 +32,8 @@ pub struct CheckArguments {
 /// Everything that is wrong with the job.
 pub fn run(arguments: &CheckArguments) -> Result<Exit, Failure> {
     let loaded = output::load_job(&arguments.job)?;
-    let (derived, warnings) = derived_geometry(&loaded).map_err(|(finding, bad_input)| {
-        let exit = if bad_input { Exit::BadInput } else { Exit::NotProducible };
-        Failure::of_job(exit, &loaded, finding)
-    })?;
+    let (derived, warnings) =
+        derived_geometry(&loaded).map_err(|failure| Failure::of_run(&loaded, failure))?;
     let directory = output::directory(&arguments.common, &loaded).display().to_string();
     if arguments.common.json {
         output::print_json(&json!({

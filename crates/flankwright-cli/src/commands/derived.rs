@@ -3,11 +3,11 @@
 
 use std::fmt::Write;
 
+use flankwright::exchange::LoadedJob;
 use flankwright::exchange::job::Job;
-use flankwright::exchange::{Diagnostic, LoadedJob};
 use flankwright::geometry::{Blank, Flank, Gear, Span};
 use flankwright::process::generating::GrindingSetup;
-use flankwright::workflow::{Remark, blank_of_job, gear_of_job, prepare};
+use flankwright::workflow::{Remark, RunFailure, blank_of_job, gear_of_job, prepare};
 use serde_json::{Map, Value};
 
 /// Sections in the order of the printed text.
@@ -84,12 +84,11 @@ impl DerivedGeometry {
 /// What follows from the job: base data and measures of the gear, worm, dresser and how they stand.
 ///
 /// # Errors
-/// A finding about bodies or targets that cannot exist, and whether the input itself is wrong (exit 2) or each part is
-/// possible but not together (exit 4).
-pub fn derived_geometry(loaded: &LoadedJob) -> Result<(DerivedGeometry, Vec<Remark>), (Diagnostic, bool)> {
+/// A finding about bodies or targets that cannot exist.
+pub fn derived_geometry(loaded: &LoadedJob) -> Result<(DerivedGeometry, Vec<Remark>), RunFailure> {
     let job = &loaded.job;
     let mut derived = DerivedGeometry::default();
-    let gear = gear_of_job(job).map_err(|finding| (finding, true))?;
+    let gear = gear_of_job(job).map_err(RunFailure::bad_input)?;
     gear_sections(&mut derived, job, &gear);
     let cylindrical = gear.is_cylindrical() && job.worm.cone_angle_deg == 0.0;
     if !cylindrical || gear.external_sign() < 0.0 {

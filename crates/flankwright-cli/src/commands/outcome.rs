@@ -20,10 +20,7 @@ pub fn deliver(
     loaded: &LoadedJob,
     run: Result<Outcome, RunFailure>,
 ) -> Result<Exit, Failure> {
-    let outcome = run.map_err(|failure| match failure {
-        RunFailure::BadInput(finding) => Failure::of_job(Exit::BadInput, loaded, finding),
-        RunFailure::NotProducible(finding) => Failure::of_job(Exit::NotProducible, loaded, finding),
-    })?;
+    let outcome = run.map_err(|failure| Failure::of_run(loaded, failure))?;
     let directory = output::directory(common, loaded);
     let written = write_outcome(&loaded.job, &outcome, &directory).map_err(|error| match error {
         WriteError::Io { path, source } => Failure::cannot_write(&path.display().to_string(), &source),

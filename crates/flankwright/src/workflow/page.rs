@@ -207,10 +207,8 @@ fn settings_quantities(outcome: &Outcome) -> Vec<Quantity> {
         Quantity::number("feed stroke from", "z_V2", s.feed_stroke_mm[0], "mm"),
         Quantity::number("feed stroke to", "z_V2", s.feed_stroke_mm[1], "mm"),
     ];
-    if let Some(stars) = s.lead_correction_ratio {
-        if let (Some(l), Some(r)) = (stars.left, stars.right) {
-            list.push(Quantity::per_flank("lead-correction ratio", "K*", l, r, ""));
-        }
+    if let Some(Sides { left: Some(l), right: Some(r) }) = s.lead_correction_ratio {
+        list.push(Quantity::per_flank("lead-correction ratio", "K*", l, r, ""));
     }
     if let Some(place) = s.profile_crowning_by {
         list.push(Quantity::text("profile crowning made by", place));

@@ -107,7 +107,9 @@ fn run_flank(
     let motion = executed.dressing(&execution.tool);
     let (from, to) = executed.corrections[0].interval();
     let margin = PROFILE_MARGIN * dresser.range.length();
-    let w = [dresser.range.w_nf - margin, dresser.range.w_na + margin];
+    // Beyond its tip the worm does not exist; what it does not reach stays uncut and is told.
+    let tip = worm.length_of_roll(setup.worm_tip_radius).unwrap_or(0.0);
+    let w = [dresser.range.w_nf - margin, (dresser.range.w_na + margin).min(tip)];
     // Along the worm: what the dressing stroke finishes over the whole profile.
     let b = w.map(|w| dresser.line.value(w));
     let z = [b[0].max(b[1]) - to + WORM_MARGIN, b[0].min(b[1]) - from - WORM_MARGIN];

@@ -3,7 +3,7 @@
 
 use super::dressed::{DRESSING_MARGIN, DressedFlank, dress_flank, dresser_of_plan};
 use super::precompensation::{GroundError, corrected, precompensate};
-use super::ratio::{Candidate, LEAST_DETERMINANT, RatioChoice, RatioReason, Rule};
+use super::ratio::{Candidate, RatioChoice, RatioReason, Rule};
 use super::{
     DressingLimits, FlankTarget, GeneratingError, GrindingSetup, IdealPlan, PlanningGrid, ProfilePlace,
     ProfilePolicy,
@@ -125,15 +125,6 @@ impl PlanTask<'_> {
         } else {
             rule.judge(ratio, place)?
         };
-        if let Some(GeneratingError::EnvelopeBroken { ratio, .. }) = candidate.refusal {
-            if ratio <= 0.0 {
-                return Err(GeneratingError::EnvelopeBroken {
-                    flank: Flank::Left,
-                    ratio,
-                    limit: LEAST_DETERMINANT,
-                });
-            }
-        }
         let stars = Sides::from_fn(|flank| {
             let a = &self.targets[flank].as_ref()?.polynomial;
             let p_2 = if place == ProfilePlace::Diagonal { 0.0 } else { a.coefficient(2, 0) };

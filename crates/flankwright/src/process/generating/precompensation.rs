@@ -168,7 +168,7 @@ impl IdealPlan {
                 return Ok(Some(parts));
             }
             let t = lines.work_direction(ratio);
-            if !(t.abs() < STEEPEST) || (t - lines.t_k).abs() < 1e-6 || lines.big_t1.abs() < 1e-9 {
+            if t.is_nan() || t.abs() > STEEPEST || (t - lines.t_k).abs() < 1e-6 || lines.big_t1.abs() < 1e-9 {
                 return Err(GeneratingError::DegenerateDirection { flank, ratio });
             }
             let p_2 = match policy.place {

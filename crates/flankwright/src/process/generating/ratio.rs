@@ -247,14 +247,9 @@ impl Rule<'_> {
             && which.iter().any(|&f| {
                 self.targets[f].as_ref().is_some_and(|t| t.polynomial.coefficient(2, 0).abs() > 0.0)
             });
-        if !pure_profile_elsewhere && self.radial_residual() < 0.1 * self.tolerance {
-            if let Ok(candidate) = self.judge(0.0, place) {
-                let allowed = candidate.refusal.is_none();
-                choice.candidates.push(candidate);
-                if allowed {
-                    return Ok(choice);
-                }
-            }
+        let radial = !pure_profile_elsewhere && self.radial_residual() < 0.1 * self.tolerance;
+        if radial && self.try_ratio(0.0, &mut choice).is_finite() {
+            return Ok(choice);
         }
         let found: Vec<f64> = which.iter().filter_map(|&f| stars[f]).collect();
         let same = found.len() == which.len()
