@@ -38,6 +38,22 @@ impl Jet2 {
         Self { fv: -self.fv, fuv: -self.fuv, ..self }
     }
 
+    /// The function f(u(p, q), v(p, q)) of (p, q), when `self` is f at (u, v): the chain rule, up to second order.
+    #[inline]
+    pub fn of(self, u: Self, v: Self) -> Self {
+        let second = |u_p: f64, v_p: f64, u_q: f64, v_q: f64| {
+            self.fuu * u_p * u_q + self.fuv * (u_p * v_q + u_q * v_p) + self.fvv * v_p * v_q
+        };
+        Self {
+            f: self.f,
+            fu: self.fu * u.fu + self.fv * v.fu,
+            fv: self.fu * u.fv + self.fv * v.fv,
+            fuu: second(u.fu, v.fu, u.fu, v.fu) + self.fu * u.fuu + self.fv * v.fuu,
+            fuv: second(u.fu, v.fu, u.fv, v.fv) + self.fu * u.fuv + self.fv * v.fuv,
+            fvv: second(u.fv, v.fv, u.fv, v.fv) + self.fu * u.fvv + self.fv * v.fvv,
+        }
+    }
+
     /// Whether value and all derivatives are finite.
     #[inline]
     pub fn is_finite(&self) -> bool {
@@ -103,6 +119,39 @@ impl Mul for Jet2 {
             fuu: f.fuu * g.f + 2.0 * f.fu * g.fu + f.f * g.fuu,
             fuv: f.fuv * g.f + f.fu * g.fv + f.fv * g.fu + f.f * g.fuv,
             fvv: f.fvv * g.f + 2.0 * f.fv * g.fv + f.f * g.fvv,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn composition_obeys_the_chain_rule() {
+        // f = u^2 v with u = p q and v = p + q^2 is p^3 q^2 + p^2 q^4.
+        let (p, q) = (1.3, -0.7);
+        let u = Jet2 { f: p * q, fu: q, fv: p, fuv: 1.0, ..Jet2::default() };
+        let v = Jet2 { f: p + q * q, fu: 1.0, fv: 2.0 * q, fvv: 2.0, ..Jet2::default() };
+        let f = Jet2 {
+            f: u.f * u.f * v.f,
+            fu: 2.0 * u.f * v.f,
+            fv: u.f * u.f,
+            fuu: 2.0 * v.f,
+            fuv: 2.0 * u.f,
+            fvv: 0.0,
+        };
+        let got = f.of(u, v);
+        let want = [
+            (got.f, p.powi(3) * q.powi(2) + p * p * q.powi(4)),
+            (got.fu, 3.0 * p * p * q * q + 2.0 * p * q.powi(4)),
+            (got.fv, 2.0 * p.powi(3) * q + 4.0 * p * p * q.powi(3)),
+            (got.fuu, 6.0 * p * q * q + 2.0 * q.powi(4)),
+            (got.fuv, 6.0 * p * p * q + 8.0 * p * q.powi(3)),
+            (got.fvv, 2.0 * p.powi(3) + 12.0 * p * p * q * q),
+        ];
+        for (got, want) in want {
+            assert!((got - want).abs() < 1e-13, "{got} {want}");
         }
     }
 }

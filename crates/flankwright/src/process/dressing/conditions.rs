@@ -57,6 +57,11 @@ impl<'a> ConditionSolver<'a> {
         Self { tool, scale: Vector4::new(1.0 / reference_radius, 1.0 / 20.0, 1.0, 5.0) }
     }
 
+    /// Sizes of one scaled unknown: r_S^-1 rad, 1/20 rad, 1 mm, 5 mm.
+    pub fn scale(&self) -> DressingCorrection {
+        self.scale.into()
+    }
+
     /// Residual and gradient of one row at DK.
     ///
     /// # Errors

@@ -1,5 +1,6 @@
 //! Dressing a grinding worm with a disc dresser in line contact (spec 30): settings DK -> worm flank, and back.
 
+mod characteristics;
 mod conditions;
 mod contact_line;
 mod dresser;
@@ -10,6 +11,7 @@ mod nominal;
 mod tilt_chart;
 mod topological;
 
+pub use characteristics::{full_tip_land, quasi_static_modification, stretch};
 pub use conditions::{Condition, ConditionSolver};
 pub use contact_line::ContactLine;
 pub use dresser::{DresserTool, FlankDresser, GeometricRange};

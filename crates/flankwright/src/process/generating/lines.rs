@@ -3,6 +3,7 @@
 
 use crate::contact::FlankPair;
 use crate::modification::EvaluationField;
+use crate::numerics::Jet2;
 
 /// Directions and mapping constants of one flank of a cylindrical pair.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -91,6 +92,21 @@ impl FlankLines {
     /// Workpiece roll ground by worm roll w_1.
     pub fn work_roll(&self, w_1: f64) -> f64 {
         self.cos_b2 * (self.e - w_1 / self.cos_b1)
+    }
+
+    /// The workpiece point (w_2, z_2) that (w_1, z_1) grinds at z_V1 = K z_V2 + z_V01, as functions of (w_1, z_1); K != 0.
+    pub fn work_point(&self, w_1: f64, z_1: f64, ratio: f64, shift_origin: f64) -> [Jet2; 2] {
+        let shrink = -self.cos_b2 / self.cos_b1;
+        let w_2 = self.work_roll(w_1);
+        let feed = (self.c_c1 - self.worm_path * w_1 - z_1 - shift_origin) / ratio;
+        let w = Jet2 { f: w_2, fu: shrink, ..Jet2::default() };
+        let z = Jet2 {
+            f: self.c_c2 - self.t_k * w_2 - feed,
+            fu: -self.t_k * shrink + self.worm_path / ratio,
+            fv: 1.0 / ratio,
+            ..Jet2::default()
+        };
+        [w, z]
     }
 
     /// The four corners of the evaluation field.

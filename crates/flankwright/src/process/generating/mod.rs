@@ -5,10 +5,12 @@ mod decomposition;
 mod dressed;
 mod error;
 mod lines;
+mod local_envelope;
 mod motion;
 mod natural_twist;
 mod plan;
 mod precompensation;
+mod quadratic;
 mod ratio;
 mod setup;
 mod target;
@@ -18,10 +20,15 @@ pub use decomposition::{Decomposition, decompose_diagonal, decompose_radial, rad
 pub use dressed::{DressedFlank, dress_flank, dresser_of_plan, dressing_interval};
 pub use error::GeneratingError;
 pub use lines::FlankLines;
+pub use local_envelope::{LocalEnvelope, kinematic_compliance};
 pub use motion::{common_motion, motion_of_flanks};
 pub use natural_twist::{NaturalTwist, natural_twist};
 pub use plan::{FlankPlan, GrindingPlan, PlanTask};
 pub use precompensation::{IdealPlan, PlanningGrid, ProfilePolicy};
+pub use quadratic::{
+    Gauge, QuadraticDecomposition, QuadraticWorm, constant_only_profile_crowning, decompose_quadratic,
+    product_functions,
+};
 pub use ratio::{Candidate, RatioChoice, RatioReason, lead_correction_ratio};
 pub use setup::{DressingLimits, GrindingSetup, ProfilePlace, SetupInput};
 pub use target::{ClassFit, FlankTarget};

@@ -12,6 +12,10 @@ const CLASS: [(usize, usize); 12] =
 /// Exponents without mixed terms: all that a radial plan may correct (spec 28 section 6).
 const PURE: [(usize, usize); 9] = [(0, 0), (0, 1), (0, 2), (0, 3), (1, 0), (2, 0), (3, 0), (4, 0), (5, 0)];
 
+/// All exponents of a polynomial of third degree.
+const CUBIC: [(usize, usize); 10] =
+    [(0, 0), (0, 1), (0, 2), (0, 3), (1, 0), (1, 1), (1, 2), (2, 0), (2, 1), (3, 0)];
+
 /// Least-squares fit into the class on fixed points; the matrix is inverted once.
 #[derive(Clone, Debug)]
 pub struct ClassFit {
@@ -29,6 +33,11 @@ impl ClassFit {
     /// Into the terms pure in u or in y only.
     pub fn without_mixed_terms(points: &[(f64, f64)]) -> Self {
         Self::with_exponents(points, &PURE)
+    }
+
+    /// Into the polynomials of third degree.
+    pub fn cubic(points: &[(f64, f64)]) -> Self {
+        Self::with_exponents(points, &CUBIC)
     }
 
     fn with_exponents(points: &[(f64, f64)], exponents: &'static [(usize, usize)]) -> Self {

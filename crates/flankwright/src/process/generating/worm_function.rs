@@ -23,16 +23,10 @@ pub struct IdealWorm {
 }
 
 impl IdealWorm {
-    /// Workpiece coordinates (u, y) ground by (w_1, z_1), with the derivatives du/dw_1, dy/dw_1, dy/dz_1.
-    fn mapped(&self, w_1: f64, z_1: f64) -> ([f64; 2], [f64; 3]) {
-        let l = &self.lines;
-        let w_2 = l.work_roll(w_1);
-        let shrink = -l.cos_b2 / l.cos_b1;
-        let shift = l.c_c1 - l.worm_path * w_1 - z_1;
-        let feed = (shift - self.shift_origin) / self.ratio;
-        let z_2 = l.c_c2 - l.t_k * w_2 - feed;
-        let dy_dw = -l.t_k * shrink + l.worm_path / self.ratio;
-        ([w_2 - l.w_m, z_2 - l.z_m], [shrink, dy_dw, 1.0 / self.ratio])
+    /// F_C + F_L u at the workpiece point ground by (w_1, z_1), as a function of (w_1, z_1).
+    fn dressing_jet(&self, w_1: f64, z_1: f64) -> Jet2 {
+        let [w, z] = self.lines.work_point(w_1, z_1, self.ratio, self.shift_origin);
+        self.parts.dressing_jet(w.f - self.lines.w_m, z.f - self.lines.z_m).of(w, z)
     }
 
     /// The part that the dressing motion carries, -cos b2 (F_C + F_L u), at (w_1, z_1), mm. Zero for the class `radial`.
@@ -40,8 +34,7 @@ impl IdealWorm {
         if self.ratio == 0.0 {
             return 0.0;
         }
-        let ([u, y], _) = self.mapped(w_1, z_1);
-        -self.lines.cos_b2 * self.parts.dressing_jet(u, y).f
+        -self.lines.cos_b2 * self.dressing_jet(w_1, z_1).f
     }
 
     /// The profile part on the gear, F_P + reliefs, transverse, with two derivatives by w_2; `None` where it does not exist.
@@ -65,16 +58,7 @@ impl ThreadFunction for IdealWorm {
             ..Jet2::default()
         };
         if self.ratio != 0.0 {
-            let ([u, y], [a, b, c]) = self.mapped(w_1, z_1);
-            let d = self.parts.dressing_jet(u, y);
-            jet += Jet2 {
-                f: d.f,
-                fu: a * d.fu + b * d.fv,
-                fv: c * d.fv,
-                fuu: a * a * d.fuu + 2.0 * a * b * d.fuv + b * b * d.fvv,
-                fuv: c * (a * d.fuv + b * d.fvv),
-                fvv: c * c * d.fvv,
-            } * cos;
+            jet += self.dressing_jet(w_1, z_1) * cos;
         }
         Some(jet)
     }

@@ -43,6 +43,11 @@ impl<'a> Expected<'a> {
         Some(value)
     }
 
+    /// The value of a key without marking it as dealt with.
+    pub fn peek(&self, key: &str) -> Option<&'a Value> {
+        self.map?.get(key)
+    }
+
     /// Keys that say something about the figures but expect nothing of the library.
     pub fn informative(&mut self, keys: &[&str]) {
         for key in keys {
@@ -57,6 +62,12 @@ impl<'a> Expected<'a> {
             ledger.fail(&self.case, &self.name(key), Value::Null, "a number is needed here as input".into());
         }
         value
+    }
+
+    /// A number that may stand among the expected ones as input. `None` where it is absent; anything else than a number fails.
+    pub fn given_optional(&mut self, key: &str, ledger: &mut Ledger) -> Option<f64> {
+        self.peek(key)?;
+        self.given(key, ledger)
     }
 
     /// A text that stands among the expected quantities as input.
@@ -103,6 +114,13 @@ impl<'a> Expected<'a> {
         }
     }
 
+    /// Compares a number that is the better the smaller it is: it may exceed the expected one by the tolerance.
+    pub fn at_most(&mut self, key: &str, actual: f64, tolerance: f64, ledger: &mut Ledger) {
+        if let Some(expected) = self.expected_number(key, actual, ledger) {
+            ledger.at_most(&self.case, &self.name(key), expected, actual, tolerance);
+        }
+    }
+
     /// Compares several numbers to one tolerance.
     pub fn numbers(&mut self, pairs: &[(&str, f64)], tolerance: f64, ledger: &mut Ledger) {
         for &(key, actual) in pairs {
@@ -135,21 +153,32 @@ impl<'a> Expected<'a> {
         }
     }
 
-    /// Compares a list of numbers element by element.
-    pub fn list(&mut self, key: &str, actual: &[f64], tolerance: f64, ledger: &mut Ledger) {
+    /// Compares a list of numbers element by element, each to its own tolerance made from the expected one.
+    pub fn list_to(
+        &mut self,
+        key: &str,
+        actual: &[f64],
+        tolerance: impl Fn(f64) -> f64,
+        ledger: &mut Ledger,
+    ) {
         let Some(value) = self.take(key) else { return };
         let name = self.name(key);
-        match numbers(value) {
-            Some(expected) if expected.len() == actual.len() => {
+        match numbers(value).filter(|expected| expected.len() == actual.len()) {
+            Some(expected) => {
                 for (k, (e, a)) in expected.iter().zip(actual).enumerate() {
-                    ledger.number(&self.case, &format!("{name}[{k}]"), *e, *a, tolerance);
+                    ledger.number(&self.case, &format!("{name}[{k}]"), *e, *a, tolerance(*e));
                 }
             }
-            _ => {
+            None => {
                 let found = format!("a list of {} numbers", actual.len());
                 ledger.fail(&self.case, &name, value.clone(), found.into());
             }
         }
+    }
+
+    /// Compares a list of numbers element by element.
+    pub fn list(&mut self, key: &str, actual: &[f64], tolerance: f64, ledger: &mut Ledger) {
+        self.list_to(key, actual, |_| tolerance, ledger);
     }
 
     /// Compares a list to a share of its largest expected element.

@@ -79,6 +79,14 @@ impl Ledger {
         self.difference(case, quantity, expected, actual, apart, tolerance);
     }
 
+    /// Compares a number that is the better the smaller it is.
+    pub fn at_most(&mut self, case: &str, quantity: &str, expected: f64, actual: f64, tolerance: f64) {
+        let excess = actual - expected;
+        // A NaN is no improvement.
+        let excess = if excess < 0.0 { 0.0 } else { excess };
+        self.difference(case, quantity, expected, actual, excess, tolerance);
+    }
+
     fn difference(
         &mut self,
         case: &str,

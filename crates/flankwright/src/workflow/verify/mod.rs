@@ -12,15 +12,21 @@
 
 mod bodies;
 mod contact;
+mod decompositions;
+mod dressing;
 mod error;
 mod expected;
+mod gear_sets;
 mod gears;
 mod ground_flank;
+mod ground_modifications;
 mod ledger;
 mod modifications;
+mod planning;
 mod reference;
 mod report;
 mod schema;
+mod terms;
 
 pub use error::VerifyError;
 pub use ledger::{Failure, NotCovered, NotRun, Worst};

@@ -45,6 +45,11 @@ impl<'a> Tolerances<'a> {
         Self(value.as_object())
     }
 
+    /// A table of tolerances inside this one.
+    pub fn inside(&self, key: &str) -> Self {
+        Self(self.0.and_then(|m| m.get(key)).and_then(Value::as_object))
+    }
+
     /// The tolerance of that name; NaN, which nothing passes, if the file does not state it.
     pub fn get(&self, key: &str) -> f64 {
         self.0.and_then(|m| m.get(key)).and_then(Value::as_f64).unwrap_or(f64::NAN)

@@ -4,7 +4,9 @@
 
 use super::ledger::Ledger;
 use super::reference::Reference;
-use super::{contact, gears, ground_flank, modifications};
+use super::{
+    contact, decompositions, dressing, gears, ground_flank, ground_modifications, modifications, planning,
+};
 use serde::Serialize;
 use serde_json::Value;
 
@@ -139,15 +141,15 @@ impl Schema {
                     &[
                         Block::checked("gears", modifications::gears),
                         Block::checked("elementary", modifications::elementary),
-                        Block::to_come("decomposition_clpk"),
-                        Block::to_come("radial_class"),
+                        Block::checked("decomposition_clpk", decompositions::decomposition_clpk),
+                        Block::checked("radial_class", decompositions::radial_class),
                         Block::checked("mapping", modifications::mapping),
-                        Block::to_come("polynomial"),
-                        Block::to_come("precompensation"),
-                        Block::to_come("natural_twist"),
-                        Block::to_come("two_flank_motion"),
-                        Block::to_come("waviness"),
-                        Block::to_come("figure_29_31"),
+                        Block::checked("polynomial", ground_modifications::polynomial),
+                        Block::checked("precompensation", ground_modifications::precompensation),
+                        Block::checked("natural_twist", ground_modifications::natural_twist),
+                        Block::checked("two_flank_motion", ground_modifications::two_flank_motion),
+                        Block::checked("waviness", decompositions::waviness),
+                        Block::checked("figure_29_31", decompositions::figure_29_31),
                         Block::to_come("least_squares"),
                         Block::to_come("two_flanks"),
                         Block::to_come("equal_swivel"),
@@ -162,7 +164,8 @@ impl Schema {
             Self::MachineChains => {
                 const { to_come!["machines", "forward", "inverse", "stroke", "gearbox", "influence", "errors"] }
             }
-            Self::Planning | Self::Dressing => const { to_come!["cases"] },
+            Self::Planning => const { &[Block::checked("cases", planning::cases)] },
+            Self::Dressing => const { &[Block::checked("cases", dressing::cases)] },
             Self::TangentialDressing => {
                 const {
                     to_come![
