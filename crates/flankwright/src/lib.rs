@@ -39,8 +39,8 @@
 //! # What a motion leaves on the flank
 //!
 //! [`contact::ExactContact`] finds what any worm surface leaves on the workpiece under any [`kinematics`] motion, with
-//! exact derivatives. Here a plain worm approaches the gear along a parabola of the axial feed, as shops have always made crowning:
-//! the crowning comes with a twist that nobody asked for.
+//! exact derivatives. Here a plain worm approaches the gear along a parabola of the axial feed, the conventional way to
+//! make a crowning: it comes with a twist that nobody asked for.
 //!
 //! ```
 //! use flankwright::contact::{ExactContact, ModifiedThread, Pair, Unmodified};
