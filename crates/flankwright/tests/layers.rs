@@ -23,7 +23,7 @@ const LAYERS: [&str; 14] = [
 ];
 
 /// Forbidden although below: the referee must not know how contact is computed.
-const FORBIDDEN: [(&str, &str); 2] = [("removal", "contact"), ("removal", "process")];
+const FORBIDDEN: [(&str, &str); 3] = [("removal", "contact"), ("removal", "process"), ("process", "removal")];
 
 #[test]
 fn no_module_imports_upwards() {

@@ -1,5 +1,5 @@
-//! A target given as a table of values: CSV with the columns w_mm, z_mm, f_um on a full grid. Reads and checks
-//! it; knows nothing of how values between the points are found.
+//! A target given as a table of values: CSV with the columns w_mm, z_mm, f_um, on a full grid or scattered. Reads and
+//! checks it; knows nothing of how values between the points are found.
 
 use std::ops::Range;
 use std::path::Path;
@@ -32,8 +32,25 @@ pub fn read_grid_target(path: &Path) -> Result<GridTarget, JobError> {
     parse(source.text()).map_err(|finding| JobError::single(source, finding))
 }
 
+/// Reads the same table as scattered points `[w_mm, z_mm, f_um]` in the order of the file.
+///
+/// # Errors
+/// Those of [`Source::read`]; `invalid-table`, `invalid-number` with line and value.
+pub fn read_points(path: &Path) -> Result<Vec<[f64; 3]>, JobError> {
+    let source = Source::read(path)?;
+    let rows = parse_rows(source.text()).map_err(|finding| JobError::single(source, finding))?;
+    Ok(rows.into_iter().map(|(row, _)| row).collect())
+}
+
 fn parse(text: &str) -> Result<GridTarget, Diagnostic> {
-    let mut rows: Vec<([f64; 3], Range<usize>)> = Vec::new();
+    assemble(parse_rows(text)?)
+}
+
+/// A row of the table with its place in the text.
+type Row = ([f64; 3], Range<usize>);
+
+fn parse_rows(text: &str) -> Result<Vec<Row>, Diagnostic> {
+    let mut rows: Vec<Row> = Vec::new();
     let mut header = None;
     let mut offset = 0;
     for line in text.split_inclusive('\n') {
@@ -52,7 +69,7 @@ fn parse(text: &str) -> Result<GridTarget, Diagnostic> {
     if header.is_none() {
         return Err(malformed("the table is empty").way_out("begin it with the line `w_mm,z_mm,f_um`"));
     }
-    assemble(rows)
+    Ok(rows)
 }
 
 fn malformed(message: impl Into<Box<str>>) -> Diagnostic {
@@ -105,7 +122,7 @@ fn values(line: &str, order: [usize; 3], span: &Range<usize>) -> Result<[f64; 3]
     Ok(row)
 }
 
-fn assemble(rows: Vec<([f64; 3], Range<usize>)>) -> Result<GridTarget, Diagnostic> {
+fn assemble(rows: Vec<Row>) -> Result<GridTarget, Diagnostic> {
     let axis = |index: usize| {
         let mut values: Vec<f64> = rows.iter().map(|(row, _)| row[index]).collect();
         values.sort_by(f64::total_cmp);
@@ -169,6 +186,12 @@ mod tests {
         assert_eq!(grid.w_mm, [0.0, 1.0, 2.0, 3.0]);
         assert_eq!(grid.z_mm, [-2.0, -1.0, 0.0, 1.0, 2.0]);
         assert_eq!(grid.f_um[3][1], 31.0);
+    }
+
+    #[test]
+    fn scattered_points_need_no_grid() {
+        let rows = parse_rows("w_mm,z_mm,f_um\n1,2,3\n4,5,6\n").unwrap();
+        assert_eq!(rows.iter().map(|r| r.0).collect::<Vec<_>>(), [[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]);
     }
 
     #[test]

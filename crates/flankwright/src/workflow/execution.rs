@@ -10,7 +10,7 @@ use crate::numerics::Chebyshev;
 use crate::process::dressing::{DressedWorm, DresserTool, dressing_motion};
 use crate::process::generating::{
     Decomposition, GeneratingError, GrindingPlan, IdealPlan, IdealWorm, PlanningGrid, ProfilePlace,
-    ProfilePolicy, dresser_of_plan, dressing_interval,
+    ProfilePolicy, dresser_of_plan, dresser_profile, dressing_interval,
 };
 use std::f64::consts::PI;
 
@@ -98,10 +98,7 @@ impl Execution {
             let f = plan.flanks[flank].as_ref()?;
             let (target, planned) =
                 executed(&f.w, &f.z, &f.target, f.planned.iter().map(|p| p.f_n).collect())?;
-            let profile = match plan.policy.place {
-                ProfilePlace::Correction => Vec::new(),
-                _ => plan.ideal.worms[flank].as_ref()?.parts.profile.clone(),
-            };
+            let profile = dresser_profile(plan.ideal.worms[flank].as_ref()?, plan.policy);
             let determinant = f.planned.iter().map(|p| p.determinant_ratio).fold(f64::INFINITY, f64::min);
             Some(ExecutedFlank {
                 corrections: f.dressed.corrections.clone(),

@@ -4,7 +4,7 @@ use crate::exchange::job::{
     DiagonalRatio, DresserModification, FixedDresser, Flanks, Job, Method, Modification as JobModification,
     ProfileCrowningBy,
 };
-use crate::exchange::{Diagnostic, LoadedJob, Problem, read_grid_target};
+use crate::exchange::{Diagnostic, LoadedJob, Problem, read_grid_target, read_points};
 use crate::geometry::{Blank, Flank, Gear, GearData, GeometryError, Sides, ThicknessMeasure, WormChoice};
 use crate::modification::{
     EvaluationField, GridTable, Modification, ModificationError, ModificationFiles, ModificationSpec,
@@ -76,12 +76,7 @@ impl ModificationFiles for Beside<'_> {
     }
 
     fn points(&self, file: &str) -> Result<Vec<[f64; 3]>, String> {
-        let table = read_grid_target(&self.0.beside(file)).map_err(|e| e.to_string())?;
-        let points = table.w_mm.iter().enumerate().flat_map(|(i, &w)| {
-            let row = &table.f_um[i];
-            table.z_mm.iter().zip(row).map(move |(&z, &f)| [w, z, f])
-        });
-        Ok(points.collect())
+        read_points(&self.0.beside(file)).map_err(|e| e.to_string())
     }
 }
 

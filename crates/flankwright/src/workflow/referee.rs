@@ -5,7 +5,7 @@ use super::execution::Execution;
 use crate::geometry::{Flank, Sides};
 use crate::metrology::Topography;
 use crate::numerics::{CubicSpline, Progress, Silent};
-use crate::process::generating::GrindingSetup;
+use crate::process::generating::{GrindingSetup, finished_area};
 use crate::removal::{
     Dressing, Grinding, GrindingMode, RayGrid, RemovalError, Statistics, WormArea, dress, grind,
 };
@@ -36,8 +36,6 @@ pub struct Verdict {
 const WORM_SPACING: [f64; 2] = [0.5, 1.0];
 /// Distance of the outermost worm rays from the ends of the dressed length, mm.
 const WORM_MARGIN: f64 = 0.5;
-/// Continuation of the used profile at each end, as a share of it.
-const PROFILE_MARGIN: f64 = 0.08;
 /// Least stock that counts as this flank's, mm.
 const STOCK: f64 = 0.2;
 
@@ -106,13 +104,10 @@ fn run_flank(
     let dresser = &execution.tool.flanks[flank];
     let motion = executed.dressing(&execution.tool);
     let (from, to) = executed.corrections[0].interval();
-    let margin = PROFILE_MARGIN * dresser.range.length();
-    // Beyond its tip the worm does not exist; what it does not reach stays uncut and is told.
-    let tip = worm.length_of_roll(setup.worm_tip_radius).unwrap_or(0.0);
-    let w = [dresser.range.w_nf - margin, (dresser.range.w_na + margin).min(tip)];
-    // Along the worm: what the dressing stroke finishes over the whole profile.
-    let b = w.map(|w| dresser.line.value(w));
-    let z = [b[0].max(b[1]) - to + WORM_MARGIN, b[0].min(b[1]) - from - WORM_MARGIN];
+    // Only where rays stand follows from the finished area. Beyond its tip the worm does not exist; what it does not reach
+    // stays uncut and is told.
+    let (w, z) = finished_area(setup, &execution.tool, flank, &executed.corrections);
+    let z = [z[0] + WORM_MARGIN, z[1] - WORM_MARGIN];
     let stock = STOCK.max(3.0 * executed.target.largest());
     let dressing =
         Dressing { worm, dresser: &dresser.profile, motion: &motion, shift_range: [from, to], stock };

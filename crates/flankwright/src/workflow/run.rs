@@ -27,9 +27,8 @@ pub struct Outcome {
 }
 
 fn prepared(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
-    let ready = prepare(loaded)?;
     supported(&loaded.job)?;
-    Ok(ready)
+    prepare(loaded)
 }
 
 /// Parts of the job format that this process does not carry out yet are refused, never ignored.
@@ -224,6 +223,13 @@ pub fn ratio_reason(reason: RatioReason) -> &'static str {
 /// Formats and machines that the job asks for and that come with later versions.
 fn output_warnings(job: &Job) -> Vec<Remark> {
     let mut warnings = Vec::new();
+    if job.dresser.tip_land.is_some() {
+        warnings.push(Remark {
+            code: "tip-land-not-checked",
+            text: "the dresser's tip land is not checked against the counter flank by this version".into(),
+            way_out: "check it by hand, or leave dresser.tip_land out".into(),
+        });
+    }
     let mut later = |code, what: &str, key: &str| {
         warnings.push(Remark {
             code,

@@ -26,9 +26,9 @@ pub struct Grinding {
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 100,
         "x-way-out" = "give the axial feed in mm per revolution of the gear, e.g. 0.3"))]
     pub feed_per_revolution: Option<f64>,
-    /// Travel beyond each face; default what the contact shift and one feed mark need.
+    /// Travel of the feed beyond the first and last contact; never less than 1 mm and one feed mark.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(extend("minimum" = 0, "maximum" = 1000, "x-way-out" = "give the travel beyond each face in mm, or leave it out"))]
+    #[schemars(extend("minimum" = 0, "maximum" = 1000, "x-way-out" = "give the travel beyond the first and last contact in mm, or leave it out"))]
     pub overrun: Option<f64>,
     /// Number of areas of the worm used one after the other.
     #[serde(default, skip_serializing_if = "Option::is_none")]

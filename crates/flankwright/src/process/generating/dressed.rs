@@ -40,13 +40,45 @@ pub struct DressedFlank {
     pub worm: DressedWorm,
 }
 
-/// The dresser made for a plan: plain under `correction` or when it is not free and nothing is given.
+/// Continuation of the used profile at each end, as a share of it, over which a worm counts as finished.
+const FINISHED_PROFILE: f64 = 0.08;
+
+/// The rectangle of the worm flank that a dressing motion finishes: roll (the used profile with a continuation, up to the
+/// worm's tip) and worm positions between the contact lines at both ends of the stroke. mm.
+pub fn finished_area(
+    setup: &GrindingSetup,
+    tool: &DresserTool,
+    flank: Flank,
+    corrections: &[Chebyshev; 4],
+) -> ([f64; 2], [f64; 2]) {
+    let dresser = &tool.flanks[flank];
+    let margin = FINISHED_PROFILE * dresser.range.length();
+    let tip = tool.worm[flank].length_of_roll(setup.worm_tip_radius).unwrap_or(0.0);
+    let w = [dresser.range.w_nf - margin, (dresser.range.w_na + margin).min(tip)];
+    let ends = |v: f64| {
+        let dk = std::array::from_fn(|j| corrections[j].value(v));
+        let profile = DressedProfile::new(tool, flank, dk);
+        w.map(|w| profile.at_roll(w).map_or(dresser.line.value(w), |at| at.b) - v)
+    };
+    let (from, to) = corrections[0].interval();
+    let (lowest, highest) = (ends(to), ends(from));
+    (w, [lowest[0].max(lowest[1]), highest[0].min(highest[1])])
+}
+
+/// Polynomial profile p_0, p_1, ... that the dresser carries: all of it but what the dressing motion makes.
+pub fn dresser_profile(worm: &IdealWorm, policy: ProfilePolicy) -> Vec<f64> {
+    let mut profile = worm.parts.profile.clone();
+    if let (ProfilePlace::Correction, Some(p_2)) = (policy.place, profile.get_mut(2)) {
+        *p_2 = 0.0;
+    }
+    profile
+}
+
+/// The dresser made for a plan: it carries the profile of the ideal worm, under `correction` without its u^2 part.
 pub fn dresser_of_plan(setup: &GrindingSetup, plan: &IdealPlan, policy: ProfilePolicy) -> DresserTool {
     let offsets = Sides::from_fn(|flank| -> Option<Arc<dyn ProfileOffset>> {
         let mut worm = plan.worms[flank].clone()?;
-        if policy.place == ProfilePlace::Correction {
-            worm.parts.profile.clear();
-        }
+        worm.parts.profile = dresser_profile(&worm, policy);
         let empty = worm.reliefs.is_empty() && worm.parts.profile.iter().all(|&p| p == 0.0);
         (!empty).then(|| Arc::new(GearProfile(worm)) as Arc<dyn ProfileOffset>)
     });
@@ -83,7 +115,7 @@ fn wanted_rows<'a>(
         base[i] = uncorrected.at_roll(rolls[i])?.f;
         if policy.place == ProfilePlace::Correction {
             let u = worm.lines.work_roll(rolls[i]) - worm.lines.w_m;
-            base[i] -= worm.lines.cos_b2 * worm.parts.profile_jet(u)[0];
+            base[i] -= worm.lines.cos_b2 * worm.parts.profile.get(2).copied().unwrap_or(0.0) * u * u;
         }
     }
     Ok(move |i: usize, b: f64| base[i] + worm.dressing_share(rolls[i], b))

@@ -17,7 +17,9 @@ mod target;
 mod worm_function;
 
 pub use decomposition::{Decomposition, decompose_diagonal, decompose_radial, radial_residual};
-pub use dressed::{DressedFlank, dress_flank, dresser_of_plan, dressing_interval};
+pub use dressed::{
+    DressedFlank, dress_flank, dresser_of_plan, dresser_profile, dressing_interval, finished_area,
+};
 pub use error::GeneratingError;
 pub use lines::FlankLines;
 pub use local_envelope::{LocalEnvelope, kinematic_compliance};

@@ -1,7 +1,7 @@
 //! The whole plan of generating grinding: ratio, precompensated decomposition, dressing motion, planned flank
 //! (spec 28 section 4; everything but the referee).
 
-use super::dressed::{DRESSING_MARGIN, DressedFlank, dress_flank, dresser_of_plan};
+use super::dressed::{DRESSING_MARGIN, DressedFlank, dress_flank, dresser_of_plan, finished_area};
 use super::precompensation::{GroundError, corrected, precompensate};
 use super::ratio::{Candidate, RatioChoice, RatioReason, Rule};
 use super::{
@@ -76,6 +76,8 @@ pub struct GrindingPlan {
 pub(super) const ROUNDS: usize = 4;
 /// Largest margin dressed beyond the occupation, mm.
 const LARGEST_DRESSING_MARGIN: f64 = 48.0;
+/// Distance of the contacts from the ends of the finished worm, mm: room for the search of whoever checks the plan.
+const CONTACT_MARGIN: f64 = 1.5;
 /// Outer rounds with the worm as dressed.
 const OUTER_ROUNDS: usize = 3;
 
@@ -84,6 +86,8 @@ struct Dressed {
     tool: DresserTool,
     flanks: Sides<Option<DressedFlank>>,
     error: GroundError,
+    /// Length dressed beyond the occupation, mm.
+    margin: f64,
 }
 
 impl PlanTask<'_> {
@@ -177,9 +181,17 @@ impl PlanTask<'_> {
             }
         }
         let result_grid = PlanningGrid::new(self.setup, self.grid.0, self.grid.1);
-        let flank_plan = |flank: Flank| self.flank_plan(flank, &best, &result_grid);
-        let (left, right) = rayon::join(|| flank_plan(Flank::Left), || flank_plan(Flank::Right));
-        let flanks = Sides { left: left?, right: right? };
+        let flanks = loop {
+            let flank_plan = |flank: Flank| self.flank_plan(flank, &best, &result_grid);
+            let (left, right) = rayon::join(|| flank_plan(Flank::Left), || flank_plan(Flank::Right));
+            let flanks = Sides { left: left?, right: right? };
+            if best.margin >= LARGEST_DRESSING_MARGIN || self.within_finished_area(&best, &flanks) {
+                break flanks;
+            }
+            let margin = 2.0 * best.margin;
+            let (tool, dressed, error) = self.dress_with(&best.ideal, policy, &grid, margin)?;
+            best = Dressed { ideal: best.ideal, tool, flanks: dressed, error, margin };
+        };
         let determinant = flanks
             .iter()
             .filter_map(|(_, f)| f.as_ref())
@@ -208,7 +220,7 @@ impl PlanTask<'_> {
         let mut margin = DRESSING_MARGIN;
         loop {
             match self.dress_with(&ideal, policy, grid, margin) {
-                Ok((tool, flanks, error)) => return Ok(Dressed { ideal, tool, flanks, error }),
+                Ok((tool, flanks, error)) => return Ok(Dressed { ideal, tool, flanks, error, margin }),
                 Err(GeneratingError::Contact(ContactError::WormSurfaceMissing { .. }))
                     if margin < LARGEST_DRESSING_MARGIN =>
                 {
@@ -244,6 +256,21 @@ impl PlanTask<'_> {
             Ok(Some(wanted.iter().zip(&ground).map(|(t, g)| t - g.f_n).collect()))
         })?;
         Ok((tool, flanks, GroundError { error, determinant }))
+    }
+
+    /// Whether every contact on the worm lies inside the finished area with [`CONTACT_MARGIN`] to spare.
+    fn within_finished_area(&self, best: &Dressed, flanks: &Sides<Option<FlankPlan>>) -> bool {
+        flanks.iter().filter_map(|(flank, plan)| plan.as_ref().map(|plan| (flank, plan))).all(
+            |(flank, plan)| {
+                let (_, [from, to]) = finished_area(self.setup, &best.tool, flank, &plan.dressed.corrections);
+                plan.planned.iter().all(|at| {
+                    plan.dressed
+                        .worm
+                        .envelope_point(at.tool.0, at.tool.1)
+                        .is_some_and(|foot| foot.b > from + CONTACT_MARGIN && foot.b < to - CONTACT_MARGIN)
+                })
+            },
+        )
     }
 
     fn flank_plan(

@@ -124,8 +124,11 @@ impl Rule<'_> {
     /// Judges a ratio; `Err` only if it cannot be evaluated.
     pub fn judge(&self, ratio: f64, place: ProfilePlace) -> Result<Candidate, GeneratingError> {
         let policy = ProfilePolicy { place, free_dresser: self.free_dresser };
-        let (plan, error, _) =
-            precompensate(self.setup, self.targets, self.grid, ratio, policy, SCORE_ROUNDS)?;
+        let correct = |rounds| precompensate(self.setup, self.targets, self.grid, ratio, policy, rounds);
+        let (mut plan, mut error, _) = correct(SCORE_ROUNDS)?;
+        if error.max() > self.tolerance / 2.0 {
+            (plan, error, _) = correct(super::plan::ROUNDS)?;
+        }
         let tool = dresser_of_plan(self.setup, &plan, policy);
         let mut dressing_share: f64 = 0.0;
         let mut worst = (0, 0.0);
