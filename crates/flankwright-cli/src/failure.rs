@@ -93,7 +93,11 @@ impl Failure {
     /// `{"error": {..}, "errors": [..]}` with line and column from 1.
     pub fn to_json(&self) -> Value {
         let errors: Vec<Value> = self.diagnostics.iter().map(|d| self.diagnostic_json(d)).collect();
-        json!({ "error": errors.first(), "errors": errors, "omitted": self.omitted })
+        let mut document = json!({ "error": errors.first(), "errors": errors, "omitted": self.omitted });
+        if self.exit == Exit::NotProducible {
+            document["status"] = json!("not_producible");
+        }
+        document
     }
 
     fn diagnostic_json(&self, diagnostic: &Diagnostic) -> Value {

@@ -4,7 +4,9 @@ use std::fmt::Write;
 use std::path::PathBuf;
 
 use flankwright::exchange::LoadedJob;
-use flankwright::workflow::{JobResult, Outcome, RunFailure, Status, WriteError, write_outcome};
+use flankwright::workflow::{
+    JobResult, Outcome, RunFailure, Status, WriteError, write_outcome, write_refusal,
+};
 
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;
@@ -20,12 +22,21 @@ pub fn deliver(
     loaded: &LoadedJob,
     run: Result<Outcome, RunFailure>,
 ) -> Result<Exit, Failure> {
-    let outcome = run.map_err(|failure| Failure::of_run(loaded, failure))?;
     let directory = output::directory(common, loaded);
-    let written = write_outcome(&loaded.job, &outcome, &directory).map_err(|error| match error {
+    let unwritten = |error| match error {
         WriteError::Io { path, source } => Failure::cannot_write(&path.display().to_string(), &source),
         other => Failure::internal(other.to_string()),
-    })?;
+    };
+    let outcome = match run {
+        Ok(outcome) => outcome,
+        Err(failure) => {
+            if let RunFailure::NotProducible(finding) = &failure {
+                write_refusal(&loaded.job, finding, &directory).map_err(unwritten)?;
+            }
+            return Err(Failure::of_run(loaded, failure));
+        }
+    };
+    let written = write_outcome(&loaded.job, &outcome, &directory).map_err(unwritten)?;
     if common.json {
         output::print_json(&outcome.result)?;
     } else if !common.quiet {

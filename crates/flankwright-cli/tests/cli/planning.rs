@@ -125,7 +125,11 @@ fn a_worm_that_is_too_short_is_named_with_what_would_help() {
     assert_eq!(error["code"], "worm-too-short");
     assert_eq!(error["field"], "worm.width");
     assert!(error["line"].as_u64().unwrap() > 0 && error["way_out"].as_str().unwrap().contains("wider worm"));
-    assert!(!directory.path().join("out").exists());
+    let written = std::fs::read(directory.path().join("out/result.json")).unwrap();
+    let written: serde_json::Value = serde_json::from_slice(&written).unwrap();
+    assert_eq!(written["status"], "not_producible");
+    assert_eq!(written["reason"]["code"], "worm-too-short");
+    assert_eq!(run.json()["status"], "not_producible");
 }
 
 #[test]

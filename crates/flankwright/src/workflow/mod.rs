@@ -16,4 +16,4 @@ pub use prepare::{Prepared, Remark, RunFailure, blank_of_job, gear_of_job, prepa
 pub use referee::{StageReport, Verdict};
 pub use result::{CandidateResult, CharacteristicsUm, FlankResult, JobResult, SettingsResult, Status};
 pub use run::{Outcome, plan_job, simulate_job};
-pub use write::{WriteError, write_outcome};
+pub use write::{WriteError, write_outcome, write_refusal};

@@ -3,7 +3,7 @@
 use super::run::Outcome;
 use super::{page, tables};
 use crate::exchange::job::Job;
-use crate::exchange::{CsvError, write_atomically};
+use crate::exchange::{CsvError, Diagnostic, write_atomically};
 use crate::geometry::Flank;
 use crate::report::charts::ChartError;
 use std::path::{Path, PathBuf};
@@ -76,6 +76,27 @@ pub fn write_outcome(job: &Job, outcome: &Outcome, directory: &Path) -> Result<V
         written.push(path);
     }
     Ok(written)
+}
+
+/// Writes `result.json` of a job that these bodies cannot make: status, limit and way out.
+///
+/// # Errors
+/// [`WriteError`].
+pub fn write_refusal(job: &Job, finding: &Diagnostic, directory: &Path) -> Result<PathBuf, WriteError> {
+    let document = serde_json::json!({
+        "job": job.job.name,
+        "process": job.job.process.name(),
+        "version": env!("CARGO_PKG_VERSION"),
+        "status": "not_producible",
+        "tolerance_um": job.target.tolerance_um,
+        "reason": { "code": finding.code, "text": finding.message, "way_out": finding.way_out, "field": finding.field },
+        "warnings": [],
+    });
+    let path = directory.join("result.json");
+    let failed = |source| WriteError::Io { path: path.clone(), source };
+    std::fs::create_dir_all(directory).map_err(failed)?;
+    write_atomically(&path, &json(&document)?).map_err(failed)?;
+    Ok(path)
 }
 
 fn with_settings(job: &Job, outcome: &Outcome) -> Job {
