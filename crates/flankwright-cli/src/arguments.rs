@@ -6,13 +6,16 @@ use clap::{Args, Parser, Subcommand};
 
 use crate::commands::check::CheckArguments;
 use crate::commands::new::NewArguments;
+use crate::commands::plan::PlanArguments;
 use crate::commands::schema::SchemaArguments;
+use crate::commands::simulate::SimulateArguments;
+use crate::commands::verify::VerifyArguments;
 
 /// Plans, simulates and proves the manufacture of gear teeth.
 #[derive(Debug, Parser)]
 #[command(name = "flankwright", version, propagate_version = true, arg_required_else_help = true)]
 #[command(
-    after_help = "Example:\n  flankwright new generating-grinding > job.toml\n  flankwright check job.toml\n\n\
+    after_help = "Example:\n  flankwright new generating-grinding > job.toml\n  flankwright check job.toml\n  flankwright plan job.toml\n\n\
     Exit status: 0 done, 1 internal error, 2 bad input, 3 target missed, 4 not producible"
 )]
 pub struct Arguments {
@@ -30,6 +33,12 @@ pub enum Command {
     Schema(SchemaArguments),
     /// Check a job and print the geometry derived from it
     Check(CheckArguments),
+    /// Plan a job: target -> settings -> motions -> simulated flank -> report
+    Plan(PlanArguments),
+    /// Run the settings that stand in a job: what comes out
+    Simulate(SimulateArguments),
+    /// Recompute every expected value of reference files and compare
+    Verify(VerifyArguments),
 }
 
 impl Command {
@@ -39,6 +48,9 @@ impl Command {
             Command::New(arguments) => &arguments.common,
             Command::Schema(arguments) => &arguments.common,
             Command::Check(arguments) => &arguments.common,
+            Command::Plan(arguments) => &arguments.common,
+            Command::Simulate(arguments) => &arguments.common,
+            Command::Verify(arguments) => &arguments.common,
         }
     }
 }

@@ -32,6 +32,9 @@ pub fn run() -> ExitCode {
         Command::New(arguments) => commands::new::run(arguments),
         Command::Schema(arguments) => commands::schema::run(arguments),
         Command::Check(arguments) => commands::check::run(arguments),
+        Command::Plan(arguments) => commands::plan::run(arguments),
+        Command::Simulate(arguments) => commands::simulate::run(arguments),
+        Command::Verify(arguments) => commands::verify::run(arguments),
     });
     match outcome {
         Ok(exit) => exit.into(),

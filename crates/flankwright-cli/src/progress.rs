@@ -6,6 +6,20 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
+impl flankwright::numerics::Progress for Bars {
+    fn start(&self, stage: &str, total: u64) {
+        Bars::start(self, stage, total);
+    }
+
+    fn advance(&self, n: u64) {
+        Bars::advance(self, n);
+    }
+
+    fn finish(&self) {
+        Bars::finish(self);
+    }
+}
+
 /// Work shorter than this shows no bar.
 const PATIENCE: Duration = Duration::from_millis(500);
 

@@ -13,7 +13,7 @@ fn plan(c: &mut Criterion) {
     group.sample_size(20);
     group.bench_function("twist-free crowning, bodies and plan", |b| {
         b.iter(|| {
-            let prepared = prepare(black_box(&loaded)).map_err(|e| e.0).expect("bodies");
+            let prepared = prepare(black_box(&loaded)).unwrap_or_else(|_| panic!("bodies"));
             prepared.task(&loaded.job).plan().expect("plan")
         });
     });

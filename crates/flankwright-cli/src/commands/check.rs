@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use flankwright::exchange::LoadedJob;
+use flankwright::workflow::Remark;
 use serde_json::json;
 
 use super::derived::{DerivedGeometry, derived_geometry};
@@ -31,23 +32,24 @@ pub struct CheckArguments {
 /// Everything that is wrong with the job.
 pub fn run(arguments: &CheckArguments) -> Result<Exit, Failure> {
     let loaded = output::load_job(&arguments.job)?;
-    let derived =
-        derived_geometry(&loaded.job).map_err(|finding| Failure::of_job(Exit::BadInput, &loaded, finding))?;
+    let (derived, warnings) =
+        derived_geometry(&loaded).map_err(|failure| Failure::of_run(&loaded, failure))?;
     let directory = output::directory(&arguments.common, &loaded).display().to_string();
     if arguments.common.json {
         output::print_json(&json!({
             "file": loaded.document.source().name(),
             "job": loaded.job,
             "derived": derived.to_json(),
+            "warnings": warnings,
             "output_directory": directory,
         }))?;
     } else if !arguments.common.quiet {
-        output::print(&text(&loaded, &derived, &directory))?;
+        output::print(&text(&loaded, &derived, &warnings, &directory))?;
     }
     Ok(Exit::Done)
 }
 
-fn text(loaded: &LoadedJob, derived: &DerivedGeometry, directory: &str) -> String {
+fn text(loaded: &LoadedJob, derived: &DerivedGeometry, warnings: &[Remark], directory: &str) -> String {
     let info = &loaded.job.job;
     let mut text = format!(
         "{}: valid job \"{}\" ({})\n",
@@ -59,5 +61,8 @@ fn text(loaded: &LoadedJob, derived: &DerivedGeometry, directory: &str) -> Strin
         text += &format!("{description}\n");
     }
     text += &derived.to_text();
+    for warning in warnings {
+        text += &format!("\nwarning: {} ({})\n", warning.text, warning.way_out);
+    }
     text + &format!("\nresults would go to {directory}\n")
 }

@@ -3,8 +3,11 @@
 
 use std::fmt::Write;
 
-use flankwright::exchange::Diagnostic;
-use flankwright::exchange::job::{Hand, Job};
+use flankwright::exchange::LoadedJob;
+use flankwright::exchange::job::Job;
+use flankwright::geometry::{Blank, Flank, Gear, Span};
+use flankwright::process::generating::GrindingSetup;
+use flankwright::workflow::{Remark, RunFailure, blank_of_job, gear_of_job, prepare};
 use serde_json::{Map, Value};
 
 /// Sections in the order of the printed text.
@@ -66,35 +69,181 @@ impl DerivedGeometry {
             for quantity in &section.quantities {
                 let value = match &quantity.value {
                     Value::String(word) => word.clone(),
+                    Value::Number(number) if number.is_f64() => {
+                        format!("{:.6}", number.as_f64().unwrap_or(f64::NAN))
+                    }
                     other => other.to_string(),
                 };
-                let _ = writeln!(text, "  {:<32} {value} {}", quantity.label, quantity.unit);
+                let _ = writeln!(text, "  {:<36} {value} {}", quantity.label, quantity.unit);
             }
         }
         text
     }
 }
 
-/// What follows from the job: so far the defaults that it leaves open, filled in.
+/// What follows from the job: base data and measures of the gear, worm, dresser and how they stand.
 ///
 /// # Errors
-/// A finding about a body that cannot exist; its field is the key of the job that is to blame.
-pub fn derived_geometry(job: &Job) -> Result<DerivedGeometry, Diagnostic> {
+/// A finding about bodies or targets that cannot exist.
+pub fn derived_geometry(loaded: &LoadedJob) -> Result<(DerivedGeometry, Vec<Remark>), RunFailure> {
+    let job = &loaded.job;
     let mut derived = DerivedGeometry::default();
+    let gear = gear_of_job(job).map_err(RunFailure::bad_input)?;
+    gear_sections(&mut derived, job, &gear);
+    let cylindrical = gear.is_cylindrical() && job.worm.cone_angle_deg == 0.0;
+    if !cylindrical || gear.external_sign() < 0.0 {
+        let remark = Remark {
+            code: "geometry-only",
+            text: "worm, dresser and target are checked for external cylindrical gears and cylindrical worms only".into(),
+            way_out: "the gear's own data above are complete".into(),
+        };
+        return Ok((derived, vec![remark]));
+    }
+    let ready = prepare(loaded)?;
+    tool_sections(&mut derived, &ready.setup);
+    Ok((derived, ready.warnings))
+}
+
+fn gear_sections(derived: &mut DerivedGeometry, job: &Job, gear: &Gear) {
     let range = job.gear.evaluation_range();
     derived.section("evaluation");
     derived.quantity("start_diameter", "start diameter", range.start_diameter, "mm");
     derived.quantity("end_diameter", "end diameter", range.end_diameter, "mm");
     derived.quantity("z_start", "z start", range.z_start, "mm");
     derived.quantity("z_end", "z end", range.z_end, "mm");
-    let hand = match job.worm_hand() {
-        Hand::Left => "left",
-        Hand::Right => "right",
-    };
-    let angle = job.worm_pressure_angle_deg().sides();
+    derived.section("gear");
+    derived.quantity("pitch_diameter_mm", "pitch diameter", 2.0 * gear.pitch_radius(), "mm");
+    derived.quantity("transverse_module_mm", "transverse module", gear.transverse_module(), "mm");
+    derived.quantity("profile_shift", "profile shift coefficient", gear.data().profile_shift, "");
+    if let Ok(thickness) = gear.transverse_thickness(gear.pitch_radius(), 0.0) {
+        derived.quantity(
+            "transverse_tooth_thickness_mm",
+            "transverse tooth thickness at pitch",
+            thickness,
+            "mm",
+        );
+    }
+    for (flank, f) in gear.flanks().iter() {
+        let keys = flank_keys(flank);
+        derived.quantity(keys[0], keys[1], 2.0 * f.base_radius, "mm");
+        derived.quantity(keys[2], keys[3], f.base_helix_angle.to_degrees(), "deg");
+        derived.quantity(keys[4], keys[5], gear.transverse_pressure_angle(flank).to_degrees(), "deg");
+        derived.quantity(keys[6], keys[7], gear.normal_base_pitch(flank), "mm");
+    }
+    let blank = blank_of_job(job);
+    if let Some(span) = best_span(gear, &blank) {
+        derived.quantity("span_teeth", "teeth spanned k", span.teeth, "");
+        derived.quantity("span_mm", "span W_k", span.length, "mm");
+    }
+    let ball = BALL_FACTOR * gear.data().normal_module;
+    if let Some(balls) = gear.over_balls(ball, 0.0).ok().filter(|b| blank.check_balls(gear, b).is_ok()) {
+        derived.quantity("ball_diameter_mm", "ball diameter D_M", ball, "mm");
+        derived.quantity("over_balls_mm", "size over balls M_dK", balls.size, "mm");
+    }
+}
+
+/// Ball diameter in normal modules that touches near the pitch cylinder of common gears.
+const BALL_FACTOR: f64 = 1.728;
+
+/// The span whose contact lies nearest to the middle of the usable flank.
+fn best_span(gear: &Gear, blank: &Blank) -> Option<Span> {
+    let middle = 0.25 * (blank.form_diameter + blank.tip_form_diameter);
+    let teeth = gear.data().teeth.unsigned_abs();
+    (1..=teeth)
+        .filter_map(|k| gear.span(k).ok())
+        .filter(|span| blank.check_span(gear, span).is_ok())
+        .min_by(|a, b| (a.contact_radius - middle).abs().total_cmp(&(b.contact_radius - middle).abs()))
+}
+
+fn flank_keys(flank: Flank) -> [&'static str; 8] {
+    match flank {
+        Flank::Left => [
+            "base_diameter_left_mm",
+            "base diameter, left",
+            "base_helix_angle_left_deg",
+            "base helix angle, left",
+            "transverse_pressure_angle_left_deg",
+            "transverse pressure angle, left",
+            "normal_base_pitch_left_mm",
+            "normal base pitch, left",
+        ],
+        Flank::Right => [
+            "base_diameter_right_mm",
+            "base diameter, right",
+            "base_helix_angle_right_deg",
+            "base helix angle, right",
+            "transverse_pressure_angle_right_deg",
+            "transverse pressure angle, right",
+            "normal_base_pitch_right_mm",
+            "normal base pitch, right",
+        ],
+    }
+}
+
+fn tool_sections(derived: &mut DerivedGeometry, setup: &GrindingSetup) {
+    let worm = setup.pair.worm.data();
     derived.section("worm");
-    derived.quantity("hand", "hand", hand, "");
-    derived.quantity("normal_pressure_angle_left_deg", "normal pressure angle, left", angle.left, "deg");
-    derived.quantity("normal_pressure_angle_right_deg", "normal pressure angle, right", angle.right, "deg");
-    Ok(derived)
+    derived.quantity("hand", "hand", if worm.helix_angle > 0.0 { "right" } else { "left" }, "");
+    derived.quantity("normal_module_mm", "normal module", worm.normal_module, "mm");
+    let angle = worm.pressure_angle;
+    derived.quantity(
+        "normal_pressure_angle_left_deg",
+        "normal pressure angle, left",
+        angle.left.to_degrees(),
+        "deg",
+    );
+    derived.quantity(
+        "normal_pressure_angle_right_deg",
+        "normal pressure angle, right",
+        angle.right.to_degrees(),
+        "deg",
+    );
+    derived.quantity("pitch_diameter_mm", "pitch diameter", 2.0 * setup.worm_pitch_radius, "mm");
+    derived.quantity("tip_diameter_mm", "tip diameter", 2.0 * setup.worm_tip_radius, "mm");
+    derived.quantity("root_diameter_mm", "root diameter", 2.0 * setup.worm_root_radius, "mm");
+    derived.quantity("lead_angle_deg", "lead angle", 90.0 - worm.helix_angle.to_degrees().abs(), "deg");
+    derived.section("contact");
+    let chain = &setup.pair.chain;
+    derived.quantity("centre_distance_mm", "centre distance", chain.centre_distance, "mm");
+    derived.quantity(
+        "crossed_axes_angle_deg",
+        "crossed-axes angle",
+        chain.crossed_axes_angle.to_degrees(),
+        "deg",
+    );
+    for (flank, f) in setup.pair.flanks.iter() {
+        let (angle, direction) = match flank {
+            Flank::Left => (
+                ("operating_pressure_angle_left_deg", "operating pressure angle, left"),
+                ("contact_path_left_deg", "contact path on the gear, left"),
+            ),
+            Flank::Right => (
+                ("operating_pressure_angle_right_deg", "operating pressure angle, right"),
+                ("contact_path_right_deg", "contact path on the gear, right"),
+            ),
+        };
+        derived.quantity(angle.0, angle.1, f.operating_alpha_n.to_degrees(), "deg");
+        derived.quantity(direction.0, direction.1, setup.lines[flank].t_k.atan().to_degrees(), "deg");
+    }
+    derived.section("dressing");
+    let dressing = &setup.dresser.chain;
+    derived.quantity("centre_distance_mm", "nominal centre distance", dressing.centre_distance, "mm");
+    derived.quantity(
+        "crossing_angle_deg",
+        "nominal crossing angle",
+        dressing.crossing_angle.to_degrees(),
+        "deg",
+    );
+    for (flank, dresser) in setup.dresser.flanks.iter() {
+        let (from, to) = match flank {
+            Flank::Left => {
+                (("roll_from_left_mm", "worm roll from, left"), ("roll_to_left_mm", "worm roll to, left"))
+            }
+            Flank::Right => {
+                (("roll_from_right_mm", "worm roll from, right"), ("roll_to_right_mm", "worm roll to, right"))
+            }
+        };
+        derived.quantity(from.0, from.1, dresser.range.w_nf, "mm");
+        derived.quantity(to.0, to.1, dresser.range.w_na, "mm");
+    }
 }

@@ -3,6 +3,7 @@
 pub mod check;
 mod derived;
 pub mod new;
+mod outcome;
 pub mod plan;
 pub mod schema;
 pub mod simulate;

@@ -1,10 +1,16 @@
-//! Arguments of `flankwright plan`: from the target to settings, motions and a proven flank.
+//! `flankwright plan`: from the target to settings, motions and a proven flank.
 
 use std::path::PathBuf;
 
 use clap::Args;
+use flankwright::workflow::plan_job;
 
+use super::outcome;
 use crate::arguments::CommonArguments;
+use crate::exit::Exit;
+use crate::failure::Failure;
+use crate::output;
+use crate::progress::Bars;
 
 /// Arguments of `plan`.
 #[derive(Args, Debug)]
@@ -17,4 +23,16 @@ pub struct PlanArguments {
     /// Arguments that every command has.
     #[command(flatten)]
     pub common: CommonArguments,
+}
+
+/// Plans the job, writes its files and prints a summary.
+///
+/// # Errors
+/// Everything that is wrong with the job, a target that these bodies cannot make, files that cannot be written.
+pub fn run(arguments: &PlanArguments) -> Result<Exit, Failure> {
+    let loaded = output::load_job(&arguments.job)?;
+    let bars = Bars::new(arguments.common.quiet);
+    let planned = plan_job(&loaded, &bars);
+    bars.finish();
+    outcome::deliver(&arguments.common, &loaded, planned)
 }

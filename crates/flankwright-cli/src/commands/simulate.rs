@@ -1,14 +1,23 @@
-//! Arguments of `flankwright simulate`: the settings stand in the job; what comes out.
+//! `flankwright simulate`: the settings stand in the job; what comes out.
 
 use std::path::PathBuf;
 
 use clap::Args;
+use flankwright::workflow::simulate_job;
 
+use super::outcome;
 use crate::arguments::CommonArguments;
+use crate::exit::Exit;
+use crate::failure::Failure;
+use crate::output;
+use crate::progress::Bars;
 
 /// Arguments of `simulate`.
 #[derive(Args, Debug)]
-#[command(after_help = "Example:\n  flankwright simulate examples/radial-feed-crowning.toml --json")]
+#[command(
+    after_help = "Example:\n  flankwright plan examples/twist-free-crowning.toml -o results\n  flankwright simulate results/settings.json\n\n\
+    The settings are the table [settings] of the job; `plan` writes them into settings.json."
+)]
 pub struct SimulateArguments {
     /// The job file (TOML or JSON); `-` reads standard input
     #[arg(value_name = "JOB")]
@@ -16,4 +25,16 @@ pub struct SimulateArguments {
     /// Arguments that every command has.
     #[command(flatten)]
     pub common: CommonArguments,
+}
+
+/// Runs the settings of the job, writes its files and prints a summary.
+///
+/// # Errors
+/// As `plan`; a job without settings.
+pub fn run(arguments: &SimulateArguments) -> Result<Exit, Failure> {
+    let loaded = output::load_job(&arguments.job)?;
+    let bars = Bars::new(arguments.common.quiet);
+    let simulated = simulate_job(&loaded, &bars);
+    bars.finish();
+    outcome::deliver(&arguments.common, &loaded, simulated)
 }

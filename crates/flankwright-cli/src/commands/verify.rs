@@ -1,10 +1,15 @@
-//! Arguments of `flankwright verify`: recomputes every expected value of reference files.
+//! `flankwright verify`: recomputes every expected value of reference files.
 
 use std::path::PathBuf;
 
 use clap::Args;
+use flankwright::exchange::Diagnostic;
+use flankwright::workflow::verify::{VerifyOptions, VerifySummary, verify_file};
 
 use crate::arguments::CommonArguments;
+use crate::exit::Exit;
+use crate::failure::Failure;
+use crate::output;
 
 /// Arguments of `verify`.
 #[derive(Args, Debug)]
@@ -25,4 +30,61 @@ pub struct VerifyArguments {
     /// Arguments that every command has.
     #[command(flatten)]
     pub common: CommonArguments,
+}
+
+/// Verifies the files and prints the summary.
+///
+/// # Errors
+/// A file that cannot be read or is of no known schema.
+pub fn run(arguments: &VerifyArguments) -> Result<Exit, Failure> {
+    let options = VerifyOptions { data_directories: arguments.data.iter().cloned().collect() };
+    let mut reports = Vec::with_capacity(arguments.files.len());
+    for file in &arguments.files {
+        let report = verify_file(file, &options).map_err(|error| {
+            Failure::new(
+                Exit::BadInput,
+                Diagnostic::with_code(error.code(), error.to_string()).way_out(error.way_out()),
+            )
+        })?;
+        reports.push(report);
+    }
+    let summary = VerifySummary::new(reports);
+    if arguments.common.json {
+        output::print_json(&summary)?;
+    } else if !arguments.common.quiet {
+        output::print(&text(&summary))?;
+    }
+    let done = summary.exit_code(arguments.allow_uncovered) == 0;
+    Ok(if done { Exit::Done } else { Exit::Internal })
+}
+
+/// Failures shown per file; `--json` lists all.
+const SHOWN: usize = 10;
+
+fn text(summary: &VerifySummary) -> String {
+    let mut text = String::new();
+    for file in &summary.files {
+        text += &format!("{}: {} checks, {} failed", file.file, file.checks, file.failed);
+        if let Some(worst) = &file.worst {
+            text += &format!(
+                "; worst {:.2e} of the tolerance: {} {}",
+                worst.share_of_tolerance, worst.case, worst.quantity
+            );
+        }
+        text.push('\n');
+        for f in file.failures.iter().take(SHOWN) {
+            text += &format!("  failed: {} {}: {} instead of {}", f.case, f.quantity, f.actual, f.expected);
+            if let (Some(difference), Some(tolerance)) = (f.difference, f.tolerance) {
+                text += &format!(" (difference {difference:e}, tolerance {tolerance:e})");
+            }
+            text.push('\n');
+        }
+        for skipped in &file.not_run {
+            text += &format!("  not run: {}: {}\n", skipped.case, skipped.reason);
+        }
+        for block in &file.not_covered {
+            text += &format!("  not covered yet: {}: {}\n", block.case, block.block);
+        }
+    }
+    text
 }

@@ -3,7 +3,7 @@
 use crate::command::{repository, run};
 
 /// Commands that the examples go through; `check` ends with 0 for all of them.
-const COMMANDS: &[&str] = &["check"];
+const COMMANDS: &[&str] = &["check", "plan"];
 
 /// Exit status of the other commands.
 const EXPECTED: [(&str, i32); 3] =

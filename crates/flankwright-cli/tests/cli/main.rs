@@ -4,4 +4,5 @@ mod bad_input;
 mod command;
 mod commands;
 mod examples;
+mod planning;
 mod robustness;

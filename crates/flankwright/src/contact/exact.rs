@@ -57,6 +57,15 @@ pub struct ExactContact<'a, S: ToolSurface> {
     pitch: f64,
 }
 
+/// Why an iteration ended without a contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Lost {
+    /// It left the tool surface at these parameters.
+    Surface { p: f64, q: f64 },
+    /// It does not settle.
+    Diverged,
+}
+
 type State = Vector4<f64>;
 
 impl<'a, S: ToolSurface> ExactContact<'a, S> {
@@ -133,28 +142,30 @@ impl<'a, S: ToolSurface> ExactContact<'a, S> {
         surface: &dyn ToolSurface,
         mut y: State,
         target: &Target,
-    ) -> Option<(State, Evaluation, usize)> {
+    ) -> Result<(State, Evaluation, usize), Lost> {
         let (limit_p, limit_q) = surface.step_limits();
         let limits = [limit_p, limit_q, 0.3, 4.0];
         let mut previous = f64::INFINITY;
         for iteration in 1..=MAX_ITERATIONS {
-            let e = Self::evaluate(kernel, surface, &y, target, self.measure)?;
-            let mut step = solve4(&e.jacobian, &e.residual)?;
+            let here = Lost::Surface { p: y[0], q: y[1] };
+            let e = Self::evaluate(kernel, surface, &y, target, self.measure).ok_or(here)?;
+            let mut step = solve4(&e.jacobian, &e.residual).ok_or(Lost::Diverged)?;
             let excess = (0..4).map(|k| step[k].abs() / limits[k]).fold(1.0, f64::max);
             step /= excess;
             let size = step.norm() / (1.0 + y.norm());
             if size < CONVERGED {
                 // The step is the error of y, and f_n changes along it only by the angle between the normals.
-                return Some((y, e, iteration));
+                return Ok((y, e, iteration));
             }
             y -= step;
             if size < STALLED && size >= previous {
-                let e = Self::evaluate(kernel, surface, &y, target, self.measure)?;
-                return Some((y, e, iteration));
+                let here = Lost::Surface { p: y[0], q: y[1] };
+                let e = Self::evaluate(kernel, surface, &y, target, self.measure).ok_or(here)?;
+                return Ok((y, e, iteration));
             }
             previous = size;
         }
-        None
+        Err(Lost::Diverged)
     }
 
     /// Solves at (w_2, z_2) from the unmodified contact.
@@ -182,8 +193,8 @@ impl<'a, S: ToolSurface> ExactContact<'a, S> {
                 .ok_or(ContactError::WormSurfaceMissing { p: y_0[0], q: y_0[1] })?;
             e.jacobian.determinant()
         };
-        let accepted = |found: Option<(State, Evaluation, usize)>| {
-            let (y, e, iterations) = found?;
+        let accepted = |found: Result<(State, Evaluation, usize), Lost>| {
+            let (y, e, iterations) = found.ok()?;
             let ratio = e.jacobian.determinant() / reference;
             (ratio > 0.0).then_some((y, e, iterations, ratio))
         };
@@ -221,24 +232,28 @@ impl<'a, S: ToolSurface> ExactContact<'a, S> {
         z: f64,
     ) -> Result<(State, Evaluation, usize, f64), ContactError> {
         let (mut share, mut step, mut y, mut last) = (0.0, 0.25, y_0, 1.0);
+        let mut lost = Lost::Diverged;
         while step > 1e-3 {
             let next: f64 = f64::min(share + step, 1.0);
             let motion = kernel.motion.with_share(next);
             let scaled = Kernel::new(&motion, kernel.phase);
             let surface = self.surface.with_share(next);
             match self.newton(&scaled, surface.as_ref(), y, target) {
-                Some((found, e, n)) if e.jacobian.determinant() / reference > 0.0 => {
+                Ok((found, e, n)) if e.jacobian.determinant() / reference > 0.0 => {
                     last = e.jacobian.determinant() / reference;
                     (share, y) = (next, found);
                     if share >= 1.0 {
                         return Ok((y, e, n, last));
                     }
                 }
-                _ => step *= 0.5,
+                outcome => {
+                    lost = outcome.err().unwrap_or(Lost::Diverged);
+                    step *= 0.5;
+                }
             }
         }
-        if self.surface.jet(y[0], y[1]).is_none() {
-            return Err(ContactError::WormSurfaceMissing { p: y[0], q: y[1] });
+        if let Lost::Surface { p, q } = lost {
+            return Err(ContactError::WormSurfaceMissing { p, q });
         }
         Err(ContactError::Undercut { flank: self.pair.flank(), w, z, ratio: last })
     }

@@ -17,7 +17,25 @@ pub(super) fn check(job: &Job) -> Vec<Diagnostic> {
     dresser(job, &mut findings);
     dressing(job, &mut findings);
     grinding(job, &mut findings);
+    settings(job, &mut findings);
     findings
+}
+
+/// Strokes that have a length, coefficients that no machine exceeds.
+fn settings(job: &Job, findings: &mut Vec<Diagnostic>) {
+    let Some(settings) = &job.settings else { return };
+    for (flank, given) in [("left", &settings.left), ("right", &settings.right)] {
+        let Some(given) = given else { continue };
+        if given.v_to_mm <= given.v_from_mm {
+            findings.push(
+                Diagnostic::new(Problem::InvalidJob, "the dressing stroke has no length")
+                    .field(format!("settings.{flank}.v_to_mm"))
+                    .value(shown_number(given.v_to_mm))
+                    .allowed(format!("> v_from_mm = {}", shown_number(given.v_from_mm)))
+                    .way_out("give the stroke from its smaller to its larger worm position"),
+            );
+        }
+    }
 }
 
 fn name(job: &Job, findings: &mut Vec<Diagnostic>) {

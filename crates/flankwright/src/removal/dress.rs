@@ -258,25 +258,28 @@ impl<'a> Cutter<'a> {
         };
         let mut a = from + self.step * k as f64;
         let mut low = at(a, guess)?;
-        // Downhill, pose by pose; the scan's first-order lengths may be off by one pose.
-        let stride = -self.step * low.rate.signum();
-        let (mut b, mut high);
-        let mut strides = 0;
-        loop {
+        // Downhill, pose by pose: the scan's first-order lengths may be off by one pose. Near the end of the profile
+        // shorter strides keep to it.
+        let mut stride = -self.step * low.rate.signum();
+        let mut b = a;
+        let mut high = low;
+        for strides in 0.. {
+            if strides > 16 {
+                return Err(Uncut::ToolMissing);
+            }
             b = a + stride;
             if b < from - 0.5 * self.step || b > to + 0.5 * self.step {
                 return Err(Uncut::StrokeTooShort);
             }
             b = b.clamp(from, to);
-            high = at(b, low.lam)?;
-            if high.rate * stride >= 0.0 {
-                break;
+            match at(b, low.lam) {
+                Err(_) => stride *= 0.5,
+                Ok(found) if found.rate * stride >= 0.0 => {
+                    high = found;
+                    break;
+                }
+                Ok(found) => (a, low) = (b, found),
             }
-            strides += 1;
-            if strides > 8 {
-                return Err(Uncut::NotConverged);
-            }
-            (a, low) = (b, high);
         }
         // Regula falsi with the Illinois weights: the bracket stays, the order is 1.44.
         let (mut weight_low, mut weight_high) = (1.0, 1.0);

@@ -31,7 +31,7 @@ pub enum Uncut {
     StrokeTooShort,
     /// The contact wanders off the tool's surface before the ray is finished.
     ToolMissing,
-    /// The search for the shortest length did not settle.
+    /// The search for the shortest length did not settle: an edge of the tool decides it (undercut), or a kink.
     NotConverged,
 }
 
@@ -136,7 +136,9 @@ impl RemovalError {
                 Uncut::NotReached => "check centre distance and phase, or allow more stock",
                 Uncut::StrokeTooShort => "lengthen the stroke at that end",
                 Uncut::ToolMissing => "lengthen the tool's profile or width, or shrink the field of rays",
-                Uncut::NotConverged => "smooth the modification: it bends too sharply there",
+                Uncut::NotConverged => {
+                    "shorten the tool's tip if it undercuts there, or smooth the modification"
+                }
             },
             Self::Surface(_) => "use at least four lengths of roll and four axial positions",
         }

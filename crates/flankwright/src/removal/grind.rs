@@ -6,7 +6,7 @@
 
 use super::descent::{Bottom, Slope, descend, descend_along};
 use super::ground_flank::{GroundFlank, GroundRay};
-use super::sweep::{Candidate, Scratch, Sweep, mean_roll};
+use super::sweep::{Candidate, Scratch, Sweep};
 use super::{RayGrid, RemovalError, Stage, Statistics, Uncut, WormArea, WormModification, error};
 use crate::geometry::InvoluteFlank;
 use crate::kinematics::{GeneratingMotion, Pose, Workpiece, Worm};
@@ -61,6 +61,8 @@ const TILE: usize = 4;
 pub(super) struct Engagement<'a> {
     pub setup: &'a Grinding<'a>,
     pub area: WormArea,
+    /// Normal base pitch, mm.
+    base_pitch: f64,
     phase: f64,
     /// d phi_1/d phi_2 at a fixed feed, negative.
     ratio: f64,
@@ -116,7 +118,7 @@ pub fn grind(
     progress: &dyn Progress,
 ) -> Result<GroundFlank, RemovalError> {
     let engagement = Engagement::new(setup)?;
-    let sweep = Sweep::new(&engagement, mean_roll(grid.w())?)?;
+    let sweep = Sweep::new(&engagement, grid.w())?;
     progress.start("grinding", grid.count() as u64);
     let parts: Vec<(Vec<Shot>, Statistics)> = tiles(grid)
         .par_iter()
@@ -170,7 +172,8 @@ impl<'a> Engagement<'a> {
         error::positive("grinding stock", setup.stock)?;
         let work = setup.work;
         let circumference = 2.0 * std::f64::consts::PI * work.base_radius;
-        if setup.stock > 0.25 * circumference * work.base_helix_angle.cos() / work.teeth {
+        let base_pitch = circumference * work.base_helix_angle.cos() / work.teeth;
+        if setup.stock > 0.25 * base_pitch {
             return Err(RemovalError::InvalidNumber {
                 field: "grinding stock",
                 value: setup.stock,
@@ -189,7 +192,7 @@ impl<'a> Engagement<'a> {
         }
         let area = setup.area.within(setup.modification.domain())?;
         let phase = setup.motion.phase[work.flank];
-        Ok(Self { setup, area, phase, ratio: -setup.motion.teeth / setup.motion.threads })
+        Ok(Self { setup, area, base_pitch, phase, ratio: -setup.motion.teeth / setup.motion.threads })
     }
 
     /// X_SV at workpiece angle `angle` and feed `feed`: the worm angle that the coupling gives to them.
@@ -265,12 +268,14 @@ impl<'a> Engagement<'a> {
             .collect();
         let centre = rays.iter().map(|ray| ray.point).sum::<Vector3<f64>>() / rays.len() as f64;
         let radius = rays.iter().map(|ray| (ray.point - centre).norm()).fold(0.0, f64::max);
-        sweep.select(self, &centre, radius, rays.len(), scratch, &mut statistics);
+        let dip = |ray: &Ray| sweep.hidden_dip(ray.w, self.base_pitch);
+        let reach = self.setup.stock + rays.iter().map(dip).fold(0.0, f64::max);
+        sweep.select(self, &centre, radius + reach, rays.len(), scratch, &mut statistics);
         let shots = tile
             .iter()
             .zip(&rays)
             .map(|(&index, ray)| {
-                let dip = sweep.hidden_dip(ray.w).min(self.setup.stock);
+                let dip = dip(ray);
                 sweep.candidates(self, &ray.point, self.setup.stock + dip, scratch, found);
                 let (ray, residue) = self.shorten(ray, sweep, found, dip, &mut statistics.exact);
                 Shot { index, ray, residue }

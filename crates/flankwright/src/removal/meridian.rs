@@ -7,9 +7,10 @@ use num_dual::Dual64;
 
 /// Largest distance between spline and meridian that ends the refinement, mm.
 const TOLERANCE: f64 = 1e-11;
-/// First and largest number of intervals. 256 nodes over some 10 mm are fine for smooth profiles; 65536 put the knots
-/// 0.2 um apart, beyond which only the file of a measured profile would have structure.
-const INTERVALS: [usize; 2] = [256, 65_536];
+/// Intervals to begin with: enough for a smooth profile.
+const INTERVALS: usize = 256;
+/// Rounds of halving. Where the profile has a kink, twenty bring the knots together to 1e-7 mm and less.
+const ROUNDS: usize = 20;
 
 /// Z(r) of one flank of the dresser.
 #[derive(Clone, Debug)]
@@ -21,8 +22,16 @@ pub(super) struct Meridian {
     pub error: f64,
 }
 
+/// A point of the profile with its parameter.
+#[derive(Clone, Copy)]
+struct Node {
+    t: f64,
+    r: f64,
+    z: f64,
+}
+
 impl Meridian {
-    /// Samples a profile over its whole parameter interval, halving the steps until it is met.
+    /// Samples a profile over its whole parameter interval and halves the intervals in whose middle the spline misses it.
     ///
     /// # Errors
     /// [`RemovalError::ProfileFolds`] where radius or normal turn back.
@@ -30,32 +39,44 @@ impl Meridian {
         let (first, last) = profile.interval();
         let (start, end) = (profile.at(first), profile.at(last));
         let side = start.n_z.signum();
-        let rising = end.r > start.r;
-        // Abscissae ascend in r; t runs with them or against them.
-        let (t_low, low, high) = if rising { (first, start.r, end.r) } else { (last, end.r, start.r) };
-        let direction = if rising { 1.0 } else { -1.0 };
-        let sample = |radii: &[f64]| -> Result<Vec<f64>, RemovalError> {
-            let mut t = t_low;
-            radii.iter().map(|&r| axial_at(profile, r, &mut t, direction, side)).collect()
-        };
-        let radii = |count: usize, offset: f64, intervals: usize| -> Vec<f64> {
-            (0..count).map(|k| low + (high - low) * (k as f64 + offset) / intervals as f64).collect()
-        };
-        let [mut intervals, most] = INTERVALS;
-        let mut knots = radii(intervals + 1, 0.0, intervals);
-        let mut values = sample(&knots)?;
+        let direction = if end.r > start.r { 1.0 } else { -1.0 };
+        let (mut t, low, high) =
+            if direction > 0.0 { (first, start.r, end.r) } else { (last, end.r, start.r) };
+        let mut knots = Vec::with_capacity(2 * INTERVALS);
+        for k in 0..=INTERVALS {
+            let r = low + (high - low) * k as f64 / INTERVALS as f64;
+            let node = node_at(profile, r, t, direction, side)?;
+            t = node.t;
+            knots.push(node);
+        }
+        let middle =
+            |a: &Node, b: &Node| node_at(profile, 0.5 * (a.r + b.r), 0.5 * (a.t + b.t), direction, side);
+        let mut middles = knots.windows(2).map(|p| middle(&p[0], &p[1])).collect::<Result<Vec<_>, _>>()?;
+        let mut round = 0;
         loop {
-            let spline = CubicSpline::new(&knots, &values)?;
-            let between = radii(intervals, 0.5, intervals);
-            let exact = sample(&between)?;
-            let error =
-                between.iter().zip(&exact).map(|(&r, z)| (spline.value(r) - z).abs()).fold(0.0, f64::max);
-            if error <= TOLERANCE || intervals >= most {
+            let [r, z] =
+                [|node: &Node| node.r, |node: &Node| node.z].map(|f| knots.iter().map(f).collect::<Vec<_>>());
+            let spline = CubicSpline::new(&r, &z)?;
+            let miss = |node: &Node| (spline.value(node.r) - node.z).abs();
+            let error = middles.iter().map(miss).fold(0.0, f64::max);
+            if error <= TOLERANCE || round == ROUNDS {
                 return Ok(Self { spline, side, error });
             }
-            intervals *= 2;
-            knots = radii(intervals + 1, 0.0, intervals);
-            values = interleaved(&values, &exact);
+            let mut finer = Vec::with_capacity(2 * knots.len());
+            let mut between = Vec::with_capacity(2 * knots.len());
+            for (pair, node) in knots.windows(2).zip(&middles) {
+                finer.push(pair[0]);
+                if miss(node) > TOLERANCE {
+                    between.push(middle(&pair[0], node)?);
+                    between.push(middle(node, &pair[1])?);
+                    finer.push(*node);
+                } else {
+                    between.push(*node);
+                }
+            }
+            finer.extend(knots.last());
+            (knots, middles) = (finer, between);
+            round += 1;
         }
     }
 
@@ -71,35 +92,27 @@ impl Meridian {
     }
 }
 
-fn interleaved(knots: &[f64], between: &[f64]) -> Vec<f64> {
-    let mut all = Vec::with_capacity(knots.len() + between.len());
-    for (i, &value) in knots.iter().enumerate() {
-        all.push(value);
-        all.extend(between.get(i));
-    }
-    all
-}
-
-/// Axial position at radius r by Newton on r(t), from the parameter of the neighbour.
-fn axial_at(
+/// The profile point at radius r by Newton on r(t), from a parameter close by.
+fn node_at(
     profile: &Revolution,
     r: f64,
-    t: &mut f64,
+    start: f64,
     direction: f64,
     side: f64,
-) -> Result<f64, RemovalError> {
+) -> Result<Node, RemovalError> {
+    let mut t = start;
     // Newton settles in three steps from a neighbour; sixty mean that the profile turns back.
     for _ in 0..60 {
-        let at = profile.at(Dual64::from_re(*t).derivative());
+        let at = profile.at(Dual64::from_re(t).derivative());
         if at.r.eps * direction <= 0.0 || at.n_z.re * side <= 0.0 {
             break;
         }
         let step = (r - at.r.re) / at.r.eps;
+        t += step;
         // The last step is taken in z to first order instead of evaluating once more: its square is below rounding.
         if step.abs() < 1e-9 {
-            return Ok(at.z.re + at.z.eps * step);
+            return Ok(Node { t, r, z: at.z.re + at.z.eps * step });
         }
-        *t += step;
     }
-    Err(RemovalError::ProfileFolds { t: *t, r })
+    Err(RemovalError::ProfileFolds { t, r })
 }

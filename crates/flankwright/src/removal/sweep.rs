@@ -3,7 +3,6 @@
 //! The motion has two parameters, the workpiece angle and the feed. Whichever thread the coupling pairs with this tooth
 //! space, it appears in one turn of the workpiece; so one turn times the stroke holds every pose there is.
 
-use super::error;
 use super::grind::Engagement;
 use super::{RemovalError, Statistics};
 use nalgebra::{Matrix3, Vector3};
@@ -50,10 +49,10 @@ pub(super) struct Scratch {
 }
 
 impl Sweep {
-    /// Poses over one turn and the whole stroke, for rays of the given mean length of roll.
-    pub fn new(engagement: &Engagement<'_>, mean_roll: f64) -> Result<Self, RemovalError> {
+    /// Poses over one turn and the whole stroke, for rays with the given lengths of roll.
+    pub fn new(engagement: &Engagement<'_>, rolls: &[f64]) -> Result<Self, RemovalError> {
         let [from, to] = engagement.setup.feed_range;
-        let step = STEP_SHARE * mean_roll;
+        let step = STEP_SHARE * rolls.iter().sum::<f64>() / rolls.len() as f64;
         let turns = (2.0 * std::f64::consts::PI * engagement.setup.work.base_radius / step).ceil().max(16.0);
         let intervals = ((to - from) / step).ceil().max(2.0);
         if turns * intervals > MOST_POSES {
@@ -85,24 +84,24 @@ impl Sweep {
         Scratch { gaps: vec![f64::INFINITY; self.count()], touched: Vec::new(), near: Vec::new() }
     }
 
-    /// Largest dip that the scan may hide on a ray with length of roll w, mm: twice the square of half a step over 2 w.
-    pub fn hidden_dip(&self, w: f64) -> f64 {
-        self.step[1] * self.step[1] / (4.0 * w)
+    /// Largest dip that the scan may hide on a ray with length of roll w, mm: twice the square of half a step over 2 w,
+    /// at most a quarter of the normal base pitch, so that together with the stock it stays with one thread.
+    pub fn hidden_dip(&self, w: f64, normal_base_pitch: f64) -> f64 {
+        (self.step[1] * self.step[1] / (4.0 * w)).min(0.25 * normal_base_pitch)
     }
 
-    /// Keeps the poses in which a ball round the tile's rays can touch the worm's area at all.
+    /// Keeps the poses in which a ball can touch the worm's area at all: the ball holds the feet of the tile's rays and
+    /// beyond them the largest gap that makes a candidate.
     pub fn select(
         &self,
         engagement: &Engagement<'_>,
         centre: &Vector3<f64>,
-        radius: f64,
+        margin: f64,
         rays: usize,
         scratch: &mut Scratch,
         statistics: &mut Statistics,
     ) {
         let (worm, area) = (engagement.setup.worm, &engagement.area);
-        // A ray's foot on the worm lies at most its gap away from its end; gaps above twice the stock are no candidates.
-        let margin = radius + 2.0 * engagement.setup.stock;
         let inner = worm.radius(area.w[0]) - margin;
         let outer = (worm.radius(area.w[1]) + margin).powi(2);
         let inner = inner.max(0.0).powi(2);
@@ -159,10 +158,4 @@ impl Sweep {
             .flat_map(|row| columns.map(|column| row * self.turns + column))
             .all(|other| gaps[k] <= gaps[other])
     }
-}
-
-/// Refuses a grid of rays that the scan has no scale for.
-pub(super) fn mean_roll(w: &[f64]) -> Result<f64, RemovalError> {
-    let mean = w.iter().sum::<f64>() / w.len() as f64;
-    error::positive("mean length of roll", mean).map(|()| mean)
 }

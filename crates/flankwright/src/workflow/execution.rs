@@ -173,7 +173,7 @@ impl Execution {
         };
         let policy = ProfilePolicy { place: ProfilePlace::Dresser, free_dresser: true };
         let tool = dresser_of_plan(setup, &ideal, policy);
-        let grid = PlanningGrid::new(setup, job.grid.profile_points as usize, job.grid.helix_points as usize);
+        let grid = PlanningGrid::new(setup, job.grid.profile_points, job.grid.helix_points);
         let mut feeds = Vec::new();
         let flanks = Sides::try_from_fn(|flank| -> Result<_, GeneratingError> {
             let Some(target) = &prepared.targets[flank] else { return Ok(None) };

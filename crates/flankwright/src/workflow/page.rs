@@ -5,7 +5,7 @@ use super::run::{Outcome, ratio_reason};
 use super::tables::steps;
 use crate::exchange::job::{Job, Modification as Spec};
 use crate::geometry::{Flank, Sides};
-use crate::report::charts::{ChartError, SectionTrace, Topography};
+use crate::report::charts::{ChartError, SectionTrace, Topography, format_significant};
 use crate::report::generating::{
     Characteristics, ConvergenceRound, DressingMotion, FlankReport, GeneratingReport, GrindingMotion,
     OutsideTerm, RatioCandidate, RatioChoice, Reason, RefereeStage, TargetAmount, Verification, WrittenFile,
@@ -30,6 +30,9 @@ fn characteristics(c: &CharacteristicsUm) -> Characteristics {
 
 /// The amount of a target entry as the job has it, where its kind has one.
 fn target_amounts(job: &Job, flank: Flank) -> Vec<TargetAmount> {
+    let named = |kind: &str| {
+        job.target.modifications.iter().flatten().any(|s| s.kind() == kind && s.flank().includes(flank))
+    };
     let entries = job.target.modifications.iter().flatten().filter(|spec| spec.flank().includes(flank));
     entries
         .map(|spec: &Spec| {
@@ -48,6 +51,11 @@ fn target_amounts(job: &Job, flank: Flank) -> Vec<TargetAmount> {
                 .join(", ");
             TargetAmount { name: spec.kind().replace('_', " "), amount_um, detail }
         })
+        .chain((!named("twist") && job.target.file.is_none()).then(|| TargetAmount {
+            name: "twist".into(),
+            amount_um: 0.0,
+            detail: "no entry: zero twist is wanted".into(),
+        }))
         .collect()
 }
 
@@ -199,10 +207,8 @@ fn settings_quantities(outcome: &Outcome) -> Vec<Quantity> {
         Quantity::number("feed stroke from", "z_V2", s.feed_stroke_mm[0], "mm"),
         Quantity::number("feed stroke to", "z_V2", s.feed_stroke_mm[1], "mm"),
     ];
-    if let Some(stars) = s.lead_correction_ratio {
-        if let (Some(l), Some(r)) = (stars.left, stars.right) {
-            list.push(Quantity::per_flank("lead-correction ratio", "K*", l, r, ""));
-        }
+    if let Some(Sides { left: Some(l), right: Some(r) }) = s.lead_correction_ratio {
+        list.push(Quantity::per_flank("lead-correction ratio", "K*", l, r, ""));
     }
     if let Some(place) = s.profile_crowning_by {
         list.push(Quantity::text("profile crowning made by", place));
@@ -237,6 +243,22 @@ fn dressing_motion(outcome: &Outcome, flank: Flank) -> Option<DressingMotion> {
     })
 }
 
+fn feed_marks(outcome: &Outcome) -> Option<String> {
+    let heights: Vec<String> = outcome
+        .result
+        .flanks
+        .iter()
+        .filter_map(|(flank, f)| Some(format!("{flank} flank {} um", format_significant(f.feed_mark_um?, 2))))
+        .collect();
+    (!heights.is_empty()).then(|| {
+        format!(
+            "The simulated flank is the envelope, as an endlessly slow feed leaves it. At the feed of the job the marks stand \
+             above it by up to: {}.",
+            heights.join(", ")
+        )
+    })
+}
+
 fn verification(outcome: &Outcome) -> Verification {
     let mut stages = Vec::new();
     for (flank, verdict) in outcome.verdicts.iter() {
@@ -252,7 +274,7 @@ fn verification(outcome: &Outcome) -> Verification {
         }
     }
     Verification {
-        paragraphs: vec![
+        paragraphs: [
             "The planned flank is the exact contact of the worm as dressed with the workpiece, solved point by point."
                 .into(),
             "The simulated flank comes from a second calculation that shares no formula with the first: normal rays of the \
@@ -260,7 +282,10 @@ fn verification(outcome: &Outcome) -> Verification {
              worm, and normal rays of the workpiece are shortened by that worm over the real grinding motion. Only the \
              shapes, the chain of axes and the motions are common to both."
                 .into(),
-        ],
+        ]
+        .into_iter()
+        .chain(feed_marks(outcome))
+        .collect(),
         stages,
     }
 }

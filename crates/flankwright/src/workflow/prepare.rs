@@ -38,6 +38,34 @@ pub struct Remark {
     pub way_out: String,
 }
 
+/// Why a job has no result.
+#[derive(Clone, Debug)]
+pub enum RunFailure {
+    /// The input itself is wrong (exit 2).
+    BadInput(Box<Diagnostic>),
+    /// Each part is possible, but these bodies cannot make the target (exit 4).
+    NotProducible(Box<Diagnostic>),
+}
+
+impl RunFailure {
+    /// A fault of the input.
+    pub fn bad_input(finding: Diagnostic) -> Self {
+        Self::BadInput(Box::new(finding))
+    }
+
+    /// A limit of the bodies.
+    pub fn not_producible(finding: Diagnostic) -> Self {
+        Self::NotProducible(Box::new(finding))
+    }
+}
+
+impl From<&GeneratingError> for RunFailure {
+    fn from(error: &GeneratingError) -> Self {
+        let finding = generating_finding(error);
+        if error.is_bad_input() { Self::bad_input(finding) } else { Self::not_producible(finding) }
+    }
+}
+
 /// Grid and point files named in a job, beside the job file.
 struct Beside<'a>(&'a LoadedJob);
 
@@ -139,11 +167,11 @@ pub fn blank_of_job(job: &Job) -> Blank {
 /// Bodies of the job.
 ///
 /// # Errors
-/// A finding on the key concerned; the flag tells bad input (exit 2) from bodies that cannot work together (exit 4).
-pub fn setup_of_job(job: &Job) -> Result<GrindingSetup, (Diagnostic, bool)> {
-    let gear = gear_of_job(job).map_err(|d| (d, true))?;
+/// [`RunFailure`] with a finding on the key concerned.
+pub fn setup_of_job(job: &Job) -> Result<GrindingSetup, RunFailure> {
+    let gear = gear_of_job(job).map_err(RunFailure::bad_input)?;
     let blank = blank_of_job(job);
-    blank.check(&gear).map_err(|e| (geometry_finding(&e, "gear"), true))?;
+    blank.check(&gear).map_err(|e| RunFailure::bad_input(geometry_finding(&e, "gear")))?;
     let range = job.gear.evaluation_range();
     let angle = job.worm_pressure_angle_deg().sides();
     let setup = GrindingSetup::new(SetupInput {
@@ -164,7 +192,7 @@ pub fn setup_of_job(job: &Job) -> Result<GrindingSetup, (Diagnostic, bool)> {
         dresser_pitch_diameter: job.dresser.pitch_diameter,
         root_clearance: job.dresser.root_clearance,
     })
-    .map_err(|e| (generating_finding(&e), e.is_bad_input()))?;
+    .map_err(|e| RunFailure::from(&e))?;
     let made = setup.pair.worm.data().pressure_angle;
     for (flank, angle) in angle.iter() {
         let wanted = angle.to_radians();
@@ -177,7 +205,7 @@ pub fn setup_of_job(job: &Job) -> Result<GrindingSetup, (Diagnostic, bool)> {
             let d = Diagnostic::with_code("not-mating", text)
                 .field("worm.normal_pressure_angle_deg")
                 .way_out("give the matching angle, or leave the worm's pressure angle out");
-            return Err((d, true));
+            return Err(RunFailure::bad_input(d));
         }
     }
     Ok(setup)
@@ -225,11 +253,14 @@ fn target_of_flank(
     }
 }
 
+/// Overlaps of worm tip and gear root below this are rounding of the drawing, mm.
+const WORTH_SAYING: f64 = 1e-3;
+
 /// Bodies, targets and rules of a job.
 ///
 /// # Errors
-/// A finding on the key concerned; the flag tells bad input (exit 2) from bodies that cannot work together (exit 4).
-pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, (Diagnostic, bool)> {
+/// [`RunFailure`] with a finding on the key concerned.
+pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
     let job = &loaded.job;
     let setup = setup_of_job(job)?;
     let mut warnings = Vec::new();
@@ -248,7 +279,7 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, (Diagnostic, bool)> {
             return Ok(None);
         }
         let field = &setup.fields[flank];
-        let wanted = target_of_flank(loaded, flank, field).map_err(|d| (d, true))?;
+        let wanted = target_of_flank(loaded, flank, field).map_err(RunFailure::bad_input)?;
         for warning in wanted.warnings() {
             warnings.push(Remark {
                 code: warning.code(),
@@ -260,11 +291,11 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, (Diagnostic, bool)> {
             None => FlankTarget::new(wanted),
             Some(None) => FlankTarget::with_given_dresser(wanted, Modification::none(field)),
             Some(Some(spec)) => {
-                let made = dresser_profile(loaded, spec, flank, field).map_err(|d| (d, true))?;
+                let made = dresser_profile(loaded, spec, flank, field).map_err(RunFailure::bad_input)?;
                 FlankTarget::with_given_dresser(wanted, made)
             }
         };
-        target.map(Some).map_err(|e| (generating_finding(&e), true))
+        target.map(Some).map_err(|e| RunFailure::bad_input(generating_finding(&e)))
     })?;
     let free_dresser = given.is_none();
     let places = match job.dressing.profile_crowning_by {
@@ -282,9 +313,9 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, (Diagnostic, bool)> {
         .field("dressing.profile_crowning_by")
         .allowed("\"auto\", \"diagonal\" or \"correction\"")
         .way_out("let the dresser be made for the target (dresser.modification = \"target\")");
-        return Err((d, true));
+        return Err(RunFailure::bad_input(d));
     }
-    if setup.root_cut > 0.0 {
+    if setup.root_cut > WORTH_SAYING {
         warnings.push(Remark {
             code: "worm-cuts-root",
             text: format!(
@@ -294,7 +325,17 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, (Diagnostic, bool)> {
             way_out: "reduce worm.tip_diameter or check gear.root_diameter".into(),
         });
     }
-    if setup.tip_short > 0.0 {
+    if setup.undercut > WORTH_SAYING {
+        warnings.push(Remark {
+            code: "undercut-by-worm-tip",
+            text: format!(
+                "the worm's tip reaches {:.3} mm of roll beyond the point that grinds the base circle and undercuts the gear",
+                setup.undercut
+            ),
+            way_out: "reduce worm.tip_diameter".into(),
+        });
+    }
+    if setup.tip_short > WORTH_SAYING {
         warnings.push(Remark {
             code: "worm-tip-short",
             text: format!(
@@ -354,7 +395,7 @@ impl Prepared {
             places: self.places.clone(),
             free_dresser: self.free_dresser,
             precompensation: job.grinding.precompensation.unwrap_or(!radial),
-            grid: (job.grid.profile_points as usize, job.grid.helix_points as usize),
+            grid: (job.grid.profile_points, job.grid.helix_points),
         }
     }
 }

@@ -4,7 +4,7 @@
 use super::execution::Execution;
 use crate::geometry::{Flank, Sides};
 use crate::metrology::Topography;
-use crate::numerics::Progress;
+use crate::numerics::{CubicSpline, Progress, Silent};
 use crate::process::generating::GrindingSetup;
 use crate::removal::{
     Dressing, Grinding, GrindingMode, RayGrid, RemovalError, Statistics, WormArea, dress, grind,
@@ -28,12 +28,14 @@ pub struct Verdict {
     pub dressing: StageReport,
     /// Worm against workpiece; its error contains that of the worm surface.
     pub grinding: StageReport,
+    /// Height of the true feed marks over the envelope on a sample of rays, mm; `None` without a feed.
+    pub feed_mark: Option<f64>,
 }
 
 /// Spacing of the worm's rays: over the profile and along the worm, mm (spec 28 section 5).
 const WORM_SPACING: [f64; 2] = [0.5, 1.0];
-/// Part of the dressing margin that the rays use along the worm, mm; the rest covers the slope of the contact line.
-const WORM_MARGIN: f64 = 2.0;
+/// Distance of the outermost worm rays from the ends of the dressed length, mm.
+const WORM_MARGIN: f64 = 0.5;
 /// Continuation of the used profile at each end, as a share of it.
 const PROFILE_MARGIN: f64 = 0.08;
 /// Least stock that counts as this flank's, mm.
@@ -46,17 +48,57 @@ const STOCK: f64 = 0.2;
 pub fn run(
     setup: &GrindingSetup,
     execution: &Execution,
-    mode: GrindingMode,
+    feed_per_revolution: Option<f64>,
     progress: &dyn Progress,
 ) -> Result<Sides<Option<Verdict>>, RemovalError> {
-    Sides::try_from_fn(|flank| run_flank(setup, execution, flank, mode, progress))
+    Sides::try_from_fn(|flank| run_flank(setup, execution, flank, feed_per_revolution, progress))
+}
+
+/// Columns along the worm on which the spacing over the profile is judged.
+const COLUMNS: usize = 3;
+/// The worm's spline may miss its rays by this much before a cell is halved, mm.
+const SPLINE_TOLERANCE: f64 = 1e-6;
+/// Halvings of a cell at the most; reliefs with a kink in the slope end here.
+const HALVINGS: usize = 6;
+
+/// Halves the cells over the profile in which a spline misses the rays in the middle, until it does not: reliefs bend the
+/// profile far more sharply than crownings.
+fn refined(dressing: &Dressing<'_>, even: &RayGrid) -> Result<RayGrid, RemovalError> {
+    let z = even.z();
+    let columns: Vec<f64> = (0..COLUMNS).map(|k| z[k * (z.len() - 1) / (COLUMNS - 1)]).collect();
+    let rays = |w: &[f64]| dress(dressing, &RayGrid::new(w.to_vec(), columns.clone())?, &Silent)?.lengths();
+    let mut w = even.w().to_vec();
+    let mut f = rays(&w)?;
+    for _ in 0..HALVINGS {
+        let middles: Vec<f64> = w.windows(2).map(|cell| 0.5 * (cell[0] + cell[1])).collect();
+        let between = rays(&middles)?;
+        let mut coarse = vec![false; middles.len()];
+        for column in 0..COLUMNS {
+            let along: Vec<f64> = f.chunks(COLUMNS).map(|row| row[column]).collect();
+            let spline = CubicSpline::new(&w, &along)?;
+            for (k, &middle) in middles.iter().enumerate() {
+                coarse[k] |= (spline.value(middle) - between[k * COLUMNS + column]).abs() > SPLINE_TOLERANCE;
+            }
+        }
+        if !coarse.contains(&true) {
+            break;
+        }
+        let mut merged: Vec<(f64, Vec<f64>)> =
+            w.iter().zip(f.chunks(COLUMNS)).map(|(&w, row)| (w, row.to_vec())).collect();
+        let halved = middles.iter().zip(between.chunks(COLUMNS)).zip(&coarse).filter(|(_, coarse)| **coarse);
+        merged.extend(halved.map(|((&w, row), _)| (w, row.to_vec())));
+        merged.sort_by(|a, b| a.0.total_cmp(&b.0));
+        w = merged.iter().map(|m| m.0).collect();
+        f = merged.into_iter().flat_map(|m| m.1).collect();
+    }
+    RayGrid::new(w, z.to_vec())
 }
 
 fn run_flank(
     setup: &GrindingSetup,
     execution: &Execution,
     flank: Flank,
-    mode: GrindingMode,
+    feed_per_revolution: Option<f64>,
     progress: &dyn Progress,
 ) -> Result<Option<Verdict>, RemovalError> {
     let Some(executed) = &execution.flanks[flank] else { return Ok(None) };
@@ -65,35 +107,62 @@ fn run_flank(
     let motion = executed.dressing(&execution.tool);
     let (from, to) = executed.corrections[0].interval();
     let margin = PROFILE_MARGIN * dresser.range.length();
-    let w = [dresser.range.w_nf - margin, dresser.range.w_na + margin];
-    let z = [execution.occupation[0] - WORM_MARGIN, execution.occupation[1] + WORM_MARGIN];
+    // Beyond its tip the worm does not exist; what it does not reach stays uncut and is told.
+    let tip = worm.length_of_roll(setup.worm_tip_radius).unwrap_or(0.0);
+    let w = [dresser.range.w_nf - margin, (dresser.range.w_na + margin).min(tip)];
+    // Along the worm: what the dressing stroke finishes over the whole profile.
+    let b = w.map(|w| dresser.line.value(w));
+    let z = [b[0].max(b[1]) - to + WORM_MARGIN, b[0].min(b[1]) - from - WORM_MARGIN];
     let stock = STOCK.max(3.0 * executed.target.largest());
-    let worm_grid = RayGrid::spaced(w, WORM_SPACING[0], z, WORM_SPACING[1])?;
-    let dressed = dress(
-        &Dressing { worm, dresser: &dresser.profile, motion: &motion, shift_range: [from, to], stock },
-        &worm_grid,
-        progress,
-    )?;
+    let dressing =
+        Dressing { worm, dresser: &dresser.profile, motion: &motion, shift_range: [from, to], stock };
+    let even = RayGrid::spaced(w, WORM_SPACING[0], z, WORM_SPACING[1])?;
+    let worm_grid = refined(&dressing, &even)?;
+    let dressed = dress(&dressing, &worm_grid, progress)?;
     let surface = dressed.surface()?;
     let grid = RayGrid::new(executed.target.w.clone(), executed.target.z.clone())?;
-    let ground = grind(
-        &Grinding {
-            worm,
-            area: WormArea { w, z },
-            modification: &surface,
-            work,
-            motion: &execution.motion,
-            feed_range: execution.feed_range,
-            stock,
-            mode,
-        },
-        &grid,
-        progress,
-    )?;
+    let grinding = Grinding {
+        worm,
+        area: WormArea { w, z },
+        modification: &surface,
+        work,
+        motion: &execution.motion,
+        feed_range: execution.feed_range,
+        stock,
+        mode: GrindingMode::Continuous,
+    };
+    let ground = grind(&grinding, &grid, progress)?;
+    let feed_mark = match feed_per_revolution {
+        Some(feed) => Some(feed_mark(&grinding, feed, &executed.target, progress)?),
+        None => None,
+    };
     let simulated = Topography { f: ground.lengths()?, ..executed.target.clone() };
     Ok(Some(Verdict {
         simulated,
         dressing: StageReport { statistics: dressed.statistics, error_um: surface.error_um },
         grinding: StageReport { statistics: ground.statistics, error_um: ground.error_um },
+        feed_mark,
     }))
+}
+
+/// Rays of the feed-mark sample over the profile and over the face width: their phases in the marks differ.
+const MARK_SAMPLE: usize = 9;
+
+/// Largest height of the true feed marks over the envelope on a sample of rays, mm.
+fn feed_mark(
+    grinding: &Grinding<'_>,
+    feed_per_revolution: f64,
+    target: &Topography,
+    progress: &dyn Progress,
+) -> Result<f64, RemovalError> {
+    let sample = |x: &[f64]| -> Vec<f64> {
+        let last = MARK_SAMPLE - 1;
+        (0..MARK_SAMPLE).map(|k| x[0] + (x[x.len() - 1] - x[0]) * k as f64 / last as f64).collect()
+    };
+    let grid = RayGrid::new(sample(&target.w), sample(&target.z))?;
+    let envelope = grind(grinding, &grid, progress)?.lengths()?;
+    let start = grinding.feed_range[0];
+    let passes = Grinding { mode: GrindingMode::FeedMarks { feed_per_revolution, start }, ..*grinding };
+    let marked = grind(&passes, &grid, progress)?.lengths()?;
+    Ok(marked.iter().zip(&envelope).map(|(m, e)| m - e).fold(0.0, f64::max))
 }

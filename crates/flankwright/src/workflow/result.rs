@@ -76,6 +76,9 @@ pub struct FlankResult {
     pub model_difference_um: f64,
     /// Bound of the referee's own error.
     pub referee_error_um: f64,
+    /// Height of the true feed marks over the envelope (sample of rays); absent without a feed per revolution.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub feed_mark_um: Option<f64>,
     /// Characteristics of the target.
     pub target_characteristics: CharacteristicsUm,
     /// Characteristics of the simulated flank.

@@ -1,26 +1,16 @@
 //! `plan` and `simulate`: from a checked job to result, tables and report.
 
 use super::execution::Execution;
-use super::prepare::{Prepared, Remark, generating_finding, prepare};
+use super::prepare::{Prepared, Remark, RunFailure, prepare};
 use super::referee::{self, Verdict};
 use super::result::{CandidateResult, CharacteristicsUm, FlankResult, JobResult, SettingsResult, Status};
 use crate::exchange::job::{Job, Method};
 use crate::exchange::{Diagnostic, LoadedJob, Problem};
 use crate::geometry::{Flank, Sides};
 use crate::numerics::Progress;
-use crate::process::generating::{GeneratingError, GrindingPlan, RatioReason, natural_twist};
-use crate::removal::GrindingMode;
+use crate::process::generating::{GrindingPlan, RatioReason, natural_twist};
 use std::collections::BTreeMap;
 use std::time::Instant;
-
-/// Why a job has no result.
-#[derive(Clone, Debug)]
-pub enum RunFailure {
-    /// The input itself is wrong (exit 2).
-    BadInput(Diagnostic),
-    /// These bodies cannot make the target (exit 4).
-    NotProducible(Diagnostic),
-}
 
 /// Everything that a run produces.
 pub struct Outcome {
@@ -36,15 +26,8 @@ pub struct Outcome {
     pub verdicts: Sides<Option<Verdict>>,
 }
 
-fn failure(error: &GeneratingError) -> RunFailure {
-    let finding = generating_finding(error);
-    if error.is_bad_input() { RunFailure::BadInput(finding) } else { RunFailure::NotProducible(finding) }
-}
-
 fn prepared(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
-    let ready = prepare(loaded).map_err(|(finding, bad)| {
-        if bad { RunFailure::BadInput(finding) } else { RunFailure::NotProducible(finding) }
-    })?;
+    let ready = prepare(loaded)?;
     supported(&loaded.job)?;
     Ok(ready)
 }
@@ -56,7 +39,7 @@ fn supported(job: &Job) -> Result<(), RunFailure> {
             Diagnostic::new(Problem::NotYetSupported, format!("{what} is not carried out by this version"))
                 .field(field)
                 .way_out(way_out);
-        Err(RunFailure::BadInput(finding))
+        Err(RunFailure::bad_input(finding))
     };
     if job.gear.cone_angle_deg != 0.0 {
         return refuse(
@@ -102,7 +85,7 @@ pub fn plan_job(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Outcome, 
     let ready = prepared(loaded)?;
     let prepared_at = begun.elapsed().as_secs_f64();
     let planning = Instant::now();
-    let plan = ready.task(&loaded.job).plan().map_err(|e| failure(&e))?;
+    let plan = ready.task(&loaded.job).plan().map_err(|e| RunFailure::from(&e))?;
     let planned_in = planning.elapsed().as_secs_f64();
     let execution = Execution::of_plan(&loaded.job, &plan);
     let timing = BTreeMap::from([("prepare", prepared_at), ("plan", planned_in)]);
@@ -120,9 +103,10 @@ pub fn simulate_job(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Outco
         let finding = Diagnostic::new(Problem::MissingKey, "the job has no settings to simulate")
             .field("settings")
             .way_out("plan the job first: `flankwright plan` writes settings.json, which `simulate` takes");
-        return Err(RunFailure::BadInput(finding));
+        return Err(RunFailure::bad_input(finding));
     };
-    let execution = Execution::of_settings(&loaded.job, &ready, settings).map_err(|e| failure(&e))?;
+    let execution =
+        Execution::of_settings(&loaded.job, &ready, settings).map_err(|e| RunFailure::from(&e))?;
     let timing = BTreeMap::from([("prepare", begun.elapsed().as_secs_f64())]);
     finish(loaded, ready, execution, None, timing, progress)
 }
@@ -137,12 +121,12 @@ fn finish(
 ) -> Result<Outcome, RunFailure> {
     let job = &loaded.job;
     let refereeing = Instant::now();
-    let verdicts =
-        referee::run(&prepared.setup, &execution, GrindingMode::Continuous, progress).map_err(|e| {
+    let verdicts = referee::run(&prepared.setup, &execution, job.grinding.feed_per_revolution, progress)
+        .map_err(|e| {
             let finding = Diagnostic::with_code(e.code(), e.to_string())
                 .field("grinding")
                 .way_out(e.way_out().to_string());
-            RunFailure::NotProducible(finding)
+            RunFailure::not_producible(finding)
         })?;
     timing.insert("referee", refereeing.elapsed().as_secs_f64());
     let mut warnings = prepared.warnings.clone();
@@ -166,6 +150,7 @@ fn finish(
                 rms_deviation_um: deviation.rms() * 1e3,
                 model_difference_um: executed.planned.minus(&verdict.simulated).largest() * 1e3,
                 referee_error_um: verdict.grinding.error_um,
+                feed_mark_um: verdict.feed_mark.map(|h| h * 1e3),
                 target_characteristics: CharacteristicsUm::of(&executed.target, cos_b),
                 simulated_characteristics: CharacteristicsUm::of(&verdict.simulated, cos_b),
                 outside_class_um: prepared.targets[flank].as_ref().map_or(0.0, |t| t.outside * 1e3),
@@ -223,15 +208,16 @@ fn finish(
 /// The rule that settled the ratio, in words.
 pub fn ratio_reason(reason: RatioReason) -> &'static str {
     match reason {
-        RatioReason::Given => "given in the job",
-        RatioReason::RadialSuffices => "the radial method makes this target without mixed residual",
+        RatioReason::Given => "Given in the job.",
+        RatioReason::RadialSuffices => "The radial method makes this target without mixed residual.",
         RatioReason::LeadCorrection => {
-            "lead-correction ratio K*: the worm needs no part linear in the roll length, so that the dressing correction is least"
+            "Lead-correction ratio K*: the worm needs no part linear in the roll length, so that the dressing correction is least."
         }
         RatioReason::Compromise => {
-            "the flanks want different lead-correction ratios: least score between them"
+            "The flanks want different lead-correction ratios: least score between them."
         }
-        RatioReason::Scan => "least score of a scan over both signs",
+        RatioReason::LeastError => "No ratio is exact enough for the tolerance: the one of least error.",
+        RatioReason::Scan => "Least score of a scan over both signs.",
     }
 }
 

@@ -82,7 +82,8 @@ fn stroke_and_worm_must_reach_every_ray() {
 
     let middle = 0.5 * (feed_range[0] + feed_range[1]);
     let half = grind(&Grinding { feed_range: [feed_range[0], middle], ..whole }, &grid, &Silent).unwrap();
-    let tip = whole.area.w[0] + 0.6 * (whole.area.w[1] - whole.area.w[0]);
+    // A tip that ends just short of what the first row of rays needs.
+    let tip = full[0].worm_roll - 0.05;
     let narrow = WormArea { w: [whole.area.w[0], tip], ..whole.area };
     let low = grind(&Grinding { area: narrow, ..whole }, &grid, &Silent).unwrap();
     for (k, ray) in full.iter().enumerate() {

@@ -3,12 +3,12 @@
 
 use super::dressed::{DRESSING_MARGIN, DressedFlank, dress_flank, dresser_of_plan};
 use super::precompensation::{GroundError, corrected, precompensate};
-use super::ratio::{Candidate, LEAST_DETERMINANT, RatioChoice, RatioReason, Rule};
+use super::ratio::{Candidate, RatioChoice, RatioReason, Rule};
 use super::{
     DressingLimits, FlankTarget, GeneratingError, GrindingSetup, IdealPlan, PlanningGrid, ProfilePlace,
     ProfilePolicy,
 };
-use crate::contact::ContactSolution;
+use crate::contact::{ContactError, ContactSolution};
 use crate::geometry::{Flank, Sides};
 use crate::numerics::Polynomial2;
 use crate::process::dressing::DresserTool;
@@ -73,7 +73,9 @@ pub struct GrindingPlan {
 }
 
 /// Rounds of precompensation with the ideal worm.
-const ROUNDS: usize = 4;
+pub(super) const ROUNDS: usize = 4;
+/// Largest margin dressed beyond the occupation, mm.
+const LARGEST_DRESSING_MARGIN: f64 = 48.0;
 /// Outer rounds with the worm as dressed.
 const OUTER_ROUNDS: usize = 3;
 
@@ -105,6 +107,8 @@ impl PlanTask<'_> {
         let rule = self.rule(grid);
         let Some(ratio) = self.ratio else { return rule.choose(&self.places) };
         let place = *self.places.first().ok_or(GeneratingError::NoFlank)?;
+        let [from, to] = self.setup.occupation(ratio, &rule.which());
+        rule.check_width(to - from, ratio)?;
         let candidate = if ratio == 0.0 {
             let (plan, error, _) =
                 precompensate(self.setup, &self.targets, grid, 0.0, self.policy(place), 0)?;
@@ -121,16 +125,6 @@ impl PlanTask<'_> {
         } else {
             rule.judge(ratio, place)?
         };
-        rule.check_width(candidate.occupation, ratio)?;
-        if let Some(GeneratingError::EnvelopeBroken { ratio, .. }) = candidate.refusal {
-            if ratio <= 0.0 {
-                return Err(GeneratingError::EnvelopeBroken {
-                    flank: Flank::Left,
-                    ratio,
-                    limit: LEAST_DETERMINANT,
-                });
-            }
-        }
         let stars = Sides::from_fn(|flank| {
             let a = &self.targets[flank].as_ref()?.polynomial;
             let p_2 = if place == ProfilePlace::Diagonal { 0.0 } else { a.coefficient(2, 0) };
@@ -203,15 +197,38 @@ impl PlanTask<'_> {
         })
     }
 
+    /// Dresses the worm for an ideal plan; where the contact shift of a large modification leaves the dressed length, more
+    /// of the worm is dressed.
     fn dress(
         &self,
         ideal: IdealPlan,
         policy: ProfilePolicy,
         grid: &PlanningGrid,
     ) -> Result<Dressed, GeneratingError> {
-        let tool = dresser_of_plan(self.setup, &ideal, policy);
+        let mut margin = DRESSING_MARGIN;
+        loop {
+            match self.dress_with(&ideal, policy, grid, margin) {
+                Ok((tool, flanks, error)) => return Ok(Dressed { ideal, tool, flanks, error }),
+                Err(GeneratingError::Contact(ContactError::WormSurfaceMissing { .. }))
+                    if margin < LARGEST_DRESSING_MARGIN =>
+                {
+                    margin *= 2.0;
+                }
+                Err(error) => return Err(error),
+            }
+        }
+    }
+
+    fn dress_with(
+        &self,
+        ideal: &IdealPlan,
+        policy: ProfilePolicy,
+        grid: &PlanningGrid,
+        margin: f64,
+    ) -> Result<(DresserTool, Sides<Option<DressedFlank>>, GroundError), GeneratingError> {
+        let tool = dresser_of_plan(self.setup, ideal, policy);
         let dress = |flank: Flank| match &ideal.worms[flank] {
-            Some(_) => dress_flank(self.setup, &ideal, &tool, flank, policy, DRESSING_MARGIN).map(Some),
+            Some(_) => dress_flank(self.setup, ideal, &tool, flank, policy, margin).map(Some),
             None => Ok(None),
         };
         let (left, right) = rayon::join(|| dress(Flank::Left), || dress(Flank::Right));
@@ -226,7 +243,7 @@ impl PlanTask<'_> {
             determinant = ground.iter().map(|g| g.determinant_ratio).fold(determinant, f64::min);
             Ok(Some(wanted.iter().zip(&ground).map(|(t, g)| t - g.f_n).collect()))
         })?;
-        Ok(Dressed { ideal, tool, flanks, error: GroundError { error, determinant } })
+        Ok((tool, flanks, GroundError { error, determinant }))
     }
 
     fn flank_plan(

@@ -11,6 +11,9 @@ use crate::geometry::{Flank, Sides};
 use crate::kinematics::{GeneratingMotion, MotionLaw};
 use crate::numerics::Polynomial2;
 
+/// Steepest worm lines on the workpiece, |tan(rho_2)|: beyond it the shift is too small to tell them from the profile.
+const STEEPEST: f64 = 1e4;
+
 /// Who carries the profile, and whether the dresser may be made for it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProfilePolicy {
@@ -165,7 +168,7 @@ impl IdealPlan {
                 return Ok(Some(parts));
             }
             let t = lines.work_direction(ratio);
-            if !t.is_finite() || (t - lines.t_k).abs() < 1e-6 || lines.big_t1.abs() < 1e-9 {
+            if t.is_nan() || t.abs() > STEEPEST || (t - lines.t_k).abs() < 1e-6 || lines.big_t1.abs() < 1e-9 {
                 return Err(GeneratingError::DegenerateDirection { flank, ratio });
             }
             let p_2 = match policy.place {

@@ -48,6 +48,8 @@ pub enum RatioReason {
     Compromise,
     /// Scan over both signs.
     Scan,
+    /// No ratio is exact enough: the one of least error.
+    LeastError,
 }
 
 /// The chosen ratio and how it was found.
@@ -101,7 +103,8 @@ pub(super) struct Rule<'a> {
 }
 
 impl Rule<'_> {
-    fn which(&self) -> Vec<Flank> {
+    /// Flanks that are ground.
+    pub fn which(&self) -> Vec<Flank> {
         self.targets.iter().filter(|(_, t)| t.is_some()).map(|(f, _)| f).collect()
     }
 
@@ -244,14 +247,9 @@ impl Rule<'_> {
             && which.iter().any(|&f| {
                 self.targets[f].as_ref().is_some_and(|t| t.polynomial.coefficient(2, 0).abs() > 0.0)
             });
-        if !pure_profile_elsewhere && self.radial_residual() < 0.1 * self.tolerance {
-            if let Ok(candidate) = self.judge(0.0, place) {
-                let allowed = candidate.refusal.is_none();
-                choice.candidates.push(candidate);
-                if allowed {
-                    return Ok(choice);
-                }
-            }
+        let radial = !pure_profile_elsewhere && self.radial_residual() < 0.1 * self.tolerance;
+        if radial && self.try_ratio(0.0, &mut choice).is_finite() {
+            return Ok(choice);
         }
         let found: Vec<f64> = which.iter().filter_map(|&f| stars[f]).collect();
         let same = found.len() == which.len()
@@ -316,9 +314,17 @@ impl Rule<'_> {
         if let Some(best) = best_of(&choice.candidates).map(|c| c.ratio) {
             crate::numerics::golden_section(best / step, best * step, GOLDEN, |k| self.try_ratio(k, choice));
         }
-        match best_of(&choice.candidates) {
+        let inexact = choice
+            .candidates
+            .iter()
+            .filter(|c| matches!(c.refusal, Some(GeneratingError::ModelError { .. })))
+            .min_by(|a, b| a.error.total_cmp(&b.error));
+        match best_of(&choice.candidates).or(inexact) {
             Some(best) => {
-                (choice.ratio, choice.reason) = (best.ratio, RatioReason::Scan);
+                // A ratio that is only not exact enough is made all the same: the target is then missed with figures.
+                let exact = best.refusal.is_none();
+                choice.reason = if exact { RatioReason::Scan } else { RatioReason::LeastError };
+                choice.ratio = best.ratio;
                 Ok(())
             }
             None => {

@@ -88,6 +88,9 @@ pub struct GrindingSetup {
     pub lines: Sides<FlankLines>,
     /// The worm's tip reaches beyond the gear's root circle by this much, mm (<= 0: it does not).
     pub root_cut: f64,
+    /// The worm's tip reaches beyond the point that grinds the gear's base circle by this much in roll, mm (> 0: the gear is
+    /// undercut; <= 0: it is not).
+    pub undercut: f64,
     /// The worm's tip fails to reach the largest roll needed by this much in radius, mm (<= 0: it reaches).
     pub tip_short: f64,
 }
@@ -152,7 +155,15 @@ impl GrindingSetup {
             .map(|flank| ranges[flank].w_na.hypot(made.worm.flank(flank).base_radius))
             .into_iter()
             .fold(0.0, f64::max);
+        let undercut = Flank::BOTH
+            .map(|flank| {
+                let f = &pair.flanks[flank];
+                f.worm.length_of_roll(made.tip_radius).unwrap_or(0.0) - f.worm_roll(0.0, 0.0, 0.0)
+            })
+            .into_iter()
+            .fold(f64::NEG_INFINITY, f64::max);
         Ok(Self {
+            undercut,
             pair,
             worm_pitch_radius: r_w1,
             worm_tip_radius: made.tip_radius,

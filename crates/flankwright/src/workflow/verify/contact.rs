@@ -5,6 +5,7 @@ use super::bodies::{BaseTolerances, Body, ChainInput, base_data};
 use super::expected::Expected;
 use super::ledger::Ledger;
 use super::reference::{self, Reference, Tolerances};
+use super::step_simulation::StepSimulation;
 use crate::contact::{
     ContactError, DiagonalLine, DiagonalRatio, ExactContact, FlankPair, ModifiedThread, Pair,
 };
@@ -97,7 +98,7 @@ fn one(pair: &Pair, expected: &mut Expected<'_>, tol: Tolerances<'_>, ledger: &m
                 refusable(item, ledger, |item, ledger| working_area(&pair.flanks[flank], item, tol, ledger));
             }
             if let Some(item) = side.object("step_error", ledger) {
-                refusable(item, ledger, |item, ledger| step_error(&pair.flanks[flank], item, tol, ledger));
+                refusable(item, ledger, |item, ledger| step_error(pair, flank, item, tol, ledger));
             }
             if let Some(item) = side.object("modification", ledger) {
                 refusable(item, ledger, |item, ledger| modification(pair, flank, item, tol, ledger));
@@ -215,13 +216,15 @@ fn working_area(
 }
 
 fn step_error(
-    f: &FlankPair,
+    pair: &Pair,
+    flank: Flank,
     item: &mut Expected<'_>,
     tol: Tolerances<'_>,
     ledger: &mut Ledger,
 ) -> Result<(), ContactError> {
     let given = ["w_2_mm", "K_ZV1", "feed_step_mm", "roll_step_mm"].map(|key| item.given(key, ledger));
     let [Some(w_2), Some(ratio), Some(feed_step), Some(roll_step)] = given else { return Ok(()) };
+    let f = &pair.flanks[flank];
     // The files take the marks at the contact of zero feeds.
     let w_1 = f.worm_roll(w_2, 0.0, 0.0);
     let curvature = f.relative_curvature(w_1, w_2, ratio);
@@ -230,8 +233,14 @@ fn step_error(
         ("facet_predicted_um", curvature.facet(roll_step) / UM),
     ];
     item.numbers(&marks, tol.get("coefficient"), ledger);
-    item.not_covered("feed_mark_simulated_um", ledger);
-    item.not_covered("facet_simulated_um", ledger);
+    let motion = pair.motion(MotionLaw::polynomial(0.0, vec![0.0, ratio]));
+    let simulation = StepSimulation::new(pair, flank, &motion, w_2);
+    for (key, height) in [
+        ("feed_mark_simulated_um", simulation.feed_mark(feed_step) / UM),
+        ("facet_simulated_um", simulation.facet(roll_step) / UM),
+    ] {
+        item.number(key, height, tol.get("residue_relative") * height.abs(), ledger);
+    }
     Ok(())
 }
 

@@ -26,6 +26,7 @@ mod planning;
 mod reference;
 mod report;
 mod schema;
+mod step_simulation;
 mod terms;
 
 pub use error::VerifyError;

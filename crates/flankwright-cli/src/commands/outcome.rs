@@ -1,0 +1,107 @@
+//! What `plan` and `simulate` do with a finished run: files, summary, exit status.
+
+use std::fmt::Write;
+use std::path::PathBuf;
+
+use flankwright::exchange::LoadedJob;
+use flankwright::workflow::{JobResult, Outcome, RunFailure, Status, WriteError, write_outcome};
+
+use crate::arguments::CommonArguments;
+use crate::exit::Exit;
+use crate::failure::Failure;
+use crate::output;
+
+/// Writes the files of a run and prints its summary.
+///
+/// # Errors
+/// A run that failed; files that cannot be written.
+pub fn deliver(
+    common: &CommonArguments,
+    loaded: &LoadedJob,
+    run: Result<Outcome, RunFailure>,
+) -> Result<Exit, Failure> {
+    let outcome = run.map_err(|failure| Failure::of_run(loaded, failure))?;
+    let directory = output::directory(common, loaded);
+    let written = write_outcome(&loaded.job, &outcome, &directory).map_err(|error| match error {
+        WriteError::Io { path, source } => Failure::cannot_write(&path.display().to_string(), &source),
+        other => Failure::internal(other.to_string()),
+    })?;
+    if common.json {
+        output::print_json(&outcome.result)?;
+    } else if !common.quiet {
+        output::print(&summary(&outcome.result, &written))?;
+    }
+    Ok(match outcome.result.status {
+        Status::Met => Exit::Done,
+        Status::Missed => Exit::TargetMissed,
+    })
+}
+
+/// A number with fixed decimals; what rounds to zero has no sign.
+fn fixed(x: f64, decimals: usize) -> String {
+    let text = format!("{x:.decimals$}");
+    match text.strip_prefix('-') {
+        Some(rest) if rest.chars().all(|c| c == '0' || c == '.') => rest.to_owned(),
+        _ => text,
+    }
+}
+
+fn summary(result: &JobResult, written: &[PathBuf]) -> String {
+    let mut text = String::new();
+    let verdict = match result.status {
+        Status::Met => "target met",
+        Status::Missed => "target MISSED",
+    };
+    // Writing to a text cannot fail.
+    let _ = writeln!(text, "{}: {verdict} (tolerance {} um)", result.job, result.tolerance_um);
+    if let Some(reason) = &result.reason {
+        let _ = writeln!(text, "  {}: {}", reason.code, reason.text);
+        let _ = writeln!(text, "  way out: {}", reason.way_out);
+    }
+    let settings = &result.settings;
+    let why = settings.diagonal_ratio_reason.as_deref().unwrap_or("as set");
+    let _ = writeln!(text, "  diagonal ratio {:.6} ({why})", settings.settings.diagonal_ratio);
+    let _ = writeln!(text, "  worm length used {:.2} mm", settings.worm_length_mm);
+    for (flank, f) in &result.flanks {
+        let t = &f.target_characteristics;
+        let s = &f.simulated_characteristics;
+        let _ = writeln!(
+            text,
+            "  {flank:<5} target: helix crowning {} um, profile crowning {} um, twist {} um",
+            fixed(t.helix_crowning_um, 2),
+            fixed(t.profile_crowning_um, 2),
+            fixed(t.twist_corner_um, 2)
+        );
+        let _ = writeln!(
+            text,
+            "        simulated: helix crowning {} um, profile crowning {} um, twist {} um (corners), {} um (fit)",
+            fixed(s.helix_crowning_um, 3),
+            fixed(s.profile_crowning_um, 3),
+            fixed(s.twist_corner_um, 4),
+            fixed(s.twist_fit_um, 4)
+        );
+        let _ = writeln!(
+            text,
+            "        deviation max {:.4} um, rms {:.4} um; analytic against referee {:.2e} um (referee's own error {:.1e} um)",
+            f.max_deviation_um, f.rms_deviation_um, f.model_difference_um, f.referee_error_um
+        );
+    }
+    let marks: Vec<String> = result
+        .flanks
+        .iter()
+        .filter_map(|(flank, f)| Some(format!("{flank} {:.3} um", f.feed_mark_um?)))
+        .collect();
+    if !marks.is_empty() {
+        let _ = writeln!(text, "  feed marks stand above the envelope by up to {}", marks.join(", "));
+    }
+    for warning in &result.warnings {
+        let _ = writeln!(text, "  warning: {} ({})", warning.text, warning.way_out);
+    }
+    let total: f64 = result.timing_s.values().sum();
+    let stages: Vec<String> = result.timing_s.iter().map(|(stage, s)| format!("{stage} {s:.2} s")).collect();
+    let _ = writeln!(text, "  time {total:.2} s ({})", stages.join(", "));
+    if let Some(report) = written.last() {
+        let _ = writeln!(text, "  report: {}", report.display());
+    }
+    text
+}

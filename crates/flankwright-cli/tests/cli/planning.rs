@@ -1,0 +1,181 @@
+//! `plan`, `simulate` and `verify` as a user runs them: files, exit status, messages.
+
+use crate::command::{Run, repository, run};
+use std::path::Path;
+
+/// The first example with a coarse grid and the given replacements, written to a file.
+fn job(directory: &Path, replacements: &[(&str, &str)]) -> String {
+    let text = std::fs::read_to_string(repository().join("examples/twist-free-crowning.toml")).unwrap();
+    let mut text = text.replace("_points = 41", "_points = 7");
+    for (from, to) in replacements {
+        assert!(text.contains(from), "{from}");
+        text = text.replace(from, to);
+    }
+    let path = directory.join("job.toml");
+    std::fs::write(&path, text).unwrap();
+    path.to_str().unwrap().to_owned()
+}
+
+fn planned(replacements: &[(&str, &str)], extra: &[&str]) -> (Run, tempfile::TempDir) {
+    let directory = tempfile::tempdir().unwrap();
+    let path = job(directory.path(), replacements);
+    let output = directory.path().join("out");
+    let mut arguments = vec!["plan", &path, "-o", output.to_str().unwrap()];
+    arguments.extend(extra);
+    (run(&arguments), directory)
+}
+
+#[test]
+fn plan_writes_its_files_and_a_summary() {
+    let (run, directory) = planned(&[], &[]);
+    assert_eq!(run.exit, Some(0), "{run:?}");
+    for words in
+        ["target met", "left  target: helix crowning 20.00 um", "deviation max", "time", "report.html"]
+    {
+        assert!(run.stdout.contains(words), "{words}: {}", run.stdout);
+    }
+    let out = directory.path().join("out");
+    let names = [
+        "result.json",
+        "settings.json",
+        "topography.csv",
+        "motions/grinding.csv",
+        "motions/dressing-left.csv",
+        "motions/dressing-right.csv",
+        "report.html",
+    ];
+    for name in names {
+        assert!(std::fs::metadata(out.join(name)).unwrap().len() > 100, "{name}");
+    }
+    let report = std::fs::read_to_string(out.join("report.html")).unwrap();
+    assert!(report.contains("<svg") && !report.contains("src=\"http") && !report.contains("href=\"http"));
+    let csv = std::fs::read_to_string(out.join("topography.csv")).unwrap();
+    assert_eq!(csv.lines().count(), 1 + 2 * 7 * 7);
+    assert_eq!(csv.lines().next(), Some("flank,w_mm,z_mm,target_um,planned_um,simulated_um,deviation_um"));
+}
+
+#[test]
+fn the_same_job_gives_the_same_bytes() {
+    let read = |directory: &tempfile::TempDir, name: &str| {
+        std::fs::read(directory.path().join("out").join(name)).unwrap()
+    };
+    let (a, first) = planned(&[], &["--quiet"]);
+    let (b, second) = planned(&[], &["--quiet"]);
+    assert_eq!((a.exit, b.exit, a.stdout.as_str()), (Some(0), Some(0), ""));
+    for name in [
+        "settings.json",
+        "topography.csv",
+        "motions/grinding.csv",
+        "motions/dressing-left.csv",
+        "report.html",
+    ] {
+        assert!(read(&first, name) == read(&second, name), "{name}");
+    }
+    let result = |directory| {
+        let mut value: serde_json::Value = serde_json::from_slice(&read(directory, "result.json")).unwrap();
+        value["timing_s"].take();
+        value
+    };
+    assert_eq!(result(&first), result(&second));
+}
+
+#[test]
+fn json_is_the_result_and_nothing_else() {
+    let (run, directory) = planned(&[], &["--json"]);
+    let printed = run.json();
+    let written = std::fs::read(directory.path().join("out/result.json")).unwrap();
+    assert_eq!(printed, serde_json::from_slice::<serde_json::Value>(&written).unwrap());
+    assert_eq!(printed["status"], "met");
+    for key in ["job", "process", "version", "status", "warnings", "settings", "flanks", "timing_s"] {
+        assert!(!printed[key].is_null(), "{key}");
+    }
+    for flank in ["left", "right"] {
+        let f = &printed["flanks"][flank];
+        for key in ["w_mm", "z_mm", "target_um", "planned_um", "simulated_um"] {
+            assert_eq!(f[key].as_array().unwrap().len(), 7, "{key}");
+        }
+        for key in ["max_deviation_um", "rms_deviation_um", "model_difference_um"] {
+            assert!(f[key].as_f64().unwrap() < 0.05, "{key}");
+        }
+    }
+}
+
+#[test]
+fn settings_of_a_plan_can_be_simulated() {
+    let (_, directory) = planned(&[], &["--quiet"]);
+    let settings = directory.path().join("out/settings.json");
+    let again = directory.path().join("again");
+    let run = run(&["simulate", settings.to_str().unwrap(), "-o", again.to_str().unwrap(), "--json"]);
+    assert_eq!(run.exit, Some(0), "{run:?}");
+    assert!(run.json()["flanks"]["left"]["max_deviation_um"].as_f64().unwrap() < 0.05);
+}
+
+#[test]
+fn a_job_without_settings_cannot_be_simulated() {
+    let run = run(&["simulate", "examples/twist-free-crowning.toml"]);
+    assert_eq!(run.exit, Some(2), "{run:?}");
+    assert!(run.message().contains("missing-key") && run.message().contains("settings.json"), "{run:?}");
+}
+
+#[test]
+fn a_worm_that_is_too_short_is_named_with_what_would_help() {
+    let (run, directory) = planned(&[("diagonal_ratio = \"auto\"", "diagonal_ratio = 1.9")], &["--json"]);
+    assert_eq!(run.exit, Some(4), "{run:?}");
+    let error = &run.json()["error"];
+    assert_eq!(error["code"], "worm-too-short");
+    assert_eq!(error["field"], "worm.width");
+    assert!(error["line"].as_u64().unwrap() > 0 && error["way_out"].as_str().unwrap().contains("wider worm"));
+    assert!(!directory.path().join("out").exists());
+}
+
+#[test]
+fn limits_of_axes_and_folds_end_with_4() {
+    for (replacement, code) in [
+        (("profile_crowning_by = \"dresser\"", "profile_crowning_by = \"correction\""), "axis-limit"),
+        (("amount_um = 20.0", "amount_um = 2000.0"), "undercut"),
+    ] {
+        let (run, _) = planned(&[replacement], &["--json"]);
+        assert_eq!(run.exit, Some(4), "{code}: {run:?}");
+        assert_eq!(run.json()["error"]["code"], code);
+    }
+}
+
+#[test]
+fn parts_of_the_format_that_are_not_carried_out_are_refused() {
+    for (replacement, field) in [
+        (("flanks = \"one\"", "flanks = \"two\""), "dressing.flanks"),
+        (("[\"three-point\", \"radius-map\"]", "[\"four-point\"]"), "dressing.conditions"),
+        (("[grid]", "[machine]\nfile = \"m.toml\"\n\n[grid]"), "machine"),
+    ] {
+        let (run, _) = planned(&[replacement], &["--json"]);
+        assert_eq!(run.exit, Some(2), "{field}: {run:?}");
+        assert_eq!(run.json()["error"]["field"], field);
+    }
+}
+
+#[test]
+fn one_flank_alone_is_planned_alone() {
+    let (run, _) = planned(&[("flanks = \"both\"\ndiagonal", "flanks = \"left\"\ndiagonal")], &["--json"]);
+    assert_eq!(run.exit, Some(0), "{run:?}");
+    let flanks = run.json()["flanks"].as_object().unwrap().keys().cloned().collect::<Vec<_>>();
+    assert_eq!(flanks, ["left"]);
+}
+
+#[test]
+fn verify_passes_and_counts() {
+    let run = run(&["verify", "tests/reference/10-gears.json", "--json"]);
+    assert_eq!(run.exit, Some(0), "{run:?}");
+    let summary = run.json();
+    assert_eq!(summary["failed"], 0);
+    assert!(summary["files"][0]["checks"].as_u64().unwrap() > 1000);
+}
+
+#[test]
+fn verify_refuses_what_it_does_not_know() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("x.json");
+    std::fs::write(&path, "{\"hello\": 1}").unwrap();
+    let unknown = run(&["verify", path.to_str().unwrap()]);
+    assert_eq!(unknown.exit, Some(2), "{unknown:?}");
+    assert_eq!(run(&["verify", "no-such-file.json"]).exit, Some(2));
+}
