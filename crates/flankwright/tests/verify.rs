@@ -58,22 +58,51 @@ fn contact_passes() {
 
 #[test]
 fn modifications_pass() {
-    let report = passes("25-modifications.json", 1900);
+    let report = passes("25-modifications.json", 4100);
     assert_eq!(report.schema, Schema::Modifications);
-    assert!(
-        report.not_covered.iter().all(|n| !["gears", "elementary", "mapping"].contains(&n.block.as_str()))
-    );
+    let to_come = [
+        "areas",
+        "equal_swivel",
+        "figure_25",
+        "figure_26_28",
+        "least_squares",
+        "left_out_threads",
+        "two_flanks",
+    ];
+    assert_eq!(uncovered(&report), to_come);
+}
+
+#[test]
+fn planning_passes_whole() {
+    let report = passes("28-planning.json", 1150);
+    assert_eq!((report.schema, report.not_covered.len()), (Schema::Planning, 0));
+}
+
+#[test]
+fn dressing_passes() {
+    let report = passes("30-dressing.json", 1400);
+    assert_eq!(report.schema, Schema::Dressing);
+    let to_come = [
+        "limits",
+        "compensation",
+        "axis_deviation",
+        "machine",
+        "other_diameter",
+        "undermining",
+        "left_out_threads",
+        "multi_stroke",
+        "search",
+    ];
+    let later = |block: &str| {
+        to_come.contains(&block)
+            || block.ends_with(".counter_flank_clearance_tip1mm_mm")
+            || block.ends_with(".max_tip_width_mm")
+    };
+    assert!(uncovered(&report).into_iter().all(later), "{:?}", uncovered(&report));
 }
 
 #[test]
 fn files_to_come_are_recognised_and_listed() {
-    for (name, schema) in [("28-planning.json", Schema::Planning), ("30-dressing.json", Schema::Dressing)] {
-        let report = passes(name, 0);
-        assert_eq!(report.schema, schema);
-        if report.checks == 0 {
-            assert!(!report.not_covered.is_empty());
-        }
-    }
     let shapes = [
         (json!({"errors": content("10-gears.json")["errors"]}), Schema::Gears),
         (json!({"gears": []}), Schema::Contact),
@@ -110,7 +139,7 @@ fn notices_every_number(root: &Value, pointer: &str, immaterial: &[&str]) {
     numbers_below(root.pointer(pointer).unwrap(), pointer, &mut paths);
     assert!(paths.len() > 10);
     for path in paths {
-        if immaterial.iter().any(|end| path.ends_with(end)) {
+        if path.contains("/tolerance/") || immaterial.iter().any(|end| path.ends_with(end)) {
             continue;
         }
         let mut changed = root.clone();
@@ -174,6 +203,128 @@ fn a_changed_ground_flank_is_noticed() {
     changed["ground_flank"]["cases"][0]["input"]["left"]["Delta_d"]["coefficients"][2] = json!(-0.14);
     let report = check(&changed);
     assert!(report.failed > 50 && report.failures.iter().all(|f| f.case == "ground_flank radial_crowning"));
+}
+
+#[test]
+fn every_changed_number_of_a_dressing_case_is_noticed() {
+    let mut root = content("30-dressing.json");
+    root["cases"].as_array_mut().unwrap().truncate(1);
+    for key in ["profile", "three_point"] {
+        root["cases"][0][key].as_array_mut().unwrap().truncate(2);
+    }
+    let later = ["/counter_flank_clearance_tip1mm_mm", "/max_tip_width_mm", "/check_simulation_max_diff_um"];
+    for block in ["worm", "dresser", "profile", "three_point", "topological"] {
+        notices_every_number(&root, &format!("/cases/0/{block}"), &later);
+    }
+    for (pointer, step) in [
+        ("/cases/0/nominal_kinematics/gamma_A_deg", 1e-6),
+        ("/cases/0/nominal_kinematics/d_mm", 1e-6),
+        ("/cases/0/conditions/0/DK/d_gamma_deg", 1e-5),
+        ("/cases/0/conditions/4/f_right_um/3", 1e-4),
+        ("/cases/0/conditions/5/head_radius_mm", 1e-6),
+        ("/cases/0/conditions/6/reached_fraction", 0.02),
+        ("/cases/0/conditioning/sigma_four_point/2", 1e-6),
+        ("/cases/0/parallel_axes/rho_deg", 1e-4),
+    ] {
+        let mut changed = root.clone();
+        let value = changed.pointer_mut(pointer).unwrap();
+        *value = json!(value.as_f64().unwrap() + step);
+        assert_eq!(check(&changed).failed, 1, "{pointer}");
+    }
+    let mut changed = root.clone();
+    changed["cases"][0]["conditions"][6]["error"] = json!("Singular");
+    assert_eq!(check(&changed).failed, 1);
+    let mut changed = root;
+    changed["cases"][0]["profile"][0]["noise_um"] = json!(1.0);
+    assert_eq!(check(&changed).failed, 1);
+}
+
+#[test]
+fn a_changed_plan_is_noticed() {
+    let mut root = content("28-planning.json");
+    root["cases"].as_array_mut().unwrap().truncate(1);
+    let expected = "/cases/0/expected";
+    for (pointer, step) in [
+        ("/K_star_right", 1e-6),
+        ("/K_rho_2_zero_left", 1e-6),
+        ("/z_V01_mm", 0.1),
+        ("/worm_length_mm", 0.1),
+        ("/candidates/0/worm_length_mm", 0.1),
+        ("/candidates/0/dressing_share", 0.01),
+        ("/Delta_d_um/4", 0.2),
+        ("/Delta_phi_2_urad/4", 5.0),
+        ("/left/tan_rho_1", 1e-6),
+        ("/left/f_n1_um/20", 0.1),
+        ("/right/DK_phi_S_deg/3", 0.02),
+        ("/right/DK_v_y_mm/3", 0.1),
+        ("/right/target_f_n_um/17", 1e-6),
+        ("/left/simulated_f_n_um/17", 0.1),
+        ("/left/max_error_um", -0.1),
+        ("/left/rms_error_um", -0.1),
+        ("/left/dressed_worm_minus_plan_um", -0.1),
+        ("/left/ideal_worm_error_by_round_um/2", -0.1),
+        ("/left/least_determinant_ratio", 0.1),
+        ("/left/w_1_mm/0", 0.5),
+        ("/right/z_1_mm/8", 0.5),
+        ("/right/v_zS_mm/0", 0.5),
+        ("/z_V2_mm/0", 0.5),
+    ] {
+        let mut changed = root.clone();
+        let value = changed.pointer_mut(&format!("{expected}{pointer}")).unwrap();
+        *value = json!(value.as_f64().unwrap() + step);
+        assert!(check(&changed).failed > 0, "{pointer}");
+    }
+    for (key, value) in [("d_mm", json!(136.3)), ("gamma_deg", json!(121.9)), ("d_A0_mm", json!(153.0))] {
+        let mut changed = root.clone();
+        changed["cases"][0]["input"][key] = value;
+        assert_eq!(check(&changed).failed, 1, "{key}");
+    }
+    root["cases"][0]["expected"]["left"]["roughness_um"] = json!(0.1);
+    assert_eq!(check(&root).failed, 1);
+}
+
+/// Another ratio than the listed one is no failure where the rule leaves freedom: it must then be as good.
+#[test]
+fn a_plan_is_judged_by_its_score_and_error() {
+    let mut root = content("28-planning.json");
+    root["cases"].as_array_mut().unwrap().remove(0);
+    let mut narrow = root.clone();
+    narrow["tolerance"]["K_star_relative"] = json!(0.0);
+    let failed = |root: &Value| check(root).failures.into_iter().map(|f| f.quantity).collect::<Vec<_>>();
+    assert!(!failed(&narrow).iter().any(|q| q == "K_ZV1"));
+    // A listed score that the rule cannot reach.
+    root["cases"][0]["expected"]["K_ZV1"] = root["cases"][0]["expected"]["candidates"][0]["K_ZV1"].clone();
+    root["cases"][0]["expected"]["candidates"][0]["score"] = json!(0.1);
+    assert!(failed(&root).iter().any(|q| q == "score of the K_ZV1 found"), "{:?}", failed(&root));
+}
+
+#[test]
+fn a_changed_decomposition_is_noticed() {
+    let root = content("25-modifications.json");
+    for (pointer, step) in [
+        ("/decomposition_clpk/3/expected/um_per_mm_power/K12", 1e-7),
+        ("/radial_class/1/expected/residual_corner_twist_S_um", 1e-6),
+        ("/radial_class/1/expected/residual_um_per_mm_power/u2y1", 1e-8),
+        ("/polynomial/5/expected/K_um_per_mm_power/K21", 1e-8),
+        ("/polynomial/7/expected/rho_F2_deg", 1e-6),
+        ("/polynomial/2/input/K_KF0_um", 1e-6),
+        ("/polynomial/7/ground/second_order_f_n_um/11", 1e-3),
+        ("/polynomial/7/ground/max_error_local_envelope_um", 1e-3),
+        ("/precompensation/1/commanded_um_per_mm_power/w1z1", 1e-3),
+        ("/precompensation/2/ground_error_um_by_iteration/1", 0.1),
+        ("/natural_twist/1/expected/q_at_w_m_mm", 1e-5),
+        ("/natural_twist/3/expected/ground_twist_um", 1e-3),
+        ("/two_flank_motion/1/Delta_phi_2_urad/2", 1e-6),
+        ("/two_flank_motion/1/phase_difference_pitches", 1e-6),
+        ("/waviness/F_FtQ_um_per_mm2/3", 1e-6),
+        ("/figure_29_31/worm_part_f_t_um/40", 1e-6),
+        ("/figure_29_31/X_F2_start_of_relief_mm", 1e-6),
+    ] {
+        let mut changed = root.clone();
+        let value = changed.pointer_mut(pointer).unwrap();
+        *value = json!(value.as_f64().unwrap() + step);
+        assert_eq!(check(&changed).failed, 1, "{pointer}");
+    }
 }
 
 #[test]
@@ -296,12 +447,30 @@ fn shortened(name: &str) -> Value {
             first(&mut root["ground_flank"]["cases"], 2);
             root.as_object_mut().unwrap().remove("equal_diagonal_ratio");
         }
+        "30-dressing.json" => {
+            first(&mut root["cases"], 1);
+            for key in ["profile", "three_point", "conditions"] {
+                first(&mut root["cases"][0][key], 2);
+            }
+        }
         _ => {
+            let one_each = [
+                "mapping",
+                "constant_ratio_lengths",
+                "decomposition_clpk",
+                "radial_class",
+                "polynomial",
+                "precompensation",
+                "natural_twist",
+                "two_flank_motion",
+            ];
             root.as_object_mut().unwrap().retain(|key, _| {
-                ["gears", "elementary", "mapping", "constant_ratio_lengths"].contains(&key.as_str())
+                ["gears", "elementary", "waviness"].contains(&key.as_str())
+                    || one_each.contains(&key.as_str())
             });
-            first(&mut root["mapping"], 1);
-            first(&mut root["constant_ratio_lengths"], 1);
+            for key in one_each {
+                first(&mut root[key], 1);
+            }
             first(&mut root["elementary"]["items"], 3);
         }
     }
@@ -321,7 +490,7 @@ fn damaged_files_end_in_a_report_or_an_error() {
         json!({}),
         json!([[1e9]]),
     ];
-    for name in ["10-gears.json", "20-generating-contact.json", "25-modifications.json"] {
+    for name in ["10-gears.json", "20-generating-contact.json", "25-modifications.json", "30-dressing.json"] {
         let root = shortened(name);
         assert_eq!(check(&root).failed, 0);
         let mut found = Vec::new();

@@ -66,6 +66,19 @@ impl DresserTool {
         chain: DressingChain,
         ranges: Sides<GeometricRange>,
     ) -> Result<Self, DressingError> {
+        Self::conjugate_beyond(worm, chain, ranges, MARGIN)
+    }
+
+    /// The same with the profile continued by the share `margin` of the used range at each end instead of 0.6.
+    ///
+    /// # Errors
+    /// As [`DresserTool::conjugate`].
+    pub fn conjugate_beyond(
+        worm: &Gear,
+        chain: DressingChain,
+        ranges: Sides<GeometricRange>,
+        margin: f64,
+    ) -> Result<Self, DressingError> {
         let flanks = Sides::try_from_fn(|flank| {
             let range = ranges[flank];
             if !(range.w_nf > 0.0 && range.w_na > range.w_nf) {
@@ -76,7 +89,7 @@ impl DresserTool {
                 });
             }
             let m = range.length();
-            let (from, to) = (range.w_nf - MARGIN * m, range.w_na + MARGIN * m);
+            let (from, to) = (range.w_nf - margin * m, range.w_na + margin * m);
             let contacts = Chebyshev::nodes(from, to, NODES)
                 .into_iter()
                 .map(|w| nominal_contact(worm.flank(flank), &chain, w))

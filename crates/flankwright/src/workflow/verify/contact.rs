@@ -98,7 +98,7 @@ fn one(pair: &Pair, expected: &mut Expected<'_>, tol: Tolerances<'_>, ledger: &m
                 refusable(item, ledger, |item, ledger| working_area(&pair.flanks[flank], item, tol, ledger));
             }
             if let Some(item) = side.object("step_error", ledger) {
-                refusable(item, ledger, |item, ledger| step_error(&pair, flank, item, tol, ledger));
+                refusable(item, ledger, |item, ledger| step_error(pair, flank, item, tol, ledger));
             }
             if let Some(item) = side.object("modification", ledger) {
                 refusable(item, ledger, |item, ledger| modification(pair, flank, item, tol, ledger));

@@ -13,6 +13,10 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Half length of the worm's head over which the files design the head profile, mm.
 const HEAD_HALF_WIDTH: f64 = 1.5;
+/// Share of the used range by which the files' profiles reach on at each end. Their design range is 0.6; paths without solution
+/// were followed on the extrapolated series until its rounding errors grew up, a tenth of the used range further. Within the
+/// design range nothing depends on it.
+const REACH: f64 = 0.7;
 /// Clearance at tip and root in the files, in modules of the gear.
 const CLEARANCE: f64 = 0.25;
 
@@ -126,7 +130,7 @@ impl Bodies {
             screw_parameter,
         };
         let tip_radius = n.dresser_diameter / 2.0;
-        let tool = DresserTool::conjugate(&made.worm, chain, Sides::both(range))?
+        let tool = DresserTool::conjugate_beyond(&made.worm, chain, Sides::both(range), REACH)?
             .with_head(reference_radius + addendum, HEAD_HALF_WIDTH)?;
         Ok(Self {
             gear,

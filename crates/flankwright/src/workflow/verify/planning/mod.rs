@@ -31,10 +31,9 @@ const GRID: usize = 9;
 pub(super) fn cases(file: &Reference<'_>, block: &Value, ledger: &mut Ledger) {
     let tolerances = file.tolerances();
     for mut case in reference::cases("cases", block, ledger) {
-        if let Some(input) = reference::read::<Input>(&case.name, case.input, ledger) {
-            if let Err(error) = one(&input, &mut case.expected, tolerances, ledger) {
-                case.expected.refused(&error, ledger);
-            }
+        let Some(input) = reference::read::<Input>(&case.name, case.input, ledger) else { continue };
+        if let Err(error) = one(&input, &mut case.expected, tolerances, ledger) {
+            case.expected.refused(&error, ledger);
         }
         case.expected.finish(ledger);
     }
