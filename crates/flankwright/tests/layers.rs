@@ -70,7 +70,7 @@ fn the_check_finds_violations() {
         (&["removal", "rays"], "mod tests { use super::super::super::contact; }", &["contact"]),
         (&["exchange", "job", "gear"], "use flankwright::report::Chart;", &["report"]),
         (&["kinematics"], "pub use self::super::inverse::Newton;", &["inverse"]),
-        (&["process", "dressing"], "use crate::contact::solve; use crate::removal::rays;", &[]),
+        (&["process", "dressing"], "use crate::contact::solve; use crate::removal::rays;", &["removal"]),
         (
             &["process"],
             "// use crate::workflow::Plan;\n/* crate::report::x /* nested */ crate::report::y */",

@@ -59,9 +59,10 @@ fn fixed(x: f64, decimals: usize) -> String {
 
 fn summary(result: &JobResult, written: &[PathBuf]) -> String {
     let mut text = String::new();
+    let worst = result.flanks.values().map(|f| f.max_deviation_um).fold(0.0, f64::max);
     let verdict = match result.status {
-        Status::Met => "target met",
-        Status::Missed => "target MISSED",
+        Status::Met => "target met".to_owned(),
+        Status::Missed => format!("target MISSED, largest deviation {worst:.3} um"),
     };
     // Writing to a text cannot fail.
     let _ = writeln!(text, "{}: {verdict} (tolerance {} um)", result.job, result.tolerance_um);

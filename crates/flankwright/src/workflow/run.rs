@@ -159,7 +159,7 @@ fn finish(
     }
     let worst = flanks.values().map(|f| f.max_deviation_um).fold(0.0, f64::max);
     let status = if worst <= tolerance { Status::Met } else { Status::Missed };
-    let reason = (status == Status::Missed).then(|| missed(job, &prepared, &flanks, worst, tolerance));
+    let reason = (status == Status::Missed).then(|| missed(job, &prepared, &flanks));
     let setup = &prepared.setup;
     let candidates = plan.iter().flat_map(|p| &p.choice.candidates);
     let result = JobResult {
@@ -249,50 +249,54 @@ fn output_warnings(job: &Job) -> Vec<Remark> {
     warnings
 }
 
-/// Why the target is missed and what would help.
-fn missed(
-    job: &Job,
-    prepared: &Prepared,
-    flanks: &BTreeMap<&'static str, FlankResult>,
-    worst: f64,
-    tolerance: f64,
-) -> Remark {
-    let mut text = format!("largest deviation {worst:.3} um, tolerance {tolerance} um");
+/// Why the target is missed and what would help, in whole sentences.
+fn missed(job: &Job, prepared: &Prepared, flanks: &BTreeMap<&'static str, FlankResult>) -> Remark {
     if job.grinding.method == Method::Radial {
-        for (name, f) in flanks {
+        let twist = |f: &FlankResult| {
             let c = &f.simulated_characteristics;
-            text += &format!(
-                "; {name} flank: natural twist {:.3} um from the corners ({:.3} um normal), {:.3} um by least squares",
+            format!(
+                "{:.3} um from the corners ({:.3} um normal), {:.3} um by least squares",
                 c.twist_corner_um, c.twist_corner_normal_um, c.twist_fit_um
-            );
-        }
-        let mut way_out = String::from("use method = \"diagonal\" with diagonal_ratio = \"auto\"");
-        for flank in Flank::BOTH {
-            let Some(target) = &prepared.targets[flank] else { continue };
-            let lines = &prepared.setup.lines[flank];
-            let crowning =
-                -target.polynomial.coefficient(0, 2) * ((lines.face[1] - lines.face[0]) / 2.0).powi(2);
-            let natural = natural_twist(lines, crowning);
-            way_out += &format!(
-                "; on the {flank} flank a profile crowning of {:.3} um less in the dresser would take out the natural profile crowning",
-                natural.profile_crowning * 1e3
-            );
-        }
-        return Remark { code: "natural-twist", text, way_out };
+            )
+        };
+        let twists: Vec<String> =
+            flanks.iter().map(|(name, f)| format!("{name} flank {}", twist(f))).collect();
+        let natural: Vec<String> = Flank::BOTH
+            .into_iter()
+            .filter_map(|flank| {
+                let target = prepared.targets[flank].as_ref()?;
+                let lines = &prepared.setup.lines[flank];
+                let half = (lines.face[1] - lines.face[0]) / 2.0;
+                let crowning = -target.polynomial.coefficient(0, 2) * half.powi(2);
+                let profile = natural_twist(lines, crowning).profile_crowning * 1e3;
+                Some(format!("{flank} flank {profile:.3} um"))
+            })
+            .collect();
+        return Remark {
+            code: "natural-twist",
+            text: format!("The radial feed brings a natural twist along: {}.", twists.join("; ")),
+            way_out: format!(
+                "Use method = \"diagonal\" with diagonal_ratio = \"auto\". A dresser with so much less profile crowning would take \
+                 out the natural profile crowning of the radial feed: {}.",
+                natural.join(", ")
+            ),
+        };
     }
     let outside = flanks.values().map(|f| f.outside_class_um).fold(0.0, f64::max);
     if outside > 0.0 {
-        text += &format!("; the target has parts outside the producible class ({outside:.3} um transverse)");
         return Remark {
             code: "outside-class",
-            text,
-            way_out: "use modifications of lower degree, reliefs of the profile only, or a wider tolerance"
+            text: format!(
+                "Parts of the target lie outside what the process can make; best-fitted, {outside:.3} um (transverse) of them are \
+                 left."
+            ),
+            way_out: "Use modifications of lower degree, reliefs of the profile only, or a wider tolerance."
                 .into(),
         };
     }
     Remark {
         code: "tolerance-missed",
-        text,
-        way_out: "choose another diagonal ratio, switch precompensation on, or widen the tolerance".into(),
+        text: "The process cannot follow the target more closely with these settings.".into(),
+        way_out: "Choose another diagonal ratio, switch precompensation on, or widen the tolerance.".into(),
     }
 }

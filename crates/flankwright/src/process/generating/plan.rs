@@ -2,7 +2,7 @@
 //! (spec 28 section 4; everything but the referee).
 
 use super::dressed::{DRESSING_MARGIN, DressedFlank, dress_flank, dresser_of_plan, finished_area};
-use super::precompensation::{GroundError, corrected, precompensate};
+use super::precompensation::{GroundError, ROUNDS, corrected, precompensate};
 use super::ratio::{Candidate, RatioChoice, RatioReason, Rule};
 use super::{
     DressingLimits, FlankTarget, GeneratingError, GrindingSetup, IdealPlan, PlanningGrid, ProfilePlace,
@@ -72,8 +72,6 @@ pub struct GrindingPlan {
     pub determinant: f64,
 }
 
-/// Rounds of precompensation with the ideal worm.
-pub(super) const ROUNDS: usize = 4;
 /// Largest margin dressed beyond the occupation, mm.
 const LARGEST_DRESSING_MARGIN: f64 = 48.0;
 /// Distance of the contacts from the ends of the finished worm, mm: room for the search of whoever checks the plan.

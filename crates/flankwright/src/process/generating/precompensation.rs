@@ -11,6 +11,9 @@ use crate::geometry::{Flank, Sides};
 use crate::kinematics::{GeneratingMotion, MotionLaw};
 use crate::numerics::Polynomial2;
 
+/// Rounds of precompensation with the ideal worm (spec 28 section 4).
+pub(super) const ROUNDS: usize = 4;
+
 /// Steepest worm lines on the workpiece, |tan(rho_2)|: beyond it the shift is too small to tell them from the profile.
 const STEEPEST: f64 = 1e4;
 

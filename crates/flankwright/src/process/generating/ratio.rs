@@ -1,7 +1,7 @@
 //! The diagonal ratio "auto" (spec 28 section 2): candidates, their score and why one of them is taken.
 
 use super::dressed::{dresser_of_plan, sample_corrections};
-use super::precompensation::precompensate;
+use super::precompensation::{ROUNDS, precompensate};
 use super::{
     DressingLimits, FlankLines, FlankTarget, GeneratingError, GrindingSetup, PlanningGrid, ProfilePlace,
     ProfilePolicy, radial_residual,
@@ -127,7 +127,7 @@ impl Rule<'_> {
         let correct = |rounds| precompensate(self.setup, self.targets, self.grid, ratio, policy, rounds);
         let (mut plan, mut error, _) = correct(SCORE_ROUNDS)?;
         if error.max() > self.tolerance / 2.0 {
-            (plan, error, _) = correct(super::plan::ROUNDS)?;
+            (plan, error, _) = correct(ROUNDS)?;
         }
         let tool = dresser_of_plan(self.setup, &plan, policy);
         let mut dressing_share: f64 = 0.0;
