@@ -42,6 +42,10 @@ pub fn deliver(
     } else if !common.quiet {
         output::print(&summary(&outcome.result, &written))?;
     }
+    if let Some(reason) = outcome.result.reason.as_ref().filter(|_| common.quiet) {
+        // A miss is told even when all else is quiet.
+        eprintln!("{}: target missed: {} {}", outcome.result.job, reason.text, reason.way_out);
+    }
     Ok(match outcome.result.status {
         Status::Met => Exit::Done,
         Status::Missed => Exit::TargetMissed,
@@ -105,6 +109,13 @@ fn summary(result: &JobResult, written: &[PathBuf]) -> String {
         .collect();
     if !marks.is_empty() {
         let _ = writeln!(text, "  feed marks stand above the envelope by up to {}", marks.join(", "));
+    }
+    let outside = result.flanks.values().map(|f| f.outside_class_um).fold(0.0, f64::max);
+    if outside > 0.0 {
+        let _ = writeln!(
+            text,
+            "  parts of the target outside the producible class: {outside:.3} um (transverse), best-fitted"
+        );
     }
     for warning in &result.warnings {
         let _ = writeln!(text, "  warning: {} ({})", warning.text, warning.way_out);

@@ -18,12 +18,59 @@ pub(super) fn check(job: &Job) -> Vec<Diagnostic> {
     dressing(job, &mut findings);
     grinding(job, &mut findings);
     settings(job, &mut findings);
+    grid(job, &mut findings);
     findings
 }
+
+/// Result points per flank: a finer grid shows nothing more and takes minutes.
+const MOST_POINTS: usize = 40_401;
+
+fn grid(job: &Job, findings: &mut Vec<Diagnostic>) {
+    let points = job.grid.profile_points * job.grid.helix_points;
+    if points > MOST_POINTS {
+        findings.push(
+            Diagnostic::new(Problem::InvalidJob, format!("the result grid has {points} points per flank"))
+                .field("grid.profile_points")
+                .value(job.grid.profile_points)
+                .allowed(format!("profile_points x helix_points up to {MOST_POINTS} (201 x 201)"))
+                .way_out("use a coarser grid, e.g. 41 x 41"),
+        );
+    }
+}
+
+/// Largest coefficient of a setting in its own unit: beyond it no machine follows.
+const LARGEST_COEFFICIENT: f64 = 1e6;
 
 /// Strokes that have a length, coefficients that no machine exceeds.
 fn settings(job: &Job, findings: &mut Vec<Diagnostic>) {
     let Some(settings) = &job.settings else { return };
+    let mut lists = vec![
+        ("delta_d_um".to_owned(), &settings.delta_d_um),
+        ("delta_phi_2_urad".to_owned(), &settings.delta_phi_2_urad),
+    ];
+    for (flank, given) in [("left", &settings.left), ("right", &settings.right)] {
+        let Some(s) = given else { continue };
+        for (key, list) in [
+            ("d_phi_S_deg", &s.d_phi_s_deg),
+            ("d_gamma_deg", &s.d_gamma_deg),
+            ("d_d_mm", &s.d_d_mm),
+            ("d_v_yA_mm", &s.d_v_ya_mm),
+            ("profile_um", &s.profile_um),
+        ] {
+            lists.push((format!("{flank}.{key}"), list));
+        }
+    }
+    for (key, list) in lists {
+        for (i, c) in list.iter().enumerate().filter(|(_, c)| c.abs() > LARGEST_COEFFICIENT) {
+            findings.push(
+                Diagnostic::new(Problem::InvalidNumber, "a coefficient that no machine follows")
+                    .field(format!("settings.{key}[{i}]"))
+                    .value(shown_number(*c))
+                    .allowed(format!("-{LARGEST_COEFFICIENT:e} to {LARGEST_COEFFICIENT:e}"))
+                    .way_out("check the unit of the coefficient"),
+            );
+        }
+    }
     for (flank, given) in [("left", &settings.left), ("right", &settings.right)] {
         let Some(given) = given else { continue };
         if given.v_to_mm <= given.v_from_mm {

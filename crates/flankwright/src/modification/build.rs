@@ -18,6 +18,9 @@ use crate::numerics::{Polynomial2, SplineError, TensorSpline, fit_tensor_spline}
 /// um to mm.
 const UM: f64 = 1e-3;
 
+/// Share of the evaluation range by which a grid may end short of it: rounding of its coordinates.
+const GRID_SLACK: f64 = 0.01;
+
 /// Most cells along one direction of a surface fitted to a cloud: finer detail asks for a grid.
 const MOST_CELLS: usize = 12;
 
@@ -262,6 +265,22 @@ impl<'a> Builder<'a> {
         let mut f_mm = table.f_um;
         for f in f_mm.iter_mut().flatten() {
             *f = number(kind, "f_um", *f, limits::AMOUNT_UM)? * UM;
+        }
+        for (key, knots, [from, to]) in
+            [("w_mm", &table.w_mm, self.field.roll()), ("z_mm", &table.z_mm, self.field.face())]
+        {
+            // A cubic continued beyond its knots says nothing about the flank there.
+            let (Some(first), Some(last)) = (knots.first(), knots.last()) else { continue };
+            let slack = GRID_SLACK * (to - from);
+            if *first > from + slack || *last < to - slack {
+                let value = format!("{first} to {last}");
+                return invalid(
+                    kind,
+                    key,
+                    value,
+                    format!("numbers that cover the evaluation range {from} to {to}"),
+                );
+            }
         }
         match TensorSpline::new(&table.w_mm, &table.z_mm, &f_mm) {
             Ok(spline) => Ok(Node::Grid(Box::new(spline))),

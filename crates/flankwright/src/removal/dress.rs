@@ -31,6 +31,9 @@ pub struct Dressing<'a> {
 
 /// Poses of the scan per axial pitch. Over a 32nd of a pitch the length of a ray bends by some 0.1 um.
 const POSES_PER_PITCH: f64 = 32.0;
+/// Longest way of a flank point between two poses of the scan, mm: over half of it a disc of 30 mm radius curves away by
+/// 0.1 mm, which is below the stock that a dip may stand off.
+const LONGEST_WAY: f64 = 5.0;
 /// Share of the axial pitch beyond which a hit belongs to another groove or to the back of the disc (spec 30 section 15).
 const OWN_GROOVE: f64 = 0.45;
 /// Largest cosine between the ray and the dresser's outward normal that counts as meeting the dresser from its front.
@@ -144,7 +147,9 @@ impl<'a> Cutter<'a> {
         error::positive("magnitude of the screw parameter", screw.abs())?;
         let pitch = 2.0 * std::f64::consts::PI * screw.abs() / flank.teeth;
         let [from, to] = setup.shift_range;
-        let intervals = ((to - from) * POSES_PER_PITCH / pitch).ceil().max(2.0);
+        let outermost = setup.dresser.interval().1.hypot(flank.base_radius);
+        let turning = outermost / (screw.abs() * LONGEST_WAY);
+        let intervals = ((to - from) * turning.max(POSES_PER_PITCH / pitch)).ceil().max(2.0);
         // A million poses are a stroke of thirty thousand pitches: a mistake in the units, not a worm.
         if intervals > 1e6 {
             return Err(RemovalError::InvalidNumber {

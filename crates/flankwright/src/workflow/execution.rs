@@ -1,16 +1,18 @@
 //! A grinding process with all its settings, ready to be run: from a plan or from the `[settings]` of a job. Both go the
 //! same way to the referee and to the report.
 
-use super::prepare::{Prepared, Remark};
+use super::prepare::{Prepared, Remark, RunFailure, settings_reliefs};
+use crate::exchange::LoadedJob;
 use crate::exchange::job::{FlankSettings, Job, Settings};
 use crate::geometry::{Flank, Sides};
 use crate::kinematics::{DressingMotion, GeneratingMotion, MotionLaw};
 use crate::metrology::Topography;
+use crate::modification::ModificationSpec;
 use crate::numerics::Chebyshev;
 use crate::process::dressing::{DressedWorm, DresserTool, dressing_motion};
 use crate::process::generating::{
-    Decomposition, GeneratingError, GrindingPlan, IdealPlan, IdealWorm, PlanningGrid, ProfilePlace,
-    ProfilePolicy, dresser_of_plan, dresser_profile, dressing_interval,
+    Decomposition, GrindingPlan, IdealPlan, IdealWorm, PlanningGrid, ProfilePlace, ProfilePolicy,
+    dresser_of_plan, dresser_profile, dressing_interval,
 };
 use std::f64::consts::PI;
 
@@ -21,6 +23,8 @@ pub struct ExecutedFlank {
     pub corrections: [Chebyshev; 4],
     /// Polynomial profile that the dresser leaves on the gear over u = w - w_m, transverse, mm.
     pub profile: Vec<f64>,
+    /// Profile forms that the dresser carries beside it, as a job describes them.
+    pub reliefs: Vec<ModificationSpec>,
     /// Target, normal, mm.
     pub target: Topography,
     /// Exact contact with the worm as dressed, normal, mm.
@@ -93,7 +97,7 @@ fn executed(w: &[f64], z: &[f64], target: &[f64], planned: Vec<f64>) -> Option<(
 
 impl Execution {
     /// From a finished plan.
-    pub fn of_plan(job: &Job, plan: &GrindingPlan) -> Self {
+    pub fn of_plan(job: &Job, prepared: &Prepared, plan: &GrindingPlan) -> Self {
         let flanks = Sides::from_fn(|flank| {
             let f = plan.flanks[flank].as_ref()?;
             let (target, planned) =
@@ -103,6 +107,7 @@ impl Execution {
             Some(ExecutedFlank {
                 corrections: f.dressed.corrections.clone(),
                 profile,
+                reliefs: prepared.reliefs[flank].clone(),
                 target,
                 planned,
                 determinant,
@@ -127,8 +132,13 @@ impl Execution {
     /// From the settings of a job: nothing is planned or corrected.
     ///
     /// # Errors
-    /// Those of contact and dressing for these settings.
-    pub fn of_settings(job: &Job, prepared: &Prepared, settings: &Settings) -> Result<Self, GeneratingError> {
+    /// [`RunFailure`]: reliefs that are impossible; contact and dressing for these settings.
+    pub fn of_settings(
+        loaded: &LoadedJob,
+        prepared: &Prepared,
+        settings: &Settings,
+    ) -> Result<Self, RunFailure> {
+        let job = &loaded.job;
         let setup = &prepared.setup;
         let scaled = |c: &[f64], unit: f64| MotionLaw::polynomial(0.0, c.iter().map(|c| c * unit).collect());
         let shift = vec![settings.shift_origin_mm, settings.diagonal_ratio];
@@ -139,9 +149,13 @@ impl Execution {
             Flank::Left => settings.left.as_ref(),
             Flank::Right => settings.right.as_ref(),
         };
-        let worms = Sides::from_fn(|flank| {
-            let target = prepared.targets[flank].as_ref()?;
-            Some(IdealWorm {
+        let relief_specs = |flank: Flank| given(flank).map_or(&[][..], |s| &s.reliefs[..]);
+        let worms = Sides::try_from_fn(|flank| -> Result<_, RunFailure> {
+            if prepared.targets[flank].is_none() {
+                return Ok(None);
+            }
+            let reliefs = settings_reliefs(loaded, relief_specs(flank), flank, &setup.fields[flank])?;
+            Ok(Some(IdealWorm {
                 lines: setup.lines[flank],
                 ratio: 0.0,
                 shift_origin: settings.shift_origin_mm,
@@ -154,9 +168,9 @@ impl Execution {
                         .map_or(Vec::new(), |s| s.profile_um.iter().map(|p| p * 1e-3).collect()),
                     kinematic: [0.0; 4],
                 },
-                reliefs: target.reliefs.clone(),
-            })
-        });
+                reliefs,
+            }))
+        })?;
         let which: Vec<Flank> =
             prepared.targets.iter().filter(|(_, t)| t.is_some()).map(|(flank, _)| flank).collect();
         let occupied = setup.occupation(settings.diagonal_ratio, &which);
@@ -172,7 +186,7 @@ impl Execution {
         let tool = dresser_of_plan(setup, &ideal, policy);
         let grid = PlanningGrid::new(setup, job.grid.profile_points, job.grid.helix_points);
         let mut feeds = Vec::new();
-        let flanks = Sides::try_from_fn(|flank| -> Result<_, GeneratingError> {
+        let flanks = Sides::try_from_fn(|flank| -> Result<_, RunFailure> {
             let Some(target) = &prepared.targets[flank] else { return Ok(None) };
             let corrections = match given(flank) {
                 Some(s) => correction_series(s),
@@ -182,14 +196,16 @@ impl Execution {
                 }
             };
             let worm = DressedWorm::new(&tool, flank, &corrections);
-            let ground = grid.ground(setup, flank, &motion, &worm)?;
-            let wanted = grid.target(flank, target, setup.lines[flank].cos_b2)?;
+            let ground = grid.ground(setup, flank, &motion, &worm).map_err(|e| RunFailure::from(&e))?;
+            let wanted =
+                grid.target(flank, target, setup.lines[flank].cos_b2).map_err(|e| RunFailure::from(&e))?;
             feeds.extend(ground.iter().map(|g| g.feed));
             let made = executed(&grid.w[flank], &grid.z, &wanted, ground.iter().map(|g| g.f_n).collect());
             let determinant = ground.iter().map(|g| g.determinant_ratio).fold(f64::INFINITY, f64::min);
             Ok(made.map(|(target, planned)| ExecutedFlank {
                 corrections,
                 profile: ideal.worms[flank].as_ref().map_or(Vec::new(), |w| w.parts.profile.clone()),
+                reliefs: relief_specs(flank).to_vec(),
                 target,
                 planned,
                 determinant,
@@ -228,6 +244,7 @@ impl Execution {
                 d_d_mm: series(2, 1.0),
                 d_v_ya_mm: series(3, 1.0),
                 profile_um: f.profile.iter().map(|p| p * 1e3).collect(),
+                reliefs: f.reliefs.clone(),
             })
         };
         Settings {

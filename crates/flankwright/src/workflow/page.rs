@@ -2,7 +2,7 @@
 
 use super::result::{CharacteristicsUm, FlankResult, Status};
 use super::run::{Outcome, ratio_reason};
-use super::tables::steps;
+use super::tables::{ROWS, steps};
 use crate::exchange::job::{Job, Modification as Spec};
 use crate::geometry::{Flank, Sides};
 use crate::report::charts::{ChartError, SectionTrace, Topography, format_significant};
@@ -11,9 +11,6 @@ use crate::report::generating::{
     OutsideTerm, RatioCandidate, RatioChoice, Reason, RefereeStage, TargetAmount, Verification, WrittenFile,
 };
 use crate::report::{Quantity, Status as Banner, Warning, html};
-
-/// Points of the motion charts.
-const CHART_POINTS: usize = 121;
 
 fn characteristics(c: &CharacteristicsUm) -> Characteristics {
     Characteristics {
@@ -29,21 +26,18 @@ fn characteristics(c: &CharacteristicsUm) -> Characteristics {
 }
 
 /// The amount of a target entry as the job has it, where its kind has one.
-fn target_amounts(job: &Job, flank: Flank) -> Vec<TargetAmount> {
-    let named = |kind: &str| {
-        job.target.modifications.iter().flatten().any(|s| s.kind() == kind && s.flank().includes(flank))
-    };
+fn target_amounts(job: &Job, flank: Flank, target: &CharacteristicsUm) -> Vec<TargetAmount> {
     let entries = job.target.modifications.iter().flatten().filter(|spec| spec.flank().includes(flank));
     entries
         .map(|spec: &Spec| {
             let keys = serde_json::to_value(spec).unwrap_or_default();
-            let amount_um = keys.get("amount_um").and_then(serde_json::Value::as_f64).unwrap_or(0.0);
+            let amount_um = keys.get("amount_um").and_then(serde_json::Value::as_f64);
             let detail = keys
                 .as_object()
                 .into_iter()
                 .flatten()
                 .filter(|(key, value)| {
-                    !["kind", "amount_um", "flank", "terms", "f_um", "points"].contains(&key.as_str())
+                    !["kind", "amount_um", "flank", "w_mm", "z_mm", "f_um", "points"].contains(&key.as_str())
                         && !value.is_null()
                 })
                 .map(|(key, value)| format!("{key} = {value}"))
@@ -51,9 +45,9 @@ fn target_amounts(job: &Job, flank: Flank) -> Vec<TargetAmount> {
                 .join(", ");
             TargetAmount { name: spec.kind().replace('_', " "), amount_um, detail }
         })
-        .chain((!named("twist") && job.target.file.is_none()).then(|| TargetAmount {
+        .chain((target.twist_fit_um.abs() < 1e-9).then(|| TargetAmount {
             name: "twist".into(),
-            amount_um: 0.0,
+            amount_um: Some(0.0),
             detail: "no entry: zero twist is wanted".into(),
         }))
         .collect()
@@ -116,7 +110,7 @@ fn flank_report(
         Vec::new()
     };
     Ok(FlankReport {
-        amounts: target_amounts(job, flank),
+        amounts: target_amounts(job, flank, &f.target_characteristics),
         target,
         planned: Some(map(&f.planned_um)?),
         simulated: Some(simulated),
@@ -153,6 +147,10 @@ fn gear_quantities(outcome: &Outcome) -> Vec<Quantity> {
         Quantity::number("tip diameter", "d_a", blank.tip_diameter, "mm"),
         Quantity::number("root form diameter", "d_Ff", blank.form_diameter, "mm"),
         Quantity::number("root diameter", "d_f", blank.root_diameter, "mm"),
+        Quantity::number("evaluation from diameter", "", setup.input.evaluation[0], "mm"),
+        Quantity::number("evaluation to diameter", "", setup.input.evaluation[1], "mm"),
+        Quantity::number("evaluation from face position", "z", setup.input.evaluation[2], "mm"),
+        Quantity::number("evaluation to face position", "z", setup.input.evaluation[3], "mm"),
         Quantity::per_flank("base diameter", "d_b", 2.0 * l.base_radius, 2.0 * r.base_radius, "mm"),
         Quantity::per_flank(
             "base helix angle",
@@ -171,6 +169,13 @@ fn tool_quantities(outcome: &Outcome, job: &Job) -> (Vec<Quantity>, Vec<Quantity
         Quantity::count("number of threads", "z_S", i64::from(worm.data().teeth)),
         Quantity::text("hand", if worm.data().helix_angle > 0.0 { "right" } else { "left" }),
         Quantity::number("normal module", "m_nS", worm.data().normal_module, "mm"),
+        Quantity::per_flank(
+            "normal pressure angle",
+            "α_nS",
+            worm.data().pressure_angle.left.to_degrees(),
+            worm.data().pressure_angle.right.to_degrees(),
+            "deg",
+        ),
         Quantity::number("pitch diameter", "d_S", 2.0 * setup.worm_pitch_radius, "mm"),
         Quantity::number("tip diameter", "d_aS", 2.0 * setup.worm_tip_radius, "mm"),
         Quantity::number("root diameter", "d_fS", 2.0 * setup.worm_root_radius, "mm"),
@@ -197,7 +202,7 @@ fn tool_quantities(outcome: &Outcome, job: &Job) -> (Vec<Quantity>, Vec<Quantity
     (of_worm, of_dresser)
 }
 
-fn settings_quantities(outcome: &Outcome) -> Vec<Quantity> {
+fn settings_quantities(outcome: &Outcome, job: &Job) -> Vec<Quantity> {
     let s = &outcome.result.settings;
     let mut list = vec![
         Quantity::number("centre distance", "d", s.centre_distance_mm, "mm"),
@@ -213,12 +218,15 @@ fn settings_quantities(outcome: &Outcome) -> Vec<Quantity> {
     if let Some(place) = s.profile_crowning_by {
         list.push(Quantity::text("profile crowning made by", place));
     }
+    if let Some(feed) = job.grinding.feed_per_revolution {
+        list.push(Quantity::number("feed per revolution of the gear", "", feed, "mm"));
+    }
     list
 }
 
 fn grinding_motion(outcome: &Outcome) -> GrindingMotion {
     let motion = &outcome.execution.motion;
-    let feeds: Vec<f64> = steps(outcome.execution.feed_range, CHART_POINTS).collect();
+    let feeds: Vec<f64> = steps(outcome.execution.feed_range, ROWS).collect();
     GrindingMotion {
         z_v1_mm: feeds.iter().map(|&v| motion.shift.value(v)).collect(),
         delta_d_um: feeds.iter().map(|&v| motion.delta_d.value(v) * 1e3).collect(),
@@ -231,7 +239,7 @@ fn dressing_motion(outcome: &Outcome, flank: Flank) -> Option<DressingMotion> {
     let executed = outcome.execution.flanks[flank].as_ref()?;
     let motion = executed.dressing(&outcome.execution.tool);
     let (from, to) = executed.corrections[0].interval();
-    let v: Vec<f64> = steps([from, to], CHART_POINTS).collect();
+    let v: Vec<f64> = steps([from, to], ROWS).collect();
     let component = |j: usize, unit: f64| v.iter().map(|&v| motion.correction_at(v)[j] * unit).collect();
     let deg = 180.0 / std::f64::consts::PI;
     Some(DressingMotion {
@@ -280,7 +288,8 @@ fn verification(outcome: &Outcome) -> Verification {
             "The simulated flank comes from a second calculation that shares no formula with the first: normal rays of the \
              worm are shortened by the dresser over the real dressing motion, a smooth surface through their ends is the \
              worm, and normal rays of the workpiece are shortened by that worm over the real grinding motion. Only the \
-             shapes, the chain of axes and the motions are common to both."
+             shapes, the chain of axes and the motions are common to both; the plan only tells on which part of the worm the \
+             rays stand."
                 .into(),
         ]
         .into_iter()
@@ -329,7 +338,7 @@ pub fn html_page(
         gear: gear_quantities(outcome),
         worm,
         dresser,
-        settings: settings_quantities(outcome),
+        settings: settings_quantities(outcome, job),
         ratio: outcome.plan.as_ref().map(|plan| RatioChoice {
             chosen: Some(plan.choice.ratio),
             reason: ratio_reason(plan.choice.reason).into(),

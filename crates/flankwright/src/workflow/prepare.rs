@@ -19,6 +19,8 @@ pub struct Prepared {
     pub setup: GrindingSetup,
     /// Targets of the flanks that are ground.
     pub targets: Sides<Option<FlankTarget>>,
+    /// Profile forms that are no polynomials and go into the dresser as they stand, as the job describes them.
+    pub reliefs: Sides<Vec<ModificationSpec>>,
     /// Places allowed for the profile crowning.
     pub places: Vec<ProfilePlace>,
     /// Whether the dresser is made for this job.
@@ -100,7 +102,24 @@ fn geometry_finding(error: &GeometryError, table: &str) -> Diagnostic {
         }
         _ => table.to_string(),
     };
-    Diagnostic::with_code(error.code(), error.to_string()).field(field).way_out(error.way_out())
+    let finding =
+        Diagnostic::with_code(error.code(), error.to_string()).field(field).way_out(error.way_out());
+    match error {
+        GeometryError::InvalidNumber { value, allowed, .. } => finding.value(value).allowed(*allowed),
+        GeometryError::InvalidGeometry { value, allowed, .. } => {
+            finding.value(value).allowed(allowed.clone())
+        }
+        GeometryError::DiametersInconsistent { inner_value, outer, outer_value, .. } => {
+            finding.value(inner_value).allowed(format!("below {outer} = {outer_value} mm"))
+        }
+        GeometryError::RadiusBelowBaseCircle { radius, base_radius, .. } => {
+            finding.value(2.0 * radius).allowed(format!("from {:.6} mm", 2.0 * base_radius))
+        }
+        GeometryError::WormTooSmall { diameter, least, .. } => {
+            finding.value(diameter).allowed(format!("pitch diameter above {least} mm"))
+        }
+        _ => finding,
+    }
 }
 
 /// A planning error as a finding on a key of the job.
@@ -349,7 +368,54 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
             });
         }
     }
-    Ok(Prepared { setup, targets, places, free_dresser, warnings })
+    let reliefs = Sides::from_fn(|flank| match given {
+        Some(made) => made.into_iter().cloned().collect(),
+        None => relief_specs(loaded, flank, &setup.fields[flank]),
+    });
+    Ok(Prepared { setup, targets, reliefs, places, free_dresser, warnings })
+}
+
+/// Entries of the target, sums opened, that depend on the profile only and are no polynomials.
+fn relief_specs(loaded: &LoadedJob, flank: Flank, field: &EvaluationField) -> Vec<ModificationSpec> {
+    fn flat<'a>(spec: &'a ModificationSpec, into: &mut Vec<&'a ModificationSpec>) {
+        match spec {
+            ModificationSpec::Sum(sum) => sum.children.iter().for_each(|child| flat(child, into)),
+            other => into.push(other),
+        }
+    }
+    let mut entries = Vec::new();
+    for spec in loaded.job.target.modifications.iter().flatten().filter(|spec| spec.flank().includes(flank)) {
+        flat(spec, &mut entries);
+    }
+    let is_relief = |spec: &&ModificationSpec| {
+        Modification::build_with_files(spec, field, &Beside(loaded))
+            .is_ok_and(|built| built.depends_on_profile_only() && built.polynomial().is_none())
+    };
+    entries.into_iter().filter(is_relief).cloned().collect()
+}
+
+/// The profile forms of `[settings]` of one flank, built.
+///
+/// # Errors
+/// [`RunFailure`] for a modification that is impossible or no function of the profile alone.
+pub fn settings_reliefs(
+    loaded: &LoadedJob,
+    specs: &[ModificationSpec],
+    flank: Flank,
+    field: &EvaluationField,
+) -> Result<Vec<Modification>, RunFailure> {
+    let entry = format!("settings.{flank}.reliefs");
+    let built = Modification::for_flank(specs, flank, field, &Beside(loaded))
+        .map_err(|e| RunFailure::bad_input(modification_finding(&e, &entry)))?;
+    if !built.terms().iter().all(Modification::depends_on_profile_only) {
+        let finding =
+            Diagnostic::new(Problem::InvalidJob, "a dresser can only carry modifications of the profile")
+                .field(entry)
+                .allowed("profile crowning, profile slope, tip or root relief")
+                .way_out("leave helix modifications to the motions");
+        return Err(RunFailure::bad_input(finding));
+    }
+    Ok(built.terms())
 }
 
 fn dresser_profile(

@@ -28,8 +28,9 @@ pub struct Verdict {
     pub dressing: StageReport,
     /// Worm against workpiece; its error contains that of the worm surface.
     pub grinding: StageReport,
-    /// Height of the true feed marks over the envelope on a sample of rays, mm; `None` without a feed.
-    pub feed_mark: Option<f64>,
+    /// Height of the true feed marks over the envelope on a sample of rays, mm, or why they could not be followed; `None`
+    /// without a feed.
+    pub feed_mark: Option<Result<f64, RemovalError>>,
 }
 
 /// Spacing of the worm's rays: over the profile and along the worm, mm (spec 28 section 5).
@@ -108,7 +109,9 @@ fn run_flank(
     // stays uncut and is told.
     let (w, z) = finished_area(setup, &execution.tool, flank, &executed.corrections);
     let z = [z[0] + WORM_MARGIN, z[1] - WORM_MARGIN];
-    let stock = STOCK.max(3.0 * executed.target.largest());
+    // The stages take up to a quarter of the normal base pitch, beyond which the next flank begins.
+    let base_pitch = 2.0 * std::f64::consts::PI * worm.base_radius * worm.base_helix_angle.cos() / worm.teeth;
+    let stock = STOCK.max(3.0 * executed.target.largest()).min(0.24 * base_pitch);
     let dressing =
         Dressing { worm, dresser: &dresser.profile, motion: &motion, shift_range: [from, to], stock };
     let even = RayGrid::spaced(w, WORM_SPACING[0], z, WORM_SPACING[1])?;
@@ -127,10 +130,7 @@ fn run_flank(
         mode: GrindingMode::Continuous,
     };
     let ground = grind(&grinding, &grid, progress)?;
-    let feed_mark = match feed_per_revolution {
-        Some(feed) => Some(feed_mark(&grinding, feed, &executed.target, progress)?),
-        None => None,
-    };
+    let feed_mark = feed_per_revolution.map(|feed| feed_mark(&grinding, feed, &executed.target, progress));
     let simulated = Topography { f: ground.lengths()?, ..executed.target.clone() };
     Ok(Some(Verdict {
         simulated,

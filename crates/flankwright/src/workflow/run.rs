@@ -4,7 +4,7 @@ use super::execution::Execution;
 use super::prepare::{Prepared, Remark, RunFailure, prepare};
 use super::referee::{self, Verdict};
 use super::result::{CandidateResult, CharacteristicsUm, FlankResult, JobResult, SettingsResult, Status};
-use crate::exchange::job::{Job, Method};
+use crate::exchange::job::{DiagonalRatio, Job};
 use crate::exchange::{Diagnostic, LoadedJob, Problem};
 use crate::geometry::{Flank, Sides};
 use crate::numerics::Progress;
@@ -86,7 +86,7 @@ pub fn plan_job(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Outcome, 
     let planning = Instant::now();
     let plan = ready.task(&loaded.job).plan().map_err(|e| RunFailure::from(&e))?;
     let planned_in = planning.elapsed().as_secs_f64();
-    let execution = Execution::of_plan(&loaded.job, &plan);
+    let execution = Execution::of_plan(&loaded.job, &ready, &plan);
     let timing = BTreeMap::from([("prepare", prepared_at), ("plan", planned_in)]);
     finish(loaded, ready, execution, Some(plan), timing, progress)
 }
@@ -104,8 +104,7 @@ pub fn simulate_job(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Outco
             .way_out("plan the job first: `flankwright plan` writes settings.json, which `simulate` takes");
         return Err(RunFailure::bad_input(finding));
     };
-    let execution =
-        Execution::of_settings(&loaded.job, &ready, settings).map_err(|e| RunFailure::from(&e))?;
+    let execution = Execution::of_settings(loaded, &ready, settings)?;
     let timing = BTreeMap::from([("prepare", begun.elapsed().as_secs_f64())]);
     finish(loaded, ready, execution, None, timing, progress)
 }
@@ -149,7 +148,7 @@ fn finish(
                 rms_deviation_um: deviation.rms() * 1e3,
                 model_difference_um: executed.planned.minus(&verdict.simulated).largest() * 1e3,
                 referee_error_um: verdict.grinding.error_um,
-                feed_mark_um: verdict.feed_mark.map(|h| h * 1e3),
+                feed_mark_um: verdict.feed_mark.as_ref().and_then(|h| h.as_ref().ok()).map(|h| h * 1e3),
                 target_characteristics: CharacteristicsUm::of(&executed.target, cos_b),
                 simulated_characteristics: CharacteristicsUm::of(&verdict.simulated, cos_b),
                 outside_class_um: prepared.targets[flank].as_ref().map_or(0.0, |t| t.outside * 1e3),
@@ -157,9 +156,12 @@ fn finish(
             },
         );
     }
-    let worst = flanks.values().map(|f| f.max_deviation_um).fold(0.0, f64::max);
-    let status = if worst <= tolerance { Status::Met } else { Status::Missed };
-    let reason = (status == Status::Missed).then(|| missed(job, &prepared, &flanks));
+    warnings.extend(feed_mark_warnings(&verdicts, tolerance));
+    warnings.extend(plan.as_ref().and_then(given_ratio_warning));
+    // Parts outside the class count by themselves: the grid may miss them (a wave between its points).
+    let met = |f: &FlankResult| f.max_deviation_um <= tolerance && f.outside_class_um <= tolerance;
+    let status = if !flanks.is_empty() && flanks.values().all(met) { Status::Met } else { Status::Missed };
+    let reason = (status == Status::Missed).then(|| missed(job, &prepared, &flanks, execution.ratio));
     let setup = &prepared.setup;
     let candidates = plan.iter().flat_map(|p| &p.choice.candidates);
     let result = JobResult {
@@ -249,9 +251,54 @@ fn output_warnings(job: &Job) -> Vec<Remark> {
     warnings
 }
 
+/// Feed marks that cannot be followed or stand above the tolerance.
+fn feed_mark_warnings(verdicts: &Sides<Option<Verdict>>, tolerance: f64) -> Vec<Remark> {
+    let mut warnings = Vec::new();
+    for (flank, verdict) in verdicts.iter() {
+        match verdict.as_ref().and_then(|v| v.feed_mark.as_ref()) {
+            Some(Ok(height)) if height * 1e3 > tolerance => warnings.push(Remark {
+                code: "feed-marks-above-tolerance",
+                text: format!(
+                    "the feed marks of the {flank} flank stand up to {:.3} um above the envelope",
+                    height * 1e3
+                ),
+                way_out: "reduce grinding.feed_per_revolution".into(),
+            }),
+            Some(Err(error)) => warnings.push(Remark {
+                code: "feed-marks-not-followed",
+                text: format!("the feed marks of the {flank} flank could not be followed: {error}"),
+                way_out: "reduce grinding.feed_per_revolution".into(),
+            }),
+            _ => {}
+        }
+    }
+    warnings
+}
+
+/// A ratio that the job gives overrides the limits; that it does is said.
+fn given_ratio_warning(plan: &GrindingPlan) -> Option<Remark> {
+    let given = plan.choice.candidates.first().filter(|_| plan.choice.reason == RatioReason::Given)?;
+    let refusal = given.refusal.as_ref()?;
+    Some(Remark {
+        code: "given-ratio-beyond-limits",
+        text: format!("the given diagonal ratio would not have been chosen: {refusal}"),
+        way_out: "use diagonal_ratio = \"auto\", or check that the machine has the travel".into(),
+    })
+}
+
 /// Why the target is missed and what would help, in whole sentences.
-fn missed(job: &Job, prepared: &Prepared, flanks: &BTreeMap<&'static str, FlankResult>) -> Remark {
-    if job.grinding.method == Method::Radial {
+fn missed(
+    job: &Job,
+    prepared: &Prepared,
+    flanks: &BTreeMap<&'static str, FlankResult>,
+    ratio: f64,
+) -> Remark {
+    let tolerance = job.target.tolerance_um;
+    let twisted = |f: &FlankResult| {
+        let unwanted = f.simulated_characteristics.twist_corner_um - f.target_characteristics.twist_corner_um;
+        unwanted.abs() > tolerance
+    };
+    if ratio == 0.0 && flanks.values().any(twisted) {
         let twist = |f: &FlankResult| {
             let c = &f.simulated_characteristics;
             format!(
@@ -283,7 +330,7 @@ fn missed(job: &Job, prepared: &Prepared, flanks: &BTreeMap<&'static str, FlankR
         };
     }
     let outside = flanks.values().map(|f| f.outside_class_um).fold(0.0, f64::max);
-    if outside > 0.0 {
+    if outside > 0.1 * tolerance {
         return Remark {
             code: "outside-class",
             text: format!(
@@ -297,6 +344,12 @@ fn missed(job: &Job, prepared: &Prepared, flanks: &BTreeMap<&'static str, FlankR
     Remark {
         code: "tolerance-missed",
         text: "The process cannot follow the target more closely with these settings.".into(),
-        way_out: "Choose another diagonal ratio, switch precompensation on, or widen the tolerance.".into(),
+        way_out: match (&job.settings, &job.grinding.diagonal_ratio) {
+            (Some(_), _) => "Change the settings, or let `plan` find them.".into(),
+            (None, Some(DiagonalRatio::Number(_))) => {
+                "Use diagonal_ratio = \"auto\", leave precompensation on, or widen the tolerance.".into()
+            }
+            _ => "Take a worm with more threads or another diameter, smoother modifications, or a wider tolerance.".into(),
+        },
     }
 }

@@ -4,8 +4,8 @@ use super::run::Outcome;
 use crate::exchange::{Column, CsvError, CsvTable};
 use crate::geometry::Flank;
 
-/// Rows of a motion table.
-const ROWS: usize = 201;
+/// Rows of a motion table and points of a motion chart.
+pub(super) const ROWS: usize = 201;
 
 /// Axis positions of dressing and grinding that charts and tables share.
 pub(super) fn steps([from, to]: [f64; 2], n: usize) -> impl Iterator<Item = f64> {

@@ -65,6 +65,8 @@ pub fn write_outcome(job: &Job, outcome: &Outcome, directory: &Path) -> Result<V
     named.push(("report.html".into(), "this report"));
     let report = page::html_page(job, outcome, &named)?;
     files.push(("report.html".into(), "report", report.into_bytes()));
+    let names: Vec<&str> = files.iter().map(|file| file.0.as_str()).collect();
+    remove_stale(directory, &names)?;
     let mut written = Vec::with_capacity(files.len());
     for (name, _, bytes) in files {
         let path = directory.join(&name);
@@ -76,6 +78,31 @@ pub fn write_outcome(job: &Job, outcome: &Outcome, directory: &Path) -> Result<V
         written.push(path);
     }
     Ok(written)
+}
+
+/// Names that a run may write; what an earlier run left of them and this one does not write would contradict it.
+const NAMES: [&str; 7] = [
+    "result.json",
+    "settings.json",
+    "topography.csv",
+    "motions/grinding.csv",
+    "motions/dressing-left.csv",
+    "motions/dressing-right.csv",
+    "report.html",
+];
+
+/// Removes files of an earlier run that are not among those of this one.
+fn remove_stale(directory: &Path, written: &[&str]) -> Result<(), WriteError> {
+    for name in NAMES.iter().filter(|name| !written.contains(name)) {
+        let path = directory.join(name);
+        match std::fs::remove_file(&path) {
+            Err(source) if source.kind() != std::io::ErrorKind::NotFound => {
+                return Err(WriteError::Io { path, source });
+            }
+            _ => {}
+        }
+    }
+    Ok(())
 }
 
 /// Writes `result.json` of a job that these bodies cannot make: status, limit and way out.
@@ -91,11 +118,15 @@ pub fn write_refusal(job: &Job, finding: &Diagnostic, directory: &Path) -> Resul
         "tolerance_um": job.target.tolerance_um,
         "reason": { "code": finding.code, "text": finding.message, "way_out": finding.way_out, "field": finding.field },
         "warnings": [],
+        "settings": {},
+        "flanks": {},
+        "timing_s": {},
     });
     let path = directory.join("result.json");
     let failed = |source| WriteError::Io { path: path.clone(), source };
     std::fs::create_dir_all(directory).map_err(failed)?;
     write_atomically(&path, &json(&document)?).map_err(failed)?;
+    remove_stale(directory, &["result.json"])?;
     Ok(path)
 }
 

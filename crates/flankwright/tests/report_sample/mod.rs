@@ -71,9 +71,9 @@ fn flank(side: Flank, twist_um: f64) -> FlankReport {
     });
     let helices = [4, 20, 36]
         .map(|i| trace(SectionTrace::helix(&simulated, Some(&target), i), ("C_β", 20.0), ("C_Hβ", 0.0004)));
-    let amount = |name: &str, amount_um: f64| TargetAmount {
+    let amount = |name: &str, amount: f64| TargetAmount {
         name: name.to_owned(),
-        amount_um,
+        amount_um: Some(amount),
         detail: "transverse".to_owned(),
     };
     FlankReport {

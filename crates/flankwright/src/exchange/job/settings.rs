@@ -3,6 +3,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::target::Modification;
+
 /// Settings of grinding and dressing.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -57,8 +59,10 @@ pub struct FlankSettings {
     #[schemars(extend("maxItems" = 200))]
     pub d_v_ya_mm: Vec<f64>,
     /// Profile that the dresser leaves on the gear: coefficients of (w - w_m)^k, um/mm^k, transverse, > 0 material left.
-    /// Reliefs and other profile forms of the target stay in the dresser beside it.
     #[serde(default)]
     #[schemars(extend("maxItems" = 50))]
     pub profile_um: Vec<f64>,
+    /// Reliefs and other profile forms that the dresser carries beside it: modifications of the profile, as in the target.
+    #[serde(default)]
+    pub reliefs: Vec<Modification>,
 }

@@ -2,7 +2,7 @@
 
 use super::{FlankLines, GeneratingError};
 use crate::contact::Pair;
-use crate::geometry::{Blank, Flank, Gear, Sides, WormChoice, worm_for_gear};
+use crate::geometry::{Blank, Flank, Gear, GeometryError, Sides, WormChoice, worm_for_gear};
 use crate::kinematics::DressingChain;
 use crate::modification::EvaluationField;
 use crate::process::dressing::{ContactLine, DresserTool, GeometricRange};
@@ -120,6 +120,18 @@ impl GrindingSetup {
                 (root, root + r_aa)
             }
         };
+        // A disc reaches about 1.25 modules below the worm's pitch cylinder; far from that it is another dresser.
+        let depth = (r_w1 - root_radius) / module;
+        if !(0.5..=3.0).contains(&depth) {
+            return Err(GeometryError::InvalidGeometry {
+                what: "depth of the dresser below the worm's pitch cylinder, in normal modules".into(),
+                value: depth,
+                allowed:
+                    "0.5 to 3; it follows from dresser.pitch_diameter, else from gear and root clearance"
+                        .into(),
+            }
+            .into());
+        }
         let p = pair.flanks.left.worm.base_radius / pair.flanks.left.worm.base_helix_angle.tan();
         let chain = DressingChain {
             worm_angle: -std::f64::consts::FRAC_PI_2,

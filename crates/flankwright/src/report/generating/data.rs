@@ -99,8 +99,8 @@ pub struct FlankReport {
 pub struct TargetAmount {
     /// Kind in words, for example "helix crowning".
     pub name: String,
-    /// Amount, um, as the job gives it.
-    pub amount_um: f64,
+    /// Amount, um, as the job gives it; `None` for a kind without a single amount.
+    pub amount_um: Option<f64>,
     /// What else belongs to it, for example "transverse" or "over 3 mm of roll".
     pub detail: String,
 }

@@ -93,7 +93,9 @@ fn amounts(flanks: &[(String, &FlankReport)]) -> Table {
                     .amounts
                     .iter()
                     .filter(|a| a.name == name && a.detail == detail)
-                    .map(|a| format_significant(a.amount_um, 6))
+                    .map(|a| {
+                        a.amount_um.map_or_else(|| "see remark".to_owned(), |um| format_significant(um, 6))
+                    })
                     .collect();
                 if same.is_empty() { "–".to_owned() } else { same.join(" + ") }
             }));
