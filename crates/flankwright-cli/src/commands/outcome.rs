@@ -114,7 +114,7 @@ fn summary(result: &JobResult, written: &[PathBuf]) -> String {
     if outside > 0.0 {
         let _ = writeln!(
             text,
-            "  parts of the target outside the producible class: {outside:.3} um (transverse), best-fitted"
+            "  parts of the target outside the producible class: {outside:.3} um, best-fitted"
         );
     }
     for warning in &result.warnings {

@@ -102,7 +102,7 @@ fn flank_report(
     let (profiles, helices) = traces(&simulated, &target);
     let outside = if f.outside_class_um > 0.0 {
         vec![OutsideTerm {
-            name: "parts outside the producible class (transverse)".into(),
+            name: "parts outside the producible class (normal)".into(),
             wanted_um: f.outside_class_um,
             residual_um: f.outside_class_um,
         }]

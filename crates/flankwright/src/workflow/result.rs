@@ -83,7 +83,7 @@ pub struct FlankResult {
     pub target_characteristics: CharacteristicsUm,
     /// Characteristics of the simulated flank.
     pub simulated_characteristics: CharacteristicsUm,
-    /// Largest part of the target outside the producible class, transverse.
+    /// Largest part of the target outside the producible class, normal.
     pub outside_class_um: f64,
     /// Least det J / det J_0.
     pub least_determinant_ratio: f64,

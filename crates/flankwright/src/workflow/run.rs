@@ -151,7 +151,7 @@ fn finish(
                 feed_mark_um: verdict.feed_mark.as_ref().and_then(|h| h.as_ref().ok()).map(|h| h * 1e3),
                 target_characteristics: CharacteristicsUm::of(&executed.target, cos_b),
                 simulated_characteristics: CharacteristicsUm::of(&verdict.simulated, cos_b),
-                outside_class_um: prepared.targets[flank].as_ref().map_or(0.0, |t| t.outside * 1e3),
+                outside_class_um: prepared.targets[flank].as_ref().map_or(0.0, |t| t.outside * cos_b * 1e3),
                 least_determinant_ratio: executed.determinant,
             },
         );
@@ -334,7 +334,7 @@ fn missed(
         return Remark {
             code: "outside-class",
             text: format!(
-                "Parts of the target lie outside what the process can make; best-fitted, {outside:.3} um (transverse) of them are \
+                "Parts of the target lie outside what the process can make; best-fitted, {outside:.3} um of them are \
                  left."
             ),
             way_out: "Use modifications of lower degree, reliefs of the profile only, or a wider tolerance."

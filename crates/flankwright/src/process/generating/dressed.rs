@@ -159,6 +159,16 @@ pub fn dress_flank(
     margin: f64,
 ) -> Result<DressedFlank, GeneratingError> {
     let interval = dressing_interval(setup, plan, flank, margin);
+    let worm = plan.worms[flank].as_ref().ok_or(GeneratingError::NoFlank)?;
+    let range = tool.flanks[flank].range;
+    let beyond = FINISHED_PROFILE * range.length();
+    for w in [range.w_nf - beyond, range.w_na + beyond] {
+        // An arc ends where its circle ends; the dresser has no profile there.
+        let w_2 = worm.lines.work_roll(w);
+        for relief in &worm.reliefs {
+            relief.jet(w_2, worm.lines.z_m)?;
+        }
+    }
     let (corrections, nodes) = if plan.ratio == 0.0 {
         let zero = Chebyshev::constant(interval.0, interval.1, 0.0);
         ([zero.clone(), zero.clone(), zero.clone(), zero], Vec::new())
