@@ -183,3 +183,80 @@ fn verify_refuses_what_it_does_not_know() {
     assert_eq!(unknown.exit, Some(2), "{unknown:?}");
     assert_eq!(run(&["verify", "no-such-file.json"]).exit, Some(2));
 }
+
+#[test]
+fn a_wave_between_the_points_of_the_grid_is_not_called_made() {
+    let wave = "modifications = [ { kind = \"waviness\", rho_deg = 0.0, wavelength_mm = 1.0, phase_deg = 0.0, \
+                amp_0_um = 20.0, amp_uu_um = 0.0, amp_vv_um = 0.0 } ]\n[old]\nmodifications = [";
+    let directory = tempfile::tempdir().unwrap();
+    let path = job(directory.path(), &[("modifications = [", wave)]);
+    // What stood in the target before is cut off again.
+    let text = std::fs::read_to_string(&path).unwrap();
+    let (head, rest) = text.split_once("[old]").unwrap();
+    let tail = rest.split_once("\n]").unwrap().1;
+    std::fs::write(&path, format!("{head}{tail}")).unwrap();
+    let output = directory.path().join("out");
+    let run = run(&["plan", &path, "-o", output.to_str().unwrap(), "--json"]);
+    assert_eq!(run.exit, Some(3), "{run:?}");
+    let result = run.json();
+    assert_eq!(result["reason"]["code"], "outside-class");
+    assert!(result["flanks"]["left"]["outside_class_um"].as_f64().unwrap() > 10.0);
+}
+
+#[test]
+fn settings_carry_the_reliefs_of_the_dresser() {
+    let relief =
+        "modifications = [\n  { kind = \"tip_relief\", amount_um = 15.0, length_mm = 3.0, exponent = 2 },";
+    let (_, directory) = planned(&[("modifications = [", relief)], &["--quiet"]);
+    let path = directory.path().join("out/settings.json");
+    let mut settings: serde_json::Value = serde_json::from_slice(&std::fs::read(&path).unwrap()).unwrap();
+    assert_eq!(settings["settings"]["left"]["reliefs"][0]["kind"], "tip_relief");
+    // A target without the relief: the dresser still cuts it, and the simulation says so.
+    settings["target"]["modifications"].as_array_mut().unwrap().remove(0);
+    std::fs::write(&path, settings.to_string()).unwrap();
+    let again = directory.path().join("again");
+    let run = run(&["simulate", path.to_str().unwrap(), "-o", again.to_str().unwrap(), "--json"]);
+    assert_eq!(run.exit, Some(3), "{run:?}");
+    assert!(run.json()["flanks"]["left"]["max_deviation_um"].as_f64().unwrap() > 10.0);
+}
+
+#[test]
+fn a_refusal_leaves_nothing_of_an_earlier_run() {
+    let (run, directory) = planned(&[], &["--quiet"]);
+    assert_eq!(run.exit, Some(0));
+    let path = job(directory.path(), &[("diagonal_ratio = \"auto\"", "diagonal_ratio = 1.9")]);
+    let output = directory.path().join("out");
+    let refused = crate::command::run(&["plan", &path, "-o", output.to_str().unwrap(), "--quiet"]);
+    assert_eq!(refused.exit, Some(4));
+    assert!(output.join("result.json").exists());
+    for name in ["report.html", "settings.json", "topography.csv", "motions/grinding.csv"] {
+        assert!(!output.join(name).exists(), "{name}");
+    }
+}
+
+#[test]
+fn limits_that_a_given_ratio_overrides_are_told() {
+    let (run, _) = planned(
+        &[("diagonal_ratio = \"auto\"", "diagonal_ratio = 1.916"), ("width = 100.0", "width = 200.0")],
+        &["--json"],
+    );
+    assert_eq!(run.exit, Some(0), "{run:?}");
+    let warnings = run.json()["warnings"].to_string();
+    assert!(warnings.contains("given-ratio-beyond-limits") && warnings.contains("d_v_yA"), "{warnings}");
+}
+
+#[test]
+fn feeds_that_leave_high_marks_are_told() {
+    let (run, _) = planned(&[("feed_per_revolution = 0.3", "feed_per_revolution = 5.0")], &["--json"]);
+    assert_eq!(run.exit, Some(0), "{run:?}");
+    assert!(run.json()["warnings"].to_string().contains("feed-marks-above-tolerance"));
+}
+
+#[test]
+fn a_worm_of_one_thread_is_dressed_and_refereed() {
+    let (run, _) = planned(
+        &[("threads = 3", "threads = 1"), ("pitch_diameter = 115.65", "# pitch_diameter = 115.65")],
+        &["--json"],
+    );
+    assert_eq!(run.exit, Some(0), "{run:?}");
+}

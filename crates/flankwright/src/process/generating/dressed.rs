@@ -160,10 +160,9 @@ pub fn dress_flank(
 ) -> Result<DressedFlank, GeneratingError> {
     let interval = dressing_interval(setup, plan, flank, margin);
     let worm = plan.worms[flank].as_ref().ok_or(GeneratingError::NoFlank)?;
-    let range = tool.flanks[flank].range;
-    let beyond = FINISHED_PROFILE * range.length();
-    for w in [range.w_nf - beyond, range.w_na + beyond] {
-        // An arc ends where its circle ends; the dresser has no profile there.
+    let (first, last) = tool.flanks[flank].profile.interval();
+    for w in [first, last] {
+        // An arc ends where its circle ends; the dresser would have no profile there.
         let w_2 = worm.lines.work_roll(w);
         for relief in &worm.reliefs {
             relief.jet(w_2, worm.lines.z_m)?;
