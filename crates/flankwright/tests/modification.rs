@@ -420,11 +420,12 @@ struct Shelf;
 
 impl ModificationFiles for Shelf {
     fn grid(&self, file: &str) -> Result<GridTable, String> {
-        if file != "flat.csv" {
-            return Err("no such file".into());
-        }
-        let knots = vec![0.0, 10.0, 20.0, 30.0];
-        Ok(GridTable { w_mm: knots.clone(), z_mm: knots, f_um: vec![vec![5.0; 4]; 4] })
+        let z_mm = match file {
+            "flat.csv" => vec![-15.0, 0.0, 10.0, 20.0],
+            "short.csv" => vec![0.0, 5.0, 10.0, 20.0],
+            _ => return Err("no such file".into()),
+        };
+        Ok(GridTable { w_mm: vec![0.0, 10.0, 20.0, 30.0], z_mm, f_um: vec![vec![5.0; 4]; 4] })
     }
 
     fn points(&self, _file: &str) -> Result<Vec<[f64; 3]>, String> {
@@ -439,6 +440,13 @@ fn files_come_from_the_caller() {
     assert!((grid.value(9.0, 9.0).unwrap() - 0.005).abs() < 1e-15);
     let points = with(json!({"kind": "points", "file": "p.csv"})).unwrap();
     assert!((points.value(9.0, 9.0).unwrap() - 0.002).abs() < 1e-15);
+    // A grid that ends inside the evaluation range says nothing beyond its last knots.
+    let short = with(json!({"kind": "grid", "file": "short.csv"})).unwrap_err();
+    assert_eq!(short.code(), "invalid-modification");
+    assert!(
+        short.to_string().contains("z_mm") && short.to_string().contains("cover the evaluation range"),
+        "{short}"
+    );
     let missing = with(json!({"kind": "grid", "file": "gone.csv"})).unwrap_err();
     assert_eq!(missing.to_string(), "grid: file is \"gone.csv\", allowed: a readable file (no such file)");
     assert_eq!(refusal(json!({"kind": "points", "file": "p.csv"})).code(), "file-unavailable");
