@@ -127,16 +127,11 @@ impl PlanTask<'_> {
         } else {
             rule.judge(ratio, place)?
         };
-        let stars = Sides::from_fn(|flank| {
-            let a = &self.targets[flank].as_ref()?.polynomial;
-            let p_2 = if place == ProfilePlace::Diagonal { 0.0 } else { a.coefficient(2, 0) };
-            super::lead_correction_ratio(&self.setup.lines[flank], a, p_2)
-        });
         Ok(RatioChoice {
             ratio,
             place,
             reason: RatioReason::Given,
-            lead_correction: stars,
+            lead_correction: rule.lead_corrections(place),
             candidates: vec![candidate],
             failed: Vec::new(),
         })
@@ -243,17 +238,10 @@ impl PlanTask<'_> {
         };
         let (left, right) = rayon::join(|| dress(Flank::Left), || dress(Flank::Right));
         let flanks = Sides { left: left?, right: right? };
-        let mut determinant = f64::INFINITY;
-        let error = Sides::try_from_fn(|flank| -> Result<_, GeneratingError> {
-            let (Some(dressed), Some(target)) = (&flanks[flank], &self.targets[flank]) else {
-                return Ok(None);
-            };
-            let ground = grid.ground(self.setup, flank, &ideal.motion, &dressed.worm)?;
-            let wanted = grid.target(flank, target, self.setup.lines[flank].cos_b2)?;
-            determinant = ground.iter().map(|g| g.determinant_ratio).fold(determinant, f64::min);
-            Ok(Some(wanted.iter().zip(&ground).map(|(t, g)| t - g.f_n).collect()))
+        let error = GroundError::of(self.setup, &self.targets, grid, |flank| {
+            flanks[flank].as_ref().map(|dressed| grid.ground(self.setup, flank, &ideal.motion, &dressed.worm))
         })?;
-        Ok((tool, flanks, GroundError { error, determinant }))
+        Ok((tool, flanks, error))
     }
 
     /// Whether every contact on the worm lies inside the finished area with [`CONTACT_MARGIN`] to spare.

@@ -127,6 +127,27 @@ pub struct GroundError {
 }
 
 impl GroundError {
+    /// Compares what `ground` leaves on each flank (`None`: not ground) with its target.
+    ///
+    /// # Errors
+    /// Those of `ground`; evaluation errors of the target.
+    pub(super) fn of(
+        setup: &GrindingSetup,
+        targets: &Sides<Option<FlankTarget>>,
+        grid: &PlanningGrid,
+        ground: impl Fn(Flank) -> Option<Result<Vec<ContactSolution>, GeneratingError>>,
+    ) -> Result<Self, GeneratingError> {
+        let mut determinant = f64::INFINITY;
+        let error = Sides::try_from_fn(|flank| -> Result<_, GeneratingError> {
+            let (Some(ground), Some(target)) = (ground(flank), &targets[flank]) else { return Ok(None) };
+            let ground = ground?;
+            let wanted = grid.target(flank, target, setup.lines[flank].cos_b2)?;
+            determinant = ground.iter().map(|g| g.determinant_ratio).fold(determinant, f64::min);
+            Ok(Some(wanted.iter().zip(&ground).map(|(t, g)| t - g.f_n).collect()))
+        })?;
+        Ok(Self { error, determinant })
+    }
+
     /// Largest |error| of one flank, mm.
     pub fn largest(&self, flank: Flank) -> Option<f64> {
         self.error[flank].as_ref().map(|e| e.iter().fold(0.0, |m: f64, x| m.max(x.abs())))
@@ -217,16 +238,12 @@ impl IdealPlan {
         targets: &Sides<Option<FlankTarget>>,
         grid: &PlanningGrid,
     ) -> Result<GroundError, GeneratingError> {
-        let mut determinant = f64::INFINITY;
-        let error = Sides::try_from_fn(|flank| -> Result<_, GeneratingError> {
-            let (Some(worm), Some(target)) = (&self.worms[flank], &targets[flank]) else { return Ok(None) };
-            let thread = ModifiedThread::new(setup.pair.flanks[flank].worm, worm);
-            let ground = grid.ground(setup, flank, &self.motion, &thread)?;
-            let wanted = grid.target(flank, target, setup.lines[flank].cos_b2)?;
-            determinant = ground.iter().map(|g| g.determinant_ratio).fold(determinant, f64::min);
-            Ok(Some(wanted.iter().zip(&ground).map(|(t, g)| t - g.f_n).collect()))
-        })?;
-        Ok(GroundError { error, determinant })
+        GroundError::of(setup, targets, grid, |flank| {
+            self.worms[flank].as_ref().map(|worm| {
+                let thread = ModifiedThread::new(setup.pair.flanks[flank].worm, worm);
+                grid.ground(setup, flank, &self.motion, &thread)
+            })
+        })
     }
 }
 

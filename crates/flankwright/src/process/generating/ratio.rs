@@ -108,6 +108,15 @@ impl Rule<'_> {
         self.targets.iter().filter(|(_, t)| t.is_some()).map(|(f, _)| f).collect()
     }
 
+    /// K* of the flanks that are ground, for a place of the profile crowning.
+    pub fn lead_corrections(&self, place: ProfilePlace) -> Sides<Option<f64>> {
+        Sides::from_fn(|flank| {
+            let a = &self.targets[flank].as_ref()?.polynomial;
+            let p_2 = if place == ProfilePlace::Diagonal { 0.0 } else { a.coefficient(2, 0) };
+            lead_correction_ratio(&self.setup.lines[flank], a, p_2)
+        })
+    }
+
     /// Worm width needed for an occupation: 1.5 modules and 3 mm at each end.
     pub fn width_needed(&self, occupation: f64) -> f64 {
         occupation + 2.0 * (1.5 * self.setup.worm_module() + 3.0)
@@ -232,11 +241,7 @@ impl Rule<'_> {
 
     fn choose_for(&self, place: ProfilePlace) -> Result<RatioChoice, GeneratingError> {
         let which = self.which();
-        let p_2 = |a: &Polynomial2| if place == ProfilePlace::Diagonal { 0.0 } else { a.coefficient(2, 0) };
-        let stars = Sides::from_fn(|flank| {
-            let a = &self.targets[flank].as_ref()?.polynomial;
-            lead_correction_ratio(&self.setup.lines[flank], a, p_2(a))
-        });
+        let stars = self.lead_corrections(place);
         let level = |flank: Flank| self.setup.lines[flank].ratio_of_direction(0.0);
         let mut choice = RatioChoice {
             ratio: 0.0,
