@@ -75,6 +75,11 @@ impl MotionLaw {
         }
     }
 
+    /// Whether the law is a straight line, by its form.
+    pub fn is_affine(&self) -> bool {
+        matches!(self, Self::Polynomial { coefficients, .. } if coefficients.iter().skip(2).all(|&c| c == 0.0))
+    }
+
     /// Whether the law is constant zero.
     pub fn is_zero(&self) -> bool {
         match self {

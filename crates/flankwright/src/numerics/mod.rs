@@ -3,6 +3,7 @@
 mod chebyshev;
 mod jet;
 mod knots;
+mod monotone_root;
 mod polynomial;
 mod progress;
 mod roots;
@@ -14,6 +15,7 @@ mod tensor_spline;
 pub use chebyshev::Chebyshev;
 pub use jet::Jet2;
 pub use knots::SplineError;
+pub use monotone_root::monotone_root;
 pub use polynomial::Polynomial2;
 pub use progress::{Progress, Silent};
 pub use roots::{bisect, golden_section};

@@ -1,14 +1,15 @@
-//! Numbers of one flank that decomposition and mapping need: directions and lengths of spec 25 sections 2 and 3
-//! (cylindrical bodies).
+//! Numbers of one flank that decomposition and mapping need: directions on the flanks and the contact relations of spec 20
+//! sections 3 and 5, for cylinders and cones. Knows no target.
 
 use crate::contact::FlankPair;
+use crate::kinematics::MotionLaw;
 use crate::modification::EvaluationField;
-use crate::numerics::Jet2;
+use crate::numerics::{Jet2, monotone_root};
 
-/// Directions and mapping constants of one flank of a cylindrical pair.
+/// Directions and mapping constants of one flank of a pair.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FlankLines {
-    /// tan(rho_1) of the dressed lines on the worm.
+    /// tan(rho_1) of the tool's lines: those that a dresser leaves, or a direction given for the tool.
     pub t_1: f64,
     /// t_K = tan(rho_K) of the contact path on the workpiece.
     pub t_k: f64,
@@ -20,12 +21,18 @@ pub struct FlankLines {
     pub cos_b1: f64,
     /// cos(beta_b2).
     pub cos_b2: f64,
-    /// E of R7, mm.
+    /// E of R7 at zero feeds, mm.
     pub e: f64,
     /// C_c1, mm.
     pub c_c1: f64,
     /// C_c2, mm.
     pub c_c2: f64,
+    /// C_zV11, C_zV21: what the feeds z_V1, z_V2 do to z_1.
+    pub worm_feeds: [f64; 2],
+    /// C_zV12, C_zV22: what the feeds z_V1, z_V2 do to z_2.
+    pub work_feeds: [f64; 2],
+    /// Chat_zV1, Chat_zV2 of R7; zero between cylinders.
+    pub roll_feeds: [f64; 2],
     /// sin of the operating normal pressure angle.
     pub sin_an: f64,
     /// s of the flank.
@@ -42,8 +49,11 @@ pub struct FlankLines {
     pub face: [f64; 2],
 }
 
+/// Points along each edge of the field on which a mapping that is not affine is sampled.
+const EDGE: usize = 64;
+
 impl FlankLines {
-    /// For a flank pair, its evaluation field and the direction tan(rho_1) of the dressed lines.
+    /// For a flank pair, its evaluation field and the direction tan(rho_1) of the tool's lines.
     pub fn new(pair: &FlankPair, field: &EvaluationField, t_1: f64) -> Self {
         let s = pair.flank().sign();
         let (b_1, b_2) = (pair.worm.base_helix_angle, pair.work.base_helix_angle);
@@ -57,6 +67,9 @@ impl FlankLines {
             e: -pair.hat_c,
             c_c1: pair.c_c1,
             c_c2: pair.c_c2,
+            worm_feeds: [pair.c_zv11, pair.c_zv21],
+            work_feeds: [pair.c_zv12, pair.c_zv22],
+            roll_feeds: [pair.hat_zv1, pair.hat_zv2],
             sin_an: pair.operating_alpha_n.sin(),
             s,
             lever: pair.work.base_radius * b_2.cos(),
@@ -67,45 +80,79 @@ impl FlankLines {
         }
     }
 
+    /// p_1 = Chat_w1/(tan rho_1 + C_w1).
+    fn worm_pull(&self) -> f64 {
+        1.0 / self.big_t1
+    }
+
     /// tan(rho_2) on the workpiece at diagonal ratio K (K != 0).
     pub fn work_direction(&self, ratio: f64) -> f64 {
-        self.t_k - self.big_t1 / (ratio * self.cos_b2)
+        let at = |c: [f64; 2]| c[0] * ratio + c[1];
+        let pull = at(self.roll_feeds) - self.worm_pull() * at(self.worm_feeds);
+        self.t_k + at(self.work_feeds) / (self.cos_b2 * pull)
     }
 
     /// Diagonal ratio for tan(rho_2) = t_2.
     pub fn ratio_of_direction(&self, t_2: f64) -> f64 {
-        -self.big_t1 / (self.cos_b2 * (t_2 - self.t_k))
+        let p_1 = self.worm_pull();
+        let p_2 = 1.0 / (self.cos_b2 * (t_2 - self.t_k));
+        (p_1 * self.worm_feeds[1] + p_2 * self.work_feeds[1] - self.roll_feeds[1])
+            / (self.roll_feeds[0] - p_1 * self.worm_feeds[0] - p_2 * self.work_feeds[0])
     }
 
-    /// Feed z_V2 at which (w_2, z_2) is ground, mm.
-    pub fn feed(&self, w_2: f64, z_2: f64) -> f64 {
-        self.c_c2 - self.t_k * w_2 - z_2
+    /// Slope m of the lines w_2 + m z_2 = const that worm lines w_1 = const leave (cylindrical worm): zero for a cylindrical
+    /// workpiece, lines of equal rack height for a conical one.
+    pub fn profile_slope(&self) -> f64 {
+        let pull = self.roll_feeds[1] / self.work_feeds[1];
+        pull / (1.0 / self.cos_b2 + pull * self.t_k)
     }
 
-    /// Worm point (w_1, z_1) that grinds (w_2, z_2) at z_V1 = K z_V2 + z_V01.
-    pub fn worm_point(&self, w_2: f64, z_2: f64, ratio: f64, shift_origin: f64) -> (f64, f64) {
-        let w_1 = self.cos_b1 * (self.e - w_2 / self.cos_b2);
-        let shift = ratio * self.feed(w_2, z_2) + shift_origin;
-        (w_1, self.c_c1 - self.worm_path * w_1 - shift)
+    /// Feed z_V2 at which (w_2, z_2) is ground under z_V1 = law(z_V2), mm.
+    pub fn feed(&self, w_2: f64, z_2: f64, law: &MotionLaw) -> f64 {
+        feed_of(self.work_feeds, law, z_2 + self.t_k * w_2 - self.c_c2)
     }
 
-    /// Workpiece roll ground by worm roll w_1.
+    /// Worm point (w_1, z_1) that grinds (w_2, z_2) under z_V1 = law(z_V2), mm.
+    pub fn worm_point(&self, w_2: f64, z_2: f64, law: &MotionLaw) -> (f64, f64) {
+        let feed = self.feed(w_2, z_2, law);
+        let shift = law.value(feed);
+        let at = |c: [f64; 2]| c[0] * shift + c[1] * feed;
+        let w_1 = self.cos_b1 * (self.e - at(self.roll_feeds) - w_2 / self.cos_b2);
+        (w_1, self.c_c1 - self.worm_path * w_1 + at(self.worm_feeds))
+    }
+
+    /// Workpiece roll that worm roll w_1 of a cylindrical worm grinds in the middle of the face width, mm.
     pub fn work_roll(&self, w_1: f64) -> f64 {
-        self.cos_b2 * (self.e - w_1 / self.cos_b1)
+        let pull = self.roll_feeds[1] / self.work_feeds[1];
+        let constant = self.e - w_1 / self.cos_b1 - pull * (self.z_m - self.c_c2);
+        constant / (1.0 / self.cos_b2 + pull * self.t_k)
     }
 
-    /// The workpiece point (w_2, z_2) that (w_1, z_1) grinds at z_V1 = K z_V2 + z_V01, as functions of (w_1, z_1); K != 0.
-    pub fn work_point(&self, w_1: f64, z_1: f64, ratio: f64, shift_origin: f64) -> [Jet2; 2] {
-        let shrink = -self.cos_b2 / self.cos_b1;
-        let w_2 = self.work_roll(w_1);
-        let feed = (self.c_c1 - self.worm_path * w_1 - z_1 - shift_origin) / ratio;
-        let w = Jet2 { f: w_2, fu: shrink, ..Jet2::default() };
-        let z = Jet2 {
-            f: self.c_c2 - self.t_k * w_2 - feed,
-            fu: -self.t_k * shrink + self.worm_path / ratio,
-            fv: 1.0 / ratio,
-            ..Jet2::default()
+    /// d(work roll)/d(worm roll) of [`FlankLines::work_roll`].
+    pub fn work_roll_slope(&self) -> f64 {
+        let pull = self.roll_feeds[1] / self.work_feeds[1];
+        -1.0 / (self.cos_b1 * (1.0 / self.cos_b2 + pull * self.t_k))
+    }
+
+    /// The workpiece point (w_2, z_2) that (w_1, z_1) grinds under z_V1 = law(z_V2), as functions of (w_1, z_1). Where the law
+    /// stands still (one worm line for a stretch of the feed) a point of that stretch, without derivatives.
+    pub fn work_point(&self, w_1: f64, z_1: f64, law: &MotionLaw) -> [Jet2; 2] {
+        let reached = z_1 + self.worm_path * w_1 - self.c_c1;
+        let feed = feed_of(self.worm_feeds, law, reached);
+        let [shift, slope, bend] = law.jet(feed);
+        let rate = self.worm_feeds[0] * slope + self.worm_feeds[1];
+        let (v_1, v_2) = if rate == 0.0 {
+            (0.0, 0.0)
+        } else {
+            (1.0 / rate, -self.worm_feeds[0] * bend / rate.powi(3))
         };
+        let along = |h: [f64; 3]| Jet2::ridge(h, self.worm_path, 1.0);
+        let feed = along([feed, v_1, v_2]);
+        let shift = along([shift, slope * v_1, bend * v_1 * v_1 + slope * v_2]);
+        let moved = |c: [f64; 2]| shift * c[0] + feed * c[1];
+        let from_worm = Jet2 { f: w_1 / self.cos_b1 - self.e, fu: 1.0 / self.cos_b1, ..Jet2::default() };
+        let w = (from_worm + moved(self.roll_feeds)) * -self.cos_b2;
+        let z = w * -self.t_k + moved(self.work_feeds) + Jet2::constant(self.c_c2);
         [w, z]
     }
 
@@ -114,4 +161,51 @@ impl FlankLines {
         let ([w0, w1], [z0, z1]) = (self.roll, self.face);
         [(w0, z0), (w0, z1), (w1, z0), (w1, z1)]
     }
+
+    /// Points in which the extremes over the field are looked for: the corners under a constant ratio, where everything is
+    /// affine; points all along the edges otherwise.
+    fn outline(&self, law: &MotionLaw) -> Vec<(f64, f64)> {
+        if law.is_affine() {
+            return self.corners().to_vec();
+        }
+        let ([w0, w1], [z0, z1]) = (self.roll, self.face);
+        (0..=EDGE)
+            .map(|k| k as f64 / EDGE as f64)
+            .flat_map(|x| {
+                let (w, z) = (w0 + x * (w1 - w0), z0 + x * (z1 - z0));
+                [(w, z0), (w, z1), (w0, z), (w1, z)]
+            })
+            .collect()
+    }
+
+    /// Worm positions [min, max] of z_1 over the field, mm.
+    pub fn occupation(&self, law: &MotionLaw) -> [f64; 2] {
+        extremes(self.outline(law).into_iter().map(|(w, z)| self.worm_point(w, z, law).1))
+    }
+
+    /// Worm rolls [min, max] of w_1 over the field, mm.
+    pub fn worm_rolls(&self, law: &MotionLaw) -> [f64; 2] {
+        extremes(self.outline(law).into_iter().map(|(w, z)| self.worm_point(w, z, law).0))
+    }
+
+    /// Feeds [min, max] of z_V2 over the field, mm.
+    pub fn feed_range(&self, law: &MotionLaw) -> [f64; 2] {
+        extremes(self.corners().into_iter().map(|(w, z)| self.feed(w, z, law)))
+    }
+}
+
+/// [min, max] of some numbers.
+pub(super) fn extremes(numbers: impl IntoIterator<Item = f64>) -> [f64; 2] {
+    numbers.into_iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)])
+}
+
+/// v with c_0 law(v) + c_1 v = value.
+fn feed_of([c_0, c_1]: [f64; 2], law: &MotionLaw, value: f64) -> f64 {
+    if c_0 == 0.0 {
+        return value / c_1;
+    }
+    monotone_root(|v| {
+        let [f, f_1, _] = law.jet(v);
+        (c_0 * f + c_1 * v - value, c_0 * f_1 + c_1)
+    })
 }
