@@ -75,9 +75,37 @@ impl MotionLaw {
         }
     }
 
+    /// The law plus a constant.
+    pub fn raised(&self, by: f64) -> Self {
+        match self {
+            Self::Polynomial { origin, coefficients } => {
+                let mut coefficients = coefficients.clone();
+                match coefficients.first_mut() {
+                    Some(first) => *first += by,
+                    None => coefficients.push(by),
+                }
+                Self::Polynomial { origin: *origin, coefficients }
+            }
+            Self::Series(s) => {
+                let mut coefficients = s[0].coefficients().to_vec();
+                match coefficients.first_mut() {
+                    Some(first) => *first += by,
+                    None => coefficients.push(by),
+                }
+                let (from, to) = s[0].interval();
+                Self::series(Chebyshev::from_coefficients(from, to, coefficients))
+            }
+        }
+    }
+
     /// Whether the law is a straight line, by its form.
     pub fn is_affine(&self) -> bool {
         matches!(self, Self::Polynomial { coefficients, .. } if coefficients.iter().skip(2).all(|&c| c == 0.0))
+    }
+
+    /// Whether the law stands still, by its form.
+    pub fn is_constant(&self) -> bool {
+        matches!(self, Self::Polynomial { coefficients, .. } if coefficients.iter().skip(1).all(|&c| c == 0.0))
     }
 
     /// Whether the law is constant zero.

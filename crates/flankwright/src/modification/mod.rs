@@ -16,6 +16,7 @@
 
 mod build;
 mod curve;
+mod direction;
 mod error;
 mod field;
 mod files;

@@ -4,8 +4,9 @@
 //! All polynomials are in u = w - w_m, y = z - z_m, transverse, mm.
 
 use crate::numerics::{Jet2, Polynomial2};
+use nalgebra::{Matrix4, Vector4};
 
-/// f_t = F_C(X) + F_L(X) u + F_P(u) + F_K(X_K) with X = c (t u + y), X_K = c_K (t_K u + y); gauge `centred`.
+/// f_t = F_C(X) + F_L(X) u + F_P(u + m y) + F_K(X_K) with X = c (t u + y), X_K = c_K (t_K u + y); gauge `centred`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Decomposition {
     /// tan(rho_2); 0 with `constant` and `linear` empty for the class `radial`.
@@ -18,6 +19,8 @@ pub struct Decomposition {
     pub linear: [f64; 3],
     /// p_0, p_1, p_2, ...: F_P.
     pub profile: Vec<f64>,
+    /// m of the profile lines u + m y = const: 0 on a cylindrical workpiece.
+    pub profile_slope: f64,
     /// K_K0 .. K_K3: F_K.
     pub kinematic: [f64; 4],
 }
@@ -31,38 +34,63 @@ pub(super) fn power_jet(coefficients: &[f64], x: f64) -> [f64; 3] {
     coefficients.iter().rev().fold([0.0; 3], |[f, f1, f2], &c| [f * x + c, f1 * x + f, f2 * x + 2.0 * f1])
 }
 
-/// Class {C, L, P, K} at direction t on the workpiece; `p_2` is the share of u^2 that the profile carries.
+/// Class {C, L, P, K} at direction t on the workpiece; `p_2` is the share of (u + m y)^2 that the profile carries, m
+/// = `profile_slope`.
 ///
-/// Exact for every polynomial whose mixed terms have degree <= 3; mixed terms of higher degree are outside the class and
+/// Exact for every polynomial of third degree plus, for m = 0, any pure powers of u; other terms are outside the class and
 /// ignored here (callers split them off before).
-pub fn decompose_diagonal(a: &Polynomial2, t: f64, t_k: f64, p_2: f64) -> Decomposition {
-    let (c, c_k) = (cosine(t), cosine(t_k));
+pub fn decompose_diagonal(a: &Polynomial2, t: f64, t_k: f64, p_2: f64, profile_slope: f64) -> Decomposition {
+    let (c, c_k, m) = (cosine(t), cosine(t_k), profile_slope);
     let at = |i: usize, j: usize| a.coefficient(i, j);
+    let (a_20, a_11, a_02) = (at(2, 0) - p_2, at(1, 1) - 2.0 * m * p_2, at(0, 2) - m * m * p_2);
     let (big_a, big_b) = (c_k * (t_k - t), c_k / c);
-    let q_20 = at(2, 0) - t * at(1, 1) + t * t * at(0, 2);
-    let q_11 = (at(1, 1) - 2.0 * t * at(0, 2)) / c;
-    let q_02 = at(0, 2) / (c * c);
-    let q_30 = at(3, 0) - t * at(2, 1) + t * t * at(1, 2) - t.powi(3) * at(0, 3);
-    let q_21 = (at(2, 1) - 2.0 * t * at(1, 2) + 3.0 * t * t * at(0, 3)) / c;
-    let q_12 = (at(1, 2) - 3.0 * t * at(0, 3)) / (c * c);
-    let q_03 = at(0, 3) / c.powi(3);
-    let k_k3 = q_21 / (3.0 * big_a * big_a * big_b);
-    let k_k2 = (q_20 - p_2) / (big_a * big_a);
-    let mut profile = vec![0.0, 0.0, p_2, q_30 - big_a.powi(3) * k_k3];
+    let q_20 = a_20 - t * a_11 + t * t * a_02;
+    let q_11 = (a_11 - 2.0 * t * a_02) / c;
+    let q_02 = a_02 / (c * c);
+    let k_k2 = q_20 / (big_a * big_a);
+    let [k_03, k_12, p_3, k_k3] = third_degree([at(3, 0), at(2, 1), at(1, 2), at(0, 3)], t, t_k, m);
+    let mut profile = vec![0.0, 0.0, p_2, p_3];
     let highest = a.terms().filter(|term| term.1 == 0).map(|term| term.0).max().unwrap_or(0);
     profile.extend((4..=highest).map(|i| at(i, 0)));
     Decomposition {
         t,
         t_k,
-        constant: [at(0, 0), at(0, 1) / c, q_02 - big_b * big_b * k_k2, q_03 - big_b.powi(3) * k_k3],
-        linear: [
-            at(1, 0) - t * at(0, 1),
-            q_11 - 2.0 * big_a * big_b * k_k2,
-            q_12 - 3.0 * big_a * big_b * big_b * k_k3,
-        ],
+        constant: [at(0, 0), at(0, 1) / c, q_02 - big_b * big_b * k_k2, k_03],
+        linear: [at(1, 0) - t * at(0, 1), q_11 - 2.0 * big_a * big_b * k_k2, k_12],
         profile,
+        profile_slope: m,
         kinematic: [0.0, 0.0, k_k2, k_k3],
     }
+}
+
+/// K_03, K_12, p_3, K_K3 from the terms u^3, u^2 y, u y^2, y^3: in closed form for m = 0, else from the four equations.
+fn third_degree([a_30, a_21, a_12, a_03]: [f64; 4], t: f64, t_k: f64, m: f64) -> [f64; 4] {
+    let (c, c_k) = (cosine(t), cosine(t_k));
+    if m == 0.0 {
+        let (big_a, big_b) = (c_k * (t_k - t), c_k / c);
+        let q_30 = a_30 - t * a_21 + t * t * a_12 - t.powi(3) * a_03;
+        let q_21 = (a_21 - 2.0 * t * a_12 + 3.0 * t * t * a_03) / c;
+        let k_k3 = q_21 / (3.0 * big_a * big_a * big_b);
+        return [
+            a_03 / c.powi(3) - big_b.powi(3) * k_k3,
+            (a_12 - 3.0 * t * a_03) / (c * c) - 3.0 * big_a * big_b * big_b * k_k3,
+            q_30 - big_a.powi(3) * k_k3,
+            k_k3,
+        ];
+    }
+    if [a_30, a_21, a_12, a_03] == [0.0; 4] {
+        return [0.0; 4];
+    }
+    let cube = |t: f64, c: f64| Vector4::new(t.powi(3), 3.0 * t * t, 3.0 * t, 1.0) * c.powi(3);
+    let matrix = Matrix4::from_columns(&[
+        cube(t, c),
+        Vector4::new(t * t, 2.0 * t, 1.0, 0.0) * (c * c),
+        Vector4::new(1.0, 3.0 * m, 3.0 * m * m, m.powi(3)),
+        cube(t_k, c_k),
+    ]);
+    // Singular only where two of the four directions coincide, which callers exclude.
+    let solved = matrix.lu().solve(&Vector4::new(a_30, a_21, a_12, a_03));
+    solved.map_or([f64::NAN; 4], |x| [x[0], x[1], x[2], x[3]])
 }
 
 /// Class `radial` (K = 0): {P, K} with every F_K that the terms pure in y ask for and the profile that completes the terms
@@ -79,7 +107,7 @@ pub fn decompose_radial(a: &Polynomial2, t_k: f64) -> Decomposition {
             _ => at(i, 0),
         })
         .collect();
-    Decomposition { t: 0.0, t_k, constant: [0.0; 4], linear: [0.0; 3], profile, kinematic }
+    Decomposition { profile, kinematic, ..Decomposition::nothing(t_k) }
 }
 
 /// Mixed terms that the class `radial` cannot make: `[r_11, r_21, r_12]`.
@@ -89,6 +117,19 @@ pub fn radial_residual(a: &Polynomial2, t_k: f64) -> [f64; 3] {
 }
 
 impl Decomposition {
+    /// All parts zero.
+    pub fn nothing(t_k: f64) -> Self {
+        Self {
+            t: 0.0,
+            t_k,
+            constant: [0.0; 4],
+            linear: [0.0; 3],
+            profile: Vec::new(),
+            profile_slope: 0.0,
+            kinematic: [0.0; 4],
+        }
+    }
+
     /// F_C(X) + F_L(X) u with derivatives in (u, y): what the dressing motion carries.
     pub fn dressing_jet(&self, u: f64, y: f64) -> Jet2 {
         let c = cosine(self.t);
@@ -98,7 +139,7 @@ impl Decomposition {
         constant + linear * Jet2 { f: u, fu: 1.0, ..Jet2::default() }
     }
 
-    /// F_P(u) with two derivatives.
+    /// F_P with two derivatives by its argument u + m y.
     pub fn profile_jet(&self, u: f64) -> [f64; 3] {
         power_jet(&self.profile, u)
     }
@@ -115,7 +156,9 @@ impl Decomposition {
 
     /// The sum of all parts at (u, y).
     pub fn value(&self, u: f64, y: f64) -> f64 {
-        self.dressing_jet(u, y).f + self.profile_jet(u)[0] + self.kinematic_value(self.path_coordinate(u, y))
+        self.dressing_jet(u, y).f
+            + self.profile_jet(u + self.profile_slope * y)[0]
+            + self.kinematic_value(self.path_coordinate(u, y))
     }
 }
 
@@ -144,7 +187,18 @@ mod tests {
     fn the_parts_add_up_to_the_target() {
         let a = sample();
         for p_2 in [a.coefficient(2, 0), 0.0] {
-            let d = decompose_diagonal(&a, 1.3, -0.65, p_2);
+            let d = decompose_diagonal(&a, 1.3, -0.65, p_2, 0.0);
+            for (u, y) in [(-9.0, -20.0), (3.0, 7.0), (9.0, 20.0), (0.0, 0.0)] {
+                assert!((d.value(u, y) - a.value(u, y)).abs() < 1e-12);
+            }
+        }
+    }
+
+    #[test]
+    fn lines_of_equal_rack_height_carry_the_profile_of_a_cone() {
+        let a = Polynomial2::from_terms(sample().terms().filter(|&(i, j, _)| i + j <= 3));
+        for p_2 in [a.coefficient(2, 0), 0.0] {
+            let d = decompose_diagonal(&a, 1.3, -0.65, p_2, 0.09);
             for (u, y) in [(-9.0, -20.0), (3.0, 7.0), (9.0, 20.0), (0.0, 0.0)] {
                 assert!((d.value(u, y) - a.value(u, y)).abs() < 1e-12);
             }

@@ -1,8 +1,9 @@
 //! From the ideal worm to the dressed one: dresser profile, corrections DK(v), exact envelope (spec 28 section 4, steps 6, 7).
 
+use super::lines::extremes;
 use super::{GeneratingError, GrindingSetup, IdealPlan, IdealWorm, ProfilePlace, ProfilePolicy};
 use crate::geometry::{Flank, ProfileOffset, Sides};
-use crate::kinematics::DressingCorrection;
+use crate::kinematics::{DressingCorrection, MotionLaw};
 use crate::numerics::Chebyshev;
 use crate::process::dressing::{
     DressedProfile, DressedWorm, DresserTool, NodePlan, NodeSolution, pitch_rolls, solve_dressing_motion,
@@ -28,6 +29,21 @@ impl ProfileOffset for GearProfile {
 pub const DRESSING_MARGIN: f64 = 3.0;
 /// Chebyshev nodes of DK(v).
 pub const DRESSING_NODES: usize = 17;
+
+/// Most nodes for reliefs and waves on the worm's lines.
+const MOST_NODES: usize = 257;
+/// Share of the modification, mm, that the last quarter of a series may hold before the nodes are doubled.
+const SERIES_TOLERANCE: f64 = 2e-7;
+
+/// The last quarter of the coefficients, as an amount on the worm flank, mm: each component times its influence (base radius
+/// for the phase; orders of magnitude for crossing angle, distance and offset).
+fn tail(series: &[Chebyshev; 4], lever: [f64; 4]) -> f64 {
+    let quarter = |c: &Chebyshev| {
+        let c = c.coefficients();
+        c[c.len() - c.len() / 4..].iter().map(|c| c.abs()).sum::<f64>()
+    };
+    series.iter().zip(lever).map(|(c, lever)| quarter(c) * lever).fold(0.0, f64::max)
+}
 
 /// One flank of the worm as dressed.
 #[derive(Clone, Debug)]
@@ -75,28 +91,33 @@ pub fn dresser_profile(worm: &IdealWorm, policy: ProfilePolicy) -> Vec<f64> {
 }
 
 /// The dresser made for a plan: it carries the profile of the ideal worm, under `correction` without its u^2 part.
-pub fn dresser_of_plan(setup: &GrindingSetup, plan: &IdealPlan, policy: ProfilePolicy) -> DresserTool {
+///
+/// # Errors
+/// [`GeneratingError::NotDressed`].
+pub fn dresser_of_plan(
+    setup: &GrindingSetup,
+    plan: &IdealPlan,
+    policy: ProfilePolicy,
+) -> Result<DresserTool, GeneratingError> {
     let offsets = Sides::from_fn(|flank| -> Option<Arc<dyn ProfileOffset>> {
         let mut worm = plan.worms[flank].clone()?;
         worm.parts.profile = dresser_profile(&worm, policy);
         let empty = worm.reliefs.is_empty() && worm.parts.profile.iter().all(|&p| p == 0.0);
         (!empty).then(|| Arc::new(GearProfile(worm)) as Arc<dyn ProfileOffset>)
     });
-    setup.dresser.with_offsets(&offsets)
+    Ok(setup.dresser()?.with_offsets(&offsets))
 }
 
-/// Interval of v that dresses the plan's occupation of one flank with a margin at each end, mm.
-pub fn dressing_interval(setup: &GrindingSetup, plan: &IdealPlan, flank: Flank, margin: f64) -> (f64, f64) {
-    let lines = &setup.lines[flank];
-    let z = lines
-        .corners()
-        .map(|(w, z)| lines.worm_point(w, z, plan.ratio, plan.shift_origin).1)
-        .into_iter()
-        .fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], z| [a.min(z), b.max(z)]);
-    let b = pitch_rolls(&setup.dresser, flank)
-        .map(|w| setup.dresser.flanks[flank].line.value(w))
-        .into_iter()
-        .fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], b| [l.min(b), h.max(b)]);
+/// Interval of v in which `tool` dresses the plan's occupation of one flank with a margin at each end, mm.
+pub fn dressing_interval(
+    setup: &GrindingSetup,
+    tool: &DresserTool,
+    shift: &MotionLaw,
+    flank: Flank,
+    margin: f64,
+) -> (f64, f64) {
+    let z = setup.lines[flank].occupation(shift);
+    let b = extremes(pitch_rolls(tool, flank).map(|w| tool.flanks[flank].line.value(w)));
     (b[0] - z[1] - margin, b[1] - z[0] + margin)
 }
 
@@ -134,7 +155,7 @@ pub fn sample_corrections(
     samples: usize,
 ) -> Result<Vec<DressingCorrection>, GeneratingError> {
     let wanted = wanted_rows(tool, plan, flank, policy)?;
-    let (from, to) = dressing_interval(setup, plan, flank, DRESSING_MARGIN);
+    let (from, to) = dressing_interval(setup, tool, &plan.motion.shift, flank, DRESSING_MARGIN);
     let nodes = Chebyshev::nodes(from, to, samples);
     let mut dks = vec![[0.0; 4]; samples];
     let middle = samples / 2;
@@ -158,7 +179,7 @@ pub fn dress_flank(
     policy: ProfilePolicy,
     margin: f64,
 ) -> Result<DressedFlank, GeneratingError> {
-    let interval = dressing_interval(setup, plan, flank, margin);
+    let interval = dressing_interval(setup, tool, &plan.motion.shift, flank, margin);
     let worm = plan.worms[flank].as_ref().ok_or(GeneratingError::NoFlank)?;
     let (first, last) = tool.flanks[flank].profile.interval();
     for w in [first, last] {
@@ -168,13 +189,23 @@ pub fn dress_flank(
             relief.jet(w_2, worm.lines.z_m)?;
         }
     }
-    let (corrections, nodes) = if plan.ratio == 0.0 {
+    let (corrections, nodes) = if worm.is_radial() {
         let zero = Chebyshev::constant(interval.0, interval.1, 0.0);
         ([zero.clone(), zero.clone(), zero.clone(), zero], Vec::new())
     } else {
         let wanted = wanted_rows(tool, plan, flank, policy)?;
-        let nodes = NodePlan { interval, nodes: DRESSING_NODES };
-        solve_dressing_motion(tool, flank, setup.worm_pitch_radius, &nodes, &wanted)?
+        // Polynomials settle with few nodes; reliefs and waves on the lines take as many as they need.
+        let most = if worm.carried.is_empty() { DRESSING_NODES } else { MOST_NODES };
+        let lever = [worm.lines.cos_b1 * setup.pair.worm.flank(flank).base_radius, 10.0, 1.0, 0.1];
+        let mut count = DRESSING_NODES;
+        loop {
+            let nodes = NodePlan { interval, nodes: count };
+            let solved = solve_dressing_motion(tool, flank, setup.worm_pitch_radius, &nodes, &wanted)?;
+            if 2 * count - 1 > most || tail(&solved.0, lever) < SERIES_TOLERANCE {
+                break solved;
+            }
+            count = 2 * count - 1;
+        }
     };
     let worm = DressedWorm::new(tool, flank, &corrections);
     Ok(DressedFlank { corrections, nodes, worm })

@@ -82,6 +82,33 @@ pub enum GeneratingError {
     /// No flank is to be ground.
     #[error("no flank is to be ground")]
     NoFlank,
+    /// A dresser is asked for a tool that has none.
+    #[error("the tool is not dressed")]
+    NotDressed,
+    /// A disc dresser moves along a cylinder.
+    #[error("a conical worm (cone angle {cone_angle_deg} deg) is not dressed by a disc")]
+    ConicalWormNotDressed {
+        /// Cone angle of the worm, degrees.
+        cone_angle_deg: f64,
+    },
+    /// The part of the tool's flank that the plan needs lies below its base circle.
+    #[error("the tool's flank is needed down to length of roll {w_1:.4} mm on the {flank} flank, below its base circle")]
+    ToolBelowBase {
+        /// Flank.
+        flank: Flank,
+        /// Least length of roll needed, mm.
+        w_1: f64,
+    },
+    /// The modification of the tool has no value where the plan needs it.
+    #[error("the {flank} flank of the tool has no modification at length of roll {w_1:.4} mm, z = {z_1:.4} mm")]
+    ToolUndefined {
+        /// Flank.
+        flank: Flank,
+        /// Length of roll on the tool, mm.
+        w_1: f64,
+        /// Position on the tool, mm.
+        z_1: f64,
+    },
 }
 
 impl From<EvaluationError> for GeneratingError {
@@ -104,6 +131,10 @@ impl GeneratingError {
             Self::EnvelopeBroken { .. } => "envelope-broken",
             Self::ModelError { .. } => "model-error",
             Self::NoFlank => "no-flank",
+            Self::NotDressed => "not-dressed",
+            Self::ConicalWormNotDressed { .. } => "conical-worm-not-dressed",
+            Self::ToolBelowBase { .. } => "worm-below-base",
+            Self::ToolUndefined { .. } => "worm-surface-missing",
         }
     }
 
@@ -125,6 +156,16 @@ impl GeneratingError {
             Self::DegenerateDirection { .. } => "choose another diagonal ratio".into(),
             Self::EnvelopeBroken { .. } => "reduce the amount or choose another diagonal ratio".into(),
             Self::ModelError { .. } => "choose another diagonal ratio or widen the tolerance".into(),
+            Self::NotDressed => "set worm.tool = \"dressed\" and describe the [dresser]".into(),
+            Self::ConicalWormNotDressed { .. } => {
+                "set worm.tool = \"made\" and leave [dresser] out: the plan then gives the flank of the worm".into()
+            }
+            Self::ToolBelowBase { .. } => {
+                "take a tool of larger diameter, fewer threads, or a smaller root form range of the gear".into()
+            }
+            Self::ToolUndefined { .. } => {
+                "let the table of the tool or of the target reach further, or use a kind that continues".into()
+            }
             Self::NoFlank => "set grinding.flanks to \"both\", \"left\" or \"right\"".into(),
         }
     }
@@ -132,7 +173,12 @@ impl GeneratingError {
     /// Whether the input itself is wrong (exit 2) rather than the target out of reach of these bodies (exit 4).
     pub fn is_bad_input(&self) -> bool {
         match self {
-            Self::Geometry(_) | Self::Modification(_) | Self::NoFlank => true,
+            Self::Geometry(_)
+            | Self::Modification(_)
+            | Self::NoFlank
+            | Self::NotDressed
+            | Self::ConicalWormNotDressed { .. }
+            | Self::ToolUndefined { .. } => true,
             Self::Contact(e) => !matches!(
                 e,
                 ContactError::Undercut { .. }

@@ -4,25 +4,25 @@ use super::{Decomposition, FlankLines};
 use crate::geometry::Sides;
 use crate::kinematics::MotionLaw;
 
-/// f_F(z_V2) = cos b2 F_K as a polynomial of degree 3 in z_V2, normal, mm.
-fn normal_share(lines: &FlankLines, parts: &Decomposition) -> [f64; 4] {
-    // X_K = c_K (zeta_0 - z_V2) with zeta_0 the path coordinate at z_V2 = 0 in centred variables.
+/// f_F(z_V2) = cos b2 F_K as a polynomial of degree 3 in z_V2, normal, mm, under z_V1 = `shift`[0] + `shift`[1] z_V2.
+fn normal_share(lines: &FlankLines, parts: &Decomposition, shift: [f64; 2]) -> [f64; 4] {
+    // X_K = c_K (zeta - zeta_m) with the path coordinate zeta = z_2 + t_K w_2 affine in the feed.
     let c_k = 1.0 / parts.t_k.hypot(1.0);
-    let zeta_0 = lines.c_c2 - lines.z_m - lines.t_k * lines.w_m;
+    let [by_shift, by_feed] = lines.work_feeds;
+    let origin = by_shift * shift[0] + lines.c_c2 - lines.z_m - lines.t_k * lines.w_m;
+    let slope = by_shift * shift[1] + by_feed;
     let mut powers = [0.0; 4];
-    for (k, &coefficient) in parts.kinematic.iter().enumerate() {
-        for j in 0..=k {
-            let binomial =
-                [[1.0, 0.0, 0.0, 0.0], [1.0, 1.0, 0.0, 0.0], [1.0, 2.0, 1.0, 0.0], [1.0, 3.0, 3.0, 1.0]][k]
-                    [j];
-            let sign = if j % 2 == 0 { 1.0 } else { -1.0 };
-            powers[j] += lines.cos_b2
-                * coefficient
-                * c_k.powi(k as i32)
-                * binomial
-                * sign
-                * zeta_0.powi((k - j) as i32);
+    let mut power = vec![1.0];
+    for &coefficient in &parts.kinematic {
+        for (sum, p) in powers.iter_mut().zip(&power) {
+            *sum += lines.cos_b2 * coefficient * p;
         }
+        let mut next = vec![0.0; power.len() + 1];
+        for (j, p) in power.iter().enumerate() {
+            next[j] += c_k * origin * p;
+            next[j + 1] += c_k * slope * p;
+        }
+        power = next;
     }
     powers
 }
@@ -41,12 +41,13 @@ pub fn motion_of_flanks(
 }
 
 /// Delta_d and Delta_phi_2 of two decompositions ground at once. A flank that is not ground leaves its share to the other:
-/// with one flank alone Delta_d carries all and Delta_phi_2 is zero.
+/// with one flank alone Delta_d carries all and Delta_phi_2 is zero. The tool shift is z_V1 = `shift`[0] + `shift`[1] z_V2.
 pub fn common_motion(
     lines: &Sides<FlankLines>,
     parts: &Sides<Option<Decomposition>>,
+    shift: [f64; 2],
 ) -> (MotionLaw, MotionLaw) {
-    let share = |l: &FlankLines, p: &Option<Decomposition>| p.as_ref().map(|p| normal_share(l, p));
+    let share = |l: &FlankLines, p: &Option<Decomposition>| p.as_ref().map(|p| normal_share(l, p, shift));
     match (share(&lines.left, &parts.left), share(&lines.right, &parts.right)) {
         (Some(left), Some(right)) => motion_of_flanks(lines, &left, &right),
         (Some(f), None) => (single(&f, lines.left.sin_an), MotionLaw::zero()),

@@ -5,12 +5,12 @@ use super::dressed::{DRESSING_MARGIN, DressedFlank, dress_flank, dresser_of_plan
 use super::precompensation::{GroundError, ROUNDS, corrected, precompensate};
 use super::ratio::{Candidate, RatioChoice, RatioReason, Rule};
 use super::{
-    DressingLimits, FlankTarget, GeneratingError, GrindingSetup, IdealPlan, PlanningGrid, ProfilePlace,
-    ProfilePolicy,
+    DressingLimits, FeedLaw, FlankTarget, GeneratingError, GrindingSetup, IdealPlan, MadeFlank,
+    PlanningGrid, ProfilePlace, ProfilePolicy, Tool,
 };
 use crate::contact::{ContactError, ContactSolution};
 use crate::geometry::{Flank, Sides};
-use crate::numerics::Polynomial2;
+use crate::kinematics::{GeneratingMotion, MotionLaw};
 use crate::process::dressing::DresserTool;
 
 /// What is to be planned.
@@ -26,6 +26,8 @@ pub struct PlanTask<'a> {
     pub limits: DressingLimits,
     /// Diagonal ratio given in the job; 0 = radial; `None` = auto.
     pub ratio: Option<f64>,
+    /// A law z_V1 = F(z_V2) in place of a ratio.
+    pub law: Option<MotionLaw>,
     /// Places allowed for the profile crowning, in order of preference.
     pub places: Vec<ProfilePlace>,
     /// Whether the dresser is made for this job.
@@ -36,11 +38,20 @@ pub struct PlanTask<'a> {
     pub grid: (usize, usize),
 }
 
+/// The flank of a planned tool.
+#[derive(Clone, Debug)]
+pub enum PlannedTool {
+    /// As its dresser leaves it.
+    Dressed(DressedFlank),
+    /// As a table.
+    Made(MadeFlank),
+}
+
 /// One planned flank on the result grid.
 #[derive(Clone, Debug)]
 pub struct FlankPlan {
-    /// The worm flank as dressed.
-    pub dressed: DressedFlank,
+    /// The flank of the tool.
+    pub tool: PlannedTool,
     /// Lengths of roll, mm.
     pub w: Vec<f64>,
     /// Axial positions, mm.
@@ -60,8 +71,8 @@ pub struct GrindingPlan {
     pub policy: ProfilePolicy,
     /// Worm functions and motion.
     pub ideal: IdealPlan,
-    /// The dresser with its profile.
-    pub tool: DresserTool,
+    /// The dresser with its profile; `None` for a tool that is not dressed.
+    pub dresser: Option<DresserTool>,
     /// Planned flanks.
     pub flanks: Sides<Option<FlankPlan>>,
     /// Largest error on the planning grid per flank by round of precompensation (ideal worm), mm.
@@ -79,14 +90,19 @@ const CONTACT_MARGIN: f64 = 1.5;
 /// Outer rounds with the worm as dressed.
 const OUTER_ROUNDS: usize = 3;
 
-struct Dressed {
+/// A plan with its tool.
+struct Equipped {
     ideal: IdealPlan,
-    tool: DresserTool,
-    flanks: Sides<Option<DressedFlank>>,
+    dresser: Option<DresserTool>,
+    flanks: Sides<Option<PlannedTool>>,
     error: GroundError,
-    /// Length dressed beyond the occupation, mm.
+    /// Length of the tool beyond the occupation, mm.
     margin: f64,
 }
+
+/// Points of the planning grid over profile and face width: for polynomials (spec 28 section 3), and where reliefs and waves
+/// stand on the tool's lines.
+const PLANNING_GRIDS: [[usize; 2]; 2] = [[9, 9], [17, 41]];
 
 impl PlanTask<'_> {
     fn rule<'a>(&'a self, grid: &'a PlanningGrid) -> Rule<'a> {
@@ -100,6 +116,16 @@ impl PlanTask<'_> {
         }
     }
 
+    /// The grid on which the plan is judged.
+    pub fn planning_grid(&self) -> PlanningGrid {
+        let bare = |t: &Option<FlankTarget>| t.as_ref().is_none_or(|t| t.rest.is_empty());
+        let smooth = self.law.is_none()
+            && self.targets.iter().all(|(_, t)| bare(t))
+            && matches!(self.setup.tool, Tool::Dressed(_));
+        let [nw, nz] = PLANNING_GRIDS[usize::from(!smooth)];
+        PlanningGrid::new(self.setup, nw, nz)
+    }
+
     /// Chooses the diagonal ratio by the rule, or judges the given one.
     ///
     /// # Errors
@@ -107,38 +133,47 @@ impl PlanTask<'_> {
     /// needs more worm than there is.
     pub fn choose(&self, grid: &PlanningGrid) -> Result<RatioChoice, GeneratingError> {
         let rule = self.rule(grid);
-        let Some(ratio) = self.ratio else { return rule.choose(&self.places) };
         let place = *self.places.first().ok_or(GeneratingError::NoFlank)?;
-        let [from, to] = self.setup.occupation(ratio, &rule.which());
+        let (feed, rounds) = match (&self.law, self.ratio) {
+            (Some(law), _) => (FeedLaw::Law(law.clone()), ROUNDS),
+            (None, Some(ratio)) => (FeedLaw::Ratio(ratio), 0),
+            (None, None) => return rule.choose(&self.places),
+        };
+        let which = rule.which();
+        let shift = feed.law(self.setup, &which);
+        let [from, to] = self.setup.occupation(&shift, &which);
+        // The mean slope stands for a law.
+        let [first, last] = self.setup.feed_range(&shift, &which);
+        let mean = (shift.value(last) - shift.value(first)) / (last - first);
+        let ratio = feed.ratio().unwrap_or(mean);
         rule.check_width(to - from, ratio)?;
-        let candidate = if ratio == 0.0 {
-            let (plan, error, _) =
-                precompensate(self.setup, &self.targets, grid, 0.0, self.policy(place), 0)?;
-            let occupation = plan.occupation[1] - plan.occupation[0];
-            Candidate {
-                ratio,
-                place,
-                dressing_share: 0.0,
-                delta_d_share: 0.0,
-                occupation,
-                error: error.max(),
-                refusal: None,
+        let candidate = match feed {
+            FeedLaw::Ratio(ratio) if ratio != 0.0 => rule.judge(ratio, place)?,
+            _ => {
+                let policy = rule.policy(place);
+                let (plan, error, _) =
+                    precompensate(self.setup, &self.targets, grid, &feed, policy, rounds)?;
+                let occupation = plan.occupation[1] - plan.occupation[0];
+                Candidate {
+                    ratio,
+                    place,
+                    dressing_share: 0.0,
+                    delta_d_share: 0.0,
+                    occupation,
+                    error: error.max(),
+                    refusal: None,
+                }
             }
-        } else {
-            rule.judge(ratio, place)?
         };
         Ok(RatioChoice {
             ratio,
             place,
-            reason: RatioReason::Given,
+            reason: if self.law.is_some() { RatioReason::Law } else { RatioReason::Given },
             lead_correction: rule.lead_corrections(place),
+            demanded: rule.demanded(),
             candidates: vec![candidate],
             failed: Vec::new(),
         })
-    }
-
-    fn policy(&self, place: ProfilePlace) -> ProfilePolicy {
-        ProfilePolicy { place, free_dresser: self.free_dresser }
     }
 
     /// Plans.
@@ -146,23 +181,26 @@ impl PlanTask<'_> {
     /// # Errors
     /// See [`GeneratingError`]; [`GeneratingError::is_bad_input`] tells impossible input from an unreachable target.
     pub fn plan(&self) -> Result<GrindingPlan, GeneratingError> {
-        let grid = PlanningGrid::new(self.setup, 9, 9);
+        let grid = self.planning_grid();
         let choice = self.choose(&grid)?;
-        let policy = self.policy(choice.place);
+        let policy = self.rule(&grid).policy(choice.place);
+        let feed = match &self.law {
+            Some(law) => FeedLaw::Law(law.clone()),
+            None => FeedLaw::Ratio(choice.ratio),
+        };
         let rounds = if self.precompensation { ROUNDS } else { 0 };
         let (ideal, ideal_error, ideal_record) =
-            precompensate(self.setup, &self.targets, &grid, choice.ratio, policy, rounds)?;
-        let mut best = self.dress(ideal, policy, &grid)?;
+            precompensate(self.setup, &self.targets, &grid, &feed, policy, rounds)?;
+        let mut best = self.equip(ideal, policy, &grid)?;
         let mut dressed_record = Sides::from_fn(|f| best.error.largest(f).into_iter().collect::<Vec<_>>());
         if self.precompensation {
             for _ in 0..OUTER_ROUNDS {
                 if best.error.max() - ideal_error.max() <= f64::min(0.1 * self.tolerance, 1e-5) {
                     break;
                 }
-                let command: Sides<Option<Polynomial2>> =
-                    corrected(self.setup, &grid, &best.ideal.commanded, &best.error, choice.ratio != 0.0);
-                let next = IdealPlan::new(self.setup, &self.targets, command, choice.ratio, policy)
-                    .and_then(|ideal| self.dress(ideal, policy, &grid));
+                let command = corrected(self.setup, &grid, &best.ideal, &best.error);
+                let next = IdealPlan::new(self.setup, &self.targets, command, &feed, policy)
+                    .and_then(|ideal| self.equip(ideal, policy, &grid));
                 let Ok(next) = next else { break };
                 for flank in Flank::BOTH {
                     dressed_record[flank].extend(next.error.largest(flank));
@@ -182,8 +220,8 @@ impl PlanTask<'_> {
                 break flanks;
             }
             let margin = 2.0 * best.margin;
-            let (tool, dressed, error) = self.dress_with(&best.ideal, policy, &grid, margin)?;
-            best = Dressed { ideal: best.ideal, tool, flanks: dressed, error, margin };
+            let (dresser, tools, error) = self.equip_with(&best.ideal, policy, &grid, margin)?;
+            best = Equipped { ideal: best.ideal, dresser, flanks: tools, error, margin };
         };
         let determinant = flanks
             .iter()
@@ -194,7 +232,7 @@ impl PlanTask<'_> {
             choice,
             policy,
             ideal: best.ideal,
-            tool: best.tool,
+            dresser: best.dresser,
             flanks,
             ideal_error_by_round: ideal_record,
             dressed_error_by_round: dressed_record,
@@ -202,18 +240,19 @@ impl PlanTask<'_> {
         })
     }
 
-    /// Dresses the worm for an ideal plan; where the contact shift of a large modification leaves the dressed length, more
-    /// of the worm is dressed.
-    fn dress(
+    /// Makes the tool for an ideal plan; where the contact shift of a large modification leaves its length, more of it is made.
+    fn equip(
         &self,
         ideal: IdealPlan,
         policy: ProfilePolicy,
         grid: &PlanningGrid,
-    ) -> Result<Dressed, GeneratingError> {
+    ) -> Result<Equipped, GeneratingError> {
         let mut margin = DRESSING_MARGIN;
         loop {
-            match self.dress_with(&ideal, policy, grid, margin) {
-                Ok((tool, flanks, error)) => return Ok(Dressed { ideal, tool, flanks, error, margin }),
+            match self.equip_with(&ideal, policy, grid, margin) {
+                Ok((dresser, flanks, error)) => {
+                    return Ok(Equipped { ideal, dresser, flanks, error, margin });
+                }
                 Err(GeneratingError::Contact(ContactError::WormSurfaceMissing { .. }))
                     if margin < LARGEST_DRESSING_MARGIN =>
                 {
@@ -224,36 +263,45 @@ impl PlanTask<'_> {
         }
     }
 
-    fn dress_with(
+    fn equip_with(
         &self,
         ideal: &IdealPlan,
         policy: ProfilePolicy,
         grid: &PlanningGrid,
         margin: f64,
-    ) -> Result<(DresserTool, Sides<Option<DressedFlank>>, GroundError), GeneratingError> {
-        let tool = dresser_of_plan(self.setup, ideal, policy);
-        let dress = |flank: Flank| match &ideal.worms[flank] {
-            Some(_) => dress_flank(self.setup, ideal, &tool, flank, policy, margin).map(Some),
-            None => Ok(None),
+    ) -> Result<(Option<DresserTool>, Sides<Option<PlannedTool>>, GroundError), GeneratingError> {
+        let dresser = match &self.setup.tool {
+            Tool::Dressed(_) => Some(dresser_of_plan(self.setup, ideal, policy)?),
+            Tool::Made | Tool::Given(_) => None,
         };
-        let (left, right) = rayon::join(|| dress(Flank::Left), || dress(Flank::Right));
+        let make = |flank: Flank| match (&ideal.worms[flank], &dresser) {
+            (None, _) => Ok(None),
+            (Some(_), Some(dresser)) => dress_flank(self.setup, ideal, dresser, flank, policy, margin)
+                .map(|dressed| Some(PlannedTool::Dressed(dressed))),
+            (Some(_), None) => MadeFlank::of_plan(self.setup, ideal, flank, margin)
+                .map(|made| Some(PlannedTool::Made(made))),
+        };
+        let (left, right) = rayon::join(|| make(Flank::Left), || make(Flank::Right));
         let flanks = Sides { left: left?, right: right? };
         let error = GroundError::of(self.setup, &self.targets, grid, |flank| {
-            flanks[flank].as_ref().map(|dressed| grid.ground(self.setup, flank, &ideal.motion, &dressed.worm))
+            flanks[flank].as_ref().map(|tool| tool.ground(self.setup, flank, grid, &ideal.motion))
         })?;
-        Ok((tool, flanks, error))
+        Ok((dresser, flanks, error))
     }
 
-    /// Whether every contact on the worm lies inside the finished area with [`CONTACT_MARGIN`] to spare.
-    fn within_finished_area(&self, best: &Dressed, flanks: &Sides<Option<FlankPlan>>) -> bool {
+    /// Whether every contact on the tool lies inside the finished area with [`CONTACT_MARGIN`] to spare.
+    fn within_finished_area(&self, best: &Equipped, flanks: &Sides<Option<FlankPlan>>) -> bool {
         flanks.iter().filter_map(|(flank, plan)| plan.as_ref().map(|plan| (flank, plan))).all(
             |(flank, plan)| {
-                let (_, [from, to]) = finished_area(self.setup, &best.tool, flank, &plan.dressed.corrections);
+                let [from, to] = plan.tool.length(self.setup, best.dresser.as_ref(), flank);
                 plan.planned.iter().all(|at| {
-                    plan.dressed
-                        .worm
-                        .envelope_point(at.tool.0, at.tool.1)
-                        .is_some_and(|foot| foot.b > from + CONTACT_MARGIN && foot.b < to - CONTACT_MARGIN)
+                    let z_1 = match &plan.tool {
+                        PlannedTool::Dressed(dressed) => {
+                            dressed.worm.envelope_point(at.tool.0, at.tool.1).map(|foot| foot.b)
+                        }
+                        PlannedTool::Made(_) => Some(at.tool.1),
+                    };
+                    z_1.is_some_and(|z| z > from + CONTACT_MARGIN && z < to - CONTACT_MARGIN)
                 })
             },
         )
@@ -262,20 +310,50 @@ impl PlanTask<'_> {
     fn flank_plan(
         &self,
         flank: Flank,
-        best: &Dressed,
+        best: &Equipped,
         grid: &PlanningGrid,
     ) -> Result<Option<FlankPlan>, GeneratingError> {
-        let (Some(dressed), Some(target)) = (&best.flanks[flank], &self.targets[flank]) else {
+        let (Some(tool), Some(target)) = (&best.flanks[flank], &self.targets[flank]) else {
             return Ok(None);
         };
-        let planned = grid.ground(self.setup, flank, &best.ideal.motion, &dressed.worm)?;
+        let planned = tool.ground(self.setup, flank, grid, &best.ideal.motion)?;
         let wanted = grid.target(flank, target, self.setup.lines[flank].cos_b2)?;
         Ok(Some(FlankPlan {
-            dressed: dressed.clone(),
+            tool: tool.clone(),
             w: grid.w[flank].clone(),
             z: grid.z.clone(),
             target: wanted,
             planned,
         }))
+    }
+}
+
+impl PlannedTool {
+    /// The exact flank that this tool leaves, by grid point.
+    ///
+    /// # Errors
+    /// Those of the exact contact.
+    pub fn ground(
+        &self,
+        setup: &GrindingSetup,
+        flank: Flank,
+        grid: &PlanningGrid,
+        motion: &GeneratingMotion,
+    ) -> Result<Vec<ContactSolution>, GeneratingError> {
+        match self {
+            Self::Dressed(dressed) => grid.ground(setup, flank, motion, &dressed.worm),
+            Self::Made(made) => grid.ground(setup, flank, motion, &made.surface(setup, flank)),
+        }
+    }
+
+    /// From where to where on the tool the flank is finished, z_1, mm.
+    fn length(&self, setup: &GrindingSetup, dresser: Option<&DresserTool>, flank: Flank) -> [f64; 2] {
+        match (self, dresser) {
+            (Self::Dressed(dressed), Some(dresser)) => {
+                finished_area(setup, dresser, flank, &dressed.corrections).1
+            }
+            (Self::Dressed(_), None) => [0.0; 2],
+            (Self::Made(made), _) => made.spline.domain()[1],
+        }
     }
 }

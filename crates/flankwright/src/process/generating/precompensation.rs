@@ -1,15 +1,17 @@
 //! From a commanded polynomial to worm functions and motion, the exact flank they leave, and the correction of the command
 //! (spec 28 section 4, steps 2 to 5).
 
+use super::carried::misfit_of_lines;
 use super::target::ClassFit;
 use super::{
-    FlankTarget, GeneratingError, GrindingSetup, IdealWorm, ProfilePlace, common_motion, decompose_diagonal,
-    decompose_radial,
+    Carried, Decomposition, FeedLaw, FieldSpline, FlankLines, FlankTarget, GeneratingError, GrindingSetup,
+    IdealWorm, ProfilePlace, Tool, common_motion, decompose_diagonal, decompose_radial,
 };
 use crate::contact::{ContactSolution, ExactContact, ModifiedThread, ToolSurface};
 use crate::geometry::{Flank, Sides};
-use crate::kinematics::{GeneratingMotion, MotionLaw};
+use crate::kinematics::GeneratingMotion;
 use crate::numerics::Polynomial2;
+use std::sync::Arc;
 
 /// Rounds of precompensation with the ideal worm (spec 28 section 4).
 pub(super) const ROUNDS: usize = 4;
@@ -24,6 +26,25 @@ pub struct ProfilePolicy {
     pub place: ProfilePlace,
     /// The dresser is made for this job (`[dresser] modification = "target"`).
     pub free_dresser: bool,
+    /// Parts of the target that are no polynomials stand on the tool's lines as they are when these miss them by no more
+    /// than this; else they are best-fitted. Transverse, mm.
+    pub line_tolerance: f64,
+}
+
+/// What is commanded on one flank: the target plus the corrections found so far.
+#[derive(Clone, Debug)]
+pub struct Command {
+    /// Polynomial in (u, y), transverse, mm.
+    pub polynomial: Polynomial2,
+    /// Corrections that are no polynomials; only where the tool's lines carry more than polynomials.
+    pub corrections: Vec<Arc<FieldSpline>>,
+}
+
+impl Command {
+    /// The target itself.
+    pub fn of(target: &FlankTarget) -> Self {
+        Self { polynomial: target.of_class.clone(), corrections: Vec::new() }
+    }
 }
 
 /// Points on the flanks on which a plan is judged, row-major `[w][z]`.
@@ -92,29 +113,70 @@ impl PlanningGrid {
         Ok(contact.solve_grid(&self.w[flank], &self.z)?)
     }
 
-    /// Correction of the command that the normal errors `e` (target - ground, mm) ask for, transverse.
-    pub fn correction(&self, flank: Flank, e: &[f64], cos_b2: f64, mixed: bool) -> Polynomial2 {
-        let transverse: Vec<f64> = e.iter().map(|e| e / cos_b2).collect();
-        let fit = if mixed { &self.fits[flank] } else { &self.pure_fits[flank] };
-        fit.fit(&transverse)
+    /// The command corrected by the normal errors `e` (target - ground, mm): what the class of polynomials takes, and the rest
+    /// as a smooth function where the tool's lines may carry it.
+    fn corrected(
+        &self,
+        setup: &GrindingSetup,
+        flank: Flank,
+        command: &Command,
+        e: &[f64],
+        terms: Correction,
+    ) -> Command {
+        let lines = &setup.lines[flank];
+        let transverse: Vec<f64> = e.iter().map(|e| e / lines.cos_b2).collect();
+        let fit = match terms {
+            Correction::Pure => &self.pure_fits[flank],
+            Correction::Mixed | Correction::Free => &self.fits[flank],
+        };
+        let fitted = fit.fit(&transverse);
+        let mut next = command.clone();
+        next.polynomial = command.polynomial.add(&fitted);
+        if terms == Correction::Free {
+            let at = |k: usize| (self.w[flank][k / self.z.len()], self.z[k % self.z.len()]);
+            let points: Vec<[f64; 3]> = (0..e.len())
+                .map(|k| {
+                    let (w, z) = at(k);
+                    [w, z, transverse[k] - fitted.value(w - lines.w_m, z - lines.z_m)]
+                })
+                .collect();
+            // A grid too coarse for the spline corrects by polynomials only.
+            next.corrections.extend(FieldSpline::near(&points, CORRECTION_CELLS).ok().map(Arc::new));
+        }
+        next
     }
 }
 
-/// Worm functions and motion for one command, before any dresser is asked.
+/// Which terms of the error go back into the command.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Correction {
+    /// Terms pure in u or in y.
+    Pure,
+    /// The class of polynomials.
+    Mixed,
+    /// The class and a smooth function for what is left.
+    Free,
+}
+
+/// Cells over profile and face width of a correction: wide against the shift of the contact (about 1 mm), so that the loop
+/// does not feed its own echo.
+const CORRECTION_CELLS: [usize; 2] = [4, 10];
+
+/// Tool functions and motion for one command, before any dresser is asked.
 #[derive(Clone, Debug)]
 pub struct IdealPlan {
-    /// Diagonal ratio K (0: radial).
-    pub ratio: f64,
-    /// z_V01, mm.
-    pub shift_origin: f64,
-    /// Command per flank: polynomial in (u, y), transverse, mm.
-    pub commanded: Sides<Option<Polynomial2>>,
-    /// Ideal worm per flank.
+    /// How the tool shift follows the feed.
+    pub feed: FeedLaw,
+    /// Command per flank.
+    pub commanded: Sides<Option<Command>>,
+    /// Ideal tool per flank.
     pub worms: Sides<Option<IdealWorm>>,
     /// The common motion.
     pub motion: GeneratingMotion,
-    /// z_1 occupied on the worm with z_V01 applied, mm.
+    /// z_1 occupied on the tool, mm.
     pub occupation: [f64; 2],
+    /// Largest part of the target that is best-fitted only, per flank, transverse, mm.
+    pub outside: Sides<f64>,
 }
 
 /// Error of an ideal plan on the planning grid.
@@ -159,73 +221,151 @@ impl GroundError {
     }
 }
 
+/// One flank's share of a plan.
+struct Share {
+    parts: Decomposition,
+    carried: Carried,
+    /// Best-fitted only, mm.
+    outside: f64,
+}
+
+/// Splits the command of one flank between motion, dresser and lines of the tool.
+fn share(
+    setup: &GrindingSetup,
+    flank: Flank,
+    target: &FlankTarget,
+    command: &Command,
+    feed: &FeedLaw,
+    policy: ProfilePolicy,
+) -> Result<Share, GeneratingError> {
+    let lines = &setup.lines[flank];
+    if matches!(setup.tool, Tool::Given(_)) {
+        // The tool is what it is: only the motion is free.
+        let mut parts = decompose_radial(&command.polynomial, lines.t_k);
+        parts.profile.clear();
+        return Ok(Share { parts, carried: Carried::default(), outside: 0.0 });
+    }
+    let corrections = command.corrections.clone();
+    if let FeedLaw::Ratio(ratio) = *feed {
+        let t = lines.work_direction(ratio);
+        let steep = t.is_nan() || t.abs() > STEEPEST || (t - lines.t_k).abs() < 1e-6;
+        if ratio != 0.0 && (steep || lines.big_t1.abs() < 1e-9) {
+            return Err(GeneratingError::DegenerateDirection { flank, ratio });
+        }
+    }
+    if feed.is_radial() {
+        return Ok(radial_share(lines, target, command, policy));
+    }
+    if matches!(setup.tool, Tool::Made) {
+        let polynomial = Some(command.polynomial.clone());
+        let carried = Carried { polynomial, terms: target.rest.clone(), corrections };
+        return Ok(Share { parts: Decomposition::nothing(lines.t_k), carried, outside: 0.0 });
+    }
+    let a = &command.polynomial;
+    let FeedLaw::Ratio(ratio) = *feed else {
+        // Along curves the profile stays with the dresser and all else stands on the lines.
+        let mut parts = Decomposition::nothing(lines.t_k);
+        if policy.free_dresser && lines.profile_slope() == 0.0 {
+            let highest = a.terms().map(|(i, ..)| i).max().unwrap_or(0);
+            parts.profile = (0..=highest).map(|i| if i < 2 { 0.0 } else { a.coefficient(i, 0) }).collect();
+        }
+        let profile = parts.profile.iter().enumerate().map(|(i, &p)| (i, 0, -p));
+        let polynomial = Some(a.add(&Polynomial2::from_terms(profile)));
+        let carried = Carried { polynomial, terms: target.rest.clone(), corrections };
+        return Ok(Share { parts, carried, outside: 0.0 });
+    };
+    let t = lines.work_direction(ratio);
+    let misfit: f64 = target.rest.iter().map(|term| misfit_of_lines(term, lines, t)).sum();
+    let stands = misfit <= policy.line_tolerance;
+    let a = if stands || target.rest.is_empty() { a.clone() } else { a.add(&target.fit_of_rest()) };
+    let p_2 = match policy.place {
+        ProfilePlace::Diagonal => 0.0,
+        ProfilePlace::Dresser | ProfilePlace::Correction => a.coefficient(2, 0),
+    };
+    let mut parts = decompose_diagonal(&a, t, lines.t_k, p_2, lines.profile_slope());
+    if !policy.free_dresser {
+        parts.profile.truncate(3); // no dresser is there to carry u^3 and higher
+    }
+    let terms = if stands { target.rest.clone() } else { Vec::new() };
+    let outside = if stands { misfit } else { target.outside };
+    Ok(Share { parts, carried: Carried { polynomial: None, terms, corrections }, outside })
+}
+
+/// The share of a flank without tool shift.
+fn radial_share(lines: &FlankLines, target: &FlankTarget, command: &Command, policy: ProfilePolicy) -> Share {
+    let a = if target.rest.is_empty() {
+        command.polynomial.clone()
+    } else {
+        command.polynomial.add(&target.fit_of_rest())
+    };
+    let mut parts = decompose_radial(&a, lines.t_k);
+    // The target's own profile terms only: compensating ones are advice, not plan (spec 28 section 6).
+    for (i, p) in parts.profile.iter_mut().enumerate() {
+        *p = if i == 0 { 0.0 } else { a.coefficient(i, 0) };
+    }
+    if !policy.free_dresser {
+        parts.profile.clear();
+    }
+    Share { parts, carried: Carried::default(), outside: target.outside }
+}
+
 impl IdealPlan {
-    /// Decomposes the commands at ratio K (0: class `radial`) and splits the common motion.
+    /// Splits the commands between tool, dresser and common motion under a law of the shift.
     ///
     /// # Errors
     /// [`GeneratingError::DegenerateDirection`], [`GeneratingError::NoFlank`].
     pub fn new(
         setup: &GrindingSetup,
         targets: &Sides<Option<FlankTarget>>,
-        commanded: Sides<Option<Polynomial2>>,
-        ratio: f64,
+        commanded: Sides<Option<Command>>,
+        feed: &FeedLaw,
         policy: ProfilePolicy,
     ) -> Result<Self, GeneratingError> {
         let which: Vec<Flank> = targets.iter().filter(|(_, t)| t.is_some()).map(|(f, _)| f).collect();
         if which.is_empty() {
             return Err(GeneratingError::NoFlank);
         }
-        let occupied = setup.occupation(ratio, &which);
-        let shift_origin = 0.5 * (occupied[0] + occupied[1]);
-        let parts = Sides::try_from_fn(|flank| {
-            let Some(a) = &commanded[flank] else { return Ok(None) };
-            let lines = &setup.lines[flank];
-            if ratio == 0.0 {
-                let mut parts = decompose_radial(a, lines.t_k);
-                // The target's own profile terms only: compensating ones are advice, not plan (spec 28 section 6).
-                for (i, p) in parts.profile.iter_mut().enumerate() {
-                    *p = if i == 0 { 0.0 } else { a.coefficient(i, 0) };
-                }
-                if !policy.free_dresser {
-                    parts.profile.clear();
-                }
-                return Ok(Some(parts));
-            }
-            let t = lines.work_direction(ratio);
-            if t.is_nan() || t.abs() > STEEPEST || (t - lines.t_k).abs() < 1e-6 || lines.big_t1.abs() < 1e-9 {
-                return Err(GeneratingError::DegenerateDirection { flank, ratio });
-            }
-            let p_2 = match policy.place {
-                ProfilePlace::Diagonal => 0.0,
-                ProfilePlace::Dresser | ProfilePlace::Correction => a.coefficient(2, 0),
-            };
-            let mut parts = decompose_diagonal(a, t, lines.t_k, p_2);
-            if !policy.free_dresser {
-                parts.profile.truncate(3); // no dresser is there to carry u^3 and higher
-            }
-            Ok(Some(parts))
+        let shares = Sides::try_from_fn(|flank| {
+            let (Some(command), Some(target)) = (&commanded[flank], &targets[flank]) else { return Ok(None) };
+            share(setup, flank, target, command, feed, policy).map(Some)
         })?;
-        let (delta_d, delta_phi_2) = common_motion(&setup.lines, &parts);
-        let mut motion = setup.pair.motion(MotionLaw::polynomial(0.0, vec![shift_origin, ratio]));
-        motion.delta_d = delta_d;
-        motion.delta_phi_2 = delta_phi_2;
-        let worms = parts.map(|flank, parts| {
-            parts.clone().map(|parts| IdealWorm {
+        let shift = feed.law(setup, &which);
+        let parts = shares.map(|_, s| s.as_ref().map(|s| s.parts.clone()));
+        let [origin, slope, _] = shift.jet(0.0);
+        let (delta_d, delta_phi_2) = common_motion(&setup.lines, &parts, [origin, slope]);
+        let occupation = setup.occupation(&shift, &which);
+        let outside = shares.map(|_, s| s.as_ref().map_or(0.0, |s| s.outside));
+        let mut shares = shares;
+        let worms = Sides::from_fn(|flank| {
+            let share = shares[flank].take()?;
+            Some(IdealWorm {
                 lines: setup.lines[flank],
-                ratio,
-                shift_origin,
-                parts,
+                shift: shift.clone(),
+                parts: share.parts,
+                carried: share.carried,
                 reliefs: targets[flank].as_ref().map(|t| t.reliefs.clone()).unwrap_or_default(),
+                given: match &setup.tool {
+                    Tool::Given(modifications) => Some(modifications[flank].clone()),
+                    Tool::Dressed(_) | Tool::Made => None,
+                },
             })
         });
-        Ok(Self {
-            ratio,
-            shift_origin,
-            commanded,
-            worms,
-            motion,
-            occupation: occupied.map(|z| z - shift_origin),
-        })
+        let mut motion = setup.pair.motion(shift);
+        motion.delta_d = delta_d;
+        motion.delta_phi_2 = delta_phi_2;
+        Ok(Self { feed: feed.clone(), commanded, worms, motion, occupation, outside })
+    }
+
+    /// Which terms of an error may go back into the command.
+    pub(super) fn correction(&self, setup: &GrindingSetup) -> Correction {
+        let carries = |w: &Option<IdealWorm>| w.as_ref().is_some_and(|w| !w.carried.is_empty());
+        if self.feed.is_radial() || matches!(setup.tool, Tool::Given(_)) {
+            Correction::Pure
+        } else if self.worms.iter().any(|(_, w)| carries(w)) {
+            Correction::Free
+        } else {
+            Correction::Mixed
+        }
     }
 
     /// What the ideal worm leaves, against the target.
@@ -247,19 +387,19 @@ impl IdealPlan {
     }
 }
 
-/// The commands corrected by the fitted errors.
+/// The commands of a plan corrected by the errors it leaves.
 pub(super) fn corrected(
     setup: &GrindingSetup,
     grid: &PlanningGrid,
-    commanded: &Sides<Option<Polynomial2>>,
+    plan: &IdealPlan,
     error: &GroundError,
-    mixed: bool,
-) -> Sides<Option<Polynomial2>> {
+) -> Sides<Option<Command>> {
+    let terms = plan.correction(setup);
     Sides::from_fn(|flank| {
-        let (Some(a), Some(e)) = (&commanded[flank], &error.error[flank]) else {
-            return commanded[flank].clone();
+        let (Some(command), Some(e)) = (&plan.commanded[flank], &error.error[flank]) else {
+            return plan.commanded[flank].clone();
         };
-        Some(a.add(&grid.correction(flank, e, setup.lines[flank].cos_b2, mixed)))
+        Some(grid.corrected(setup, flank, command, e, terms))
     })
 }
 
@@ -272,18 +412,17 @@ pub fn precompensate(
     setup: &GrindingSetup,
     targets: &Sides<Option<FlankTarget>>,
     grid: &PlanningGrid,
-    ratio: f64,
+    feed: &FeedLaw,
     policy: ProfilePolicy,
     rounds: usize,
 ) -> Result<(IdealPlan, GroundError, Sides<Vec<f64>>), GeneratingError> {
-    let mixed = ratio != 0.0;
-    let command = targets.map(|_, t| t.as_ref().map(|t| t.polynomial.clone()));
-    let mut best = IdealPlan::new(setup, targets, command, ratio, policy)?;
+    let command = targets.map(|_, t| t.as_ref().map(Command::of));
+    let mut best = IdealPlan::new(setup, targets, command, feed, policy)?;
     let mut error = best.error(setup, targets, grid)?;
     let mut record: Sides<Vec<f64>> = Sides::from_fn(|f| error.largest(f).into_iter().collect());
     for _ in 0..rounds {
-        let command = corrected(setup, grid, &best.commanded, &error, mixed);
-        let Ok(next) = IdealPlan::new(setup, targets, command, ratio, policy) else { break };
+        let command = corrected(setup, grid, &best, &error);
+        let Ok(next) = IdealPlan::new(setup, targets, command, feed, policy) else { break };
         let Ok(next_error) = next.error(setup, targets, grid) else { break };
         for flank in Flank::BOTH {
             record[flank].extend(next_error.largest(flank));

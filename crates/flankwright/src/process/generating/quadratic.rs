@@ -7,6 +7,7 @@
 use super::FlankLines;
 use super::decomposition::power_jet;
 use crate::contact::ThreadFunction;
+use crate::kinematics::MotionLaw;
 use crate::numerics::{Jet2, Polynomial2};
 
 /// f_t = F_C(X) + F_L(X) w + F_Q(X) w^2 + F_K(X_K) with X = c (t w + z), X_K = c_K (t_K w + z). Transverse, mm.
@@ -148,17 +149,15 @@ impl QuadraticDecomposition {
 pub struct QuadraticWorm {
     /// Numbers of the flank.
     pub lines: FlankLines,
-    /// Diagonal ratio K != 0.
-    pub ratio: f64,
-    /// z_V01, mm.
-    pub shift_origin: f64,
+    /// Tool shift z_V1 = K z_V2 + z_V01, K != 0.
+    pub shift: MotionLaw,
     /// The parts.
     pub parts: QuadraticDecomposition,
 }
 
 impl ThreadFunction for QuadraticWorm {
     fn jet(&self, w_1: f64, z_1: f64) -> Option<Jet2> {
-        let [w, z] = self.lines.work_point(w_1, z_1, self.ratio, self.shift_origin);
+        let [w, z] = self.lines.work_point(w_1, z_1, &self.shift);
         Some(self.parts.worm_jet(w.f, z.f).of(w, z) * -self.lines.cos_b2)
     }
 }

@@ -3,8 +3,8 @@
 use super::dressed::{dresser_of_plan, sample_corrections};
 use super::precompensation::{ROUNDS, precompensate};
 use super::{
-    DressingLimits, FlankLines, FlankTarget, GeneratingError, GrindingSetup, PlanningGrid, ProfilePlace,
-    ProfilePolicy, radial_residual,
+    DressingLimits, FeedLaw, FlankLines, FlankTarget, GeneratingError, GrindingSetup, PlanningGrid,
+    ProfilePlace, ProfilePolicy, Tool, radial_residual,
 };
 use crate::geometry::{Flank, Sides};
 use crate::numerics::Polynomial2;
@@ -50,6 +50,10 @@ pub enum RatioReason {
     Scan,
     /// No ratio is exact enough: the one of least error.
     LeastError,
+    /// The ratio that lays the tool's lines onto reliefs or waves of the target.
+    LinesOfTarget,
+    /// A law of the feed, given in the job or made for its areas.
+    Law,
 }
 
 /// The chosen ratio and how it was found.
@@ -63,6 +67,8 @@ pub struct RatioChoice {
     pub reason: RatioReason,
     /// K* per flank for that place.
     pub lead_correction: Sides<Option<f64>>,
+    /// Ratios per flank that lay the tool's lines onto reliefs and waves of the target.
+    pub demanded: Sides<Vec<f64>>,
     /// All candidates judged, in order.
     pub candidates: Vec<Candidate>,
     /// Candidates that failed with an error.
@@ -72,11 +78,13 @@ pub struct RatioChoice {
 /// K*: the ratio at which the worm needs no part linear in w, for target polynomial `a` with `p_2` in the profile.
 /// `None` when any direction does it (pure profile target) or none.
 pub fn lead_correction_ratio(lines: &FlankLines, a: &Polynomial2, p_2: f64) -> Option<f64> {
+    let m = lines.profile_slope();
     let a_20 = a.coefficient(2, 0) - p_2;
-    let (a_11, a_02, t_k) = (a.coefficient(1, 1), a.coefficient(0, 2), lines.t_k);
-    let q = a_20 - a_11 * t_k + a_02 * t_k * t_k;
-    let n = 2.0 * a_02 * t_k - a_11;
-    let ratio = lines.big_t1 * n / (2.0 * lines.cos_b2 * q);
+    let (a_11, a_02) = (a.coefficient(1, 1) - 2.0 * m * p_2, a.coefficient(0, 2) - m * m * p_2);
+    let n = 2.0 * a_02 * lines.t_k - a_11;
+    // t* - t_K = -2 Q/N; N = 0 asks for profile lines, K* = 0.
+    let q = a_20 - a_11 * lines.t_k + a_02 * lines.t_k * lines.t_k;
+    let ratio = if n == 0.0 && q != 0.0 { 0.0 } else { lines.ratio_of_direction(lines.t_k - 2.0 * q / n) };
     ratio.is_finite().then_some(ratio)
 }
 
@@ -102,6 +110,9 @@ pub(super) struct Rule<'a> {
     pub free_dresser: bool,
 }
 
+/// Share of the tolerance by which a part of the target may miss the tool's lines before it is best-fitted instead.
+pub(super) const LINE_SHARE: f64 = 0.1;
+
 impl Rule<'_> {
     /// Flanks that are ground.
     pub fn which(&self) -> Vec<Flank> {
@@ -114,6 +125,22 @@ impl Rule<'_> {
             let a = &self.targets[flank].as_ref()?.polynomial;
             let p_2 = if place == ProfilePlace::Diagonal { 0.0 } else { a.coefficient(2, 0) };
             lead_correction_ratio(&self.setup.lines[flank], a, p_2)
+        })
+    }
+
+    /// Ratios that lay the tool's lines onto the directed parts of the target, per flank, each once.
+    pub fn demanded(&self) -> Sides<Vec<f64>> {
+        Sides::from_fn(|flank| {
+            let mut ratios: Vec<f64> = Vec::new();
+            for term in self.targets[flank].iter().flat_map(|t| &t.rest) {
+                let Some(t) = term.line_direction() else { continue };
+                let ratio = self.setup.lines[flank].ratio_of_direction(t);
+                let known = ratios.iter().any(|k| (k - ratio).abs() <= 1e-9 * ratio.abs());
+                if ratio.is_finite() && !known {
+                    ratios.push(ratio);
+                }
+            }
+            ratios
         })
     }
 
@@ -130,18 +157,25 @@ impl Rule<'_> {
         }
     }
 
+    /// The policy for a place of the profile crowning.
+    pub fn policy(&self, place: ProfilePlace) -> ProfilePolicy {
+        let line_tolerance = LINE_SHARE * self.tolerance;
+        ProfilePolicy { place, free_dresser: self.free_dresser, line_tolerance }
+    }
+
     /// Judges a ratio; `Err` only if it cannot be evaluated.
     pub fn judge(&self, ratio: f64, place: ProfilePlace) -> Result<Candidate, GeneratingError> {
-        let policy = ProfilePolicy { place, free_dresser: self.free_dresser };
-        let correct = |rounds| precompensate(self.setup, self.targets, self.grid, ratio, policy, rounds);
+        let policy = self.policy(place);
+        let feed = FeedLaw::Ratio(ratio);
+        let correct = |rounds| precompensate(self.setup, self.targets, self.grid, &feed, policy, rounds);
         let (mut plan, mut error, _) = correct(SCORE_ROUNDS)?;
         if error.max() > self.tolerance / 2.0 {
             (plan, error, _) = correct(ROUNDS)?;
         }
-        let tool = dresser_of_plan(self.setup, &plan, policy);
         let mut dressing_share: f64 = 0.0;
         let mut worst = (0, 0.0);
-        if ratio != 0.0 {
+        if ratio != 0.0 && matches!(self.setup.tool, Tool::Dressed(_)) {
+            let tool = dresser_of_plan(self.setup, &plan, policy)?;
             for flank in self.which() {
                 for dk in sample_corrections(self.setup, &plan, &tool, flank, policy, SCORE_NODES)? {
                     for j in 0..4 {
@@ -153,7 +187,7 @@ impl Rule<'_> {
                 }
             }
         }
-        let feeds = self.setup.feed_range(&self.which());
+        let feeds = self.setup.feed_range(&plan.motion.shift, &self.which());
         let delta_d = (0..=16)
             .map(|k| plan.motion.delta_d.value(feeds[0] + (feeds[1] - feeds[0]) * f64::from(k) / 16.0).abs())
             .fold(0.0, f64::max);
@@ -208,7 +242,8 @@ impl Rule<'_> {
             let [r11, r21, r12] = radial_residual(&target.polynomial, lines.t_k);
             let (hu, hy) = (0.5 * (lines.roll[1] - lines.roll[0]), 0.5 * (lines.face[1] - lines.face[0]));
             let here = (r11 * hu * hy).abs() + (r21 * hu * hu * hy).abs() + (r12 * hu * hy * hy).abs();
-            largest = largest.max(here * lines.cos_b2);
+            let outside = if target.rest.is_empty() { 0.0 } else { target.outside };
+            largest = largest.max((here + outside) * lines.cos_b2);
         }
         largest
     }
@@ -248,6 +283,7 @@ impl Rule<'_> {
             place,
             reason: RatioReason::RadialSuffices,
             lead_correction: stars,
+            demanded: self.demanded(),
             candidates: Vec::new(),
             failed: Vec::new(),
         };
@@ -255,6 +291,15 @@ impl Rule<'_> {
             && which.iter().any(|&f| {
                 self.targets[f].as_ref().is_some_and(|t| t.polynomial.coefficient(2, 0).abs() > 0.0)
             });
+        // Directed parts of the target name their ratios themselves.
+        let demanded: Vec<f64> = choice.demanded.iter().flat_map(|(_, ratios)| ratios.clone()).collect();
+        for &ratio in &demanded {
+            self.try_ratio(ratio, &mut choice);
+        }
+        if let Some(best) = best_of(&choice.candidates).map(|c| c.ratio) {
+            (choice.ratio, choice.reason) = (best, RatioReason::LinesOfTarget);
+            return Ok(choice);
+        }
         let radial = !pure_profile_elsewhere && self.radial_residual() < 0.1 * self.tolerance;
         if radial && self.try_ratio(0.0, &mut choice).is_finite() {
             return Ok(choice);

@@ -3,8 +3,8 @@
 use super::{FlankLines, GeneratingError};
 use crate::contact::Pair;
 use crate::geometry::{Blank, Flank, Gear, GeometryError, Sides, WormChoice, worm_for_gear};
-use crate::kinematics::DressingChain;
-use crate::modification::EvaluationField;
+use crate::kinematics::{DressingChain, MotionLaw};
+use crate::modification::{EvaluationField, Modification};
 use crate::process::dressing::{ContactLine, DresserTool, GeometricRange};
 
 /// What a job says of the bodies. mm, rad.
@@ -20,12 +20,32 @@ pub struct SetupInput {
     pub worm: WormChoice,
     /// Usable width of the worm, if limited.
     pub worm_width: Option<f64>,
-    /// Outside diameter of the dresser.
-    pub dresser_tip_diameter: f64,
-    /// Pitch diameter of the dresser, if given.
-    pub dresser_pitch_diameter: Option<f64>,
+    /// The dresser; `None` for a tool that is not dressed.
+    pub dresser: Option<DresserChoice>,
+    /// tan(rho_1) of the tool's lines; default those that the dresser leaves, or the generatrix of a tool that is not dressed.
+    pub tool_direction: Option<Sides<f64>>,
     /// Clearance between gear tip and worm root; default 0.25 m_n0.
     pub root_clearance: Option<f64>,
+}
+
+/// What is chosen of a dresser. mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DresserChoice {
+    /// Outside diameter.
+    pub tip_diameter: f64,
+    /// Pitch diameter, if given.
+    pub pitch_diameter: Option<f64>,
+}
+
+/// Where the flank of the tool comes from.
+#[derive(Clone, Debug)]
+pub enum Tool {
+    /// A dresser profiles it; here the plain one, conjugate of the unmodified worm.
+    Dressed(Box<DresserTool>),
+    /// It is made for the target, free of any dresser (plated worm, shaving or honing tool, ground hob).
+    Made,
+    /// It exists with this modification over (w_1, z_1), transverse, mm.
+    Given(Sides<Modification>),
 }
 
 /// Who carries the u^2 part of the profile (spec 28 section 1).
@@ -80,10 +100,10 @@ pub struct GrindingSetup {
     pub worm_root_radius: f64,
     /// Evaluation field per flank.
     pub fields: Sides<EvaluationField>,
-    /// Plain dresser: conjugate of the unmodified worm.
-    pub dresser: DresserTool,
-    /// Mean direction of the dressed lines, tan(rho_1).
-    pub dressed_direction: Sides<f64>,
+    /// Where the tool's flank comes from.
+    pub tool: Tool,
+    /// Direction of the tool's lines, tan(rho_1).
+    pub tool_direction: Sides<f64>,
     /// Numbers per flank.
     pub lines: Sides<FlankLines>,
     /// The worm's tip reaches beyond the gear's root circle by this much, mm (<= 0: it does not).
@@ -108,23 +128,55 @@ impl GrindingSetup {
         let module = made.rack.normal_module;
         let r_w1 = made.worm.pitch_radius();
         let d = pair.chain.centre_distance;
-        let r_aa = input.dresser_tip_diameter / 2.0;
         let clearance = input.root_clearance.unwrap_or(0.25 * module);
-        let (root_radius, d_a0) = match input.dresser_pitch_diameter {
-            Some(pitch) => {
-                let d_a0 = r_w1 + pitch / 2.0;
-                (d_a0 - r_aa, d_a0)
+        // On cones d is only a measure (spec 20 section 1); the pitch planes tell how deep the bodies engage.
+        let (rack_1, rack_2) = pair.rack_radii();
+        let engaged = if pair.worm.is_cylindrical() && pair.work.is_cylindrical() {
+            d
+        } else {
+            rack_1 + rack_2 + pair.backlash_free_gap(rack_1, rack_2)
+        };
+        let root_by_gear = engaged - input.blank.tip_diameter / 2.0 - clearance;
+        let [start, end, z_from, z_to] = input.evaluation;
+        let fields = Sides::try_from_fn(|flank| -> Result<_, GeneratingError> {
+            let f = gear.flank(flank);
+            let roll = [f.length_of_roll(start / 2.0)?, f.length_of_roll(end / 2.0)?];
+            Ok(EvaluationField::new(roll, [z_from, z_to], f.base_radius, f.base_helix_angle)?)
+        })?;
+        let forms = input.blank.limits(&gear)?;
+        let ranges = Sides::try_from_fn(|flank| {
+            let f = &pair.flanks[flank];
+            let (a, b) = (forms[flank].w_a, forms[flank].w_f);
+            let (mut w_nf, mut w_na) = (f.worm_roll(a, 0.0, 0.0), f.worm_roll(b, 0.0, 0.0));
+            if !pair.work.is_cylindrical() {
+                // The rack height of a given roll changes over the face width of a cone.
+                let lines = FlankLines::new(f, &fields[flank], 0.0);
+                let [low, high] = lines.worm_rolls(&MotionLaw::zero());
+                (w_nf, w_na) = (w_nf.min(low), w_na.max(high));
             }
-            None => {
-                let root = d - input.blank.tip_diameter / 2.0 - clearance;
-                (root, root + r_aa)
+            if w_nf > 0.0 {
+                Ok(GeometricRange { w_nf, w_na })
+            } else {
+                Err(crate::contact::ContactError::ContactBelowBase { w_2: a, w_1: w_nf })
+            }
+        })?;
+        let (tool, root_radius) = match &input.dresser {
+            None => (Tool::Made, root_by_gear),
+            Some(_) if !made.worm.is_cylindrical() => {
+                return Err(GeneratingError::ConicalWormNotDressed {
+                    cone_angle_deg: made.worm.data().cone_angle.to_degrees(),
+                });
+            }
+            Some(choice) => {
+                let (root, chain) = dressing_place(choice, &made.worm, &pair, root_by_gear)?;
+                (Tool::Dressed(Box::new(DresserTool::conjugate(&made.worm, chain, ranges)?)), root)
             }
         };
-        // A disc reaches about 1.25 modules below the worm's pitch cylinder; far from that it is another dresser.
+        // A tool reaches about 1.25 modules below its pitch cylinder; far from that it is another one.
         let depth = (r_w1 - root_radius) / module;
         if !(0.5..=3.0).contains(&depth) {
             return Err(GeometryError::InvalidGeometry {
-                what: "depth of the dresser below the worm's pitch cylinder, in normal modules".into(),
+                what: "depth of the tool's space below its pitch cylinder, in normal modules".into(),
                 value: depth,
                 allowed:
                     "0.5 to 3; it follows from dresser.pitch_diameter, else from gear and root clearance"
@@ -132,36 +184,18 @@ impl GrindingSetup {
             }
             .into());
         }
-        let p = pair.flanks.left.worm.base_radius / pair.flanks.left.worm.base_helix_angle.tan();
-        let chain = DressingChain {
-            worm_angle: -std::f64::consts::FRAC_PI_2,
-            crossing_angle: -(p / r_w1).atan(),
-            centre_distance: d_a0,
-            offset: 0.0,
-            screw_parameter: p,
-        };
-        let forms = input.blank.limits(&gear)?;
-        let ranges = Sides::try_from_fn(|flank| {
-            let f = &pair.flanks[flank];
-            let (a, b) = (forms[flank].w_a, forms[flank].w_f);
-            let (w_nf, w_na) = (f.worm_roll(a, 0.0, 0.0), f.worm_roll(b, 0.0, 0.0));
-            if w_nf > 0.0 {
-                Ok(GeometricRange { w_nf, w_na })
-            } else {
-                Err(crate::contact::ContactError::ContactBelowBase { w_2: a, w_1: w_nf })
+        let tool_direction = match (&input.tool_direction, &tool) {
+            (Some(given), _) => *given,
+            (None, Tool::Dressed(dresser)) => {
+                Sides::try_from_fn(|flank| ContactLine::fit(dresser, flank, [0.0; 4]).map(|l| l.rho.tan()))?
             }
-        })?;
-        let dresser = DresserTool::conjugate(&made.worm, chain, ranges)?;
-        let [start, end, z_from, z_to] = input.evaluation;
-        let fields = Sides::try_from_fn(|flank| -> Result<_, GeneratingError> {
-            let f = gear.flank(flank);
-            let roll = [f.length_of_roll(start / 2.0)?, f.length_of_roll(end / 2.0)?];
-            Ok(EvaluationField::new(roll, [z_from, z_to], f.base_radius, f.base_helix_angle)?)
-        })?;
-        let dressed_direction =
-            Sides::try_from_fn(|flank| ContactLine::fit(&dresser, flank, [0.0; 4]).map(|l| l.rho.tan()))?;
+            (None, _) => Sides::from_fn(|flank| {
+                let f = made.worm.flank(flank);
+                -f.s() / f.base_helix_angle.tan()
+            }),
+        };
         let lines = Sides::from_fn(|flank| {
-            FlankLines::new(&pair.flanks[flank], &fields[flank], dressed_direction[flank])
+            FlankLines::new(&pair.flanks[flank], &fields[flank], tool_direction[flank])
         });
         let reach = Flank::BOTH
             .map(|flank| ranges[flank].w_na.hypot(made.worm.flank(flank).base_radius))
@@ -181,39 +215,55 @@ impl GrindingSetup {
             worm_tip_radius: made.tip_radius,
             worm_root_radius: root_radius,
             fields,
-            dresser,
-            dressed_direction,
+            tool,
+            tool_direction,
             lines,
-            root_cut: made.tip_radius - (d - input.blank.root_diameter / 2.0),
+            root_cut: made.tip_radius - (engaged - input.blank.root_diameter / 2.0),
             tip_short: reach - made.tip_radius,
             input,
         })
     }
 
-    /// Worm occupation [min, max] of z_1 over the field corners of the flanks `which`, at ratio K and z_V01 = 0, mm.
-    pub fn occupation(&self, ratio: f64, which: &[Flank]) -> [f64; 2] {
-        which
-            .iter()
-            .flat_map(|&flank| {
-                let lines = self.lines[flank];
-                lines.corners().map(move |(w, z)| lines.worm_point(w, z, ratio, 0.0).1)
-            })
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], z| [a.min(z), b.max(z)])
-    }
-
-    /// Feed range [min, max] of z_V2 over the field corners of the flanks `which`, mm.
-    pub fn feed_range(&self, which: &[Flank]) -> [f64; 2] {
-        which
-            .iter()
-            .flat_map(|&flank| {
-                let lines = self.lines[flank];
-                lines.corners().map(move |(w, z)| lines.feed(w, z))
-            })
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| [a.min(v), b.max(v)])
+    /// The plain dresser.
+    ///
+    /// # Errors
+    /// [`GeneratingError::NotDressed`] for another tool.
+    pub fn dresser(&self) -> Result<&DresserTool, GeneratingError> {
+        match &self.tool {
+            Tool::Dressed(dresser) => Ok(dresser),
+            Tool::Made | Tool::Given(_) => Err(GeneratingError::NotDressed),
+        }
     }
 
     /// Normal module of the worm, mm.
     pub fn worm_module(&self) -> f64 {
         self.pair.worm.data().normal_module
     }
+}
+
+/// Root radius of the worm and nominal dressing chain (spec 10 section 7).
+fn dressing_place(
+    choice: &DresserChoice,
+    worm: &Gear,
+    pair: &Pair,
+    root_by_gear: f64,
+) -> Result<(f64, DressingChain), GeneratingError> {
+    let r_w1 = worm.pitch_radius();
+    let r_aa = choice.tip_diameter / 2.0;
+    let (root_radius, d_a0) = match choice.pitch_diameter {
+        Some(pitch) => {
+            let d_a0 = r_w1 + pitch / 2.0;
+            (d_a0 - r_aa, d_a0)
+        }
+        None => (root_by_gear, root_by_gear + r_aa),
+    };
+    let p = pair.flanks.left.worm.base_radius / pair.flanks.left.worm.base_helix_angle.tan();
+    let chain = DressingChain {
+        worm_angle: -std::f64::consts::FRAC_PI_2,
+        crossing_angle: -(p / r_w1).atan(),
+        centre_distance: d_a0,
+        offset: 0.0,
+        screw_parameter: p,
+    };
+    Ok((root_radius, chain))
 }

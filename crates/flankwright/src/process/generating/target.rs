@@ -70,12 +70,28 @@ impl ClassFit {
 pub struct FlankTarget {
     /// The whole target.
     pub modification: Modification,
-    /// The part within the class as a polynomial in u = w - w_m, y = z - z_m.
+    /// The part within the class as a polynomial in u = w - w_m, y = z - z_m, with the best fit of `rest`.
     pub polynomial: Polynomial2,
+    /// The same without that fit.
+    pub of_class: Polynomial2,
     /// Parts of w alone that are no polynomials (reliefs, arcs): carried by the profile as they stand.
     pub reliefs: Vec<Modification>,
-    /// Terms outside the class, best-fitted into `polynomial`: largest residual over the field, mm (0 if none).
+    /// Parts that are neither: the tool's lines may carry them as they stand.
+    pub rest: Vec<Modification>,
+    /// Largest residual over the field when `rest` is only best-fitted by `polynomial`, mm (0 if there is none).
     pub outside: f64,
+}
+
+/// What carries the parts of a target.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Carrier {
+    /// A dresser made for the target carries what depends on the profile only, lines the rest of the class.
+    Dresser,
+    /// As `Dresser`, on a conical workpiece: a dresser leaves lines of equal rack height there, not of equal roll, so
+    /// that only polynomials of third degree fit.
+    DresserOnCone,
+    /// The lines of a freely made tool carry everything.
+    Lines,
 }
 
 impl FlankTarget {
@@ -84,7 +100,15 @@ impl FlankTarget {
     /// # Errors
     /// Evaluation errors of the modification over its field.
     pub fn new(modification: Modification) -> Result<Self, GeneratingError> {
-        Self::split(modification, None)
+        Self::split(modification, Carrier::Dresser, None)
+    }
+
+    /// Splits a target by what carries it.
+    ///
+    /// # Errors
+    /// Evaluation errors of the modification over its field.
+    pub fn carried_by(modification: Modification, carrier: Carrier) -> Result<Self, GeneratingError> {
+        Self::split(modification, carrier, None)
     }
 
     /// Splits a target to be made with a dresser whose profile is given: `given` is what it leaves on the gear (a function
@@ -97,21 +121,32 @@ impl FlankTarget {
         given: Modification,
     ) -> Result<Self, GeneratingError> {
         given.check_field()?;
-        Self::split(modification, Some(given))
+        Self::split(modification, Carrier::Dresser, Some(given))
     }
 
-    fn split(modification: Modification, given: Option<Modification>) -> Result<Self, GeneratingError> {
+    fn split(
+        modification: Modification,
+        carrier: Carrier,
+        given: Option<Modification>,
+    ) -> Result<Self, GeneratingError> {
         modification.check_field()?;
-        let mut polynomial = Polynomial2::constant(0.0);
+        let in_class = |i: usize, j: usize| match carrier {
+            Carrier::Dresser => i + j <= 3 || j == 0,
+            Carrier::DresserOnCone => i + j <= 3,
+            Carrier::Lines => true,
+        };
+        let mut of_class = Polynomial2::constant(0.0);
         let mut reliefs = Vec::new();
         let mut rest = Vec::new();
         for term in modification.terms() {
+            let profile_only = || carrier == Carrier::Dresser && term.depends_on_profile_only();
             match term.polynomial() {
-                Some(p) if p.terms().all(|(i, j, _)| i + j <= 3 || j == 0) => polynomial = polynomial.add(&p),
-                _ if given.is_none() && term.depends_on_profile_only() => reliefs.push(term),
+                Some(p) if p.terms().all(|(i, j, _)| in_class(i, j)) => of_class = of_class.add(&p),
+                _ if given.is_none() && profile_only() => reliefs.push(term),
                 _ => rest.push(term),
             }
         }
+        let mut polynomial = of_class.clone();
         let mut outside = 0.0;
         if !rest.is_empty() || given.is_some() {
             let field = modification.field();
@@ -142,9 +177,19 @@ impl FlankTarget {
                 .map(|(p, f)| (fitted.value(p.0, p.1) - f).abs())
                 .fold(0.0, f64::max);
             polynomial = polynomial.add(&fitted);
+            if given.is_some() {
+                // What a given dresser leaves has to be taken back by the class, whatever the lines carry.
+                of_class = polynomial.clone();
+                rest.clear();
+            }
         }
         reliefs.extend(given);
-        Ok(Self { modification, polynomial, reliefs, outside })
+        Ok(Self { modification, polynomial, of_class, reliefs, rest, outside })
+    }
+
+    /// The best fit of `rest` into the class.
+    pub fn fit_of_rest(&self) -> Polynomial2 {
+        self.polynomial.add(&self.of_class.scale(-1.0))
     }
 
     /// The target value, transverse, mm.
