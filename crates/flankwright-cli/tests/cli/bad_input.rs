@@ -115,7 +115,7 @@ const CASES: &[Case] = &[
         "diagonal_ratio = \"best\"",
         "unknown-value",
         "grinding.diagonal_ratio",
-        &["\"auto\"", "or a number"],
+        &["\"auto\", \"areas\"", "or a number"],
     ),
     case("\"siemens\"", "\"simens\"", "unknown-value", "output.programs[1]", &["did you mean \"siemens\""]),
     case(
@@ -278,6 +278,140 @@ const CASES: &[Case] = &[
         "job.name",
         &["1 to 100 characters"],
     ),
+    // the shift and the tool
+    case(
+        "diagonal_ratio = \"auto\"",
+        "diagonal_ratio = { z = [1], ratio = [2] }",
+        "unknown-key",
+        "grinding.diagonal_ratio.ratio",
+        &["curve, table"],
+    ),
+    case(
+        "diagonal_ratio = \"auto\"",
+        "diagonal_ratio = {}",
+        "missing-key",
+        "grinding.diagonal_ratio.curve",
+        &["exactly one of"],
+    ),
+    case(
+        "diagonal_ratio = \"auto\"",
+        "diagonal_ratio = { curve = { kind = \"line_sine\", slope = 2, w_0_mm = 14, a_mm = 1, p_mm = 3, flank = \"left\" }, table = { z_v2_mm = [0, 1], z_v1_mm = [0, 2] } }",
+        "invalid-job",
+        "grinding.diagonal_ratio.table",
+        &["keep one"],
+    ),
+    case(
+        "diagonal_ratio = \"auto\"",
+        "diagonal_ratio = { curve = { kind = \"line_bend\", slope = 2 } }",
+        "unknown-value",
+        "grinding.diagonal_ratio.curve.kind",
+        &["did you mean \"line_blend\""],
+    ),
+    case(
+        "diagonal_ratio = \"auto\"",
+        "diagonal_ratio = { curve = { kind = \"line_blend\", slope = 2, w_t_mm = 14, h_mm = 0, z_e_mm = 0, flank = \"left\" } }",
+        "invalid-number",
+        "grinding.diagonal_ratio.curve.h_mm",
+        &["> 0"],
+    ),
+    case(
+        "diagonal_ratio = \"auto\"",
+        "diagonal_ratio = { curve = { kind = \"points\", w_mm = [0, 1, 2], z_mm = [0, 1], flank = \"left\" } }",
+        "invalid-list",
+        "grinding.diagonal_ratio.curve.z_mm",
+        &["3 entries"],
+    ),
+    case(
+        "diagonal_ratio = \"auto\"",
+        "diagonal_ratio = { table = { z_v2_mm = [0, 1, 1], z_v1_mm = [0, 2, 3] } }",
+        "invalid-list",
+        "grinding.diagonal_ratio.table.z_v2_mm[2]",
+        &["does not ascend", "> 1"],
+    ),
+    case(
+        "diagonal_ratio = \"auto\"",
+        "diagonal_ratio = { table = { z_v2_mm = [0], z_v1_mm = [0] } }",
+        "invalid-list",
+        "grinding.diagonal_ratio.table.z_v2_mm",
+        &["2 to 100000 entries"],
+    ),
+    case(
+        "method = \"diagonal\"\nflanks = \"both\"\ndiagonal_ratio = \"auto\"",
+        "method = \"radial\"\ndiagonal_ratio = \"areas\"",
+        "invalid-job",
+        "grinding.diagonal_ratio",
+        &["areas"],
+    ),
+    case("overrun = 1.0", "free_ratio = 0.5", "invalid-job", "grinding.free_ratio", &["areas"]),
+    case(
+        "overrun = 1.0",
+        "roughing_ratio = 0.5",
+        "invalid-job",
+        "grinding.roughing_ratio",
+        &["roughing_areas"],
+    ),
+    case("overrun = 1.0", "roughing_areas = 1001", "invalid-number", "grinding.roughing_areas", &["1000"]),
+    case("overrun = 1.0", "active_threads = []", "invalid-list", "grinding.active_threads", &["1 to 100"]),
+    case(
+        "overrun = 1.0",
+        "active_threads = [0, 3]",
+        "invalid-list",
+        "grinding.active_threads[1]",
+        &["0 to 2"],
+    ),
+    case(
+        "overrun = 1.0",
+        "active_threads = [1, 1]",
+        "invalid-list",
+        "grinding.active_threads[1]",
+        &["twice"],
+    ),
+    case(
+        "overrun = 1.0",
+        "gauge = \"centered\"",
+        "unknown-value",
+        "grinding.gauge",
+        &["\"centred\"", "k_10"],
+    ),
+    case("overrun = 1.0", "gauge = { k_11 = 1 }", "unknown-key", "grinding.gauge.k_11", &["k_k0"]),
+    case("threads = 3", "threads = 3\ntool = \"made\"", "invalid-job", "dresser", &["not dressed", "remove"]),
+    case(
+        "threads = 3",
+        "threads = 3\nmodifications = []",
+        "invalid-job",
+        "worm.modifications",
+        &["\"given\""],
+    ),
+    case(
+        "threads = 3",
+        "threads = 3\nmodifications = [{ kind = \"twist\", amount_um = 1 }]",
+        "invalid-job",
+        "worm.modifications[0].kind",
+        &["\"polynomial\""],
+    ),
+    case("threads = 3", "threads = 3\ndirection_deg = 80", "invalid-job", "worm.direction_deg", &["leave"]),
+    case(
+        "threads = 3",
+        "threads = 3\ndirection_deg = { left = 90, right = 0 }",
+        "invalid-number",
+        "worm.direction_deg.left",
+        &["< 90"],
+    ),
+    case(
+        "[grid]",
+        "[explore]\ndiagonal_ratio = { from = 1, to = -1, count = 3 }\n[grid]",
+        "invalid-job",
+        "explore.diagonal_ratio.to",
+        &["ascend"],
+    ),
+    case(
+        "[grid]",
+        "[explore]\nworm_cone_angle_deg = { from = 0, to = 2, count = 1 }\n[grid]",
+        "invalid-number",
+        "explore.worm_cone_angle_deg.count",
+        &[">= 2"],
+    ),
+    case("[grid]", "[explore]\n[grid]", "missing-key", "explore.diagonal_ratio", &["crossed_axes_angle_deg"]),
     // bodies
     case(
         "root_diameter = 72.4315",
@@ -346,13 +480,6 @@ const CASES: &[Case] = &[
     ),
     case("teeth = 19", "teeth = -19", "invalid-geometry", "gear.tip_diameter", &["internal gear"]),
     // not yet
-    case(
-        "diagonal_ratio = \"auto\"",
-        "diagonal_ratio = { z = [1], ratio = [2] }",
-        "not-yet-supported",
-        "grinding.diagonal_ratio",
-        &["\"auto\""],
-    ),
     case("overrun = 1.0", "overrun = 1.0\nareas = 2", "not-yet-supported", "grinding.areas", &["2", "leave"]),
     case("[dressing]", "[dressing]\nstrokes = 3", "not-yet-supported", "dressing.strokes", &["3", "leave"]),
     case(
@@ -428,11 +555,48 @@ fn missing_tables_are_named() {
         let text = if name.ends_with("toml") { "" } else { "{}" };
         let (human, machine) = check(name, text.as_bytes());
         assert_eq!(human.exit, Some(2));
-        for table in ["[job]", "[gear]", "[target]", "[worm]", "[dresser]", "[grinding]"] {
+        for table in ["[job]", "[gear]", "[target]", "[worm]", "[grinding]"] {
             assert!(human.message().contains(table), "{table}: {}", human.stderr);
         }
         assert!(human.message().contains(name));
         assert_eq!(machine.json()["error"]["code"], "missing-key");
+    }
+}
+
+/// The example without its tables [dresser] and [dressing].
+fn without_dresser() -> String {
+    let job = job();
+    let (begin, end) = (job.find("[dresser]").unwrap(), job.find("[grinding]").unwrap());
+    format!("{}{}", &job[..begin], &job[end..])
+}
+
+#[test]
+fn a_dressed_tool_needs_its_dresser_and_others_have_none() {
+    let (human, machine) = check("bad.toml", without_dresser().as_bytes());
+    assert_eq!((human.exit, machine.exit), (Some(2), Some(2)));
+    let error = &machine.json()["error"];
+    assert_eq!((&error["code"], &error["field"]), (&"missing-key".into(), &"dresser".into()), "{error}");
+    assert!(human.message().contains("[dresser]") && human.message().contains("worm.tool"));
+
+    // Without both tables the job of a made or given tool is sound; that planning does not know it is another matter.
+    let tools = [
+        "tool = \"made\"\ndirection_deg = { left = 80.0, right = -80.0 }",
+        "tool = \"given\"\nmodifications = [{ kind = \"polynomial\", terms = [[2, 0, -0.05]], flank = \"left\" }]",
+    ];
+    for tool in tools {
+        let text = without_dresser().replace("threads = 3", &format!("threads = 3\n{tool}"));
+        let (_, machine) = check("tool.toml", text.as_bytes());
+        let error = &machine.json()["error"];
+        assert_eq!(
+            (&error["code"], &error["field"]),
+            (&"not-yet-supported".into(), &"worm.tool".into()),
+            "{error}"
+        );
+
+        let dressing = text.replace("[grinding]", "[dressing]\nflanks = \"two\"\n[grinding]");
+        let (_, machine) = check("tool.toml", dressing.as_bytes());
+        let error = &machine.json()["error"];
+        assert_eq!((&error["code"], &error["field"]), (&"invalid-job".into(), &"dressing".into()), "{error}");
     }
 }
 

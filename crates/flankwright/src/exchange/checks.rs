@@ -1,8 +1,12 @@
 //! Contradictions between entries of a job that are each in range. Knows the job, no geometry beyond the order
 //! of diameters.
 
+mod explore;
+mod grinding;
+mod tool;
+
 use super::diagnostic::{Diagnostic, Problem};
-use super::job::{DiagonalRatio, DiagonalRule, DresserModification, Gear, Job, Method};
+use super::job::{Gear, Job};
 use super::node::shown_number;
 
 /// All contradictions in a job; without places, which the caller knows.
@@ -13,10 +17,9 @@ pub(super) fn check(job: &Job) -> Vec<Diagnostic> {
     diameters(&job.gear, &mut findings);
     evaluation(&job.gear, &mut findings);
     target(job, &mut findings);
-    worm(job, &mut findings);
-    dresser(job, &mut findings);
-    dressing(job, &mut findings);
-    grinding(job, &mut findings);
+    tool::check(job, &mut findings);
+    grinding::check(job, &mut findings);
+    explore::check(job, &mut findings);
     settings(job, &mut findings);
     grid(job, &mut findings);
     findings
@@ -268,137 +271,6 @@ fn target(job: &Job, findings: &mut Vec<Diagnostic>) {
                 .way_out("keep one of them; a grid can also be an entry of the list (kind = \"grid\")"),
         ),
         _ => {}
-    }
-}
-
-fn worm(job: &Job, findings: &mut Vec<Diagnostic>) {
-    match (job.worm.pitch_diameter, job.worm.tip_diameter) {
-        (None, None) => findings.push(
-            Diagnostic::new(Problem::MissingKey, "`worm` has no diameter")
-                .field("worm.tip_diameter")
-                .allowed("tip_diameter or pitch_diameter, or both")
-                .way_out("add the present tip diameter of the worm in mm"),
-        ),
-        (Some(pitch), Some(tip)) if pitch >= tip => findings.push(
-            Diagnostic::new(
-                Problem::InvalidGeometry,
-                format!("the pitch diameter {pitch} is not below the tip diameter {tip}"),
-            )
-            .field("worm.pitch_diameter")
-            .value(shown_number(pitch))
-            .allowed(format!("< {}", shown_number(tip)))
-            .way_out("leave `pitch_diameter` out: it follows from the tip diameter"),
-        ),
-        _ => {}
-    }
-}
-
-fn dresser(job: &Job, findings: &mut Vec<Diagnostic>) {
-    let dresser = &job.dresser;
-    if let Some(pitch) = dresser.pitch_diameter
-        && pitch >= dresser.tip_diameter
-    {
-        let tip = dresser.tip_diameter;
-        findings.push(
-            Diagnostic::new(
-                Problem::InvalidGeometry,
-                format!("the pitch diameter {pitch} is not below the tip diameter {tip}"),
-            )
-            .field("dresser.pitch_diameter")
-            .value(shown_number(pitch))
-            .allowed(format!("< {}", shown_number(tip)))
-            .way_out("leave `pitch_diameter` out: the disc tip then touches the worm root"),
-        );
-    }
-    if dresser.designed_for.is_some() {
-        findings.push(
-            not_yet("dresser.designed_for", "a dresser made for another worm")
-                .value("a table")
-                .allowed("no key")
-                .way_out("leave `designed_for` out: the dresser is then made for this worm"),
-        );
-    }
-    if let DresserModification::Given(entry) = &dresser.modification {
-        let kind = entry.kind();
-        let of_profile = ["profile_", "tip_", "root_"].iter().any(|start| kind.starts_with(start));
-        if !of_profile {
-            findings.push(
-                Diagnostic::new(Problem::InvalidJob, "a dresser carries a profile only, the same all round")
-                    .field("dresser.modification.kind")
-                    .value(format!("{kind:?}"))
-                    .allowed("a kind of profile modification or relief at tip or root")
-                    .way_out("use a profile kind, e.g. \"profile_crowning\""),
-            );
-        }
-    }
-}
-
-fn dressing(job: &Job, findings: &mut Vec<Diagnostic>) {
-    let dressing = &job.dressing;
-    let rows = dressing.rows();
-    if rows != 4 {
-        findings.push(
-            Diagnostic::new(Problem::InvalidJob, format!("the dressing conditions give {rows} equations for 4 motions"))
-                .field("dressing.conditions")
-                .value(rows)
-                .allowed("4: `three-point` counts 3, `four-point` 4, every other condition and every motion left out of \
-                     `degrees_of_freedom` 1")
-                .way_out("use [\"three-point\", \"radius-map\"], the default"),
-        );
-    }
-    if let Some(strokes) = dressing.strokes
-        && strokes > 1
-    {
-        findings.push(
-            not_yet("dressing.strokes", "dressing in several strokes")
-                .value(strokes)
-                .allowed("1")
-                .way_out("leave `strokes` out"),
-        );
-    }
-}
-
-fn grinding(job: &Job, findings: &mut Vec<Diagnostic>) {
-    let grinding = &job.grinding;
-    let field = "grinding.diagonal_ratio";
-    match (&grinding.diagonal_ratio, grinding.method) {
-        (Some(DiagonalRatio::Table(_)), _) => findings.push(
-            not_yet(field, "a diagonal ratio that changes over the feed")
-                .value("a table")
-                .allowed("a number or \"auto\"")
-                .way_out("use \"auto\""),
-        ),
-        (Some(DiagonalRatio::Number(ratio)), Method::Radial) if *ratio != 0.0 => findings.push(
-            Diagnostic::new(
-                Problem::InvalidJob,
-                "the method `radial` has no shift, yet a diagonal ratio is given",
-            )
-            .field(field)
-            .value(shown_number(*ratio))
-            .allowed("0, or no key, with method = \"radial\"")
-            .way_out("use method = \"diagonal\", or leave `diagonal_ratio` out"),
-        ),
-        (Some(DiagonalRatio::Rule(DiagonalRule::Auto)), Method::Radial) => findings.push(
-            Diagnostic::new(
-                Problem::InvalidJob,
-                "the method `radial` has no shift, yet a diagonal ratio is asked for",
-            )
-            .field(field)
-            .value("\"auto\"")
-            .allowed("0, or no key, with method = \"radial\"")
-            .way_out("use method = \"diagonal\", or leave `diagonal_ratio` out"),
-        ),
-        _ => {}
-    }
-    if let Some(areas) = grinding.areas
-        && areas > 1
-    {
-        findings.push(
-            not_yet("grinding.areas", "several areas of the worm")
-                .value(areas)
-                .allowed("1")
-                .way_out("leave `areas` out"),
-        );
     }
 }
 

@@ -3,8 +3,11 @@
 //! beside the fields, so that the published schema and the messages cannot disagree.
 
 mod choices;
+mod diagonal_ratio;
 mod dresser;
 mod dressing;
+mod explore;
+mod gauge;
 mod gear;
 mod grid;
 mod grinding;
@@ -17,18 +20,23 @@ mod target;
 mod worm;
 
 pub use choices::{Flanks, Hand};
+pub use diagonal_ratio::{
+    DiagonalRatio, DiagonalRule, LineBlendCurve, LineSineCurve, PointsCurve, ShiftCurve, ShiftLaw, ShiftTable,
+};
 pub use dresser::{Dresser, DresserModification, FixedDresser};
 pub use dressing::{Condition, DegreeOfFreedom, Dressing, DressingFlanks, ProfileCrowningBy};
+pub use explore::{Explore, Steps};
+pub use gauge::{Gauge, GaugeRule, GivenGauge};
 pub use gear::{Evaluation, EvaluationRange, Gear, OverBalls, Span};
 pub use grid::Grid;
-pub use grinding::{DiagonalRatio, DiagonalRule, Grinding, Method};
+pub use grinding::{Grinding, Method};
 pub use machine::Machine;
 pub use one_or_sides::OneOrSides;
 pub use output::{Mesh, Output, Program, Table};
 pub use process::{JobInfo, Process};
 pub use settings::{FlankSettings, Settings};
 pub use target::{Modification, Target};
-pub use worm::Worm;
+pub use worm::{Tool, Worm};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -45,8 +53,9 @@ pub struct Job {
     pub target: Target,
     /// The grinding worm.
     pub worm: Worm,
-    /// The disc dresser that profiles the worm.
-    pub dresser: Dresser,
+    /// The disc dresser that profiles the worm; there is one exactly if `worm.tool` is `"dressed"`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub dresser: Option<Dresser>,
     /// How the worm is dressed.
     #[serde(default)]
     pub dressing: Dressing,
@@ -61,6 +70,9 @@ pub struct Job {
     /// What to write beside result and report.
     #[serde(default)]
     pub output: Output,
+    /// Settings that a study varies.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub explore: Option<Explore>,
     /// Settings of motions and dresser that `simulate` runs; `plan` writes them and does not read them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub settings: Option<Settings>,

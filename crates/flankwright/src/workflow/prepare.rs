@@ -1,8 +1,8 @@
 //! From a checked job to bodies, targets and the task of planning. Every finding names the job's key.
 
 use crate::exchange::job::{
-    DiagonalRatio, DresserModification, FixedDresser, Flanks, Job, Method, Modification as JobModification,
-    ProfileCrowningBy,
+    DiagonalRatio, Dresser, DresserModification, FixedDresser, Flanks, Job, Method,
+    Modification as JobModification, ProfileCrowningBy,
 };
 use crate::exchange::{Diagnostic, LoadedJob, Problem, read_grid_target, read_points};
 use crate::geometry::{Blank, Flank, Gear, GearData, GeometryError, Sides, ThicknessMeasure, WormChoice};
@@ -178,11 +178,28 @@ pub fn blank_of_job(job: &Job) -> Blank {
     }
 }
 
+/// The dresser; a tool without one is refused until planning knows such tools.
+fn dresser_of_job(job: &Job) -> Result<&Dresser, RunFailure> {
+    job.dresser.as_ref().ok_or_else(|| {
+        RunFailure::bad_input(
+            Diagnostic::new(
+                Problem::NotYetSupported,
+                "a tool that is not dressed is not carried out by this version",
+            )
+            .field("worm.tool")
+            .value(format!("{:?}", job.worm.tool.name()))
+            .allowed("\"dressed\"")
+            .way_out("use tool = \"dressed\" with a [dresser]"),
+        )
+    })
+}
+
 /// Bodies of the job.
 ///
 /// # Errors
 /// [`RunFailure`] with a finding on the key concerned.
 pub fn setup_of_job(job: &Job) -> Result<GrindingSetup, RunFailure> {
+    let dresser = dresser_of_job(job)?;
     let gear = gear_of_job(job).map_err(RunFailure::bad_input)?;
     let blank = blank_of_job(job);
     blank.check(&gear).map_err(|e| RunFailure::bad_input(geometry_finding(&e, "gear")))?;
@@ -202,9 +219,9 @@ pub fn setup_of_job(job: &Job) -> Result<GrindingSetup, RunFailure> {
             cone_angle: job.worm.cone_angle_deg.to_radians(),
         },
         worm_width: job.worm.width,
-        dresser_tip_diameter: job.dresser.tip_diameter,
-        dresser_pitch_diameter: job.dresser.pitch_diameter,
-        root_clearance: job.dresser.root_clearance,
+        dresser_tip_diameter: dresser.tip_diameter,
+        dresser_pitch_diameter: dresser.pitch_diameter,
+        root_clearance: dresser.root_clearance,
     })
     .map_err(|e| RunFailure::from(&e))?;
     let made = setup.pair.worm.data().pressure_angle;
@@ -278,7 +295,7 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
     let job = &loaded.job;
     let setup = setup_of_job(job)?;
     let mut warnings = Vec::new();
-    let given = match &job.dresser.modification {
+    let given = match &dresser_of_job(job)?.modification {
         DresserModification::Rule(FixedDresser::Target) => None,
         DresserModification::Rule(FixedDresser::None) => Some(None),
         DresserModification::Given(spec) => Some(Some(spec)),

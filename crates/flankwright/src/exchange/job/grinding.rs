@@ -2,9 +2,10 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use serde_json::{Map, Value};
 
 use super::choices::Flanks;
+use super::diagonal_ratio::DiagonalRatio;
+use super::gauge::Gauge;
 
 /// How the gear is ground. Lengths in mm.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -34,6 +35,29 @@ pub struct Grinding {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("minimum" = 1, "maximum" = 1000, "x-way-out" = "leave it out for one area"))]
     pub areas: Option<u32>,
+    /// Ratio between the regions of `diagonal_ratio = "areas"`; without it the plan chooses it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("minimum" = -1000, "maximum" = 1000, "x-way-out" = "give a ratio of a few units; 0 = no shift"))]
+    pub free_ratio: Option<f64>,
+    /// Which of the equal decompositions of the target is made.
+    #[serde(default, skip_serializing_if = "Gauge::is_default")]
+    pub gauge: Gauge,
+    /// Number of areas of the worm kept for roughing.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    #[schemars(extend("minimum" = 0, "maximum" = 1000, "x-way-out" = "leave it out for a worm without roughing areas"))]
+    pub roughing_areas: u32,
+    /// Diagonal ratio of the roughing strokes; default 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("minimum" = -1000, "maximum" = 1000, "x-way-out" = "give a ratio of a few units; 0 = no shift"))]
+    pub roughing_ratio: Option<f64>,
+    /// Threads of the worm that grind, counted from 0; default all.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("minItems" = 1, "maxItems" = 100, "uniqueItems" = true))]
+    pub active_threads: Option<Vec<u32>>,
+}
+
+fn is_zero(areas: &u32) -> bool {
+    *areas == 0
 }
 
 /// The grinding method.
@@ -44,28 +68,4 @@ pub enum Method {
     Diagonal,
     /// No shift: modifications along the face width by the centre distance only.
     Radial,
-}
-
-/// Shift of the worm per feed of the gear.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(untagged)]
-pub enum DiagonalRatio {
-    /// This ratio.
-    Number(
-        #[schemars(extend("minimum" = -1000, "maximum" = 1000,
-            "x-way-out" = "give a ratio of a few units, or \"auto\""))]
-        f64,
-    ),
-    /// `"auto"`.
-    Rule(DiagonalRule),
-    /// A ratio that changes over the feed.
-    Table(Map<String, Value>),
-}
-
-/// How the ratio is chosen.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum DiagonalRule {
-    /// The plan chooses it and says why.
-    Auto,
 }

@@ -1,10 +1,11 @@
 //! `[worm]`: the grinding worm.
 
-use schemars::JsonSchema;
+use schemars::{JsonSchema, Schema, json_schema};
 use serde::{Deserialize, Serialize};
 
 use super::choices::Hand;
-use super::one_or_sides::{OneOrSides, pressure_angle_schema};
+use super::one_or_sides::{OneOrSides, one_or_sides_schema, pressure_angle_schema};
+use super::target::Modification;
 
 /// The grinding worm. At least one of the two diameters is needed. Lengths in mm.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -42,4 +43,54 @@ pub struct Worm {
     #[schemars(extend("exclusiveMinimum" = -90, "exclusiveMaximum" = 90,
         "x-way-out" = "leave the cone angle out for a cylindrical worm"))]
     pub cone_angle_deg: f64,
+    /// How the tool gets its flanks.
+    #[serde(default, skip_serializing_if = "Tool::is_default")]
+    pub tool: Tool,
+    /// What a given tool carries on its flanks: f over its length of roll w_1 and axial position z_1, transverse,
+    /// positive = material of the tool. Kinds polynomial, grid, points, formula; left out: plain flanks.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub modifications: Option<Vec<Modification>>,
+    /// Direction rho_1 of the lines along which the tool's modification is constant, degrees, w_1 sin rho_1 + z_1 cos rho_1
+    /// = constant; default the section of the thread with the axial plane.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(schema_with = "direction_schema")]
+    pub direction_deg: Option<OneOrSides<f64>>,
+}
+
+/// How the tool gets its flanks.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Tool {
+    /// The `[dresser]` profiles it.
+    #[default]
+    Dressed,
+    /// It exists and carries `modifications`.
+    Given,
+    /// It is made as the plan computes it, any flank: plated worm, shaving or honing tool.
+    Made,
+}
+
+impl Tool {
+    /// The word in job files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Tool::Dressed => "dressed",
+            Tool::Given => "given",
+            Tool::Made => "made",
+        }
+    }
+
+    fn is_default(&self) -> bool {
+        *self == Self::default()
+    }
+}
+
+/// At +-90 degrees the line would be a profile, along which the tool has no other value.
+fn direction_schema(_: &mut schemars::SchemaGenerator) -> Schema {
+    one_or_sides_schema(json_schema!({
+        "type": "number",
+        "exclusiveMinimum": -90,
+        "exclusiveMaximum": 90,
+        "x-way-out": "give the direction in degrees between -90 and 90, or leave it out"
+    }))
 }

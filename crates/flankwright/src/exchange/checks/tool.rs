@@ -1,0 +1,182 @@
+//! Contradictions between `[worm]`, `[dresser]` and `[dressing]`: who profiles the tool, and with what.
+
+use super::not_yet;
+use crate::exchange::diagnostic::{Diagnostic, Problem};
+use crate::exchange::job::{Dresser, DresserModification, Dressing, Job, Tool};
+use crate::exchange::node::shown_number;
+
+/// Kinds that make sense on a tool: they name their own coordinates and refer to no evaluation field of the gear.
+const TOOL_KINDS: [&str; 4] = ["polynomial", "grid", "points", "formula"];
+
+pub(super) fn check(job: &Job, findings: &mut Vec<Diagnostic>) {
+    diameters(job, findings);
+    let tool = job.worm.tool;
+    match (&job.dresser, tool) {
+        (Some(given), Tool::Dressed) => dresser(given, findings),
+        (None, Tool::Dressed) => findings.push(
+            Diagnostic::new(
+                Problem::MissingKey,
+                "the table `[dresser]` is missing: worm.tool is \"dressed\"",
+            )
+            .field("dresser")
+            .allowed("a table [dresser], or worm.tool = \"given\" or \"made\"")
+            .way_out("add `[dresser]`; `flankwright new generating-grinding` prints a complete example"),
+        ),
+        (Some(_), Tool::Given | Tool::Made) => findings.push(
+            Diagnostic::new(
+                Problem::InvalidJob,
+                format!("a tool that is not dressed (worm.tool = \"{}\") has no [dresser]", tool.name()),
+            )
+            .field("dresser")
+            .value("a table")
+            .allowed("no table [dresser], or worm.tool = \"dressed\"")
+            .way_out("remove `[dresser]`, or leave `worm.tool` out"),
+        ),
+        (None, Tool::Given | Tool::Made) => {}
+    }
+    if tool == Tool::Dressed {
+        dressing(&job.dressing, findings);
+    } else if job.dressing != Dressing::default() {
+        findings.push(
+            Diagnostic::new(
+                Problem::InvalidJob,
+                format!("a tool that is not dressed (worm.tool = \"{}\") has no [dressing]", tool.name()),
+            )
+            .field("dressing")
+            .value("a table")
+            .allowed("no table [dressing], or worm.tool = \"dressed\"")
+            .way_out("remove `[dressing]`, or leave `worm.tool` out"),
+        );
+    }
+    flanks(job, findings);
+}
+
+/// Modifications and line direction of a tool that is not dressed.
+fn flanks(job: &Job, findings: &mut Vec<Diagnostic>) {
+    let tool = job.worm.tool;
+    if let Some(given) = &job.worm.modifications {
+        if tool != Tool::Given {
+            findings.push(
+                Diagnostic::new(
+                    Problem::InvalidJob,
+                    format!(
+                        "only a tool that exists carries modifications; worm.tool is \"{}\"",
+                        tool.name()
+                    ),
+                )
+                .field("worm.modifications")
+                .value(format!("{} entries", given.len()))
+                .allowed("no key, or worm.tool = \"given\"")
+                .way_out("use tool = \"given\", or ask for the flank of the gear in [target]"),
+            );
+        }
+        for (i, entry) in given.iter().enumerate().filter(|(_, entry)| !TOOL_KINDS.contains(&entry.kind())) {
+            findings.push(
+                Diagnostic::new(Problem::InvalidJob, "this kind refers to the evaluated field of a gear")
+                    .field(format!("worm.modifications[{i}].kind"))
+                    .value(format!("{:?}", entry.kind()))
+                    .allowed(TOOL_KINDS.map(|kind| format!("\"{kind}\"")).join(", "))
+                    .way_out(
+                        "describe the tool's flank over w_1 and z_1, e.g. as \"grid\" or \"polynomial\"",
+                    ),
+            );
+        }
+    }
+    if job.worm.direction_deg.is_some() && tool == Tool::Dressed {
+        findings.push(
+            Diagnostic::new(
+                Problem::InvalidJob,
+                "the direction of the lines of a dressed worm follows from its dresser",
+            )
+            .field("worm.direction_deg")
+            .value("given beside worm.tool = \"dressed\"")
+            .allowed("no key, or worm.tool = \"given\" or \"made\"")
+            .way_out("leave `direction_deg` out"),
+        );
+    }
+}
+
+fn diameters(job: &Job, findings: &mut Vec<Diagnostic>) {
+    match (job.worm.pitch_diameter, job.worm.tip_diameter) {
+        (None, None) => findings.push(
+            Diagnostic::new(Problem::MissingKey, "`worm` has no diameter")
+                .field("worm.tip_diameter")
+                .allowed("tip_diameter or pitch_diameter, or both")
+                .way_out("add the present tip diameter of the worm in mm"),
+        ),
+        (Some(pitch), Some(tip)) if pitch >= tip => findings.push(
+            Diagnostic::new(
+                Problem::InvalidGeometry,
+                format!("the pitch diameter {pitch} is not below the tip diameter {tip}"),
+            )
+            .field("worm.pitch_diameter")
+            .value(shown_number(pitch))
+            .allowed(format!("< {}", shown_number(tip)))
+            .way_out("leave `pitch_diameter` out: it follows from the tip diameter"),
+        ),
+        _ => {}
+    }
+}
+
+fn dresser(dresser: &Dresser, findings: &mut Vec<Diagnostic>) {
+    if let Some(pitch) = dresser.pitch_diameter
+        && pitch >= dresser.tip_diameter
+    {
+        let tip = dresser.tip_diameter;
+        findings.push(
+            Diagnostic::new(
+                Problem::InvalidGeometry,
+                format!("the pitch diameter {pitch} is not below the tip diameter {tip}"),
+            )
+            .field("dresser.pitch_diameter")
+            .value(shown_number(pitch))
+            .allowed(format!("< {}", shown_number(tip)))
+            .way_out("leave `pitch_diameter` out: the disc tip then touches the worm root"),
+        );
+    }
+    if dresser.designed_for.is_some() {
+        findings.push(
+            not_yet("dresser.designed_for", "a dresser made for another worm")
+                .value("a table")
+                .allowed("no key")
+                .way_out("leave `designed_for` out: the dresser is then made for this worm"),
+        );
+    }
+    if let DresserModification::Given(entry) = &dresser.modification {
+        let kind = entry.kind();
+        let of_profile = ["profile_", "tip_", "root_"].iter().any(|start| kind.starts_with(start));
+        if !of_profile {
+            findings.push(
+                Diagnostic::new(Problem::InvalidJob, "a dresser carries a profile only, the same all round")
+                    .field("dresser.modification.kind")
+                    .value(format!("{kind:?}"))
+                    .allowed("a kind of profile modification or relief at tip or root")
+                    .way_out("use a profile kind, e.g. \"profile_crowning\""),
+            );
+        }
+    }
+}
+
+fn dressing(dressing: &Dressing, findings: &mut Vec<Diagnostic>) {
+    let rows = dressing.rows();
+    if rows != 4 {
+        findings.push(
+            Diagnostic::new(Problem::InvalidJob, format!("the dressing conditions give {rows} equations for 4 motions"))
+                .field("dressing.conditions")
+                .value(rows)
+                .allowed("4: `three-point` counts 3, `four-point` 4, every other condition and every motion left out of \
+                     `degrees_of_freedom` 1")
+                .way_out("use [\"three-point\", \"radius-map\"], the default"),
+        );
+    }
+    if let Some(strokes) = dressing.strokes
+        && strokes > 1
+    {
+        findings.push(
+            not_yet("dressing.strokes", "dressing in several strokes")
+                .value(strokes)
+                .allowed("1")
+                .way_out("leave `strokes` out"),
+        );
+    }
+}
