@@ -324,15 +324,6 @@ proptest! {
         let thread = ModifiedThread::new(pair.flanks[flank].worm, &function);
         let exact = ExactContact::new(&pair, flank, &motion, &thread).with_measure(measure);
         let s = exact.sensitivities(w_2, z_2, &at).unwrap();
-        let raised = |law: &MotionLaw, by: f64| match law {
-            MotionLaw::Polynomial { origin, coefficients } => {
-                let mut c = coefficients.clone();
-                c.resize(c.len().max(1), 0.0);
-                c[0] += by;
-                MotionLaw::polynomial(*origin, c)
-            }
-            MotionLaw::Series(_) => unreachable!("the tests use polynomials"),
-        };
         let central = |h: f64, change: &dyn Fn(&mut GeneratingMotion, &mut Polynomial2, f64)| {
             let value = |by: f64| {
                 let (mut m, mut f) = (motion.clone(), function.clone());
@@ -342,9 +333,9 @@ proptest! {
             (8.0 * (value(h) - value(-h)) - (value(2.0 * h) - value(-2.0 * h))) / (12.0 * h)
         };
         let expected = [
-            (s.centre_distance, central(1e-3, &|m, _, h| m.delta_d = raised(&m.delta_d, h))),
-            (s.work_angle, central(2e-5, &|m, _, h| m.delta_phi_2 = raised(&m.delta_phi_2, h))),
-            (s.crossed_axes_angle, central(2e-5, &|m, _, h| m.delta_gamma = raised(&m.delta_gamma, h))),
+            (s.centre_distance, central(1e-3, &|m, _, h| m.delta_d = m.delta_d.raised(h))),
+            (s.work_angle, central(2e-5, &|m, _, h| m.delta_phi_2 = m.delta_phi_2.raised(h))),
+            (s.crossed_axes_angle, central(2e-5, &|m, _, h| m.delta_gamma = m.delta_gamma.raised(h))),
             (s.tool_modification, central(1e-3, &|_, f, h| *f = f.add(&Polynomial2::constant(h)))),
         ];
         for (k, (found, difference)) in expected.into_iter().enumerate() {
@@ -352,7 +343,7 @@ proptest! {
             prop_assert!((found - difference).abs() < 2e-7 * size, "{k}: {found} against {difference}");
         }
         // A shift that the coupling follows, at the feed of the contact.
-        let shifted = central(1e-3, &|m, _, h| m.shift = raised(&m.shift, h));
+        let shifted = central(1e-3, &|m, _, h| m.shift = m.shift.raised(h));
         prop_assert!((s.shift - shifted).abs() < 2e-7 * (1.0 + shifted.abs()), "shift {} against {shifted}", s.shift);
     }
 

@@ -8,7 +8,7 @@ use flankwright::modification::{Modification, ModificationSpec, NoFiles};
 use flankwright::numerics::Polynomial2;
 use flankwright::process::generating::{
     DressingLimits, FlankTarget, Gauge, GeneratingError, GrindingSetup, IdealPlan, LocalEnvelope, PlanTask,
-    PlanningGrid, ProfilePlace, ProfilePolicy, QuadraticWorm, SetupInput, constant_only_profile_crowning,
+    Command, DresserChoice, FeedLaw, PlanningGrid, ProfilePlace, ProfilePolicy, QuadraticWorm, SetupInput, constant_only_profile_crowning,
     decompose_diagonal, decompose_quadratic, decompose_radial, kinematic_compliance, motion_of_flanks,
     natural_twist, product_functions, radial_residual,
 };
@@ -47,8 +47,8 @@ fn input() -> SetupInput {
             cone_angle: 0.0,
         },
         worm_width: Some(100.0),
-        dresser_tip_diameter: 123.0,
-        dresser_pitch_diameter: Some(115.65),
+        dresser: Some(DresserChoice { tip_diameter: 123.0, pitch_diameter: Some(115.65) }),
+        tool_direction: None,
         root_clearance: None,
     }
 }
@@ -81,6 +81,7 @@ fn task(setup: &GrindingSetup) -> PlanTask<'_> {
         ratio: None,
         places: vec![ProfilePlace::Dresser],
         free_dresser: true,
+        law: None,
         precompensation: true,
         grid: (5, 5),
     }
@@ -111,7 +112,7 @@ proptest! {
         gauge in (-1e-3..1e-3f64, -1e-5..1e-5f64, -1e-2..1e-2f64),
     ) {
         let scale = 0.3 / (t - t_k).abs().powi(3);
-        let parts = decompose_diagonal(&a, t, t_k, p_2);
+        let parts = decompose_diagonal(&a, t, t_k, p_2, 0.0);
         let centred = decompose_quadratic(&a, t, t_k, Gauge::Centred { w_m: 13.0, k_20: gauge.1 });
         let given = Gauge::Given { k_10: gauge.0, k_20: gauge.1, k_k0: gauge.2 };
         let given = decompose_quadratic(&a, t, t_k, given);
@@ -168,12 +169,12 @@ proptest! {
 fn the_worm_functions_land_on_the_workpiece_point_they_grind() {
     let setup = setup();
     let lines = setup.lines.right;
-    let (ratio, origin) = (-1.3, 2.0);
+    let law = MotionLaw::polynomial(0.0, vec![2.0, -1.3]);
     for (w, z) in [(5.0, -18.0), (13.0, 0.0), (22.0, 19.0)] {
-        let (w_1, z_1) = lines.worm_point(w, z, ratio, origin);
-        let [there_w, there_z] = lines.work_point(w_1, z_1, ratio, origin);
+        let (w_1, z_1) = lines.worm_point(w, z, &law);
+        let [there_w, there_z] = lines.work_point(w_1, z_1, &law);
         assert!((there_w.f - w).abs() < 1e-11 && (there_z.f - z).abs() < 1e-10);
-        let [moved_w, moved_z] = lines.work_point(w_1 + 1.0, z_1, ratio, origin);
+        let [moved_w, moved_z] = lines.work_point(w_1 + 1.0, z_1, &law);
         assert!((moved_w.f - there_w.f - there_w.fu).abs() < 1e-11);
         assert!((moved_z.f - there_z.f - there_z.fu).abs() < 1e-11);
     }
@@ -192,7 +193,7 @@ fn the_local_envelope_is_close_to_the_exact_contact() {
     let mut motion = setup.pair.motion(MotionLaw::polynomial(0.0, vec![0.0, -1.5]));
     let normal = parts.normal_motion(&lines).map(|f| f / lines.sin_an);
     motion.delta_d = MotionLaw::polynomial(0.0, normal.to_vec());
-    let worm = QuadraticWorm { lines, ratio: -1.5, shift_origin: 0.0, parts };
+    let worm = QuadraticWorm { lines, shift: MotionLaw::polynomial(0.0, vec![0.0, -1.5]), parts };
     let pair = &setup.pair.flanks[flank];
     let thread = ModifiedThread::new(pair.worm, &worm);
     let exact = ExactContact::new(&setup.pair, flank, &motion, &thread);
@@ -284,10 +285,10 @@ fn plans_beyond_the_limits_are_refused_with_the_limit() {
     let choice = exact.choose(&PlanningGrid::new(&setup, 9, 9)).unwrap();
     let refusal = choice.candidates[0].refusal.clone().unwrap();
     says(&refusal, "model-error", &["ideal worm", "allowed: 0.000"], false);
-    let policy = ProfilePolicy { place: ProfilePlace::Dresser, free_dresser: true };
+    let policy = ProfilePolicy { place: ProfilePlace::Dresser, free_dresser: true, line_tolerance: 1e-4 };
     let targets = targets(&setup, 20.0);
-    let command = targets.map(|_, t| t.as_ref().map(|t| t.polynomial.clone()));
-    let error = IdealPlan::new(&setup, &targets, command, 1e9, policy).unwrap_err();
+    let command = targets.map(|_, t| t.as_ref().map(Command::of));
+    let error = IdealPlan::new(&setup, &targets, command, &FeedLaw::Ratio(1e9), policy).unwrap_err();
     says(&error, "degenerate-direction", &["1000000000", "left"], true);
 }
 

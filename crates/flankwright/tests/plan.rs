@@ -3,6 +3,7 @@
 use flankwright::exchange::{LoadedJob, read_job};
 use flankwright::geometry::Flank;
 use flankwright::numerics::Silent;
+use flankwright::process::generating::PlannedTool;
 use flankwright::workflow::{Outcome, RunFailure, Status, plan_job, simulate_job};
 use std::path::PathBuf;
 
@@ -29,8 +30,9 @@ fn twist_free_crowning_meets_its_figures() {
         assert!(f.simulated_characteristics.twist_fit_um.abs() <= 0.02);
         assert!((f.simulated_characteristics.helix_crowning_um - 20.0).abs() < 0.01);
         // Dressing is a pure change of d_phi_S over v: 0.22 deg (spec 28 section 8).
-        let nodes = &outcome.plan.as_ref().unwrap().flanks[flank].as_ref().unwrap().dressed.nodes;
-        let largest = nodes.iter().map(|n| n.dk[0].abs()).fold(0.0, f64::max).to_degrees();
+        let planned = outcome.plan.as_ref().unwrap().flanks[flank].as_ref().unwrap();
+        let PlannedTool::Dressed(dressed) = &planned.tool else { panic!("the job has a dresser") };
+        let largest = dressed.nodes.iter().map(|n| n.dk[0].abs()).fold(0.0, f64::max).to_degrees();
         assert!((largest - 0.2187).abs() < 0.001, "{largest}");
     }
 }

@@ -225,8 +225,9 @@ fn tool_sections(derived: &mut DerivedGeometry, setup: &GrindingSetup) {
         derived.quantity(angle.0, angle.1, f.operating_alpha_n.to_degrees(), "deg");
         derived.quantity(direction.0, direction.1, setup.lines[flank].t_k.atan().to_degrees(), "deg");
     }
+    let Ok(tool) = setup.dresser() else { return };
     derived.section("dressing");
-    let dressing = &setup.dresser.chain;
+    let dressing = &tool.chain;
     derived.quantity("centre_distance_mm", "nominal centre distance", dressing.centre_distance, "mm");
     derived.quantity(
         "crossing_angle_deg",
@@ -234,7 +235,7 @@ fn tool_sections(derived: &mut DerivedGeometry, setup: &GrindingSetup) {
         dressing.crossing_angle.to_degrees(),
         "deg",
     );
-    for (flank, dresser) in setup.dresser.flanks.iter() {
+    for (flank, dresser) in tool.flanks.iter() {
         let (from, to) = match flank {
             Flank::Left => {
                 (("roll_from_left_mm", "worm roll from, left"), ("roll_to_left_mm", "worm roll to, left"))

@@ -34,7 +34,7 @@ pub use machine::Machine;
 pub use one_or_sides::OneOrSides;
 pub use output::{Mesh, Output, Program, Table};
 pub use process::{JobInfo, Process};
-pub use settings::{FlankSettings, Settings};
+pub use settings::{FlankSettings, Pieces, Settings, ToolTable, ToolTables};
 pub use target::{Modification, Target};
 pub use worm::{Tool, Worm};
 

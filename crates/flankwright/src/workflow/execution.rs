@@ -2,29 +2,47 @@
 //! same way to the referee and to the report.
 
 use super::prepare::{Prepared, Remark, RunFailure, settings_reliefs};
-use crate::exchange::LoadedJob;
-use crate::exchange::job::{FlankSettings, Job, Settings};
+use crate::exchange::job::{FlankSettings, Job, Pieces, Settings, ToolTable, ToolTables};
+use crate::exchange::{Diagnostic, LoadedJob, Problem};
 use crate::geometry::{Flank, Sides};
-use crate::kinematics::{DressingMotion, GeneratingMotion, MotionLaw};
+use crate::kinematics::{DressingMotion, GeneratingMotion, MotionLaw, PiecewisePolynomial};
 use crate::metrology::Topography;
 use crate::modification::ModificationSpec;
 use crate::numerics::Chebyshev;
 use crate::process::dressing::{DressedWorm, DresserTool, dressing_motion};
 use crate::process::generating::{
-    Decomposition, GrindingPlan, IdealPlan, IdealWorm, PlanningGrid, ProfilePlace, ProfilePolicy,
-    dresser_of_plan, dresser_profile, dressing_interval,
+    Carried, Decomposition, FeedLaw, GrindingPlan, IdealPlan, IdealWorm, MadeFlank, PlannedTool,
+    PlanningGrid, ProfilePlace, ProfilePolicy, Tool, dresser_of_plan, dresser_profile, dressing_interval,
 };
 use std::f64::consts::PI;
 
-/// One flank of a process with what it is expected to leave.
+/// How one flank of the tool is dressed.
 #[derive(Clone, Debug)]
-pub struct ExecutedFlank {
+pub struct ExecutedDressing {
     /// DK over v: rad, rad, mm, mm.
     pub corrections: [Chebyshev; 4],
     /// Polynomial profile that the dresser leaves on the gear over u = w - w_m, transverse, mm.
     pub profile: Vec<f64>,
     /// Profile forms that the dresser carries beside it, as a job describes them.
     pub reliefs: Vec<ModificationSpec>,
+    /// The motion that these corrections make.
+    pub motion: DressingMotion,
+}
+
+/// Where one flank of the tool comes from.
+#[derive(Clone, Debug)]
+pub enum ExecutedTool {
+    /// From the dresser.
+    Dressed(Box<ExecutedDressing>),
+    /// It is a table.
+    Made(Box<MadeFlank>),
+}
+
+/// One flank of a process with what it is expected to leave.
+#[derive(Clone, Debug)]
+pub struct ExecutedFlank {
+    /// The tool.
+    pub tool: ExecutedTool,
     /// Target, normal, mm.
     pub target: Topography,
     /// Exact contact with the worm as dressed, normal, mm.
@@ -42,8 +60,8 @@ pub struct Execution {
     pub ratio: f64,
     /// z_V01, mm.
     pub shift_origin: f64,
-    /// The dresser with its profile.
-    pub tool: DresserTool,
+    /// The dresser with its profile; `None` for a tool that is not dressed.
+    pub dresser: Option<DresserTool>,
     /// z_1 occupied on the worm, mm.
     pub occupation: [f64; 2],
     /// Stroke of the feed z_V2, overrun included, mm.
@@ -54,15 +72,40 @@ pub struct Execution {
     pub warnings: Vec<Remark>,
 }
 
+impl ExecutedDressing {
+    fn new(
+        dresser: &DresserTool,
+        corrections: [Chebyshev; 4],
+        profile: Vec<f64>,
+        reliefs: Vec<ModificationSpec>,
+    ) -> Self {
+        let motion = dressing_motion(dresser.chain, &corrections);
+        Self { corrections, profile, reliefs, motion }
+    }
+}
+
 impl ExecutedFlank {
-    /// The motion that dresses this flank.
-    pub fn dressing(&self, tool: &DresserTool) -> DressingMotion {
-        dressing_motion(tool.chain, &self.corrections)
+    /// How the tool is dressed, if it is.
+    pub fn dressing(&self) -> Option<&ExecutedDressing> {
+        match &self.tool {
+            ExecutedTool::Dressed(dressing) => Some(dressing),
+            ExecutedTool::Made(_) => None,
+        }
+    }
+
+    /// The flank of the tool as a table, if it is one.
+    pub fn made(&self) -> Option<&MadeFlank> {
+        match &self.tool {
+            ExecutedTool::Dressed(_) => None,
+            ExecutedTool::Made(made) => Some(made),
+        }
     }
 }
 
 /// Least overrun of the feed beyond the last contact, mm.
 const LEAST_OVERRUN: f64 = 1.0;
+/// Length of an unmodified tool beyond its occupation, mm: room for the contact shift.
+const BEYOND_OCCUPATION: f64 = 12.0;
 /// Determinant ratio below which a warning is given.
 const LOW_DETERMINANT: f64 = 0.3;
 
@@ -102,16 +145,19 @@ impl Execution {
             let f = plan.flanks[flank].as_ref()?;
             let (target, planned) =
                 executed(&f.w, &f.z, &f.target, f.planned.iter().map(|p| p.f_n).collect())?;
-            let profile = dresser_profile(plan.ideal.worms[flank].as_ref()?, plan.policy);
             let determinant = f.planned.iter().map(|p| p.determinant_ratio).fold(f64::INFINITY, f64::min);
-            Some(ExecutedFlank {
-                corrections: f.dressed.corrections.clone(),
-                profile,
-                reliefs: prepared.reliefs[flank].clone(),
-                target,
-                planned,
-                determinant,
-            })
+            let tool = match (&f.tool, &plan.dresser) {
+                (PlannedTool::Dressed(dressed), Some(dresser)) => {
+                    let profile = dresser_profile(plan.ideal.worms[flank].as_ref()?, plan.policy);
+                    let reliefs = prepared.reliefs[flank].clone();
+                    let corrections = dressed.corrections.clone();
+                    let dressing = ExecutedDressing::new(dresser, corrections, profile, reliefs);
+                    ExecutedTool::Dressed(Box::new(dressing))
+                }
+                (PlannedTool::Dressed(_), None) => return None,
+                (PlannedTool::Made(made), _) => ExecutedTool::Made(Box::new(made.clone())),
+            };
+            Some(ExecutedFlank { tool, target, planned, determinant })
         });
         let feeds =
             plan.flanks.iter().filter_map(|(_, f)| f.as_ref()).flat_map(|f| f.planned.iter().map(|p| p.feed));
@@ -119,9 +165,9 @@ impl Execution {
         determinant_warnings(&flanks, &mut warnings);
         Self {
             motion: plan.ideal.motion.clone(),
-            ratio: plan.ideal.ratio,
-            shift_origin: plan.ideal.shift_origin,
-            tool: plan.tool.clone(),
+            ratio: plan.choice.ratio,
+            shift_origin: plan.ideal.motion.shift.value(0.0),
+            dresser: plan.dresser.clone(),
             occupation: plan.ideal.occupation,
             feed_range: stroke(job, feeds),
             flanks,
@@ -141,8 +187,8 @@ impl Execution {
         let job = &loaded.job;
         let setup = &prepared.setup;
         let scaled = |c: &[f64], unit: f64| MotionLaw::polynomial(0.0, c.iter().map(|c| c * unit).collect());
-        let shift = vec![settings.shift_origin_mm, settings.diagonal_ratio];
-        let mut motion = setup.pair.motion(MotionLaw::polynomial(0.0, shift));
+        let shift = shift_of_settings(settings)?;
+        let mut motion = setup.pair.motion(shift.clone());
         motion.delta_d = scaled(&settings.delta_d_um, 1e-3);
         motion.delta_phi_2 = scaled(&settings.delta_phi_2_urad, 1e-6);
         let given = |flank: Flank| match flank {
@@ -150,74 +196,84 @@ impl Execution {
             Flank::Right => settings.right.as_ref(),
         };
         let relief_specs = |flank: Flank| given(flank).map_or(&[][..], |s| &s.reliefs[..]);
+        let which: Vec<Flank> =
+            prepared.targets.iter().filter(|(_, t)| t.is_some()).map(|(flank, _)| flank).collect();
         let worms = Sides::try_from_fn(|flank| -> Result<_, RunFailure> {
             if prepared.targets[flank].is_none() {
                 return Ok(None);
             }
-            let reliefs = settings_reliefs(loaded, relief_specs(flank), flank, &setup.fields[flank])?;
+            let lines = setup.lines[flank];
+            let profile =
+                given(flank).map_or(Vec::new(), |s| s.profile_um.iter().map(|p| p * 1e-3).collect());
             Ok(Some(IdealWorm {
-                lines: setup.lines[flank],
-                ratio: 0.0,
-                shift_origin: settings.shift_origin_mm,
-                parts: Decomposition {
-                    t: 0.0,
-                    t_k: setup.lines[flank].t_k,
-                    constant: [0.0; 4],
-                    linear: [0.0; 3],
-                    profile: given(flank)
-                        .map_or(Vec::new(), |s| s.profile_um.iter().map(|p| p * 1e-3).collect()),
-                    kinematic: [0.0; 4],
+                lines,
+                shift: shift.clone(),
+                parts: Decomposition { profile, ..Decomposition::nothing(lines.t_k) },
+                carried: Carried::default(),
+                reliefs: settings_reliefs(loaded, relief_specs(flank), flank, &setup.fields[flank])?,
+                given: match &setup.tool {
+                    Tool::Given(modifications) => Some(modifications[flank].clone()),
+                    Tool::Dressed(_) | Tool::Made => None,
                 },
-                reliefs,
             }))
         })?;
-        let which: Vec<Flank> =
-            prepared.targets.iter().filter(|(_, t)| t.is_some()).map(|(flank, _)| flank).collect();
-        let occupied = setup.occupation(settings.diagonal_ratio, &which);
         let ideal = IdealPlan {
-            ratio: settings.diagonal_ratio,
-            shift_origin: settings.shift_origin_mm,
+            feed: FeedLaw::Law(shift.clone()),
             commanded: Sides { left: None, right: None },
             worms,
             motion: motion.clone(),
-            occupation: occupied.map(|z| z - settings.shift_origin_mm),
+            occupation: setup.occupation(&shift, &which),
+            outside: Sides::both(0.0),
         };
-        let policy = ProfilePolicy { place: ProfilePlace::Dresser, free_dresser: true };
-        let tool = dresser_of_plan(setup, &ideal, policy);
+        // The dresser carries what the settings say, whatever the plan's policy was.
+        let policy = ProfilePolicy { place: ProfilePlace::Dresser, free_dresser: true, line_tolerance: 0.0 };
+        let dresser = match &setup.tool {
+            Tool::Dressed(_) => {
+                Some(dresser_of_plan(setup, &ideal, policy).map_err(|e| RunFailure::from(&e))?)
+            }
+            Tool::Made | Tool::Given(_) => None,
+        };
         let grid = PlanningGrid::new(setup, job.grid.profile_points, job.grid.helix_points);
         let mut feeds = Vec::new();
         let flanks = Sides::try_from_fn(|flank| -> Result<_, RunFailure> {
             let Some(target) = &prepared.targets[flank] else { return Ok(None) };
-            let corrections = match given(flank) {
-                Some(s) => correction_series(s),
+            let (tool, ground) = match &dresser {
+                Some(dresser) => {
+                    let corrections = match given(flank) {
+                        Some(s) => correction_series(s),
+                        None => {
+                            let (from, to) = dressing_interval(setup, dresser, &shift, flank, 3.0);
+                            [0, 1, 2, 3].map(|_| Chebyshev::constant(from, to, 0.0))
+                        }
+                    };
+                    let worm = DressedWorm::new(dresser, flank, &corrections);
+                    let profile = ideal.worms[flank].as_ref().map_or(Vec::new(), |w| w.parts.profile.clone());
+                    let reliefs = relief_specs(flank).to_vec();
+                    let dressing = ExecutedDressing::new(dresser, corrections, profile, reliefs);
+                    let ground = grid.ground(setup, flank, &motion, &worm);
+                    (ExecutedTool::Dressed(Box::new(dressing)), ground)
+                }
                 None => {
-                    let (from, to) = dressing_interval(setup, &ideal, flank, 3.0);
-                    [0, 1, 2, 3].map(|_| Chebyshev::constant(from, to, 0.0))
+                    let made = made_of_settings(settings, prepared, &ideal, flank)?;
+                    let ground = grid.ground(setup, flank, &motion, &made.surface(setup, flank));
+                    (ExecutedTool::Made(Box::new(made)), ground)
                 }
             };
-            let worm = DressedWorm::new(&tool, flank, &corrections);
-            let ground = grid.ground(setup, flank, &motion, &worm).map_err(|e| RunFailure::from(&e))?;
+            let ground = ground.map_err(|e| RunFailure::from(&e))?;
             let wanted =
                 grid.target(flank, target, setup.lines[flank].cos_b2).map_err(|e| RunFailure::from(&e))?;
             feeds.extend(ground.iter().map(|g| g.feed));
             let made = executed(&grid.w[flank], &grid.z, &wanted, ground.iter().map(|g| g.f_n).collect());
             let determinant = ground.iter().map(|g| g.determinant_ratio).fold(f64::INFINITY, f64::min);
-            Ok(made.map(|(target, planned)| ExecutedFlank {
-                corrections,
-                profile: ideal.worms[flank].as_ref().map_or(Vec::new(), |w| w.parts.profile.clone()),
-                reliefs: relief_specs(flank).to_vec(),
-                target,
-                planned,
-                determinant,
-            }))
+            Ok(made.map(|(target, planned)| ExecutedFlank { tool, target, planned, determinant }))
         })?;
         let mut warnings = Vec::new();
         determinant_warnings(&flanks, &mut warnings);
         Ok(Self {
             motion,
-            ratio: ideal.ratio,
-            shift_origin: ideal.shift_origin,
-            tool,
+            ratio: settings.diagonal_ratio,
+            shift_origin: shift.value(0.0),
+            dresser,
             occupation: ideal.occupation,
             feed_range: stroke(job, feeds.into_iter()),
             flanks,
@@ -229,10 +285,18 @@ impl Execution {
     pub fn settings(&self) -> Settings {
         let law = |law: &MotionLaw, unit: f64| match law {
             MotionLaw::Polynomial { coefficients, .. } => coefficients.iter().map(|c| c * unit).collect(),
-            MotionLaw::Series(_) => Vec::new(),
+            MotionLaw::Series(_) | MotionLaw::Pieces(_) => Vec::new(),
+        };
+        let table = |flank: Flank| {
+            let made = self.flanks[flank].as_ref()?.made()?;
+            Some(ToolTable {
+                w_mm: made.w.clone(),
+                z_mm: made.z.clone(),
+                f_um: made.f.iter().map(|row| row.iter().map(|f| f * 1e3).collect()).collect(),
+            })
         };
         let flank = |flank: Flank| {
-            let f = self.flanks[flank].as_ref()?;
+            let f = self.flanks[flank].as_ref()?.dressing()?;
             let (from, to) = f.corrections[0].interval();
             let series =
                 |j: usize, unit: f64| f.corrections[j].coefficients().iter().map(|c| c * unit).collect();
@@ -250,12 +314,57 @@ impl Execution {
         Settings {
             diagonal_ratio: self.ratio,
             shift_origin_mm: self.shift_origin,
+            shift: match &self.motion.shift {
+                MotionLaw::Pieces(p) => {
+                    Some(Pieces { breaks_mm: p.breaks().to_vec(), coefficients: p.pieces().to_vec() })
+                }
+                MotionLaw::Polynomial { .. } | MotionLaw::Series(_) => None,
+            },
+            tool: ToolTables { left: table(Flank::Left), right: table(Flank::Right) },
             delta_d_um: law(&self.motion.delta_d, 1e3),
             delta_phi_2_urad: law(&self.motion.delta_phi_2, 1e6),
             left: flank(Flank::Left),
             right: flank(Flank::Right),
         }
     }
+}
+
+/// z_V1 over z_V2 as the settings have it.
+fn shift_of_settings(settings: &Settings) -> Result<MotionLaw, RunFailure> {
+    let Some(pieces) = &settings.shift else {
+        let line = vec![settings.shift_origin_mm, settings.diagonal_ratio];
+        return Ok(MotionLaw::polynomial(0.0, line));
+    };
+    PiecewisePolynomial::new(pieces.breaks_mm.clone(), pieces.coefficients.clone())
+        .map(MotionLaw::Pieces)
+        .map_err(|e| {
+            let finding = Diagnostic::with_code(e.code(), e.to_string()).field("settings.shift");
+            RunFailure::bad_input(finding.way_out(e.way_out()))
+        })
+}
+
+/// The flank of a tool that is not dressed: the table of the settings, else what it carries without one.
+fn made_of_settings(
+    settings: &Settings,
+    prepared: &Prepared,
+    ideal: &IdealPlan,
+    flank: Flank,
+) -> Result<MadeFlank, RunFailure> {
+    let table = match flank {
+        Flank::Left => &settings.tool.left,
+        Flank::Right => &settings.tool.right,
+    };
+    let Some(table) = table else {
+        return MadeFlank::of_plan(&prepared.setup, ideal, flank, BEYOND_OCCUPATION)
+            .map_err(|e| RunFailure::from(&e));
+    };
+    let f = table.f_um.iter().map(|row| row.iter().map(|f| f * 1e-3).collect()).collect();
+    MadeFlank::from_table(table.w_mm.clone(), table.z_mm.clone(), f).map_err(|e| {
+        let finding = Diagnostic::new(Problem::InvalidJob, e.to_string())
+            .field(format!("settings.tool.{flank}"))
+            .way_out("give ascending w_mm and z_mm and one row of f_um for each w_mm");
+        RunFailure::bad_input(finding)
+    })
 }
 
 fn correction_series(s: &FlankSettings) -> [Chebyshev; 4] {

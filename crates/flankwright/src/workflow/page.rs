@@ -183,16 +183,22 @@ fn tool_quantities(outcome: &Outcome, job: &Job) -> (Vec<Quantity>, Vec<Quantity
         Quantity::number("worm length used", "", outcome.result.settings.worm_length_mm, "mm"),
     ];
     of_worm.extend(job.worm.width.map(|w| Quantity::number("worm width", "", w, "mm")));
-    let chain = &setup.dresser.chain;
+    let (Ok(plain), Some(choice)) = (setup.dresser(), &setup.input.dresser) else {
+        return (of_worm, vec![Quantity::text("tool", "not dressed: its flanks are given as tables")]);
+    };
+    let chain = &plain.chain;
+    let modified = outcome
+        .execution
+        .dresser
+        .iter()
+        .any(|d| d.flanks.iter().any(|(_, flank)| flank.profile.offset().is_some()));
     let of_dresser = vec![
-        Quantity::number("tip diameter", "d_aA", setup.input.dresser_tip_diameter, "mm"),
+        Quantity::number("tip diameter", "d_aA", choice.tip_diameter, "mm"),
         Quantity::number("nominal centre distance", "d_A0", chain.centre_distance, "mm"),
         Quantity::number("nominal crossing angle", "γ_A0", chain.crossing_angle.to_degrees(), "deg"),
         Quantity::text(
             "profile",
-            if outcome.execution.tool.flanks.left.profile.offset().is_some()
-                || outcome.execution.tool.flanks.right.profile.offset().is_some()
-            {
+            if modified {
                 "conjugate to the worm, with the profile modifications of the target"
             } else {
                 "conjugate to the unmodified worm"
@@ -236,9 +242,9 @@ fn grinding_motion(outcome: &Outcome) -> GrindingMotion {
 }
 
 fn dressing_motion(outcome: &Outcome, flank: Flank) -> Option<DressingMotion> {
-    let executed = outcome.execution.flanks[flank].as_ref()?;
-    let motion = executed.dressing(&outcome.execution.tool);
-    let (from, to) = executed.corrections[0].interval();
+    let dressing = outcome.execution.flanks[flank].as_ref()?.dressing()?;
+    let motion = &dressing.motion;
+    let (from, to) = dressing.corrections[0].interval();
     let v: Vec<f64> = steps([from, to], ROWS).collect();
     let component = |j: usize, unit: f64| v.iter().map(|&v| motion.correction_at(v)[j] * unit).collect();
     let deg = 180.0 / std::f64::consts::PI;
@@ -271,8 +277,8 @@ fn verification(outcome: &Outcome) -> Verification {
     let mut stages = Vec::new();
     for (flank, verdict) in outcome.verdicts.iter() {
         let Some(v) = verdict else { continue };
-        for (name, stage) in [("dresser against worm", &v.dressing), ("worm against workpiece", &v.grinding)]
-        {
+        let dressing = v.dressing.iter().map(|stage| ("dresser against worm", stage));
+        for (name, stage) in dressing.chain([("worm against workpiece", &v.grinding)]) {
             stages.push(RefereeStage {
                 name: format!("{flank} flank: {name}"),
                 rays: stage.statistics.rays,

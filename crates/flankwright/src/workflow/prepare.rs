@@ -1,16 +1,18 @@
 //! From a checked job to bodies, targets and the task of planning. Every finding names the job's key.
 
 use crate::exchange::job::{
-    DiagonalRatio, Dresser, DresserModification, FixedDresser, Flanks, Job, Method,
-    Modification as JobModification, ProfileCrowningBy,
+    DiagonalRatio, DresserModification, FixedDresser, Flanks, Job, Method, Modification as JobModification,
+    ProfileCrowningBy, Tool as JobTool,
 };
 use crate::exchange::{Diagnostic, LoadedJob, Problem, read_grid_target, read_points};
 use crate::geometry::{Blank, Flank, Gear, GearData, GeometryError, Sides, ThicknessMeasure, WormChoice};
+use crate::kinematics::MotionLaw;
 use crate::modification::{
     EvaluationField, GridTable, Modification, ModificationError, ModificationFiles, ModificationSpec,
 };
 use crate::process::generating::{
-    DressingLimits, FlankTarget, GeneratingError, GrindingSetup, PlanTask, ProfilePlace, SetupInput,
+    Carrier, DresserChoice, DressingLimits, FlankTarget, GeneratingError, GrindingSetup, PlanTask,
+    ProfilePlace, SetupInput, Tool,
 };
 
 /// A job made ready for planning.
@@ -25,6 +27,8 @@ pub struct Prepared {
     pub places: Vec<ProfilePlace>,
     /// Whether the dresser is made for this job.
     pub free_dresser: bool,
+    /// The law of the shift, where the job asks for one in place of a ratio.
+    pub law: Option<MotionLaw>,
     /// Remarks on the job, each with a way out.
     pub warnings: Vec<Remark>,
 }
@@ -178,28 +182,11 @@ pub fn blank_of_job(job: &Job) -> Blank {
     }
 }
 
-/// The dresser; a tool without one is refused until planning knows such tools.
-fn dresser_of_job(job: &Job) -> Result<&Dresser, RunFailure> {
-    job.dresser.as_ref().ok_or_else(|| {
-        RunFailure::bad_input(
-            Diagnostic::new(
-                Problem::NotYetSupported,
-                "a tool that is not dressed is not carried out by this version",
-            )
-            .field("worm.tool")
-            .value(format!("{:?}", job.worm.tool.name()))
-            .allowed("\"dressed\"")
-            .way_out("use tool = \"dressed\" with a [dresser]"),
-        )
-    })
-}
-
 /// Bodies of the job.
 ///
 /// # Errors
 /// [`RunFailure`] with a finding on the key concerned.
 pub fn setup_of_job(job: &Job) -> Result<GrindingSetup, RunFailure> {
-    let dresser = dresser_of_job(job)?;
     let gear = gear_of_job(job).map_err(RunFailure::bad_input)?;
     let blank = blank_of_job(job);
     blank.check(&gear).map_err(|e| RunFailure::bad_input(geometry_finding(&e, "gear")))?;
@@ -219,9 +206,16 @@ pub fn setup_of_job(job: &Job) -> Result<GrindingSetup, RunFailure> {
             cone_angle: job.worm.cone_angle_deg.to_radians(),
         },
         worm_width: job.worm.width,
-        dresser_tip_diameter: dresser.tip_diameter,
-        dresser_pitch_diameter: dresser.pitch_diameter,
-        root_clearance: dresser.root_clearance,
+        dresser: job.dresser.as_ref().map(|d| DresserChoice {
+            tip_diameter: d.tip_diameter,
+            pitch_diameter: d.pitch_diameter,
+        }),
+        tool_direction: job
+            .worm
+            .direction_deg
+            .as_ref()
+            .map(|given| given.sides().map(|_, rho| rho.to_radians().tan())),
+        root_clearance: job.dresser.as_ref().and_then(|d| d.root_clearance),
     })
     .map_err(|e| RunFailure::from(&e))?;
     let made = setup.pair.worm.data().pressure_angle;
@@ -240,6 +234,30 @@ pub fn setup_of_job(job: &Job) -> Result<GrindingSetup, RunFailure> {
         }
     }
     Ok(setup)
+}
+
+/// What a given tool carries on its flanks, over (w_1, z_1).
+fn tool_modifications(loaded: &LoadedJob, setup: &GrindingSetup) -> Result<Sides<Modification>, RunFailure> {
+    let worm = &loaded.job.worm;
+    let specs = worm.modifications.as_deref().unwrap_or_default();
+    let Some(width) = worm.width else {
+        let finding = Diagnostic::new(Problem::MissingKey, "a tool that exists has a width")
+            .field("worm.width")
+            .allowed("the usable width of the tool in mm, with z_1 = 0 in its middle")
+            .way_out("give worm.width");
+        return Err(RunFailure::bad_input(finding));
+    };
+    Sides::try_from_fn(|flank| {
+        let f = setup.pair.worm.flank(flank);
+        let rolls = setup.lines[flank].worm_rolls(&MotionLaw::zero());
+        let ends = [-0.5 * width, 0.5 * width];
+        let fault = |e: &ModificationError| {
+            RunFailure::bad_input(modification_finding(e, "worm.modifications"))
+        };
+        let field = EvaluationField::new(rolls, ends, f.base_radius, f.base_helix_angle)
+            .map_err(|e| fault(&e))?;
+        Modification::for_flank(specs, flank, &field, &Beside(loaded)).map_err(|e| fault(&e))
+    })
 }
 
 fn specs_of_flank(
@@ -293,12 +311,22 @@ const WORTH_SAYING: f64 = 1e-3;
 /// [`RunFailure`] with a finding on the key concerned.
 pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
     let job = &loaded.job;
-    let setup = setup_of_job(job)?;
+    let mut setup = setup_of_job(job)?;
+    if job.worm.tool == JobTool::Given {
+        setup.tool = Tool::Given(tool_modifications(loaded, &setup)?);
+    }
     let mut warnings = Vec::new();
-    let given = match &dresser_of_job(job)?.modification {
-        DresserModification::Rule(FixedDresser::Target) => None,
-        DresserModification::Rule(FixedDresser::None) => Some(None),
-        DresserModification::Given(spec) => Some(Some(spec)),
+    let given = match job.dresser.as_ref().map(|d| &d.modification) {
+        None | Some(DresserModification::Rule(FixedDresser::Target)) => None,
+        Some(DresserModification::Rule(FixedDresser::None)) => Some(None),
+        Some(DresserModification::Given(spec)) => Some(Some(spec)),
+    };
+    let cylindrical = setup.pair.work.is_cylindrical();
+    // Without a shift even a freely made tool only leaves profile lines.
+    let carrier = match (&setup.tool, job.grinding.method) {
+        (Tool::Made | Tool::Given(_), Method::Diagonal) => Carrier::Lines,
+        _ if cylindrical => Carrier::Dresser,
+        _ => Carrier::DresserOnCone,
     };
     let ground = |flank: Flank| match job.grinding.flanks {
         Flanks::Both => true,
@@ -319,7 +347,7 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
             });
         }
         let target = match given {
-            None => FlankTarget::new(wanted),
+            None => FlankTarget::carried_by(wanted, carrier),
             Some(None) => FlankTarget::with_given_dresser(wanted, Modification::none(field)),
             Some(Some(spec)) => {
                 let made = dresser_profile(loaded, spec, flank, field).map_err(RunFailure::bad_input)?;
@@ -389,7 +417,7 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
         Some(made) => made.into_iter().cloned().collect(),
         None => relief_specs(loaded, flank, &setup.fields[flank]),
     });
-    Ok(Prepared { setup, targets, reliefs, places, free_dresser, warnings })
+    Ok(Prepared { setup, targets, reliefs, places, free_dresser, law: None, warnings })
 }
 
 /// Entries of the target, sums opened, that depend on the profile only and are no polynomials.
@@ -470,6 +498,7 @@ impl Prepared {
             tolerance: job.target.tolerance_um * 1e-3,
             limits: DressingLimits::default(),
             ratio,
+            law: self.law.clone(),
             places: self.places.clone(),
             free_dresser: self.free_dresser,
             precompensation: job.grinding.precompensation.unwrap_or(!radial),

@@ -1,13 +1,15 @@
 //! The referee's run: rays of the worm against the dresser, then rays of the workpiece against the worm that those rays
 //! left (spec 28 section 5). Nothing of the process's own formulas enters here, only bodies and motions.
 
-use super::execution::Execution;
+use super::execution::{ExecutedDressing, ExecutedTool, Execution};
 use crate::geometry::{Flank, Sides};
 use crate::metrology::Topography;
 use crate::numerics::{CubicSpline, Progress, Silent};
+use crate::process::dressing::DresserTool;
 use crate::process::generating::{GrindingSetup, finished_area};
 use crate::removal::{
-    Dressing, Grinding, GrindingMode, RayGrid, RemovalError, Statistics, WormArea, dress, grind,
+    DressedSurface, Dressing, Grinding, GrindingMode, RayGrid, RemovalError, Statistics, WormArea,
+    WormModification, dress, grind,
 };
 
 /// What one stage did and how exact it is.
@@ -24,8 +26,8 @@ pub struct StageReport {
 pub struct Verdict {
     /// The flank that the rays left, normal, mm.
     pub simulated: Topography,
-    /// Dresser against worm.
-    pub dressing: StageReport,
+    /// Dresser against worm; `None` for a tool that is not dressed.
+    pub dressing: Option<StageReport>,
     /// Worm against workpiece; its error contains that of the worm surface.
     pub grinding: StageReport,
     /// Height of the true feed marks over the envelope on a sample of rays, mm, or why they could not be followed; `None`
@@ -53,44 +55,115 @@ pub fn run(
     Sides::try_from_fn(|flank| run_flank(setup, execution, flank, feed_per_revolution, progress))
 }
 
-/// Columns along the worm on which the spacing over the profile is judged.
-const COLUMNS: usize = 3;
+/// Sections on which the spacing along the other axis is judged.
+const SECTIONS: usize = 3;
 /// The worm's spline may miss its rays by this much before a cell is halved, mm.
 const SPLINE_TOLERANCE: f64 = 1e-6;
 /// Halvings of a cell at the most; reliefs with a kink in the slope end here.
 const HALVINGS: usize = 6;
 
-/// Halves the cells over the profile in which a spline misses the rays in the middle, until it does not: reliefs bend the
-/// profile far more sharply than crownings.
+/// Both ends and the middle of an axis.
+fn sections(axis: &[f64]) -> Vec<f64> {
+    (0..SECTIONS).map(|k| axis[k * (axis.len() - 1) / (SECTIONS - 1)]).collect()
+}
+
+/// Halves the cells over the profile and along the worm in which a spline misses the rays in the middle, until it does not:
+/// reliefs bend the flank far more sharply than crownings.
 fn refined(dressing: &Dressing<'_>, even: &RayGrid) -> Result<RayGrid, RemovalError> {
-    let z = even.z();
-    let columns: Vec<f64> = (0..COLUMNS).map(|k| z[k * (z.len() - 1) / (COLUMNS - 1)]).collect();
-    let rays = |w: &[f64]| dress(dressing, &RayGrid::new(w.to_vec(), columns.clone())?, &Silent)?.lengths();
-    let mut w = even.w().to_vec();
-    let mut f = rays(&w)?;
+    let rays = |w: &[f64], z: &[f64]| {
+        let grid = RayGrid::new(w.to_vec(), z.to_vec())?;
+        dress(dressing, &grid, &Silent)?.lengths().map(|f| (f, grid.z().len()))
+    };
+    let columns = sections(even.z());
+    let over_profile = |w: &[f64]| {
+        let (f, width) = rays(w, &columns)?;
+        Ok(f.chunks(width).map(<[f64]>::to_vec).collect())
+    };
+    let w = halved(even.w(), over_profile)?;
+    let rows = sections(even.w());
+    let along_worm = |z: &[f64]| {
+        let (f, width) = rays(&rows, z)?;
+        Ok((0..width).map(|j| (0..SECTIONS).map(|i| f[i * width + j]).collect()).collect())
+    };
+    let z = halved(even.z(), along_worm)?;
+    RayGrid::new(w, z)
+}
+
+/// The axis with every cell halved in which a spline through its values on the sections misses those in the middle.
+fn halved(
+    axis: &[f64],
+    values: impl Fn(&[f64]) -> Result<Vec<Vec<f64>>, RemovalError>,
+) -> Result<Vec<f64>, RemovalError> {
+    let mut x = axis.to_vec();
+    let mut f = values(&x)?;
+    // Only cells that are new since the last round can still be too coarse.
+    let mut fresh = vec![true; x.len() - 1];
     for _ in 0..HALVINGS {
-        let middles: Vec<f64> = w.windows(2).map(|cell| 0.5 * (cell[0] + cell[1])).collect();
-        let between = rays(&middles)?;
-        let mut coarse = vec![false; middles.len()];
-        for column in 0..COLUMNS {
-            let along: Vec<f64> = f.chunks(COLUMNS).map(|row| row[column]).collect();
-            let spline = CubicSpline::new(&w, &along)?;
-            for (k, &middle) in middles.iter().enumerate() {
-                coarse[k] |= (spline.value(middle) - between[k * COLUMNS + column]).abs() > SPLINE_TOLERANCE;
-            }
-        }
-        if !coarse.contains(&true) {
+        let cells: Vec<usize> = (0..fresh.len()).filter(|&k| fresh[k]).collect();
+        let middles: Vec<f64> = cells.iter().map(|&k| 0.5 * (x[k] + x[k + 1])).collect();
+        if middles.is_empty() {
             break;
         }
-        let mut merged: Vec<(f64, Vec<f64>)> =
-            w.iter().zip(f.chunks(COLUMNS)).map(|(&w, row)| (w, row.to_vec())).collect();
-        let halved = middles.iter().zip(between.chunks(COLUMNS)).zip(&coarse).filter(|(_, coarse)| **coarse);
-        merged.extend(halved.map(|((&w, row), _)| (w, row.to_vec())));
-        merged.sort_by(|a, b| a.0.total_cmp(&b.0));
-        w = merged.iter().map(|m| m.0).collect();
-        f = merged.into_iter().flat_map(|m| m.1).collect();
+        let between = values(&middles)?;
+        let mut coarse = vec![false; middles.len()];
+        for section in 0..SECTIONS {
+            let along: Vec<f64> = f.iter().map(|values| values[section]).collect();
+            let spline = CubicSpline::new(&x, &along)?;
+            for (k, &middle) in middles.iter().enumerate() {
+                coarse[k] |= (spline.value(middle) - between[k][section]).abs() > SPLINE_TOLERANCE;
+            }
+        }
+        let mut next = (Vec::new(), Vec::new(), Vec::new());
+        let mut looked = cells.iter().zip(middles.iter().zip(between).zip(coarse)).peekable();
+        for k in 0..x.len() {
+            next.0.push(x[k]);
+            next.1.push(f[k].clone());
+            let here = looked.next_if(|(cell, _)| **cell == k);
+            match here {
+                Some((_, ((&middle, values), true))) => {
+                    next.0.push(middle);
+                    next.1.push(values);
+                    next.2.extend([true, true]);
+                }
+                _ => next.2.push(false),
+            }
+        }
+        next.2.truncate(next.0.len() - 1);
+        (x, f, fresh) = next;
     }
-    RayGrid::new(w, z.to_vec())
+    Ok(x)
+}
+
+/// The worm as the rays of stage one left it.
+struct RayedWorm {
+    surface: DressedSurface,
+    area: WormArea,
+    statistics: Statistics,
+}
+
+fn dressed_worm(
+    setup: &GrindingSetup,
+    dresser: &DresserTool,
+    dressing: &ExecutedDressing,
+    flank: Flank,
+    stock: f64,
+    progress: &dyn Progress,
+) -> Result<RayedWorm, RemovalError> {
+    let (from, to) = dressing.corrections[0].interval();
+    // Only where rays stand follows from the finished area. Beyond its tip the worm does not exist; what it does not reach
+    // stays uncut and is told.
+    let (w, z) = finished_area(setup, dresser, flank, &dressing.corrections);
+    let z = [z[0] + WORM_MARGIN, z[1] - WORM_MARGIN];
+    let stage = Dressing {
+        worm: setup.pair.worm.flank(flank),
+        dresser: &dresser.flanks[flank].profile,
+        motion: &dressing.motion,
+        shift_range: [from, to],
+        stock,
+    };
+    let even = RayGrid::spaced(w, WORM_SPACING[0], z, WORM_SPACING[1])?;
+    let dressed = dress(&stage, &refined(&stage, &even)?, progress)?;
+    Ok(RayedWorm { surface: dressed.surface()?, area: WormArea { w, z }, statistics: dressed.statistics })
 }
 
 fn run_flank(
@@ -102,27 +175,29 @@ fn run_flank(
 ) -> Result<Option<Verdict>, RemovalError> {
     let Some(executed) = &execution.flanks[flank] else { return Ok(None) };
     let (worm, work) = (setup.pair.worm.flank(flank), setup.pair.work.flank(flank));
-    let dresser = &execution.tool.flanks[flank];
-    let motion = executed.dressing(&execution.tool);
-    let (from, to) = executed.corrections[0].interval();
-    // Only where rays stand follows from the finished area. Beyond its tip the worm does not exist; what it does not reach
-    // stays uncut and is told.
-    let (w, z) = finished_area(setup, &execution.tool, flank, &executed.corrections);
-    let z = [z[0] + WORM_MARGIN, z[1] - WORM_MARGIN];
     // The stages take up to a quarter of the normal base pitch, beyond which the next flank begins.
     let base_pitch = 2.0 * std::f64::consts::PI * worm.base_radius * worm.base_helix_angle.cos() / worm.teeth;
     let stock = STOCK.max(3.0 * executed.target.largest()).min(0.24 * base_pitch);
-    let dressing =
-        Dressing { worm, dresser: &dresser.profile, motion: &motion, shift_range: [from, to], stock };
-    let even = RayGrid::spaced(w, WORM_SPACING[0], z, WORM_SPACING[1])?;
-    let worm_grid = refined(&dressing, &even)?;
-    let dressed = dress(&dressing, &worm_grid, progress)?;
-    let surface = dressed.surface()?;
+    let dressed = match (&executed.tool, &execution.dresser) {
+        (ExecutedTool::Dressed(dressing), Some(dresser)) => {
+            Some(dressed_worm(setup, dresser, dressing, flank, stock, progress)?)
+        }
+        _ => None,
+    };
+    // A tool that is not dressed is given by its table: the spline through it is the tool itself.
+    let (modification, area): (&dyn WormModification, WormArea) = match (&executed.tool, &dressed) {
+        (_, Some(dressed)) => (&dressed.surface, dressed.area),
+        (ExecutedTool::Made(made), None) => {
+            let [w, z] = made.spline.domain();
+            (&made.spline, WormArea { w, z })
+        }
+        (ExecutedTool::Dressed(_), None) => return Ok(None),
+    };
     let grid = RayGrid::new(executed.target.w.clone(), executed.target.z.clone())?;
     let grinding = Grinding {
         worm,
-        area: WormArea { w, z },
-        modification: &surface,
+        area,
+        modification,
         work,
         motion: &execution.motion,
         feed_range: execution.feed_range,
@@ -134,7 +209,7 @@ fn run_flank(
     let simulated = Topography { f: ground.lengths()?, ..executed.target.clone() };
     Ok(Some(Verdict {
         simulated,
-        dressing: StageReport { statistics: dressed.statistics, error_um: surface.error_um },
+        dressing: dressed.map(|d| StageReport { statistics: d.statistics, error_um: d.surface.error_um }),
         grinding: StageReport { statistics: ground.statistics, error_um: ground.error_um },
         feed_mark,
     }))

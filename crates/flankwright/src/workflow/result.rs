@@ -137,10 +137,15 @@ pub struct SettingsResult {
     pub worm_pitch_diameter_mm: f64,
     /// Root diameter of the worm.
     pub worm_root_diameter_mm: f64,
-    /// Nominal centre distance of dresser and worm.
-    pub dressing_centre_distance_mm: f64,
+    /// Nominal centre distance of dresser and worm; absent for a tool that is not dressed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dressing_centre_distance_mm: Option<f64>,
     /// Nominal crossing angle of dresser and worm.
-    pub dressing_crossing_angle_deg: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dressing_crossing_angle_deg: Option<f64>,
+    /// Ratios that lay the tool's lines onto reliefs and waves of the target, per flank; absent where there are none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub demanded_ratios: Option<Sides<Vec<f64>>>,
 }
 
 /// The whole document.

@@ -4,7 +4,7 @@ use super::execution::Execution;
 use super::prepare::{Prepared, Remark, RunFailure, prepare};
 use super::referee::{self, Verdict};
 use super::result::{CandidateResult, CharacteristicsUm, FlankResult, JobResult, SettingsResult, Status};
-use crate::exchange::job::{DiagonalRatio, DiagonalRule, Grinding, Job, Tool};
+use crate::exchange::job::{DiagonalRatio, DiagonalRule, Grinding, Job};
 use crate::exchange::{Diagnostic, LoadedJob, Problem};
 use crate::geometry::{Flank, Sides};
 use crate::numerics::Progress;
@@ -40,16 +40,6 @@ fn supported(job: &Job) -> Result<(), RunFailure> {
                 .way_out(way_out);
         Err(RunFailure::bad_input(finding))
     };
-    if job.gear.cone_angle_deg != 0.0 {
-        return refuse(
-            "gear.cone_angle_deg",
-            "planning for a conical gear",
-            "plan for a cylindrical gear (`check` works for conical ones)",
-        );
-    }
-    if job.worm.cone_angle_deg != 0.0 {
-        return refuse("worm.cone_angle_deg", "planning with a conical worm", "use a cylindrical worm");
-    }
     if job.dressing.flanks == crate::exchange::job::DressingFlanks::Two {
         return refuse(
             "dressing.flanks",
@@ -70,13 +60,6 @@ fn supported(job: &Job) -> Result<(), RunFailure> {
             "machine",
             "a machine description",
             "leave [machine] out; the default axis limits hold",
-        );
-    }
-    if job.worm.tool != Tool::Dressed {
-        return refuse(
-            "worm.tool",
-            "planning with a tool that is not dressed",
-            "use tool = \"dressed\" with a [dresser]",
         );
     }
     if job.explore.is_some() {
@@ -168,6 +151,8 @@ fn finish(
     warnings.extend(execution.warnings.iter().cloned());
     warnings.extend(output_warnings(job));
     let tolerance = job.target.tolerance_um;
+    // A simulation has no plan that could say what stands on the tool's lines: the target is judged by its deviation alone.
+    let outside = plan.as_ref().map_or(Sides::both(0.0), |p| p.ideal.outside);
     let mut flanks = BTreeMap::new();
     for flank in Flank::BOTH {
         let (Some(executed), Some(verdict)) = (&execution.flanks[flank], &verdicts[flank]) else { continue };
@@ -188,7 +173,7 @@ fn finish(
                 feed_mark_um: verdict.feed_mark.as_ref().and_then(|h| h.as_ref().ok()).map(|h| h * 1e3),
                 target_characteristics: CharacteristicsUm::of(&executed.target, cos_b),
                 simulated_characteristics: CharacteristicsUm::of(&verdict.simulated, cos_b),
-                outside_class_um: prepared.targets[flank].as_ref().map_or(0.0, |t| t.outside * cos_b * 1e3),
+                outside_class_um: outside[flank] * cos_b * 1e3,
                 least_determinant_ratio: executed.determinant,
             },
         );
@@ -212,6 +197,10 @@ fn finish(
         settings: SettingsResult {
             settings: execution.settings(),
             diagonal_ratio_reason: plan.as_ref().map(|p| ratio_reason(p.choice.reason).to_string()),
+            demanded_ratios: plan
+                .as_ref()
+                .map(|p| p.choice.demanded.clone())
+                .filter(|demanded| demanded.iter().any(|(_, ratios)| !ratios.is_empty())),
             lead_correction_ratio: plan.as_ref().map(|p| p.choice.lead_correction),
             profile_crowning_by: plan.as_ref().map(|p| p.choice.place.name()),
             candidates: candidates
@@ -231,8 +220,8 @@ fn finish(
             worm_length_mm: execution.occupation[1] - execution.occupation[0],
             worm_pitch_diameter_mm: 2.0 * setup.worm_pitch_radius,
             worm_root_diameter_mm: 2.0 * setup.worm_root_radius,
-            dressing_centre_distance_mm: setup.dresser.chain.centre_distance,
-            dressing_crossing_angle_deg: setup.dresser.chain.crossing_angle.to_degrees(),
+            dressing_centre_distance_mm: setup.dresser().ok().map(|d| d.chain.centre_distance),
+            dressing_crossing_angle_deg: setup.dresser().ok().map(|d| d.chain.crossing_angle.to_degrees()),
         },
         flanks,
         ideal_error_by_round_um: plan.as_ref().map_or(Sides { left: Vec::new(), right: Vec::new() }, |p| {
@@ -256,6 +245,8 @@ pub fn ratio_reason(reason: RatioReason) -> &'static str {
         }
         RatioReason::LeastError => "No ratio is exact enough for the tolerance: the one of least error.",
         RatioReason::Scan => "Least score of a scan over both signs.",
+        RatioReason::LinesOfTarget => "The ratio that lays the tool's lines onto reliefs or waves of the target.",
+        RatioReason::Law => "The shift follows a law of the feed; the ratio is its mean.",
     }
 }
 

@@ -1,5 +1,6 @@
 //! Tables of a run as CSV: topographies of the flanks and both motions over their strokes.
 
+use super::execution::ExecutedFlank;
 use super::run::Outcome;
 use crate::exchange::{Column, CsvError, CsvTable};
 use crate::geometry::Flank;
@@ -70,9 +71,11 @@ pub fn grinding_motion(outcome: &Outcome) -> Result<CsvTable, CsvError> {
 /// # Errors
 /// A value that is not finite.
 pub fn dressing_motion(outcome: &Outcome, flank: Flank) -> Result<Option<CsvTable>, CsvError> {
-    let Some(executed) = &outcome.execution.flanks[flank] else { return Ok(None) };
-    let motion = executed.dressing(&outcome.execution.tool);
-    let (from, to) = executed.corrections[0].interval();
+    let Some(dressing) = outcome.execution.flanks[flank].as_ref().and_then(ExecutedFlank::dressing) else {
+        return Ok(None);
+    };
+    let motion = &dressing.motion;
+    let (from, to) = dressing.corrections[0].interval();
     let mut table = CsvTable::new(&[
         Column::new("v_zS", "mm"),
         Column::new("d_phi_S", "deg"),
@@ -98,6 +101,23 @@ pub fn dressing_motion(outcome: &Outcome, flank: Flank) -> Result<Option<CsvTabl
             at.centre_distance,
             at.offset,
         ])?;
+    }
+    Ok(Some(table))
+}
+
+/// The flank of a tool that is not dressed: its modification over (w_1, z_1); `None` for a dressed one.
+///
+/// # Errors
+/// A value that is not finite.
+pub fn tool_flank(outcome: &Outcome, flank: Flank) -> Result<Option<CsvTable>, CsvError> {
+    let Some(made) = outcome.execution.flanks[flank].as_ref().and_then(ExecutedFlank::made) else {
+        return Ok(None);
+    };
+    let mut table = CsvTable::new(&[Column::new("w_1", "mm"), Column::new("z_1", "mm"), Column::new("f_n1", "um")]);
+    for (&w, row) in made.w.iter().zip(&made.f) {
+        for (&z, f) in made.z.iter().zip(row) {
+            table.push(&[w, z, f * 1e3])?;
+        }
     }
     Ok(Some(table))
 }

@@ -59,6 +59,10 @@ pub fn write_outcome(job: &Job, outcome: &Outcome, directory: &Path) -> Result<V
             let path = format!("motions/dressing-{flank}.csv");
             files.push((path, "dressing motion over the worm position", table.text().into()));
         }
+        if let Some(table) = tables::tool_flank(outcome, flank)? {
+            let path = format!("tool-{flank}.csv");
+            files.push((path, "modification of the tool's flank, normal", table.text().into()));
+        }
     }
     let mut named: Vec<(String, &'static str)> =
         files.iter().map(|(path, what, _)| (path.clone(), *what)).collect();
@@ -81,13 +85,15 @@ pub fn write_outcome(job: &Job, outcome: &Outcome, directory: &Path) -> Result<V
 }
 
 /// Names that a run may write; what an earlier run left of them and this one does not write would contradict it.
-const NAMES: [&str; 7] = [
+const NAMES: [&str; 9] = [
     "result.json",
     "settings.json",
     "topography.csv",
     "motions/grinding.csv",
     "motions/dressing-left.csv",
     "motions/dressing-right.csv",
+    "tool-left.csv",
+    "tool-right.csv",
     "report.html",
 ];
 

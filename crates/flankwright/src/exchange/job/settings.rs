@@ -24,12 +24,62 @@ pub struct Settings {
     #[serde(default)]
     #[schemars(extend("maxItems" = 20))]
     pub delta_phi_2_urad: Vec<f64>,
+    /// z_V1 over z_V2 in place of ratio and origin, for a ratio that changes over the feed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shift: Option<Pieces>,
+    /// Flanks of a tool that is not dressed; absent: unmodified, or as `[worm] modifications` says.
+    #[serde(default, skip_serializing_if = "ToolTables::is_empty")]
+    pub tool: ToolTables,
     /// Dressing of the left worm flank; absent: nominal.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub left: Option<FlankSettings>,
     /// Dressing of the right worm flank; absent: nominal.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub right: Option<FlankSettings>,
+}
+
+/// A law in pieces of third degree.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Pieces {
+    /// Ends of the pieces over z_V2, mm, ascending: one more than pieces. Beyond both ends the law goes on straight.
+    #[schemars(extend("minItems" = 2, "maxItems" = 100_001))]
+    pub breaks_mm: Vec<f64>,
+    /// Per piece the coefficients of (z_V2 - first end)^k, k = 0..3, mm/mm^k.
+    #[schemars(extend("minItems" = 1, "maxItems" = 100_000))]
+    pub coefficients: Vec<[f64; 4]>,
+}
+
+/// Modifications of the flanks of a tool that is not dressed.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ToolTables {
+    /// Left flank.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub left: Option<ToolTable>,
+    /// Right flank.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub right: Option<ToolTable>,
+}
+
+impl ToolTables {
+    fn is_empty(&self) -> bool {
+        self.left.is_none() && self.right.is_none()
+    }
+}
+
+/// Modification of a tool's flank, normal, positive = material left, as a table; a cubic spline goes through it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ToolTable {
+    /// Lengths of roll w_1, ascending.
+    #[schemars(extend("minItems" = 4, "maxItems" = 10_000))]
+    pub w_mm: Vec<f64>,
+    /// Positions z_1 on the tool, ascending.
+    #[schemars(extend("minItems" = 4, "maxItems" = 10_000))]
+    pub z_mm: Vec<f64>,
+    /// f_n1 by [w][z].
+    pub f_um: Vec<Vec<f64>>,
 }
 
 /// Dressing of one worm flank: corrections DK(v) as Chebyshev series of the worm position v_zS, and the dresser's profile.

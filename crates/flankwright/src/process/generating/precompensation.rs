@@ -113,6 +113,14 @@ impl PlanningGrid {
         Ok(contact.solve_grid(&self.w[flank], &self.z)?)
     }
 
+    /// Correction of the command that the normal errors `e` (target - ground, mm) ask for, transverse; with or without
+    /// mixed terms.
+    pub fn correction(&self, flank: Flank, e: &[f64], cos_b2: f64, mixed: bool) -> Polynomial2 {
+        let transverse: Vec<f64> = e.iter().map(|e| e / cos_b2).collect();
+        let fit = if mixed { &self.fits[flank] } else { &self.pure_fits[flank] };
+        fit.fit(&transverse)
+    }
+
     /// The command corrected by the normal errors `e` (target - ground, mm): what the class of polynomials takes, and the rest
     /// as a smooth function where the tool's lines may carry it.
     fn corrected(
@@ -124,12 +132,7 @@ impl PlanningGrid {
         terms: Correction,
     ) -> Command {
         let lines = &setup.lines[flank];
-        let transverse: Vec<f64> = e.iter().map(|e| e / lines.cos_b2).collect();
-        let fit = match terms {
-            Correction::Pure => &self.pure_fits[flank],
-            Correction::Mixed | Correction::Free => &self.fits[flank],
-        };
-        let fitted = fit.fit(&transverse);
+        let fitted = self.correction(flank, e, lines.cos_b2, terms != Correction::Pure);
         let mut next = command.clone();
         next.polynomial = command.polynomial.add(&fitted);
         if terms == Correction::Free {
@@ -137,7 +140,7 @@ impl PlanningGrid {
             let points: Vec<[f64; 3]> = (0..e.len())
                 .map(|k| {
                     let (w, z) = at(k);
-                    [w, z, transverse[k] - fitted.value(w - lines.w_m, z - lines.z_m)]
+                    [w, z, e[k] / lines.cos_b2 - fitted.value(w - lines.w_m, z - lines.z_m)]
                 })
                 .collect();
             // A grid too coarse for the spline corrects by polynomials only.

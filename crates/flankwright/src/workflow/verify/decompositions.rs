@@ -51,7 +51,7 @@ pub(super) fn decomposition_clpk(file: &Reference<'_>, block: &Value, ledger: &m
         };
         ledger.number(item.case(), "input.p2_um_per_mm2", p_2, share, relative * p_2.abs());
         let lines = set.lines(flank, t_1)?;
-        let parts = decompose_diagonal(&a, lines.work_direction(ratio), lines.t_k, p_2);
+        let parts = decompose_diagonal(&a, lines.work_direction(ratio), lines.t_k, p_2, 0.0);
         let Some(mut expected) = item.object("expected", ledger) else { return Ok(()) };
         let directions = [("tan_rho_F2", parts.t), ("tan_rho_K", parts.t_k)];
         expected.numbers(&directions, relative, ledger);

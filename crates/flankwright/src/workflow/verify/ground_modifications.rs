@@ -60,7 +60,7 @@ fn quadratic_plan(
     let mut motion = set.pair.motion(MotionLaw::polynomial(0.0, vec![shift_origin, ratio]));
     let normal = parts.normal_motion(&lines).map(|f| f / lines.sin_an);
     motion.delta_d = MotionLaw::polynomial(0.0, normal.to_vec());
-    (QuadraticWorm { lines, ratio, shift_origin, parts }, motion)
+    (QuadraticWorm { lines, shift: motion.shift.clone(), parts }, motion)
 }
 
 /// Block `polynomial`.

@@ -3,7 +3,7 @@
 use super::super::ledger::Ledger;
 use crate::geometry::{Blank, Flank, Gear, GearData, Sides, WormChoice};
 use crate::modification::{Modification, ModificationSpec, NoFiles};
-use crate::process::generating::{
+use crate::process::generating::{DresserChoice, 
     DressingLimits, FlankTarget, GeneratingError, GrindingSetup, ProfilePlace, SetupInput,
 };
 use serde::Deserialize;
@@ -106,15 +106,20 @@ impl Input {
                 cone_angle: 0.0,
             },
             worm_width: self.worm_width_mm,
-            dresser_tip_diameter: self.dresser_tip_diameter_mm,
-            dresser_pitch_diameter: self.dresser_pitch_diameter_mm,
+            dresser: Some(DresserChoice {
+                tip_diameter: self.dresser_tip_diameter_mm,
+                pitch_diameter: self.dresser_pitch_diameter_mm,
+            }),
+            tool_direction: None,
             root_clearance: None,
         })
     }
 
     /// Compares what the file derives from its own input.
     pub fn derived(&self, case: &str, setup: &GrindingSetup, relative: f64, ledger: &mut Ledger) {
-        let (chain, dressing) = (&setup.pair.chain, &setup.dresser.chain);
+        let chain = &setup.pair.chain;
+        let Ok(dresser) = setup.dresser() else { return };
+        let dressing = &dresser.chain;
         let values = [
             ("worm_pitch_radius_mm", self.worm_pitch_radius_mm, setup.worm_pitch_radius),
             ("worm_root_radius_mm", self.worm_root_radius_mm, setup.worm_root_radius),

@@ -8,7 +8,7 @@ use crate::contact::{ContactSolution, ExactContact, ModifiedThread, ThreadFuncti
 use crate::geometry::Flank;
 use crate::numerics::Chebyshev;
 use crate::process::generating::{
-    FlankPlan, FlankTarget, GeneratingError, GrindingPlan, GrindingSetup, IdealWorm,
+    DressedFlank, FlankTarget, GeneratingError, GrindingPlan, GrindingSetup, IdealWorm, PlannedTool,
 };
 
 const KEYS: [(&str, &str); 4] = [
@@ -39,16 +39,19 @@ impl PlannedFlank<'_> {
             return Err(GeneratingError::NoFlank);
         };
         let relative = tolerances.get("K_star_relative");
-        let tan_rho = self.setup.dressed_direction[self.flank];
+        let tan_rho = self.setup.tool_direction[self.flank];
         side.number("tan_rho_1", tan_rho, relative * tan_rho.abs(), ledger);
         let corners = worm.lines.corners();
-        let on_worm = corners.map(|(w, z)| worm.lines.worm_point(w, z, worm.ratio, worm.shift_origin));
+        let on_worm = corners.map(|(w, z)| worm.lines.worm_point(w, z, &worm.shift));
         let (rolls, axial) = (range(on_worm.map(|p| p.0)), range(on_worm.map(|p| p.1)));
         let length = tolerances.get("worm_length_mm");
         worm_function(worm, (rolls, axial, length), side, tolerances.get("f_n1_um"), ledger);
         let positions = [-axial[1], -axial[0]];
-        corrections(&planned.dressed.corrections, (positions, length), side, tolerances, ledger);
-        self.flanks(planned, worm, side, tolerances, ledger)
+        let PlannedTool::Dressed(dressed) = &planned.tool else {
+            return Err(GeneratingError::NotDressed);
+        };
+        corrections(&dressed.corrections, (positions, length), side, tolerances, ledger);
+        self.flanks(dressed, worm, side, tolerances, ledger)
     }
 
     fn ground<S: ToolSurface>(
@@ -63,7 +66,7 @@ impl PlannedFlank<'_> {
     /// The target and the flank that the dressed worm leaves, with the errors on the way.
     fn flanks(
         &self,
-        planned: &FlankPlan,
+        made: &DressedFlank,
         worm: &IdealWorm,
         side: &mut Expected<'_>,
         tolerances: Tolerances<'_>,
@@ -74,7 +77,7 @@ impl PlannedFlank<'_> {
         let points: Vec<(f64, f64)> = w.into_iter().zip(z).collect();
         let thread = ModifiedThread::new(self.setup.pair.flanks[self.flank].worm, worm);
         let ideal = self.ground(&thread, &points)?;
-        let dressed = self.ground(&planned.dressed.worm, &points)?;
+        let dressed = self.ground(&made.worm, &points)?;
         let cos = worm.lines.cos_b2;
         let target = points
             .iter()

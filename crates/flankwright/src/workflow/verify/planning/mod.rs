@@ -53,6 +53,7 @@ fn one(
         tolerance: input.tolerance(),
         limits: input.limits(),
         ratio: None,
+        law: None,
         places: input.places(),
         free_dresser: true,
         precompensation: true,
@@ -190,11 +191,11 @@ fn motions(
 ) {
     let length = tolerances.get("worm_length_mm");
     let [from, to] = plan.ideal.occupation;
-    expected.number("z_V01_mm", plan.ideal.shift_origin, length, ledger);
+    expected.number("z_V01_mm", plan.ideal.motion.shift.value(0.0), length, ledger);
     expected.number("worm_length_mm", to - from, length, ledger);
     let which: Vec<Flank> = Flank::BOTH.into_iter().filter(|&f| plan.flanks[f].is_some()).collect();
     let Some(feeds) = expected.given_list("z_V2_mm", ledger) else { return };
-    spans(expected, "z_V2_mm", &feeds, (setup.feed_range(&which), length), ledger);
+    spans(expected, "z_V2_mm", &feeds, (setup.feed_range(&plan.ideal.motion.shift, &which), length), ledger);
     let motion = &plan.ideal.motion;
     let at = |law: &MotionLaw, unit: f64| feeds.iter().map(|&v| law.value(v) / unit).collect::<Vec<_>>();
     expected.list("Delta_d_um", &at(&motion.delta_d, UM), tolerances.get("Delta_d_um"), ledger);
