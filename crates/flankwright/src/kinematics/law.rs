@@ -1,5 +1,6 @@
 //! Motion laws: how one axis follows another, as plain data with derivatives.
 
+use super::{LawError, PiecewisePolynomial};
 use crate::numerics::{Chebyshev, Scalar, value_of};
 
 /// A smooth function of one machine coordinate. Units are those of the axis per mm of the argument.
@@ -14,6 +15,8 @@ pub enum MotionLaw {
     },
     /// A Chebyshev series with its first two derivatives at hand.
     Series(Box<[Chebyshev; 3]>),
+    /// Polynomials up to third degree between breakpoints.
+    Pieces(PiecewisePolynomial),
 }
 
 impl MotionLaw {
@@ -34,6 +37,38 @@ impl MotionLaw {
         Self::Series(Box::new([series, first, second]))
     }
 
+    /// Straight lines through the points (x, y): C0.
+    ///
+    /// # Errors
+    /// Those of [`PiecewisePolynomial::broken_line`].
+    pub fn broken_line(x: &[f64], y: &[f64]) -> Result<Self, LawError> {
+        PiecewisePolynomial::broken_line(x, y).map(Self::Pieces)
+    }
+
+    /// Straight lines through the points with parabolas over +-`half_length` at the corners: C1.
+    ///
+    /// # Errors
+    /// Those of [`PiecewisePolynomial::rounded_line`].
+    pub fn rounded_line(x: &[f64], y: &[f64], half_length: f64) -> Result<Self, LawError> {
+        PiecewisePolynomial::rounded_line(x, y, half_length).map(Self::Pieces)
+    }
+
+    /// Monotone cubic interpolation of the points (Fritsch-Carlson): C1.
+    ///
+    /// # Errors
+    /// Those of [`PiecewisePolynomial::monotone`].
+    pub fn monotone(x: &[f64], y: &[f64]) -> Result<Self, LawError> {
+        PiecewisePolynomial::monotone(x, y).map(Self::Pieces)
+    }
+
+    /// The interpolating cubic spline through at least four points: C2, what the exact contact asks of a law (spec 20 section 14).
+    ///
+    /// # Errors
+    /// Those of [`PiecewisePolynomial::spline`].
+    pub fn spline(x: &[f64], y: &[f64]) -> Result<Self, LawError> {
+        PiecewisePolynomial::spline(x, y).map(Self::Pieces)
+    }
+
     /// `[f, f', f'']` at x.
     pub fn jet(&self, x: f64) -> [f64; 3] {
         match self {
@@ -48,6 +83,7 @@ impl MotionLaw {
                 jet
             }
             Self::Series(s) => [s[0].value(x), s[1].value(x), s[2].value(x)],
+            Self::Pieces(p) => p.jet(x),
         }
     }
 
@@ -72,6 +108,7 @@ impl MotionLaw {
                 coefficients: coefficients.iter().map(|c| c * factor).collect(),
             },
             Self::Series(s) => Self::series(s[0].scaled(factor)),
+            Self::Pieces(p) => Self::Pieces(p.scaled(factor)),
         }
     }
 
@@ -80,6 +117,7 @@ impl MotionLaw {
         match self {
             Self::Polynomial { coefficients, .. } => coefficients.iter().all(|&c| c == 0.0),
             Self::Series(s) => s[0].coefficients().iter().all(|&c| c == 0.0),
+            Self::Pieces(p) => p.pieces().iter().flatten().all(|&c| c == 0.0),
         }
     }
 }

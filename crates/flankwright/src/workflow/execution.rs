@@ -229,7 +229,7 @@ impl Execution {
     pub fn settings(&self) -> Settings {
         let law = |law: &MotionLaw, unit: f64| match law {
             MotionLaw::Polynomial { coefficients, .. } => coefficients.iter().map(|c| c * unit).collect(),
-            MotionLaw::Series(_) => Vec::new(),
+            MotionLaw::Series(_) | MotionLaw::Pieces(_) => Vec::new(),
         };
         let flank = |flank: Flank| {
             let f = self.flanks[flank].as_ref()?;

@@ -2,6 +2,7 @@
 //! (cylindrical bodies).
 
 use crate::contact::FlankPair;
+use crate::geometry::Flank;
 use crate::modification::EvaluationField;
 use crate::numerics::Jet2;
 
@@ -84,9 +85,19 @@ impl FlankLines {
 
     /// Worm point (w_1, z_1) that grinds (w_2, z_2) at z_V1 = K z_V2 + z_V01.
     pub fn worm_point(&self, w_2: f64, z_2: f64, ratio: f64, shift_origin: f64) -> (f64, f64) {
-        let w_1 = self.cos_b1 * (self.e - w_2 / self.cos_b2);
+        let w_1 = self.worm_roll(w_2);
         let shift = ratio * self.feed(w_2, z_2) + shift_origin;
         (w_1, self.c_c1 - self.worm_path * w_1 - shift)
+    }
+
+    /// Worm roll that grinds workpiece roll w_2 (R7).
+    pub fn worm_roll(&self, w_2: f64) -> f64 {
+        self.cos_b1 * (self.e - w_2 / self.cos_b2)
+    }
+
+    /// The flank.
+    pub fn flank(&self) -> Flank {
+        if self.s > 0.0 { Flank::Left } else { Flank::Right }
     }
 
     /// Workpiece roll ground by worm roll w_1.
