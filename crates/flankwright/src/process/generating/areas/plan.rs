@@ -91,9 +91,11 @@ impl AreaPlan {
                 (false, true) => -half_length,
                 // Two regions of different ratio touch: no room to change the ratio in.
                 _ => {
-                    return Err(
-                        crate::kinematics::LawError::RoundingOutOfRange { half_length, largest: 0.0 }.into()
-                    );
+                    return Err(crate::kinematics::LawError::RoundingOutOfRange {
+                        half_length,
+                        largest: 0.0,
+                    }
+                    .into());
                 }
             };
         }
