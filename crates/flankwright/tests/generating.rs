@@ -7,10 +7,10 @@ use flankwright::kinematics::MotionLaw;
 use flankwright::modification::{Modification, ModificationSpec, NoFiles};
 use flankwright::numerics::Polynomial2;
 use flankwright::process::generating::{
-    DressingLimits, FlankTarget, Gauge, GeneratingError, GrindingSetup, IdealPlan, LocalEnvelope, PlanTask,
-    Command, DresserChoice, FeedLaw, PlanningGrid, ProfilePlace, ProfilePolicy, QuadraticWorm, SetupInput, constant_only_profile_crowning,
-    decompose_diagonal, decompose_quadratic, decompose_radial, kinematic_compliance, motion_of_flanks,
-    natural_twist, product_functions, radial_residual,
+    Command, DresserChoice, DressingLimits, FeedLaw, FlankTarget, Gauge, GeneratingError, GrindingSetup,
+    IdealPlan, LocalEnvelope, PlanTask, PlanningGrid, ProfilePlace, ProfilePolicy, QuadraticWorm, SetupInput,
+    constant_only_profile_crowning, decompose_diagonal, decompose_quadratic, decompose_radial,
+    kinematic_compliance, motion_of_flanks, natural_twist, product_functions, radial_residual,
 };
 use proptest::prelude::*;
 use serde_json::json;

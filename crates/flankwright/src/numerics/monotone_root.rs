@@ -47,10 +47,15 @@ pub fn monotone_root(f: impl Fn(f64) -> (f64, f64)) -> f64 {
         if value == 0.0 {
             return x;
         }
-        if (value > 0.0) == rises { high = x } else { low = x }
+        if (value > 0.0) == rises {
+            high = x
+        } else {
+            low = x
+        }
         let newton = x - value / slope;
         let size = (newton - x).abs();
-        let next = if newton > low && newton < high && size <= 0.5 * last { newton } else { 0.5 * (low + high) };
+        let next =
+            if newton > low && newton < high && size <= 0.5 * last { newton } else { 0.5 * (low + high) };
         let moved = (next - x).abs();
         last = moved;
         x = next;

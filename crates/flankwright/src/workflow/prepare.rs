@@ -206,10 +206,10 @@ pub fn setup_of_job(job: &Job) -> Result<GrindingSetup, RunFailure> {
             cone_angle: job.worm.cone_angle_deg.to_radians(),
         },
         worm_width: job.worm.width,
-        dresser: job.dresser.as_ref().map(|d| DresserChoice {
-            tip_diameter: d.tip_diameter,
-            pitch_diameter: d.pitch_diameter,
-        }),
+        dresser: job
+            .dresser
+            .as_ref()
+            .map(|d| DresserChoice { tip_diameter: d.tip_diameter, pitch_diameter: d.pitch_diameter }),
         tool_direction: job
             .worm
             .direction_deg
@@ -251,11 +251,10 @@ fn tool_modifications(loaded: &LoadedJob, setup: &GrindingSetup) -> Result<Sides
         let f = setup.pair.worm.flank(flank);
         let rolls = setup.lines[flank].worm_rolls(&MotionLaw::zero());
         let ends = [-0.5 * width, 0.5 * width];
-        let fault = |e: &ModificationError| {
-            RunFailure::bad_input(modification_finding(e, "worm.modifications"))
-        };
-        let field = EvaluationField::new(rolls, ends, f.base_radius, f.base_helix_angle)
-            .map_err(|e| fault(&e))?;
+        let fault =
+            |e: &ModificationError| RunFailure::bad_input(modification_finding(e, "worm.modifications"));
+        let field =
+            EvaluationField::new(rolls, ends, f.base_radius, f.base_helix_angle).map_err(|e| fault(&e))?;
         Modification::for_flank(specs, flank, &field, &Beside(loaded)).map_err(|e| fault(&e))
     })
 }

@@ -245,7 +245,9 @@ pub fn ratio_reason(reason: RatioReason) -> &'static str {
         }
         RatioReason::LeastError => "No ratio is exact enough for the tolerance: the one of least error.",
         RatioReason::Scan => "Least score of a scan over both signs.",
-        RatioReason::LinesOfTarget => "The ratio that lays the tool's lines onto reliefs or waves of the target.",
+        RatioReason::LinesOfTarget => {
+            "The ratio that lays the tool's lines onto reliefs or waves of the target."
+        }
         RatioReason::Law => "The shift follows a law of the feed; the ratio is its mean.",
     }
 }

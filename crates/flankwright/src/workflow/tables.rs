@@ -113,7 +113,8 @@ pub fn tool_flank(outcome: &Outcome, flank: Flank) -> Result<Option<CsvTable>, C
     let Some(made) = outcome.execution.flanks[flank].as_ref().and_then(ExecutedFlank::made) else {
         return Ok(None);
     };
-    let mut table = CsvTable::new(&[Column::new("w_1", "mm"), Column::new("z_1", "mm"), Column::new("f_n1", "um")]);
+    let mut table =
+        CsvTable::new(&[Column::new("w_1", "mm"), Column::new("z_1", "mm"), Column::new("f_n1", "um")]);
     for (&w, row) in made.w.iter().zip(&made.f) {
         for (&z, f) in made.z.iter().zip(row) {
             table.push(&[w, z, f * 1e3])?;

@@ -1,7 +1,9 @@
 //! Errors of planning generating grinding (spec 28 section 7).
 
+use super::areas::{FeedInterval, SharedLines};
 use crate::contact::ContactError;
 use crate::geometry::{Flank, GeometryError};
+use crate::kinematics::LawError;
 use crate::modification::{EvaluationError, ModificationError};
 use crate::process::dressing::DressingError;
 use thiserror::Error;
@@ -92,7 +94,9 @@ pub enum GeneratingError {
         cone_angle_deg: f64,
     },
     /// The part of the tool's flank that the plan needs lies below its base circle.
-    #[error("the tool's flank is needed down to length of roll {w_1:.4} mm on the {flank} flank, below its base circle")]
+    #[error(
+        "the tool's flank is needed down to length of roll {w_1:.4} mm on the {flank} flank, below its base circle"
+    )]
     ToolBelowBase {
         /// Flank.
         flank: Flank,
@@ -100,7 +104,9 @@ pub enum GeneratingError {
         w_1: f64,
     },
     /// The modification of the tool has no value where the plan needs it.
-    #[error("the {flank} flank of the tool has no modification at length of roll {w_1:.4} mm, z = {z_1:.4} mm")]
+    #[error(
+        "the {flank} flank of the tool has no modification at length of roll {w_1:.4} mm, z = {z_1:.4} mm"
+    )]
     ToolUndefined {
         /// Flank.
         flank: Flank,
@@ -108,6 +114,98 @@ pub enum GeneratingError {
         w_1: f64,
         /// Position on the tool, mm.
         z_1: f64,
+    },
+    /// A motion law or its inverse cannot be built or asked there.
+    #[error(transparent)]
+    Law(LawError),
+    /// A number that has no sense here.
+    #[error("{field} = {value}; allowed: {allowed}")]
+    InvalidNumber {
+        /// Quantity.
+        field: &'static str,
+        /// Its value.
+        value: f64,
+        /// What is allowed.
+        allowed: &'static str,
+    },
+    /// The dressed lines run along the contact path of the worm.
+    #[error("worm lines at {direction_deg:.4} deg run along the contact path of the {flank} worm flank")]
+    WormDirectionDegenerate {
+        /// Flank.
+        flank: Flank,
+        /// rho_1, degree.
+        direction_deg: f64,
+    },
+    /// A wanted curve does not reach over the whole flank.
+    #[error(
+        "the wanted curve gives the tool shift of the {flank} flank for feeds {:.3} .. {:.3} mm, the flank needs {:.3} .. {:.3} mm",
+        covered[0], covered[1], needed[0], needed[1]
+    )]
+    RangeNotCovered {
+        /// Flank.
+        flank: Flank,
+        /// Feeds that the curve gives a shift for, mm.
+        covered: [f64; 2],
+        /// Feeds at the corners of the field, mm.
+        needed: [f64; 2],
+    },
+    /// A wanted curve touches a contact path.
+    #[error(
+        "the wanted curve on the {flank} flank runs along the contact path or turns against it at w = {w:.4} mm"
+    )]
+    CurveNotAFunction {
+        /// Flank.
+        flank: Flank,
+        /// Length of roll, mm.
+        w: f64,
+    },
+    /// A region is no polygon on its flank.
+    #[error("region {region} on the {flank} flank: {reason}")]
+    InvalidRegion {
+        /// Index of the region.
+        region: usize,
+        /// Flank.
+        flank: Flank,
+        /// What is wrong.
+        reason: &'static str,
+    },
+    /// Two regions with different diagonal ratios are ground at the same feed.
+    #[error(
+        "the {} region ground at feeds {:.3} .. {:.3} mm asks for diagonal ratio {:.4}, the {} region at {:.3} .. {:.3} mm for {:.4}",
+        first.flank, first.feed[0], first.feed[1], first.ratio, second.flank, second.feed[0], second.feed[1], second.ratio
+    )]
+    AreasOverlap {
+        /// The region with the lower feeds.
+        first: FeedInterval,
+        /// The other.
+        second: FeedInterval,
+    },
+    /// Lines of the worm that carry a modification touch the flank outside their region too.
+    #[error(
+        "{} worm line ranges of modified regions are used twice; largest: {:.3} mm of the {} flank at feeds {:.3} .. {:.3} mm",
+        shared.len(), largest.overlap, largest.flank, largest.segment[0], largest.segment[1]
+    )]
+    WormLinesShared {
+        /// The largest overlap.
+        largest: SharedLines,
+        /// All of them.
+        shared: Vec<SharedLines>,
+    },
+    /// All threads are left out.
+    #[error("no thread of {threads} is active")]
+    NoActiveThread {
+        /// Threads of the worm.
+        threads: usize,
+    },
+    /// No diagonal ratio lets one swivelling dresser serve both flanks.
+    #[error(
+        "no diagonal ratio gives both flanks the same swivel of the dresser (numerator {numerator:.3e}, denominator {denominator:.3e})"
+    )]
+    NoCommonSwivel {
+        /// D of K = D/N.
+        numerator: f64,
+        /// N of K = D/N.
+        denominator: f64,
     },
 }
 
@@ -135,6 +233,16 @@ impl GeneratingError {
             Self::ConicalWormNotDressed { .. } => "conical-worm-not-dressed",
             Self::ToolBelowBase { .. } => "worm-below-base",
             Self::ToolUndefined { .. } => "worm-surface-missing",
+            Self::Law(e) => e.code(),
+            Self::InvalidNumber { .. } => "invalid-number",
+            Self::WormDirectionDegenerate { .. } => "worm-direction-degenerate",
+            Self::RangeNotCovered { .. } => "range-not-covered",
+            Self::CurveNotAFunction { .. } => "curve-not-a-function",
+            Self::InvalidRegion { .. } => "invalid-region",
+            Self::AreasOverlap { .. } => "areas-overlap",
+            Self::WormLinesShared { .. } => "worm-lines-shared",
+            Self::NoActiveThread { .. } => "no-active-thread",
+            Self::NoCommonSwivel { .. } => "no-common-swivel",
         }
     }
 
@@ -166,6 +274,27 @@ impl GeneratingError {
             Self::ToolUndefined { .. } => {
                 "let the table of the tool or of the target reach further, or use a kind that continues".into()
             }
+            Self::Law(e) => e.way_out().into(),
+            Self::InvalidNumber { .. } => "give a value inside the allowed range".into(),
+            Self::WormDirectionDegenerate { .. } => {
+                "dress the worm along other lines, for example in its axial plane".into()
+            }
+            Self::RangeNotCovered { .. } => "continue the curve further beyond the ends of the profile".into(),
+            Self::CurveNotAFunction { .. } => {
+                "take a curve that crosses the contact paths everywhere in the same sense".into()
+            }
+            Self::InvalidRegion { .. } => "give at least three corners on the evaluated flank".into(),
+            Self::AreasOverlap { .. } => {
+                "shorten the regions, let them demand the same diagonal ratio, or grind the flanks one by one"
+                    .into()
+            }
+            Self::WormLinesShared { .. } => {
+                "let the diagonal ratio keep its sign over the whole feed, free areas included".into()
+            }
+            Self::NoActiveThread { .. } => "keep at least one thread".into(),
+            Self::NoCommonSwivel { .. } => {
+                "dress the flanks one by one or change the modification of one of them".into()
+            }
             Self::NoFlank => "set grinding.flanks to \"both\", \"left\" or \"right\"".into(),
         }
     }
@@ -192,7 +321,14 @@ impl GeneratingError {
                     | DressingError::InvalidNumber { .. }
                     | DressingError::ConditionCount { .. }
             ),
-            Self::DegenerateDirection { .. } => true,
+            Self::DegenerateDirection { .. }
+            | Self::Law(_)
+            | Self::InvalidNumber { .. }
+            | Self::WormDirectionDegenerate { .. }
+            | Self::RangeNotCovered { .. }
+            | Self::CurveNotAFunction { .. }
+            | Self::InvalidRegion { .. }
+            | Self::NoActiveThread { .. } => true,
             _ => false,
         }
     }

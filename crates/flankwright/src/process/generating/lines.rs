@@ -2,6 +2,7 @@
 //! sections 3 and 5, for cylinders and cones. Knows no target.
 
 use crate::contact::FlankPair;
+use crate::geometry::Flank;
 use crate::kinematics::MotionLaw;
 use crate::modification::EvaluationField;
 use crate::numerics::{Jet2, monotone_root};
@@ -107,6 +108,21 @@ impl FlankLines {
         pull / (1.0 / self.cos_b2 + pull * self.t_k)
     }
 
+    /// The flank.
+    pub fn flank(&self) -> Flank {
+        if self.s > 0.0 { Flank::Left } else { Flank::Right }
+    }
+
+    /// Worm roll that grinds workpiece roll w_2 between cylinders (R7), mm.
+    pub fn worm_roll(&self, w_2: f64) -> f64 {
+        self.cos_b1 * (self.e - w_2 / self.cos_b2)
+    }
+
+    /// Feed z_V2 at which (w_2, z_2) of a cylindrical workpiece is ground, whatever the law of the shift, mm.
+    pub fn path_feed(&self, w_2: f64, z_2: f64) -> f64 {
+        self.c_c2 - self.t_k * w_2 - z_2
+    }
+
     /// Feed z_V2 at which (w_2, z_2) is ground under z_V1 = law(z_V2), mm.
     pub fn feed(&self, w_2: f64, z_2: f64, law: &MotionLaw) -> f64 {
         feed_of(self.work_feeds, law, z_2 + self.t_k * w_2 - self.c_c2)
@@ -141,11 +157,8 @@ impl FlankLines {
         let feed = feed_of(self.worm_feeds, law, reached);
         let [shift, slope, bend] = law.jet(feed);
         let rate = self.worm_feeds[0] * slope + self.worm_feeds[1];
-        let (v_1, v_2) = if rate == 0.0 {
-            (0.0, 0.0)
-        } else {
-            (1.0 / rate, -self.worm_feeds[0] * bend / rate.powi(3))
-        };
+        let (v_1, v_2) =
+            if rate == 0.0 { (0.0, 0.0) } else { (1.0 / rate, -self.worm_feeds[0] * bend / rate.powi(3)) };
         let along = |h: [f64; 3]| Jet2::ridge(h, self.worm_path, 1.0);
         let feed = along([feed, v_1, v_2]);
         let shift = along([shift, slope * v_1, bend * v_1 * v_1 + slope * v_2]);

@@ -78,8 +78,11 @@ impl MadeFlank {
                 .iter()
                 .map(|&w| z.iter().map(|&z| value(w, z)).collect::<Result<Vec<f64>, _>>())
                 .collect::<Result<Vec<_>, _>>()?;
-            let spline = TensorSpline::new(&w, &z, &f)
-                .map_err(|_| GeneratingError::ToolUndefined { flank, w_1: w[0], z_1: z[0] })?;
+            let spline = TensorSpline::new(&w, &z, &f).map_err(|_| GeneratingError::ToolUndefined {
+                flank,
+                w_1: w[0],
+                z_1: z[0],
+            })?;
             // Middles of the edges of the cells tell which axis is too coarse.
             let mut missed = [0.0f64; 2];
             for i in 0..w.len() - 1 {

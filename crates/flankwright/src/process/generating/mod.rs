@@ -1,11 +1,15 @@
 //! Generating grinding with a dressed worm (specs 25 and 28): settings -> flank by the exact contact, and back by
 //! decomposition and precompensation.
 
+pub mod areas;
 mod carried;
+mod curve_law;
 mod decomposition;
 mod dressed;
+mod equal_swivel;
 mod error;
 mod feed_law;
+mod line_functions;
 mod lines;
 mod local_envelope;
 mod made;
@@ -16,16 +20,21 @@ mod precompensation;
 mod quadratic;
 mod ratio;
 mod setup;
+mod strokes;
 mod target;
+mod variable_ratio;
 mod worm_function;
 
 pub use carried::{Carried, FieldSpline, misfit_of_lines};
+pub use curve_law::{CurveLaw, WantedCurve};
 pub use decomposition::{Decomposition, decompose_diagonal, decompose_radial, radial_residual};
 pub use dressed::{
     DressedFlank, dress_flank, dresser_of_plan, dresser_profile, dressing_interval, finished_area,
 };
+pub use equal_swivel::{EqualSwivel, SwivelSide, equal_swivel};
 pub use error::GeneratingError;
 pub use feed_law::FeedLaw;
+pub use line_functions::{LineFunctions, LineWorm};
 pub use lines::FlankLines;
 pub use local_envelope::{LocalEnvelope, kinematic_compliance};
 pub use made::MadeFlank;
@@ -39,5 +48,7 @@ pub use quadratic::{
 };
 pub use ratio::{Candidate, RatioChoice, RatioReason, lead_correction_ratio};
 pub use setup::{DresserChoice, DressingLimits, GrindingSetup, ProfilePlace, SetupInput, Tool};
+pub use strokes::Strokes;
 pub use target::{Carrier, ClassFit, FlankTarget};
+pub use variable_ratio::VariableRatio;
 pub use worm_function::IdealWorm;

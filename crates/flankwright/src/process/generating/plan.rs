@@ -5,8 +5,8 @@ use super::dressed::{DRESSING_MARGIN, DressedFlank, dress_flank, dresser_of_plan
 use super::precompensation::{GroundError, ROUNDS, corrected, precompensate};
 use super::ratio::{Candidate, RatioChoice, RatioReason, Rule};
 use super::{
-    DressingLimits, FeedLaw, FlankTarget, GeneratingError, GrindingSetup, IdealPlan, MadeFlank,
-    PlanningGrid, ProfilePlace, ProfilePolicy, Tool,
+    DressingLimits, FeedLaw, FlankTarget, GeneratingError, GrindingSetup, IdealPlan, MadeFlank, PlanningGrid,
+    ProfilePlace, ProfilePolicy, Tool,
 };
 use crate::contact::{ContactError, ContactSolution};
 use crate::geometry::{Flank, Sides};
@@ -151,8 +151,7 @@ impl PlanTask<'_> {
             FeedLaw::Ratio(ratio) if ratio != 0.0 => rule.judge(ratio, place)?,
             _ => {
                 let policy = rule.policy(place);
-                let (plan, error, _) =
-                    precompensate(self.setup, &self.targets, grid, &feed, policy, rounds)?;
+                let (plan, error, _) = precompensate(self.setup, &self.targets, grid, &feed, policy, rounds)?;
                 let occupation = plan.occupation[1] - plan.occupation[0];
                 Candidate {
                     ratio,
@@ -278,8 +277,9 @@ impl PlanTask<'_> {
             (None, _) => Ok(None),
             (Some(_), Some(dresser)) => dress_flank(self.setup, ideal, dresser, flank, policy, margin)
                 .map(|dressed| Some(PlannedTool::Dressed(dressed))),
-            (Some(_), None) => MadeFlank::of_plan(self.setup, ideal, flank, margin)
-                .map(|made| Some(PlannedTool::Made(made))),
+            (Some(_), None) => {
+                MadeFlank::of_plan(self.setup, ideal, flank, margin).map(|made| Some(PlannedTool::Made(made)))
+            }
         };
         let (left, right) = rayon::join(|| make(Flank::Left), || make(Flank::Right));
         let flanks = Sides { left: left?, right: right? };

@@ -3,6 +3,7 @@
 use super::axes::{Frame, TICK_SIZE};
 use super::contours::{Line, isolines, region_above};
 use super::error::{ChartError, check_count};
+use super::hatch::{Lean, hatch_lines};
 use super::palette::{INK, MUTED, signed_color};
 use super::scale::{Axis, LevelScale};
 use super::svg::{Anchor, Canvas, Stroke, Svg, TextStyle};
@@ -101,7 +102,7 @@ fn draw_bands(
     }
     // A region that exceeds zero by rounding only is not material left standing.
     if field.range_um().1 > 0.02 * scale.step_um() {
-        let hatch = hatch_lines(&place(region_above(field, 0.0)), 7.0);
+        let hatch = hatch_lines(&place(region_above(field, 0.0)), 7.0, Lean::Forward);
         canvas.polylines(&hatch, Stroke::solid(MUTED, 0.5));
     }
 }
@@ -206,34 +207,6 @@ fn along(line: &[[f64; 2]], lengths: &[f64], at: f64) -> [f64; 2] {
     line[line.len() - 1]
 }
 
-/// Lines at 45 degrees, `pitch` apart, clipped to closed loops by the even-odd rule. Drawn as lines because a pattern
-/// would need an identifier that is unique on the page.
-fn hatch_lines(loops: &[Line], pitch: f64) -> Vec<Line> {
-    let sums = loops.iter().flatten().map(|p| p[0] + p[1]);
-    let (lo, hi) = sums.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), s| (lo.min(s), hi.max(s)));
-    if hi <= lo {
-        return Vec::new();
-    }
-    let mut lines = Vec::new();
-    for k in (lo / pitch).ceil() as i64..=(hi / pitch).floor() as i64 {
-        let sum = k as f64 * pitch;
-        let mut cuts: Vec<f64> = Vec::new();
-        for pair in loops.iter().flat_map(|line| line.windows(2)) {
-            let (a, b) = (pair[0][0] + pair[0][1] - sum, pair[1][0] + pair[1][1] - sum);
-            if (a < 0.0) != (b < 0.0) {
-                cuts.push(pair[0][0] + a / (a - b) * (pair[1][0] - pair[0][0]));
-            }
-        }
-        cuts.sort_by(f64::total_cmp);
-        for ends in cuts.chunks_exact(2) {
-            if ends[1] - ends[0] > 0.8 {
-                lines.push(ends.iter().map(|&x| [x, sum - x]).collect());
-            }
-        }
-    }
-    lines
-}
-
 fn draw_colour_bar(canvas: &mut Canvas, bar: Frame, scale: &LevelScale, quantity: &str) {
     let edges = scale.edges_um();
     canvas.text([bar.left - 4.0, bar.top - 14.0], quantity, TextStyle::new(TICK_SIZE, Anchor::Start));
@@ -252,7 +225,7 @@ fn draw_colour_bar(canvas: &mut Canvas, bar: Frame, scale: &LevelScale, quantity
         if middle > 0.0 {
             let (l, r, t, b) = (bar.left, bar.right(), top, top + height);
             let corners = vec![[l, t], [r, t], [r, b], [l, b], [l, t]];
-            canvas.polylines(&hatch_lines(&[corners], 7.0), Stroke::solid(MUTED, 0.5));
+            canvas.polylines(&hatch_lines(&[corners], 7.0, Lean::Forward), Stroke::solid(MUTED, 0.5));
         }
     }
     bar.outline(canvas);

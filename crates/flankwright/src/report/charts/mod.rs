@@ -10,6 +10,7 @@ mod axes;
 mod contour_map;
 mod contours;
 mod error;
+mod hatch;
 mod line_chart;
 mod numbers;
 mod palette;
@@ -19,6 +20,7 @@ mod svg;
 mod text;
 mod topography;
 mod topography_net;
+mod worm_occupation;
 
 pub use contour_map::{ContourMap, contour_map};
 pub use error::ChartError;
@@ -29,6 +31,9 @@ pub use scale::LevelScale;
 pub use svg::Svg;
 pub use topography::{NamedTopography, Topography};
 pub use topography_net::{TopographyNet, topography_net};
+pub use worm_occupation::{
+    OccupationBar, OccupationKind, OccupationRow, WormOccupationChart, worm_occupation_chart,
+};
 
 pub(crate) use svg::escape;
 pub(crate) use text::indices;

@@ -10,6 +10,7 @@
 //! # Ok::<(), flankwright::workflow::verify::VerifyError>(())
 //! ```
 
+mod areas;
 mod bodies;
 mod contact;
 mod decompositions;
@@ -28,6 +29,7 @@ mod report;
 mod schema;
 mod step_simulation;
 mod terms;
+mod variable_ratio;
 
 pub use error::VerifyError;
 pub use ledger::{Failure, NotCovered, NotRun, Worst};

@@ -5,7 +5,8 @@
 use super::ledger::Ledger;
 use super::reference::Reference;
 use super::{
-    contact, decompositions, dressing, gears, ground_flank, ground_modifications, modifications, planning,
+    areas, contact, decompositions, dressing, gears, ground_flank, ground_modifications, modifications,
+    planning, variable_ratio,
 };
 use serde::Serialize;
 use serde_json::Value;
@@ -152,12 +153,12 @@ impl Schema {
                         Block::checked("figure_29_31", decompositions::figure_29_31),
                         Block::to_come("least_squares"),
                         Block::to_come("two_flanks"),
-                        Block::to_come("equal_swivel"),
-                        Block::to_come("figure_25"),
-                        Block::to_come("figure_26_28"),
-                        Block::to_come("areas"),
+                        Block::checked("equal_swivel", areas::equal_swivel),
+                        Block::checked("figure_25", variable_ratio::figure_25),
+                        Block::checked("figure_26_28", variable_ratio::figure_26_28),
+                        Block::checked("areas", areas::areas),
                         Block::checked("constant_ratio_lengths", modifications::constant_ratio_lengths),
-                        Block::to_come("left_out_threads"),
+                        Block::checked("left_out_threads", areas::left_out_threads),
                     ]
                 }
             }

@@ -3,8 +3,8 @@
 use super::super::ledger::Ledger;
 use crate::geometry::{Blank, Flank, Gear, GearData, Sides, WormChoice};
 use crate::modification::{Modification, ModificationSpec, NoFiles};
-use crate::process::generating::{DresserChoice, 
-    DressingLimits, FlankTarget, GeneratingError, GrindingSetup, ProfilePlace, SetupInput,
+use crate::process::generating::{
+    DresserChoice, DressingLimits, FlankTarget, GeneratingError, GrindingSetup, ProfilePlace, SetupInput,
 };
 use serde::Deserialize;
 use serde_json::Value;
