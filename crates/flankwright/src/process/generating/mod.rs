@@ -3,6 +3,7 @@
 
 mod decomposition;
 mod dressed;
+mod equal_ratio;
 mod error;
 mod lines;
 mod local_envelope;
@@ -20,6 +21,7 @@ pub use decomposition::{Decomposition, decompose_diagonal, decompose_radial, rad
 pub use dressed::{
     DressedFlank, dress_flank, dresser_of_plan, dresser_profile, dressing_interval, finished_area,
 };
+pub use equal_ratio::{EqualRatio, EqualRatioSearch, Lever, RatioRoot, generatrix};
 pub use error::GeneratingError;
 pub use lines::FlankLines;
 pub use local_envelope::{LocalEnvelope, kinematic_compliance};

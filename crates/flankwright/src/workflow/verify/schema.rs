@@ -5,7 +5,8 @@
 use super::ledger::Ledger;
 use super::reference::Reference;
 use super::{
-    contact, decompositions, dressing, gears, ground_flank, ground_modifications, modifications, planning,
+    contact, decompositions, dressing, equal_ratio, gears, ground_flank, ground_modifications, modifications,
+    planning,
 };
 use serde::Serialize;
 use serde_json::Value;
@@ -130,7 +131,7 @@ impl Schema {
                 const {
                     &[
                         Block::checked("cases", contact::cases),
-                        Block::to_come("equal_diagonal_ratio"),
+                        Block::checked("equal_diagonal_ratio", equal_ratio::equal_diagonal_ratio),
                         Block::checked("ground_flank", ground_flank::block),
                         Block::checked("gears", gears::gears_block),
                     ]
