@@ -82,32 +82,31 @@ fn every_lever_finds_common_ratios() {
     let tilted = EqualRatioSearch { worm: WormChoice { cone_angle: 0.02, ..plain.worm }, ..plain };
     assert!((is_common(&tilted, Lever::ConeAngle, range(-9.0, 7.0))[0] - cones[0]).abs() < 1e-13);
 
-    // Directions between which the crossing angle or the profile angle decides: those of the ratios at a known worm.
+    // Lines along the generatrix feel neither the crossing angle nor the rack: sin(beta_b1) = cos(alpha_n) sin(beta_w1) keeps
+    // its proportion between the flanks. Lines of axial sections feel both. The wanted directions are those that a known
+    // worm makes with one ratio.
+    let axial: WormLine<'_> = &|f| Ok(f.axial_section_line(14.0));
     for (lever, values) in
         [(Lever::CrossingAngle, range(-109.8, -104.0)), (Lever::ProfileAngle, range(24.0, 28.5))]
     {
         let known = values[0] + 0.37 * (values[1] - values[0]);
-        let mut wanted = plain;
         // K of the left flank at the known worm; the right direction is the one that gives the same there.
-        let at = |search: &EqualRatioSearch<'_>| {
-            let narrow = [known - 1e-9, known + 1e-9];
-            let worm = match lever {
-                Lever::ProfileAngle => WormChoice { pressure_angle: Some(known), ..search.worm },
-                _ => {
-                    let helix = -known - asymmetric.data().helix_angle;
-                    WormChoice { pitch_diameter: Some(2.0 * 2.5 / helix.cos()), ..search.worm }
-                }
-            };
-            (EqualRatioSearch { worm, ..*search }, narrow)
+        let worm = match lever {
+            Lever::ProfileAngle => WormChoice { pressure_angle: Some(known), ..plain.worm },
+            _ => {
+                let helix = -known - asymmetric.data().helix_angle;
+                WormChoice { pitch_diameter: Some(2.0 * 2.5 / helix.cos()), ..plain.worm }
+            }
         };
-        let (there, _) = at(&wanted);
+        let there = EqualRatioSearch { worm, worm_line: axial, ..plain };
+        let mut wanted = EqualRatioSearch { worm_line: axial, ..plain };
         let ratio = there.ratios().unwrap().left;
         let made = flankwright::geometry::worm_for_gear(&asymmetric, &there.worm).unwrap();
         let pair =
             flankwright::contact::Pair::without_backlash(made.worm, asymmetric, made.crossed_axes_angle)
                 .unwrap();
         let right = &pair.flanks.right;
-        wanted.work_lines.right = right.work_direction(generatrix(right).unwrap(), ratio).unwrap();
+        wanted.work_lines.right = right.work_direction(axial(right).unwrap(), ratio).unwrap();
         let roots = is_common(&wanted, lever, values);
         assert!(roots.iter().any(|root| (root - known).abs() < 1e-9), "{lever:?} {known} {roots:?}");
     }

@@ -7,7 +7,8 @@ use crate::metrology::Topography;
 use crate::numerics::{CubicSpline, Progress, Silent};
 use crate::process::generating::{GrindingSetup, finished_area};
 use crate::removal::{
-    Dressing, Grinding, GrindingMode, RayGrid, RemovalError, Statistics, WormArea, dress, grind,
+    ActiveThreads, Dressing, Grinding, GrindingMode, RayGrid, RemovalError, Statistics, WormArea, dress,
+    grind,
 };
 
 /// What one stage did and how exact it is.
@@ -127,6 +128,7 @@ fn run_flank(
         motion: &execution.motion,
         feed_range: execution.feed_range,
         stock,
+        threads: ActiveThreads::All,
         mode: GrindingMode::Continuous,
     };
     let ground = grind(&grinding, &grid, progress)?;

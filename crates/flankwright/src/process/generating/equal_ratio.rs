@@ -59,7 +59,8 @@ pub struct EqualRatio {
 }
 
 /// Lines along the straight generatrix of the worm flank, tan(rho_1) = -s/tan(beta_b1): the default estimate of dressed
-/// lines (spec 20 section 6).
+/// lines (spec 20 section 6). On a cylindrical pair K_l/K_r of such lines depends on sin(beta_b1) alone, whose proportion
+/// between the flanks neither the profile angle nor the crossing angle changes: only the cone angle is a lever for them.
 ///
 /// # Errors
 /// None; the signature is that of [`WormLine`].

@@ -21,7 +21,7 @@ pub use decomposition::{Decomposition, decompose_diagonal, decompose_radial, rad
 pub use dressed::{
     DressedFlank, dress_flank, dresser_of_plan, dresser_profile, dressing_interval, finished_area,
 };
-pub use equal_ratio::{EqualRatio, EqualRatioSearch, Lever, RatioRoot, generatrix};
+pub use equal_ratio::{EqualRatio, EqualRatioSearch, Lever, RatioRoot, WormLine, generatrix};
 pub use error::GeneratingError;
 pub use lines::FlankLines;
 pub use local_envelope::{LocalEnvelope, kinematic_compliance};
