@@ -10,7 +10,8 @@ use flankwright::kinematics::{DressingChain, DressingMotion, GeneratingMotion, M
 use flankwright::numerics::{Chebyshev, Silent};
 use flankwright::process::dressing::{DresserTool, GeometricRange};
 use flankwright::removal::{
-    DressedFlank, DressedSurface, Dressing, Grinding, GrindingMode, RayGrid, WormArea, dress, grind,
+    ActiveThreads, DressedFlank, DressedSurface, Dressing, Grinding, GrindingMode, RayGrid, WormArea, dress,
+    grind,
 };
 use std::f64::consts::PI;
 use std::hint::black_box;
@@ -93,6 +94,7 @@ fn ground(case: &Case, flank: Flank, surface: &DressedSurface, mode: GrindingMod
         motion: &case.grinding,
         feed_range: FEEDS,
         stock: 0.2,
+        threads: ActiveThreads::All,
         mode,
     };
     let left = grind(&setup, &case.rays, &Silent).expect("ground");

@@ -134,14 +134,30 @@ impl InvoluteFlank {
         w.hypot(self.base_radius)
     }
 
+    /// w_s of the circle through a point, and by how much the flank of tooth space 0 lags behind the point there, rad on the
+    /// base circle. Inside the base cylinder both are NaN.
+    fn lag<T: Scalar>(&self, x: &Vector3<T>) -> (T, T) {
+        let (s, r_b) = (self.s(), self.base_radius);
+        let w_s = (x.x * x.x + x.y * x.y - r_b * r_b).sqrt() * self.external_sign;
+        let phi = x.x.atan2(x.y) + (w_s / r_b).atan() * s;
+        (w_s, w_s / r_b + self.base_space_half_angle - phi * s - x.z * (s * self.twist_per_length()))
+    }
+
+    /// Number of the tooth space whose flank is nearest to a point, the one that [`InvoluteFlank::deviation`] measures
+    /// from: 0 is centred on +y at z = 0, numbers rise in the positive sense of rotation about z and are not reduced
+    /// modulo the number of teeth. Inside the base cylinder 0.
+    pub fn nearest_space(&self, x: &Vector3<f64>) -> i64 {
+        let pitch = 2.0 * std::f64::consts::PI / self.teeth;
+        // The cast takes NaN to 0.
+        (self.s() * (self.lag(x).1 / pitch).round()) as i64
+    }
+
     /// Signed deviation of any point from the nearest tooth's flank and its foot (spec 10 section 3; exact, no iteration).
     /// Valid while |f_n| is below half the normal base pitch. Inside the base cylinder the result is NaN.
     pub fn deviation<T: Scalar>(&self, x: &Vector3<T>) -> FlankDeviation<T> {
         let (s, sg, r_b) = (self.s(), self.external_sign, self.base_radius);
         let (sb, cb) = self.base_helix_angle.sin_cos();
-        let w_s = (x.x * x.x + x.y * x.y - r_b * r_b).sqrt() * sg;
-        let phi = x.x.atan2(x.y) + (w_s / r_b).atan() * s;
-        let mut e = w_s / r_b + self.base_space_half_angle - phi * s - x.z * (s * self.twist_per_length());
+        let (w_s, mut e) = self.lag(x);
         let pitch = 2.0 * std::f64::consts::PI / self.teeth;
         e -= T::from((crate::numerics::value_of(e) / pitch).round() * pitch);
         let f_n = e * (r_b * cb);

@@ -18,7 +18,7 @@ pub use knots::SplineError;
 pub use monotone_root::monotone_root;
 pub use polynomial::Polynomial2;
 pub use progress::{Progress, Silent};
-pub use roots::{bisect, golden_section};
+pub use roots::{bisect, brent, golden_section};
 pub use scalar::{Scalar, gradient_of, value_of, variables};
 pub use spline::CubicSpline;
 pub use spline_fit::fit_tensor_spline;

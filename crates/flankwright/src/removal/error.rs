@@ -31,6 +31,8 @@ pub enum Uncut {
     StrokeTooShort,
     /// The contact wanders off the tool's surface before the ray is finished.
     ToolMissing,
+    /// The threads that are left out are the only ones that meet this tooth space.
+    NoActiveThread,
     /// The search for the shortest length did not settle: an edge of the tool decides it (undercut), or a kink.
     NotConverged,
 }
@@ -41,6 +43,7 @@ impl std::fmt::Display for Uncut {
             Self::NotReached => "no pose of the stroke brings the tool near it",
             Self::StrokeTooShort => "the stroke ends before the tool has passed it",
             Self::ToolMissing => "the contact leaves the surface of the tool",
+            Self::NoActiveThread => "no active thread meets this tooth space in any stroke",
             Self::NotConverged => "the search for the shortest length did not settle",
         })
     }
@@ -83,6 +86,12 @@ pub enum RemovalError {
         /// Stage concerned.
         stage: Stage,
     },
+    /// Every thread is left out.
+    #[error("no thread of the {threads} cuts")]
+    NoActiveThread {
+        /// Threads of the worm.
+        threads: i64,
+    },
     /// The dresser's meridian is no function of the radius.
     #[error("the dresser profile turns back at profile parameter {t:.4} mm (radius {r:.4} mm)")]
     ProfileFolds {
@@ -118,6 +127,7 @@ impl RemovalError {
             Self::InvalidGrid { .. } => "invalid-ray-grid",
             Self::FlanksDiffer { .. } => "flanks-differ",
             Self::InternalUnsupported { .. } => "internal-unsupported",
+            Self::NoActiveThread { .. } => "no-active-thread",
             Self::ProfileFolds { .. } => "dresser-profile-folds",
             Self::RayUncut { .. } => "ray-uncut",
             Self::Surface(_) => "no-worm-surface",
@@ -131,11 +141,15 @@ impl RemovalError {
             Self::InvalidGrid { .. } => "give ascending finite abscissae with lengths of roll above 0",
             Self::FlanksDiffer { .. } => "pair left with left and right with right",
             Self::InternalUnsupported { .. } => "use an external gear and worm",
+            Self::NoActiveThread { .. } => "leave at least one thread on the worm",
             Self::ProfileFolds { .. } => "shorten the dresser profile or reduce its modification",
             Self::RayUncut { reason, .. } => match reason {
                 Uncut::NotReached => "check centre distance and phase, or allow more stock",
                 Uncut::StrokeTooShort => "lengthen the stroke at that end",
                 Uncut::ToolMissing => "lengthen the tool's profile or width, or shrink the field of rays",
+                Uncut::NoActiveThread => {
+                    "index the workpiece between strokes or leave more threads on the worm"
+                }
                 Uncut::NotConverged => {
                     "shorten the tool's tip if it undercuts there, or smooth the modification"
                 }

@@ -4,6 +4,7 @@
 //! rays left. A ray's length in a pose is where it meets that surface; its least value over both parameters of the
 //! motion, or over the turns that a real feed makes, is what is left. Every ray searches the whole motion for itself.
 
+use super::active_threads::{ActiveThreads, ThreadRule};
 use super::descent::{Bottom, Slope, descend, descend_along};
 use super::ground_flank::{GroundFlank, GroundRay};
 use super::sweep::{Candidate, Scratch, Sweep};
@@ -46,6 +47,8 @@ pub struct Grinding<'a> {
     pub feed_range: [f64; 2],
     /// Largest length, up or down, that counts as this flank's stock; below a quarter of the normal base pitch.
     pub stock: f64,
+    /// Which threads cut.
+    pub threads: ActiveThreads<'a>,
     /// Envelope or true feed marks.
     pub mode: GrindingMode,
 }
@@ -66,6 +69,8 @@ pub(super) struct Engagement<'a> {
     phase: f64,
     /// d phi_1/d phi_2 at a fixed feed, negative.
     ratio: f64,
+    /// `None` where every thread cuts.
+    threads: Option<ThreadRule>,
 }
 
 /// A ray in workpiece coordinates.
@@ -110,8 +115,8 @@ struct Gap {
 ///
 /// # Errors
 /// [`RemovalError::InvalidNumber`] for stroke, stock, area or feed, [`RemovalError::FlanksDiffer`],
-/// [`RemovalError::InternalUnsupported`]. Rays that the worm does not finish are no error here; see
-/// [`GroundFlank::lengths`].
+/// [`RemovalError::InternalUnsupported`], [`RemovalError::NoActiveThread`]. Rays that the worm does not finish are no error
+/// here; see [`GroundFlank::lengths`].
 pub fn grind(
     setup: &Grinding<'_>,
     grid: &RayGrid,
@@ -192,7 +197,9 @@ impl<'a> Engagement<'a> {
         }
         let area = setup.area.within(setup.modification.domain())?;
         let phase = setup.motion.phase[work.flank];
-        Ok(Self { setup, area, base_pitch, phase, ratio: -setup.motion.teeth / setup.motion.threads })
+        let (z_1, z_2) = (setup.motion.threads, setup.motion.teeth);
+        let threads = ThreadRule::new(setup.threads, z_1, z_2)?;
+        Ok(Self { setup, area, base_pitch, phase, ratio: -z_2 / z_1, threads })
     }
 
     /// X_SV at workpiece angle `angle` and feed `feed`: the worm angle that the coupling gives to them.
@@ -343,15 +350,32 @@ impl<'a> Engagement<'a> {
             Some(first) => descend(start, Vector2::from(sweep.step), first.lam, &mut evaluate)
                 .ok_or(Uncut::NotConverged)
                 .and_then(|bottom| self.judged(&bottom).map(|()| bottom))
-                .and_then(|bottom| match self.setup.mode {
-                    GrindingMode::Continuous => Ok(Some((ground(bottom.x, &bottom.sample), bottom.residue))),
-                    GrindingMode::FeedMarks { feed_per_revolution, start } => {
-                        self.least_pass(&bottom, feed_per_revolution, start, &mut evaluate).map(Some)
+                .and_then(|bottom| {
+                    let threads = self.threads.as_ref().map(|rule| (rule, self.thread(ray, &bottom)));
+                    if threads.is_some_and(|(rule, first)| !rule.ever_cuts(first)) {
+                        return Err(Uncut::NoActiveThread);
+                    }
+                    match self.setup.mode {
+                        GrindingMode::Continuous => {
+                            Ok(Some((ground(bottom.x, &bottom.sample), bottom.residue)))
+                        }
+                        GrindingMode::FeedMarks { feed_per_revolution, start } => {
+                            let cuts = |turn: f64| threads.is_none_or(|(rule, first)| rule.cuts(first, turn));
+                            self.least_pass(&bottom, feed_per_revolution, start, cuts, &mut evaluate)
+                                .map(Some)
+                        }
                     }
                 }),
         };
         *exact += count;
         finished
+    }
+
+    /// The thread on which a bottom lies when phi_2 is the bottom's own angle, no whole turns added.
+    fn thread(&self, ray: &Ray, bottom: &Bottom<Length>) -> i64 {
+        let pose = self.pose(bottom.x[0], bottom.x[1]);
+        let end = ray.point + ray.normal * bottom.sample.lam;
+        self.setup.worm.nearest_space(&(pose.rotation() * end + pose.translation()))
     }
 
     /// Whether the bottom lies within stroke and worm.
@@ -366,13 +390,14 @@ impl<'a> Engagement<'a> {
         Ok(())
     }
 
-    /// The least length over the turns of a real feed. Round the envelope's bottom the length of a pass grows with its
-    /// distance from there, so that the search goes outwards on both sides until it grows.
+    /// The least length over the turns of a real feed in which a thread cuts. Round the envelope's bottom the length of a
+    /// pass grows with its distance from there, so that the search goes outwards on both sides until it grows.
     fn least_pass(
         &self,
         bottom: &Bottom<Length>,
         feed: f64,
         start: f64,
+        cuts: impl Fn(f64) -> bool,
         evaluate: &mut impl FnMut(Vector2<f64>, f64) -> Option<Length>,
     ) -> Result<(GroundRay, f64), Uncut> {
         let per_angle = feed / (2.0 * std::f64::consts::PI);
@@ -396,13 +421,23 @@ impl<'a> Engagement<'a> {
             }
             Ok((ground(x, &sample), residue))
         };
-        let nearest = ((bottom.x[1] - start - per_angle * bottom.x[0]) / feed).round();
+        // Some turn among as many as there are threads cuts, or the bottom would have been given up before.
+        let period = self.threads.as_ref().map_or(1, ThreadRule::period);
+        let next = |turn: f64, side: f64| (0..period).map(|k| turn + side * k as f64).find(|&k| cuts(k));
+        let middle = (bottom.x[1] - start - per_angle * bottom.x[0]) / feed;
+        let nearest = [-1.0, 1.0]
+            .into_iter()
+            .filter_map(|side| next(middle.round(), side))
+            .min_by(|a, b| (a - middle).abs().total_cmp(&(b - middle).abs()))
+            .ok_or(Uncut::NoActiveThread)?;
         let mut best = pass(nearest);
         for side in [-1.0, 1.0] {
             let mut last = best;
-            let mut turn = nearest + side;
+            let mut turn = nearest;
             // Passes that are not there (end of stroke, end of worm) leave the field to the others.
-            while let Ok(found) = pass(turn) {
+            while let Some(after) = next(turn + side, side) {
+                turn = after;
+                let Ok(found) = pass(turn) else { break };
                 if last.is_ok_and(|(other, _)| found.0.f >= other.f) {
                     break;
                 }
@@ -410,7 +445,6 @@ impl<'a> Engagement<'a> {
                     best = Ok(found);
                 }
                 last = Ok(found);
-                turn += side;
             }
         }
         best

@@ -5,6 +5,7 @@
 //! find a contact: every length here comes from a ray that meets a body in a pose of the real motion, so that an error
 //! in a closed form shows as a difference instead of cancelling out.
 
+mod active_threads;
 mod descent;
 mod dress;
 mod dressed_flank;
@@ -17,6 +18,7 @@ mod statistics;
 mod sweep;
 mod worm_surface;
 
+pub use active_threads::ActiveThreads;
 pub use dress::{Dressing, dress};
 pub use dressed_flank::{DressedFlank, DressedRay, DressedSurface};
 pub use error::{RemovalError, Stage, Uncut};

@@ -8,8 +8,8 @@ use crate::numerics::{CubicSpline, Progress, Silent};
 use crate::process::dressing::DresserTool;
 use crate::process::generating::{GrindingSetup, finished_area};
 use crate::removal::{
-    DressedSurface, Dressing, Grinding, GrindingMode, RayGrid, RemovalError, Statistics, WormArea,
-    WormModification, dress, grind,
+    ActiveThreads, DressedSurface, Dressing, Grinding, GrindingMode, RayGrid, RemovalError, Statistics,
+    WormArea, WormModification, dress, grind,
 };
 
 /// What one stage did and how exact it is.
@@ -202,6 +202,7 @@ fn run_flank(
         motion: &execution.motion,
         feed_range: execution.feed_range,
         stock,
+        threads: ActiveThreads::All,
         mode: GrindingMode::Continuous,
     };
     let ground = grind(&grinding, &grid, progress)?;

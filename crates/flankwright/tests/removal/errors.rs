@@ -5,7 +5,8 @@ use flankwright::geometry::{Flank, Revolution};
 use flankwright::kinematics::{DressingMotion, MotionLaw};
 use flankwright::numerics::{Chebyshev, Progress, Silent, TensorSpline};
 use flankwright::removal::{
-    Dressing, Grinding, GrindingMode, RayGrid, RemovalError, Stage, Uncut, Unmodified, WormArea, dress, grind,
+    ActiveThreads, Dressing, Grinding, GrindingMode, RayGrid, RemovalError, Stage, Uncut, Unmodified,
+    WormArea, dress, grind,
 };
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -75,6 +76,7 @@ fn stroke_and_worm_must_reach_every_ray() {
         motion: &motion,
         feed_range,
         stock: 0.1,
+        threads: ActiveThreads::All,
         mode: GrindingMode::Continuous,
     };
     let ground = grind(&whole, &grid, &Silent).unwrap();
@@ -122,6 +124,7 @@ fn unusable_input_is_refused() {
         motion: &motion,
         feed_range: [-20.0, 20.0],
         stock: 0.1,
+        threads: ActiveThreads::All,
         mode: GrindingMode::Continuous,
     };
     let code = |setup: Grinding<'_>| grind(&setup, &grid, &Silent).unwrap_err().code();

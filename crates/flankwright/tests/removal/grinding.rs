@@ -5,7 +5,7 @@ use flankwright::contact::{ExactContact, ModifiedThread};
 use flankwright::geometry::Flank;
 use flankwright::kinematics::{MotionLaw, Point};
 use flankwright::numerics::{Polynomial2, Silent};
-use flankwright::removal::{Grinding, GrindingMode, RayGrid, Unmodified, grind};
+use flankwright::removal::{ActiveThreads, Grinding, GrindingMode, RayGrid, Unmodified, grind};
 use proptest::prelude::*;
 
 #[test]
@@ -33,6 +33,7 @@ fn ground_flanks_are_the_exact_contact() {
                 motion: &motion,
                 feed_range: feeds(&pair, flank, &grid, &motion, 4.0),
                 stock: 0.2,
+                threads: ActiveThreads::All,
                 mode: GrindingMode::Continuous,
             };
             let left = grind(&setup, &grid, &Silent).unwrap();
@@ -72,6 +73,7 @@ fn no_pose_of_the_whole_motion_cuts_deeper() {
         motion: &motion,
         feed_range: feeds(&pair, flank, &grid, &motion, 4.0),
         stock: 0.2,
+        threads: ActiveThreads::All,
         mode: GrindingMode::Continuous,
     };
     let left = grind(&setup, &grid, &Silent).unwrap();
@@ -136,6 +138,7 @@ proptest! {
                 motion: &motion,
                 feed_range: feeds(&pair, flank, &grid, &motion, 2.0),
                 stock: 0.1,
+                threads: ActiveThreads::All,
                 mode: GrindingMode::Continuous,
             };
             let left = grind(&setup, &grid, &Silent).unwrap();

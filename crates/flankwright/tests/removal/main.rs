@@ -1,8 +1,10 @@
 //! The referee against exact solutions, reference numbers and itself.
 
+mod combinations;
 mod dressing;
 mod errors;
 mod feed_marks;
 mod grinding;
+mod left_out_threads;
 mod setups;
 mod threads;

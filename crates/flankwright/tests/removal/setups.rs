@@ -131,15 +131,20 @@ pub fn meshing(
     threads: i32,
     worm_diameter: f64,
 ) -> Pair {
-    let work = Gear::new(GearData {
+    let work = GearData {
         teeth,
         normal_module: module,
         pressure_angle: Sides::both(alpha_deg.to_radians()),
         helix_angle: beta_deg.to_radians(),
         profile_shift: 0.1,
         cone_angle: 0.0,
-    })
-    .unwrap();
+    };
+    meshing_with(work, threads, worm_diameter, 0.0)
+}
+
+/// The same for any workpiece and a worm with a cone angle, rad.
+pub fn meshing_with(work: GearData, threads: i32, worm_diameter: f64, worm_cone: f64) -> Pair {
+    let work = Gear::new(work).unwrap();
     let choice = WormChoice {
         threads,
         hand: 1.0,
@@ -147,7 +152,7 @@ pub fn meshing(
         tip_diameter: None,
         pressure_angle: None,
         profile_shift: 0.0,
-        cone_angle: 0.0,
+        cone_angle: worm_cone,
     };
     let worm = worm_for_gear(&work, &choice).unwrap();
     Pair::without_backlash(worm.worm, work, worm.crossed_axes_angle).unwrap()

@@ -5,7 +5,7 @@ use flankwright::geometry::Flank;
 use flankwright::kinematics::MotionLaw;
 use flankwright::numerics::{Polynomial2, Silent};
 use flankwright::process::dressing::dressing_motion;
-use flankwright::removal::{Dressing, Grinding, GrindingMode, RayGrid, dress, grind};
+use flankwright::removal::{ActiveThreads, Dressing, Grinding, GrindingMode, RayGrid, dress, grind};
 
 fn with_threads<R: Send>(count: usize, work: impl FnOnce() -> R + Send) -> R {
     rayon::ThreadPoolBuilder::new().num_threads(count).build().unwrap().install(work)
@@ -44,6 +44,7 @@ fn grinding_does_not_depend_on_the_threads() {
             motion: &motion,
             feed_range: feeds(&pair, flank, &grid, &motion, 4.0),
             stock: 0.2,
+            threads: ActiveThreads::All,
             mode,
         };
         let run = |threads| with_threads(threads, || grind(&setup, &grid, &Silent).unwrap());

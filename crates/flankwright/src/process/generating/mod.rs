@@ -6,6 +6,7 @@ mod carried;
 mod curve_law;
 mod decomposition;
 mod dressed;
+mod equal_ratio;
 mod equal_swivel;
 mod error;
 mod feed_law;
@@ -31,6 +32,7 @@ pub use decomposition::{Decomposition, decompose_diagonal, decompose_radial, rad
 pub use dressed::{
     DressedFlank, dress_flank, dresser_of_plan, dresser_profile, dressing_interval, finished_area,
 };
+pub use equal_ratio::{EqualRatio, EqualRatioSearch, Lever, RatioRoot, WormLine, generatrix};
 pub use equal_swivel::{EqualSwivel, SwivelSide, equal_swivel};
 pub use error::GeneratingError;
 pub use feed_law::FeedLaw;

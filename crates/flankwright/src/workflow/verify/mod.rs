@@ -15,6 +15,7 @@ mod bodies;
 mod contact;
 mod decompositions;
 mod dressing;
+mod equal_ratio;
 mod error;
 mod expected;
 mod gear_sets;

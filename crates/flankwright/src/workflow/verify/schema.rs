@@ -5,8 +5,8 @@
 use super::ledger::Ledger;
 use super::reference::Reference;
 use super::{
-    areas, contact, decompositions, dressing, gears, ground_flank, ground_modifications, modifications,
-    planning, variable_ratio,
+    areas, contact, decompositions, dressing, equal_ratio, gears, ground_flank, ground_modifications,
+    modifications, planning, variable_ratio,
 };
 use serde::Serialize;
 use serde_json::Value;
@@ -131,7 +131,7 @@ impl Schema {
                 const {
                     &[
                         Block::checked("cases", contact::cases),
-                        Block::to_come("equal_diagonal_ratio"),
+                        Block::checked("equal_diagonal_ratio", equal_ratio::equal_diagonal_ratio),
                         Block::checked("ground_flank", ground_flank::block),
                         Block::checked("gears", gears::gears_block),
                     ]
