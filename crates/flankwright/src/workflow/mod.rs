@@ -7,6 +7,7 @@ mod prepare;
 mod referee;
 mod result;
 mod run;
+mod shift;
 mod tables;
 pub mod verify;
 mod write;

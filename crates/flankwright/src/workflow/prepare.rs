@@ -1,5 +1,6 @@
 //! From a checked job to bodies, targets and the task of planning. Every finding names the job's key.
 
+use super::shift::shift_of_job;
 use crate::exchange::job::{
     DiagonalRatio, DresserModification, FixedDresser, Flanks, Job, Method, Modification as JobModification,
     ProfileCrowningBy, Tool as JobTool,
@@ -10,6 +11,7 @@ use crate::kinematics::MotionLaw;
 use crate::modification::{
     EvaluationField, GridTable, Modification, ModificationError, ModificationFiles, ModificationSpec,
 };
+use crate::process::generating::areas::AreaPlan;
 use crate::process::generating::{
     Carrier, DresserChoice, DressingLimits, FlankTarget, GeneratingError, GrindingSetup, PlanTask,
     ProfilePlace, SetupInput, Tool,
@@ -29,6 +31,8 @@ pub struct Prepared {
     pub free_dresser: bool,
     /// The law of the shift, where the job asks for one in place of a ratio.
     pub law: Option<MotionLaw>,
+    /// The areas that the law was made for.
+    pub areas: Option<AreaPlan>,
     /// Remarks on the job, each with a way out.
     pub warnings: Vec<Remark>,
 }
@@ -416,7 +420,18 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
         Some(made) => made.into_iter().cloned().collect(),
         None => relief_specs(loaded, flank, &setup.fields[flank]),
     });
-    Ok(Prepared { setup, targets, reliefs, places, free_dresser, law: None, warnings })
+    let which: Vec<Flank> = Flank::BOTH.into_iter().filter(|&flank| ground(flank)).collect();
+    let shift = shift_of_job(job, &setup, &which)?;
+    Ok(Prepared {
+        setup,
+        targets,
+        reliefs,
+        places,
+        free_dresser,
+        law: shift.law,
+        areas: shift.areas,
+        warnings,
+    })
 }
 
 /// Entries of the target, sums opened, that depend on the profile only and are no polynomials.

@@ -4,7 +4,7 @@ use super::execution::Execution;
 use super::prepare::{Prepared, Remark, RunFailure, prepare};
 use super::referee::{self, Verdict};
 use super::result::{CandidateResult, CharacteristicsUm, FlankResult, JobResult, SettingsResult, Status};
-use crate::exchange::job::{DiagonalRatio, DiagonalRule, Grinding, Job};
+use crate::exchange::job::{DiagonalRatio, Grinding, Job};
 use crate::exchange::{Diagnostic, LoadedJob, Problem};
 use crate::geometry::{Flank, Sides};
 use crate::numerics::Progress;
@@ -65,31 +65,16 @@ fn supported(job: &Job) -> Result<(), RunFailure> {
     if job.explore.is_some() {
         return refuse("explore", "a study of several settings", "leave [explore] out");
     }
-    supported_grinding(&job.grinding, job.worm.threads)
+    supported_grinding(&job.grinding)
         .map_or(Ok(()), |(field, what, way_out)| refuse(field, what, way_out))
 }
 
 /// Key, name and way out of the first part of `[grinding]` that is not carried out yet.
-fn supported_grinding(
-    grinding: &Grinding,
-    threads: u32,
-) -> Option<(&'static str, &'static str, &'static str)> {
-    let all = |active: &Vec<u32>| active.len() == threads as usize;
-    if matches!(
-        grinding.diagonal_ratio,
-        Some(DiagonalRatio::Law(_) | DiagonalRatio::Rule(DiagonalRule::Areas))
-    ) {
-        Some((
-            "grinding.diagonal_ratio",
-            "a diagonal ratio that changes over the feed",
-            "use a number or \"auto\"",
-        ))
-    } else if !grinding.gauge.is_default() {
+fn supported_grinding(grinding: &Grinding) -> Option<(&'static str, &'static str, &'static str)> {
+    if !grinding.gauge.is_default() {
         Some(("grinding.gauge", "another gauge than \"centred\"", "leave `gauge` out"))
     } else if grinding.roughing_areas > 0 {
         Some(("grinding.roughing_areas", "areas of the worm for roughing", "leave `roughing_areas` out"))
-    } else if grinding.active_threads.as_ref().is_some_and(|active| !all(active)) {
-        Some(("grinding.active_threads", "grinding with some of the threads", "leave `active_threads` out"))
     } else {
         None
     }
