@@ -3,6 +3,7 @@
 
 mod execution;
 mod page;
+mod partition;
 mod prepare;
 mod referee;
 mod result;
@@ -13,6 +14,7 @@ pub mod verify;
 mod write;
 
 pub use execution::{ExecutedFlank, Execution};
+pub use partition::{Partition, StrokePlan};
 pub use prepare::{Prepared, Remark, RunFailure, blank_of_job, gear_of_job, prepare, setup_of_job};
 pub use referee::{StageReport, Verdict};
 pub use result::{CandidateResult, CharacteristicsUm, FlankResult, JobResult, SettingsResult, Status};

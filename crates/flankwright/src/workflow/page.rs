@@ -224,6 +224,21 @@ fn settings_quantities(outcome: &Outcome, job: &Job) -> Vec<Quantity> {
     if let Some(place) = s.profile_crowning_by {
         list.push(Quantity::text("profile crowning made by", place));
     }
+    if let Some(partition) = &s.partition {
+        list.push(Quantity::number("length of an area on the tool", "", partition.area_length_mm, "mm"));
+        list.push(Quantity::number("pitch of areas", "P", partition.area_pitch_mm, "mm"));
+        let count = |n: usize| i64::try_from(n).unwrap_or(i64::MAX);
+        list.extend(partition.areas_that_fit.map(|n| Quantity::count("finishing areas that fit", "n", count(n))));
+        if partition.roughing_areas > 0 {
+            list.push(Quantity::count("roughing areas", "", count(partition.roughing_areas)));
+        }
+    }
+    if let Some(strokes) = &s.strokes {
+        let joined = |n: &[u32]| n.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
+        list.push(Quantity::text("threads that grind", joined(&strokes.active_threads)));
+        list.push(Quantity::text("index offsets of the strokes (pitches)", joined(&strokes.index_pitches)));
+        list.push(Quantity::number("share of the full feed", "", strokes.feed_factor, ""));
+    }
     if let Some(feed) = job.grinding.feed_per_revolution {
         list.push(Quantity::number("feed per revolution of the gear", "", feed, "mm"));
     }
@@ -362,6 +377,7 @@ pub fn html_page(
                 })
                 .collect(),
         }),
+        occupation: outcome.result.settings.partition.as_ref().map(|p| p.chart().clone()),
         grinding_motion: Some(grinding_motion(outcome)),
         dressing: Sides::from_fn(|flank| dressing_motion(outcome, flank)),
         warnings: result

@@ -1,6 +1,7 @@
 //! The referee's run: rays of the worm against the dresser, then rays of the workpiece against the worm that those rays
 //! left (spec 28 section 5). Nothing of the process's own formulas enters here, only bodies and motions.
 
+use super::partition::StrokePlan;
 use super::execution::{ExecutedDressing, ExecutedTool, Execution};
 use crate::geometry::{Flank, Sides};
 use crate::metrology::Topography;
@@ -19,6 +20,24 @@ pub struct StageReport {
     pub statistics: Statistics,
     /// Bound of its own error, um.
     pub error_um: f64,
+}
+
+/// How the strokes cut.
+#[derive(Clone, Copy, Debug)]
+pub struct Cutting<'a> {
+    /// Axial feed per revolution of the gear, mm, for the true feed marks.
+    pub feed_per_revolution: Option<f64>,
+    /// Threads and strokes, where threads are left out.
+    pub strokes: Option<&'a StrokePlan>,
+}
+
+impl<'a> Cutting<'a> {
+    fn threads(&self) -> ActiveThreads<'a> {
+        self.strokes.map_or(ActiveThreads::All, |plan| ActiveThreads::Only {
+            threads: &plan.active_threads,
+            strokes: &plan.index_pitches,
+        })
+    }
 }
 
 /// The referee's verdict on one flank.
@@ -49,10 +68,10 @@ const STOCK: f64 = 0.2;
 pub fn run(
     setup: &GrindingSetup,
     execution: &Execution,
-    feed_per_revolution: Option<f64>,
+    cutting: Cutting<'_>,
     progress: &dyn Progress,
 ) -> Result<Sides<Option<Verdict>>, RemovalError> {
-    Sides::try_from_fn(|flank| run_flank(setup, execution, flank, feed_per_revolution, progress))
+    Sides::try_from_fn(|flank| run_flank(setup, execution, flank, cutting, progress))
 }
 
 /// Sections on which the spacing along the other axis is judged.
@@ -170,7 +189,7 @@ fn run_flank(
     setup: &GrindingSetup,
     execution: &Execution,
     flank: Flank,
-    feed_per_revolution: Option<f64>,
+    cutting: Cutting<'_>,
     progress: &dyn Progress,
 ) -> Result<Option<Verdict>, RemovalError> {
     let Some(executed) = &execution.flanks[flank] else { return Ok(None) };
@@ -202,11 +221,11 @@ fn run_flank(
         motion: &execution.motion,
         feed_range: execution.feed_range,
         stock,
-        threads: ActiveThreads::All,
+        threads: cutting.threads(),
         mode: GrindingMode::Continuous,
     };
     let ground = grind(&grinding, &grid, progress)?;
-    let feed_mark = feed_per_revolution.map(|feed| feed_mark(&grinding, feed, &executed.target, progress));
+    let feed_mark = cutting.feed_per_revolution.map(|feed| feed_mark(&grinding, feed, &executed.target, progress));
     let simulated = Topography { f: ground.lengths()?, ..executed.target.clone() };
     Ok(Some(Verdict {
         simulated,

@@ -1,5 +1,6 @@
 //! `result.json`: what a plan or a simulation came to, with units in the key names (spec 90 section 3).
 
+use super::partition::{Partition, StrokePlan};
 use super::prepare::Remark;
 use crate::exchange::job::Settings;
 use crate::geometry::Sides;
@@ -129,6 +130,12 @@ pub struct SettingsResult {
     pub crossed_axes_angle_deg: f64,
     /// Feed stroke z_V2, overrun included.
     pub feed_stroke_mm: [f64; 2],
+    /// Areas on the tool; absent for conical bodies.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub partition: Option<Partition>,
+    /// Strokes of a pass, where threads are left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub strokes: Option<StrokePlan>,
     /// Part of the worm that is used, z_1.
     pub worm_occupation_mm: [f64; 2],
     /// Length of that part.

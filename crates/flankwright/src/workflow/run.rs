@@ -2,7 +2,8 @@
 
 use super::execution::Execution;
 use super::prepare::{Prepared, Remark, RunFailure, prepare};
-use super::referee::{self, Verdict};
+use super::partition::{Partition, StrokePlan};
+use super::referee::{self, Cutting, Verdict};
 use super::result::{CandidateResult, CharacteristicsUm, FlankResult, JobResult, SettingsResult, Status};
 use crate::exchange::job::{DiagonalRatio, Grinding, Job};
 use crate::exchange::{Diagnostic, LoadedJob, Problem};
@@ -73,8 +74,6 @@ fn supported(job: &Job) -> Result<(), RunFailure> {
 fn supported_grinding(grinding: &Grinding) -> Option<(&'static str, &'static str, &'static str)> {
     if !grinding.gauge.is_default() {
         Some(("grinding.gauge", "another gauge than \"centred\"", "leave `gauge` out"))
-    } else if grinding.roughing_areas > 0 {
-        Some(("grinding.roughing_areas", "areas of the worm for roughing", "leave `roughing_areas` out"))
     } else {
         None
     }
@@ -123,8 +122,11 @@ fn finish(
     progress: &dyn Progress,
 ) -> Result<Outcome, RunFailure> {
     let job = &loaded.job;
+    let partition = Partition::of_job(job, &prepared, execution.ratio, &execution.motion.shift)?;
+    let strokes = StrokePlan::of_job(job)?;
     let refereeing = Instant::now();
-    let verdicts = referee::run(&prepared.setup, &execution, job.grinding.feed_per_revolution, progress)
+    let cutting = Cutting { feed_per_revolution: job.grinding.feed_per_revolution, strokes: strokes.as_ref() };
+    let verdicts = referee::run(&prepared.setup, &execution, cutting, progress)
         .map_err(|e| {
             let finding = Diagnostic::with_code(e.code(), e.to_string())
                 .field("grinding")
@@ -201,6 +203,8 @@ fn finish(
             centre_distance_mm: setup.pair.chain.centre_distance,
             crossed_axes_angle_deg: setup.pair.chain.crossed_axes_angle.to_degrees(),
             feed_stroke_mm: execution.feed_range,
+            partition,
+            strokes,
             worm_occupation_mm: execution.occupation,
             worm_length_mm: execution.occupation[1] - execution.occupation[0],
             worm_pitch_diameter_mm: 2.0 * setup.worm_pitch_radius,

@@ -196,6 +196,14 @@ impl FlankLines {
         extremes(self.outline(law).into_iter().map(|(w, z)| self.worm_point(w, z, law).1))
     }
 
+    /// Worm lines [min, max] of xi_1 = z_1 + t_1 w_1 over the field, mm.
+    pub fn line_range(&self, law: &MotionLaw) -> [f64; 2] {
+        extremes(self.outline(law).into_iter().map(|(w, z)| {
+            let (w_1, z_1) = self.worm_point(w, z, law);
+            z_1 + self.t_1 * w_1
+        }))
+    }
+
     /// Worm rolls [min, max] of w_1 over the field, mm.
     pub fn worm_rolls(&self, law: &MotionLaw) -> [f64; 2] {
         extremes(self.outline(law).into_iter().map(|(w, z)| self.worm_point(w, z, law).0))

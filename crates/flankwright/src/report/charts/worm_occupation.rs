@@ -7,9 +7,10 @@ use super::palette::{FAINT, INK, MUTED};
 use super::scale::Axis;
 use super::svg::{Anchor, Canvas, Stroke, Svg, TextStyle};
 use super::text::text_width;
+use serde::Serialize;
 
 /// Areas of a worm over its width.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct WormOccupationChart {
     /// Heading of the chart.
     pub title: String,
@@ -20,7 +21,7 @@ pub struct WormOccupationChart {
 }
 
 /// The bars of one flank.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct OccupationRow {
     /// Name, for example `Left flank`.
     pub name: String,
@@ -29,7 +30,7 @@ pub struct OccupationRow {
 }
 
 /// A stretch of the worm.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct OccupationBar {
     /// Use.
     pub kind: OccupationKind,
@@ -40,7 +41,8 @@ pub struct OccupationBar {
 }
 
 /// Use of a stretch of the worm.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum OccupationKind {
     /// A finishing area, whole.
     Finishing,

@@ -2,8 +2,8 @@
 
 use super::data::{GeneratingReport, RatioChoice, Verification};
 use super::{motions, result, topographies};
-use crate::report::charts::{ChartError, format_fixed, format_significant};
-use crate::report::{Block, Column, Fact, PlanReport, Section, Table};
+use crate::report::charts::{ChartError, format_fixed, format_significant, worm_occupation_chart};
+use crate::report::{Block, Column, Fact, Figure, PlanReport, Section, Table};
 
 impl GeneratingReport {
     /// Arranges the figures as a page.
@@ -15,7 +15,7 @@ impl GeneratingReport {
             Section::new("Result per flank", result::summary(self)),
             warnings(self),
             Section::new("Gear and tools", data_sheets(self)),
-            Section::new("Settings", settings(self)),
+            Section::new("Settings", settings(self)?),
             Section::new("Topographies", topographies::figures(&self.flanks)?),
             Section::new("Profile and helix", topographies::diagram(&self.flanks)?),
             Section::new("Grinding motion", motions::grinding(self.grinding_motion.as_ref())?),
@@ -53,7 +53,7 @@ fn data_sheets(report: &GeneratingReport) -> Vec<Block> {
     if tables.is_empty() { Vec::new() } else { vec![Block::Tables(tables)] }
 }
 
-fn settings(report: &GeneratingReport) -> Vec<Block> {
+fn settings(report: &GeneratingReport) -> Result<Vec<Block>, ChartError> {
     let mut blocks = Vec::new();
     if !report.settings.is_empty() {
         blocks.push(Block::Table(Table::of_quantities("", &report.settings)));
@@ -61,7 +61,11 @@ fn settings(report: &GeneratingReport) -> Vec<Block> {
     if let Some(ratio) = &report.ratio {
         blocks.extend(ratio_choice(ratio));
     }
-    blocks
+    if let Some(chart) = &report.occupation {
+        let caption = "Which part of the tool's width each area takes; areas a pitch apart share no line of the tool.";
+        blocks.push(Block::Figure(Figure { svg: worm_occupation_chart(chart)?, caption: caption.to_owned() }));
+    }
+    Ok(blocks)
 }
 
 fn ratio_choice(ratio: &RatioChoice) -> Vec<Block> {

@@ -1,0 +1,213 @@
+//! Who uses which part of the tool: areas side by side, roughing and finishing, and the strokes of a tool whose threads are
+//! partly left out (spec 25 section 8). Cylindrical bodies.
+
+use super::prepare::{Prepared, RunFailure};
+use crate::exchange::Diagnostic;
+use crate::exchange::job::Job;
+use crate::geometry::{Flank, Sides};
+use crate::kinematics::MotionLaw;
+use crate::process::generating::areas::{
+    AreaKind, AreaPlan, AreaSet, AreaTask, Occupation, OccupiedPlace, PlaceKind, WormExtent,
+};
+use crate::process::generating::{FlankLines, GeneratingError, Strokes};
+use crate::report::charts::{OccupationBar, OccupationKind, OccupationRow, WormOccupationChart};
+use serde::Serialize;
+
+/// The partition of the tool.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Partition {
+    /// Length of one finishing area.
+    pub area_length_mm: f64,
+    /// Distance of neighbouring finishing areas.
+    pub area_pitch_mm: f64,
+    /// Finishing areas that fit beside the roughing areas; absent without a tool width.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub areas_that_fit: Option<usize>,
+    /// Finishing areas laid out.
+    pub areas: usize,
+    /// Roughing areas laid out.
+    pub roughing_areas: usize,
+    /// Length from the first area to the end of the last.
+    pub length_mm: f64,
+    /// Added to z_V1 of the plan for each area, roughing first.
+    pub shifts_mm: Vec<f64>,
+    #[serde(skip)]
+    chart: WormOccupationChart,
+}
+
+/// The strokes of a pass with some of the threads left out.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct StrokePlan {
+    /// Threads that grind, counted from 0.
+    pub active_threads: Vec<u32>,
+    /// Strokes of one pass.
+    pub strokes_per_pass: usize,
+    /// Index offsets of the workpiece, one a stroke, in pitches.
+    pub index_pitches: Vec<u32>,
+    /// Share of the full axial feed at which a tooth space is met as often as with all threads.
+    pub feed_factor: f64,
+}
+
+impl StrokePlan {
+    /// The strokes that a job with left-out threads takes; `None` where every thread grinds.
+    ///
+    /// # Errors
+    /// A finding on `grinding.active_threads`.
+    pub(super) fn of_job(job: &Job) -> Result<Option<Self>, RunFailure> {
+        let Some(active) = &job.grinding.active_threads else { return Ok(None) };
+        if active.len() == job.worm.threads as usize {
+            return Ok(None);
+        }
+        let numbers: Vec<usize> = active.iter().map(|&a| a as usize).collect();
+        let teeth = job.gear.teeth.unsigned_abs() as usize;
+        let strokes = Strokes::new(job.worm.threads as usize, teeth, &numbers).map_err(|e| {
+            let finding = Diagnostic::with_code(e.code(), e.to_string()).field("grinding.active_threads");
+            RunFailure::bad_input(finding.way_out(e.way_out()))
+        })?;
+        Ok(Some(Self {
+            active_threads: active.clone(),
+            strokes_per_pass: strokes.per_pass(),
+            index_pitches: strokes.index_pitches.iter().map(|&o| o as u32).collect(),
+            feed_factor: strokes.feed_factor,
+        }))
+    }
+}
+
+/// Run-in and run-out at each end of the tool, mm (spec 28 section 2).
+fn margin(prepared: &Prepared) -> f64 {
+    1.5 * prepared.setup.worm_module() + 3.0
+}
+
+/// The plan of one area with a single ratio.
+fn plain_area(lines: &Sides<Option<FlankLines>>, ratio: f64) -> Result<AreaPlan, GeneratingError> {
+    AreaTask { lines: *lines, regions: Vec::new(), free_ratio: ratio }.plan()
+}
+
+/// The plan of one finishing area under a law: its real extent on the tool.
+fn finishing_area(
+    prepared: &Prepared,
+    lines: &Sides<Option<FlankLines>>,
+    ratio: f64,
+    shift: &MotionLaw,
+) -> Result<AreaPlan, GeneratingError> {
+    match &prepared.areas {
+        Some(areas) => Ok(areas.clone()),
+        None => {
+            let mut plan = plain_area(lines, ratio)?;
+            if !shift.is_affine() {
+                let extents = plan.extents;
+                plan.extents = extents.map(|flank, extent| {
+                    let lines = lines[flank].as_ref()?;
+                    extent.as_ref()?;
+                    Some(WormExtent { z_1: lines.occupation(shift), line: lines.line_range(shift) })
+                });
+            }
+            Ok(plan)
+        }
+    }
+}
+
+impl Partition {
+    /// Lays the areas of a job side by side; `None` for conical bodies, whose areas are not alike.
+    ///
+    /// # Errors
+    /// A tool too short for the areas that the job asks for.
+    pub(super) fn of_job(
+        job: &Job,
+        prepared: &Prepared,
+        ratio: f64,
+        shift: &MotionLaw,
+    ) -> Result<Option<Self>, RunFailure> {
+        let setup = &prepared.setup;
+        if !setup.pair.worm.is_cylindrical() || !setup.pair.work.is_cylindrical() {
+            return Ok(None);
+        }
+        let fault = |e: GeneratingError| {
+            let finding = Diagnostic::with_code(e.code(), e.to_string()).field("grinding.areas");
+            RunFailure::not_producible(finding.way_out(
+                "take a wider tool, fewer areas (grinding.areas, grinding.roughing_areas), or a smaller ratio",
+            ))
+        };
+        let lines = Sides::from_fn(|flank| prepared.targets[flank].as_ref().map(|_| setup.lines[flank]));
+        let finishing = finishing_area(prepared, &lines, ratio, shift).map_err(fault)?;
+        let roughing = plain_area(&lines, job.grinding.roughing_ratio.unwrap_or(0.0)).map_err(fault)?;
+        let sets = |areas: usize| {
+            [
+                AreaSet {
+                    kind: AreaKind::Roughing,
+                    plan: &roughing,
+                    count: job.grinding.roughing_areas as usize,
+                },
+                AreaSet { kind: AreaKind::Finishing, plan: &finishing, count: areas },
+            ]
+        };
+        let asked = job.grinding.areas.map(|n| n as usize);
+        let (occupation, fit) = match job.worm.width {
+            Some(width) => {
+                let ends = [margin(prepared) - 0.5 * width, 0.5 * width - margin(prepared)];
+                let lay = |areas: usize| Occupation::lay(ends, &sets(areas));
+                let mut fit = 0;
+                while fit < MOST_AREAS && lay(fit + 1).is_ok() {
+                    fit += 1;
+                }
+                (lay(asked.unwrap_or(1)).map_err(fault)?, Some(fit))
+            }
+            None => {
+                // Without a width the areas are laid out on a tool just wide enough.
+                let long = Occupation::lay([0.0, UNLIMITED], &sets(asked.unwrap_or(1))).map_err(fault)?;
+                let half = 0.5 * long.needed;
+                let room = 1e-6;
+                let laid = Occupation::lay([-half - room, half + room], &sets(asked.unwrap_or(1)));
+                (laid.map_err(fault)?, None)
+            }
+        };
+        Ok(Some(Self {
+            area_length_mm: finishing.length(),
+            area_pitch_mm: finishing.pitch(),
+            areas_that_fit: fit,
+            areas: asked.unwrap_or(1),
+            roughing_areas: job.grinding.roughing_areas as usize,
+            length_mm: occupation.needed,
+            shifts_mm: occupation.shifts.clone(),
+            chart: chart(&occupation, &lines),
+        }))
+    }
+
+    /// The picture of the tool's width.
+    pub fn chart(&self) -> &WormOccupationChart {
+        &self.chart
+    }
+}
+
+/// More areas than this are not counted.
+const MOST_AREAS: usize = 1000;
+/// Length for laying out areas on a tool without a stated width, mm.
+const UNLIMITED: f64 = 1e6;
+
+fn chart(
+    occupation: &Occupation,
+    lines: &Sides<Option<FlankLines>>,
+) -> WormOccupationChart {
+    let bar = |place: &OccupiedPlace| OccupationBar {
+        kind: match place.kind {
+            PlaceKind::Finishing => OccupationKind::Finishing,
+            PlaceKind::Modified => OccupationKind::Modified,
+            PlaceKind::Roughing => OccupationKind::Roughing,
+            PlaceKind::Unused => OccupationKind::Unused,
+        },
+        label: place.area.map_or(String::new(), |area| format!("area {}", area + 1)),
+        z_1_mm: place.z_1,
+    };
+    let rows = Flank::BOTH.into_iter().filter(|&flank| lines[flank].is_some()).map(|flank| OccupationRow {
+        name: match flank {
+            Flank::Left => "Left flank".into(),
+            Flank::Right => "Right flank".into(),
+        },
+        bars: occupation.places.iter().filter(|place| place.flank == flank).map(bar).collect(),
+    });
+    WormOccupationChart {
+        title: "Areas over the width of the tool".into(),
+        width_mm: occupation.width,
+        rows: rows.collect(),
+    }
+}
