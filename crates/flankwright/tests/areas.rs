@@ -13,6 +13,8 @@ use flankwright::process::generating::areas::{
 use flankwright::process::generating::{
     EqualSwivel, FlankLines, GeneratingError, Strokes, SwivelSide, decompose_diagonal, equal_swivel,
 };
+use flankwright::report::charts::worm_occupation_chart;
+use flankwright::workflow::occupation_chart;
 use proptest::prelude::*;
 
 fn relief(
@@ -104,6 +106,9 @@ fn a_constant_ratio_has_the_closed_lengths() {
         assert!(plan.shared.is_empty() && plan.segments.len() == 1);
         let usable = length + 2.5 * pitch;
         assert_eq!(plan.areas_on(usable).unwrap(), 3);
+        // Rounding of a width that is met exactly takes no area away.
+        assert_eq!((1..9).map(|n| plan.areas_on(length + f64::from(n) * pitch).unwrap()).sum::<usize>(), 44);
+        assert!(plan.areas_on(1e300).unwrap() > 1_000_000);
         let short = plan.areas_on(length - 0.01).unwrap_err();
         assert_eq!((short.code(), short.is_bad_input()), ("worm-too-short", false));
         assert_eq!(plan.areas_on(f64::NAN).unwrap_err().code(), "invalid-number");
@@ -167,6 +172,11 @@ fn bad_regions_and_tasks_are_refused() {
     assert_eq!(code(&|t| t.regions[1].demand = Demand::Direction(lines.t_k)), "degenerate-direction");
     let parallel = FlankLines { big_t1: 0.0, ..lines };
     assert_eq!(code(&|t| t.lines.left = Some(parallel)), "worm-direction-degenerate");
+    for lines in
+        [FlankLines { c_c2: f64::NAN, ..lines }, FlankLines { face: [1.0, 1.0], roll: [9.0, 9.0], ..lines }]
+    {
+        assert_eq!(code(&|t| t.lines.left = Some(lines)), "invalid-number");
+    }
     for (l_w, l_z, transition) in [(0.0, 8.0, 0.0), (6.0, f64::NAN, 0.0), (6.0, 8.0, -0.1)] {
         let spec = TriangularSpec { transition, ..relief(CornerProfile::Tip, CornerFace::I, l_w, l_z) };
         let error = Region::of_triangular_relief(&spec, &lines).unwrap_err();
@@ -253,9 +263,52 @@ fn areas_on_a_worm_share_no_lines_and_fit() {
     let unused: f64 =
         four.places.iter().filter(|p| p.kind == PlaceKind::Unused).map(|p| p.z_1[1] - p.z_1[0]).sum();
     assert!((unused - (160.0 - 4.0 * finishing.length())).abs() < 1e-9);
-    for (width, sets) in [([0.0, 0.0], &alone[..]), ([f64::NAN, 1.0], &alone[..]), (width, &[])] {
+    let endless = [AreaSet { count: usize::MAX, ..sets[0] }, sets[1]];
+    for (width, sets) in
+        [([0.0, 0.0], &alone[..]), ([f64::NAN, 1.0], &alone[..]), (width, &[]), (width, &endless[..])]
+    {
         assert_eq!(Occupation::lay(width, sets).unwrap_err().code(), "invalid-number");
     }
+}
+
+#[test]
+fn both_flanks_of_a_partition_are_drawn() {
+    let pair = pair(20.0);
+    let (left, right) = (lines(&pair, Flank::Left), lines(&pair, Flank::Right));
+    let size = [6.0, 8.0];
+    let regions = vec![
+        region(&left, true, true, size),
+        region(&left, false, false, size),
+        region(&right, true, false, size),
+        region(&right, false, true, size),
+    ];
+    let task = AreaTask { lines: Sides { left: Some(left), right: Some(right) }, regions, free_ratio: 0.0 };
+    let finishing = task.plan().unwrap();
+    let rough = AreaTask { regions: Vec::new(), free_ratio: 0.1, ..task }.plan().unwrap();
+    let sets = [
+        AreaSet { kind: AreaKind::Finishing, plan: &finishing, count: 2 },
+        AreaSet { kind: AreaKind::Roughing, plan: &rough, count: 2 },
+    ];
+    let laid = Occupation::lay([-80.0, 80.0], &sets).unwrap();
+    let chart = occupation_chart("Worm of 160 mm", &laid);
+    assert_eq!(
+        chart.rows.iter().map(|row| row.name.as_str()).collect::<Vec<_>>(),
+        ["Left flank", "Right flank"]
+    );
+    assert_eq!(chart.rows.iter().map(|row| row.bars.len()).sum::<usize>(), laid.places.len());
+    let svg = worm_occupation_chart(&chart).unwrap();
+    if let Ok(path) = std::env::var("OCCUPATION_SVG") {
+        std::fs::write(path, svg.to_document()).unwrap();
+    }
+    for label in ["1", "2", "3", "4"] {
+        assert_eq!(svg.as_str().matches(&format!(">{label}</text>")).count(), 2, "area {label}");
+    }
+    // Only the flank that is ground has a row.
+    let alone = Occupation::lay(
+        [0.0, 60.0],
+        &[AreaSet { plan: &two_corners(0.0).plan().unwrap(), count: 1, ..sets[0] }],
+    );
+    assert_eq!(occupation_chart("one flank", &alone.unwrap()).rows.len(), 1);
 }
 
 #[test]

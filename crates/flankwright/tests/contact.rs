@@ -331,7 +331,7 @@ proptest! {
                 c[0] += by;
                 MotionLaw::polynomial(*origin, c)
             }
-            MotionLaw::Series(_) => unreachable!("the tests use polynomials"),
+            _ => unreachable!("the tests use polynomials"),
         };
         let central = |h: f64, change: &dyn Fn(&mut GeneratingMotion, &mut Polynomial2, f64)| {
             let value = |by: f64| {

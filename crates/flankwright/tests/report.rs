@@ -160,9 +160,6 @@ fn occupation() -> WormOccupationChart {
 #[test]
 fn an_occupied_worm_shows_every_use_without_colour() {
     let svg = worm_occupation_chart(&occupation()).unwrap();
-    if let Ok(path) = std::env::var("OCCUPATION_SVG") {
-        std::fs::write(path, svg.to_document()).unwrap();
-    }
     let text = text_of(&svg);
     assert_holds(&text, &["Occupation of the worm", "Left flank", "Right flank", "z1 [mm]", "usable width"]);
     assert_holds(&text, &["finishing, modified lines", "finishing, unmodified lines", "roughing", "unused"]);
