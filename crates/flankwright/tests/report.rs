@@ -4,9 +4,10 @@ mod report_sample;
 
 use flankwright::geometry::{Flank, Sides};
 use flankwright::report::charts::{
-    ChartError, ContourMap, FlankSections, LevelScale, LineChart, NamedTopography, Panel,
-    ProfileHelixDiagram, SectionTrace, Series, Svg, Topography, TopographyNet, YScale, contour_map,
-    format_fixed, format_significant, line_chart, profile_helix_diagram, topography_net,
+    ChartError, ContourMap, FlankSections, LevelScale, LineChart, NamedTopography, OccupationBar,
+    OccupationKind, OccupationRow, Panel, ProfileHelixDiagram, SectionTrace, Series, Svg, Topography,
+    TopographyNet, WormOccupationChart, YScale, contour_map, format_fixed, format_significant, line_chart,
+    profile_helix_diagram, topography_net, worm_occupation_chart,
 };
 use flankwright::report::{
     Banner, Block, Column, Fact, PlanReport, Quantity, Section, Status, Table, Warning, html,
@@ -128,6 +129,82 @@ fn a_diagram_has_bars_ends_and_values() {
 fn a_line_chart_names_its_series_and_axes() {
     let text = text_of(&one_line("left flank", vec![-1.0, 0.0, 2.5], vec![0.0, 1.0, -3.0], 0.0).unwrap());
     assert_holds(&text, &["Corrections", "left flank", "vzS [mm]", "dd [mm]", "−3", "2.0"]);
+}
+
+fn occupation() -> WormOccupationChart {
+    use OccupationKind::{Finishing, Modified, Roughing, Unused};
+    let bar = |kind, label: &str, from: f64, to: f64| OccupationBar {
+        kind,
+        label: label.into(),
+        z_1_mm: [from, to],
+    };
+    let row = |name: &str, moved: f64| OccupationRow {
+        name: name.into(),
+        bars: vec![
+            bar(Finishing, "1", -80.0, -47.8 + moved),
+            bar(Modified, "1", -71.0, -47.8 + moved),
+            bar(Finishing, "2", -45.9 - 4.0 * moved, -13.7),
+            bar(Modified, "2", -45.9, -22.8),
+            bar(Roughing, "3", -11.8, 10.4),
+            bar(Roughing, "4", 12.0, 34.2),
+            bar(Unused, "", 34.2, 80.0),
+        ],
+    };
+    WormOccupationChart {
+        title: "Occupation of the worm".into(),
+        width_mm: [-80.0, 80.0],
+        rows: vec![row("Left flank", 0.0), row("Right flank", 1.5)],
+    }
+}
+
+#[test]
+fn an_occupied_worm_shows_every_use_without_colour() {
+    let svg = worm_occupation_chart(&occupation()).unwrap();
+    let text = text_of(&svg);
+    assert_holds(&text, &["Occupation of the worm", "Left flank", "Right flank", "z1 [mm]", "usable width"]);
+    assert_holds(&text, &["finishing, modified lines", "finishing, unmodified lines", "roughing", "unused"]);
+    for label in ["1", "2", "3", "4"] {
+        assert_eq!(svg.as_str().matches(&format!(">{label}</text>")).count(), 2, "label {label}");
+    }
+    // Seven bars a flank, four in the legend, the ground and the outline.
+    assert_eq!(svg.as_str().matches("<rect").count(), 14 + 4 + 2);
+    // Hatched: per flank two modified and two roughing bars, and one of each in the legend.
+    assert_eq!(svg.as_str().matches("<path").count(), 2 * 4 + 2);
+    assert_eq!(svg, worm_occupation_chart(&occupation()).unwrap());
+    // Only what occurs stands in the legend.
+    let mut plain = occupation();
+    plain.rows.iter_mut().for_each(|row| row.bars.retain(|bar| bar.kind == OccupationKind::Finishing));
+    assert!(!text_of(&worm_occupation_chart(&plain).unwrap()).contains("roughing"));
+}
+
+#[test]
+fn bars_that_overlap_lie_below_each_other() {
+    let height = |chart: &WormOccupationChart| {
+        let svg = worm_occupation_chart(chart).unwrap();
+        let document = svg.to_document();
+        let tree = roxmltree::Document::parse(&document).unwrap();
+        tree.root_element().attribute("height").unwrap().parse::<f64>().unwrap()
+    };
+    let mut apart = occupation();
+    apart.rows.truncate(1);
+    let mut over = apart.clone();
+    over.rows[0].bars[0].z_1_mm[1] = -40.0;
+    assert!(height(&over) > height(&apart) + 30.0);
+}
+
+#[test]
+fn occupations_that_cannot_be_drawn_are_refused() {
+    let code = |change: &dyn Fn(&mut WormOccupationChart)| {
+        let mut chart = occupation();
+        change(&mut chart);
+        worm_occupation_chart(&chart).unwrap_err().code()
+    };
+    assert_eq!(code(&|c| c.rows.clear()), "too-few-values");
+    assert_eq!(code(&|c| c.rows[1].bars.clear()), "too-few-values");
+    assert_eq!(code(&|c| c.width_mm = [1.0, 1.0]), "not-ascending");
+    assert_eq!(code(&|c| c.width_mm[0] = f64::NAN), "invalid-number");
+    assert_eq!(code(&|c| c.rows[0].bars[2].z_1_mm = [5.0, 4.0]), "not-ascending");
+    assert_eq!(code(&|c| c.rows[0].bars[2].z_1_mm[1] = f64::INFINITY), "invalid-number");
 }
 
 #[test]

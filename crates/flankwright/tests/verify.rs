@@ -338,6 +338,58 @@ fn a_changed_decomposition_is_noticed() {
 }
 
 #[test]
+fn a_changed_area_figure_or_stroke_is_noticed() {
+    let root = content("25-modifications.json");
+    for (pointer, step, failures) in [
+        ("/equal_swivel/K_ZV1", 1e-7, 1),
+        ("/equal_swivel/rate_right", 1e-10, 1),
+        ("/figure_25/expected/z_V1_mm/3", 1e-5, 1),
+        ("/figure_25/expected/diagonal_ratio/7", 1e-3, 1),
+        ("/figure_25/expected/curves/2/z_mm/4", 1e-5, 1),
+        ("/figure_25/expected/ground_f_n_um/30", 0.01, 1),
+        ("/figure_25/input/sigma", 2.0, 1),
+        ("/figure_26_28/expected/curves/1/shift_z_mm", 1e-5, 1),
+        ("/figure_26_28/expected/diagonal_ratio_closed_form_at_w_m", 1e-3, 1),
+        ("/figure_26_28/expected/X_F1_mm/17", 1e-5, 1),
+        ("/figure_26_28/expected/f_t2_first_order_um/6", 1e-5, 1),
+        ("/figure_26_28/expected/ground_f_n_um/6", 0.01, 1),
+        ("/figure_26_28/expected/worm_functions/2/F_Ft1C_um", 1e-5, 1),
+        ("/figure_26_28/measured/err_first_order_um", 0.01, 1),
+        ("/areas/0/expected/intervals/1/K_ZV1", 1e-6, 1),
+        ("/areas/1/expected/z_V1_nodes_mm/2", 1e-6, 1),
+        ("/areas/1/expected/segments/1/K_ZV1", 1e-6, 1),
+        ("/areas/2/expected/worm_z1_range_mm/right/0", 1e-6, 1),
+        ("/areas/2/expected/pitch_of_areas_mm", 1e-6, 1),
+        ("/areas/2/expected/number_of_areas", 1.0, 1),
+        ("/areas/3/expected/conflict/0/1", 1.0, 1),
+        ("/areas/4/expected/exclusivity_violations/2/overlap_mm", 1e-6, 1),
+        ("/left_out_threads/3/expected/strokes_per_pass", 1.0, 1),
+        ("/left_out_threads/7/expected/index_pitches/1", 1.0, 1),
+        ("/left_out_threads/5/expected/feed_factor", 1e-9, 1),
+    ] {
+        let mut changed = root.clone();
+        let value = changed.pointer_mut(pointer).unwrap();
+        let step: f64 = step;
+        let whole = value.is_u64() && step.fract() == 0.0;
+        *value = match value.as_u64().filter(|_| whole) {
+            Some(n) => json!(n + step as u64),
+            None => json!(value.as_f64().unwrap() + step),
+        };
+        assert_eq!(check(&changed).failed, failures, "{pointer}");
+    }
+    // A refusal that did not happen, one that did and is not expected, an area too few.
+    let mut changed = root.clone();
+    changed["areas"][0]["expected"]["error"] = json!("AreasOverlap");
+    assert_eq!(check(&changed).failed, 1);
+    let mut changed = root.clone();
+    changed["areas"][4]["expected"].as_object_mut().unwrap().remove("error");
+    assert_eq!(check(&changed).failed, 1);
+    let mut changed = root;
+    changed["areas"][0]["expected"]["intervals"].as_array_mut().unwrap().pop();
+    assert_eq!(check(&changed).failed, 1);
+}
+
+#[test]
 fn unknown_quantities_keys_and_blocks_fail() {
     let root = content("10-gears.json");
     let fails_with = |root: &Value, text: &str| {

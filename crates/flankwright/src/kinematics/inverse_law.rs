@@ -232,7 +232,7 @@ mod tests {
         assert!(InverseLaw::new(wave, [0.006, 1.0]).is_ok());
         let cubic = MotionLaw::polynomial(0.0, vec![0.0, 0.0, 0.0, 1.0]);
         assert_eq!(error(cubic, [-1.0, 1.0]), "law-not-monotone");
-        let series = MotionLaw::series(Chebyshev::fit(0.0, 1.0, 3, |x| Ok::<_, ()>(x)).unwrap());
+        let series = MotionLaw::series(Chebyshev::fit(0.0, 1.0, 3, Ok::<_, ()>).unwrap());
         assert_eq!(error(series, [0.0, 1.5]), "law-outside-range");
         let line = MotionLaw::polynomial(0.0, vec![0.0, 1.0]);
         assert_eq!(error(line.clone(), [0.0, f64::NAN]), "law-not-finite");

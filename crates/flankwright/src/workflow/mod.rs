@@ -2,6 +2,7 @@
 //! call. Knows every layer below, and no user interface.
 
 mod execution;
+mod occupation;
 mod page;
 mod partition;
 mod prepare;
@@ -15,6 +16,7 @@ mod write;
 
 pub use execution::{ExecutedFlank, Execution};
 pub use partition::{Partition, StrokePlan};
+pub use occupation::occupation_chart;
 pub use prepare::{Prepared, Remark, RunFailure, blank_of_job, gear_of_job, prepare, setup_of_job};
 pub use referee::{StageReport, Verdict};
 pub use result::{CandidateResult, CharacteristicsUm, FlankResult, JobResult, SettingsResult, Status};

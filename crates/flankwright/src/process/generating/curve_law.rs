@@ -5,7 +5,7 @@ use super::{FlankLines, GeneratingError};
 use crate::kinematics::{InverseLaw, LawError, MotionLaw, PiecewisePolynomial};
 
 /// Equidistant places at which a curve is turned into F. Values and slopes are exact there, so that the cubics between them miss
-/// F by h^4/384 F'''': below 1e-9 mm for the curves of figures 25 and 26 (h = 35 um).
+/// F by h^4/384 F'''': 2e-9 mm at most for the curves of figures 25 and 26 (h = 35 um).
 const PLACES: usize = 4000;
 
 /// A curve z*(w) on the workpiece flank. mm.

@@ -71,7 +71,7 @@ fn offsets(met: &[usize]) -> Vec<usize> {
             }
             let low = set & set.wrapping_neg();
             let next = set + low;
-            set = next | ((set ^ next) / low >> 2);
+            set = next | (((set ^ next) / low) >> 2);
         }
     }
     // All offsets together cover everything, because one residue is met.

@@ -44,7 +44,7 @@ impl FeedSegment {
 /// The intervals of all regions in the order of their feeds.
 ///
 /// # Errors
-/// `InvalidRegion`, `DegenerateDirection`, `WormDirectionDegenerate`, `InvalidNumber` for a flank whose numbers are not finite.
+/// `InvalidRegion`, `DegenerateDirection`.
 pub fn feed_intervals(task: &AreaTask) -> Result<Vec<FeedInterval>, GeneratingError> {
     let mut intervals = Vec::with_capacity(task.regions.len());
     for (index, region) in task.regions.iter().enumerate() {
@@ -53,7 +53,6 @@ pub fn feed_intervals(task: &AreaTask) -> Result<Vec<FeedInterval>, GeneratingEr
             let reason = "its flank is not ground here";
             return Err(GeneratingError::InvalidRegion { region: index, flank, reason });
         };
-        lines.check_worm_direction()?;
         let [direction, ratio] = region.needs(index, lines)?;
         if let Some(feed) = range(region.polygon.iter().map(|&[w, z]| lines.path_feed(w, z))) {
             intervals.push(FeedInterval { region: index, flank, feed, ratio, direction });

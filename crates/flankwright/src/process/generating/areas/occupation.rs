@@ -4,6 +4,9 @@ use super::{AreaPlan, SAME_PLACE, WormExtent};
 use crate::geometry::{Flank, Sides};
 use crate::process::generating::{GeneratingError, curve_law::number};
 
+/// More areas than any worm holds.
+const MOST_AREAS: usize = 10_000;
+
 /// What an area is for. Only finishing is judged against the target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AreaKind {
@@ -74,9 +77,10 @@ impl Occupation {
         let [from, to] = width;
         number("width_from", from, from.is_finite(), "a finite number")?;
         number("width_to", to, to.is_finite() && to > from, "above width_from")?;
+        let count = sets.iter().fold(0usize, |n, set| n.saturating_add(set.count));
+        number("areas", count as f64, (1..=MOST_AREAS).contains(&count), "1 .. 10000")?;
         let areas: Vec<(AreaKind, &AreaPlan)> =
             sets.iter().flat_map(|set| std::iter::repeat_n((set.kind, set.plan), set.count)).collect();
-        number("areas", areas.len() as f64, !areas.is_empty(), "at least 1")?;
         let mut places = Vec::new();
         let mut shifts = Vec::new();
         let mut start = from;

@@ -2,8 +2,8 @@
 
 use super::polygon::range;
 use super::{
-    FeedInterval, FeedSegment, Region, SharedLines, WormExtent, conflicts, exclusive, extent, feed_intervals,
-    feeds,
+    FeedInterval, FeedSegment, Region, SAME_PLACE, SharedLines, WormExtent, conflicts, exclusive, extent,
+    feed_intervals, feeds,
 };
 use crate::geometry::Sides;
 use crate::kinematics::MotionLaw;
@@ -41,13 +41,18 @@ impl AreaTask {
     /// Puts the regions together.
     ///
     /// # Errors
-    /// `NoFlank`, `InvalidNumber` for a free ratio that is not finite, errors of [`feed_intervals`], `AreasOverlap`. Worm lines used
+    /// `NoFlank`, `InvalidNumber` for a free ratio or a feed travel that is not finite, `WormDirectionDegenerate`, errors of [`feed_intervals`], `AreasOverlap`. Worm lines used
     /// twice are listed in the plan; [`AreaPlan::check_exclusive`] makes an error of them.
     pub fn plan(&self) -> Result<AreaPlan, GeneratingError> {
         number("free_ratio", self.free_ratio, self.free_ratio.is_finite(), "a finite number")?;
         let corners = self.lines.iter().filter_map(|(_, lines)| lines.as_ref());
         let feeds = corners.flat_map(|lines| lines.corners().map(|(w, z)| lines.path_feed(w, z)));
         let travel = range(feeds).ok_or(GeneratingError::NoFlank)?;
+        let stroke = travel[1] - travel[0];
+        number("feed travel", stroke, stroke.is_finite() && stroke > SAME_PLACE, "> 0 mm")?;
+        for (_, lines) in self.lines.iter() {
+            lines.as_ref().map_or(Ok(()), FlankLines::check_worm_direction)?;
+        }
         let intervals = feed_intervals(self)?;
         if let Some(&[i, j]) = conflicts(&intervals).first() {
             return Err(GeneratingError::AreasOverlap { first: intervals[i], second: intervals[j] });
@@ -150,10 +155,10 @@ impl AreaPlan {
     pub fn areas_on(&self, usable: f64) -> Result<usize, GeneratingError> {
         number("usable_worm_length", usable, usable.is_finite() && usable > 0.0, "> 0 mm")?;
         let (length, pitch) = (self.length(), self.pitch());
-        if usable < length {
+        if usable < length - SAME_PLACE {
             let ratio = self.largest_ratio();
             return Err(GeneratingError::WormTooShort { needed: length, width: usable, ratio });
         }
-        Ok(1 + ((usable - length) / pitch).floor() as usize)
+        Ok((((usable - length + SAME_PLACE) / pitch).floor() as usize).saturating_add(1))
     }
 }
