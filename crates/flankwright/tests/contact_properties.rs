@@ -166,10 +166,14 @@ proptest! {
         let (worm, work) = (Surface(pair.worm.flank(flank)), Surface(pair.work.flank(flank)));
         let at = [shift, feed, w_2];
         let exact = SVector::from([w_1 / SCALE, z_1 / SCALE, z_2 / SCALE, f.worm_angle(w_1, z_1), f.work_angle(w_2, z_2)]);
-        // Up to 2 mm on the worm, 1 mm on the workpiece and two hundredths of a radian away.
-        let start = exact + SVector::from([0.1, 0.1, 0.05, 0.02, 0.02]).component_mul(&SVector::from(away));
-        let found = solve(&pair.chain, [&worm, &work], at, start);
-        prop_assume!(found.is_some());
+        // Up to 2 mm on the worm, 1 mm on the workpiece and 1 mm of their pitch circles away; nearer where the search from
+        // there runs off.
+        let arcs = [1.0 / pair.worm.pitch_radius(), 1.0 / pair.work.pitch_radius()];
+        let offset = SVector::from([0.1, 0.1, 0.05, arcs[0], arcs[1]]).component_mul(&SVector::from(away));
+        let found = [1.0, 0.3, 0.1, 0.03]
+            .into_iter()
+            .find_map(|share| solve(&pair.chain, [&worm, &work], at, exact + offset * share));
+        prop_assert!(found.is_some(), "the search did not settle");
         let x = found.unwrap();
         // Accepted only as a real contact (spec 20 section 10).
         let (found_w_1, found_z_1, found_z_2) = (x[0] * SCALE, x[1] * SCALE, x[2] * SCALE);
@@ -218,22 +222,22 @@ proptest! {
         let diagonal = DiagonalRatio { ratio, shift_origin };
         let (worm, work) = (Surface(pair.worm.flank(flank)), Surface(pair.work.flank(flank)));
         let w_2 = roll(&pair, flank, share);
-        let mut start: Option<SVector<f64, 5>> = None;
+        let mut last: Option<SVector<f64, 5>> = None;
         let mut places = Vec::new();
-        for k in 0..9 {
-            let feed = -12.0 + 3.0 * f64::from(k);
+        // Ways short enough for the search to follow the contact from place to place.
+        for k in 0..=96 {
+            let feed = -12.0 + 0.25 * f64::from(k);
             let shift = ratio * feed + shift_origin;
             let w_1 = f.worm_roll(w_2, shift, feed);
             prop_assume!(w_1 > 1.0);
             // Only the first one starts from the relations, the others from their neighbour.
-            let from = start.unwrap_or_else(|| {
+            let from = last.unwrap_or_else(|| {
                 let (z_1, z_2) = (f.worm_z(w_1, shift, feed), f.work_z(w_2, shift, feed));
                 SVector::from([w_1 / SCALE, z_1 / SCALE, z_2 / SCALE, f.worm_angle(w_1, z_1), f.work_angle(w_2, z_2)])
             });
-            let found = solve(&pair.chain, [&worm, &work], [shift, feed, w_2], from);
-            prop_assume!(found.is_some());
-            start = found;
-            places.push((feed, found.unwrap()[2] * SCALE));
+            last = solve(&pair.chain, [&worm, &work], [shift, feed, w_2], from);
+            prop_assert!(last.is_some(), "the search lost the contact at feed {feed}");
+            places.push((feed, last.unwrap()[2] * SCALE));
         }
         for two in places.windows(2) {
             prop_assert!((two[1].1 - two[0].1) * g_2 > 0.0, "{places:?}");
