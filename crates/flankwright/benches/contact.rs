@@ -1,10 +1,12 @@
-//! Speed of the forward model: the twist-free reference case on 41 x 41 points of both flanks, one thread.
+//! Speed of the forward model: the twist-free reference case on 41 x 41 points of both flanks, one thread. And of the
+//! search for a cone angle with equal diagonal ratios: the asymmetric gear of the reference.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use flankwright::contact::{ExactContact, ModifiedThread, Pair};
-use flankwright::geometry::{Flank, Gear, GearData, Sides};
+use flankwright::contact::{DiagonalLine, ExactContact, ModifiedThread, Pair};
+use flankwright::geometry::{Flank, Gear, GearData, Sides, WormChoice};
 use flankwright::kinematics::MotionLaw;
 use flankwright::numerics::Polynomial2;
+use flankwright::process::generating::{EqualRatioSearch, Lever, generatrix};
 use std::hint::black_box;
 
 /// The gear of the twist-free crowning example with its left-handed worm.
@@ -57,5 +59,33 @@ fn forward(c: &mut Criterion) {
     });
 }
 
-criterion_group!(benches, forward);
+fn equal_ratio(c: &mut Criterion) {
+    let work = Gear::new(GearData {
+        teeth: 31,
+        normal_module: 2.5,
+        pressure_angle: Sides { left: 25f64.to_radians(), right: 18f64.to_radians() },
+        helix_angle: 20f64.to_radians(),
+        profile_shift: 0.15,
+        cone_angle: 0.0,
+    })
+    .expect("gear");
+    let worm = WormChoice {
+        threads: 2,
+        hand: 1.0,
+        pitch_diameter: Some(240.0),
+        tip_diameter: None,
+        pressure_angle: None,
+        profile_shift: 0.0,
+        cone_angle: 0.0,
+    };
+    let line = |deg: f64| DiagonalLine { rho: deg.to_radians() };
+    let work_lines = Sides { left: line(30.0), right: line(-30.0) };
+    let search = EqualRatioSearch { work: &work, worm, work_lines, worm_line: &generatrix };
+    let limit = 12f64.to_radians();
+    c.bench_function("equal diagonal ratio, cone angle", |b| {
+        b.iter(|| black_box(&search).search(Lever::ConeAngle, [-limit, limit]).expect("search"));
+    });
+}
+
+criterion_group!(benches, forward, equal_ratio);
 criterion_main!(benches);

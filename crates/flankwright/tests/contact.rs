@@ -477,6 +477,10 @@ fn impossible_pairs_are_refused() {
     refused(Pair::new(worm, ring, pair.chain), "internal-unsupported", &["-61 teeth"]);
     let other = Gear::new(GearData { normal_module: 3.6, ..*work.data() }).unwrap();
     refused(Pair::new(worm, other, pair.chain), "not-mating", &["left"]);
+    // Left flanks mesh, right flanks do not.
+    let right = Sides { left: 17.5f64.to_radians(), right: 17.6f64.to_radians() };
+    let other = Gear::new(GearData { pressure_angle: right, ..*work.data() }).unwrap();
+    refused(Pair::new(worm, other, pair.chain), "not-mating", &["right"]);
     let cone = Gear::new(GearData { cone_angle: 0.05, ..*worm.data() }).unwrap();
     let gamma = pair.chain.crossed_axes_angle;
     assert!(Pair::without_backlash(cone, work, gamma).is_ok());
@@ -503,6 +507,9 @@ fn impossible_lines_and_ranges_are_refused() {
     let f = &conical.flanks.left;
     let still = DiagonalRatio { ratio: -f.c_zv22 / f.c_zv12, shift_origin: 0.0 };
     refused(f.point_map(14.0, 0.0, still), "feed-does-not-move-contact", &["ratio"]);
+    // A radial motion uses one line of a cylindrical worm: from there no feed can be told.
+    let radial = DiagonalRatio { ratio: 0.0, shift_origin: 0.0 };
+    refused(pair.flanks.left.work_point(90.0, 0.0, radial), "feed-does-not-move-contact", &["ratio 0"]);
     // The worm directions for which the denominator of K vanishes, as far as rounding lets it.
     let mut infinite = 0;
     for deg in [-50.0, -20.0, 0.0, 20.0, 30.0, 45.0, 60.0] {
@@ -530,6 +537,15 @@ impl ThreadFunction for Ending {
     }
 }
 
+/// A function whose curvature is nowhere finite.
+struct Edged;
+
+impl ThreadFunction for Edged {
+    fn jet(&self, _: f64, _: f64) -> Option<Jet2> {
+        Some(Jet2 { fuu: f64::INFINITY, ..Jet2::default() })
+    }
+}
+
 #[test]
 fn contacts_that_do_not_exist_are_refused() {
     let pair = tight();
@@ -545,6 +561,10 @@ fn contacts_that_do_not_exist_are_refused() {
     let short = ModifiedThread::new(pair.flanks.left.worm, &ending);
     let exact = ExactContact::new(&pair, Flank::Left, &motion, &short);
     refused(exact.solve(14.0, 0.0), "worm-surface-missing", &["parameters"]);
+    // An edge across the thread: value and slope are there, the curvature is not.
+    let edged = ModifiedThread::new(pair.flanks.left.worm, &Edged);
+    let exact = ExactContact::new(&pair, Flank::Left, &motion, &edged);
+    refused(exact.solve(14.0, 0.0), "not-smooth", &["kink"]);
     // A hollow sharper than the worm's own curvature folds the envelope.
     let f = &pair.flanks.left;
     let at = f.point_map(14.5, 0.0, DiagonalRatio { ratio: 1.0, shift_origin: 0.0 }).unwrap();

@@ -119,18 +119,30 @@ fn poles_and_equal_signs_give_no_root() {
     assert!(same.roots.is_empty() && !same.everywhere);
     let start = same.start.unwrap();
     assert!((start.left - start.right).abs() > 1.0, "{start:?}");
-    // The right flank's ratio goes through infinity inside the range: a change of sign that is no root.
+    // Worm lines for which the right flank's ratio goes through infinity at a cone angle of 0.05: a change of sign that is no
+    // root. There the denominator of K, Chat_zV1 - p_1 C_zV11 - p_2 C_zV12, vanishes.
     let asymmetric = work(25.0, 18.0, 20.0, 0.0);
+    let pole = 0.05;
+    let lines = lines(30.0, -30.0);
     let worm_line: WormLine<'_> = &|f| {
-        let rho = if f.flank() == Flank::Left { 0.2 } else { -0.3 + 2.0 * f.worm.base_helix_angle };
-        Ok(DiagonalLine { rho })
+        if f.flank() == Flank::Left {
+            return generatrix(f);
+        }
+        let cone = f.a_1.y.atan2(f.a_1.z);
+        let p_2 = f.hat_w2 / (lines.right.rho.tan() + f.c_w2);
+        let p_1 = (f.hat_zv1 - p_2 * f.c_zv12) / f.c_zv11 + 2.0 * (cone - pole);
+        Ok(DiagonalLine { rho: (f.hat_w1 / p_1 - f.c_w1).atan() })
     };
-    let found = EqualRatioSearch { worm_line, ..search(&asymmetric, 30.0, -30.0) }
-        .search(Lever::ConeAngle, range(-12.0, 12.0))
-        .unwrap();
-    for root in &found.roots {
-        assert!(root.ratio.abs() < 1e6);
-    }
+    let search = EqualRatioSearch { worm_line, ..search(&asymmetric, 30.0, -30.0) };
+    let difference = |cone_angle: f64| {
+        let beside = EqualRatioSearch { worm: WormChoice { cone_angle, ..search.worm }, ..search };
+        let ratios = beside.ratios().unwrap();
+        ratios.left - ratios.right
+    };
+    let (below, above) = (difference(pole - 1e-4), difference(pole + 1e-4));
+    assert!(below * above < 0.0 && below.abs() > 100.0 && above.abs() > 100.0, "{below} {above}");
+    let found = search.search(Lever::ConeAngle, range(-12.0, 12.0)).unwrap();
+    assert!(!found.everywhere && found.roots.iter().all(|root| (root.value - pole).abs() > 1e-3));
 }
 
 #[test]

@@ -184,8 +184,13 @@ fn every_changed_number_of_equal_ratios_is_noticed() {
     let equal = json!({"equal_diagonal_ratio": root["equal_diagonal_ratio"], "tolerance": root["tolerance"]});
     assert_eq!(check(&equal).failed, 0);
     notices_every_number(&equal, "/equal_diagonal_ratio/0/expected", &[]);
-    // The limit of the search may be any that holds the root; of the hand only the sign counts.
-    notices_every_number(&equal, "/equal_diagonal_ratio/3/input", &["/search_limit_deg", "/z_1", "/hand"]);
+    // The limit of the search may be any that holds the root; of the hand only the sign counts, and ratios do not
+    // feel the profile shift.
+    notices_every_number(
+        &equal,
+        "/equal_diagonal_ratio/3/input",
+        &["/search_limit_deg", "/z_1", "/hand", "/work/x"],
+    );
     // A case without a root must not expect a ratio.
     let mut changed = equal.clone();
     changed["equal_diagonal_ratio"][5]["expected"]["K_ZV1"] = json!(1.0);

@@ -31,6 +31,19 @@ pub struct PointMap {
     pub z_1: f64,
 }
 
+/// What a worm point grinds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WorkPoint {
+    /// Tool shift z_V1, mm.
+    pub shift: f64,
+    /// Feed z_V2, mm.
+    pub feed: f64,
+    /// Workpiece length of roll w_2, mm.
+    pub w_2: f64,
+    /// Workpiece position z_2, mm.
+    pub z_2: f64,
+}
+
 /// Map of line coordinates X_2 = slope X_1 + offset, and w_1 = p w_2 + q along one worm line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LineMap {
@@ -183,6 +196,21 @@ impl FlankPair {
         let shift = diagonal.ratio * feed + diagonal.shift_origin;
         let w_1 = self.worm_roll(w_2, shift, feed);
         Ok(PointMap { shift, feed, w_1, z_1: self.worm_z(w_1, shift, feed) })
+    }
+
+    /// Feeds and workpiece point that the worm point (w_1, z_1) grinds: the inverse of [`FlankPair::point_map`].
+    ///
+    /// # Errors
+    /// `FeedDoesNotMoveContact` where the feeds do not move the contact over the worm (a radial motion uses one line of it).
+    pub fn work_point(&self, w_1: f64, z_1: f64, diagonal: DiagonalRatio) -> Result<WorkPoint, ContactError> {
+        let g_1 = self.c_zv11 * diagonal.ratio + self.c_zv21;
+        if g_1.abs() < 1e-14 {
+            return Err(ContactError::FeedDoesNotMoveContact { ratio: diagonal.ratio });
+        }
+        let feed = (z_1 - self.c_w1 * w_1 - self.c_zv11 * diagonal.shift_origin - self.c_c1) / g_1;
+        let shift = diagonal.ratio * feed + diagonal.shift_origin;
+        let w_2 = self.work_roll(w_1, shift, feed);
+        Ok(WorkPoint { shift, feed, w_2, z_2: self.work_z(w_2, shift, feed) })
     }
 }
 

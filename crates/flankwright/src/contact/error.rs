@@ -113,6 +113,14 @@ pub enum ContactError {
         /// Second surface parameter.
         q: f64,
     },
+    /// The tool surface has a point and a normal but no finite derivatives.
+    #[error("the worm surface has no curvature at its parameters ({p:.4}, {q:.4}): an edge or a kink")]
+    NotSmooth {
+        /// First surface parameter.
+        p: f64,
+        /// Second surface parameter.
+        q: f64,
+    },
     /// A number that is not usable.
     #[error("{field} = {value} is not usable; allowed: {allowed}")]
     InvalidNumber {
@@ -143,6 +151,7 @@ impl ContactError {
             Self::Undercut { .. } => "undercut",
             Self::NoStart { .. } => "no-start",
             Self::WormSurfaceMissing { .. } => "worm-surface-missing",
+            Self::NotSmooth { .. } => "not-smooth",
             Self::InvalidNumber { .. } => "invalid-number",
         }
     }
@@ -171,6 +180,9 @@ impl ContactError {
             Self::Undercut { .. } => "reduce the amount of the modification or choose another diagonal ratio",
             Self::WormSurfaceMissing { .. } => {
                 "dress a longer part of the worm or a larger part of its profile"
+            }
+            Self::NotSmooth { .. } => {
+                "round the modification's kink with a transition or split the field there"
             }
             Self::InvalidNumber { .. } => "give a value inside the allowed range",
         }

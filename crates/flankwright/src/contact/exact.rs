@@ -62,6 +62,8 @@ pub struct ExactContact<'a, S: ToolSurface> {
 enum Lost {
     /// It left the tool surface at these parameters.
     Surface { p: f64, q: f64 },
+    /// The tool surface has no finite derivatives at these parameters.
+    Kink { p: f64, q: f64 },
     /// It does not settle.
     Diverged,
 }
@@ -129,10 +131,17 @@ impl<'a, S: ToolSurface> ExactContact<'a, S> {
         y: &State,
         target: &Target,
         measure: Measure,
-    ) -> Option<Evaluation> {
-        let jet = surface.jet(y[0], y[1])?;
+    ) -> Result<Evaluation, Lost> {
+        let [p, q] = [y[0], y[1]];
+        let jet = surface.jet(p, q).ok_or(Lost::Surface { p, q })?;
+        let finite = |vectors: &[Vector3<f64>]| vectors.iter().flatten().all(|x| x.is_finite());
+        // Point and normal are there, their derivatives are not: an edge or a kink runs through this place.
+        if finite(&[jet.p, jet.n]) && !finite(&[jet.p_p, jet.p_q, jet.n_p, jet.n_q]) {
+            return Err(Lost::Kink { p, q });
+        }
         let e = kernel.evaluate(&jet, y[2], y[3], target, measure);
-        e.residual.iter().chain(e.jacobian.iter()).all(|x| x.is_finite()).then_some(e)
+        let good = e.residual.iter().chain(e.jacobian.iter()).all(|x| x.is_finite());
+        if good { Ok(e) } else { Err(Lost::Surface { p, q }) }
     }
 
     /// Newton from y; the evaluation returned stands at the state returned.
@@ -147,8 +156,7 @@ impl<'a, S: ToolSurface> ExactContact<'a, S> {
         let limits = [limit_p, limit_q, 0.3, 4.0];
         let mut previous = f64::INFINITY;
         for iteration in 1..=MAX_ITERATIONS {
-            let here = Lost::Surface { p: y[0], q: y[1] };
-            let e = Self::evaluate(kernel, surface, &y, target, self.measure).ok_or(here)?;
+            let e = Self::evaluate(kernel, surface, &y, target, self.measure)?;
             let mut step = solve4(&e.jacobian, &e.residual).ok_or(Lost::Diverged)?;
             let excess = (0..4).map(|k| step[k].abs() / limits[k]).fold(1.0, f64::max);
             step /= excess;
@@ -159,8 +167,7 @@ impl<'a, S: ToolSurface> ExactContact<'a, S> {
             }
             y -= step;
             if size < STALLED && size >= previous {
-                let here = Lost::Surface { p: y[0], q: y[1] };
-                let e = Self::evaluate(kernel, surface, &y, target, self.measure).ok_or(here)?;
+                let e = Self::evaluate(kernel, surface, &y, target, self.measure)?;
                 return Ok((y, e, iteration));
             }
             previous = size;
@@ -171,7 +178,7 @@ impl<'a, S: ToolSurface> ExactContact<'a, S> {
     /// Solves at (w_2, z_2) from the unmodified contact.
     ///
     /// # Errors
-    /// `NoStart`, `ContactBelowBase`, `WormSurfaceMissing`, `Undercut`.
+    /// `NoStart`, `ContactBelowBase`, `WormSurfaceMissing`, `NotSmooth`, `Undercut`.
     pub fn solve(&self, w_2: f64, z_2: f64) -> Result<ContactSolution, ContactError> {
         self.solve_from(w_2, z_2, None).map(|(solution, _)| solution)
     }
@@ -190,7 +197,7 @@ impl<'a, S: ToolSurface> ExactContact<'a, S> {
         let reference = {
             let plain = Kernel::new(&self.plain, kernel.phase);
             let e = Self::evaluate(&plain, self.unmodified.as_ref(), &y_0, &target, self.measure)
-                .ok_or(ContactError::WormSurfaceMissing { p: y_0[0], q: y_0[1] })?;
+                .map_err(|_| ContactError::WormSurfaceMissing { p: y_0[0], q: y_0[1] })?;
             e.jacobian.determinant()
         };
         let accepted = |found: Result<(State, Evaluation, usize), Lost>| {
@@ -252,10 +259,11 @@ impl<'a, S: ToolSurface> ExactContact<'a, S> {
                 }
             }
         }
-        if let Lost::Surface { p, q } = lost {
-            return Err(ContactError::WormSurfaceMissing { p, q });
-        }
-        Err(ContactError::Undercut { flank: self.pair.flank(), w, z, ratio: last })
+        Err(match lost {
+            Lost::Surface { p, q } => ContactError::WormSurfaceMissing { p, q },
+            Lost::Kink { p, q } => ContactError::NotSmooth { p, q },
+            Lost::Diverged => ContactError::Undercut { flank: self.pair.flank(), w, z, ratio: last },
+        })
     }
 
     /// Solves on the grid `w` x `z`, row-major `[w][z]`; each point starts from the correction that its neighbours in the

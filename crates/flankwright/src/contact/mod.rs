@@ -11,7 +11,7 @@ mod surface;
 mod thread;
 mod working_area;
 
-pub use diagonal::{DiagonalLine, DiagonalRatio, LineMap, PointMap};
+pub use diagonal::{DiagonalLine, DiagonalRatio, LineMap, PointMap, WorkPoint};
 pub use error::ContactError;
 pub use exact::{ContactSolution, ExactContact, Measure, Sensitivities};
 pub use pair::{FlankPair, Pair};

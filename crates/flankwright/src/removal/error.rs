@@ -114,6 +114,26 @@ pub enum RemovalError {
         /// How many there are.
         count: usize,
     },
+    /// A row of rays does not show where the contact path crosses it.
+    #[error(
+        "no contact seen at length of roll {w:.4} mm with feeds z_V1 = {shift:.4} mm, z_V2 = {feed:.4} mm: {reason}"
+    )]
+    ContactNotSeen {
+        /// Length of roll of the row.
+        w: f64,
+        /// Tool shift.
+        shift: f64,
+        /// Feed.
+        feed: f64,
+        /// Why.
+        reason: &'static str,
+    },
+    /// Rows and feeds do not determine the relations.
+    #[error("{contacts} contacts do not determine the relations of these bodies")]
+    TooFewContacts {
+        /// Contacts seen.
+        contacts: usize,
+    },
     /// The rays make no interpolating surface.
     #[error("the rays of the worm make no smooth surface: {0}")]
     Surface(#[from] SplineError),
@@ -130,6 +150,8 @@ impl RemovalError {
             Self::NoActiveThread { .. } => "no-active-thread",
             Self::ProfileFolds { .. } => "dresser-profile-folds",
             Self::RayUncut { .. } => "ray-uncut",
+            Self::ContactNotSeen { .. } => "contact-not-seen",
+            Self::TooFewContacts { .. } => "too-few-contacts",
             Self::Surface(_) => "no-worm-surface",
         }
     }
@@ -154,6 +176,12 @@ impl RemovalError {
                     "shorten the tool's tip if it undercuts there, or smooth the modification"
                 }
             },
+            Self::ContactNotSeen { .. } => {
+                "widen the face or the worm's area, or choose lengths of roll that the worm can grind"
+            }
+            Self::TooFewContacts { .. } => {
+                "give at least two lengths of roll, and different feeds for every conical body"
+            }
             Self::Surface(_) => "use at least four lengths of roll and four axial positions",
         }
     }

@@ -74,18 +74,18 @@ pub(super) struct Engagement<'a> {
 }
 
 /// A ray in workpiece coordinates.
-struct Ray {
-    point: Vector3<f64>,
-    normal: Vector3<f64>,
-    w: f64,
+pub(super) struct Ray {
+    pub point: Vector3<f64>,
+    pub normal: Vector3<f64>,
+    pub w: f64,
 }
 
 /// Length of a ray at one instant with its rates by angle and feed, and the worm point it ends on.
 #[derive(Clone, Copy)]
-struct Length {
-    lam: f64,
-    rates: Vector2<f64>,
-    foot: [f64; 2],
+pub(super) struct Length {
+    pub lam: f64,
+    pub rates: Vector2<f64>,
+    pub foot: [f64; 2],
 }
 
 impl Slope for Length {
@@ -166,7 +166,7 @@ fn tiles(grid: &RayGrid) -> Vec<Vec<usize>> {
 }
 
 impl<'a> Engagement<'a> {
-    fn new(setup: &'a Grinding<'a>) -> Result<Self, RemovalError> {
+    pub fn new(setup: &'a Grinding<'a>) -> Result<Self, RemovalError> {
         if setup.worm.flank != setup.work.flank {
             return Err(RemovalError::FlanksDiffer { worm: setup.worm.flank, work: setup.work.flank });
         }
@@ -226,7 +226,7 @@ impl<'a> Engagement<'a> {
     }
 
     /// Exact length of a ray at (angle, feed); `None` where it does not meet the worm's front.
-    fn length(&self, ray: &Ray, at: Vector2<f64>, guess: f64) -> Option<Length> {
+    pub fn length(&self, ray: &Ray, at: Vector2<f64>, guess: f64) -> Option<Length> {
         let moving = [(1.0, 0.0), (0.0, 1.0)].map(|(by_angle, by_feed)| {
             let pose = self.pose(Dual64::new(at[0], by_angle), Dual64::new(at[1], by_feed));
             let point = pose.rotation() * ray.point.map(Dual64::from_re) + pose.translation();

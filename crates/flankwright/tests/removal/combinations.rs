@@ -105,7 +105,7 @@ fn every_reference_pair_grinds_what_the_exact_contact_says() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 12, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn random_cones_grind_what_the_exact_contact_says(
@@ -116,7 +116,8 @@ proptest! {
         beta in -30.0..30.0f64,
         threads in 1..5i32,
         slimness in 35.0..60.0f64,
-        cones in (-4.0..4.0f64, -5.0..5.0f64, 0..4u8),
+        right_hand in any::<bool>(),
+        cones in (-9.0..9.0f64, -7.0..7.0f64, 0..4u8),
         law in (-1.0..1.0f64, -0.02..0.02f64),
     ) {
         let (worm_cone, work_cone, kind) = cones;
@@ -129,7 +130,7 @@ proptest! {
             cone_angle: if kind & 1 == 0 { 0.0 } else { work_cone.to_radians() },
         };
         let worm_cone = if kind & 2 == 0 { 0.0 } else { worm_cone.to_radians() };
-        let pair = meshing_with(data, threads, slimness * module, worm_cone);
+        let pair = meshing_with(data, (threads, if right_hand { 1.0 } else { -1.0 }), slimness * module, worm_cone);
         let motion = pair.motion(MotionLaw::polynomial(0.0, vec![0.0, law.0, law.1]));
         for flank in Flank::BOTH {
             compare(&pair, flank, &motion, 5.0 * module);

@@ -4,6 +4,7 @@ mod combinations;
 mod dressing;
 mod errors;
 mod feed_marks;
+mod fit;
 mod grinding;
 mod left_out_threads;
 mod setups;

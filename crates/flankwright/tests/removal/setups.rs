@@ -139,15 +139,15 @@ pub fn meshing(
         profile_shift: 0.1,
         cone_angle: 0.0,
     };
-    meshing_with(work, threads, worm_diameter, 0.0)
+    meshing_with(work, (threads, 1.0), worm_diameter, 0.0)
 }
 
-/// The same for any workpiece and a worm with a cone angle, rad.
-pub fn meshing_with(work: GearData, threads: i32, worm_diameter: f64, worm_cone: f64) -> Pair {
+/// The same for any workpiece and a worm of either hand with a cone angle, rad.
+pub fn meshing_with(work: GearData, (threads, hand): (i32, f64), worm_diameter: f64, worm_cone: f64) -> Pair {
     let work = Gear::new(work).unwrap();
     let choice = WormChoice {
         threads,
-        hand: 1.0,
+        hand,
         pitch_diameter: Some(worm_diameter),
         tip_diameter: None,
         pressure_angle: None,
