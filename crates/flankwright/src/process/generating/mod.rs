@@ -4,6 +4,7 @@
 mod decomposition;
 mod dressed;
 mod error;
+pub mod least_squares;
 mod lines;
 mod local_envelope;
 mod motion;

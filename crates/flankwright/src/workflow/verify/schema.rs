@@ -5,7 +5,8 @@
 use super::ledger::Ledger;
 use super::reference::Reference;
 use super::{
-    contact, decompositions, dressing, gears, ground_flank, ground_modifications, modifications, planning,
+    contact, decompositions, dressing, gears, ground_flank, ground_modifications, least_squares,
+    modifications, planning,
 };
 use serde::Serialize;
 use serde_json::Value;
@@ -150,8 +151,8 @@ impl Schema {
                         Block::checked("two_flank_motion", ground_modifications::two_flank_motion),
                         Block::checked("waviness", decompositions::waviness),
                         Block::checked("figure_29_31", decompositions::figure_29_31),
-                        Block::to_come("least_squares"),
-                        Block::to_come("two_flanks"),
+                        Block::checked("least_squares", least_squares::least_squares),
+                        Block::checked("two_flanks", least_squares::two_flanks),
                         Block::to_come("equal_swivel"),
                         Block::to_come("figure_25"),
                         Block::to_come("figure_26_28"),
