@@ -181,6 +181,21 @@ fn every_changed_number_of_a_contact_case_is_noticed() {
 }
 
 #[test]
+fn every_changed_number_of_a_decomposition_by_least_squares_is_noticed() {
+    let root = content("25-modifications.json");
+    // The smallest case, in the norm of the largest residual.
+    let case = json!({"gears": root["gears"], "least_squares": [root["least_squares"][4]]});
+    notices_every_number(&case, "/least_squares/0", &[]);
+    // The two ratios between which the best one lies.
+    let mut flanks = json!({"gears": root["gears"], "two_flanks": root["two_flanks"]});
+    for key in ["K_scan", "scan"] {
+        let list = flanks["two_flanks"][key].as_array_mut().unwrap();
+        *list = list[6..8].to_vec();
+    }
+    notices_every_number(&flanks, "/two_flanks", &[]);
+}
+
+#[test]
 fn a_changed_ground_flank_is_noticed() {
     let root = content("20-generating-contact.json");
     for quantity in

@@ -90,6 +90,10 @@ pub fn fit_functions(
         }))
     };
     let least_squares = quality(&solved.x);
+    // Amounts near the largest numbers there are.
+    if !least_squares.rms.is_finite() {
+        return Err(unsolved);
+    }
     let (x, minimax) = match settings.norm {
         FitNorm::LeastSquares => (solved.x, None),
         FitNorm::Largest => {

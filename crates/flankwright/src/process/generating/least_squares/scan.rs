@@ -9,12 +9,11 @@ const REFINED: usize = 3;
 /// Evaluations of a golden section: its bracket shrinks to 4e-7 of the distance of two candidates.
 const GOLDEN: usize = 32;
 
-/// Values of a parameter to be tried, ascending. Neighbours with a value of forbidden sign change between them are no
-/// neighbours.
+/// Values of a parameter to be tried, ascending.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Candidates {
     values: Vec<f64>,
-    /// Between a negative and a positive value nothing is tried (diagonal ratios: 0 is another method).
+    /// Nothing is tried between a negative and a positive value: diagonal ratio 0 is another method.
     signs_apart: bool,
 }
 
@@ -56,7 +55,8 @@ impl Candidates {
     /// # Errors
     /// `InvalidScan` for numbers that are not finite or of different sign.
     pub fn between(left: f64, right: f64, count: usize) -> Result<Self, GeneratingError> {
-        if !(left * right > 0.0) {
+        let same_sign = (left > 0.0 && right > 0.0) || (left < 0.0 && right < 0.0);
+        if !same_sign {
             return Err(GeneratingError::InvalidScan { least: left, most: right, count });
         }
         let inside = (0..=count).map(|i| {
