@@ -293,6 +293,9 @@ impl<'a> Builder<'a> {
                         (axis_key(*axis), "ascending numbers")
                     }
                     SplineError::ShapeMismatch { .. } => ("f_um", "one row per w_mm, one value per z_mm"),
+                    SplineError::EmptyInterval { .. } | SplineError::EmptySpace { .. } => {
+                        ("w_mm", "numbers that span an interval")
+                    }
                     SplineError::ValueNotFinite { .. } | SplineError::RankDeficient { .. } => {
                         ("f_um", "values that don't jump between knots next to each other")
                     }

@@ -41,6 +41,22 @@ pub enum SplineError {
         /// Index of the value (row-major, first variable slow), or of the cell whose coefficients overflow.
         index: usize,
     },
+    /// An interval that a spline is to span has no length.
+    #[error("the spline would span [{low}, {high}], which has no length")]
+    EmptyInterval {
+        /// Lower end.
+        low: f64,
+        /// Upper end.
+        high: f64,
+    },
+    /// B-splines need a degree of at least 1 and at least one interval.
+    #[error("{intervals} intervals of degree {degree}: at least one interval and degree 1 are needed")]
+    EmptySpace {
+        /// Number of intervals.
+        intervals: usize,
+        /// Degree.
+        degree: usize,
+    },
     /// A least-squares spline is not determined by its points.
     #[error("{points} points don't determine {coefficients} spline coefficients")]
     RankDeficient {

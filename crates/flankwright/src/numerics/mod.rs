@@ -1,5 +1,6 @@
 //! Numerical tools: the scalar trait, series, splines, polynomials and roots. Knows no gears.
 
+mod bspline;
 mod chebyshev;
 mod jet;
 mod knots;
@@ -12,6 +13,7 @@ mod spline;
 mod spline_fit;
 mod tensor_spline;
 
+pub use bspline::{BSpline, BSplineBasis};
 pub use chebyshev::Chebyshev;
 pub use jet::Jet2;
 pub use knots::SplineError;

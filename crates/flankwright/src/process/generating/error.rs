@@ -5,6 +5,7 @@ use crate::contact::ContactError;
 use crate::geometry::{Flank, GeometryError};
 use crate::kinematics::LawError;
 use crate::modification::{EvaluationError, ModificationError};
+use crate::numerics::SplineError;
 use crate::process::dressing::DressingError;
 use thiserror::Error;
 
@@ -207,6 +208,75 @@ pub enum GeneratingError {
         /// N of K = D/N.
         denominator: f64,
     },
+    /// A target has no finite value somewhere.
+    #[error("the target has no finite amount at w = {w} mm, z = {z} mm")]
+    AmountNotFinite {
+        /// Length of roll.
+        w: f64,
+        /// Face position.
+        z: f64,
+    },
+    /// A tolerance by which deviations are weighed is no positive number.
+    #[error("the tolerance {value} mm at w = {w} mm, z = {z} mm is no positive number")]
+    ToleranceNotPositive {
+        /// Length of roll.
+        w: f64,
+        /// Face position.
+        z: f64,
+        /// Tolerance given, mm.
+        value: f64,
+    },
+    /// Fewer samples than functions to be found.
+    #[error("{points} points do not determine a decomposition, at least {needed} are needed")]
+    TooFewPoints {
+        /// Points given.
+        points: usize,
+        /// Points needed.
+        needed: usize,
+    },
+    /// All samples lie on one line of a coordinate.
+    #[error("all points have the same {coordinate} = {value} mm: nothing can be fitted along it")]
+    NoExtent {
+        /// Coordinate.
+        coordinate: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// The lines of a diagonal ratio have no coordinate somewhere.
+    #[error("the dressed lines or contact paths have no finite coordinate at w = {w} mm, z = {z} mm")]
+    CoordinateNotFinite {
+        /// Length of roll.
+        w: f64,
+        /// Face position.
+        z: f64,
+    },
+    /// The lines on the workpiece run along the contact paths, or along the profile (diagonal ratio 0).
+    #[error("lines of direction tan(rho_2) = {t} cannot be told from the contact paths, tan(rho_K) = {t_k}")]
+    DirectionAlongPath {
+        /// tan(rho_2).
+        t: f64,
+        /// tan(rho_K).
+        t_k: f64,
+    },
+    /// The splines of a decomposition are impossible.
+    #[error("splines of the decomposition: {0}")]
+    InvalidSpline(SplineError),
+    /// A range of diagonal ratios or directions is impossible.
+    #[error("a scan of {count} values from {least} to {most} is impossible")]
+    InvalidScan {
+        /// Lower end.
+        least: f64,
+        /// Upper end.
+        most: f64,
+        /// Number of values.
+        count: usize,
+    },
+    /// A fit did not converge.
+    #[error("a fit of {coefficients} coefficients did not converge")]
+    FitNotSolved {
+        /// Coefficients.
+        coefficients: usize,
+    },
 }
 
 impl From<EvaluationError> for GeneratingError {
@@ -243,6 +313,15 @@ impl GeneratingError {
             Self::WormLinesShared { .. } => "worm-lines-shared",
             Self::NoActiveThread { .. } => "no-active-thread",
             Self::NoCommonSwivel { .. } => "no-common-swivel",
+            Self::AmountNotFinite { .. } => "amount-not-finite",
+            Self::ToleranceNotPositive { .. } => "tolerance-not-positive",
+            Self::TooFewPoints { .. } => "too-few-points",
+            Self::NoExtent { .. } => "no-extent",
+            Self::CoordinateNotFinite { .. } => "coordinate-not-finite",
+            Self::DirectionAlongPath { .. } => "degenerate-direction",
+            Self::InvalidSpline(_) => "invalid-spline",
+            Self::InvalidScan { .. } => "invalid-scan",
+            Self::FitNotSolved { .. } => "fit-not-solved",
         }
     }
 
@@ -296,6 +375,21 @@ impl GeneratingError {
                 "dress the flanks one by one or change the modification of one of them".into()
             }
             Self::NoFlank => "set grinding.flanks to \"both\", \"left\" or \"right\"".into(),
+            Self::AmountNotFinite { .. } => "give finite amounts on the whole evaluation field".into(),
+            Self::ToleranceNotPositive { .. } => "give tolerances above 0 mm at every point".into(),
+            Self::TooFewPoints { .. } => "give more points, or take fewer functions or fewer intervals".into(),
+            Self::NoExtent { .. } => "spread the points over the flank, or leave out the functions of that coordinate".into(),
+            Self::CoordinateNotFinite { .. } => "let the ratio law cover the whole flank".into(),
+            Self::DirectionAlongPath { .. } => {
+                "choose another direction, or the functions P and K alone for diagonal ratio 0".into()
+            }
+            Self::InvalidSpline(_) => "take at least one interval, degree 1 and finite kinks".into(),
+            Self::InvalidScan { .. } => {
+                "give a range above 0 with its lower end first, finite values and at least two of them".into()
+            }
+            Self::FitNotSolved { .. } => {
+                "let tolerances differ by fewer orders of magnitude, or take fewer intervals".into()
+            }
         }
     }
 
@@ -328,7 +422,15 @@ impl GeneratingError {
             | Self::RangeNotCovered { .. }
             | Self::CurveNotAFunction { .. }
             | Self::InvalidRegion { .. }
-            | Self::NoActiveThread { .. } => true,
+            | Self::NoActiveThread { .. }
+            | Self::AmountNotFinite { .. }
+            | Self::ToleranceNotPositive { .. }
+            | Self::TooFewPoints { .. }
+            | Self::NoExtent { .. }
+            | Self::CoordinateNotFinite { .. }
+            | Self::DirectionAlongPath { .. }
+            | Self::InvalidSpline(_)
+            | Self::InvalidScan { .. } => true,
             _ => false,
         }
     }

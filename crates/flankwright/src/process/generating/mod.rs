@@ -11,6 +11,7 @@ mod equal_swivel;
 mod error;
 mod feed_law;
 mod line_functions;
+pub mod least_squares;
 mod lines;
 mod local_envelope;
 mod made;

@@ -8,7 +8,9 @@ use super::terms::{Coefficient, coefficients, polynomial, powers};
 use crate::contact::DiagonalLine;
 use crate::geometry::Flank;
 use crate::metrology::{Characteristics, Topography};
-use crate::modification::{CornerFace, CornerProfile, Modification, ModificationSpec, NoFiles};
+use crate::modification::{
+    CornerFace, CornerProfile, Modification, ModificationSpec, NoFiles, TriangularSpec,
+};
 use crate::numerics::Polynomial2;
 use crate::process::generating::{
     FlankLines, Gauge, GeneratingError, QuadraticDecomposition, decompose_diagonal, decompose_quadratic,
@@ -152,7 +154,7 @@ pub(super) fn implied(
 }
 
 /// A flank of a file's gear and the numbers of its dressed lines along axial sections.
-fn axial(set: &Set, flank: Flank) -> Result<FlankLines, GeneratingError> {
+pub(super) fn axial(set: &Set, flank: Flank) -> Result<FlankLines, GeneratingError> {
     let line = set.worm_line(flank)?;
     set.lines(flank, line.rho.tan())
 }
@@ -204,6 +206,18 @@ pub(super) fn waviness(file: &Reference<'_>, block: &Value, ledger: &mut Ledger)
     });
 }
 
+/// (s_w, s_z) of the corner at which a relief is deepest.
+fn corner_signs(relief: &TriangularSpec) -> [f64; 2] {
+    let sign = |positive: bool| if positive { 1.0 } else { -1.0 };
+    [sign(relief.corner_profile == CornerProfile::Tip), sign(relief.corner_face == CornerFace::II)]
+}
+
+/// tan(rho_2) of the lines on which a relief is constant: x = 1 + s_w (w - w_c)/L_w + s_z (z - z_c)/L_z.
+pub(super) fn relief_direction(relief: &TriangularSpec) -> f64 {
+    let [s_w, s_z] = corner_signs(relief);
+    s_w * s_z * relief.length_z_mm / relief.length_w_mm
+}
+
 /// Block `figure_29_31`: a relief along one direction together with polynomials, split into motion and worm.
 pub(super) fn figure_29_31(file: &Reference<'_>, block: &Value, ledger: &mut Ledger) {
     let list = Value::Array(vec![block.clone()]);
@@ -218,7 +232,6 @@ pub(super) fn figure_29_31(file: &Reference<'_>, block: &Value, ledger: &mut Led
         let lines = axial(&set, flank)?;
         let field = set.field(flank)?;
         let total = Modification::for_flank(&specs, flank, &field, &NoFiles)?;
-        // The lines of the relief: x = 1 + s_w (w - w_c)/L_w + s_z (z - z_c)/L_z is constant on them.
         let relief = specs.iter().find_map(|spec| match spec {
             ModificationSpec::TriangularEndRelief(relief) => Some(relief),
             _ => None,
@@ -227,11 +240,10 @@ pub(super) fn figure_29_31(file: &Reference<'_>, block: &Value, ledger: &mut Led
             item.refused(&"a triangular end relief must be among the modifications", ledger);
             return Ok(());
         };
-        let tip = relief.corner_profile == CornerProfile::Tip;
-        let second = relief.corner_face == CornerFace::II;
-        let (s_w, s_z) = (if tip { 1.0 } else { -1.0 }, if second { 1.0 } else { -1.0 });
-        let (w_c, z_c) = (lines.roll[usize::from(tip)], lines.face[usize::from(second)]);
-        let t = s_w * s_z * relief.length_z_mm / relief.length_w_mm;
+        let [s_w, s_z] = corner_signs(relief);
+        let corner = |ends: [f64; 2], sign: f64| ends[usize::from(sign > 0.0)];
+        let (w_c, z_c) = (corner(lines.roll, s_w), corner(lines.face, s_z));
+        let t = relief_direction(relief);
         let line = DiagonalLine { rho: t.atan() };
         let ratio = set.pair.flanks[flank].ratio_of_directions(set.worm_line(flank)?, line)?;
         let mm = tolerance;

@@ -22,6 +22,7 @@ mod gear_sets;
 mod gears;
 mod ground_flank;
 mod ground_modifications;
+mod least_squares;
 mod ledger;
 mod modifications;
 mod planning;

@@ -6,7 +6,7 @@ use super::ledger::Ledger;
 use super::reference::Reference;
 use super::{
     areas, contact, decompositions, dressing, equal_ratio, gears, ground_flank, ground_modifications,
-    modifications, planning, variable_ratio,
+    least_squares, modifications, planning, variable_ratio,
 };
 use serde::Serialize;
 use serde_json::Value;
@@ -151,8 +151,8 @@ impl Schema {
                         Block::checked("two_flank_motion", ground_modifications::two_flank_motion),
                         Block::checked("waviness", decompositions::waviness),
                         Block::checked("figure_29_31", decompositions::figure_29_31),
-                        Block::to_come("least_squares"),
-                        Block::to_come("two_flanks"),
+                        Block::checked("least_squares", least_squares::least_squares),
+                        Block::checked("two_flanks", least_squares::two_flanks),
                         Block::checked("equal_swivel", areas::equal_swivel),
                         Block::checked("figure_25", variable_ratio::figure_25),
                         Block::checked("figure_26_28", variable_ratio::figure_26_28),
