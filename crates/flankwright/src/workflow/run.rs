@@ -79,6 +79,9 @@ fn supported(job: &Job) -> Result<(), RunFailure> {
             "use tool = \"dressed\" with a [dresser]",
         );
     }
+    if job.target.tolerance_map.is_some() {
+        return refuse("target.tolerance_map", "a tolerance that changes over the flank", "use tolerance_um");
+    }
     if job.explore.is_some() {
         return refuse("explore", "a study of several settings", "leave [explore] out");
     }
