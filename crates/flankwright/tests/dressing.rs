@@ -303,7 +303,7 @@ fn a_target_beyond_the_fold_names_flank_position_and_share() {
     says(&error, "no-zero", &["left", "percent"]);
     let DressingError::NoZero { fraction, .. } = error else { panic!("{error}") };
     assert!(fraction > 0.0 && fraction < 1.0);
-    let wanted = |i: usize, _: f64| if i == 1 { 0.060 } else { 0.0 };
+    let wanted = |_: [f64; 3]| [0.0, 0.060, 0.0];
     let error = solve_node(&tool, Flank::Left, 50.0, 7.5, &[0.0; 4], &wanted).unwrap_err();
     says(&error, "no-zero", &["v_zS = 7.500 mm"]);
 }

@@ -51,6 +51,14 @@ fn cloud(method: &str) -> Value {
     json!({ "kind": "points", "points": points, "method": method })
 }
 
+fn traces(count: usize) -> Value {
+    let w = &[7.0, 12.0, 19.0][..count];
+    let z = [-12.0, -7.0, 0.0, 4.0, 9.0, 18.0];
+    let f: Vec<Vec<f64>> =
+        w.iter().map(|w| z.iter().map(|z| 3.0 * (0.1 * w + 0.2 * z).cos() + 0.1 * w).collect()).collect();
+    json!({ "kind": "helix_traces", "w_mm": w, "z_mm": z, "f_um": f })
+}
+
 /// One example of every kind, with its expected smoothness.
 fn every_kind() -> Vec<(Value, Smoothness)> {
     use Smoothness::{C0, C1, C2, Cinf};
@@ -116,6 +124,15 @@ fn every_kind() -> Vec<(Value, Smoothness)> {
                    {"kind": "end_relief_II", "amount_um": 18.0, "length_mm": 6.0, "exponent": 3}]}),
             C2,
         ),
+        (json!({"kind": "formula", "f_um": "3 - 20*v^2 + 4*u*v - 0.01*(w - w_f)^2*(z - z_I)/2"}), Cinf),
+        (
+            json!({"kind": "formula", "f_um": "5*sin(2*pi*(w + 0.3*z)/9)*exp(-v^2) + sqrt(w^2 + 38^2) - ln(w)*tanh(u) + 2^u/(2 + v)"}),
+            Cinf,
+        ),
+        (json!({"kind": "formula", "f_um": "-20*max(w - (w_a - 4), 0)/4 - 3*abs(u + 0.007)"}), C0),
+        (json!({"kind": "formula", "f_um": "-8*max(0, -v - 0.501)^2 - min(u - 0.303, 0)^3"}), C1),
+        (traces(2), C2),
+        (traces(3), C2),
     ]
 }
 
@@ -319,7 +336,7 @@ fn polynomials_are_recognised_with_exact_centred_coefficients() {
         {"kind": "scale", "factor": 1.5, "children": [{"kind": "directed_crowning", "amount_um": 500.0, "rho_deg": 70.0}]}]});
     let mirrored = json!({"kind": "mirror", "children": [product, {"kind": "helix_slope", "amount_um": 4.0},
         {"kind": "twist", "amount_um": 5.0}]});
-    let polynomials = [0, 4, 8, 9, 10, 17, 19].map(|i| every_kind()[i].0.clone());
+    let polynomials = [0, 4, 8, 9, 10, 17, 19, 27].map(|i| every_kind()[i].0.clone());
     for value in polynomials.into_iter().chain([product.clone(), mirrored]) {
         let modification = build(value.clone());
         let polynomial = modification.polynomial().unwrap_or_else(|| panic!("{value} is a polynomial"));
@@ -332,7 +349,8 @@ fn polynomials_are_recognised_with_exact_centred_coefficients() {
     }
     let crowning = build(json!({"kind": "helix_crowning", "amount_um": 10.0})).polynomial().unwrap();
     assert_eq!(crowning, Polynomial2::from_terms([(0, 2, -0.010 / 225.0)]));
-    let others = [1, 2, 3, 5, 6, 7, 11, 12, 13, 14, 15, 16, 18, 20, 21, 22, 23, 24, 25, 26];
+    let others =
+        [1, 2, 3, 5, 6, 7, 11, 12, 13, 14, 15, 16, 18, 20, 21, 22, 23, 24, 25, 26, 28, 29, 30, 31, 32];
     for i in others {
         let value = every_kind()[i].0.clone();
         assert!(build(value.clone()).polynomial().is_none(), "{value}");
@@ -343,7 +361,7 @@ fn polynomials_are_recognised_with_exact_centred_coefficients() {
 
 #[test]
 fn functions_of_the_profile_alone_are_recognised() {
-    let profile = [0, 1, 2, 3, 7, 8, 11, 12];
+    let profile = [0, 1, 2, 3, 7, 8, 11, 12, 29];
     for (i, (value, _)) in every_kind().into_iter().enumerate() {
         assert_eq!(build(value.clone()).depends_on_profile_only(), profile.contains(&i), "{value}");
     }
@@ -428,6 +446,14 @@ impl ModificationFiles for Shelf {
         Ok(GridTable { w_mm: vec![0.0, 10.0, 20.0, 30.0], z_mm, f_um: vec![vec![5.0; 4]; 4] })
     }
 
+    fn traces(&self, file: &str) -> Result<GridTable, String> {
+        self.grid(file).map(|table| GridTable {
+            w_mm: vec![8.0, 18.0],
+            f_um: vec![vec![5.0; 4], vec![7.0; 4]],
+            ..table
+        })
+    }
+
     fn points(&self, _file: &str) -> Result<Vec<[f64; 3]>, String> {
         Ok(vec![[0.0, 0.0, 2.0], [40.0, 0.0, 2.0], [0.0, 40.0, 2.0]])
     }
@@ -438,6 +464,10 @@ fn files_come_from_the_caller() {
     let with = |value: Value| Modification::build_with_files(&spec(value), &field(), &Shelf);
     let grid = with(json!({"kind": "grid", "file": "flat.csv"})).unwrap();
     assert!((grid.value(9.0, 9.0).unwrap() - 0.005).abs() < 1e-15);
+    let traces = with(json!({"kind": "helix_traces", "file": "flat.csv"})).unwrap();
+    assert!((traces.value(9.0, 9.0).unwrap() - 0.0052).abs() < 1e-15);
+    let gone = with(json!({"kind": "helix_traces", "file": "gone.csv"})).unwrap_err();
+    assert_eq!(gone.code(), "file-unavailable");
     let points = with(json!({"kind": "points", "file": "p.csv"})).unwrap();
     assert!((points.value(9.0, 9.0).unwrap() - 0.002).abs() < 1e-15);
     // A grid that ends inside the evaluation range says nothing beyond its last knots.
@@ -491,7 +521,7 @@ fn unknown_keys_are_refused_inside_every_kind() {
     // The schema says the same, and lists every kind.
     let schema = schemars::schema_for!(ModificationSpec).to_value();
     let variants = schema["oneOf"].as_array().unwrap();
-    assert_eq!(variants.len(), 25);
+    assert_eq!(variants.len(), 27);
     for variant in variants {
         assert_eq!(variant["additionalProperties"], json!(false), "{variant}");
         assert!(variant["properties"]["kind"]["const"].is_string());

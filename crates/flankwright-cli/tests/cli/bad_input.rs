@@ -278,6 +278,42 @@ const CASES: &[Case] = &[
         "job.name",
         &["1 to 100 characters"],
     ),
+    // targets
+    case(
+        "tolerance_um = 1.0",
+        "tolerance_map = { w_mm = [1.0], z_mm = [], tolerance_um = [[1.0]] }",
+        "invalid-list",
+        "target.tolerance_map.z_mm",
+        &["1 to 1000"],
+    ),
+    case(
+        "tolerance_um = 1.0",
+        "tolerance_map = { w_mm = [1.0], z_mm = [1.0] }",
+        "missing-key",
+        "target.tolerance_map.tolerance_um",
+        &["a list"],
+    ),
+    case(
+        "tolerance_um = 1.0",
+        "tolerance_map = 3",
+        "wrong-type",
+        "target.tolerance_map",
+        &["a text or a table"],
+    ),
+    case(
+        "kind = \"helix_crowning\", amount_um = 20.0",
+        "kind = \"formula\"",
+        "missing-key",
+        "target.modifications[0].f_um",
+        &["a text"],
+    ),
+    case(
+        "kind = \"helix_crowning\", amount_um = 20.0",
+        "kind = \"helix_traces\", f_mm = []",
+        "unknown-key",
+        "target.modifications[0].f_mm",
+        &["did you mean `f_um`"],
+    ),
     // the shift and the tool
     case(
         "diagonal_ratio = \"auto\"",

@@ -1,5 +1,5 @@
-//! A target given as a table of values: CSV with the columns w_mm, z_mm, f_um, on a full grid or scattered. Reads and
-//! checks it; knows nothing of how values between the points are found.
+//! Values over a flank as a table: CSV with the columns w_mm, z_mm and f_um or tolerance_um, on a full grid or
+//! scattered. Reads and checks it; knows nothing of how values between the points are found.
 
 use std::ops::Range;
 use std::path::Path;
@@ -7,10 +7,36 @@ use std::path::Path;
 use super::diagnostic::{Diagnostic, JobError, Problem};
 use super::source::Source;
 
-/// Fewest points along each direction: a cubic through them needs four.
-const LEAST: usize = 4;
+/// What a table of numbers over w_mm and z_mm holds.
+#[derive(Clone, Copy)]
+struct Layout {
+    /// Name of the third column.
+    value: &'static str,
+    /// Fewest different w_mm and z_mm of a grid.
+    least: [usize; 2],
+    /// Most different w_mm.
+    most_w: usize,
+}
 
-const COLUMNS: [&str; 3] = ["w_mm", "z_mm", "f_um"];
+/// A flank: a cubic through its values needs four along each direction.
+const FLANK: Layout = Layout { value: "f_um", least: [4, 4], most_w: usize::MAX };
+
+/// Helix traces: two or three, with a cubic along each.
+const TRACES: Layout = Layout { value: "f_um", least: [2, 4], most_w: 3 };
+
+/// Tolerances: one value is one everywhere.
+const TOLERANCES: Layout = Layout { value: "tolerance_um", least: [1, 1], most_w: usize::MAX };
+
+impl Layout {
+    fn columns(self) -> [&'static str; 3] {
+        ["w_mm", "z_mm", self.value]
+    }
+
+    fn malformed(self, message: impl Into<Box<str>>) -> Diagnostic {
+        Diagnostic::new(Problem::InvalidTable, message)
+            .allowed(format!("the columns {}, one row for each point of the grid", self.columns().join(",")))
+    }
+}
 
 /// Values on a full grid; f positive = material.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,13 +49,43 @@ pub struct GridTarget {
     pub f_um: Vec<Vec<f64>>,
 }
 
+/// How the rows of a table lie over w and z.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TableForm {
+    /// Each pair of the different w and z once.
+    Grid,
+    /// Anything else.
+    Scattered {
+        /// Different pairs of w and z.
+        points: usize,
+        /// Different values of w and z.
+        places: [usize; 2],
+    },
+}
+
 /// Reads the table; rows in any order, each point of the grid once. Lines that begin with `#` are comments.
 ///
 /// # Errors
 /// Those of [`Source::read`]; `invalid-table`, `invalid-number` with line and value.
 pub fn read_grid_target(path: &Path) -> Result<GridTarget, JobError> {
-    let source = Source::read(path)?;
-    parse(source.text()).map_err(|finding| JobError::single(source, finding))
+    read_grid(path, FLANK)
+}
+
+/// Reads helix traces: the same columns, two or three values of w_mm.
+///
+/// # Errors
+/// As [`read_grid_target`].
+pub fn read_traces(path: &Path) -> Result<GridTarget, JobError> {
+    read_grid(path, TRACES)
+}
+
+/// Reads tolerances: columns w_mm, z_mm, tolerance_um on a grid of any size, each tolerance above 0. They are handed
+/// out as `f_um`.
+///
+/// # Errors
+/// As [`read_grid_target`]; `invalid-number` for a tolerance that is not above 0.
+pub fn read_tolerances(path: &Path) -> Result<GridTarget, JobError> {
+    read_grid(path, TOLERANCES)
 }
 
 /// Reads the same table as scattered points `[w_mm, z_mm, f_um]` in the order of the file.
@@ -38,18 +94,61 @@ pub fn read_grid_target(path: &Path) -> Result<GridTarget, JobError> {
 /// Those of [`Source::read`]; `invalid-table`, `invalid-number` with line and value.
 pub fn read_points(path: &Path) -> Result<Vec<[f64; 3]>, JobError> {
     let source = Source::read(path)?;
-    let rows = parse_rows(source.text()).map_err(|finding| JobError::single(source, finding))?;
+    let rows = parse_rows(source.text(), FLANK).map_err(|finding| JobError::single(source, finding))?;
     Ok(rows.into_iter().map(|(row, _)| row).collect())
 }
 
-fn parse(text: &str) -> Result<GridTarget, Diagnostic> {
-    assemble(parse_rows(text)?)
+/// Whether the table of a flank is a grid. As many rows as a grid of its places would have make it one, so that a row
+/// that stands twice is told when the grid is read.
+///
+/// # Errors
+/// As [`read_points`].
+pub fn table_form(path: &Path) -> Result<TableForm, JobError> {
+    let source = Source::read(path)?;
+    let rows = parse_rows(source.text(), FLANK).map_err(|finding| JobError::single(source, finding))?;
+    Ok(form(&rows))
+}
+
+fn form(rows: &[Row]) -> TableForm {
+    let places = [0, 1].map(|index| different(rows, index).len());
+    let enough = places[0] >= FLANK.least[0] && places[1] >= FLANK.least[1];
+    if enough && places[0] * places[1] == rows.len() {
+        TableForm::Grid
+    } else {
+        let mut points: Vec<[f64; 2]> = rows.iter().map(|([w, z, _], _)| [*w, *z]).collect();
+        points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+        points.dedup();
+        TableForm::Scattered { points: points.len(), places }
+    }
+}
+
+fn read_grid(path: &Path, layout: Layout) -> Result<GridTarget, JobError> {
+    let source = Source::read(path)?;
+    parse(source.text(), layout).map_err(|finding| JobError::single(source, finding))
+}
+
+fn parse(text: &str, layout: Layout) -> Result<GridTarget, Diagnostic> {
+    let rows = parse_rows(text, layout)?;
+    if layout.value == TOLERANCES.value
+        && let Some((row, span)) = rows.iter().find(|(row, _)| row[2] <= 0.0)
+    {
+        return Err(Diagnostic::new(
+            Problem::InvalidNumber,
+            format!("the tolerance at w = {} mm, z = {} mm is not above 0", row[0], row[1]),
+        )
+        .field(layout.value)
+        .value(row[2])
+        .allowed("> 0")
+        .way_out("give the largest deviation allowed there in micrometres")
+        .span(Some(span.clone())));
+    }
+    assemble(rows, layout)
 }
 
 /// A row of the table with its place in the text.
 type Row = ([f64; 3], Range<usize>);
 
-fn parse_rows(text: &str) -> Result<Vec<Row>, Diagnostic> {
+fn parse_rows(text: &str, layout: Layout) -> Result<Vec<Row>, Diagnostic> {
     let mut rows: Vec<Row> = Vec::new();
     let mut header = None;
     let mut offset = 0;
@@ -62,53 +161,60 @@ fn parse_rows(text: &str) -> Result<Vec<Row>, Diagnostic> {
             continue;
         }
         match header {
-            None => header = Some(columns(line, span)?),
-            Some(order) => rows.push((values(line, order, &span)?, span)),
+            None => header = Some(columns(line, span, layout)?),
+            Some(order) => rows.push((values(line, order, &span, layout)?, span)),
         }
     }
     if header.is_none() {
-        return Err(malformed("the table is empty").way_out("begin it with the line `w_mm,z_mm,f_um`"));
+        return Err(layout
+            .malformed("the table is empty")
+            .way_out(format!("begin it with the line `{}`", layout.columns().join(","))));
     }
     Ok(rows)
 }
 
-fn malformed(message: impl Into<Box<str>>) -> Diagnostic {
-    Diagnostic::new(Problem::InvalidTable, message)
-        .allowed("the columns w_mm,z_mm,f_um, one row for each point of the grid")
-}
-
 /// Positions of the three columns.
-fn columns(line: &str, span: Range<usize>) -> Result<[usize; 3], Diagnostic> {
+fn columns(line: &str, span: Range<usize>, layout: Layout) -> Result<[usize; 3], Diagnostic> {
     let titles: Vec<&str> = line.split(',').map(str::trim).collect();
     let mut order = [0; 3];
-    for (place, column) in order.iter_mut().zip(COLUMNS) {
+    for (place, column) in order.iter_mut().zip(layout.columns()) {
         *place = titles.iter().position(|t| *t == column).ok_or_else(|| {
-            malformed(format!("the table has no column `{column}`"))
+            layout
+                .malformed(format!("the table has no column `{column}`"))
                 .field(column)
                 .value(line.chars().take(60).collect::<String>())
-                .way_out("begin the table with the line `w_mm,z_mm,f_um`")
+                .way_out(format!("begin the table with the line `{}`", layout.columns().join(",")))
                 .span(Some(span.clone()))
         })?;
     }
-    if let Some(unknown) = titles.iter().find(|t| !COLUMNS.contains(t)) {
+    if let Some(unknown) = titles.iter().find(|t| !layout.columns().contains(*t)) {
         let message = format!("the column `{}` is not known", unknown.chars().take(60).collect::<String>());
-        return Err(malformed(message).way_out("remove the column").span(Some(span)));
+        return Err(layout.malformed(message).way_out("remove the column").span(Some(span)));
     }
-    if titles.len() != COLUMNS.len() {
-        return Err(malformed("a column stands twice").way_out("remove one of the two").span(Some(span)));
+    if titles.len() != layout.columns().len() {
+        return Err(layout
+            .malformed("a column stands twice")
+            .way_out("remove one of the two")
+            .span(Some(span)));
     }
     Ok(order)
 }
 
-fn values(line: &str, order: [usize; 3], span: &Range<usize>) -> Result<[f64; 3], Diagnostic> {
+fn values(
+    line: &str,
+    order: [usize; 3],
+    span: &Range<usize>,
+    layout: Layout,
+) -> Result<[f64; 3], Diagnostic> {
     let cells: Vec<&str> = line.split(',').map(str::trim).collect();
     if cells.len() != order.len() {
-        return Err(malformed(format!("a row of {} values", cells.len()))
+        return Err(layout
+            .malformed(format!("a row of {} values", cells.len()))
             .way_out("give three values with a decimal point, separated by commas")
             .span(Some(span.clone())));
     }
     let mut row = [0.0; 3];
-    for ((value, column), place) in row.iter_mut().zip(COLUMNS).zip(order) {
+    for ((value, column), place) in row.iter_mut().zip(layout.columns()).zip(order) {
         let cell = cells[place];
         *value = cell.parse().ok().filter(|v: &f64| v.is_finite()).ok_or_else(|| {
             Diagnostic::new(Problem::InvalidNumber, format!("`{column}` is not a finite number"))
@@ -122,26 +228,37 @@ fn values(line: &str, order: [usize; 3], span: &Range<usize>) -> Result<[f64; 3]
     Ok(row)
 }
 
-fn assemble(rows: Vec<Row>) -> Result<GridTarget, Diagnostic> {
-    let axis = |index: usize| {
-        let mut values: Vec<f64> = rows.iter().map(|(row, _)| row[index]).collect();
-        values.sort_by(f64::total_cmp);
-        values.dedup();
-        values
-    };
-    let (w_mm, z_mm) = (axis(0), axis(1));
-    for (column, values) in [("w_mm", &w_mm), ("z_mm", &z_mm)] {
-        if values.len() < LEAST {
-            return Err(malformed(format!("the grid has {} different values of `{column}`", values.len()))
+/// Values of a column, ascending, each once.
+fn different(rows: &[Row], index: usize) -> Vec<f64> {
+    let mut values: Vec<f64> = rows.iter().map(|(row, _)| row[index]).collect();
+    values.sort_by(f64::total_cmp);
+    values.dedup();
+    values
+}
+
+fn assemble(rows: Vec<Row>, layout: Layout) -> Result<GridTarget, Diagnostic> {
+    let (w_mm, z_mm) = (different(&rows, 0), different(&rows, 1));
+    if w_mm.len() > layout.most_w {
+        return Err(layout
+            .malformed(format!("{} different values of `w_mm`", w_mm.len()))
+            .field("w_mm")
+            .value(w_mm.len())
+            .allowed(format!("{} to {} different values of `w_mm`", layout.least[0], layout.most_w))
+            .way_out("give fewer traces, or use the kind \"grid\""));
+    }
+    for ((column, values), least) in [("w_mm", &w_mm), ("z_mm", &z_mm)].into_iter().zip(layout.least) {
+        if values.len() < least {
+            return Err(layout
+                .malformed(format!("the grid has {} different values of `{column}`", values.len()))
                 .field(column)
                 .value(values.len())
-                .allowed(format!("at least {LEAST} different values of `{column}`"))
+                .allowed(format!("at least {least} different values of `{column}`"))
                 .way_out("give a finer grid"));
         }
     }
     // Beyond the number of rows a grid cannot be full; testing first keeps a scattered table from taking memory.
     if w_mm.len() * z_mm.len() != rows.len() {
-        return Err(malformed(format!(
+        return Err(layout.malformed(format!(
             "the points form no full grid: {} rows for {} x {} values of w_mm and z_mm",
             rows.len(),
             w_mm.len(),
@@ -155,7 +272,8 @@ fn assemble(rows: Vec<Row>) -> Result<GridTarget, Diagnostic> {
         let place = |values: &[f64], value: f64| values.partition_point(|v| v.total_cmp(&value).is_lt());
         let (i, j) = (place(&w_mm, row[0]), place(&z_mm, row[1]));
         if !f_um[i][j].is_nan() {
-            return Err(malformed(format!("the point w = {}, z = {} stands twice", row[0], row[1]))
+            return Err(layout
+                .malformed(format!("the point w = {}, z = {} stands twice", row[0], row[1]))
                 .way_out("delete one of the two rows")
                 .span(Some(span)));
         }
@@ -182,7 +300,7 @@ mod tests {
 
     #[test]
     fn reads_a_full_grid_in_any_order() {
-        let grid = parse(&table(|_, _, line| Some(line))).unwrap();
+        let grid = parse(&table(|_, _, line| Some(line)), FLANK).unwrap();
         assert_eq!(grid.w_mm, [0.0, 1.0, 2.0, 3.0]);
         assert_eq!(grid.z_mm, [-2.0, -1.0, 0.0, 1.0, 2.0]);
         assert_eq!(grid.f_um[3][1], 31.0);
@@ -190,8 +308,42 @@ mod tests {
 
     #[test]
     fn scattered_points_need_no_grid() {
-        let rows = parse_rows("w_mm,z_mm,f_um\n1,2,3\n4,5,6\n").unwrap();
+        let rows = parse_rows("w_mm,z_mm,f_um\n1,2,3\n4,5,6\n", FLANK).unwrap();
         assert_eq!(rows.iter().map(|r| r.0).collect::<Vec<_>>(), [[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]);
+    }
+
+    #[test]
+    fn traces_and_tolerances_have_their_own_sizes() {
+        let rows = |count: u32| {
+            (0..count).flat_map(|i| (0..4).map(move |j| format!("{i},{j},{}\n", i + 1))).collect::<String>()
+        };
+        let text = |value: &str, count| format!("w_mm,z_mm,{value}\n{}", rows(count));
+        for (layout, counts) in [(FLANK, 4..=9), (TRACES, 2..=3), (TOLERANCES, 1..=9)] {
+            for count in 1..=9 {
+                let found = parse(&text(layout.value, count), layout);
+                assert_eq!(found.is_ok(), counts.contains(&count), "{} {count}: {found:?}", layout.value);
+            }
+        }
+        assert_eq!(parse(&text("tolerance_um", 2), TOLERANCES).unwrap().f_um, [[1.0; 4], [2.0; 4]]);
+        assert!(parse(&text("f_um", 2), TOLERANCES).unwrap_err().message.contains("tolerance_um"));
+        for bad in ["0", "-1", "nan"] {
+            let finding =
+                parse(&format!("w_mm,z_mm,tolerance_um\n1,2,3\n1,3,{bad}\n"), TOLERANCES).unwrap_err();
+            assert_eq!((finding.code, finding.field.as_deref()), ("invalid-number", Some("tolerance_um")));
+            assert!(finding.span.is_some(), "{finding}");
+        }
+    }
+
+    #[test]
+    fn grids_and_clouds_are_told_apart() {
+        let form = |text: &str| form(&parse_rows(text, FLANK).unwrap());
+        assert_eq!(form(&table(|_, _, line| Some(line))), TableForm::Grid);
+        let hole = table(|i, j, line| (i != 1 || j != 2).then_some(line));
+        assert_eq!(form(&hole), TableForm::Scattered { points: 19, places: [4, 5] });
+        let small = table(|i, _, line| (i < 3).then_some(line));
+        assert_eq!(form(&small), TableForm::Scattered { points: 15, places: [3, 5] });
+        let twice = table(|i, j, line| Some(if (i, j) == (1, 2) { "1, 1, 0".into() } else { line }));
+        assert_eq!(form(&twice), TableForm::Grid);
     }
 
     #[test]
@@ -216,7 +368,7 @@ mod tests {
             ("w_mm,z_mm,f_um\n", "invalid-table"),
         ];
         for (text, code) in cases {
-            let finding = parse(text).unwrap_err();
+            let finding = parse(text, FLANK).unwrap_err();
             assert_eq!(finding.code, code, "{text}: {finding}");
         }
     }

@@ -23,7 +23,9 @@ pub use csv::{Column, CsvError, CsvTable};
 pub use diagnostic::{Diagnostic, JobError, Problem};
 pub use document::Document;
 pub use files::write_atomically;
-pub use grid_file::{GridTarget, read_grid_target, read_points};
+pub use grid_file::{
+    GridTarget, TableForm, read_grid_target, read_points, read_tolerances, read_traces, table_form,
+};
 pub use job::Job;
 pub use load::{LoadedJob, parse_job, read_job};
 pub use schema::job_schema;

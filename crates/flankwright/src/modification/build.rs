@@ -4,22 +4,28 @@ use super::curve::Curve;
 use super::error::ModificationError;
 use super::field::EvaluationField;
 use super::files::{GridTable, ModificationFiles};
+use super::formula::{Formula, FormulaError};
 use super::limits;
 use super::node::Node;
 use super::point_cloud::PointCloud;
 use super::spec::{
-    CornerFace, CornerProfile, DirectedSpec, FlankChoice, GridSpec, ModificationSpec, PointMethod,
-    PointsSpec, PolynomialSpec, Reference, ReliefSpec, TriangularSpec, WavinessSpec,
+    CornerFace, CornerProfile, DirectedSpec, FlankChoice, FormulaSpec, GridSpec, HelixTracesSpec,
+    ModificationSpec, PointMethod, PointsSpec, PolynomialSpec, Reference, ReliefSpec, TriangularSpec,
+    WavinessSpec,
 };
+use super::traces::Traces;
 use super::warning::ModificationWarning;
 use super::waviness::Waviness;
-use crate::numerics::{Polynomial2, SplineError, TensorSpline, fit_tensor_spline};
+use crate::numerics::{CubicSpline, Polynomial2, SplineError, TensorSpline, fit_tensor_spline};
 
 /// um to mm.
 const UM: f64 = 1e-3;
 
 /// Share of the evaluation range by which a grid may end short of it: rounding of its coordinates.
 const GRID_SLACK: f64 = 0.01;
+
+/// Share of the field beyond the outermost trace from which their continuation is doubtful.
+const FAR_FROM_TRACES: f64 = 0.15;
 
 /// Most cells along one direction of a surface fitted to a cloud: finer detail asks for a grid.
 const MOST_CELLS: usize = 12;
@@ -118,6 +124,8 @@ impl<'a> Builder<'a> {
             S::Polynomial(s) => polynomial(kind, s)?,
             S::Grid(s) => self.grid(kind, s)?,
             S::Points(s) => self.points(kind, s)?,
+            S::HelixTraces(s) => self.traces(kind, s)?,
+            S::Formula(s) => self.formula(kind, s)?,
             S::Sum(s) => {
                 transverse_only(kind, s.reference)?;
                 Node::Sum(self.children(kind, &s.children)?)
@@ -248,61 +256,74 @@ impl<'a> Builder<'a> {
 
     fn grid(&self, kind: &str, s: &GridSpec) -> Built<Node> {
         transverse_only(kind, s.reference)?;
-        let given = !(s.w_mm.is_empty() && s.z_mm.is_empty() && s.f_um.is_empty());
-        let table = match &s.file {
-            Some(file) if given => {
-                return invalid(kind, "file", format!("{file:?} beside w_mm, z_mm, f_um"), "one of the two");
+        let table =
+            table(kind, s.file.as_deref(), [&s.w_mm, &s.z_mm], &s.f_um, |file| self.files.grid(file))?;
+        covers(kind, "w_mm", &table.w_mm, self.field.roll())?;
+        covers(kind, "z_mm", &table.z_mm, self.field.face())?;
+        TensorSpline::new(&table.w_mm, &table.z_mm, &table.f)
+            .map(|spline| Node::Grid(Box::new(spline)))
+            .or_else(|error| not_splined(kind, &error, axis_key))
+    }
+
+    fn traces(&mut self, kind: &str, s: &HelixTracesSpec) -> Built<Node> {
+        transverse_only(kind, s.reference)?;
+        let Table { w_mm, z_mm, f } =
+            table(kind, s.file.as_deref(), [&s.w_mm, &s.z_mm], &s.f_um, |file| self.files.traces(file))?;
+        if !(2..=3).contains(&w_mm.len()) {
+            return invalid(kind, "w_mm", format!("a list of {}", w_mm.len()), "2 or 3 ascending numbers");
+        }
+        if w_mm.windows(2).any(|pair| pair[1] - pair[0] < limits::TRACE_DISTANCE_MM) {
+            let allowed = format!("ascending numbers at least {} mm apart", limits::TRACE_DISTANCE_MM);
+            return invalid(kind, "w_mm", format!("{w_mm:?}"), allowed);
+        }
+        if f.len() != w_mm.len() {
+            return invalid(
+                kind,
+                "f_um",
+                format!("{} rows", f.len()),
+                "one row per w_mm, one value per z_mm",
+            );
+        }
+        covers(kind, "z_mm", &z_mm, self.field.face())?;
+        let splines: Result<Vec<CubicSpline>, SplineError> =
+            f.iter().map(|row| CubicSpline::new(&z_mm, row)).collect();
+        match splines {
+            Ok(splines) => {
+                self.warn_if_extrapolated(kind, &w_mm);
+                Ok(Node::Traces(Traces { w: w_mm, splines }))
             }
-            Some(file) => self.files.grid(file).map_err(|reason| unavailable(kind, file, reason))?,
-            None => GridTable { w_mm: s.w_mm.clone(), z_mm: s.z_mm.clone(), f_um: s.f_um.clone() },
-        };
-        for x in &table.w_mm {
-            number(kind, "w_mm", *x, limits::LENGTH_MM)?;
+            Err(error) => not_splined(kind, &error, |_| "z_mm"),
         }
-        for x in &table.z_mm {
-            number(kind, "z_mm", *x, limits::LENGTH_MM)?;
+    }
+
+    fn warn_if_extrapolated(&mut self, kind: &str, w_mm: &[f64]) {
+        let ([w_f, w_a], length) = (self.field.roll(), self.field.roll_length());
+        let (Some(first), Some(last)) = (w_mm.first(), w_mm.last()) else { return };
+        let beyond = (first - w_f).max(w_a - last);
+        if beyond > FAR_FROM_TRACES * length {
+            self.warnings.push(ModificationWarning::OutsideTraces {
+                kind: kind.into(),
+                beyond,
+                field_length: length,
+            });
         }
-        let mut f_mm = table.f_um;
-        for f in f_mm.iter_mut().flatten() {
-            *f = number(kind, "f_um", *f, limits::AMOUNT_UM)? * UM;
+    }
+
+    fn formula(&self, kind: &str, s: &FormulaSpec) -> Built<Node> {
+        transverse_only(kind, s.reference)?;
+        let key = "f_um";
+        let formula = Formula::new(&s.f_um, self.field)
+            .or_else(|FormulaError { found, allowed }| invalid(kind, key, found, allowed))?;
+        if let Some((w, z)) = formula.undefined_at(self.field) {
+            return invalid(
+                kind,
+                key,
+                format!("without a finite value, slope or curvature at w = {w} mm, z = {z} mm"),
+                "a formula that has them at every place of the evaluation range",
+            );
         }
-        for (key, knots, [from, to]) in
-            [("w_mm", &table.w_mm, self.field.roll()), ("z_mm", &table.z_mm, self.field.face())]
-        {
-            // A cubic continued beyond its knots says nothing about the flank there.
-            let (Some(first), Some(last)) = (knots.first(), knots.last()) else { continue };
-            let slack = GRID_SLACK * (to - from);
-            if *first > from + slack || *last < to - slack {
-                let value = format!("{first} to {last}");
-                return invalid(
-                    kind,
-                    key,
-                    value,
-                    format!("numbers that cover the evaluation range {from} to {to}"),
-                );
-            }
-        }
-        match TensorSpline::new(&table.w_mm, &table.z_mm, &f_mm) {
-            Ok(spline) => Ok(Node::Grid(Box::new(spline))),
-            Err(error) => {
-                let (key, allowed) = match &error {
-                    SplineError::TooFewKnots { axis, .. } => {
-                        (axis_key(*axis), "at least 4 ascending numbers")
-                    }
-                    SplineError::NotAscending { axis, .. } | SplineError::KnotNotFinite { axis, .. } => {
-                        (axis_key(*axis), "ascending numbers")
-                    }
-                    SplineError::ShapeMismatch { .. } => ("f_um", "one row per w_mm, one value per z_mm"),
-                    SplineError::EmptyInterval { .. } | SplineError::EmptySpace { .. } => {
-                        ("w_mm", "numbers that span an interval")
-                    }
-                    SplineError::ValueNotFinite { .. } | SplineError::RankDeficient { .. } => {
-                        ("f_um", "values that don't jump between knots next to each other")
-                    }
-                };
-                invalid(kind, key, error.to_string(), allowed)
-            }
-        }
+        number(kind, key, formula.largest(self.field), limits::AMOUNT_UM)?;
+        Ok(Node::Formula(Box::new(formula)))
     }
 
     fn points(&self, kind: &str, s: &PointsSpec) -> Built<Node> {
@@ -357,6 +378,68 @@ impl<'a> Builder<'a> {
             });
         }
     }
+}
+
+/// A table with checked numbers, values in mm.
+struct Table {
+    w_mm: Vec<f64>,
+    z_mm: Vec<f64>,
+    f: Vec<Vec<f64>>,
+}
+
+/// The table of a spec: its three lists or its file.
+fn table(
+    kind: &str,
+    file: Option<&str>,
+    [w_mm, z_mm]: [&[f64]; 2],
+    f_um: &[Vec<f64>],
+    read: impl FnOnce(&str) -> Result<GridTable, String>,
+) -> Built<Table> {
+    let given = !(w_mm.is_empty() && z_mm.is_empty() && f_um.is_empty());
+    let GridTable { w_mm, z_mm, f_um: mut f } = match file {
+        Some(file) if given => {
+            return invalid(kind, "file", format!("{file:?} beside w_mm, z_mm, f_um"), "one of the two");
+        }
+        Some(file) => read(file).map_err(|reason| unavailable(kind, file, reason))?,
+        None => GridTable { w_mm: w_mm.to_vec(), z_mm: z_mm.to_vec(), f_um: f_um.to_vec() },
+    };
+    for (key, axis) in [("w_mm", &w_mm), ("z_mm", &z_mm)] {
+        for x in axis {
+            number(kind, key, *x, limits::LENGTH_MM)?;
+        }
+    }
+    for value in f.iter_mut().flatten() {
+        *value = number(kind, "f_um", *value, limits::AMOUNT_UM)? * UM;
+    }
+    Ok(Table { w_mm, z_mm, f })
+}
+
+/// A cubic continued beyond its knots says nothing about the flank there.
+fn covers(kind: &str, key: &str, knots: &[f64], [from, to]: [f64; 2]) -> Built<()> {
+    let (Some(first), Some(last)) = (knots.first(), knots.last()) else { return Ok(()) };
+    let slack = GRID_SLACK * (to - from);
+    if *first > from + slack || *last < to - slack {
+        let value = format!("{first} to {last}");
+        return invalid(kind, key, value, format!("numbers that cover the evaluation range {from} to {to}"));
+    }
+    Ok(())
+}
+
+fn not_splined<T>(kind: &str, error: &SplineError, key: impl Fn(usize) -> &'static str) -> Built<T> {
+    let (key, allowed) = match error {
+        SplineError::TooFewKnots { axis, .. } => (key(*axis), "at least 4 ascending numbers"),
+        SplineError::NotAscending { axis, .. } | SplineError::KnotNotFinite { axis, .. } => {
+            (key(*axis), "ascending numbers")
+        }
+        SplineError::ShapeMismatch { .. } => ("f_um", "one row per w_mm, one value per z_mm"),
+        SplineError::EmptyInterval { .. } | SplineError::EmptySpace { .. } => {
+            (key(0), "numbers that span an interval")
+        }
+        SplineError::ValueNotFinite { .. } | SplineError::RankDeficient { .. } => {
+            ("f_um", "values that don't jump between knots next to each other")
+        }
+    };
+    invalid(kind, key, error.to_string(), allowed)
 }
 
 /// The circle through the apex and the amount `c` (mm, positive = removed) at distance `half` (mm).

@@ -11,13 +11,19 @@ pub struct GridTable {
     pub f_um: Vec<Vec<f64>>,
 }
 
-/// Finds what the key `file` of a grid or cloud refers to.
+/// Finds what the key `file` of a grid, of traces or of a cloud refers to.
 pub trait ModificationFiles {
     /// The grid in `file`.
     ///
     /// # Errors
     /// One phrase that says why it can't be had.
     fn grid(&self, file: &str) -> Result<GridTable, String>;
+
+    /// The traces in `file`, two or three values of w.
+    ///
+    /// # Errors
+    /// One phrase that says why they can't be had.
+    fn traces(&self, file: &str) -> Result<GridTable, String>;
 
     /// The points (w mm, z mm, f um) in `file`.
     ///
@@ -32,6 +38,10 @@ pub struct NoFiles;
 
 impl ModificationFiles for NoFiles {
     fn grid(&self, _file: &str) -> Result<GridTable, String> {
+        Err("files are not read here".into())
+    }
+
+    fn traces(&self, _file: &str) -> Result<GridTable, String> {
         Err("files are not read here".into())
     }
 

@@ -21,5 +21,11 @@ pub(super) const POLYNOMIAL_EXPONENT: u32 = 40;
 /// Largest magnitude of a polynomial coefficient, um/mm^(i+j), and of a factor.
 pub(super) const FACTOR: f64 = 1e9;
 
-/// Deepest nesting of sums, products, scalings and mirrors.
+/// Most characters of a formula: longer ones are tables, and each character costs time at every point.
+pub(super) const FORMULA_LENGTH: usize = 2000;
+
+/// Traces closer together than this (mm of roll) say nothing about what lies between them.
+pub(super) const TRACE_DISTANCE_MM: f64 = 1e-3;
+
+/// Deepest nesting of sums, products, scalings and mirrors, and of a formula.
 pub(super) const NESTING: usize = 64;

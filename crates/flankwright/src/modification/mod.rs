@@ -20,12 +20,15 @@ mod direction;
 mod error;
 mod field;
 mod files;
+mod formula;
 mod from_json;
 mod limits;
 mod node;
 mod point_cloud;
 mod smoothness;
 mod spec;
+mod tolerance_map;
+mod traces;
 mod warning;
 mod waviness;
 
@@ -37,10 +40,11 @@ pub use field::EvaluationField;
 pub use files::{GridTable, ModificationFiles, NoFiles};
 pub use smoothness::Smoothness;
 pub use spec::{
-    AmountSpec, Axis, CompositeSpec, CornerFace, CornerProfile, DirectedSpec, FlankChoice, GridSpec,
-    HelixTwoArcSpec, MirrorSpec, ModificationSpec, PointMethod, PointsSpec, PolynomialSpec,
-    ProfileTwoArcSpec, Reference, ReliefSpec, ScaleSpec, TriangularSpec, WavinessSpec,
+    AmountSpec, Axis, CompositeSpec, CornerFace, CornerProfile, DirectedSpec, FlankChoice, FormulaSpec,
+    GridSpec, HelixTracesSpec, HelixTwoArcSpec, MirrorSpec, ModificationSpec, PointMethod, PointsSpec,
+    PolynomialSpec, ProfileTwoArcSpec, Reference, ReliefSpec, ScaleSpec, TriangularSpec, WavinessSpec,
 };
+pub use tolerance_map::ToleranceMap;
 pub use warning::ModificationWarning;
 
 /// Polynomials above this total degree are not handed out: their coefficients about the middle of the field say

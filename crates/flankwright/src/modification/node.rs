@@ -4,10 +4,15 @@
 use super::HIGHEST_DEGREE;
 use super::curve::Curve;
 use super::error::EvaluationError;
+use super::formula::Formula;
 use super::point_cloud::PointCloud;
 use super::smoothness::Smoothness;
+use super::traces::Traces;
 use super::waviness::Waviness;
 use crate::numerics::{Jet2, Polynomial2, TensorSpline};
+
+/// um to mm.
+const UM: f64 = 1e-3;
 
 /// f_t(w, z) in mm. Built only from checked numbers.
 #[derive(Clone, Debug)]
@@ -22,6 +27,10 @@ pub(super) enum Node {
     Grid(Box<TensorSpline>),
     /// Scattered points.
     Points(Box<PointCloud>),
+    /// Traces along the face width, mm.
+    Traces(Traces),
+    /// Formula in um.
+    Formula(Box<Formula>),
     /// Sum; empty = 0.
     Sum(Vec<Node>),
     /// Product of the values in mm.
@@ -39,6 +48,8 @@ impl Node {
             Node::Ridge { .. } | Node::Waviness(_) | Node::Points(_) => self.jet(w, z)?.f,
             Node::Polynomial { origin, polynomial } => polynomial.value(w - origin[0], z - origin[1]),
             Node::Grid(spline) => spline.value(w, z),
+            Node::Traces(traces) => traces.value(w, z),
+            Node::Formula(formula) => formula.value(w, z) * UM,
             Node::Sum(children) => {
                 children.iter().try_fold(0.0, |sum, child| child.value(w, z).map(|f| sum + f))?
             }
@@ -61,6 +72,8 @@ impl Node {
             Node::Waviness(waviness) => waviness.jet(w, z),
             Node::Polynomial { origin, polynomial } => polynomial.jet(w - origin[0], z - origin[1]),
             Node::Grid(spline) => spline.jet(w, z),
+            Node::Traces(traces) => traces.jet(w, z),
+            Node::Formula(formula) => formula.jet(w, z) * UM,
             Node::Points(cloud) => cloud.jet(w, z)?,
             Node::Sum(children) => {
                 children.iter().try_fold(Jet2::default(), |sum, child| child.jet(w, z).map(|f| sum + f))?
@@ -77,7 +90,8 @@ impl Node {
         match self {
             Node::Ridge { curve, .. } => curve.smoothness(),
             Node::Waviness(_) | Node::Polynomial { .. } => Smoothness::Cinf,
-            Node::Grid(_) => Smoothness::C2,
+            Node::Grid(_) | Node::Traces(_) => Smoothness::C2,
+            Node::Formula(formula) => formula.smoothness(),
             Node::Points(cloud) => cloud.smoothness(),
             Node::Sum(children) | Node::Product(children) => {
                 children.iter().map(Node::smoothness).min().unwrap_or(Smoothness::Cinf)
@@ -100,7 +114,9 @@ impl Node {
                 }
                 polynomial.shifted(w_m - origin[0], z_m - origin[1])
             }
-            Node::Waviness(_) | Node::Grid(_) | Node::Points(_) => return None,
+            // Written about the middle of the field, which is (w_m, z_m).
+            Node::Formula(formula) => formula.polynomial()?.scale(UM),
+            Node::Waviness(_) | Node::Grid(_) | Node::Points(_) | Node::Traces(_) => return None,
             Node::Sum(children) => {
                 let mut sum = Polynomial2::constant(0.0);
                 for child in children {
@@ -131,7 +147,8 @@ impl Node {
         match self {
             Node::Ridge { b, .. } => *b == 0.0,
             Node::Polynomial { polynomial, .. } => polynomial.terms().all(|term| term.1 == 0),
-            Node::Waviness(_) | Node::Grid(_) | Node::Points(_) => false,
+            Node::Waviness(_) | Node::Grid(_) | Node::Points(_) | Node::Traces(_) => false,
+            Node::Formula(formula) => formula.depends_on_profile_only(),
             Node::Sum(children) | Node::Product(children) => {
                 children.iter().all(Node::depends_on_profile_only)
             }

@@ -55,6 +55,10 @@ pub enum ModificationSpec {
     Grid(GridSpec),
     /// Scattered points, positive = material left.
     Points(PointsSpec),
+    /// Helix traces at two or three lengths of roll, positive = material left.
+    HelixTraces(HelixTracesSpec),
+    /// Formula in the coordinates of the field, positive = material left.
+    Formula(FormulaSpec),
     /// Sum of the children.
     Sum(CompositeSpec),
     /// Product of the children's f_t in mm, point by point.
@@ -90,6 +94,8 @@ impl ModificationSpec {
             Self::Polynomial(_) => "polynomial",
             Self::Grid(_) => "grid",
             Self::Points(_) => "points",
+            Self::HelixTraces(_) => "helix_traces",
+            Self::Formula(_) => "formula",
             Self::Sum(_) => "sum",
             Self::Product(_) => "product",
             Self::Scale(_) => "scale",
@@ -129,6 +135,8 @@ impl ModificationSpec {
             Self::Polynomial(s) => (s.flank, s.reference),
             Self::Grid(s) => (s.flank, s.reference),
             Self::Points(s) => (s.flank, s.reference),
+            Self::HelixTraces(s) => (s.flank, s.reference),
+            Self::Formula(s) => (s.flank, s.reference),
             Self::Sum(s) | Self::Product(s) => (s.flank, s.reference),
             Self::Scale(s) => (s.flank, s.reference),
             Self::Mirror(s) => (s.flank, s.reference),
@@ -385,6 +393,46 @@ pub struct PointsSpec {
     /// How the space between the points is filled.
     #[serde(default)]
     pub method: PointMethod,
+    /// The flanks to which it applies.
+    #[serde(default, skip_serializing_if = "FlankChoice::is_default")]
+    pub flank: FlankChoice,
+    /// Always transverse: this kind has no `amount_*` to be divided.
+    #[serde(default, skip_serializing_if = "Reference::is_default")]
+    pub reference: Reference,
+}
+
+/// Helix traces, given here or in a file: a cubic spline over z along each, between them straight (two traces) or
+/// parabolic (three) over w.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct HelixTracesSpec {
+    /// Lengths of roll of the traces, ascending, 2 or 3, mm.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub w_mm: Vec<f64>,
+    /// Face positions, ascending, at least 4, mm.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub z_mm: Vec<f64>,
+    /// Values `[w][z]`, um.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub f_um: Vec<Vec<f64>>,
+    /// A file that holds the traces, instead of the three lists.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub file: Option<String>,
+    /// The flanks to which it applies.
+    #[serde(default, skip_serializing_if = "FlankChoice::is_default")]
+    pub flank: FlankChoice,
+    /// Always transverse: this kind has no `amount_*` to be divided.
+    #[serde(default, skip_serializing_if = "Reference::is_default")]
+    pub reference: Reference,
+}
+
+/// A formula.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FormulaSpec {
+    /// f in um, of w, z (mm), u, v (from -1 to 1 over the field), w_f, w_a, z_I, z_II (its borders, mm), pi; with + - * / ^,
+    /// parentheses, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, ln, log10, sqrt, abs, min, max.
+    pub f_um: String,
     /// The flanks to which it applies.
     #[serde(default, skip_serializing_if = "FlankChoice::is_default")]
     pub flank: FlankChoice,

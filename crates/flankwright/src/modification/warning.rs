@@ -16,6 +16,15 @@ pub enum ModificationWarning {
         /// Length of the field in that direction, mm.
         field_length: f64,
     },
+    /// The field reaches far beyond the outermost trace.
+    OutsideTraces {
+        /// Kind of the modification.
+        kind: String,
+        /// Length of roll beyond the outermost trace, mm.
+        beyond: f64,
+        /// Length of the field in that direction, mm.
+        field_length: f64,
+    },
     /// A rounded start was asked for, but only straight reliefs (exponent 1) have one.
     TransitionWithoutEffect {
         /// Kind of the modification.
@@ -30,6 +39,7 @@ impl ModificationWarning {
     pub fn code(&self) -> &'static str {
         match self {
             Self::ReliefLongerThanField { .. } => "relief-longer-than-field",
+            Self::OutsideTraces { .. } => "outside-traces",
             Self::TransitionWithoutEffect { .. } => "transition-without-effect",
         }
     }
@@ -42,6 +52,13 @@ impl fmt::Display for ModificationWarning {
                 write!(
                     f,
                     "{kind}: {key} is {length} mm, longer than the evaluation field ({field_length} mm)"
+                )
+            }
+            Self::OutsideTraces { kind, beyond, field_length } => {
+                write!(
+                    f,
+                    "{kind}: the evaluation field ({field_length} mm) reaches {beyond} mm beyond the outermost trace; there the \
+                     traces are continued, not known"
                 )
             }
             Self::TransitionWithoutEffect { kind, exponent } => {

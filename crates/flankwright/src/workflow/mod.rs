@@ -15,9 +15,11 @@ pub mod verify;
 mod write;
 
 pub use execution::{ExecutedFlank, Execution};
-pub use partition::{Partition, StrokePlan};
 pub use occupation::occupation_chart;
-pub use prepare::{Prepared, Remark, RunFailure, blank_of_job, gear_of_job, prepare, setup_of_job};
+pub use partition::{Partition, StrokePlan};
+pub use prepare::{
+    Prepared, Remark, RunFailure, blank_of_job, gear_of_job, prepare, setup_of_job, tolerance_of_job,
+};
 pub use referee::{StageReport, Verdict};
 pub use result::{CandidateResult, CharacteristicsUm, FlankResult, JobResult, SettingsResult, Status};
 pub use run::{Outcome, plan_job, simulate_job};

@@ -228,7 +228,9 @@ fn settings_quantities(outcome: &Outcome, job: &Job) -> Vec<Quantity> {
         list.push(Quantity::number("length of an area on the tool", "", partition.area_length_mm, "mm"));
         list.push(Quantity::number("pitch of areas", "P", partition.area_pitch_mm, "mm"));
         let count = |n: usize| i64::try_from(n).unwrap_or(i64::MAX);
-        list.extend(partition.areas_that_fit.map(|n| Quantity::count("finishing areas that fit", "n", count(n))));
+        list.extend(
+            partition.areas_that_fit.map(|n| Quantity::count("finishing areas that fit", "n", count(n))),
+        );
         if partition.roughing_areas > 0 {
             list.push(Quantity::count("roughing areas", "", count(partition.roughing_areas)));
         }

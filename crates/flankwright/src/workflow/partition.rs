@@ -184,10 +184,7 @@ const MOST_AREAS: usize = 1000;
 /// Length for laying out areas on a tool without a stated width, mm.
 const UNLIMITED: f64 = 1e6;
 
-fn chart(
-    occupation: &Occupation,
-    lines: &Sides<Option<FlankLines>>,
-) -> WormOccupationChart {
+fn chart(occupation: &Occupation, lines: &Sides<Option<FlankLines>>) -> WormOccupationChart {
     let bar = |place: &OccupiedPlace| OccupationBar {
         kind: match place.kind {
             PlaceKind::Finishing => OccupationKind::Finishing,

@@ -3,13 +3,17 @@
 use super::shift::shift_of_job;
 use crate::exchange::job::{
     DiagonalRatio, DresserModification, FixedDresser, Flanks, Job, Method, Modification as JobModification,
-    ProfileCrowningBy, Tool as JobTool,
+    ProfileCrowningBy, ToleranceMapSource, Tool as JobTool,
 };
-use crate::exchange::{Diagnostic, LoadedJob, Problem, read_grid_target, read_points};
+use crate::exchange::{
+    Diagnostic, LoadedJob, Problem, TableForm, read_grid_target, read_points, read_tolerances, read_traces,
+    table_form,
+};
 use crate::geometry::{Blank, Flank, Gear, GearData, GeometryError, Sides, ThicknessMeasure, WormChoice};
 use crate::kinematics::MotionLaw;
 use crate::modification::{
-    EvaluationField, GridTable, Modification, ModificationError, ModificationFiles, ModificationSpec,
+    EvaluationField, GridSpec, GridTable, Modification, ModificationError, ModificationFiles,
+    ModificationSpec, PointMethod, PointsSpec, ToleranceMap,
 };
 use crate::process::generating::areas::AreaPlan;
 use crate::process::generating::{
@@ -82,6 +86,11 @@ struct Beside<'a>(&'a LoadedJob);
 impl ModificationFiles for Beside<'_> {
     fn grid(&self, file: &str) -> Result<GridTable, String> {
         let table = read_grid_target(&self.0.beside(file)).map_err(|e| e.to_string())?;
+        Ok(GridTable { w_mm: table.w_mm, z_mm: table.z_mm, f_um: table.f_um })
+    }
+
+    fn traces(&self, file: &str) -> Result<GridTable, String> {
+        let table = read_traces(&self.0.beside(file)).map_err(|e| e.to_string())?;
         Ok(GridTable { w_mm: table.w_mm, z_mm: table.z_mm, f_um: table.f_um })
     }
 
@@ -285,24 +294,78 @@ fn modification_finding(error: &ModificationError, entry: &str) -> Diagnostic {
     Diagnostic::with_code(error.code(), error.to_string()).field(entry.to_string()).way_out(error.way_out())
 }
 
+/// Fewest scattered points that a spline surface is fitted to.
+const LEAST_FOR_SPLINE: usize = 16;
+
+/// The table that `target.file` names as an entry: a grid if its rows form one, else scattered points, which a remark
+/// says.
+fn target_file(loaded: &LoadedJob, file: &str) -> Result<(ModificationSpec, Option<Remark>), Diagnostic> {
+    let form = table_form(&loaded.beside(file)).map_err(|error| {
+        let (kind, file) = ("target".into(), file.into());
+        let error = ModificationError::FileUnavailable { kind, file, reason: error.to_string() };
+        modification_finding(&error, "target.file")
+    })?;
+    let TableForm::Scattered { points, places: [w, z] } = form else {
+        let grid = GridSpec { file: Some(file.to_owned()), ..GridSpec::default() };
+        return Ok((ModificationSpec::Grid(grid), None));
+    };
+    let (method, name) = if points < LEAST_FOR_SPLINE {
+        (PointMethod::Linear, "linear")
+    } else {
+        (PointMethod::Spline, "spline")
+    };
+    let remark = Remark {
+        code: "target-scattered",
+        text: format!(
+            "the table {file:?} is no full grid ({points} points at {w} different w_mm and {z} different z_mm): read as \
+             scattered points, method \"{name}\""
+        ),
+        way_out: "give every pair of w_mm and z_mm once, at least 4 of each, if a grid is meant".into(),
+    };
+    let points = PointsSpec { file: Some(file.to_owned()), method, ..PointsSpec::default() };
+    Ok((ModificationSpec::Points(points), Some(remark)))
+}
+
 fn target_of_flank(
     loaded: &LoadedJob,
+    file: Option<&ModificationSpec>,
     flank: Flank,
     field: &EvaluationField,
 ) -> Result<Modification, Diagnostic> {
-    let target = &loaded.job.target;
-    match (&target.modifications, &target.file) {
-        (_, Some(file)) => {
-            let spec = ModificationSpec::from_json(&serde_json::json!({ "kind": "grid", "file": file }))
-                .map_err(|e| modification_finding(&e, "target.file"))?;
-            let mut specs = vec![spec];
-            specs.extend(target.modifications.iter().flatten().cloned());
-            Modification::for_flank(&specs, flank, field, &Beside(loaded))
-                .map_err(|e| modification_finding(&e, "target.file"))
-        }
-        (Some(specs), None) => specs_of_flank(loaded, specs, flank, field),
+    match (file, &loaded.job.target.modifications) {
+        (Some(spec), _) => Modification::for_flank(std::slice::from_ref(spec), flank, field, &Beside(loaded))
+            .map_err(|e| modification_finding(&e, "target.file")),
+        (None, Some(specs)) => specs_of_flank(loaded, specs, flank, field),
         (None, None) => Ok(Modification::none(field)),
     }
+}
+
+/// The tolerances of a job, normal to the flank: its `tolerance_map`, else `tolerance_um` everywhere.
+///
+/// # Errors
+/// A finding on `target.tolerance_map` that names the cell concerned.
+pub fn tolerance_of_job(loaded: &LoadedJob) -> Result<ToleranceMap, Diagnostic> {
+    const FIELD: &str = "target.tolerance_map";
+    let target = &loaded.job.target;
+    let (w, z, um) = match &target.tolerance_map {
+        None => {
+            return ToleranceMap::uniform(target.tolerance_um * 1e-3)
+                .map_err(|e| modification_finding(&e, "target.tolerance_um"));
+        }
+        Some(ToleranceMapSource::Table(table)) => {
+            (table.w_mm.clone(), table.z_mm.clone(), table.tolerance_um.clone())
+        }
+        Some(ToleranceMapSource::File(file)) => {
+            let table = read_tolerances(&loaded.beside(file)).map_err(|error| {
+                let (kind, file) = ("tolerance map".into(), file.clone());
+                let error = ModificationError::FileUnavailable { kind, file, reason: error.to_string() };
+                modification_finding(&error, FIELD)
+            })?;
+            (table.w_mm, table.z_mm, table.f_um)
+        }
+    };
+    let mm = um.into_iter().map(|row| row.into_iter().map(|t| t * 1e-3).collect()).collect();
+    ToleranceMap::new(w, z, mm).map_err(|e| modification_finding(&e, FIELD))
 }
 
 /// Overlaps of worm tip and gear root below this are rounding of the drawing, mm.
@@ -336,12 +399,20 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
         Flanks::Left => flank == Flank::Left,
         Flanks::Right => flank == Flank::Right,
     };
+    let file = match &job.target.file {
+        None => None,
+        Some(name) => {
+            let (spec, remark) = target_file(loaded, name).map_err(RunFailure::bad_input)?;
+            warnings.extend(remark);
+            Some(spec)
+        }
+    };
     let targets = Sides::try_from_fn(|flank| {
         if !ground(flank) {
             return Ok(None);
         }
         let field = &setup.fields[flank];
-        let wanted = target_of_flank(loaded, flank, field).map_err(RunFailure::bad_input)?;
+        let wanted = target_of_flank(loaded, file.as_ref(), flank, field).map_err(RunFailure::bad_input)?;
         for warning in wanted.warnings() {
             warnings.push(Remark {
                 code: warning.code(),

@@ -1,8 +1,8 @@
 //! The referee's run: rays of the worm against the dresser, then rays of the workpiece against the worm that those rays
 //! left (spec 28 section 5). Nothing of the process's own formulas enters here, only bodies and motions.
 
-use super::partition::StrokePlan;
 use super::execution::{ExecutedDressing, ExecutedTool, Execution};
+use super::partition::StrokePlan;
 use crate::geometry::{Flank, Sides};
 use crate::metrology::Topography;
 use crate::numerics::{CubicSpline, Progress, Silent};
@@ -225,7 +225,8 @@ fn run_flank(
         mode: GrindingMode::Continuous,
     };
     let ground = grind(&grinding, &grid, progress)?;
-    let feed_mark = cutting.feed_per_revolution.map(|feed| feed_mark(&grinding, feed, &executed.target, progress));
+    let feed_mark =
+        cutting.feed_per_revolution.map(|feed| feed_mark(&grinding, feed, &executed.target, progress));
     let simulated = Topography { f: ground.lengths()?, ..executed.target.clone() };
     Ok(Some(Verdict {
         simulated,

@@ -1,8 +1,8 @@
 //! `plan` and `simulate`: from a checked job to result, tables and report.
 
 use super::execution::Execution;
-use super::prepare::{Prepared, Remark, RunFailure, prepare};
 use super::partition::{Partition, StrokePlan};
+use super::prepare::{Prepared, Remark, RunFailure, prepare};
 use super::referee::{self, Cutting, Verdict};
 use super::result::{CandidateResult, CharacteristicsUm, FlankResult, JobResult, SettingsResult, Status};
 use crate::exchange::job::{DiagonalRatio, Grinding, Job};
@@ -66,8 +66,7 @@ fn supported(job: &Job) -> Result<(), RunFailure> {
     if job.explore.is_some() {
         return refuse("explore", "a study of several settings", "leave [explore] out");
     }
-    supported_grinding(&job.grinding)
-        .map_or(Ok(()), |(field, what, way_out)| refuse(field, what, way_out))
+    supported_grinding(&job.grinding).map_or(Ok(()), |(field, what, way_out)| refuse(field, what, way_out))
 }
 
 /// Key, name and way out of the first part of `[grinding]` that is not carried out yet.
@@ -125,14 +124,13 @@ fn finish(
     let partition = Partition::of_job(job, &prepared, execution.ratio, &execution.motion.shift)?;
     let strokes = StrokePlan::of_job(job)?;
     let refereeing = Instant::now();
-    let cutting = Cutting { feed_per_revolution: job.grinding.feed_per_revolution, strokes: strokes.as_ref() };
-    let verdicts = referee::run(&prepared.setup, &execution, cutting, progress)
-        .map_err(|e| {
-            let finding = Diagnostic::with_code(e.code(), e.to_string())
-                .field("grinding")
-                .way_out(e.way_out().to_string());
-            RunFailure::not_producible(finding)
-        })?;
+    let cutting =
+        Cutting { feed_per_revolution: job.grinding.feed_per_revolution, strokes: strokes.as_ref() };
+    let verdicts = referee::run(&prepared.setup, &execution, cutting, progress).map_err(|e| {
+        let finding =
+            Diagnostic::with_code(e.code(), e.to_string()).field("grinding").way_out(e.way_out().to_string());
+        RunFailure::not_producible(finding)
+    })?;
     timing.insert("referee", refereeing.elapsed().as_secs_f64());
     let mut warnings = prepared.warnings.clone();
     warnings.extend(execution.warnings.iter().cloned());

@@ -43,11 +43,7 @@ fn law_failure(error: &LawError, field: &str) -> RunFailure {
 ///
 /// # Errors
 /// Laws that are no law, that do not cover the flank or run back; areas that overlap or share lines.
-pub(super) fn shift_of_job(
-    job: &Job,
-    setup: &GrindingSetup,
-    which: &[Flank],
-) -> Result<Shift, RunFailure> {
+pub(super) fn shift_of_job(job: &Job, setup: &GrindingSetup, which: &[Flank]) -> Result<Shift, RunFailure> {
     let none = Shift { law: None, areas: None };
     match &job.grinding.diagonal_ratio {
         Some(DiagonalRatio::Rule(DiagonalRule::Areas)) => {
@@ -129,7 +125,11 @@ fn of_curve(curve: &ShiftCurve, setup: &GrindingSetup, which: &[Flank]) -> Resul
         let covered = WantedCurve { law: law.clone(), line, roll }.shift(lines).and_then(|shift| {
             let [from, to] = shift.domain();
             let missing = from > needed[0] || to < needed[1];
-            if missing { Err(GeneratingError::RangeNotCovered { flank, covered: [from, to], needed }) } else { Ok(shift) }
+            if missing {
+                Err(GeneratingError::RangeNotCovered { flank, covered: [from, to], needed })
+            } else {
+                Ok(shift)
+            }
         });
         match covered {
             Ok(shift) => {
@@ -157,7 +157,9 @@ fn of_table(table: &ShiftTable, setup: &GrindingSetup, which: &[Flank]) -> Resul
     if !covered {
         let finding = Diagnostic::with_code(
             "range-not-covered",
-            format!("the table gives no shift over the whole feed: the flanks need z_V2 = {from:.3} .. {to:.3} mm"),
+            format!(
+                "the table gives no shift over the whole feed: the flanks need z_V2 = {from:.3} .. {to:.3} mm"
+            ),
         );
         let finding = finding.field(FIELD).way_out("let the table reach over the feed that the flanks need");
         return Err(RunFailure::bad_input(finding));

@@ -33,7 +33,8 @@ pub fn pitch_rolls(tool: &DresserTool, flank: Flank) -> [f64; 3] {
     [range.w_nf, range.middle(), range.w_na]
 }
 
-/// Solves the 3-point rows with the radius map at one worm position v: f(w_i) = wanted(i, b_i - v), w_i = [`pitch_rolls`].
+/// Solves the 3-point rows with the radius map at one worm position v: f(w_i) = wanted(b_0 - v, b_1 - v, b_2 - v)_i, w_i
+/// = [`pitch_rolls`].
 ///
 /// # Errors
 /// Those of [`ConditionSolver::solve`], with v filled in.
@@ -43,7 +44,7 @@ pub fn solve_node(
     reference_radius: f64,
     v: f64,
     start: &DressingCorrection,
-    wanted: &dyn Fn(usize, f64) -> f64,
+    wanted: &dyn Fn([f64; 3]) -> [f64; 3],
 ) -> Result<DressingCorrection, DressingError> {
     let range = tool.flanks[flank].range;
     let rolls = pitch_rolls(tool, flank);
@@ -52,7 +53,8 @@ pub fn solve_node(
     let profile = DressedProfile::new(tool, flank, dk);
     let mut b = [profile.at_roll(rolls[0])?.b, profile.at_roll(rolls[1])?.b, profile.at_roll(rolls[2])?.b];
     for _ in 0..ROUNDS {
-        let point = |i: usize| Condition::Point { flank, w: rolls[i], f: wanted(i, b[i] - v) };
+        let f = wanted(b.map(|b| b - v));
+        let point = |i: usize| Condition::Point { flank, w: rolls[i], f: f[i] };
         let rows = [point(0), point(1), point(2), Condition::Map { flank, t: range.w_na, w: range.w_na }];
         dk = solver.solve(&rows, &dk).map_err(|e| match e {
             DressingError::NoZero { flank, fraction, reason, .. } => {
@@ -83,7 +85,7 @@ pub fn solve_dressing_motion(
     flank: Flank,
     reference_radius: f64,
     plan: &NodePlan,
-    wanted: &dyn Fn(usize, f64) -> f64,
+    wanted: &dyn Fn([f64; 3]) -> [f64; 3],
 ) -> Result<([Chebyshev; 4], Vec<NodeSolution>), DressingError> {
     let (from, to) = plan.interval;
     let nodes = Chebyshev::nodes(from, to, plan.nodes);

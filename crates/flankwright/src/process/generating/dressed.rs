@@ -121,13 +121,15 @@ pub fn dressing_interval(
     (b[0] - z[1] - margin, b[1] - z[0] + margin)
 }
 
-/// Rows of the dressing motion: wanted modification at pitch point i and worm position b.
+/// Rows of the dressing motion: wanted modification at the pitch points with worm positions b. What stands on the worm's lines
+/// as it is has other values across the slightly bent line in which the dresser touches; only their straight part over the
+/// profile is asked of the dresser, because a worm of few threads takes hardly any more (spec 28 section 1).
 fn wanted_rows<'a>(
     tool: &DresserTool,
     plan: &'a IdealPlan,
     flank: Flank,
     policy: ProfilePolicy,
-) -> Result<impl Fn(usize, f64) -> f64 + 'a, GeneratingError> {
+) -> Result<impl Fn([f64; 3]) -> [f64; 3] + 'a, GeneratingError> {
     let worm = plan.worms[flank].as_ref().ok_or(GeneratingError::NoFlank)?;
     let rolls = pitch_rolls(tool, flank);
     let uncorrected = DressedProfile::new(tool, flank, [0.0; 4]);
@@ -139,7 +141,16 @@ fn wanted_rows<'a>(
             base[i] -= worm.lines.cos_b2 * worm.parts.profile.get(2).copied().unwrap_or(0.0) * u * u;
         }
     }
-    Ok(move |i: usize, b: f64| base[i] + worm.dressing_share(rolls[i], b))
+    let straight = !worm.carried.is_empty();
+    Ok(move |b: [f64; 3]| {
+        let mut f: [f64; 3] = std::array::from_fn(|i| worm.dressing_share(rolls[i], b[i]));
+        if straight {
+            // The least-squares line through three equidistant points leaves (1, -2, 1) times this.
+            let bend = (f[0] - 2.0 * f[1] + f[2]) / 6.0;
+            f = [f[0] - bend, f[1] + 2.0 * bend, f[2] - bend];
+        }
+        std::array::from_fn(|i| base[i] + f[i])
+    })
 }
 
 /// DK at a few positions over the occupation: enough for the score of a candidate.

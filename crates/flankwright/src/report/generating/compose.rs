@@ -62,8 +62,10 @@ fn settings(report: &GeneratingReport) -> Result<Vec<Block>, ChartError> {
         blocks.extend(ratio_choice(ratio));
     }
     if let Some(chart) = &report.occupation {
-        let caption = "Which part of the tool's width each area takes; areas a pitch apart share no line of the tool.";
-        blocks.push(Block::Figure(Figure { svg: worm_occupation_chart(chart)?, caption: caption.to_owned() }));
+        let caption =
+            "Which part of the tool's width each area takes; areas a pitch apart share no line of the tool.";
+        blocks
+            .push(Block::Figure(Figure { svg: worm_occupation_chart(chart)?, caption: caption.to_owned() }));
     }
     Ok(blocks)
 }
