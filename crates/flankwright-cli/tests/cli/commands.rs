@@ -97,6 +97,8 @@ fn the_schema_admits_the_examples_and_nothing_unknown() {
         change(&|job| {
             job.as_object_mut().unwrap().remove("dresser");
         }),
+        change(&|job| job["worm"]["tool"] = json!("made")),
+        change(&|job| job["grinding"]["active_threads"] = json!([0, 0])),
     ];
     for job in wrong {
         assert!(!validator.is_valid(&job), "{job}");

@@ -44,6 +44,14 @@ use serde::{Deserialize, Serialize};
 /// A job of generating grinding: what flank is wanted, with which bodies, by which motions.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(extend(
+    "if" = {
+        "properties": { "worm": { "properties": { "tool": { "enum": ["given", "made"] } }, "required": ["tool"] } },
+        "required": ["worm"]
+    },
+    "then" = { "not": { "required": ["dresser"] } },
+    "else" = { "required": ["dresser"] }
+))]
 pub struct Job {
     /// Name and process.
     pub job: JobInfo,

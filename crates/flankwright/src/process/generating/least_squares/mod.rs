@@ -1,6 +1,6 @@
 //! Decomposition of any target into the functions a worm, a dresser and the motion can carry, as B-splines by weighted least
 //! squares or with the least largest residual (spec 25 section 4.1). Knows coordinates on a flank, not bodies; only
-//! [`search`] asks [`super::FlankLines`] for directions.
+//! the search asks [`super::FlankLines`] for directions.
 
 mod class;
 mod columns;
