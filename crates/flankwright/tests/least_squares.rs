@@ -9,7 +9,9 @@ use flankwright::process::generating::least_squares::{
     FlankCoordinates, FlankFit, FunctionClass, Objective, RollScale, Samples, SplineDecomposition,
     SplineGauge, WormFunctions, deviation_free, fit_functions, search_direction, search_ratio,
 };
-use flankwright::process::generating::{FlankLines, GeneratingError, GrindingSetup, SetupInput};
+use flankwright::process::generating::{
+    DresserChoice, FlankLines, GeneratingError, GrindingSetup, SetupInput,
+};
 use proptest::prelude::*;
 use serde_json::json;
 
@@ -298,8 +300,8 @@ fn setup() -> GrindingSetup {
             cone_angle: 0.0,
         },
         worm_width: Some(100.0),
-        dresser_tip_diameter: 123.0,
-        dresser_pitch_diameter: Some(115.65),
+        dresser: Some(DresserChoice { tip_diameter: 123.0, pitch_diameter: Some(115.65) }),
+        tool_direction: None,
         root_clearance: None,
     })
     .unwrap()

@@ -151,7 +151,7 @@ fn a_constant_ratio_is_the_straight_case() {
         let [z, slope, bend] = ratio.curve(w, x_1).unwrap();
         assert!((slope + lines.work_direction(0.8)).abs() < 1e-12 && bend == 0.0);
         let (w_1, z_1) = ratio.worm_point(w, z);
-        let [back_w, back_z] = lines.work_point(w_1, z_1, 0.8, 2.0);
+        let [back_w, back_z] = lines.work_point(w_1, z_1, &MotionLaw::polynomial(0.0, vec![2.0, 0.8]));
         assert!((back_w.f - w).abs() < 1e-11 && (back_z.f - z).abs() < 1e-11);
     }
 }

@@ -1,16 +1,15 @@
 //! Who uses which part of the tool: areas side by side, roughing and finishing, and the strokes of a tool whose threads are
 //! partly left out (spec 25 section 8). Cylindrical bodies.
 
+use super::occupation::occupation_chart;
 use super::prepare::{Prepared, RunFailure};
 use crate::exchange::Diagnostic;
 use crate::exchange::job::Job;
-use crate::geometry::{Flank, Sides};
+use crate::geometry::Sides;
 use crate::kinematics::MotionLaw;
-use crate::process::generating::areas::{
-    AreaKind, AreaPlan, AreaSet, AreaTask, Occupation, OccupiedPlace, PlaceKind, WormExtent,
-};
+use crate::process::generating::areas::{AreaKind, AreaPlan, AreaSet, AreaTask, Occupation, WormExtent};
 use crate::process::generating::{FlankLines, GeneratingError, Strokes};
-use crate::report::charts::{OccupationBar, OccupationKind, OccupationRow, WormOccupationChart};
+use crate::report::charts::WormOccupationChart;
 use serde::Serialize;
 
 /// The partition of the tool.
@@ -169,7 +168,7 @@ impl Partition {
             roughing_areas: job.grinding.roughing_areas as usize,
             length_mm: occupation.needed,
             shifts_mm: occupation.shifts.clone(),
-            chart: chart(&occupation, &lines),
+            chart: occupation_chart("Areas over the width of the tool", &occupation),
         }))
     }
 
@@ -183,28 +182,3 @@ impl Partition {
 const MOST_AREAS: usize = 1000;
 /// Length for laying out areas on a tool without a stated width, mm.
 const UNLIMITED: f64 = 1e6;
-
-fn chart(occupation: &Occupation, lines: &Sides<Option<FlankLines>>) -> WormOccupationChart {
-    let bar = |place: &OccupiedPlace| OccupationBar {
-        kind: match place.kind {
-            PlaceKind::Finishing => OccupationKind::Finishing,
-            PlaceKind::Modified => OccupationKind::Modified,
-            PlaceKind::Roughing => OccupationKind::Roughing,
-            PlaceKind::Unused => OccupationKind::Unused,
-        },
-        label: place.area.map_or(String::new(), |area| format!("area {}", area + 1)),
-        z_1_mm: place.z_1,
-    };
-    let rows = Flank::BOTH.into_iter().filter(|&flank| lines[flank].is_some()).map(|flank| OccupationRow {
-        name: match flank {
-            Flank::Left => "Left flank".into(),
-            Flank::Right => "Right flank".into(),
-        },
-        bars: occupation.places.iter().filter(|place| place.flank == flank).map(bar).collect(),
-    });
-    WormOccupationChart {
-        title: "Areas over the width of the tool".into(),
-        width_mm: occupation.width,
-        rows: rows.collect(),
-    }
-}

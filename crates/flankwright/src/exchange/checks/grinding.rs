@@ -1,6 +1,5 @@
 //! Contradictions in `[grinding]`.
 
-use super::not_yet;
 use crate::exchange::diagnostic::{Diagnostic, Problem};
 use crate::exchange::job::{DiagonalRatio, DiagonalRule, Grinding, Job, Method, ShiftCurve, ShiftLaw};
 use crate::exchange::node::shown_number;
@@ -12,16 +11,6 @@ pub(super) fn check(job: &Job, findings: &mut Vec<Diagnostic>) {
     shift_without_method(grinding, findings);
     if let Some(DiagonalRatio::Law(law)) = &grinding.diagonal_ratio {
         shift_law(law, findings);
-    }
-    if let Some(areas) = grinding.areas
-        && areas > 1
-    {
-        findings.push(
-            not_yet("grinding.areas", "several areas of the worm")
-                .value(areas)
-                .allowed("1")
-                .way_out("leave `areas` out"),
-        );
     }
     if let Some(ratio) = grinding.free_ratio
         && grinding.diagonal_ratio != Some(DiagonalRatio::Rule(DiagonalRule::Areas))

@@ -2,7 +2,7 @@
 //! (spec 28 section 4; everything but the referee).
 
 use super::dressed::{DRESSING_MARGIN, DressedFlank, dress_flank, dresser_of_plan, finished_area};
-use super::precompensation::{GroundError, ROUNDS, corrected, precompensate};
+use super::precompensation::{FREE_ROUNDS, GroundError, ROUNDS, corrected, precompensate};
 use super::ratio::{Candidate, RatioChoice, RatioReason, Rule};
 use super::{
     DressingLimits, FeedLaw, FlankTarget, GeneratingError, GrindingSetup, IdealPlan, MadeFlank, PlanningGrid,
@@ -116,13 +116,17 @@ impl PlanTask<'_> {
         }
     }
 
+    /// Whether polynomials tell the whole plan.
+    fn is_smooth(&self) -> bool {
+        let bare = |t: &Option<FlankTarget>| t.as_ref().is_none_or(|t| t.rest.is_empty());
+        self.law.is_none()
+            && self.targets.iter().all(|(_, t)| bare(t))
+            && matches!(self.setup.tool, Tool::Dressed(_))
+    }
+
     /// The grid on which the plan is judged.
     pub fn planning_grid(&self) -> PlanningGrid {
-        let bare = |t: &Option<FlankTarget>| t.as_ref().is_none_or(|t| t.rest.is_empty());
-        let smooth = self.law.is_none()
-            && self.targets.iter().all(|(_, t)| bare(t))
-            && matches!(self.setup.tool, Tool::Dressed(_));
-        let [nw, nz] = PLANNING_GRIDS[usize::from(!smooth)];
+        let [nw, nz] = PLANNING_GRIDS[usize::from(!self.is_smooth())];
         PlanningGrid::new(self.setup, nw, nz)
     }
 
@@ -187,7 +191,11 @@ impl PlanTask<'_> {
             Some(law) => FeedLaw::Law(law.clone()),
             None => FeedLaw::Ratio(choice.ratio),
         };
-        let rounds = if self.precompensation { ROUNDS } else { 0 };
+        let rounds = match (self.precompensation, self.is_smooth()) {
+            (false, _) => 0,
+            (true, true) => ROUNDS,
+            (true, false) => FREE_ROUNDS,
+        };
         let (ideal, ideal_error, ideal_record) =
             precompensate(self.setup, &self.targets, &grid, &feed, policy, rounds)?;
         let mut best = self.equip(ideal, policy, &grid)?;

@@ -15,6 +15,8 @@ use std::sync::Arc;
 
 /// Rounds of precompensation with the ideal worm (spec 28 section 4).
 pub(super) const ROUNDS: usize = 4;
+/// Rounds where the correction is free: reliefs and steep lines shift the contact further, each round gains less.
+pub(super) const FREE_ROUNDS: usize = 12;
 
 /// Steepest worm lines on the workpiece, |tan(rho_2)|: beyond it the shift is too small to tell them from the profile.
 const STEEPEST: f64 = 1e4;
