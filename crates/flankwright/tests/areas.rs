@@ -64,7 +64,7 @@ fn brute_extent(plan: &AreaPlan, lines: &FlankLines) -> [[f64; 2]; 2] {
     for i in 0..=200 {
         for j in 0..=800 {
             let (w, z) = (w0 + (w1 - w0) * f64::from(i) / 200.0, z0 + (z1 - z0) * f64::from(j) / 800.0);
-            let shift = plan.shift.value(lines.feed(w, z));
+            let shift = plan.shift.value(lines.path_feed(w, z));
             let w_1 = lines.worm_roll(w);
             let z_1 = lines.c_c1 - lines.worm_path * w_1 - shift;
             for (range, x) in ranges.iter_mut().zip([z_1, z_1 + lines.t_1 * w_1]) {
@@ -371,7 +371,7 @@ fn one_ratio_gives_both_flanks_the_same_swivel() {
         let lines = &side.lines;
         let [a_20, a_11, a_02] = side.second_degree;
         let poly = Polynomial2::from_terms([(2, 0, a_20), (1, 1, a_11), (0, 2, a_02)]);
-        let parts = decompose_diagonal(&poly, lines.work_direction(k), lines.t_k, 0.0);
+        let parts = decompose_diagonal(&poly, lines.work_direction(k), lines.t_k, 0.0, 0.0);
         let [k_10, k_11] = side.linear_part(k, 7.0, 12.0, 2e-4);
         assert!((k_11 / parts.linear[1] - 1.0).abs() < 1e-9, "{k_11} {:?}", parts.linear);
         // psi = g b^2 F_L(X_2) at the dresser's place and a mm further.
