@@ -6,10 +6,11 @@ use flankwright::geometry::{Blank, Flank, Gear, GearData, Sides, WormChoice};
 use flankwright::kinematics::MotionLaw;
 use flankwright::modification::{Modification, ModificationSpec, NoFiles};
 use flankwright::numerics::Polynomial2;
+use flankwright::process::generating::least_squares::FitNorm;
 use flankwright::process::generating::{
     Command, DresserChoice, DressingLimits, FeedLaw, FlankTarget, Gauge, GeneratingError, GrindingSetup,
-    IdealPlan, LocalEnvelope, PlanTask, PlanningGrid, ProfilePlace, ProfilePolicy, QuadraticWorm, SetupInput,
-    constant_only_profile_crowning, decompose_diagonal, decompose_quadratic, decompose_radial,
+    IdealPlan, LocalEnvelope, PlanGauge, PlanTask, PlanningGrid, ProfilePlace, ProfilePolicy, QuadraticWorm,
+    SetupInput, constant_only_profile_crowning, decompose_diagonal, decompose_quadratic, decompose_radial,
     kinematic_compliance, motion_of_flanks, natural_twist, product_functions, radial_residual,
 };
 use proptest::prelude::*;
@@ -82,6 +83,8 @@ fn task(setup: &GrindingSetup) -> PlanTask<'_> {
         places: vec![ProfilePlace::Dresser],
         free_dresser: true,
         law: None,
+        norm: FitNorm::default(),
+        gauge: PlanGauge::default(),
         precompensation: true,
         grid: (5, 5),
     }
@@ -285,7 +288,13 @@ fn plans_beyond_the_limits_are_refused_with_the_limit() {
     let choice = exact.choose(&PlanningGrid::new(&setup, 9, 9)).unwrap();
     let refusal = choice.candidates[0].refusal.clone().unwrap();
     says(&refusal, "model-error", &["ideal worm", "allowed: 0.000"], false);
-    let policy = ProfilePolicy { place: ProfilePlace::Dresser, free_dresser: true, line_tolerance: 1e-4 };
+    let policy = ProfilePolicy {
+        place: ProfilePlace::Dresser,
+        free_dresser: true,
+        line_tolerance: 1e-4,
+        norm: FitNorm::default(),
+        gauge: Sides { left: None, right: None },
+    };
     let targets = targets(&setup, 20.0);
     let command = targets.map(|_, t| t.as_ref().map(Command::of));
     let error = IdealPlan::new(&setup, &targets, command, &FeedLaw::Ratio(1e9), policy).unwrap_err();

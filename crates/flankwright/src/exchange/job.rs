@@ -35,7 +35,7 @@ pub use one_or_sides::OneOrSides;
 pub use output::{Mesh, Output, Program, Table};
 pub use process::{JobInfo, Process};
 pub use settings::{FlankSettings, Pieces, Settings, ToolTable, ToolTables};
-pub use target::{Modification, Target, ToleranceMapSource, ToleranceTable};
+pub use target::{Fit, Modification, Target, ToleranceMapSource, ToleranceTable};
 pub use worm::{Tool, Worm};
 
 use schemars::JsonSchema;

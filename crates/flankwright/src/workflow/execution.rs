@@ -10,9 +10,10 @@ use crate::metrology::Topography;
 use crate::modification::ModificationSpec;
 use crate::numerics::Chebyshev;
 use crate::process::dressing::{DressedWorm, DresserTool, dressing_motion};
+use crate::process::generating::least_squares::FitNorm;
 use crate::process::generating::{
-    Carried, Decomposition, FeedLaw, GrindingPlan, IdealPlan, IdealWorm, MadeFlank, PlannedTool,
-    PlanningGrid, ProfilePlace, ProfilePolicy, Tool, dresser_of_plan, dresser_profile, dressing_interval,
+    Carried, Decomposition, GrindingPlan, IdealPlan, IdealWorm, MadeFlank, PlannedTool, PlanningGrid,
+    ProfilePlace, ProfilePolicy, Tool, dresser_of_plan, dresser_profile, dressing_interval,
 };
 use std::f64::consts::PI;
 
@@ -189,8 +190,14 @@ impl Execution {
         let scaled = |c: &[f64], unit: f64| MotionLaw::polynomial(0.0, c.iter().map(|c| c * unit).collect());
         let shift = shift_of_settings(settings)?;
         let mut motion = setup.pair.motion(shift.clone());
-        motion.delta_d = scaled(&settings.delta_d_um, 1e-3);
-        motion.delta_phi_2 = scaled(&settings.delta_phi_2_urad, 1e-6);
+        motion.delta_d = match &settings.delta_d_pieces {
+            Some(pieces) => law_of_pieces(pieces, "settings.delta_d_pieces")?.scaled(1e-3),
+            None => scaled(&settings.delta_d_um, 1e-3),
+        };
+        motion.delta_phi_2 = match &settings.delta_phi_2_pieces {
+            Some(pieces) => law_of_pieces(pieces, "settings.delta_phi_2_pieces")?.scaled(1e-6),
+            None => scaled(&settings.delta_phi_2_urad, 1e-6),
+        };
         let given = |flank: Flank| match flank {
             Flank::Left => settings.left.as_ref(),
             Flank::Right => settings.right.as_ref(),
@@ -217,16 +224,15 @@ impl Execution {
                 },
             }))
         })?;
-        let ideal = IdealPlan {
-            feed: FeedLaw::Law(shift.clone()),
-            commanded: Sides { left: None, right: None },
-            worms,
-            motion: motion.clone(),
-            occupation: setup.occupation(&shift, &which),
-            outside: Sides::both(0.0),
-        };
+        let ideal = IdealPlan::of_settings(worms, motion.clone(), setup.occupation(&shift, &which));
         // The dresser carries what the settings say, whatever the plan's policy was.
-        let policy = ProfilePolicy { place: ProfilePlace::Dresser, free_dresser: true, line_tolerance: 0.0 };
+        let policy = ProfilePolicy {
+            place: ProfilePlace::Dresser,
+            free_dresser: true,
+            line_tolerance: 0.0,
+            norm: FitNorm::default(),
+            gauge: Sides { left: None, right: None },
+        };
         let dresser = match &setup.tool {
             Tool::Dressed(_) => {
                 Some(dresser_of_plan(setup, &ideal, policy).map_err(|e| RunFailure::from(&e))?)
@@ -314,12 +320,9 @@ impl Execution {
         Settings {
             diagonal_ratio: self.ratio,
             shift_origin_mm: self.shift_origin,
-            shift: match &self.motion.shift {
-                MotionLaw::Pieces(p) => {
-                    Some(Pieces { breaks_mm: p.breaks().to_vec(), coefficients: p.pieces().to_vec() })
-                }
-                MotionLaw::Polynomial { .. } | MotionLaw::Series(_) => None,
-            },
+            shift: pieces_of_law(&self.motion.shift, 1.0),
+            delta_d_pieces: pieces_of_law(&self.motion.delta_d, 1e3),
+            delta_phi_2_pieces: pieces_of_law(&self.motion.delta_phi_2, 1e6),
             tool: ToolTables { left: table(Flank::Left), right: table(Flank::Right) },
             delta_d_um: law(&self.motion.delta_d, 1e3),
             delta_phi_2_urad: law(&self.motion.delta_phi_2, 1e6),
@@ -335,12 +338,27 @@ fn shift_of_settings(settings: &Settings) -> Result<MotionLaw, RunFailure> {
         let line = vec![settings.shift_origin_mm, settings.diagonal_ratio];
         return Ok(MotionLaw::polynomial(0.0, line));
     };
+    law_of_pieces(pieces, "settings.shift")
+}
+
+fn law_of_pieces(pieces: &Pieces, field: &str) -> Result<MotionLaw, RunFailure> {
     PiecewisePolynomial::new(pieces.breaks_mm.clone(), pieces.coefficients.clone())
         .map(MotionLaw::Pieces)
         .map_err(|e| {
-            let finding = Diagnostic::with_code(e.code(), e.to_string()).field("settings.shift");
+            let finding = Diagnostic::with_code(e.code(), e.to_string()).field(field);
             RunFailure::bad_input(finding.way_out(e.way_out()))
         })
+}
+
+/// A law in pieces as settings carry it, times a factor.
+fn pieces_of_law(law: &MotionLaw, unit: f64) -> Option<Pieces> {
+    match law {
+        MotionLaw::Pieces(p) => {
+            let coefficients = p.pieces().iter().map(|piece| piece.map(|c| c * unit)).collect();
+            Some(Pieces { breaks_mm: p.breaks().to_vec(), coefficients })
+        }
+        MotionLaw::Polynomial { .. } | MotionLaw::Series(_) => None,
+    }
 }
 
 /// The flank of a tool that is not dressed: the table of the settings, else what it carries without one.

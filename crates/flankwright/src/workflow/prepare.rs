@@ -2,8 +2,8 @@
 
 use super::shift::shift_of_job;
 use crate::exchange::job::{
-    DiagonalRatio, DresserModification, FixedDresser, Flanks, Job, Method, Modification as JobModification,
-    ProfileCrowningBy, ToleranceMapSource, Tool as JobTool,
+    DiagonalRatio, DresserModification, Fit, FixedDresser, Flanks, Gauge, GaugeRule, Job, Method,
+    Modification as JobModification, ProfileCrowningBy, ToleranceMapSource, Tool as JobTool,
 };
 use crate::exchange::{
     Diagnostic, LoadedJob, Problem, TableForm, read_grid_target, read_points, read_tolerances, read_traces,
@@ -16,9 +16,10 @@ use crate::modification::{
     ModificationSpec, PointMethod, PointsSpec, ToleranceMap,
 };
 use crate::process::generating::areas::AreaPlan;
+use crate::process::generating::least_squares::FitNorm;
 use crate::process::generating::{
-    Carrier, DresserChoice, DressingLimits, FlankTarget, GeneratingError, GrindingSetup, PlanTask,
-    ProfilePlace, SetupInput, Tool,
+    Carrier, DresserChoice, DressingLimits, FlankTarget, FreeCoefficients, GeneratingError, GrindingSetup,
+    PlanGauge, PlanTask, ProfilePlace, SetupInput, Tool,
 };
 
 /// A job made ready for planning.
@@ -33,6 +34,8 @@ pub struct Prepared {
     pub places: Vec<ProfilePlace>,
     /// Whether the dresser is made for this job.
     pub free_dresser: bool,
+    /// Tolerance over the flank, normal.
+    pub tolerance: ToleranceMap,
     /// The law of the shift, where the job asks for one in place of a ratio.
     pub law: Option<MotionLaw>,
     /// The areas that the law was made for.
@@ -381,6 +384,7 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
     if job.worm.tool == JobTool::Given {
         setup.tool = Tool::Given(tool_modifications(loaded, &setup)?);
     }
+    let tolerance = tolerance_of_job(loaded).map_err(RunFailure::bad_input)?;
     let mut warnings = Vec::new();
     let given = match job.dresser.as_ref().map(|d| &d.modification) {
         None | Some(DresserModification::Rule(FixedDresser::Target)) => None,
@@ -428,7 +432,11 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
                 FlankTarget::with_given_dresser(wanted, made)
             }
         };
-        target.map(Some).map_err(|e| RunFailure::bad_input(generating_finding(&e)))
+        let cos = setup.lines[flank].cos_b2;
+        target
+            .and_then(|target| target.weighed_by(|w, z| tolerance.value(w, z) / cos))
+            .map(Some)
+            .map_err(|e| RunFailure::bad_input(generating_finding(&e)))
     })?;
     let free_dresser = given.is_none();
     let places = match job.dressing.profile_crowning_by {
@@ -499,6 +507,7 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
         reliefs,
         places,
         free_dresser,
+        tolerance,
         law: shift.law,
         areas: shift.areas,
         warnings,
@@ -580,10 +589,21 @@ impl Prepared {
         PlanTask {
             setup: &self.setup,
             targets: self.targets.clone(),
-            tolerance: job.target.tolerance_um * 1e-3,
+            tolerance: self.tolerance.tightest(),
             limits: DressingLimits::default(),
             ratio,
             law: self.law.clone(),
+            norm: match job.target.fit {
+                Fit::LeastSquares => FitNorm::LeastSquares,
+                Fit::Largest => FitNorm::Largest,
+            },
+            gauge: match job.grinding.gauge {
+                Gauge::Rule(GaugeRule::Centred) => PlanGauge::Centred,
+                Gauge::Rule(GaugeRule::EqualSwivel) => PlanGauge::EqualSwivel,
+                Gauge::Given(g) => {
+                    PlanGauge::Given(FreeCoefficients { k_10: g.k_10, k_20: Some(g.k_20), k_k0: g.k_k0 })
+                }
+            },
             places: self.places.clone(),
             free_dresser: self.free_dresser,
             precompensation: job.grinding.precompensation.unwrap_or(!radial),

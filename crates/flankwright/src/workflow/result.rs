@@ -71,6 +71,8 @@ pub struct FlankResult {
     pub simulated_um: Vec<Vec<f64>>,
     /// Largest |simulated - target|.
     pub max_deviation_um: f64,
+    /// Largest |simulated - target| over the tolerance at its place.
+    pub tolerance_share: f64,
     /// Root mean square of simulated - target.
     pub rms_deviation_um: f64,
     /// Largest |planned - simulated|.

@@ -5,9 +5,10 @@ use super::partition::{Partition, StrokePlan};
 use super::prepare::{Prepared, Remark, RunFailure, prepare};
 use super::referee::{self, Cutting, Verdict};
 use super::result::{CandidateResult, CharacteristicsUm, FlankResult, JobResult, SettingsResult, Status};
-use crate::exchange::job::{DiagonalRatio, Grinding, Job};
+use crate::exchange::job::{DiagonalRatio, Job};
 use crate::exchange::{Diagnostic, LoadedJob, Problem};
 use crate::geometry::{Flank, Sides};
+use crate::metrology::Topography;
 use crate::numerics::Progress;
 use crate::process::generating::{GrindingPlan, RatioReason, natural_twist};
 use std::collections::BTreeMap;
@@ -66,16 +67,7 @@ fn supported(job: &Job) -> Result<(), RunFailure> {
     if job.explore.is_some() {
         return refuse("explore", "a study of several settings", "leave [explore] out");
     }
-    supported_grinding(&job.grinding).map_or(Ok(()), |(field, what, way_out)| refuse(field, what, way_out))
-}
-
-/// Key, name and way out of the first part of `[grinding]` that is not carried out yet.
-fn supported_grinding(grinding: &Grinding) -> Option<(&'static str, &'static str, &'static str)> {
-    if !grinding.gauge.is_default() {
-        Some(("grinding.gauge", "another gauge than \"centred\"", "leave `gauge` out"))
-    } else {
-        None
-    }
+    Ok(())
 }
 
 /// Plans a job and has the plan refereed.
@@ -135,7 +127,7 @@ fn finish(
     let mut warnings = prepared.warnings.clone();
     warnings.extend(execution.warnings.iter().cloned());
     warnings.extend(output_warnings(job));
-    let tolerance = job.target.tolerance_um;
+    let tolerance = prepared.tolerance.tightest() * 1e3;
     // A simulation has no plan that could say what stands on the tool's lines: the target is judged by its deviation alone.
     let outside = plan.as_ref().map_or(Sides::both(0.0), |p| p.ideal.outside);
     let mut flanks = BTreeMap::new();
@@ -153,6 +145,7 @@ fn finish(
                 simulated_um: verdict.simulated.rows_um(),
                 max_deviation_um: deviation.largest() * 1e3,
                 rms_deviation_um: deviation.rms() * 1e3,
+                tolerance_share: tolerance_share(&prepared, &deviation),
                 model_difference_um: executed.planned.minus(&verdict.simulated).largest() * 1e3,
                 referee_error_um: verdict.grinding.error_um,
                 feed_mark_um: verdict.feed_mark.as_ref().and_then(|h| h.as_ref().ok()).map(|h| h * 1e3),
@@ -166,7 +159,7 @@ fn finish(
     warnings.extend(feed_mark_warnings(&verdicts, tolerance));
     warnings.extend(plan.as_ref().and_then(given_ratio_warning));
     // Parts outside the class count by themselves: the grid may miss them (a wave between its points).
-    let met = |f: &FlankResult| f.max_deviation_um <= tolerance && f.outside_class_um <= tolerance;
+    let met = |f: &FlankResult| f.tolerance_share <= 1.0 && f.outside_class_um <= tolerance;
     let status = if !flanks.is_empty() && flanks.values().all(met) { Status::Met } else { Status::Missed };
     let reason = (status == Status::Missed).then(|| missed(job, &prepared, &flanks, execution.ratio));
     let setup = &prepared.setup;
@@ -217,6 +210,12 @@ fn finish(
         timing_s: timing,
     };
     Ok(Outcome { result, prepared, execution, plan, verdicts })
+}
+
+/// Largest |deviation| over the tolerance at its place.
+fn tolerance_share(prepared: &Prepared, deviation: &Topography) -> f64 {
+    let points = deviation.w.iter().flat_map(|&w| deviation.z.iter().map(move |&z| (w, z)));
+    points.zip(&deviation.f).map(|((w, z), f)| f.abs() / prepared.tolerance.value(w, z)).fold(0.0, f64::max)
 }
 
 /// The rule that settled the ratio, in words.

@@ -27,6 +27,12 @@ pub struct Settings {
     /// z_V1 over z_V2 in place of ratio and origin, for a ratio that changes over the feed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shift: Option<Pieces>,
+    /// Delta_d over z_V2, um and um/mm^k, in place of `delta_d_um`, where it is no polynomial.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub delta_d_pieces: Option<Pieces>,
+    /// Delta_phi_2 over z_V2, urad and urad/mm^k, in place of `delta_phi_2_urad`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub delta_phi_2_pieces: Option<Pieces>,
     /// Flanks of a tool that is not dressed; absent: unmodified, or as `[worm] modifications` says.
     #[serde(default, skip_serializing_if = "ToolTables::is_empty")]
     pub tool: ToolTables,
@@ -45,7 +51,7 @@ pub struct Pieces {
     /// Ends of the pieces over z_V2, mm, ascending: one more than pieces. Beyond both ends the law goes on straight.
     #[schemars(extend("minItems" = 2, "maxItems" = 100_001))]
     pub breaks_mm: Vec<f64>,
-    /// Per piece the coefficients of (z_V2 - first end)^k, k = 0..3, mm/mm^k.
+    /// Per piece the coefficients of (z_V2 - first end)^k, k = 0..3, in the unit of the key per mm^k.
     #[schemars(extend("minItems" = 1, "maxItems" = 100_000))]
     pub coefficients: Vec<[f64; 4]>,
 }

@@ -21,6 +21,9 @@ pub struct Target {
     /// beside the job file, or a table. Bilinear between the places of its grid; beyond the grid its border continues.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tolerance_map: Option<ToleranceMapSource>,
+    /// What the best fit of a target that the tool's lines cannot carry makes small.
+    #[serde(default, skip_serializing_if = "Fit::is_default")]
+    pub fit: Fit,
     /// Modifications that add up; amounts are transverse, positive = material removed. An empty list asks for
     /// the pure involute.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -58,4 +61,21 @@ pub struct ToleranceTable {
 
 fn default_tolerance() -> f64 {
     1.0
+}
+
+/// What a best fit makes small.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Fit {
+    /// The sum of squares of the deviations over the tolerance.
+    #[default]
+    LeastSquares,
+    /// The largest deviation over the tolerance.
+    Largest,
+}
+
+impl Fit {
+    fn is_default(&self) -> bool {
+        *self == Self::default()
+    }
 }

@@ -28,6 +28,12 @@ impl TiltChart {
         }
     }
 
+    /// dK/dtau at the kinematics (phi_S, gamma, d, 0), sin(gamma) != 0: how the corrections follow a small swivel, per rad.
+    pub fn swivel_direction(gamma: f64, d: f64, p: f64) -> [f64; 4] {
+        let (sin, cos) = gamma.sin_cos();
+        [1.0 / sin + d / (p * cos), 0.0, 0.0, -d / (sin * cos)]
+    }
+
     /// Back to K; of the two solutions the one whose d is nearer to `previous_d`, phi_S unwrapped to `previous_phi`.
     ///
     /// # Errors
@@ -70,6 +76,15 @@ mod tests {
             for j in 0..4 {
                 assert!((back[j] - k[j]).abs() < 1e-11, "{g} {j}: {} {}", back[j], k[j]);
             }
+        }
+        let (phi, g, d, p) = (-1.57, -0.17, 107.2, 8.9);
+        let still = TiltChart::from_kinematics([phi, g, d, 0.0], p);
+        let swivelled = |tau: f64| TiltChart { tau, ..still }.to_kinematics(p, d, phi).unwrap();
+        let (ahead, behind) = (swivelled(1e-6), swivelled(-1e-6));
+        let direction = TiltChart::swivel_direction(g, d, p);
+        for j in 0..4 {
+            let difference = (ahead[j] - behind[j]) / 2e-6;
+            assert!((direction[j] - difference).abs() < 1e-4 * (1.0 + difference.abs()), "{j}");
         }
         let pole = TiltChart { phi: 0.0, gamma: 0.0, d: 100.0, tau: 0.0 };
         assert_eq!(pole.to_kinematics(8.9, 100.0, 0.0), Err(DressingError::PoleOfChart));

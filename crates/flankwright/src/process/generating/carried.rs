@@ -2,6 +2,7 @@
 //! corrections of the command. Functions of the workpiece point; knows no tool.
 
 use super::FlankLines;
+use super::least_squares::{DiagonalCoordinates, SplineDecomposition};
 use crate::modification::Modification;
 use crate::numerics::{Jet2, Polynomial2, SplineError, TensorSpline, fit_tensor_spline};
 use std::sync::Arc;
@@ -35,6 +36,9 @@ impl FieldSpline {
     }
 }
 
+/// Parts of a target fitted into worm functions and a grinding motion by least squares (spec 25 section 4.1).
+pub type RestFit = SplineDecomposition<DiagonalCoordinates>;
+
 /// Parts of the command, transverse, mm, that the tool's lines carry as they stand.
 #[derive(Clone, Debug, Default)]
 pub struct Carried {
@@ -42,6 +46,8 @@ pub struct Carried {
     pub polynomial: Option<Polynomial2>,
     /// Parts of the target.
     pub terms: Vec<Modification>,
+    /// What least squares found for parts that do not stand on the lines as they are: its worm functions.
+    pub fitted: Option<Arc<RestFit>>,
     /// Corrections of the command, one for each round that found more.
     pub corrections: Vec<Arc<FieldSpline>>,
 }
@@ -49,7 +55,10 @@ pub struct Carried {
 impl Carried {
     /// Whether there is nothing to carry.
     pub fn is_empty(&self) -> bool {
-        self.polynomial.is_none() && self.terms.is_empty() && self.corrections.is_empty()
+        self.polynomial.is_none()
+            && self.terms.is_empty()
+            && self.fitted.is_none()
+            && self.corrections.is_empty()
     }
 
     /// The sum at (w, z) with derivatives; `None` where a part has no value.
@@ -60,6 +69,9 @@ impl Carried {
         }
         for term in &self.terms {
             sum += term.jet(w, z).ok()?;
+        }
+        if let Some(fitted) = &self.fitted {
+            sum += fitted.dressing_jet(w, z);
         }
         for correction in &self.corrections {
             sum += correction.jet(w, z);

@@ -130,6 +130,20 @@ impl Decomposition {
         }
     }
 
+    /// The same sum with K_10 and K_K0 as given, in the centred variables (gauge `given` of spec 25 section 4): a linear part of
+    /// the motion takes what F_L and F_C give up.
+    pub fn with_gauge(mut self, k_10: f64, k_k0: f64) -> Self {
+        let (c, c_k) = (cosine(self.t), cosine(self.t_k));
+        let (big_a, big_b) = (c_k * (self.t_k - self.t), c_k / c);
+        let k_k1 = (self.linear[0] - k_10) / big_a;
+        self.linear[0] = k_10;
+        self.constant[1] -= big_b * k_k1;
+        self.constant[0] -= k_k0;
+        self.kinematic[0] += k_k0;
+        self.kinematic[1] += k_k1;
+        self
+    }
+
     /// F_C(X) + F_L(X) u with derivatives in (u, y): what the dressing motion carries.
     pub fn dressing_jet(&self, u: f64, y: f64) -> Jet2 {
         let c = cosine(self.t);
@@ -191,6 +205,16 @@ mod tests {
             for (u, y) in [(-9.0, -20.0), (3.0, 7.0), (9.0, 20.0), (0.0, 0.0)] {
                 assert!((d.value(u, y) - a.value(u, y)).abs() < 1e-12);
             }
+        }
+    }
+
+    #[test]
+    fn another_gauge_leaves_the_sum() {
+        let a = sample();
+        let d = decompose_diagonal(&a, 1.3, -0.65, 0.0, 0.0).with_gauge(0.3, -0.2);
+        assert!((d.linear[0] - 0.3).abs() < 1e-15 && (d.kinematic[0] + 0.2).abs() < 1e-15);
+        for (u, y) in [(-9.0, -20.0), (3.0, 7.0), (0.0, 0.0)] {
+            assert!((d.value(u, y) - a.value(u, y)).abs() < 1e-12);
         }
     }
 

@@ -143,14 +143,43 @@ fn wanted_rows<'a>(
     }
     let straight = !worm.carried.is_empty();
     Ok(move |b: [f64; 3]| {
-        let mut f: [f64; 3] = std::array::from_fn(|i| worm.dressing_share(rolls[i], b[i]));
-        if straight {
-            // The least-squares line through three equidistant points leaves (1, -2, 1) times this.
-            let bend = (f[0] - 2.0 * f[1] + f[2]) / 6.0;
-            f = [f[0] - bend, f[1] + 2.0 * bend, f[2] - bend];
-        }
+        let f = if straight {
+            straightened(worm, rolls, b)
+        } else {
+            std::array::from_fn(|i| worm.dressing_share(rolls[i], b[i]))
+        };
         std::array::from_fn(|i| base[i] + f[i])
     })
+}
+
+/// Points along the dressed line at which its modification is looked at.
+const LINE_POINTS: usize = 13;
+/// Weight of the points of a dressed line that grind nothing of the evaluated flank: just enough to tell the line.
+const BESIDE: f64 = 0.02;
+/// Length over which the weight falls beyond the ends of the flank, mm: keeps the corrections smooth over v.
+const FALL: f64 = 0.3;
+
+/// The straight line over the profile nearest to what the ideal worm carries along the dressed line through worm positions `b` at
+/// `rolls`; what grinds the evaluated flank counts.
+fn straightened(worm: &IdealWorm, rolls: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    let [from, middle, to] = rolls;
+    let half = 0.5 * (to - from);
+    let (slope, bend) = (0.5 * (b[2] - b[0]), 0.5 * (b[0] + b[2]) - b[1]);
+    // Weighted sums of 1, x, x^2 and f, x f with x in [-1, 1].
+    let mut sums = [0.0; 5];
+    for k in 0..LINE_POINTS {
+        let x = 2.0 * k as f64 / (LINE_POINTS - 1) as f64 - 1.0;
+        let (w_1, z_1) = (middle + half * x, b[1] + slope * x + bend * x * x);
+        let weight = BESIDE + (1.0 - BESIDE) * worm.share_of_flank(w_1, z_1, FALL);
+        let f = worm.dressing_share(w_1, z_1);
+        for (sum, term) in sums.iter_mut().zip([1.0, x, x * x, f, x * f]) {
+            *sum += weight * term;
+        }
+    }
+    let [n, x, xx, f, xf] = sums;
+    let inclination = (n * xf - x * f) / (n * xx - x * x);
+    let constant = (f - inclination * x) / n;
+    [constant - inclination, constant, constant + inclination]
 }
 
 /// DK at a few positions over the occupation: enough for the score of a candidate.

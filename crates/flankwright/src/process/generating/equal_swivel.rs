@@ -1,8 +1,10 @@
 //! One dresser for both flanks at once: the diagonal ratio at which both ask for the same swivel along the worm (spec 25
 //! section 4, F_Q = 0). Cylindrical bodies.
 
-use super::{FlankLines, GeneratingError};
-use crate::geometry::Sides;
+use super::{FlankLines, GeneratingError, GrindingSetup};
+use crate::geometry::{Flank, Sides};
+use crate::numerics::Polynomial2;
+use crate::process::dressing::{DressedProfile, TiltChart};
 
 /// One flank of the question.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,6 +27,34 @@ pub enum EqualSwivel {
 }
 
 impl SwivelSide {
+    /// One flank of a setup with a dresser, for a target polynomial in (u, y) whose u^2 stays with the dresser unless
+    /// `in_diagonal`. The swivel is tau of the tilt chart of dressing (spec 30 section 7).
+    ///
+    /// # Errors
+    /// `NotDressed`, those of the nominal contact of dresser and worm.
+    pub fn of_target(
+        setup: &GrindingSetup,
+        flank: Flank,
+        a: &Polynomial2,
+        in_diagonal: bool,
+    ) -> Result<Self, GeneratingError> {
+        let dresser = setup.dresser()?;
+        let lines = setup.lines[flank];
+        let range = dresser.flanks[flank].range;
+        let chain = &dresser.chain;
+        let direction =
+            TiltChart::swivel_direction(chain.crossing_angle, chain.centre_distance, chain.screw_parameter);
+        let nominal = DressedProfile::new(dresser, flank, [0.0; 4]);
+        let by_swivel = |w: f64| -> Result<f64, GeneratingError> {
+            let at = nominal.at_roll(w)?;
+            Ok(at.df_dk.iter().zip(direction).map(|(f, k)| f * k).sum())
+        };
+        let slope = (by_swivel(range.w_na)? - by_swivel(range.w_nf)?) / (range.length() * lines.cos_b1);
+        let of_profile = if in_diagonal { 0.0 } else { a.coefficient(2, 0) };
+        let second_degree = [a.coefficient(2, 0) - of_profile, a.coefficient(1, 1), a.coefficient(0, 2)];
+        Ok(Self { lines, second_degree, gain: 1.0 / slope })
+    }
+
     /// `[constant, over K]` of d psi/dv = constant + (over K)/K, rad/mm.
     fn rate_terms(&self) -> [f64; 2] {
         let FlankLines { t_k, cos_b1, cos_b2, big_t1, .. } = self.lines;

@@ -43,8 +43,8 @@ pub use local_envelope::{LocalEnvelope, kinematic_compliance};
 pub use made::MadeFlank;
 pub use motion::{common_motion, motion_of_flanks};
 pub use natural_twist::{NaturalTwist, natural_twist};
-pub use plan::{FlankPlan, GrindingPlan, PlanTask, PlannedTool};
-pub use precompensation::{Command, IdealPlan, PlanningGrid, ProfilePolicy};
+pub use plan::{FlankPlan, GrindingPlan, PlanGauge, PlanTask, PlannedTool};
+pub use precompensation::{Command, FreeCoefficients, IdealPlan, PlanningGrid, ProfilePolicy};
 pub use quadratic::{
     Gauge, QuadraticDecomposition, QuadraticWorm, constant_only_profile_crowning, decompose_quadratic,
     product_functions,

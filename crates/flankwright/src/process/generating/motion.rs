@@ -1,8 +1,10 @@
 //! The grinding motion that makes F_K on one flank or on both at once (spec 25 section 3).
 
-use super::{Decomposition, FlankLines};
-use crate::geometry::Sides;
+use super::carried::RestFit;
+use super::{Decomposition, FlankLines, GeneratingError, GrindingSetup};
+use crate::geometry::{Flank, Sides};
 use crate::kinematics::MotionLaw;
+use std::sync::Arc;
 
 /// f_F(z_V2) = cos b2 F_K as a polynomial of degree 3 in z_V2, normal, mm, under z_V1 = `shift`[0] + `shift`[1] z_V2.
 fn normal_share(lines: &FlankLines, parts: &Decomposition, shift: [f64; 2]) -> [f64; 4] {
@@ -33,11 +35,15 @@ pub fn motion_of_flanks(
     left: &[f64; 4],
     right: &[f64; 4],
 ) -> (MotionLaw, MotionLaw) {
+    let (delta_d, delta_phi) = (0..4).map(|k| split(lines, left[k], right[k])).unzip();
+    (MotionLaw::polynomial(0.0, delta_d), MotionLaw::polynomial(0.0, delta_phi))
+}
+
+/// Delta_d and Delta_phi_2 that give the normal amounts `left` and `right`, mm, rad (spec 25 section 3).
+fn split(lines: &Sides<FlankLines>, left: f64, right: f64) -> (f64, f64) {
     let (l, r) = (&lines.left, &lines.right);
     let denominator = l.sin_an * r.lever + r.sin_an * l.lever;
-    let delta_d = (0..4).map(|k| (left[k] * r.lever + right[k] * l.lever) / denominator).collect();
-    let delta_phi = (0..4).map(|k| (right[k] * l.sin_an - left[k] * r.sin_an) / denominator).collect();
-    (MotionLaw::polynomial(0.0, delta_d), MotionLaw::polynomial(0.0, delta_phi))
+    ((left * r.lever + right * l.lever) / denominator, (right * l.sin_an - left * r.sin_an) / denominator)
 }
 
 /// Delta_d and Delta_phi_2 of two decompositions ground at once. A flank that is not ground leaves its share to the other:
@@ -58,4 +64,47 @@ pub fn common_motion(
 
 fn single(f: &[f64; 4], sin_an: f64) -> MotionLaw {
     MotionLaw::polynomial(0.0, f.iter().map(|x| x / sin_an).collect())
+}
+
+/// Nodes of motions that are no polynomials: far more than a fitted F_K has intervals.
+const NODES: usize = 129;
+/// Feed beyond the field over which such a motion is laid out, mm; it goes on straight from there.
+const BEYOND: f64 = 6.0;
+
+/// The common motion with the F_K of fitted parts added, as C2 splines over the feed.
+///
+/// # Errors
+/// `Law` for amounts that are not finite.
+pub(super) fn with_fitted_motion(
+    setup: &GrindingSetup,
+    (delta_d, delta_phi_2): (MotionLaw, MotionLaw),
+    fits: &Sides<Option<Arc<RestFit>>>,
+    shift: &MotionLaw,
+    which: &[Flank],
+) -> Result<(MotionLaw, MotionLaw), GeneratingError> {
+    if fits.left.is_none() && fits.right.is_none() {
+        return Ok((delta_d, delta_phi_2));
+    }
+    let [from, to] = setup.feed_range(shift, which);
+    let (from, to) = (from - BEYOND, to + BEYOND);
+    let feeds: Vec<f64> = (0..NODES).map(|k| from + (to - from) * k as f64 / (NODES - 1) as f64).collect();
+    let amount = |flank: Flank, v: f64| {
+        let (Some(fit), lines) = (&fits[flank], &setup.lines[flank]) else { return 0.0 };
+        let [by_shift, by_feed] = lines.work_feeds;
+        let zeta = by_shift * shift.value(v) + by_feed * v + lines.c_c2;
+        lines.cos_b2 * fit.kinematic_part(lines.w_m, zeta - lines.t_k * lines.w_m).f
+    };
+    let both = which.len() == 2;
+    let (d, phi): (Vec<f64>, Vec<f64>) = feeds
+        .iter()
+        .map(|&v| {
+            let (more_d, more_phi) = match which {
+                [only] if !both => (amount(*only, v) / setup.lines[*only].sin_an, 0.0),
+                _ => split(&setup.lines, amount(Flank::Left, v), amount(Flank::Right, v)),
+            };
+            (delta_d.value(v) + more_d, delta_phi_2.value(v) + more_phi)
+        })
+        .unzip();
+    let law = |values: &[f64]| MotionLaw::spline(&feeds, values).map_err(GeneratingError::Law);
+    Ok((law(&d)?, law(&phi)?))
 }

@@ -2,11 +2,12 @@
 //! (spec 28 section 4; everything but the referee).
 
 use super::dressed::{DRESSING_MARGIN, DressedFlank, dress_flank, dresser_of_plan, finished_area};
-use super::precompensation::{FREE_ROUNDS, GroundError, ROUNDS, corrected, precompensate};
+use super::least_squares::FitNorm;
+use super::precompensation::{FREE_ROUNDS, FreeCoefficients, GroundError, ROUNDS, corrected, precompensate};
 use super::ratio::{Candidate, RatioChoice, RatioReason, Rule};
 use super::{
-    DressingLimits, FeedLaw, FlankTarget, GeneratingError, GrindingSetup, IdealPlan, MadeFlank, PlanningGrid,
-    ProfilePlace, ProfilePolicy, Tool,
+    DressingLimits, EqualSwivel, FeedLaw, FlankTarget, GeneratingError, GrindingSetup, IdealPlan, MadeFlank,
+    PlanningGrid, ProfilePlace, ProfilePolicy, SwivelSide, Tool, equal_swivel,
 };
 use crate::contact::{ContactError, ContactSolution};
 use crate::geometry::{Flank, Sides};
@@ -34,8 +35,24 @@ pub struct PlanTask<'a> {
     pub free_dresser: bool,
     /// Whether the command is corrected by the exact flank.
     pub precompensation: bool,
+    /// What the best fit of parts outside the class makes small.
+    pub norm: FitNorm,
+    /// Which of the equal decompositions is made.
+    pub gauge: PlanGauge,
     /// Result grid: points over the profile and over the face width.
     pub grid: (usize, usize),
+}
+
+/// Which of the decompositions with the same flank is made (spec 25 section 4).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum PlanGauge {
+    /// F_K and its slope vanish in the middle of the flank.
+    #[default]
+    Centred,
+    /// These free coefficients on both flanks.
+    Given(FreeCoefficients),
+    /// The diagonal ratio and the constants at which one dresser swivels alike on both flanks.
+    EqualSwivel,
 }
 
 /// The flank of a planned tool.
@@ -113,6 +130,8 @@ impl PlanTask<'_> {
             limits: self.limits,
             tolerance: self.tolerance,
             free_dresser: self.free_dresser,
+            norm: self.norm,
+            gauge: self.gauge,
         }
     }
 
@@ -141,6 +160,10 @@ impl PlanTask<'_> {
         let (feed, rounds) = match (&self.law, self.ratio) {
             (Some(law), _) => (FeedLaw::Law(law.clone()), ROUNDS),
             (None, Some(ratio)) => (FeedLaw::Ratio(ratio), 0),
+            (None, None) if self.gauge == PlanGauge::EqualSwivel => match self.swivel_ratio(place)? {
+                EqualSwivel::Ratio(ratio) => (FeedLaw::Ratio(ratio), 0),
+                EqualSwivel::Every => return rule.choose(&self.places),
+            },
             (None, None) => return rule.choose(&self.places),
         };
         let which = rule.which();
@@ -179,6 +202,35 @@ impl PlanTask<'_> {
         })
     }
 
+    /// Both flanks as the question of equal swivel has them.
+    fn swivel_sides(&self, place: ProfilePlace) -> Result<Sides<SwivelSide>, GeneratingError> {
+        Sides::try_from_fn(|flank| {
+            let target = self.targets[flank].as_ref().ok_or(GeneratingError::NoFlank)?;
+            SwivelSide::of_target(self.setup, flank, &target.polynomial, place == ProfilePlace::Diagonal)
+        })
+    }
+
+    fn swivel_ratio(&self, place: ProfilePlace) -> Result<EqualSwivel, GeneratingError> {
+        equal_swivel(&self.swivel_sides(place)?)
+    }
+
+    /// Constants at which neither flank asks for a swivel in the middle of the tool.
+    fn swivel_constants(
+        &self,
+        ratio: f64,
+        place: ProfilePlace,
+    ) -> Result<Sides<Option<FreeCoefficients>>, GeneratingError> {
+        let sides = self.swivel_sides(place)?;
+        let origin = FeedLaw::Ratio(ratio).law(self.setup, &Flank::BOTH).value(0.0);
+        Ok(sides.map(|_, side| {
+            let lines = &side.lines;
+            let t = lines.work_direction(ratio);
+            let middle = (t * lines.w_m + lines.z_m) / t.hypot(1.0);
+            let [k_10, k_11] = side.linear_part(ratio, origin, 0.0, 0.0);
+            Some(FreeCoefficients { k_10: k_10 + k_11 * middle, k_20: None, k_k0: 0.0 })
+        }))
+    }
+
     /// Plans.
     ///
     /// # Errors
@@ -186,7 +238,10 @@ impl PlanTask<'_> {
     pub fn plan(&self) -> Result<GrindingPlan, GeneratingError> {
         let grid = self.planning_grid();
         let choice = self.choose(&grid)?;
-        let policy = self.rule(&grid).policy(choice.place);
+        let mut policy = self.rule(&grid).policy(choice.place);
+        if self.gauge == PlanGauge::EqualSwivel {
+            policy.gauge = self.swivel_constants(choice.ratio, choice.place)?;
+        }
         let feed = match &self.law {
             Some(law) => FeedLaw::Law(law.clone()),
             None => FeedLaw::Ratio(choice.ratio),
@@ -206,7 +261,9 @@ impl PlanTask<'_> {
                     break;
                 }
                 let command = corrected(self.setup, &grid, &best.ideal, &best.error);
-                let next = IdealPlan::new(self.setup, &self.targets, command, &feed, policy)
+                let next = best
+                    .ideal
+                    .commanding(self.setup, &self.targets, command, policy)
                     .and_then(|ideal| self.equip(ideal, policy, &grid));
                 let Ok(next) = next else { break };
                 for flank in Flank::BOTH {
@@ -291,9 +348,11 @@ impl PlanTask<'_> {
         };
         let (left, right) = rayon::join(|| make(Flank::Left), || make(Flank::Right));
         let flanks = Sides { left: left?, right: right? };
-        let error = GroundError::of(self.setup, &self.targets, grid, |flank| {
+        let ground = |flank: Flank| {
             flanks[flank].as_ref().map(|tool| tool.ground(self.setup, flank, grid, &ideal.motion))
-        })?;
+        };
+        let foot = |flank: Flank, at: &ContactSolution| flanks[flank].as_ref()?.foot(at);
+        let error = GroundError::of(self.setup, &self.targets, grid, &ideal.motion.shift, ground, foot)?;
         Ok((dresser, flanks, error))
     }
 
@@ -303,13 +362,9 @@ impl PlanTask<'_> {
             |(flank, plan)| {
                 let [from, to] = plan.tool.length(self.setup, best.dresser.as_ref(), flank);
                 plan.planned.iter().all(|at| {
-                    let z_1 = match &plan.tool {
-                        PlannedTool::Dressed(dressed) => {
-                            dressed.worm.envelope_point(at.tool.0, at.tool.1).map(|foot| foot.b)
-                        }
-                        PlannedTool::Made(_) => Some(at.tool.1),
-                    };
-                    z_1.is_some_and(|z| z > from + CONTACT_MARGIN && z < to - CONTACT_MARGIN)
+                    plan.tool
+                        .foot(at)
+                        .is_some_and(|(_, z)| z > from + CONTACT_MARGIN && z < to - CONTACT_MARGIN)
                 })
             },
         )
@@ -351,6 +406,15 @@ impl PlannedTool {
         match self {
             Self::Dressed(dressed) => grid.ground(setup, flank, motion, &dressed.worm),
             Self::Made(made) => grid.ground(setup, flank, motion, &made.surface(setup, flank)),
+        }
+    }
+
+    /// The point (w_1, z_1) of the unmodified flank under a contact, mm.
+    fn foot(&self, at: &ContactSolution) -> Option<(f64, f64)> {
+        let (p, q) = at.tool;
+        match self {
+            Self::Dressed(dressed) => dressed.worm.envelope_point(p, q).map(|foot| (foot.w, foot.b)),
+            Self::Made(_) => Some((p, q)),
         }
     }
 

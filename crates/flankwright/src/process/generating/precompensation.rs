@@ -1,7 +1,9 @@
 //! From a commanded polynomial to worm functions and motion, the exact flank they leave, and the correction of the command
 //! (spec 28 section 4, steps 2 to 5).
 
-use super::carried::misfit_of_lines;
+use super::carried::{RestFit, misfit_of_lines};
+use super::least_squares::{DiagonalCoordinates, FitNorm, FitSettings, FunctionClass};
+use super::motion::with_fitted_motion;
 use super::target::ClassFit;
 use super::{
     Carried, Decomposition, FeedLaw, FieldSpline, FlankLines, FlankTarget, GeneratingError, GrindingSetup,
@@ -9,7 +11,7 @@ use super::{
 };
 use crate::contact::{ContactSolution, ExactContact, ModifiedThread, ToolSurface};
 use crate::geometry::{Flank, Sides};
-use crate::kinematics::GeneratingMotion;
+use crate::kinematics::{GeneratingMotion, MotionLaw};
 use crate::numerics::Polynomial2;
 use std::sync::Arc;
 
@@ -31,6 +33,21 @@ pub struct ProfilePolicy {
     /// Parts of the target that are no polynomials stand on the tool's lines as they are when these miss them by no more
     /// than this; else they are best-fitted. Transverse, mm.
     pub line_tolerance: f64,
+    /// What a best fit makes small.
+    pub norm: FitNorm,
+    /// Free coefficients of the decomposition per flank; `None`: gauge `centred`.
+    pub gauge: Sides<Option<FreeCoefficients>>,
+}
+
+/// The free coefficients of a decomposition, in centred variables, transverse (spec 25 section 4).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FreeCoefficients {
+    /// K_10, mm/mm.
+    pub k_10: f64,
+    /// Share of u^2 in the profile, mm/mm^2; `None`: by the place of the profile crowning.
+    pub k_20: Option<f64>,
+    /// K_K0, mm.
+    pub k_k0: f64,
 }
 
 /// What is commanded on one flank: the target plus the corrections found so far.
@@ -122,34 +139,6 @@ impl PlanningGrid {
         let fit = if mixed { &self.fits[flank] } else { &self.pure_fits[flank] };
         fit.fit(&transverse)
     }
-
-    /// The command corrected by the normal errors `e` (target - ground, mm): what the class of polynomials takes, and the rest
-    /// as a smooth function where the tool's lines may carry it.
-    fn corrected(
-        &self,
-        setup: &GrindingSetup,
-        flank: Flank,
-        command: &Command,
-        e: &[f64],
-        terms: Correction,
-    ) -> Command {
-        let lines = &setup.lines[flank];
-        let fitted = self.correction(flank, e, lines.cos_b2, terms != Correction::Pure);
-        let mut next = command.clone();
-        next.polynomial = command.polynomial.add(&fitted);
-        if terms == Correction::Free {
-            let at = |k: usize| (self.w[flank][k / self.z.len()], self.z[k % self.z.len()]);
-            let points: Vec<[f64; 3]> = (0..e.len())
-                .map(|k| {
-                    let (w, z) = at(k);
-                    [w, z, e[k] / lines.cos_b2 - fitted.value(w - lines.w_m, z - lines.z_m)]
-                })
-                .collect();
-            // A grid too coarse for the spline corrects by polynomials only.
-            next.corrections.extend(FieldSpline::near(&points, CORRECTION_CELLS).ok().map(Arc::new));
-        }
-        next
-    }
 }
 
 /// Which terms of the error go back into the command.
@@ -163,9 +152,28 @@ pub(super) enum Correction {
     Free,
 }
 
-/// Cells over profile and face width of a correction: wide against the shift of the contact (about 1 mm), so that the loop
-/// does not feed its own echo.
-const CORRECTION_CELLS: [usize; 2] = [4, 10];
+/// Cells over profile and face width of a correction, the finest that the feet determine is taken.
+const CORRECTION_CELLS: [[usize; 2]; 3] = [[6, 16], [4, 10], [2, 5]];
+
+/// The command corrected by the normal errors `e` (target - ground, mm): what the class of polynomials takes, and the rest as a
+/// smooth function. Errors are put where the tool touches (`feet`): there the flank follows the tool one to one, whatever the
+/// contact has moved by (envelope theorem; dm/df_n1 of spec 20 section 14).
+fn freely_corrected(lines: &FlankLines, command: &Command, e: &[f64], feet: &[(f64, f64)]) -> Command {
+    let centred: Vec<(f64, f64)> = feet.iter().map(|&(w, z)| (w - lines.w_m, z - lines.z_m)).collect();
+    let transverse: Vec<f64> = e.iter().map(|e| e / lines.cos_b2).collect();
+    let fitted = ClassFit::new(&centred).fit(&transverse);
+    let points: Vec<[f64; 3]> = feet
+        .iter()
+        .zip(&centred)
+        .zip(&transverse)
+        .map(|((&(w, z), &(u, y)), f)| [w, z, f - fitted.value(u, y)])
+        .collect();
+    let mut next = command.clone();
+    next.polynomial = command.polynomial.add(&fitted);
+    let spline = CORRECTION_CELLS.into_iter().find_map(|cells| FieldSpline::near(&points, cells).ok());
+    next.corrections.extend(spline.map(Arc::new));
+    next
+}
 
 /// Tool functions and motion for one command, before any dresser is asked.
 #[derive(Clone, Debug)]
@@ -182,6 +190,8 @@ pub struct IdealPlan {
     pub occupation: [f64; 2],
     /// Largest part of the target that is best-fitted only, per flank, transverse, mm.
     pub outside: Sides<f64>,
+    /// How the rest of the targets is carried.
+    rest: Sides<Option<RestCarrier>>,
 }
 
 /// Error of an ideal plan on the planning grid.
@@ -189,6 +199,9 @@ pub struct IdealPlan {
 pub struct GroundError {
     /// target - ground per grid point and flank, normal, mm.
     pub error: Sides<Option<Vec<f64>>>,
+    /// The workpiece points (w_2, z_2) that the tool points in contact would grind unmodified, per grid point and flank: a
+    /// correction of the tool acts where the contact stands, and that moves with the modification. mm.
+    feet: Sides<Option<Vec<(f64, f64)>>>,
     /// Least determinant ratio of both flanks.
     pub determinant: f64,
 }
@@ -202,17 +215,29 @@ impl GroundError {
         setup: &GrindingSetup,
         targets: &Sides<Option<FlankTarget>>,
         grid: &PlanningGrid,
+        shift: &MotionLaw,
         ground: impl Fn(Flank) -> Option<Result<Vec<ContactSolution>, GeneratingError>>,
+        foot: impl Fn(Flank, &ContactSolution) -> Option<(f64, f64)>,
     ) -> Result<Self, GeneratingError> {
         let mut determinant = f64::INFINITY;
+        let mut feet = Sides { left: None, right: None };
         let error = Sides::try_from_fn(|flank| -> Result<_, GeneratingError> {
             let (Some(ground), Some(target)) = (ground(flank), &targets[flank]) else { return Ok(None) };
             let ground = ground?;
-            let wanted = grid.target(flank, target, setup.lines[flank].cos_b2)?;
+            let lines = &setup.lines[flank];
+            let wanted = grid.target(flank, target, lines.cos_b2)?;
             determinant = ground.iter().map(|g| g.determinant_ratio).fold(determinant, f64::min);
+            if !shift.is_constant() {
+                let on_work = |g| {
+                    let (w_1, z_1) = foot(flank, g)?;
+                    let [w, z] = lines.work_point(w_1, z_1, shift);
+                    Some((w.f, z.f))
+                };
+                feet[flank] = ground.iter().map(on_work).collect();
+            }
             Ok(Some(wanted.iter().zip(&ground).map(|(t, g)| t - g.f_n).collect()))
         })?;
-        Ok(Self { error, determinant })
+        Ok(Self { error, feet, determinant })
     }
 
     /// Largest |error| of one flank, mm.
@@ -226,12 +251,54 @@ impl GroundError {
     }
 }
 
+/// How the parts of a target that are no polynomials are carried.
+#[derive(Clone, Debug)]
+enum RestCarrier {
+    /// There are none, or a tool carries them whatever they are.
+    Whole,
+    /// They stand on the lines as they are, missing them by this much, transverse, mm.
+    Lines(f64),
+    /// Worm functions and a motion by least squares.
+    Fitted(Arc<RestFit>),
+    /// The class of polynomials fits them better than splines do.
+    Polynomials,
+}
+
+impl RestCarrier {
+    /// The best carrier under a constant ratio with lines of direction t.
+    fn of(
+        target: &FlankTarget,
+        lines: &FlankLines,
+        t: f64,
+        policy: ProfilePolicy,
+    ) -> Result<Self, GeneratingError> {
+        let Some(samples) = &target.rest_samples else { return Ok(Self::Whole) };
+        let misfit: f64 = target.rest.iter().map(|term| misfit_of_lines(term, lines, t)).sum();
+        if misfit <= policy.line_tolerance {
+            return Ok(Self::Lines(misfit));
+        }
+        let coordinates = DiagonalCoordinates::new(t, lines.t_k, lines.profile_slope())?;
+        let settings = FitSettings { norm: policy.norm, ..FitSettings::new(FunctionClass::CLK) };
+        let fit = RestFit::fit(samples, coordinates, &settings)?;
+        let better = fit.report.quality().largest < target.outside;
+        Ok(if better { Self::Fitted(Arc::new(fit)) } else { Self::Polynomials })
+    }
+}
+
 /// One flank's share of a plan.
 struct Share {
     parts: Decomposition,
     carried: Carried,
+    rest: RestCarrier,
     /// Best-fitted only, mm.
     outside: f64,
+}
+
+impl Share {
+    /// Parts and carried functions that leave nothing outside.
+    fn whole(parts: Decomposition, carried: Carried) -> Self {
+        Self { parts, carried, rest: RestCarrier::Whole, outside: 0.0 }
+    }
 }
 
 /// Splits the command of one flank between motion, dresser and lines of the tool.
@@ -242,13 +309,14 @@ fn share(
     command: &Command,
     feed: &FeedLaw,
     policy: ProfilePolicy,
+    known: Option<&RestCarrier>,
 ) -> Result<Share, GeneratingError> {
     let lines = &setup.lines[flank];
     if matches!(setup.tool, Tool::Given(_)) {
         // The tool is what it is: only the motion is free.
         let mut parts = decompose_radial(&command.polynomial, lines.t_k);
         parts.profile.clear();
-        return Ok(Share { parts, carried: Carried::default(), outside: 0.0 });
+        return Ok(Share::whole(parts, Carried::default()));
     }
     let corrections = command.corrections.clone();
     if let FeedLaw::Ratio(ratio) = *feed {
@@ -263,8 +331,8 @@ fn share(
     }
     if matches!(setup.tool, Tool::Made) {
         let polynomial = Some(command.polynomial.clone());
-        let carried = Carried { polynomial, terms: target.rest.clone(), corrections };
-        return Ok(Share { parts: Decomposition::nothing(lines.t_k), carried, outside: 0.0 });
+        let carried = Carried { polynomial, terms: target.rest.clone(), fitted: None, corrections };
+        return Ok(Share::whole(Decomposition::nothing(lines.t_k), carried));
     }
     let a = &command.polynomial;
     let FeedLaw::Ratio(ratio) = *feed else {
@@ -276,24 +344,38 @@ fn share(
         }
         let profile = parts.profile.iter().enumerate().map(|(i, &p)| (i, 0, -p));
         let polynomial = Some(a.add(&Polynomial2::from_terms(profile)));
-        let carried = Carried { polynomial, terms: target.rest.clone(), corrections };
-        return Ok(Share { parts, carried, outside: 0.0 });
+        let carried = Carried { polynomial, terms: target.rest.clone(), fitted: None, corrections };
+        return Ok(Share::whole(parts, carried));
     };
     let t = lines.work_direction(ratio);
-    let misfit: f64 = target.rest.iter().map(|term| misfit_of_lines(term, lines, t)).sum();
-    let stands = misfit <= policy.line_tolerance;
-    let a = if stands || target.rest.is_empty() { a.clone() } else { a.add(&target.fit_of_rest()) };
+    let rest = match known {
+        Some(rest) => rest.clone(),
+        None => RestCarrier::of(target, lines, t, policy)?,
+    };
+    let a = match rest {
+        RestCarrier::Polynomials => a.add(&target.fit_of_rest()),
+        _ => a.clone(),
+    };
     let p_2 = match policy.place {
         ProfilePlace::Diagonal => 0.0,
         ProfilePlace::Dresser | ProfilePlace::Correction => a.coefficient(2, 0),
     };
+    let free = policy.gauge[flank];
+    let p_2 = free.and_then(|free| free.k_20).unwrap_or(p_2);
     let mut parts = decompose_diagonal(&a, t, lines.t_k, p_2, lines.profile_slope());
+    if let Some(free) = free {
+        parts = parts.with_gauge(free.k_10, free.k_k0);
+    }
     if !policy.free_dresser {
         parts.profile.truncate(3); // no dresser is there to carry u^3 and higher
     }
-    let terms = if stands { target.rest.clone() } else { Vec::new() };
-    let outside = if stands { misfit } else { target.outside };
-    Ok(Share { parts, carried: Carried { polynomial: None, terms, corrections }, outside })
+    let (terms, fitted, outside) = match &rest {
+        RestCarrier::Whole => (Vec::new(), None, 0.0),
+        RestCarrier::Lines(misfit) => (target.rest.clone(), None, *misfit),
+        RestCarrier::Fitted(fit) => (Vec::new(), Some(fit.clone()), fit.report.quality().largest),
+        RestCarrier::Polynomials => (Vec::new(), None, target.outside),
+    };
+    Ok(Share { parts, carried: Carried { polynomial: None, terms, fitted, corrections }, rest, outside })
 }
 
 /// The share of a flank without tool shift.
@@ -311,10 +393,27 @@ fn radial_share(lines: &FlankLines, target: &FlankTarget, command: &Command, pol
     if !policy.free_dresser {
         parts.profile.clear();
     }
-    Share { parts, carried: Carried::default(), outside: target.outside }
+    Share { parts, carried: Carried::default(), rest: RestCarrier::Polynomials, outside: target.outside }
 }
 
 impl IdealPlan {
+    /// A plan that is nothing but its settings: what stands in a job, without targets or commands.
+    pub fn of_settings(
+        worms: Sides<Option<IdealWorm>>,
+        motion: GeneratingMotion,
+        occupation: [f64; 2],
+    ) -> Self {
+        Self {
+            feed: FeedLaw::Law(motion.shift.clone()),
+            commanded: Sides { left: None, right: None },
+            worms,
+            motion,
+            occupation,
+            outside: Sides::both(0.0),
+            rest: Sides { left: None, right: None },
+        }
+    }
+
     /// Splits the commands between tool, dresser and common motion under a law of the shift.
     ///
     /// # Errors
@@ -326,20 +425,50 @@ impl IdealPlan {
         feed: &FeedLaw,
         policy: ProfilePolicy,
     ) -> Result<Self, GeneratingError> {
+        Self::with_rest(setup, targets, commanded, feed, policy, &Sides { left: None, right: None })
+    }
+
+    /// The same plan with other commands.
+    ///
+    /// # Errors
+    /// As [`IdealPlan::new`].
+    pub(super) fn commanding(
+        &self,
+        setup: &GrindingSetup,
+        targets: &Sides<Option<FlankTarget>>,
+        commanded: Sides<Option<Command>>,
+        policy: ProfilePolicy,
+    ) -> Result<Self, GeneratingError> {
+        Self::with_rest(setup, targets, commanded, &self.feed, policy, &self.rest)
+    }
+
+    fn with_rest(
+        setup: &GrindingSetup,
+        targets: &Sides<Option<FlankTarget>>,
+        commanded: Sides<Option<Command>>,
+        feed: &FeedLaw,
+        policy: ProfilePolicy,
+        known: &Sides<Option<RestCarrier>>,
+    ) -> Result<Self, GeneratingError> {
         let which: Vec<Flank> = targets.iter().filter(|(_, t)| t.is_some()).map(|(f, _)| f).collect();
         if which.is_empty() {
             return Err(GeneratingError::NoFlank);
         }
         let shares = Sides::try_from_fn(|flank| {
             let (Some(command), Some(target)) = (&commanded[flank], &targets[flank]) else { return Ok(None) };
-            share(setup, flank, target, command, feed, policy).map(Some)
+            share(setup, flank, target, command, feed, policy, known[flank].as_ref()).map(Some)
         })?;
         let shift = feed.law(setup, &which);
         let parts = shares.map(|_, s| s.as_ref().map(|s| s.parts.clone()));
         let [origin, slope, _] = shift.jet(0.0);
-        let (delta_d, delta_phi_2) = common_motion(&setup.lines, &parts, [origin, slope]);
+        let (delta_d, delta_phi_2) = {
+            let fits = shares.map(|_, s| s.as_ref().and_then(|s| s.carried.fitted.clone()));
+            let polynomials = common_motion(&setup.lines, &parts, [origin, slope]);
+            with_fitted_motion(setup, polynomials, &fits, &shift, &which)?
+        };
         let occupation = setup.occupation(&shift, &which);
         let outside = shares.map(|_, s| s.as_ref().map_or(0.0, |s| s.outside));
+        let rest = shares.map(|_, s| s.as_ref().map(|s| s.rest.clone()));
         let mut shares = shares;
         let worms = Sides::from_fn(|flank| {
             let share = shares[flank].take()?;
@@ -358,7 +487,7 @@ impl IdealPlan {
         let mut motion = setup.pair.motion(shift);
         motion.delta_d = delta_d;
         motion.delta_phi_2 = delta_phi_2;
-        Ok(Self { feed: feed.clone(), commanded, worms, motion, occupation, outside })
+        Ok(Self { feed: feed.clone(), commanded, worms, motion, occupation, outside, rest })
     }
 
     /// Which terms of an error may go back into the command.
@@ -383,12 +512,14 @@ impl IdealPlan {
         targets: &Sides<Option<FlankTarget>>,
         grid: &PlanningGrid,
     ) -> Result<GroundError, GeneratingError> {
-        GroundError::of(setup, targets, grid, |flank| {
+        let ground = |flank: Flank| {
             self.worms[flank].as_ref().map(|worm| {
                 let thread = ModifiedThread::new(setup.pair.flanks[flank].worm, worm);
                 grid.ground(setup, flank, &self.motion, &thread)
             })
-        })
+        };
+        // The parameters of a thread are (w_1, z_1).
+        GroundError::of(setup, targets, grid, &self.motion.shift, ground, |_, at| Some(at.tool))
     }
 }
 
@@ -404,7 +535,14 @@ pub(super) fn corrected(
         let (Some(command), Some(e)) = (&plan.commanded[flank], &error.error[flank]) else {
             return plan.commanded[flank].clone();
         };
-        Some(grid.corrected(setup, flank, command, e, terms))
+        Some(match (&error.feet[flank], terms) {
+            (Some(feet), Correction::Free) => freely_corrected(&setup.lines[flank], command, e, feet),
+            _ => {
+                let mixed = terms != Correction::Pure;
+                let fitted = grid.correction(flank, e, setup.lines[flank].cos_b2, mixed);
+                Command { polynomial: command.polynomial.add(&fitted), ..command.clone() }
+            }
+        })
     })
 }
 
@@ -427,7 +565,7 @@ pub fn precompensate(
     let mut record: Sides<Vec<f64>> = Sides::from_fn(|f| error.largest(f).into_iter().collect());
     for _ in 0..rounds {
         let command = corrected(setup, grid, &best, &error);
-        let Ok(next) = IdealPlan::new(setup, targets, command, feed, policy) else { break };
+        let Ok(next) = best.commanding(setup, targets, command, policy) else { break };
         let Ok(next_error) = next.error(setup, targets, grid) else { break };
         for flank in Flank::BOTH {
             record[flank].extend(next_error.largest(flank));

@@ -1,6 +1,8 @@
 //! The diagonal ratio "auto" (spec 28 section 2): candidates, their score and why one of them is taken.
 
 use super::dressed::{dresser_of_plan, sample_corrections};
+use super::least_squares::FitNorm;
+use super::plan::PlanGauge;
 use super::precompensation::{ROUNDS, precompensate};
 use super::{
     DressingLimits, FeedLaw, FlankLines, FlankTarget, GeneratingError, GrindingSetup, PlanningGrid,
@@ -108,6 +110,8 @@ pub(super) struct Rule<'a> {
     /// mm.
     pub tolerance: f64,
     pub free_dresser: bool,
+    pub norm: FitNorm,
+    pub gauge: PlanGauge,
 }
 
 /// Share of the tolerance by which a part of the target may miss the tool's lines before it is best-fitted instead.
@@ -160,7 +164,11 @@ impl Rule<'_> {
     /// The policy for a place of the profile crowning.
     pub fn policy(&self, place: ProfilePlace) -> ProfilePolicy {
         let line_tolerance = LINE_SHARE * self.tolerance;
-        ProfilePolicy { place, free_dresser: self.free_dresser, line_tolerance }
+        let gauge = match self.gauge {
+            PlanGauge::Given(free) => Sides::both(Some(free)),
+            PlanGauge::Centred | PlanGauge::EqualSwivel => Sides { left: None, right: None },
+        };
+        ProfilePolicy { place, free_dresser: self.free_dresser, line_tolerance, norm: self.norm, gauge }
     }
 
     /// Judges a ratio; `Err` only if it cannot be evaluated.

@@ -1,6 +1,8 @@
 //! The target of one flank, split into what the class can carry as it stands and what it cannot (spec 28 sections 1, 4).
 
 use super::GeneratingError;
+use super::least_squares::{DEFAULT_GRID, Samples};
+use super::precompensation::equidistant;
 use crate::modification::Modification;
 use crate::numerics::{Jet2, Polynomial2};
 use nalgebra::{DMatrix, DVector};
@@ -78,6 +80,8 @@ pub struct FlankTarget {
     pub reliefs: Vec<Modification>,
     /// Parts that are neither: the tool's lines may carry them as they stand.
     pub rest: Vec<Modification>,
+    /// `rest` on the grid of general decompositions, with the tolerances that weigh it.
+    pub rest_samples: Option<Samples>,
     /// Largest residual over the field when `rest` is only best-fitted by `polynomial`, mm (0 if there is none).
     pub outside: f64,
 }
@@ -151,8 +155,7 @@ impl FlankTarget {
         if !rest.is_empty() || given.is_some() {
             let field = modification.field();
             let (w_m, z_m) = (field.roll_middle(), field.face_middle());
-            // The grid of general decompositions (spec 25 section 4.1).
-            let (nw, nz) = (25, 31);
+            let [nw, nz] = DEFAULT_GRID;
             let mut points = Vec::with_capacity(nw * nz);
             let mut values = Vec::with_capacity(nw * nz);
             for i in 0..nw {
@@ -183,8 +186,18 @@ impl FlankTarget {
                 rest.clear();
             }
         }
+        let rest_samples = if rest.is_empty() { None } else { Some(samples_of(&modification, &rest)?) };
         reliefs.extend(given);
-        Ok(Self { modification, polynomial, of_class, reliefs, rest, outside })
+        Ok(Self { modification, polynomial, of_class, reliefs, rest, rest_samples, outside })
+    }
+
+    /// Weighs what has to be best-fitted by a tolerance over (w, z), mm.
+    ///
+    /// # Errors
+    /// `ToleranceNotPositive`.
+    pub fn weighed_by(mut self, tolerance: impl Fn(f64, f64) -> f64) -> Result<Self, GeneratingError> {
+        self.rest_samples = self.rest_samples.map(|samples| samples.with_tolerance(tolerance)).transpose()?;
+        Ok(self)
     }
 
     /// The best fit of `rest` into the class.
@@ -208,4 +221,21 @@ pub fn relief_jet(reliefs: &[Modification], w: f64, z: f64) -> Option<[f64; 3]> 
         sum += relief.jet(w, z).ok()?;
     }
     Some([sum.f, sum.fu, sum.fuu])
+}
+
+/// The sum of some parts of a target on the grid of general decompositions.
+fn samples_of(whole: &Modification, parts: &[Modification]) -> Result<Samples, GeneratingError> {
+    let field = whole.field();
+    let [nw, nz] = DEFAULT_GRID;
+    let mut points = Vec::with_capacity(nw * nz);
+    for w in equidistant(field.roll(), nw) {
+        for z in equidistant(field.face(), nz) {
+            let mut f = 0.0;
+            for part in parts {
+                f += part.value(w, z)?;
+            }
+            points.push([w, z, f]);
+        }
+    }
+    Samples::of_points(&points)
 }

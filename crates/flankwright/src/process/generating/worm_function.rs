@@ -49,6 +49,14 @@ impl IdealWorm {
         self.dressing_jet(w_1, z_1).map_or(f64::NAN, |jet| -self.lines.cos_b2 * jet.f)
     }
 
+    /// 1 where (w_1, z_1) grinds the evaluated flank, falling to 0 over some `fall` mm beyond its ends in z, smoothly.
+    pub fn share_of_flank(&self, w_1: f64, z_1: f64, fall: f64) -> f64 {
+        let [_, z] = self.lines.work_point(w_1, z_1, &self.shift);
+        let [from, to] = self.lines.face;
+        let beyond = (from - z.f).max(z.f - to);
+        1.0 / (1.0 + (beyond / fall).min(700.0).exp())
+    }
+
     /// The profile part on the gear, F_P + reliefs, transverse, with two derivatives by w_2; `None` where it does not exist.
     pub fn profile_share(&self, w_2: f64) -> Option<[f64; 3]> {
         let relief = relief_jet(&self.reliefs, w_2, self.lines.z_m)?;

@@ -14,8 +14,9 @@ use super::ledger::Ledger;
 use super::reference::{self, Reference, Tolerances};
 use crate::geometry::Flank;
 use crate::kinematics::MotionLaw;
+use crate::process::generating::least_squares::FitNorm;
 use crate::process::generating::{
-    Candidate, GeneratingError, GrindingPlan, GrindingSetup, PlanTask, PlanningGrid, RatioChoice,
+    Candidate, GeneratingError, GrindingPlan, GrindingSetup, PlanGauge, PlanTask, PlanningGrid, RatioChoice,
 };
 use bodies::Input;
 use flank::PlannedFlank;
@@ -54,6 +55,8 @@ fn one(
         limits: input.limits(),
         ratio: None,
         law: None,
+        norm: FitNorm::default(),
+        gauge: PlanGauge::default(),
         places: input.places(),
         free_dresser: true,
         precompensation: true,
