@@ -6,8 +6,21 @@ use crate::command::{repository, run};
 const COMMANDS: &[&str] = &["check", "plan"];
 
 /// Exit status of the other commands.
-const EXPECTED: [(&str, i32); 3] =
-    [("automotive-bias.toml", 0), ("radial-feed-crowning.toml", 3), ("twist-free-crowning.toml", 0)];
+const EXPECTED: [(&str, i32); 13] = [
+    ("asymmetric-conical-worm.toml", 0),
+    ("automotive-bias.toml", 0),
+    ("beveloid-conical-worm.toml", 0),
+    ("beveloid-cylindrical-worm.toml", 0),
+    ("hob.toml", 0),
+    ("left-out-thread.toml", 0),
+    ("plated-worm.toml", 0),
+    ("radial-feed-crowning.toml", 3),
+    ("triangular-end-relief.toml", 0),
+    ("twist-free-crowning.toml", 0),
+    ("two-end-reliefs.toml", 0),
+    ("variable-ratio.toml", 0),
+    ("waviness.toml", 0),
+];
 
 #[test]
 fn examples_end_as_they_say() {

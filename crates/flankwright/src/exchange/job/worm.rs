@@ -51,7 +51,7 @@ pub struct Worm {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub modifications: Option<Vec<Modification>>,
     /// Direction rho_1 of the lines along which the tool's modification is constant, degrees, w_1 sin rho_1 + z_1 cos rho_1
-    /// = constant; default the section of the thread with the axial plane.
+    /// = constant; default the generatrix.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(schema_with = "direction_schema")]
     pub direction_deg: Option<OneOrSides<f64>>,

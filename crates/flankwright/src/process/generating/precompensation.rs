@@ -20,6 +20,9 @@ pub(super) const ROUNDS: usize = 4;
 /// Rounds where the correction is free: reliefs and steep lines shift the contact further, each round gains less.
 pub(super) const FREE_ROUNDS: usize = 12;
 
+/// A free correction ends below this error, mm: a nanometre is far below what anything can hold.
+const FINE: f64 = 1e-6;
+
 /// Steepest worm lines on the workpiece, |tan(rho_2)|: beyond it the shift is too small to tell them from the profile.
 const STEEPEST: f64 = 1e4;
 
@@ -564,6 +567,9 @@ pub fn precompensate(
     let mut error = best.error(setup, targets, grid)?;
     let mut record: Sides<Vec<f64>> = Sides::from_fn(|f| error.largest(f).into_iter().collect());
     for _ in 0..rounds {
+        if best.correction(setup) == Correction::Free && error.max() < FINE {
+            break;
+        }
         let command = corrected(setup, grid, &best, &error);
         let Ok(next) = best.commanding(setup, targets, command, policy) else { break };
         let Ok(next_error) = next.error(setup, targets, grid) else { break };
