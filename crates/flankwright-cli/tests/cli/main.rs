@@ -6,3 +6,4 @@ mod commands;
 mod examples;
 mod planning;
 mod robustness;
+mod shifts;

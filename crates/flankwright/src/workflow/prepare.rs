@@ -148,7 +148,16 @@ pub fn generating_finding(error: &GeneratingError) -> Diagnostic {
         GeneratingError::Geometry(e) => geometry_finding(e, "gear"),
         GeneratingError::Modification(_) => finding(error, "target.modifications"),
         GeneratingError::WormTooShort { .. } => finding(error, "worm.width"),
-        GeneratingError::DegenerateDirection { .. } => finding(error, "grinding.diagonal_ratio"),
+        GeneratingError::DegenerateDirection { .. }
+        | GeneratingError::DirectionAlongPath { .. }
+        | GeneratingError::WormDirectionDegenerate { .. }
+        | GeneratingError::Law(_)
+        | GeneratingError::AreasOverlap { .. }
+        | GeneratingError::WormLinesShared { .. } => finding(error, "grinding.diagonal_ratio"),
+        GeneratingError::ConicalWormNotDressed { .. } => finding(error, "worm.cone_angle_deg"),
+        GeneratingError::NotDressed | GeneratingError::ToolBelowBase { .. } => finding(error, "worm.tool"),
+        GeneratingError::ToolUndefined { .. } => finding(error, "worm.modifications"),
+        GeneratingError::NoCommonSwivel { .. } => finding(error, "grinding.gauge"),
         GeneratingError::NoFlank => finding(error, "grinding.flanks"),
         GeneratingError::Dressing(_) => finding(error, "dressing"),
         _ => finding(error, "grinding"),
