@@ -13,8 +13,7 @@ fn changed(name: &str, from: &str, to: &str) -> Run {
     run(&["plan", "--json", path.to_str().unwrap(), "-o", out.to_str().unwrap()])
 }
 
-const CURVE: &str =
-    r#"curve = { kind = "line_blend", slope = 1.2, w_t_mm = 13.0, h_mm = 4.0, z_e_mm = 9.0, flank = "right" }"#;
+const CURVE: &str = r#"curve = { kind = "line_blend", slope = 1.2, w_t_mm = 13.0, h_mm = 4.0, z_e_mm = 9.0, flank = "right" }"#;
 
 /// Example, text, its replacement, exit status, code, key, a part of the way out.
 const CASES: &[(&str, &str, &str, i32, &str, &str, &str)] = &[
@@ -36,7 +35,15 @@ const CASES: &[(&str, &str, &str, i32, &str, &str, &str)] = &[
         "grinding.diagonal_ratio",
         "keep its sign",
     ),
-    ("two-end-reliefs.toml", "width = 160.0", "width = 40.0", 4, "worm-too-short", "worm.width", "wider worm"),
+    (
+        "two-end-reliefs.toml",
+        "width = 160.0",
+        "width = 40.0",
+        4,
+        "worm-too-short",
+        "worm.width",
+        "wider worm",
+    ),
     (
         "two-end-reliefs.toml",
         "roughing_areas = 1",
