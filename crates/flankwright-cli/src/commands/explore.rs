@@ -15,10 +15,12 @@ use crate::progress::Bars;
 
 /// Arguments of `explore`.
 #[derive(Args, Debug)]
-#[command(after_help = "Example:\n  flankwright explore examples/twist-free-crowning.toml --top 5 -o study\n\n\
+#[command(
+    after_help = "Example:\n  flankwright explore examples/twist-free-crowning.toml --top 5 -o study\n\n\
     What varies stands in the table [explore] of the job, e.g. diagonal_ratio = { from = -3.0, to = 3.0, count = 61 };\n\
     without it the diagonal ratio runs over both signs. Writes explore.json, explore.csv and explore.html.\n\
-    Exit status 3: what can be made misses the tolerance; 4: nothing can be made with these bodies.")]
+    Exit status 3: what can be made misses the tolerance; 4: nothing can be made with these bodies."
+)]
 pub struct ExploreArguments {
     /// The job file (TOML or JSON); `-` reads standard input
     #[arg(value_name = "JOB")]
@@ -105,7 +107,12 @@ fn summary(outcome: &ExploreOutcome, top: usize, written: &[PathBuf]) -> String 
     }
     for offer in &outcome.levers {
         let keys: Vec<String> = offer.keys.iter().map(|(key, value)| format!("{key} = {value}")).collect();
-        let _ = writeln!(text, "  one ratio for both flanks: {} at K = {}", keys.join(", "), offer.diagonal_ratio);
+        let _ = writeln!(
+            text,
+            "  one ratio for both flanks: {} at K = {}",
+            keys.join(", "),
+            offer.diagonal_ratio
+        );
     }
     if let Some(page) = written.last() {
         let _ = writeln!(text, "  report: {}", page.display());

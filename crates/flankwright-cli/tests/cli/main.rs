@@ -4,5 +4,6 @@ mod bad_input;
 mod command;
 mod commands;
 mod examples;
+mod explore;
 mod planning;
 mod robustness;

@@ -19,7 +19,8 @@ mod write;
 pub use equal_ratio_offers::{EqualRatioOffer, equal_ratio_offers};
 pub use execution::{ExecutedFlank, Execution};
 pub use explore::{
-    ExploreCandidate, ExploreOutcome, FlankFigures, MOST_COMBINATIONS, RANKING, Refused, explore_job, write_exploration,
+    ExploreCandidate, ExploreOutcome, FlankFigures, MOST_COMBINATIONS, RANKING, Refused, explore_job,
+    write_exploration,
 };
 pub use occupation::occupation_chart;
 pub use partition::{Partition, StrokePlan};

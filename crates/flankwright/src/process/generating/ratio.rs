@@ -491,9 +491,7 @@ fn scan_size(step: f64, k: usize) -> f64 {
 /// The best score; within 5 percent of it the shorter worm occupation decides (spec 28 section 2).
 fn better<T>(of: Vec<T>, score: impl Fn(&T) -> f64, occupation: impl Fn(&T) -> f64) -> Option<T> {
     let least = of.iter().map(&score).fold(f64::INFINITY, f64::min);
-    of.into_iter()
-        .filter(|c| score(c) <= 1.05 * least)
-        .min_by(|a, b| occupation(a).total_cmp(&occupation(b)))
+    of.into_iter().filter(|c| score(c) <= 1.05 * least).min_by(|a, b| occupation(a).total_cmp(&occupation(b)))
 }
 
 /// The allowed candidate of least score.

@@ -215,7 +215,10 @@ fn draw_panel(
 ) {
     let values = || panel.series.iter().flat_map(|series| &series.y);
     let count = if frame.height < 150.0 { 5 } else { 7 };
-    let positive = range(values().filter(|v| **v > 0.0));
+    // A level keeps clear of the edges of a logarithmic panel, where the frame would hide it.
+    let levels = panel.series.iter().filter(|s| s.marks == Marks::Level).flat_map(|s| &s.y);
+    let beside: Vec<f64> = levels.flat_map(|y| [0.5 * y, 2.0 * y]).collect();
+    let positive = range(values().chain(&beside).filter(|v| **v > 0.0));
     let y_axis = match panel.scale {
         YScale::Logarithmic if positive.1 > 0.0 => Axis::decades(positive.0, positive.1),
         _ => {

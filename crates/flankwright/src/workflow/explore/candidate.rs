@@ -156,8 +156,7 @@ impl ExploreCandidate {
             }
         }
         let tolerance = job.target.tolerance_um;
-        let within =
-            |f: &FlankFigures| f.max_residual_um <= tolerance && f.outside_class_um <= tolerance;
+        let within = |f: &FlankFigures| f.max_residual_um <= tolerance && f.outside_class_um <= tolerance;
         Self {
             diagonal_ratio: Some(candidate.ratio),
             profile_crowning_by: Some(candidate.place.name()),

@@ -6,7 +6,9 @@ use crate::geometry::Flank;
 use crate::report::charts::{
     ChartError, LineChart, Panel, Series, Svg, YScale, format_significant, line_chart,
 };
-use crate::report::{Banner, Block, Column as PageColumn, Fact, Figure, PlanReport, Section, Status, Table, html};
+use crate::report::{
+    Banner, Block, Column as PageColumn, Fact, Figure, PlanReport, Section, Status, Table, html,
+};
 use crate::workflow::write::WriteError;
 use std::path::{Path, PathBuf};
 
@@ -158,9 +160,10 @@ fn chart(outcome: &ExploreOutcome) -> Result<Option<(Svg, String)>, ChartError> 
             series.push(Series::new(name.clone(), x, y).marked(filled));
         }
     }
-    let ends = series.iter().flat_map(|s| &s.x).fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &x| {
-        (f64::min(a, x), f64::max(b, x))
-    });
+    let ends = series
+        .iter()
+        .flat_map(|s| &s.x)
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &x| (f64::min(a, x), f64::max(b, x)));
     if ends.0 > ends.1 {
         return Ok(None);
     }
@@ -211,7 +214,8 @@ fn page(outcome: &ExploreOutcome) -> Result<PlanReport, ChartError> {
         sections.push(Section::new("Residual", vec![Block::Figure(Figure { svg, caption })]));
     }
     if !outcome.levers.is_empty() {
-        sections.push(Section::new("Worms with one ratio for both flanks", vec![Block::Table(levers(outcome))]));
+        sections
+            .push(Section::new("Worms with one ratio for both flanks", vec![Block::Table(levers(outcome))]));
     }
     sections.push(Section::new("Ranking", vec![Block::Table(ranking(outcome))]));
     Ok(PlanReport {
