@@ -95,19 +95,21 @@ fn table(outcome: &ExploreOutcome) -> Result<CsvTable, CsvError> {
     Ok(table)
 }
 
+/// A quantity of a candidate; `None` where it has none.
+type Quantity = fn(&ExploreCandidate) -> Option<f64>;
+
 /// What the abscissa of the chart shows and what tells its lines apart.
 struct Axes {
     title: &'static str,
-    x: fn(&ExploreCandidate) -> Option<f64>,
+    x: Quantity,
     /// Names and values of what else varies.
-    others: Vec<(&'static str, fn(&ExploreCandidate) -> Option<f64>)>,
+    others: Vec<(&'static str, Quantity)>,
 }
 
 impl Axes {
     /// The ratio where it varies, else the first angle that does.
     fn of(outcome: &ExploreOutcome) -> Self {
-        type Value = fn(&ExploreCandidate) -> Option<f64>;
-        let all: [(&str, &'static str, &'static str, Value); 3] = [
+        let all: [(&str, &'static str, &'static str, Quantity); 3] = [
             ("diagonal_ratio", "diagonal ratio K", "K", |c| c.diagonal_ratio),
             ("worm_cone_angle_deg", "cone angle of the worm [°]", "cone", |c| Some(c.worm_cone_angle_deg)),
             ("crossed_axes_angle_deg", "crossed-axes angle [°]", "crossing", |c| c.crossed_axes_angle_deg),
