@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand};
 
 use crate::commands::check::CheckArguments;
+use crate::commands::explore::ExploreArguments;
 use crate::commands::new::NewArguments;
 use crate::commands::plan::PlanArguments;
 use crate::commands::schema::SchemaArguments;
@@ -37,6 +38,8 @@ pub enum Command {
     Plan(PlanArguments),
     /// Run the settings that stand in a job: what comes out
     Simulate(SimulateArguments),
+    /// Vary diagonal ratio, cone angle and crossing angle: a ranked table and the residual over the ratio
+    Explore(ExploreArguments),
     /// Recompute every expected value of reference files and compare
     Verify(VerifyArguments),
 }
@@ -50,6 +53,7 @@ impl Command {
             Command::Check(arguments) => &arguments.common,
             Command::Plan(arguments) => &arguments.common,
             Command::Simulate(arguments) => &arguments.common,
+            Command::Explore(arguments) => &arguments.common,
             Command::Verify(arguments) => &arguments.common,
         }
     }

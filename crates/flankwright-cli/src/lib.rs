@@ -34,6 +34,7 @@ pub fn run() -> ExitCode {
         Command::Check(arguments) => commands::check::run(arguments),
         Command::Plan(arguments) => commands::plan::run(arguments),
         Command::Simulate(arguments) => commands::simulate::run(arguments),
+        Command::Explore(arguments) => commands::explore::run(arguments),
         Command::Verify(arguments) => commands::verify::run(arguments),
     });
     match outcome {

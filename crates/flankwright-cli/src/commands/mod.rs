@@ -2,6 +2,7 @@
 
 pub mod check;
 mod derived;
+pub mod explore;
 pub mod new;
 mod outcome;
 pub mod plan;

@@ -23,10 +23,6 @@ pub fn deliver(
     run: Result<Outcome, RunFailure>,
 ) -> Result<Exit, Failure> {
     let directory = output::directory(common, loaded);
-    let unwritten = |error| match error {
-        WriteError::Io { path, source } => Failure::cannot_write(&path.display().to_string(), &source),
-        other => Failure::internal(other.to_string()),
-    };
     let outcome = match run {
         Ok(outcome) => outcome,
         Err(failure) => {
@@ -50,6 +46,14 @@ pub fn deliver(
         Status::Met => Exit::Done,
         Status::Missed => Exit::TargetMissed,
     })
+}
+
+/// Files that cannot be written.
+pub(super) fn unwritten(error: WriteError) -> Failure {
+    match error {
+        WriteError::Io { path, source } => Failure::cannot_write(&path.display().to_string(), &source),
+        other => Failure::internal(other.to_string()),
+    }
 }
 
 /// A number with fixed decimals; what rounds to zero has no sign.

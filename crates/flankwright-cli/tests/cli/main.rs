@@ -4,6 +4,7 @@ mod bad_input;
 mod command;
 mod commands;
 mod examples;
+mod explore;
 mod planning;
 mod robustness;
 mod shifts;

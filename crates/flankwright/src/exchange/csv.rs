@@ -20,6 +20,17 @@ impl Column {
     }
 }
 
+/// A cell of a table that holds more than numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Cell<'a> {
+    /// A number.
+    Number(f64),
+    /// A word, quoted where it must be.
+    Word(&'a str),
+    /// Nothing.
+    Empty,
+}
+
 /// A row that does not fit a table.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum CsvError {
@@ -106,6 +117,38 @@ impl CsvTable {
         Ok(())
     }
 
+    /// Adds a row of numbers, words and empty cells.
+    ///
+    /// # Errors
+    /// As [`CsvTable::push`].
+    pub fn push_cells(&mut self, row: &[Cell<'_>]) -> Result<(), CsvError> {
+        if row.len() != self.columns.len() || self.label {
+            return Err(CsvError::WrongWidth { values: row.len(), columns: self.columns.len() });
+        }
+        for (cell, column) in row.iter().zip(&self.columns) {
+            if let Cell::Number(value) = *cell
+                && !value.is_finite()
+            {
+                return Err(CsvError::InvalidNumber { column: column.name, row: self.rows + 1, value });
+            }
+        }
+        for (i, cell) in row.iter().enumerate() {
+            let comma = if i == 0 { "" } else { "," };
+            // Writing to a text cannot fail.
+            let _ = match cell {
+                Cell::Number(value) => write!(self.text, "{comma}{value}"),
+                Cell::Word(word) if word.contains([',', '"', '\n', '\r']) => {
+                    write!(self.text, "{comma}\"{}\"", word.replace('"', "\"\""))
+                }
+                Cell::Word(word) => write!(self.text, "{comma}{word}"),
+                Cell::Empty => write!(self.text, "{comma}"),
+            };
+        }
+        self.text.push('\n');
+        self.rows += 1;
+        Ok(())
+    }
+
     /// The whole table as text.
     pub fn text(&self) -> &str {
         &self.text
@@ -135,5 +178,17 @@ mod tests {
         let mut labelled = CsvTable::labelled("flank", &[Column::new("w", "mm")]);
         labelled.push_labelled("left", &[2.5]).unwrap();
         assert_eq!(labelled.text(), "flank,w_mm\nleft,2.5\n");
+    }
+
+    #[test]
+    fn cells_hold_numbers_words_and_nothing() {
+        let mut table = CsvTable::new(&[Column::new("w", "mm"), Column::new("why", "")]);
+        table.push_cells(&[Cell::Number(-0.5), Cell::Word("axis, \"limit\"")]).unwrap();
+        table.push_cells(&[Cell::Empty, Cell::Word("plain")]).unwrap();
+        assert_eq!(table.text(), "w_mm,why\n-0.5,\"axis, \"\"limit\"\"\"\n,plain\n");
+        assert_eq!(table.push_cells(&[Cell::Empty]), Err(CsvError::WrongWidth { values: 1, columns: 2 }));
+        let refused = table.push_cells(&[Cell::Number(f64::INFINITY), Cell::Empty]);
+        assert!(matches!(refused, Err(CsvError::InvalidNumber { column: "w", row: 3, .. })));
+        assert_eq!(table.rows(), 2);
     }
 }

@@ -19,7 +19,7 @@ mod source;
 mod template;
 mod toml_tree;
 
-pub use csv::{Column, CsvError, CsvTable};
+pub use csv::{Cell, Column, CsvError, CsvTable};
 pub use diagnostic::{Diagnostic, JobError, Problem};
 pub use document::Document;
 pub use files::write_atomically;

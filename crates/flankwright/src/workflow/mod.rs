@@ -1,7 +1,9 @@
 //! Plan, simulate and verify: the only room where processes, referee and reports meet; what command, server and Python
 //! call. Knows every layer below, and no user interface.
 
+mod equal_ratio_offers;
 mod execution;
+mod explore;
 mod occupation;
 mod page;
 mod partition;
@@ -14,7 +16,12 @@ mod tables;
 pub mod verify;
 mod write;
 
+pub use equal_ratio_offers::{EqualRatioOffer, equal_ratio_offers};
 pub use execution::{ExecutedFlank, Execution};
+pub use explore::{
+    ExploreCandidate, ExploreOutcome, FlankFigures, MOST_COMBINATIONS, RANKING, Refused, explore_job,
+    write_exploration,
+};
 pub use occupation::occupation_chart;
 pub use partition::{Partition, StrokePlan};
 pub use prepare::{

@@ -207,6 +207,19 @@ pub fn blank_of_job(job: &Job) -> Blank {
     }
 }
 
+/// What the job chooses of its worm.
+pub(super) fn worm_choice_of_job(job: &Job) -> WormChoice {
+    WormChoice {
+        threads: i32::try_from(job.worm.threads).unwrap_or(i32::MAX),
+        hand: job.worm_hand().sign(),
+        pitch_diameter: job.worm.pitch_diameter,
+        tip_diameter: job.worm.tip_diameter,
+        pressure_angle: Some(job.worm_pressure_angle_deg().sides().left.to_radians()),
+        profile_shift: job.worm.profile_shift,
+        cone_angle: job.worm.cone_angle_deg.to_radians(),
+    }
+}
+
 /// Bodies of the job.
 ///
 /// # Errors
@@ -221,15 +234,7 @@ pub fn setup_of_job(job: &Job) -> Result<GrindingSetup, RunFailure> {
         gear,
         blank,
         evaluation: [range.start_diameter, range.end_diameter, range.z_start, range.z_end],
-        worm: WormChoice {
-            threads: i32::try_from(job.worm.threads).unwrap_or(i32::MAX),
-            hand: job.worm_hand().sign(),
-            pitch_diameter: job.worm.pitch_diameter,
-            tip_diameter: job.worm.tip_diameter,
-            pressure_angle: Some(angle.left.to_radians()),
-            profile_shift: job.worm.profile_shift,
-            cone_angle: job.worm.cone_angle_deg.to_radians(),
-        },
+        worm: worm_choice_of_job(job),
         worm_width: job.worm.width,
         dresser: job
             .dresser

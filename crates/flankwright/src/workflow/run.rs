@@ -1,5 +1,6 @@
 //! `plan` and `simulate`: from a checked job to result, tables and report.
 
+use super::equal_ratio_offers::equal_ratio_remark;
 use super::execution::Execution;
 use super::partition::{Partition, StrokePlan};
 use super::prepare::{Prepared, Remark, RunFailure, prepare};
@@ -34,7 +35,7 @@ fn prepared(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
 }
 
 /// Parts of the job format that this process does not carry out yet are refused, never ignored.
-fn supported(job: &Job) -> Result<(), RunFailure> {
+pub(super) fn supported(job: &Job) -> Result<(), RunFailure> {
     let refuse = |field: &str, what: &str, way_out: &str| {
         let finding =
             Diagnostic::new(Problem::NotYetSupported, format!("{what} is not carried out by this version"))
@@ -63,9 +64,6 @@ fn supported(job: &Job) -> Result<(), RunFailure> {
             "a machine description",
             "leave [machine] out; the default axis limits hold",
         );
-    }
-    if job.explore.is_some() {
-        return refuse("explore", "a study of several settings", "leave [explore] out");
     }
     Ok(())
 }
@@ -158,6 +156,7 @@ fn finish(
     }
     warnings.extend(feed_mark_warnings(&verdicts, tolerance));
     warnings.extend(plan.as_ref().and_then(given_ratio_warning));
+    warnings.extend(plan.as_ref().and_then(|_| equal_ratio_remark(&prepared)));
     // Parts outside the class count by themselves: the grid may miss them (a wave between its points).
     let met = |f: &FlankResult| f.tolerance_share <= 1.0 && f.outside_class_um <= tolerance;
     let status = if !flanks.is_empty() && flanks.values().all(met) { Status::Met } else { Status::Missed };

@@ -68,6 +68,33 @@ pub fn generatrix(flank: &FlankPair) -> Result<DiagonalLine, GeneratingError> {
     Ok(DiagonalLine { rho: (-flank.flank().sign() / flank.worm.base_helix_angle.tan()).atan() })
 }
 
+/// The worm whose crossed-axes angle is gamma = -(beta_w1 + beta_w2) (rad; spec 10 section 7): the pitch diameter follows from
+/// the helix, tip and root go with it; rack, threads and hand stay.
+///
+/// # Errors
+/// Those of the rack; `InvalidNumber` for an angle that no worm of this hand has on the gear's rack.
+pub fn worm_at_crossing_angle(
+    work: &Gear,
+    worm: &WormChoice,
+    angle: f64,
+) -> Result<WormChoice, GeneratingError> {
+    let rack = worm_for_gear(work, worm)?.rack;
+    let helix = -(angle + rack.helix_angle);
+    let helix = helix - 2.0 * std::f64::consts::PI * (helix / (2.0 * std::f64::consts::PI)).round();
+    let reached = helix * worm.hand > 0.0 && helix.cos() > 0.0;
+    if !reached {
+        return Err(ContactError::InvalidNumber {
+            field: "crossed-axes angle (deg)",
+            value: angle.to_degrees(),
+            allowed: "one that a worm of the given hand has on the gear's rack",
+        }
+        .into());
+    }
+    let pitch = f64::from(worm.threads) * rack.normal_module / helix.cos();
+    let tip_diameter = worm.pitch_diameter.and_then(|old| Some(worm.tip_diameter? - old + pitch));
+    Ok(WormChoice { pitch_diameter: Some(pitch), tip_diameter, ..*worm })
+}
+
 /// Values of the lever that are tried (spec 20 section 6).
 const SAMPLES: usize = 141;
 /// Interval at which Brent stops, rad.
@@ -195,23 +222,7 @@ impl EqualRatioSearch<'_> {
         let choice = match lever {
             Lever::ConeAngle => WormChoice { cone_angle: value, ..self.worm },
             Lever::ProfileAngle => WormChoice { pressure_angle: Some(value), ..self.worm },
-            Lever::CrossingAngle => {
-                let rack = worm_for_gear(self.work, &self.worm)?.rack;
-                // The helix of the worm's hand; nothing else reaches this angle.
-                let helix = -(value + rack.helix_angle);
-                let helix =
-                    helix - 2.0 * std::f64::consts::PI * (helix / (2.0 * std::f64::consts::PI)).round();
-                if helix * self.worm.hand <= 0.0 || helix.cos() <= 0.0 {
-                    return Err(ContactError::InvalidNumber {
-                        field: "crossed-axes angle (deg)",
-                        value: value.to_degrees(),
-                        allowed: "one that a worm of the given hand has on the gear's rack",
-                    }
-                    .into());
-                }
-                let pitch = f64::from(self.worm.threads) * rack.normal_module / helix.cos();
-                WormChoice { pitch_diameter: Some(pitch), tip_diameter: None, ..self.worm }
-            }
+            Lever::CrossingAngle => worm_at_crossing_angle(self.work, &self.worm, value)?,
         };
         self.sample(&choice)
     }

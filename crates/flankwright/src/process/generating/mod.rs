@@ -33,7 +33,9 @@ pub use decomposition::{Decomposition, decompose_diagonal, decompose_radial, rad
 pub use dressed::{
     DressedFlank, dress_flank, dresser_of_plan, dresser_profile, dressing_interval, finished_area,
 };
-pub use equal_ratio::{EqualRatio, EqualRatioSearch, Lever, RatioRoot, WormLine, generatrix};
+pub use equal_ratio::{
+    EqualRatio, EqualRatioSearch, Lever, RatioRoot, WormLine, generatrix, worm_at_crossing_angle,
+};
 pub use equal_swivel::{EqualSwivel, SwivelSide, equal_swivel};
 pub use error::GeneratingError;
 pub use feed_law::FeedLaw;
@@ -49,7 +51,7 @@ pub use quadratic::{
     Gauge, QuadraticDecomposition, QuadraticWorm, constant_only_profile_crowning, decompose_quadratic,
     product_functions,
 };
-pub use ratio::{Candidate, RatioChoice, RatioReason, lead_correction_ratio};
+pub use ratio::{Candidate, FlankResidual, RatioChoice, RatioReason, lead_correction_ratio};
 pub use setup::{DresserChoice, DressingLimits, GrindingSetup, ProfilePlace, SetupInput, Tool};
 pub use strokes::Strokes;
 pub use target::{Carrier, ClassFit, FlankTarget};

@@ -4,7 +4,7 @@
 use super::dressed::{DRESSING_MARGIN, DressedFlank, dress_flank, dresser_of_plan, finished_area};
 use super::least_squares::FitNorm;
 use super::precompensation::{FREE_ROUNDS, FreeCoefficients, GroundError, ROUNDS, corrected, precompensate};
-use super::ratio::{Candidate, RatioChoice, RatioReason, Rule};
+use super::ratio::{Candidate, FlankResidual, RatioChoice, RatioReason, Rule};
 use super::{
     DressingLimits, EqualSwivel, FeedLaw, FlankTarget, GeneratingError, GrindingSetup, IdealPlan, MadeFlank,
     PlanningGrid, ProfilePlace, ProfilePolicy, SwivelSide, Tool, equal_swivel,
@@ -187,6 +187,8 @@ impl PlanTask<'_> {
                     delta_d_share: 0.0,
                     occupation,
                     error: error.max(),
+                    residuals: FlankResidual::of(self.setup, &plan, &error),
+                    determinant: error.determinant,
                     refusal: None,
                 }
             }
@@ -229,6 +231,25 @@ impl PlanTask<'_> {
             let [k_10, k_11] = side.linear_part(ratio, origin, 0.0, 0.0);
             Some(FreeCoefficients { k_10: k_10 + k_11 * middle, k_20: None, k_k0: 0.0 })
         }))
+    }
+
+    /// Judges one constant ratio by the same rule, with the better of the allowed places of the profile crowning.
+    ///
+    /// # Errors
+    /// Only if the ratio cannot be evaluated; what forbids it stands in [`Candidate::refusal`].
+    pub fn judge(&self, grid: &PlanningGrid, ratio: f64) -> Result<Candidate, GeneratingError> {
+        self.rule(grid).judge_places(ratio, &self.places)
+    }
+
+    /// Ratios worth a study, ascending: the scan of the rule over both signs (spec 28 section 2), 0, the lead-correction
+    /// ratios K* and those that directed parts of the target demand.
+    pub fn worth_studying(&self, grid: &PlanningGrid) -> Vec<f64> {
+        self.rule(grid).worth_studying(&self.places)
+    }
+
+    /// Ratios that lay the tool's lines onto the directed parts of the target, per flank.
+    pub fn demanded(&self, grid: &PlanningGrid) -> Sides<Vec<f64>> {
+        self.rule(grid).demanded()
     }
 
     /// Plans.

@@ -248,6 +248,12 @@ impl GroundError {
         self.error[flank].as_ref().map(|e| e.iter().fold(0.0, |m: f64, x| m.max(x.abs())))
     }
 
+    /// Root mean square of the error of one flank, mm.
+    pub fn rms(&self, flank: Flank) -> Option<f64> {
+        let errors = self.error[flank].as_ref()?;
+        Some((errors.iter().map(|x| x * x).sum::<f64>() / errors.len() as f64).sqrt())
+    }
+
     /// Largest |error| of all flanks, mm.
     pub fn max(&self) -> f64 {
         Flank::BOTH.into_iter().filter_map(|f| self.largest(f)).fold(0.0, f64::max)

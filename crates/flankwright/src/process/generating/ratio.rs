@@ -3,13 +3,41 @@
 use super::dressed::{dresser_of_plan, sample_corrections};
 use super::least_squares::FitNorm;
 use super::plan::PlanGauge;
-use super::precompensation::{ROUNDS, precompensate};
+use super::precompensation::{GroundError, ROUNDS, precompensate};
 use super::{
-    DressingLimits, FeedLaw, FlankLines, FlankTarget, GeneratingError, GrindingSetup, PlanningGrid,
-    ProfilePlace, ProfilePolicy, Tool, radial_residual,
+    DressingLimits, FeedLaw, FlankLines, FlankTarget, GeneratingError, GrindingSetup, IdealPlan,
+    PlanningGrid, ProfilePlace, ProfilePolicy, Tool, radial_residual,
 };
 use crate::geometry::{Flank, Sides};
 use crate::numerics::Polynomial2;
+
+/// What the ideal tool misses of the target on one flank, on the planning grid. Normal, mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FlankResidual {
+    /// Largest |target - ground|.
+    pub largest: f64,
+    /// Its root mean square.
+    pub rms: f64,
+    /// Largest part of the target that is best-fitted only; the grid may miss it (a wave between its points).
+    pub outside: f64,
+}
+
+impl FlankResidual {
+    /// Of the flanks that are ground.
+    pub(super) fn of(
+        setup: &GrindingSetup,
+        plan: &IdealPlan,
+        error: &GroundError,
+    ) -> Sides<Option<FlankResidual>> {
+        Sides::from_fn(|flank| {
+            Some(FlankResidual {
+                largest: error.largest(flank)?,
+                rms: error.rms(flank)?,
+                outside: plan.outside[flank] * setup.lines[flank].cos_b2,
+            })
+        })
+    }
+}
 
 /// One judged ratio.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,6 +54,10 @@ pub struct Candidate {
     pub occupation: f64,
     /// Largest error of the ideal worm, mm.
     pub error: f64,
+    /// What it misses per flank; `None` for a flank that is not ground.
+    pub residuals: Sides<Option<FlankResidual>>,
+    /// Least determinant ratio of its contacts on the planning grid.
+    pub determinant: f64,
     /// Why it is not allowed, if so.
     pub refusal: Option<GeneratingError>,
 }
@@ -216,7 +248,70 @@ impl Rule<'_> {
                 Ok(())
             })
             .err();
-        Ok(Candidate { ratio, place, dressing_share, delta_d_share, occupation, error: error.max(), refusal })
+        Ok(Candidate {
+            ratio,
+            place,
+            dressing_share,
+            delta_d_share,
+            occupation,
+            error: error.max(),
+            residuals: FlankResidual::of(self.setup, &plan, &error),
+            determinant: error.determinant,
+            refusal,
+        })
+    }
+
+    /// Judges a ratio with each place of the profile crowning: the better place if one is allowed, else the one of least
+    /// error; `Err` only if none can be evaluated.
+    pub fn judge_places(&self, ratio: f64, places: &[ProfilePlace]) -> Result<Candidate, GeneratingError> {
+        let mut judged = Vec::new();
+        let mut failure = None;
+        for &place in places {
+            match self.judge(ratio, place) {
+                Ok(candidate) => judged.push(candidate),
+                Err(error) => {
+                    failure.get_or_insert(error);
+                }
+            }
+        }
+        let (allowed, refused): (Vec<_>, Vec<_>) = judged.into_iter().partition(|c| c.refusal.is_none());
+        better(allowed, Candidate::score, |c| c.occupation)
+            .or_else(|| refused.into_iter().min_by(|a, b| a.error.total_cmp(&b.error)))
+            .ok_or_else(|| failure.unwrap_or(GeneratingError::NoFlank))
+    }
+
+    /// The factor between neighbours of the scan: geometric steps from 0.1 to twice the ratio for rho_2 = 0, without a worm
+    /// width up to K* (spec 28 section 2).
+    fn scan_step(&self, stars: &Sides<Option<f64>>) -> f64 {
+        let which = self.which();
+        let level = |flank: Flank| self.setup.lines[flank].ratio_of_direction(0.0).abs();
+        let reach = which.iter().map(|&f| level(f)).filter(|k| k.is_finite()).fold(0.0, f64::max);
+        // A spur gear has no ratio for rho_2 = 0; the K that a worm of unit pitch would want serves as the scale.
+        let mut top = if reach > 0.0 { 2.0 * reach } else { 4.0 };
+        if self.setup.input.worm_width.is_none() {
+            let stars = which.iter().filter_map(|&f| stars[f]).map(f64::abs).fold(0.0, f64::max);
+            top = top.max(stars);
+        }
+        (top / 0.1).powf(1.0 / (SCAN - 1) as f64)
+    }
+
+    /// Ratios worth a study, ascending: those of the scan, 0, K* and what directed parts of the target demand.
+    pub fn worth_studying(&self, places: &[ProfilePlace]) -> Vec<f64> {
+        let mut ratios = vec![0.0];
+        for &place in places {
+            let stars = self.lead_corrections(place);
+            let step = self.scan_step(&stars);
+            ratios.extend((0..SCAN).flat_map(|k| {
+                let size = scan_size(step, k);
+                [-size, size]
+            }));
+            ratios.extend(self.which().into_iter().filter_map(|flank| stars[flank]));
+        }
+        ratios.extend(self.demanded().iter().flat_map(|(_, demanded)| demanded.iter().copied()));
+        ratios.sort_by(f64::total_cmp);
+        // The K* of both flanks of a symmetric job differ by rounding only.
+        ratios.dedup_by(|b, a| (*b - *a).abs() <= 1e-9 * a.abs());
+        ratios
     }
 
     fn check_axes(&self, share: f64, (j, value): (usize, f64), delta_d: f64) -> Result<(), GeneratingError> {
@@ -273,13 +368,7 @@ impl Rule<'_> {
         }
         let score = |c: &RatioChoice| best_of(&c.candidates).map_or(0.0, |b| b.score());
         let occupation = |c: &RatioChoice| best_of(&c.candidates).map_or(0.0, |b| b.occupation);
-        let least = choices.iter().map(score).fold(f64::INFINITY, f64::min);
-        // Within 5 percent of the best score the shorter worm occupation decides.
-        let chosen = choices
-            .into_iter()
-            .filter(|c| score(c) <= 1.05 * least)
-            .min_by(|a, b| occupation(a).total_cmp(&occupation(b)));
-        chosen.ok_or_else(|| refusal.unwrap_or(GeneratingError::NoFlank))
+        better(choices, score, occupation).ok_or_else(|| refusal.unwrap_or(GeneratingError::NoFlank))
     }
 
     fn choose_for(&self, place: ProfilePlace) -> Result<RatioChoice, GeneratingError> {
@@ -349,27 +438,15 @@ impl Rule<'_> {
                 return Ok(choice);
             }
         }
-        self.scan(&mut choice, &which, &level)?;
+        self.scan(&mut choice)?;
         Ok(choice)
     }
 
-    fn scan(
-        &self,
-        choice: &mut RatioChoice,
-        which: &[Flank],
-        level: &dyn Fn(Flank) -> f64,
-    ) -> Result<(), GeneratingError> {
-        let reach = which.iter().map(|&f| level(f).abs()).filter(|k| k.is_finite()).fold(0.0, f64::max);
-        let stars = which.iter().filter_map(|&f| choice.lead_correction[f]).map(f64::abs).fold(0.0, f64::max);
-        // A spur gear has no ratio for rho_2 = 0; the K that a worm of unit pitch would want serves as the scale.
-        let mut top = if reach > 0.0 { 2.0 * reach } else { 4.0 };
-        if self.setup.input.worm_width.is_none() {
-            top = top.max(stars);
-        }
-        let step = (top / 0.1).powf(1.0 / (SCAN - 1) as f64);
+    fn scan(&self, choice: &mut RatioChoice) -> Result<(), GeneratingError> {
+        let step = self.scan_step(&choice.lead_correction);
         for sign in [-1.0, 1.0] {
             for k in 0..SCAN {
-                self.try_ratio(sign * 0.1 * step.powi(k as i32), choice);
+                self.try_ratio(sign * scan_size(step, k), choice);
             }
         }
         if let Some(best) = best_of(&choice.candidates).map(|c| c.ratio) {
@@ -412,6 +489,17 @@ impl Rule<'_> {
             }
         }
     }
+}
+
+/// |K| of the k-th step of the scan.
+fn scan_size(step: f64, k: usize) -> f64 {
+    0.1 * step.powi(k as i32)
+}
+
+/// The best score; within 5 percent of it the shorter worm occupation decides (spec 28 section 2).
+fn better<T>(of: Vec<T>, score: impl Fn(&T) -> f64, occupation: impl Fn(&T) -> f64) -> Option<T> {
+    let least = of.iter().map(&score).fold(f64::INFINITY, f64::min);
+    of.into_iter().filter(|c| score(c) <= 1.05 * least).min_by(|a, b| occupation(a).total_cmp(&occupation(b)))
 }
 
 /// The allowed candidate of least score.

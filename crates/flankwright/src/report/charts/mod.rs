@@ -24,7 +24,7 @@ mod worm_occupation;
 
 pub use contour_map::{ContourMap, contour_map};
 pub use error::ChartError;
-pub use line_chart::{LineChart, Panel, Series, YScale, line_chart};
+pub use line_chart::{LineChart, Marks, Panel, Series, YScale, line_chart};
 pub use numbers::{format_fixed, format_significant};
 pub use profile_helix::{FlankSections, ProfileHelixDiagram, SectionTrace, profile_helix_diagram};
 pub use scale::LevelScale;

@@ -27,15 +27,19 @@ pub(crate) enum Marker {
     Square,
     Triangle,
     Diamond,
+    TriangleDown,
+    Bar,
 }
 
-/// The style of the k-th series; after four the cycle starts again.
+/// The style of the k-th series; after six the cycle starts again.
 pub(crate) fn series_style(k: usize) -> SeriesStyle {
     let styles = [
         (BLUE, "", Marker::Disc),
         (RUST, "6 3", Marker::Square),
         ("#3f7050", "2 2.5", Marker::Triangle),
         ("#6a4a86", "8 3 2 3", Marker::Diamond),
+        ("#8a6d00", "11 3", Marker::TriangleDown),
+        ("#2a7f8e", "10 3 2 3 2 3", Marker::Bar),
     ];
     let (color, dash, marker) = styles[k % styles.len()];
     SeriesStyle { color, dash, marker }
