@@ -199,8 +199,10 @@ fn a_wave_between_the_points_of_the_grid_is_not_called_made() {
     let run = run(&["plan", &path, "-o", output.to_str().unwrap(), "--json"]);
     assert_eq!(run.exit, Some(3), "{run:?}");
     let result = run.json();
-    assert_eq!(result["reason"]["code"], "outside-class");
-    assert!(result["flanks"]["left"]["outside_class_um"].as_f64().unwrap() > 10.0);
+    assert_eq!(result["status"], "missed");
+    let left = &result["flanks"]["left"];
+    let of = |key: &str| left[key].as_f64().unwrap();
+    assert!(of("outside_class_um") > 10.0 || of("max_deviation_um") > 1.0, "{left}");
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Jobs with laws of the shift, areas, cones and tools without a dresser that cannot be: code, key, status, way out.
 
-use crate::command::{Run, example, run};
+use crate::command::{Run, example, repository, run};
 
 /// `plan --json` of an example with one text replaced.
 fn changed(name: &str, from: &str, to: &str) -> Run {
@@ -9,6 +9,11 @@ fn changed(name: &str, from: &str, to: &str) -> Run {
     let directory = tempfile::tempdir().unwrap();
     let path = directory.path().join("job.toml");
     std::fs::write(&path, text.replace(from, to)).unwrap();
+    std::fs::copy(
+        repository().join("examples/variable-ratio.csv"),
+        directory.path().join("variable-ratio.csv"),
+    )
+    .unwrap();
     let out = directory.path().join("out");
     run(&["plan", "--json", path.to_str().unwrap(), "-o", out.to_str().unwrap()])
 }

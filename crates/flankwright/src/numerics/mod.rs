@@ -2,6 +2,7 @@
 
 mod bspline;
 mod chebyshev;
+mod equidistant;
 mod jet;
 mod knots;
 mod monotone_root;
@@ -15,6 +16,7 @@ mod tensor_spline;
 
 pub use bspline::{BSpline, BSplineBasis};
 pub use chebyshev::Chebyshev;
+pub use equidistant::equidistant;
 pub use jet::Jet2;
 pub use knots::SplineError;
 pub use monotone_root::monotone_root;

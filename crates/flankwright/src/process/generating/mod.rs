@@ -10,6 +10,7 @@ mod equal_ratio;
 mod equal_swivel;
 mod error;
 mod feed_law;
+mod ideal_plan;
 pub mod least_squares;
 mod line_functions;
 mod lines;
@@ -18,10 +19,13 @@ mod made;
 mod motion;
 mod natural_twist;
 mod plan;
+mod planning_grid;
+mod policy;
 mod precompensation;
 mod quadratic;
 mod ratio;
 mod setup;
+mod share;
 mod strokes;
 mod target;
 mod variable_ratio;
@@ -39,20 +43,23 @@ pub use equal_ratio::{
 pub use equal_swivel::{EqualSwivel, SwivelSide, equal_swivel};
 pub use error::GeneratingError;
 pub use feed_law::FeedLaw;
+pub use ideal_plan::IdealPlan;
 pub use line_functions::{LineFunctions, LineWorm};
 pub use lines::FlankLines;
 pub use local_envelope::{LocalEnvelope, kinematic_compliance};
 pub use made::MadeFlank;
 pub use motion::{common_motion, motion_of_flanks};
 pub use natural_twist::{NaturalTwist, natural_twist};
-pub use plan::{FlankPlan, GrindingPlan, PlanGauge, PlanTask, PlannedTool};
-pub use precompensation::{Command, FreeCoefficients, IdealPlan, PlanningGrid, ProfilePolicy};
+pub use plan::{FlankPlan, GrindingPlan, PlanTask, PlannedTool};
+pub use planning_grid::PlanningGrid;
+pub use policy::{FreeCoefficients, PlanGauge, ProfilePolicy};
 pub use quadratic::{
     Gauge, QuadraticDecomposition, QuadraticWorm, constant_only_profile_crowning, decompose_quadratic,
     product_functions,
 };
 pub use ratio::{Candidate, FlankResidual, RatioChoice, RatioReason, lead_correction_ratio};
 pub use setup::{DresserChoice, DressingLimits, GrindingSetup, ProfilePlace, SetupInput, Tool};
+pub use share::Command;
 pub use strokes::Strokes;
 pub use target::{Carrier, ClassFit, FlankTarget};
 pub use variable_ratio::VariableRatio;

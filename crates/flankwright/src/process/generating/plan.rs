@@ -3,11 +3,13 @@
 
 use super::dressed::{DRESSING_MARGIN, DressedFlank, dress_flank, dresser_of_plan, finished_area};
 use super::least_squares::FitNorm;
-use super::precompensation::{FREE_ROUNDS, FreeCoefficients, GroundError, ROUNDS, corrected, precompensate};
+use super::planning_grid::GroundError;
+use super::precompensation::{FREE_ROUNDS, ROUNDS, corrected, precompensate};
 use super::ratio::{Candidate, FlankResidual, RatioChoice, RatioReason, Rule};
 use super::{
-    DressingLimits, EqualSwivel, FeedLaw, FlankTarget, GeneratingError, GrindingSetup, IdealPlan, MadeFlank,
-    PlanningGrid, ProfilePlace, ProfilePolicy, SwivelSide, Tool, equal_swivel,
+    DressingLimits, EqualSwivel, FeedLaw, FlankTarget, FreeCoefficients, GeneratingError, GrindingSetup,
+    IdealPlan, MadeFlank, PlanGauge, PlanningGrid, ProfilePlace, ProfilePolicy, SwivelSide, Tool,
+    equal_swivel,
 };
 use crate::contact::{ContactError, ContactSolution};
 use crate::geometry::{Flank, Sides};
@@ -41,18 +43,6 @@ pub struct PlanTask<'a> {
     pub gauge: PlanGauge,
     /// Result grid: points over the profile and over the face width.
     pub grid: (usize, usize),
-}
-
-/// Which of the decompositions with the same flank is made (spec 25 section 4).
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum PlanGauge {
-    /// F_K and its slope vanish in the middle of the flank.
-    #[default]
-    Centred,
-    /// These free coefficients on both flanks.
-    Given(FreeCoefficients),
-    /// The diagonal ratio and the constants at which one dresser swivels alike on both flanks.
-    EqualSwivel,
 }
 
 /// The flank of a planned tool.

@@ -2,10 +2,10 @@
 
 use super::dressed::{dresser_of_plan, sample_corrections};
 use super::least_squares::FitNorm;
-use super::plan::PlanGauge;
-use super::precompensation::{GroundError, ROUNDS, precompensate};
+use super::planning_grid::GroundError;
+use super::precompensation::{ROUNDS, precompensate};
 use super::{
-    DressingLimits, FeedLaw, FlankLines, FlankTarget, GeneratingError, GrindingSetup, IdealPlan,
+    DressingLimits, FeedLaw, FlankLines, FlankTarget, GeneratingError, GrindingSetup, IdealPlan, PlanGauge,
     PlanningGrid, ProfilePlace, ProfilePolicy, Tool, radial_residual,
 };
 use crate::geometry::{Flank, Sides};

@@ -2,9 +2,8 @@
 
 use super::GeneratingError;
 use super::least_squares::{DEFAULT_GRID, Samples};
-use super::precompensation::equidistant;
 use crate::modification::Modification;
-use crate::numerics::{Jet2, Polynomial2};
+use crate::numerics::{Jet2, Polynomial2, equidistant};
 use nalgebra::{DMatrix, DVector};
 
 /// Exponents of the class used for fits: u^i y^j with i + j <= 3, and u^4, u^5.
