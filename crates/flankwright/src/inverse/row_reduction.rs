@@ -1,11 +1,16 @@
-//! Least squares for more rows than memory should hold: rows come one by one, QR keeps a triangle, singular values give the
-//! minimum-norm solution. Knows no gears.
+//! Least squares for more rows than memory should hold: rows come one by one, QR keeps a triangle, pivots or singular values
+//! give the minimum-norm solution. Knows no gears.
 
 use super::RankReport;
 use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::householder::{
+    apply_block_householder_sequence_transpose_on_the_left_in_place_scratch as apply_scratch,
+    apply_block_householder_sequence_transpose_on_the_left_in_place_with_conj as apply_transposed,
+};
+use faer::linalg::qr::col_pivoting::factor as pivoting;
 use faer::linalg::qr::no_pivoting::factor::{qr_in_place, qr_in_place_scratch, recommended_block_size};
 use faer::linalg::svd::{ComputeSvdVectors, svd, svd_scratch};
-use faer::{Col, Mat, Par};
+use faer::{Col, ColRef, Conj, Mat, MatRef, Par};
 
 /// Rows collected before they are reduced; with fewer the triangle would be reduced again too often.
 const BLOCK: usize = 1024;
@@ -64,6 +69,29 @@ impl RowReduction {
         self.filled += 1;
     }
 
+    /// Adds the rows of a matrix [a | b].
+    ///
+    /// # Panics
+    /// Unless it has one column more than the reduction.
+    pub(super) fn push_rows(&mut self, rows: MatRef<'_, f64>) {
+        let mut from = 0;
+        while from < rows.nrows() {
+            if self.filled == self.rows.nrows() {
+                self.reduce();
+            }
+            let count = (rows.nrows() - from).min(self.rows.nrows() - self.filled);
+            self.rows.as_mut().subrows_mut(self.filled, count).copy_from(rows.subrows(from, count));
+            self.filled += count;
+            from += count;
+        }
+    }
+
+    /// The triangle [R c] of all rows so far.
+    pub(super) fn triangle(&mut self) -> MatRef<'_, f64> {
+        self.reduce();
+        self.rows.as_ref().subrows(0, self.filled)
+    }
+
     /// Replaces the rows by their triangle.
     fn reduce(&mut self) {
         let (rows, columns) = (self.filled, self.columns + 1);
@@ -89,30 +117,38 @@ impl RowReduction {
         self.filled = size;
     }
 
-    /// Minimises |A x - b|; singular values below `cut` times the largest are dropped and the shortest x is taken.
-    /// `None` if a number is not finite.
-    pub fn solve(mut self, cut: f64) -> Option<MinimumNorm> {
+    /// R and c of the reduced rows, if all their numbers are finite.
+    fn reduced(&mut self) -> Option<(MatRef<'_, f64>, ColRef<'_, f64>)> {
         self.reduce();
         let size = self.filled.min(self.columns);
         let triangle = self.rows.as_ref().submatrix(0, 0, size, self.columns);
         let right = self.rows.as_ref().col(self.columns).subrows(0, size);
         let finite = (0..self.columns).all(|j| triangle.col(j).iter().all(|x| x.is_finite()))
             && right.iter().all(|x| x.is_finite());
-        if !finite {
-            return None;
+        finite.then_some((triangle, right))
+    }
+
+    /// The solution of [`Self::solve`] and the rank, without singular values where pivots leave no doubt about the rank:
+    /// several times faster. `None` if a number is not finite.
+    pub fn shortest(mut self, cut: f64) -> Option<(Vec<f64>, usize)> {
+        let (triangle, right) = self.reduced()?;
+        if let Some(found) = by_pivots(triangle, right, cut) {
+            return found.0.iter().all(|x| x.is_finite()).then_some(found);
         }
+        self.solve(cut).map(|solved| (solved.x, solved.rank.rank))
+    }
+
+    /// Minimises |A x - b|; singular values below `cut` times the largest are dropped and the shortest x is taken.
+    /// `None` if a number is not finite.
+    pub fn solve(mut self, cut: f64) -> Option<MinimumNorm> {
+        let (triangle, right) = self.reduced()?;
+        let (size, columns) = (triangle.nrows(), triangle.ncols());
         let mut values = Col::zeros(size);
-        let (mut u, mut v) = (Mat::zeros(size, size), Mat::zeros(self.columns, size));
+        let (mut u, mut v) = (Mat::zeros(size, size), Mat::zeros(columns, size));
         if size > 0 {
             let thin = ComputeSvdVectors::Thin;
-            let mut memory = MemBuffer::new(svd_scratch::<f64>(
-                size,
-                self.columns,
-                thin,
-                thin,
-                Par::Seq,
-                Default::default(),
-            ));
+            let mut memory =
+                MemBuffer::new(svd_scratch::<f64>(size, columns, thin, thin, Par::Seq, Default::default()));
             svd(
                 triangle,
                 values.as_mut().as_diagonal_mut(),
@@ -128,7 +164,7 @@ impl RowReduction {
         let limit = cut * singular_values.first().copied().unwrap_or(0.0);
         let rank = singular_values.iter().filter(|&&s| s > limit && s > 0.0).count();
         let directions: Vec<Vec<f64>> = (0..rank).map(|k| v.col(k).iter().copied().collect()).collect();
-        let mut x = vec![0.0; self.columns];
+        let mut x = vec![0.0; columns];
         for (k, direction) in directions.iter().enumerate() {
             let along: f64 = u.col(k).iter().zip(right.iter()).map(|(u, c)| u * c).sum();
             for (x, v) in x.iter_mut().zip(direction) {
@@ -138,6 +174,85 @@ impl RowReduction {
         let rank = RankReport { singular_values, rank };
         x.iter().all(|x| x.is_finite()).then_some(MinimumNorm { x, rank, directions })
     }
+}
+
+/// Pivots stay within a factor of some tens of the singular values they stand for; those nearer to the cut than this leave
+/// the rank open.
+const DOUBT: [f64; 2] = [1e-2, 1e3];
+
+/// Shortest minimiser of |R x - c| and rank by QR with pivots; `None` where a pivot lies near the cut.
+fn by_pivots(triangle: MatRef<'_, f64>, right: ColRef<'_, f64>, cut: f64) -> Option<(Vec<f64>, usize)> {
+    let (size, columns) = (triangle.nrows(), triangle.ncols());
+    if size == 0 {
+        return Some((vec![0.0; columns], 0));
+    }
+    let mut qr = triangle.to_owned();
+    let mut c = Mat::from_fn(size, 1, |i, _| right[i]);
+    let block = recommended_block_size::<f64>(size, columns);
+    let mut factors = Mat::zeros(block, size);
+    let (mut order, mut inverse) = (vec![0usize; columns], vec![0usize; columns]);
+    let scratch =
+        pivoting::qr_in_place_scratch::<usize, f64>(size, columns, block, Par::Seq, Default::default());
+    let apply = apply_scratch::<f64>(size, block, 1);
+    let mut memory = MemBuffer::new(scratch.or(apply));
+    pivoting::qr_in_place(
+        qr.as_mut(),
+        factors.as_mut(),
+        &mut order,
+        &mut inverse,
+        Par::Seq,
+        MemStack::new(&mut memory),
+        Default::default(),
+    );
+    let basis = qr.as_ref().subcols(0, size);
+    apply_transposed(basis, factors.as_ref(), Conj::No, c.as_mut(), Par::Seq, MemStack::new(&mut memory));
+    let first = qr[(0, 0)].abs();
+    let share = |k: usize| qr[(k, k)].abs() / first;
+    let rank = if first > 0.0 { (0..size).filter(|&k| share(k) > cut).count() } else { 0 };
+    let open = |share: f64| share > DOUBT[0] * cut && share < DOUBT[1] * cut;
+    // Pivots fall, but only nearly so.
+    if first > 0.0 && (0..size).any(|k| open(share(k)) || (share(k) > cut) != (k < rank)) {
+        return None;
+    }
+    // Back substitution of c and of the columns that depend on the first ones.
+    let solve = |mut y: Vec<f64>| {
+        for j in (0..rank).rev() {
+            y[j] /= qr[(j, j)];
+            let (head, value) = (qr.col_as_slice(j), y[j]);
+            for (y, r) in y[..j].iter_mut().zip(head) {
+                *y -= r * value;
+            }
+        }
+        y
+    };
+    let mut x = solve(c.col_as_slice(0)[..rank].to_vec());
+    x.resize(columns, 0.0);
+    // Directions that R does not see, made orthonormal; what x has of them only makes it longer.
+    let mut unseen: Vec<Vec<f64>> = Vec::with_capacity(columns - rank);
+    for j in rank..columns {
+        let mut direction = solve(qr.col_as_slice(j)[..rank].to_vec());
+        direction.resize(columns, 0.0);
+        direction[j] = -1.0;
+        // Twice is enough (Kahan, Parlett).
+        for _ in 0..2 {
+            unseen.iter().for_each(|other| remove(&mut direction, other));
+        }
+        let length = dot(&direction, &direction).sqrt();
+        direction.iter_mut().for_each(|d| *d /= length);
+        unseen.push(direction);
+    }
+    unseen.iter().for_each(|direction| remove(&mut x, direction));
+    Some((inverse.iter().map(|&place| x[place]).collect(), rank))
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// Takes the part along a unit vector out of x.
+fn remove(x: &mut [f64], unit: &[f64]) {
+    let share = dot(x, unit);
+    x.iter_mut().zip(unit).for_each(|(x, u)| *x -= share * u);
 }
 
 #[cfg(test)]
@@ -167,7 +282,12 @@ mod tests {
                 a.row_mut(i).copy_from_slice(&row);
                 b[i] = right;
             }
+            let (x, rank) = reduction.clone().shortest(1e-11).unwrap();
             let got = reduction.solve(1e-11).unwrap();
+            assert_eq!(rank, got.rank.rank);
+            for (x, got) in x.iter().zip(&got.x) {
+                assert!((x - got).abs() < 1e-9 * got.abs().max(1.0), "{count} rows: {x} {got}");
+            }
             let want = weighted_least_squares(&a, &b, None, 1e-11).unwrap();
             assert_eq!(got.rank.rank, count.min(4));
             for (got, want) in got.x.iter().zip(want.x.iter()) {
@@ -181,6 +301,25 @@ mod tests {
         assert_eq!(RowReduction::new(2, 0).solve(1e-11).unwrap().x, [0.0; 2]);
         let mut bad = RowReduction::new(2, 1);
         bad.push(&[(0, f64::NAN)], 1.0);
-        assert!(bad.solve(1e-11).is_none());
+        assert!(bad.clone().shortest(1e-11).is_none() && bad.solve(1e-11).is_none());
+        assert_eq!(RowReduction::new(2, 0).shortest(1e-11).unwrap(), (vec![0.0; 2], 0));
+        let mut zero = RowReduction::new(2, 2);
+        zero.push(&[(0, 0.0)], 1.0);
+        assert_eq!(zero.shortest(1e-11).unwrap(), (vec![0.0; 2], 0));
+    }
+
+    #[test]
+    fn a_rank_in_doubt_is_left_to_the_singular_values() {
+        for (small, open, wanted) in [(1e-7, false, 2), (1e-9, true, 2), (3e-11, true, 1), (1e-15, false, 1)]
+        {
+            let mut reduction = RowReduction::new(2, 2);
+            reduction.push(&[(0, 1.0), (1, 1.0)], 2.0);
+            reduction.push(&[(0, 1.0), (1, 1.0 + small)], 2.0);
+            let (triangle, right) = reduction.reduced().unwrap();
+            assert_eq!(by_pivots(triangle, right, 1e-11).is_none(), open, "{small}");
+            let (x, rank) = reduction.shortest(1e-11).unwrap();
+            assert_eq!(rank, wanted, "{small}");
+            assert!((x[0] + x[1] - 2.0).abs() < 1e-9);
+        }
     }
 }
