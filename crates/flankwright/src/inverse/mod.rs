@@ -5,6 +5,7 @@ mod gauss_newton;
 mod largest_residual;
 mod least_squares;
 mod newton;
+mod pivots;
 mod row_reduction;
 
 pub use banded_reduction::BandedReduction;

@@ -2,15 +2,11 @@
 //! give the minimum-norm solution. Knows no gears.
 
 use super::RankReport;
+use super::pivots::Pivoted;
 use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::linalg::householder::{
-    apply_block_householder_sequence_transpose_on_the_left_in_place_scratch as apply_scratch,
-    apply_block_householder_sequence_transpose_on_the_left_in_place_with_conj as apply_transposed,
-};
-use faer::linalg::qr::col_pivoting::factor as pivoting;
 use faer::linalg::qr::no_pivoting::factor::{qr_in_place, qr_in_place_scratch, recommended_block_size};
 use faer::linalg::svd::{ComputeSvdVectors, svd, svd_scratch};
-use faer::{Col, ColRef, Conj, Mat, MatRef, Par};
+use faer::{Col, ColRef, Mat, MatRef, Par};
 
 /// Rows collected before they are reduced; with fewer the triangle would be reduced again too often.
 const BLOCK: usize = 1024;
@@ -86,6 +82,21 @@ impl RowReduction {
         }
     }
 
+    /// Adds all rows of another reduction with as many columns.
+    ///
+    /// # Panics
+    /// If its columns are not as many.
+    pub fn append(&mut self, other: &mut Self) {
+        self.push_rows(other.triangle());
+    }
+
+    /// The largest root of the sum of squares of a column.
+    pub fn largest_column(&mut self) -> f64 {
+        let columns = self.columns;
+        let triangle = self.triangle();
+        (0..columns).map(|j| triangle.col(j).norm_l2()).fold(0.0, f64::max)
+    }
+
     /// The triangle [R c] of all rows so far.
     pub(super) fn triangle(&mut self) -> MatRef<'_, f64> {
         self.reduce();
@@ -132,10 +143,34 @@ impl RowReduction {
     /// several times faster. `None` if a number is not finite.
     pub fn shortest(mut self, cut: f64) -> Option<(Vec<f64>, usize)> {
         let (triangle, right) = self.reduced()?;
-        if let Some(found) = by_pivots(triangle, right, cut) {
-            return found.0.iter().all(|x| x.is_finite()).then_some(found);
+        let pivoted = Pivoted::new(triangle, right.as_mat().to_owned(), cut);
+        if pivoted.is_settled() {
+            let x = pivoted.shortest();
+            return x.iter().all(|x| x.is_finite()).then(|| (x, pivoted.rank()));
         }
         self.solve(cut).map(|solved| (solved.x, solved.rank.rank))
+    }
+
+    /// What is left for the columns after the first `leading` once those are fitted out of all rows (variable projection):
+    /// its solution is the best for the last columns where the first ones always follow best. Pivots below `cut` times the
+    /// largest are dropped. `None` if a number is not finite.
+    ///
+    /// # Panics
+    /// If there are fewer columns than `leading`.
+    pub fn beyond(mut self, leading: usize, cut: f64) -> Option<Self> {
+        let all = self.triangle();
+        let (rows, columns) = (all.nrows(), all.ncols());
+        let finite = (0..columns).all(|j| all.col(j).iter().all(|x| x.is_finite()));
+        if !finite {
+            return None;
+        }
+        let size = rows.min(leading);
+        let rights = all.submatrix(0, leading, size, columns - leading).to_owned();
+        let pivoted = Pivoted::new(all.submatrix(0, 0, size, leading), rights, cut);
+        let mut left = Self::new(columns - 1 - leading, rows);
+        left.push_rows(pivoted.unreached());
+        left.push_rows(all.submatrix(size, leading, rows - size, columns - leading));
+        Some(left)
     }
 
     /// Minimises |A x - b|; singular values below `cut` times the largest are dropped and the shortest x is taken.
@@ -174,85 +209,6 @@ impl RowReduction {
         let rank = RankReport { singular_values, rank };
         x.iter().all(|x| x.is_finite()).then_some(MinimumNorm { x, rank, directions })
     }
-}
-
-/// Pivots stay within a factor of some tens of the singular values they stand for; those nearer to the cut than this leave
-/// the rank open.
-const DOUBT: [f64; 2] = [1e-2, 1e3];
-
-/// Shortest minimiser of |R x - c| and rank by QR with pivots; `None` where a pivot lies near the cut.
-fn by_pivots(triangle: MatRef<'_, f64>, right: ColRef<'_, f64>, cut: f64) -> Option<(Vec<f64>, usize)> {
-    let (size, columns) = (triangle.nrows(), triangle.ncols());
-    if size == 0 {
-        return Some((vec![0.0; columns], 0));
-    }
-    let mut qr = triangle.to_owned();
-    let mut c = Mat::from_fn(size, 1, |i, _| right[i]);
-    let block = recommended_block_size::<f64>(size, columns);
-    let mut factors = Mat::zeros(block, size);
-    let (mut order, mut inverse) = (vec![0usize; columns], vec![0usize; columns]);
-    let scratch =
-        pivoting::qr_in_place_scratch::<usize, f64>(size, columns, block, Par::Seq, Default::default());
-    let apply = apply_scratch::<f64>(size, block, 1);
-    let mut memory = MemBuffer::new(scratch.or(apply));
-    pivoting::qr_in_place(
-        qr.as_mut(),
-        factors.as_mut(),
-        &mut order,
-        &mut inverse,
-        Par::Seq,
-        MemStack::new(&mut memory),
-        Default::default(),
-    );
-    let basis = qr.as_ref().subcols(0, size);
-    apply_transposed(basis, factors.as_ref(), Conj::No, c.as_mut(), Par::Seq, MemStack::new(&mut memory));
-    let first = qr[(0, 0)].abs();
-    let share = |k: usize| qr[(k, k)].abs() / first;
-    let rank = if first > 0.0 { (0..size).filter(|&k| share(k) > cut).count() } else { 0 };
-    let open = |share: f64| share > DOUBT[0] * cut && share < DOUBT[1] * cut;
-    // Pivots fall, but only nearly so.
-    if first > 0.0 && (0..size).any(|k| open(share(k)) || (share(k) > cut) != (k < rank)) {
-        return None;
-    }
-    // Back substitution of c and of the columns that depend on the first ones.
-    let solve = |mut y: Vec<f64>| {
-        for j in (0..rank).rev() {
-            y[j] /= qr[(j, j)];
-            let (head, value) = (qr.col_as_slice(j), y[j]);
-            for (y, r) in y[..j].iter_mut().zip(head) {
-                *y -= r * value;
-            }
-        }
-        y
-    };
-    let mut x = solve(c.col_as_slice(0)[..rank].to_vec());
-    x.resize(columns, 0.0);
-    // Directions that R does not see, made orthonormal; what x has of them only makes it longer.
-    let mut unseen: Vec<Vec<f64>> = Vec::with_capacity(columns - rank);
-    for j in rank..columns {
-        let mut direction = solve(qr.col_as_slice(j)[..rank].to_vec());
-        direction.resize(columns, 0.0);
-        direction[j] = -1.0;
-        // Twice is enough (Kahan, Parlett).
-        for _ in 0..2 {
-            unseen.iter().for_each(|other| remove(&mut direction, other));
-        }
-        let length = dot(&direction, &direction).sqrt();
-        direction.iter_mut().for_each(|d| *d /= length);
-        unseen.push(direction);
-    }
-    unseen.iter().for_each(|direction| remove(&mut x, direction));
-    Some((inverse.iter().map(|&place| x[place]).collect(), rank))
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-/// Takes the part along a unit vector out of x.
-fn remove(x: &mut [f64], unit: &[f64]) {
-    let share = dot(x, unit);
-    x.iter_mut().zip(unit).for_each(|(x, u)| *x -= share * u);
 }
 
 #[cfg(test)]
@@ -316,10 +272,29 @@ mod tests {
             reduction.push(&[(0, 1.0), (1, 1.0)], 2.0);
             reduction.push(&[(0, 1.0), (1, 1.0 + small)], 2.0);
             let (triangle, right) = reduction.reduced().unwrap();
-            assert_eq!(by_pivots(triangle, right, 1e-11).is_none(), open, "{small}");
+            let pivoted = Pivoted::new(triangle, right.as_mat().to_owned(), 1e-11);
+            assert_eq!(!pivoted.is_settled(), open, "{small}");
             let (x, rank) = reduction.shortest(1e-11).unwrap();
             assert_eq!(rank, wanted, "{small}");
             assert!((x[0] + x[1] - 2.0).abs() < 1e-9);
+        }
+    }
+    #[test]
+    fn the_last_columns_alone_are_found_as_with_all() {
+        // Four columns of the six are independent; the last one here is none of their combinations.
+        for leading in [0, 2, 5, 6] {
+            let mut all = RowReduction::new(7, 60);
+            for i in 0..60 {
+                let (row, right) = row(i);
+                let mut entries: Vec<(usize, f64)> = row.iter().copied().enumerate().collect();
+                entries.push((6, (0.37 * i as f64).cos()));
+                all.push(&entries, right);
+            }
+            let (want, rank) = all.clone().shortest(1e-11).unwrap();
+            let (got, left) = all.beyond(leading, 1e-11).unwrap().shortest(1e-11).unwrap();
+            assert_eq!((got.len(), rank), (7 - leading, 5));
+            assert_eq!(left, [5, 3, 1, 1][[0, 2, 5, 6].iter().position(|&l| l == leading).unwrap()]);
+            assert!((got[6 - leading] - want[6]).abs() < 1e-9, "{leading}: {got:?} {want:?}");
         }
     }
 }

@@ -49,7 +49,8 @@ pub struct ArgumentKinks {
 }
 
 impl ArgumentKinks {
-    pub(super) fn new<G: FlankCoordinates>(settings: &FitSettings, coordinates: &G) -> Self {
+    /// Of the kinks of the settings.
+    pub fn new<G: FlankCoordinates>(settings: &FitSettings, coordinates: &G) -> Self {
         let of = |points: &[[f64; 2]], pick: fn(Arguments) -> f64| {
             points.iter().map(|&[w, z]| pick(coordinates.arguments(w, z))).collect()
         };

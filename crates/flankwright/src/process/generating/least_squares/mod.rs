@@ -8,6 +8,7 @@ mod coordinates;
 mod decomposition;
 mod fit;
 mod gauge;
+mod moving_lines;
 mod quality;
 mod samples;
 mod scan;
@@ -19,6 +20,7 @@ pub use coordinates::{Arguments, DiagonalCoordinates, FlankCoordinates, Straight
 pub use decomposition::{RollScale, SplineDecomposition, WormFunctions};
 pub use fit::{FitReport, FunctionsFit, MinimaxReport, fit_functions};
 pub use gauge::SplineGauge;
+pub(super) use moving_lines::{LineSlopes, MovingLines};
 pub use quality::FitQuality;
 pub use samples::{DEFAULT_GRID, Samples};
 pub use scan::{Candidates, Tried};
