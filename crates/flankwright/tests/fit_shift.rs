@@ -5,12 +5,15 @@ mod cylindrical_pair;
 
 use cylindrical_pair::{lines, pair};
 use flankwright::contact::Pair;
-use flankwright::geometry::{Flank, Sides};
+use flankwright::geometry::{Flank, Gear, GearData, Sides, WormChoice, worm_for_gear};
 use flankwright::kinematics::MotionLaw;
+use flankwright::modification::EvaluationField;
 use flankwright::process::generating::least_squares::{
     DEFAULT_GRID, FitSettings, FlankFit, FunctionClass, Samples,
 };
-use flankwright::process::generating::{DEFAULT_NODES, FlankLines, GeneratingError, fit_shift};
+use flankwright::process::generating::{
+    AllowedLever, DEFAULT_NODES, FlankDemand, FlankLines, GeneratingError, Lever, LeverSearch, fit_shift,
+};
 
 /// Amplitude of the targets, mm.
 const AMPLITUDE: f64 = 0.01;
@@ -72,9 +75,10 @@ fn a_varying_ratio_is_recovered_from_what_it_made() {
             let (reached, constant) = (reached.report.quality(), constant.report.quality());
             assert!(reached.largest < 0.1 * constant.largest, "{reached:?} {constant:?}");
         }
-        // The ratio itself, but for its course between nodes.
+        // The ratio itself, but for its course between nodes; the lines of one flank alone see less of it.
+        let near = if one { 0.15 } else { 0.05 };
         for [feed, ratio] in &found.nodes[1..8] {
-            assert!((ratio / law.jet(*feed)[1] - 1.0).abs() < 0.05, "{feed} {ratio}");
+            assert!((ratio / law.jet(*feed)[1] - 1.0).abs() < near, "{feed} {ratio}");
         }
         let [from, to] = found.shift.domain();
         let smooth = found.shift.law();
@@ -174,4 +178,108 @@ fn refusals_have_codes_and_ways_out() {
     let fit = FlankFit { lines: &lines, samples: &few, settings: &settings, rack_slope: 0.0 };
     let error = fit_shift(&Sides { left: Some(fit), right: None }, 1.0, 6).unwrap_err();
     assert_eq!(error.code(), "too-few-points");
+}
+
+/// An asymmetric gear on a worm with these levers.
+fn bodies(values: &[(Lever, f64)]) -> Result<Sides<FlankLines>, GeneratingError> {
+    let gear = Gear::new(GearData {
+        teeth: 31,
+        normal_module: 2.5,
+        pressure_angle: Sides { left: 25f64.to_radians(), right: 18f64.to_radians() },
+        helix_angle: 20f64.to_radians(),
+        profile_shift: 0.15,
+        cone_angle: 0.0,
+    })?;
+    let mut worm = WormChoice {
+        threads: 2,
+        hand: 1.0,
+        pitch_diameter: Some(240.0),
+        tip_diameter: None,
+        pressure_angle: None,
+        profile_shift: 0.0,
+        cone_angle: 0.0,
+    };
+    for &(lever, value) in values {
+        match lever {
+            Lever::ConeAngle => worm.cone_angle = value,
+            Lever::ProfileAngle => worm.pressure_angle = Some(value),
+            Lever::CrossingAngle => unreachable!("no test moves it"),
+        }
+    }
+    let made = worm_for_gear(&gear, &worm)?;
+    let pair = Pair::without_backlash(made.worm, gear, made.crossed_axes_angle)?;
+    Sides::try_from_fn(|flank| {
+        let work = gear.flank(flank);
+        let field =
+            EvaluationField::new([9.0, 22.0], [-15.0, 15.0], work.base_radius, work.base_helix_angle)?;
+        // Lines of axial sections turn with the rack so that its angle hardly matters; fixed ones do not.
+        let turned = values.iter().all(|(lever, _)| *lever == Lever::ConeAngle);
+        let line = pair.flanks[flank].axial_section_line(field.roll_middle());
+        Ok(FlankLines::new(&pair.flanks[flank], &field, if turned { line.rho.tan() } else { 0.5 }))
+    })
+}
+
+/// A wave along straight lines.
+fn straight(lines: &FlankLines, t: f64) -> Samples {
+    let [nw, nz] = [17, 21];
+    let points: Vec<[f64; 3]> = (0..nw * nz)
+        .map(|i| [9.0 + 13.0 * (i / nz) as f64 / 16.0, -15.0 + 30.0 * (i % nz) as f64 / 20.0])
+        .map(|[w, z]| [w, z, AMPLITUDE * (0.4 * (t * (w - lines.w_m) + z) / t.hypot(1.0)).sin()])
+        .collect();
+    Samples::of_points(&points).unwrap()
+}
+
+#[test]
+fn levers_give_both_flanks_one_ratio() {
+    // F_C alone: it feels directions most.
+    let class = FunctionClass::from_letters("C".chars()).unwrap();
+    let settings = FitSettings { intervals: 20, degree: 4, ..FitSettings::new(class) };
+    for (lever, wanted, start, range, nodes) in [
+        (Lever::ConeAngle, 4f64, 0f64, [-8f64, 8f64], None),
+        (Lever::ProfileAngle, 26.0, 24.5, [23.5, 28.0], None),
+    ] {
+        let made = bodies(&[(lever, wanted.to_radians())]).unwrap();
+        let samples = made.map(|_, lines| straight(lines, lines.work_direction(0.9)));
+        let demands = Sides::from_fn(|f| Some(FlankDemand { samples: &samples[f], settings: &settings }));
+        let search = LeverSearch { demands, bodies: &bodies, ratio: 0.8, nodes };
+        let allowed = AllowedLever { lever, start: start.to_radians(), range: range.map(f64::to_radians) };
+        let found = search.search(&[allowed]).unwrap();
+        let start = found.start.clone().unwrap();
+        assert!(found.objective < 0.1 * start, "{lever:?}: {} from {start}", found.objective);
+        let value = found.levers[0].1.to_degrees();
+        assert!((value - wanted).abs() < 0.1, "{lever:?}: {value} for {wanted}");
+        assert!((found.constant.ratio / 0.9 - 1.0).abs() < 0.01, "{}", found.constant.ratio);
+        assert!(found.shift.is_none() && found.lines == bodies(&found.levers).unwrap());
+    }
+}
+
+#[test]
+fn without_levers_the_shift_alone_is_fitted() {
+    let lines = bodies(&[]).unwrap();
+    let settings = settings();
+    let samples = wave(&lines.left, &varying());
+    let demand = FlankDemand { samples: &samples, settings: &settings };
+    let demands = Sides { left: Some(demand), right: None };
+    let search = LeverSearch { demands, bodies: &bodies, ratio: -0.7, nodes: Some(4) };
+    let found = search.search(&[]).unwrap();
+    let fit = FlankFit {
+        lines: &lines.left,
+        samples: &samples,
+        settings: &settings,
+        rack_slope: lines.left.profile_slope(),
+    };
+    assert_eq!(found.shift.unwrap(), fit_shift(&Sides { left: Some(fit), right: None }, -0.7, 4).unwrap());
+    assert!(found.objective < 0.2 * found.constant.objective);
+    // Refusals.
+    let allowed = AllowedLever { lever: Lever::ConeAngle, start: 0.0, range: [-0.1, 0.1] };
+    assert_eq!(search.search(&[allowed]).unwrap_err().code(), "cylindrical-only");
+    let constant = LeverSearch { nodes: None, ..search };
+    for (start, range) in
+        [(0.2, [-0.1, 0.1]), (f64::NAN, [-0.1, 0.1]), (0.0, [0.1, -0.1]), (0.0, [f64::NAN, 0.1])]
+    {
+        let error = constant.search(&[AllowedLever { start, range, ..allowed }]).unwrap_err();
+        assert_eq!(error.code(), "invalid-number");
+    }
+    let no_bodies = LeverSearch { bodies: &|_| Err(GeneratingError::NotDressed), ..constant };
+    assert_eq!(no_bodies.search(&[allowed]).unwrap_err(), GeneratingError::NotDressed);
 }

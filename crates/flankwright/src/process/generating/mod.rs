@@ -10,6 +10,7 @@ mod equal_ratio;
 mod equal_swivel;
 mod error;
 mod feed_law;
+mod fit_levers;
 mod fit_shift;
 pub mod least_squares;
 mod line_functions;
@@ -39,6 +40,7 @@ pub use equal_ratio::{EqualRatio, EqualRatioSearch, Lever, RatioRoot, WormLine, 
 pub use equal_swivel::{EqualSwivel, SwivelSide, equal_swivel};
 pub use error::GeneratingError;
 pub use feed_law::FeedLaw;
+pub use fit_levers::{AllowedLever, FlankDemand, LeverBodies, LeverFit, LeverSearch};
 pub use fit_shift::{DEFAULT_NODES, ShiftCoordinates, ShiftFit, fit_shift};
 pub use line_functions::{LineFunctions, LineWorm};
 pub use lines::FlankLines;
