@@ -172,10 +172,14 @@ impl Columns {
         for group in &self.groups {
             factors.clear();
             factors.extend(group.powers.iter().map(|&p| weight * u.powi(p)));
-            let first =
-                offset + group.powers.len() * group.basis.values(group.argument.of(arguments), values);
-            let entries = values.iter().flat_map(|b| factors.iter().map(move |factor| b * factor));
-            row.extend(entries.enumerate().map(|(k, entry)| (first + k, entry)));
+            let first = group.basis.values(group.argument.of(arguments), values);
+            let mut column = offset + group.powers.len() * first;
+            for b in values.iter() {
+                for factor in factors.iter() {
+                    row.push((column, b * factor));
+                    column += 1;
+                }
+            }
             offset += group.count();
         }
     }
