@@ -8,10 +8,11 @@ use flankwright::modification::{Modification, ModificationSpec, NoFiles};
 use flankwright::numerics::Polynomial2;
 use flankwright::process::generating::least_squares::FitNorm;
 use flankwright::process::generating::{
-    Command, DresserChoice, DressingLimits, FeedLaw, FlankTarget, Gauge, GeneratingError, GrindingSetup,
-    IdealPlan, LocalEnvelope, PlanGauge, PlanTask, PlanningGrid, ProfilePlace, ProfilePolicy, QuadraticWorm,
-    SetupInput, constant_only_profile_crowning, decompose_diagonal, decompose_quadratic, decompose_radial,
-    kinematic_compliance, motion_of_flanks, natural_twist, product_functions, radial_residual,
+    Command, Decomposition, DresserChoice, DressingLimits, FeedLaw, FlankTarget, Gauge, GeneratingError,
+    GrindingSetup, IdealPlan, LocalEnvelope, PlanGauge, PlanTask, PlanningGrid, ProfilePlace, ProfilePolicy,
+    QuadraticWorm, SetupInput, constant_only_profile_crowning, decompose_diagonal, decompose_quadratic,
+    decompose_radial, kinematic_compliance, motion_of_flanks, natural_twist, product_functions,
+    radial_residual,
 };
 use proptest::prelude::*;
 use serde_json::json;
@@ -344,4 +345,63 @@ fn a_grid_of_nine_by_nine_tells_the_classes_apart() {
     assert!((mixed.coefficient(1, 1) * lines.cos_b2 - 1e-5).abs() < 1e-13);
     let pure = grid.correction(Flank::Left, &error, lines.cos_b2, false);
     assert_eq!(pure.coefficient(1, 1), 0.0);
+}
+
+/// The coefficients of u^i y^j that (a u + b y)^k u^i0 times a factor adds.
+fn add_power(terms: &mut [[f64; 5]; 5], [a, b]: [f64; 2], k: usize, i0: usize, factor: f64) {
+    let mut binomial = 1.0;
+    for j in 0..=k {
+        terms[k - j + i0][j] += factor * binomial * a.powi((k - j) as i32) * b.powi(j as i32);
+        binomial *= (k - j) as f64 / (j + 1) as f64;
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    /// A member of {C, L, P, K}, made a polynomial and decomposed in closed form, is the same flank within 1e-9 um.
+    #[test]
+    fn members_of_the_polynomial_class_come_back(
+        t in -2.5..2.5f64, t_k in -1.0..1.0f64,
+        slope in prop::sample::select(vec![0.0, 0.0, 0.12, 0.05, -0.03, -0.15]),
+        numbers in prop::collection::vec(-1.0..1.0f64, 15), other_share: bool,
+    ) {
+        prop_assume!((t - t_k).abs() > 0.2);
+        // Every term adds up to 10 um at the edge of a field of 9 mm x 20 mm about the middle.
+        let amount = |k: usize, length: f64| 0.01 * numbers[k] / length.powi((k % 4) as i32);
+        let member = Decomposition {
+            t,
+            t_k,
+            constant: std::array::from_fn(|k| amount(k, 20.0)),
+            linear: std::array::from_fn(|k| amount(4 + k, 20.0) / 9.0),
+            profile: (0..4).map(|k| amount(8 + k, 9.0)).collect(),
+            profile_slope: slope,
+            kinematic: std::array::from_fn(|k| if k < 3 { amount(12 + k, 20.0) } else { amount(7, 20.0) }),
+        };
+        let (c, c_k) = (1.0 / t.hypot(1.0), 1.0 / t_k.hypot(1.0));
+        let mut terms = [[0.0; 5]; 5];
+        for k in 0..4 {
+            add_power(&mut terms, [c * t, c], k, 0, member.constant[k]);
+            add_power(&mut terms, [1.0, slope], k, 0, member.profile[k]);
+            add_power(&mut terms, [c_k * t_k, c_k], k, 0, member.kinematic[k]);
+            if k < 3 {
+                add_power(&mut terms, [c * t, c], k, 1, member.linear[k]);
+            }
+        }
+        let all = (0..5).flat_map(|i| (0..5).map(move |j| (i, j)));
+        let polynomial = Polynomial2::from_terms(all.map(|(i, j)| (i, j, terms[i][j])));
+        let p_2 = if other_share { 0.0 } else { member.profile[2] };
+        let parts = decompose_diagonal(&polynomial, t, t_k, p_2, slope);
+        for k in 0..=80 {
+            let (u, y) = (9.0 * (f64::from(k % 9) / 4.0 - 1.0), 20.0 * (f64::from(k / 9) / 4.0 - 1.0));
+            let (got, want) = (parts.value(u, y), member.value(u, y));
+            prop_assert!((got - want).abs() < 1e-12, "({u}, {y}): {got} {want}");
+        }
+        // With the member's own share of the profile its curvatures come back too.
+        if !other_share {
+            prop_assert!((parts.kinematic[2] - member.kinematic[2]).abs() < 1e-14);
+            prop_assert!((parts.kinematic[3] - member.kinematic[3]).abs() < 1e-15);
+            prop_assert!((parts.profile[3] - member.profile[3]).abs() < 1e-14);
+        }
+    }
 }

@@ -6,7 +6,7 @@ use flankwright::modification::{EvaluationField, Modification, ModificationSpec}
 use flankwright::numerics::{BSpline, BSplineBasis, Jet2};
 use flankwright::process::generating::least_squares::{
     ArgumentKinks, Arguments, Candidates, DEFAULT_GRID, DiagonalCoordinates, FitNorm, FitSettings,
-    FlankCoordinates, FlankFit, FunctionClass, Objective, RollScale, Samples, SplineDecomposition,
+    FlankCoordinates, FlankFit, FunctionClass, Kinks, Objective, RollScale, Samples, SplineDecomposition,
     SplineGauge, WormFunctions, deviation_free, fit_functions, search_direction, search_ratio,
 };
 use flankwright::process::generating::{
@@ -254,6 +254,30 @@ fn the_minimax_fit_is_best_in_its_norm() {
         // The gauge must not spoil what the fit reached.
         let reached = samples.points().iter().map(|p| (found.value(p[0], p[1]) - relief(p[0], p[1])).abs());
         assert!((reached.fold(0.0, f64::max) - minimax.quality.largest).abs() < 1e-12);
+    }
+}
+
+/// The least-squares fit goes by pivots, the start of the minimax fit by singular values.
+#[test]
+fn pivots_and_singular_values_agree() {
+    let kinked = FitSettings {
+        kinks: Kinks { lines: vec![[16.0, 10.0], [9.0, -3.0]], ..Kinks::default() },
+        ..FitSettings::new(FunctionClass::CLK)
+    };
+    let coarse = FitSettings { intervals: 4, degree: 2, ..FitSettings::new(FunctionClass::RADIAL) };
+    for settings in
+        [FitSettings::new(FunctionClass::CLPK), FitSettings::new(FunctionClass::ALL), kinked, coarse]
+    {
+        for t in [0.9, -1.3] {
+            let coordinates = DiagonalCoordinates::new(t, -0.5, 0.0).unwrap();
+            let largest = FitSettings { norm: FitNorm::Largest, ..settings.clone() };
+            let [pivots, values] = [&settings, &largest].map(|settings| {
+                SplineDecomposition::fit(&sampled(relief), coordinates, settings).unwrap().report
+            });
+            assert_eq!(pivots.rank, values.rank);
+            assert!((pivots.least_squares.rms / values.least_squares.rms - 1.0).abs() < 1e-9);
+            assert!((pivots.least_squares.largest / values.least_squares.largest - 1.0).abs() < 1e-9);
+        }
     }
 }
 

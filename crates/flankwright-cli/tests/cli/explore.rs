@@ -52,9 +52,11 @@ fn json_is_one_document_and_quiet_is_quiet() {
 
 #[test]
 fn the_exit_status_tells_what_can_be_made() {
-    // Reliefs too large for these ratios: made, but outside the tolerance.
+    // A tolerance too tight for these ratios: made, but outside it.
     let steps = "diagonal_ratio = { from = 4.4, to = 5.0, count = 3 }";
-    let (missed, directory) = explore(&with("asymmetric-conical-worm.toml", steps), &[]);
+    let tight =
+        with("asymmetric-conical-worm.toml", steps).replace("tolerance_um = 1.0", "tolerance_um = 0.02");
+    let (missed, directory) = explore(&tight, &[]);
     assert_eq!(missed.exit, Some(3), "{missed:?}");
     assert!(missed.stdout.contains("0 of 3") && missed.stdout.contains("model-error"), "{missed:?}");
     assert!(directory.path().join("out/explore.html").is_file());

@@ -113,15 +113,6 @@ const CASES: &[(&str, &str, &str, i32, &str, &str, &str)] = &[
         "worm.tool = \"made\"",
     ),
     ("hob.toml", "width = 120.0\n", "", 2, "missing-key", "worm.width", "give worm.width"),
-    (
-        "asymmetric-conical-worm.toml",
-        "hand = \"right\"",
-        "hand = \"right\"\ndirection_deg = { left = 68.16673, right = -68.77035 }",
-        2,
-        "degenerate-direction",
-        "grinding.diagonal_ratio",
-        "",
-    ),
 ];
 
 #[test]

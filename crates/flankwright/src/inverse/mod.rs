@@ -1,11 +1,14 @@
 //! Inversion: damped Newton, weighted Gauss-Newton and least squares with a rank report. Exact derivatives only; knows no gears.
 
+mod banded_reduction;
 mod gauss_newton;
 mod largest_residual;
 mod least_squares;
 mod newton;
+mod pivots;
 mod row_reduction;
 
+pub use banded_reduction::BandedReduction;
 pub use gauss_newton::{GaussNewton, GaussNewtonReport, gauss_newton};
 pub use largest_residual::{LargestResidual, minimise_largest_residual};
 pub use least_squares::{LeastSquares, RankReport, weighted_least_squares};

@@ -95,6 +95,12 @@ impl BSplineBasis {
         span - self.degree
     }
 
+    /// Index of the first of the functions that do not vanish at `x`.
+    #[inline]
+    pub fn first(&self, x: f64) -> usize {
+        self.span(x) - self.degree
+    }
+
     /// Index i of the knot with knots[i] <= x < knots[i + 1], at the borders of the first or last piece.
     #[inline]
     fn span(&self, x: f64) -> usize {

@@ -396,7 +396,7 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
     let job = &loaded.job;
     let mut setup = setup_of_job(job)?;
     if job.worm.tool == JobTool::Given {
-        setup.tool = Tool::Given(tool_modifications(loaded, &setup)?);
+        setup.tool = Tool::Given(Box::new(tool_modifications(loaded, &setup)?));
     }
     let tolerance = tolerance_of_job(loaded).map_err(RunFailure::bad_input)?;
     let mut warnings = Vec::new();
@@ -514,7 +514,7 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
         None => relief_specs(loaded, flank, &setup.fields[flank]),
     });
     let which: Vec<Flank> = Flank::BOTH.into_iter().filter(|&flank| ground(flank)).collect();
-    let shift = shift_of_job(job, &setup, &which)?;
+    let shift = shift_of_job(job, &setup, &targets, &tolerance, &which)?;
     Ok(Prepared {
         setup,
         targets,

@@ -6,10 +6,17 @@ use crate::exchange::Diagnostic;
 use crate::exchange::job::{DiagonalRatio, DiagonalRule, Job, ShiftCurve, ShiftTable};
 use crate::geometry::{Flank, Sides};
 use crate::kinematics::{InverseLaw, LawError, MotionLaw};
-use crate::modification::ModificationSpec;
-use crate::process::generating::areas::{AreaPlan, AreaTask, Region};
-use crate::process::generating::{CurveLaw, GeneratingError, GrindingSetup, WantedCurve};
+use crate::modification::{ModificationSpec, ToleranceMap};
+use crate::process::generating::areas::{AreaPlan, AreaTask, Demand, Region};
+use crate::process::generating::least_squares::{
+    DEFAULT_GRID, FitSettings, FlankFit, FunctionClass, Samples,
+};
+use crate::process::generating::{
+    CurveLaw, DEFAULT_NODES, FlankTarget, GeneratingError, GrindingSetup, ShiftFit, WantedCurve, fit_shift,
+};
 
+/// Key of the ratio.
+const RATIO: &str = "grinding.diagonal_ratio";
 /// Nodes of the smooth law through a wanted curve: over some 40 mm of feed it misses the exact one by less than 1e-4 mm even
 /// where a curve changes its curvature at once; the plan and the referee both take the smooth law.
 const NODES: usize = 257;
@@ -43,12 +50,23 @@ fn law_failure(error: &LawError, field: &str) -> RunFailure {
 ///
 /// # Errors
 /// Laws that are no law, that do not cover the flank or run back; areas that overlap or share lines.
-pub(super) fn shift_of_job(job: &Job, setup: &GrindingSetup, which: &[Flank]) -> Result<Shift, RunFailure> {
+pub(super) fn shift_of_job(
+    job: &Job,
+    setup: &GrindingSetup,
+    targets: &Sides<Option<FlankTarget>>,
+    tolerance: &ToleranceMap,
+    which: &[Flank],
+) -> Result<Shift, RunFailure> {
     let none = Shift { law: None, areas: None };
     match &job.grinding.diagonal_ratio {
         Some(DiagonalRatio::Rule(DiagonalRule::Areas)) => {
             cylinders_only(setup, "\"areas\"")?;
             areas(job, setup, which)
+        }
+        Some(DiagonalRatio::Rule(DiagonalRule::Variable)) => {
+            cylinders_only(setup, "\"variable\"")?;
+            let law = fitted(setup, targets, tolerance, which).map_err(|e| failure(&e, RATIO))?;
+            Ok(Shift { law: Some(law), areas: None })
         }
         Some(DiagonalRatio::Law(law)) => {
             let law = match (&law.curve, &law.table) {
@@ -78,6 +96,39 @@ fn cylinders_only(setup: &GrindingSetup, what: &str) -> Result<(), RunFailure> {
         .field("grinding.diagonal_ratio")
         .way_out("give the shift as { table = { z_v2_mm = [..], z_v1_mm = [..] } }, or a number");
     Err(RunFailure::bad_input(finding))
+}
+
+/// The law fitted to the targets together with worm functions, profile and motion: the better of both signs of the ratio.
+fn fitted(
+    setup: &GrindingSetup,
+    targets: &Sides<Option<FlankTarget>>,
+    tolerance: &ToleranceMap,
+    which: &[Flank],
+) -> Result<MotionLaw, GeneratingError> {
+    let samples = Sides::try_from_fn(|flank| {
+        let Some(target) = &targets[flank] else { return Ok(None) };
+        let cos = setup.lines[flank].cos_b2;
+        Samples::of_modification(&target.modification, DEFAULT_GRID)?
+            .with_tolerance(|w, z| tolerance.value(w, z) / cos)
+            .map(Some)
+    })?;
+    let settings = FitSettings::new(FunctionClass::CLPK);
+    let fits = Sides::from_fn(|flank| {
+        let samples = samples[flank].as_ref()?;
+        Some(FlankFit { lines: &setup.lines[flank], samples, settings: &settings, rack_slope: 0.0 })
+    });
+    // Lines straight along the face width are the usual ones; a spur gear has no ratio for them.
+    let level = which.iter().map(|&flank| setup.lines[flank].ratio_of_direction(0.0).abs());
+    let start = level.filter(|k| k.is_finite()).fold(0.0, f64::max);
+    let start = if start > 0.0 { start } else { 1.0 };
+    let tried = [start, -start].map(|ratio| fit_shift(&fits, ratio, DEFAULT_NODES));
+    let best = |a: ShiftFit, b: ShiftFit| if b.objective < a.objective { b } else { a };
+    let fit = match tried {
+        [Ok(a), Ok(b)] => best(a, b),
+        [Ok(fit), Err(_)] | [Err(_), Ok(fit)] => fit,
+        [Err(error), Err(_)] => return Err(error),
+    };
+    Ok(setup.centred(fit.shift.law(), which))
 }
 
 /// Feeds that the law must cover, mm.
@@ -170,7 +221,7 @@ fn of_table(table: &ShiftTable, setup: &GrindingSetup, which: &[Flank]) -> Resul
 
 /// Regions of the target that need lines of their own, one diagonal ratio each.
 fn areas(job: &Job, setup: &GrindingSetup, which: &[Flank]) -> Result<Shift, RunFailure> {
-    const FIELD: &str = "grinding.diagonal_ratio";
+    const FIELD: &str = RATIO;
     let mut regions = Vec::new();
     for &flank in which {
         for spec in job.target.modifications.iter().flatten().filter(|spec| spec.flank().includes(flank)) {
@@ -190,11 +241,9 @@ fn areas(job: &Job, setup: &GrindingSetup, which: &[Flank]) -> Result<Shift, Run
     }
     let lines = Sides::from_fn(|flank| which.contains(&flank).then_some(setup.lines[flank]));
     let least = |regions: &[Region]| {
-        let ratios = regions.iter().filter_map(|region| match region.demand {
-            crate::process::generating::areas::Demand::Direction(t) => {
-                Some(setup.lines[region.flank].ratio_of_direction(t))
-            }
-            crate::process::generating::areas::Demand::Ratio(k) => Some(k),
+        let ratios = regions.iter().map(|region| match region.demand {
+            Demand::Direction(t) => setup.lines[region.flank].ratio_of_direction(t),
+            Demand::Ratio(k) => k,
         });
         ratios.min_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(0.0)
     };

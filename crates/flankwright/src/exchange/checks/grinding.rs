@@ -55,6 +55,7 @@ fn shift_without_method(grinding: &Grinding, findings: &mut Vec<Diagnostic>) {
             match rule {
                 DiagonalRule::Auto => "\"auto\"".to_owned(),
                 DiagonalRule::Areas => "\"areas\"".to_owned(),
+                DiagonalRule::Variable => "\"variable\"".to_owned(),
             },
         ),
         Some(DiagonalRatio::Law(_)) => {

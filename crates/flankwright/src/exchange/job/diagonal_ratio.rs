@@ -30,6 +30,8 @@ pub enum DiagonalRule {
     Auto,
     /// Each modified region of the gear has the ratio that its direction asks for; between them `free_ratio`.
     Areas,
+    /// A law of the feed, fitted to the target together with worm, dresser and motion.
+    Variable,
 }
 
 /// A shift z_V1 that is any function of the feed z_V2 (spec 25 section 7): exactly one of the two keys.

@@ -108,6 +108,12 @@ impl FlankLines {
         pull / (1.0 / self.cos_b2 + pull * self.t_k)
     }
 
+    /// Whether both bodies are cylinders: no feed changes the rolls in contact.
+    pub fn is_cylindrical(&self) -> bool {
+        // C_zV12 and both Chat are sines of cone angles; rounding leaves 1e-16 of them.
+        [self.work_feeds[0], self.roll_feeds[0], self.roll_feeds[1]].iter().all(|c| c.abs() < 1e-12)
+    }
+
     /// The flank.
     pub fn flank(&self) -> Flank {
         if self.s > 0.0 { Flank::Left } else { Flank::Right }

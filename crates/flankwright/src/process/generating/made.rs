@@ -52,7 +52,7 @@ impl MadeFlank {
         let worm = plan.worms[flank].as_ref().ok_or(GeneratingError::NoFlank)?;
         let rolls = worm.lines.worm_rolls(&worm.shift);
         let beyond = PROFILE_MARGIN * (rolls[1] - rolls[0]);
-        if !(rolls[0] > 0.0) {
+        if rolls[0].is_nan() || rolls[0] <= 0.0 {
             return Err(GeneratingError::ToolBelowBase { flank, w_1: rolls[0] });
         }
         // Half of what is left above the base circle, where the margin would reach below it.

@@ -49,7 +49,7 @@ pub struct PlanTask<'a> {
 #[derive(Clone, Debug)]
 pub enum PlannedTool {
     /// As its dresser leaves it.
-    Dressed(DressedFlank),
+    Dressed(Box<DressedFlank>),
     /// As a table.
     Made(MadeFlank),
 }
@@ -96,6 +96,9 @@ const LARGEST_DRESSING_MARGIN: f64 = 48.0;
 const CONTACT_MARGIN: f64 = 1.5;
 /// Outer rounds with the worm as dressed.
 const OUTER_ROUNDS: usize = 3;
+
+/// The dresser, the tool's flanks and the errors that they leave.
+type Equipment = (Option<DresserTool>, Sides<Option<PlannedTool>>, GroundError);
 
 /// A plan with its tool.
 struct Equipped {
@@ -344,7 +347,7 @@ impl PlanTask<'_> {
         policy: ProfilePolicy,
         grid: &PlanningGrid,
         margin: f64,
-    ) -> Result<(Option<DresserTool>, Sides<Option<PlannedTool>>, GroundError), GeneratingError> {
+    ) -> Result<Equipment, GeneratingError> {
         let dresser = match &self.setup.tool {
             Tool::Dressed(_) => Some(dresser_of_plan(self.setup, ideal, policy)?),
             Tool::Made | Tool::Given(_) => None,
@@ -352,7 +355,7 @@ impl PlanTask<'_> {
         let make = |flank: Flank| match (&ideal.worms[flank], &dresser) {
             (None, _) => Ok(None),
             (Some(_), Some(dresser)) => dress_flank(self.setup, ideal, dresser, flank, policy, margin)
-                .map(|dressed| Some(PlannedTool::Dressed(dressed))),
+                .map(|dressed| Some(PlannedTool::Dressed(Box::new(dressed)))),
             (Some(_), None) => {
                 MadeFlank::of_plan(self.setup, ideal, flank, margin).map(|made| Some(PlannedTool::Made(made)))
             }

@@ -45,7 +45,7 @@ pub enum Tool {
     /// It is made for the target, free of any dresser (plated worm, shaving or honing tool, ground hob).
     Made,
     /// It exists with this modification over (w_1, z_1), transverse, mm.
-    Given(Sides<Modification>),
+    Given(Box<Sides<Modification>>),
 }
 
 /// Who carries the u^2 part of the profile (spec 28 section 1).

@@ -4,14 +4,37 @@ use super::super::GeneratingError;
 use super::{Arguments, FitSettings, FlankCoordinates, RollScale, Samples, WormFunctions};
 use crate::numerics::{BSpline, BSplineBasis};
 
-/// What a function of the class is multiplied with and what it depends on.
+/// What functions depend on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Term {
-    Constant,
-    Linear,
-    Quadratic,
+enum Argument {
+    Lines,
     Profile,
-    Kinematic,
+    Path,
+}
+
+impl Argument {
+    #[inline]
+    fn of(self, arguments: &Arguments) -> f64 {
+        match self {
+            Self::Lines => arguments.x,
+            Self::Profile => arguments.profile,
+            Self::Path => arguments.path,
+        }
+    }
+}
+
+/// Functions of one argument: the same B-splines times powers of u. The columns of one B-spline are neighbours.
+#[derive(Clone, Debug)]
+struct Group {
+    argument: Argument,
+    basis: BSplineBasis,
+    powers: Vec<i32>,
+}
+
+impl Group {
+    fn count(&self) -> usize {
+        self.basis.count() * self.powers.len()
+    }
 }
 
 /// Kinks as values of the arguments.
@@ -26,7 +49,8 @@ pub struct ArgumentKinks {
 }
 
 impl ArgumentKinks {
-    pub(super) fn new<G: FlankCoordinates>(settings: &FitSettings, coordinates: &G) -> Self {
+    /// Of the kinks of the settings.
+    pub fn new<G: FlankCoordinates>(settings: &FitSettings, coordinates: &G) -> Self {
         let of = |points: &[[f64; 2]], pick: fn(Arguments) -> f64| {
             points.iter().map(|&[w, z]| pick(coordinates.arguments(w, z))).collect()
         };
@@ -38,13 +62,20 @@ impl ArgumentKinks {
     }
 }
 
-/// All columns.
+/// All columns, those of the first group first.
 #[derive(Clone, Debug)]
 pub(super) struct Columns {
-    parts: Vec<(Term, BSplineBasis)>,
+    groups: Vec<Group>,
     scale: RollScale,
     degree: usize,
     count: usize,
+}
+
+/// Places for the values of one row.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Scratch {
+    values: Vec<f64>,
+    factors: Vec<f64>,
 }
 
 impl Columns {
@@ -59,42 +90,37 @@ impl Columns {
         let class = settings.class;
         let [w_low, w_high] = range(samples.points().iter().map(|p| p[0]));
         let scale = RollScale::new([w_low, w_high]);
-        let uses = [
-            (class.constant, Term::Constant),
-            (class.linear, Term::Linear),
-            (class.quadratic, Term::Quadratic),
-            (class.profile, Term::Profile),
-            (class.kinematic, Term::Kinematic),
-        ];
+        let powers = |uses: &[(bool, i32)]| uses.iter().filter(|(used, _)| *used).map(|(_, p)| *p).collect();
+        let lines: Vec<i32> = powers(&[(class.constant, 0), (class.linear, 1), (class.quadratic, 2)]);
         // Asked before anything is allocated: absurd numbers of intervals end here.
         let needed = settings.coefficients().saturating_sub(class.ambiguity(settings.degree));
         if samples.count() < needed.max(1) {
             return Err(GeneratingError::TooFewPoints { points: samples.count(), needed: needed.max(1) });
         }
-        let basis = |name: &'static str, pick: fn(&Arguments) -> f64, kinks: &[f64]| {
-            let [low, high] = range(arguments.iter().map(pick));
+        let mut groups = Vec::new();
+        for (argument, powers, name, kinks) in [
+            (Argument::Lines, lines, "X", &kinks.x),
+            (Argument::Profile, powers(&[(class.profile, 0)]), "w", &kinks.profile),
+            (Argument::Path, powers(&[(class.kinematic, 0)]), "X_K", &kinks.path),
+        ] {
+            if powers.is_empty() {
+                continue;
+            }
+            let [low, high] = range(arguments.iter().map(|a| argument.of(a)));
             // A range that only rounding made has no extent.
             if high - low <= 1e-12 * low.abs().max(high.abs()) {
                 return Err(GeneratingError::NoExtent { coordinate: name, value: low });
             }
-            BSplineBasis::uniform([low, high], settings.intervals, settings.degree, kinks)
-                .map_err(GeneratingError::InvalidSpline)
-        };
-        let mut parts = Vec::new();
-        for (_, term) in uses.into_iter().filter(|(used, _)| *used) {
-            let space = match term {
-                Term::Constant | Term::Linear | Term::Quadratic => basis("X", |a| a.x, &kinks.x),
-                Term::Profile => basis("w", |a| a.profile, &kinks.profile),
-                Term::Kinematic => basis("X_K", |a| a.path, &kinks.path),
-            };
-            parts.push((term, space?));
+            let basis = BSplineBasis::uniform([low, high], settings.intervals, settings.degree, kinks)
+                .map_err(GeneratingError::InvalidSpline)?;
+            groups.push(Group { argument, basis, powers });
         }
-        let count = parts.iter().map(|(_, basis)| basis.count()).sum::<usize>();
+        let count = groups.iter().map(Group::count).sum::<usize>();
         let needed = count.saturating_sub(class.ambiguity(settings.degree));
         if samples.count() < needed {
             return Err(GeneratingError::TooFewPoints { points: samples.count(), needed });
         }
-        Ok(Self { parts, scale, degree: settings.degree, count })
+        Ok(Self { groups, scale, degree: settings.degree, count })
     }
 
     /// Number of columns.
@@ -102,31 +128,59 @@ impl Columns {
         self.count
     }
 
-    /// Entries of the row of a point, times `weight`, into `row`. `values` is scratch of degree + 1 places.
+    /// Columns of the first group, those of them that a row touches, and all others.
+    pub fn band(&self) -> [usize; 3] {
+        self.groups.first().map_or([0; 3], |group| {
+            let band = group.count();
+            [band, (self.degree + 1) * group.powers.len(), self.count - band]
+        })
+    }
+
+    /// The samples in the order of the first column that their rows touch.
+    pub fn sorted(&self, arguments: &[Arguments]) -> Vec<usize> {
+        let Some(group) = self.groups.first() else { return (0..arguments.len()).collect() };
+        let place = |a: &Arguments| group.basis.first(group.argument.of(a));
+        let firsts: Vec<usize> = arguments.iter().map(place).collect();
+        let mut next = vec![0; group.basis.count() + 1];
+        firsts.iter().for_each(|&first| next[first + 1] += 1);
+        for first in 1..next.len() {
+            next[first] += next[first - 1];
+        }
+        let mut order = vec![0; firsts.len()];
+        for (i, &first) in firsts.iter().enumerate() {
+            order[next[first]] = i;
+            next[first] += 1;
+        }
+        order
+    }
+
+    /// Entries of the row of a point, times `weight`, into `row`, with ascending columns.
     #[inline]
     pub fn row(
         &self,
         w: f64,
         arguments: &Arguments,
         weight: f64,
-        values: &mut Vec<f64>,
+        scratch: &mut Scratch,
         row: &mut Vec<(usize, f64)>,
     ) {
+        let Scratch { values, factors } = scratch;
         values.resize(self.degree + 1, 0.0);
         row.clear();
         let u = self.scale.u(w);
         let mut offset = 0;
-        for (term, basis) in &self.parts {
-            let (argument, factor) = match term {
-                Term::Constant => (arguments.x, weight),
-                Term::Linear => (arguments.x, weight * u),
-                Term::Quadratic => (arguments.x, weight * u * u),
-                Term::Profile => (arguments.profile, weight),
-                Term::Kinematic => (arguments.path, weight),
-            };
-            let first = offset + basis.values(argument, values);
-            row.extend(values.iter().enumerate().map(|(k, b)| (first + k, b * factor)));
-            offset += basis.count();
+        for group in &self.groups {
+            factors.clear();
+            factors.extend(group.powers.iter().map(|&p| weight * u.powi(p)));
+            let first = group.basis.values(group.argument.of(arguments), values);
+            let mut column = offset + group.powers.len() * first;
+            for b in values.iter() {
+                for factor in factors.iter() {
+                    row.push((column, b * factor));
+                    column += 1;
+                }
+            }
+            offset += group.count();
         }
     }
 
@@ -137,18 +191,22 @@ impl Columns {
     pub fn functions(&self, x: &[f64]) -> Result<WormFunctions, GeneratingError> {
         let mut functions = WormFunctions::none(self.scale);
         let mut offset = 0;
-        for (term, basis) in &self.parts {
-            let coefficients = x[offset..offset + basis.count()].to_vec();
-            offset += basis.count();
-            let spline = BSpline::new(basis.clone(), coefficients).map_err(GeneratingError::InvalidSpline)?;
-            let place = match term {
-                Term::Constant => &mut functions.constant,
-                Term::Linear => &mut functions.linear,
-                Term::Quadratic => &mut functions.quadratic,
-                Term::Profile => &mut functions.profile,
-                Term::Kinematic => &mut functions.kinematic,
-            };
-            *place = Some(spline);
+        for group in &self.groups {
+            let own = &x[offset..offset + group.count()];
+            offset += group.count();
+            for (k, power) in group.powers.iter().enumerate() {
+                let coefficients = own.iter().skip(k).step_by(group.powers.len()).copied().collect();
+                let spline = BSpline::new(group.basis.clone(), coefficients)
+                    .map_err(GeneratingError::InvalidSpline)?;
+                let place = match (group.argument, power) {
+                    (Argument::Lines, 0) => &mut functions.constant,
+                    (Argument::Lines, 1) => &mut functions.linear,
+                    (Argument::Lines, _) => &mut functions.quadratic,
+                    (Argument::Profile, _) => &mut functions.profile,
+                    (Argument::Path, _) => &mut functions.kinematic,
+                };
+                *place = Some(spline);
+            }
         }
         Ok(functions)
     }

@@ -1,13 +1,13 @@
 //! The fit itself, on samples whose arguments are known.
 
 use super::super::GeneratingError;
-use super::columns::{ArgumentKinks, Columns};
+use super::columns::{ArgumentKinks, Columns, Scratch};
 use super::{Arguments, FitNorm, FitQuality, FitSettings, Samples, WormFunctions};
-use crate::inverse::{RowReduction, minimise_largest_residual};
+use crate::inverse::{BandedReduction, minimise_largest_residual};
 
 /// Singular values below this share of the largest are dropped (spec 25 section 4.1): the gauge leaves some that are zero up
 /// to rounding, which stays below 1e-13 for thousands of columns; the least true ones of sensible fits are above 1e-8.
-const RANK_CUT: f64 = 1e-11;
+pub(super) const RANK_CUT: f64 = 1e-11;
 
 /// Outcome of the fit with the least largest |f - fit|/tolerance.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,6 +62,24 @@ pub fn fit_functions(
     settings: &FitSettings,
     kinks: &ArgumentKinks,
 ) -> Result<FunctionsFit, GeneratingError> {
+    let fit = fit_coefficients(samples, arguments, settings, kinks)?;
+    Ok(FunctionsFit { functions: fit.columns.functions(&fit.x)?, report: fit.report })
+}
+
+/// Coefficients of minimum norm.
+pub(super) struct CoefficientsFit {
+    pub columns: Columns,
+    pub x: Vec<f64>,
+    pub report: FitReport,
+}
+
+/// [`fit_functions`] without the functions: all that a search asks for at most of its places.
+pub(super) fn fit_coefficients(
+    samples: &Samples,
+    arguments: &[Arguments],
+    settings: &FitSettings,
+    kinks: &ArgumentKinks,
+) -> Result<CoefficientsFit, GeneratingError> {
     if arguments.len() != samples.count() {
         return Err(GeneratingError::TooFewPoints { points: arguments.len(), needed: samples.count() });
     }
@@ -73,48 +91,52 @@ pub fn fit_functions(
     let columns = Columns::new(samples, arguments, settings, kinks)?;
     let (points, values, tolerances) = (samples.points(), samples.values(), samples.tolerances());
     let count = samples.count();
-    let unsolved = GeneratingError::FitNotSolved { coefficients: columns.count() };
+    let unsolved = || GeneratingError::FitNotSolved { coefficients: columns.count() };
 
-    let (mut scratch, mut row) = (Vec::new(), Vec::new());
-    let mut reduction = RowReduction::new(columns.count(), count);
-    for i in 0..count {
+    let (mut scratch, mut row) = (Scratch::default(), Vec::new());
+    let [band, stretch, border] = columns.band();
+    let mut reduction = BandedReduction::new(band, stretch, border, count);
+    for i in columns.sorted(arguments) {
         let weight = 1.0 / tolerances[i];
         columns.row(points[i][0], &arguments[i], weight, &mut scratch, &mut row);
         reduction.push(&row, weight * values[i]);
     }
-    let solved = reduction.solve(RANK_CUT).ok_or_else(|| unsolved.clone())?;
+    let reduction = reduction.finish();
     let mut quality = |x: &[f64]| {
         FitQuality::of((0..count).map(|i| {
             columns.row(points[i][0], &arguments[i], 1.0, &mut scratch, &mut row);
             (values[i] - row.iter().map(|&(j, a)| a * x[j]).sum::<f64>(), tolerances[i])
         }))
     };
-    let least_squares = quality(&solved.x);
     // Amounts near the largest numbers there are.
-    if !least_squares.rms.is_finite() {
-        return Err(unsolved);
-    }
-    let (x, minimax) = match settings.norm {
-        FitNorm::LeastSquares => (solved.x, None),
+    let checked = |quality: FitQuality| if quality.rms.is_finite() { Ok(quality) } else { Err(unsolved()) };
+    let (x, rank, least_squares, minimax) = match settings.norm {
+        FitNorm::LeastSquares => {
+            let (x, rank) = reduction.shortest(RANK_CUT).ok_or_else(unsolved)?;
+            let least_squares = checked(quality(&x))?;
+            (x, rank, least_squares, None)
+        }
         FitNorm::Largest => {
-            let mut scratch = Vec::new();
+            let solved = reduction.solve(RANK_CUT).ok_or_else(unsolved)?;
+            let least_squares = checked(quality(&solved.x))?;
+            let mut scratch = Scratch::default();
             let mut weighted = |i: usize, row: &mut Vec<(usize, f64)>| {
                 let weight = 1.0 / tolerances[i];
                 columns.row(points[i][0], &arguments[i], weight, &mut scratch, row);
                 weight * values[i]
             };
-            let best = minimise_largest_residual(&solved, count, &mut weighted).ok_or(unsolved)?;
+            let best = minimise_largest_residual(&solved, count, &mut weighted).ok_or_else(unsolved)?;
             let minimax = MinimaxReport { quality: quality(&best.x), bound: best.bound };
-            (best.x, Some(minimax))
+            (best.x, solved.rank.rank, least_squares, Some(minimax))
         }
     };
     let report = FitReport {
         points: count,
         coefficients: columns.count(),
-        rank: solved.rank.rank,
+        rank,
         ambiguity: settings.class.ambiguity(settings.degree),
         least_squares,
         minimax,
     };
-    Ok(FunctionsFit { functions: columns.functions(&x)?, report })
+    Ok(CoefficientsFit { columns, x, report })
 }

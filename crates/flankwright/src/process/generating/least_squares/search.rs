@@ -2,8 +2,12 @@
 //! (spec 25 section 4.1, items 4 and 5). Asks [`FlankLines`] for directions only.
 
 use super::super::{FlankLines, GeneratingError};
+use super::fit::fit_coefficients;
 use super::scan::least;
-use super::{Candidates, DiagonalCoordinates, FitQuality, FitSettings, Samples, SplineDecomposition, Tried};
+use super::{
+    ArgumentKinks, Arguments, Candidates, DiagonalCoordinates, FitQuality, FitSettings, FlankCoordinates,
+    Samples, SplineDecomposition, Tried,
+};
 use crate::geometry::Sides;
 
 /// Two exact ratios closer than this are one (spec 25 section 4.1).
@@ -57,13 +61,29 @@ impl FlankFit<'_> {
     /// # Errors
     /// As [`FlankFit::at_ratio`].
     pub fn at_direction(&self, t: f64) -> Result<SplineDecomposition<DiagonalCoordinates>, GeneratingError> {
+        SplineDecomposition::fit(self.samples, self.coordinates(t)?, self.settings)
+    }
+
+    /// Residuals of the decomposition at direction t, without its functions.
+    ///
+    /// # Errors
+    /// As [`FlankFit::at_ratio`].
+    pub fn quality(&self, t: f64) -> Result<FitQuality, GeneratingError> {
+        let coordinates = self.coordinates(t)?;
+        let arguments: Vec<Arguments> =
+            self.samples.points().iter().map(|&[w, z]| coordinates.arguments(w, z)).collect();
+        let kinks = ArgumentKinks::new(self.settings, &coordinates);
+        let fit = fit_coefficients(self.samples, &arguments, self.settings, &kinks)?;
+        Ok(fit.report.quality())
+    }
+
+    fn coordinates(&self, t: f64) -> Result<DiagonalCoordinates, GeneratingError> {
         let t_k = self.lines.t_k;
-        let coordinates = if self.settings.class.uses_lines() {
-            DiagonalCoordinates::new(t, t_k, self.rack_slope)?
+        if self.settings.class.uses_lines() {
+            DiagonalCoordinates::new(t, t_k, self.rack_slope)
         } else {
-            DiagonalCoordinates::radial(t_k, self.rack_slope)?
-        };
-        SplineDecomposition::fit(self.samples, coordinates, self.settings)
+            DiagonalCoordinates::radial(t_k, self.rack_slope)
+        }
     }
 }
 
@@ -93,7 +113,15 @@ pub struct DirectionSearch {
     pub tried: Vec<Tried>,
 }
 
-type Decomposed = Result<Option<SplineDecomposition<DiagonalCoordinates>>, GeneratingError>;
+/// A quantity of every flank that is given.
+fn on_flanks<T: Send>(
+    flanks: &Sides<Option<FlankFit<'_>>>,
+    of: impl Fn(&FlankFit<'_>) -> Result<T, GeneratingError> + Sync,
+) -> Result<Sides<Option<T>>, GeneratingError> {
+    let one = |fit: &Option<FlankFit<'_>>| fit.as_ref().map(&of).transpose();
+    let (left, right) = rayon::join(|| one(&flanks.left), || one(&flanks.right));
+    Ok(Sides { left: left?, right: right? })
+}
 
 /// The diagonal ratio, one for all flanks given, at which the objective is least: scan over the candidates, then golden
 /// section around the best local minima.
@@ -108,19 +136,14 @@ pub fn search_ratio(
     if flanks.left.is_none() && flanks.right.is_none() {
         return Err(GeneratingError::NoFlank);
     }
-    let at = |ratio: f64| {
-        let one = |fit: &Option<FlankFit<'_>>| -> Decomposed {
-            fit.as_ref().map(|fit| fit.at_ratio(ratio)).transpose()
-        };
-        let (left, right) = rayon::join(|| one(&flanks.left), || one(&flanks.right));
-        Ok(Sides { left: left?, right: right? })
-    };
-    let height = |sides: &Sides<Option<SplineDecomposition<DiagonalCoordinates>>>| {
-        objective.of([&sides.left, &sides.right].into_iter().flatten().map(|d| d.report.quality()))
-    };
-    let (ratio, tried) = least(candidates, |ratio| at(ratio).map(|sides| height(&sides)))?;
-    let flanks = at(ratio)?;
-    Ok(RatioSearch { ratio, objective: height(&flanks), flanks, tried })
+    let height =
+        |sides: Sides<Option<FitQuality>>| objective.of([sides.left, sides.right].into_iter().flatten());
+    let (ratio, tried) = least(candidates, |ratio| {
+        on_flanks(flanks, |fit| fit.quality(fit.lines.work_direction(ratio))).map(height)
+    })?;
+    let flanks = on_flanks(flanks, |fit| fit.at_ratio(ratio))?;
+    let objective = height(flanks.map(|_, flank| flank.as_ref().map(|d| d.report.quality())));
+    Ok(RatioSearch { ratio, objective, flanks, tried })
 }
 
 /// The direction rho_2 [rad] on one flank at which the objective is least.
@@ -132,11 +155,10 @@ pub fn search_direction(
     candidates: &Candidates,
     objective: Objective,
 ) -> Result<DirectionSearch, GeneratingError> {
-    let height = |d: &SplineDecomposition<DiagonalCoordinates>| objective.of([d.report.quality()]);
-    let at = |rho: f64| flank.at_direction(rho.tan());
-    let (direction, tried) = least(candidates, |rho| at(rho).map(|d| height(&d)))?;
-    let flank = at(direction)?;
-    Ok(DirectionSearch { direction, objective: height(&flank), flank, tried })
+    let height = |quality: FitQuality| objective.of([quality]);
+    let (direction, tried) = least(candidates, |rho| flank.quality(rho.tan()).map(height))?;
+    let flank = flank.at_direction(direction.tan())?;
+    Ok(DirectionSearch { direction, objective: height(flank.report.quality()), flank, tried })
 }
 
 /// Whether both flanks can be ground at once without deviation: their exact ratios agree within 1e-9.
