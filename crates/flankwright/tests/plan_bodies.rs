@@ -192,8 +192,8 @@ fn a_tolerance_map_judges_place_by_place() {
     let mut job = load("radial-feed-crowning.toml");
     let table = |corner: f64| {
         serde_json::json!({
-            "w_mm": [1.0, 12.0, 30.0], "z_mm": [-20.0, 0.0, 20.0],
-            "tolerance_um": [[corner, 50.0, 50.0], [50.0, 5.0, 50.0], [50.0, 50.0, 50.0]],
+            "w_mm": [4.1, 12.0, 30.0], "z_mm": [-20.0, 0.0, 20.0],
+            "tolerance_um": [[corner, 50.0, corner], [50.0, 5.0, 50.0], [50.0, 50.0, 50.0]],
         })
     };
     // The natural twist is largest in the corners, where the map allows it.

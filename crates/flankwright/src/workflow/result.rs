@@ -88,6 +88,9 @@ pub struct FlankResult {
     pub simulated_characteristics: CharacteristicsUm,
     /// Largest part of the target outside the producible class, normal.
     pub outside_class_um: f64,
+    /// Largest |planned - target| inside the cells of the grid, where reliefs or waves stand on the tool's lines.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub planned_between_um: Option<f64>,
     /// Least det J / det J_0.
     pub least_determinant_ratio: f64,
 }

@@ -150,6 +150,7 @@ fn finish(
                 target_characteristics: CharacteristicsUm::of(&executed.target, cos_b),
                 simulated_characteristics: CharacteristicsUm::of(&verdict.simulated, cos_b),
                 outside_class_um: outside[flank] * cos_b * 1e3,
+                planned_between_um: plan.as_ref().map(|p| p.between[flank] * 1e3).filter(|&um| um > 0.0),
                 least_determinant_ratio: executed.determinant,
             },
         );
@@ -158,7 +159,12 @@ fn finish(
     warnings.extend(plan.as_ref().and_then(given_ratio_warning));
     warnings.extend(plan.as_ref().and_then(|_| equal_ratio_remark(&prepared)));
     // Parts outside the class count by themselves: the grid may miss them (a wave between its points).
-    let met = |f: &FlankResult| f.tolerance_share <= 1.0 && f.outside_class_um <= tolerance;
+    let allowed = if prepared.tolerance.is_uniform() { tolerance } else { f64::INFINITY };
+    let met = |f: &FlankResult| {
+        f.tolerance_share <= 1.0
+            && f.outside_class_um <= tolerance
+            && f.planned_between_um.is_none_or(|between| between <= allowed)
+    };
     let status = if !flanks.is_empty() && flanks.values().all(met) { Status::Met } else { Status::Missed };
     let reason = (status == Status::Missed).then(|| missed(job, &prepared, &flanks, execution.ratio));
     let setup = &prepared.setup;

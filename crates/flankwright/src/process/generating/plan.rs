@@ -88,6 +88,9 @@ pub struct GrindingPlan {
     pub dressed_error_by_round: Sides<Vec<f64>>,
     /// Least determinant ratio on the result grid.
     pub determinant: f64,
+    /// Largest error of the planned flank inside the cells of the result grid, per flank, normal, mm; 0 where polynomials
+    /// tell the whole plan.
+    pub between: Sides<f64>,
 }
 
 /// Largest margin dressed beyond the occupation, mm.
@@ -301,6 +304,19 @@ impl PlanTask<'_> {
             let (dresser, tools, error) = self.equip_with(&best.ideal, policy, &grid, margin)?;
             best = Equipped { ideal: best.ideal, dresser, flanks: tools, error, margin };
         };
+        let between = if self.is_smooth() {
+            Sides::both(0.0)
+        } else {
+            let inner = result_grid.between();
+            let ground = |flank: Flank| {
+                best.flanks[flank]
+                    .as_ref()
+                    .map(|tool| tool.ground(self.setup, flank, &inner, &best.ideal.motion))
+            };
+            let shift = &best.ideal.motion.shift;
+            let error = GroundError::of(self.setup, &self.targets, &inner, shift, ground, |_, _| None)?;
+            Sides::from_fn(|flank| error.largest(flank).unwrap_or(0.0))
+        };
         let determinant = flanks
             .iter()
             .filter_map(|(_, f)| f.as_ref())
@@ -315,6 +331,7 @@ impl PlanTask<'_> {
             ideal_error_by_round: ideal_record,
             dressed_error_by_round: dressed_record,
             determinant,
+            between,
         })
     }
 

@@ -34,6 +34,13 @@ impl PlanningGrid {
         Self { w, z, fits, pure_fits }
     }
 
+    /// Points inside the cells of this grid, off their middles: what waves between the points, whatever its length, shows there.
+    pub(super) fn between(&self) -> Self {
+        const PLACE: f64 = 0.382;
+        let inside = |x: &[f64]| x.windows(2).map(|cell| cell[0] + PLACE * (cell[1] - cell[0])).collect();
+        Self { w: self.w.map(|_, w| inside(w)), z: inside(&self.z), ..self.clone() }
+    }
+
     /// Target values on one flank, normal, mm.
     ///
     /// # Errors
