@@ -2,6 +2,7 @@
 //! their stretch are reduced stretch by stretch. Hands over to [`RowReduction`]. Knows no gears.
 
 use super::RowReduction;
+use super::row_reduction::SCALE;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::householder::{
     apply_block_householder_sequence_transpose_on_the_left_in_place_scratch as apply_scratch,
@@ -25,7 +26,7 @@ pub struct BandedReduction {
     border: usize,
     /// First column of the stretch in work.
     first: usize,
-    /// Rows of that stretch: its columns, the border, the right side.
+    /// Rows of that stretch: its columns, the border, the right side; times [`SCALE`], like all numbers here.
     rows: Mat<f64>,
     filled: usize,
     /// Rows done: band, border, right side.
@@ -72,12 +73,12 @@ impl BandedReduction {
             self.reduce();
         }
         for &(column, value) in inside {
-            self.rows[(self.filled, column - self.first)] = value;
+            self.rows[(self.filled, column - self.first)] = value * SCALE;
         }
         for &(column, value) in border {
-            self.rows[(self.filled, column - self.band + self.stretch)] = value;
+            self.rows[(self.filled, column - self.band + self.stretch)] = value * SCALE;
         }
-        self.rows[(self.filled, self.stretch + self.border)] = right;
+        self.rows[(self.filled, self.stretch + self.border)] = right * SCALE;
         self.filled += 1;
     }
 

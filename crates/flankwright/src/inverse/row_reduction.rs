@@ -11,6 +11,10 @@ use faer::{Col, ColRef, Mat, MatRef, Par};
 /// Rows collected before they are reduced; with fewer the triangle would be reduced again too often.
 const BLOCK: usize = 1024;
 
+/// Rows are kept times this power of two, which changes no digit. faer's norms also sum the squares of numbers times 2^-511: of
+/// numbers below 1 these are subnormal, and processors take a hundred times longer for those.
+pub(super) const SCALE: f64 = (1u64 << 60) as f64;
+
 /// The triangle [R c] of all rows [a | b] so far. The result depends on the order of the rows only, not on threads.
 #[derive(Clone, Debug)]
 pub struct RowReduction {
@@ -49,7 +53,8 @@ impl RowReduction {
         Self { columns, rows: Mat::zeros(block + columns + 1, columns + 1), filled: 0 }
     }
 
-    /// Adds a row given by its entries (column, value), each column at most once, and its right side.
+    /// Adds a row given by its entries (column, value), each column at most once, and its right side. Numbers above 1e290 count
+    /// as infinite.
     ///
     /// # Panics
     /// If a column does not exist.
@@ -59,13 +64,13 @@ impl RowReduction {
             self.reduce();
         }
         for &(column, value) in entries {
-            self.rows[(self.filled, column)] = value;
+            self.rows[(self.filled, column)] = value * SCALE;
         }
-        self.rows[(self.filled, self.columns)] = right;
+        self.rows[(self.filled, self.columns)] = right * SCALE;
         self.filled += 1;
     }
 
-    /// Adds the rows of a matrix [a | b].
+    /// Adds the rows of a matrix [a | b] times [`SCALE`].
     ///
     /// # Panics
     /// Unless it has one column more than the reduction.
@@ -94,10 +99,10 @@ impl RowReduction {
     pub fn largest_column(&mut self) -> f64 {
         let columns = self.columns;
         let triangle = self.triangle();
-        (0..columns).map(|j| triangle.col(j).norm_l2()).fold(0.0, f64::max)
+        (0..columns).map(|j| triangle.col(j).norm_l2() / SCALE).fold(0.0, f64::max)
     }
 
-    /// The triangle [R c] of all rows so far.
+    /// The triangle [R c] of all rows so far times [`SCALE`].
     pub(super) fn triangle(&mut self) -> MatRef<'_, f64> {
         self.reduce();
         self.rows.as_ref().subrows(0, self.filled)
@@ -206,6 +211,7 @@ impl RowReduction {
                 *x += v * along / singular_values[k];
             }
         }
+        let singular_values = singular_values.into_iter().map(|value| value / SCALE).collect();
         let rank = RankReport { singular_values, rank };
         x.iter().all(|x| x.is_finite()).then_some(MinimumNorm { x, rank, directions })
     }
