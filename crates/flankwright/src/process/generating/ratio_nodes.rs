@@ -114,8 +114,8 @@ mod tests {
         for k in 0..=400 {
             let v = -20.0 + 45.0 * f64::from(k) / 400.0;
             let ([f, f1, _], [g, g1, _]) = (law.jet(v), smooth.jet(v));
-            // h^2 of the smooth law (0.18 mm) times the jumps of F'' at the nodes, some 0.1/mm, over some ten.
-            assert!((f - g).abs() < 3e-4 && (f1 - g1).abs() < 5e-3, "{v}: {f} {g}, {f1} {g1}");
+            // h^2 of the smooth law (0.18 mm) times the jumps of F'' at the nodes, some 0.1/mm, over some ten; F' by h/10 of them.
+            assert!((f - g).abs() < 3e-4 && (f1 - g1).abs() < 6e-3, "{v}: {f} {g}, {f1} {g1}");
         }
     }
 
