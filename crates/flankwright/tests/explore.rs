@@ -329,3 +329,18 @@ fn the_number_of_threads_does_not_show() {
     };
     assert_eq!(run(1), run(3));
 }
+
+#[test]
+fn a_study_holds_the_tightest_tolerance_of_a_map() {
+    let loaded = load("automotive-bias.toml");
+    let text = loaded.document.source().text();
+    let coarse = text.replace("[target]", "[target]\ntolerance_map = { w_mm = [0.0, 50.0], z_mm = [-20.0, 20.0], tolerance_um = [[1e-6, 100.0], [100.0, 100.0]] }");
+    assert_ne!(coarse, text);
+    let study =
+        |text: &str| explored(&parse_job(flankwright::exchange::Source::new("job.toml", text)).unwrap());
+    let (plain, mapped) = (study(text), study(&coarse));
+    assert!((mapped.tolerance_um - 1e-6).abs() < 1e-18);
+    assert!(plain.candidates.iter().any(|c| c.within_tolerance));
+    assert!(!mapped.candidates.iter().any(|c| c.within_tolerance && c.residual_um > Some(1e-6)));
+    assert!(mapped.candidates.iter().any(|c| c.residual_um > Some(1e-6)));
+}

@@ -1,7 +1,10 @@
 //! Motion laws: how one axis follows another, as plain data with derivatives.
 
 use super::{LawError, PiecewisePolynomial};
-use crate::numerics::{Chebyshev, Scalar, value_of};
+use crate::numerics::{Chebyshev, Scalar, equidistant, value_of};
+
+/// Points of a smoothed law.
+const SMOOTH_POINTS: usize = 257;
 
 /// A smooth function of one machine coordinate. Units are those of the axis per mm of the argument.
 #[derive(Clone, Debug, PartialEq)]
@@ -67,6 +70,17 @@ impl MotionLaw {
     /// Those of [`PiecewisePolynomial::spline`].
     pub fn spline(x: &[f64], y: &[f64]) -> Result<Self, LawError> {
         PiecewisePolynomial::spline(x, y).map(Self::Pieces)
+    }
+
+    /// The law over a domain as a spline through 257 of its points: C2. Over some 40 mm it misses a law whose curvature jumps
+    /// by less than 1e-4 mm; who plans with it must also simulate with it.
+    ///
+    /// # Errors
+    /// Those of [`Self::spline`].
+    pub fn smooth(&self, domain: [f64; 2]) -> Result<Self, LawError> {
+        let x = equidistant(domain, SMOOTH_POINTS);
+        let y: Vec<f64> = x.iter().map(|&at| self.value(at)).collect();
+        Self::spline(&x, &y)
     }
 
     /// `[f, f', f'']` at x.

@@ -3,6 +3,7 @@
 mod bspline;
 mod chebyshev;
 mod equidistant;
+mod extremes;
 mod jet;
 mod knots;
 mod monotone_root;
@@ -17,6 +18,7 @@ mod tensor_spline;
 pub use bspline::{BSpline, BSplineBasis};
 pub use chebyshev::Chebyshev;
 pub use equidistant::equidistant;
+pub use extremes::extremes;
 pub use jet::Jet2;
 pub use knots::SplineError;
 pub use monotone_root::monotone_root;

@@ -1,7 +1,8 @@
 //! Worms with which both flanks of a job ask for the same diagonal ratio (spec 20 section 6), offered where directed parts of
 //! the target ask for different ones. Knows no plan: an offer says where one ratio is enough, not whether it is allowed.
 
-use super::prepare::{Prepared, Remark};
+use super::finding::Remark;
+use super::prepare::Prepared;
 use crate::contact::{DiagonalLine, FlankPair};
 use crate::geometry::{Flank, Sides};
 use crate::process::generating::{

@@ -1,14 +1,15 @@
 //! A grinding process with all its settings, ready to be run: from a plan or from the `[settings]` of a job. Both go the
 //! same way to the referee and to the report.
 
-use super::prepare::{Prepared, Remark, RunFailure, settings_reliefs};
+use super::finding::{Remark, RunFailure};
+use super::prepare::{Prepared, settings_reliefs};
 use crate::exchange::job::{FlankSettings, Job, Pieces, Settings, ToolTable, ToolTables};
 use crate::exchange::{Diagnostic, LoadedJob, Problem};
 use crate::geometry::{Flank, Sides};
 use crate::kinematics::{DressingMotion, GeneratingMotion, MotionLaw, PiecewisePolynomial};
 use crate::metrology::Topography;
 use crate::modification::ModificationSpec;
-use crate::numerics::Chebyshev;
+use crate::numerics::{Chebyshev, extremes};
 use crate::process::dressing::{DressedWorm, DresserTool, dressing_motion};
 use crate::process::generating::least_squares::FitNorm;
 use crate::process::generating::{
@@ -112,7 +113,7 @@ const LOW_DETERMINANT: f64 = 0.3;
 
 /// Feed stroke from the feeds at which the grid is really ground, with the job's overrun and one feed mark.
 fn stroke(job: &Job, feeds: impl Iterator<Item = f64>) -> [f64; 2] {
-    let [a, b] = feeds.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| [a.min(v), b.max(v)]);
+    let [a, b] = extremes(feeds);
     let mark = job.grinding.feed_per_revolution.unwrap_or(0.0);
     let over = job.grinding.overrun.unwrap_or(LEAST_OVERRUN).max(LEAST_OVERRUN).max(mark);
     [a - over, b + over]
@@ -344,10 +345,7 @@ fn shift_of_settings(settings: &Settings) -> Result<MotionLaw, RunFailure> {
 fn law_of_pieces(pieces: &Pieces, field: &str) -> Result<MotionLaw, RunFailure> {
     PiecewisePolynomial::new(pieces.breaks_mm.clone(), pieces.coefficients.clone())
         .map(MotionLaw::Pieces)
-        .map_err(|e| {
-            let finding = Diagnostic::with_code(e.code(), e.to_string()).field(field);
-            RunFailure::bad_input(finding.way_out(e.way_out()))
-        })
+        .map_err(|e| RunFailure::of_law(&e, field))
 }
 
 /// A law in pieces as settings carry it, times a factor.

@@ -4,6 +4,7 @@
 mod equal_ratio_offers;
 mod execution;
 mod explore;
+mod finding;
 mod occupation;
 mod page;
 mod partition;
@@ -22,11 +23,10 @@ pub use explore::{
     ExploreCandidate, ExploreOutcome, FlankFigures, MOST_COMBINATIONS, RANKING, Refused, explore_job,
     write_exploration,
 };
+pub use finding::{Remark, RunFailure};
 pub use occupation::occupation_chart;
 pub use partition::{Partition, StrokePlan};
-pub use prepare::{
-    Prepared, Remark, RunFailure, blank_of_job, gear_of_job, prepare, setup_of_job, tolerance_of_job,
-};
+pub use prepare::{Prepared, blank_of_job, gear_of_job, prepare, setup_of_job, tolerance_of_job};
 pub use referee::{StageReport, Verdict};
 pub use result::{CandidateResult, CharacteristicsUm, FlankResult, JobResult, SettingsResult, Status};
 pub use run::{Outcome, plan_job, simulate_job};

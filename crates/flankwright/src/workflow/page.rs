@@ -2,9 +2,10 @@
 
 use super::result::{CharacteristicsUm, FlankResult, Status};
 use super::run::{Outcome, ratio_reason};
-use super::tables::{ROWS, steps};
+use super::tables::ROWS;
 use crate::exchange::job::{Job, Modification as Spec};
 use crate::geometry::{Flank, Sides};
+use crate::numerics::equidistant;
 use crate::report::charts::{ChartError, SectionTrace, Topography, format_significant};
 use crate::report::generating::{
     Characteristics, ConvergenceRound, DressingMotion, FlankReport, GeneratingReport, GrindingMotion,
@@ -249,7 +250,7 @@ fn settings_quantities(outcome: &Outcome, job: &Job) -> Vec<Quantity> {
 
 fn grinding_motion(outcome: &Outcome) -> GrindingMotion {
     let motion = &outcome.execution.motion;
-    let feeds: Vec<f64> = steps(outcome.execution.feed_range, ROWS).collect();
+    let feeds: Vec<f64> = equidistant(outcome.execution.feed_range, ROWS);
     GrindingMotion {
         z_v1_mm: feeds.iter().map(|&v| motion.shift.value(v)).collect(),
         delta_d_um: feeds.iter().map(|&v| motion.delta_d.value(v) * 1e3).collect(),
@@ -262,7 +263,7 @@ fn dressing_motion(outcome: &Outcome, flank: Flank) -> Option<DressingMotion> {
     let dressing = outcome.execution.flanks[flank].as_ref()?.dressing()?;
     let motion = &dressing.motion;
     let (from, to) = dressing.corrections[0].interval();
-    let v: Vec<f64> = steps([from, to], ROWS).collect();
+    let v: Vec<f64> = equidistant([from, to], ROWS);
     let component = |j: usize, unit: f64| v.iter().map(|&v| motion.correction_at(v)[j] * unit).collect();
     let deg = 180.0 / std::f64::consts::PI;
     Some(DressingMotion {

@@ -1,8 +1,9 @@
 //! Who uses which part of the tool: areas side by side, roughing and finishing, and the strokes of a tool whose threads are
 //! partly left out (spec 25 section 8). Cylindrical bodies.
 
+use super::finding::RunFailure;
 use super::occupation::occupation_chart;
-use super::prepare::{Prepared, RunFailure};
+use super::prepare::Prepared;
 use crate::exchange::Diagnostic;
 use crate::exchange::job::Job;
 use crate::geometry::Sides;
@@ -72,11 +73,6 @@ impl StrokePlan {
     }
 }
 
-/// Run-in and run-out at each end of the tool, mm (spec 28 section 2).
-fn margin(prepared: &Prepared) -> f64 {
-    1.5 * prepared.setup.worm_module() + 3.0
-}
-
 /// The plan of one area with a single ratio.
 fn plain_area(lines: &Sides<Option<FlankLines>>, ratio: f64) -> Result<AreaPlan, GeneratingError> {
     AreaTask { lines: *lines, regions: Vec::new(), free_ratio: ratio }.plan()
@@ -143,7 +139,8 @@ impl Partition {
         let asked = job.grinding.areas.map(|n| n as usize);
         let (occupation, fit) = match job.worm.width {
             Some(width) => {
-                let ends = [margin(prepared) - 0.5 * width, 0.5 * width - margin(prepared)];
+                let end = 0.5 * width - setup.run_in();
+                let ends = [-end, end];
                 let lay = |areas: usize| Occupation::lay(ends, &sets(areas));
                 let mut fit = 0;
                 while fit < MOST_AREAS && lay(fit + 1).is_ok() {

@@ -1,5 +1,6 @@
 //! From a checked job to bodies, targets and the task of planning. Every finding names the job's key.
 
+use super::finding::{Remark, RunFailure, generating_finding, geometry_finding, modification_finding};
 use super::shift::shift_of_job;
 use crate::exchange::job::{
     DiagonalRatio, DresserModification, Fit, FixedDresser, Flanks, Gauge, GaugeRule, Job, Method,
@@ -9,7 +10,7 @@ use crate::exchange::{
     Diagnostic, LoadedJob, Problem, TableForm, read_grid_target, read_points, read_tolerances, read_traces,
     table_form,
 };
-use crate::geometry::{Blank, Flank, Gear, GearData, GeometryError, Sides, ThicknessMeasure, WormChoice};
+use crate::geometry::{Blank, Flank, Gear, GearData, Sides, ThicknessMeasure, WormChoice};
 use crate::kinematics::MotionLaw;
 use crate::modification::{
     EvaluationField, GridSpec, GridTable, Modification, ModificationError, ModificationFiles,
@@ -18,8 +19,8 @@ use crate::modification::{
 use crate::process::generating::areas::AreaPlan;
 use crate::process::generating::least_squares::FitNorm;
 use crate::process::generating::{
-    Carrier, DresserChoice, DressingLimits, FlankTarget, FreeCoefficients, GeneratingError, GrindingSetup,
-    PlanGauge, PlanTask, ProfilePlace, SetupInput, Tool,
+    Carrier, DresserChoice, DressingLimits, FlankTarget, FreeCoefficients, GrindingSetup, PlanGauge,
+    PlanTask, ProfilePlace, SetupInput, Tool,
 };
 
 /// A job made ready for planning.
@@ -44,45 +45,6 @@ pub struct Prepared {
     pub warnings: Vec<Remark>,
 }
 
-/// Something worth saying that is no error.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
-pub struct Remark {
-    /// Stable code.
-    pub code: &'static str,
-    /// What.
-    pub text: String,
-    /// What can be done about it.
-    pub way_out: String,
-}
-
-/// Why a job has no result.
-#[derive(Clone, Debug)]
-pub enum RunFailure {
-    /// The input itself is wrong (exit 2).
-    BadInput(Box<Diagnostic>),
-    /// Each part is possible, but these bodies cannot make the target (exit 4).
-    NotProducible(Box<Diagnostic>),
-}
-
-impl RunFailure {
-    /// A fault of the input.
-    pub fn bad_input(finding: Diagnostic) -> Self {
-        Self::BadInput(Box::new(finding))
-    }
-
-    /// A limit of the bodies.
-    pub fn not_producible(finding: Diagnostic) -> Self {
-        Self::NotProducible(Box::new(finding))
-    }
-}
-
-impl From<&GeneratingError> for RunFailure {
-    fn from(error: &GeneratingError) -> Self {
-        let finding = generating_finding(error);
-        if error.is_bad_input() { Self::bad_input(finding) } else { Self::not_producible(finding) }
-    }
-}
-
 /// Grid and point files named in a job, beside the job file.
 struct Beside<'a>(&'a LoadedJob);
 
@@ -100,72 +62,6 @@ impl ModificationFiles for Beside<'_> {
     fn points(&self, file: &str) -> Result<Vec<[f64; 3]>, String> {
         read_points(&self.0.beside(file)).map_err(|e| e.to_string())
     }
-}
-
-/// A geometry error as a finding on a key of the job.
-fn geometry_finding(error: &GeometryError, table: &str) -> Diagnostic {
-    let field = match error {
-        GeometryError::InvalidNumber { field, .. } if field.contains('.') => (*field).to_string(),
-        GeometryError::InvalidNumber { field, .. } => format!("{table}.{field}"),
-        GeometryError::DiametersInconsistent { inner, .. } if inner.contains('.') => (*inner).to_string(),
-        GeometryError::DiametersInconsistent { inner, .. } => format!("{table}.{inner}"),
-        GeometryError::RadiusBelowBaseCircle { .. } => format!("{table}.form_diameter"),
-        GeometryError::ToothPointed { .. } => format!("{table}.tip_diameter"),
-        GeometryError::WormTooSmall { .. } => "worm.threads".to_string(),
-        GeometryError::NoRack { .. } => "worm.normal_pressure_angle_deg".to_string(),
-        GeometryError::BallTooSmall { .. } | GeometryError::BallTooLarge { .. } => {
-            format!("{table}.over_balls")
-        }
-        GeometryError::SpanUndefined { .. } => format!("{table}.span"),
-        GeometryError::PressureAngleNotPositive { .. } | GeometryError::InternalConicalUnsupported { .. } => {
-            format!("{table}.cone_angle_deg")
-        }
-        _ => table.to_string(),
-    };
-    let finding =
-        Diagnostic::with_code(error.code(), error.to_string()).field(field).way_out(error.way_out());
-    match error {
-        GeometryError::InvalidNumber { value, allowed, .. } => finding.value(value).allowed(*allowed),
-        GeometryError::InvalidGeometry { value, allowed, .. } => {
-            finding.value(value).allowed(allowed.clone())
-        }
-        GeometryError::DiametersInconsistent { inner_value, outer, outer_value, .. } => {
-            finding.value(inner_value).allowed(format!("below {outer} = {outer_value} mm"))
-        }
-        GeometryError::RadiusBelowBaseCircle { radius, base_radius, .. } => {
-            finding.value(2.0 * radius).allowed(format!("from {:.6} mm", 2.0 * base_radius))
-        }
-        GeometryError::WormTooSmall { diameter, least, .. } => {
-            finding.value(diameter).allowed(format!("pitch diameter above {least} mm"))
-        }
-        _ => finding,
-    }
-}
-
-/// A planning error as a finding on a key of the job.
-pub fn generating_finding(error: &GeneratingError) -> Diagnostic {
-    match error {
-        GeneratingError::Geometry(e) => geometry_finding(e, "gear"),
-        GeneratingError::Modification(_) => finding(error, "target.modifications"),
-        GeneratingError::WormTooShort { .. } => finding(error, "worm.width"),
-        GeneratingError::DegenerateDirection { .. }
-        | GeneratingError::DirectionAlongPath { .. }
-        | GeneratingError::WormDirectionDegenerate { .. }
-        | GeneratingError::Law(_)
-        | GeneratingError::AreasOverlap { .. }
-        | GeneratingError::WormLinesShared { .. } => finding(error, "grinding.diagonal_ratio"),
-        GeneratingError::ConicalWormNotDressed { .. } => finding(error, "worm.cone_angle_deg"),
-        GeneratingError::NotDressed | GeneratingError::ToolBelowBase { .. } => finding(error, "worm.tool"),
-        GeneratingError::ToolUndefined { .. } => finding(error, "worm.modifications"),
-        GeneratingError::NoCommonSwivel { .. } => finding(error, "grinding.gauge"),
-        GeneratingError::NoFlank => finding(error, "grinding.flanks"),
-        GeneratingError::Dressing(_) => finding(error, "dressing"),
-        _ => finding(error, "grinding"),
-    }
-}
-
-fn finding(error: &GeneratingError, field: &str) -> Diagnostic {
-    Diagnostic::with_code(error.code(), error.to_string()).field(field).way_out(error.way_out())
 }
 
 /// The gear of a job with its thickness measure turned into the profile shift.
@@ -305,10 +201,6 @@ fn specs_of_flank(
             index.map_or("target.modifications".to_string(), |i| format!("target.modifications[{i}]"));
         modification_finding(&error, &entry)
     })
-}
-
-fn modification_finding(error: &ModificationError, entry: &str) -> Diagnostic {
-    Diagnostic::with_code(error.code(), error.to_string()).field(entry.to_string()).way_out(error.way_out())
 }
 
 /// Fewest scattered points that a spline surface is fitted to.

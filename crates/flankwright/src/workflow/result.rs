@@ -1,7 +1,7 @@
 //! `result.json`: what a plan or a simulation came to, with units in the key names (spec 90 section 3).
 
+use super::finding::Remark;
 use super::partition::{Partition, StrokePlan};
-use super::prepare::Remark;
 use crate::exchange::job::Settings;
 use crate::geometry::Sides;
 use crate::metrology::{Characteristics, Topography};

@@ -2,8 +2,9 @@
 
 use super::equal_ratio_offers::equal_ratio_remark;
 use super::execution::Execution;
+use super::finding::{Remark, RunFailure};
 use super::partition::{Partition, StrokePlan};
-use super::prepare::{Prepared, Remark, RunFailure, prepare};
+use super::prepare::{Prepared, prepare};
 use super::referee::{self, Cutting, Verdict};
 use super::result::{CandidateResult, CharacteristicsUm, FlankResult, JobResult, SettingsResult, Status};
 use crate::exchange::job::{DiagonalRatio, Job};
@@ -314,7 +315,7 @@ fn missed(
     flanks: &BTreeMap<&'static str, FlankResult>,
     ratio: f64,
 ) -> Remark {
-    let tolerance = job.target.tolerance_um;
+    let tolerance = prepared.tolerance.tightest() * 1e3;
     let twisted = |f: &FlankResult| {
         let unwanted = f.simulated_characteristics.twist_corner_um - f.target_characteristics.twist_corner_um;
         unwanted.abs() > tolerance

@@ -1,11 +1,11 @@
 //! From `[grinding] diagonal_ratio` to the law of the tool shift: curves and tables of spec 25 section 7, areas of section 8.
 //! Every finding names the job's key.
 
-use super::prepare::RunFailure;
+use super::finding::RunFailure;
 use crate::exchange::Diagnostic;
 use crate::exchange::job::{DiagonalRatio, DiagonalRule, Job, ShiftCurve, ShiftTable};
 use crate::geometry::{Flank, Sides};
-use crate::kinematics::{InverseLaw, LawError, MotionLaw};
+use crate::kinematics::{InverseLaw, MotionLaw};
 use crate::modification::{ModificationSpec, ToleranceMap};
 use crate::process::generating::areas::{AreaPlan, AreaTask, Demand, Region};
 use crate::process::generating::least_squares::{
@@ -17,9 +17,6 @@ use crate::process::generating::{
 
 /// Key of the ratio.
 const RATIO: &str = "grinding.diagonal_ratio";
-/// Nodes of the smooth law through a wanted curve: over some 40 mm of feed it misses the exact one by less than 1e-4 mm even
-/// where a curve changes its curvature at once; the plan and the referee both take the smooth law.
-const NODES: usize = 257;
 /// Travel beyond the field for which a law must hold, mm: overrun and contact shift.
 const BEYOND: f64 = 3.0;
 /// A curve is continued beyond the profile by this many profile lengths at the most until it covers the flank.
@@ -35,15 +32,10 @@ pub(super) struct Shift {
     pub areas: Option<AreaPlan>,
 }
 
-fn failure(error: &GeneratingError, field: &str) -> RunFailure {
-    let finding =
-        Diagnostic::with_code(error.code(), error.to_string()).field(field).way_out(error.way_out());
-    if error.is_bad_input() { RunFailure::bad_input(finding) } else { RunFailure::not_producible(finding) }
-}
-
-fn law_failure(error: &LawError, field: &str) -> RunFailure {
-    let finding = Diagnostic::with_code(error.code(), error.to_string());
-    RunFailure::bad_input(finding.field(field).way_out(error.way_out()))
+/// The law through the points of a job: a spline, of fewer than four points a broken line.
+fn through(x: &[f64], y: &[f64], field: &str) -> Result<MotionLaw, RunFailure> {
+    let law = if x.len() < 4 { MotionLaw::broken_line(x, y) } else { MotionLaw::spline(x, y) };
+    law.map_err(|e| RunFailure::of_law(&e, field))
 }
 
 /// The shift that a job asks for; flanks that are ground in `which`.
@@ -65,7 +57,8 @@ pub(super) fn shift_of_job(
         }
         Some(DiagonalRatio::Rule(DiagonalRule::Variable)) => {
             cylinders_only(setup, "\"variable\"")?;
-            let law = fitted(setup, targets, tolerance, which).map_err(|e| failure(&e, RATIO))?;
+            let law =
+                fitted(setup, targets, tolerance, which).map_err(|e| RunFailure::on_field(&e, RATIO))?;
             Ok(Shift { law: Some(law), areas: None })
         }
         Some(DiagonalRatio::Law(law)) => {
@@ -93,7 +86,7 @@ fn cylinders_only(setup: &GrindingSetup, what: &str) -> Result<(), RunFailure> {
         format!("{what} as diagonal ratio needs a cylindrical gear and a cylindrical tool"),
     );
     let finding = finding
-        .field("grinding.diagonal_ratio")
+        .field(RATIO)
         .way_out("give the shift as { table = { z_v2_mm = [..], z_v1_mm = [..] } }, or a number");
     Err(RunFailure::bad_input(finding))
 }
@@ -140,7 +133,7 @@ fn feeds(setup: &GrindingSetup, which: &[Flank], law: &MotionLaw) -> [f64; 2] {
 /// A law is refused unless it runs one way over the whole feed: a tool line that grinds two places has no modification of
 /// its own.
 fn one_way(law: &MotionLaw, domain: [f64; 2], field: &str) -> Result<(), RunFailure> {
-    InverseLaw::new(law.clone(), domain).map(|_| ()).map_err(|e| law_failure(&e, field))
+    InverseLaw::new(law.clone(), domain).map(|_| ()).map_err(|e| RunFailure::of_law(&e, field))
 }
 
 fn of_curve(curve: &ShiftCurve, setup: &GrindingSetup, which: &[Flank]) -> Result<MotionLaw, RunFailure> {
@@ -155,12 +148,7 @@ fn of_curve(curve: &ShiftCurve, setup: &GrindingSetup, which: &[Flank]) -> Resul
             (CurveLaw::LineSine { slope, origin, amplitude, phase_length }, c.x_ref_mm, c.flank, None)
         }
         ShiftCurve::Points(c) => {
-            let law = if c.w_mm.len() < 4 {
-                MotionLaw::broken_line(&c.w_mm, &c.z_mm)
-            } else {
-                MotionLaw::spline(&c.w_mm, &c.z_mm)
-            };
-            let law = law.map_err(|e| law_failure(&e, FIELD))?;
+            let law = through(&c.w_mm, &c.z_mm, FIELD)?;
             let ends = c.w_mm.first().zip(c.w_mm.last()).map(|(a, b)| [*a, *b]);
             (CurveLaw::Law(law), c.x_ref_mm, c.flank, ends)
         }
@@ -184,15 +172,12 @@ fn of_curve(curve: &ShiftCurve, setup: &GrindingSetup, which: &[Flank]) -> Resul
         });
         match covered {
             Ok(shift) => {
-                let feed = |k: usize| needed[0] + (needed[1] - needed[0]) * k as f64 / (NODES - 1) as f64;
-                let x: Vec<f64> = (0..NODES).map(feed).collect();
-                let y: Vec<f64> = x.iter().map(|&v| shift.law().value(v)).collect();
-                let smooth = MotionLaw::spline(&x, &y).map_err(|e| law_failure(&e, FIELD))?;
+                let smooth = shift.law().smooth(needed).map_err(|e| RunFailure::of_law(&e, FIELD))?;
                 one_way(&smooth, needed, FIELD)?;
                 return Ok(setup.centred(&smooth, which));
             }
             Err(GeneratingError::RangeNotCovered { .. }) if beyond < WIDEST => beyond *= 2.0,
-            Err(error) => return Err(failure(&error, FIELD)),
+            Err(error) => return Err(RunFailure::on_field(&error, FIELD)),
         }
     }
 }
@@ -200,8 +185,7 @@ fn of_curve(curve: &ShiftCurve, setup: &GrindingSetup, which: &[Flank]) -> Resul
 fn of_table(table: &ShiftTable, setup: &GrindingSetup, which: &[Flank]) -> Result<MotionLaw, RunFailure> {
     const FIELD: &str = "grinding.diagonal_ratio.table";
     let (x, y) = (&table.z_v2_mm, &table.z_v1_mm);
-    let law = if x.len() < 4 { MotionLaw::broken_line(x, y) } else { MotionLaw::spline(x, y) };
-    let law = law.map_err(|e| law_failure(&e, FIELD))?;
+    let law = through(x, y, FIELD)?;
     let [from, to] = setup.feed_range(&law, which);
     // Written so that a range that is no number is refused.
     let covered = x.first().is_some_and(|&a| a <= from) && x.last().is_some_and(|&b| b >= to);
@@ -221,13 +205,12 @@ fn of_table(table: &ShiftTable, setup: &GrindingSetup, which: &[Flank]) -> Resul
 
 /// Regions of the target that need lines of their own, one diagonal ratio each.
 fn areas(job: &Job, setup: &GrindingSetup, which: &[Flank]) -> Result<Shift, RunFailure> {
-    const FIELD: &str = RATIO;
     let mut regions = Vec::new();
     for &flank in which {
         for spec in job.target.modifications.iter().flatten().filter(|spec| spec.flank().includes(flank)) {
             if let ModificationSpec::TriangularEndRelief(relief) = spec {
                 let region = Region::of_triangular_relief(relief, &setup.lines[flank]);
-                regions.push(region.map_err(|e| failure(&e, "target.modifications"))?);
+                regions.push(region.map_err(|e| RunFailure::on_field(&e, "target.modifications"))?);
             }
         }
     }
@@ -236,7 +219,7 @@ fn areas(job: &Job, setup: &GrindingSetup, which: &[Flank]) -> Result<Shift, Run
             "no-region",
             "the target has no region with lines of its own (triangular_end_relief) on the flanks that are ground",
         );
-        let finding = finding.field(FIELD).way_out("use diagonal_ratio = \"auto\" or a number");
+        let finding = finding.field(RATIO).way_out("use diagonal_ratio = \"auto\" or a number");
         return Err(RunFailure::bad_input(finding));
     }
     let lines = Sides::from_fn(|flank| which.contains(&flank).then_some(setup.lines[flank]));
@@ -248,8 +231,8 @@ fn areas(job: &Job, setup: &GrindingSetup, which: &[Flank]) -> Result<Shift, Run
         ratios.min_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(0.0)
     };
     let free_ratio = job.grinding.free_ratio.unwrap_or_else(|| least(&regions));
-    let plan = AreaTask { lines, regions, free_ratio }.plan().map_err(|e| failure(&e, FIELD))?;
-    plan.check_exclusive().map_err(|e| failure(&e, FIELD))?;
+    let plan = AreaTask { lines, regions, free_ratio }.plan().map_err(|e| RunFailure::on_field(&e, RATIO))?;
+    plan.check_exclusive().map_err(|e| RunFailure::on_field(&e, RATIO))?;
     let room = plan
         .segments
         .iter()

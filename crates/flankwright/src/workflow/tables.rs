@@ -4,14 +4,10 @@ use super::execution::ExecutedFlank;
 use super::run::Outcome;
 use crate::exchange::{Column, CsvError, CsvTable};
 use crate::geometry::Flank;
+use crate::numerics::equidistant;
 
 /// Rows of a motion table and points of a motion chart.
 pub(super) const ROWS: usize = 201;
-
-/// Axis positions of dressing and grinding that charts and tables share.
-pub(super) fn steps([from, to]: [f64; 2], n: usize) -> impl Iterator<Item = f64> {
-    (0..n).map(move |i| from + (to - from) * i as f64 / (n - 1) as f64)
-}
 
 /// Target, planned, simulated and deviation of every flank, um, normal.
 ///
@@ -52,7 +48,7 @@ pub fn grinding_motion(outcome: &Outcome) -> Result<CsvTable, CsvError> {
         Column::new("delta_phi_2", "urad"),
         Column::new("crossed_axes_angle", "deg"),
     ]);
-    for v in steps(outcome.execution.feed_range, ROWS) {
+    for v in equidistant(outcome.execution.feed_range, ROWS) {
         let (d, phi) = (motion.delta_d.value(v), motion.delta_phi_2.value(v));
         table.push(&[
             v,
@@ -87,7 +83,7 @@ pub fn dressing_motion(outcome: &Outcome, flank: Flank) -> Result<Option<CsvTabl
         Column::new("d_A", "mm"),
         Column::new("v_yA", "mm"),
     ]);
-    for v in steps([from, to], ROWS) {
+    for v in equidistant([from, to], ROWS) {
         let dk = motion.correction_at(v);
         let at = motion.position(v);
         table.push(&[

@@ -1,10 +1,9 @@
 //! From the ideal worm to the dressed one: dresser profile, corrections DK(v), exact envelope (spec 28 section 4, steps 6, 7).
 
-use super::lines::extremes;
 use super::{GeneratingError, GrindingSetup, IdealPlan, IdealWorm, ProfilePlace, ProfilePolicy};
 use crate::geometry::{Flank, ProfileOffset, Sides};
 use crate::kinematics::{DressingCorrection, MotionLaw};
-use crate::numerics::Chebyshev;
+use crate::numerics::{Chebyshev, extremes};
 use crate::process::dressing::{
     DressedProfile, DressedWorm, DresserTool, NodePlan, NodeSolution, pitch_rolls, solve_dressing_motion,
     solve_node,

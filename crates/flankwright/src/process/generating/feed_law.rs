@@ -1,9 +1,9 @@
 //! How the tool shift follows the feed: a constant diagonal ratio that the plan centres on the tool, or a law as it is given.
 
-use super::lines::extremes;
 use super::{FlankLines, GrindingSetup};
 use crate::geometry::Flank;
 use crate::kinematics::MotionLaw;
+use crate::numerics::extremes;
 
 /// z_V1 as a function of z_V2.
 #[derive(Clone, Debug, PartialEq)]

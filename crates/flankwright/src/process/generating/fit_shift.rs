@@ -6,13 +6,12 @@ use super::least_squares::{
     ArgumentKinks, Arguments, Candidates, FlankCoordinates, FlankFit, LineSlopes, MovingLines, Objective,
     RatioSearch, SplineDecomposition, search_ratio,
 };
-use super::lines::extremes;
 use super::ratio_nodes::RatioNodes;
 use super::{FlankLines, GeneratingError};
 use crate::geometry::{GeometryError, Sides};
 use crate::inverse::RowReduction;
 use crate::kinematics::{InverseLaw, MotionLaw};
-use crate::numerics::Jet2;
+use crate::numerics::{Jet2, extremes};
 use rayon::prelude::*;
 
 /// Nodes of the ratio over the feeds, if nothing else is wanted.

@@ -5,7 +5,7 @@ use crate::contact::FlankPair;
 use crate::geometry::Flank;
 use crate::kinematics::MotionLaw;
 use crate::modification::EvaluationField;
-use crate::numerics::{Jet2, monotone_root};
+use crate::numerics::{Jet2, extremes, monotone_root};
 
 /// Directions and mapping constants of one flank of a pair.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -219,11 +219,6 @@ impl FlankLines {
     pub fn feed_range(&self, law: &MotionLaw) -> [f64; 2] {
         extremes(self.corners().into_iter().map(|(w, z)| self.feed(w, z, law)))
     }
-}
-
-/// [min, max] of some numbers.
-pub(super) fn extremes(numbers: impl IntoIterator<Item = f64>) -> [f64; 2] {
-    numbers.into_iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)])
 }
 
 /// v with c_0 law(v) + c_1 v = value.

@@ -1,11 +1,10 @@
 //! The flank of a tool that no dresser profiles: the modification that a plan asks of it, as a table that can be made, measured
 //! and handed on. The table's spline is the tool from here on; whatever it misses of the wanted function shows in the flank.
 
-use super::lines::extremes;
 use super::{GeneratingError, GrindingSetup, IdealPlan, IdealWorm};
 use crate::contact::{ThreadFunction, ToolSurface};
 use crate::geometry::Flank;
-use crate::numerics::{SplineError, TensorSpline};
+use crate::numerics::{SplineError, TensorSpline, equidistant};
 
 /// One flank of a made tool: f_n1 on a grid of (w_1, z_1), normal, > 0 material left, with the C2 spline through it. mm.
 #[derive(Clone, Debug, PartialEq)]
@@ -57,7 +56,7 @@ impl MadeFlank {
         }
         // Half of what is left above the base circle, where the margin would reach below it.
         let from = (rolls[0] - beyond).max(0.5 * rolls[0]);
-        let occupied = extremes(setup.lines[flank].occupation(&worm.shift));
+        let occupied = setup.lines[flank].occupation(&worm.shift);
         let span = [[from, rolls[1] + beyond], [occupied[0] - margin, occupied[1] + margin]];
         Self::table(worm, flank, span)
     }
@@ -69,11 +68,7 @@ impl MadeFlank {
         let mut nodes: [usize; 2] =
             std::array::from_fn(|k| ((span[k][1] - span[k][0]) / SPACING[k]).ceil().max(4.0) as usize + 1);
         loop {
-            let axis = |k: usize| -> Vec<f64> {
-                let n = nodes[k] - 1;
-                (0..=n).map(|i| span[k][0] + (span[k][1] - span[k][0]) * i as f64 / n as f64).collect()
-            };
-            let (w, z) = (axis(0), axis(1));
+            let (w, z) = (equidistant(span[0], nodes[0]), equidistant(span[1], nodes[1]));
             let f = w
                 .iter()
                 .map(|&w| z.iter().map(|&z| value(w, z)).collect::<Result<Vec<f64>, _>>())

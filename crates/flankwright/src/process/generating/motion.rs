@@ -4,6 +4,7 @@ use super::carried::RestFit;
 use super::{Decomposition, FlankLines, GeneratingError, GrindingSetup};
 use crate::geometry::{Flank, Sides};
 use crate::kinematics::MotionLaw;
+use crate::numerics::equidistant;
 use std::sync::Arc;
 
 /// f_F(z_V2) = cos b2 F_K as a polynomial of degree 3 in z_V2, normal, mm, under z_V1 = `shift`[0] + `shift`[1] z_V2.
@@ -86,8 +87,7 @@ pub(super) fn with_fitted_motion(
         return Ok((delta_d, delta_phi_2));
     }
     let [from, to] = setup.feed_range(shift, which);
-    let (from, to) = (from - BEYOND, to + BEYOND);
-    let feeds: Vec<f64> = (0..NODES).map(|k| from + (to - from) * k as f64 / (NODES - 1) as f64).collect();
+    let feeds = equidistant([from - BEYOND, to + BEYOND], NODES);
     let amount = |flank: Flank, v: f64| {
         let (Some(fit), lines) = (&fits[flank], &setup.lines[flank]) else { return 0.0 };
         let [by_shift, by_feed] = lines.work_feeds;

@@ -182,7 +182,7 @@ impl Rule<'_> {
 
     /// Worm width needed for an occupation: 1.5 modules and 3 mm at each end.
     pub fn width_needed(&self, occupation: f64) -> f64 {
-        occupation + 2.0 * (1.5 * self.setup.worm_module() + 3.0)
+        occupation + 2.0 * self.setup.run_in()
     }
 
     pub fn check_width(&self, occupation: f64, ratio: f64) -> Result<(), GeneratingError> {

@@ -3,9 +3,6 @@
 
 use crate::kinematics::{LawError, MotionLaw, PiecewisePolynomial};
 
-/// Points of the spline that makes the shift C2.
-const SMOOTH_POINTS: usize = 257;
-
 /// F' = sign exp(logs[k]) at equidistant feeds.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct RatioNodes {
@@ -65,12 +62,7 @@ impl RatioNodes {
     /// # Errors
     /// As [`Self::law`].
     pub fn smooth_law(&self) -> Result<MotionLaw, LawError> {
-        let law = self.law()?;
-        let [from, to] = self.feeds;
-        let share = |k: usize| k as f64 / (SMOOTH_POINTS - 1) as f64;
-        let feeds: Vec<f64> = (0..SMOOTH_POINTS).map(|k| from * (1.0 - share(k)) + to * share(k)).collect();
-        let shifts: Vec<f64> = feeds.iter().map(|&v| law.value(v)).collect();
-        MotionLaw::spline(&feeds, &shifts)
+        self.law()?.smooth(self.feeds)
     }
 
     /// dF/d logs[k] at a feed within the interval, up to a constant that is the same at all feeds.

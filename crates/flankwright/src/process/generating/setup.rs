@@ -239,6 +239,11 @@ impl GrindingSetup {
     pub fn worm_module(&self) -> f64 {
         self.pair.worm.data().normal_module
     }
+
+    /// Run-in, and run-out, of the worm beside what touches the gear, mm (spec 28 section 2).
+    pub fn run_in(&self) -> f64 {
+        1.5 * self.worm_module() + 3.0
+    }
 }
 
 /// Root radius of the worm and nominal dressing chain (spec 10 section 7).

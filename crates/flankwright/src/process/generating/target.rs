@@ -157,10 +157,9 @@ impl FlankTarget {
             let [nw, nz] = DEFAULT_GRID;
             let mut points = Vec::with_capacity(nw * nz);
             let mut values = Vec::with_capacity(nw * nz);
-            for i in 0..nw {
-                for j in 0..nz {
-                    let w = field.roll()[0] + field.roll_length() * i as f64 / (nw - 1) as f64;
-                    let z = field.face()[0] + field.face_length() * j as f64 / (nz - 1) as f64;
+            let faces = equidistant(field.face(), nz);
+            for w in equidistant(field.roll(), nw) {
+                for &z in &faces {
                     let mut f = 0.0;
                     for term in &rest {
                         f += term.value(w, z)?;

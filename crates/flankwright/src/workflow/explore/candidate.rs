@@ -5,7 +5,8 @@ use crate::exchange::Diagnostic;
 use crate::exchange::job::Job;
 use crate::geometry::{Flank, Sides};
 use crate::process::generating::{Candidate, GeneratingError};
-use crate::workflow::prepare::{Prepared, RunFailure};
+use crate::workflow::finding::RunFailure;
+use crate::workflow::prepare::Prepared;
 use serde::Serialize;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
@@ -155,7 +156,7 @@ impl ExploreCandidate {
                 flanks.insert(flank.name(), figures);
             }
         }
-        let tolerance = job.target.tolerance_um;
+        let tolerance = ready.tolerance.tightest() * 1e3;
         let within = |f: &FlankFigures| f.max_residual_um <= tolerance && f.outside_class_um <= tolerance;
         Self {
             diagonal_ratio: Some(candidate.ratio),

@@ -9,7 +9,8 @@ pub use candidate::{ExploreCandidate, FlankFigures, Refused};
 pub use files::write_exploration;
 
 use super::equal_ratio_offers::{EqualRatioOffer, equal_ratio_offers};
-use super::prepare::{Prepared, RunFailure, prepare};
+use super::finding::RunFailure;
+use super::prepare::{Prepared, prepare, tolerance_of_job};
 use super::run::supported;
 use crate::exchange::job::{DiagonalRatio, Explore, Method, Steps};
 use crate::exchange::{Diagnostic, LoadedJob};
@@ -35,7 +36,7 @@ pub struct ExploreOutcome {
     pub process: String,
     /// Version of flankwright.
     pub version: &'static str,
-    /// Tolerance of the job.
+    /// Tolerance of the job, the tightest of its map.
     pub tolerance_um: f64,
     /// What varies: `worm_cone_angle_deg`, `crossed_axes_angle_deg`, `diagonal_ratio`.
     pub varied: Vec<&'static str>,
@@ -86,6 +87,7 @@ pub fn explore_job(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Explor
     check_count(worms.saturating_mul(count(explore.diagonal_ratio)))?;
     let base = with_own_ratio(loaded, nothing || explore.diagonal_ratio.is_some());
     let as_it_stands = prepare(&base);
+    let tolerance = tolerance_of_job(loaded).map_err(RunFailure::bad_input)?;
     let ratios = match (explore.diagonal_ratio, fixed_ratio(&base)) {
         (Some(steps), _) => Ratios::Given(steps.values().collect()),
         (None, _) if nothing => {
@@ -121,7 +123,7 @@ pub fn explore_job(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Explor
         job: loaded.job.job.name.clone(),
         process: loaded.job.job.process.name().to_string(),
         version: env!("CARGO_PKG_VERSION"),
-        tolerance_um: loaded.job.target.tolerance_um,
+        tolerance_um: tolerance.tightest() * 1e3,
         varied,
         ranking: RANKING,
         allowed: candidates.iter().filter(|c| c.allowed).count(),

@@ -2,7 +2,7 @@
 
 use super::super::GeneratingError;
 use super::{Arguments, FitSettings, FlankCoordinates, RollScale, Samples, WormFunctions};
-use crate::numerics::{BSpline, BSplineBasis};
+use crate::numerics::{BSpline, BSplineBasis, extremes};
 
 /// What functions depend on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -88,7 +88,7 @@ impl Columns {
         kinks: &ArgumentKinks,
     ) -> Result<Self, GeneratingError> {
         let class = settings.class;
-        let [w_low, w_high] = range(samples.points().iter().map(|p| p[0]));
+        let [w_low, w_high] = extremes(samples.points().iter().map(|p| p[0]));
         let scale = RollScale::new([w_low, w_high]);
         let powers = |uses: &[(bool, i32)]| uses.iter().filter(|(used, _)| *used).map(|(_, p)| *p).collect();
         let lines: Vec<i32> = powers(&[(class.constant, 0), (class.linear, 1), (class.quadratic, 2)]);
@@ -106,7 +106,7 @@ impl Columns {
             if powers.is_empty() {
                 continue;
             }
-            let [low, high] = range(arguments.iter().map(|a| argument.of(a)));
+            let [low, high] = extremes(arguments.iter().map(|a| argument.of(a)));
             // A range that only rounding made has no extent.
             if high - low <= 1e-12 * low.abs().max(high.abs()) {
                 return Err(GeneratingError::NoExtent { coordinate: name, value: low });
@@ -210,8 +210,4 @@ impl Columns {
         }
         Ok(functions)
     }
-}
-
-fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
-    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)])
 }

@@ -2,7 +2,7 @@
 
 use super::super::GeneratingError;
 use super::{FlankCoordinates, Samples, WormFunctions};
-use crate::numerics::BSpline;
+use crate::numerics::{BSpline, extremes};
 
 /// Which of the decompositions with the same sum one is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,10 +34,7 @@ impl WormFunctions {
         else {
             return Ok((self, SplineGauge::MinimumNorm));
         };
-        let z = samples
-            .points()
-            .iter()
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], p| [a.min(p[1]), b.max(p[1])]);
+        let z = extremes(samples.points().iter().map(|p| p[1]));
         let middle = coordinates.arguments(self.scale.middle, 0.5 * (z[0] + z[1]));
         let (kinematic, from_path) = without_line(self.kinematic, middle.path, relations.path)?;
         let (profile, from_profile) = without_line(self.profile, middle.profile, relations.profile)?;

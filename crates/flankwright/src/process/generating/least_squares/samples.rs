@@ -2,6 +2,7 @@
 
 use super::super::GeneratingError;
 use crate::modification::{EvaluationError, Modification};
+use crate::numerics::equidistant;
 
 /// Points in w and z of the default grid (spec 25 section 4.1).
 pub const DEFAULT_GRID: [usize; 2] = [25, 31];
@@ -27,14 +28,10 @@ impl Samples {
             return Err(GeneratingError::TooFewPoints { points: nw.saturating_mul(nz), needed: 4 });
         }
         let field = modification.field();
-        let at = |[a, b]: [f64; 2], i: usize, n: usize| {
-            let share = i as f64 / (n - 1) as f64;
-            a * (1.0 - share) + b * share
-        };
+        let (rolls, faces) = (equidistant(field.roll(), nw), equidistant(field.face(), nz));
         let mut points = Vec::new();
-        for i in 0..nw {
-            for j in 0..nz {
-                let (w, z) = (at(field.roll(), i, nw), at(field.face(), j, nz));
+        for &w in &rolls {
+            for &z in &faces {
                 let f = modification.value(w, z).map_err(|error| match error {
                     EvaluationError::NotFinite { w, z } => GeneratingError::AmountNotFinite { w, z },
                     other => other.into(),

@@ -1,0 +1,132 @@
+//! What is said about a job: remarks, failures, and how errors of the layers below become findings on keys of the job. Knows
+//! no file and no body.
+
+use crate::exchange::Diagnostic;
+use crate::geometry::GeometryError;
+use crate::kinematics::LawError;
+use crate::modification::ModificationError;
+use crate::process::generating::GeneratingError;
+
+/// Something worth saying that is no error.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct Remark {
+    /// Stable code.
+    pub code: &'static str,
+    /// What.
+    pub text: String,
+    /// What can be done about it.
+    pub way_out: String,
+}
+
+/// Why a job has no result.
+#[derive(Clone, Debug)]
+pub enum RunFailure {
+    /// The input itself is wrong (exit 2).
+    BadInput(Box<Diagnostic>),
+    /// Each part is possible, but these bodies cannot make the target (exit 4).
+    NotProducible(Box<Diagnostic>),
+}
+
+impl RunFailure {
+    /// A fault of the input.
+    pub fn bad_input(finding: Diagnostic) -> Self {
+        Self::BadInput(Box::new(finding))
+    }
+
+    /// A limit of the bodies.
+    pub fn not_producible(finding: Diagnostic) -> Self {
+        Self::NotProducible(Box::new(finding))
+    }
+
+    /// A planning error that belongs to `field`, whatever key it has by itself.
+    pub(super) fn on_field(error: &GeneratingError, field: &str) -> Self {
+        Self::of_generating(error, finding(error, field))
+    }
+
+    /// A fault of a motion law given at `field`.
+    pub(super) fn of_law(error: &LawError, field: &str) -> Self {
+        let finding = Diagnostic::with_code(error.code(), error.to_string());
+        Self::bad_input(finding.field(field).way_out(error.way_out()))
+    }
+
+    fn of_generating(error: &GeneratingError, finding: Diagnostic) -> Self {
+        if error.is_bad_input() { Self::bad_input(finding) } else { Self::not_producible(finding) }
+    }
+}
+
+impl From<&GeneratingError> for RunFailure {
+    fn from(error: &GeneratingError) -> Self {
+        Self::of_generating(error, generating_finding(error))
+    }
+}
+
+/// A geometry error as a finding on a key of the job.
+pub(super) fn geometry_finding(error: &GeometryError, table: &str) -> Diagnostic {
+    let field = match error {
+        GeometryError::InvalidNumber { field, .. } if field.contains('.') => (*field).to_string(),
+        GeometryError::InvalidNumber { field, .. } => format!("{table}.{field}"),
+        GeometryError::DiametersInconsistent { inner, .. } if inner.contains('.') => (*inner).to_string(),
+        GeometryError::DiametersInconsistent { inner, .. } => format!("{table}.{inner}"),
+        GeometryError::RadiusBelowBaseCircle { .. } => format!("{table}.form_diameter"),
+        GeometryError::ToothPointed { .. } => format!("{table}.tip_diameter"),
+        GeometryError::WormTooSmall { .. } => "worm.threads".to_string(),
+        GeometryError::NoRack { .. } => "worm.normal_pressure_angle_deg".to_string(),
+        GeometryError::BallTooSmall { .. } | GeometryError::BallTooLarge { .. } => {
+            format!("{table}.over_balls")
+        }
+        GeometryError::SpanUndefined { .. } => format!("{table}.span"),
+        GeometryError::PressureAngleNotPositive { .. } | GeometryError::InternalConicalUnsupported { .. } => {
+            format!("{table}.cone_angle_deg")
+        }
+        _ => table.to_string(),
+    };
+    let finding =
+        Diagnostic::with_code(error.code(), error.to_string()).field(field).way_out(error.way_out());
+    match error {
+        GeometryError::InvalidNumber { value, allowed, .. } => finding.value(value).allowed(*allowed),
+        GeometryError::InvalidGeometry { value, allowed, .. } => {
+            finding.value(value).allowed(allowed.clone())
+        }
+        GeometryError::DiametersInconsistent { inner_value, outer, outer_value, .. } => {
+            finding.value(inner_value).allowed(format!("below {outer} = {outer_value} mm"))
+        }
+        GeometryError::RadiusBelowBaseCircle { radius, base_radius, .. } => {
+            finding.value(2.0 * radius).allowed(format!("from {:.6} mm", 2.0 * base_radius))
+        }
+        GeometryError::WormTooSmall { diameter, least, .. } => {
+            finding.value(diameter).allowed(format!("pitch diameter above {least} mm"))
+        }
+        _ => finding,
+    }
+}
+
+/// A planning error as a finding on a key of the job.
+pub(super) fn generating_finding(error: &GeneratingError) -> Diagnostic {
+    match error {
+        GeneratingError::Geometry(e) => geometry_finding(e, "gear"),
+        GeneratingError::Modification(_) => finding(error, "target.modifications"),
+        GeneratingError::WormTooShort { .. } => finding(error, "worm.width"),
+        GeneratingError::DegenerateDirection { .. }
+        | GeneratingError::DirectionAlongPath { .. }
+        | GeneratingError::WormDirectionDegenerate { .. }
+        | GeneratingError::Law(_)
+        | GeneratingError::AreasOverlap { .. }
+        | GeneratingError::WormLinesShared { .. } => finding(error, "grinding.diagonal_ratio"),
+        GeneratingError::ConicalWormNotDressed { .. } => finding(error, "worm.cone_angle_deg"),
+        GeneratingError::NotDressed | GeneratingError::ToolBelowBase { .. } => finding(error, "worm.tool"),
+        GeneratingError::ToolUndefined { .. } => finding(error, "worm.modifications"),
+        GeneratingError::NoCommonSwivel { .. } => finding(error, "grinding.gauge"),
+        GeneratingError::NoFlank => finding(error, "grinding.flanks"),
+        GeneratingError::Dressing(_) => finding(error, "dressing"),
+        _ => finding(error, "grinding"),
+    }
+}
+
+fn finding(error: &GeneratingError, field: &str) -> Diagnostic {
+    Diagnostic::with_code(error.code(), error.to_string()).field(field).way_out(error.way_out())
+}
+
+/// An error of a modification as a finding on its entry.
+pub(super) fn modification_finding(error: &ModificationError, entry: &str) -> Diagnostic {
+    Diagnostic::with_code(error.code(), error.to_string()).field(entry.to_string()).way_out(error.way_out())
+}
