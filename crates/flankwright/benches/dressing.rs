@@ -30,7 +30,7 @@ fn tool() -> DresserTool {
         screw_parameter,
     };
     let range = GeometricRange { w_nf: 40.51228112588766, w_na: 47.38820666623544 };
-    DresserTool::conjugate(&worm, chain, Sides::both(range)).expect("dresser")
+    DresserTool::conjugate(&worm, Sides::both(chain), Sides::both(range)).expect("dresser")
 }
 
 fn dressing(c: &mut Criterion) {

@@ -61,7 +61,7 @@ fn case() -> Case {
         offset: 0.0,
         screw_parameter,
     };
-    let tool = DresserTool::conjugate(worm, chain, Sides::both(range)).expect("dresser");
+    let tool = DresserTool::conjugate(worm, Sides::both(chain), Sides::both(range)).expect("dresser");
     let law = |curvature: f64| {
         let series = Chebyshev::fit(STROKE[0], STROKE[1], 17, |v| Ok::<_, ()>(curvature * v * v));
         MotionLaw::series(series.expect("law"))

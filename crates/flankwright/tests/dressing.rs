@@ -56,7 +56,7 @@ impl Choice {
     }
 
     fn tool(&self) -> DresserTool {
-        DresserTool::conjugate(&self.worm(), self.chain(), Sides::both(self.range())).unwrap()
+        DresserTool::conjugate(&self.worm(), Sides::both(self.chain()), Sides::both(self.range())).unwrap()
     }
 }
 
@@ -96,12 +96,12 @@ proptest! {
         let w = range.w_nf + share * range.length();
         let at = DressedProfile::new(&tool, flank, [0.0; 4]).at_roll(w).unwrap();
         prop_assert!(at.f.abs() < 1e-11 && (at.t - w).abs() < 1e-8, "{at:?}");
-        let nominal = nominal_contact(choice.worm().flank(flank), &tool.chain, w).unwrap();
+        let nominal = nominal_contact(choice.worm().flank(flank), &tool.flanks.left.chain, w).unwrap();
         prop_assert!((at.b - nominal.b).abs() < 1e-8 && (at.r_a - nominal.r).abs() < 1e-9);
         prop_assert!(stretch(&tool, flank, [0.0; 4]).unwrap().abs() < 1e-8);
         // The slope of the contact line against its own points.
         let h = 1e-4;
-        let b = |w: f64| nominal_contact(choice.worm().flank(flank), &tool.chain, w).unwrap().b;
+        let b = |w: f64| nominal_contact(choice.worm().flank(flank), &tool.flanks.left.chain, w).unwrap().b;
         prop_assert!((nominal.slope - (b(w + h) - b(w - h)) / (2.0 * h)).abs() < 1e-6);
     }
 
@@ -210,7 +210,7 @@ proptest! {
         let differ = |factor: f64| {
             let lin = [rates.0, rates.1, rates.2, rates.3].map(|r| r * factor);
             let series = series(lin, 80.0);
-            let motion: DressingMotion = dressing_motion(tool.chain, &series);
+            let motion: DressingMotion = dressing_motion(tool.flanks.left.chain, &series);
             let (exact, ..) = DressedWorm::new(&tool, flank, &series).modification(w, b).unwrap();
             let (first, _) = quasi_static_modification(&tool, flank, &motion, w, b).unwrap();
             exact - first
@@ -251,11 +251,13 @@ fn says(error: &DressingError, code: &str, parts: &[&str]) {
 #[test]
 fn impossible_dressers_are_refused() {
     let empty = GeometricRange { w_nf: 47.0, w_na: 40.0 };
-    let error = DresserTool::conjugate(&CASE_A.worm(), CASE_A.chain(), Sides::both(empty)).unwrap_err();
+    let error =
+        DresserTool::conjugate(&CASE_A.worm(), Sides::both(CASE_A.chain()), Sides::both(empty)).unwrap_err();
     says(&error, "invalid-number", &["w_NfS", "47", "0 < w_NfS < w_NaS"]);
     // The design range reaches down to the base circle.
     let low = GeometricRange { w_nf: 2.0, w_na: 8.0 };
-    let error = DresserTool::conjugate(&CASE_A.worm(), CASE_A.chain(), Sides::both(low)).unwrap_err();
+    let error =
+        DresserTool::conjugate(&CASE_A.worm(), Sides::both(CASE_A.chain()), Sides::both(low)).unwrap_err();
     says(&error, "no-conjugate", &["left", "-1."]);
     let error = CASE_A.tool().with_head(f64::NAN, 1.5).unwrap_err();
     says(&error, "invalid-number", &["worm head radius"]);

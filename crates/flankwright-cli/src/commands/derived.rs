@@ -227,7 +227,7 @@ fn tool_sections(derived: &mut DerivedGeometry, setup: &GrindingSetup) {
     }
     let Ok(tool) = setup.dresser() else { return };
     derived.section("dressing");
-    let dressing = &tool.chain;
+    let dressing = &tool.flanks.left.chain;
     derived.quantity("centre_distance_mm", "nominal centre distance", dressing.centre_distance, "mm");
     derived.quantity(
         "crossing_angle_deg",

@@ -6,7 +6,7 @@ use super::prepare::{Prepared, settings_reliefs};
 use crate::exchange::job::{FlankSettings, Job, Pieces, Settings, ToolTable, ToolTables};
 use crate::exchange::{Diagnostic, LoadedJob, Problem};
 use crate::geometry::{Flank, Sides};
-use crate::kinematics::{DressingMotion, GeneratingMotion, MotionLaw, PiecewisePolynomial};
+use crate::kinematics::{DressingChain, DressingMotion, GeneratingMotion, MotionLaw, PiecewisePolynomial};
 use crate::metrology::Topography;
 use crate::modification::ModificationSpec;
 use crate::numerics::{Chebyshev, extremes};
@@ -76,12 +76,12 @@ pub struct Execution {
 
 impl ExecutedDressing {
     fn new(
-        dresser: &DresserTool,
+        chain: DressingChain,
         corrections: [Chebyshev; 4],
         profile: Vec<f64>,
         reliefs: Vec<ModificationSpec>,
     ) -> Self {
-        let motion = dressing_motion(dresser.chain, &corrections);
+        let motion = dressing_motion(chain, &corrections);
         Self { corrections, profile, reliefs, motion }
     }
 }
@@ -153,7 +153,8 @@ impl Execution {
                     let profile = dresser_profile(plan.ideal.worms[flank].as_ref()?, plan.policy);
                     let reliefs = prepared.reliefs[flank].clone();
                     let corrections = dressed.corrections.clone();
-                    let dressing = ExecutedDressing::new(dresser, corrections, profile, reliefs);
+                    let dressing =
+                        ExecutedDressing::new(dresser.flanks[flank].chain, corrections, profile, reliefs);
                     ExecutedTool::Dressed(Box::new(dressing))
                 }
                 (PlannedTool::Dressed(_), None) => return None,
@@ -256,7 +257,8 @@ impl Execution {
                     let worm = DressedWorm::new(dresser, flank, &corrections);
                     let profile = ideal.worms[flank].as_ref().map_or(Vec::new(), |w| w.parts.profile.clone());
                     let reliefs = relief_specs(flank).to_vec();
-                    let dressing = ExecutedDressing::new(dresser, corrections, profile, reliefs);
+                    let dressing =
+                        ExecutedDressing::new(dresser.flanks[flank].chain, corrections, profile, reliefs);
                     let ground = grid.ground(setup, flank, &motion, &worm);
                     (ExecutedTool::Dressed(Box::new(dressing)), ground)
                 }

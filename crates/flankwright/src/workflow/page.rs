@@ -187,7 +187,7 @@ fn tool_quantities(outcome: &Outcome, job: &Job) -> (Vec<Quantity>, Vec<Quantity
     let (Ok(plain), Some(choice)) = (setup.dresser(), &setup.input.dresser) else {
         return (of_worm, vec![Quantity::text("tool", "not dressed: its flanks are given as tables")]);
     };
-    let chain = &plain.chain;
+    let chain = &plain.flanks.left.chain;
     let modified = outcome
         .execution
         .dresser

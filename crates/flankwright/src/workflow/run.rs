@@ -206,8 +206,11 @@ fn finish(
             worm_length_mm: execution.occupation[1] - execution.occupation[0],
             worm_pitch_diameter_mm: 2.0 * setup.worm_pitch_radius,
             worm_root_diameter_mm: 2.0 * setup.worm_root_radius,
-            dressing_centre_distance_mm: setup.dresser().ok().map(|d| d.chain.centre_distance),
-            dressing_crossing_angle_deg: setup.dresser().ok().map(|d| d.chain.crossing_angle.to_degrees()),
+            dressing_centre_distance_mm: setup.dresser().ok().map(|d| d.flanks.left.chain.centre_distance),
+            dressing_crossing_angle_deg: setup
+                .dresser()
+                .ok()
+                .map(|d| d.flanks.left.chain.crossing_angle.to_degrees()),
         },
         flanks,
         ideal_error_by_round_um: plan.as_ref().map_or(Sides { left: Vec::new(), right: Vec::new() }, |p| {

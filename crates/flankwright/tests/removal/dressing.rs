@@ -39,7 +39,7 @@ fn the_unmodified_dresser_leaves_the_unmodified_worm() {
         for flank in Flank::BOTH {
             let grid =
                 RayGrid::equidistant([case.range.w_nf, case.range.w_na], 9, [-15.0, 15.0], 11).unwrap();
-            let motion = DressingMotion::constant(case.tool.chain, [0.0; 4]);
+            let motion = DressingMotion::constant(case.tool.flanks.left.chain, [0.0; 4]);
             let tool = &case.tool.flanks[flank];
             let left = dressed(case.worm.flank(flank), &tool.profile, &motion, &grid);
             assert!(left.error_um < 1e-6, "{}", left.error_um);
@@ -53,7 +53,7 @@ fn the_unmodified_dresser_leaves_the_unmodified_worm() {
 #[test]
 fn topological_dressing_is_the_exact_envelope() {
     for case in dressing_cases() {
-        let motion = dressing_motion(case.tool.chain, &case.corrections);
+        let motion = dressing_motion(case.tool.flanks.left.chain, &case.corrections);
         for flank in Flank::BOTH {
             let envelope = DressedWorm::new(&case.tool, flank, &case.corrections);
             let grid =
@@ -95,7 +95,7 @@ fn a_modified_dresser_leaves_its_envelope() {
         for flank in Flank::BOTH {
             tool.flanks[flank].profile = case.tool.flanks[flank].profile.with_offset(offset.clone());
         }
-        let motion = dressing_motion(case.tool.chain, &case.corrections);
+        let motion = dressing_motion(case.tool.flanks.left.chain, &case.corrections);
         let envelope = DressedWorm::new(&tool, Flank::Right, &case.corrections);
         let grid = RayGrid::equidistant([case.range.w_nf, case.range.w_na], 7, [-12.0, 12.0], 7).unwrap();
         let left = dressed(case.worm.flank(Flank::Right), &tool.flanks.right.profile, &motion, &grid);
@@ -107,7 +107,7 @@ fn a_modified_dresser_leaves_its_envelope() {
 #[test]
 fn the_surface_states_what_it_misses() {
     let case = &dressing_cases()[0];
-    let motion = dressing_motion(case.tool.chain, &case.corrections);
+    let motion = dressing_motion(case.tool.flanks.left.chain, &case.corrections);
     let envelope = DressedWorm::new(&case.tool, Flank::Left, &case.corrections);
     let dresser = &case.tool.flanks.left.profile;
     let mut last = f64::INFINITY;

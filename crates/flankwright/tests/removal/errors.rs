@@ -13,7 +13,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 #[test]
 fn a_short_dressing_stroke_leaves_rays_uncut() {
     let case = &dressing_cases()[0];
-    let motion = DressingMotion::constant(case.tool.chain, [0.0; 4]);
+    let motion = DressingMotion::constant(case.tool.flanks.left.chain, [0.0; 4]);
     let grid = RayGrid::equidistant([case.range.w_nf, case.range.w_na], 5, [-15.0, 15.0], 31).unwrap();
     let setup = Dressing {
         worm: case.worm.flank(Flank::Left),
@@ -34,7 +34,7 @@ fn a_short_dressing_stroke_leaves_rays_uncut() {
 #[test]
 fn a_short_dresser_leaves_rays_uncut() {
     let case = &dressing_cases()[0];
-    let motion = DressingMotion::constant(case.tool.chain, [0.0; 4]);
+    let motion = DressingMotion::constant(case.tool.flanks.left.chain, [0.0; 4]);
     let whole = &case.tool.flanks.left.profile;
     // Only the part of the profile that serves the middle of the range.
     let (from, to) = (case.range.middle() - 1.0, case.range.middle() + 1.0);
@@ -158,7 +158,7 @@ fn unusable_input_is_refused() {
     assert_eq!(RayGrid::spaced([1.0, 2.0], 0.0, [0.0, 1.0], 1.0).unwrap_err().code(), "invalid-number");
 
     let case = &dressing_cases()[0];
-    let dressing_motion = DressingMotion::constant(case.tool.chain, [0.0; 4]);
+    let dressing_motion = DressingMotion::constant(case.tool.flanks.left.chain, [0.0; 4]);
     let rays = RayGrid::equidistant([41.0, 47.0], 4, [-1.0, 1.0], 3).unwrap();
     let folded = Revolution::new(
         Chebyshev::interpolate(0.0, 1.0, &[50.0, 51.0, 50.0]),
@@ -204,7 +204,7 @@ impl Progress for Counter {
 #[test]
 fn progress_adds_up() {
     let case = &dressing_cases()[1];
-    let motion = DressingMotion::constant(case.tool.chain, [0.0; 4]);
+    let motion = DressingMotion::constant(case.tool.flanks.left.chain, [0.0; 4]);
     let grid = RayGrid::equidistant([case.range.w_nf, case.range.w_na], 8, [-10.0, 10.0], 20).unwrap();
     let setup = Dressing {
         worm: case.worm.flank(Flank::Left),

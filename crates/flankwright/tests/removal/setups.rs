@@ -203,7 +203,7 @@ fn dressing_case(case: &Value) -> DressingCase {
         screw_parameter: worm.screw_parameter(Flank::Left),
     };
     let range = GeometricRange { w_nf: num(&case["worm"]["w_NfS_mm"]), w_na: num(&case["worm"]["w_NaS_mm"]) };
-    let tool = DresserTool::conjugate(&worm, chain, Sides::both(range)).unwrap();
+    let tool = DresserTool::conjugate(&worm, Sides::both(chain), Sides::both(range)).unwrap();
     let t = &case["topological"];
     let (lin, quad) = (list(&t["DK_lin_deg_mm_per_mm"]), list(&t["DK_quad_deg_mm_per_mm2"]));
     let corrections = std::array::from_fn(|j| {

@@ -14,7 +14,7 @@ fn with_threads<R: Send>(count: usize, work: impl FnOnce() -> R + Send) -> R {
 #[test]
 fn dressing_does_not_depend_on_the_threads() {
     let case = &dressing_cases()[0];
-    let motion = dressing_motion(case.tool.chain, &case.corrections);
+    let motion = dressing_motion(case.tool.flanks.left.chain, &case.corrections);
     let grid = RayGrid::equidistant([case.range.w_nf, case.range.w_na], 13, [-15.0, 15.0], 17).unwrap();
     let setup = Dressing {
         worm: case.worm.flank(Flank::Left),

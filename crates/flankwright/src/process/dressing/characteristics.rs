@@ -1,7 +1,7 @@
 //! Numbers that describe a dressed profile or a dresser as a whole: stretch, tip land, and the flank of a slowly changing
 //! correction (spec 30 sections 10, 12, 13). Knows no wanted modification.
 
-use super::{DressedProfile, DresserTool, DressingError, nominal_contact};
+use super::{DressedProfile, DresserTool, DressingError, FlankDresser, nominal_contact};
 use crate::geometry::Flank;
 use crate::kinematics::{DressingCorrection, DressingMotion};
 
@@ -10,8 +10,8 @@ use crate::kinematics::{DressingCorrection, DressingMotion};
 /// # Errors
 /// As [`DressedProfile::at_parameter`].
 pub fn stretch(tool: &DresserTool, flank: Flank, dk: DressingCorrection) -> Result<f64, DressingError> {
-    let range = tool.flanks[flank].range;
-    let dressed = DressedProfile::new(tool, flank, dk).at_parameter(range.w_nf)?;
+    let (range, designed) = (tool.flanks[flank].range, tool.flanks[flank].designed);
+    let dressed = DressedProfile::new(tool, flank, dk).at_parameter(designed.w_nf)?;
     Ok((dressed.w - range.w_nf) / (range.w_nf - range.w_na))
 }
 
@@ -25,8 +25,8 @@ const STEPS: usize = 40;
 /// [`DressingError::NoConjugate`] where a flank does not reach that radius.
 pub fn full_tip_land(tool: &DresserTool, tip_radius: f64) -> Result<f64, DressingError> {
     let axial = |flank: Flank| -> Result<f64, DressingError> {
-        let range = tool.flanks[flank].range;
-        let at = |w: f64| nominal_contact(&tool.worm[flank], &tool.chain, w);
+        let FlankDresser { worm, chain, range, .. } = &tool.flanks[flank];
+        let at = |w: f64| nominal_contact(worm, chain, w);
         let (mut w_0, mut w_1) = (range.middle(), range.w_nf);
         let mut r_0 = at(w_0)?.r;
         for _ in 0..STEPS {

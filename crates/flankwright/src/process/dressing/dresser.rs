@@ -27,24 +27,26 @@ impl GeometricRange {
     }
 }
 
-/// One flank of the dresser with the nominal contact line it was designed for.
+/// One flank of the dresser and the worm flank that it dresses.
 #[derive(Clone, Debug)]
 pub struct FlankDresser {
     /// The meridian over t = the w it was designed for.
     pub profile: Revolution,
-    /// Nominal contact line b(w), mm, at v_zS = 0.
-    pub line: Chebyshev,
-    /// Range of the worm it serves.
+    /// Range of t that serves the range of the worm it was designed for.
+    pub designed: GeometricRange,
+    /// The worm flank it dresses.
+    pub worm: InvoluteFlank,
+    /// Nominal kinematics on that worm. The screw parameter is that of the flank: the flanks of a conical worm have different ones.
+    pub chain: DressingChain,
+    /// Range of that worm.
     pub range: GeometricRange,
+    /// Worm z of the nominal contact at v_zS = 0 over t, mm: exact on the worm it was designed for, a start value on others.
+    pub line: Chebyshev,
 }
 
-/// A disc dresser for a given worm and nominal kinematics.
+/// A disc dresser on a given worm in nominal kinematics.
 #[derive(Clone, Debug)]
 pub struct DresserTool {
-    /// The worm flanks it was designed for.
-    pub worm: Sides<InvoluteFlank>,
-    /// Nominal kinematics.
-    pub chain: DressingChain,
     /// Both flanks.
     pub flanks: Sides<FlankDresser>,
     /// Head part that dresses the worm's outside cylinder, parameter t_H = b.
@@ -63,10 +65,10 @@ impl DresserTool {
     /// [`DressingError::NoConjugate`]; [`DressingError::InvalidNumber`] for an empty range.
     pub fn conjugate(
         worm: &Gear,
-        chain: DressingChain,
+        chains: Sides<DressingChain>,
         ranges: Sides<GeometricRange>,
     ) -> Result<Self, DressingError> {
-        Self::conjugate_beyond(worm, chain, ranges, MARGIN)
+        Self::conjugate_beyond(worm, chains, ranges, MARGIN)
     }
 
     /// The same with the profile continued by the share `margin` of the used range at each end instead of 0.6.
@@ -75,12 +77,12 @@ impl DresserTool {
     /// As [`DresserTool::conjugate`].
     pub fn conjugate_beyond(
         worm: &Gear,
-        chain: DressingChain,
+        chains: Sides<DressingChain>,
         ranges: Sides<GeometricRange>,
         margin: f64,
     ) -> Result<Self, DressingError> {
         let flanks = Sides::try_from_fn(|flank| {
-            let range = ranges[flank];
+            let (range, chain) = (ranges[flank], chains[flank]);
             if !(range.w_nf > 0.0 && range.w_na > range.w_nf) {
                 return Err(DressingError::InvalidNumber {
                     field: "w_NfS",
@@ -100,9 +102,10 @@ impl DresserTool {
             };
             let middle = &contacts[NODES / 2];
             let profile = oriented(fit(&|c| c.r), fit(&|c| c.z), 0.5 * (from + to), middle.n_r, middle.n_z);
-            Ok(FlankDresser { profile, line: fit(&|c| c.b), range })
+            let worm = *worm.flank(flank);
+            Ok(FlankDresser { profile, designed: range, worm, chain, range, line: fit(&|c| c.b) })
         })?;
-        Ok(Self { worm: *worm.flanks(), chain, flanks, head: None })
+        Ok(Self { flanks, head: None })
     }
 
     /// Adds the head part: conjugate of the worm's outside cylinder over b in [-half_width, half_width].
@@ -110,8 +113,9 @@ impl DresserTool {
     /// # Errors
     /// [`DressingError::InvalidNumber`] when the cylinder has no conjugate.
     pub fn with_head(mut self, radius: f64, half_width: f64) -> Result<Self, DressingError> {
-        let (sin_g, cos_g) = self.chain.crossing_angle.sin_cos();
-        let (d, v_y) = (self.chain.centre_distance, self.chain.offset);
+        let chain = &self.flanks.left.chain;
+        let (sin_g, cos_g) = chain.crossing_angle.sin_cos();
+        let (d, v_y) = (chain.centre_distance, chain.offset);
         let contact = |b: f64| -> Result<[f64; 4], DressingError> {
             let mut angle: f64 = 0.0;
             for _ in 0..60 {

@@ -80,8 +80,6 @@ pub struct EnvelopePoint {
 /// One flank of the worm as dressed: exact envelope over (t, v) (spec 30 section 10).
 #[derive(Clone, Debug)]
 pub struct DressedWorm {
-    flank: InvoluteFlank,
-    chain: DressingChain,
     dresser: FlankDresser,
     /// Chebyshev coefficients of the four corrections and their first two derivatives: row j = T_j, columns
     /// [component][order].
@@ -115,19 +113,12 @@ impl DressedWorm {
                 }
             }
         }
-        Self {
-            flank: tool.worm[flank],
-            chain: tool.chain,
-            dresser: tool.flanks[flank].clone(),
-            table,
-            interval,
-            share: 1.0,
-        }
+        Self { dresser: tool.flanks[flank].clone(), table, interval, share: 1.0 }
     }
 
     /// The unmodified worm flank it stands on.
     pub fn flank(&self) -> &InvoluteFlank {
-        &self.flank
+        &self.dresser.worm
     }
 
     /// Used range of the profile.
@@ -168,14 +159,14 @@ impl DressedWorm {
             dv * slope + jets[k][order]
         };
         let screw = RelativeScrew {
-            gamma: lifted(1, 0) + self.chain.crossing_angle,
-            d: lifted(2, 0) + self.chain.centre_distance,
-            v_y: lifted(3, 0) + self.chain.offset,
+            gamma: lifted(1, 0) + self.dresser.chain.crossing_angle,
+            d: lifted(2, 0) + self.dresser.chain.centre_distance,
+            v_y: lifted(3, 0) + self.dresser.chain.offset,
             rates: [lifted(1, 1), lifted(0, 1), lifted(2, 1), lifted(3, 1)],
-            p: self.chain.screw_parameter,
+            p: self.dresser.chain.screw_parameter,
         };
         let contact = circle_contact(&self.dresser.profile.at(t), &screw)?;
-        let angle = -(lifted(0, 0) + self.chain.worm_angle + v / self.chain.screw_parameter);
+        let angle = -(lifted(0, 0) + self.dresser.chain.worm_angle + v / self.dresser.chain.screw_parameter);
         let (sin, cos) = angle.sin_cos();
         let turned = |x: &Vector3<T>| Vector3::new(cos * x.x - sin * x.y, sin * x.x + cos * x.y, x.z);
         let mut point = contact.q;
@@ -186,7 +177,7 @@ impl DressedWorm {
     /// The envelope point for profile parameter t at worm position v; `None` outside the dressed area.
     pub fn envelope_point(&self, t: f64, v: f64) -> Option<EnvelopePoint> {
         let (point, _) = self.surface(t, v)?;
-        let at = self.flank.deviation(&point);
+        let at = self.dresser.worm.deviation(&point);
         Some(EnvelopePoint { w: at.w, b: at.z, f: at.f_n })
     }
 
@@ -198,7 +189,7 @@ impl DressedWorm {
         for _ in 0..40 {
             let [td, vd] = variables([t, v]);
             let (point, _) = self.surface(td, vd)?;
-            let at = self.flank.deviation(&point);
+            let at = self.dresser.worm.deviation(&point);
             let (gw, gb) = (gradient_of(&at.w), gradient_of(&at.z));
             let (rw, rb) = (value_of(at.w) - w, value_of(at.z) - b);
             let det = gw[0] * gb[1] - gw[1] * gb[0];
@@ -241,7 +232,9 @@ impl ToolSurface for DressedWorm {
 
     fn start(&self, w_1: f64, z_1: f64) -> (f64, f64) {
         let (from, to) = self.dresser.profile.interval();
-        let t = w_1.clamp(from, to);
+        let (range, designed) = (&self.dresser.range, &self.dresser.designed);
+        let scaled = designed.w_nf + (w_1 - range.w_nf) * (designed.length() / range.length());
+        let t = scaled.clamp(from, to);
         (t, (self.dresser.line.value(t) - z_1).clamp(self.interval.0, self.interval.1))
     }
 

@@ -29,9 +29,7 @@ pub struct ProfilePoint {
 /// Forward calculation of one flank at one constant correction DK.
 #[derive(Clone, Copy, Debug)]
 pub struct DressedProfile<'a> {
-    flank: &'a InvoluteFlank,
     dresser: &'a FlankDresser,
-    chain: &'a DressingChain,
     dk: DressingCorrection,
 }
 
@@ -76,16 +74,22 @@ fn foot<T: Scalar>(
 impl<'a> DressedProfile<'a> {
     /// Profile of `flank` dressed by `tool` at the correction `dk`.
     pub fn new(tool: &'a DresserTool, flank: Flank, dk: DressingCorrection) -> Self {
-        Self { flank: &tool.worm[flank], dresser: &tool.flanks[flank], chain: &tool.chain, dk }
+        Self::of_flank(&tool.flanks[flank], dk)
+    }
+
+    /// Profile dressed by one flank of a dresser at the correction `dk`.
+    pub fn of_flank(dresser: &'a FlankDresser, dk: DressingCorrection) -> Self {
+        Self { dresser, dk }
     }
 
     fn no_contact(&self, t: f64) -> DressingError {
-        DressingError::NoContact { flank: self.flank.flank, t }
+        DressingError::NoContact { flank: self.dresser.worm.flank, t }
     }
 
     fn foot_at<T: Scalar>(&self, t: T, dk: &[T; 4]) -> Result<Foot<T>, DressingError> {
-        let (phi, screw) = kinematics(self.chain, dk);
-        foot(self.flank, &self.dresser.profile, t, phi, &screw).ok_or_else(|| self.no_contact(value_of(t)))
+        let (phi, screw) = kinematics(&self.dresser.chain, dk);
+        foot(&self.dresser.worm, &self.dresser.profile, t, phi, &screw)
+            .ok_or_else(|| self.no_contact(value_of(t)))
     }
 
     /// w(t), f, b of the dresser circle with profile parameter t.
@@ -98,7 +102,7 @@ impl<'a> DressedProfile<'a> {
     }
 
     fn point(&self, t: f64, at: &Foot<f64>) -> ProfilePoint {
-        let gamma = self.chain.crossing_angle + self.dk[1];
+        let gamma = self.dresser.chain.crossing_angle + self.dk[1];
         let (sin, cos) = gamma.sin_cos();
         let q = &at.q;
         let velocities = [
@@ -108,11 +112,11 @@ impl<'a> DressedProfile<'a> {
             Vector3::new(0.0, -cos, sin),
         ];
         // Nominal worm normal on the ray, turned into the room.
-        let turned =
-            self.flank.phi(at.w, at.b) - (self.chain.worm_angle + self.dk[0] + std::f64::consts::FRAC_PI_2);
+        let turned = self.dresser.worm.phi(at.w, at.b)
+            - (self.dresser.chain.worm_angle + self.dk[0] + std::f64::consts::FRAC_PI_2);
         let (sp, cp) = turned.sin_cos();
-        let (sb, cb) = self.flank.base_helix_angle.sin_cos();
-        let s = self.flank.s();
+        let (sb, cb) = self.dresser.worm.base_helix_angle.sin_cos();
+        let s = self.dresser.worm.s();
         let normal = Vector3::new(s * cb * sp, s * cb * cp, -s * sb);
         let facing = at.n.dot(&normal);
         ProfilePoint {
@@ -131,8 +135,10 @@ impl<'a> DressedProfile<'a> {
     /// [`DressingError::NoContact`], [`DressingError::OutOfDresser`].
     pub fn at_roll(&self, w: f64) -> Result<ProfilePoint, DressingError> {
         let (from, to) = self.dresser.profile.interval();
-        let outside = || DressingError::OutOfDresser { flank: self.flank.flank, w, from, to };
-        let mut t = w.clamp(from, to);
+        let outside = || DressingError::OutOfDresser { flank: self.dresser.worm.flank, w, from, to };
+        let (range, designed) = (&self.dresser.range, &self.dresser.designed);
+        let scaled = designed.w_nf + (w - range.w_nf) * (designed.length() / range.length());
+        let mut t = scaled.clamp(from, to);
         let fixed = self.dk.map(DualSVec64::<1>::from);
         let mut previous = f64::INFINITY;
         for _ in 0..40 {
@@ -188,7 +194,7 @@ pub fn head_gradient(
         value: t,
         allowed: "only for a dresser with a head profile",
     })?;
-    let (_, screw) = kinematics(&tool.chain, &variables(*dk));
+    let (_, screw) = kinematics(&tool.flanks.left.chain, &variables(*dk));
     let contact = circle_contact(&head.at(DualSVec64::<4>::from(t)), &screw)
         .ok_or(DressingError::NoContact { flank: Flank::Left, t })?;
     let radius = DualNum::sqrt(&(contact.q.x * contact.q.x + contact.q.y * contact.q.y));

@@ -46,7 +46,7 @@ pub fn solve_node(
     start: &DressingCorrection,
     wanted: &dyn Fn([f64; 3]) -> [f64; 3],
 ) -> Result<DressingCorrection, DressingError> {
-    let range = tool.flanks[flank].range;
+    let (range, designed) = (tool.flanks[flank].range, tool.flanks[flank].designed);
     let rolls = pitch_rolls(tool, flank);
     let solver = ConditionSolver::new(tool, reference_radius);
     let mut dk = *start;
@@ -55,7 +55,7 @@ pub fn solve_node(
     for _ in 0..ROUNDS {
         let f = wanted(b.map(|b| b - v));
         let point = |i: usize| Condition::Point { flank, w: rolls[i], f: f[i] };
-        let rows = [point(0), point(1), point(2), Condition::Map { flank, t: range.w_na, w: range.w_na }];
+        let rows = [point(0), point(1), point(2), Condition::Map { flank, t: designed.w_na, w: range.w_na }];
         dk = solver.solve(&rows, &dk).map_err(|e| match e {
             DressingError::NoZero { flank, fraction, reason, .. } => {
                 DressingError::NoZero { flank, v, fraction, reason }

@@ -169,7 +169,10 @@ impl GrindingSetup {
             }
             Some(choice) => {
                 let (root, chain) = dressing_place(choice, &made.worm, &pair, root_by_gear)?;
-                (Tool::Dressed(Box::new(DresserTool::conjugate(&made.worm, chain, ranges)?)), root)
+                (
+                    Tool::Dressed(Box::new(DresserTool::conjugate(&made.worm, Sides::both(chain), ranges)?)),
+                    root,
+                )
             }
         };
         // A tool reaches about 1.25 modules below its pitch cylinder; far from that it is another one.

@@ -130,7 +130,7 @@ impl Bodies {
             screw_parameter,
         };
         let tip_radius = n.dresser_diameter / 2.0;
-        let tool = DresserTool::conjugate_beyond(&made.worm, chain, Sides::both(range), REACH)?
+        let tool = DresserTool::conjugate_beyond(&made.worm, Sides::both(chain), Sides::both(range), REACH)?
             .with_head(reference_radius + addendum, HEAD_HALF_WIDTH)?;
         Ok(Self {
             gear,
@@ -152,7 +152,7 @@ impl Bodies {
         let f = self.worm.flank(Flank::Left);
         let lengths = [
             ("m_nS_mm", self.worm.data().normal_module),
-            ("lead_per_rad_mm", self.tool.chain.screw_parameter),
+            ("lead_per_rad_mm", self.tool.flanks.left.chain.screw_parameter),
             ("e_n_mm", self.space_width),
             ("h_f_mm", self.dedendum),
             ("h_a_mm", self.addendum),
@@ -177,7 +177,7 @@ impl Bodies {
         let table = case.peek("worm").map_or(&Value::Null, |worm| &worm["tolerance"]);
         let Some(mut block) = case.object("nominal_kinematics", ledger) else { return };
         let tolerances = Tolerances::table(block.take("tolerance").unwrap_or(table));
-        let chain = &self.tool.chain;
+        let chain = &self.tool.flanks.left.chain;
         let lengths = [("d_mm", chain.centre_distance), ("v_yA_mm", chain.offset)];
         let angles = [("phi_S_deg", chain.worm_angle), ("gamma_A_deg", chain.crossing_angle)];
         block.numbers(&lengths, tolerances.get("mm"), ledger);

@@ -72,7 +72,7 @@ fn tilt_chart(
     ledger: &mut Ledger,
 ) {
     let Some(mut table) = item.object("tilt_chart", ledger) else { return };
-    let chain = &bodies.tool.chain;
+    let chain = &bodies.tool.flanks.left.chain;
     let nominal = [chain.worm_angle, chain.crossing_angle, chain.centre_distance, chain.offset];
     let absolute: [f64; 4] = std::array::from_fn(|j| nominal[j] + dk[j]);
     let chart = TiltChart::from_kinematics(absolute, chain.screw_parameter);

@@ -34,7 +34,8 @@ pub(super) fn topological(
     let [low, high] =
         nominal.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], &v| [l.min(v), h.max(v)]);
     // The correction moves the contact line by less than the dressed length and a pitch.
-    let margin = (high - low) + 2.0 * std::f64::consts::PI * bodies.tool.chain.screw_parameter.abs();
+    let margin =
+        (high - low) + 2.0 * std::f64::consts::PI * bodies.tool.flanks.left.chain.screw_parameter.abs();
     let series = std::array::from_fn(|j| {
         let nodes = Chebyshev::nodes(low - margin, high + margin, NODES);
         let values: Vec<f64> =
@@ -42,7 +43,7 @@ pub(super) fn topological(
         Chebyshev::interpolate(low - margin, high + margin, &values)
     });
     let dressed = DressedWorm::new(&bodies.tool, Flank::Left, &series);
-    let motion = dressing_motion(bodies.tool.chain, &series);
+    let motion = dressing_motion(bodies.tool.flanks.left.chain, &series);
     let (mut exact, mut positions, mut quasi_static) = (Vec::new(), Vec::new(), Vec::new());
     for (&w, &b) in w.iter().zip(&b) {
         let (f, _, v) = dressed.modification(w, b).ok_or(ContactError::WormSurfaceMissing { p: w, q: b })?;

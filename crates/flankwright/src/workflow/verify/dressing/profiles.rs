@@ -50,7 +50,10 @@ fn meridian(
 ) -> Result<(), DressingError> {
     let Some(w) = side.given_list("w_mm", ledger) else { return Ok(()) };
     let (tool, worm) = (&bodies.tool, bodies.worm.flank(flank));
-    let contacts = w.iter().map(|&w| nominal_contact(worm, &tool.chain, w)).collect::<Result<Vec<_>, _>>()?;
+    let contacts = w
+        .iter()
+        .map(|&w| nominal_contact(worm, &tool.flanks.left.chain, w))
+        .collect::<Result<Vec<_>, _>>()?;
     let list = |of: &dyn Fn(f64, &NominalContact) -> f64| -> Vec<f64> {
         w.iter().zip(&contacts).map(|(&w, c)| of(w, c)).collect()
     };
@@ -64,7 +67,7 @@ fn meridian(
     side.list("n_z", &list(&|w, _| profile.at(w).n_z), unit, ledger);
     let points: Vec<(f64, f64)> = w.iter().zip(&contacts).map(|(&w, c)| (w, c.b)).collect();
     let line = ContactLine::through(&points);
-    let middle = nominal_contact(worm, &tool.chain, bodies.range.middle())?;
+    let middle = nominal_contact(worm, &tool.flanks.left.chain, bodies.range.middle())?;
     let degrees = tolerances.get("deg");
     side.number("rho_fit_deg", line.rho.to_degrees(), degrees, ledger);
     side.number("X_fit_mm", line.coordinate, mm, ledger);
@@ -166,7 +169,7 @@ pub(super) fn parallel_axes(
 ) -> Result<(), DressingError> {
     // The block states no tolerances: those of the nominal dresser hold.
     let tolerances = Tolerances::table(item.take("tolerance").unwrap_or(tolerances));
-    let chain = DressingChain { crossing_angle: 0.0, offset: 0.0, ..bodies.tool.chain };
+    let chain = DressingChain { crossing_angle: 0.0, offset: 0.0, ..bodies.tool.flanks.left.chain };
     let worm = bodies.worm.flank(Flank::Left);
     let rolls = profile_rolls(bodies);
     let contacts = rolls.iter().map(|&w| nominal_contact(worm, &chain, w)).collect::<Result<Vec<_>, _>>()?;

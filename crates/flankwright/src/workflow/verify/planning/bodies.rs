@@ -119,7 +119,7 @@ impl Input {
     pub fn derived(&self, case: &str, setup: &GrindingSetup, relative: f64, ledger: &mut Ledger) {
         let chain = &setup.pair.chain;
         let Ok(dresser) = setup.dresser() else { return };
-        let dressing = &dresser.chain;
+        let dressing = &dresser.flanks.left.chain;
         let values = [
             ("worm_pitch_radius_mm", self.worm_pitch_radius_mm, setup.worm_pitch_radius),
             ("worm_root_radius_mm", self.worm_root_radius_mm, setup.worm_root_radius),
