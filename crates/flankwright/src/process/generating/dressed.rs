@@ -68,7 +68,7 @@ pub fn finished_area(
 ) -> ([f64; 2], [f64; 2]) {
     let dresser = &tool.flanks[flank];
     let margin = FINISHED_PROFILE * dresser.range.length();
-    let tip = dresser.worm.length_of_roll(setup.worm_tip_radius).unwrap_or(0.0);
+    let tip = dresser.worm.length_of_roll(setup.largest_tip_radius).unwrap_or(0.0);
     let w = [dresser.range.w_nf - margin, (dresser.range.w_na + margin).min(tip)];
     let ends = |v: f64| {
         let dk = std::array::from_fn(|j| corrections[j].value(v));
