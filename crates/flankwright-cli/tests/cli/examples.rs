@@ -9,6 +9,7 @@ const PLANS: &[(&str, i32)] = &[
     ("beveloid-conical-worm.toml", 0),
     ("beveloid-cylindrical-worm.toml", 0),
     ("dressing/conical-worm.toml", 0),
+    ("dressing/two-flanks.toml", 0),
     ("hob.toml", 0),
     ("left-out-thread.toml", 0),
     ("plated-worm.toml", 0),

@@ -75,12 +75,23 @@ pub enum DressingError {
         /// Why it went no further.
         reason: &'static str,
     },
+    /// One correction for both flanks of a conical worm, whose leads differ.
+    #[error("the flanks of a conical worm have different leads and are not dressed by one motion")]
+    TwoFlanksOfCone,
     /// Crossing angle 0 in the K chart.
     #[error("at crossing angle 0 the dressing corrections are not unique")]
     PoleOfChart,
 }
 
 impl DressingError {
+    /// The same error with the worm position at which it came about.
+    pub(super) fn at_position(self, v: f64) -> Self {
+        match self {
+            Self::NoZero { flank, fraction, reason, .. } => Self::NoZero { flank, v, fraction, reason },
+            other => other,
+        }
+    }
+
     /// Stable kebab-case code.
     pub fn code(&self) -> &'static str {
         match self {
@@ -92,6 +103,7 @@ impl DressingError {
             Self::ConditionCount { .. } => "condition-count",
             Self::Singular { .. } => "singular",
             Self::NoZero { .. } => "no-zero",
+            Self::TwoFlanksOfCone => "two-flanks-of-cone",
             Self::PoleOfChart => "pole-of-chart",
         }
     }
@@ -112,6 +124,7 @@ impl DressingError {
             Self::NoZero { .. } => {
                 "reduce the amount, take a worm with more threads or smaller diameter, or let the dresser's profile make it"
             }
+            Self::TwoFlanksOfCone => "dress one flank after the other: dressing.flanks = \"one\"",
             Self::PoleOfChart => "use the tilt chart or a crossing angle other than 0",
         }
     }

@@ -10,6 +10,7 @@ mod forward;
 mod nominal;
 mod tilt_chart;
 mod topological;
+mod two_flanks;
 
 pub use characteristics::{full_tip_land, quasi_static_modification, stretch};
 pub use conditions::{Condition, ConditionSolver};
@@ -21,3 +22,4 @@ pub use forward::{DressedProfile, ProfilePoint, head_gradient};
 pub use nominal::{NominalContact, nominal_contact};
 pub use tilt_chart::TiltChart;
 pub use topological::{NodePlan, NodeSolution, pitch_rolls, solve_dressing_motion, solve_node};
+pub use two_flanks::{TwoFlankWish, solve_two_flank_motion, solve_two_flank_node, two_flank_rolls};
