@@ -75,6 +75,21 @@ pub enum DressingError {
         /// Why it went no further.
         reason: &'static str,
     },
+    /// No profile angle of the bracket fits the dresser without stretch.
+    #[error(
+        "no profile angle from {from:.3} to {to:.3} deg fits the dresser to the {flank} flank without stretch (P from {:.5} to \
+         {:.5})", stretch[0], stretch[1]
+    )]
+    NoAngleWithoutStretch {
+        /// Flank concerned.
+        flank: Flank,
+        /// Bracket from, degrees.
+        from: f64,
+        /// Bracket to, degrees.
+        to: f64,
+        /// P at both ends.
+        stretch: [f64; 2],
+    },
     /// Crossing angle 0 in the K chart.
     #[error("at crossing angle 0 the dressing corrections are not unique")]
     PoleOfChart,
@@ -91,7 +106,7 @@ impl DressingError {
             Self::OutOfDresser { .. } => "out-of-dresser",
             Self::ConditionCount { .. } => "condition-count",
             Self::Singular { .. } => "singular",
-            Self::NoZero { .. } => "no-zero",
+            Self::NoZero { .. } | Self::NoAngleWithoutStretch { .. } => "no-zero",
             Self::PoleOfChart => "pole-of-chart",
         }
     }
@@ -111,6 +126,9 @@ impl DressingError {
             Self::Singular { .. } => "replace one pitch point by a radius-map row or a fixed axis",
             Self::NoZero { .. } => {
                 "reduce the amount, take a worm with more threads or smaller diameter, or let the dresser's profile make it"
+            }
+            Self::NoAngleWithoutStretch { .. } => {
+                "widen the bracket, or take a worm whose diameter is nearer to the one the dresser was designed for"
             }
             Self::PoleOfChart => "use the tilt chart or a crossing angle other than 0",
         }

@@ -8,6 +8,9 @@ mod envelope;
 mod error;
 mod forward;
 mod nominal;
+mod other_worm;
+mod profile_fit;
+mod stretch_angle;
 mod tilt_chart;
 mod topological;
 
@@ -19,5 +22,8 @@ pub use envelope::{DressedWorm, EnvelopePoint, dressing_motion};
 pub use error::DressingError;
 pub use forward::{DressedProfile, ProfilePoint, head_gradient};
 pub use nominal::{NominalContact, nominal_contact};
+pub use other_worm::WormSeat;
+pub use profile_fit::{ProfileFit, fit_profile, fit_profile_along, profile_error, uncorrected_profile};
+pub use stretch_angle::{StretchAngle, angle_of_least_stretch};
 pub use tilt_chart::TiltChart;
 pub use topological::{NodePlan, NodeSolution, pitch_rolls, solve_dressing_motion, solve_node};
