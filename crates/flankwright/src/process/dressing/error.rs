@@ -78,6 +78,21 @@ pub enum DressingError {
     /// One correction for both flanks of a conical worm, whose leads differ.
     #[error("the flanks of a conical worm have different leads and are not dressed by one motion")]
     TwoFlanksOfCone,
+    /// No profile angle of the bracket fits the dresser without stretch.
+    #[error(
+        "no profile angle from {from:.3} to {to:.3} deg fits the dresser to the {flank} flank without stretch (P from {:.5} to \
+         {:.5})", stretch[0], stretch[1]
+    )]
+    NoAngleWithoutStretch {
+        /// Flank concerned.
+        flank: Flank,
+        /// Bracket from, degrees.
+        from: f64,
+        /// Bracket to, degrees.
+        to: f64,
+        /// P at both ends.
+        stretch: [f64; 2],
+    },
     /// Crossing angle 0 in the K chart.
     #[error("at crossing angle 0 the dressing corrections are not unique")]
     PoleOfChart,
@@ -102,8 +117,8 @@ impl DressingError {
             Self::OutOfDresser { .. } => "out-of-dresser",
             Self::ConditionCount { .. } => "condition-count",
             Self::Singular { .. } => "singular",
-            Self::NoZero { .. } => "no-zero",
             Self::TwoFlanksOfCone => "two-flanks-of-cone",
+            Self::NoZero { .. } | Self::NoAngleWithoutStretch { .. } => "no-zero",
             Self::PoleOfChart => "pole-of-chart",
         }
     }
@@ -125,6 +140,9 @@ impl DressingError {
                 "reduce the amount, take a worm with more threads or smaller diameter, or let the dresser's profile make it"
             }
             Self::TwoFlanksOfCone => "dress one flank after the other: dressing.flanks = \"one\"",
+            Self::NoAngleWithoutStretch { .. } => {
+                "widen the bracket, or take a worm whose diameter is nearer to the one the dresser was designed for"
+            }
             Self::PoleOfChart => "use the tilt chart or a crossing angle other than 0",
         }
     }

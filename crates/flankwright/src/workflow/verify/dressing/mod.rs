@@ -4,6 +4,7 @@ mod bodies;
 mod conditions;
 mod corrections;
 mod motion;
+mod other_worms;
 mod profiles;
 
 use super::expected::Expected;
@@ -15,12 +16,11 @@ use serde_json::Value;
 const UM: f64 = 1e-3;
 
 /// Blocks that later stages of the library compute.
-const TO_COME: [&str; 9] = [
+const TO_COME: [&str; 8] = [
     "limits",
     "compensation",
     "axis_deviation",
     "machine",
-    "other_diameter",
     "undermining",
     "left_out_threads",
     "multi_stroke",
@@ -77,6 +77,9 @@ fn one(bodies: &Bodies, case: &mut Expected<'_>, ledger: &mut Ledger) {
     }
     if let Some(item) = case.object("topological", ledger) {
         checked(item, ledger, |item, ledger| motion::topological(bodies, item, ledger));
+    }
+    for item in case.objects("other_diameter", ledger) {
+        checked(item, ledger, |item, ledger| other_worms::other_diameter(bodies, item, ledger));
     }
     let tolerance = case.peek("dresser").map_or(&Value::Null, |dresser| &dresser["left"]["tolerance"]);
     if let Some(item) = case.object("parallel_axes", ledger) {
