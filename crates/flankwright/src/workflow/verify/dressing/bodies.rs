@@ -32,8 +32,10 @@ pub(super) struct Bodies {
     space_width: f64,
     dedendum: f64,
     addendum: f64,
+    numbers: Numbers,
 }
 
+#[derive(Clone, Copy)]
 struct Numbers {
     teeth: [i32; 2],
     module: f64,
@@ -42,6 +44,14 @@ struct Numbers {
     worm_diameter: f64,
     dresser_diameter: f64,
     hand: f64,
+}
+
+/// What differs on another worm for the same gear. mm, rad.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct OtherWorm {
+    pub threads: i32,
+    pub diameter: f64,
+    pub angle: f64,
 }
 
 impl Bodies {
@@ -142,6 +152,25 @@ impl Bodies {
             space_width,
             dedendum,
             addendum,
+            numbers: *n,
+        })
+    }
+
+    /// The worm of the case.
+    pub fn own_worm(&self) -> OtherWorm {
+        let Numbers { teeth: [_, threads], angles: [.., angle], worm_diameter: diameter, .. } = self.numbers;
+        OtherWorm { threads, diameter, angle }
+    }
+
+    /// The bodies with another worm, and a dresser of this diameter made for it.
+    pub fn with(&self, worm: OtherWorm, dresser_diameter: f64) -> Result<Self, GeneratingError> {
+        let [alpha, beta, _] = self.numbers.angles;
+        Self::new(&Numbers {
+            teeth: [self.numbers.teeth[0], worm.threads],
+            angles: [alpha, beta, worm.angle],
+            worm_diameter: worm.diameter,
+            dresser_diameter,
+            ..self.numbers
         })
     }
 
