@@ -93,6 +93,20 @@ fn dressing(study: &DressingStudy, findings: &mut Vec<Diagnostic>) {
             );
         }
     }
+    if let Some(diameter) = study.at_worm_pitch_diameter
+        && over != StudyOver::PressureAngle
+    {
+        findings.push(
+            Diagnostic::new(
+                Problem::InvalidJob,
+                format!("a study over \"{}\" does not use `at_worm_pitch_diameter`", over.name()),
+            )
+            .field("explore.dressing.at_worm_pitch_diameter")
+            .value(shown_number(diameter))
+            .allowed("no key, or over = \"pressure-angle\"")
+            .way_out("remove it, or change `over`"),
+        );
+    }
     if let Some(compare) = &study.compare {
         let given = compare.given();
         if given.len() != 1 {

@@ -28,6 +28,10 @@ pub struct DressingStudy {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(schema_with = "angle_steps")]
     pub normal_pressure_angle_deg: Option<Steps>,
+    /// Pitch diameter of the worms of a study over the pressure angle; without it that of the job's worm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 2000, "x-way-out" = "give a diameter in mm, or leave it out"))]
+    pub at_worm_pitch_diameter: Option<f64>,
     /// Bodies side by side, one curve each.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub compare: Option<Compare>,

@@ -29,7 +29,9 @@ pub use error::DressingError;
 pub use forward::{DressedProfile, ProfilePoint, head_gradient};
 pub use nominal::{NominalContact, nominal_contact};
 pub use other_worm::WormSeat;
-pub use profile_fit::{ProfileFit, fit_profile, fit_profile_along, profile_error, uncorrected_profile};
+pub use profile_fit::{
+    ProfileFit, fit_profile, fit_profile_along, profile_error, three_point_rows, uncorrected_profile,
+};
 pub use stretch_angle::{StretchAngle, angle_of_least_stretch};
 pub use tilt_chart::TiltChart;
 pub use topological::{NodePlan, NodeSolution, pitch_rolls, solve_dressing_motion, solve_node};

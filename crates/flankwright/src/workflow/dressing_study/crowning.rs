@@ -5,9 +5,9 @@ use super::bodies::Bodies;
 use crate::exchange::job::Steps;
 use crate::geometry::Flank;
 use crate::kinematics::DressingCorrection;
-use crate::numerics::equidistant;
 use crate::process::dressing::{
-    Condition, ConditionSolver, ContactLine, DressedProfile, DresserTool, DressingError, stretch,
+    ConditionSolver, ContactLine, DressedProfile, DresserTool, DressingError, profile_error, stretch,
+    three_point_rows,
 };
 use crate::process::generating::{GeneratingError, GrindingSetup};
 use crate::workflow::explore::Refused;
@@ -86,9 +86,6 @@ impl CrowningCurve {
     }
 }
 
-/// Points of a profile at which its deviation from the parabola is looked for.
-const PROFILE_POINTS: usize = 41;
-
 /// One flank of a dresser and what crowning means for it.
 pub(super) struct Task<'a> {
     pub tool: &'a DresserTool,
@@ -117,14 +114,7 @@ impl<'a> Task<'a> {
         crowning: f64,
         start: &DressingCorrection,
     ) -> Result<DressingCorrection, DressingError> {
-        let flank = self.flank;
-        let (range, designed) = (self.tool.flanks[flank].range, self.tool.flanks[flank].designed);
-        let rows = [
-            Condition::Point { flank, w: range.w_nf, f: 0.0 },
-            Condition::Point { flank, w: range.middle(), f: self.middle(crowning) },
-            Condition::Point { flank, w: range.w_na, f: 0.0 },
-            Condition::Map { flank, t: designed.w_na, w: range.w_na },
-        ];
+        let rows = three_point_rows(self.tool, self.flank, self.middle(crowning));
         ConditionSolver::new(self.tool, self.radius).solve(&rows, start)
     }
 
@@ -133,12 +123,7 @@ impl<'a> Task<'a> {
         let flank = self.flank;
         let range = self.tool.flanks[flank].range;
         let profile = DressedProfile::new(self.tool, flank, dk);
-        let mut deviation: f64 = 0.0;
-        for w in equidistant([range.w_nf, range.w_na], PROFILE_POINTS) {
-            let x = 2.0 * (w - range.middle()) / range.length();
-            let parabola = self.middle(crowning) * (1.0 - x * x);
-            deviation = deviation.max((profile.at_roll(w)?.f - parabola).abs());
-        }
+        let (deviation, _) = profile_error(self.tool, flank, dk, self.middle(crowning))?;
         Ok(CrowningPoint {
             crowning_um: crowning * 1e3,
             d_phi_s_deg: dk[0].to_degrees(),
@@ -154,7 +139,7 @@ impl<'a> Task<'a> {
 }
 
 /// The curve of one set of bodies over the given crownings, each direction from the crowning nearest to 0.
-pub(super) fn curve(bodies: &Bodies, flank: Flank, steps: &Steps) -> CrowningCurve {
+pub(super) fn curve(bodies: &Bodies, flank: Flank, steps: Option<&Steps>) -> CrowningCurve {
     let none = |refused: Refused| CrowningCurve {
         bodies: bodies.name.clone(),
         points: Vec::new(),
@@ -170,6 +155,7 @@ pub(super) fn curve(bodies: &Bodies, flank: Flank, steps: &Steps) -> CrowningCur
         Ok(task) => task,
         Err(error) => return none(Refused::from(&error)),
     };
+    let steps = steps.copied().unwrap_or(Steps { from: -0.3, to: 2.0, count: 47 });
     let values: Vec<f64> = steps.values().map(|um| um * 1e-3).collect();
     let (below, above): (Vec<f64>, Vec<f64>) = values.into_iter().partition(|&c| c < 0.0);
     let (mut points, least) = branch(&task, below.into_iter().rev());

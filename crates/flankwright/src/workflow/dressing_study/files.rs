@@ -1,6 +1,9 @@
 //! `explore.json`, `explore.csv` and `explore.html` of a dressing study. Every file appears whole or not at all.
 
-use super::{CrowningCurve, CrowningPoint, DressingStudyOutcome, ProfileCurve, StudyCurves};
+use super::{
+    CrowningCurve, CrowningPoint, DressingStudyOutcome, ProfileCurve, StudyCurves, WormCurve, WormPoint,
+};
+use crate::exchange::job::StudyOver;
 use crate::exchange::{Cell, Column, CsvError, CsvTable};
 use crate::report::charts::{ChartError, LineChart, Panel, Series, Svg, format_significant, line_chart};
 use crate::report::{
@@ -26,6 +29,7 @@ fn table(outcome: &DressingStudyOutcome) -> Result<CsvTable, CsvError> {
     match &outcome.curves {
         StudyCurves::Crowning(curves) => crowning_table(curves),
         StudyCurves::Profile(curves) => profile_table(curves),
+        StudyCurves::Worms(curves) => worm_table(curves),
     }
 }
 
@@ -76,6 +80,94 @@ fn profile_table(curves: &[ProfileCurve]) -> Result<CsvTable, CsvError> {
         }
     }
     Ok(table)
+}
+
+/// A quantity of a worm that may be absent.
+type OfWorm = (Column, &'static str, fn(&WormPoint) -> Option<f64>);
+
+/// Quantities over worms.
+const OF_WORMS: [OfWorm; 9] = [
+    (Column::new("uncorrected_crowning", "um"), "profile crowning without corrections [µm]", |p| {
+        p.uncorrected_crowning_um
+    }),
+    (Column::new("stretch", "percent"), "profile stretch P [%]", |p| Some(100.0 * p.stretch)),
+    (Column::new("d_phi_S", "deg"), "Δφ_S [°]", |p| Some(p.d_phi_s_deg)),
+    (Column::new("d_gamma", "deg"), "Δγ [°]", |p| Some(p.d_gamma_deg)),
+    (Column::new("d_d", "mm"), "Δd [mm]", |p| Some(p.d_d_mm)),
+    (Column::new("d_v_yA", "mm"), "Δv_yA [mm]", |p| Some(p.d_v_ya_mm)),
+    (Column::new("error", "um"), "deviation of the profile with corrections [µm]", |p| Some(p.error_um)),
+    (Column::new("largest_tip_land", "mm"), "largest tip land of the dresser [mm]", |p| {
+        p.largest_tip_land_mm
+    }),
+    (Column::new("angle_without_stretch", "deg"), "pressure angle for P = 0 [°]", |p| {
+        p.angle_without_stretch_deg
+    }),
+];
+
+fn worm_table(curves: &[WormCurve]) -> Result<CsvTable, CsvError> {
+    let mut columns = vec![Column::new("bodies", ""), Column::new("value", "")];
+    columns.extend(OF_WORMS.iter().map(|(column, ..)| *column));
+    let mut table = CsvTable::new(&columns);
+    for curve in curves {
+        for point in &curve.points {
+            let mut row = vec![Cell::Word(&curve.bodies), Cell::Number(point.value)];
+            row.extend(OF_WORMS.iter().map(|(_, _, value)| value(point).map_or(Cell::Empty, Cell::Number)));
+            table.push_cells(&row)?;
+        }
+    }
+    Ok(table)
+}
+
+/// Quantities over the worms, a panel each; those that no worm has are left out. `None` without points.
+fn worm_chart(
+    title: &str,
+    x_title: &str,
+    curves: &[WormCurve],
+    quantities: &[OfWorm],
+) -> Result<Option<Svg>, ChartError> {
+    let mut panels = Vec::new();
+    for (_, title, value) in quantities {
+        let mut series = Vec::new();
+        for c in curves {
+            let (x, y): (Vec<f64>, Vec<f64>) =
+                c.points.iter().filter_map(|p| value(p).map(|y| (p.value, y))).unzip();
+            if !x.is_empty() {
+                series.push(Series::new(label(&c.bodies), x, y));
+            }
+        }
+        if !series.is_empty() {
+            panels.push(Panel::linear(*title, 0.0, series));
+        }
+    }
+    if panels.is_empty() {
+        return Ok(None);
+    }
+    line_chart(&LineChart { title: title.into(), x_title: x_title.into(), panels }).map(Some)
+}
+
+/// Worms on which the dresser does not work.
+fn worms_missing(curves: &[WormCurve]) -> Table {
+    let rows = curves.iter().flat_map(|c| {
+        c.missing.iter().map(|(value, refused)| {
+            vec![
+                label(&c.bodies),
+                format_significant(*value, 6),
+                format!("{}: {}", refused.code, refused.text),
+            ]
+        })
+    });
+    let rows: Vec<Vec<String>> = rows.collect();
+    let note = if rows.is_empty() { "The dresser works on all worms of the study." } else { "" };
+    Table {
+        caption: String::new(),
+        columns: vec![
+            PageColumn::symbols("Bodies"),
+            PageColumn::number("Worm", ""),
+            PageColumn::text("Why the dresser does not work there"),
+        ],
+        rows,
+        note: format!("{note} All points stand in explore.csv."),
+    }
 }
 
 /// A curve's name in the legend; a study without comparison has one curve.
@@ -168,8 +260,37 @@ fn page(outcome: &DressingStudyOutcome) -> Result<PlanReport, ChartError> {
             );
             ("dressed profile", profile_figures(curves))
         }
+        StudyCurves::Worms(curves) => {
+            let x = if outcome.over == StudyOver::WormDiameter.name() {
+                "pitch diameter of the worm d_S [mm]"
+            } else {
+                "pressure angle of the worm α_nS [°]"
+            };
+            figure(
+                "Profile",
+                worm_chart("The dresser on other worms: profile", x, curves, &OF_WORMS[..2])?,
+                "Above what comes about with nominal crossing angle and offset, distance and phase set to both ends of the profile; below \
+                 the stretch with corrections, by the three-point method with the radius map.",
+            );
+            figure(
+                "Corrections",
+                worm_chart("The dresser on other worms: corrections", x, curves, &OF_WORMS[2..7])?,
+                "Corrections against the nominal kinematics of each worm with which its profile is straight at both ends and in the middle.",
+            );
+            figure(
+                "Limits",
+                worm_chart(
+                    "The dresser on other worms: tip land and angle without stretch",
+                    x,
+                    curves,
+                    &OF_WORMS[7..],
+                )?,
+                "The largest tip land that spares the counter flank, and the pressure angle of the worm for which this dresser needs no stretch.",
+            );
+            ("dresser on other worms", worms_missing(curves))
+        }
     };
-    sections.push(Section::new("Figures", vec![Block::Table(result)]));
+    sections.push(Section::new("Table", vec![Block::Table(result)]));
     let status = if outcome.is_producible() { Status::Met } else { Status::NotProducible };
     Ok(PlanReport {
         title: outcome.job.clone(),
@@ -188,10 +309,11 @@ fn headline(outcome: &DressingStudyOutcome) -> String {
     let refusals: Vec<&Refused> = match &outcome.curves {
         StudyCurves::Crowning(curves) => curves.iter().filter_map(|c| c.refused.as_ref()).collect(),
         StudyCurves::Profile(curves) => curves.iter().filter_map(|c| c.refused.as_ref()).collect(),
+        StudyCurves::Worms(curves) => curves.iter().flat_map(|c| &c.missing).map(|(_, r)| r).collect(),
     };
     match refusals.first() {
         None => "all bodies of the study can be dressed".into(),
-        Some(first) => format!("{} curves of the study are missing: {}", refusals.len(), first.text),
+        Some(first) => format!("{} bodies of the study cannot be dressed: {}", refusals.len(), first.text),
     }
 }
 

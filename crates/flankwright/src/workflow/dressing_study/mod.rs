@@ -5,18 +5,21 @@ mod bodies;
 mod crowning;
 mod files;
 mod profile;
+mod worms;
 
 pub use crowning::{CrowningCurve, CrowningPoint, CurveEnd};
 pub use files::write_dressing_study;
 pub use profile::ProfileCurve;
+pub use worms::{WormCurve, WormPoint};
 
 use super::finding::RunFailure;
-use crate::exchange::job::StudyOver;
+use crate::exchange::job::{DressingStudy, Steps, StudyOver};
 use crate::exchange::{Diagnostic, LoadedJob, Problem};
 use crate::numerics::Progress;
 use bodies::Bodies;
 use rayon::prelude::*;
 use serde::Serialize;
+use worms::Along;
 
 /// What a study found: the document of `explore.json`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -44,6 +47,8 @@ pub enum StudyCurves {
     Crowning(Vec<CrowningCurve>),
     /// Over the length of roll.
     Profile(Vec<ProfileCurve>),
+    /// Over the diameter or the pressure angle of the worm.
+    Worms(Vec<WormCurve>),
 }
 
 impl DressingStudyOutcome {
@@ -52,6 +57,7 @@ impl DressingStudyOutcome {
         match &self.curves {
             StudyCurves::Crowning(curves) => curves.iter().any(|c| !c.points.is_empty()),
             StudyCurves::Profile(curves) => curves.iter().any(|c| c.refused.is_none()),
+            StudyCurves::Worms(curves) => curves.iter().any(|c| !c.points.is_empty()),
         }
     }
 
@@ -71,6 +77,7 @@ impl DressingStudyOutcome {
                 curves.iter().map(|c| (c.bodies.as_str(), c.summary())).collect()
             }
             StudyCurves::Profile(curves) => curves.iter().map(|c| (c.name.as_str(), c.summary())).collect(),
+            StudyCurves::Worms(curves) => curves.iter().map(|c| (c.bodies.as_str(), c.summary())).collect(),
         }
     }
 }
@@ -90,17 +97,28 @@ pub fn study_dressing(
                 .way_out("add a table [explore.dressing] with `over`");
             RunFailure::bad_input(finding)
         })?;
-    let all = Bodies::compared(loaded, study.compare.as_ref());
     let flank = study.flank;
-    let curves = match (study.over, study.crowning_um) {
-        (StudyOver::Crowning, Some(steps)) => {
-            StudyCurves::Crowning(of_each(&all, progress, |bodies| crowning::curve(bodies, flank, &steps)))
+    let compare = study.compare.as_ref();
+    let worms = |along: Along, steps: Option<Steps>| -> Result<StudyCurves, RunFailure> {
+        let steps = steps.ok_or_else(|| missing(study))?;
+        let study = worms::Study { loaded, flank, along, steps, diameter: study.at_worm_pitch_diameter };
+        let all = worms::Study::curves(compare);
+        Ok(StudyCurves::Worms(of_each(&all, progress, |changes| study.curve(changes))))
+    };
+    let curves = match study.over {
+        StudyOver::Crowning => {
+            let all = Bodies::compared(loaded, compare);
+            let curve = |bodies: &Bodies| crowning::curve(bodies, flank, study.crowning_um.as_ref());
+            StudyCurves::Crowning(of_each(&all, progress, curve))
         }
-        (StudyOver::Profile, Some(steps)) => {
+        StudyOver::Profile => {
+            let steps = study.crowning_um.ok_or_else(|| missing(study))?;
+            let all = Bodies::compared(loaded, compare);
             let curves = of_each(&all, progress, |bodies| profile::curves(bodies, flank, &steps));
             StudyCurves::Profile(curves.into_iter().flatten().collect())
         }
-        _ => todo!(),
+        StudyOver::WormDiameter => worms(Along::Diameter, study.worm_pitch_diameter)?,
+        StudyOver::PressureAngle => worms(Along::PressureAngle, study.normal_pressure_angle_deg)?,
     };
     Ok(DressingStudyOutcome {
         job: loaded.job.job.name.clone(),
@@ -112,9 +130,16 @@ pub fn study_dressing(
     })
 }
 
-/// What `study` finds for each set of bodies, in their order.
-fn of_each<T: Send>(all: &[Bodies], progress: &dyn Progress, study: impl Fn(&Bodies) -> T + Sync) -> Vec<T> {
-    progress.start("bodies", all.len() as u64);
+/// The finding on a study without its steps; a job that was read has them.
+fn missing(study: &DressingStudy) -> RunFailure {
+    let text = format!("a study over \"{}\" needs its steps", study.over.name());
+    let finding = Diagnostic::new(Problem::MissingKey, text).field("explore.dressing");
+    RunFailure::bad_input(finding.way_out("add the values, e.g. { from = .., to = .., count = 21 }"))
+}
+
+/// What `study` finds for each entry, in their order.
+fn of_each<B: Sync, T: Send>(all: &[B], progress: &dyn Progress, study: impl Fn(&B) -> T + Sync) -> Vec<T> {
+    progress.start("curves", all.len() as u64);
     let found = all
         .par_iter()
         .map(|bodies| {
