@@ -1,5 +1,6 @@
 //! Errors of dressing (spec 30 section 18).
 
+use crate::contact::ContactError;
 use crate::geometry::{Flank, GeometryError};
 use thiserror::Error;
 
@@ -9,6 +10,9 @@ pub enum DressingError {
     /// A body is impossible by itself.
     #[error(transparent)]
     Geometry(#[from] GeometryError),
+    /// Worm and gear do not stand together.
+    #[error(transparent)]
+    Contact(#[from] ContactError),
     /// A number that is not usable.
     #[error("{field} = {value} is not usable; allowed: {allowed}")]
     InvalidNumber {
@@ -145,6 +149,7 @@ impl DressingError {
     pub fn code(&self) -> &'static str {
         match self {
             Self::Geometry(e) => e.code(),
+            Self::Contact(e) => e.code(),
             Self::InvalidNumber { .. } => "invalid-number",
             Self::NoConjugate { .. } => "no-conjugate",
             Self::NoContact { .. } => "no-contact",
@@ -164,6 +169,7 @@ impl DressingError {
     pub fn way_out(&self) -> &'static str {
         match self {
             Self::Geometry(e) => e.way_out(),
+            Self::Contact(e) => e.way_out(),
             Self::InvalidNumber { .. } => "give a value inside the allowed range",
             Self::NoConjugate { .. } => "use a larger worm, fewer threads or a smaller dresser",
             Self::NoContact { .. } | Self::OutOfDresser { .. } => {

@@ -1,5 +1,6 @@
 //! Dressing a grinding worm with a disc dresser in line contact (spec 30): settings DK -> worm flank, and back.
 
+pub mod catalogue;
 mod characteristics;
 mod clearance;
 mod conditions;
@@ -30,7 +31,8 @@ pub use forward::{DressedProfile, ProfilePoint, head_gradient};
 pub use nominal::{NominalContact, nominal_contact};
 pub use other_worm::WormSeat;
 pub use profile_fit::{
-    ProfileFit, fit_profile, fit_profile_along, profile_error, three_point_rows, uncorrected_profile,
+    ProfileFit, fit_profile, fit_profile_along, fit_profile_on_path, profile_error, refit_profile,
+    three_point_rows, uncorrected_profile,
 };
 pub use stretch_angle::{StretchAngle, angle_of_least_stretch};
 pub use tilt_chart::TiltChart;

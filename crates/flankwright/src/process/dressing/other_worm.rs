@@ -15,6 +15,8 @@ pub struct WormSeat {
     pub chains: Sides<DressingChain>,
     /// Used lengths of roll per flank.
     pub ranges: Sides<GeometricRange>,
+    /// Tip radius of the worm.
+    pub tip_radius: f64,
 }
 
 /// Normal base pitches of two worms for one gear may differ by this share (spec 30 section 18).

@@ -59,6 +59,22 @@ pub fn fit_profile(
     Ok(ProfileFit { dk, stretch: stretch(tool, flank, dk)? })
 }
 
+/// The same straight from the corrections `start` of a neighbour: another diameter, another amount.
+///
+/// # Errors
+/// Those of [`ConditionSolver::solve`].
+pub fn refit_profile(
+    tool: &DresserTool,
+    flank: Flank,
+    reference_radius: f64,
+    middle: f64,
+    start: &DressingCorrection,
+) -> Result<ProfileFit, DressingError> {
+    let solver = ConditionSolver::new(tool, reference_radius);
+    let dk = solver.solve(&three_point_rows(tool, flank, middle), start)?;
+    Ok(ProfileFit { dk, stretch: stretch(tool, flank, dk)? })
+}
+
 /// What a dresser leaves on a worm without crossing and offset corrections: only distance and phase are set so that both ends
 /// of the used profile are met. The corrections and f in the middle, mm normal.
 ///
@@ -104,11 +120,45 @@ pub fn profile_error(
 /// Shortest step along a path of worms, as a share of it.
 const LEAST_STEP: f64 = 1e-3;
 
-/// [`fit_profile`] on the worm at the end of a path that begins at a worm which the dresser fits well (share 0): directly, and
-/// where that fails along the path in steps as small as it takes.
+/// [`fit_profile`] on the worm at the end of a path that begins at a worm which the dresser fits well (share 0): along the path
+/// in steps as small as it takes.
 ///
 /// # Errors
-/// Those of the worms of the path; else the first one of the direct way.
+/// Those of the worms of the path; [`DressingError::NoZero`] with the share of the path that was reached.
+pub fn fit_profile_on_path(
+    dresser: &DresserTool,
+    flank: Flank,
+    path: &dyn Fn(f64) -> Result<WormSeat, DressingError>,
+    middle: f64,
+) -> Result<ProfileFit, DressingError> {
+    let (mut reached, mut step, mut dk) = (0.0, 0.25, [0.0; 4]);
+    while step >= LEAST_STEP {
+        let next = f64::min(reached + step, 1.0);
+        let seat = path(next)?;
+        let here = dresser.on_worm(&seat)?;
+        match refit_profile(&here, flank, seat.reference_radius(), 0.0, &dk) {
+            Ok(fit) => {
+                (reached, dk) = (next, fit.dk);
+                if reached >= 1.0 {
+                    return fit_profile(&here, flank, seat.reference_radius(), middle, &dk);
+                }
+                step *= 1.5;
+            }
+            Err(_) => step *= 0.5,
+        }
+    }
+    Err(DressingError::NoZero {
+        flank,
+        v: 0.0,
+        fraction: reached,
+        reason: "no solution on a worm on the way",
+    })
+}
+
+/// [`fit_profile`] directly, and where that fails by [`fit_profile_on_path`].
+///
+/// # Errors
+/// Those of the worms of the path; else the refusal of the direct way.
 pub fn fit_profile_along(
     dresser: &DresserTool,
     flank: Flank,
@@ -117,30 +167,6 @@ pub fn fit_profile_along(
 ) -> Result<ProfileFit, DressingError> {
     let seat = path(1.0)?;
     let tool = dresser.on_worm(&seat)?;
-    let direct = fit_profile(&tool, flank, seat.reference_radius(), middle, &[0.0; 4]);
-    let refusal = match direct {
-        Err(
-            e @ (DressingError::NoZero { .. }
-            | DressingError::NoContact { .. }
-            | DressingError::OutOfDresser { .. }),
-        ) => e,
-        other => return other,
-    };
-    let (mut reached, mut step, mut dk) = (0.0, 0.25, [0.0; 4]);
-    while step >= LEAST_STEP {
-        let next = f64::min(reached + step, 1.0);
-        let seat = path(next)?;
-        let here = dresser.on_worm(&seat)?;
-        match fit_profile(&here, flank, seat.reference_radius(), 0.0, &dk) {
-            Ok(fit) => {
-                (reached, dk) = (next, fit.dk);
-                if reached >= 1.0 {
-                    return fit_profile(&tool, flank, seat.reference_radius(), middle, &dk);
-                }
-                step *= 1.5;
-            }
-            Err(_) => step *= 0.5,
-        }
-    }
-    Err(refusal)
+    fit_profile(&tool, flank, seat.reference_radius(), middle, &[0.0; 4])
+        .or_else(|refusal| fit_profile_on_path(dresser, flank, path, middle).map_err(|_| refusal))
 }

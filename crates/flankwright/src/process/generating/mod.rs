@@ -32,6 +32,7 @@ mod share;
 mod strokes;
 mod target;
 mod variable_ratio;
+mod workshop;
 mod worm_function;
 
 pub use carried::{Carried, FieldSpline, misfit_of_lines};
@@ -68,4 +69,5 @@ pub use share::Command;
 pub use strokes::Strokes;
 pub use target::{Carrier, ClassFit, FlankTarget};
 pub use variable_ratio::VariableRatio;
+pub use workshop::GearWorkshop;
 pub use worm_function::IdealWorm;

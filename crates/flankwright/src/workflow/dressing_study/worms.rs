@@ -155,6 +155,7 @@ impl Study<'_> {
         let plain = setup.dresser().map_err(|error| Refused::from(&error))?;
         let seat = WormSeat {
             worm: setup.pair.worm,
+            tip_radius: setup.worm_tip_radius,
             chains: Sides::from_fn(|flank| plain.flanks[flank].chain),
             ranges: Sides::from_fn(|flank| plain.flanks[flank].range),
         };

@@ -186,7 +186,12 @@ impl Bodies {
             },
         })?;
         let chains = other.tool.flanks.map(|_, f| f.chain);
-        Ok(WormSeat { worm: other.worm, chains, ranges: Sides::both(other.range) })
+        Ok(WormSeat {
+            worm: other.worm,
+            chains,
+            ranges: Sides::both(other.range),
+            tip_radius: other.reference_radius + other.addendum,
+        })
     }
 
     /// Block `worm`.
