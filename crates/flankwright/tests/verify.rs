@@ -76,7 +76,6 @@ fn dressing_passes() {
         "limits",
         "compensation",
         "axis_deviation",
-        "machine",
         "other_diameter",
         "undermining",
         "left_out_threads",

@@ -3,6 +3,7 @@
 mod bodies;
 mod conditions;
 mod corrections;
+mod machine;
 mod motion;
 mod profiles;
 
@@ -15,11 +16,10 @@ use serde_json::Value;
 const UM: f64 = 1e-3;
 
 /// Blocks that later stages of the library compute.
-const TO_COME: [&str; 9] = [
+const TO_COME: [&str; 8] = [
     "limits",
     "compensation",
     "axis_deviation",
-    "machine",
     "other_diameter",
     "undermining",
     "left_out_threads",
@@ -81,6 +81,9 @@ fn one(bodies: &Bodies, case: &mut Expected<'_>, ledger: &mut Ledger) {
     let tolerance = case.peek("dresser").map_or(&Value::Null, |dresser| &dresser["left"]["tolerance"]);
     if let Some(item) = case.object("parallel_axes", ledger) {
         checked(item, ledger, |item, ledger| profiles::parallel_axes(bodies, tolerance, item, ledger));
+    }
+    if let Some(item) = case.object("machine", ledger) {
+        checked(item, ledger, machine::machine);
     }
     for key in TO_COME {
         case.not_covered(key, ledger);
