@@ -72,8 +72,7 @@ fn planning_passes_whole() {
 fn dressing_passes() {
     let report = passes("30-dressing.json", 1400);
     assert_eq!(report.schema, Schema::Dressing);
-    let to_come =
-        ["limits", "compensation", "axis_deviation", "machine", "other_diameter", "multi_stroke", "search"];
+    let to_come = ["limits", "compensation", "axis_deviation", "multi_stroke", "search"];
     let later = |block: &str| to_come.contains(&block);
     assert!(uncovered(&report).into_iter().all(later), "{:?}", uncovered(&report));
 }
