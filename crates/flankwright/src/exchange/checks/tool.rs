@@ -193,6 +193,15 @@ fn two_flanks(job: &Job, findings: &mut Vec<Diagnostic>) {
             ONE,
         );
     }
+    if let Some(land) = job.dresser.as_ref().and_then(|d| d.tip_land) {
+        refuse(
+            "a dresser that touches both flanks at once has the tip land that they leave between them",
+            "dresser.tip_land",
+            shown_number(land),
+            "no key, or dressing.flanks = \"one\"",
+            "leave `tip_land` out",
+        );
+    }
     if job.dressing.profile_crowning_by == ProfileCrowningBy::Correction {
         refuse(
             "one correction for both flanks makes value and slope of each, no profile crowning",
