@@ -137,6 +137,7 @@ fn limits_of_axes_and_folds_end_with_4() {
     for (replacement, code) in [
         (("profile_crowning_by = \"dresser\"", "profile_crowning_by = \"correction\""), "axis-limit"),
         (("amount_um = 20.0", "amount_um = 2000.0"), "undercut"),
+        (("pitch_diameter = 115.65", "pitch_diameter = 115.65\ntip_land = 3.2"), "counter-flank-cut"),
     ] {
         let (run, _) = planned(&[replacement], &["--json"]);
         assert_eq!(run.exit, Some(4), "{code}: {run:?}");
