@@ -1,5 +1,6 @@
 //! Errors of dressing (spec 30 section 18).
 
+use super::PathReason;
 use crate::geometry::{Flank, GeometryError};
 use thiserror::Error;
 
@@ -73,7 +74,7 @@ pub enum DressingError {
         /// Reached share of the target, 0..1.
         fraction: f64,
         /// Why it went no further.
-        reason: &'static str,
+        reason: PathReason,
     },
     /// Crossing angle 0 in the K chart.
     #[error("at crossing angle 0 the dressing corrections are not unique")]

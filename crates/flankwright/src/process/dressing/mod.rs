@@ -1,23 +1,35 @@
 //! Dressing a grinding worm with a disc dresser in line contact (spec 30): settings DK -> worm flank, and back.
 
 mod characteristics;
+mod condition_sets;
+mod condition_solver;
 mod conditions;
 mod contact_line;
+mod crowning_range;
 mod dresser;
 mod envelope;
 mod error;
 mod forward;
 mod nominal;
+mod path_reason;
+mod placement;
 mod tilt_chart;
 mod topological;
 
 pub use characteristics::{full_tip_land, quasi_static_modification, stretch};
-pub use conditions::{Condition, ConditionSolver};
+pub use condition_sets::{
+    PitchPoint, four_points, map_of_upper_end, shift_through, three_points, three_points_with_map,
+    two_flank_points, two_points,
+};
+pub use condition_solver::ConditionSolver;
+pub use conditions::Condition;
 pub use contact_line::ContactLine;
+pub use crowning_range::{CrowningEnd, CrowningLimits, CrowningPoint, CrowningRange, CrowningRows};
 pub use dresser::{DresserTool, FlankDresser, GeometricRange};
 pub use envelope::{DressedWorm, EnvelopePoint, dressing_motion};
 pub use error::DressingError;
 pub use forward::{DressedProfile, ProfilePoint, head_gradient};
 pub use nominal::{NominalContact, nominal_contact};
+pub use path_reason::PathReason;
 pub use tilt_chart::TiltChart;
 pub use topological::{NodePlan, NodeSolution, pitch_rolls, solve_dressing_motion, solve_node};
