@@ -1,5 +1,6 @@
 //! Errors of dressing (spec 30 section 18).
 
+use super::PathReason;
 use crate::contact::ContactError;
 use crate::geometry::{Flank, GeometryError};
 use thiserror::Error;
@@ -77,7 +78,7 @@ pub enum DressingError {
         /// Reached share of the target, 0..1.
         fraction: f64,
         /// Why it went no further.
-        reason: &'static str,
+        reason: PathReason,
     },
     /// One correction for both flanks of a conical worm, whose leads differ.
     #[error("the flanks of a conical worm have different leads and are not dressed by one motion")]

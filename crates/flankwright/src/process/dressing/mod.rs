@@ -3,8 +3,11 @@
 pub mod catalogue;
 mod characteristics;
 mod clearance;
+mod condition_sets;
+mod condition_solver;
 mod conditions;
 mod contact_line;
+mod crowning_range;
 mod dresser;
 mod dresser_section;
 mod envelope;
@@ -12,6 +15,8 @@ mod error;
 mod forward;
 mod nominal;
 mod other_worm;
+mod path_reason;
+mod placement;
 mod profile_fit;
 mod stretch_angle;
 mod swept_circle;
@@ -21,8 +26,14 @@ mod two_flanks;
 
 pub use characteristics::{full_tip_land, quasi_static_modification, stretch};
 pub use clearance::{Clearance, ThreadSpace, WormFlank};
-pub use conditions::{Condition, ConditionSolver};
+pub use condition_sets::{
+    PitchPoint, four_points, map_of_upper_end, shift_through, three_points, three_points_with_map,
+    two_flank_points, two_points,
+};
+pub use condition_solver::ConditionSolver;
+pub use conditions::Condition;
 pub use contact_line::ContactLine;
+pub use crowning_range::{CrowningEnd, CrowningLimits, CrowningPoint, CrowningRange, CrowningRows};
 pub use dresser::{DresserTool, FlankDresser, GeometricRange};
 pub use dresser_section::{DresserSection, SectionPart};
 pub use envelope::{DressedWorm, EnvelopePoint, dressing_motion};
@@ -30,9 +41,10 @@ pub use error::DressingError;
 pub use forward::{DressedProfile, ProfilePoint, head_gradient};
 pub use nominal::{NominalContact, nominal_contact};
 pub use other_worm::WormSeat;
+pub use path_reason::PathReason;
 pub use profile_fit::{
     ProfileFit, fit_profile, fit_profile_along, fit_profile_on_path, profile_error, refit_profile,
-    three_point_rows, uncorrected_profile,
+    uncorrected_profile,
 };
 pub use stretch_angle::{StretchAngle, angle_of_least_stretch};
 pub use tilt_chart::TiltChart;

@@ -2,7 +2,8 @@
 //! without them (spec 30 sections 12 and 17). Knows no limit of axes or bodies.
 
 use super::{
-    Condition, ConditionSolver, DressedProfile, DresserTool, DressingError, WormSeat, pitch_rolls, stretch,
+    Condition, ConditionSolver, DressedProfile, DresserTool, DressingError, PathReason, WormSeat, stretch,
+    three_points_with_map,
 };
 use crate::geometry::Flank;
 use crate::kinematics::DressingCorrection;
@@ -19,14 +20,9 @@ pub struct ProfileFit {
 /// Steps in which the amount grows from 0 (spec 30 section 17).
 const STEPS: usize = 8;
 
-/// The rows of the three-point method: f = 0 at both ends of the used range, f = `middle` (mm) in its middle, and the end of the designed profile on
-/// the end of the used one.
-pub fn three_point_rows(tool: &DresserTool, flank: Flank, middle: f64) -> [Condition; 4] {
-    let dresser = &tool.flanks[flank];
-    let [from, mid, to] = pitch_rolls(tool, flank);
-    let point = |w, f| Condition::Point { flank, w, f };
-    let map = Condition::Map { flank, t: dresser.designed.w_na, w: to };
-    [point(from, 0.0), point(mid, middle), point(to, 0.0), map]
+/// The rows of the three-point method for f = `middle` (mm) in the middle of the used range and 0 at both ends.
+fn rows(tool: &DresserTool, flank: Flank, middle: f64) -> [Condition; 4] {
+    three_points_with_map(&tool.flanks[flank], [0.0, middle, 0.0])
 }
 
 /// Corrections at which the worm gets f = `middle` in the middle of its used profile and 0 at both ends, mm normal; the amount
@@ -42,11 +38,11 @@ pub fn fit_profile(
     start: &DressingCorrection,
 ) -> Result<ProfileFit, DressingError> {
     let solver = ConditionSolver::new(tool, reference_radius);
-    let mut dk = solver.solve(&three_point_rows(tool, flank, 0.0), start)?;
+    let mut dk = solver.solve(&rows(tool, flank, 0.0), start)?;
     if middle != 0.0 {
         for k in 1..=STEPS {
             let share = k as f64 / STEPS as f64;
-            dk = solver.solve(&three_point_rows(tool, flank, middle * share), &dk).map_err(|e| match e {
+            dk = solver.solve(&rows(tool, flank, middle * share), &dk).map_err(|e| match e {
                 // The share of this step becomes one of the whole amount.
                 DressingError::NoZero { flank, v, fraction, reason } => {
                     let fraction = share - (1.0 - fraction) / STEPS as f64;
@@ -71,7 +67,7 @@ pub fn refit_profile(
     start: &DressingCorrection,
 ) -> Result<ProfileFit, DressingError> {
     let solver = ConditionSolver::new(tool, reference_radius);
-    let dk = solver.solve(&three_point_rows(tool, flank, middle), start)?;
+    let dk = solver.solve(&rows(tool, flank, middle), start)?;
     Ok(ProfileFit { dk, stretch: stretch(tool, flank, dk)? })
 }
 
@@ -85,7 +81,7 @@ pub fn uncorrected_profile(
     flank: Flank,
     reference_radius: f64,
 ) -> Result<(DressingCorrection, f64), DressingError> {
-    let [first, _, last, _] = three_point_rows(tool, flank, 0.0);
+    let [first, _, last, _] = rows(tool, flank, 0.0);
     let fixed = |j| Condition::Fixed { j, x: 0.0 };
     let solver = ConditionSolver::new(tool, reference_radius);
     let dk = solver.solve(&[first, last, fixed(1), fixed(3)], &[0.0; 4])?;
@@ -147,12 +143,7 @@ pub fn fit_profile_on_path(
             Err(_) => step *= 0.5,
         }
     }
-    Err(DressingError::NoZero {
-        flank,
-        v: 0.0,
-        fraction: reached,
-        reason: "no solution on a worm on the way",
-    })
+    Err(DressingError::NoZero { flank, v: 0.0, fraction: reached, reason: PathReason::GivenUp })
 }
 
 /// [`fit_profile`] directly, and where that fails by [`fit_profile_on_path`].
