@@ -43,6 +43,8 @@ pub enum Problem {
     InvalidGeometry,
     /// Entries that contradict each other.
     InvalidJob,
+    /// Entries of a catalogue that contradict each other.
+    InvalidCatalogue,
     /// A process of the job format that this version does not plan.
     ProcessNotAvailable,
     /// A part of the job format that this version does not carry out.
@@ -69,6 +71,7 @@ impl Problem {
             Problem::InvalidList => "invalid-list",
             Problem::InvalidGeometry => "invalid-geometry",
             Problem::InvalidJob => "invalid-job",
+            Problem::InvalidCatalogue => "invalid-catalogue",
             Problem::ProcessNotAvailable => "process-not-available",
             Problem::NotYetSupported => "not-yet-supported",
         }

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use super::diagnostic::JobError;
+use super::diagnostic::{Diagnostic, JobError};
 use super::node::Node;
 use super::source::Source;
 use super::{json_tree, toml_tree};
@@ -38,7 +38,14 @@ impl Document {
             Some("toml") => false,
             _ => source.text().trim_start().starts_with('{'),
         };
-        let parse = if json { json_tree::parse } else { toml_tree::parse };
+        Self::parse_with(source, if json { json_tree::parse } else { toml_tree::parse })
+    }
+
+    /// Parses a text of another format.
+    pub(super) fn parse_with(
+        source: Source,
+        parse: impl FnOnce(&str) -> Result<Node, Diagnostic>,
+    ) -> Result<Self, JobError> {
         match parse(source.text()) {
             Ok(root) => Ok(Self { source, root }),
             Err(finding) => Err(JobError::single(source, finding)),

@@ -3,9 +3,11 @@
 //! beside the fields, so that the published schema and the messages cannot disagree.
 
 mod choices;
+mod designed_for;
 mod diagonal_ratio;
 mod dresser;
 mod dressing;
+mod dressing_study;
 mod explore;
 mod gauge;
 mod gear;
@@ -20,11 +22,13 @@ mod target;
 mod worm;
 
 pub use choices::{Flanks, Hand};
+pub use designed_for::DesignedFor;
 pub use diagonal_ratio::{
     DiagonalRatio, DiagonalRule, LineBlendCurve, LineSineCurve, PointsCurve, ShiftCurve, ShiftLaw, ShiftTable,
 };
 pub use dresser::{Dresser, DresserModification, FixedDresser};
 pub use dressing::{Condition, DegreeOfFreedom, Dressing, DressingFlanks, ProfileCrowningBy};
+pub use dressing_study::{Compare, DressingStudy, StudyOver};
 pub use explore::{Explore, Steps};
 pub use gauge::{Gauge, GaugeRule, GivenGauge};
 pub use gear::{Evaluation, EvaluationRange, Gear, OverBalls, Span};
@@ -32,6 +36,7 @@ pub use grid::Grid;
 pub use grinding::{Grinding, Method};
 pub use machine::Machine;
 pub use one_or_sides::OneOrSides;
+pub(in crate::exchange) use one_or_sides::{one_or_sides_schema, pressure_angle_schema};
 pub use output::{Mesh, Output, Program, Table};
 pub use process::{JobInfo, Process};
 pub use settings::{FlankSettings, Pieces, Settings, ToolTable, ToolTables};

@@ -12,6 +12,11 @@ use super::node::Kind;
 use super::source::Source;
 use super::{checks, schema, shape};
 
+const SUBJECT: shape::Subject = shape::Subject {
+    document: "the job",
+    example: "`flankwright new generating-grinding` prints a complete example",
+};
+
 /// A checked job and the document it came from.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoadedJob {
@@ -52,7 +57,7 @@ pub fn parse_job(source: Source) -> Result<LoadedJob, JobError> {
     if let Some(finding) = process_not_available(&document) {
         return refuse(document, vec![finding]);
     }
-    let findings = shape::check(document.root(), schema::shared());
+    let findings = shape::check(document.root(), schema::shared(), SUBJECT);
     if !findings.is_empty() {
         return refuse(document, findings);
     }

@@ -2,6 +2,7 @@
 //! JSON schema, tables. Reads and writes files; knows the shapes and targets that a job describes, but
 //! neither plans nor reports anything.
 
+pub mod catalogue;
 mod checks;
 mod csv;
 mod diagnostic;

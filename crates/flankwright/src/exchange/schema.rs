@@ -1,20 +1,24 @@
-//! The JSON schema of the job file, from the types themselves. The same schema is published for editors and
-//! used to check a job, so both always agree.
+//! The JSON schema of job files and catalogues, from the types themselves. The same schema is published for editors and
+//! used to check a file, so both always agree.
 
 use std::sync::LazyLock;
 
+use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde_json::Value;
 
 use super::job::Job;
 
-static SCHEMA: LazyLock<Value> = LazyLock::new(|| {
-    let schema = SchemaSettings::draft2020_12().into_generator().into_root_schema_for::<Job>();
+static SCHEMA: LazyLock<Value> = LazyLock::new(|| schema_of::<Job>("flankwright job"));
+
+/// The schema of a document type under a title.
+pub(super) fn schema_of<T: JsonSchema>(title: &str) -> Value {
+    let schema = SchemaSettings::draft2020_12().into_generator().into_root_schema_for::<T>();
     let mut schema = schema.to_value();
     without_null(&mut schema);
-    schema["title"] = Value::from("flankwright job");
+    schema["title"] = Value::from(title);
     schema
-});
+}
 
 /// The schema of the job file, JSON Schema draft 2020-12. `x-way-out` beside a range is what messages advise.
 pub fn job_schema() -> Value {

@@ -9,9 +9,18 @@ use super::diagnostic::{Diagnostic, Problem};
 use super::form::{Form, listed};
 use super::node::{Entry, Kind, Node};
 
+/// What messages call a document, and where an example of it is.
+#[derive(Clone, Copy)]
+pub(super) struct Subject {
+    /// E.g. `the job`.
+    pub document: &'static str,
+    /// A half sentence.
+    pub example: &'static str,
+}
+
 /// All findings about a document.
-pub(super) fn check(root: &Node, schema: &Value) -> Vec<Diagnostic> {
-    let mut walk = Walk { schema, findings: Vec::new() };
+pub(super) fn check(root: &Node, schema: &Value, subject: Subject) -> Vec<Diagnostic> {
+    let mut walk = Walk { schema, subject, findings: Vec::new() };
     walk.node(root, schema, "", None);
     walk.findings
 }
@@ -32,13 +41,14 @@ pub(super) fn nearest<'a>(given: &str, known: impl IntoIterator<Item = &'a str>)
 
 struct Walk<'s> {
     schema: &'s Value,
+    subject: Subject,
     findings: Vec<Diagnostic>,
 }
 
 impl<'s> Walk<'s> {
     fn node(&mut self, node: &Node, schema: &'s Value, path: &str, key: Option<&Entry>) {
         let forms = Form::alternatives(self.schema, schema);
-        let name = if path.is_empty() { "the job".to_owned() } else { format!("`{path}`") };
+        let name = if path.is_empty() { self.subject.document.to_owned() } else { format!("`{path}`") };
         let at =
             |diagnostic: Diagnostic| diagnostic.field(path).value(node.shown()).span(Some(node.span.clone()));
         // A schema that says nothing about type takes anything.
@@ -309,12 +319,13 @@ impl<'s> Walk<'s> {
         let (message, way_out) = match (path.is_empty(), table) {
             (true, true) => (
                 format!("the table `[{key}]` is missing"),
-                format!("add `[{key}]`; `flankwright new generating-grinding` prints a complete example"),
+                format!("add `[{key}]`; {}", self.subject.example),
             ),
             _ => {
                 let advice = wanted.iter().find_map(Form::way_out);
                 let way_out = advice.unwrap_or_else(|| format!("add `{key} = ...`"));
-                (format!("`{}` has no key `{key}`", if path.is_empty() { "the job" } else { path }), way_out)
+                let name = if path.is_empty() { self.subject.document } else { path };
+                (format!("`{name}` has no key `{key}`"), way_out)
             }
         };
         let mut finding = Diagnostic::new(Problem::MissingKey, message)

@@ -44,13 +44,6 @@ pub(super) fn supported(job: &Job) -> Result<(), RunFailure> {
                 .way_out(way_out);
         Err(RunFailure::bad_input(finding))
     };
-    if job.dressing.flanks == crate::exchange::job::DressingFlanks::Two {
-        return refuse(
-            "dressing.flanks",
-            "dressing both flanks at once",
-            "dress one flank after the other (\"one\")",
-        );
-    }
     let rows = crate::exchange::job::Dressing::default();
     if job.dressing.conditions != rows.conditions || !job.dressing.fixed().is_empty() {
         return refuse(

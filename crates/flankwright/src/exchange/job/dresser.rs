@@ -2,8 +2,8 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use serde_json::{Map, Value};
 
+use super::designed_for::DesignedFor;
 use super::target::Modification;
 
 /// The disc dresser. Lengths in mm.
@@ -30,9 +30,9 @@ pub struct Dresser {
     /// What profile the dresser carries.
     #[serde(default)]
     pub modification: DresserModification,
-    /// Another worm for which the dresser was made.
+    /// Another worm for which the dresser was made; default the worm of the job.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub designed_for: Option<Map<String, Value>>,
+    pub designed_for: Option<DesignedFor>,
 }
 
 /// Profile modification of the dresser.

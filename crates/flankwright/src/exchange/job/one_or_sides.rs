@@ -31,7 +31,7 @@ impl<T: Clone> OneOrSides<T> {
 }
 
 /// The schema of both forms, so that the range holds for the single value and for each flank's.
-pub(super) fn one_or_sides_schema(number: Schema) -> Schema {
+pub(in crate::exchange) fn one_or_sides_schema(number: Schema) -> Schema {
     json_schema!({
         "anyOf": [number, {
             "type": "object",
@@ -43,7 +43,7 @@ pub(super) fn one_or_sides_schema(number: Schema) -> Schema {
 }
 
 /// Normal pressure angle in degrees: outside this range neither worm nor dresser can be made.
-pub(super) fn pressure_angle_schema(_: &mut schemars::SchemaGenerator) -> Schema {
+pub(in crate::exchange) fn pressure_angle_schema(_: &mut schemars::SchemaGenerator) -> Schema {
     one_or_sides_schema(json_schema!({
         "type": "number",
         "minimum": 5,

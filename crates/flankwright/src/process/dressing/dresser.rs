@@ -40,7 +40,7 @@ pub struct FlankDresser {
     pub chain: DressingChain,
     /// Range of that worm.
     pub range: GeometricRange,
-    /// Worm z of the nominal contact at v_zS = 0 over t, mm: exact on the worm it was designed for, a start value on others.
+    /// Worm z of the nominal contact at v_zS = 0 over w, mm: exact on the worm it was designed for, a start value on others.
     pub line: Chebyshev,
 }
 
@@ -174,6 +174,22 @@ impl DresserTool {
         }
         tool
     }
+}
+
+/// Nodes of the line in which a worm's conjugate dresser touches it.
+const LINE_NODES: usize = 24;
+
+/// Worm z over w of the contact with the conjugate dresser of this worm, over the used range with the share `margin` of it at
+/// each end, but not below the base cylinder.
+pub(super) fn conjugate_line(
+    worm: &InvoluteFlank,
+    chain: &DressingChain,
+    range: &GeometricRange,
+    margin: f64,
+) -> Result<Chebyshev, DressingError> {
+    let m = margin * range.length();
+    let from = (range.w_nf - m).max(0.5 * range.w_nf);
+    Chebyshev::fit(from, range.w_na + m, LINE_NODES, |w| nominal_contact(worm, chain, w).map(|at| at.b))
 }
 
 /// A meridian whose outward normal at t agrees with (n_r, n_z).

@@ -207,7 +207,9 @@ impl ToolSurface for DressedWorm {
         let (range, designed) = (&self.dresser.range, &self.dresser.designed);
         let scaled = designed.w_nf + (w_1 - range.w_nf) * (designed.length() / range.length());
         let t = scaled.clamp(from, to);
-        (t, (self.dresser.line.value(t) - z_1).clamp(self.interval.0, self.interval.1))
+        let (first, last) = self.dresser.line.interval();
+        let b = self.dresser.line.value(w_1.clamp(first, last));
+        (t, (b - z_1).clamp(self.interval.0, self.interval.1))
     }
 
     fn with_share(&self, share: f64) -> Box<dyn ToolSurface + '_> {

@@ -1,6 +1,7 @@
 //! Errors of dressing (spec 30 section 18).
 
 use super::PathReason;
+use crate::contact::ContactError;
 use crate::geometry::{Flank, GeometryError};
 use thiserror::Error;
 
@@ -10,6 +11,9 @@ pub enum DressingError {
     /// A body is impossible by itself.
     #[error(transparent)]
     Geometry(#[from] GeometryError),
+    /// Worm and gear do not stand together.
+    #[error(transparent)]
+    Contact(#[from] ContactError),
     /// A number that is not usable.
     #[error("{field} = {value} is not usable; allowed: {allowed}")]
     InvalidNumber {
@@ -76,23 +80,88 @@ pub enum DressingError {
         /// Why it went no further.
         reason: PathReason,
     },
+    /// One correction for both flanks of a conical worm, whose leads differ.
+    #[error("the flanks of a conical worm have different leads and are not dressed by one motion")]
+    TwoFlanksOfCone,
+    /// No profile angle of the bracket fits the dresser without stretch.
+    #[error(
+        "no profile angle from {from:.3} to {to:.3} deg fits the dresser to the {flank} flank without stretch (P from {:.5} to \
+         {:.5})", stretch[0], stretch[1]
+    )]
+    NoAngleWithoutStretch {
+        /// Flank concerned.
+        flank: Flank,
+        /// Bracket from, degrees.
+        from: f64,
+        /// Bracket to, degrees.
+        to: f64,
+        /// P at both ends.
+        stretch: [f64; 2],
+    },
+    /// The dresser's profiles do not have its outside radius.
+    #[error(
+        "the dresser's {flank} profile has no circle of the tip radius {radius:.4} mm; it reaches from {from:.4} to {to:.4} mm"
+    )]
+    TipOutsideProfile {
+        /// Flank concerned.
+        flank: Flank,
+        /// Tip radius.
+        radius: f64,
+        /// Smallest radius that a tip can have there.
+        from: f64,
+        /// Largest radius of the profile.
+        to: f64,
+    },
+    /// The flanks of the dresser cross below its tip.
+    #[error(
+        "the dresser's profiles cross below the tip radius {radius:.4} mm and overlap there by {overlap:.4} mm"
+    )]
+    PointedTip {
+        /// Tip radius.
+        radius: f64,
+        /// Overlap of the profiles at the tip.
+        overlap: f64,
+    },
+    /// A tip land that the dresser cannot have.
+    #[error(
+        "a tip land of {land} mm is not possible; the dresser's profiles leave 0 to {full:.4} mm between them"
+    )]
+    TipLand {
+        /// Tip land asked for.
+        land: f64,
+        /// The full one.
+        full: f64,
+    },
     /// Crossing angle 0 in the K chart.
     #[error("at crossing angle 0 the dressing corrections are not unique")]
     PoleOfChart,
 }
 
 impl DressingError {
+    /// The same error with the worm position at which it came about.
+    pub(super) fn at_position(self, v: f64) -> Self {
+        match self {
+            Self::NoZero { flank, fraction, reason, .. } => Self::NoZero { flank, v, fraction, reason },
+            other => other,
+        }
+    }
+
     /// Stable kebab-case code.
     pub fn code(&self) -> &'static str {
         match self {
             Self::Geometry(e) => e.code(),
+            Self::Contact(e) => e.code(),
             Self::InvalidNumber { .. } => "invalid-number",
             Self::NoConjugate { .. } => "no-conjugate",
             Self::NoContact { .. } => "no-contact",
             Self::OutOfDresser { .. } => "out-of-dresser",
             Self::ConditionCount { .. } => "condition-count",
             Self::Singular { .. } => "singular",
-            Self::NoZero { .. } => "no-zero",
+            Self::TwoFlanksOfCone => "two-flanks-of-cone",
+            Self::NoZero { .. } | Self::NoAngleWithoutStretch { .. } => "no-zero",
+            Self::TipOutsideProfile { .. } => "tip-outside-profile",
+            Self::PointedTip { .. } => "pointed-tip",
+            Self::TipLand { .. } => "tip-land",
             Self::PoleOfChart => "pole-of-chart",
         }
     }
@@ -101,6 +170,7 @@ impl DressingError {
     pub fn way_out(&self) -> &'static str {
         match self {
             Self::Geometry(e) => e.way_out(),
+            Self::Contact(e) => e.way_out(),
             Self::InvalidNumber { .. } => "give a value inside the allowed range",
             Self::NoConjugate { .. } => "use a larger worm, fewer threads or a smaller dresser",
             Self::NoContact { .. } | Self::OutOfDresser { .. } => {
@@ -112,6 +182,19 @@ impl DressingError {
             Self::Singular { .. } => "replace one pitch point by a radius-map row or a fixed axis",
             Self::NoZero { .. } => {
                 "reduce the amount, take a worm with more threads or smaller diameter, or let the dresser's profile make it"
+            }
+            Self::TwoFlanksOfCone => "dress one flank after the other: dressing.flanks = \"one\"",
+            Self::NoAngleWithoutStretch { .. } => {
+                "widen the bracket, or take a worm whose diameter is nearer to the one the dresser was designed for"
+            }
+            Self::TipOutsideProfile { .. } => {
+                "give a tip radius that the profile reaches, or continue the profile further beyond the used range"
+            }
+            Self::PointedTip { .. } => {
+                "give a smaller tip radius, or design the dresser for a wider thread space"
+            }
+            Self::TipLand { .. } => {
+                "give a tip land within that range; a wider one needs a smaller tip radius"
             }
             Self::PoleOfChart => "use the tilt chart or a crossing angle other than 0",
         }

@@ -56,12 +56,7 @@ pub fn solve_node(
         let f = wanted(b.map(|b| b - v));
         let point = |i: usize| Condition::Point { flank, w: rolls[i], f: f[i] };
         let rows = [point(0), point(1), point(2), Condition::Map { flank, t: designed.w_na, w: range.w_na }];
-        dk = solver.solve(&rows, &dk).map_err(|e| match e {
-            DressingError::NoZero { flank, fraction, reason, .. } => {
-                DressingError::NoZero { flank, v, fraction, reason }
-            }
-            other => other,
-        })?;
+        dk = solver.solve(&rows, &dk).map_err(|error| error.at_position(v))?;
         let profile = DressedProfile::new(tool, flank, dk);
         let mut moved: f64 = 0.0;
         for i in 0..3 {
@@ -87,6 +82,14 @@ pub fn solve_dressing_motion(
     plan: &NodePlan,
     wanted: &dyn Fn([f64; 3]) -> [f64; 3],
 ) -> Result<([Chebyshev; 4], Vec<NodeSolution>), DressingError> {
+    follow_nodes(plan, |v, start| solve_node(tool, flank, reference_radius, v, start, wanted))
+}
+
+/// DK(v) through the nodes of a plan, each solved from its neighbour, outwards from the middle.
+pub(super) fn follow_nodes(
+    plan: &NodePlan,
+    mut solve: impl FnMut(f64, &DressingCorrection) -> Result<DressingCorrection, DressingError>,
+) -> Result<([Chebyshev; 4], Vec<NodeSolution>), DressingError> {
     let (from, to) = plan.interval;
     let nodes = Chebyshev::nodes(from, to, plan.nodes);
     let middle = plan.nodes / 2;
@@ -96,7 +99,7 @@ pub fn solve_dressing_motion(
     order.extend((0..middle).rev().map(|k| (k, Some(k + 1))));
     for (k, neighbour) in order {
         let start = neighbour.and_then(|n| solved[n]).unwrap_or([0.0; 4]);
-        solved[k] = Some(solve_node(tool, flank, reference_radius, nodes[k], &start, wanted)?);
+        solved[k] = Some(solve(nodes[k], &start)?);
     }
     let values: Vec<DressingCorrection> = solved.into_iter().flatten().collect();
     let series = std::array::from_fn(|j| {

@@ -88,9 +88,11 @@ pub enum GeneratingError {
     /// A dresser is asked for a tool that has none.
     #[error("the tool is not dressed")]
     NotDressed,
-    /// A disc dresser moves along a cylinder.
-    #[error("a conical worm (cone angle {cone_angle_deg} deg) is not dressed by a disc")]
-    ConicalWormNotDressed {
+    /// The profile that a dresser of a conical worm needs depends on the worm's width.
+    #[error(
+        "the dresser of a conical worm (cone angle {cone_angle_deg} deg) serves the rolls of its whole width, which is not given"
+    )]
+    ConicalWormWithoutWidth {
         /// Cone angle of the worm, degrees.
         cone_angle_deg: f64,
     },
@@ -300,7 +302,7 @@ impl GeneratingError {
             Self::ModelError { .. } => "model-error",
             Self::NoFlank => "no-flank",
             Self::NotDressed => "not-dressed",
-            Self::ConicalWormNotDressed { .. } => "conical-worm-not-dressed",
+            Self::ConicalWormWithoutWidth { .. } => "conical-worm-without-width",
             Self::ToolBelowBase { .. } => "worm-below-base",
             Self::ToolUndefined { .. } => "worm-surface-missing",
             Self::Law(e) => e.code(),
@@ -344,9 +346,7 @@ impl GeneratingError {
             Self::EnvelopeBroken { .. } => "reduce the amount or choose another diagonal ratio".into(),
             Self::ModelError { .. } => "choose another diagonal ratio or widen the tolerance".into(),
             Self::NotDressed => "set worm.tool = \"dressed\" and describe the [dresser]".into(),
-            Self::ConicalWormNotDressed { .. } => {
-                "set worm.tool = \"made\" and leave [dresser] out: the plan then gives the flank of the worm".into()
-            }
+            Self::ConicalWormWithoutWidth { .. } => "give the usable width of the worm as worm.width, in mm".into(),
             Self::ToolBelowBase { .. } => {
                 "take a tool of larger diameter, fewer threads, or a smaller root form range of the gear".into()
             }
@@ -400,7 +400,7 @@ impl GeneratingError {
             | Self::Modification(_)
             | Self::NoFlank
             | Self::NotDressed
-            | Self::ConicalWormNotDressed { .. }
+            | Self::ConicalWormWithoutWidth { .. }
             | Self::ToolUndefined { .. } => true,
             Self::Contact(e) => !matches!(
                 e,

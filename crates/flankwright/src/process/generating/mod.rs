@@ -32,13 +32,14 @@ mod share;
 mod strokes;
 mod target;
 mod variable_ratio;
+mod workshop;
 mod worm_function;
 
 pub use carried::{Carried, FieldSpline, misfit_of_lines};
 pub use curve_law::{CurveLaw, WantedCurve};
 pub use decomposition::{Decomposition, decompose_diagonal, decompose_radial, radial_residual};
 pub use dressed::{
-    DressedFlank, dress_flank, dresser_of_plan, dresser_profile, dressing_interval, finished_area,
+    DressedFlank, dress_flanks, dresser_of_plan, dresser_profile, dressing_interval, finished_area,
 };
 pub use equal_ratio::{
     EqualRatio, EqualRatioSearch, Lever, RatioRoot, WormLine, generatrix, worm_at_crossing_angle,
@@ -68,4 +69,5 @@ pub use share::Command;
 pub use strokes::Strokes;
 pub use target::{Carrier, ClassFit, FlankTarget};
 pub use variable_ratio::VariableRatio;
+pub use workshop::GearWorkshop;
 pub use worm_function::IdealWorm;

@@ -2,7 +2,7 @@
 
 use super::{FlankLines, GeneratingError};
 use crate::contact::Pair;
-use crate::geometry::{Blank, Flank, Gear, GeometryError, Sides, WormChoice, worm_for_gear};
+use crate::geometry::{Blank, Flank, Gear, GeometryError, Sides, WormChoice, WormForGear, worm_for_gear};
 use crate::kinematics::{DressingChain, MotionLaw};
 use crate::modification::{EvaluationField, Modification};
 use crate::process::dressing::{ContactLine, DresserTool, GeometricRange};
@@ -94,8 +94,10 @@ pub struct GrindingSetup {
     pub pair: Pair,
     /// Pitch radius of the worm, mm.
     pub worm_pitch_radius: f64,
-    /// Tip radius of the worm, mm.
+    /// Tip radius of the worm, mm; of a conical one at z = 0.
     pub worm_tip_radius: f64,
+    /// Largest tip radius over the width of the worm, mm.
+    pub largest_tip_radius: f64,
     /// Root radius of the worm, mm.
     pub worm_root_radius: f64,
     /// Evaluation field per flank.
@@ -121,72 +123,29 @@ impl GrindingSetup {
     /// # Errors
     /// Impossible bodies, bodies that do not mesh, a worm without conjugate dresser.
     pub fn new(input: SetupInput) -> Result<Self, GeneratingError> {
-        let gear = input.gear;
-        input.blank.check(&gear)?;
-        let made = worm_for_gear(&gear, &input.worm)?;
-        let pair = Pair::without_backlash(made.worm, gear, made.crossed_axes_angle)?;
-        let module = made.rack.normal_module;
+        input.blank.check(&input.gear)?;
+        let Placed { made, pair, engaged, root_by_gear, fields, ranges } = Placed::new(
+            &input.gear,
+            &input.blank,
+            input.evaluation,
+            &input.worm,
+            input.worm_width,
+            input.root_clearance,
+        )?;
         let r_w1 = made.worm.pitch_radius();
-        let d = pair.chain.centre_distance;
-        let clearance = input.root_clearance.unwrap_or(0.25 * module);
-        // On cones d is only a measure (spec 20 section 1); the pitch planes tell how deep the bodies engage.
-        let (rack_1, rack_2) = pair.rack_radii();
-        let engaged = if pair.worm.is_cylindrical() && pair.work.is_cylindrical() {
-            d
-        } else {
-            rack_1 + rack_2 + pair.backlash_free_gap(rack_1, rack_2)
-        };
-        let root_by_gear = engaged - input.blank.tip_diameter / 2.0 - clearance;
-        let [start, end, z_from, z_to] = input.evaluation;
-        let fields = Sides::try_from_fn(|flank| -> Result<_, GeneratingError> {
-            let f = gear.flank(flank);
-            let roll = [f.length_of_roll(start / 2.0)?, f.length_of_roll(end / 2.0)?];
-            Ok(EvaluationField::new(roll, [z_from, z_to], f.base_radius, f.base_helix_angle)?)
-        })?;
-        let forms = input.blank.limits(&gear)?;
-        let ranges = Sides::try_from_fn(|flank| {
-            let f = &pair.flanks[flank];
-            let (a, b) = (forms[flank].w_a, forms[flank].w_f);
-            let (mut w_nf, mut w_na) = (f.worm_roll(a, 0.0, 0.0), f.worm_roll(b, 0.0, 0.0));
-            if !pair.work.is_cylindrical() {
-                // The rack height of a given roll changes over the face width of a cone.
-                let lines = FlankLines::new(f, &fields[flank], 0.0);
-                let [low, high] = lines.worm_rolls(&MotionLaw::zero());
-                (w_nf, w_na) = (w_nf.min(low), w_na.max(high));
-            }
-            if w_nf > 0.0 {
-                Ok(GeometricRange { w_nf, w_na })
-            } else {
-                Err(crate::contact::ContactError::ContactBelowBase { w_2: a, w_1: w_nf })
-            }
-        })?;
         let (tool, root_radius) = match &input.dresser {
             None => (Tool::Made, root_by_gear),
-            Some(_) if !made.worm.is_cylindrical() => {
-                return Err(GeneratingError::ConicalWormNotDressed {
+            Some(_) if !made.worm.is_cylindrical() && input.worm_width.is_none() => {
+                return Err(GeneratingError::ConicalWormWithoutWidth {
                     cone_angle_deg: made.worm.data().cone_angle.to_degrees(),
                 });
             }
             Some(choice) => {
-                let (root, chain) = dressing_place(choice, &made.worm, &pair, root_by_gear)?;
-                (
-                    Tool::Dressed(Box::new(DresserTool::conjugate(&made.worm, Sides::both(chain), ranges)?)),
-                    root,
-                )
+                let (root, chains) = dressing_place(choice, &made.worm, root_by_gear);
+                (Tool::Dressed(Box::new(DresserTool::conjugate(&made.worm, chains, ranges)?)), root)
             }
         };
-        // A tool reaches about 1.25 modules below its pitch cylinder; far from that it is another one.
-        let depth = (r_w1 - root_radius) / module;
-        if !(0.5..=3.0).contains(&depth) {
-            return Err(GeometryError::InvalidGeometry {
-                what: "depth of the tool's space below its pitch cylinder, in normal modules".into(),
-                value: depth,
-                allowed:
-                    "0.5 to 3; it follows from dresser.pitch_diameter, else from gear and root clearance"
-                        .into(),
-            }
-            .into());
-        }
+        check_depth(&made.worm, root_radius)?;
         let tool_direction = match (&input.tool_direction, &tool) {
             (Some(given), _) => *given,
             (None, Tool::Dressed(dresser)) => {
@@ -211,8 +170,11 @@ impl GrindingSetup {
             })
             .into_iter()
             .fold(f64::NEG_INFINITY, f64::max);
+        let cone = made.worm.data().cone_angle.tan().abs();
+        let largest_tip_radius = made.tip_radius + 0.5 * cone * input.worm_width.unwrap_or(0.0);
         Ok(Self {
             undercut,
+            largest_tip_radius,
             pair,
             worm_pitch_radius: r_w1,
             worm_tip_radius: made.tip_radius,
@@ -222,7 +184,7 @@ impl GrindingSetup {
             tool_direction,
             lines,
             root_cut: made.tip_radius - (engaged - input.blank.root_diameter / 2.0),
-            tip_short: reach - made.tip_radius,
+            tip_short: reach - largest_tip_radius,
             input,
         })
     }
@@ -249,13 +211,92 @@ impl GrindingSetup {
     }
 }
 
-/// Root radius of the worm and nominal dressing chain (spec 10 section 7).
-fn dressing_place(
+/// Worm and gear in place, before any dresser.
+pub(super) struct Placed {
+    pub made: WormForGear,
+    pub pair: Pair,
+    /// Distance of the axes as the pitch planes engage, mm.
+    pub engaged: f64,
+    /// Root radius of the worm that leaves the clearance to the gear's tip, mm.
+    pub root_by_gear: f64,
+    pub fields: Sides<EvaluationField>,
+    /// Lengths of roll on the worm that generate the gear's form circles.
+    pub ranges: Sides<GeometricRange>,
+}
+
+impl Placed {
+    pub fn new(
+        gear: &Gear,
+        blank: &Blank,
+        evaluation: [f64; 4],
+        worm: &WormChoice,
+        worm_width: Option<f64>,
+        root_clearance: Option<f64>,
+    ) -> Result<Self, GeneratingError> {
+        let made = worm_for_gear(gear, worm)?;
+        let pair = Pair::without_backlash(made.worm, *gear, made.crossed_axes_angle)?;
+        let d = pair.chain.centre_distance;
+        let clearance = root_clearance.unwrap_or(0.25 * made.rack.normal_module);
+        // On cones d is only a measure (spec 20 section 1); the pitch planes tell how deep the bodies engage.
+        let (rack_1, rack_2) = pair.rack_radii();
+        let engaged = if pair.worm.is_cylindrical() && pair.work.is_cylindrical() {
+            d
+        } else {
+            rack_1 + rack_2 + pair.backlash_free_gap(rack_1, rack_2)
+        };
+        let root_by_gear = engaged - blank.tip_diameter / 2.0 - clearance;
+        let [start, end, z_from, z_to] = evaluation;
+        let fields = Sides::try_from_fn(|flank| -> Result<_, GeneratingError> {
+            let f = gear.flank(flank);
+            let roll = [f.length_of_roll(start / 2.0)?, f.length_of_roll(end / 2.0)?];
+            Ok(EvaluationField::new(roll, [z_from, z_to], f.base_radius, f.base_helix_angle)?)
+        })?;
+        let forms = blank.limits(gear)?;
+        let ranges = Sides::try_from_fn(|flank| {
+            let f = &pair.flanks[flank];
+            let (a, b) = (forms[flank].w_a, forms[flank].w_f);
+            let (mut w_nf, mut w_na) = (f.worm_roll(a, 0.0, 0.0), f.worm_roll(b, 0.0, 0.0));
+            // The rack height of a given roll changes along a cone: over the face width of the gear, over the width of the worm.
+            let lines = FlankLines::new(f, &fields[flank], 0.0);
+            let shifts = match worm_width {
+                _ if pair.worm.is_cylindrical() && pair.work.is_cylindrical() => Vec::new(),
+                Some(width) if !pair.worm.is_cylindrical() => vec![-0.5 * width, 0.5 * width],
+                _ => vec![0.0],
+            };
+            for shift in shifts {
+                let [low, high] = lines.worm_rolls(&MotionLaw::polynomial(0.0, vec![shift]));
+                (w_nf, w_na) = (w_nf.min(low), w_na.max(high));
+            }
+            if w_nf > 0.0 {
+                Ok(GeometricRange { w_nf, w_na })
+            } else {
+                Err(crate::contact::ContactError::ContactBelowBase { w_2: a, w_1: w_nf })
+            }
+        })?;
+        Ok(Self { made, pair, engaged, root_by_gear, fields, ranges })
+    }
+}
+
+/// A tool reaches about 1.25 modules below its pitch cylinder; far from that it is another one.
+pub(super) fn check_depth(worm: &Gear, root_radius: f64) -> Result<(), GeometryError> {
+    let depth = (worm.pitch_radius() - root_radius) / worm.data().normal_module;
+    if (0.5..=3.0).contains(&depth) {
+        return Ok(());
+    }
+    Err(GeometryError::InvalidGeometry {
+        what: "depth of the tool's space below its pitch cylinder, in normal modules".into(),
+        value: depth,
+        allowed: "0.5 to 3; it follows from dresser.pitch_diameter, else from gear and root clearance".into(),
+    })
+}
+
+/// Root radius of the worm and nominal dressing chain of each flank (spec 10 section 7): the flanks of a conical worm are
+/// helicoids of different lead (spec 30 section 2).
+pub(super) fn dressing_place(
     choice: &DresserChoice,
     worm: &Gear,
-    pair: &Pair,
     root_by_gear: f64,
-) -> Result<(f64, DressingChain), GeneratingError> {
+) -> (f64, Sides<DressingChain>) {
     let r_w1 = worm.pitch_radius();
     let r_aa = choice.tip_diameter / 2.0;
     let (root_radius, d_a0) = match choice.pitch_diameter {
@@ -265,13 +306,15 @@ fn dressing_place(
         }
         None => (root_by_gear, root_by_gear + r_aa),
     };
-    let p = pair.flanks.left.worm.base_radius / pair.flanks.left.worm.base_helix_angle.tan();
-    let chain = DressingChain {
-        worm_angle: -std::f64::consts::FRAC_PI_2,
-        crossing_angle: -(p / r_w1).atan(),
-        centre_distance: d_a0,
-        offset: 0.0,
-        screw_parameter: p,
-    };
-    Ok((root_radius, chain))
+    let chains = Sides::from_fn(|flank| {
+        let p = worm.screw_parameter(flank);
+        DressingChain {
+            worm_angle: -std::f64::consts::FRAC_PI_2,
+            crossing_angle: -(p / r_w1).atan(),
+            centre_distance: d_a0,
+            offset: 0.0,
+            screw_parameter: p,
+        }
+    });
+    (root_radius, chains)
 }

@@ -6,7 +6,7 @@ use super::super::reference::Tolerances;
 use crate::contact::Pair;
 use crate::geometry::{Flank, Gear, GearData, Sides, ThicknessMeasure, WormChoice, worm_for_gear};
 use crate::kinematics::DressingChain;
-use crate::process::dressing::{DresserTool, GeometricRange};
+use crate::process::dressing::{DresserTool, DressingError, GeometricRange, WormSeat};
 use crate::process::generating::GeneratingError;
 use serde_json::Value;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -32,8 +32,10 @@ pub(super) struct Bodies {
     space_width: f64,
     dedendum: f64,
     addendum: f64,
+    numbers: Numbers,
 }
 
+#[derive(Clone, Copy)]
 struct Numbers {
     teeth: [i32; 2],
     module: f64,
@@ -42,6 +44,14 @@ struct Numbers {
     worm_diameter: f64,
     dresser_diameter: f64,
     hand: f64,
+}
+
+/// What differs on another worm for the same gear. mm, rad.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct OtherWorm {
+    pub threads: i32,
+    pub diameter: f64,
+    pub angle: f64,
 }
 
 impl Bodies {
@@ -142,6 +152,45 @@ impl Bodies {
             space_width,
             dedendum,
             addendum,
+            numbers: *n,
+        })
+    }
+
+    /// The worm of the case.
+    pub fn own_worm(&self) -> OtherWorm {
+        let Numbers { teeth: [_, threads], angles: [.., angle], worm_diameter: diameter, .. } = self.numbers;
+        OtherWorm { threads, diameter, angle }
+    }
+
+    /// The bodies with another worm, and a dresser of this diameter made for it.
+    pub fn with(&self, worm: OtherWorm, dresser_diameter: f64) -> Result<Self, GeneratingError> {
+        let [alpha, beta, _] = self.numbers.angles;
+        Self::new(&Numbers {
+            teeth: [self.numbers.teeth[0], worm.threads],
+            angles: [alpha, beta, worm.angle],
+            worm_diameter: worm.diameter,
+            dresser_diameter,
+            ..self.numbers
+        })
+    }
+
+    /// Another worm under the dresser of the case.
+    pub fn seat(&self, worm: OtherWorm, dresser_diameter: f64) -> Result<WormSeat, DressingError> {
+        let other = self.with(worm, dresser_diameter).map_err(|e| match e {
+            GeneratingError::Dressing(e) => e,
+            GeneratingError::Geometry(e) => e.into(),
+            _ => DressingError::InvalidNumber {
+                field: "d_S",
+                value: worm.diameter,
+                allowed: "a worm that meshes with the gear",
+            },
+        })?;
+        let chains = other.tool.flanks.map(|_, f| f.chain);
+        Ok(WormSeat {
+            worm: other.worm,
+            chains,
+            ranges: Sides::both(other.range),
+            tip_radius: other.reference_radius + other.addendum,
         })
     }
 

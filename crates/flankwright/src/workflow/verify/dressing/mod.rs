@@ -3,7 +3,10 @@
 mod bodies;
 mod conditions;
 mod corrections;
+mod limits;
+mod machine;
 mod motion;
+mod other_worms;
 mod profiles;
 
 use super::expected::Expected;
@@ -15,17 +18,7 @@ use serde_json::Value;
 const UM: f64 = 1e-3;
 
 /// Blocks that later stages of the library compute.
-const TO_COME: [&str; 9] = [
-    "limits",
-    "compensation",
-    "axis_deviation",
-    "machine",
-    "other_diameter",
-    "undermining",
-    "left_out_threads",
-    "multi_stroke",
-    "search",
-];
+const TO_COME: [&str; 5] = ["limits", "compensation", "axis_deviation", "multi_stroke", "search"];
 
 /// Block `cases`.
 pub(in crate::workflow::verify) fn cases(_: &Reference<'_>, block: &Value, ledger: &mut Ledger) {
@@ -78,9 +71,21 @@ fn one(bodies: &Bodies, case: &mut Expected<'_>, ledger: &mut Ledger) {
     if let Some(item) = case.object("topological", ledger) {
         checked(item, ledger, |item, ledger| motion::topological(bodies, item, ledger));
     }
+    for item in case.objects("other_diameter", ledger) {
+        checked(item, ledger, |item, ledger| other_worms::other_diameter(bodies, item, ledger));
+    }
+    if let Some(item) = case.object("undermining", ledger) {
+        checked(item, ledger, |item, ledger| limits::undermining(bodies, item, ledger));
+    }
+    if let Some(item) = case.object("left_out_threads", ledger) {
+        checked(item, ledger, |item, ledger| limits::left_out_threads(bodies, item, ledger));
+    }
     let tolerance = case.peek("dresser").map_or(&Value::Null, |dresser| &dresser["left"]["tolerance"]);
     if let Some(item) = case.object("parallel_axes", ledger) {
         checked(item, ledger, |item, ledger| profiles::parallel_axes(bodies, tolerance, item, ledger));
+    }
+    if let Some(item) = case.object("machine", ledger) {
+        checked(item, ledger, machine::machine);
     }
     for key in TO_COME {
         case.not_covered(key, ledger);

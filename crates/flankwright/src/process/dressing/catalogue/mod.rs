@@ -1,0 +1,16 @@
+//! Worms and dressers that are there, and which of them make a target (spec 30 sections 12 and 17). Knows no file and no gear: a
+//! [`Workshop`] puts the worms in place.
+
+mod backwards;
+mod bodies;
+mod life;
+mod pair;
+mod refusal;
+mod search;
+
+pub use backwards::{Backwards, BackwardsSearch, FreeQuantity, FreeValue, WorkingRange};
+pub use bodies::{CatalogueDresser, CatalogueWorm, DesignedDresser, DresserSize, Workshop, WornDiameter};
+pub use life::{LifeRow, RemainingLife};
+pub use pair::{FlankOfPair, Pair, PairFigures, PairLimits, Wanted};
+pub use refusal::Refusal;
+pub use search::{CatalogueSearch, RankedPair};
