@@ -32,6 +32,11 @@ impl<'a> ConditionSolver<'a> {
         Self { limits: Some(limits), ..self }
     }
 
+    /// The dresser.
+    pub fn tool(&self) -> &'a DresserTool {
+        self.tool
+    }
+
     /// Sizes of one scaled unknown: r_S^-1 rad, 1/20 rad, 1 mm, 5 mm.
     pub fn scale(&self) -> DressingCorrection {
         self.scale.into()
@@ -105,7 +110,8 @@ impl<'a> ConditionSolver<'a> {
     /// scaled down to zero.
     ///
     /// # Errors
-    /// [`DressingError::InvalidNumber`], [`DressingError::ConditionCount`], [`DressingError::Singular`],
+    /// [`DressingError::InvalidNumber`], [`DressingError::ConditionCount`], [`DressingError::TwoFlanksOfCone`],
+    /// [`DressingError::Singular`],
     /// [`DressingError::NoZero`] with the reached share and what ended the path there, and those of the forward calculation at
     /// the start.
     pub fn solve(
@@ -147,6 +153,11 @@ impl<'a> ConditionSolver<'a> {
         }
         if let Some([low, _]) = self.limits.iter().flatten().find(|[low, high]| !(low <= high)) {
             return invalid("axis limit", *low, "the smallest value first, no NaN");
+        }
+        let on = |flank: Flank| conditions.iter().any(|row| row.flank() == Some(flank));
+        if on(Flank::Left) && on(Flank::Right) && self.tool.flanks.left.chain != self.tool.flanks.right.chain
+        {
+            return Err(DressingError::TwoFlanksOfCone);
         }
         conditions.iter().try_for_each(Condition::check)
     }

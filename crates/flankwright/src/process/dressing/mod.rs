@@ -6,6 +6,7 @@ mod clearance;
 mod condition_sets;
 mod condition_solver;
 mod conditions;
+mod conditions_along;
 mod contact_line;
 mod crowning_range;
 mod dresser;
@@ -32,6 +33,7 @@ pub use condition_sets::{
 };
 pub use condition_solver::ConditionSolver;
 pub use conditions::Condition;
+pub use conditions_along::{ConditionsAlong, RowAlong};
 pub use contact_line::ContactLine;
 pub use crowning_range::{CrowningEnd, CrowningLimits, CrowningPoint, CrowningRange, CrowningRows};
 pub use dresser::{DresserTool, FlankDresser, GeometricRange};
@@ -48,5 +50,8 @@ pub use profile_fit::{
 };
 pub use stretch_angle::{StretchAngle, angle_of_least_stretch};
 pub use tilt_chart::TiltChart;
-pub use topological::{NodePlan, NodeSolution, pitch_rolls, solve_dressing_motion, solve_node};
+pub use topological::{
+    NodePlan, NodeSolution, pitch_rolls, residue_of_motion, solve_conditions_along, solve_conditions_at,
+    solve_dressing_motion, solve_node,
+};
 pub use two_flanks::{TwoFlankWish, solve_two_flank_motion, solve_two_flank_node, two_flank_rolls};

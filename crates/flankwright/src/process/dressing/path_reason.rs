@@ -20,6 +20,20 @@ pub enum PathReason {
     GivenUp,
 }
 
+impl PathReason {
+    /// Stable kebab-case word.
+    pub fn code(self) -> &'static str {
+        match self {
+            Self::Fold => "fold",
+            Self::ContactLost => "contact-lost",
+            Self::OutOfDresser => "out-of-dresser",
+            Self::AxisLimit(_) => "axis-limit",
+            Self::Limit => "limit",
+            Self::GivenUp => "given-up",
+        }
+    }
+}
+
 impl fmt::Display for PathReason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {

@@ -128,6 +128,7 @@ pub fn fit_profile_on_path(
     middle: f64,
 ) -> Result<ProfileFit, DressingError> {
     let (mut reached, mut step, mut dk) = (0.0, 0.25, [0.0; 4]);
+    let mut reason = PathReason::GivenUp;
     while step >= LEAST_STEP {
         let next = f64::min(reached + step, 1.0);
         let seat = path(next)?;
@@ -140,10 +141,15 @@ pub fn fit_profile_on_path(
                 }
                 step *= 1.5;
             }
-            Err(_) => step *= 0.5,
+            Err(refusal) => {
+                if let DressingError::NoZero { reason: why, .. } = refusal {
+                    reason = why;
+                }
+                step *= 0.5;
+            }
         }
     }
-    Err(DressingError::NoZero { flank, v: 0.0, fraction: reached, reason: PathReason::GivenUp })
+    Err(DressingError::NoZero { flank, v: 0.0, fraction: reached, reason })
 }
 
 /// [`fit_profile`] directly, and where that fails by [`fit_profile_on_path`].

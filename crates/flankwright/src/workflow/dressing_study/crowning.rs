@@ -232,7 +232,7 @@ fn branch(task: &Task<'_>, crownings: impl Iterator<Item = f64>) -> (Vec<Crownin
             Err(error) => {
                 let reached = points.last().map_or(0.0, |p: &CrowningPoint| p.crowning_um);
                 let reason = match error {
-                    DressingError::NoZero { reason, .. } => reason.to_string(),
+                    DressingError::NoZero { reason, .. } => reason.code().to_string(),
                     other => other.code().to_string(),
                 };
                 return (points, Some(CurveEnd { crowning_um: reached, reason }));
