@@ -10,6 +10,7 @@ mod conditions_along;
 mod contact_line;
 mod crowning_range;
 mod dresser;
+mod dresser_pose;
 mod dresser_section;
 mod envelope;
 mod error;
@@ -34,6 +35,15 @@ pub use condition_sets::{
 pub use condition_solver::ConditionSolver;
 pub use conditions::Condition;
 pub use conditions_along::{ConditionsAlong, RowAlong};
+mod section_outline;
+mod swept_circle;
+mod tilt_chart;
+mod topological;
+mod undermining;
+
+pub use characteristics::{full_tip_land, quasi_static_modification, stretch};
+pub use clearance::{Clearance, ThreadSpace};
+pub use conditions::{Condition, ConditionSolver};
 pub use contact_line::ContactLine;
 pub use crowning_range::{CrowningEnd, CrowningLimits, CrowningPoint, CrowningRange, CrowningRows};
 pub use dresser::{DresserTool, FlankDresser, GeometricRange};
@@ -48,10 +58,14 @@ pub use profile_fit::{
     ProfileFit, fit_profile, fit_profile_along, fit_profile_on_path, profile_error, refit_profile,
     uncorrected_profile,
 };
+pub use section_outline::{SectionOutline, ShownWorm};
 pub use stretch_angle::{StretchAngle, angle_of_least_stretch};
+pub use tilt_chart::TiltChart;
 pub use tilt_chart::TiltChart;
 pub use topological::{
     NodePlan, NodeSolution, pitch_rolls, residue_of_motion, solve_conditions_along, solve_conditions_at,
     solve_dressing_motion, solve_node,
 };
+pub use topological::{NodePlan, NodeSolution, pitch_rolls, solve_dressing_motion, solve_node};
 pub use two_flanks::{TwoFlankWish, solve_two_flank_motion, solve_two_flank_node, two_flank_rolls};
+pub use undermining::WormFlank;
