@@ -94,6 +94,40 @@ pub enum DressingError {
         /// P at both ends.
         stretch: [f64; 2],
     },
+    /// The dresser's profiles do not have its outside radius.
+    #[error(
+        "the dresser's {flank} profile has no circle of the tip radius {radius:.4} mm; it reaches from {from:.4} to {to:.4} mm"
+    )]
+    TipOutsideProfile {
+        /// Flank concerned.
+        flank: Flank,
+        /// Tip radius.
+        radius: f64,
+        /// Smallest radius that a tip can have there.
+        from: f64,
+        /// Largest radius of the profile.
+        to: f64,
+    },
+    /// The flanks of the dresser cross below its tip.
+    #[error(
+        "the dresser's profiles cross below the tip radius {radius:.4} mm and overlap there by {overlap:.4} mm"
+    )]
+    PointedTip {
+        /// Tip radius.
+        radius: f64,
+        /// Overlap of the profiles at the tip.
+        overlap: f64,
+    },
+    /// A tip land that the dresser cannot have.
+    #[error(
+        "a tip land of {land} mm is not possible; the dresser's profiles leave 0 to {full:.4} mm between them"
+    )]
+    TipLand {
+        /// Tip land asked for.
+        land: f64,
+        /// The full one.
+        full: f64,
+    },
     /// Crossing angle 0 in the K chart.
     #[error("at crossing angle 0 the dressing corrections are not unique")]
     PoleOfChart,
@@ -112,6 +146,9 @@ impl DressingError {
             Self::ConditionCount { .. } => "condition-count",
             Self::Singular { .. } => "singular",
             Self::NoZero { .. } | Self::NoAngleWithoutStretch { .. } => "no-zero",
+            Self::TipOutsideProfile { .. } => "tip-outside-profile",
+            Self::PointedTip { .. } => "pointed-tip",
+            Self::TipLand { .. } => "tip-land",
             Self::PoleOfChart => "pole-of-chart",
         }
     }
@@ -135,6 +172,15 @@ impl DressingError {
             }
             Self::NoAngleWithoutStretch { .. } => {
                 "widen the bracket, or take a worm whose diameter is nearer to the one the dresser was designed for"
+            }
+            Self::TipOutsideProfile { .. } => {
+                "give a tip radius that the profile reaches, or continue the profile further beyond the used range"
+            }
+            Self::PointedTip { .. } => {
+                "give a smaller tip radius, or design the dresser for a wider thread space"
+            }
+            Self::TipLand { .. } => {
+                "give a tip land within that range; a wider one needs a smaller tip radius"
             }
             Self::PoleOfChart => "use the tilt chart or a crossing angle other than 0",
         }

@@ -2,9 +2,11 @@
 
 pub mod catalogue;
 mod characteristics;
+mod clearance;
 mod conditions;
 mod contact_line;
 mod dresser;
+mod dresser_section;
 mod envelope;
 mod error;
 mod forward;
@@ -12,13 +14,16 @@ mod nominal;
 mod other_worm;
 mod profile_fit;
 mod stretch_angle;
+mod swept_circle;
 mod tilt_chart;
 mod topological;
 
 pub use characteristics::{full_tip_land, quasi_static_modification, stretch};
+pub use clearance::{Clearance, ThreadSpace, WormFlank};
 pub use conditions::{Condition, ConditionSolver};
 pub use contact_line::ContactLine;
 pub use dresser::{DresserTool, FlankDresser, GeometricRange};
+pub use dresser_section::{DresserSection, SectionPart};
 pub use envelope::{DressedWorm, EnvelopePoint, dressing_motion};
 pub use error::DressingError;
 pub use forward::{DressedProfile, ProfilePoint, head_gradient};

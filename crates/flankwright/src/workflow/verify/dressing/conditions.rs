@@ -5,7 +5,7 @@ use super::super::ledger::Ledger;
 use super::super::reference::Tolerances;
 use super::bodies::Bodies;
 use super::profiles::profile_rolls;
-use super::{UM, corrections};
+use super::{UM, corrections, limits};
 use crate::geometry::Flank;
 use crate::kinematics::DressingCorrection;
 use crate::process::dressing::{
@@ -24,28 +24,36 @@ fn three_points(bodies: &Bodies, middle: f64) -> [Condition; 4] {
     [point(range.w_nf, 0.0), point(range.middle(), middle), point(range.w_na, 0.0), map]
 }
 
+/// f in the middle of the worm's profile for a profile crowning of the gear, um.
+fn middle_of(bodies: &Bodies, amount: f64) -> f64 {
+    -amount * UM * bodies.gear.flank(Flank::Left).base_helix_angle.cos()
+}
+
+/// The corrections for a profile crowning of the gear, um, by three points and the radius map.
+pub(super) fn crowned(bodies: &Bodies, amount: f64) -> Result<DressingCorrection, DressingError> {
+    let solver = ConditionSolver::new(&bodies.tool, bodies.reference_radius);
+    solver.solve(&three_points(bodies, middle_of(bodies, amount)), &[0.0; 4])
+}
+
 /// One entry of block `three_point`: a profile crowning of the gear by three points and the radius map, left flank.
 pub(super) fn three_point(
     bodies: &Bodies,
     item: &mut Expected<'_>,
     ledger: &mut Ledger,
 ) -> Result<(), DressingError> {
-    for key in ["counter_flank_clearance_tip1mm_mm", "max_tip_width_mm"] {
-        item.not_covered(key, ledger);
-    }
     let tolerances = Tolerances::table(item.take("tolerance").unwrap_or(&Value::Null));
     let (Some(amount), Some(w)) = (item.given("c_alpha_V_um", ledger), item.given_list("w_mm", ledger))
     else {
         return Ok(());
     };
-    let middle = -amount * UM * bodies.gear.flank(Flank::Left).base_helix_angle.cos();
-    let solver = ConditionSolver::new(&bodies.tool, bodies.reference_radius);
-    let dk = solver.solve(&three_points(bodies, middle), &[0.0; 4])?;
+    let middle = middle_of(bodies, amount);
+    let dk = crowned(bodies, amount)?;
     let (relative, absolute) =
         (tolerances.get("DK_rel"), [tolerances.get("DK_abs_deg"), tolerances.get("DK_abs_mm")]);
     let within = |angle: bool, x: f64| f64::max(relative * x.abs(), absolute[usize::from(!angle)]);
     corrections::compare(item, &dk, |j, x| within(j < 2, x), ledger);
     tilt_chart(bodies, &dk, within, item, ledger);
+    limits::of_three_points(bodies, &dk, tolerances, item, ledger)?;
     let profile = DressedProfile::new(&bodies.tool, Flank::Left, dk);
     let points = profile.at_rolls(&w)?;
     let list = |of: fn(&ProfilePoint) -> f64| points.iter().map(of).collect::<Vec<f64>>();

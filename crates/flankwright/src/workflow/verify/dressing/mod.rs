@@ -3,6 +3,7 @@
 mod bodies;
 mod conditions;
 mod corrections;
+mod limits;
 mod motion;
 mod other_worms;
 mod profiles;
@@ -16,16 +17,7 @@ use serde_json::Value;
 const UM: f64 = 1e-3;
 
 /// Blocks that later stages of the library compute.
-const TO_COME: [&str; 8] = [
-    "limits",
-    "compensation",
-    "axis_deviation",
-    "machine",
-    "undermining",
-    "left_out_threads",
-    "multi_stroke",
-    "search",
-];
+const TO_COME: [&str; 6] = ["limits", "compensation", "axis_deviation", "machine", "multi_stroke", "search"];
 
 /// Block `cases`.
 pub(in crate::workflow::verify) fn cases(_: &Reference<'_>, block: &Value, ledger: &mut Ledger) {
@@ -80,6 +72,12 @@ fn one(bodies: &Bodies, case: &mut Expected<'_>, ledger: &mut Ledger) {
     }
     for item in case.objects("other_diameter", ledger) {
         checked(item, ledger, |item, ledger| other_worms::other_diameter(bodies, item, ledger));
+    }
+    if let Some(item) = case.object("undermining", ledger) {
+        checked(item, ledger, |item, ledger| limits::undermining(bodies, item, ledger));
+    }
+    if let Some(item) = case.object("left_out_threads", ledger) {
+        checked(item, ledger, |item, ledger| limits::left_out_threads(bodies, item, ledger));
     }
     let tolerance = case.peek("dresser").map_or(&Value::Null, |dresser| &dresser["left"]["tolerance"]);
     if let Some(item) = case.object("parallel_axes", ledger) {
