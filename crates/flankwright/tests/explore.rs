@@ -246,6 +246,7 @@ fn crossing_angles_come_about_by_the_pitch_diameter() {
 #[test]
 fn combinations_that_fail_are_listed() {
     let mut loaded = load("twist-free-crowning.toml");
+    loaded.job.worm.width = None;
     loaded.job.explore = Some(Explore {
         worm_cone_angle_deg: steps(-1.0, 1.0, 3),
         diagonal_ratio: steps(-1.9, 0.0, 2),
@@ -257,7 +258,11 @@ fn combinations_that_fail_are_listed() {
         .iter()
         .map(|c| (c.worm_cone_angle_deg, c.refused.as_ref().map_or("allowed", |r| r.code)))
         .collect();
-    assert_eq!(codes.iter().filter(|(_, code)| *code == "conical-worm-not-dressed").count(), 4, "{codes:?}");
+    assert_eq!(
+        codes.iter().filter(|(_, code)| *code == "conical-worm-without-width").count(),
+        4,
+        "{codes:?}"
+    );
     assert!(codes[0] == (0.0, "allowed") && codes[1] == (0.0, "model-error"), "{codes:?}");
     let directory = tempfile::tempdir().unwrap();
     let written = write_exploration(&outcome, directory.path()).unwrap();
@@ -267,7 +272,7 @@ fn combinations_that_fail_are_listed() {
     let width = csv.lines().next().unwrap().split(',').count();
     assert!(csv.lines().all(|line| line.split(',').count() == width) && !csv.contains("NaN"));
     let page = std::fs::read_to_string(&written[2]).unwrap();
-    for words in ["tolerance 1 µm", "conical-worm-not-dressed", "cone 0°", "diagonal ratio K"] {
+    for words in ["tolerance 1 µm", "conical-worm-without-width", "cone 0°", "diagonal ratio K"] {
         assert!(page.contains(words), "{words}");
     }
 }
@@ -300,6 +305,7 @@ fn impossible_studies_are_refused() {
         diagonal_ratio: steps(-3.0, 3.0, 10_000),
         worm_cone_angle_deg: steps(-3.0, 3.0, 10_000),
         crossed_axes_angle_deg: steps(-3.0, 3.0, 10_000),
+        dressing: None,
     });
     assert_eq!(code(&loaded), "too-many-combinations");
     assert_eq!(MOST_COMBINATIONS, 100_000);

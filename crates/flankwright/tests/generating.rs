@@ -86,6 +86,7 @@ fn task(setup: &GrindingSetup) -> PlanTask<'_> {
         law: None,
         norm: FitNorm::default(),
         gauge: PlanGauge::default(),
+        two_flanks: false,
         precompensation: true,
         grid: (5, 5),
     }
@@ -294,6 +295,7 @@ fn plans_beyond_the_limits_are_refused_with_the_limit() {
         free_dresser: true,
         line_tolerance: 1e-4,
         norm: FitNorm::default(),
+        two_flanks: false,
         gauge: Sides { left: None, right: None },
     };
     let targets = targets(&setup, 20.0);

@@ -205,3 +205,26 @@ fn a_tolerance_map_judges_place_by_place() {
     job.job.target.tolerance_map = serde_json::from_value(table(5.0)).unwrap();
     assert_eq!(planned(&job).result.status, Status::Missed);
 }
+
+#[test]
+fn one_motion_dresses_both_flanks() {
+    let outcome = held("dressing/two-flanks.toml", 0.005);
+    let of = |flank: Flank| outcome.execution.flanks[flank].as_ref().unwrap().dressing().unwrap();
+    let (left, right) = (of(Flank::Left), of(Flank::Right));
+    assert_eq!(left.corrections, right.corrections);
+    assert_eq!(left.motion, right.motion);
+    assert!(outcome.result.flanks.values().all(|f| f.max_deviation_um < 0.25));
+    settings_go_round("dressing/two-flanks.toml", &outcome);
+}
+
+#[test]
+fn a_conical_worm_is_dressed_with_the_lead_of_each_flank() {
+    let outcome = held("dressing/conical-worm.toml", 1e-6);
+    let lead = |flank: Flank| {
+        let flank = outcome.execution.flanks[flank].as_ref().unwrap();
+        flank.dressing().unwrap().motion.chain.screw_parameter
+    };
+    assert!((lead(Flank::Left) - lead(Flank::Right)).abs() > 1e-3);
+    assert!(outcome.result.flanks.values().all(|f| f.max_deviation_um < 0.01));
+    settings_go_round("dressing/conical-worm.toml", &outcome);
+}

@@ -4,7 +4,10 @@ use std::fmt::Write;
 use std::path::PathBuf;
 
 use clap::Args;
-use flankwright::workflow::{ExploreCandidate, ExploreOutcome, explore_job, write_exploration};
+use flankwright::exchange::LoadedJob;
+use flankwright::workflow::{
+    ExploreCandidate, ExploreOutcome, explore_job, study_dressing, write_dressing_study, write_exploration,
+};
 
 use super::outcome::unwritten;
 use crate::arguments::CommonArguments;
@@ -40,6 +43,9 @@ pub struct ExploreArguments {
 pub fn run(arguments: &ExploreArguments) -> Result<Exit, Failure> {
     let common = &arguments.common;
     let loaded = output::load_job(&arguments.job)?;
+    if loaded.job.explore.as_ref().is_some_and(|explore| explore.dressing.is_some()) {
+        return dressing(&loaded, common);
+    }
     let bars = Bars::new(common.quiet);
     let explored = explore_job(&loaded, &bars);
     bars.finish();
@@ -60,6 +66,25 @@ pub fn run(arguments: &ExploreArguments) -> Result<Exit, Failure> {
         eprintln!("{}: no combination is allowed: {}; {}", outcome.job, refused.text, refused.way_out);
     }
     Ok(if outcome.is_producible() { Exit::TargetMissed } else { Exit::NotProducible })
+}
+
+/// Carries out a study of dressing, writes the files and names the page.
+fn dressing(loaded: &LoadedJob, common: &CommonArguments) -> Result<Exit, Failure> {
+    let bars = Bars::new(common.quiet);
+    let studied = study_dressing(loaded, &bars);
+    bars.finish();
+    let outcome = studied.map_err(|failure| Failure::of_run(loaded, failure))?;
+    let written = write_dressing_study(&outcome, &output::directory(common, loaded)).map_err(unwritten)?;
+    if common.json {
+        output::print_json(&outcome)?;
+    } else if !common.quiet {
+        let mut text = outcome.summary();
+        if let Some(page) = written.last() {
+            let _ = writeln!(text, "  report: {}", page.display());
+        }
+        output::print(&text)?;
+    }
+    Ok(if outcome.is_producible() { Exit::Done } else { Exit::NotProducible })
 }
 
 /// Columns of the printed table: heading and width.

@@ -2,15 +2,14 @@
 
 use crate::command::{repository, run};
 
-/// Commands that the examples go through; `check` ends with 0 for all of them.
-const COMMANDS: &[&str] = &["check", "plan"];
-
-/// Exit status of the other commands.
-const EXPECTED: [(&str, i32); 13] = [
+/// Exit status of `plan`; `check` ends with 0 for all of them.
+const PLANS: &[(&str, i32)] = &[
     ("asymmetric-conical-worm.toml", 0),
     ("automotive-bias.toml", 0),
     ("beveloid-conical-worm.toml", 0),
     ("beveloid-cylindrical-worm.toml", 0),
+    ("dressing/conical-worm.toml", 0),
+    ("dressing/two-flanks.toml", 0),
     ("hob.toml", 0),
     ("left-out-thread.toml", 0),
     ("plated-worm.toml", 0),
@@ -22,26 +21,52 @@ const EXPECTED: [(&str, i32); 13] = [
     ("waviness.toml", 0),
 ];
 
+/// Exit status of `explore` for the jobs that are studies.
+const STUDIES: &[(&str, i32)] = &[
+    ("dressing/figure-06.toml", 0),
+    ("dressing/figure-07.toml", 0),
+    ("dressing/figure-08-13b.toml", 0),
+    ("dressing/figure-09-13a.toml", 0),
+    ("dressing/figure-10-13c.toml", 0),
+    ("dressing/figure-11-13d.toml", 0),
+    ("dressing/figure-12.toml", 0),
+    ("dressing/figure-19a-c.toml", 0),
+    ("dressing/figure-19b.toml", 0),
+];
+
 #[test]
 fn examples_end_as_they_say() {
     let results = tempfile::tempdir().unwrap();
-    for command in COMMANDS {
-        for (name, exit) in EXPECTED {
-            let output = results.path().join(command).join(name);
-            let run = run(&[command, &format!("examples/{name}"), "-o", output.to_str().unwrap()]);
-            let expected = if *command == "check" { 0 } else { exit };
-            assert_eq!(run.exit, Some(expected), "{command} {name}: {run:?}");
+    let checks = PLANS.iter().chain(STUDIES).map(|&(name, _)| ("check", name, 0));
+    let plans = PLANS.iter().map(|&(name, exit)| ("plan", name, exit));
+    let studies = STUDIES.iter().map(|&(name, exit)| ("explore", name, exit));
+    for (command, name, exit) in checks.chain(plans).chain(studies) {
+        let output = results.path().join(command).join(name);
+        let run = run(&[command, &format!("examples/{name}"), "-o", output.to_str().unwrap()]);
+        assert_eq!(run.exit, Some(exit), "{command} {name}: {run:?}");
+    }
+}
+
+/// Job files below a directory of examples, as the lists above name them.
+fn jobs(directory: &str) -> Vec<String> {
+    let entries = std::fs::read_dir(repository().join("examples").join(directory)).unwrap();
+    let mut found = Vec::new();
+    for entry in entries.map(Result::unwrap) {
+        let name = format!("{directory}{}", entry.file_name().into_string().unwrap());
+        if entry.file_type().unwrap().is_dir() {
+            found.extend(jobs(&format!("{name}/")));
+        } else if name.ends_with(".toml") {
+            found.push(name);
         }
     }
+    found
 }
 
 #[test]
 fn every_example_has_its_expectation() {
-    let mut names: Vec<String> = std::fs::read_dir(repository().join("examples"))
-        .unwrap()
-        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-        .filter(|name| name.ends_with(".toml"))
-        .collect();
-    names.sort();
-    assert_eq!(names, EXPECTED.map(|(name, _)| name));
+    let mut found = jobs("");
+    found.sort();
+    let mut expected: Vec<&str> = PLANS.iter().chain(STUDIES).map(|(name, _)| *name).collect();
+    expected.sort_unstable();
+    assert_eq!(found, expected);
 }

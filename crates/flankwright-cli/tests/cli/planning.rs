@@ -137,6 +137,7 @@ fn limits_of_axes_and_folds_end_with_4() {
     for (replacement, code) in [
         (("profile_crowning_by = \"dresser\"", "profile_crowning_by = \"correction\""), "axis-limit"),
         (("amount_um = 20.0", "amount_um = 2000.0"), "undercut"),
+        (("pitch_diameter = 115.65", "pitch_diameter = 115.65\ntip_land = 3.2"), "counter-flank-cut"),
     ] {
         let (run, _) = planned(&[replacement], &["--json"]);
         assert_eq!(run.exit, Some(4), "{code}: {run:?}");
@@ -147,13 +148,33 @@ fn limits_of_axes_and_folds_end_with_4() {
 #[test]
 fn parts_of_the_format_that_are_not_carried_out_are_refused() {
     for (replacement, field) in [
-        (("flanks = \"one\"", "flanks = \"two\""), "dressing.flanks"),
         (("[\"three-point\", \"radius-map\"]", "[\"four-point\"]"), "dressing.conditions"),
         (("[grid]", "[machine]\nfile = \"m.toml\"\n\n[grid]"), "machine"),
     ] {
         let (run, _) = planned(&[replacement], &["--json"]);
         assert_eq!(run.exit, Some(2), "{field}: {run:?}");
         assert_eq!(run.json()["error"]["field"], field);
+    }
+}
+
+#[test]
+fn one_motion_for_both_flanks_is_refused_where_it_cannot_be() {
+    let two = ("flanks = \"one\"", "flanks = \"two\"");
+    for (replacement, field) in [
+        (("flanks = \"both\"\ndiagonal", "flanks = \"left\"\ndiagonal"), "grinding.flanks"),
+        (("threads = 3", "threads = 3\ncone_angle_deg = 1.0"), "worm.cone_angle_deg"),
+        (
+            ("profile_crowning_by = \"dresser\"", "profile_crowning_by = \"correction\""),
+            "dressing.profile_crowning_by",
+        ),
+    ] {
+        let (run, _) = planned(&[two, replacement], &["--json"]);
+        assert_eq!(run.exit, Some(2), "{field}: {run:?}");
+        let error = &run.json()["error"];
+        assert_eq!((&error["field"], &error["code"]), (&field.into(), &"invalid-job".into()));
+        assert!(
+            error["way_out"].as_str().is_some_and(|text| text.contains("dress") || text.contains("crowning"))
+        );
     }
 }
 

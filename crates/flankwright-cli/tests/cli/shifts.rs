@@ -105,12 +105,12 @@ const CASES: &[(&str, &str, &str, i32, &str, &str, &str)] = &[
     ),
     (
         "beveloid-cylindrical-worm.toml",
-        "pitch_diameter = 250.0",
-        "pitch_diameter = 250.0\ncone_angle_deg = 2.0",
+        "width = 120.0",
+        "cone_angle_deg = 2.0",
         2,
-        "conical-worm-not-dressed",
-        "worm.cone_angle_deg",
-        "worm.tool = \"made\"",
+        "conical-worm-without-width",
+        "worm.width",
+        "worm.width, in mm",
     ),
     ("hob.toml", "width = 120.0\n", "", 2, "missing-key", "worm.width", "give worm.width"),
 ];

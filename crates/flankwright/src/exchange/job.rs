@@ -7,6 +7,7 @@ mod designed_for;
 mod diagonal_ratio;
 mod dresser;
 mod dressing;
+mod dressing_study;
 mod explore;
 mod gauge;
 mod gear;
@@ -27,6 +28,7 @@ pub use diagonal_ratio::{
 };
 pub use dresser::{Dresser, DresserModification, FixedDresser};
 pub use dressing::{Condition, DegreeOfFreedom, Dressing, DressingFlanks, ProfileCrowningBy};
+pub use dressing_study::{Compare, DressingStudy, StudyOver};
 pub use explore::{Explore, Steps};
 pub use gauge::{Gauge, GaugeRule, GivenGauge};
 pub use gear::{Evaluation, EvaluationRange, Gear, OverBalls, Span};

@@ -1,6 +1,7 @@
-//! Inversion: damped Newton, weighted Gauss-Newton and least squares with a rank report. Exact derivatives only; knows no gears.
+//! Inversion: damped Newton, continuation along a parameter, weighted Gauss-Newton and least squares with a rank report. Exact derivatives only; knows no gears.
 
 mod banded_reduction;
+mod continuation;
 mod gauss_newton;
 mod largest_residual;
 mod least_squares;
@@ -9,6 +10,7 @@ mod pivots;
 mod row_reduction;
 
 pub use banded_reduction::BandedReduction;
+pub use continuation::{ContinuationOptions, ParameterLinearised, Path, PathEnd, PathPoint, Watch, follow};
 pub use gauss_newton::{GaussNewton, GaussNewtonReport, gauss_newton};
 pub use largest_residual::{LargestResidual, minimise_largest_residual};
 pub use least_squares::{LeastSquares, RankReport, weighted_least_squares};

@@ -2,17 +2,23 @@
 //! data. Knows shapes only by name; knows no contact and no process.
 
 mod dressing;
+mod dressing_machine;
 mod error;
 mod generating;
 mod inverse_law;
 mod law;
+mod machine_error;
 mod piecewise;
 mod pose;
 
 pub use dressing::{DressingChain, DressingCorrection, DressingMotion, DressingPosition};
+pub use dressing_machine::{
+    DressingAxes, DressingAxis, DressingBranch, DressingMachine, DressingRule, DressingSolution,
+};
 pub use error::LawError;
 pub use generating::{GeneratingChain, GeneratingMotion, GeneratingState};
 pub use inverse_law::InverseLaw;
 pub use law::MotionLaw;
+pub use machine_error::MachineError;
 pub use piecewise::PiecewisePolynomial;
 pub use pose::{Direction, Dresser, Point, Pose, Room, Workpiece, Worm};

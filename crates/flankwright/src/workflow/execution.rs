@@ -233,6 +233,7 @@ impl Execution {
             free_dresser: true,
             line_tolerance: 0.0,
             norm: FitNorm::default(),
+            two_flanks: false,
             gauge: Sides { left: None, right: None },
         };
         let dresser = match &setup.tool {

@@ -112,7 +112,7 @@ pub(super) fn generating_finding(error: &GeneratingError) -> Diagnostic {
         | GeneratingError::Law(_)
         | GeneratingError::AreasOverlap { .. }
         | GeneratingError::WormLinesShared { .. } => finding(error, "grinding.diagonal_ratio"),
-        GeneratingError::ConicalWormNotDressed { .. } => finding(error, "worm.cone_angle_deg"),
+        GeneratingError::ConicalWormWithoutWidth { .. } => finding(error, "worm.width"),
         GeneratingError::NotDressed | GeneratingError::ToolBelowBase { .. } => finding(error, "worm.tool"),
         GeneratingError::ToolUndefined { .. } => finding(error, "worm.modifications"),
         GeneratingError::NoCommonSwivel { .. } => finding(error, "grinding.gauge"),

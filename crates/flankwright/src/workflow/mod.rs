@@ -1,6 +1,7 @@
 //! Plan, simulate and verify: the only room where processes, referee and reports meet; what command, server and Python
 //! call. Knows every layer below, and no user interface.
 
+mod dressing_study;
 mod equal_ratio_offers;
 mod execution;
 mod explore;
@@ -14,9 +15,14 @@ mod result;
 mod run;
 mod shift;
 mod tables;
+mod tip_land;
 pub mod verify;
 mod write;
 
+pub use dressing_study::{
+    CrowningCurve, CrowningPoint, CurveEnd, DressingStudyOutcome, ProfileCurve, StudyCurves, WormCurve,
+    WormPoint, study_dressing, write_dressing_study,
+};
 pub use equal_ratio_offers::{EqualRatioOffer, equal_ratio_offers};
 pub use execution::{ExecutedFlank, Execution};
 pub use explore::{

@@ -3,8 +3,8 @@
 use super::finding::{Remark, RunFailure, generating_finding, geometry_finding, modification_finding};
 use super::shift::shift_of_job;
 use crate::exchange::job::{
-    DiagonalRatio, DresserModification, Fit, FixedDresser, Flanks, Gauge, GaugeRule, Job, Method,
-    Modification as JobModification, ProfileCrowningBy, ToleranceMapSource, Tool as JobTool,
+    DiagonalRatio, DresserModification, DressingFlanks, Fit, FixedDresser, Flanks, Gauge, GaugeRule, Job,
+    Method, Modification as JobModification, ProfileCrowningBy, ToleranceMapSource, Tool as JobTool,
 };
 use crate::exchange::{
     Diagnostic, LoadedJob, Problem, TableForm, read_grid_target, read_points, read_tolerances, read_traces,
@@ -350,6 +350,8 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
         ProfileCrowningBy::Correction => vec![ProfilePlace::Correction],
         ProfileCrowningBy::Diagonal => vec![ProfilePlace::Diagonal],
         ProfileCrowningBy::Auto if free_dresser => vec![ProfilePlace::Dresser],
+        // One correction for both flanks makes value and slope of each, no crowning.
+        ProfileCrowningBy::Auto if job.dressing.flanks == DressingFlanks::Two => vec![ProfilePlace::Diagonal],
         ProfileCrowningBy::Auto => vec![ProfilePlace::Diagonal, ProfilePlace::Correction],
     };
     if places == [ProfilePlace::Dresser] && !free_dresser {
@@ -511,6 +513,7 @@ impl Prepared {
                 }
             },
             places: self.places.clone(),
+            two_flanks: job.dressing.flanks == DressingFlanks::Two,
             free_dresser: self.free_dresser,
             precompensation: job.grinding.precompensation.unwrap_or(!radial),
             grid: (job.grid.profile_points, job.grid.helix_points),

@@ -31,6 +31,29 @@ pub enum WriteError {
     Json(#[from] serde_json::Error),
 }
 
+/// Writes document, table and page of a study into `directory` (made if missing); returns their paths, the page last.
+pub(super) fn write_study(
+    document: &impl serde::Serialize,
+    table: &str,
+    page: &str,
+    directory: &Path,
+) -> Result<Vec<PathBuf>, WriteError> {
+    let files = [
+        ("explore.json", json(document)?),
+        ("explore.csv", table.as_bytes().to_vec()),
+        ("explore.html", page.as_bytes().to_vec()),
+    ];
+    let mut written = Vec::with_capacity(files.len());
+    for (name, bytes) in files {
+        let path = directory.join(name);
+        let failed = |source| WriteError::Io { path: path.clone(), source };
+        std::fs::create_dir_all(directory).map_err(failed)?;
+        write_atomically(&path, &bytes).map_err(failed)?;
+        written.push(path);
+    }
+    Ok(written)
+}
+
 /// Writes all files of a run into `directory` (made if missing); returns the paths in the order written, the report last.
 ///
 /// # Errors

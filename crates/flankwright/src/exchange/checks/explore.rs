@@ -1,7 +1,7 @@
 //! Contradictions in `[explore]`.
 
 use crate::exchange::diagnostic::{Diagnostic, Problem};
-use crate::exchange::job::{Explore, Job};
+use crate::exchange::job::{DressingStudy, Explore, Job, Steps, StudyOver, Tool};
 use crate::exchange::node::shown_number;
 
 pub(super) fn check(job: &Job, findings: &mut Vec<Diagnostic>) {
@@ -10,7 +10,9 @@ pub(super) fn check(job: &Job, findings: &mut Vec<Diagnostic>) {
         findings.push(
             Diagnostic::new(Problem::MissingKey, "`explore` does not say what varies")
                 .field("explore.diagonal_ratio")
-                .allowed("one or more of diagonal_ratio, worm_cone_angle_deg, crossed_axes_angle_deg")
+                .allowed(
+                    "one or more of diagonal_ratio, worm_cone_angle_deg, crossed_axes_angle_deg; or dressing",
+                )
                 .way_out("add one, e.g. diagonal_ratio = { from = -3.0, to = 3.0, count = 61 }"),
         );
     }
@@ -19,14 +21,115 @@ pub(super) fn check(job: &Job, findings: &mut Vec<Diagnostic>) {
         ("worm_cone_angle_deg", explore.worm_cone_angle_deg),
         ("crossed_axes_angle_deg", explore.crossed_axes_angle_deg),
     ] {
-        let Some(steps) = steps else { continue };
-        if steps.to <= steps.from {
+        ascending(key, steps, findings);
+    }
+    if let Some(study) = &explore.dressing {
+        if (Explore { dressing: None, ..explore.clone() }) != Explore::default() {
             findings.push(
-                Diagnostic::new(Problem::InvalidJob, format!("the values of `{key}` do not ascend"))
-                    .field(format!("explore.{key}.to"))
-                    .value(shown_number(steps.to))
-                    .allowed(format!("> from = {}", shown_number(steps.from)))
-                    .way_out("give the smaller value as `from`"),
+                Diagnostic::new(Problem::InvalidJob, "a study of dressing stands alone")
+                    .field("explore.dressing")
+                    .value("beside other keys")
+                    .allowed(
+                        "either `dressing` or diagonal_ratio, worm_cone_angle_deg, crossed_axes_angle_deg",
+                    )
+                    .way_out("make two jobs of it"),
+            );
+        }
+        dressing(study, findings);
+        if job.worm.tool != Tool::Dressed {
+            findings.push(
+                Diagnostic::new(Problem::InvalidJob, "a tool that is not dressed has no study of dressing")
+                    .field("explore.dressing")
+                    .value(format!("beside worm.tool = \"{}\"", job.worm.tool.name()))
+                    .allowed("worm.tool = \"dressed\"")
+                    .way_out("leave `worm.tool` out and describe the `[dresser]`"),
+            );
+        }
+    }
+}
+
+fn ascending(key: &str, steps: Option<Steps>, findings: &mut Vec<Diagnostic>) {
+    let Some(steps) = steps.filter(|steps| steps.to <= steps.from) else { return };
+    findings.push(
+        Diagnostic::new(Problem::InvalidJob, format!("the values of `{key}` do not ascend"))
+            .field(format!("explore.{key}.to"))
+            .value(shown_number(steps.to))
+            .allowed(format!("> from = {}", shown_number(steps.from)))
+            .way_out("give the smaller value as `from`"),
+    );
+}
+
+/// Each abscissa has keys of its own.
+fn dressing(study: &DressingStudy, findings: &mut Vec<Diagnostic>) {
+    let over = study.over;
+    let keys = [
+        ("crowning_um", study.crowning_um, [StudyOver::Crowning, StudyOver::Profile]),
+        ("worm_pitch_diameter", study.worm_pitch_diameter, [StudyOver::WormDiameter; 2]),
+        ("normal_pressure_angle_deg", study.normal_pressure_angle_deg, [StudyOver::PressureAngle; 2]),
+    ];
+    for (key, steps, uses) in keys {
+        ascending(&format!("dressing.{key}"), steps, findings);
+        let field = format!("explore.dressing.{key}");
+        if steps.is_some() && !uses.contains(&over) {
+            findings.push(
+                Diagnostic::new(
+                    Problem::InvalidJob,
+                    format!("a study over \"{}\" does not use `{key}`", over.name()),
+                )
+                .field(field)
+                .value("a table")
+                .allowed("no key, or another `over`")
+                .way_out("remove it, or change `over`"),
+            );
+        } else if steps.is_none() && uses.contains(&over) && over != StudyOver::Crowning {
+            findings.push(
+                Diagnostic::new(
+                    Problem::MissingKey,
+                    format!("a study over \"{}\" needs `{key}`", over.name()),
+                )
+                .field(field)
+                .allowed("{ from = .., to = .., count = .. }")
+                .way_out("add the values, e.g. { from = .., to = .., count = 21 }"),
+            );
+        }
+    }
+    if let Some(diameter) = study.at_worm_pitch_diameter
+        && over != StudyOver::PressureAngle
+    {
+        findings.push(
+            Diagnostic::new(
+                Problem::InvalidJob,
+                format!("a study over \"{}\" does not use `at_worm_pitch_diameter`", over.name()),
+            )
+            .field("explore.dressing.at_worm_pitch_diameter")
+            .value(shown_number(diameter))
+            .allowed("no key, or over = \"pressure-angle\"")
+            .way_out("remove it, or change `over`"),
+        );
+    }
+    if let Some(compare) = &study.compare {
+        let given = compare.given();
+        if given.len() != 1 {
+            findings.push(
+                Diagnostic::new(Problem::InvalidJob, format!("`compare` has {} keys", given.len()))
+                    .field("explore.dressing.compare")
+                    .value(given.join(", "))
+                    .allowed("exactly one of threads, worm_pitch_diameter, dresser_tip_diameter, normal_pressure_angle_deg")
+                    .way_out("keep one; the others are studies of their own"),
+            );
+        }
+        let same = match over {
+            StudyOver::WormDiameter => Some("worm_pitch_diameter"),
+            StudyOver::PressureAngle => Some("normal_pressure_angle_deg"),
+            StudyOver::Crowning | StudyOver::Profile => None,
+        };
+        if same.is_some_and(|key| given.contains(&key)) {
+            findings.push(
+                Diagnostic::new(Problem::InvalidJob, "the abscissa and the curves are the same quantity")
+                    .field("explore.dressing.compare")
+                    .value(given.join(", "))
+                    .allowed("another quantity than the abscissa")
+                    .way_out("compare e.g. threads"),
             );
         }
     }

@@ -2,7 +2,9 @@
 
 use super::not_yet;
 use crate::exchange::diagnostic::{Diagnostic, Problem};
-use crate::exchange::job::{Dresser, DresserModification, Dressing, Job, Tool};
+use crate::exchange::job::{
+    Dresser, DresserModification, Dressing, DressingFlanks, Flanks, Job, ProfileCrowningBy, Tool,
+};
 use crate::exchange::node::shown_number;
 
 /// Kinds that make sense on a tool: they name their own coordinates and refer to no evaluation field of the gear.
@@ -36,6 +38,9 @@ pub(super) fn check(job: &Job, findings: &mut Vec<Diagnostic>) {
     }
     if tool == Tool::Dressed {
         dressing(&job.dressing, findings);
+        if job.dressing.flanks == DressingFlanks::Two {
+            two_flanks(job, findings);
+        }
     } else if job.dressing != Dressing::default() {
         findings.push(
             Diagnostic::new(
@@ -154,6 +159,57 @@ fn dresser(dresser: &Dresser, findings: &mut Vec<Diagnostic>) {
                     .way_out("use a profile kind, e.g. \"profile_crowning\""),
             );
         }
+    }
+}
+
+/// One motion for both flanks makes value and slope of each; it needs both, and one lead.
+fn two_flanks(job: &Job, findings: &mut Vec<Diagnostic>) {
+    let mut refuse = |message: &str, field: &str, value: String, allowed: &str, way_out: &str| {
+        findings.push(
+            Diagnostic::new(Problem::InvalidJob, message.to_string())
+                .field(field)
+                .value(value)
+                .allowed(allowed)
+                .way_out(way_out),
+        );
+    };
+    const ONE: &str = "dress one flank after the other: dressing.flanks = \"one\"";
+    if job.grinding.flanks != Flanks::Both {
+        let which = if job.grinding.flanks == Flanks::Left { "left" } else { "right" };
+        refuse(
+            "dressing both flanks with one motion takes a target on both",
+            "grinding.flanks",
+            format!("{which:?}"),
+            "\"both\", or dressing.flanks = \"one\"",
+            ONE,
+        );
+    }
+    if job.worm.cone_angle_deg != 0.0 {
+        refuse(
+            "the flanks of a conical worm have different leads and are not dressed by one motion",
+            "worm.cone_angle_deg",
+            shown_number(job.worm.cone_angle_deg),
+            "0, or dressing.flanks = \"one\"",
+            ONE,
+        );
+    }
+    if let Some(land) = job.dresser.as_ref().and_then(|d| d.tip_land) {
+        refuse(
+            "a dresser that touches both flanks at once has the tip land that they leave between them",
+            "dresser.tip_land",
+            shown_number(land),
+            "no key, or dressing.flanks = \"one\"",
+            "leave `tip_land` out",
+        );
+    }
+    if job.dressing.profile_crowning_by == ProfileCrowningBy::Correction {
+        refuse(
+            "one correction for both flanks makes value and slope of each, no profile crowning",
+            "dressing.profile_crowning_by",
+            "\"correction\"".into(),
+            "\"auto\", \"dresser\" or \"diagonal\"",
+            "let the dresser carry the profile crowning",
+        );
     }
 }
 

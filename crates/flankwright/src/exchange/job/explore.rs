@@ -3,8 +3,10 @@
 use schemars::{JsonSchema, Schema, json_schema};
 use serde::{Deserialize, Serialize};
 
+use super::dressing_study::DressingStudy;
+
 /// Settings that a study varies; every combination is computed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Explore {
     /// Diagonal ratio K.
@@ -19,6 +21,9 @@ pub struct Explore {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(schema_with = "crossing_steps")]
     pub crossed_axes_angle_deg: Option<Steps>,
+    /// A study of dressing in place of the others.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub dressing: Option<DressingStudy>,
 }
 
 /// Equidistant values, both ends included.
@@ -46,41 +51,42 @@ impl Steps {
             from * (1.0 - share) + to * share
         })
     }
-}
 
-fn steps(end: Schema) -> Schema {
-    json_schema!({
-        "type": "object",
-        "properties": {
-            "from": end,
-            "to": end,
-            "count": {
-                "type": "integer",
-                "minimum": 2,
-                "maximum": Steps::MOST,
-                "x-way-out": "give the number of values, both ends included, e.g. 21"
-            }
-        },
-        "required": ["from", "to", "count"],
-        "additionalProperties": false
-    })
+    /// The schema of steps between two values of the schema `end`.
+    pub(super) fn schema(end: Schema) -> Schema {
+        json_schema!({
+            "type": "object",
+            "properties": {
+                "from": end,
+                "to": end,
+                "count": {
+                    "type": "integer",
+                    "minimum": 2,
+                    "maximum": Self::MOST,
+                    "x-way-out": "give the number of values, both ends included, e.g. 21"
+                }
+            },
+            "required": ["from", "to", "count"],
+            "additionalProperties": false
+        })
+    }
 }
 
 fn ratio_steps(_: &mut schemars::SchemaGenerator) -> Schema {
-    steps(json_schema!({
+    Steps::schema(json_schema!({
         "type": "number", "minimum": -1000, "maximum": 1000, "x-way-out": "give a ratio of a few units"
     }))
 }
 
 fn cone_steps(_: &mut schemars::SchemaGenerator) -> Schema {
-    steps(json_schema!({
+    Steps::schema(json_schema!({
         "type": "number", "exclusiveMinimum": -90, "exclusiveMaximum": 90,
         "x-way-out": "give the cone angle of the worm in degrees"
     }))
 }
 
 fn crossing_steps(_: &mut schemars::SchemaGenerator) -> Schema {
-    steps(json_schema!({
+    Steps::schema(json_schema!({
         "type": "number", "minimum": -180, "maximum": 180,
         "x-way-out": "give the crossed-axes angle of worm and gear in degrees"
     }))

@@ -2,6 +2,7 @@
 //! and the worm as dressed by a motion DK(v) as a tool surface.
 
 use super::dresser::FlankDresser;
+use super::placement::{DresserAxes, RoomContact, WormScrew, touch};
 use super::{DresserTool, GeometricRange};
 use crate::contact::{SurfaceJet, ToolSurface};
 use crate::geometry::{Flank, InvoluteFlank, MeridianPoint, ProfileOffset};
@@ -21,49 +22,20 @@ pub(super) struct RelativeScrew<T: Scalar> {
     pub p: f64,
 }
 
-/// Contact point and dresser normal in the room frame (worm axis = z).
-#[derive(Clone, Copy, Debug)]
-pub(super) struct RoomContact<T: Scalar> {
-    pub q: Vector3<T>,
-    pub n: Vector3<T>,
-}
-
 /// The contact of a dresser circle; `None` where the circle touches nothing.
 pub(super) fn circle_contact<T: Scalar>(
     m: &MeridianPoint<T>,
     at: &RelativeScrew<T>,
 ) -> Option<RoomContact<T>> {
     let (sin, cos) = at.gamma.sin_cos();
-    let zero = T::from(0.0);
-    let one = T::from(1.0);
-    let a = Vector3::new(zero, sin, cos);
-    let e1 = Vector3::new(one, zero, zero);
-    let e2 = Vector3::new(zero, cos, -sin);
-    let kap = m.n_z / m.n_r;
-    let h = m.z - kap * m.r;
-    let c = Vector3::new(at.d, -at.v_y * cos, at.v_y * sin);
-    let apex = c + a * h;
+    let (zero, one) = (T::from(0.0), T::from(1.0));
     let [gamma_v, phi_v, d_v, vy_v] = at.rates;
     let p = at.p;
-    let spin_x = gamma_v * p;
-    let spin_z = phi_v * p + 1.0;
-    let drift = Vector3::new(-d_v * p, vy_v * cos * p, (one - vy_v * sin) * p);
-    // T(e) = Omega . (apex x e) + u . e with Omega = (spin_x, 0, spin_z)
-    let torque = |e: &Vector3<T>| {
-        let moment = apex.cross(e);
-        spin_x * moment.x + spin_z * moment.z + drift.dot(e)
+    let worm = WormScrew {
+        spin: Vector3::new(gamma_v * p, zero, phi_v * p + 1.0),
+        drift: Vector3::new(-d_v * p, vy_v * cos * p, (one - vy_v * sin) * p),
     };
-    let (ka, kb, kd) = (torque(&e1), torque(&e2), kap * torque(&a));
-    let q = ka * ka + kb * kb;
-    let rest = q - kd * kd;
-    if value_of(rest).is_nan() || value_of(rest) <= 0.0 {
-        return None;
-    }
-    let r = rest.sqrt();
-    let cos_psi = -(kd * ka + kb * r) / q;
-    let sin_psi = (ka * r - kd * kb) / q;
-    let radial = e1 * cos_psi + e2 * sin_psi;
-    Some(RoomContact { q: c + radial * m.r + a * m.z, n: radial * m.n_r + a * m.n_z })
+    touch(m, &DresserAxes::kinematic(at.gamma, at.d, at.v_y), &worm)
 }
 
 /// A point of the exact envelope of the moving dresser, in the worm's (w, b) coordinates.

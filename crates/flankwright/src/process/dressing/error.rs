@@ -1,5 +1,6 @@
 //! Errors of dressing (spec 30 section 18).
 
+use super::PathReason;
 use crate::contact::ContactError;
 use crate::geometry::{Flank, GeometryError};
 use thiserror::Error;
@@ -77,8 +78,11 @@ pub enum DressingError {
         /// Reached share of the target, 0..1.
         fraction: f64,
         /// Why it went no further.
-        reason: &'static str,
+        reason: PathReason,
     },
+    /// One correction for both flanks of a conical worm, whose leads differ.
+    #[error("the flanks of a conical worm have different leads and are not dressed by one motion")]
+    TwoFlanksOfCone,
     /// No profile angle of the bracket fits the dresser without stretch.
     #[error(
         "no profile angle from {from:.3} to {to:.3} deg fits the dresser to the {flank} flank without stretch (P from {:.5} to \
@@ -134,6 +138,14 @@ pub enum DressingError {
 }
 
 impl DressingError {
+    /// The same error with the worm position at which it came about.
+    pub(super) fn at_position(self, v: f64) -> Self {
+        match self {
+            Self::NoZero { flank, fraction, reason, .. } => Self::NoZero { flank, v, fraction, reason },
+            other => other,
+        }
+    }
+
     /// Stable kebab-case code.
     pub fn code(&self) -> &'static str {
         match self {
@@ -145,6 +157,7 @@ impl DressingError {
             Self::OutOfDresser { .. } => "out-of-dresser",
             Self::ConditionCount { .. } => "condition-count",
             Self::Singular { .. } => "singular",
+            Self::TwoFlanksOfCone => "two-flanks-of-cone",
             Self::NoZero { .. } | Self::NoAngleWithoutStretch { .. } => "no-zero",
             Self::TipOutsideProfile { .. } => "tip-outside-profile",
             Self::PointedTip { .. } => "pointed-tip",
@@ -170,6 +183,7 @@ impl DressingError {
             Self::NoZero { .. } => {
                 "reduce the amount, take a worm with more threads or smaller diameter, or let the dresser's profile make it"
             }
+            Self::TwoFlanksOfCone => "dress one flank after the other: dressing.flanks = \"one\"",
             Self::NoAngleWithoutStretch { .. } => {
                 "widen the bracket, or take a worm whose diameter is nearer to the one the dresser was designed for"
             }

@@ -1,10 +1,10 @@
 //! Exact forward calculation at constant DK: profile, derivatives and contact line (spec 30 sections 4 to 6).
 
 use super::dresser::FlankDresser;
-use super::envelope::{RelativeScrew, circle_contact};
-use super::{DresserTool, DressingError};
-use crate::geometry::{Flank, InvoluteFlank, Revolution};
-use crate::kinematics::{DressingChain, DressingCorrection};
+use super::placement::{DresserAxes, WormScrew, slack, touch};
+use super::{DresserTool, DressingError, TiltChart};
+use crate::geometry::Flank;
+use crate::kinematics::DressingCorrection;
 use crate::numerics::{Scalar, gradient_of, value_of, variables};
 use nalgebra::Vector3;
 use num_dual::{DualNum, DualSVec64};
@@ -22,15 +22,25 @@ pub struct ProfilePoint {
     pub t: f64,
     /// Dresser radius of the contact, mm.
     pub r_a: f64,
-    /// df/dK_j at fixed (w, b): mm/rad, mm/rad, 1, 1.
+    /// df/dK_j at fixed (w, b): mm/rad, mm/rad, 1, 1; in the tilt chart by its four numbers.
     pub df_dk: [f64; 4],
 }
 
-/// Forward calculation of one flank at one constant correction DK.
+/// Steps from a circle that touches nothing to the middle of the profile in search of one that does.
+const FIRST_STEPS: u8 = 8;
+
+/// Forward calculation of one flank in one constant position of the dresser.
 #[derive(Clone, Copy, Debug)]
 pub struct DressedProfile<'a> {
     dresser: &'a FlankDresser,
-    dk: DressingCorrection,
+    setting: Setting,
+}
+
+/// A constant position in one of the charts.
+#[derive(Clone, Copy, Debug)]
+enum Setting {
+    Correction(DressingCorrection),
+    Tilt([f64; 4]),
 }
 
 struct Foot<T: Scalar> {
@@ -42,35 +52,6 @@ struct Foot<T: Scalar> {
     r: T,
 }
 
-/// Kinematics as scalars: nominal values plus corrections.
-fn kinematics<T: Scalar>(chain: &DressingChain, dk: &[T; 4]) -> (T, RelativeScrew<T>) {
-    let zero = T::from(0.0);
-    let screw = RelativeScrew {
-        gamma: dk[1] + chain.crossing_angle,
-        d: dk[2] + chain.centre_distance,
-        v_y: dk[3] + chain.offset,
-        rates: [zero; 4],
-        p: chain.screw_parameter,
-    };
-    (dk[0] + chain.worm_angle, screw)
-}
-
-fn foot<T: Scalar>(
-    flank: &InvoluteFlank,
-    profile: &Revolution,
-    t: T,
-    phi: T,
-    screw: &RelativeScrew<T>,
-) -> Option<Foot<T>> {
-    let meridian = profile.at(t);
-    let contact = circle_contact(&meridian, screw)?;
-    let (sin, cos) = (-phi).sin_cos();
-    let q = contact.q;
-    let x = Vector3::new(cos * q.x - sin * q.y, sin * q.x + cos * q.y, q.z);
-    let at = flank.deviation(&x);
-    value_of(at.w).is_finite().then_some(Foot { w: at.w, f: at.f_n, b: at.z, q, n: contact.n, r: meridian.r })
-}
-
 impl<'a> DressedProfile<'a> {
     /// Profile of `flank` dressed by `tool` at the correction `dk`.
     pub fn new(tool: &'a DresserTool, flank: Flank, dk: DressingCorrection) -> Self {
@@ -79,41 +60,120 @@ impl<'a> DressedProfile<'a> {
 
     /// Profile dressed by one flank of a dresser at the correction `dk`.
     pub fn of_flank(dresser: &'a FlankDresser, dk: DressingCorrection) -> Self {
-        Self { dresser, dk }
+        Self { dresser, setting: Setting::Correction(dk) }
+    }
+
+    /// Profile dressed by one flank of a dresser in a position of the tilt chart. Derivatives are by (phi_S, gamma_X, d_X, tau);
+    /// worm positions b lie v_y sin(gamma) below those of the same kinematics K.
+    pub fn tilted(dresser: &'a FlankDresser, at: &TiltChart) -> Self {
+        Self { dresser, setting: Setting::Tilt([at.phi, at.gamma, at.d, at.tau]) }
     }
 
     fn no_contact(&self, t: f64) -> DressingError {
-        DressingError::NoContact { flank: self.dresser.worm.flank, t }
+        // Nothing touches at a number that is none.
+        match self.numbers().into_iter().chain([t]).find(|x| !x.is_finite()) {
+            Some(value) => DressingError::InvalidNumber {
+                field: "length of roll, profile parameter or correction",
+                value,
+                allowed: "finite numbers",
+            },
+            None => DressingError::NoContact { flank: self.dresser.worm.flank, t },
+        }
     }
 
-    fn foot_at<T: Scalar>(&self, t: T, dk: &[T; 4]) -> Result<Foot<T>, DressingError> {
-        let (phi, screw) = kinematics(&self.dresser.chain, dk);
-        foot(&self.dresser.worm, &self.dresser.profile, t, phi, &screw)
-            .ok_or_else(|| self.no_contact(value_of(t)))
+    /// The four numbers of the setting.
+    fn numbers(&self) -> [f64; 4] {
+        match self.setting {
+            Setting::Correction(x) | Setting::Tilt(x) => x,
+        }
+    }
+
+    /// Worm angle and dresser for the numbers of the setting, or dual numbers there.
+    fn placed<T: Scalar>(&self, x: &[T; 4]) -> (T, DresserAxes<T>) {
+        let chain = &self.dresser.chain;
+        match self.setting {
+            Setting::Correction(_) => (
+                x[0] + chain.worm_angle,
+                DresserAxes::kinematic(
+                    x[1] + chain.crossing_angle,
+                    x[2] + chain.centre_distance,
+                    x[3] + chain.offset,
+                ),
+            ),
+            Setting::Tilt(_) => (x[0], DresserAxes::tilted(x[1], x[2], x[3])),
+        }
+    }
+
+    fn foot_at<T: Scalar>(&self, t: T, x: &[T; 4]) -> Result<Foot<T>, DressingError> {
+        let (phi, dresser) = self.placed(x);
+        self.foot(t, phi, &dresser).ok_or_else(|| self.no_contact(value_of(t)))
+    }
+
+    fn foot<T: Scalar>(&self, t: T, phi: T, dresser: &DresserAxes<T>) -> Option<Foot<T>> {
+        let meridian = self.dresser.profile.at(t);
+        let contact = touch(&meridian, dresser, &WormScrew::steady(self.dresser.chain.screw_parameter))?;
+        let (sin, cos) = (-phi).sin_cos();
+        let q = contact.q;
+        let x = Vector3::new(cos * q.x - sin * q.y, sin * q.x + cos * q.y, q.z);
+        let at = self.dresser.worm.deviation(&x);
+        value_of(at.w).is_finite().then_some(Foot {
+            w: at.w,
+            f: at.f_n,
+            b: at.z,
+            q,
+            n: contact.n,
+            r: meridian.r,
+        })
+    }
+
+    /// How far the dresser circle with profile parameter t is from losing contact, without unit: 1 - D^2/Q of the contact
+    /// condition A cos(psi) + B sin(psi) + D = 0, Q = A^2 + B^2; at 0 it touches in one last point, below nowhere.
+    pub fn slack(&self, t: f64) -> f64 {
+        let (_, dresser) = self.placed(&self.numbers());
+        slack(&self.dresser.profile.at(t), &dresser, &WormScrew::steady(self.dresser.chain.screw_parameter))
+    }
+
+    /// Parameter interval of the dresser's profile, mm.
+    pub fn interval(&self) -> (f64, f64) {
+        self.dresser.profile.interval()
+    }
+
+    /// Change of the dressed length of roll by the profile parameter at t; `None` where the circle touches nothing.
+    pub fn roll_slope(&self, t: f64) -> Option<f64> {
+        let (phi, dresser) = self.placed(&self.numbers().map(DualSVec64::<1>::from));
+        let [t] = variables([t]);
+        self.foot(t, phi, &dresser).map(|at| gradient_of(&at.w)[0])
     }
 
     /// w(t), f, b of the dresser circle with profile parameter t.
     ///
     /// # Errors
-    /// [`DressingError::NoContact`].
+    /// [`DressingError::NoContact`]; [`DressingError::InvalidNumber`] for a parameter that the profile does not have.
     pub fn at_parameter(&self, t: f64) -> Result<ProfilePoint, DressingError> {
-        let at = self.foot_at(t, &self.dk)?;
+        self.on_profile(t)?;
+        let at = self.foot_at(t, &self.numbers())?;
         Ok(self.point(t, &at))
     }
 
+    fn on_profile(&self, t: f64) -> Result<(), DressingError> {
+        if self.dresser.profile.covers(t) {
+            return Ok(());
+        }
+        let (field, allowed) = ("dresser profile parameter", "within the profile of the dresser");
+        Err(DressingError::InvalidNumber { field, value: t, allowed })
+    }
+
     fn point(&self, t: f64, at: &Foot<f64>) -> ProfilePoint {
-        let gamma = self.dresser.chain.crossing_angle + self.dk[1];
-        let (sin, cos) = gamma.sin_cos();
         let q = &at.q;
-        let velocities = [
-            Vector3::new(q.y, -q.x, 0.0),
-            Vector3::new(0.0, q.z, -q.y),
-            Vector3::new(1.0, 0.0, 0.0),
-            Vector3::new(0.0, -cos, sin),
-        ];
+        let (phi, dresser) = self.placed(&self.numbers());
+        let last = match self.setting {
+            Setting::Correction(_) => -dresser.e2,
+            Setting::Tilt(_) => dresser.e2.cross(&(q - dresser.centre)),
+        };
+        let velocities =
+            [Vector3::new(q.y, -q.x, 0.0), Vector3::new(0.0, q.z, -q.y), Vector3::new(1.0, 0.0, 0.0), last];
         // Nominal worm normal on the ray, turned into the room.
-        let turned = self.dresser.worm.phi(at.w, at.b)
-            - (self.dresser.chain.worm_angle + self.dk[0] + std::f64::consts::FRAC_PI_2);
+        let turned = self.dresser.worm.phi(at.w, at.b) - (phi + std::f64::consts::FRAC_PI_2);
         let (sp, cp) = turned.sin_cos();
         let (sb, cb) = self.dresser.worm.base_helix_angle.sin_cos();
         let s = self.dresser.worm.s();
@@ -134,31 +194,86 @@ impl<'a> DressedProfile<'a> {
     /// # Errors
     /// [`DressingError::NoContact`], [`DressingError::OutOfDresser`].
     pub fn at_roll(&self, w: f64) -> Result<ProfilePoint, DressingError> {
-        let (from, to) = self.dresser.profile.interval();
-        let outside = || DressingError::OutOfDresser { flank: self.dresser.worm.flank, w, from, to };
         let (range, designed) = (&self.dresser.range, &self.dresser.designed);
-        let scaled = designed.w_nf + (w - range.w_nf) * (designed.length() / range.length());
-        let mut t = scaled.clamp(from, to);
-        let fixed = self.dk.map(DualSVec64::<1>::from);
-        let mut previous = f64::INFINITY;
-        for _ in 0..40 {
+        self.at_roll_near(w, designed.w_nf + (w - range.w_nf) * (designed.length() / range.length()))
+    }
+
+    /// The same with a profile parameter near the one sought, mm, such as that of a position nearby.
+    ///
+    /// # Errors
+    /// As [`DressedProfile::at_roll`].
+    pub fn at_roll_near(&self, w: f64, t: f64) -> Result<ProfilePoint, DressingError> {
+        if !w.is_finite() {
+            let (field, allowed) = ("length of roll", "finite numbers");
+            return Err(DressingError::InvalidNumber { field, value: w, allowed });
+        }
+        let (from, to) = self.interval();
+        let outside = || DressingError::OutOfDresser { flank: self.dresser.worm.flank, w, from, to };
+        let (phi, axes) = self.placed(&self.numbers().map(DualSVec64::<1>::from));
+        // w(t) and its slope; where the dresser's radii follow each other backwards is no contact that counts.
+        let roll = |t: f64| {
             let [td] = variables([t]);
-            let at = self.foot_at(td, &fixed)?;
+            let at = self.foot(td, phi, &axes).ok_or_else(|| self.no_contact(t))?;
             let slope = gradient_of(&at.w)[0];
-            let step = (value_of(at.w) - w) / slope;
-            if !step.is_finite() || slope <= 0.0 {
-                return Err(outside());
-            }
-            t -= step.clamp(-2.0, 2.0);
-            if !self.dresser.profile.covers(t) {
-                return Err(outside());
+            if slope > 0.0 { Ok((value_of(at.w), slope)) } else { Err(outside()) }
+        };
+        let (mut t, mut at) = self.first_contact(t.clamp(from, to), &roll)?;
+        // The root lies between these; an end of the profile counts as long as it has not been looked at.
+        let (mut low, mut high) = (from, to);
+        let mut previous = f64::INFINITY;
+        for _ in 0..120 {
+            let step = (w - at.0) / at.1;
+            if step > 0.0 {
+                low = t
+            } else {
+                high = t
             }
             if step.abs() < 1e-12 || (step.abs() < 1e-9 && step.abs() >= previous) {
-                return self.at_parameter(t);
+                t += step;
+                return if self.dresser.profile.covers(t) { self.at_parameter(t) } else { Err(outside()) };
+            }
+            if low >= to || high <= from {
+                return Err(outside());
             }
             previous = step.abs();
+            let mut next = (t + step.clamp(-2.0, 2.0)).clamp(from, to);
+            if (next >= high && high < to) || (next <= low && low > from) {
+                next = 0.5 * (low + high);
+            }
+            // Back towards the contact where there is none.
+            loop {
+                match roll(next) {
+                    Ok(found) => {
+                        (t, at) = (next, found);
+                        break;
+                    }
+                    Err(failure) if (next - t).abs() < 1e-9 => return Err(failure),
+                    Err(_) => {
+                        if next > t {
+                            high = next
+                        } else {
+                            low = next
+                        }
+                        next = 0.5 * (t + next);
+                    }
+                }
+            }
         }
         Err(outside())
+    }
+
+    /// The profile parameter nearest to `t` on the way to the middle of the profile where the dresser touches, with w and its
+    /// slope.
+    fn first_contact(
+        &self,
+        t: f64,
+        roll: &impl Fn(f64) -> Result<(f64, f64), DressingError>,
+    ) -> Result<(f64, (f64, f64)), DressingError> {
+        roll(t).map(|at| (t, at)).or_else(|none| {
+            let middle = self.dresser.designed.middle();
+            let steps = (1..=FIRST_STEPS).map(|k| t + (middle - t) * f64::from(k) / f64::from(FIRST_STEPS));
+            steps.into_iter().find_map(|t| roll(t).ok().map(|at| (t, at))).ok_or(none)
+        })
     }
 
     /// Profile points at several lengths of roll.
@@ -172,10 +287,10 @@ impl<'a> DressedProfile<'a> {
     /// w(t; K) and its gradient by K (radius map rows).
     ///
     /// # Errors
-    /// [`DressingError::NoContact`].
+    /// As [`DressedProfile::at_parameter`].
     pub fn map_gradient(&self, t: f64) -> Result<(f64, [f64; 4]), DressingError> {
-        let dk = variables(self.dk);
-        let at = self.foot_at(DualSVec64::<4>::from(t), &dk)?;
+        self.on_profile(t)?;
+        let at = self.foot_at(DualSVec64::<4>::from(t), &variables(self.numbers()))?;
         Ok((value_of(at.w), gradient_of(&at.w)))
     }
 }
@@ -194,8 +309,16 @@ pub fn head_gradient(
         value: t,
         allowed: "only for a dresser with a head profile",
     })?;
-    let (_, screw) = kinematics(&tool.flanks.left.chain, &variables(*dk));
-    let contact = circle_contact(&head.at(DualSVec64::<4>::from(t)), &screw)
+    if !head.covers(t) {
+        let (field, allowed) = ("head profile parameter", "within the head profile of the dresser");
+        return Err(DressingError::InvalidNumber { field, value: t, allowed });
+    }
+    let chain = &tool.flanks.left.chain;
+    let [_, gamma, d, v_y] = variables(*dk);
+    let dresser =
+        DresserAxes::kinematic(gamma + chain.crossing_angle, d + chain.centre_distance, v_y + chain.offset);
+    let meridian = head.at(DualSVec64::<4>::from(t));
+    let contact = touch(&meridian, &dresser, &WormScrew::steady(chain.screw_parameter))
         .ok_or(DressingError::NoContact { flank: Flank::Left, t })?;
     let radius = DualNum::sqrt(&(contact.q.x * contact.q.x + contact.q.y * contact.q.y));
     Ok((value_of(radius), gradient_of(&radius)))

@@ -3,8 +3,12 @@
 pub mod catalogue;
 mod characteristics;
 mod clearance;
+mod condition_sets;
+mod condition_solver;
 mod conditions;
+mod conditions_along;
 mod contact_line;
+mod crowning_range;
 mod dresser;
 mod dresser_section;
 mod envelope;
@@ -12,16 +16,26 @@ mod error;
 mod forward;
 mod nominal;
 mod other_worm;
+mod path_reason;
+mod placement;
 mod profile_fit;
 mod stretch_angle;
 mod swept_circle;
 mod tilt_chart;
 mod topological;
+mod two_flanks;
 
 pub use characteristics::{full_tip_land, quasi_static_modification, stretch};
 pub use clearance::{Clearance, ThreadSpace, WormFlank};
-pub use conditions::{Condition, ConditionSolver};
+pub use condition_sets::{
+    PitchPoint, four_points, map_of_upper_end, shift_through, three_points, three_points_with_map,
+    two_flank_points, two_points,
+};
+pub use condition_solver::ConditionSolver;
+pub use conditions::Condition;
+pub use conditions_along::{ConditionsAlong, RowAlong};
 pub use contact_line::ContactLine;
+pub use crowning_range::{CrowningEnd, CrowningLimits, CrowningPoint, CrowningRange, CrowningRows};
 pub use dresser::{DresserTool, FlankDresser, GeometricRange};
 pub use dresser_section::{DresserSection, SectionPart};
 pub use envelope::{DressedWorm, EnvelopePoint, dressing_motion};
@@ -29,10 +43,15 @@ pub use error::DressingError;
 pub use forward::{DressedProfile, ProfilePoint, head_gradient};
 pub use nominal::{NominalContact, nominal_contact};
 pub use other_worm::WormSeat;
+pub use path_reason::PathReason;
 pub use profile_fit::{
     ProfileFit, fit_profile, fit_profile_along, fit_profile_on_path, profile_error, refit_profile,
     uncorrected_profile,
 };
 pub use stretch_angle::{StretchAngle, angle_of_least_stretch};
 pub use tilt_chart::TiltChart;
-pub use topological::{NodePlan, NodeSolution, pitch_rolls, solve_dressing_motion, solve_node};
+pub use topological::{
+    NodePlan, NodeSolution, pitch_rolls, residue_of_motion, solve_conditions_along, solve_conditions_at,
+    solve_dressing_motion, solve_node,
+};
+pub use two_flanks::{TwoFlankWish, solve_two_flank_motion, solve_two_flank_node, two_flank_rolls};

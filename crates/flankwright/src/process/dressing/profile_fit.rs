@@ -2,7 +2,8 @@
 //! without them (spec 30 sections 12 and 17). Knows no limit of axes or bodies.
 
 use super::{
-    Condition, ConditionSolver, DressedProfile, DresserTool, DressingError, WormSeat, pitch_rolls, stretch,
+    Condition, ConditionSolver, DressedProfile, DresserTool, DressingError, PathReason, WormSeat, stretch,
+    three_points_with_map,
 };
 use crate::geometry::Flank;
 use crate::kinematics::DressingCorrection;
@@ -19,14 +20,9 @@ pub struct ProfileFit {
 /// Steps in which the amount grows from 0 (spec 30 section 17).
 const STEPS: usize = 8;
 
-/// The rows: f = 0 at both ends of the used range, f = `middle` (mm) in its middle, and the end of the designed profile on
-/// the end of the used one.
+/// The rows of the three-point method for f = `middle` (mm) in the middle of the used range and 0 at both ends.
 fn rows(tool: &DresserTool, flank: Flank, middle: f64) -> [Condition; 4] {
-    let dresser = &tool.flanks[flank];
-    let [from, mid, to] = pitch_rolls(tool, flank);
-    let point = |w, f| Condition::Point { flank, w, f };
-    let map = Condition::Map { flank, t: dresser.designed.w_na, w: to };
-    [point(from, 0.0), point(mid, middle), point(to, 0.0), map]
+    three_points_with_map(&tool.flanks[flank], [0.0, middle, 0.0])
 }
 
 /// Corrections at which the worm gets f = `middle` in the middle of its used profile and 0 at both ends, mm normal; the amount
@@ -132,6 +128,7 @@ pub fn fit_profile_on_path(
     middle: f64,
 ) -> Result<ProfileFit, DressingError> {
     let (mut reached, mut step, mut dk) = (0.0, 0.25, [0.0; 4]);
+    let mut reason = PathReason::GivenUp;
     while step >= LEAST_STEP {
         let next = f64::min(reached + step, 1.0);
         let seat = path(next)?;
@@ -144,15 +141,15 @@ pub fn fit_profile_on_path(
                 }
                 step *= 1.5;
             }
-            Err(_) => step *= 0.5,
+            Err(refusal) => {
+                if let DressingError::NoZero { reason: why, .. } = refusal {
+                    reason = why;
+                }
+                step *= 0.5;
+            }
         }
     }
-    Err(DressingError::NoZero {
-        flank,
-        v: 0.0,
-        fraction: reached,
-        reason: "no solution on a worm on the way",
-    })
+    Err(DressingError::NoZero { flank, v: 0.0, fraction: reached, reason })
 }
 
 /// [`fit_profile`] directly, and where that fails by [`fit_profile_on_path`].

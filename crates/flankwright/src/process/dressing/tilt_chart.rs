@@ -34,6 +34,11 @@ impl TiltChart {
         [1.0 / sin + d / (p * cos), 0.0, 0.0, -d / (sin * cos)]
     }
 
+    /// The axis of the dresser in the room; its part across the worm axis is 0 at the pole of the K chart.
+    pub fn axis(&self) -> [f64; 3] {
+        [self.tau.sin(), self.tau.cos() * self.gamma.sin(), self.tau.cos() * self.gamma.cos()]
+    }
+
     /// Back to K; of the two solutions the one whose d is nearer to `previous_d`, phi_S unwrapped to `previous_phi`.
     ///
     /// # Errors
@@ -44,24 +49,42 @@ impl TiltChart {
         previous_d: f64,
         previous_phi: f64,
     ) -> Result<[f64; 4], DressingError> {
-        let a = [self.tau.sin(), self.tau.cos() * self.gamma.sin(), self.tau.cos() * self.gamma.cos()];
+        let [plus, minus] = [self.branch(p, 1.0)?, self.branch(p, -1.0)?];
+        let nearer = if (plus[2] - previous_d).abs() <= (minus[2] - previous_d).abs() { plus } else { minus };
+        Ok(unwrapped(nearer, previous_phi))
+    }
+
+    /// Back to K on the branch of a path that comes from the kinematics `previous`. Along a path the crossing angle keeps its
+    /// sign, because the branches meet at the pole only; near the pole d changes too fast to tell them apart.
+    ///
+    /// # Errors
+    /// [`DressingError::PoleOfChart`] when the dresser axis is parallel to the worm axis here or there.
+    pub fn to_kinematics_along(&self, p: f64, previous: &[f64; 4]) -> Result<[f64; 4], DressingError> {
+        if previous[1].sin() == 0.0 {
+            return Err(DressingError::PoleOfChart);
+        }
+        Ok(unwrapped(self.branch(p, previous[1].sin().signum())?, previous[0]))
+    }
+
+    /// The kinematics whose crossing angle has the given sign.
+    fn branch(&self, p: f64, sign: f64) -> Result<[f64; 4], DressingError> {
+        let a = self.axis();
         let across = a[0].hypot(a[1]);
         if across == 0.0 {
             return Err(DressingError::PoleOfChart);
         }
-        let branch = |sign: f64| {
-            let g = (sign * across).atan2(a[2]);
-            let de = sign * std::f64::consts::FRAC_PI_2 - a[1].atan2(a[0]);
-            let d = self.d * de.cos();
-            let v_y = -self.d * de.sin() / g.cos();
-            [self.phi + de - v_y * g.sin() / p, g, d, v_y]
-        };
-        let (plus, minus) = (branch(1.0), branch(-1.0));
-        let nearer = if (plus[2] - previous_d).abs() <= (minus[2] - previous_d).abs() { plus } else { minus };
-        let turn = 2.0 * std::f64::consts::PI;
-        let phi = nearer[0] - turn * ((nearer[0] - previous_phi) / turn).round();
-        Ok([phi, nearer[1], nearer[2], nearer[3]])
+        let g = (sign * across).atan2(a[2]);
+        let de = sign * std::f64::consts::FRAC_PI_2 - a[1].atan2(a[0]);
+        let d = self.d * de.cos();
+        let v_y = -self.d * de.sin() / g.cos();
+        Ok([self.phi + de - v_y * g.sin() / p, g, d, v_y])
     }
+}
+
+/// The same kinematics with phi_S within half a turn of another one.
+fn unwrapped([phi, gamma, d, v_y]: [f64; 4], near: f64) -> [f64; 4] {
+    let turn = 2.0 * std::f64::consts::PI;
+    [phi - turn * ((phi - near) / turn).round(), gamma, d, v_y]
 }
 
 #[cfg(test)]
@@ -76,6 +99,11 @@ mod tests {
             for j in 0..4 {
                 assert!((back[j] - k[j]).abs() < 1e-11, "{g} {j}: {} {}", back[j], k[j]);
             }
+            // A path keeps the sign of the crossing angle wherever d has got to.
+            let along = TiltChart::from_kinematics(k, 8.9)
+                .to_kinematics_along(8.9, &[-1.57, 0.5 * g, -107.0, 40.0])
+                .unwrap();
+            assert!((0..4).all(|j| (along[j] - k[j]).abs() < 1e-11), "{along:?}");
         }
         let (phi, g, d, p) = (-1.57, -0.17, 107.2, 8.9);
         let still = TiltChart::from_kinematics([phi, g, d, 0.0], p);
@@ -88,5 +116,6 @@ mod tests {
         }
         let pole = TiltChart { phi: 0.0, gamma: 0.0, d: 100.0, tau: 0.0 };
         assert_eq!(pole.to_kinematics(8.9, 100.0, 0.0), Err(DressingError::PoleOfChart));
+        assert_eq!(still.to_kinematics_along(p, &[0.0; 4]), Err(DressingError::PoleOfChart));
     }
 }

@@ -6,7 +6,7 @@ use crate::kinematics::{DressingCorrection, MotionLaw};
 use crate::numerics::{Chebyshev, extremes};
 use crate::process::dressing::{
     DressedProfile, DressedWorm, DresserTool, NodePlan, NodeSolution, pitch_rolls, solve_dressing_motion,
-    solve_node,
+    solve_two_flank_motion, two_flank_rolls,
 };
 use std::sync::Arc;
 
@@ -68,7 +68,7 @@ pub fn finished_area(
 ) -> ([f64; 2], [f64; 2]) {
     let dresser = &tool.flanks[flank];
     let margin = FINISHED_PROFILE * dresser.range.length();
-    let tip = dresser.worm.length_of_roll(setup.worm_tip_radius).unwrap_or(0.0);
+    let tip = dresser.worm.length_of_roll(setup.largest_tip_radius).unwrap_or(0.0);
     let w = [dresser.range.w_nf - margin, (dresser.range.w_na + margin).min(tip)];
     let ends = |v: f64| {
         let dk = std::array::from_fn(|j| corrections[j].value(v));
@@ -120,35 +120,68 @@ pub fn dressing_interval(
     (b[0] - z[1] - margin, b[1] - z[0] + margin)
 }
 
-/// Rows of the dressing motion: wanted modification at the pitch points with worm positions b. What stands on the worm's lines
-/// as it is has other values across the slightly bent line in which the dresser touches; only their straight part over the
-/// profile is asked of the dresser, because a worm of few threads takes hardly any more (spec 28 section 1).
-fn wanted_rows<'a>(
-    tool: &DresserTool,
-    plan: &'a IdealPlan,
-    flank: Flank,
-    policy: ProfilePolicy,
-) -> Result<impl Fn([f64; 3]) -> [f64; 3] + 'a, GeneratingError> {
-    let worm = plan.worms[flank].as_ref().ok_or(GeneratingError::NoFlank)?;
-    let rolls = pitch_rolls(tool, flank);
-    let uncorrected = DressedProfile::new(tool, flank, [0.0; 4]);
-    let mut base = [0.0; 3];
-    for i in 0..3 {
-        base[i] = uncorrected.at_roll(rolls[i])?.f;
-        if policy.place == ProfilePlace::Correction {
-            let u = worm.lines.work_roll(rolls[i]) - worm.lines.w_m;
-            base[i] -= worm.lines.cos_b2 * worm.parts.profile.get(2).copied().unwrap_or(0.0) * u * u;
-        }
+/// What the dressing rows of one flank ask for. What stands on the worm's lines as it is has other values across the slightly
+/// bent line in which the dresser touches; only their straight part over the profile is asked of the dresser, because a worm of
+/// few threads takes hardly any more (spec 28 section 1).
+struct Wish<'a> {
+    worm: &'a IdealWorm,
+    /// Rolls of the rows of one flank alone, and what is dressed there without corrections less what these are to make.
+    alone: ([f64; 3], [f64; 3]),
+    /// The same for the rows of both flanks at once.
+    together: ([f64; 2], [f64; 2]),
+    straight: bool,
+}
+
+impl<'a> Wish<'a> {
+    fn new(
+        tool: &DresserTool,
+        plan: &'a IdealPlan,
+        flank: Flank,
+        policy: ProfilePolicy,
+    ) -> Result<Self, GeneratingError> {
+        let worm = plan.worms[flank].as_ref().ok_or(GeneratingError::NoFlank)?;
+        let uncorrected = DressedProfile::new(tool, flank, [0.0; 4]);
+        let base = |w: f64| -> Result<f64, GeneratingError> {
+            let mut base = uncorrected.at_roll(w)?.f;
+            if policy.place == ProfilePlace::Correction {
+                let u = worm.lines.work_roll(w) - worm.lines.w_m;
+                base -= worm.lines.cos_b2 * worm.parts.profile.get(2).copied().unwrap_or(0.0) * u * u;
+            }
+            Ok(base)
+        };
+        let (three, two) = (pitch_rolls(tool, flank), two_flank_rolls(tool)[flank]);
+        Ok(Self {
+            worm,
+            alone: (three, [base(three[0])?, base(three[1])?, base(three[2])?]),
+            together: (two, [base(two[0])?, base(two[1])?]),
+            straight: !worm.carried.is_empty(),
+        })
     }
-    let straight = !worm.carried.is_empty();
-    Ok(move |b: [f64; 3]| {
-        let f = if straight {
-            straightened(worm, rolls, b)
+
+    /// At the pitch points of one flank alone, with worm positions b.
+    fn alone(&self, b: [f64; 3]) -> [f64; 3] {
+        let (rolls, base) = self.alone;
+        let f = if self.straight {
+            straightened(self.worm, rolls, b)
         } else {
-            std::array::from_fn(|i| worm.dressing_share(rolls[i], b[i]))
+            std::array::from_fn(|i| self.worm.dressing_share(rolls[i], b[i]))
         };
         std::array::from_fn(|i| base[i] + f[i])
-    })
+    }
+
+    /// At the pitch points of both flanks at once, with worm positions b.
+    fn together(&self, b: [f64; 2]) -> [f64; 2] {
+        let (rolls, base) = self.together;
+        if !self.straight {
+            return std::array::from_fn(|i| base[i] + self.worm.dressing_share(rolls[i], b[i]));
+        }
+        let along = |from: [f64; 2], to: [f64; 2], w: f64| {
+            to[0] + (to[1] - to[0]) * (w - from[0]) / (from[1] - from[0])
+        };
+        let ends = self.alone.0;
+        let f = straightened(self.worm, ends, ends.map(|w| along(rolls, b, w)));
+        std::array::from_fn(|i| base[i] + along([ends[0], ends[2]], [f[0], f[2]], rolls[i]))
+    }
 }
 
 /// Points along the dressed line at which its modification is looked at.
@@ -181,7 +214,7 @@ fn straightened(worm: &IdealWorm, rolls: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [constant - inclination, constant, constant + inclination]
 }
 
-/// DK at a few positions over the occupation: enough for the score of a candidate.
+/// DK at a few positions over the occupation of the flanks that are ground: enough for the score of a candidate.
 ///
 /// # Errors
 /// Those of the dressing rows.
@@ -189,63 +222,120 @@ pub fn sample_corrections(
     setup: &GrindingSetup,
     plan: &IdealPlan,
     tool: &DresserTool,
-    flank: Flank,
+    which: &[Flank],
     policy: ProfilePolicy,
     samples: usize,
 ) -> Result<Vec<DressingCorrection>, GeneratingError> {
-    let wanted = wanted_rows(tool, plan, flank, policy)?;
-    let (from, to) = dressing_interval(setup, tool, &plan.motion.shift, flank, DRESSING_MARGIN);
-    let nodes = Chebyshev::nodes(from, to, samples);
-    let mut dks = vec![[0.0; 4]; samples];
-    let middle = samples / 2;
-    let order = (middle..samples).map(|k| (k, k.checked_sub(1).filter(|_| k > middle)));
-    for (k, neighbour) in order.chain((0..middle).rev().map(|k| (k, Some(k + 1)))) {
-        let start = neighbour.map_or([0.0; 4], |n| dks[n]);
-        dks[k] = solve_node(tool, flank, setup.worm_pitch_radius, nodes[k], &start, &wanted)?;
+    let mut dks = Vec::new();
+    // One motion serves both flanks, else each has its own.
+    let motions = if policy.two_flanks { vec![which] } else { which.chunks(1).collect() };
+    for flanks in motions {
+        let interval = common_interval(setup, tool, plan, flanks, DRESSING_MARGIN);
+        let (_, nodes) = motion(setup, plan, tool, flanks, policy, NodePlan { interval, nodes: samples })?;
+        dks.extend(nodes.iter().map(|node| node.dk));
     }
     Ok(dks)
 }
 
-/// Dresses one flank of the worm for a plan.
-///
-/// # Errors
-/// Those of the dressing rows, with the worm position.
-pub fn dress_flank(
+/// Interval of v that dresses the occupation of all of `flanks`.
+fn common_interval(
+    setup: &GrindingSetup,
+    tool: &DresserTool,
+    plan: &IdealPlan,
+    flanks: &[Flank],
+    margin: f64,
+) -> (f64, f64) {
+    let of_flank = |&flank: &Flank| dressing_interval(setup, tool, &plan.motion.shift, flank, margin);
+    let [from, to] = extremes(flanks.iter().map(of_flank).flat_map(|(from, to)| [from, to]));
+    (from, to)
+}
+
+/// DK(v) of one flank, or of both with one motion.
+fn motion(
     setup: &GrindingSetup,
     plan: &IdealPlan,
     tool: &DresserTool,
-    flank: Flank,
+    flanks: &[Flank],
+    policy: ProfilePolicy,
+    nodes: NodePlan,
+) -> Result<([Chebyshev; 4], Vec<NodeSolution>), GeneratingError> {
+    let radius = setup.worm_pitch_radius;
+    if policy.two_flanks {
+        let wishes = Sides::try_from_fn(|flank| Wish::new(tool, plan, flank, policy))?;
+        let wanted = |flank: Flank, b: [f64; 2]| wishes[flank].together(b);
+        return Ok(solve_two_flank_motion(tool, radius, &nodes, &wanted)?);
+    }
+    let flank = *flanks.first().ok_or(GeneratingError::NoFlank)?;
+    let wish = Wish::new(tool, plan, flank, policy)?;
+    Ok(solve_dressing_motion(tool, flank, radius, &nodes, &|b| wish.alone(b))?)
+}
+
+/// Dresses the worm for a plan: each flank that is ground with a motion of its own, or both with one (`policy.two_flanks`).
+///
+/// # Errors
+/// Those of the dressing rows, with the worm position.
+pub fn dress_flanks(
+    setup: &GrindingSetup,
+    plan: &IdealPlan,
+    tool: &DresserTool,
     policy: ProfilePolicy,
     margin: f64,
-) -> Result<DressedFlank, GeneratingError> {
-    let interval = dressing_interval(setup, tool, &plan.motion.shift, flank, margin);
-    let worm = plan.worms[flank].as_ref().ok_or(GeneratingError::NoFlank)?;
-    let (first, last) = tool.flanks[flank].profile.interval();
-    for w in [first, last] {
-        // An arc ends where its circle ends; the dresser would have no profile there.
-        let w_2 = worm.lines.work_roll(w);
-        for relief in &worm.reliefs {
-            relief.jet(w_2, worm.lines.z_m)?;
-        }
-    }
-    let (corrections, nodes) = if worm.is_radial() {
-        let zero = Chebyshev::constant(interval.0, interval.1, 0.0);
-        ([zero.clone(), zero.clone(), zero.clone(), zero], Vec::new())
-    } else {
-        let wanted = wanted_rows(tool, plan, flank, policy)?;
-        // Polynomials settle with few nodes; reliefs and waves on the lines take as many as they need.
-        let most = if worm.carried.is_empty() { DRESSING_NODES } else { MOST_NODES };
-        let lever = [worm.lines.cos_b1 * setup.pair.worm.flank(flank).base_radius, 10.0, 1.0, 0.1];
-        let mut count = DRESSING_NODES;
-        loop {
-            let nodes = NodePlan { interval, nodes: count };
-            let solved = solve_dressing_motion(tool, flank, setup.worm_pitch_radius, &nodes, &wanted)?;
-            if 2 * count - 1 > most || tail(&solved.0, lever) < SERIES_TOLERANCE {
-                break solved;
-            }
-            count = 2 * count - 1;
-        }
+) -> Result<Sides<Option<DressedFlank>>, GeneratingError> {
+    let dress = |flanks: &[Flank]| dress(setup, plan, tool, flanks, policy, margin);
+    let of_flank = |flank: Flank, (corrections, nodes): ([Chebyshev; 4], Vec<NodeSolution>)| {
+        let worm = DressedWorm::new(tool, flank, &corrections);
+        DressedFlank { corrections, nodes, worm }
     };
-    let worm = DressedWorm::new(tool, flank, &corrections);
-    Ok(DressedFlank { corrections, nodes, worm })
+    if policy.two_flanks {
+        let both = dress(&Flank::BOTH)?;
+        return Ok(Sides::from_fn(|flank| Some(of_flank(flank, both.clone()))));
+    }
+    let alone = |flank: Flank| {
+        let ground = plan.worms[flank].is_some();
+        ground.then(|| dress(&[flank]).map(|solved| of_flank(flank, solved))).transpose()
+    };
+    let (left, right) = rayon::join(|| alone(Flank::Left), || alone(Flank::Right));
+    Ok(Sides { left: left?, right: right? })
+}
+
+/// DK(v) over the occupation with as many nodes as it takes.
+fn dress(
+    setup: &GrindingSetup,
+    plan: &IdealPlan,
+    tool: &DresserTool,
+    flanks: &[Flank],
+    policy: ProfilePolicy,
+    margin: f64,
+) -> Result<([Chebyshev; 4], Vec<NodeSolution>), GeneratingError> {
+    let interval = common_interval(setup, tool, plan, flanks, margin);
+    let (mut radial, mut most, mut lever) = (true, DRESSING_NODES, [0.0, 10.0, 1.0, 0.1]);
+    for &flank in flanks {
+        let worm = plan.worms[flank].as_ref().ok_or(GeneratingError::NoFlank)?;
+        let (first, last) = tool.flanks[flank].profile.interval();
+        for w in [first, last] {
+            // An arc ends where its circle ends; the dresser would have no profile there.
+            let w_2 = worm.lines.work_roll(w);
+            for relief in &worm.reliefs {
+                relief.jet(w_2, worm.lines.z_m)?;
+            }
+        }
+        radial &= worm.is_radial();
+        // Polynomials settle with few nodes; reliefs and waves on the lines take as many as they need.
+        if !worm.carried.is_empty() {
+            most = MOST_NODES;
+        }
+        lever[0] = f64::max(lever[0], worm.lines.cos_b1 * setup.pair.worm.flank(flank).base_radius);
+    }
+    if radial {
+        let zero = Chebyshev::constant(interval.0, interval.1, 0.0);
+        return Ok(([zero.clone(), zero.clone(), zero.clone(), zero], Vec::new()));
+    }
+    let mut count = DRESSING_NODES;
+    loop {
+        let solved = motion(setup, plan, tool, flanks, policy, NodePlan { interval, nodes: count })?;
+        if 2 * count - 1 > most || tail(&solved.0, lever) < SERIES_TOLERANCE {
+            return Ok(solved);
+        }
+        count = 2 * count - 1;
+    }
 }

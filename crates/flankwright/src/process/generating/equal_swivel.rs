@@ -41,7 +41,7 @@ impl SwivelSide {
         let dresser = setup.dresser()?;
         let lines = setup.lines[flank];
         let range = dresser.flanks[flank].range;
-        let chain = &dresser.flanks.left.chain;
+        let chain = &dresser.flanks[flank].chain;
         let direction =
             TiltChart::swivel_direction(chain.crossing_angle, chain.centre_distance, chain.screw_parameter);
         let nominal = DressedProfile::new(dresser, flank, [0.0; 4]);

@@ -31,6 +31,7 @@ mod setup;
 mod share;
 mod strokes;
 mod target;
+mod tip_land;
 mod variable_ratio;
 mod workshop;
 mod worm_function;
@@ -39,7 +40,7 @@ pub use carried::{Carried, FieldSpline, misfit_of_lines};
 pub use curve_law::{CurveLaw, WantedCurve};
 pub use decomposition::{Decomposition, decompose_diagonal, decompose_radial, radial_residual};
 pub use dressed::{
-    DressedFlank, dress_flank, dresser_of_plan, dresser_profile, dressing_interval, finished_area,
+    DressedFlank, dress_flanks, dresser_of_plan, dresser_profile, dressing_interval, finished_area,
 };
 pub use equal_ratio::{
     EqualRatio, EqualRatioSearch, Lever, RatioRoot, WormLine, generatrix, worm_at_crossing_angle,
@@ -68,6 +69,7 @@ pub use setup::{DresserChoice, DressingLimits, GrindingSetup, ProfilePlace, Setu
 pub use share::Command;
 pub use strokes::Strokes;
 pub use target::{Carrier, ClassFit, FlankTarget};
+pub use tip_land::largest_tip_land;
 pub use variable_ratio::VariableRatio;
 pub use workshop::GearWorkshop;
 pub use worm_function::IdealWorm;

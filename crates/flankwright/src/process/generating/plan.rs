@@ -1,7 +1,7 @@
 //! The whole plan of generating grinding: ratio, precompensated decomposition, dressing motion, planned flank
 //! (spec 28 section 4; everything but the referee).
 
-use super::dressed::{DRESSING_MARGIN, DressedFlank, dress_flank, dresser_of_plan, finished_area};
+use super::dressed::{DRESSING_MARGIN, DressedFlank, dress_flanks, dresser_of_plan, finished_area};
 use super::least_squares::FitNorm;
 use super::planning_grid::GroundError;
 use super::precompensation::{FREE_ROUNDS, ROUNDS, corrected, precompensate};
@@ -41,6 +41,8 @@ pub struct PlanTask<'a> {
     pub norm: FitNorm,
     /// Which of the equal decompositions is made.
     pub gauge: PlanGauge,
+    /// Whether the dresser dresses both worm flanks with one motion.
+    pub two_flanks: bool,
     /// Result grid: points over the profile and over the face width.
     pub grid: (usize, usize),
 }
@@ -128,6 +130,7 @@ impl PlanTask<'_> {
             free_dresser: self.free_dresser,
             norm: self.norm,
             gauge: self.gauge,
+            two_flanks: self.two_flanks,
         }
     }
 
@@ -369,16 +372,21 @@ impl PlanTask<'_> {
             Tool::Dressed(_) => Some(dresser_of_plan(self.setup, ideal, policy)?),
             Tool::Made | Tool::Given(_) => None,
         };
-        let make = |flank: Flank| match (&ideal.worms[flank], &dresser) {
-            (None, _) => Ok(None),
-            (Some(_), Some(dresser)) => dress_flank(self.setup, ideal, dresser, flank, policy, margin)
-                .map(|dressed| Some(PlannedTool::Dressed(Box::new(dressed)))),
-            (Some(_), None) => {
-                MadeFlank::of_plan(self.setup, ideal, flank, margin).map(|made| Some(PlannedTool::Made(made)))
+        let flanks = match &dresser {
+            Some(dresser) => {
+                let Sides { left, right } = dress_flanks(self.setup, ideal, dresser, policy, margin)?;
+                let tool = |dressed: DressedFlank| PlannedTool::Dressed(Box::new(dressed));
+                Sides { left: left.map(tool), right: right.map(tool) }
+            }
+            None => {
+                let make = |flank: Flank| {
+                    let worm = ideal.worms[flank].as_ref();
+                    worm.map(|_| MadeFlank::of_plan(self.setup, ideal, flank, margin)).transpose()
+                };
+                let (left, right) = rayon::join(|| make(Flank::Left), || make(Flank::Right));
+                Sides { left: left?.map(PlannedTool::Made), right: right?.map(PlannedTool::Made) }
             }
         };
-        let (left, right) = rayon::join(|| make(Flank::Left), || make(Flank::Right));
-        let flanks = Sides { left: left?, right: right? };
         let ground = |flank: Flank| {
             flanks[flank].as_ref().map(|tool| tool.ground(self.setup, flank, grid, &ideal.motion))
         };

@@ -17,6 +17,8 @@ pub struct ProfilePolicy {
     pub line_tolerance: f64,
     /// What a best fit makes small.
     pub norm: FitNorm,
+    /// The dresser dresses both worm flanks with one motion.
+    pub two_flanks: bool,
     /// Free coefficients of the decomposition per flank; `None`: gauge `centred`.
     pub gauge: Sides<Option<FreeCoefficients>>,
 }

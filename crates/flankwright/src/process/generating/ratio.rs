@@ -144,6 +144,7 @@ pub(super) struct Rule<'a> {
     pub free_dresser: bool,
     pub norm: FitNorm,
     pub gauge: PlanGauge,
+    pub two_flanks: bool,
 }
 
 /// Share of the tolerance by which a part of the target may miss the tool's lines before it is best-fitted instead.
@@ -200,7 +201,14 @@ impl Rule<'_> {
             PlanGauge::Given(free) => Sides::both(Some(free)),
             PlanGauge::Centred | PlanGauge::EqualSwivel => Sides { left: None, right: None },
         };
-        ProfilePolicy { place, free_dresser: self.free_dresser, line_tolerance, norm: self.norm, gauge }
+        ProfilePolicy {
+            place,
+            free_dresser: self.free_dresser,
+            line_tolerance,
+            norm: self.norm,
+            two_flanks: self.two_flanks,
+            gauge,
+        }
     }
 
     /// Judges a ratio; `Err` only if it cannot be evaluated.
@@ -216,13 +224,11 @@ impl Rule<'_> {
         let mut worst = (0, 0.0);
         if ratio != 0.0 && matches!(self.setup.tool, Tool::Dressed(_)) {
             let tool = dresser_of_plan(self.setup, &plan, policy)?;
-            for flank in self.which() {
-                for dk in sample_corrections(self.setup, &plan, &tool, flank, policy, SCORE_NODES)? {
-                    for j in 0..4 {
-                        let share = dk[j].abs() / self.limits.correction[j];
-                        if share > dressing_share {
-                            (dressing_share, worst) = (share, (j, dk[j].abs()));
-                        }
+            for dk in sample_corrections(self.setup, &plan, &tool, &self.which(), policy, SCORE_NODES)? {
+                for j in 0..4 {
+                    let share = dk[j].abs() / self.limits.correction[j];
+                    if share > dressing_share {
+                        (dressing_share, worst) = (share, (j, dk[j].abs()));
                     }
                 }
             }

@@ -94,8 +94,10 @@ pub struct GrindingSetup {
     pub pair: Pair,
     /// Pitch radius of the worm, mm.
     pub worm_pitch_radius: f64,
-    /// Tip radius of the worm, mm.
+    /// Tip radius of the worm, mm; of a conical one at z = 0.
     pub worm_tip_radius: f64,
+    /// Largest tip radius over the width of the worm, mm.
+    pub largest_tip_radius: f64,
     /// Root radius of the worm, mm.
     pub worm_root_radius: f64,
     /// Evaluation field per flank.
@@ -122,22 +124,25 @@ impl GrindingSetup {
     /// Impossible bodies, bodies that do not mesh, a worm without conjugate dresser.
     pub fn new(input: SetupInput) -> Result<Self, GeneratingError> {
         input.blank.check(&input.gear)?;
-        let Placed { made, pair, engaged, root_by_gear, fields, ranges } =
-            Placed::new(&input.gear, &input.blank, input.evaluation, &input.worm, input.root_clearance)?;
+        let Placed { made, pair, engaged, root_by_gear, fields, ranges } = Placed::new(
+            &input.gear,
+            &input.blank,
+            input.evaluation,
+            &input.worm,
+            input.worm_width,
+            input.root_clearance,
+        )?;
         let r_w1 = made.worm.pitch_radius();
         let (tool, root_radius) = match &input.dresser {
             None => (Tool::Made, root_by_gear),
-            Some(_) if !made.worm.is_cylindrical() => {
-                return Err(GeneratingError::ConicalWormNotDressed {
+            Some(_) if !made.worm.is_cylindrical() && input.worm_width.is_none() => {
+                return Err(GeneratingError::ConicalWormWithoutWidth {
                     cone_angle_deg: made.worm.data().cone_angle.to_degrees(),
                 });
             }
             Some(choice) => {
-                let (root, chain) = dressing_place(choice, &made.worm, &pair, root_by_gear)?;
-                (
-                    Tool::Dressed(Box::new(DresserTool::conjugate(&made.worm, Sides::both(chain), ranges)?)),
-                    root,
-                )
+                let (root, chains) = dressing_place(choice, &made.worm, root_by_gear);
+                (Tool::Dressed(Box::new(DresserTool::conjugate(&made.worm, chains, ranges)?)), root)
             }
         };
         check_depth(&made.worm, root_radius)?;
@@ -165,8 +170,11 @@ impl GrindingSetup {
             })
             .into_iter()
             .fold(f64::NEG_INFINITY, f64::max);
+        let cone = made.worm.data().cone_angle.tan().abs();
+        let largest_tip_radius = made.tip_radius + 0.5 * cone * input.worm_width.unwrap_or(0.0);
         Ok(Self {
             undercut,
+            largest_tip_radius,
             pair,
             worm_pitch_radius: r_w1,
             worm_tip_radius: made.tip_radius,
@@ -176,7 +184,7 @@ impl GrindingSetup {
             tool_direction,
             lines,
             root_cut: made.tip_radius - (engaged - input.blank.root_diameter / 2.0),
-            tip_short: reach - made.tip_radius,
+            tip_short: reach - largest_tip_radius,
             input,
         })
     }
@@ -222,6 +230,7 @@ impl Placed {
         blank: &Blank,
         evaluation: [f64; 4],
         worm: &WormChoice,
+        worm_width: Option<f64>,
         root_clearance: Option<f64>,
     ) -> Result<Self, GeneratingError> {
         let made = worm_for_gear(gear, worm)?;
@@ -247,10 +256,15 @@ impl Placed {
             let f = &pair.flanks[flank];
             let (a, b) = (forms[flank].w_a, forms[flank].w_f);
             let (mut w_nf, mut w_na) = (f.worm_roll(a, 0.0, 0.0), f.worm_roll(b, 0.0, 0.0));
-            if !pair.work.is_cylindrical() {
-                // The rack height of a given roll changes over the face width of a cone.
-                let lines = FlankLines::new(f, &fields[flank], 0.0);
-                let [low, high] = lines.worm_rolls(&MotionLaw::zero());
+            // The rack height of a given roll changes along a cone: over the face width of the gear, over the width of the worm.
+            let lines = FlankLines::new(f, &fields[flank], 0.0);
+            let shifts = match worm_width {
+                _ if pair.worm.is_cylindrical() && pair.work.is_cylindrical() => Vec::new(),
+                Some(width) if !pair.worm.is_cylindrical() => vec![-0.5 * width, 0.5 * width],
+                _ => vec![0.0],
+            };
+            for shift in shifts {
+                let [low, high] = lines.worm_rolls(&MotionLaw::polynomial(0.0, vec![shift]));
                 (w_nf, w_na) = (w_nf.min(low), w_na.max(high));
             }
             if w_nf > 0.0 {
@@ -276,13 +290,13 @@ pub(super) fn check_depth(worm: &Gear, root_radius: f64) -> Result<(), GeometryE
     })
 }
 
-/// Root radius of the worm and nominal dressing chain (spec 10 section 7).
+/// Root radius of the worm and nominal dressing chain of each flank (spec 10 section 7): the flanks of a conical worm are
+/// helicoids of different lead (spec 30 section 2).
 pub(super) fn dressing_place(
     choice: &DresserChoice,
     worm: &Gear,
-    pair: &Pair,
     root_by_gear: f64,
-) -> Result<(f64, DressingChain), GeneratingError> {
+) -> (f64, Sides<DressingChain>) {
     let r_w1 = worm.pitch_radius();
     let r_aa = choice.tip_diameter / 2.0;
     let (root_radius, d_a0) = match choice.pitch_diameter {
@@ -292,13 +306,15 @@ pub(super) fn dressing_place(
         }
         None => (root_by_gear, root_by_gear + r_aa),
     };
-    let p = pair.flanks.left.worm.base_radius / pair.flanks.left.worm.base_helix_angle.tan();
-    let chain = DressingChain {
-        worm_angle: -std::f64::consts::FRAC_PI_2,
-        crossing_angle: -(p / r_w1).atan(),
-        centre_distance: d_a0,
-        offset: 0.0,
-        screw_parameter: p,
-    };
-    Ok((root_radius, chain))
+    let chains = Sides::from_fn(|flank| {
+        let p = worm.screw_parameter(flank);
+        DressingChain {
+            worm_angle: -std::f64::consts::FRAC_PI_2,
+            crossing_angle: -(p / r_w1).atan(),
+            centre_distance: d_a0,
+            offset: 0.0,
+            screw_parameter: p,
+        }
+    });
+    (root_radius, chains)
 }

@@ -2,7 +2,7 @@
 
 use super::setup::{Placed, check_depth, dressing_place};
 use super::{DresserChoice, GeneratingError};
-use crate::geometry::{Blank, Gear, Sides, WormChoice};
+use crate::geometry::{Blank, Gear, WormChoice};
 use crate::process::dressing::catalogue::{DresserSize, Workshop};
 use crate::process::dressing::{DressingError, WormSeat};
 
@@ -22,21 +22,16 @@ pub struct GearWorkshop {
 impl Workshop for GearWorkshop {
     fn seat(&self, worm: &WormChoice, dresser: DresserSize) -> Result<WormSeat, DressingError> {
         let place = || -> Result<WormSeat, GeneratingError> {
-            let placed = Placed::new(&self.gear, &self.blank, self.evaluation, worm, self.root_clearance)?;
+            let (gear, blank) = (&self.gear, &self.blank);
+            let placed = Placed::new(gear, blank, self.evaluation, worm, None, self.root_clearance)?;
             let choice = DresserChoice {
                 tip_diameter: 2.0 * dresser.tip_radius,
                 pitch_diameter: dresser.pitch_radius.map(|r| 2.0 * r),
             };
             let made = placed.made;
-            let (root_radius, chain) =
-                dressing_place(&choice, &made.worm, &placed.pair, placed.root_by_gear)?;
+            let (root_radius, chains) = dressing_place(&choice, &made.worm, placed.root_by_gear);
             check_depth(&made.worm, root_radius)?;
-            Ok(WormSeat {
-                worm: made.worm,
-                chains: Sides::both(chain),
-                ranges: placed.ranges,
-                tip_radius: made.tip_radius,
-            })
+            Ok(WormSeat { worm: made.worm, chains, ranges: placed.ranges, tip_radius: made.tip_radius })
         };
         place().map_err(|error| match error {
             GeneratingError::Geometry(e) => e.into(),

@@ -1,7 +1,7 @@
 //! `explore.json`, `explore.csv` and `explore.html` of a study. Every file appears whole or not at all.
 
 use super::{ExploreCandidate, ExploreOutcome};
-use crate::exchange::{Cell, Column, CsvError, CsvTable, write_atomically};
+use crate::exchange::{Cell, Column, CsvError, CsvTable};
 use crate::geometry::Flank;
 use crate::report::charts::{
     ChartError, LineChart, Panel, Series, Svg, YScale, format_significant, line_chart,
@@ -9,7 +9,7 @@ use crate::report::charts::{
 use crate::report::{
     Banner, Block, Column as PageColumn, Fact, Figure, PlanReport, Section, Status, Table, html,
 };
-use crate::workflow::write::WriteError;
+use crate::workflow::write::{WriteError, write_study};
 use std::path::{Path, PathBuf};
 
 /// Lines of the chart; of more worms those with the best candidates are drawn.
@@ -22,22 +22,7 @@ const ROWS: usize = 200;
 /// # Errors
 /// [`WriteError`]; files written before the error stay.
 pub fn write_exploration(outcome: &ExploreOutcome, directory: &Path) -> Result<Vec<PathBuf>, WriteError> {
-    let mut document = serde_json::to_vec_pretty(outcome)?;
-    document.push(b'\n');
-    let files = [
-        ("explore.json", document),
-        ("explore.csv", table(outcome)?.text().as_bytes().to_vec()),
-        ("explore.html", html::render(&page(outcome)?).into_bytes()),
-    ];
-    let mut written = Vec::with_capacity(files.len());
-    for (name, bytes) in files {
-        let path = directory.join(name);
-        let failed = |source| WriteError::Io { path: path.clone(), source };
-        std::fs::create_dir_all(directory).map_err(failed)?;
-        write_atomically(&path, &bytes).map_err(failed)?;
-        written.push(path);
-    }
-    Ok(written)
+    write_study(outcome, table(outcome)?.text(), &html::render(&page(outcome)?), directory)
 }
 
 /// All combinations in the order of the ranking.

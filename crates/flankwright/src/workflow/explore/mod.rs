@@ -80,7 +80,7 @@ enum Ratios {
 /// job as it stands unless one of the combinations mends it. A combination that fails is listed with its code.
 pub fn explore_job(loaded: &LoadedJob, progress: &dyn Progress) -> Result<ExploreOutcome, RunFailure> {
     supported(&loaded.job)?;
-    let explore = loaded.job.explore.unwrap_or_default();
+    let explore = loaded.job.explore.clone().unwrap_or_default();
     let nothing = explore == Explore::default();
     let count = |steps: Option<Steps>| steps.map_or(1, |s| s.count);
     let worms = count(explore.worm_cone_angle_deg).saturating_mul(count(explore.crossed_axes_angle_deg));

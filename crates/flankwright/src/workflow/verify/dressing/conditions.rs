@@ -9,8 +9,8 @@ use super::{UM, corrections, limits};
 use crate::geometry::Flank;
 use crate::kinematics::DressingCorrection;
 use crate::process::dressing::{
-    Condition, ConditionSolver, DressedProfile, DressingError, ProfilePoint, TiltChart, head_gradient,
-    stretch,
+    Condition, ConditionSolver, DressedProfile, DressingError, PathReason, ProfilePoint, TiltChart,
+    head_gradient, stretch,
 };
 use serde_json::Value;
 
@@ -165,7 +165,9 @@ fn refusal(found: Result<DressingCorrection, DressingError>, item: &mut Expected
     let (name, status, reached) = match &found {
         Ok(_) => (Value::Null, Value::Null, f64::NAN),
         Err(DressingError::NoZero { fraction, reason, .. }) => {
-            ("NoZero".into(), reason.replace(' ', "_").into(), *fraction)
+            // The series of the files have no end: beyond it their paths run on until rounding turns them, which they call a fold.
+            let ended = if *reason == PathReason::OutOfDresser { PathReason::Fold } else { *reason };
+            ("NoZero".into(), ended.to_string().replace(' ', "_").into(), *fraction)
         }
         Err(other) => (other.code().into(), Value::Null, f64::NAN),
     };

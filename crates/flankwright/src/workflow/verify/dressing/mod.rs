@@ -4,6 +4,7 @@ mod bodies;
 mod conditions;
 mod corrections;
 mod limits;
+mod machine;
 mod motion;
 mod other_worms;
 mod profiles;
@@ -18,7 +19,7 @@ use serde_json::Value;
 const UM: f64 = 1e-3;
 
 /// Blocks that later stages of the library compute.
-const TO_COME: [&str; 5] = ["limits", "compensation", "axis_deviation", "machine", "multi_stroke"];
+const TO_COME: [&str; 4] = ["limits", "compensation", "axis_deviation", "multi_stroke"];
 
 /// Block `cases`.
 pub(in crate::workflow::verify) fn cases(_: &Reference<'_>, block: &Value, ledger: &mut Ledger) {
@@ -86,6 +87,9 @@ fn one(bodies: &Bodies, case: &mut Expected<'_>, ledger: &mut Ledger) {
     let tolerance = case.peek("dresser").map_or(&Value::Null, |dresser| &dresser["left"]["tolerance"]);
     if let Some(item) = case.object("parallel_axes", ledger) {
         checked(item, ledger, |item, ledger| profiles::parallel_axes(bodies, tolerance, item, ledger));
+    }
+    if let Some(item) = case.object("machine", ledger) {
+        checked(item, ledger, machine::machine);
     }
     for key in TO_COME {
         case.not_covered(key, ledger);

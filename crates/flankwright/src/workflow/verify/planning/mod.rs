@@ -57,6 +57,7 @@ fn one(
         law: None,
         norm: FitNorm::default(),
         gauge: PlanGauge::default(),
+        two_flanks: false,
         places: input.places(),
         free_dresser: true,
         precompensation: true,

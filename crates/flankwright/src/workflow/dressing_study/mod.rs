@@ -1,0 +1,154 @@
+//! Studies of dressing: corrections and stretch over the profile crowning, the dressed profile, a dresser on other worms
+//! (spec 30 sections 9, 12 and 21). Knows no user interface.
+
+mod bodies;
+mod crowning;
+mod files;
+mod profile;
+mod worms;
+
+pub use crowning::{CrowningCurve, CrowningPoint, CurveEnd};
+pub use files::write_dressing_study;
+pub use profile::ProfileCurve;
+pub use worms::{WormCurve, WormPoint};
+
+use super::finding::RunFailure;
+use crate::exchange::job::{DressingStudy, Steps, StudyOver};
+use crate::exchange::{Diagnostic, LoadedJob, Problem};
+use crate::numerics::Progress;
+use bodies::Bodies;
+use rayon::prelude::*;
+use serde::Serialize;
+use worms::Along;
+
+/// What a study found: the document of `explore.json`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct DressingStudyOutcome {
+    /// Name of the job.
+    pub job: String,
+    /// Process.
+    pub process: String,
+    /// Version of flankwright.
+    pub version: &'static str,
+    /// What runs along the abscissa.
+    pub over: &'static str,
+    /// Flank of the worm.
+    pub flank: &'static str,
+    /// The curves.
+    #[serde(flatten)]
+    pub curves: StudyCurves,
+}
+
+/// The curves of a study.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum StudyCurves {
+    /// Over the crowning.
+    Crowning(Vec<CrowningCurve>),
+    /// Over the length of roll.
+    Profile(Vec<ProfileCurve>),
+    /// Over the diameter or the pressure angle of the worm.
+    Worms(Vec<WormCurve>),
+}
+
+impl DressingStudyOutcome {
+    /// Whether at least one curve has points.
+    pub fn is_producible(&self) -> bool {
+        match &self.curves {
+            StudyCurves::Crowning(curves) => curves.iter().any(|c| !c.points.is_empty()),
+            StudyCurves::Profile(curves) => curves.iter().any(|c| c.refused.is_none()),
+            StudyCurves::Worms(curves) => curves.iter().any(|c| !c.points.is_empty()),
+        }
+    }
+
+    /// The study in a few lines of text.
+    pub fn summary(&self) -> String {
+        let mut text = format!("{}: dressing of the {} flank over {}\n", self.job, self.flank, self.over);
+        for (name, says) in self.lines() {
+            let name = if name.is_empty() { "worm and dresser of the job" } else { name };
+            text += &format!("  {name:<24} {says}\n");
+        }
+        text
+    }
+
+    fn lines(&self) -> Vec<(&str, String)> {
+        match &self.curves {
+            StudyCurves::Crowning(curves) => {
+                curves.iter().map(|c| (c.bodies.as_str(), c.summary())).collect()
+            }
+            StudyCurves::Profile(curves) => curves.iter().map(|c| (c.name.as_str(), c.summary())).collect(),
+            StudyCurves::Worms(curves) => curves.iter().map(|c| (c.bodies.as_str(), c.summary())).collect(),
+        }
+    }
+}
+
+/// Carries out the dressing study of a job.
+///
+/// # Errors
+/// A finding where the job has no such study; bodies that are impossible are curves that say why.
+pub fn study_dressing(
+    loaded: &LoadedJob,
+    progress: &dyn Progress,
+) -> Result<DressingStudyOutcome, RunFailure> {
+    let study =
+        loaded.job.explore.as_ref().and_then(|explore| explore.dressing.as_ref()).ok_or_else(|| {
+            let finding = Diagnostic::new(Problem::MissingKey, "the job has no study of dressing")
+                .field("explore.dressing")
+                .way_out("add a table [explore.dressing] with `over`");
+            RunFailure::bad_input(finding)
+        })?;
+    let flank = study.flank;
+    let compare = study.compare.as_ref();
+    let worms = |along: Along, steps: Option<Steps>| -> Result<StudyCurves, RunFailure> {
+        let steps = steps.ok_or_else(|| missing(study))?;
+        let study = worms::Study { loaded, flank, along, steps, diameter: study.at_worm_pitch_diameter };
+        let all = worms::Study::curves(compare);
+        Ok(StudyCurves::Worms(of_each(&all, progress, |changes| study.curve(changes))))
+    };
+    let curves = match study.over {
+        StudyOver::Crowning => {
+            let all = Bodies::compared(loaded, compare);
+            let land = loaded.job.dresser.as_ref().and_then(|d| d.tip_land);
+            let curve = |bodies: &Bodies| crowning::curve(bodies, flank, study.crowning_um.as_ref(), land);
+            StudyCurves::Crowning(of_each(&all, progress, curve))
+        }
+        StudyOver::Profile => {
+            let steps = study.crowning_um.ok_or_else(|| missing(study))?;
+            let all = Bodies::compared(loaded, compare);
+            let curves = of_each(&all, progress, |bodies| profile::curves(bodies, flank, &steps));
+            StudyCurves::Profile(curves.into_iter().flatten().collect())
+        }
+        StudyOver::WormDiameter => worms(Along::Diameter, study.worm_pitch_diameter)?,
+        StudyOver::PressureAngle => worms(Along::PressureAngle, study.normal_pressure_angle_deg)?,
+    };
+    Ok(DressingStudyOutcome {
+        job: loaded.job.job.name.clone(),
+        process: loaded.job.job.process.name().to_string(),
+        version: env!("CARGO_PKG_VERSION"),
+        over: study.over.name(),
+        flank: flank.name(),
+        curves,
+    })
+}
+
+/// The finding on a study without its steps; a job that was read has them.
+fn missing(study: &DressingStudy) -> RunFailure {
+    let text = format!("a study over \"{}\" needs its steps", study.over.name());
+    let finding = Diagnostic::new(Problem::MissingKey, text).field("explore.dressing");
+    RunFailure::bad_input(finding.way_out("add the values, e.g. { from = .., to = .., count = 21 }"))
+}
+
+/// What `study` finds for each entry, in their order.
+fn of_each<B: Sync, T: Send>(all: &[B], progress: &dyn Progress, study: impl Fn(&B) -> T + Sync) -> Vec<T> {
+    progress.start("curves", all.len() as u64);
+    let found = all
+        .par_iter()
+        .map(|bodies| {
+            let found = study(bodies);
+            progress.advance(1);
+            found
+        })
+        .collect();
+    progress.finish();
+    found
+}
