@@ -1,6 +1,7 @@
 //! Errors of dressing (spec 30 section 18).
 
 use crate::geometry::{Flank, GeometryError};
+use crate::kinematics::MachineError;
 use thiserror::Error;
 
 /// What can go wrong between dresser and worm. Lengths mm.
@@ -9,6 +10,9 @@ pub enum DressingError {
     /// A body is impossible by itself.
     #[error(transparent)]
     Geometry(#[from] GeometryError),
+    /// The machine cannot take up the poses of a dressing motion.
+    #[error(transparent)]
+    Machine(#[from] MachineError),
     /// A number that is not usable.
     #[error("{field} = {value} is not usable; allowed: {allowed}")]
     InvalidNumber {
@@ -85,6 +89,7 @@ impl DressingError {
     pub fn code(&self) -> &'static str {
         match self {
             Self::Geometry(e) => e.code(),
+            Self::Machine(e) => e.code(),
             Self::InvalidNumber { .. } => "invalid-number",
             Self::NoConjugate { .. } => "no-conjugate",
             Self::NoContact { .. } => "no-contact",
@@ -100,6 +105,7 @@ impl DressingError {
     pub fn way_out(&self) -> &'static str {
         match self {
             Self::Geometry(e) => e.way_out(),
+            Self::Machine(e) => e.way_out(),
             Self::InvalidNumber { .. } => "give a value inside the allowed range",
             Self::NoConjugate { .. } => "use a larger worm, fewer threads or a smaller dresser",
             Self::NoContact { .. } | Self::OutOfDresser { .. } => {
