@@ -1,5 +1,6 @@
 //! Dressing a grinding worm with a disc dresser in line contact (spec 30): settings DK -> worm flank, and back.
 
+mod axis_influence;
 pub mod catalogue;
 mod characteristics;
 mod clearance;
@@ -15,19 +16,24 @@ mod dresser_section;
 mod envelope;
 mod error;
 mod forward;
+mod machine_choice;
+mod machine_motion;
 mod nominal;
 mod other_worm;
 mod path_reason;
 mod placement;
 mod profile_fit;
+mod section_outline;
 mod stretch_angle;
 mod swept_circle;
 mod tilt_chart;
 mod topological;
 mod two_flanks;
+mod undermining;
 
+pub use axis_influence::WormContact;
 pub use characteristics::{full_tip_land, quasi_static_modification, stretch};
-pub use clearance::{Clearance, ThreadSpace, WormFlank};
+pub use clearance::{Clearance, ThreadSpace};
 pub use condition_sets::{
     PitchPoint, four_points, map_of_upper_end, shift_through, three_points, three_points_with_map,
     two_flank_points, two_points,
@@ -35,15 +41,6 @@ pub use condition_sets::{
 pub use condition_solver::ConditionSolver;
 pub use conditions::Condition;
 pub use conditions_along::{ConditionsAlong, RowAlong};
-mod section_outline;
-mod swept_circle;
-mod tilt_chart;
-mod topological;
-mod undermining;
-
-pub use characteristics::{full_tip_land, quasi_static_modification, stretch};
-pub use clearance::{Clearance, ThreadSpace};
-pub use conditions::{Condition, ConditionSolver};
 pub use contact_line::ContactLine;
 pub use crowning_range::{CrowningEnd, CrowningLimits, CrowningPoint, CrowningRange, CrowningRows};
 pub use dresser::{DresserTool, FlankDresser, GeometricRange};
@@ -51,6 +48,10 @@ pub use dresser_section::{DresserSection, SectionPart};
 pub use envelope::{DressedWorm, EnvelopePoint, dressing_motion};
 pub use error::DressingError;
 pub use forward::{DressedProfile, ProfilePoint, head_gradient};
+pub use machine_choice::{AxisCriterion, MachineChoice, SwivelChoice};
+pub use machine_motion::{
+    AxisReversal, AxisUncertainty, MachineMotion, MachineRow, MachineTask, MachineWay, SwivelLaw,
+};
 pub use nominal::{NominalContact, nominal_contact};
 pub use other_worm::WormSeat;
 pub use path_reason::PathReason;
@@ -61,11 +62,9 @@ pub use profile_fit::{
 pub use section_outline::{SectionOutline, ShownWorm};
 pub use stretch_angle::{StretchAngle, angle_of_least_stretch};
 pub use tilt_chart::TiltChart;
-pub use tilt_chart::TiltChart;
 pub use topological::{
     NodePlan, NodeSolution, pitch_rolls, residue_of_motion, solve_conditions_along, solve_conditions_at,
     solve_dressing_motion, solve_node,
 };
-pub use topological::{NodePlan, NodeSolution, pitch_rolls, solve_dressing_motion, solve_node};
 pub use two_flanks::{TwoFlankWish, solve_two_flank_motion, solve_two_flank_node, two_flank_rolls};
 pub use undermining::WormFlank;
