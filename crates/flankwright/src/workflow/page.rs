@@ -390,6 +390,7 @@ pub fn html_page(
                 .collect(),
         }),
         occupation: outcome.result.settings.partition.as_ref().map(|p| p.chart().clone()),
+        sections: outcome.sections.clone(),
         grinding_motion: Some(grinding_motion(outcome)),
         dressing: Sides::from_fn(|flank| dressing_motion(outcome, flank)),
         warnings: result

@@ -14,6 +14,7 @@ use crate::geometry::{Flank, Sides};
 use crate::metrology::Topography;
 use crate::numerics::Progress;
 use crate::process::generating::{GrindingPlan, RatioReason, natural_twist};
+use crate::report::charts::DressingSectionChart;
 use std::collections::BTreeMap;
 use std::time::Instant;
 
@@ -29,6 +30,8 @@ pub struct Outcome {
     pub plan: Option<GrindingPlan>,
     /// What the referee found.
     pub verdicts: Sides<Option<Verdict>>,
+    /// The dresser in the thread space where it has least room, a picture for each flank that is dressed alone.
+    pub sections: Vec<DressingSectionChart>,
 }
 
 fn prepared(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
@@ -208,7 +211,7 @@ fn finish(
         }),
         timing_s: timing,
     };
-    Ok(Outcome { result, prepared, execution, plan, verdicts })
+    Ok(Outcome { result, prepared, execution, plan, verdicts, sections: tip_lands.pictures })
 }
 
 /// Largest |deviation| over the tolerance at its place.

@@ -6,11 +6,17 @@ use super::finding::{Remark, RunFailure};
 use super::prepare::Prepared;
 use crate::exchange::job::{DressingFlanks, Job};
 use crate::geometry::{Flank, Sides};
-use crate::process::generating::{GeneratingError, largest_tip_land};
+use crate::process::dressing::{SectionOutline, SectionPart};
+use crate::process::generating::{GeneratingError, LeastRoom};
+use crate::report::charts::{
+    DressingSectionChart, MarkedClearance, SectionKind, SectionStretch, SpaceFlank, format_significant,
+};
 
 /// The largest tip lands by flank, mm: absent where no flank is dressed alone.
 pub(super) struct TipLands {
     pub largest: Sides<Option<f64>>,
+    /// The dresser in the thread space where it has least room.
+    pub pictures: Vec<DressingSectionChart>,
     pub warnings: Vec<Remark>,
 }
 
@@ -35,7 +41,8 @@ impl TipLands {
         execution: &Execution,
         planned: bool,
     ) -> Result<Self, RunFailure> {
-        let mut found = Self { largest: Sides { left: None, right: None }, warnings: Vec::new() };
+        let mut found =
+            Self { largest: Sides { left: None, right: None }, pictures: Vec::new(), warnings: Vec::new() };
         // Both flanks at once: the flank across the space is dressed as well.
         let (Some(dresser), DressingFlanks::One) = (&execution.dresser, job.dressing.flanks) else {
             return Ok(found);
@@ -46,30 +53,74 @@ impl TipLands {
             let Some(dressing) = execution.flanks[flank].as_ref().and_then(|f| f.dressing()) else {
                 continue;
             };
-            match largest_tip_land(&prepared.setup, dresser, flank, &dressing.corrections, left_out) {
-                Ok(largest) if largest.is_some_and(|largest| given.is_none_or(|land| land <= largest)) => {
-                    found.largest[flank] = largest;
-                }
-                Ok(largest) => {
-                    let cut = GeneratingError::CounterFlankCut { flank, land: given, largest };
-                    if planned {
-                        return Err(RunFailure::on_field(&cut, "dresser.tip_land"));
-                    }
-                    found.largest[flank] = largest;
+            let room = LeastRoom::of_motion(&prepared.setup, dresser, flank, &dressing.corrections, left_out);
+            let room = match room {
+                Ok(room) => room,
+                Err(error) => {
                     found.warnings.push(Remark {
-                        code: cut.code(),
-                        text: cut.to_string(),
-                        way_out: cut.way_out(),
+                        code: "tip-land-unknown",
+                        text: format!("the clearance of the {} flank is not known: {error}", flank.other()),
+                        way_out: error.way_out(),
                     });
+                    continue;
                 }
-                Err(error) => found.warnings.push(Remark {
-                    code: "tip-land-unknown",
-                    text: format!("the clearance of the {} flank is not known: {error}", flank.other()),
-                    way_out: error.way_out(),
-                }),
+            };
+            found.largest[flank] = room.tip_land;
+            if room.tip_land.is_none_or(|largest| given.is_some_and(|land| land > largest)) {
+                let cut = GeneratingError::CounterFlankCut { flank, land: given, largest: room.tip_land };
+                if planned {
+                    return Err(RunFailure::on_field(&cut, "dresser.tip_land"));
+                }
+                found.warnings.push(Remark {
+                    code: cut.code(),
+                    text: cut.to_string(),
+                    way_out: cut.way_out(),
+                });
+            }
+            let land = given.or(room.tip_land).unwrap_or(0.0);
+            // A section that cannot be drawn takes nothing from the figures.
+            if let Ok(outline) = room.outline(&prepared.setup, dresser, flank, land, left_out) {
+                found.pictures.push(picture(&outline, flank, land));
             }
         }
         Ok(found)
+    }
+}
+
+/// The picture of a section: the dresser dresses `flank` with a tip land, mm.
+fn picture(outline: &SectionOutline, flank: Flank, land: f64) -> DressingSectionChart {
+    let space = |side: Flank| SpaceFlank {
+        name: format!("{side} flank{}", if side == flank { ", dressed" } else { "" }),
+        line_mm: outline.space[side].clone(),
+        used_radius_mm: outline.used_radii[side],
+        clearance: outline.closest[side].filter(|_| side != flank).map(|(at, [dresser, worm])| {
+            MarkedClearance {
+                normal_mm: at.f,
+                dresser_mm: dresser,
+                flank_mm: worm,
+                dresser_radius_mm: at.circle[0],
+            }
+        }),
+    };
+    let mut flanks = [space(Flank::Left), space(Flank::Right)];
+    let first = |flank: &SpaceFlank| flank.line_mm.first().map_or(0.0, |point| point[0]);
+    if first(&flanks[0]) > first(&flanks[1]) {
+        flanks.reverse();
+    }
+    let kind = |part: &SectionPart| match part {
+        SectionPart::ActiveFlank => SectionKind::ActiveFlank,
+        SectionPart::TipLand => SectionKind::TipLand,
+        SectionPart::CounterFlank => SectionKind::CounterFlank,
+    };
+    DressingSectionChart {
+        title: format!("Dressing the {flank} flank: section through the thread space"),
+        subtitle: format!("where there is least room; tip land {} mm", format_significant(land, 4)),
+        flanks,
+        dresser: outline
+            .dresser
+            .iter()
+            .map(|(part, line)| SectionStretch { kind: kind(part), line_mm: line.clone() })
+            .collect(),
     }
 }
 

@@ -178,6 +178,7 @@ pub fn met() -> GeneratingReport {
             ],
         }),
         occupation: None,
+        sections: Vec::new(),
         grinding_motion: Some(GrindingMotion {
             z_v1_mm: feed.iter().map(|z| -1.916_05 * z).collect(),
             delta_d_um: feed.iter().map(|z| 0.04 * (z / 21.0).powi(2)).collect(),

@@ -69,7 +69,7 @@ pub use setup::{DresserChoice, DressingLimits, GrindingSetup, ProfilePlace, Setu
 pub use share::Command;
 pub use strokes::Strokes;
 pub use target::{Carrier, ClassFit, FlankTarget};
-pub use tip_land::largest_tip_land;
+pub use tip_land::LeastRoom;
 pub use variable_ratio::VariableRatio;
 pub use workshop::GearWorkshop;
 pub use worm_function::IdealWorm;

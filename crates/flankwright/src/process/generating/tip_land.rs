@@ -2,37 +2,85 @@
 //! function.
 
 use super::{GeneratingError, GrindingSetup};
-use crate::geometry::Flank;
+use crate::geometry::{Flank, Sides};
+use crate::kinematics::DressingCorrection;
 use crate::numerics::{Chebyshev, equidistant};
-use crate::process::dressing::{DresserSection, DresserTool, ThreadSpace};
+use crate::process::dressing::{
+    DresserSection, DresserTool, SectionOutline, ShownWorm, ThreadSpace, WormFlank,
+};
+
+/// Where along the worm the dresser has least room.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LeastRoom {
+    /// The largest tip land with which the counter flank is spared there, mm; `None` if a dresser without land cuts into it.
+    pub tip_land: Option<f64>,
+    /// DK there.
+    pub dk: DressingCorrection,
+}
 
 /// Worm positions at which the clearance is looked at: DK(v) is smooth.
 const POSITIONS: usize = 17;
 
-/// The largest tip land of the dresser with which the motion DK(v) of one flank spares the flank across the thread space, mm;
-/// `None` if a dresser without land cuts into it. `left_out`: threads removed across the space.
-///
-/// # Errors
-/// Those of [`DresserSection`].
-pub fn largest_tip_land(
-    setup: &GrindingSetup,
-    tool: &DresserTool,
-    flank: Flank,
-    corrections: &[Chebyshev; 4],
-    left_out: u32,
-) -> Result<Option<f64>, GeneratingError> {
-    let Some(choice) = &setup.input.dresser else { return Err(GeneratingError::NotDressed) };
-    let section = DresserSection::new(tool, flank, 0.5 * choice.tip_diameter)?;
-    let width = setup.input.worm_width.map(|width| [-0.5 * width, 0.5 * width]);
-    let space = ThreadSpace { left_out, width };
-    let (from, to) = corrections[0].interval();
-    let mut least: Option<f64> = None;
-    for v in equidistant([from, to], POSITIONS) {
-        let dk = std::array::from_fn(|j| corrections[j].value(v));
-        match section.largest_tip_land(&dk, 0.0, space)? {
-            Some(land) => least = Some(least.map_or(land, |least| least.min(land))),
-            None => return Ok(None),
+impl LeastRoom {
+    /// For the motion DK(v) of one flank. `left_out`: threads removed across the space.
+    ///
+    /// # Errors
+    /// Those of [`DresserSection`].
+    pub fn of_motion(
+        setup: &GrindingSetup,
+        tool: &DresserTool,
+        flank: Flank,
+        corrections: &[Chebyshev; 4],
+        left_out: u32,
+    ) -> Result<Self, GeneratingError> {
+        let section = section(setup, tool, flank)?;
+        let width = setup.input.worm_width.map(|width| [-0.5 * width, 0.5 * width]);
+        let space = ThreadSpace { left_out, width };
+        let (from, to) = corrections[0].interval();
+        let mut least: Option<Self> = None;
+        for v in equidistant([from, to], POSITIONS) {
+            let dk = std::array::from_fn(|j| corrections[j].value(v));
+            let here = Self { tip_land: section.largest_tip_land(&dk, 0.0, space)?, dk };
+            if here.tip_land.is_none() {
+                return Ok(here);
+            }
+            if least.is_none_or(|least| here.tip_land < least.tip_land) {
+                least = Some(here);
+            }
         }
+        least.ok_or(GeneratingError::NotDressed)
     }
-    Ok(least)
+
+    /// Thread space and dresser with a tip land there, as a picture shows them; a conical worm at z = 0.
+    ///
+    /// # Errors
+    /// Those of [`DresserSection::outline`].
+    pub fn outline(
+        &self,
+        setup: &GrindingSetup,
+        tool: &DresserTool,
+        flank: Flank,
+        tip_land: f64,
+        left_out: u32,
+    ) -> Result<SectionOutline, GeneratingError> {
+        let worm = ShownWorm {
+            flanks: Sides::from_fn(|flank| WormFlank {
+                flank: tool.flanks[flank].worm,
+                range: tool.flanks[flank].range,
+            }),
+            left_out,
+            radii: [setup.worm_root_radius, setup.worm_tip_radius],
+            b: 0.0,
+        };
+        Ok(section(setup, tool, flank)?.outline(&self.dk, tip_land, &worm)?)
+    }
+}
+
+fn section<'a>(
+    setup: &GrindingSetup,
+    tool: &'a DresserTool,
+    flank: Flank,
+) -> Result<DresserSection<'a>, GeneratingError> {
+    let Some(choice) = &setup.input.dresser else { return Err(GeneratingError::NotDressed) };
+    Ok(DresserSection::new(tool, flank, 0.5 * choice.tip_diameter)?)
 }

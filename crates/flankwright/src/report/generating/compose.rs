@@ -2,7 +2,9 @@
 
 use super::data::{GeneratingReport, RatioChoice, Verification};
 use super::{motions, result, topographies};
-use crate::report::charts::{ChartError, format_fixed, format_significant, worm_occupation_chart};
+use crate::report::charts::{
+    ChartError, dressing_section_chart, format_fixed, format_significant, worm_occupation_chart,
+};
 use crate::report::{Block, Column, Fact, Figure, PlanReport, Section, Table};
 
 impl GeneratingReport {
@@ -20,6 +22,7 @@ impl GeneratingReport {
             Section::new("Profile and helix", topographies::diagram(&self.flanks)?),
             Section::new("Grinding motion", motions::grinding(self.grinding_motion.as_ref())?),
             Section::new("Dressing corrections", motions::dressing(&self.dressing)?),
+            Section::new("Room for the dresser", sections(self)?),
             Section::new(
                 "How it was verified",
                 self.verification.as_ref().map(verification).unwrap_or_default(),
@@ -151,6 +154,16 @@ fn grouped(count: u64) -> String {
         text.push(digit);
     }
     text
+}
+
+/// The dresser in the thread space.
+fn sections(report: &GeneratingReport) -> Result<Vec<Block>, ChartError> {
+    let caption = "What the dresser sweeps in a plane through the worm axis, at the worm position with the least clearance of the \
+        flank that is not dressed.";
+    let figure = |chart| {
+        Ok(Block::Figure(Figure { svg: dressing_section_chart(chart)?, caption: caption.to_owned() }))
+    };
+    report.sections.iter().map(figure).collect()
 }
 
 fn time_and_files(report: &GeneratingReport) -> Vec<Block> {

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::geometry::Sides;
-use crate::report::charts::{SectionTrace, Topography, WormOccupationChart};
+use crate::report::charts::{DressingSectionChart, SectionTrace, Topography, WormOccupationChart};
 use crate::report::{Quantity, Status, Warning};
 
 /// Everything that the report of a generating-grinding job can show.
@@ -38,6 +38,8 @@ pub struct GeneratingReport {
     pub ratio: Option<RatioChoice>,
     /// Who uses which part of the tool.
     pub occupation: Option<WormOccupationChart>,
+    /// Sections through dresser and thread space.
+    pub sections: Vec<DressingSectionChart>,
     /// The grinding motion over the feed.
     pub grinding_motion: Option<GrindingMotion>,
     /// Dressing corrections per flank; both equal if both flanks are dressed with one motion.
