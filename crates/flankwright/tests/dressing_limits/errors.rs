@@ -3,7 +3,9 @@
 use crate::setup::Choice;
 use flankwright::geometry::{Flank, Sides};
 use flankwright::kinematics::DressingCorrection;
-use flankwright::process::dressing::{DresserSection, DressingError, ShownWorm, ThreadSpace, WormFlank};
+use flankwright::process::dressing::{
+    DresserSection, DressingError, SectionPart, ShownWorm, ThreadSpace, WormFlank,
+};
 
 const STILL: DressingCorrection = [0.0; 4];
 
@@ -37,6 +39,11 @@ fn lands_limits_and_threads_that_do_not_exist_are_refused() {
     let tool = choice.tool();
     let section = DresserSection::new(&tool, Flank::Left, choice.tip_radius()).unwrap();
     let full = section.full_land();
+    // The land runs between both flanks on the outside cylinder.
+    for share in [0.0, 1.0] {
+        let [r, _] = section.point(SectionPart::TipLand, share, full).unwrap();
+        assert_eq!((r, section.tip_radius()), (61.5, 61.5));
+    }
     for land in [-1e-6, full + 1e-6, f64::NAN, f64::INFINITY] {
         let found = section.counter_flank_clearance(&STILL, land, 0.into());
         refused(found, "tip-land", &[&format!("0 to {full:.4}")]);
@@ -62,11 +69,7 @@ fn lands_limits_and_threads_that_do_not_exist_are_refused() {
     }
     // A disc that stands across the thread touches it with no circle of its flank.
     refused(section.counter_flank(&[0.0, 0.9, 0.0, 0.0], 1.0, 0.into()), "no-contact", &["left flank"]);
-    refused(
-        section.point(flankwright::process::dressing::SectionPart::TipLand, 1.1, 1.0),
-        "invalid-number",
-        &["0 .. 1"],
-    );
+    refused(section.point(SectionPart::TipLand, 1.1, 1.0), "invalid-number", &["0 .. 1"]);
 }
 
 #[test]
