@@ -66,7 +66,8 @@ fn limits(c: &mut Criterion) {
     let tool = tool();
     let section = DresserSection::new(&tool, Flank::Left, 61.5).expect("section");
     // A profile crowning of 10 um: the counter flank collides with a land of 1 mm.
-    let dk = [-1.9f64.to_radians(), -(6.7f64.to_radians()), -2.7, 10.0];
+    let dk =
+        [-(3.4911511956285777f64.to_radians()), -(6.194639376234722f64.to_radians()), -2.72154, 11.75636];
     c.bench_function("section of a dresser", |b| {
         b.iter(|| DresserSection::new(black_box(&tool), Flank::Left, 61.5).expect("section"));
     });

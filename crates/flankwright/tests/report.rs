@@ -4,9 +4,10 @@ mod report_sample;
 
 use flankwright::geometry::{Flank, Sides};
 use flankwright::report::charts::{
-    ChartError, ContourMap, FlankSections, LevelScale, LineChart, NamedTopography, OccupationBar,
-    OccupationKind, OccupationRow, Panel, ProfileHelixDiagram, SectionTrace, Series, Svg, Topography,
-    TopographyNet, WormOccupationChart, YScale, contour_map, format_fixed, format_significant, line_chart,
+    ChartError, ContourMap, DressingSectionChart, FlankSections, LevelScale, LineChart, MarkedClearance,
+    NamedTopography, OccupationBar, OccupationKind, OccupationRow, Panel, ProfileHelixDiagram, SectionKind,
+    SectionStretch, SectionTrace, Series, SpaceFlank, Svg, Topography, TopographyNet, WormOccupationChart,
+    YScale, contour_map, dressing_section_chart, format_fixed, format_significant, line_chart,
     profile_helix_diagram, topography_net, worm_occupation_chart,
 };
 use flankwright::report::{
@@ -205,6 +206,106 @@ fn occupations_that_cannot_be_drawn_are_refused() {
     assert_eq!(code(&|c| c.width_mm[0] = f64::NAN), "invalid-number");
     assert_eq!(code(&|c| c.rows[0].bars[2].z_1_mm = [5.0, 4.0]), "not-ascending");
     assert_eq!(code(&|c| c.rows[0].bars[2].z_1_mm[1] = f64::INFINITY), "invalid-number");
+}
+
+/// A thread space 7 mm deep with a dresser that collides with one flank by half a millimetre.
+fn dressing_section() -> DressingSectionChart {
+    let flank = |name: &str, side: f64, clearance| SpaceFlank {
+        name: name.into(),
+        line_mm: (0..=14).map(|k| [side * (1.5 + 0.16 * f64::from(k)), 46.0 + 0.5 * f64::from(k)]).collect(),
+        used_radius_mm: [47.0, 52.0],
+        clearance,
+    };
+    let mark = MarkedClearance {
+        normal_mm: -0.5,
+        dresser_mm: [-3.9, 51.85],
+        flank_mm: [-3.42, 52.0],
+        dresser_radius_mm: 54.451,
+    };
+    let stretch = |kind, line: &[[f64; 2]]| SectionStretch { kind, line_mm: line.to_vec() };
+    DressingSectionChart {
+        title: "Dresser in the thread space".into(),
+        subtitle: "d_S 100 mm".into(),
+        flanks: [flank("right flank", -1.0, Some(mark)), flank("left flank, dressed", 1.0, None)],
+        dresser: vec![
+            stretch(SectionKind::CounterFlank, &[[-4.5, 54.0], [-2.0, 45.5]]),
+            stretch(SectionKind::TipLand, &[[-2.0, 45.5], [1.4, 45.5]]),
+            stretch(SectionKind::ActiveFlank, &[[1.4, 45.5], [4.2, 54.0]]),
+        ],
+    }
+}
+
+#[test]
+fn a_section_names_its_parts_and_marks_the_collision() {
+    let svg = dressing_section_chart(&dressing_section()).unwrap();
+    let text = text_of(&svg);
+    assert_holds(
+        &text,
+        &["Dresser in the thread space", "dS 100 mm", "axial position [mm]", "radius of the worm [mm]"],
+    );
+    assert_holds(&text, &["active flank", "tip land", "counter flank", "used part", "worm"]);
+    assert_holds(
+        &text,
+        &["right flank", "collision 0.500 mm", "dresser radius 54.45 mm", "worm radius 52.00 mm"],
+    );
+    assert_holds(&text, &["left flank, dressed"]);
+    assert!(!text.contains("clearance"), "{text}");
+    assert_eq!(svg, dressing_section_chart(&dressing_section()).unwrap());
+    // Dashes tell the parts apart without colour: once in the section, once in the legend.
+    for dash in ["2 2.5", "9 4"] {
+        assert_eq!(svg.as_str().matches(&format!("stroke-dasharray=\"{dash}\"")).count(), 2);
+    }
+    let mut clear = dressing_section();
+    clear.flanks[0].clearance =
+        clear.flanks[0].clearance.map(|mark| MarkedClearance { normal_mm: 0.5, ..mark });
+    clear.flanks[1].clearance = clear.flanks[0].clearance.map(|mark| MarkedClearance {
+        dresser_mm: [3.42, 52.0],
+        flank_mm: [3.42, 52.0],
+        normal_mm: 0.0,
+        ..mark
+    });
+    let text = text_of(&dressing_section_chart(&clear).unwrap());
+    assert_holds(&text, &["clearance 0.500 mm", "clearance 0.000 mm"]);
+}
+
+/// A millimetre along the worm is as long on the page as one across it.
+#[test]
+fn both_axes_of_a_section_have_the_same_scale() {
+    let svg = dressing_section_chart(&dressing_section()).unwrap();
+    let document = svg.to_document();
+    let tree = roxmltree::Document::parse(&document).unwrap();
+    // Ticks: short lines below and left of the frame; the steps of both axes are 1 or 2 mm.
+    let number =
+        |node: &roxmltree::Node<'_, '_>, name: &str| node.attribute(name).unwrap().parse::<f64>().unwrap();
+    let label = |text: &str| text.replace('−', "-").parse::<f64>().ok();
+    let mut places: [Vec<(f64, f64)>; 2] = [Vec::new(), Vec::new()];
+    for node in tree.descendants().filter(|node| node.has_tag_name("text")) {
+        let Some(value) = node.text().and_then(label) else { continue };
+        match node.attribute("text-anchor") {
+            Some("middle") => places[0].push((value, number(&node, "x"))),
+            Some("end") => places[1].push((value, -number(&node, "y"))),
+            _ => {}
+        }
+    }
+    let scales = places.map(|at| (at[1].1 - at[0].1) / (at[1].0 - at[0].0));
+    assert!((scales[0] - scales[1]).abs() < 0.01 * scales[0] && scales[0] > 20.0, "{scales:?}");
+}
+
+#[test]
+fn sections_that_cannot_be_drawn_are_refused() {
+    let code = |change: &dyn Fn(&mut DressingSectionChart)| {
+        let mut chart = dressing_section();
+        change(&mut chart);
+        dressing_section_chart(&chart).unwrap_err().code()
+    };
+    assert_eq!(code(&|c| c.dresser.clear()), "too-few-values");
+    assert_eq!(code(&|c| c.dresser[1].line_mm.clear()), "too-few-values");
+    assert_eq!(code(&|c| c.flanks[0].line_mm.truncate(1)), "too-few-values");
+    assert_eq!(code(&|c| c.flanks[1].line_mm.reverse()), "not-ascending");
+    assert_eq!(code(&|c| c.flanks[1].used_radius_mm = [50.0, 50.0]), "not-ascending");
+    assert_eq!(code(&|c| c.dresser[2].line_mm[0][1] = f64::NAN), "invalid-number");
+    assert_eq!(code(&|c| c.flanks[0].line_mm[3][0] = f64::INFINITY), "invalid-number");
+    assert_eq!(code(&|c| c.flanks[0].clearance.as_mut().unwrap().normal_mm = f64::NAN), "invalid-number");
 }
 
 #[test]

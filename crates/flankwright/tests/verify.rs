@@ -245,13 +245,16 @@ fn every_changed_number_of_a_dressing_case_is_noticed() {
         ("/cases/0/left_out_threads/max_tip_width_mm/0", 0.004),
         ("/cases/0/left_out_threads/max_tip_width_mm/1", 0.004),
         ("/cases/0/left_out_threads/c_alpha_V_um", 0.5),
-        ("/cases/0/undermining/c_alpha_V_um", 0.5),
     ] {
         let mut changed = root.clone();
         let value = changed.pointer_mut(pointer).unwrap();
         *value = json!(value.as_f64().unwrap() + step);
         assert_eq!(check(&changed).failed, 1, "{pointer}");
     }
+    // All planes of one flank feel the crowning.
+    let mut changed = root.clone();
+    changed["cases"][0]["undermining"]["c_alpha_V_um"] = json!(1.5);
+    assert!(check(&changed).failed >= 3);
     let mut changed = root.clone();
     changed["cases"][0]["conditions"][6]["error"] = json!("Singular");
     assert_eq!(check(&changed).failed, 1);

@@ -189,7 +189,7 @@ impl FlankSweep {
             let Some(psi) =
                 brent([ends.0.0, ends.1.0], over, PSI, |psi| Some(self.at(circle, psi).w - limit))
             else {
-                continue;
+                return;
             };
             let cut = (psi, self.at(circle, psi));
             // The end that lies outside moves to the limit.

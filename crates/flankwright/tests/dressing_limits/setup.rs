@@ -1,12 +1,11 @@
-//! Limits of dressing: clearances against brute sampling of the swept section, against the envelope of the counter flank, and
-//! every refusal. The reference numbers are checked by `verify` (`tests/verify.rs`).
+//! Worms with their dressers, and the sweep of a section by brute sampling with the poses of the kinematics.
 
 use flankwright::geometry::{Flank, Gear, GearData, InvoluteFlank, Sides};
 use flankwright::kinematics::{
     Dresser, DressingChain, DressingCorrection, DressingMotion, Point, Pose, Worm,
 };
 use flankwright::process::dressing::{
-    Clearance, DresserSection, DresserTool, DressingError, GeometricRange, SectionPart, WormFlank,
+    Clearance, DresserSection, DresserTool, GeometricRange, SectionPart, WormFlank,
 };
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -17,20 +16,25 @@ const ROOT: f64 = 1.25 * MODULE;
 
 /// A worm with its nominal dresser: threads, reference diameter, profile angles (deg), hand, cone angle (deg), dresser diameter.
 #[derive(Clone, Copy, Debug)]
-struct Choice {
-    threads: i32,
-    diameter: f64,
-    angles: [f64; 2],
-    hand: f64,
-    cone: f64,
-    dresser: f64,
+pub struct Choice {
+    pub threads: i32,
+    pub diameter: f64,
+    pub angles: [f64; 2],
+    pub hand: f64,
+    pub cone: f64,
+    pub dresser: f64,
 }
 
-const CASE: Choice =
-    Choice { threads: 5, diameter: 100.0, angles: [17.5, 17.5], hand: 1.0, cone: 0.0, dresser: 123.0 };
-
 impl Choice {
-    fn worm(&self) -> Gear {
+    pub const EXAMPLE: Self =
+        Self { threads: 5, diameter: 100.0, angles: [17.5, 17.5], hand: 1.0, cone: 0.0, dresser: 123.0 };
+
+    /// Below it the used flank of that many threads would reach the base cylinder.
+    pub fn least_diameter(&self) -> f64 {
+        2.4 * f64::from(self.threads) * MODULE
+    }
+
+    pub fn worm(&self) -> Gear {
         let [left, right] = self.angles.map(f64::to_radians);
         Gear::new(GearData {
             teeth: self.threads,
@@ -43,17 +47,22 @@ impl Choice {
         .unwrap()
     }
 
-    fn tip_radius(&self) -> f64 {
+    pub fn tip_radius(&self) -> f64 {
         0.5 * self.dresser
     }
 
-    fn flank(&self, flank: Flank) -> WormFlank {
+    pub fn flank(&self, flank: Flank) -> WormFlank {
         let flank = *self.worm().flank(flank);
         let roll = |height: f64| flank.length_of_roll(0.5 * self.diameter + height * MODULE).unwrap();
         WormFlank { flank, range: GeometricRange { w_nf: roll(-0.9), w_na: roll(0.9) } }
     }
 
-    fn tool(&self) -> DresserTool {
+    pub fn tool(&self) -> DresserTool {
+        self.tool_beyond(0.6)
+    }
+
+    /// The dresser with profiles that reach beyond the used range by this share of it.
+    pub fn tool_beyond(&self, margin: f64) -> DresserTool {
         let worm = self.worm();
         let chains = Sides::from_fn(|flank| {
             let p = worm.screw_parameter(flank);
@@ -65,12 +74,13 @@ impl Choice {
                 screw_parameter: p,
             }
         });
-        DresserTool::conjugate(&worm, chains, Sides::from_fn(|flank| self.flank(flank).range)).unwrap()
+        let ranges = Sides::from_fn(|flank| self.flank(flank).range);
+        DresserTool::conjugate_beyond(&worm, chains, ranges, margin).unwrap()
     }
 }
 
 /// The section in steps: circles (r, z) of all parts.
-fn circles(section: &DresserSection<'_>, land: f64, steps: usize) -> Vec<[f64; 2]> {
+pub fn circles(section: &DresserSection<'_>, land: f64, steps: usize) -> Vec<[f64; 2]> {
     let share = |k: usize| k as f64 / steps as f64;
     SectionPart::ALL
         .into_iter()
@@ -80,15 +90,15 @@ fn circles(section: &DresserSection<'_>, land: f64, steps: usize) -> Vec<[f64; 2
 
 /// A worm flank to be looked at: left-out threads, and the plane z = b.
 #[derive(Clone, Copy)]
-struct View {
-    worm: WormFlank,
-    left_out: u32,
-    b: f64,
+pub struct View {
+    pub worm: WormFlank,
+    pub left_out: u32,
+    pub b: f64,
 }
 
 impl View {
     /// f and w of a dresser point at `dk`, by the poses of the kinematics and the involute's definition.
-    fn ray(&self, seat: &Seat, [r, z]: [f64; 2], psi: f64) -> (f64, f64) {
+    pub fn ray(&self, seat: &Seat, [r, z]: [f64; 2], psi: f64) -> (f64, f64) {
         let (sin, cos) = (seat.towards + psi).sin_cos();
         let q = seat.pose.point(&Point::new(r * cos, r * sin, z)).xyz;
         let InvoluteFlank { base_radius, base_helix_angle, base_space_half_angle, teeth, .. } =
@@ -111,7 +121,7 @@ impl View {
     }
 
     /// Least f over circles and angles within 1.2 rad of the direction to the worm axis.
-    fn brute(&self, seat: &Seat, circles: &[[f64; 2]], turns: usize) -> f64 {
+    pub fn brute(&self, seat: &Seat, circles: &[[f64; 2]], turns: usize) -> f64 {
         let mut least = f64::INFINITY;
         for &circle in circles {
             for k in 0..=turns {
@@ -126,14 +136,14 @@ impl View {
 }
 
 /// Where the dresser stands, the direction from its centre to the worm axis, and the lead it works along.
-struct Seat {
-    pose: Pose<Worm, Dresser>,
-    towards: f64,
-    p: f64,
+pub struct Seat {
+    pub pose: Pose<Worm, Dresser>,
+    pub towards: f64,
+    pub p: f64,
 }
 
 impl Seat {
-    fn new(tool: &DresserTool, flank: Flank, dk: &DressingCorrection) -> Self {
+    pub fn new(tool: &DresserTool, flank: Flank, dk: &DressingCorrection) -> Self {
         let chain = tool.flanks[flank].chain;
         let at = DressingMotion::constant(chain, *dk).position::<f64>(0.0);
         let towards = (at.offset * at.crossing_angle.cos().powi(2)).atan2(-at.centre_distance);
@@ -142,7 +152,7 @@ impl Seat {
 }
 
 /// The place that was found lies on the section and on the flank and has that clearance; no sample has less.
-fn is_the_least(
+pub fn is_the_least(
     section: &DresserSection<'_>,
     land: f64,
     view: &View,
@@ -164,7 +174,7 @@ fn is_the_least(
     Ok(())
 }
 
-fn choices() -> impl Strategy<Value = Choice> {
+pub fn choices() -> impl Strategy<Value = Choice> {
     let angles = (14.0..24.0f64, 14.0..24.0f64, any::<bool>());
     (1..8i32, 60.0..300.0f64, angles, any::<bool>(), 60.0..200.0f64).prop_map(
         |(threads, diameter, (left, right, symmetric), right_handed, dresser)| Choice {
@@ -179,63 +189,20 @@ fn choices() -> impl Strategy<Value = Choice> {
 }
 
 /// Corrections up to some that let the dresser cut deep into the counter flank.
-fn corrections() -> impl Strategy<Value = DressingCorrection> {
+pub fn corrections() -> impl Strategy<Value = DressingCorrection> {
     (0.0..1.0f64, -0.01..0.01f64, -0.06..0.06f64, -0.6..0.6f64, -8.0..8.0f64)
         .prop_map(|(size, a, b, c, d)| [a, b, c, d].map(|x| x * size))
 }
 
-fn flanks() -> impl Strategy<Value = Flank> {
+pub fn flanks() -> impl Strategy<Value = Flank> {
     any::<bool>().prop_map(|left| if left { Flank::Left } else { Flank::Right })
 }
 
 /// The section of the choice, if its profiles leave a land at the tip and reach so far.
-fn section<'a>(tool: &'a DresserTool, flank: Flank, choice: &Choice) -> Option<DresserSection<'a>> {
-    DresserSection::new(tool, flank, choice.tip_radius()).ok()
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(std::env::var("CASES").map_or(24, |x| x.parse().unwrap())))]
-
-    #[test]
-    fn the_counter_flank_is_seen_as_sampling_sees_it(
-        choice in choices(),
-        flank in flanks(),
-        dk in corrections(),
-        share in 0.0..1.0f64,
-        left_out in 0..3u32,
-    ) {
-        let left_out = left_out.min(choice.threads.unsigned_abs() - 1);
-        let tool = choice.tool();
-        let Some(section) = section(&tool, flank, &choice) else { return Err(TestCaseError::reject("no section")) };
-        let land = share * section.full_land();
-        let found = match section.counter_flank(&dk, land, left_out.into()) {
-            Err(DressingError::NoContact { .. }) => return Err(TestCaseError::reject("no contact")),
-            found => found.unwrap(),
-        };
-        let view = View { worm: choice.flank(flank.other()), left_out, b: 0.0 };
-        is_the_least(&section, land, &view, &Seat::new(&tool, flank, &dk), found)?;
-    }
-
-    #[test]
-    fn another_worm_is_seen_as_sampling_sees_it(
-        choice in choices(),
-        flank in flanks(),
-        dk in corrections(),
-        smaller in 0.7..1.05f64,
-        b in -60.0..60.0f64,
-    ) {
-        let other = Choice { diameter: (smaller * choice.diameter).max(30.0), ..choice };
-        let tool = choice.tool();
-        let Some(section) = section(&tool, flank, &choice) else { return Err(TestCaseError::reject("no section")) };
-        let land = 0.4 * section.full_land();
-        let worms = Sides::from_fn(|f| other.flank(f));
-        let found = match section.undermining(&dk, land, &worms, &[b]) {
-            Err(DressingError::NoContact { .. }) => return Err(TestCaseError::reject("no contact")),
-            found => found.unwrap(),
-        };
-        for (f, at) in found.iter() {
-            let view = View { worm: worms[f], left_out: 0, b };
-            is_the_least(&section, land, &view, &Seat::new(&tool, flank, &dk), at[0])?;
-        }
-    }
+pub fn section<'a>(
+    tool: &'a DresserTool,
+    flank: Flank,
+    choice: &Choice,
+) -> Result<DresserSection<'a>, TestCaseError> {
+    DresserSection::new(tool, flank, choice.tip_radius()).map_err(|e| TestCaseError::reject(e.to_string()))
 }
