@@ -3,6 +3,7 @@
 pub mod catalogue;
 mod characteristics;
 mod clearance;
+mod compensation;
 mod condition_sets;
 mod condition_solver;
 mod conditions;
@@ -27,6 +28,7 @@ mod two_flanks;
 
 pub use characteristics::{full_tip_land, quasi_static_modification, stretch};
 pub use clearance::{Clearance, ThreadSpace, WormFlank};
+pub use compensation::{Compensated, Compensation, SoftCondition};
 pub use condition_sets::{
     PitchPoint, four_points, map_of_upper_end, shift_through, three_points, three_points_with_map,
     two_flank_points, two_points,
