@@ -5,7 +5,7 @@ use flankwright::kinematics::DressingMotion;
 use flankwright::numerics::{Progress, Silent};
 use flankwright::process::dressing::catalogue::{
     BackwardsSearch, CatalogueDresser, CatalogueSearch, CatalogueWorm, DesignedDresser, DresserSize,
-    FreeQuantity, Pair, PairLimits, RankedPair, Refusal, Wanted, Workshop, WornDiameter,
+    FreeQuantity, Look, Pair, PairLimits, RankedPair, Refusal, Wanted, Workshop, WornDiameter,
 };
 use flankwright::process::dressing::{
     DressingError, angle_of_least_stretch, fit_profile, fit_profile_along, fit_profile_on_path, stretch,
@@ -109,7 +109,7 @@ fn a_dresser_fits_the_worm_it_was_designed_for() {
     let wanted = wanted(&shop, 2.0);
     let pair = pair(&shop, (&worm, &dresser, &designed), &wanted, &LIMITS);
     let seat = pair.seat().unwrap();
-    let figures = pair.judge(&worm.choice, &seat, None).unwrap();
+    let figures = pair.judge(&worm.choice, &seat, None, Look::Whole).unwrap();
     assert_eq!(figures.refusal, None);
     assert!(figures.cost < 1e-9 && figures.stretch().unwrap().abs() < 1e-9, "{figures:?}");
     // Without corrections the worm has what the dresser carries.
@@ -361,13 +361,13 @@ fn a_life_ends_where_a_limit_is_met() {
     let left: Vec<f64> = rows.iter().map(|r| r.uncorrected.unwrap().left.unwrap()).collect();
     assert!(left[0].abs() < 1e-9 && left.windows(2).all(|w| w[1] > w[0]), "{left:?}");
     let seat = pair.seat().unwrap();
-    let figures = pair.judge(&worm.choice, &seat, None).unwrap();
+    let figures = pair.judge(&worm.choice, &seat, None, Look::Whole).unwrap();
     let life = pair.remaining_life(&seat, &figures).unwrap();
     assert!(life.to > 80.0 && life.to < 110.0, "{life:?}");
     assert!(matches!(life.end, Some(Refusal::Stretch { .. })), "{life:?}");
     // The border is where |P| meets its limit.
     let worn = pair.worn_seat(&seat, life.to).unwrap();
-    let there = pair.judge(&worm.worn(&seat, life.to), &worn, None).unwrap();
+    let there = pair.judge(&worm.worn(&seat, life.to), &worn, None, Look::Whole).unwrap();
     assert!(there.refusal.is_none() && (there.stretch().unwrap().abs() - 0.03).abs() < 1e-4, "{there:?}");
 }
 
@@ -395,7 +395,7 @@ fn backwards_a_dresser_finds_its_worms() {
         let wanted = wanted(&shop, 2.0);
         let pair = pair(&shop, (&there, &dresser, &designed), &wanted, &limits);
         let seat = pair.seat().unwrap();
-        pair.judge(&there.choice, &seat, None).map(|f| f.refusal)
+        pair.judge(&there.choice, &seat, None, Look::Whole).map(|f| f.refusal)
     };
     for (inside, outside) in [(range.from + 0.02, range.from - 0.02), (range.to - 0.02, range.to + 0.02)] {
         assert_eq!(judge(inside), Ok(None), "{inside}");

@@ -72,7 +72,7 @@ fn planning_passes_whole() {
 fn dressing_passes() {
     let report = passes("30-dressing.json", 1400);
     assert_eq!(report.schema, Schema::Dressing);
-    let to_come = ["limits", "compensation", "axis_deviation", "multi_stroke", "search"];
+    let to_come = ["limits", "compensation", "axis_deviation", "multi_stroke"];
     let later = |block: &str| to_come.contains(&block);
     assert!(uncovered(&report).into_iter().all(later), "{:?}", uncovered(&report));
 }
@@ -297,6 +297,30 @@ fn changed_ranges_and_compensations_are_noticed() {
         changed["cases"][0]["limits"][end][key] = json!("axis_limit");
     }
     assert_eq!(check(&changed).failed, 3);
+}
+
+#[test]
+fn every_changed_number_of_other_worms_is_noticed() {
+    let whole = content("30-dressing.json");
+    let case = &whole["cases"][0];
+    let small = json!({"topic": whole["topic"], "spec": whole["spec"], "cases": [
+        {"input": case["input"], "other_diameter": case["other_diameter"], "search": case["search"]}
+    ]});
+    notices_every_number(&small, "/cases/0/other_diameter", &[]);
+    // These limits are never the nearest one, nor met.
+    let immaterial = ["/limits/d_d_mm", "/limits/tip_land_min_mm"];
+    notices_every_number(&small, "/cases/0/search", &immaterial);
+    for (pointer, value) in [
+        ("/cases/0/search/ranking/5/tip_width", json!(1.0)),
+        ("/cases/0/search/ranking/4/ok", json!(true)),
+        ("/cases/0/search/ranking/0/worm", json!(0)),
+        ("/cases/0/search/limits/tip_land_min_mm", json!(2.6)),
+        ("/cases/0/other_diameter/0/alpha_nS_for_P0_deg", json!(null)),
+    ] {
+        let mut changed = small.clone();
+        *changed.pointer_mut(pointer).unwrap() = value;
+        assert!(check(&changed).failed > 0, "{pointer}");
+    }
 }
 
 #[test]

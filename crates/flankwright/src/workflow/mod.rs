@@ -15,6 +15,7 @@ mod result;
 mod run;
 mod shift;
 mod tables;
+mod tip_land;
 pub mod verify;
 mod write;
 

@@ -193,7 +193,7 @@ fn tool_quantities(outcome: &Outcome, job: &Job) -> (Vec<Quantity>, Vec<Quantity
         .dresser
         .iter()
         .any(|d| d.flanks.iter().any(|(_, flank)| flank.profile.offset().is_some()));
-    let of_dresser = vec![
+    let mut of_dresser = vec![
         Quantity::number("tip diameter", "d_aA", choice.tip_diameter, "mm"),
         Quantity::number("nominal centre distance", "d_A0", chain.centre_distance, "mm"),
         Quantity::number("nominal crossing angle", "γ_A0", chain.crossing_angle.to_degrees(), "deg"),
@@ -206,6 +206,15 @@ fn tool_quantities(outcome: &Outcome, job: &Job) -> (Vec<Quantity>, Vec<Quantity
             },
         ),
     ];
+    let lands = outcome.result.settings.largest_tip_land_mm;
+    let least = lands.iter().flat_map(|lands| [lands.left, lands.right]).flatten().reduce(f64::min);
+    of_dresser.extend(least.map(|land| Quantity::number("widest tip land that clears", "b_A", land, "mm")));
+    of_dresser.extend(
+        job.dresser
+            .as_ref()
+            .and_then(|d| d.tip_land)
+            .map(|land| Quantity::number("tip land", "b_A", land, "mm")),
+    );
     (of_worm, of_dresser)
 }
 

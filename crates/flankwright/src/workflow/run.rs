@@ -7,6 +7,7 @@ use super::partition::{Partition, StrokePlan};
 use super::prepare::{Prepared, prepare};
 use super::referee::{self, Cutting, Verdict};
 use super::result::{CandidateResult, CharacteristicsUm, FlankResult, JobResult, SettingsResult, Status};
+use super::tip_land::TipLands;
 use crate::exchange::job::{DiagonalRatio, Job};
 use crate::exchange::{Diagnostic, LoadedJob, Problem};
 use crate::geometry::{Flank, Sides};
@@ -44,14 +45,6 @@ pub(super) fn supported(job: &Job) -> Result<(), RunFailure> {
                 .way_out(way_out);
         Err(RunFailure::bad_input(finding))
     };
-    let rows = crate::exchange::job::Dressing::default();
-    if job.dressing.conditions != rows.conditions || !job.dressing.fixed().is_empty() {
-        return refuse(
-            "dressing.conditions",
-            "another set of dressing conditions than [\"three-point\", \"radius-map\"]",
-            "leave dressing.conditions and dressing.degrees_of_freedom out",
-        );
-    }
     if job.machine.is_some() {
         return refuse(
             "machine",
@@ -107,6 +100,7 @@ fn finish(
     let job = &loaded.job;
     let partition = Partition::of_job(job, &prepared, execution.ratio, &execution.motion.shift)?;
     let strokes = StrokePlan::of_job(job)?;
+    let tip_lands = TipLands::of_execution(job, &prepared, &execution, plan.is_some())?;
     let refereeing = Instant::now();
     let cutting =
         Cutting { feed_per_revolution: job.grinding.feed_per_revolution, strokes: strokes.as_ref() };
@@ -118,6 +112,7 @@ fn finish(
     timing.insert("referee", refereeing.elapsed().as_secs_f64());
     let mut warnings = prepared.warnings.clone();
     warnings.extend(execution.warnings.iter().cloned());
+    warnings.extend(tip_lands.warnings);
     warnings.extend(output_warnings(job));
     let tolerance = prepared.tolerance.tightest() * 1e3;
     // A simulation has no plan that could say what stands on the tool's lines: the target is judged by its deviation alone.
@@ -199,6 +194,8 @@ fn finish(
             worm_length_mm: execution.occupation[1] - execution.occupation[0],
             worm_pitch_diameter_mm: 2.0 * setup.worm_pitch_radius,
             worm_root_diameter_mm: 2.0 * setup.worm_root_radius,
+            largest_tip_land_mm: Some(tip_lands.largest)
+                .filter(|lands| lands.iter().any(|(_, land)| land.is_some())),
             dressing_centre_distance_mm: setup.dresser().ok().map(|d| d.flanks.left.chain.centre_distance),
             dressing_crossing_angle_deg: setup
                 .dresser()
@@ -243,13 +240,6 @@ pub fn ratio_reason(reason: RatioReason) -> &'static str {
 /// Formats and machines that the job asks for and that come with later versions.
 fn output_warnings(job: &Job) -> Vec<Remark> {
     let mut warnings = Vec::new();
-    if job.dresser.as_ref().is_some_and(|dresser| dresser.tip_land.is_some()) {
-        warnings.push(Remark {
-            code: "tip-land-not-checked",
-            text: "the dresser's tip land is not checked against the counter flank by this version".into(),
-            way_out: "check it by hand, or leave dresser.tip_land out".into(),
-        });
-    }
     let mut later = |code, what: &str, key: &str| {
         warnings.push(Remark {
             code,

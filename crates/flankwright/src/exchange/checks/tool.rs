@@ -3,7 +3,7 @@
 use super::not_yet;
 use crate::exchange::diagnostic::{Diagnostic, Problem};
 use crate::exchange::job::{
-    Dresser, DresserModification, Dressing, DressingFlanks, Flanks, Job, ProfileCrowningBy, Tool,
+    Condition, Dresser, DresserModification, Dressing, DressingFlanks, Flanks, Job, ProfileCrowningBy, Tool,
 };
 use crate::exchange::node::shown_number;
 
@@ -193,6 +193,15 @@ fn two_flanks(job: &Job, findings: &mut Vec<Diagnostic>) {
             ONE,
         );
     }
+    if let Some(land) = job.dresser.as_ref().and_then(|d| d.tip_land) {
+        refuse(
+            "a dresser that touches both flanks at once has the tip land that they leave between them",
+            "dresser.tip_land",
+            shown_number(land),
+            "no key, or dressing.flanks = \"one\"",
+            "leave `tip_land` out",
+        );
+    }
     if job.dressing.profile_crowning_by == ProfileCrowningBy::Correction {
         refuse(
             "one correction for both flanks makes value and slope of each, no profile crowning",
@@ -214,6 +223,32 @@ fn dressing(dressing: &Dressing, findings: &mut Vec<Diagnostic>) {
                 .allowed("4: `three-point` counts 3, `four-point` 4, every other condition and every motion left out of \
                      `degrees_of_freedom` 1")
                 .way_out("use [\"three-point\", \"radius-map\"], the default"),
+        );
+    }
+    let points = [Condition::ThreePoint, Condition::FourPoint];
+    if rows == 4 && !points.iter().any(|condition| dressing.conditions.contains(condition)) {
+        let names: Vec<String> = dressing.conditions.iter().map(|c| format!("{c:?}")).collect();
+        findings.push(
+            Diagnostic::new(Problem::InvalidJob, "the dressing conditions ask for no profile")
+                .field("dressing.conditions")
+                .value(names.join(", "))
+                .allowed("among them \"three-point\" or \"four-point\"")
+                .way_out("use [\"three-point\", \"radius-map\"], the default"),
+        );
+    }
+    let default = Dressing::default();
+    if dressing.flanks == DressingFlanks::Two
+        && (dressing.conditions != default.conditions || !dressing.fixed().is_empty())
+    {
+        findings.push(
+            Diagnostic::new(
+                Problem::InvalidJob,
+                "one motion for both flanks has conditions of its own: two points on each",
+            )
+            .field("dressing.conditions")
+            .value("given beside dressing.flanks = \"two\"")
+            .allowed("no conditions and no degrees_of_freedom, or dressing.flanks = \"one\"")
+            .way_out("leave `conditions` and `degrees_of_freedom` out"),
         );
     }
     if let Some(strokes) = dressing.strokes

@@ -20,9 +20,8 @@ pub struct ProfileFit {
 /// Steps in which the amount grows from 0 (spec 30 section 17).
 const STEPS: usize = 8;
 
-/// The rows of the three-point method: f = 0 at both ends of the used range, f = `middle` (mm) in its middle, and the end of the designed profile on
-/// the end of the used one.
-pub fn three_point_rows(tool: &DresserTool, flank: Flank, middle: f64) -> [Condition; 4] {
+/// The rows of the three-point method for f = `middle` (mm) in the middle of the used range and 0 at both ends.
+fn rows(tool: &DresserTool, flank: Flank, middle: f64) -> [Condition; 4] {
     three_points_with_map(&tool.flanks[flank], [0.0, middle, 0.0])
 }
 
@@ -39,11 +38,11 @@ pub fn fit_profile(
     start: &DressingCorrection,
 ) -> Result<ProfileFit, DressingError> {
     let solver = ConditionSolver::new(tool, reference_radius);
-    let mut dk = solver.solve(&three_point_rows(tool, flank, 0.0), start)?;
+    let mut dk = solver.solve(&rows(tool, flank, 0.0), start)?;
     if middle != 0.0 {
         for k in 1..=STEPS {
             let share = k as f64 / STEPS as f64;
-            dk = solver.solve(&three_point_rows(tool, flank, middle * share), &dk).map_err(|e| match e {
+            dk = solver.solve(&rows(tool, flank, middle * share), &dk).map_err(|e| match e {
                 // The share of this step becomes one of the whole amount.
                 DressingError::NoZero { flank, v, fraction, reason } => {
                     let fraction = share - (1.0 - fraction) / STEPS as f64;
@@ -68,7 +67,7 @@ pub fn refit_profile(
     start: &DressingCorrection,
 ) -> Result<ProfileFit, DressingError> {
     let solver = ConditionSolver::new(tool, reference_radius);
-    let dk = solver.solve(&three_point_rows(tool, flank, middle), start)?;
+    let dk = solver.solve(&rows(tool, flank, middle), start)?;
     Ok(ProfileFit { dk, stretch: stretch(tool, flank, dk)? })
 }
 
@@ -82,7 +81,7 @@ pub fn uncorrected_profile(
     flank: Flank,
     reference_radius: f64,
 ) -> Result<(DressingCorrection, f64), DressingError> {
-    let [first, _, last, _] = three_point_rows(tool, flank, 0.0);
+    let [first, _, last, _] = rows(tool, flank, 0.0);
     let fixed = |j| Condition::Fixed { j, x: 0.0 };
     let solver = ConditionSolver::new(tool, reference_radius);
     let dk = solver.solve(&[first, last, fixed(1), fixed(3)], &[0.0; 4])?;

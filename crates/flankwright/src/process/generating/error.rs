@@ -85,6 +85,16 @@ pub enum GeneratingError {
     /// No flank is to be ground.
     #[error("no flank is to be ground")]
     NoFlank,
+    /// The dresser cuts into the flank across the thread space while it dresses one.
+    #[error("the dresser cuts into the {} flank while it dresses the {flank} one: {}", flank.other(), lands(*land, *largest))]
+    CounterFlankCut {
+        /// Flank that is dressed.
+        flank: Flank,
+        /// Width of the tip land, mm; `None` where none is given.
+        land: Option<f64>,
+        /// Widest land that spares the other flank, mm; `None` where none does.
+        largest: Option<f64>,
+    },
     /// A dresser is asked for a tool that has none.
     #[error("the tool is not dressed")]
     NotDressed,
@@ -287,6 +297,15 @@ impl From<EvaluationError> for GeneratingError {
     }
 }
 
+/// The given tip land beside the widest possible one.
+fn lands(land: Option<f64>, largest: Option<f64>) -> String {
+    match (land, largest) {
+        (Some(land), Some(largest)) => format!("its tip land is {land} mm wide, allowed are {largest:.4} mm"),
+        (_, Some(largest)) => format!("its tip land may be {largest:.4} mm wide"),
+        (_, None) => "even without a tip land".into(),
+    }
+}
+
 impl GeneratingError {
     /// Stable kebab-case code.
     pub fn code(&self) -> &'static str {
@@ -301,6 +320,7 @@ impl GeneratingError {
             Self::EnvelopeBroken { .. } => "envelope-broken",
             Self::ModelError { .. } => "model-error",
             Self::NoFlank => "no-flank",
+            Self::CounterFlankCut { .. } => "counter-flank-cut",
             Self::NotDressed => "not-dressed",
             Self::ConicalWormWithoutWidth { .. } => "conical-worm-without-width",
             Self::ToolBelowBase { .. } => "worm-below-base",
@@ -345,6 +365,12 @@ impl GeneratingError {
             Self::DegenerateDirection { .. } => "choose another diagonal ratio".into(),
             Self::EnvelopeBroken { .. } => "reduce the amount or choose another diagonal ratio".into(),
             Self::ModelError { .. } => "choose another diagonal ratio or widen the tolerance".into(),
+            Self::CounterFlankCut { largest: Some(largest), .. } => {
+                format!("take a dresser with a tip land of at most {largest:.3} mm, or leave more of the profile to the dresser")
+            }
+            Self::CounterFlankCut { .. } => {
+                "let the dresser carry more of the profile, leave out threads of the worm, or take a worm with a wider space".into()
+            }
             Self::NotDressed => "set worm.tool = \"dressed\" and describe the [dresser]".into(),
             Self::ConicalWormWithoutWidth { .. } => "give the usable width of the worm as worm.width, in mm".into(),
             Self::ToolBelowBase { .. } => {

@@ -31,6 +31,7 @@ mod setup;
 mod share;
 mod strokes;
 mod target;
+mod tip_land;
 mod variable_ratio;
 mod workshop;
 mod worm_function;
@@ -58,7 +59,7 @@ pub use motion::{common_motion, motion_of_flanks};
 pub use natural_twist::{NaturalTwist, natural_twist};
 pub use plan::{FlankPlan, GrindingPlan, PlanTask, PlannedTool};
 pub use planning_grid::PlanningGrid;
-pub use policy::{FreeCoefficients, PlanGauge, ProfilePolicy};
+pub use policy::{DressingRows, FlankRows, FreeCoefficients, PlanGauge, ProfilePolicy};
 pub use quadratic::{
     Gauge, QuadraticDecomposition, QuadraticWorm, constant_only_profile_crowning, decompose_quadratic,
     product_functions,
@@ -68,6 +69,7 @@ pub use setup::{DresserChoice, DressingLimits, GrindingSetup, ProfilePlace, Setu
 pub use share::Command;
 pub use strokes::Strokes;
 pub use target::{Carrier, ClassFit, FlankTarget};
+pub use tip_land::largest_tip_land;
 pub use variable_ratio::VariableRatio;
 pub use workshop::GearWorkshop;
 pub use worm_function::IdealWorm;

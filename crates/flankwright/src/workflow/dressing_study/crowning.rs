@@ -6,8 +6,8 @@ use crate::exchange::job::Steps;
 use crate::geometry::Flank;
 use crate::kinematics::DressingCorrection;
 use crate::process::dressing::{
-    ConditionSolver, ContactLine, DressedProfile, DresserTool, DressingError, profile_error, stretch,
-    three_point_rows,
+    ConditionSolver, ContactLine, CrowningEnd, CrowningLimits, CrowningRows, DressedProfile, DresserSection,
+    DresserTool, DressingError, PathReason, ThreadSpace, profile_error, stretch, three_points_with_map,
 };
 use crate::process::generating::{GeneratingError, GrindingSetup};
 use crate::workflow::explore::Refused;
@@ -44,7 +44,7 @@ pub struct CrowningPoint {
 pub struct CurveEnd {
     /// The last crowning reached.
     pub crowning_um: f64,
-    /// Stable word: fold, contact-lost, out-of-dresser, axis-limit, limit, given-up; else the code of an error.
+    /// What is there: fold, contact lost, out of dresser, limit of an axis, tip land; else the code of an error.
     pub reason: String,
 }
 
@@ -59,6 +59,9 @@ pub struct CrowningCurve {
     pub least: Option<CurveEnd>,
     /// Why there are no larger crownings.
     pub most: Option<CurveEnd>,
+    /// Smallest and largest crowning at which a dresser with the tip land of the job spares the counter flank; absent without a
+    /// tip land, or where the study gives the crownings.
+    pub with_tip_land: Option<[CurveEnd; 2]>,
     /// Why there is no curve at all.
     pub refused: Option<Refused>,
 }
@@ -114,7 +117,7 @@ impl<'a> Task<'a> {
         crowning: f64,
         start: &DressingCorrection,
     ) -> Result<DressingCorrection, DressingError> {
-        let rows = three_point_rows(self.tool, self.flank, self.middle(crowning));
+        let rows = three_points_with_map(&self.tool.flanks[self.flank], [0.0, self.middle(crowning), 0.0]);
         ConditionSolver::new(self.tool, self.radius).solve(&rows, start)
     }
 
@@ -138,13 +141,20 @@ impl<'a> Task<'a> {
     }
 }
 
-/// The curve of one set of bodies over the given crownings, each direction from the crowning nearest to 0.
-pub(super) fn curve(bodies: &Bodies, flank: Flank, steps: Option<&Steps>) -> CrowningCurve {
+/// The curve of one set of bodies over the given crownings, each direction from the crowning nearest to 0, or over all that can
+/// be made; there also with a tip land (mm) that must spare the counter flank.
+pub(super) fn curve(
+    bodies: &Bodies,
+    flank: Flank,
+    steps: Option<&Steps>,
+    tip_land: Option<f64>,
+) -> CrowningCurve {
     let none = |refused: Refused| CrowningCurve {
         bodies: bodies.name.clone(),
         points: Vec::new(),
         least: None,
         most: None,
+        with_tip_land: None,
         refused: Some(refused),
     };
     let setup = match &bodies.setup {
@@ -155,14 +165,59 @@ pub(super) fn curve(bodies: &Bodies, flank: Flank, steps: Option<&Steps>) -> Cro
         Ok(task) => task,
         Err(error) => return none(Refused::from(&error)),
     };
-    let steps = steps.copied().unwrap_or(Steps { from: -0.3, to: 2.0, count: 47 });
+    let Some(steps) = steps else {
+        return whole(bodies, &task, setup, tip_land).unwrap_or_else(|error| none(Refused::from(&error)));
+    };
     let values: Vec<f64> = steps.values().map(|um| um * 1e-3).collect();
     let (below, above): (Vec<f64>, Vec<f64>) = values.into_iter().partition(|&c| c < 0.0);
     let (mut points, least) = branch(&task, below.into_iter().rev());
     points.reverse();
     let (upper, most) = branch(&task, above.into_iter());
     points.extend(upper);
-    CrowningCurve { bodies: bodies.name.clone(), points, least, most, refused: None }
+    CrowningCurve { bodies: bodies.name.clone(), points, least, most, with_tip_land: None, refused: None }
+}
+
+/// The curve over all crownings that can be made, followed both ways from none (spec 30 section 9).
+fn whole(
+    bodies: &Bodies,
+    task: &Task<'_>,
+    setup: &GrindingSetup,
+    tip_land: Option<f64>,
+) -> Result<CrowningCurve, GeneratingError> {
+    let gear_helix = setup.pair.work.flank(task.flank).base_helix_angle;
+    let rows = CrowningRows::new(&task.tool.flanks[task.flank], task.radius, gear_helix);
+    let range = rows.range(&CrowningLimits::default())?;
+    let end = |end: CrowningEnd| CurveEnd { crowning_um: end.crowning * 1e3, reason: end.reason.to_string() };
+    let mut points = Vec::with_capacity(range.path.len());
+    for at in &range.path {
+        points.push(task.point(at.crowning, at.dk)?);
+    }
+    let with_tip_land = match (tip_land, &setup.input.dresser) {
+        (Some(land), Some(choice)) => {
+            let section = DresserSection::new(task.tool, task.flank, 0.5 * choice.tip_diameter)?;
+            // Only the sign decides; a dresser far off counts as clear by a millimetre.
+            let clearance = |dk: &DressingCorrection| {
+                let at = section.counter_flank_clearance(dk, land, ThreadSpace::default());
+                at.map_or(f64::NAN, |f| f.min(1.0))
+            };
+            let limits = CrowningLimits { margin: Some(&clearance), ..CrowningLimits::default() };
+            let spared = rows.range(&limits)?;
+            let named = |at: CrowningEnd| match at.reason {
+                PathReason::Limit => CurveEnd { reason: "tip land".into(), ..end(at) },
+                _ => end(at),
+            };
+            Some([named(spared.smallest), named(spared.largest)])
+        }
+        _ => None,
+    };
+    Ok(CrowningCurve {
+        bodies: bodies.name.clone(),
+        points,
+        least: Some(end(range.smallest)),
+        most: Some(end(range.largest)),
+        with_tip_land,
+        refused: None,
+    })
 }
 
 /// Points one after the other, each from its neighbour, as far as they can be made.

@@ -334,6 +334,12 @@ fn crowning_ends(curves: &[CrowningCurve]) -> Table {
             c.refused.as_ref().map_or_else(|| reason(&c.least), |r| format!("{}: {}", r.code, r.text)),
             um(c.points.last()),
             reason(&c.most),
+            c.with_tip_land.as_ref().map_or_else(String::new, |ends| {
+                let of = |end: &super::CurveEnd| {
+                    format!("{} ({})", format_significant(end.crowning_um, 5), end.reason)
+                };
+                format!("{} .. {}", of(&ends[0]), of(&ends[1]))
+            }),
             largest(|p| p.d_phi_s_deg),
             largest(|p| p.d_gamma_deg),
             largest(|p| p.d_d_mm),
@@ -348,6 +354,7 @@ fn crowning_ends(curves: &[CrowningCurve]) -> Table {
             PageColumn::text("Ends with"),
             PageColumn::number("Largest crowning", "µm"),
             PageColumn::text("Ends with"),
+            PageColumn::text("With the tip land, µm"),
             PageColumn::number("max |Δφ_S|", "°"),
             PageColumn::number("max |Δγ|", "°"),
             PageColumn::number("max |Δd|", "mm"),

@@ -108,7 +108,8 @@ pub fn study_dressing(
     let curves = match study.over {
         StudyOver::Crowning => {
             let all = Bodies::compared(loaded, compare);
-            let curve = |bodies: &Bodies| crowning::curve(bodies, flank, study.crowning_um.as_ref());
+            let land = loaded.job.dresser.as_ref().and_then(|d| d.tip_land);
+            let curve = |bodies: &Bodies| crowning::curve(bodies, flank, study.crowning_um.as_ref(), land);
             StudyCurves::Crowning(of_each(&all, progress, curve))
         }
         StudyOver::Profile => {

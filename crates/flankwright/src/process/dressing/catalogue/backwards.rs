@@ -1,7 +1,7 @@
 //! The search backwards: a dresser is there, and a quantity of the worm is sought with which it makes the target (spec 30 section 17).
 
 use super::bodies::{CatalogueDresser, CatalogueWorm, DesignedDresser, Workshop};
-use super::pair::{Pair, PairFigures, PairLimits, Wanted};
+use super::pair::{Look, Pair, PairFigures, PairLimits, Wanted};
 use super::refusal::Refusal;
 use crate::numerics::{equidistant, golden_section};
 use rayon::prelude::*;
@@ -150,7 +150,7 @@ impl BackwardsSearch<'_> {
                 collisions: self.collisions,
             };
             let seat = pair.seat()?;
-            pair.judge(&worm.choice, &seat, None)
+            pair.judge(&worm.choice, &seat, None, Look::Allowed)
         });
         FreeValue { value, figures }
     }

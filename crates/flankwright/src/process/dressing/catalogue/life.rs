@@ -1,7 +1,7 @@
 //! A worm from new to used up under one dresser: what is left on it without corrections, corrections, stretch, and down to which
 //! diameter the target is still made. Knows no ranking.
 
-use super::pair::{Pair, PairFigures};
+use super::pair::{Look, Pair, PairFigures};
 use super::refusal::Refusal;
 use crate::geometry::Sides;
 use crate::numerics::equidistant;
@@ -57,7 +57,7 @@ impl Pair<'_> {
         let diameters = if smallest < from { equidistant([from, smallest], rows.max(2)) } else { vec![from] };
         let mut last: Option<PairFigures> = None;
         let row = |pitch_diameter: f64| {
-            let figures = self.at(&now, pitch_diameter, last.as_ref());
+            let figures = self.at(&now, pitch_diameter, last.as_ref(), Look::Whole);
             last = figures.as_ref().ok().cloned();
             let seat = self.worn_seat(&now, pitch_diameter);
             let uncorrected = seat.and_then(|seat| self.uncorrected(&seat)).ok();
@@ -88,7 +88,7 @@ impl Pair<'_> {
                 }
             }
         }
-        let end = end.map(|(mut bad, mut refusal)| {
+        let mut end = end.map(|(mut bad, mut refusal)| {
             for _ in 0..HALVINGS {
                 let middle = 0.5 * (good + bad);
                 match self.allowed_at(now, middle, &last) {
@@ -98,7 +98,28 @@ impl Pair<'_> {
             }
             refusal
         });
+        if self.collisions
+            && good < from
+            && let Err(mut refusal) = self.spared(now, figures, good)
+        {
+            let mut bad = good;
+            good = from;
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (good + bad);
+                match self.spared(now, figures, middle) {
+                    Ok(()) => good = middle,
+                    Err(here) => (bad, refusal) = (middle, here),
+                }
+            }
+            end = Some(refusal);
+        }
         Ok(RemainingLife { from, to: good, end })
+    }
+
+    /// Whether dressing the worm of now spares the worm of a smaller diameter.
+    fn spared(&self, now: &WormSeat, figures: &PairFigures, pitch_diameter: f64) -> Result<(), Refusal> {
+        let later = self.worn_seat(now, pitch_diameter)?;
+        self.check_undermining(now, figures, &later)
     }
 
     fn at(
@@ -106,9 +127,10 @@ impl Pair<'_> {
         now: &WormSeat,
         pitch_diameter: f64,
         start: Option<&PairFigures>,
+        look: Look,
     ) -> Result<PairFigures, Refusal> {
         let seat = self.worn_seat(now, pitch_diameter)?;
-        self.judge(&self.worm.worn(now, pitch_diameter), &seat, start)
+        self.judge(&self.worm.worn(now, pitch_diameter), &seat, start, look)
     }
 
     fn allowed_at(
@@ -117,7 +139,7 @@ impl Pair<'_> {
         pitch_diameter: f64,
         start: &PairFigures,
     ) -> Result<PairFigures, Refusal> {
-        let mut figures = self.at(now, pitch_diameter, Some(start))?;
+        let mut figures = self.at(now, pitch_diameter, Some(start), Look::Allowed)?;
         match figures.refusal.take() {
             Some(refusal) => Err(refusal),
             None => Ok(figures),

@@ -3,6 +3,7 @@
 
 mod backwards;
 mod bodies;
+mod collisions;
 mod life;
 mod pair;
 mod refusal;
@@ -11,6 +12,6 @@ mod search;
 pub use backwards::{Backwards, BackwardsSearch, FreeQuantity, FreeValue, WorkingRange};
 pub use bodies::{CatalogueDresser, CatalogueWorm, DesignedDresser, DresserSize, Workshop, WornDiameter};
 pub use life::{LifeRow, RemainingLife};
-pub use pair::{FlankOfPair, Pair, PairFigures, PairLimits, Wanted};
+pub use pair::{FlankOfPair, Look, Pair, PairFigures, PairLimits, Wanted};
 pub use refusal::Refusal;
 pub use search::{CatalogueSearch, RankedPair};

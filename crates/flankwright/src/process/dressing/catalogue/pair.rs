@@ -6,8 +6,8 @@ use super::refusal::Refusal;
 use crate::geometry::{Flank, Sides, WormChoice};
 use crate::kinematics::DressingCorrection;
 use crate::process::dressing::{
-    DressingError, ProfileFit, WormSeat, fit_profile, fit_profile_on_path, profile_error, refit_profile,
-    uncorrected_profile,
+    DresserTool, DressingError, ProfileFit, WormSeat, fit_profile, fit_profile_on_path, profile_error,
+    refit_profile, uncorrected_profile,
 };
 
 /// What a pair shall make. mm.
@@ -52,6 +52,15 @@ pub struct Pair<'a> {
     pub limits: &'a PairLimits,
     /// Whether tip land and undermining are looked at.
     pub collisions: bool,
+}
+
+/// How closely a pair is looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Look {
+    /// With the largest tip land.
+    Whole,
+    /// Whether it is allowed.
+    Allowed,
 }
 
 /// One flank of a pair. mm, rad.
@@ -161,6 +170,7 @@ impl Pair<'_> {
         choice: &WormChoice,
         seat: &WormSeat,
         start: Option<&PairFigures>,
+        look: Look,
     ) -> Result<PairFigures, Refusal> {
         let tool = self.designed.tool.on_worm(seat)?;
         let radius = seat.reference_radius();
@@ -181,7 +191,10 @@ impl Pair<'_> {
                 },
             };
             let (profile_error, radii) = profile_error(&tool, flank, fit.dk, middle)?;
-            Ok(Some(FlankOfPair { crowning, fit, profile_error, radii, tip_land: None }))
+            let tip_land = (self.collisions && look == Look::Whole)
+                .then(|| self.largest_land(&tool, flank, &fit.dk))
+                .transpose()?;
+            Ok(Some(FlankOfPair { crowning, fit, profile_error, radii, tip_land }))
         })?;
         let mut figures = PairFigures { pitch_diameter: 2.0 * radius, flanks, cost: 0.0, refusal: None };
         let mut worst = None;
@@ -195,11 +208,26 @@ impl Pair<'_> {
                 }
             }
         }
-        figures.refusal = self.refusal(&figures, worst).err();
+        let refusal = self.refusal(&figures, worst).and_then(|()| self.check_collisions(&tool, &figures));
+        figures.refusal = refusal.err();
         Ok(figures)
     }
 
-    /// Limits in the order: axes, stretch, accuracy, length of the dresser's flank.
+    fn check_collisions(&self, tool: &DresserTool, figures: &PairFigures) -> Result<(), Refusal> {
+        if !self.collisions {
+            return Ok(());
+        }
+        for (flank, f) in figures.flanks.iter() {
+            let Some(f) = f else { continue };
+            match f.tip_land {
+                Some(largest) => self.check_land(flank, largest)?,
+                None => self.check_clearance(tool, flank, &f.fit.dk)?,
+            }
+        }
+        Ok(())
+    }
+
+    /// Limits but collisions in the order: axes, stretch, accuracy, length of the dresser's flank.
     fn refusal(&self, figures: &PairFigures, worst: Option<(Flank, usize, f64)>) -> Result<(), Refusal> {
         if let Some((flank, j, value)) = worst.filter(|_| figures.cost > 1.0) {
             let (unit, factor) = if j < 2 { ("deg", 180.0 / std::f64::consts::PI) } else { ("mm", 1.0) };

@@ -3,7 +3,7 @@
 
 use super::bodies::{CatalogueDresser, CatalogueWorm, DesignedDresser, Workshop};
 use super::life::RemainingLife;
-use super::pair::{Pair, PairFigures, PairLimits, Wanted};
+use super::pair::{Look, Pair, PairFigures, PairLimits, Wanted};
 use super::refusal::Refusal;
 use crate::numerics::Progress;
 use crate::process::dressing::DressingError;
@@ -22,7 +22,7 @@ pub struct CatalogueSearch<'a> {
     pub wanted: Wanted,
     /// Limits.
     pub limits: PairLimits,
-    /// Whether tip land and undermining are looked at.
+    /// Whether the tip land is looked at and, with the life, undermining.
     pub collisions: bool,
     /// Whether the remaining life of the worm is sought for pairs that make the target.
     pub life: bool,
@@ -115,7 +115,7 @@ impl CatalogueSearch<'_> {
     fn pair(&self, w: usize, d: usize, designed: &DesignedDresser) -> RankedPair {
         let pair = self.of(w, d, designed);
         let judged = pair.seat().map_err(Refusal::from).and_then(|seat| {
-            let figures = pair.judge(&self.worms[w].choice, &seat, None)?;
+            let figures = pair.judge(&self.worms[w].choice, &seat, None, Look::Whole)?;
             Ok((seat, figures))
         });
         let (seat, figures) = match judged {
@@ -125,6 +125,13 @@ impl CatalogueSearch<'_> {
         let mut refusal = figures.refusal.clone();
         let life = match (&refusal, self.life) {
             (None, true) => match pair.remaining_life(&seat, &figures) {
+                // Where nothing smaller is spared, what is made now ruins the worm.
+                Ok(RemainingLife { from, to, end: Some(reason @ Refusal::Undermined { .. }) })
+                    if to >= from =>
+                {
+                    refusal = Some(reason);
+                    None
+                }
                 Ok(life) => Some(life),
                 Err(reason) => {
                     refusal = Some(reason);

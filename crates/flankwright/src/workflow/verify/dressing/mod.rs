@@ -10,6 +10,7 @@ mod machine;
 mod motion;
 mod other_worms;
 mod profiles;
+mod search;
 
 use super::expected::Expected;
 use super::ledger::Ledger;
@@ -20,7 +21,7 @@ use serde_json::Value;
 const UM: f64 = 1e-3;
 
 /// Blocks that later stages of the library compute.
-const TO_COME: [&str; 3] = ["axis_deviation", "multi_stroke", "search"];
+const TO_COME: [&str; 2] = ["axis_deviation", "multi_stroke"];
 
 /// Block `cases`.
 pub(in crate::workflow::verify) fn cases(_: &Reference<'_>, block: &Value, ledger: &mut Ledger) {
@@ -75,6 +76,9 @@ fn one(bodies: &Bodies, case: &mut Expected<'_>, ledger: &mut Ledger) {
     }
     for item in case.objects("other_diameter", ledger) {
         checked(item, ledger, |item, ledger| other_worms::other_diameter(bodies, item, ledger));
+    }
+    if let Some(item) = case.object("search", ledger) {
+        checked(item, ledger, |item, ledger| search::search(bodies, item, ledger));
     }
     if let Some(item) = case.object("undermining", ledger) {
         checked(item, ledger, |item, ledger| limits::undermining(bodies, item, ledger));
