@@ -228,6 +228,10 @@ fn every_changed_number_of_a_dressing_case_is_noticed() {
     for key in ["profile", "three_point"] {
         root["cases"][0][key].as_array_mut().unwrap().truncate(2);
     }
+    // The blocks that follow paths have a test of their own.
+    for key in ["limits", "compensation"] {
+        root["cases"][0].as_object_mut().unwrap().remove(key);
+    }
     // Clearances hardly feel some hundredths of a micrometre of crowning: a larger change is below.
     let later = ["/check_simulation_max_diff_um", "/undermining/c_alpha_V_um"];
     for block in ["worm", "dresser", "profile", "three_point", "topological", "undermining"] {
@@ -256,11 +260,47 @@ fn every_changed_number_of_a_dressing_case_is_noticed() {
     changed["cases"][0]["undermining"]["c_alpha_V_um"] = json!(1.5);
     assert!(check(&changed).failed >= 3);
     let mut changed = root.clone();
+    let crowning = &mut changed["cases"][0]["undermining"]["c_alpha_V_um"];
+    *crowning = json!(crowning.as_f64().unwrap() + 0.5);
+    let report = check(&changed);
+    assert!(report.failed > 0 && report.failures.iter().all(|f| f.quantity.contains("undermining")));
+    let mut changed = root.clone();
     changed["cases"][0]["conditions"][6]["error"] = json!("Singular");
     assert_eq!(check(&changed).failed, 1);
     let mut changed = root;
     changed["cases"][0]["profile"][0]["noise_um"] = json!(1.0);
     assert_eq!(check(&changed).failed, 1);
+}
+
+#[test]
+fn changed_ranges_and_compensations_are_noticed() {
+    let mut root = content("30-dressing.json");
+    root["cases"].as_array_mut().unwrap().truncate(1);
+    let with_block = |block: &str| {
+        let mut one = root.clone();
+        let case = one["cases"][0].as_object_mut().unwrap();
+        case.retain(|key, _| ["input", "worm", block].contains(&key.as_str()));
+        one
+    };
+    notices_every_number(&with_block("compensation"), "/cases/0/compensation", &[]);
+    let limits = with_block("limits");
+    assert_eq!(check(&limits).failed, 0);
+    for (quantity, step) in [
+        ("min/c_alpha_V_um", 0.02),
+        ("max/c_alpha_V_um", 0.1),
+        ("min/with_tip_land_1mm_c_um", 0.04),
+        ("max/with_tip_land_1mm_c_um", 0.05),
+    ] {
+        let mut changed = limits.clone();
+        let value = changed.pointer_mut(&format!("/cases/0/limits/{quantity}")).unwrap();
+        *value = json!(value.as_f64().unwrap() + step);
+        assert_eq!(check(&changed).failed, 1, "{quantity}");
+    }
+    let mut changed = limits;
+    for (end, key) in [("min", "reason"), ("max", "reason"), ("max", "with_tip_reason")] {
+        changed["cases"][0]["limits"][end][key] = json!("axis_limit");
+    }
+    assert_eq!(check(&changed).failed, 3);
 }
 
 #[test]

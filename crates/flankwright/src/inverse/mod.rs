@@ -1,6 +1,7 @@
 //! Inversion: damped Newton, continuation along a parameter, weighted Gauss-Newton and least squares with a rank report. Exact derivatives only; knows no gears.
 
 mod banded_reduction;
+mod constrained;
 mod continuation;
 mod gauss_newton;
 mod largest_residual;
@@ -10,6 +11,7 @@ mod pivots;
 mod row_reduction;
 
 pub use banded_reduction::BandedReduction;
+pub use constrained::{ConstrainedReport, Rows, constrained_gauss_newton};
 pub use continuation::{ContinuationOptions, ParameterLinearised, Path, PathEnd, PathPoint, Watch, follow};
 pub use gauss_newton::{GaussNewton, GaussNewtonReport, gauss_newton};
 pub use largest_residual::{LargestResidual, minimise_largest_residual};

@@ -154,12 +154,7 @@ impl<'a> ConditionSolver<'a> {
         if let Some([low, _]) = self.limits.iter().flatten().find(|[low, high]| !(low <= high)) {
             return invalid("axis limit", *low, "the smallest value first, no NaN");
         }
-        let on = |flank: Flank| conditions.iter().any(|row| row.flank() == Some(flank));
-        if on(Flank::Left) && on(Flank::Right) && self.tool.flanks.left.chain != self.tool.flanks.right.chain
-        {
-            return Err(DressingError::TwoFlanksOfCone);
-        }
-        conditions.iter().try_for_each(Condition::check)
+        Condition::check_all(conditions.iter(), self.tool)
     }
 
     fn correction(&self, x: &Vector4<f64>) -> DressingCorrection {

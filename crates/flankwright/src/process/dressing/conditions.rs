@@ -74,8 +74,21 @@ impl Condition {
     }
 
     /// # Errors
+    /// Those of each row; [`DressingError::TwoFlanksOfCone`] for rows on both flanks of a conical worm.
+    pub(super) fn check_all<'c>(
+        rows: impl Iterator<Item = &'c Self> + Clone,
+        tool: &DresserTool,
+    ) -> Result<(), DressingError> {
+        let on = |flank: Flank| rows.clone().any(|row| row.flank() == Some(flank));
+        if on(Flank::Left) && on(Flank::Right) && tool.flanks.left.chain != tool.flanks.right.chain {
+            return Err(DressingError::TwoFlanksOfCone);
+        }
+        rows.clone().try_for_each(Self::check)
+    }
+
+    /// # Errors
     /// [`DressingError::InvalidNumber`] for a number that is not finite and a component that does not exist.
-    pub(super) fn check(&self) -> Result<(), DressingError> {
+    fn check(&self) -> Result<(), DressingError> {
         let numbers = match *self {
             Self::Point { w, f, .. } => [("length of roll of a pitch point", w), ("wanted modification", f)],
             Self::Map { t, w, .. } => {

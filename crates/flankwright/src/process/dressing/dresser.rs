@@ -81,15 +81,9 @@ impl DresserTool {
         ranges: Sides<GeometricRange>,
         margin: f64,
     ) -> Result<Self, DressingError> {
-        let flanks = Sides::try_from_fn(|flank| {
+        let flanks = Sides::try_from_fn(|flank| -> Result<_, DressingError> {
             let (range, chain) = (ranges[flank], chains[flank]);
-            if !(range.w_nf > 0.0 && range.w_na > range.w_nf) {
-                return Err(DressingError::InvalidNumber {
-                    field: "w_NfS",
-                    value: range.w_nf,
-                    allowed: "0 < w_NfS < w_NaS",
-                });
-            }
+            check(&chain, &range, margin)?;
             let m = range.length();
             let (from, to) = (range.w_nf - margin * m, range.w_na + margin * m);
             let contacts = Chebyshev::nodes(from, to, NODES)
@@ -190,6 +184,33 @@ pub(super) fn conjugate_line(
     let m = margin * range.length();
     let from = (range.w_nf - m).max(0.5 * range.w_nf);
     Chebyshev::fit(from, range.w_na + m, LINE_NODES, |w| nominal_contact(worm, chain, w).map(|at| at.b))
+}
+
+/// # Errors
+/// [`DressingError::InvalidNumber`] for numbers from which no dresser can be made.
+fn check(chain: &DressingChain, range: &GeometricRange, margin: f64) -> Result<(), DressingError> {
+    let invalid = |field, value, allowed| Err(DressingError::InvalidNumber { field, value, allowed });
+    if !(range.w_nf > 0.0 && range.w_na > range.w_nf && range.w_na.is_finite()) {
+        return invalid("w_NfS", range.w_nf, "0 < w_NfS < w_NaS");
+    }
+    if !(margin.is_finite() && margin >= 0.0) {
+        return invalid("continuation of the profile", margin, ">= 0, as a share of the used range");
+    }
+    for (field, value) in [
+        ("worm angle phi_S", chain.worm_angle),
+        ("crossing angle gamma_A", chain.crossing_angle),
+        ("centre distance d_A", chain.centre_distance),
+        ("offset v_yA", chain.offset),
+        ("screw parameter", chain.screw_parameter),
+    ] {
+        if !value.is_finite() {
+            return invalid(field, value, "finite numbers");
+        }
+    }
+    if chain.screw_parameter == 0.0 {
+        return invalid("screw parameter", 0.0, "other than 0");
+    }
+    Ok(())
 }
 
 /// A meridian whose outward normal at t agrees with (n_r, n_z).

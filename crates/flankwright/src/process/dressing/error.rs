@@ -84,6 +84,14 @@ pub enum DressingError {
         /// Why it went no further.
         reason: PathReason,
     },
+    /// Conditions that leave corrections open.
+    #[error("{rows} conditions determine only {rank} of the four dressing corrections")]
+    Underdetermined {
+        /// Conditions given.
+        rows: usize,
+        /// How many corrections they determine at most.
+        rank: usize,
+    },
     /// One correction for both flanks of a conical worm, whose leads differ.
     #[error("the flanks of a conical worm have different leads and are not dressed by one motion")]
     TwoFlanksOfCone,
@@ -162,6 +170,7 @@ impl DressingError {
             Self::OutOfDresser { .. } => "out-of-dresser",
             Self::ConditionCount { .. } => "condition-count",
             Self::Singular { .. } => "singular",
+            Self::Underdetermined { .. } => "underdetermined",
             Self::TwoFlanksOfCone => "two-flanks-of-cone",
             Self::NoZero { .. } | Self::NoAngleWithoutStretch { .. } => "no-zero",
             Self::TipOutsideProfile { .. } => "tip-outside-profile",
@@ -186,9 +195,10 @@ impl DressingError {
                 "give four different conditions: pitch points, map rows, head rows or fixed axes"
             }
             Self::Singular { .. } => "replace one pitch point by a radius-map row or a fixed axis",
-            Self::NoZero { .. } => {
-                "reduce the amount, take a worm with more threads or smaller diameter, or let the dresser's profile make it"
+            Self::Underdetermined { .. } => {
+                "add pitch points, map rows or points of the other flank, fix an axis, or ask for the shortest correction"
             }
+            Self::NoZero { reason, .. } => reason.way_out(),
             Self::TwoFlanksOfCone => "dress one flank after the other: dressing.flanks = \"one\"",
             Self::NoAngleWithoutStretch { .. } => {
                 "widen the bracket, or take a worm whose diameter is nearer to the one the dresser was designed for"

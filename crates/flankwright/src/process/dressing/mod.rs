@@ -4,6 +4,7 @@ mod axis_influence;
 pub mod catalogue;
 mod characteristics;
 mod clearance;
+mod compensation;
 mod condition_sets;
 mod condition_solver;
 mod conditions;
@@ -34,6 +35,7 @@ mod undermining;
 pub use axis_influence::WormContact;
 pub use characteristics::{full_tip_land, quasi_static_modification, stretch};
 pub use clearance::{Clearance, ThreadSpace};
+pub use compensation::{Compensated, Compensation, SoftCondition};
 pub use condition_sets::{
     PitchPoint, four_points, map_of_upper_end, shift_through, three_points, three_points_with_map,
     two_flank_points, two_points,

@@ -32,6 +32,23 @@ impl PathReason {
             Self::GivenUp => "given-up",
         }
     }
+
+    /// What can be done about it, in one sentence.
+    pub fn way_out(self) -> &'static str {
+        match self {
+            Self::Fold | Self::ContactLost => {
+                "reduce the amount, take a worm with more threads or smaller diameter, or let the dresser's profile make it"
+            }
+            Self::OutOfDresser => {
+                "reduce the amount, or continue the dresser's profile further beyond the used range"
+            }
+            Self::AxisLimit(_) => "reduce the amount, or widen the limit of that axis",
+            Self::Limit => "reduce the amount, or take a dresser with a narrower tip",
+            Self::GivenUp => {
+                "start nearer to the solution, or replace a pitch point by a radius map or a fixed axis"
+            }
+        }
+    }
 }
 
 impl fmt::Display for PathReason {

@@ -1,8 +1,10 @@
 //! 30-dressing: worm, dresser, dressed profiles, conditions and motions of dressing. A case carries its blocks beside its input.
 
 mod bodies;
+mod compensation;
 mod conditions;
 mod corrections;
+mod crowning_range;
 mod limits;
 mod machine;
 mod motion;
@@ -19,7 +21,7 @@ use serde_json::Value;
 const UM: f64 = 1e-3;
 
 /// Blocks that later stages of the library compute.
-const TO_COME: [&str; 4] = ["limits", "compensation", "axis_deviation", "multi_stroke"];
+const TO_COME: [&str; 2] = ["axis_deviation", "multi_stroke"];
 
 /// Block `cases`.
 pub(in crate::workflow::verify) fn cases(_: &Reference<'_>, block: &Value, ledger: &mut Ledger) {
@@ -90,6 +92,12 @@ fn one(bodies: &Bodies, case: &mut Expected<'_>, ledger: &mut Ledger) {
     }
     if let Some(item) = case.object("machine", ledger) {
         checked(item, ledger, machine::machine);
+    }
+    if let Some(item) = case.object("limits", ledger) {
+        checked(item, ledger, |item, ledger| crowning_range::limits(bodies, item, ledger));
+    }
+    if let Some(item) = case.object("compensation", ledger) {
+        checked(item, ledger, |item, ledger| compensation::compensation(bodies, item, ledger));
     }
     for key in TO_COME {
         case.not_covered(key, ledger);
