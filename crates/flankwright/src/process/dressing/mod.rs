@@ -19,6 +19,7 @@ mod other_worm;
 mod path_reason;
 mod placement;
 mod profile_fit;
+mod settled;
 mod stretch_angle;
 mod swept_circle;
 mod tilt_chart;
