@@ -1,26 +1,32 @@
-//! Speed of dressing: profile with derivatives, and one set of conditions solved.
+//! Speed of dressing: profile with derivatives, one set of conditions solved, and the limits of one worm under one dresser.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use flankwright::geometry::{Flank, Gear, GearData, Sides};
 use flankwright::kinematics::DressingChain;
 use flankwright::process::dressing::{
-    Condition, ConditionSolver, DressedProfile, DresserTool, GeometricRange,
+    Condition, ConditionSolver, DressedProfile, DresserSection, DresserTool, GeometricRange, ThreadSpace,
+    WormFlank,
 };
 use std::hint::black_box;
 
 const REFERENCE_RADIUS: f64 = 50.0;
 
-/// A worm of 5 threads and 100 mm reference diameter with a dresser of 123 mm.
-fn tool() -> DresserTool {
-    let worm = Gear::new(GearData {
+/// A worm of 5 threads.
+fn worm(reference_radius: f64) -> Gear {
+    Gear::new(GearData {
         teeth: 5,
         normal_module: 3.5,
         pressure_angle: Sides::both(17.5f64.to_radians()),
-        helix_angle: 0.175f64.acos(),
+        helix_angle: (2.5 * 3.5 / reference_radius).acos(),
         profile_shift: 0.0,
         cone_angle: 0.0,
     })
-    .expect("worm");
+    .expect("worm")
+}
+
+/// The worm of 100 mm reference diameter with a dresser of 123 mm.
+fn tool() -> DresserTool {
+    let worm = worm(REFERENCE_RADIUS);
     let screw_parameter = worm.screw_parameter(Flank::Left);
     let chain = DressingChain {
         worm_angle: -std::f64::consts::FRAC_PI_2,
@@ -55,5 +61,35 @@ fn dressing(c: &mut Criterion) {
     });
 }
 
-criterion_group!(benches, dressing);
+/// What a catalogue search asks of every worm and dresser.
+fn limits(c: &mut Criterion) {
+    let tool = tool();
+    let section = DresserSection::new(&tool, Flank::Left, 61.5).expect("section");
+    // A profile crowning of 10 um: the counter flank collides with a land of 1 mm.
+    let dk = [-1.9f64.to_radians(), -(6.7f64.to_radians()), -2.7, 10.0];
+    c.bench_function("section of a dresser", |b| {
+        b.iter(|| DresserSection::new(black_box(&tool), Flank::Left, 61.5).expect("section"));
+    });
+    c.bench_function("clearance of the counter flank", |b| {
+        b.iter(|| {
+            section.counter_flank_clearance(black_box(&dk), 1.0, ThreadSpace::default()).expect("seat")
+        });
+    });
+    c.bench_function("largest tip land", |b| {
+        b.iter(|| section.largest_tip_land(black_box(&dk), 0.0, ThreadSpace::default()).expect("seat"));
+    });
+    let smaller = worm(46.0);
+    let flanks = smaller.flanks().map(|_, &flank| WormFlank {
+        flank,
+        range: GeometricRange {
+            w_nf: flank.length_of_roll(43.0).expect("roll"),
+            w_na: flank.length_of_roll(49.0).expect("roll"),
+        },
+    });
+    c.bench_function("undermining of a smaller worm in 3 planes", |b| {
+        b.iter(|| section.undermining(black_box(&dk), 1.0, &flanks, &[-50.0, 0.0, 50.0]).expect("seat"));
+    });
+}
+
+criterion_group!(benches, dressing, limits);
 criterion_main!(benches);

@@ -2,10 +2,11 @@
 //! every refusal. The reference numbers are checked by `verify` (`tests/verify.rs`).
 
 use flankwright::geometry::{Flank, Gear, GearData, InvoluteFlank, Sides};
-use flankwright::kinematics::{DressingChain, DressingCorrection, DressingMotion, Point};
+use flankwright::kinematics::{
+    Dresser, DressingChain, DressingCorrection, DressingMotion, Point, Pose, Worm,
+};
 use flankwright::process::dressing::{
-    Clearance, DressedProfile, DresserSection, DresserTool, DressingError, GeometricRange, SectionPart,
-    ThreadSpace, WormFlank,
+    Clearance, DresserSection, DresserTool, DressingError, GeometricRange, SectionPart, WormFlank,
 };
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -73,7 +74,7 @@ fn circles(section: &DresserSection<'_>, land: f64, steps: usize) -> Vec<[f64; 2
     let share = |k: usize| k as f64 / steps as f64;
     SectionPart::ALL
         .into_iter()
-        .flat_map(|part| (0..=steps).map(move |k| section.point(part, share(k), land)))
+        .flat_map(|part| (0..=steps).map(move |k| section.point(part, share(k), land).unwrap()))
         .collect()
 }
 
@@ -87,15 +88,15 @@ struct View {
 
 impl View {
     /// f and w of a dresser point at `dk`, by the poses of the kinematics and the involute's definition.
-    fn ray(&self, motion: &DressingMotion, [r, z]: [f64; 2], angle: f64) -> (f64, f64) {
-        let pose = motion.position(0.0).pose();
-        let q = pose.point(&Point::new(r * angle.cos(), r * angle.sin(), z));
+    fn ray(&self, seat: &Seat, [r, z]: [f64; 2], psi: f64) -> (f64, f64) {
+        let (sin, cos) = (seat.towards + psi).sin_cos();
+        let q = seat.pose.point(&Point::new(r * cos, r * sin, z)).xyz;
         let InvoluteFlank { base_radius, base_helix_angle, base_space_half_angle, teeth, .. } =
             self.worm.flank;
         let s = self.worm.flank.s();
         let w_1 = (q.x * q.x + q.y * q.y - base_radius * base_radius).sqrt();
         // Angle from +y towards +x; the screw to z = b turns the point in the positive sense.
-        let phi = q.x.atan2(q.y) - (self.b - q.z) / motion.chain.screw_parameter;
+        let phi = q.x.atan2(q.y) - (self.b - q.z) / seat.p;
         let wider = 2.0 * PI * f64::from(self.left_out) / teeth;
         let tangent = phi + s * (w_1 / base_radius).atan();
         let delta = w_1 / base_radius + base_space_half_angle + wider
@@ -110,14 +111,11 @@ impl View {
     }
 
     /// Least f over circles and angles within 1.2 rad of the direction to the worm axis.
-    fn brute(&self, motion: &DressingMotion, circles: &[[f64; 2]], turns: usize) -> f64 {
-        let at = motion.position(0.0);
-        let towards = (at.offset * at.crossing_angle.cos().powi(2)).atan2(-at.centre_distance);
+    fn brute(&self, seat: &Seat, circles: &[[f64; 2]], turns: usize) -> f64 {
         let mut least = f64::INFINITY;
         for &circle in circles {
             for k in 0..=turns {
-                let angle = towards - 1.2 + 2.4 * k as f64 / turns as f64;
-                let (f, w) = self.ray(motion, circle, angle);
+                let (f, w) = self.ray(seat, circle, -1.2 + 2.4 * k as f64 / turns as f64);
                 if f < least && self.used(w) {
                     least = f;
                 }
@@ -127,8 +125,20 @@ impl View {
     }
 }
 
-fn motion(tool: &DresserTool, flank: Flank, dk: &DressingCorrection) -> DressingMotion {
-    DressingMotion::constant(tool.flanks[flank].chain, *dk)
+/// Where the dresser stands, the direction from its centre to the worm axis, and the lead it works along.
+struct Seat {
+    pose: Pose<Worm, Dresser>,
+    towards: f64,
+    p: f64,
+}
+
+impl Seat {
+    fn new(tool: &DresserTool, flank: Flank, dk: &DressingCorrection) -> Self {
+        let chain = tool.flanks[flank].chain;
+        let at = DressingMotion::constant(chain, *dk).position::<f64>(0.0);
+        let towards = (at.offset * at.crossing_angle.cos().powi(2)).atan2(-at.centre_distance);
+        Self { pose: at.pose(), towards, p: chain.screw_parameter }
+    }
 }
 
 /// The place that was found lies on the section and on the flank and has that clearance; no sample has less.
@@ -136,10 +146,10 @@ fn is_the_least(
     section: &DresserSection<'_>,
     land: f64,
     view: &View,
-    motion: &DressingMotion,
+    seat: &Seat,
     found: Option<Clearance>,
 ) -> Result<(), TestCaseError> {
-    let sampled = view.brute(motion, &circles(section, land, 40), 600);
+    let sampled = view.brute(seat, &circles(section, land, 40), 600);
     let Some(at) = found else {
         prop_assert!(sampled.is_infinite(), "nothing found, sampled {sampled}");
         return Ok(());
@@ -149,9 +159,7 @@ fn is_the_least(
     let apart =
         fine.iter().map(|c| (c[0] - at.circle[0]).hypot(c[1] - at.circle[1])).fold(f64::INFINITY, f64::min);
     prop_assert!(apart < 0.01, "{at:?} is {apart} off the section");
-    let here = motion.position(0.0);
-    let towards = (here.offset * here.crossing_angle.cos().powi(2)).atan2(-here.centre_distance);
-    let (f, w) = view.ray(motion, at.circle, towards + at.psi);
+    let (f, w) = view.ray(seat, at.circle, at.psi);
     prop_assert!((f - at.f).abs() < 1e-9 && (w - at.w).abs() < 1e-8 && view.used(w), "{at:?}: {f}, {w}");
     Ok(())
 }
@@ -186,7 +194,7 @@ fn section<'a>(tool: &'a DresserTool, flank: Flank, choice: &Choice) -> Option<D
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(ProptestConfig::with_cases(std::env::var("CASES").map_or(24, |x| x.parse().unwrap())))]
 
     #[test]
     fn the_counter_flank_is_seen_as_sampling_sees_it(
@@ -205,7 +213,7 @@ proptest! {
             found => found.unwrap(),
         };
         let view = View { worm: choice.flank(flank.other()), left_out, b: 0.0 };
-        is_the_least(&section, land, &view, &motion(&tool, flank, &dk), found)?;
+        is_the_least(&section, land, &view, &Seat::new(&tool, flank, &dk), found)?;
     }
 
     #[test]
@@ -227,7 +235,7 @@ proptest! {
         };
         for (f, at) in found.iter() {
             let view = View { worm: worms[f], left_out: 0, b };
-            is_the_least(&section, land, &view, &motion(&tool, flank, &dk), at[0])?;
+            is_the_least(&section, land, &view, &Seat::new(&tool, flank, &dk), at[0])?;
         }
     }
 }

@@ -8,11 +8,11 @@ use flankwright::modification::{Modification, ModificationSpec, NoFiles};
 use flankwright::numerics::Polynomial2;
 use flankwright::process::generating::least_squares::FitNorm;
 use flankwright::process::generating::{
-    Command, Decomposition, DresserChoice, DressingLimits, FeedLaw, FlankTarget, Gauge, GeneratingError,
-    GrindingSetup, IdealPlan, LocalEnvelope, PlanGauge, PlanTask, PlanningGrid, ProfilePlace, ProfilePolicy,
-    QuadraticWorm, SetupInput, constant_only_profile_crowning, decompose_diagonal, decompose_quadratic,
-    decompose_radial, kinematic_compliance, motion_of_flanks, natural_twist, product_functions,
-    radial_residual,
+    Command, Decomposition, DresserChoice, DressingLimits, DressingRows, FeedLaw, FlankTarget, Gauge,
+    GeneratingError, GrindingSetup, IdealPlan, LocalEnvelope, PlanGauge, PlanTask, PlanningGrid,
+    ProfilePlace, ProfilePolicy, QuadraticWorm, SetupInput, constant_only_profile_crowning,
+    decompose_diagonal, decompose_quadratic, decompose_radial, kinematic_compliance, motion_of_flanks,
+    natural_twist, product_functions, radial_residual,
 };
 use proptest::prelude::*;
 use serde_json::json;
@@ -90,7 +90,7 @@ fn task(setup: &GrindingSetup) -> PlanTask<'_> {
         law: None,
         norm: FitNorm::default(),
         gauge: PlanGauge::default(),
-        two_flanks: false,
+        dressing: DressingRows::default(),
         precompensation: true,
         grid: (5, 5),
     }
@@ -299,7 +299,7 @@ fn plans_beyond_the_limits_are_refused_with_the_limit() {
         free_dresser: true,
         line_tolerance: 1e-4,
         norm: FitNorm::default(),
-        two_flanks: false,
+        dressing: DressingRows::default(),
         gauge: Sides { left: None, right: None },
     };
     let targets = targets(&setup, 20.0);

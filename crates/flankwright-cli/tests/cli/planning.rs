@@ -148,12 +148,31 @@ fn limits_of_axes_and_folds_end_with_4() {
 #[test]
 fn parts_of_the_format_that_are_not_carried_out_are_refused() {
     for (replacement, field) in [
-        (("[\"three-point\", \"radius-map\"]", "[\"four-point\"]"), "dressing.conditions"),
+        (("flanks = \"one\"", "strokes = 2"), "dressing.strokes"),
         (("[grid]", "[machine]\nfile = \"m.toml\"\n\n[grid]"), "machine"),
     ] {
         let (run, _) = planned(&[replacement], &["--json"]);
         assert_eq!(run.exit, Some(2), "{field}: {run:?}");
         assert_eq!(run.json()["error"]["field"], field);
+    }
+}
+
+#[test]
+fn other_dressing_conditions_are_met() {
+    let default = "conditions = [\"three-point\", \"radius-map\"]";
+    for conditions in ["[\"four-point\"]", "[\"three-point\", \"fix-gamma\"]"] {
+        let (run, _) = planned(&[(default, &format!("conditions = {conditions}"))], &["--json"]);
+        assert_eq!(run.exit, Some(0), "{conditions}: {run:?}");
+        assert_eq!(run.json()["status"], "met", "{conditions}");
+    }
+    for (conditions, code) in [
+        ("[\"radius-map\", \"head\", \"fix-d\", \"fix-gamma\"]", "invalid-job"),
+        ("[\"three-point\"]", "invalid-job"),
+    ] {
+        let (run, _) = planned(&[(default, &format!("conditions = {conditions}"))], &["--json"]);
+        assert_eq!(run.exit, Some(2), "{conditions}: {run:?}");
+        let error = &run.json()["error"];
+        assert_eq!((&error["field"], &error["code"]), (&"dressing.conditions".into(), &code.into()));
     }
 }
 

@@ -1,6 +1,7 @@
 //! Where bodies stand and how they move: typed poses, chains of elementary motions, motion laws and couplings as plain
 //! data. Knows shapes only by name; knows no contact and no process.
 
+mod axis_twist;
 mod dressing;
 mod dressing_machine;
 mod error;
@@ -11,6 +12,7 @@ mod machine_error;
 mod piecewise;
 mod pose;
 
+pub use axis_twist::AxisTwist;
 pub use dressing::{DressingChain, DressingCorrection, DressingMotion, DressingPosition};
 pub use dressing_machine::{
     DressingAxes, DressingAxis, DressingBranch, DressingMachine, DressingRule, DressingSolution,

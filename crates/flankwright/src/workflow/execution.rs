@@ -15,8 +15,8 @@ use crate::numerics::{Chebyshev, extremes};
 use crate::process::dressing::{DressedWorm, DresserTool, dressing_motion};
 use crate::process::generating::least_squares::FitNorm;
 use crate::process::generating::{
-    Carried, Decomposition, GrindingPlan, IdealPlan, IdealWorm, MadeFlank, PlannedTool, PlanningGrid,
-    ProfilePlace, ProfilePolicy, Tool, dresser_of_plan, dresser_profile, dressing_interval,
+    Carried, Decomposition, DressingRows, GrindingPlan, IdealPlan, IdealWorm, MadeFlank, PlannedTool,
+    PlanningGrid, ProfilePlace, ProfilePolicy, Tool, dresser_of_plan, dresser_profile, dressing_interval,
 };
 use std::f64::consts::PI;
 
@@ -249,7 +249,7 @@ impl Execution {
             free_dresser: true,
             line_tolerance: 0.0,
             norm: FitNorm::default(),
-            two_flanks: false,
+            dressing: DressingRows::default(),
             gauge: Sides { left: None, right: None },
         };
         let dresser = match &setup.tool {

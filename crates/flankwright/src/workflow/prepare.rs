@@ -3,9 +3,9 @@
 use super::finding::{Remark, RunFailure, generating_finding, geometry_finding, modification_finding};
 use super::shift::shift_of_job;
 use crate::exchange::job::{
-    DesignedFor, DiagonalRatio, DresserModification, DressingFlanks, Fit, FixedDresser, Flanks, Gauge,
-    GaugeRule, Job, Method, Modification as JobModification, ProfileCrowningBy, ToleranceMapSource,
-    Tool as JobTool,
+    Condition, DegreeOfFreedom, DesignedFor, DiagonalRatio, DresserModification, Dressing, DressingFlanks,
+    Fit, FixedDresser, Flanks, Gauge, GaugeRule, Job, Method, Modification as JobModification,
+    ProfileCrowningBy, ToleranceMapSource, Tool as JobTool,
 };
 use crate::exchange::{
     Diagnostic, LoadedJob, Problem, TableForm, read_grid_target, read_points, read_tolerances, read_traces,
@@ -20,8 +20,8 @@ use crate::modification::{
 use crate::process::generating::areas::AreaPlan;
 use crate::process::generating::least_squares::FitNorm;
 use crate::process::generating::{
-    Carrier, DresserChoice, DressingLimits, FlankTarget, FreeCoefficients, GrindingSetup, PlanGauge,
-    PlanTask, ProfilePlace, SetupInput, Tool,
+    Carrier, DresserChoice, DressingLimits, DressingRows, FlankRows, FlankTarget, FreeCoefficients,
+    GrindingSetup, PlanGauge, PlanTask, ProfilePlace, SetupInput, Tool,
 };
 
 /// A job made ready for planning.
@@ -549,6 +549,21 @@ fn dresser_profile(
     Ok(made)
 }
 
+/// The rows of the dressing motion as the job names them; that they are four has been checked.
+fn dressing_rows(dressing: &Dressing) -> DressingRows {
+    if dressing.flanks == DressingFlanks::Two {
+        return DressingRows::BothFlanks;
+    }
+    let has = |condition: Condition| dressing.conditions.contains(&condition);
+    let fixed = dressing.fixed();
+    DressingRows::Alone(FlankRows {
+        points: if has(Condition::FourPoint) { 4 } else { 3 },
+        map: has(Condition::RadiusMap),
+        head: has(Condition::Head),
+        fixed: DegreeOfFreedom::ALL.map(|axis| fixed.contains(&axis)),
+    })
+}
+
 impl Prepared {
     /// The task of planning this job.
     pub fn task(&self, job: &Job) -> PlanTask<'_> {
@@ -577,7 +592,7 @@ impl Prepared {
                 }
             },
             places: self.places.clone(),
-            two_flanks: job.dressing.flanks == DressingFlanks::Two,
+            dressing: dressing_rows(&job.dressing),
             free_dresser: self.free_dresser,
             precompensation: job.grinding.precompensation.unwrap_or(!radial),
             grid: (job.grid.profile_points, job.grid.helix_points),

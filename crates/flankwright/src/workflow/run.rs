@@ -45,14 +45,6 @@ pub(super) fn supported(job: &Job) -> Result<(), RunFailure> {
                 .way_out(way_out);
         Err(RunFailure::bad_input(finding))
     };
-    let rows = crate::exchange::job::Dressing::default();
-    if job.dressing.conditions != rows.conditions || !job.dressing.fixed().is_empty() {
-        return refuse(
-            "dressing.conditions",
-            "another set of dressing conditions than [\"three-point\", \"radius-map\"]",
-            "leave dressing.conditions and dressing.degrees_of_freedom out",
-        );
-    }
     if job.machine.is_some() {
         return refuse(
             "machine",

@@ -3,8 +3,8 @@
 use super::not_yet;
 use crate::exchange::diagnostic::{Diagnostic, Problem};
 use crate::exchange::job::{
-    DesignedFor, Dresser, DresserModification, Dressing, DressingFlanks, FixedDresser, Flanks, Job,
-    ProfileCrowningBy, Tool,
+    Condition, DesignedFor, Dresser, DresserModification, Dressing, DressingFlanks, FixedDresser, Flanks,
+    Job, ProfileCrowningBy, Tool,
 };
 use crate::exchange::node::shown_number;
 
@@ -263,6 +263,32 @@ fn dressing(dressing: &Dressing, findings: &mut Vec<Diagnostic>) {
                 .allowed("4: `three-point` counts 3, `four-point` 4, every other condition and every motion left out of \
                      `degrees_of_freedom` 1")
                 .way_out("use [\"three-point\", \"radius-map\"], the default"),
+        );
+    }
+    let points = [Condition::ThreePoint, Condition::FourPoint];
+    if rows == 4 && !points.iter().any(|condition| dressing.conditions.contains(condition)) {
+        let names: Vec<String> = dressing.conditions.iter().map(|c| format!("{c:?}")).collect();
+        findings.push(
+            Diagnostic::new(Problem::InvalidJob, "the dressing conditions ask for no profile")
+                .field("dressing.conditions")
+                .value(names.join(", "))
+                .allowed("among them \"three-point\" or \"four-point\"")
+                .way_out("use [\"three-point\", \"radius-map\"], the default"),
+        );
+    }
+    let default = Dressing::default();
+    if dressing.flanks == DressingFlanks::Two
+        && (dressing.conditions != default.conditions || !dressing.fixed().is_empty())
+    {
+        findings.push(
+            Diagnostic::new(
+                Problem::InvalidJob,
+                "one motion for both flanks has conditions of its own: two points on each",
+            )
+            .field("dressing.conditions")
+            .value("given beside dressing.flanks = \"two\"")
+            .allowed("no conditions and no degrees_of_freedom, or dressing.flanks = \"one\"")
+            .way_out("leave `conditions` and `degrees_of_freedom` out"),
         );
     }
     if let Some(strokes) = dressing.strokes

@@ -1,11 +1,11 @@
-//! How close the dresser comes to worm flanks that it does not dress: counter flank of the thread space, largest tip land,
-//! undermining of a worm of smaller diameter (spec 30 section 13). Knows no wanted modification.
+//! How close the dresser comes to the flank across the thread space, and how wide its tip land may be (spec 30 section 13).
+//! Knows no wanted modification.
 
+use super::DressingError;
+use super::dresser_pose::DresserPose;
 use super::dresser_section::{DresserSection, SectionCircle, SectionPart};
 use super::envelope::{RelativeScrew, circle_contact};
-use super::swept_circle::{CircleLeast, DresserPose, FlankSweep};
-use super::{DressingError, GeometricRange};
-use crate::geometry::{InvoluteFlank, Sides};
+use super::swept_circle::{CircleLeast, FlankSweep};
 use crate::kinematics::DressingCorrection;
 use crate::numerics::brent;
 use std::f64::consts::PI;
@@ -26,15 +26,6 @@ impl From<u32> for ThreadSpace {
     }
 }
 
-/// A worm flank and the part of it that is used.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WormFlank {
-    /// The unmodified flank.
-    pub flank: InvoluteFlank,
-    /// Used lengths of roll.
-    pub range: GeometricRange,
-}
-
 /// Where a dresser comes closest to a worm flank. mm, rad.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clearance {
@@ -52,17 +43,25 @@ pub struct Clearance {
     pub b: f64,
 }
 
+impl Clearance {
+    /// The circle without its place in the section.
+    pub(super) fn section_circle(&self) -> SectionCircle {
+        let [r, z] = self.circle;
+        SectionCircle { r, z, slope: [0.0; 2] }
+    }
+}
+
 /// Flanks with leads that differ by less than this share form a space that is the same everywhere.
 const SAME_LEAD: f64 = 1e-9;
 /// Accuracy of the tip land, mm.
 const LAND: f64 = 1e-10;
-/// Steps by which the search reaches further out where nothing is near; the second one sees everything on the half of the
-/// dresser that faces the worm.
-const REACHES: [f64; 2] = [1.0, 1e3];
+/// Clearances up to which is searched at last, in distances of neighbouring threads: everything on the half of the dresser that
+/// faces the worm.
+const FARTHEST: f64 = 1e3;
 
-impl<'a> DresserSection<'a> {
+impl DresserSection<'_> {
     /// Pose of the dresser and the number of the thread space that it works in.
-    fn seat(&self, dk: &DressingCorrection) -> Result<(DresserPose, f64), DressingError> {
+    pub(super) fn seat(&self, dk: &DressingCorrection) -> Result<(DresserPose, f64), DressingError> {
         for (field, &value) in ["d_phi_S", "d_gamma", "d_d", "d_v_yA"].into_iter().zip(dk) {
             if !value.is_finite() {
                 return Err(DressingError::InvalidNumber { field, value, allowed: "a finite number" });
@@ -101,27 +100,19 @@ impl<'a> DresserSection<'a> {
     ) -> Result<Option<Clearance>, DressingError> {
         self.check_land(tip_land)?;
         let sweeps = self.counter_sweeps(dk, space)?;
-        Ok(nearest(
-            sweeps.iter().filter_map(|(sweep, b, reach)| self.nearest_to(sweep, tip_land, *b, *reach)),
-        ))
+        Ok(nearest(sweeps.iter().filter_map(|sweep| self.nearest_to(sweep, tip_land))))
     }
 
-    /// Sweeps over the flank across the space, with b and the distance at which threads follow each other.
+    /// Sweeps over the flank across the space, one for every plane z = b that is needed.
     fn counter_sweeps(
         &self,
         dk: &DressingCorrection,
         space: ThreadSpace,
-    ) -> Result<Vec<(FlankSweep, f64, f64)>, DressingError> {
+    ) -> Result<Vec<FlankSweep>, DressingError> {
         let counter = &self.tool().flanks[self.flank().other()];
         let active = &self.tool().flanks[self.flank()];
         let worm = &counter.worm;
-        if f64::from(space.left_out) >= worm.teeth {
-            return Err(DressingError::InvalidNumber {
-                field: "left-out threads",
-                value: f64::from(space.left_out),
-                allowed: "fewer than the worm has threads",
-            });
-        }
+        self.check_left_out(space.left_out)?;
         let same = (worm.twist_per_length() * active.chain.screw_parameter - 1.0).abs() < SAME_LEAD;
         let planes = match space.width {
             Some([from, to]) if !(from.is_finite() && to.is_finite() && from <= to) => {
@@ -143,12 +134,10 @@ impl<'a> DresserSection<'a> {
             }
         };
         let (pose, number) = self.seat(dk)?;
-        let pitch = 2.0 * PI / worm.teeth;
-        let beyond = pitch * f64::from(space.left_out);
-        let reach = base_pitch(worm) * f64::from(1 + space.left_out);
+        let beyond = 2.0 * PI / worm.teeth * f64::from(space.left_out);
         Ok(planes
             .into_iter()
-            .map(|b| (FlankSweep::new(pose, worm, counter.range, number, beyond, b), b, reach))
+            .map(|b| FlankSweep::new(pose, worm, counter.range, number, beyond, b))
             .collect())
     }
 
@@ -187,9 +176,10 @@ impl<'a> DresserSection<'a> {
         }
         let sweeps = self.counter_sweeps(dk, space)?;
         let spare = |land: f64| {
-            let clearances =
-                sweeps.iter().filter_map(|(sweep, b, reach)| self.nearest_to(sweep, land, *b, *reach));
-            nearest(clearances).map_or(f64::INFINITY, |at| at.f) - limit
+            // Out of reach is as good as the farthest that is looked for.
+            let clearance =
+                |sweep: &FlankSweep| self.nearest_to(sweep, land).map_or(sweep.reach() * FARTHEST, |at| at.f);
+            sweeps.iter().map(clearance).fold(f64::INFINITY, f64::min) - limit
         };
         let full = self.full_land();
         let at_full = spare(full);
@@ -200,69 +190,27 @@ impl<'a> DresserSection<'a> {
         if at_none < 0.0 {
             return Ok(None);
         }
-        if at_none.is_infinite() {
-            return Ok(None);
-        }
         Ok(brent([0.0, full], [at_none, at_full], LAND, |land| Some(spare(land))))
     }
 
-    /// Where the dresser at `dk`, moved as for its own worm, comes closest to both flanks of another worm in each of the planes
-    /// z = b (mm): undermining where f < 0. The groove centres of both worms stand on one line at z = 0. `None` where the
-    /// dresser does not reach the used flank.
-    ///
-    /// # Errors
-    /// [`DressingError::TipLand`], [`DressingError::NoContact`]; [`DressingError::InvalidNumber`] for another number of threads
-    /// or hand, flanks of the wrong side, and a plane that is not finite.
-    pub fn undermining(
-        &self,
-        dk: &DressingCorrection,
-        tip_land: f64,
-        other: &Sides<WormFlank>,
-        b: &[f64],
-    ) -> Result<Sides<Vec<Option<Clearance>>>, DressingError> {
-        self.check_land(tip_land)?;
-        let own = &self.tool().flanks[self.flank()].worm;
-        let refuse = |field, value, allowed| Err(DressingError::InvalidNumber { field, value, allowed });
-        for (flank, worm) in other.iter() {
-            if worm.flank.teeth != own.teeth {
-                return refuse(
-                    "threads of the other worm",
-                    worm.flank.teeth,
-                    "those of the dresser's own worm",
-                );
-            }
-            if worm.flank.flank != flank || worm.flank.twist_per_length() * own.twist_per_length() <= 0.0 {
-                let twist = worm.flank.twist_per_length();
-                return refuse(
-                    "twist of the other worm",
-                    twist,
-                    "the hand of the own worm, left flank as left",
-                );
-            }
-            if !(worm.range.w_nf > 0.0 && worm.range.w_na > worm.range.w_nf && worm.range.w_na.is_finite()) {
-                return refuse("w_NfS of the other worm", worm.range.w_nf, "0 < w_NfS < w_NaS");
-            }
+    /// Refuses more left-out threads than the worm can spare.
+    pub(super) fn check_left_out(&self, left_out: u32) -> Result<(), DressingError> {
+        if f64::from(left_out) < self.tool().flanks[self.flank()].worm.teeth {
+            return Ok(());
         }
-        if let Some(&b) = b.iter().find(|b| !b.is_finite()) {
-            return refuse("worm position b", b, "a finite length");
-        }
-        let (pose, number) = self.seat(dk)?;
-        Ok(other.map(|_, worm| {
-            b.iter()
-                .map(|&b| {
-                    let sweep = FlankSweep::new(pose, &worm.flank, worm.range, number, 0.0, b);
-                    self.nearest_to(&sweep, tip_land, b, base_pitch(&worm.flank))
-                })
-                .collect()
-        }))
+        Err(DressingError::InvalidNumber {
+            field: "left-out threads",
+            value: f64::from(left_out),
+            allowed: "fewer than the worm has threads",
+        })
     }
 
     /// Least distance of the whole section from a flank.
-    fn nearest_to(&self, sweep: &FlankSweep, tip_land: f64, b: f64, reach: f64) -> Option<Clearance> {
-        for factor in REACHES {
-            let most = reach * factor;
+    pub(super) fn nearest_to(&self, sweep: &FlankSweep, tip_land: f64) -> Option<Clearance> {
+        for factor in [1.0, FARTHEST] {
+            let most = sweep.reach() * factor;
             let parts = SectionPart::ALL.into_iter();
-            let found = nearest(parts.filter_map(|part| self.part(sweep, part, tip_land, most, b)));
+            let found = nearest(parts.filter_map(|part| self.part(sweep, part, tip_land, most)));
             if let Some(at) = found
                 && at.f <= most
             {
@@ -273,14 +221,7 @@ impl<'a> DresserSection<'a> {
     }
 
     /// Least distance of one part of the section.
-    fn part(
-        &self,
-        sweep: &FlankSweep,
-        part: SectionPart,
-        tip_land: f64,
-        most: f64,
-        b: f64,
-    ) -> Option<Clearance> {
+    fn part(&self, sweep: &FlankSweep, part: SectionPart, tip_land: f64, most: f64) -> Option<Clearance> {
         let mut best: Option<(SectionCircle, CircleLeast)> = None;
         let mut offer = |circle: SectionCircle, at: CircleLeast| {
             if best.is_none_or(|(_, least)| at.f < least.f) {
@@ -326,7 +267,7 @@ impl<'a> DresserSection<'a> {
             circle: [circle.r, circle.z],
             psi: at.psi,
             w: at.w,
-            b,
+            b: sweep.b(),
         })
     }
 }
@@ -334,9 +275,4 @@ impl<'a> DresserSection<'a> {
 /// The closest of several.
 fn nearest(found: impl Iterator<Item = Clearance>) -> Option<Clearance> {
     found.min_by(|a, b| a.f.total_cmp(&b.f))
-}
-
-/// Normal distance of neighbouring threads, mm.
-fn base_pitch(flank: &InvoluteFlank) -> f64 {
-    2.0 * PI * flank.base_radius * flank.base_helix_angle.cos() / flank.teeth
 }

@@ -135,10 +135,26 @@ impl<'a> DresserSection<'a> {
 
     /// Meridian point (r, z) of a part with a land of width `tip_land`, mm; `share` runs from 0 to 1 from the tip on, on the
     /// land from the active flank to the counter flank.
-    pub fn point(&self, part: SectionPart, share: f64, tip_land: f64) -> [f64; 2] {
+    ///
+    /// # Errors
+    /// [`DressingError::TipLand`]; [`DressingError::InvalidNumber`] for a share outside 0..1.
+    pub fn point(&self, part: SectionPart, share: f64, tip_land: f64) -> Result<[f64; 2], DressingError> {
+        self.check_land(tip_land)?;
+        if !(0.0..=1.0).contains(&share) {
+            return Err(DressingError::InvalidNumber {
+                field: "share of the section's part",
+                value: share,
+                allowed: "0 .. 1",
+            });
+        }
+        let at = self.circle_at(part, share, tip_land);
+        Ok([at.r, at.z])
+    }
+
+    /// The circle at a share of a part.
+    pub(super) fn circle_at(&self, part: SectionPart, share: f64, tip_land: f64) -> SectionCircle {
         let [from, to] = self.interval(part, tip_land);
-        let at = self.circle(part, from + share * (to - from), tip_land);
-        [at.r, at.z]
+        self.circle(part, from + share * (to - from), tip_land)
     }
 
     /// Interval of the parameter of a part.

@@ -3,6 +3,7 @@
 use super::PathReason;
 use crate::contact::ContactError;
 use crate::geometry::{Flank, GeometryError};
+use crate::kinematics::MachineError;
 use thiserror::Error;
 
 /// What can go wrong between dresser and worm. Lengths mm.
@@ -14,6 +15,9 @@ pub enum DressingError {
     /// Worm and gear do not stand together.
     #[error(transparent)]
     Contact(#[from] ContactError),
+    /// The machine cannot take up the poses of a dressing motion.
+    #[error(transparent)]
+    Machine(#[from] MachineError),
     /// A number that is not usable.
     #[error("{field} = {value} is not usable; allowed: {allowed}")]
     InvalidNumber {
@@ -151,6 +155,7 @@ impl DressingError {
         match self {
             Self::Geometry(e) => e.code(),
             Self::Contact(e) => e.code(),
+            Self::Machine(e) => e.code(),
             Self::InvalidNumber { .. } => "invalid-number",
             Self::NoConjugate { .. } => "no-conjugate",
             Self::NoContact { .. } => "no-contact",
@@ -171,6 +176,7 @@ impl DressingError {
         match self {
             Self::Geometry(e) => e.way_out(),
             Self::Contact(e) => e.way_out(),
+            Self::Machine(e) => e.way_out(),
             Self::InvalidNumber { .. } => "give a value inside the allowed range",
             Self::NoConjugate { .. } => "use a larger worm, fewer threads or a smaller dresser",
             Self::NoContact { .. } | Self::OutOfDresser { .. } => {

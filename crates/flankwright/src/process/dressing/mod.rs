@@ -1,5 +1,6 @@
 //! Dressing a grinding worm with a disc dresser in line contact (spec 30): settings DK -> worm flank, and back.
 
+mod axis_influence;
 pub mod catalogue;
 mod characteristics;
 mod clearance;
@@ -10,24 +11,30 @@ mod conditions_along;
 mod contact_line;
 mod crowning_range;
 mod dresser;
+mod dresser_pose;
 mod dresser_section;
 mod envelope;
 mod error;
 mod forward;
+mod machine_choice;
+mod machine_motion;
 mod nominal;
 mod other_worm;
 mod path_reason;
 mod placement;
 mod profile_fit;
+mod section_outline;
 mod settled;
 mod stretch_angle;
 mod swept_circle;
 mod tilt_chart;
 mod topological;
 mod two_flanks;
+mod undermining;
 
+pub use axis_influence::WormContact;
 pub use characteristics::{full_tip_land, quasi_static_modification, stretch};
-pub use clearance::{Clearance, ThreadSpace, WormFlank};
+pub use clearance::{Clearance, ThreadSpace};
 pub use condition_sets::{
     PitchPoint, four_points, map_of_upper_end, shift_through, three_points, three_points_with_map,
     two_flank_points, two_points,
@@ -42,6 +49,10 @@ pub use dresser_section::{DresserSection, SectionPart};
 pub use envelope::{DressedWorm, EnvelopePoint, dressing_motion};
 pub use error::DressingError;
 pub use forward::{DressedProfile, ProfilePoint, head_gradient};
+pub use machine_choice::{AxisCriterion, MachineChoice, SwivelChoice};
+pub use machine_motion::{
+    AxisReversal, AxisUncertainty, MachineMotion, MachineRow, MachineTask, MachineWay, SwivelLaw,
+};
 pub use nominal::{NominalContact, nominal_contact};
 pub use other_worm::WormSeat;
 pub use path_reason::PathReason;
@@ -49,6 +60,7 @@ pub use profile_fit::{
     ProfileFit, fit_profile, fit_profile_along, fit_profile_on_path, profile_error, refit_profile,
     uncorrected_profile,
 };
+pub use section_outline::{SectionOutline, ShownWorm};
 pub use stretch_angle::{StretchAngle, angle_of_least_stretch};
 pub use tilt_chart::TiltChart;
 pub use topological::{
@@ -56,3 +68,4 @@ pub use topological::{
     solve_dressing_motion, solve_node,
 };
 pub use two_flanks::{TwoFlankWish, solve_two_flank_motion, solve_two_flank_node, two_flank_rolls};
+pub use undermining::WormFlank;

@@ -2,74 +2,11 @@
 //! (spec 30 section 13). An independent check of the forward calculation. Knows no section and no limit.
 
 use super::GeometricRange;
+use super::dresser_pose::DresserPose;
 use super::dresser_section::SectionCircle;
 use crate::geometry::InvoluteFlank;
-use crate::kinematics::{DressingChain, DressingCorrection};
 use crate::numerics::brent;
 use std::f64::consts::{FRAC_PI_2, PI};
-
-/// Pose of the dresser in the room (worm axis = z) and the screw along which the worm passes it.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct DresserPose {
-    worm_angle: f64,
-    /// sin and cos of the crossing angle.
-    tilt: [f64; 2],
-    centre: [f64; 3],
-    /// Direction from the worm axis to the dresser's centre, rad.
-    centre_angle: f64,
-    /// Direction from the dresser's centre to the worm axis, angle in the plane of the disc, rad.
-    towards_worm: f64,
-    screw_parameter: f64,
-}
-
-impl DresserPose {
-    pub fn new(chain: &DressingChain, dk: &DressingCorrection) -> Self {
-        let (sin, cos) = (chain.crossing_angle + dk[1]).sin_cos();
-        let (d, v_y) = (chain.centre_distance + dk[2], chain.offset + dk[3]);
-        let centre = [d, -v_y * cos, v_y * sin];
-        Self {
-            worm_angle: chain.worm_angle + dk[0],
-            tilt: [sin, cos],
-            centre,
-            centre_angle: centre[1].atan2(centre[0]),
-            towards_worm: (-centre[1] * cos).atan2(-centre[0]),
-            screw_parameter: chain.screw_parameter,
-        }
-    }
-
-    /// Direction of a room point seen from the worm axis without jump around the dresser, rad.
-    pub fn direction(&self, [x, y, _]: [f64; 3]) -> f64 {
-        let [c_x, c_y, _] = self.centre;
-        self.centre_angle + (c_x * y - c_y * x).atan2(c_x * x + c_y * y)
-    }
-
-    /// Angles psi between which a circle comes within `reach` of the worm axis, on the half that faces it; `None` where it does
-    /// not.
-    fn arc(&self, circle: &SectionCircle, reach: f64) -> Option<[f64; 2]> {
-        let [sin, cos] = self.tilt;
-        let (c_x, c_y, r) = (self.centre[0], self.centre[1] + circle.z * sin, circle.r);
-        let (along, across) = (c_x, c_y * cos);
-        let amplitude = along.hypot(across);
-        let middle = (-across).atan2(-along);
-        let offset = middle - self.towards_worm;
-        let offset = offset - 2.0 * PI * (offset / (2.0 * PI)).round();
-        // distance^2 = c_x^2 + c_y^2 + r^2 - 2 r amplitude cos(psi - middle) - (r sin gamma sin psi)^2: the last term is small and
-        // bounded by what is known of the arc.
-        let mut half = FRAC_PI_2;
-        for _ in 0..3 {
-            // sin^2 of the largest angle against the direction -x or +x.
-            let lean = (half + middle.sin().abs().asin()).min(FRAC_PI_2).sin();
-            let bent = (r * sin * lean).powi(2);
-            let level = (c_x * c_x + c_y * c_y + r * r - reach * reach - bent) / (2.0 * r * amplitude);
-            if level.is_nan() || level >= 1.0 {
-                return None;
-            }
-            half = half.min(level.max(-1.0).acos());
-        }
-        let ends = [(offset - half).max(-FRAC_PI_2), (offset + half).min(FRAC_PI_2)];
-        (ends[0] < ends[1]).then_some(ends)
-    }
-}
 
 /// Worm flank on which a sweep is judged, in the plane z = b.
 #[derive(Clone, Copy, Debug)]
@@ -81,6 +18,8 @@ pub(super) struct FlankSweep {
     range: GeometricRange,
     /// All of the lag that does not depend on the point.
     constant: f64,
+    b: f64,
+    reach: f64,
 }
 
 /// A point of a swept circle on the nominal ray of the flank.
@@ -122,9 +61,9 @@ impl FlankSweep {
         b: f64,
     ) -> Self {
         let s = worm.s();
-        let screwed = b / pose.screw_parameter - b * worm.twist_per_length();
+        let screwed = b / pose.screw_parameter() - b * worm.twist_per_length();
         let constant = worm.base_space_half_angle + beyond
-            - s * (FRAC_PI_2 + pose.worm_angle + 2.0 * PI / worm.teeth * space - screwed);
+            - s * (FRAC_PI_2 + pose.worm_angle() + 2.0 * PI / worm.teeth * space - screwed);
         Self {
             pose,
             s,
@@ -132,7 +71,19 @@ impl FlankSweep {
             cos_base: worm.base_helix_angle.cos(),
             range,
             constant,
+            b,
+            reach: worm.base_radius * worm.base_helix_angle.cos() * (2.0 * PI / worm.teeth + beyond),
         }
+    }
+
+    /// Plane z = b of the worm, mm.
+    pub fn b(&self) -> f64 {
+        self.b
+    }
+
+    /// Normal distance at which the same flank follows again, mm.
+    pub fn reach(&self) -> f64 {
+        self.reach
     }
 
     /// Number of thread space in which a room point lies nearest to the flank, if this sweep was made for space 0.
@@ -145,18 +96,20 @@ impl FlankSweep {
     fn lag(&self, q: [f64; 3], w_1: f64) -> f64 {
         let roll = w_1 / self.base_radius;
         roll - roll.atan()
-            + self.s * (self.pose.direction(q) - q[2] / self.pose.screw_parameter)
+            + self.s * (self.pose.direction(q) - q[2] / self.pose.screw_parameter())
             + self.constant
+    }
+
+    /// Axial position of the flank at a radius of the worm in a plane through its axis, seen from z = b, mm. There f is the axial
+    /// distance times sin(beta_b).
+    pub fn axial_position(&self, radius: f64) -> f64 {
+        let roll = (radius * radius - self.base_radius.powi(2)).max(0.0).sqrt() / self.base_radius;
+        self.s * self.pose.screw_parameter() * (roll - roll.atan() + self.constant)
     }
 
     /// The point at the angle psi of a circle.
     pub fn at(&self, circle: &SectionCircle, psi: f64) -> SweptPoint {
-        let [sin, cos] = self.pose.tilt;
-        let (sp, cp) = (self.pose.towards_worm + psi).sin_cos();
-        let [x, y, z] = self.pose.centre;
-        let (r, c) = (circle.r, circle.z);
-        let q = [x + r * cp, y + r * sp * cos + c * sin, z - r * sp * sin + c * cos];
-        let moved = [[-r * sp, r * cp * cos, -r * cp * sin], [cp, sp * cos, -sp * sin], [0.0, sin, cos]];
+        let (q, moved) = self.pose.point(circle, psi);
         let square = q[0] * q[0] + q[1] * q[1];
         let rest = square - self.base_radius * self.base_radius;
         // Continued through the base circle, so that limits of w are bracketed there too.
@@ -167,7 +120,7 @@ impl FlankSweep {
         for (k, m) in moved.iter().enumerate() {
             let (out, around) = (q[0] * m[0] + q[1] * m[1], q[0] * m[1] - q[1] * m[0]);
             let turn = (w_1 / self.base_radius * out + self.s * around) / square;
-            point.df[k] = scale * (turn - self.s * m[2] / self.pose.screw_parameter);
+            point.df[k] = scale * (turn - self.s * m[2] / self.pose.screw_parameter());
             point.dw[k] = out / w_1 - self.cos_base * point.df[k];
         }
         point

@@ -1,12 +1,16 @@
 //! From the ideal worm to the dressed one: dresser profile, corrections DK(v), exact envelope (spec 28 section 4, steps 6, 7).
 
-use super::{GeneratingError, GrindingSetup, IdealPlan, IdealWorm, ProfilePlace, ProfilePolicy};
+use super::{
+    DressingRows, FlankRows, GeneratingError, GrindingSetup, IdealPlan, IdealWorm, ProfilePlace,
+    ProfilePolicy,
+};
 use crate::geometry::{Flank, ProfileOffset, Sides};
 use crate::kinematics::{DressingCorrection, MotionLaw};
-use crate::numerics::{Chebyshev, extremes};
+use crate::numerics::{Chebyshev, equidistant, extremes};
 use crate::process::dressing::{
-    DressedProfile, DressedWorm, DresserTool, FlankDresser, NodePlan, NodeSolution, pitch_rolls,
-    solve_dressing_motion, solve_two_flank_motion, two_flank_rolls,
+    Condition, ConditionSolver, DressedProfile, DressedWorm, DresserTool, FlankDresser, NodePlan,
+    NodeSolution, map_of_upper_end, pitch_rolls, solve_conditions_along, solve_dressing_motion,
+    solve_two_flank_motion, two_flank_rolls,
 };
 use std::sync::Arc;
 
@@ -99,6 +103,9 @@ pub fn dresser_profile(worm: &IdealWorm, policy: ProfilePolicy) -> Vec<f64> {
     profile
 }
 
+/// The head part of a dresser reaches over this to either side of the middle of the worm's tip, mm.
+const HEAD_HALF: f64 = 1.5;
+
 /// The dresser made for a plan: it carries the profile of the ideal worm, under `correction` without its u^2 part.
 ///
 /// # Errors
@@ -116,7 +123,13 @@ pub fn dresser_of_plan(
         let plain = plain.flanks[flank].clone();
         (!empty).then(|| Arc::new(GearProfile { worm, plain }) as Arc<dyn ProfileOffset>)
     });
-    Ok(plain.with_offsets(&offsets))
+    let tool = plain.with_offsets(&offsets);
+    Ok(match policy.dressing {
+        DressingRows::Alone(FlankRows { head: true, .. }) => {
+            tool.with_head(setup.worm_tip_radius, HEAD_HALF)?
+        }
+        _ => tool,
+    })
 }
 
 /// Interval of v in which `tool` dresses the plan's occupation of one flank with a margin at each end, mm.
@@ -132,16 +145,17 @@ pub fn dressing_interval(
     (b[0] - z[1] - margin, b[1] - z[0] + margin)
 }
 
-/// What the dressing rows of one flank ask for. What stands on the worm's lines as it is has other values across the slightly
+/// What the pitch points of one flank ask for. What stands on the worm's lines as it is has other values across the slightly
 /// bent line in which the dresser touches; only their straight part over the profile is asked of the dresser, because a worm of
 /// few threads takes hardly any more (spec 28 section 1).
 struct Wish<'a> {
     worm: &'a IdealWorm,
-    /// Rolls of the rows of one flank alone, and what is dressed there without corrections less what these are to make.
-    alone: ([f64; 3], [f64; 3]),
-    /// The same for the rows of both flanks at once.
-    together: ([f64; 2], [f64; 2]),
-    straight: bool,
+    /// Ends and middle of the used profile, mm.
+    profile: [f64; 3],
+    /// Lengths of roll of the pitch points, mm.
+    rolls: Vec<f64>,
+    /// What is dressed there without corrections, less what these are to make, mm.
+    base: Vec<f64>,
 }
 
 impl<'a> Wish<'a> {
@@ -153,7 +167,7 @@ impl<'a> Wish<'a> {
     ) -> Result<Self, GeneratingError> {
         let worm = plan.worms[flank].as_ref().ok_or(GeneratingError::NoFlank)?;
         let uncorrected = DressedProfile::new(tool, flank, [0.0; 4]);
-        let base = |w: f64| -> Result<f64, GeneratingError> {
+        let base = |&w: &f64| -> Result<f64, GeneratingError> {
             let mut base = uncorrected.at_roll(w)?.f;
             if policy.place == ProfilePlace::Correction {
                 let u = worm.lines.work_roll(w) - worm.lines.w_m;
@@ -161,38 +175,37 @@ impl<'a> Wish<'a> {
             }
             Ok(base)
         };
-        let (three, two) = (pitch_rolls(tool, flank), two_flank_rolls(tool)[flank]);
-        Ok(Self {
-            worm,
-            alone: (three, [base(three[0])?, base(three[1])?, base(three[2])?]),
-            together: (two, [base(two[0])?, base(two[1])?]),
-            straight: !worm.carried.is_empty(),
-        })
-    }
-
-    /// At the pitch points of one flank alone, with worm positions b.
-    fn alone(&self, b: [f64; 3]) -> [f64; 3] {
-        let (rolls, base) = self.alone;
-        let f = if self.straight {
-            straightened(self.worm, rolls, b)
-        } else {
-            std::array::from_fn(|i| self.worm.dressing_share(rolls[i], b[i]))
+        let profile = pitch_rolls(tool, flank);
+        let rolls = match policy.dressing {
+            DressingRows::BothFlanks => two_flank_rolls(tool)[flank].to_vec(),
+            DressingRows::Alone(rows) if rows.points == 3 => profile.to_vec(),
+            DressingRows::Alone(rows) => equidistant([profile[0], profile[2]], rows.points),
         };
-        std::array::from_fn(|i| base[i] + f[i])
+        let base = rolls.iter().map(base).collect::<Result<Vec<_>, _>>()?;
+        Ok(Self { worm, profile, rolls, base })
     }
 
-    /// At the pitch points of both flanks at once, with worm positions b.
-    fn together(&self, b: [f64; 2]) -> [f64; 2] {
-        let (rolls, base) = self.together;
-        if !self.straight {
-            return std::array::from_fn(|i| base[i] + self.worm.dressing_share(rolls[i], b[i]));
-        }
+    /// At the pitch points, with their worm positions b.
+    fn values<const N: usize>(&self, b: [f64; N]) -> [f64; N] {
         let along = |from: [f64; 2], to: [f64; 2], w: f64| {
             to[0] + (to[1] - to[0]) * (w - from[0]) / (from[1] - from[0])
         };
-        let ends = self.alone.0;
-        let f = straightened(self.worm, ends, ends.map(|w| along(rolls, b, w)));
-        std::array::from_fn(|i| base[i] + along([ends[0], ends[2]], [f[0], f[2]], rolls[i]))
+        let straight = (!self.worm.carried.is_empty()).then(|| {
+            let ends = [self.rolls[0], self.rolls[N - 1]];
+            let line = match *b.as_slice() {
+                [b_0, b_1, b_2] => [b_0, b_1, b_2],
+                _ => self.profile.map(|w| along(ends, [b[0], b[N - 1]], w)),
+            };
+            straightened(self.worm, self.profile, line)
+        });
+        std::array::from_fn(|i| {
+            let w = self.rolls[i];
+            let share = match straight {
+                Some(f) => along([self.profile[0], self.profile[2]], [f[0], f[2]], w),
+                None => self.worm.dressing_share(w, b[i]),
+            };
+            self.base[i] + share
+        })
     }
 }
 
@@ -241,7 +254,8 @@ pub fn sample_corrections(
 ) -> Result<Vec<DressingCorrection>, GeneratingError> {
     let mut dks = Vec::new();
     // One motion serves both flanks, else each has its own.
-    let motions = if policy.two_flanks { vec![which] } else { which.chunks(1).collect() };
+    let motions =
+        if policy.dressing == DressingRows::BothFlanks { vec![which] } else { which.chunks(1).collect() };
     for flanks in motions {
         let interval = common_interval(setup, tool, plan, flanks, DRESSING_MARGIN);
         let (_, nodes) = motion(setup, plan, tool, flanks, policy, NodePlan { interval, nodes: samples })?;
@@ -274,17 +288,43 @@ fn motion(
     nodes: NodePlan,
 ) -> Result<([Chebyshev; 4], Vec<NodeSolution>), GeneratingError> {
     let radius = setup.worm_pitch_radius;
-    if policy.two_flanks {
-        let wishes = Sides::try_from_fn(|flank| Wish::new(tool, plan, flank, policy))?;
-        let wanted = |flank: Flank, b: [f64; 2]| wishes[flank].together(b);
-        return Ok(solve_two_flank_motion(tool, radius, &nodes, &wanted)?);
-    }
+    let rows = match policy.dressing {
+        DressingRows::BothFlanks => {
+            let wishes = Sides::try_from_fn(|flank| Wish::new(tool, plan, flank, policy))?;
+            let wanted = |flank: Flank, b: [f64; 2]| wishes[flank].values(b);
+            return Ok(solve_two_flank_motion(tool, radius, &nodes, &wanted)?);
+        }
+        DressingRows::Alone(rows) => rows,
+    };
     let flank = *flanks.first().ok_or(GeneratingError::NoFlank)?;
     let wish = Wish::new(tool, plan, flank, policy)?;
-    Ok(solve_dressing_motion(tool, flank, radius, &nodes, &|b| wish.alone(b))?)
+    if rows == FlankRows::default() {
+        return Ok(solve_dressing_motion(tool, flank, radius, &nodes, &|b| wish.values(b))?);
+    }
+    let further = further_rows(setup, tool, flank, rows);
+    let conditions = |_: f64, b: &[f64; 4]| {
+        let point = |i: usize, f: f64| Condition::Point { flank, w: wish.rolls[i], f };
+        if rows.points == 4 {
+            let f = wish.values(*b);
+            return std::array::from_fn(|i| point(i, f[i]));
+        }
+        let f = wish.values([b[0], b[1], b[2]]);
+        [point(0, f[0]), point(1, f[1]), point(2, f[2]), further]
+    };
+    Ok(solve_conditions_along(&ConditionSolver::new(tool, radius), &nodes, &conditions)?)
 }
 
-/// Dresses the worm for a plan: each flank that is ground with a motion of its own, or both with one (`policy.two_flanks`).
+/// The row beside three pitch points.
+fn further_rows(setup: &GrindingSetup, tool: &DresserTool, flank: Flank, rows: FlankRows) -> Condition {
+    match rows.fixed.iter().position(|&fixed| fixed) {
+        _ if rows.map => map_of_upper_end(&tool.flanks[flank]),
+        _ if rows.head => Condition::Head { t: 0.0, r: setup.worm_tip_radius },
+        Some(j) => Condition::Fixed { j, x: 0.0 },
+        None => map_of_upper_end(&tool.flanks[flank]),
+    }
+}
+
+/// Dresses the worm for a plan: each flank that is ground with a motion of its own, or both with one (`policy.dressing`).
 ///
 /// # Errors
 /// Those of the dressing rows, with the worm position.
@@ -300,7 +340,7 @@ pub fn dress_flanks(
         let worm = DressedWorm::new(tool, flank, &corrections);
         DressedFlank { corrections, nodes, worm }
     };
-    if policy.two_flanks {
+    if policy.dressing == DressingRows::BothFlanks {
         let both = dress(&Flank::BOTH)?;
         return Ok(Sides::from_fn(|flank| Some(of_flank(flank, both.clone()))));
     }

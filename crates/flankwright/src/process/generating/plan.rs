@@ -7,9 +7,9 @@ use super::planning_grid::GroundError;
 use super::precompensation::{FREE_ROUNDS, ROUNDS, corrected, precompensate};
 use super::ratio::{Candidate, FlankResidual, RatioChoice, RatioReason, Rule};
 use super::{
-    DressingLimits, EqualSwivel, FeedLaw, FlankTarget, FreeCoefficients, GeneratingError, GrindingSetup,
-    IdealPlan, MadeFlank, PlanGauge, PlanningGrid, ProfilePlace, ProfilePolicy, SwivelSide, Tool,
-    equal_swivel,
+    DressingLimits, DressingRows, EqualSwivel, FeedLaw, FlankTarget, FreeCoefficients, GeneratingError,
+    GrindingSetup, IdealPlan, MadeFlank, PlanGauge, PlanningGrid, ProfilePlace, ProfilePolicy, SwivelSide,
+    Tool, equal_swivel,
 };
 use crate::contact::{ContactError, ContactSolution};
 use crate::geometry::{Flank, Sides};
@@ -41,8 +41,8 @@ pub struct PlanTask<'a> {
     pub norm: FitNorm,
     /// Which of the equal decompositions is made.
     pub gauge: PlanGauge,
-    /// Whether the dresser dresses both worm flanks with one motion.
-    pub two_flanks: bool,
+    /// What the dressing motion has to meet.
+    pub dressing: DressingRows,
     /// Result grid: points over the profile and over the face width.
     pub grid: (usize, usize),
 }
@@ -130,7 +130,7 @@ impl PlanTask<'_> {
             free_dresser: self.free_dresser,
             norm: self.norm,
             gauge: self.gauge,
-            two_flanks: self.two_flanks,
+            dressing: self.dressing,
         }
     }
 

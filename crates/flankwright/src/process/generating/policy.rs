@@ -17,10 +17,44 @@ pub struct ProfilePolicy {
     pub line_tolerance: f64,
     /// What a best fit makes small.
     pub norm: FitNorm,
-    /// The dresser dresses both worm flanks with one motion.
-    pub two_flanks: bool,
+    /// What the dressing motion has to meet.
+    pub dressing: DressingRows,
     /// Free coefficients of the decomposition per flank; `None`: gauge `centred`.
     pub gauge: Sides<Option<FreeCoefficients>>,
+}
+
+/// What the dressing motion has to meet at every position of the worm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum DressingRows {
+    /// Each flank with a motion of its own.
+    Alone(FlankRows),
+    /// Both flanks with one motion: two pitch points on each.
+    BothFlanks,
+}
+
+impl Default for DressingRows {
+    fn default() -> Self {
+        Self::Alone(FlankRows::default())
+    }
+}
+
+/// The rows of one flank; with the pitch points four in all.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FlankRows {
+    /// Pitch points of the profile, 3 or 4.
+    pub points: usize,
+    /// The dresser radius made for the largest length of roll stays there.
+    pub map: bool,
+    /// The head part of the dresser leaves the worm its tip radius.
+    pub head: bool,
+    /// Corrections d_phi_S, d_gamma, d_d, d_v_yA that stay 0.
+    pub fixed: [bool; 4],
+}
+
+impl Default for FlankRows {
+    fn default() -> Self {
+        Self { points: 3, map: true, head: false, fixed: [false; 4] }
+    }
 }
 
 /// The free coefficients of a decomposition, in centred variables, transverse (spec 25 section 4).

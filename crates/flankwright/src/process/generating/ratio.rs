@@ -5,8 +5,8 @@ use super::least_squares::FitNorm;
 use super::planning_grid::GroundError;
 use super::precompensation::{ROUNDS, precompensate};
 use super::{
-    DressingLimits, FeedLaw, FlankLines, FlankTarget, GeneratingError, GrindingSetup, IdealPlan, PlanGauge,
-    PlanningGrid, ProfilePlace, ProfilePolicy, Tool, radial_residual,
+    DressingLimits, DressingRows, FeedLaw, FlankLines, FlankTarget, GeneratingError, GrindingSetup,
+    IdealPlan, PlanGauge, PlanningGrid, ProfilePlace, ProfilePolicy, Tool, radial_residual,
 };
 use crate::geometry::{Flank, Sides};
 use crate::numerics::Polynomial2;
@@ -144,7 +144,7 @@ pub(super) struct Rule<'a> {
     pub free_dresser: bool,
     pub norm: FitNorm,
     pub gauge: PlanGauge,
-    pub two_flanks: bool,
+    pub dressing: DressingRows,
 }
 
 /// Share of the tolerance by which a part of the target may miss the tool's lines before it is best-fitted instead.
@@ -206,7 +206,7 @@ impl Rule<'_> {
             free_dresser: self.free_dresser,
             line_tolerance,
             norm: self.norm,
-            two_flanks: self.two_flanks,
+            dressing: self.dressing,
             gauge,
         }
     }

@@ -9,6 +9,7 @@
 mod axes;
 mod contour_map;
 mod contours;
+mod dressing_section;
 mod error;
 mod hatch;
 mod line_chart;
@@ -23,6 +24,9 @@ mod topography_net;
 mod worm_occupation;
 
 pub use contour_map::{ContourMap, contour_map};
+pub use dressing_section::{
+    DressingSectionChart, MarkedClearance, SectionKind, SectionStretch, SpaceFlank, dressing_section_chart,
+};
 pub use error::ChartError;
 pub use line_chart::{LineChart, Marks, Panel, Series, YScale, line_chart};
 pub use numbers::{format_fixed, format_significant};

@@ -16,7 +16,8 @@ use crate::geometry::Flank;
 use crate::kinematics::MotionLaw;
 use crate::process::generating::least_squares::FitNorm;
 use crate::process::generating::{
-    Candidate, GeneratingError, GrindingPlan, GrindingSetup, PlanGauge, PlanTask, PlanningGrid, RatioChoice,
+    Candidate, DressingRows, GeneratingError, GrindingPlan, GrindingSetup, PlanGauge, PlanTask, PlanningGrid,
+    RatioChoice,
 };
 use bodies::Input;
 use flank::PlannedFlank;
@@ -57,7 +58,7 @@ fn one(
         law: None,
         norm: FitNorm::default(),
         gauge: PlanGauge::default(),
-        two_flanks: false,
+        dressing: DressingRows::default(),
         places: input.places(),
         free_dresser: true,
         precompensation: true,
