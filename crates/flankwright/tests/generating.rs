@@ -49,7 +49,11 @@ fn input() -> SetupInput {
             cone_angle: 0.0,
         },
         worm_width: Some(100.0),
-        dresser: Some(DresserChoice { tip_diameter: 123.0, pitch_diameter: Some(115.65) }),
+        dresser: Some(DresserChoice {
+            tip_diameter: 123.0,
+            pitch_diameter: Some(115.65),
+            designed_for: None,
+        }),
         tool_direction: None,
         root_clearance: None,
     }

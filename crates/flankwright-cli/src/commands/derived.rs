@@ -227,7 +227,9 @@ fn tool_sections(derived: &mut DerivedGeometry, setup: &GrindingSetup) {
     }
     let Ok(tool) = setup.dresser() else { return };
     derived.section("dressing");
-    let dressing = &tool.flanks.left.chain;
+    // A dresser designed for another worm is settled on this one; the nominal place is without that.
+    let nominal = tool.unsettled();
+    let dressing = &nominal.flanks.left.chain;
     derived.quantity("centre_distance_mm", "nominal centre distance", dressing.centre_distance, "mm");
     derived.quantity(
         "crossing_angle_deg",

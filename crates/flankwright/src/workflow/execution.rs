@@ -6,7 +6,9 @@ use super::prepare::{Prepared, settings_reliefs};
 use crate::exchange::job::{FlankSettings, Job, Pieces, Settings, ToolTable, ToolTables};
 use crate::exchange::{Diagnostic, LoadedJob, Problem};
 use crate::geometry::{Flank, Sides};
-use crate::kinematics::{DressingChain, DressingMotion, GeneratingMotion, MotionLaw, PiecewisePolynomial};
+use crate::kinematics::{
+    DressingChain, DressingCorrection, DressingMotion, GeneratingMotion, MotionLaw, PiecewisePolynomial,
+};
 use crate::metrology::Topography;
 use crate::modification::ModificationSpec;
 use crate::numerics::{Chebyshev, extremes};
@@ -86,6 +88,19 @@ impl ExecutedDressing {
     }
 }
 
+/// Corrections of a settled dresser counted from the nominal kinematics, as tables and settings have them.
+fn from_nominal(corrections: &[Chebyshev; 4], settled: &DressingCorrection) -> [Chebyshev; 4] {
+    std::array::from_fn(|j| {
+        let (from, to) = corrections[j].interval();
+        let mut coefficients = corrections[j].coefficients().to_vec();
+        match coefficients.first_mut() {
+            Some(constant) => *constant += settled[j],
+            None => coefficients.push(settled[j]),
+        }
+        Chebyshev::from_coefficients(from, to, coefficients)
+    })
+}
+
 impl ExecutedFlank {
     /// How the tool is dressed, if it is.
     pub fn dressing(&self) -> Option<&ExecutedDressing> {
@@ -143,18 +158,19 @@ fn executed(w: &[f64], z: &[f64], target: &[f64], planned: Vec<f64>) -> Option<(
 impl Execution {
     /// From a finished plan.
     pub fn of_plan(job: &Job, prepared: &Prepared, plan: &GrindingPlan) -> Self {
+        let dresser = plan.dresser.as_ref().map(DresserTool::unsettled);
         let flanks = Sides::from_fn(|flank| {
             let f = plan.flanks[flank].as_ref()?;
             let (target, planned) =
                 executed(&f.w, &f.z, &f.target, f.planned.iter().map(|p| p.f_n).collect())?;
             let determinant = f.planned.iter().map(|p| p.determinant_ratio).fold(f64::INFINITY, f64::min);
             let tool = match (&f.tool, &plan.dresser) {
-                (PlannedTool::Dressed(dressed), Some(dresser)) => {
+                (PlannedTool::Dressed(dressed), Some(settled)) => {
                     let profile = dresser_profile(plan.ideal.worms[flank].as_ref()?, plan.policy);
                     let reliefs = prepared.reliefs[flank].clone();
-                    let corrections = dressed.corrections.clone();
-                    let dressing =
-                        ExecutedDressing::new(dresser.flanks[flank].chain, corrections, profile, reliefs);
+                    let corrections = from_nominal(&dressed.corrections, &settled.flanks[flank].settled);
+                    let chain = dresser.as_ref()?.flanks[flank].chain;
+                    let dressing = ExecutedDressing::new(chain, corrections, profile, reliefs);
                     ExecutedTool::Dressed(Box::new(dressing))
                 }
                 (PlannedTool::Dressed(_), None) => return None,
@@ -170,7 +186,7 @@ impl Execution {
             motion: plan.ideal.motion.clone(),
             ratio: plan.choice.ratio,
             shift_origin: plan.ideal.motion.shift.value(0.0),
-            dresser: plan.dresser.clone(),
+            dresser,
             occupation: plan.ideal.occupation,
             feed_range: stroke(job, feeds),
             flanks,
@@ -238,7 +254,8 @@ impl Execution {
         };
         let dresser = match &setup.tool {
             Tool::Dressed(_) => {
-                Some(dresser_of_plan(setup, &ideal, policy).map_err(|e| RunFailure::from(&e))?)
+                let settled = dresser_of_plan(setup, &ideal, policy).map_err(|e| RunFailure::from(&e))?;
+                Some((settled.unsettled(), settled))
             }
             Tool::Made | Tool::Given(_) => None,
         };
@@ -247,12 +264,12 @@ impl Execution {
         let flanks = Sides::try_from_fn(|flank| -> Result<_, RunFailure> {
             let Some(target) = &prepared.targets[flank] else { return Ok(None) };
             let (tool, ground) = match &dresser {
-                Some(dresser) => {
+                Some((dresser, settled)) => {
                     let corrections = match given(flank) {
                         Some(s) => correction_series(s),
                         None => {
-                            let (from, to) = dressing_interval(setup, dresser, &shift, flank, 3.0);
-                            [0, 1, 2, 3].map(|_| Chebyshev::constant(from, to, 0.0))
+                            let (from, to) = dressing_interval(setup, settled, &shift, flank, 3.0);
+                            settled.flanks[flank].settled.map(|x| Chebyshev::constant(from, to, x))
                         }
                     };
                     let worm = DressedWorm::new(dresser, flank, &corrections);
@@ -283,7 +300,7 @@ impl Execution {
             motion,
             ratio: settings.diagonal_ratio,
             shift_origin: shift.value(0.0),
-            dresser,
+            dresser: dresser.map(|(dresser, _)| dresser),
             occupation: ideal.occupation,
             feed_range: stroke(job, feeds.into_iter()),
             flanks,

@@ -6,6 +6,7 @@ use super::tables::ROWS;
 use crate::exchange::job::{Job, Modification as Spec};
 use crate::geometry::{Flank, Sides};
 use crate::numerics::equidistant;
+use crate::process::dressing::stretch as profile_stretch;
 use crate::report::charts::{ChartError, SectionTrace, Topography, format_significant};
 use crate::report::generating::{
     Characteristics, ConvergenceRound, DressingMotion, FlankReport, GeneratingReport, GrindingMotion,
@@ -184,28 +185,38 @@ fn tool_quantities(outcome: &Outcome, job: &Job) -> (Vec<Quantity>, Vec<Quantity
         Quantity::number("worm length used", "", outcome.result.settings.worm_length_mm, "mm"),
     ];
     of_worm.extend(job.worm.width.map(|w| Quantity::number("worm width", "", w, "mm")));
-    let (Ok(plain), Some(choice)) = (setup.dresser(), &setup.input.dresser) else {
+    let (Some(dresser), Some(choice)) = (&outcome.execution.dresser, &setup.input.dresser) else {
         return (of_worm, vec![Quantity::text("tool", "not dressed: its flanks are given as tables")]);
     };
-    let chain = &plain.flanks.left.chain;
-    let modified = outcome
-        .execution
-        .dresser
-        .iter()
-        .any(|d| d.flanks.iter().any(|(_, flank)| flank.profile.offset().is_some()));
+    let chain = &dresser.flanks.left.chain;
+    let modified = dresser.flanks.iter().any(|(_, flank)| flank.profile.offset().is_some());
     let mut of_dresser = vec![
         Quantity::number("tip diameter", "d_aA", choice.tip_diameter, "mm"),
         Quantity::number("nominal centre distance", "d_A0", chain.centre_distance, "mm"),
         Quantity::number("nominal crossing angle", "γ_A0", chain.crossing_angle.to_degrees(), "deg"),
         Quantity::text(
             "profile",
-            if modified {
-                "conjugate to the worm, with the profile modifications of the target"
-            } else {
-                "conjugate to the unmodified worm"
+            match (&choice.designed_for, modified) {
+                (None, true) => "conjugate to the worm, with the profile modifications of the target",
+                (None, false) => "conjugate to the unmodified worm",
+                (Some(_), true) => "conjugate to the worm it was designed for, with its own modification",
+                (Some(_), false) => "conjugate to the unmodified worm it was designed for",
             },
         ),
     ];
+    if let (Some(designed), Ok(settled)) = (&choice.designed_for, setup.dresser()) {
+        of_dresser.push(Quantity::count("designed for threads", "z_S", i64::from(designed.threads)));
+        of_dresser.extend(
+            designed.pitch_diameter.map(|d| Quantity::number("designed for pitch diameter", "d_S", d, "mm")),
+        );
+        of_dresser.extend(
+            designed.tip_diameter.map(|d| Quantity::number("designed for tip diameter", "d_aS", d, "mm")),
+        );
+        let stretch = settled.flanks.map(|flank, _| profile_stretch(settled, flank, [0.0; 4]).ok());
+        if let Sides { left: Some(left), right: Some(right) } = stretch {
+            of_dresser.push(Quantity::per_flank("profile stretch", "P", 100.0 * left, 100.0 * right, "%"));
+        }
+    }
     let lands = outcome.result.settings.largest_tip_land_mm;
     let least = lands.iter().flat_map(|lands| [lands.left, lands.right]).flatten().reduce(f64::min);
     of_dresser.extend(least.map(|land| Quantity::number("widest tip land that clears", "b_A", land, "mm")));

@@ -3,9 +3,9 @@
 use super::finding::{Remark, RunFailure, generating_finding, geometry_finding, modification_finding};
 use super::shift::shift_of_job;
 use crate::exchange::job::{
-    Condition, DegreeOfFreedom, DiagonalRatio, DresserModification, Dressing, DressingFlanks, Fit,
-    FixedDresser, Flanks, Gauge, GaugeRule, Job, Method, Modification as JobModification, ProfileCrowningBy,
-    ToleranceMapSource, Tool as JobTool,
+    Condition, DegreeOfFreedom, DesignedFor, DiagonalRatio, DresserModification, Dressing, DressingFlanks,
+    Fit, FixedDresser, Flanks, Gauge, GaugeRule, Job, Method, Modification as JobModification,
+    ProfileCrowningBy, ToleranceMapSource, Tool as JobTool,
 };
 use crate::exchange::{
     Diagnostic, LoadedJob, Problem, TableForm, read_grid_target, read_points, read_tolerances, read_traces,
@@ -117,6 +117,65 @@ pub(super) fn worm_choice_of_job(job: &Job) -> WormChoice {
     }
 }
 
+/// The worm that the job's dresser was designed for: of the hand of the one that it dresses.
+pub(super) fn designed_worm(job: &Job, there: &DesignedFor) -> WormChoice {
+    let angles = there.normal_pressure_angle_deg.unwrap_or(job.gear.normal_pressure_angle_deg);
+    WormChoice {
+        threads: i32::try_from(there.threads).unwrap_or(i32::MAX),
+        hand: job.worm_hand().sign(),
+        pitch_diameter: there.pitch_diameter,
+        tip_diameter: there.tip_diameter,
+        pressure_angle: Some(angles.sides().left.to_radians()),
+        profile_shift: 0.0,
+        cone_angle: 0.0,
+    }
+}
+
+/// Refuses pressure angles and a module of the worm that a dresser was designed for with which it does not mesh.
+fn check_designed_worm(gear: &Gear, there: &DesignedFor) -> Result<(), Diagnostic> {
+    const FIELD: &str = "dresser.designed_for";
+    let own = gear.own_rack();
+    let rack = match there.normal_pressure_angle_deg {
+        None => own,
+        Some(angles) => {
+            let angles = angles.sides();
+            let rack = gear.rack_with_pressure_angle(Flank::Left, angles.left.to_radians()).map_err(|e| {
+                geometry_finding(&e, FIELD).field(format!("{FIELD}.normal_pressure_angle_deg"))
+            })?;
+            let right = rack.pressure_angle.right.to_degrees();
+            if (right - angles.right).abs() > 1e-6 {
+                let text = format!(
+                    "a worm that meshes on both flanks has {right:.6} deg on the right flank when its left flank has {:.6} deg",
+                    angles.left
+                );
+                return Err(Diagnostic::with_code("not-mating", text)
+                    .field(format!("{FIELD}.normal_pressure_angle_deg"))
+                    .value(angles.right)
+                    .allowed(format!("{right:.6}"))
+                    .way_out("give the matching angle, or leave the pressure angle out"));
+            }
+            rack
+        }
+    };
+    let module = rack.normal_module;
+    match there.normal_module {
+        Some(stated) if (stated - module).abs() > MATING * module => {
+            let text = format!("a worm of normal module {stated} mm does not mesh with the gear");
+            Err(Diagnostic::with_code("not-mating", text)
+                .field(format!("{FIELD}.normal_module"))
+                .value(stated)
+                .allowed(format!("{module} mm"))
+                .way_out(
+                    "take a dresser for this module, or leave the module out if it follows from the angle",
+                ))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Modules that mesh may differ by this share (spec 30 section 18).
+const MATING: f64 = 1e-6;
+
 /// Bodies of the job.
 ///
 /// # Errors
@@ -125,6 +184,9 @@ pub fn setup_of_job(job: &Job) -> Result<GrindingSetup, RunFailure> {
     let gear = gear_of_job(job).map_err(RunFailure::bad_input)?;
     let blank = blank_of_job(job);
     blank.check(&gear).map_err(|e| RunFailure::bad_input(geometry_finding(&e, "gear")))?;
+    if let Some(there) = job.dresser.as_ref().and_then(|d| d.designed_for.as_ref()) {
+        check_designed_worm(&gear, there).map_err(RunFailure::bad_input)?;
+    }
     let range = job.gear.evaluation_range();
     let angle = job.worm_pressure_angle_deg().sides();
     let setup = GrindingSetup::new(SetupInput {
@@ -133,10 +195,11 @@ pub fn setup_of_job(job: &Job) -> Result<GrindingSetup, RunFailure> {
         evaluation: [range.start_diameter, range.end_diameter, range.z_start, range.z_end],
         worm: worm_choice_of_job(job),
         worm_width: job.worm.width,
-        dresser: job
-            .dresser
-            .as_ref()
-            .map(|d| DresserChoice { tip_diameter: d.tip_diameter, pitch_diameter: d.pitch_diameter }),
+        dresser: job.dresser.as_ref().map(|d| DresserChoice {
+            tip_diameter: d.tip_diameter,
+            pitch_diameter: d.pitch_diameter,
+            designed_for: d.designed_for.map(|there| designed_worm(job, &there)),
+        }),
         tool_direction: job
             .worm
             .direction_deg

@@ -199,10 +199,13 @@ fn finish(
             worm_root_diameter_mm: 2.0 * setup.worm_root_radius,
             largest_tip_land_mm: Some(tip_lands.largest)
                 .filter(|lands| lands.iter().any(|(_, land)| land.is_some())),
-            dressing_centre_distance_mm: setup.dresser().ok().map(|d| d.flanks.left.chain.centre_distance),
-            dressing_crossing_angle_deg: setup
-                .dresser()
-                .ok()
+            dressing_centre_distance_mm: execution
+                .dresser
+                .as_ref()
+                .map(|d| d.flanks.left.chain.centre_distance),
+            dressing_crossing_angle_deg: execution
+                .dresser
+                .as_ref()
                 .map(|d| d.flanks.left.chain.crossing_angle.to_degrees()),
         },
         flanks,

@@ -3,7 +3,8 @@
 use super::not_yet;
 use crate::exchange::diagnostic::{Diagnostic, Problem};
 use crate::exchange::job::{
-    Condition, Dresser, DresserModification, Dressing, DressingFlanks, Flanks, Job, ProfileCrowningBy, Tool,
+    Condition, DesignedFor, Dresser, DresserModification, Dressing, DressingFlanks, FixedDresser, Flanks,
+    Job, ProfileCrowningBy, Tool,
 };
 use crate::exchange::node::shown_number;
 
@@ -139,13 +140,20 @@ fn dresser(dresser: &Dresser, findings: &mut Vec<Diagnostic>) {
             .way_out("leave `pitch_diameter` out: the disc tip then touches the worm root"),
         );
     }
-    if dresser.designed_for.is_some() {
-        findings.push(
-            not_yet("dresser.designed_for", "a dresser made for another worm")
-                .value("a table")
-                .allowed("no key")
-                .way_out("leave `designed_for` out: the dresser is then made for this worm"),
-        );
+    if let Some(there) = &dresser.designed_for {
+        designed_for(there, findings);
+        if dresser.modification == DresserModification::Rule(FixedDresser::Target) {
+            findings.push(
+                Diagnostic::new(
+                    Problem::InvalidJob,
+                    "a dresser that was designed for another worm is there and is not made for the target",
+                )
+                .field("dresser.modification")
+                .value("\"target\"")
+                .allowed("\"none\", or a table { kind = .. } of the modification that it carries")
+                .way_out("say what profile the dresser has: modification = \"none\" for a plain one"),
+            );
+        }
     }
     if let DresserModification::Given(entry) = &dresser.modification {
         let kind = entry.kind();
@@ -159,6 +167,29 @@ fn dresser(dresser: &Dresser, findings: &mut Vec<Diagnostic>) {
                     .way_out("use a profile kind, e.g. \"profile_crowning\""),
             );
         }
+    }
+}
+
+/// At least one diameter, the pitch circle inside the tip circle.
+fn designed_for(there: &DesignedFor, findings: &mut Vec<Diagnostic>) {
+    match (there.pitch_diameter, there.tip_diameter) {
+        (None, None) => findings.push(
+            Diagnostic::new(Problem::MissingKey, "`dresser.designed_for` has no diameter")
+                .field("dresser.designed_for.pitch_diameter")
+                .allowed("pitch_diameter or tip_diameter, or both")
+                .way_out("add the pitch diameter of the worm that the dresser was designed for"),
+        ),
+        (Some(pitch), Some(tip)) if pitch >= tip => findings.push(
+            Diagnostic::new(
+                Problem::InvalidGeometry,
+                format!("the pitch diameter {pitch} is not below the tip diameter {tip}"),
+            )
+            .field("dresser.designed_for.pitch_diameter")
+            .value(shown_number(pitch))
+            .allowed(format!("< {}", shown_number(tip)))
+            .way_out("leave one of the two out: it follows from the other"),
+        ),
+        _ => {}
     }
 }
 
@@ -200,6 +231,15 @@ fn two_flanks(job: &Job, findings: &mut Vec<Diagnostic>) {
             shown_number(land),
             "no key, or dressing.flanks = \"one\"",
             "leave `tip_land` out",
+        );
+    }
+    if job.dresser.as_ref().is_some_and(|d| d.designed_for.is_some()) {
+        refuse(
+            "a dresser designed for another worm takes another correction on each flank",
+            "dresser.designed_for",
+            "a table".into(),
+            "no key, or dressing.flanks = \"one\"",
+            ONE,
         );
     }
     if job.dressing.profile_crowning_by == ProfileCrowningBy::Correction {

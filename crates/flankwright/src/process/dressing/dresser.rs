@@ -2,7 +2,7 @@
 
 use super::{DressingError, nominal_contact};
 use crate::geometry::{Flank, Gear, InvoluteFlank, ProfileOffset, Revolution, Sides};
-use crate::kinematics::DressingChain;
+use crate::kinematics::{DressingChain, DressingCorrection};
 use crate::numerics::{Chebyshev, value_of};
 use std::sync::Arc;
 
@@ -36,8 +36,12 @@ pub struct FlankDresser {
     pub designed: GeometricRange,
     /// The worm flank it dresses.
     pub worm: InvoluteFlank,
-    /// Nominal kinematics on that worm. The screw parameter is that of the flank: the flanks of a conical worm have different ones.
+    /// Kinematics without corrections on that worm. The screw parameter is that of the flank: the flanks of a conical worm have
+    /// different ones.
     pub chain: DressingChain,
+    /// What `chain` holds beyond the nominal kinematics of that worm: zero unless a dresser that was designed for another worm has
+    /// been settled on it.
+    pub settled: DressingCorrection,
     /// Range of that worm.
     pub range: GeometricRange,
     /// Worm z of the nominal contact at v_zS = 0 over w, mm: exact on the worm it was designed for, a start value on others.
@@ -97,7 +101,15 @@ impl DresserTool {
             let middle = &contacts[NODES / 2];
             let profile = oriented(fit(&|c| c.r), fit(&|c| c.z), 0.5 * (from + to), middle.n_r, middle.n_z);
             let worm = *worm.flank(flank);
-            Ok(FlankDresser { profile, designed: range, worm, chain, range, line: fit(&|c| c.b) })
+            Ok(FlankDresser {
+                profile,
+                designed: range,
+                worm,
+                chain,
+                settled: [0.0; 4],
+                range,
+                line: fit(&|c| c.b),
+            })
         })?;
         Ok(Self { flanks, head: None })
     }

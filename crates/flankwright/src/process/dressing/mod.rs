@@ -25,6 +25,7 @@ mod path_reason;
 mod placement;
 mod profile_fit;
 mod section_outline;
+mod settled;
 mod stretch_angle;
 mod swept_circle;
 mod tilt_chart;

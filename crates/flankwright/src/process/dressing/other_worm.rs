@@ -22,7 +22,7 @@ pub struct WormSeat {
 /// Normal base pitches of two worms for one gear may differ by this share (spec 30 section 18).
 const MATING: f64 = 1e-6;
 /// Share of the used range by which the start line of the contact is continued at each end.
-const LINE_MARGIN: f64 = 0.1;
+pub(super) const LINE_MARGIN: f64 = 0.1;
 /// Profile angles of grinding worms, degrees (spec 30 section 18).
 const ANGLES: std::ops::RangeInclusive<f64> = 5.0..=45.0;
 
@@ -83,7 +83,14 @@ impl DresserTool {
             }
             let (chain, range) = (seat.chains[flank], seat.ranges[flank]);
             let line = conjugate_line(&worm, &chain, &range, LINE_MARGIN)?;
-            Ok::<_, DressingError>(FlankDresser { worm, chain, range, line, ..own.clone() })
+            Ok::<_, DressingError>(FlankDresser {
+                worm,
+                chain,
+                settled: [0.0; 4],
+                range,
+                line,
+                ..own.clone()
+            })
         })?;
         Ok(Self { flanks, head: self.head.clone() })
     }

@@ -8,22 +8,32 @@ use crate::geometry::{Flank, ProfileOffset, Sides};
 use crate::kinematics::{DressingCorrection, MotionLaw};
 use crate::numerics::{Chebyshev, equidistant, extremes};
 use crate::process::dressing::{
-    Condition, ConditionSolver, DressedProfile, DressedWorm, DresserTool, NodePlan, NodeSolution,
-    map_of_upper_end, pitch_rolls, solve_conditions_along, solve_dressing_motion, solve_two_flank_motion,
-    two_flank_rolls,
+    Condition, ConditionSolver, DressedProfile, DressedWorm, DresserTool, FlankDresser, NodePlan,
+    NodeSolution, map_of_upper_end, pitch_rolls, solve_conditions_along, solve_dressing_motion,
+    solve_two_flank_motion, two_flank_rolls,
 };
 use std::sync::Arc;
 
-/// Profile of the dresser that leaves F_P and the reliefs on the gear: g(t) = cos b2 F_P(u(w_1 = t)), mm.
+/// Profile of the dresser that leaves F_P and the reliefs on the gear: g(t) = cos b2 F_P(u(w_1(t))), mm.
 #[derive(Debug)]
-struct GearProfile(IdealWorm);
+struct GearProfile {
+    worm: IdealWorm,
+    plain: FlankDresser,
+}
+
+/// Length of roll on the dressed worm that grinds what roll t of the worm that the dresser was designed for grinds: both
+/// generate the gear's form circles at the ends of their ranges.
+fn worm_roll_of(dresser: &FlankDresser, t: f64) -> f64 {
+    dresser.range.w_nf + (t - dresser.designed.w_nf) * (dresser.range.length() / dresser.designed.length())
+}
 
 impl ProfileOffset for GearProfile {
     fn jet(&self, t: f64) -> [f64; 3] {
-        let l = &self.0.lines;
-        let shrink = -l.cos_b2 / l.cos_b1;
+        let l = &self.worm.lines;
+        let shrink = -l.cos_b2 / l.cos_b1 * (self.plain.range.length() / self.plain.designed.length());
+        let w_1 = worm_roll_of(&self.plain, t);
         // Where an arc ends its circle the offset is not defined; NaN makes the point "no contact" further on.
-        let [f, f1, f2] = self.0.profile_share(l.work_roll(t)).unwrap_or([f64::NAN; 3]);
+        let [f, f1, f2] = self.worm.profile_share(l.work_roll(w_1)).unwrap_or([f64::NAN; 3]);
         [l.cos_b2 * f, l.cos_b2 * f1 * shrink, l.cos_b2 * f2 * shrink * shrink]
     }
 }
@@ -105,13 +115,15 @@ pub fn dresser_of_plan(
     plan: &IdealPlan,
     policy: ProfilePolicy,
 ) -> Result<DresserTool, GeneratingError> {
+    let plain = setup.dresser()?;
     let offsets = Sides::from_fn(|flank| -> Option<Arc<dyn ProfileOffset>> {
         let mut worm = plan.worms[flank].clone()?;
         worm.parts.profile = dresser_profile(&worm, policy);
         let empty = worm.reliefs.is_empty() && worm.parts.profile.iter().all(|&p| p == 0.0);
-        (!empty).then(|| Arc::new(GearProfile(worm)) as Arc<dyn ProfileOffset>)
+        let plain = plain.flanks[flank].clone();
+        (!empty).then(|| Arc::new(GearProfile { worm, plain }) as Arc<dyn ProfileOffset>)
     });
-    let tool = setup.dresser()?.with_offsets(&offsets);
+    let tool = plain.with_offsets(&offsets);
     Ok(match policy.dressing {
         DressingRows::Alone(FlankRows { head: true, .. }) => {
             tool.with_head(setup.worm_tip_radius, HEAD_HALF)?
@@ -227,7 +239,8 @@ fn straightened(worm: &IdealWorm, rolls: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [constant - inclination, constant, constant + inclination]
 }
 
-/// DK at a few positions over the occupation of the flanks that are ground: enough for the score of a candidate.
+/// DK against the nominal kinematics at a few positions over the occupation of the flanks that are ground: enough for the score of
+/// a candidate.
 ///
 /// # Errors
 /// Those of the dressing rows.
@@ -246,7 +259,8 @@ pub fn sample_corrections(
     for flanks in motions {
         let interval = common_interval(setup, tool, plan, flanks, DRESSING_MARGIN);
         let (_, nodes) = motion(setup, plan, tool, flanks, policy, NodePlan { interval, nodes: samples })?;
-        dks.extend(nodes.iter().map(|node| node.dk));
+        let settled = flanks.first().map_or([0.0; 4], |&flank| tool.flanks[flank].settled);
+        dks.extend(nodes.iter().map(|node| std::array::from_fn(|j| node.dk[j] + settled[j])));
     }
     Ok(dks)
 }
@@ -352,9 +366,9 @@ fn dress(
     for &flank in flanks {
         let worm = plan.worms[flank].as_ref().ok_or(GeneratingError::NoFlank)?;
         let (first, last) = tool.flanks[flank].profile.interval();
-        for w in [first, last] {
+        for t in [first, last] {
             // An arc ends where its circle ends; the dresser would have no profile there.
-            let w_2 = worm.lines.work_roll(w);
+            let w_2 = worm.lines.work_roll(worm_roll_of(&tool.flanks[flank], t));
             for relief in &worm.reliefs {
                 relief.jet(w_2, worm.lines.z_m)?;
             }

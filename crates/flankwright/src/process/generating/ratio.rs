@@ -222,14 +222,21 @@ impl Rule<'_> {
         }
         let mut dressing_share: f64 = 0.0;
         let mut worst = (0, 0.0);
-        if ratio != 0.0 && matches!(self.setup.tool, Tool::Dressed(_)) {
-            let tool = dresser_of_plan(self.setup, &plan, policy)?;
-            for dk in sample_corrections(self.setup, &plan, &tool, &self.which(), policy, SCORE_NODES)? {
-                for j in 0..4 {
-                    let share = dk[j].abs() / self.limits.correction[j];
-                    if share > dressing_share {
-                        (dressing_share, worst) = (share, (j, dk[j].abs()));
-                    }
+        let corrections = match &self.setup.tool {
+            Tool::Dressed(_) if ratio != 0.0 => {
+                let tool = dresser_of_plan(self.setup, &plan, policy)?;
+                sample_corrections(self.setup, &plan, &tool, &self.which(), policy, SCORE_NODES)?
+            }
+            Tool::Dressed(plain) => {
+                self.which().into_iter().map(|flank| plain.flanks[flank].settled).collect()
+            }
+            Tool::Made | Tool::Given(_) => Vec::new(),
+        };
+        for dk in corrections {
+            for j in 0..4 {
+                let share = dk[j].abs() / self.limits.correction[j];
+                if share > dressing_share {
+                    (dressing_share, worst) = (share, (j, dk[j].abs()));
                 }
             }
         }

@@ -5,7 +5,7 @@ use crate::contact::Pair;
 use crate::geometry::{Blank, Flank, Gear, GeometryError, Sides, WormChoice, WormForGear, worm_for_gear};
 use crate::kinematics::{DressingChain, MotionLaw};
 use crate::modification::{EvaluationField, Modification};
-use crate::process::dressing::{ContactLine, DresserTool, GeometricRange};
+use crate::process::dressing::{ContactLine, DresserTool, GeometricRange, WormSeat};
 
 /// What a job says of the bodies. mm, rad.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,6 +35,8 @@ pub struct DresserChoice {
     pub tip_diameter: f64,
     /// Pitch diameter, if given.
     pub pitch_diameter: Option<f64>,
+    /// The worm it was designed for, if that is another one than it dresses.
+    pub designed_for: Option<WormChoice>,
 }
 
 /// Where the flank of the tool comes from.
@@ -142,7 +144,14 @@ impl GrindingSetup {
             }
             Some(choice) => {
                 let (root, chains) = dressing_place(choice, &made.worm, root_by_gear);
-                (Tool::Dressed(Box::new(DresserTool::conjugate(&made.worm, chains, ranges)?)), root)
+                let tool = match &choice.designed_for {
+                    None => DresserTool::conjugate(&made.worm, chains, ranges)?,
+                    Some(designed) => {
+                        let seat = WormSeat { worm: made.worm, chains, ranges, tip_radius: made.tip_radius };
+                        designed_dresser(&input, choice, designed)?.settled_on(&seat)?
+                    }
+                };
+                (Tool::Dressed(Box::new(tool)), root)
             }
         };
         check_depth(&made.worm, root_radius)?;
@@ -275,6 +284,19 @@ impl Placed {
         })?;
         Ok(Self { made, pair, engaged, root_by_gear, fields, ranges })
     }
+}
+
+/// The dresser on the worm that it was designed for.
+fn designed_dresser(
+    input: &SetupInput,
+    choice: &DresserChoice,
+    designed: &WormChoice,
+) -> Result<DresserTool, GeneratingError> {
+    let SetupInput { gear, blank, evaluation, worm_width, root_clearance, .. } = input;
+    let there = Placed::new(gear, blank, *evaluation, designed, *worm_width, *root_clearance)?;
+    let (root, chains) = dressing_place(choice, &there.made.worm, there.root_by_gear);
+    check_depth(&there.made.worm, root)?;
+    Ok(DresserTool::conjugate(&there.made.worm, chains, there.ranges)?)
 }
 
 /// A tool reaches about 1.25 modules below its pitch cylinder; far from that it is another one.

@@ -27,6 +27,7 @@ impl Workshop for GearWorkshop {
             let choice = DresserChoice {
                 tip_diameter: 2.0 * dresser.tip_radius,
                 pitch_diameter: dresser.pitch_radius.map(|r| 2.0 * r),
+                designed_for: None,
             };
             let made = placed.made;
             let (root_radius, chains) = dressing_place(&choice, &made.worm, placed.root_by_gear);

@@ -109,6 +109,7 @@ impl Input {
             dresser: Some(DresserChoice {
                 tip_diameter: self.dresser_tip_diameter_mm,
                 pitch_diameter: self.dresser_pitch_diameter_mm,
+                designed_for: None,
             }),
             tool_direction: None,
             root_clearance: None,
