@@ -7,6 +7,7 @@ mod limits;
 mod motion;
 mod other_worms;
 mod profiles;
+mod strokes;
 
 use super::expected::Expected;
 use super::ledger::Ledger;
@@ -17,7 +18,7 @@ use serde_json::Value;
 const UM: f64 = 1e-3;
 
 /// Blocks that later stages of the library compute.
-const TO_COME: [&str; 6] = ["limits", "compensation", "axis_deviation", "machine", "multi_stroke", "search"];
+const TO_COME: [&str; 4] = ["limits", "compensation", "machine", "search"];
 
 /// Block `cases`.
 pub(in crate::workflow::verify) fn cases(_: &Reference<'_>, block: &Value, ledger: &mut Ledger) {
@@ -78,6 +79,12 @@ fn one(bodies: &Bodies, case: &mut Expected<'_>, ledger: &mut Ledger) {
     }
     if let Some(item) = case.object("left_out_threads", ledger) {
         checked(item, ledger, |item, ledger| limits::left_out_threads(bodies, item, ledger));
+    }
+    if let Some(item) = case.object("multi_stroke", ledger) {
+        checked(item, ledger, |item, ledger| strokes::multi_stroke(bodies, item, ledger));
+    }
+    if let Some(item) = case.object("axis_deviation", ledger) {
+        checked(item, ledger, |item, ledger| strokes::axis_deviation(bodies, item, ledger));
     }
     let tolerance = case.peek("dresser").map_or(&Value::Null, |dresser| &dresser["left"]["tolerance"]);
     if let Some(item) = case.object("parallel_axes", ledger) {
