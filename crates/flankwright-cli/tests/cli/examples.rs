@@ -23,6 +23,7 @@ const PLANS: &[(&str, i32)] = &[
 
 /// Exit status of `explore` for the jobs that are studies.
 const STUDIES: &[(&str, i32)] = &[
+    ("dressing/axis-deviations.toml", 0),
     ("dressing/figure-06.toml", 0),
     ("dressing/figure-07.toml", 0),
     ("dressing/figure-08-13b.toml", 0),
@@ -32,6 +33,8 @@ const STUDIES: &[(&str, i32)] = &[
     ("dressing/figure-12.toml", 0),
     ("dressing/figure-19a-c.toml", 0),
     ("dressing/figure-19b.toml", 0),
+    ("dressing/figure-20a.toml", 0),
+    ("dressing/figure-20b.toml", 0),
 ];
 
 #[test]

@@ -3,6 +3,7 @@
 
 mod explore;
 mod grinding;
+mod stroke_study;
 mod tool;
 
 use super::diagnostic::{Diagnostic, Problem};

@@ -18,6 +18,7 @@ mod one_or_sides;
 mod output;
 mod process;
 mod settings;
+mod stroke_study;
 mod target;
 mod worm;
 
@@ -40,6 +41,7 @@ pub(in crate::exchange) use one_or_sides::{one_or_sides_schema, pressure_angle_s
 pub use output::{Mesh, Output, Program, Table};
 pub use process::{JobInfo, Process};
 pub use settings::{FlankSettings, Pieces, Settings, ToolTable, ToolTables};
+pub use stroke_study::{AxisDeviations, Distribution, DresserArea, StrokeSection, StrokeStudy};
 pub use target::{Fit, Modification, Target, ToleranceMapSource, ToleranceTable};
 pub use worm::{Tool, Worm};
 

@@ -20,8 +20,9 @@ pub mod verify;
 mod write;
 
 pub use dressing_study::{
-    CrowningCurve, CrowningPoint, CurveEnd, DressingStudyOutcome, ProfileCurve, StudyCurves, WormCurve,
-    WormPoint, study_dressing, write_dressing_study,
+    AxisInfluence, CrowningCurve, CrowningPoint, CurveEnd, DeviationCurve, DeviationQuantile,
+    DressingStudyOutcome, ProfileCurve, StrokeCurve, StrokeFigures, StudyCurves, WormCurve, WormPoint,
+    study_dressing, write_dressing_study,
 };
 pub use equal_ratio_offers::{EqualRatioOffer, equal_ratio_offers};
 pub use execution::{ExecutedFlank, Execution};

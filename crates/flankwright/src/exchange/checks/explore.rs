@@ -1,5 +1,6 @@
 //! Contradictions in `[explore]`.
 
+use super::stroke_study;
 use crate::exchange::diagnostic::{Diagnostic, Problem};
 use crate::exchange::job::{DressingStudy, Explore, Job, Steps, StudyOver, Tool};
 use crate::exchange::node::shown_number;
@@ -36,6 +37,7 @@ pub(super) fn check(job: &Job, findings: &mut Vec<Diagnostic>) {
             );
         }
         dressing(study, findings);
+        stroke_study::check(study, findings);
         if job.worm.tool != Tool::Dressed {
             findings.push(
                 Diagnostic::new(Problem::InvalidJob, "a tool that is not dressed has no study of dressing")
@@ -121,7 +123,7 @@ fn dressing(study: &DressingStudy, findings: &mut Vec<Diagnostic>) {
         let same = match over {
             StudyOver::WormDiameter => Some("worm_pitch_diameter"),
             StudyOver::PressureAngle => Some("normal_pressure_angle_deg"),
-            StudyOver::Crowning | StudyOver::Profile => None,
+            StudyOver::Crowning | StudyOver::Profile | StudyOver::Strokes | StudyOver::Deviations => None,
         };
         if same.is_some_and(|key| given.contains(&key)) {
             findings.push(

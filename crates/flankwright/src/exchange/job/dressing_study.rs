@@ -4,6 +4,7 @@ use schemars::{JsonSchema, Schema, json_schema};
 use serde::{Deserialize, Serialize};
 
 use super::explore::Steps;
+use super::stroke_study::{AxisDeviations, StrokeStudy};
 use crate::geometry::Flank;
 
 /// A study of dressing by the three-point method: corrections, axial position and profile stretch.
@@ -32,6 +33,12 @@ pub struct DressingStudy {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 2000, "x-way-out" = "give a diameter in mm, or leave it out"))]
     pub at_worm_pitch_diameter: Option<f64>,
+    /// Active areas and sections, for `over = "strokes"`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub strokes: Option<StrokeStudy>,
+    /// Deviations of the axes, for `over = "deviations"`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub deviations: Option<AxisDeviations>,
     /// Bodies side by side, one curve each.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub compare: Option<Compare>,
@@ -53,6 +60,10 @@ pub enum StudyOver {
     WormDiameter,
     /// The pressure angle of the worm, with a dresser made for the job's worm.
     PressureAngle,
+    /// The length of roll of a profile that is dressed in several strokes.
+    Strokes,
+    /// The length of roll; what deviations of the axes do to the profile.
+    Deviations,
 }
 
 impl StudyOver {
@@ -63,6 +74,8 @@ impl StudyOver {
             Self::Profile => "profile",
             Self::WormDiameter => "worm-diameter",
             Self::PressureAngle => "pressure-angle",
+            Self::Strokes => "strokes",
+            Self::Deviations => "deviations",
         }
     }
 }

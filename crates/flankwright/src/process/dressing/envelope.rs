@@ -153,6 +153,30 @@ impl DressedWorm {
         Some(EnvelopePoint { w: at.w, b: at.z, f: at.f_n })
     }
 
+    /// What the dresser circle with profile parameter t dresses at worm z = b, and at which worm position: Newton in v from the
+    /// nominal contact. `None` where that lies outside the dressed area.
+    pub fn at_height(&self, t: f64, b: f64) -> Option<(EnvelopePoint, f64)> {
+        let (range, designed) = (&self.dresser.range, &self.dresser.designed);
+        let w = range.w_nf + (t - designed.w_nf) * (range.length() / designed.length());
+        let (_, mut v) = self.start(w, b);
+        let mut previous = f64::INFINITY;
+        for _ in 0..40 {
+            let [vd] = variables([v]);
+            let (point, _) = self.surface(num_dual::DualSVec64::<1>::from(t), vd)?;
+            let z = self.dresser.worm.deviation(&point).z;
+            let step = (value_of(z) - b) / gradient_of(&z)[0];
+            if !step.is_finite() {
+                return None;
+            }
+            v -= step;
+            if step.abs() < 1e-12 || (step.abs() < 1e-9 && step.abs() >= previous) {
+                return self.envelope_point(t, v).map(|e| (e, v));
+            }
+            previous = step.abs();
+        }
+        None
+    }
+
     /// f at a worm point (w, b) and the (t, v) that dresses it: 2-D Newton from the nominal contact. `None` where the
     /// point is not dressed.
     pub fn modification(&self, w: f64, b: f64) -> Option<(f64, f64, f64)> {

@@ -144,6 +144,46 @@ pub enum DressingError {
         /// The full one.
         full: f64,
     },
+    /// Dressing in several strokes leaves stock between, below or above them.
+    #[error(
+        "stock stays on the {flank} worm flank from length of roll {from:.4} to {to:.4} mm{}: {}",
+        b.map_or_else(String::new, |b| format!(" at worm z {b:.3} mm")),
+        beside_gap(*beside)
+    )]
+    Gap {
+        /// Flank concerned.
+        flank: Flank,
+        /// Length of roll from.
+        from: f64,
+        /// Length of roll to.
+        to: f64,
+        /// Numbers (from 0) of the strokes before and behind the gap.
+        beside: [Option<usize>; 2],
+        /// Worm z; absent where the strokes are the same along the worm.
+        b: Option<f64>,
+    },
+    /// Deviations of the axes that a measurement does not tell apart.
+    #[error(
+        "the measurement does not determine {component} (standard deviation {} from the given noise; singular values {})",
+        with_unit(component, *standard_deviation),
+        singular_values.iter().map(|s| format!("{s:.1e}")).collect::<Vec<_>>().join(", ")
+    )]
+    NotIdentifiable {
+        /// Name of the correction that is determined worst.
+        component: &'static str,
+        /// Its standard deviation, rad or mm; infinite where it is free.
+        standard_deviation: f64,
+        /// Singular values of the derivatives in the scaled unknowns of the conditions, mm, descending.
+        singular_values: Vec<f64>,
+    },
+    /// An iteration that does not settle.
+    #[error("{what}: the iteration does not settle (last step {last:.1e})")]
+    NotConverged {
+        /// What was sought.
+        what: &'static str,
+        /// Size of the last step, in scaled unknowns or mm.
+        last: f64,
+    },
     /// Crossing angle 0 in the K chart.
     #[error("at crossing angle 0 the dressing corrections are not unique")]
     PoleOfChart,
@@ -176,6 +216,9 @@ impl DressingError {
             Self::TipOutsideProfile { .. } => "tip-outside-profile",
             Self::PointedTip { .. } => "pointed-tip",
             Self::TipLand { .. } => "tip-land",
+            Self::Gap { .. } => "gap",
+            Self::NotIdentifiable { .. } => "not-identifiable",
+            Self::NotConverged { .. } => "not-converged",
             Self::PoleOfChart => "pole-of-chart",
         }
     }
@@ -212,7 +255,35 @@ impl DressingError {
             Self::TipLand { .. } => {
                 "give a tip land within that range; a wider one needs a smaller tip radius"
             }
+            Self::Gap { .. } => {
+                "add a stroke, let the strokes overlap more, or use a larger active area of the dresser"
+            }
+            Self::NotIdentifiable { .. } => {
+                "measure both flanks, hold one component at a known value, or add measurements at known changes of the corrections"
+            }
+            Self::NotConverged { .. } => {
+                "begin with smaller amounts, or change them less over the width of the worm"
+            }
             Self::PoleOfChart => "use the tilt chart or a crossing angle other than 0",
         }
+    }
+}
+
+/// Where a gap lies among the strokes, which are counted from 1 here.
+fn beside_gap(beside: [Option<usize>; 2]) -> String {
+    match beside {
+        [Some(a), Some(b)] => format!("strokes {} and {} do not overlap", a + 1, b + 1),
+        [Some(a), None] => format!("stroke {} ends before it", a + 1),
+        [None, Some(b)] => format!("stroke {} begins behind it", b + 1),
+        [None, None] => "no stroke reaches it".into(),
+    }
+}
+
+/// A component of DK in the units of files.
+fn with_unit(component: &str, value: f64) -> String {
+    if component == "d_phi_S" || component == "d_gamma" {
+        format!("{:.3e} deg", value.to_degrees())
+    } else {
+        format!("{value:.3e} mm")
     }
 }

@@ -11,6 +11,9 @@ mod conditions;
 mod conditions_along;
 mod contact_line;
 mod crowning_range;
+mod deviation;
+mod deviation_recovery;
+mod deviation_spread;
 mod dresser;
 mod dresser_pose;
 mod dresser_section;
@@ -19,6 +22,7 @@ mod error;
 mod forward;
 mod machine_choice;
 mod machine_motion;
+mod multi_stroke;
 mod nominal;
 mod other_worm;
 mod path_reason;
@@ -27,6 +31,9 @@ mod profile_fit;
 mod section_outline;
 mod settled;
 mod stretch_angle;
+mod stroke;
+mod stroke_division;
+mod stroke_motion;
 mod swept_circle;
 mod tilt_chart;
 mod topological;
@@ -46,6 +53,9 @@ pub use conditions::Condition;
 pub use conditions_along::{ConditionsAlong, RowAlong};
 pub use contact_line::ContactLine;
 pub use crowning_range::{CrowningEnd, CrowningLimits, CrowningPoint, CrowningRange, CrowningRows};
+pub use deviation::{AXIS_NAMES, Influence, influence};
+pub use deviation_recovery::{Measurement, RecoveredDeviation, Recovery, recover_deviation};
+pub use deviation_spread::{Quantiles, Spread, SpreadOfProfile, Spreads, spread_of_profile};
 pub use dresser::{DresserTool, FlankDresser, GeometricRange};
 pub use dresser_section::{DresserSection, SectionPart};
 pub use envelope::{DressedWorm, EnvelopePoint, dressing_motion};
@@ -55,6 +65,7 @@ pub use machine_choice::{AxisCriterion, MachineChoice, SwivelChoice};
 pub use machine_motion::{
     AxisReversal, AxisUncertainty, MachineMotion, MachineRow, MachineTask, MachineWay, SwivelLaw,
 };
+pub use multi_stroke::{MultiStroke, StrokePoint};
 pub use nominal::{NominalContact, nominal_contact};
 pub use other_worm::WormSeat;
 pub use path_reason::PathReason;
@@ -64,6 +75,11 @@ pub use profile_fit::{
 };
 pub use section_outline::{SectionOutline, ShownWorm};
 pub use stretch_angle::{StretchAngle, angle_of_least_stretch};
+pub use stroke::{ActiveArea, DressedStroke, Stroke};
+pub use stroke_division::{ProfileSection, divide};
+pub use stroke_motion::{
+    MovingStroke, StrokeAlong, StrokeWish, StrokedPoint, StrokedWorm, solve_stroke_node,
+};
 pub use tilt_chart::TiltChart;
 pub use topological::{
     NodePlan, NodeSolution, pitch_rolls, residue_of_motion, solve_conditions_along, solve_conditions_at,

@@ -174,7 +174,7 @@ pub fn residue_of_motion(
 }
 
 /// DK(v) through the nodes of a plan, each solved from its neighbour, outwards from the middle.
-fn follow_nodes(
+pub(super) fn follow_nodes(
     plan: &NodePlan,
     mut solve: impl FnMut(f64, &DressingCorrection) -> Result<DressingCorrection, DressingError>,
 ) -> Result<([Chebyshev; 4], Vec<NodeSolution>), DressingError> {

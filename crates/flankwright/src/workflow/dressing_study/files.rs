@@ -1,5 +1,9 @@
 //! `explore.json`, `explore.csv` and `explore.html` of a dressing study. Every file appears whole or not at all.
 
+use super::axis_files::{
+    deviation_chart, deviation_figures, deviation_table, quantile_figures, stroke_chart, stroke_figures,
+    stroke_table,
+};
 use super::{
     CrowningCurve, CrowningPoint, DressingStudyOutcome, ProfileCurve, StudyCurves, WormCurve, WormPoint,
 };
@@ -30,6 +34,8 @@ fn table(outcome: &DressingStudyOutcome) -> Result<CsvTable, CsvError> {
         StudyCurves::Crowning(curves) => crowning_table(curves),
         StudyCurves::Profile(curves) => profile_table(curves),
         StudyCurves::Worms(curves) => worm_table(curves),
+        StudyCurves::Strokes(curves) => stroke_table(curves),
+        StudyCurves::Deviations(curves) => deviation_table(curves),
     }
 }
 
@@ -171,7 +177,7 @@ fn worms_missing(curves: &[WormCurve]) -> Table {
 }
 
 /// A curve's name in the legend; a study without comparison has one curve.
-fn label(bodies: &str) -> String {
+pub(super) fn label(bodies: &str) -> String {
     if bodies.is_empty() { "worm and dresser of the job".into() } else { bodies.into() }
 }
 
@@ -289,8 +295,30 @@ fn page(outcome: &DressingStudyOutcome) -> Result<PlanReport, ChartError> {
             );
             ("dresser on other worms", worms_missing(curves))
         }
+        StudyCurves::Strokes(curves) => {
+            for curve in curves {
+                figure(
+                    "Strokes",
+                    stroke_chart(curve)?,
+                    "Each stroke lays an active area of the dresser on its range by three points and the end of the area on the end of the \
+                     range. The finished profile is the least of all strokes.",
+                );
+            }
+            ("dressing in several strokes", stroke_figures(curves))
+        }
+        StudyCurves::Deviations(curves) => {
+            figure(
+                "Profile",
+                deviation_chart(curves)?,
+                "Exact change of the dressed profile against the nominal kinematics, positive = material left.",
+            );
+            ("deviations of the axes", deviation_figures(curves))
+        }
     };
     sections.push(Section::new("Table", vec![Block::Table(result)]));
+    if let StudyCurves::Deviations(curves) = &outcome.curves {
+        sections.push(Section::new("Random deviations", vec![Block::Table(quantile_figures(curves))]));
+    }
     let status = if outcome.is_producible() { Status::Met } else { Status::NotProducible };
     Ok(PlanReport {
         title: outcome.job.clone(),
@@ -310,6 +338,8 @@ fn headline(outcome: &DressingStudyOutcome) -> String {
         StudyCurves::Crowning(curves) => curves.iter().filter_map(|c| c.refused.as_ref()).collect(),
         StudyCurves::Profile(curves) => curves.iter().filter_map(|c| c.refused.as_ref()).collect(),
         StudyCurves::Worms(curves) => curves.iter().flat_map(|c| &c.missing).map(|(_, r)| r).collect(),
+        StudyCurves::Strokes(curves) => curves.iter().filter_map(|c| c.refused.as_ref()).collect(),
+        StudyCurves::Deviations(curves) => curves.iter().filter_map(|c| c.refused.as_ref()).collect(),
     };
     match refusals.first() {
         None => "all bodies of the study can be dressed".into(),

@@ -1,15 +1,20 @@
-//! Studies of dressing: corrections and stretch over the profile crowning, the dressed profile, a dresser on other worms
-//! (spec 30 sections 9, 12 and 21). Knows no user interface.
+//! Studies of dressing: corrections and stretch over the profile crowning, the dressed profile, a dresser on other worms, strokes
+//! and deviations of the axes (spec 30 sections 9, 11, 12, 14 and 21). Knows no user interface.
 
+mod axis_files;
 mod bodies;
 mod crowning;
+mod deviations;
 mod files;
 mod profile;
+mod strokes;
 mod worms;
 
 pub use crowning::{CrowningCurve, CrowningPoint, CurveEnd};
+pub use deviations::{AxisInfluence, DeviationCurve, DeviationQuantile};
 pub use files::write_dressing_study;
 pub use profile::ProfileCurve;
+pub use strokes::{StrokeCurve, StrokeFigures};
 pub use worms::{WormCurve, WormPoint};
 
 use super::finding::RunFailure;
@@ -49,6 +54,10 @@ pub enum StudyCurves {
     Profile(Vec<ProfileCurve>),
     /// Over the diameter or the pressure angle of the worm.
     Worms(Vec<WormCurve>),
+    /// In several strokes.
+    Strokes(Vec<StrokeCurve>),
+    /// Changes by deviations of the axes.
+    Deviations(Vec<DeviationCurve>),
 }
 
 impl DressingStudyOutcome {
@@ -58,6 +67,8 @@ impl DressingStudyOutcome {
             StudyCurves::Crowning(curves) => curves.iter().any(|c| !c.points.is_empty()),
             StudyCurves::Profile(curves) => curves.iter().any(|c| c.refused.is_none()),
             StudyCurves::Worms(curves) => curves.iter().any(|c| !c.points.is_empty()),
+            StudyCurves::Strokes(curves) => curves.iter().any(|c| c.refused.is_none()),
+            StudyCurves::Deviations(curves) => curves.iter().any(|c| c.refused.is_none()),
         }
     }
 
@@ -78,6 +89,10 @@ impl DressingStudyOutcome {
             }
             StudyCurves::Profile(curves) => curves.iter().map(|c| (c.name.as_str(), c.summary())).collect(),
             StudyCurves::Worms(curves) => curves.iter().map(|c| (c.bodies.as_str(), c.summary())).collect(),
+            StudyCurves::Strokes(curves) => curves.iter().map(|c| (c.bodies.as_str(), c.summary())).collect(),
+            StudyCurves::Deviations(curves) => {
+                curves.iter().map(|c| (c.bodies.as_str(), c.summary())).collect()
+            }
         }
     }
 }
@@ -120,6 +135,16 @@ pub fn study_dressing(
         }
         StudyOver::WormDiameter => worms(Along::Diameter, study.worm_pitch_diameter)?,
         StudyOver::PressureAngle => worms(Along::PressureAngle, study.normal_pressure_angle_deg)?,
+        StudyOver::Strokes => {
+            let given = study.strokes.as_ref().ok_or_else(|| missing(study))?;
+            let all = Bodies::compared(loaded, compare);
+            StudyCurves::Strokes(of_each(&all, progress, |bodies| strokes::curve(bodies, flank, given)))
+        }
+        StudyOver::Deviations => {
+            let given = study.deviations.as_ref().ok_or_else(|| missing(study))?;
+            let all = Bodies::compared(loaded, compare);
+            StudyCurves::Deviations(of_each(&all, progress, |bodies| deviations::curve(bodies, flank, given)))
+        }
     };
     Ok(DressingStudyOutcome {
         job: loaded.job.job.name.clone(),
@@ -131,11 +156,11 @@ pub fn study_dressing(
     })
 }
 
-/// The finding on a study without its steps; a job that was read has them.
+/// The finding on a study without the key of its abscissa; a job that was read has it.
 fn missing(study: &DressingStudy) -> RunFailure {
-    let text = format!("a study over \"{}\" needs its steps", study.over.name());
+    let text = format!("a study over \"{}\" needs the key that belongs to it", study.over.name());
     let finding = Diagnostic::new(Problem::MissingKey, text).field("explore.dressing");
-    RunFailure::bad_input(finding.way_out("add the values, e.g. { from = .., to = .., count = 21 }"))
+    RunFailure::bad_input(finding.way_out("add it; examples/dressing shows how"))
 }
 
 /// What `study` finds for each entry, in their order.

@@ -18,7 +18,16 @@ pub(super) fn from_file_units(j: usize, x: f64) -> f64 {
 
 /// A correction that stands among the expected quantities as input.
 pub(super) fn given(item: &mut Expected<'_>, ledger: &mut Ledger) -> Option<DressingCorrection> {
-    let mut table = item.object("DK", ledger)?;
+    given_as("DK", item, ledger)
+}
+
+/// The same under another key.
+pub(super) fn given_as(
+    key: &str,
+    item: &mut Expected<'_>,
+    ledger: &mut Ledger,
+) -> Option<DressingCorrection> {
+    let mut table = item.object(key, ledger)?;
     let values = KEYS.map(|key| table.given(key, ledger));
     table.finish(ledger);
     let [Some(phi), Some(gamma), Some(d), Some(v_y)] = values else { return None };
@@ -32,7 +41,18 @@ pub(super) fn compare(
     tolerance: impl Fn(usize, f64) -> f64,
     ledger: &mut Ledger,
 ) {
-    let Some(mut table) = item.object("DK", ledger) else { return };
+    compare_as("DK", item, dk, tolerance, ledger);
+}
+
+/// The same under another key.
+pub(super) fn compare_as(
+    key: &str,
+    item: &mut Expected<'_>,
+    dk: &DressingCorrection,
+    tolerance: impl Fn(usize, f64) -> f64,
+    ledger: &mut Ledger,
+) {
+    let Some(mut table) = item.object(key, ledger) else { return };
     for (j, key) in KEYS.into_iter().enumerate() {
         let expected = table.peek(key).and_then(serde_json::Value::as_f64).unwrap_or(f64::NAN);
         table.number(key, in_file_units(j, dk[j]), tolerance(j, expected), ledger);

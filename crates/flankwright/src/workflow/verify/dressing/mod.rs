@@ -11,6 +11,7 @@ mod motion;
 mod other_worms;
 mod profiles;
 mod search;
+mod strokes;
 
 use super::expected::Expected;
 use super::ledger::Ledger;
@@ -19,9 +20,6 @@ use bodies::Bodies;
 use serde_json::Value;
 
 const UM: f64 = 1e-3;
-
-/// Blocks that later stages of the library compute.
-const TO_COME: [&str; 2] = ["axis_deviation", "multi_stroke"];
 
 /// Block `cases`.
 pub(in crate::workflow::verify) fn cases(_: &Reference<'_>, block: &Value, ledger: &mut Ledger) {
@@ -86,6 +84,12 @@ fn one(bodies: &Bodies, case: &mut Expected<'_>, ledger: &mut Ledger) {
     if let Some(item) = case.object("left_out_threads", ledger) {
         checked(item, ledger, |item, ledger| limits::left_out_threads(bodies, item, ledger));
     }
+    if let Some(item) = case.object("multi_stroke", ledger) {
+        checked(item, ledger, |item, ledger| strokes::multi_stroke(bodies, item, ledger));
+    }
+    if let Some(item) = case.object("axis_deviation", ledger) {
+        checked(item, ledger, |item, ledger| strokes::axis_deviation(bodies, item, ledger));
+    }
     let tolerance = case.peek("dresser").map_or(&Value::Null, |dresser| &dresser["left"]["tolerance"]);
     if let Some(item) = case.object("parallel_axes", ledger) {
         checked(item, ledger, |item, ledger| profiles::parallel_axes(bodies, tolerance, item, ledger));
@@ -98,9 +102,6 @@ fn one(bodies: &Bodies, case: &mut Expected<'_>, ledger: &mut Ledger) {
     }
     if let Some(item) = case.object("compensation", ledger) {
         checked(item, ledger, |item, ledger| compensation::compensation(bodies, item, ledger));
-    }
-    for key in TO_COME {
-        case.not_covered(key, ledger);
     }
 }
 
