@@ -4,6 +4,7 @@
 mod axis_twist;
 mod dressing;
 mod dressing_machine;
+mod dressing_path;
 mod error;
 mod generating;
 mod inverse_law;
@@ -17,6 +18,7 @@ pub use dressing::{DressingChain, DressingCorrection, DressingMotion, DressingPo
 pub use dressing_machine::{
     DressingAxes, DressingAxis, DressingBranch, DressingMachine, DressingRule, DressingSolution,
 };
+pub use dressing_path::DressingPath;
 pub use error::LawError;
 pub use generating::{GeneratingChain, GeneratingMotion, GeneratingState};
 pub use inverse_law::InverseLaw;

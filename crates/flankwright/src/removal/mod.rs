@@ -14,6 +14,7 @@ mod fit;
 mod grid;
 mod grind;
 mod ground_flank;
+mod line_dress;
 mod meridian;
 mod statistics;
 mod sweep;
@@ -27,5 +28,6 @@ pub use fit::{ContactSweep, FittedRelations, LinearRelation, SeenContact, feeds_
 pub use grid::RayGrid;
 pub use grind::{Grinding, GrindingMode, grind};
 pub use ground_flank::{GroundFlank, GroundRay};
+pub use line_dress::{LineCut, LineDressed, LinePasses, dress_lines};
 pub use statistics::Statistics;
 pub use worm_surface::{Unmodified, WormArea, WormModification};

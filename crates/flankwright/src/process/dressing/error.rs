@@ -184,6 +184,72 @@ pub enum DressingError {
         /// Size of the last step, in scaled unknowns or mm.
         last: f64,
     },
+    /// A disc in point contact is not round enough for a hollow of the worm.
+    #[error(
+        "the {flank} worm flank is hollower at w = {w:.3} mm, z = {z:.3} mm than the dresser's tip radius {tip_radius} mm allows; there at most {largest:.4} mm"
+    )]
+    TipRadiusTooLarge {
+        /// Flank concerned.
+        flank: Flank,
+        /// Length of roll.
+        w: f64,
+        /// Axial position.
+        z: f64,
+        /// Tip radius r_T.
+        tip_radius: f64,
+        /// Largest tip radius that touches in a point only.
+        largest: f64,
+    },
+    /// A disc in point contact cuts where it must not.
+    #[error(
+        "dressing the {flank} worm flank at w = {w:.3} mm, z = {z:.3} mm, the disc cuts {depth:.4} mm into the {with} flank"
+    )]
+    DiscCollides {
+        /// Flank that is dressed.
+        flank: Flank,
+        /// Length of roll of the contact.
+        w: f64,
+        /// Axial position of the contact.
+        z: f64,
+        /// Flank that is cut.
+        with: Flank,
+        /// Depth.
+        depth: f64,
+    },
+    /// A disc in point contact cannot stand so that it touches a point.
+    #[error("the disc cannot touch the {flank} worm flank at w = {w:.3} mm, z = {z:.3} mm")]
+    DiscTouchesNot {
+        /// Flank concerned.
+        flank: Flank,
+        /// Length of roll.
+        w: f64,
+        /// Axial position.
+        z: f64,
+    },
+    /// The wanted worm surface has no value where a line passes.
+    #[error(
+        "the modification of the {flank} worm flank has no value at w = {w:.3} mm, z = {z:.3} mm, where a dressing line passes"
+    )]
+    SurfaceUndefined {
+        /// Flank concerned.
+        flank: Flank,
+        /// Length of roll.
+        w: f64,
+        /// Axial position.
+        z: f64,
+    },
+    /// The wanted worm surface is too rough for a smooth motion along a line.
+    #[error(
+        "the {flank} worm flank bends too sharply along the dressing line through w = {w:.3} mm, z = {z:.3} mm"
+    )]
+    LineTooRough {
+        /// Flank concerned.
+        flank: Flank,
+        /// Length of roll of the line's middle.
+        w: f64,
+        /// Axial position of the line's middle.
+        z: f64,
+    },
     /// Crossing angle 0 in the K chart.
     #[error("at crossing angle 0 the dressing corrections are not unique")]
     PoleOfChart,
@@ -219,6 +285,11 @@ impl DressingError {
             Self::Gap { .. } => "gap",
             Self::NotIdentifiable { .. } => "not-identifiable",
             Self::NotConverged { .. } => "not-converged",
+            Self::TipRadiusTooLarge { .. } => "tip-radius-too-large",
+            Self::DiscCollides { .. } => "disc-collides",
+            Self::DiscTouchesNot { .. } => "disc-touches-not",
+            Self::SurfaceUndefined { .. } => "worm-surface-undefined",
+            Self::LineTooRough { .. } => "dressing-line-too-rough",
             Self::PoleOfChart => "pole-of-chart",
         }
     }
@@ -264,6 +335,15 @@ impl DressingError {
             Self::NotConverged { .. } => {
                 "begin with smaller amounts, or change them less over the width of the worm"
             }
+            Self::TipRadiusTooLarge { .. } => {
+                "take a smaller tip radius, or spread the modification over a longer way"
+            }
+            Self::DiscCollides { .. } => "take a smaller tip radius or a smaller disc",
+            Self::DiscTouchesNot { .. } => {
+                "let the crossing angle follow the thread, or take a larger profile angle"
+            }
+            Self::SurfaceUndefined { .. } => "let the modification reach beyond the area that is dressed",
+            Self::LineTooRough { .. } => "round off kinks of the modification, or lay the lines along them",
             Self::PoleOfChart => "use the tilt chart or a crossing angle other than 0",
         }
     }

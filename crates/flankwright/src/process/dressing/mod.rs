@@ -20,6 +20,7 @@ mod dresser_section;
 mod envelope;
 mod error;
 mod forward;
+mod line_dressing;
 mod machine_choice;
 mod machine_motion;
 mod multi_stroke;
@@ -61,6 +62,7 @@ pub use dresser_section::{DresserSection, SectionPart};
 pub use envelope::{DressedWorm, EnvelopePoint, dressing_motion};
 pub use error::DressingError;
 pub use forward::{DressedProfile, ProfilePoint, head_gradient};
+pub use line_dressing::{DressingLine, LineDressing, LinePlan, RelativeForm, TipDisc, Touch};
 pub use machine_choice::{AxisCriterion, MachineChoice, SwivelChoice};
 pub use machine_motion::{
     AxisReversal, AxisUncertainty, MachineMotion, MachineRow, MachineTask, MachineWay, SwivelLaw,

@@ -208,13 +208,6 @@ impl<'a> Expected<'a> {
             .collect()
     }
 
-    /// A quantity that is known but not computed yet.
-    pub fn not_covered(&mut self, key: &str, ledger: &mut Ledger) {
-        if self.take(key).is_some() {
-            ledger.not_covered(&self.case, &self.name(key));
-        }
-    }
-
     /// Reports that this object cannot be compared because the library refused its input.
     pub fn refused(&mut self, error: &dyn std::fmt::Display, ledger: &mut Ledger) {
         let keys: Vec<&str> = self.map.iter().flat_map(|m| m.keys()).map(String::as_str).collect();
