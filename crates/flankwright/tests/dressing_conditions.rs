@@ -368,7 +368,7 @@ fn three_points_leave_the_residue_of_a_wave() {
     let plan = |from: f64, to: f64, nodes| NodePlan { interval: (from, to), nodes };
     for plan in [plan(1.0, 1.0, 3), plan(f64::NAN, 1.0, 3), plan(0.0, 1.0, 0)] {
         let error = solve_dressing_motion(&tool, Flank::Left, 50.0, &plan, &wanted).unwrap_err();
-        says(&error, "invalid-number", &["worm position from"][..usize::from(plan.nodes > 0)].as_ref());
+        says(&error, "invalid-number", ["worm position from"][..usize::from(plan.nodes > 0)].as_ref());
     }
     // Targets steeper than the line of contact can follow have no fixed point, and values that are none are told.
     let steep = |b: [f64; 3]| b.map(|b| 0.002 * (20.0 * b).sin());

@@ -129,7 +129,7 @@ impl<'a> ConditionSolver<'a> {
         let mut hints = [f64::NAN; 4];
         let (residual, jacobian) = self.rows_near(four, start, &mut hints)?;
         let sigma = self.singular_values_of(&jacobian);
-        if !(sigma[3] >= SINGULAR * sigma[0]) {
+        if sigma[3].is_nan() || sigma[3] < SINGULAR * sigma[0] {
             return Err(DressingError::Singular { ratio: sigma[3] / sigma[0] });
         }
         let x = Vector4::from_fn(|j, _| start[j] / self.scale[j]);
@@ -151,7 +151,9 @@ impl<'a> ConditionSolver<'a> {
         if let Some(&x) = start.iter().find(|x| !x.is_finite()) {
             return invalid("correction at the start", x, "finite numbers");
         }
-        if let Some([low, _]) = self.limits.iter().flatten().find(|[low, high]| !(low <= high)) {
+        if let Some([low, _]) =
+            self.limits.iter().flatten().find(|[low, high]| low.is_nan() || high.is_nan() || low > high)
+        {
             return invalid("axis limit", *low, "the smallest value first, no NaN");
         }
         Condition::check_all(conditions.iter(), self.tool)

@@ -187,7 +187,7 @@ impl<'a> CrowningRows<'a> {
         if !(self.reference_radius.is_finite() && self.reference_radius > 0.0) {
             return invalid("reference radius", self.reference_radius, "> 0 mm");
         }
-        if !(self.cos_gear_base_helix > 0.0) {
+        if self.cos_gear_base_helix.is_nan() || self.cos_gear_base_helix <= 0.0 {
             return invalid("cosine of the gear's base helix angle", self.cos_gear_base_helix, "> 0");
         }
         for (field, x) in self
@@ -201,7 +201,7 @@ impl<'a> CrowningRows<'a> {
             }
         }
         for [low, high] in limits.axes.iter().flatten() {
-            if !(low <= high) {
+            if low.is_nan() || high.is_nan() || low > high {
                 return invalid("axis limit", *low, "the smallest value first, no NaN");
             }
         }

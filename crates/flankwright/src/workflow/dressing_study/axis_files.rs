@@ -9,8 +9,11 @@ use crate::report::charts::{
 use crate::report::{Column as PageColumn, Table};
 use crate::workflow::explore::Refused;
 
-/// Names and units of a stroke's correction.
-const CORRECTIONS: [(Column, &str, fn(&StrokeFigures) -> f64); 4] = [
+/// A quantity of a stroke with its name and unit in tables, and its title on the page.
+type Quantity = (Column, &'static str, fn(&StrokeFigures) -> f64);
+
+/// The correction of a stroke.
+const CORRECTIONS: [Quantity; 4] = [
     (Column::new("d_phi_S", "deg"), "Δφ_S [°]", |s| s.d_phi_s_deg),
     (Column::new("d_gamma", "deg"), "Δγ [°]", |s| s.d_gamma_deg),
     (Column::new("d_d", "mm"), "Δd [mm]", |s| s.d_d_mm),

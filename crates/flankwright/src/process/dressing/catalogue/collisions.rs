@@ -74,7 +74,7 @@ impl Pair<'_> {
             let land = self.needed_land().min(section.full_land());
             let found = section.undermining(dk, land, &other, &[-half, 0.0, half])?;
             for (_, planes) in found.iter() {
-                for at in planes.iter().flatten().filter(|at| at.f < 0.0) {
+                if let Some(at) = planes.iter().flatten().find(|at| at.f < 0.0) {
                     let pitch_diameter = 2.0 * later.reference_radius();
                     return Err(Refusal::Undermined { flank, cut: -at.f, pitch_diameter, b: at.b });
                 }
