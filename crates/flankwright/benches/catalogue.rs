@@ -50,6 +50,7 @@ fn bodies(count: usize) -> (Vec<CatalogueWorm>, Vec<CatalogueDresser>) {
     let worms = diameters.iter().enumerate().map(|(k, &d)| CatalogueWorm {
         name: format!("worm {k}"),
         choice: choice(threads(k), d),
+        right_angle: None,
         normal_module: None,
         smallest: Some(WornDiameter::Pitch(0.85 * d)),
         width: 100.0,
@@ -58,6 +59,7 @@ fn bodies(count: usize) -> (Vec<CatalogueWorm>, Vec<CatalogueDresser>) {
         name: format!("dresser {k}"),
         size: DresserSize { tip_radius: 50.0 + 2.0 * (k % 8) as f64, pitch_radius: None },
         designed_for: choice(threads(k / 2), d),
+        designed_right_angle: None,
         designed_module: None,
         crowning: Sides::both(1e-3 * (k % 4) as f64),
         tip_land: None,

@@ -57,6 +57,7 @@ fn worm(threads: i32, now: f64, smallest: f64) -> CatalogueWorm {
     CatalogueWorm {
         name: format!("{threads} threads, {now} mm"),
         choice: choice(threads, now),
+        right_angle: None,
         normal_module: None,
         smallest: Some(WornDiameter::Pitch(smallest)),
         width: 100.0,
@@ -68,6 +69,7 @@ fn dresser(tip_diameter: f64, threads: i32, designed: f64, crowning_um: f64) -> 
         name: format!("{tip_diameter} mm for {threads} x {designed}"),
         size: DresserSize { tip_radius: tip_diameter / 2.0, pitch_radius: None },
         designed_for: choice(threads, designed),
+        designed_right_angle: None,
         designed_module: None,
         crowning: Sides::both(crowning_um * 1e-3),
         tip_land: None,

@@ -1,6 +1,7 @@
 //! Contradictions between entries of a job that are each in range. Knows the job, no geometry beyond the order
 //! of diameters.
 
+mod catalogue;
 mod explore;
 mod grinding;
 mod stroke_study;
@@ -18,7 +19,11 @@ pub(super) fn check(job: &Job) -> Vec<Diagnostic> {
     diameters(&job.gear, &mut findings);
     evaluation(&job.gear, &mut findings);
     target(job, &mut findings);
-    tool::check(job, &mut findings);
+    catalogue::check(job, &mut findings);
+    // Without a worm there is nothing to say about it.
+    if !job.worm.is_absent() {
+        tool::check(job, &mut findings);
+    }
     grinding::check(job, &mut findings);
     explore::check(job, &mut findings);
     settings(job, &mut findings);

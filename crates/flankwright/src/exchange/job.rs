@@ -2,6 +2,7 @@
 //! keys, types and ranges; contradictions between entries are found by [`super::read_job`]. The ranges stand
 //! beside the fields, so that the published schema and the messages cannot disagree.
 
+mod catalogue;
 mod choices;
 mod designed_for;
 mod diagonal_ratio;
@@ -22,6 +23,7 @@ mod stroke_study;
 mod target;
 mod worm;
 
+pub use catalogue::{CatalogueSource, FreeQuantity, FreeWorm};
 pub use choices::{Flanks, Hand};
 pub use designed_for::DesignedFor;
 pub use diagonal_ratio::{
@@ -52,12 +54,17 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend(
-    "if" = {
-        "properties": { "worm": { "properties": { "tool": { "enum": ["given", "made"] } }, "required": ["tool"] } },
-        "required": ["worm"]
-    },
-    "then" = { "not": { "required": ["dresser"] } },
-    "else" = { "required": ["dresser"] }
+    "if" = { "required": ["catalogue"] },
+    "then" = { "not": { "anyOf": [{ "required": ["worm"] }, { "required": ["dresser"] }, { "required": ["settings"] }] } },
+    "else" = {
+        "required": ["worm"],
+        "if": {
+            "properties": { "worm": { "properties": { "tool": { "enum": ["given", "made"] } }, "required": ["tool"] } },
+            "required": ["worm"]
+        },
+        "then": { "not": { "required": ["dresser"] } },
+        "else": { "required": ["dresser"] }
+    }
 ))]
 pub struct Job {
     /// Name and process.
@@ -66,8 +73,12 @@ pub struct Job {
     pub gear: Gear,
     /// The wanted flank.
     pub target: Target,
-    /// The grinding worm.
+    /// The grinding worm; absent exactly if there is a catalogue.
+    #[serde(default = "Worm::absent", skip_serializing_if = "Worm::is_absent")]
     pub worm: Worm,
+    /// The catalogue from which worm and dresser are chosen, in place of `worm` and `dresser`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub catalogue: Option<CatalogueSource>,
     /// The disc dresser that profiles the worm; there is one exactly if `worm.tool` is `"dressed"`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub dresser: Option<Dresser>,

@@ -1,6 +1,7 @@
 //! Plan, simulate and verify: the only room where processes, referee and reports meet; what command, server and Python
 //! call. Knows every layer below, and no user interface.
 
+mod catalogue;
 mod dressing_study;
 mod equal_ratio_offers;
 mod execution;
@@ -19,6 +20,11 @@ mod tip_land;
 pub mod verify;
 mod write;
 
+pub use catalogue::{
+    CatalogueLimits, CatalogueOutcome, CataloguePair, CataloguePlan, FreeOutcome, FreePair, FreePoint,
+    FreeRange, LifeCurve, LifePoint, MOST_PAIRS, PAIR_RANKING, PairFlank, PairLife, plan_from_catalogue,
+    rank_catalogue, study_free_worm, write_catalogue, write_free_study,
+};
 pub use dressing_study::{
     AxisInfluence, CrowningCurve, CrowningPoint, CurveEnd, DeviationCurve, DeviationQuantile,
     DressingStudyOutcome, ProfileCurve, StrokeCurve, StrokeFigures, StudyCurves, WormCurve, WormPoint,

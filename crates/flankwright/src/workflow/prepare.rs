@@ -313,6 +313,34 @@ fn target_of_flank(
     }
 }
 
+/// The wanted flanks of a job on given evaluation fields; `None` for a flank that is not ground.
+///
+/// # Errors
+/// A finding on the entry of the target concerned.
+pub(super) fn wanted_flanks(
+    loaded: &LoadedJob,
+    fields: &Sides<EvaluationField>,
+) -> Result<Sides<Option<Modification>>, Diagnostic> {
+    let file = match &loaded.job.target.file {
+        None => None,
+        Some(name) => Some(target_file(loaded, name)?.0),
+    };
+    Sides::try_from_fn(|flank| {
+        is_ground(&loaded.job, flank)
+            .then(|| target_of_flank(loaded, file.as_ref(), flank, &fields[flank]))
+            .transpose()
+    })
+}
+
+/// Whether a flank is ground.
+fn is_ground(job: &Job, flank: Flank) -> bool {
+    match job.grinding.flanks {
+        Flanks::Both => true,
+        Flanks::Left => flank == Flank::Left,
+        Flanks::Right => flank == Flank::Right,
+    }
+}
+
 /// The tolerances of a job, normal to the flank: its `tolerance_map`, else `tolerance_um` everywhere.
 ///
 /// # Errors
@@ -350,6 +378,15 @@ const WORTH_SAYING: f64 = 1e-3;
 /// [`RunFailure`] with a finding on the key concerned.
 pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
     let job = &loaded.job;
+    if job.catalogue.is_some() {
+        let finding =
+            Diagnostic::new(Problem::InvalidJob, "this takes one worm and one dresser, not a catalogue")
+                .field("catalogue")
+                .value("a table")
+                .allowed("tables [worm] and [dresser]")
+                .way_out("`flankwright plan` chooses the best pair and writes it into settings.json");
+        return Err(RunFailure::bad_input(finding));
+    }
     let mut setup = setup_of_job(job)?;
     if job.worm.tool == JobTool::Given {
         setup.tool = Tool::Given(Box::new(tool_modifications(loaded, &setup)?));
@@ -368,11 +405,7 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
         _ if cylindrical => Carrier::Dresser,
         _ => Carrier::DresserOnCone,
     };
-    let ground = |flank: Flank| match job.grinding.flanks {
-        Flanks::Both => true,
-        Flanks::Left => flank == Flank::Left,
-        Flanks::Right => flank == Flank::Right,
-    };
+    let ground = |flank: Flank| is_ground(job, flank);
     let file = match &job.target.file {
         None => None,
         Some(name) => {

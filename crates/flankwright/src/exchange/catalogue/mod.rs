@@ -8,7 +8,10 @@ mod table;
 mod worm;
 
 pub use dresser::{DresserEntry, FlankDiameters};
-pub use read::{LoadedCatalogue, catalogue_schema, parse_catalogue, read_catalogue, read_catalogue_tables};
+pub use read::{
+    LoadedCatalogue, catalogue_of_job, catalogue_schema, parse_catalogue, read_catalogue,
+    read_catalogue_tables,
+};
 pub use worm::WormEntry;
 
 use schemars::JsonSchema;

@@ -9,6 +9,7 @@ use serde_json::{Value, json};
 use super::{Catalogue, checks, table};
 use crate::exchange::diagnostic::{Diagnostic, JobError, Problem};
 use crate::exchange::document::Document;
+use crate::exchange::load::LoadedJob;
 use crate::exchange::shape::Subject;
 use crate::exchange::source::Source;
 use crate::exchange::{schema, shape};
@@ -63,6 +64,27 @@ pub fn read_catalogue_tables(worms: &Path, dressers: &Path) -> Result<LoadedCata
     let list = |document: &Document, key: &str| document.to_value()[key].clone();
     let value = json!({ "worm": list(&worms, "worm"), "dresser": list(&dressers, "dresser") });
     checked(value, vec![worms, dressers])
+}
+
+/// The catalogue that a job names; `None` for a job with fixed bodies.
+///
+/// # Errors
+/// As [`read_catalogue`]; places are those of the catalogue's own files.
+pub fn catalogue_of_job(loaded: &LoadedJob) -> Result<Option<LoadedCatalogue>, JobError> {
+    let Some(source) = &loaded.job.catalogue else { return Ok(None) };
+    match (&source.file, &source.worms_csv, &source.dressers_csv) {
+        (Some(file), ..) => read_catalogue(&loaded.beside(file)).map(Some),
+        (None, Some(worms), Some(dressers)) => {
+            read_catalogue_tables(&loaded.beside(worms), &loaded.beside(dressers)).map(Some)
+        }
+        // A job that was read names one or the other.
+        _ => {
+            let finding = Diagnostic::new(Problem::MissingKey, "`catalogue` names no file")
+                .field("catalogue.file")
+                .way_out("add `file = \"...\"`");
+            Err(loaded.error(finding))
+        }
+    }
 }
 
 /// One table, its cells checked.

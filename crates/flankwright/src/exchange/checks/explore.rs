@@ -12,7 +12,7 @@ pub(super) fn check(job: &Job, findings: &mut Vec<Diagnostic>) {
             Diagnostic::new(Problem::MissingKey, "`explore` does not say what varies")
                 .field("explore.diagonal_ratio")
                 .allowed(
-                    "one or more of diagonal_ratio, worm_cone_angle_deg, crossed_axes_angle_deg; or dressing",
+                    "one or more of diagonal_ratio, worm_cone_angle_deg, crossed_axes_angle_deg; or dressing; or catalogue",
                 )
                 .way_out("add one, e.g. diagonal_ratio = { from = -3.0, to = 3.0, count = 61 }"),
         );
@@ -38,6 +38,18 @@ pub(super) fn check(job: &Job, findings: &mut Vec<Diagnostic>) {
         }
         dressing(study, findings);
         stroke_study::check(study, findings);
+        if job.dresser.as_ref().is_some_and(|d| d.designed_for.is_some()) {
+            findings.push(
+                Diagnostic::new(
+                    Problem::InvalidJob,
+                    "a study of dressing looks at the dresser that is made for `[worm]`, and puts that one on other worms",
+                )
+                .field("dresser.designed_for")
+                .value("a table")
+                .allowed("no key beside explore.dressing")
+                .way_out("describe the worm that the dresser was designed for in `[worm]`"),
+            );
+        }
         if job.worm.tool != Tool::Dressed {
             findings.push(
                 Diagnostic::new(Problem::InvalidJob, "a tool that is not dressed has no study of dressing")

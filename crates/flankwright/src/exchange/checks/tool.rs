@@ -4,7 +4,7 @@ use super::not_yet;
 use crate::exchange::diagnostic::{Diagnostic, Problem};
 use crate::exchange::job::{
     Condition, DesignedFor, Dresser, DresserModification, Dressing, DressingFlanks, FixedDresser, Flanks,
-    Job, ProfileCrowningBy, Tool,
+    Job, Modification, ProfileCrowningBy, Tool,
 };
 use crate::exchange::node::shown_number;
 
@@ -39,6 +39,21 @@ pub(super) fn check(job: &Job, findings: &mut Vec<Diagnostic>) {
     }
     if tool == Tool::Dressed {
         dressing(&job.dressing, findings);
+        let rows = Dressing::default();
+        if job.dresser.as_ref().is_some_and(|d| d.designed_for.is_some())
+            && (job.dressing.conditions != rows.conditions || !job.dressing.fixed().is_empty())
+        {
+            findings.push(
+                Diagnostic::new(
+                    Problem::InvalidJob,
+                    "a dresser designed for another worm is settled by three points and the radius map",
+                )
+                .field("dressing.conditions")
+                .value(format!("{} conditions", job.dressing.rows()))
+                .allowed("no conditions and no degrees_of_freedom beside dresser.designed_for")
+                .way_out("leave `conditions` and `degrees_of_freedom` out"),
+            );
+        }
         if job.dressing.flanks == DressingFlanks::Two {
             two_flanks(job, findings);
         }
@@ -157,16 +172,23 @@ fn dresser(dresser: &Dresser, findings: &mut Vec<Diagnostic>) {
     }
     if let DresserModification::Given(entry) = &dresser.modification {
         let kind = entry.kind();
-        let of_profile = ["profile_", "tip_", "root_"].iter().any(|start| kind.starts_with(start));
-        if !of_profile {
+        if !of_profile(entry) {
             findings.push(
                 Diagnostic::new(Problem::InvalidJob, "a dresser carries a profile only, the same all round")
                     .field("dresser.modification.kind")
                     .value(format!("{kind:?}"))
-                    .allowed("a kind of profile modification or relief at tip or root")
+                    .allowed("a kind of profile modification or relief at tip or root, or a sum of such")
                     .way_out("use a profile kind, e.g. \"profile_crowning\""),
             );
         }
+    }
+}
+
+/// Whether a modification depends on the profile only, by its kind.
+fn of_profile(entry: &Modification) -> bool {
+    match entry {
+        Modification::Sum(sum) => !sum.children.is_empty() && sum.children.iter().all(of_profile),
+        other => ["profile_", "tip_", "root_"].iter().any(|start| other.kind().starts_with(start)),
     }
 }
 

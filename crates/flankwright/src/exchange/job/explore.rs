@@ -3,6 +3,7 @@
 use schemars::{JsonSchema, Schema, json_schema};
 use serde::{Deserialize, Serialize};
 
+use super::catalogue::FreeWorm;
 use super::dressing_study::DressingStudy;
 
 /// Settings that a study varies; every combination is computed.
@@ -24,6 +25,9 @@ pub struct Explore {
     /// A study of dressing in place of the others.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub dressing: Option<DressingStudy>,
+    /// A study of the `[catalogue]` with one quantity of its worms free; without it all pairs are ranked.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub catalogue: Option<FreeWorm>,
 }
 
 /// Equidistant values, both ends included.

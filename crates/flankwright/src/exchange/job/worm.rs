@@ -57,6 +57,30 @@ pub struct Worm {
     pub direction_deg: Option<OneOrSides<f64>>,
 }
 
+impl Worm {
+    /// What stands for the table of a job that has a catalogue in its place: nothing is said of a worm.
+    pub fn absent() -> Self {
+        Self {
+            threads: 0,
+            hand: None,
+            pitch_diameter: None,
+            tip_diameter: None,
+            normal_pressure_angle_deg: None,
+            profile_shift: 0.0,
+            width: None,
+            cone_angle_deg: 0.0,
+            tool: Tool::Dressed,
+            modifications: None,
+            direction_deg: None,
+        }
+    }
+
+    /// Whether the job says nothing of a worm; every worm has threads.
+    pub fn is_absent(&self) -> bool {
+        self.threads == 0
+    }
+}
+
 /// How the tool gets its flanks.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]

@@ -164,7 +164,8 @@ impl BackwardsSearch<'_> {
             }
             FreeQuantity::ProfileAngle(_) => {
                 worm.choice.pressure_angle = Some(value);
-                worm.normal_module = None; // it follows from the angle
+                // Both follow from the angle.
+                (worm.normal_module, worm.right_angle) = (None, None);
             }
             FreeQuantity::Threads(_) => worm.choice.threads = value as i32,
         }

@@ -1,6 +1,6 @@
 //! Worms and dressers as a catalogue lists them, and the rule that puts a worm between gear and dresser. Knows no target.
 
-use crate::geometry::{GeometryError, Sides, WormChoice};
+use crate::geometry::{Flank, GeometryError, Sides, WormChoice};
 use crate::process::dressing::{DresserTool, DressingError, WormSeat};
 
 /// What of a dresser decides where it stands. mm.
@@ -37,6 +37,8 @@ pub struct CatalogueWorm {
     pub name: String,
     /// The worm as it is now.
     pub choice: WormChoice,
+    /// Profile angle of the right flank, if the catalogue states it; that of the left flank decides, and both must mesh.
+    pub right_angle: Option<f64>,
     /// Normal module, if the catalogue states it; it must be the one with which the gear meshes.
     pub normal_module: Option<f64>,
     /// Diameter down to which it may be dressed; without one it is looked at as it is now.
@@ -54,6 +56,8 @@ pub struct CatalogueDresser {
     pub size: DresserSize,
     /// The worm it was designed for. The hand is that of the worm it dresses: turned over, a dresser serves the other hand.
     pub designed_for: WormChoice,
+    /// Profile angle of its right flank, if the catalogue states it.
+    pub designed_right_angle: Option<f64>,
     /// Normal module of that worm, if the catalogue states it.
     pub designed_module: Option<f64>,
     /// Profile crowning of the gear that it makes on that worm, transverse, positive = convex gear.
@@ -76,16 +80,23 @@ pub struct DesignedDresser {
 /// A module of the catalogue may differ from the one that meshes by this share (spec 30 section 18).
 const MATING: f64 = 1e-6;
 
-/// Refuses a stated module that does not mesh.
-fn check_module(seat: &WormSeat, stated: Option<f64>) -> Result<(), DressingError> {
-    let Some(stated) = stated else { return Ok(()) };
-    let needed = seat.worm.data().normal_module;
-    if (stated - needed).abs() <= MATING * needed {
-        return Ok(());
+/// Refuses a stated module or right profile angle that does not mesh: the normal base pitch would be another one.
+fn check_mating(seat: &WormSeat, module: Option<f64>, right_angle: Option<f64>) -> Result<(), DressingError> {
+    let data = seat.worm.data();
+    for flank in Flank::BOTH {
+        let angle = match (flank, right_angle) {
+            (Flank::Right, Some(angle)) => angle,
+            _ => data.pressure_angle[flank],
+        };
+        let share = module.unwrap_or(data.normal_module) * angle.cos()
+            / (data.normal_module * data.pressure_angle[flank].cos());
+        // A share that is no number is no match either.
+        if share.is_nan() || (share - 1.0).abs() > MATING {
+            let gear = seat.worm.normal_base_pitch(flank);
+            return Err(GeometryError::NotMating { flank, worm: gear * share, gear }.into());
+        }
     }
-    let flank = crate::geometry::Flank::Left;
-    let gear = seat.worm.normal_base_pitch(flank);
-    Err(GeometryError::NotMating { flank, worm: gear * stated / needed, gear }.into())
+    Ok(())
 }
 
 impl CatalogueWorm {
@@ -95,7 +106,7 @@ impl CatalogueWorm {
     /// Those of [`Workshop::seat`]; [`GeometryError::NotMating`] for a module with which the gear does not mesh.
     pub fn seat(&self, workshop: &dyn Workshop, dresser: DresserSize) -> Result<WormSeat, DressingError> {
         let seat = workshop.seat(&self.choice, dresser)?;
-        check_module(&seat, self.normal_module)?;
+        check_mating(&seat, self.normal_module, self.right_angle)?;
         Ok(seat)
     }
 
@@ -145,7 +156,7 @@ impl CatalogueDresser {
     pub fn designed(&self, workshop: &dyn Workshop, hand: f64) -> Result<DesignedDresser, DressingError> {
         let seat = workshop.seat(&self.designed_worm(hand), self.size)?;
         seat.check()?;
-        check_module(&seat, self.designed_module)?;
+        check_mating(&seat, self.designed_module, self.designed_right_angle)?;
         let tool = DresserTool::conjugate(&seat.worm, seat.chains, seat.ranges)?;
         Ok(DesignedDresser { tool, seat })
     }

@@ -66,6 +66,7 @@ fn dresser(bodies: &Bodies, mut table: Expected<'_>, ledger: &mut Ledger) -> Opt
         name: String::new(),
         size: DresserSize { tip_radius: diameter / 2.0, pitch_radius: None },
         designed_for,
+        designed_right_angle: None,
         designed_module: None,
         crowning: Sides::both(crowning * UM),
         tip_land: None,
@@ -104,6 +105,7 @@ pub(super) fn search(
         .map(|choice| CatalogueWorm {
             name: String::new(),
             choice,
+            right_angle: None,
             normal_module: None,
             smallest: None,
             width: NO_WIDTH,

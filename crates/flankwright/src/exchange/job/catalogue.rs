@@ -1,0 +1,100 @@
+//! `[catalogue]`: worms and dressers that are there, in place of `[worm]` and `[dresser]`.
+
+use schemars::{JsonSchema, Schema, json_schema};
+use serde::{Deserialize, Serialize};
+
+/// A catalogue from which worm and dresser are chosen. The files stand beside the job file unless their paths are absolute.
+/// Lengths in mm.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CatalogueSource {
+    /// A TOML or JSON file with entries `[[worm]]` and `[[dresser]]`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("minLength" = 1))]
+    pub file: Option<String>,
+    /// A table of worms (CSV), instead of `file`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("minLength" = 1))]
+    pub worms_csv: Option<String>,
+    /// A table of dressers (CSV), instead of `file`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("minLength" = 1))]
+    pub dressers_csv: Option<String>,
+    /// Clearance between the gear's tip and the worm's root; default 0.25 normal modules.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("minimum" = 0, "maximum" = 100, "x-way-out" = "give the clearance in mm, or leave it out"))]
+    pub root_clearance: Option<f64>,
+    /// Largest relative stretch |P| of the profile.
+    #[serde(default = "largest_stretch")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 10, "x-way-out" = "give a share such as 0.1, or leave it out"))]
+    pub largest_stretch: f64,
+    /// Width that the tip land of a dresser must at least have where the catalogue does not state its land.
+    #[serde(default = "smallest_tip_land")]
+    #[schemars(extend("minimum" = 0, "maximum" = 1000, "x-way-out" = "give the width of the tip land in mm, or leave it out"))]
+    pub smallest_tip_land: f64,
+    /// Distance that the dresser keeps from the counter flank of the thread space.
+    #[serde(default)]
+    #[schemars(extend("minimum" = 0, "maximum" = 100, "x-way-out" = "give the distance in mm, or leave it out"))]
+    pub clearance: f64,
+}
+
+fn largest_stretch() -> f64 {
+    0.1
+}
+
+fn smallest_tip_land() -> f64 {
+    0.5
+}
+
+/// A study in which one quantity of the worms of a catalogue is free: with which values does each dresser make the target?
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FreeWorm {
+    /// What is free; all else stays as the catalogue has it.
+    pub free: FreeQuantity,
+    /// Smallest value.
+    #[schemars(schema_with = "value_schema")]
+    pub from: f64,
+    /// Largest value.
+    #[schemars(schema_with = "value_schema")]
+    pub to: f64,
+}
+
+/// A quantity of the worm that is free.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum FreeQuantity {
+    /// Pitch diameter in mm.
+    PitchDiameter,
+    /// Normal pressure angle of the left flank in degrees.
+    PressureAngle,
+    /// Number of threads.
+    Threads,
+}
+
+impl FreeQuantity {
+    /// The word in job files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::PitchDiameter => "pitch-diameter",
+            Self::PressureAngle => "pressure-angle",
+            Self::Threads => "threads",
+        }
+    }
+
+    /// Values that it may have.
+    pub fn range(self) -> [f64; 2] {
+        match self {
+            Self::PitchDiameter => [1.0, 2000.0],
+            Self::PressureAngle => [5.0, 45.0],
+            Self::Threads => [1.0, 100.0],
+        }
+    }
+}
+
+fn value_schema(_: &mut schemars::SchemaGenerator) -> Schema {
+    json_schema!({
+        "type": "number", "exclusiveMinimum": 0, "maximum": 2000,
+        "x-way-out": "give a diameter in mm, an angle in degrees or a number of threads"
+    })
+}

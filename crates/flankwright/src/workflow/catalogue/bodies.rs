@@ -1,0 +1,72 @@
+//! Entries of a catalogue as bodies of the search.
+
+use crate::exchange::catalogue::{Catalogue, DresserEntry, WormEntry};
+use crate::exchange::job::{DesignedFor, Job, OneOrSides};
+use crate::geometry::WormChoice;
+use crate::process::dressing::catalogue::{CatalogueDresser, CatalogueWorm, DresserSize, WornDiameter};
+
+fn threads(threads: u32) -> i32 {
+    i32::try_from(threads).unwrap_or(i32::MAX)
+}
+
+/// Angle of the left flank, rad; that of the gear where none is given.
+fn angle(job: &Job, given: Option<OneOrSides<f64>>) -> f64 {
+    given.unwrap_or(job.gear.normal_pressure_angle_deg).sides().left.to_radians()
+}
+
+fn worm(job: &Job, entry: &WormEntry) -> CatalogueWorm {
+    CatalogueWorm {
+        name: entry.name.clone(),
+        choice: WormChoice {
+            threads: threads(entry.threads),
+            hand: entry.hand.unwrap_or_else(|| job.worm_hand()).sign(),
+            pitch_diameter: entry.pitch_diameter,
+            tip_diameter: entry.tip_diameter,
+            pressure_angle: Some(angle(job, entry.normal_pressure_angle_deg)),
+            profile_shift: 0.0,
+            cone_angle: 0.0,
+        },
+        right_angle: entry.normal_pressure_angle_deg.map(|given| given.sides().right.to_radians()),
+        normal_module: entry.normal_module,
+        smallest: entry
+            .smallest_pitch_diameter
+            .map(WornDiameter::Pitch)
+            .or(entry.smallest_tip_diameter.map(WornDiameter::Tip)),
+        width: entry.width,
+    }
+}
+
+fn designed_worm(job: &Job, there: &DesignedFor) -> WormChoice {
+    WormChoice {
+        threads: threads(there.threads),
+        hand: job.worm_hand().sign(),
+        pitch_diameter: there.pitch_diameter,
+        tip_diameter: there.tip_diameter,
+        pressure_angle: Some(angle(job, there.normal_pressure_angle_deg)),
+        profile_shift: 0.0,
+        cone_angle: 0.0,
+    }
+}
+
+fn dresser(job: &Job, entry: &DresserEntry) -> CatalogueDresser {
+    let there = &entry.designed_for;
+    CatalogueDresser {
+        name: entry.name.clone(),
+        size: DresserSize {
+            tip_radius: 0.5 * entry.tip_diameter,
+            pitch_radius: entry.pitch_diameter.map(|d| 0.5 * d),
+        },
+        designed_for: designed_worm(job, there),
+        designed_right_angle: there.normal_pressure_angle_deg.map(|given| given.sides().right.to_radians()),
+        designed_module: there.normal_module,
+        crowning: entry.profile_crowning_um.sides().map(|_, um| um * 1e-3),
+        tip_land: entry.tip_land,
+        flank: entry.flank_diameters.map(|flank| [0.5 * flank.from, 0.5 * flank.to]),
+    }
+}
+
+/// Worms and dressers of a catalogue, in its order.
+pub(super) fn bodies(job: &Job, catalogue: &Catalogue) -> (Vec<CatalogueWorm>, Vec<CatalogueDresser>) {
+    let worms = catalogue.worm.iter().map(|entry| worm(job, entry)).collect();
+    (worms, catalogue.dresser.iter().map(|entry| dresser(job, entry)).collect())
+}

@@ -1,0 +1,325 @@
+//! `explore.json`, `explore.csv` and `explore.html` of a ranked catalogue. Every file appears whole or not at all.
+
+use super::outcome::{CatalogueOutcome, CataloguePair, LifeCurve, LifePoint, PairFlank};
+use crate::exchange::{Cell, Column, CsvError, CsvTable};
+use crate::geometry::Flank;
+use crate::report::charts::{ChartError, LineChart, Panel, Series, Svg, format_significant, line_chart};
+use crate::report::{
+    Banner, Block, Column as PageColumn, Fact, Figure, PlanReport, Section, Status, Table, html,
+};
+use crate::workflow::write::{WriteError, write_study};
+use std::path::{Path, PathBuf};
+
+/// Rows of the ranking on the page; all of them stand in `explore.csv`.
+const ROWS: usize = 100;
+/// Worms and dressers up to which the page shows every pair in one table.
+const MATRIX: [usize; 2] = [40, 14];
+
+/// Writes the files of a ranking into `directory` (made if missing); returns their paths, the page last.
+///
+/// # Errors
+/// [`WriteError`]; files written before the error stay.
+pub fn write_catalogue(outcome: &CatalogueOutcome, directory: &Path) -> Result<Vec<PathBuf>, WriteError> {
+    write_study(outcome, table(outcome)?.text(), &html::render(&page(outcome)?), directory)
+}
+
+/// A figure of a flank with its column.
+type OfFlank = (Column, fn(&PairFlank) -> Option<f64>);
+
+const OF_FLANKS: [[OfFlank; 8]; 2] = [
+    [
+        (Column::new("left_crowning_by_motion", "um"), |f| Some(f.crowning_by_motion_um)),
+        (Column::new("left_d_phi_S", "deg"), |f| Some(f.d_phi_s_deg)),
+        (Column::new("left_d_gamma", "deg"), |f| Some(f.d_gamma_deg)),
+        (Column::new("left_d_d", "mm"), |f| Some(f.d_d_mm)),
+        (Column::new("left_d_v_yA", "mm"), |f| Some(f.d_v_ya_mm)),
+        (Column::new("left_stretch", "percent"), |f| Some(100.0 * f.stretch)),
+        (Column::new("left_profile_error", "um"), |f| Some(f.profile_error_um)),
+        (Column::new("left_largest_tip_land", "mm"), |f| f.largest_tip_land_mm),
+    ],
+    [
+        (Column::new("right_crowning_by_motion", "um"), |f| Some(f.crowning_by_motion_um)),
+        (Column::new("right_d_phi_S", "deg"), |f| Some(f.d_phi_s_deg)),
+        (Column::new("right_d_gamma", "deg"), |f| Some(f.d_gamma_deg)),
+        (Column::new("right_d_d", "mm"), |f| Some(f.d_d_mm)),
+        (Column::new("right_d_v_yA", "mm"), |f| Some(f.d_v_ya_mm)),
+        (Column::new("right_stretch", "percent"), |f| Some(100.0 * f.stretch)),
+        (Column::new("right_profile_error", "um"), |f| Some(f.profile_error_um)),
+        (Column::new("right_largest_tip_land", "mm"), |f| f.largest_tip_land_mm),
+    ],
+];
+
+/// All pairs in the order of the ranking.
+fn table(outcome: &CatalogueOutcome) -> Result<CsvTable, CsvError> {
+    let mut columns = vec![
+        Column::new("rank", ""),
+        Column::new("worm", ""),
+        Column::new("dresser", ""),
+        Column::new("ok", ""),
+        Column::new("largest_share_of_limit", ""),
+        Column::new("worm_pitch_diameter", "mm"),
+        Column::new("life_to_pitch_diameter", "mm"),
+        Column::new("life_ended_by", ""),
+    ];
+    columns.extend(OF_FLANKS.iter().flatten().map(|(column, _)| *column));
+    columns.push(Column::new("refused", ""));
+    columns.push(Column::new("reason", ""));
+    let mut table = CsvTable::new(&columns);
+    let number = |x: Option<f64>| x.map_or(Cell::Empty, Cell::Number);
+    for pair in &outcome.pairs {
+        let ended = pair.life.as_ref().and_then(|life| life.ended_by.as_ref());
+        let mut row = vec![
+            Cell::Number(pair.rank as f64),
+            Cell::Word(&pair.worm),
+            Cell::Word(&pair.dresser),
+            Cell::Word(if pair.ok { "yes" } else { "no" }),
+            number(pair.largest_share_of_limit),
+            number(pair.worm_pitch_diameter_mm),
+            number(pair.life.as_ref().map(|life| life.to_mm)),
+            ended.map_or(Cell::Empty, |refused| Cell::Word(refused.code)),
+        ];
+        for (flank, quantities) in Flank::BOTH.into_iter().zip(&OF_FLANKS) {
+            let known = pair.flanks.get(flank.name());
+            row.extend(quantities.iter().map(|(_, value)| number(known.and_then(value))));
+        }
+        row.push(pair.refused.as_ref().map_or(Cell::Empty, |refused| Cell::Word(refused.code)));
+        row.push(pair.refused.as_ref().map_or(Cell::Empty, |refused| Cell::Word(&refused.text)));
+        table.push_cells(&row)?;
+    }
+    Ok(table)
+}
+
+fn text(x: Option<f64>, digits: usize) -> String {
+    x.map_or_else(|| "–".into(), |x| format_significant(x, digits))
+}
+
+/// A share as a whole percentage.
+fn percent(x: Option<f64>) -> String {
+    x.map_or_else(|| "–".into(), |x| format!("{:.0}", 100.0 * x))
+}
+
+fn page(outcome: &CatalogueOutcome) -> Result<PlanReport, ChartError> {
+    let headline = format!(
+        "{} of {} pairs make the profile{}",
+        outcome.ok,
+        outcome.pairs.len(),
+        if outcome.ok > 0 { "; the first of the ranking:" } else { "; the nearest one:" }
+    );
+    let figures = outcome.pairs.first().map_or_else(Vec::new, |pair| {
+        let mut figures = vec![
+            Fact::new("Worm", pair.worm.clone()),
+            Fact::new("Dresser", pair.dresser.clone()),
+            Fact::new(
+                "Largest share of an axis limit",
+                format!("{} %", percent(pair.largest_share_of_limit)),
+            ),
+            Fact::new("Stretch P", format!("{} %", text(pair.largest(|f| 100.0 * f.stretch), 3))),
+            Fact::new("Profile error", format!("{} µm", text(pair.largest(|f| f.profile_error_um), 2))),
+        ];
+        if let Some(life) = &pair.life {
+            figures.push(Fact::new("Worm serves down to", format!("d_S {} mm", text(Some(life.to_mm), 5))));
+        }
+        if let Some(refused) = &pair.refused {
+            figures.push(Fact::new("Not made because", refused.text.clone()));
+        }
+        figures
+    });
+    let mut sections = Vec::new();
+    let pairs = match matrix(outcome) {
+        Some(table) => vec![Block::Table(table)],
+        None => Vec::new(),
+    };
+    sections.push(Section::new("All pairs", pairs));
+    if let Some(svg) = life_chart(&outcome.lives)? {
+        let caption = "From the worm of now (right) to the worn one (left). Uncorrected: the profile crowning that stands on the \
+            gear if only distance and phase are set; with corrections it is the wanted one. Filled: the target is made; open: a \
+            limit is exceeded.";
+        let figure = Block::Figure(Figure { svg, caption: caption.into() });
+        sections.push(Section::new("The life of the best pairs", vec![figure]));
+    }
+    sections.push(Section::new("Ranking", vec![Block::Table(ranking(outcome))]));
+    sections.push(Section::new("Limits", vec![Block::Table(limits(outcome))]));
+    let wanted: Vec<String> = outcome
+        .wanted_profile_crowning_um
+        .iter()
+        .map(|(flank, um)| format!("{flank} {} µm", format_significant(*um, 4)))
+        .collect();
+    Ok(PlanReport {
+        title: outcome.job.clone(),
+        subtitle: Some("Worms and dressers of the catalogue".into()),
+        facts: vec![
+            Fact::new("Process", outcome.process.clone()),
+            Fact::new("Profile crowning, form to tip", wanted.join(", ")),
+            Fact::new("Tolerance", format!("{} µm", format_significant(outcome.tolerance_um, 4))),
+            Fact::new("Version", outcome.version),
+        ],
+        banner: Banner {
+            status: if outcome.ok > 0 { Status::Met } else { Status::NotProducible },
+            headline,
+            figures,
+        },
+        sections,
+    })
+}
+
+/// Worms down, dressers across; `None` for a catalogue that no page holds.
+fn matrix(outcome: &CatalogueOutcome) -> Option<Table> {
+    if outcome.worms.len() > MATRIX[0] || outcome.dressers.len() > MATRIX[1] {
+        return None;
+    }
+    let cell = |worm: &String, dresser: &String| {
+        let pair = outcome.pairs.iter().find(|p| p.worm == *worm && p.dresser == *dresser);
+        pair.map_or_else(String::new, |p| match &p.refused {
+            None => format!("{} %", percent(p.largest_share_of_limit)),
+            Some(refused) => refused.code.replace('-', " "),
+        })
+    };
+    let mut columns = vec![PageColumn::text("Worm")];
+    columns.extend(outcome.dressers.iter().map(PageColumn::text));
+    let row = |worm: &String| {
+        let mut row = vec![worm.clone()];
+        row.extend(outcome.dressers.iter().map(|dresser| cell(worm, dresser)));
+        row
+    };
+    Some(Table {
+        caption: String::new(),
+        columns,
+        rows: outcome.worms.iter().map(row).collect(),
+        note: "Largest share of an axis limit that the pair takes, or why it does not make the profile."
+            .into(),
+    })
+}
+
+/// A quantity over the life with the title of its panel.
+type OfLife = (&'static str, fn(&LifePoint) -> Option<f64>);
+
+/// Value of largest magnitude of the flanks.
+fn of_flanks(point: &LifePoint, of: fn(&PairFlank) -> f64) -> Option<f64> {
+    point.flanks.values().map(of).max_by(|a, b| a.abs().total_cmp(&b.abs()))
+}
+
+const OF_LIFE: [OfLife; 7] = [
+    ("crowning without corrections [µm]", |p| {
+        p.uncorrected_crowning_um.values().copied().max_by(|a, b| a.abs().total_cmp(&b.abs()))
+    }),
+    ("largest share of an axis limit [%]", |p| p.largest_share_of_limit.map(|share| 100.0 * share)),
+    ("Δφ_S of one flank [°]", |p| of_flanks(p, |f| f.d_phi_s_deg)),
+    ("Δγ [°]", |p| of_flanks(p, |f| f.d_gamma_deg)),
+    ("Δd [mm]", |p| of_flanks(p, |f| f.d_d_mm)),
+    ("Δv_yA of one flank [mm]", |p| of_flanks(p, |f| f.d_v_ya_mm)),
+    ("profile stretch P [%]", |p| of_flanks(p, |f| 100.0 * f.stretch)),
+];
+
+fn life_chart(lives: &[LifeCurve]) -> Result<Option<Svg>, ChartError> {
+    let mut panels = Vec::new();
+    for (title, value) in OF_LIFE {
+        let mut series = Vec::new();
+        for life in lives {
+            let mut points: Vec<(f64, f64, bool)> = life
+                .points
+                .iter()
+                .filter_map(|p| Some((p.worm_pitch_diameter_mm, value(p)?, p.refused.is_none())))
+                .collect();
+            points.sort_by(|a, b| a.0.total_cmp(&b.0));
+            if points.is_empty() {
+                continue;
+            }
+            let name = format!("{} · {}", life.worm, life.dresser);
+            let series_of =
+                Series::new(name, points.iter().map(|p| p.0).collect(), points.iter().map(|p| p.1).collect());
+            series.push(series_of.marked(points.iter().map(|p| p.2).collect()));
+        }
+        if !series.is_empty() {
+            panels.push(Panel::linear(title, 1e-6, series));
+        }
+    }
+    if panels.is_empty() {
+        return Ok(None);
+    }
+    let chart = LineChart {
+        title: "Life of the worm".into(),
+        x_title: "pitch diameter of the worm d_S [mm]".into(),
+        panels,
+    };
+    line_chart(&chart).map(Some)
+}
+
+fn ranking(outcome: &CatalogueOutcome) -> Table {
+    let row = |p: &CataloguePair| {
+        let life = p.life.as_ref().map_or_else(String::new, |life| {
+            let end = life.ended_by.as_ref().map_or("used up", |refused| refused.code);
+            format!("{} → {} ({end})", text(Some(life.from_mm), 5), text(Some(life.to_mm), 5))
+        });
+        vec![
+            p.rank.to_string(),
+            p.worm.clone(),
+            p.dresser.clone(),
+            percent(p.largest_share_of_limit),
+            text(p.largest(|f| f.d_phi_s_deg.abs()), 3),
+            text(p.largest(|f| f.d_gamma_deg), 3),
+            text(p.largest(|f| f.d_d_mm), 3),
+            text(p.largest(|f| f.d_v_ya_mm.abs()), 3),
+            text(p.largest(|f| 100.0 * f.stretch), 3),
+            text(p.largest(|f| f.profile_error_um), 2),
+            text(p.tip_land_mm(), 3),
+            life,
+            p.refused.as_ref().map_or_else(|| "makes it".into(), |r| format!("{}: {}", r.code, r.text)),
+        ]
+    };
+    let rest = outcome.pairs.len().saturating_sub(ROWS);
+    let more = if rest > 0 { format!(" {rest} more rows stand in explore.csv.") } else { String::new() };
+    Table {
+        caption: String::new(),
+        columns: vec![
+            PageColumn::number("Rank", ""),
+            PageColumn::text("Worm"),
+            PageColumn::text("Dresser"),
+            PageColumn::number("Share of limit", "%"),
+            PageColumn::number("|Δφ_S|", "°"),
+            PageColumn::number("Δγ", "°"),
+            PageColumn::number("Δd", "mm"),
+            PageColumn::number("|Δv_yA|", "mm"),
+            PageColumn::number("P", "%"),
+            PageColumn::number("Profile error", "µm"),
+            PageColumn::number("Tip land", "mm"),
+            PageColumn::text("Life, d_S [mm]"),
+            PageColumn::text("Verdict"),
+        ],
+        rows: outcome.pairs.iter().take(ROWS).map(row).collect(),
+        note: format!(
+            "Ranked: {}. Of two flanks the larger value. Tip land: the largest that spares the counter flank.{more}",
+            outcome.ranking
+        ),
+    }
+}
+
+fn limits(outcome: &CatalogueOutcome) -> Table {
+    let l = &outcome.limits;
+    let mut rows = vec![
+        vec!["|Δφ_S|".into(), format!("{}°", format_significant(l.d_phi_s_deg, 4))],
+        vec!["|Δγ|".into(), format!("{}°", format_significant(l.d_gamma_deg, 4))],
+        vec!["|Δd|".into(), format!("{} mm", format_significant(l.d_d_mm, 4))],
+        vec!["|Δv_yA|".into(), format!("{} mm", format_significant(l.d_v_ya_mm, 4))],
+    ];
+    rows.extend(l.stretch.map(|p| vec!["|P|".into(), format!("{} %", format_significant(100.0 * p, 4))]));
+    rows.push(vec![
+        "tip land, where the catalogue states none".into(),
+        format!("at least {} mm", format_significant(l.smallest_tip_land_mm, 4)),
+    ]);
+    rows.push(vec![
+        "distance from the counter flank".into(),
+        format!("at least {} mm", format_significant(l.clearance_mm, 4)),
+    ]);
+    rows.push(vec![
+        "distance from the wanted profile between the pitch points".into(),
+        format!("at most {} µm", format_significant(outcome.tolerance_um, 4)),
+    ]);
+    Table {
+        caption: String::new(),
+        columns: vec![PageColumn::symbols("Quantity"), PageColumn::text("Limit")],
+        rows,
+        note: "Of the target the profile crowning alone is ranked; `flankwright plan` makes the whole flank with the best pair and has it \
+            proven."
+            .into(),
+    }
+}
