@@ -305,7 +305,7 @@ fn impossible_studies_are_refused() {
         diagonal_ratio: steps(-3.0, 3.0, 10_000),
         worm_cone_angle_deg: steps(-3.0, 3.0, 10_000),
         crossed_axes_angle_deg: steps(-3.0, 3.0, 10_000),
-        dressing: None,
+        ..Explore::default()
     });
     assert_eq!(code(&loaded), "too-many-combinations");
     assert_eq!(MOST_COMBINATIONS, 100_000);
