@@ -113,7 +113,7 @@ fn limits_end_the_range_where_they_stand() {
     {
         assert_eq!(end.reason, PathReason::AxisLimit(1));
         let at = range.path[k].dk[1];
-        assert!((at - limit).abs() < 1e-5 && at <= 0.01 && at >= -0.02, "{at} {limit}");
+        assert!((at - limit).abs() < 1e-5 && (-0.02..=0.01).contains(&at), "{at} {limit}");
     }
     // A margin of the caller; the axis that comes first counts.
     let above = |dk: &DressingCorrection| 1.0 - dk[3];
