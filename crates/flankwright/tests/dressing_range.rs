@@ -30,7 +30,7 @@ fn holds(bodies: &Bodies, tool: &DresserTool, flank: Flank, range: &CrowningRang
     assert_eq!(range.path[0].crowning, range.smallest.crowning);
     assert_eq!(range.path[range.path.len() - 1].crowning, range.largest.crowning);
     for pair in range.path.windows(2) {
-        assert!(pair[1].crowning > pair[0].crowning);
+        assert!(pair[1].crowning > pair[0].crowning, "{:?} {:?} of {:?}", pair[0], pair[1], range.smallest);
         // The K chart changes fast near its pole, never by leaps: less than half a turn, and the same sign of gamma.
         assert!((pair[1].dk[0] - pair[0].dk[0]).abs() < 2.0, "{:?} {:?}", pair[0], pair[1]);
         assert!((chain.crossing_angle + pair[1].dk[1]) * chain.crossing_angle > 0.0);
@@ -44,7 +44,9 @@ fn holds(bodies: &Bodies, tool: &DresserTool, flank: Flank, range: &CrowningRang
             assert!((tilted.f - f).abs() < 1e-9, "{at:?}: {} {f}", tilted.f);
             assert!((tilted.f - plain.f).abs() < 1e-8 && (tilted.t - plain.t).abs() < 1e-5, "{at:?}");
         }
-        assert!((profile.at_parameter(used.w_na).unwrap().w - used.w_na).abs() < 1e-8);
+        // Near the loss of contact the dressed roll changes ever faster with everything.
+        let steep = 1.0 + profile.roll_slope(used.w_na).unwrap();
+        assert!((profile.at_parameter(used.w_na).unwrap().w - used.w_na).abs() < 1e-8 * steep);
         assert!((stretch(tool, flank, at.dk).unwrap() - at.stretch).abs() < 1e-6);
     }
     // What a fold ends, no correction exceeds; what a lost contact ends, ends at a circle that touches in one last point.

@@ -7,6 +7,7 @@ use flankwright::exchange::LoadedJob;
 use flankwright::workflow::Remark;
 use serde_json::json;
 
+use super::catalogue;
 use super::derived::{DerivedGeometry, derived_geometry};
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;
@@ -32,8 +33,9 @@ pub struct CheckArguments {
 /// Everything that is wrong with the job.
 pub fn run(arguments: &CheckArguments) -> Result<Exit, Failure> {
     let loaded = output::load_job(&arguments.job)?;
+    let catalogue = catalogue::of_job(&loaded)?;
     let (derived, warnings) =
-        derived_geometry(&loaded).map_err(|failure| Failure::of_run(&loaded, failure))?;
+        derived_geometry(&loaded, catalogue.as_ref()).map_err(|failure| Failure::of_run(&loaded, failure))?;
     let directory = output::directory(&arguments.common, &loaded).display().to_string();
     if arguments.common.json {
         output::print_json(&json!({

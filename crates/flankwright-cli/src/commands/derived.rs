@@ -4,10 +4,11 @@
 use std::fmt::Write;
 
 use flankwright::exchange::LoadedJob;
+use flankwright::exchange::catalogue::LoadedCatalogue;
 use flankwright::exchange::job::Job;
 use flankwright::geometry::{Blank, Flank, Gear, Span};
 use flankwright::process::generating::GrindingSetup;
-use flankwright::workflow::{Remark, RunFailure, blank_of_job, gear_of_job, prepare};
+use flankwright::workflow::{Remark, RunFailure, blank_of_job, gear_of_job, prepare, wanted_of_catalogue};
 use serde_json::{Map, Value};
 
 /// Sections in the order of the printed text.
@@ -81,15 +82,36 @@ impl DerivedGeometry {
     }
 }
 
-/// What follows from the job: base data and measures of the gear, worm, dresser and how they stand.
+/// What follows from the job: base data and measures of the gear, worm, dresser and how they stand; of a catalogue how much it
+/// holds.
 ///
 /// # Errors
 /// A finding about bodies or targets that cannot exist.
-pub fn derived_geometry(loaded: &LoadedJob) -> Result<(DerivedGeometry, Vec<Remark>), RunFailure> {
+pub fn derived_geometry(
+    loaded: &LoadedJob,
+    catalogue: Option<&LoadedCatalogue>,
+) -> Result<(DerivedGeometry, Vec<Remark>), RunFailure> {
     let job = &loaded.job;
     let mut derived = DerivedGeometry::default();
     let gear = gear_of_job(job).map_err(RunFailure::bad_input)?;
     gear_sections(&mut derived, job, &gear);
+    if let Some(found) = catalogue {
+        let wanted = wanted_of_catalogue(loaded, found)?;
+        derived.section("catalogue");
+        let (worms, dressers) = (found.catalogue.worm.len(), found.catalogue.dresser.len());
+        derived.quantity("worms", "worms", worms, "");
+        derived.quantity("dressers", "dressers", dressers, "");
+        derived.quantity("pairs", "pairs", worms * dressers, "");
+        for (flank, key, label) in [
+            ("left", "profile_crowning_left_um", "profile crowning wanted, left"),
+            ("right", "profile_crowning_right_um", "profile crowning wanted, right"),
+        ] {
+            if let Some(um) = wanted.get(flank) {
+                derived.quantity(key, label, *um, "um");
+            }
+        }
+        return Ok((derived, Vec::new()));
+    }
     let cylindrical = gear.is_cylindrical() && job.worm.cone_angle_deg == 0.0;
     if !cylindrical || gear.external_sign() < 0.0 {
         let remark = Remark {

@@ -9,6 +9,7 @@ use flankwright::workflow::{
     ExploreCandidate, ExploreOutcome, explore_job, study_dressing, write_dressing_study, write_exploration,
 };
 
+use super::catalogue;
 use super::outcome::unwritten;
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;
@@ -21,7 +22,7 @@ use crate::progress::Bars;
 #[command(
     after_help = "Example:\n  flankwright explore examples/twist-free-crowning.toml --top 5 -o study\n\n\
     What varies stands in the table [explore] of the job, e.g. diagonal_ratio = { from = -3.0, to = 3.0, count = 61 };\n\
-    without it the diagonal ratio runs over both signs. Writes explore.json, explore.csv and explore.html.\n\
+    without it the diagonal ratio runs over both signs. A job with a [catalogue] has all its pairs of worm and dresser ranked. Writes explore.json, explore.csv and explore.html.\n\
     Exit status 3: what can be made misses the tolerance; 4: nothing can be made with these bodies."
 )]
 pub struct ExploreArguments {
@@ -43,6 +44,9 @@ pub struct ExploreArguments {
 pub fn run(arguments: &ExploreArguments) -> Result<Exit, Failure> {
     let common = &arguments.common;
     let loaded = output::load_job(&arguments.job)?;
+    if let Some(found) = catalogue::of_job(&loaded)? {
+        return catalogue::explore(&loaded, &found, arguments.top, common);
+    }
     if loaded.job.explore.as_ref().is_some_and(|explore| explore.dressing.is_some()) {
         return dressing(&loaded, common);
     }

@@ -1,5 +1,6 @@
 //! The commands, one a file: arguments and what they print.
 
+mod catalogue;
 pub mod check;
 mod derived;
 pub mod explore;

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use flankwright::workflow::plan_job;
 
-use super::outcome;
+use super::{catalogue, outcome};
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
@@ -15,6 +15,7 @@ use crate::progress::Bars;
 /// Arguments of `plan`.
 #[derive(Args, Debug)]
 #[command(after_help = "Example:\n  flankwright plan examples/twist-free-crowning.toml -o results\n\n\
+    With a table [catalogue] in place of [worm] and [dresser] the best pair is chosen and planned; explore.html ranks all.\n\
     Exit status 3: made, but outside the tolerance; 4: not producible with these bodies.")]
 pub struct PlanArguments {
     /// The job file (TOML or JSON); `-` reads standard input
@@ -31,6 +32,9 @@ pub struct PlanArguments {
 /// Everything that is wrong with the job, a target that these bodies cannot make, files that cannot be written.
 pub fn run(arguments: &PlanArguments) -> Result<Exit, Failure> {
     let loaded = output::load_job(&arguments.job)?;
+    if let Some(catalogue) = catalogue::of_job(&loaded)? {
+        return catalogue::plan(&loaded, &catalogue, &arguments.common);
+    }
     let bars = Bars::new(arguments.common.quiet);
     let planned = plan_job(&loaded, &bars);
     bars.finish();

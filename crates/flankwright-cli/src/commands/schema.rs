@@ -1,6 +1,7 @@
-//! `flankwright schema`: the schema of the job file.
+//! `flankwright schema`: the schema of the job file, or of a catalogue.
 
 use clap::Args;
+use flankwright::exchange::catalogue::catalogue_schema;
 use flankwright::exchange::job_schema;
 
 use crate::arguments::CommonArguments;
@@ -11,8 +12,11 @@ use crate::output;
 /// Arguments of `schema`.
 #[derive(Args, Debug)]
 #[command(after_help = "Example:\n  flankwright schema > job.schema.json\n\n\
-    Editors use it to complete and check job files. With -o it is written to DIR/job.schema.json.")]
+    Editors use it to complete and check job files. With -o it is written to DIR/job.schema.json (catalogue.schema.json).")]
 pub struct SchemaArguments {
+    /// The schema of a catalogue of worms and dressers instead
+    #[arg(long)]
+    pub catalogue: bool,
     /// Arguments that every command has.
     #[command(flatten)]
     pub common: CommonArguments,
@@ -23,9 +27,14 @@ pub struct SchemaArguments {
 /// # Errors
 /// The output cannot be written.
 pub fn run(arguments: &SchemaArguments) -> Result<Exit, Failure> {
-    let text = output::json_text(&job_schema())?;
+    let (schema, name) = if arguments.catalogue {
+        (catalogue_schema(), "catalogue.schema.json")
+    } else {
+        (job_schema(), "job.schema.json")
+    };
+    let text = output::json_text(&schema)?;
     match &arguments.common.output {
-        Some(directory) => output::write_file(&directory.join("job.schema.json"), text.as_bytes())?,
+        Some(directory) => output::write_file(&directory.join(name), text.as_bytes())?,
         None => output::print(&text)?,
     }
     Ok(Exit::Done)

@@ -187,8 +187,10 @@ where
             let (at, node) = tracer.placed(&here, step, ends, tolerance, to_limit);
             events.push((at, node, PathEnd::Stopped(first)));
         }
-        if let Some((_, node, end)) = events.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)) {
-            points.push(point(&node));
+        if let Some((at, node, end)) = events.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)) {
+            if at > 0.0 {
+                points.push(point(&node));
+            }
             return ended(points, end);
         }
         (here, margin_here) = (next, margin);

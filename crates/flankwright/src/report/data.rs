@@ -141,6 +141,11 @@ impl Column {
         Self { title: title.into(), unit: String::new(), kind: ColumnKind::Text }
     }
 
+    /// A column of names that stay on one line.
+    pub fn name(title: impl Into<String>) -> Self {
+        Self { title: title.into(), unit: String::new(), kind: ColumnKind::Name }
+    }
+
     /// A column of words with symbols: `C_β` is set with an index.
     pub fn symbols(title: impl Into<String>) -> Self {
         Self { title: title.into(), unit: String::new(), kind: ColumnKind::Symbols }
@@ -158,6 +163,8 @@ impl Column {
 pub enum ColumnKind {
     /// Words, aligned left.
     Text,
+    /// Names, aligned left and never broken.
+    Name,
     /// Words with symbols whose `_` sets an index, aligned left.
     Symbols,
     /// Numbers, aligned right.

@@ -119,6 +119,7 @@ fn write_table(page: &mut String, table: &Table) {
 fn class(kind: ColumnKind) -> &'static str {
     match kind {
         ColumnKind::Text | ColumnKind::Symbols => "",
+        ColumnKind::Name => " class=\"name\"",
         ColumnKind::Number => " class=\"right\"",
     }
 }

@@ -23,7 +23,7 @@ mod write;
 pub use catalogue::{
     CatalogueLimits, CatalogueOutcome, CataloguePair, CataloguePlan, FreeOutcome, FreePair, FreePoint,
     FreeRange, LifeCurve, LifePoint, MOST_PAIRS, PAIR_RANKING, PairFlank, PairLife, plan_from_catalogue,
-    rank_catalogue, study_free_worm, write_catalogue, write_free_study,
+    rank_catalogue, study_free_worm, wanted_of_catalogue, write_catalogue, write_free_study,
 };
 pub use dressing_study::{
     AxisInfluence, CrowningCurve, CrowningPoint, CurveEnd, DeviationCurve, DeviationQuantile,

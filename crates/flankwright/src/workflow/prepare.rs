@@ -11,7 +11,7 @@ use crate::exchange::{
     Diagnostic, LoadedJob, Problem, TableForm, read_grid_target, read_points, read_tolerances, read_traces,
     table_form,
 };
-use crate::geometry::{Blank, Flank, Gear, GearData, Sides, ThicknessMeasure, WormChoice};
+use crate::geometry::{Blank, Flank, Gear, GearData, Sides, ThicknessMeasure, WormChoice, worm_for_gear};
 use crate::kinematics::MotionLaw;
 use crate::modification::{
     EvaluationField, GridSpec, GridTable, Modification, ModificationError, ModificationFiles,
@@ -131,8 +131,8 @@ pub(super) fn designed_worm(job: &Job, there: &DesignedFor) -> WormChoice {
     }
 }
 
-/// Refuses pressure angles and a module of the worm that a dresser was designed for with which it does not mesh.
-fn check_designed_worm(gear: &Gear, there: &DesignedFor) -> Result<(), Diagnostic> {
+/// Refuses a worm for which no dresser was designed: an impossible one, pressure angles and a module with which it does not mesh.
+fn check_designed_worm(job: &Job, gear: &Gear, there: &DesignedFor) -> Result<(), Diagnostic> {
     const FIELD: &str = "dresser.designed_for";
     let own = gear.own_rack();
     let rack = match there.normal_pressure_angle_deg {
@@ -157,6 +157,7 @@ fn check_designed_worm(gear: &Gear, there: &DesignedFor) -> Result<(), Diagnosti
             rack
         }
     };
+    worm_for_gear(gear, &designed_worm(job, there)).map_err(|e| geometry_finding(&e, FIELD).field(FIELD))?;
     let module = rack.normal_module;
     match there.normal_module {
         Some(stated) if (stated - module).abs() > MATING * module => {
@@ -185,7 +186,7 @@ pub fn setup_of_job(job: &Job) -> Result<GrindingSetup, RunFailure> {
     let blank = blank_of_job(job);
     blank.check(&gear).map_err(|e| RunFailure::bad_input(geometry_finding(&e, "gear")))?;
     if let Some(there) = job.dresser.as_ref().and_then(|d| d.designed_for.as_ref()) {
-        check_designed_worm(&gear, there).map_err(RunFailure::bad_input)?;
+        check_designed_worm(job, &gear, there).map_err(RunFailure::bad_input)?;
     }
     let range = job.gear.evaluation_range();
     let angle = job.worm_pressure_angle_deg().sides();

@@ -21,6 +21,10 @@ pub struct ConditionSolver<'a> {
 /// The start is singular below this ratio of its smallest to its largest singular value (spec 30 section 18).
 const SINGULAR: f64 = 1e-13;
 
+/// Rows that are missed by less are met, mm or rad: where rows nearly depend on each other, the rounding of one of them, 1e-13
+/// mm, moves the corrections by more than Newton's method may stall at.
+const MET: f64 = 1e-10;
+
 impl<'a> ConditionSolver<'a> {
     /// For a dresser on a worm of reference radius `reference_radius` (mm; scales the rotation).
     pub fn new(tool: &'a DresserTool, reference_radius: f64) -> Self {
@@ -178,11 +182,20 @@ impl<'a> ConditionSolver<'a> {
         x: Vector4<f64>,
         mut hints: [f64; 4],
     ) -> Result<DressingCorrection, NewtonError> {
-        let report = newton(x, &NewtonOptions::default(), |x| {
+        let mut nearest = (f64::INFINITY, x);
+        let found = newton(x, &NewtonOptions::default(), |x| {
             let (r, j) = self.rows_near(conditions, &self.correction(x), &mut hints).ok()?;
+            let missed = r.amax();
+            if missed < nearest.0 {
+                nearest = (missed, *x);
+            }
             Some((r, j * Matrix4::from_diagonal(&self.scale)))
-        })?;
-        Ok(self.correction(&report.x))
+        });
+        match found {
+            Ok(report) => Ok(self.correction(&report.x)),
+            Err(NewtonError::Stuck { .. }) if nearest.0 < MET => Ok(self.correction(&nearest.1)),
+            Err(error) => Err(error),
+        }
     }
 
     /// Follows the solution while the residual at the start is scaled from 1 to 0; the parameter is the share done away with.

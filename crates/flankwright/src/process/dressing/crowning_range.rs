@@ -141,6 +141,7 @@ impl<'a> CrowningRows<'a> {
         let absolute: [f64; 4] = std::array::from_fn(|j| nominal[j] + self.start[j]);
         let scale = tilt_scale(self.reference_radius);
         let chart = TiltChart::from_kinematics(absolute, p);
+        chart.to_kinematics_along(p, &absolute)?;
         let x = [chart.phi, chart.gamma, chart.d, chart.tau];
         let x = Vector4::from_fn(|j, _| x[j] / scale[j]);
         let mut hints = DressedProfile::of_flank(self.dresser, self.start)

@@ -34,12 +34,15 @@ impl LeastRoom {
         left_out: u32,
     ) -> Result<Self, GeneratingError> {
         let section = section(setup, tool, flank)?;
-        let width = setup.input.worm_width.map(|width| [-0.5 * width, 0.5 * width]);
-        let space = ThreadSpace { left_out, width };
+        // At worm position v the dresser works about z = -v; the space of a conical worm is another one elsewhere.
+        let worm = &tool.flanks[flank].worm;
+        let reach =
+            (2.0 * std::f64::consts::PI * tool.flanks[flank].chain.screw_parameter / worm.teeth).abs();
         let (from, to) = corrections[0].interval();
         let mut least: Option<Self> = None;
         for v in equidistant([from, to], POSITIONS) {
             let dk = std::array::from_fn(|j| corrections[j].value(v));
+            let space = ThreadSpace { left_out, width: Some([-v - reach, -v + reach]) };
             let here = Self { tip_land: section.largest_tip_land(&dk, 0.0, space)?, dk };
             if here.tip_land.is_none() {
                 return Ok(here);

@@ -89,13 +89,20 @@ fn table(outcome: &CatalogueOutcome) -> Result<CsvTable, CsvError> {
     Ok(table)
 }
 
-fn text(x: Option<f64>, digits: usize) -> String {
-    x.map_or_else(|| "–".into(), |x| format_significant(x, digits))
+/// A number with fixed decimals; what rounds to zero has no sign.
+pub(super) fn fixed(x: Option<f64>, decimals: usize) -> String {
+    let Some(x) = x else { return "–".into() };
+    let text = format!("{x:.decimals$}");
+    match text.strip_prefix('-') {
+        Some(rest) if rest.chars().all(|c| c == '0' || c == '.') => rest.to_owned(),
+        Some(rest) => format!("−{rest}"),
+        None => text,
+    }
 }
 
 /// A share as a whole percentage.
-fn percent(x: Option<f64>) -> String {
-    x.map_or_else(|| "–".into(), |x| format!("{:.0}", 100.0 * x))
+pub(super) fn percent(x: Option<f64>) -> String {
+    fixed(x.map(|x| 100.0 * x), 0)
 }
 
 fn page(outcome: &CatalogueOutcome) -> Result<PlanReport, ChartError> {
@@ -113,11 +120,15 @@ fn page(outcome: &CatalogueOutcome) -> Result<PlanReport, ChartError> {
                 "Largest share of an axis limit",
                 format!("{} %", percent(pair.largest_share_of_limit)),
             ),
-            Fact::new("Stretch P", format!("{} %", text(pair.largest(|f| 100.0 * f.stretch), 3))),
-            Fact::new("Profile error", format!("{} µm", text(pair.largest(|f| f.profile_error_um), 2))),
+            Fact::new("Stretch P", format!("{} %", fixed(pair.largest(|f| 100.0 * f.stretch), 2))),
+            Fact::new("Profile error", format!("{} µm", fixed(pair.largest(|f| f.profile_error_um), 3))),
         ];
         if let Some(life) = &pair.life {
-            figures.push(Fact::new("Worm serves down to", format!("d_S {} mm", text(Some(life.to_mm), 5))));
+            let pitch = |d: f64| fixed(Some(d), 2);
+            figures.push(Fact::new(
+                "Pitch diameter of the worm, now and at its end",
+                format!("{} → {} mm", pitch(life.from_mm), pitch(life.to_mm)),
+            ));
         }
         if let Some(refused) = &pair.refused {
             figures.push(Fact::new("Not made because", refused.text.clone()));
@@ -131,9 +142,9 @@ fn page(outcome: &CatalogueOutcome) -> Result<PlanReport, ChartError> {
     };
     sections.push(Section::new("All pairs", pairs));
     if let Some(svg) = life_chart(&outcome.lives)? {
-        let caption = "From the worm of now (right) to the worn one (left). Uncorrected: the profile crowning that stands on the \
-            gear if only distance and phase are set; with corrections it is the wanted one. Filled: the target is made; open: a \
-            limit is exceeded.";
+        let caption = "From the worm of now to the worn one, left flank (else the one that is ground). Without corrections: the \
+            profile crowning that stands on the gear if only distance and phase are set; with them it is the wanted one. Filled: \
+            the target is made; open: a limit is exceeded.";
         let figure = Block::Figure(Figure { svg, caption: caption.into() });
         sections.push(Section::new("The life of the best pairs", vec![figure]));
     }
@@ -170,11 +181,14 @@ fn matrix(outcome: &CatalogueOutcome) -> Option<Table> {
     let cell = |worm: &String, dresser: &String| {
         let pair = outcome.pairs.iter().find(|p| p.worm == *worm && p.dresser == *dresser);
         pair.map_or_else(String::new, |p| match &p.refused {
-            None => format!("{} %", percent(p.largest_share_of_limit)),
-            Some(refused) => refused.code.replace('-', " "),
+            None => format!("✓ {} %", percent(p.largest_share_of_limit)),
+            Some(refused) => match refused.code {
+                "axis-limit" => format!("{} %", percent(p.largest_share_of_limit)),
+                code => code.replace('-', " "),
+            },
         })
     };
-    let mut columns = vec![PageColumn::text("Worm")];
+    let mut columns = vec![PageColumn::name("Worm")];
     columns.extend(outcome.dressers.iter().map(PageColumn::text));
     let row = |worm: &String| {
         let mut row = vec![worm.clone()];
@@ -193,21 +207,19 @@ fn matrix(outcome: &CatalogueOutcome) -> Option<Table> {
 /// A quantity over the life with the title of its panel.
 type OfLife = (&'static str, fn(&LifePoint) -> Option<f64>);
 
-/// Value of largest magnitude of the flanks.
-fn of_flanks(point: &LifePoint, of: fn(&PairFlank) -> f64) -> Option<f64> {
-    point.flanks.values().map(of).max_by(|a, b| a.abs().total_cmp(&b.abs()))
+/// Value of the left flank, or of the one that is ground.
+fn of_first(point: &LifePoint, of: fn(&PairFlank) -> f64) -> Option<f64> {
+    point.flanks.values().map(of).next()
 }
 
 const OF_LIFE: [OfLife; 7] = [
-    ("crowning without corrections [µm]", |p| {
-        p.uncorrected_crowning_um.values().copied().max_by(|a, b| a.abs().total_cmp(&b.abs()))
-    }),
+    ("crowning without corrections [µm]", |p| p.uncorrected_crowning_um.values().copied().next()),
     ("largest share of an axis limit [%]", |p| p.largest_share_of_limit.map(|share| 100.0 * share)),
-    ("Δφ_S of one flank [°]", |p| of_flanks(p, |f| f.d_phi_s_deg)),
-    ("Δγ [°]", |p| of_flanks(p, |f| f.d_gamma_deg)),
-    ("Δd [mm]", |p| of_flanks(p, |f| f.d_d_mm)),
-    ("Δv_yA of one flank [mm]", |p| of_flanks(p, |f| f.d_v_ya_mm)),
-    ("profile stretch P [%]", |p| of_flanks(p, |f| 100.0 * f.stretch)),
+    ("Δφ_S [°]", |p| of_first(p, |f| f.d_phi_s_deg)),
+    ("Δγ [°]", |p| of_first(p, |f| f.d_gamma_deg)),
+    ("Δd [mm]", |p| of_first(p, |f| f.d_d_mm)),
+    ("Δv_yA [mm]", |p| of_first(p, |f| f.d_v_ya_mm)),
+    ("profile stretch P [%]", |p| of_first(p, |f| 100.0 * f.stretch)),
 ];
 
 fn life_chart(lives: &[LifeCurve]) -> Result<Option<Svg>, ChartError> {
@@ -215,16 +227,16 @@ fn life_chart(lives: &[LifeCurve]) -> Result<Option<Svg>, ChartError> {
     for (title, value) in OF_LIFE {
         let mut series = Vec::new();
         for life in lives {
-            let mut points: Vec<(f64, f64, bool)> = life
+            let now = life.points.first().map_or(0.0, |p| p.worm_pitch_diameter_mm);
+            let points: Vec<(f64, f64, bool)> = life
                 .points
                 .iter()
-                .filter_map(|p| Some((p.worm_pitch_diameter_mm, value(p)?, p.refused.is_none())))
+                .filter_map(|p| Some((now - p.worm_pitch_diameter_mm, value(p)?, p.refused.is_none())))
                 .collect();
-            points.sort_by(|a, b| a.0.total_cmp(&b.0));
             if points.is_empty() {
                 continue;
             }
-            let name = format!("{} · {}", life.worm, life.dresser);
+            let name = format!("{} · {} (from {} mm)", life.worm, life.dresser, fixed(Some(now), 1));
             let series_of =
                 Series::new(name, points.iter().map(|p| p.0).collect(), points.iter().map(|p| p.1).collect());
             series.push(series_of.marked(points.iter().map(|p| p.2).collect()));
@@ -238,7 +250,7 @@ fn life_chart(lives: &[LifeCurve]) -> Result<Option<Svg>, ChartError> {
     }
     let chart = LineChart {
         title: "Life of the worm".into(),
-        x_title: "pitch diameter of the worm d_S [mm]".into(),
+        x_title: "dressed off the diameter of the worm of now [mm]".into(),
         panels,
     };
     line_chart(&chart).map(Some)
@@ -246,24 +258,26 @@ fn life_chart(lives: &[LifeCurve]) -> Result<Option<Svg>, ChartError> {
 
 fn ranking(outcome: &CatalogueOutcome) -> Table {
     let row = |p: &CataloguePair| {
-        let life = p.life.as_ref().map_or_else(String::new, |life| {
-            let end = life.ended_by.as_ref().map_or("used up", |refused| refused.code);
-            format!("{} → {} ({end})", text(Some(life.from_mm), 5), text(Some(life.to_mm), 5))
-        });
+        let verdict = match (&p.refused, p.life.as_ref().and_then(|life| life.ended_by.as_ref())) {
+            (Some(refused), _) => format!("{}: {}", refused.code, refused.text),
+            (None, Some(end)) => format!("makes it; ends before the worm is used up: {}", end.text),
+            (None, None) => "makes it".into(),
+        };
         vec![
             p.rank.to_string(),
             p.worm.clone(),
             p.dresser.clone(),
             percent(p.largest_share_of_limit),
-            text(p.largest(|f| f.d_phi_s_deg.abs()), 3),
-            text(p.largest(|f| f.d_gamma_deg), 3),
-            text(p.largest(|f| f.d_d_mm), 3),
-            text(p.largest(|f| f.d_v_ya_mm.abs()), 3),
-            text(p.largest(|f| 100.0 * f.stretch), 3),
-            text(p.largest(|f| f.profile_error_um), 2),
-            text(p.tip_land_mm(), 3),
-            life,
-            p.refused.as_ref().map_or_else(|| "makes it".into(), |r| format!("{}: {}", r.code, r.text)),
+            fixed(p.largest(|f| f.d_phi_s_deg.abs()), 3),
+            fixed(p.largest(|f| f.d_gamma_deg), 3),
+            fixed(p.largest(|f| f.d_d_mm), 3),
+            fixed(p.largest(|f| f.d_v_ya_mm.abs()), 2),
+            fixed(p.largest(|f| 100.0 * f.stretch), 2),
+            fixed(p.largest(|f| f.profile_error_um), 3),
+            fixed(p.tip_land_mm(), 2),
+            fixed(p.worm_pitch_diameter_mm, 2),
+            fixed(p.life.as_ref().map(|life| life.to_mm), 2),
+            verdict,
         ]
     };
     let rest = outcome.pairs.len().saturating_sub(ROWS);
@@ -272,22 +286,24 @@ fn ranking(outcome: &CatalogueOutcome) -> Table {
         caption: String::new(),
         columns: vec![
             PageColumn::number("Rank", ""),
-            PageColumn::text("Worm"),
-            PageColumn::text("Dresser"),
-            PageColumn::number("Share of limit", "%"),
+            PageColumn::name("Worm"),
+            PageColumn::name("Dresser"),
+            PageColumn::number("Limit", "%"),
             PageColumn::number("|Δφ_S|", "°"),
             PageColumn::number("Δγ", "°"),
             PageColumn::number("Δd", "mm"),
             PageColumn::number("|Δv_yA|", "mm"),
             PageColumn::number("P", "%"),
-            PageColumn::number("Profile error", "µm"),
-            PageColumn::number("Tip land", "mm"),
-            PageColumn::text("Life, d_S [mm]"),
+            PageColumn::number("Error", "µm"),
+            PageColumn::number("Land", "mm"),
+            PageColumn::number("d_S", "mm"),
+            PageColumn::number("to", "mm"),
             PageColumn::text("Verdict"),
         ],
         rows: outcome.pairs.iter().take(ROWS).map(row).collect(),
         note: format!(
-            "Ranked: {}. Of two flanks the larger value. Tip land: the largest that spares the counter flank.{more}",
+            "Ranked: {}. Of two flanks the larger value. Limit: largest share of an axis limit. Error: largest distance from the wanted \
+             profile. Land: widest tip land that spares the counter flank. To: pitch diameter down to which the pair makes the profile.{more}",
             outcome.ranking
         ),
     }

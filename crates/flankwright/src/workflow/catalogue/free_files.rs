@@ -1,5 +1,6 @@
 //! `explore.json`, `explore.csv` and `explore.html` of a catalogue with a free quantity. Every file appears whole or not at all.
 
+use super::files::{fixed, percent};
 use super::free::{FreeOutcome, FreePair, FreePoint};
 use crate::exchange::{Cell, Column, CsvError, CsvTable};
 use crate::report::charts::{
@@ -25,9 +26,9 @@ pub fn write_free_study(outcome: &FreeOutcome, directory: &Path) -> Result<Vec<P
 /// Name and unit of the free quantity.
 fn quantity(outcome: &FreeOutcome) -> (&'static str, &'static str) {
     match outcome.free {
-        "pitch-diameter" => ("pitch diameter of the worm d_S", "mm"),
-        "pressure-angle" => ("normal pressure angle of the worm α_nS", "°"),
-        _ => ("threads of the worm z_S", ""),
+        "pitch-diameter" => ("pitch diameter of the worm", "mm"),
+        "pressure-angle" => ("normal pressure angle of the worm", "°"),
+        _ => ("number of threads of the worm", ""),
     }
 }
 
@@ -76,11 +77,8 @@ fn page(outcome: &FreeOutcome) -> Result<PlanReport, ChartError> {
         vec![
             Fact::new("Dresser", pair.dresser.clone()),
             Fact::new("Worm, all else of", pair.worm.clone()),
-            Fact::new("Best value", format!("{} {unit}", format_significant(at.value, 6))),
-            Fact::new(
-                "Largest share of an axis limit",
-                at.largest_share_of_limit.map_or_else(String::new, |s| format!("{:.0} %", 100.0 * s)),
-            ),
+            Fact::new("Best value", format!("{} {unit}", format_significant(at.value, 5))),
+            Fact::new("Largest share of an axis limit", format!("{} %", percent(at.largest_share_of_limit))),
         ]
     });
     let mut sections = Vec::new();
@@ -145,17 +143,22 @@ fn chart(outcome: &FreeOutcome) -> Result<Option<Svg>, ChartError> {
 
 fn ranges(outcome: &FreeOutcome) -> Table {
     let (name, unit) = quantity(outcome);
+    let decimals = match outcome.free {
+        "threads" => 0,
+        "pressure-angle" => 3,
+        _ => 2,
+    };
     let mut rows = Vec::new();
     for pair in &outcome.pairs {
         for r in &pair.ranges {
             rows.push(vec![
                 pair.dresser.clone(),
                 pair.worm.clone(),
-                format_significant(r.from, 6),
-                format_significant(r.to, 6),
-                format_significant(r.best.value, 6),
-                r.best.largest_share_of_limit.map_or_else(String::new, |s| format!("{:.0}", 100.0 * s)),
-                stretch(&r.best).map_or_else(String::new, |p| format_significant(p, 3)),
+                fixed(Some(r.from), decimals),
+                fixed(Some(r.to), decimals),
+                fixed(Some(r.best.value), decimals),
+                percent(r.best.largest_share_of_limit),
+                fixed(stretch(&r.best), 2),
                 String::new(),
             ]);
         }
@@ -169,17 +172,19 @@ fn ranges(outcome: &FreeOutcome) -> Table {
     Table {
         caption: String::new(),
         columns: vec![
-            PageColumn::text("Dresser"),
-            PageColumn::text("Worm"),
+            PageColumn::name("Dresser"),
+            PageColumn::name("Worm"),
             PageColumn::number("From", unit),
             PageColumn::number("To", unit),
             PageColumn::number("Best", unit),
-            PageColumn::number("Share of limit", "%"),
+            PageColumn::number("Limit", "%"),
             PageColumn::number("P", "%"),
             PageColumn::text("Why not"),
         ],
         rows,
-        note: format!("The {name} is free; all else is as the catalogue has it."),
+        note: format!(
+            "The {name} is free; all else is as the catalogue has it. Limit: largest share of an axis limit at the best value."
+        ),
     }
 }
 

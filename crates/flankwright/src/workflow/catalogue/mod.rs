@@ -26,6 +26,7 @@ use crate::exchange::catalogue::LoadedCatalogue;
 use crate::numerics::Progress;
 use crate::process::dressing::catalogue::{CatalogueSearch, RankedPair};
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 use task::Task;
 
 /// Pairs whose whole life is shown.
@@ -49,6 +50,19 @@ pub fn rank_catalogue(
     let task = Task::new(loaded, catalogue)?;
     let (ranked, lives) = ranked(&task, progress);
     Ok(CatalogueOutcome::new(loaded, &catalogue.catalogue, &task, &ranked, lives))
+}
+
+/// Profile crowning that the job asks of the pairs of its catalogue, um from form to tip diameter by flank: what can be said
+/// without looking at a pair.
+///
+/// # Errors
+/// As [`rank_catalogue`].
+pub fn wanted_of_catalogue(
+    loaded: &LoadedJob,
+    catalogue: &LoadedCatalogue,
+) -> Result<BTreeMap<&'static str, f64>, RunFailure> {
+    supported(&loaded.job)?;
+    Ok(outcome::wanted_um(&Task::new(loaded, catalogue)?))
 }
 
 /// The ranking, and the life of its first pairs.

@@ -62,7 +62,15 @@ pub(super) fn cover(
     let lines = (0..count as usize).filter_map(|k| {
         let coordinate = low + (k as f64 + 0.5) * pitch;
         let beside = [-0.5, 0.0, 0.5].map(|share| inside(direction, coordinate + share * pitch, area));
-        let found = beside.into_iter().flatten().reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])?;
+        // Between them the ends run straight but for the corners of the rectangle.
+        let corners = area[0].into_iter().flat_map(|w| area[1].map(|z| (w, z)));
+        let within = |&(w, z): &(f64, f64)| {
+            (direction.coordinate(w, z) - coordinate).abs() <= 0.5 * pitch * (1.0 + 1e-9)
+        };
+        let (sin, cos) = direction.rho.sin_cos();
+        let at_corners = corners.filter(within).map(|(w, z)| [w * cos - z * sin; 2]);
+        let found =
+            beside.into_iter().flatten().chain(at_corners).reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])?;
         Some(DressingLine { direction, coordinate, range: [found[0] - overrun, found[1] + overrun] })
     });
     (pitch, lines.collect())
