@@ -35,9 +35,9 @@ pub struct Recovery {
 pub struct RecoveredDeviation {
     /// Deviation of the axes from the corrections of the measurements, rad, rad, mm, mm.
     pub deviation: DressingCorrection,
-    /// Standard deviation of each component from the given noise; 0 for a held one.
+    /// Standard deviation of each component from the given noise and the derivatives at the known corrections; 0 for a held one.
     pub standard_deviation: DressingCorrection,
-    /// Singular values of the derivatives in the scaled unknowns (see [`ConditionSolver::scale`]), mm, descending.
+    /// Singular values of these derivatives in the scaled unknowns (see [`ConditionSolver::scale`]), mm, descending.
     pub singular_values: Vec<f64>,
     /// Root mean square of what the deviations do not explain, mm.
     pub residual_rms: f64,
@@ -89,8 +89,9 @@ pub fn recover_deviation(
         Ok((residual, jacobian))
     };
     let start = DVector::zeros(free.len());
-    // A problem without a solution is refused before the iteration runs away along its free direction.
-    Uncertainty::of(&rows(&start)?.1, known.noise, &free, &scale)?;
+    // The derivatives of section 14 are those at the known corrections. A problem without a solution is refused before the iteration
+    // runs away along its free direction.
+    let uncertainty = Uncertainty::of(&rows(&start)?.1, known.noise, &free, &scale)?;
     let options = GaussNewton { cut: CUT, ..GaussNewton::default() };
     let what = "deviations of the axes";
     let found = gauss_newton(start, None, &options, |x| rows(x).ok())
@@ -100,7 +101,6 @@ pub fn recover_deviation(
         let last = (jacobian.transpose() * &residual).norm();
         return Err(DressingError::NotConverged { what, last });
     }
-    let uncertainty = Uncertainty::of(&jacobian, known.noise, &free, &scale)?;
     Ok(RecoveredDeviation {
         deviation: deviation(&found.x),
         standard_deviation: uncertainty.standard_deviation,
