@@ -520,9 +520,9 @@ const CASES: &[Case] = &[
     case(
         "[dresser]",
         "[dresser]\ndesigned_for = { threads = 2 }",
-        "not-yet-supported",
-        "dresser.designed_for",
-        &["leave"],
+        "missing-key",
+        "dresser.designed_for.pitch_diameter",
+        &["tip_diameter"],
     ),
 ];
 

@@ -57,7 +57,8 @@ pub fn parse_job(source: Source) -> Result<LoadedJob, JobError> {
     if let Some(finding) = process_not_available(&document) {
         return refuse(document, vec![finding]);
     }
-    let findings = shape::check(document.root(), schema::shared(), SUBJECT);
+    let mut findings = shape::check(document.root(), schema::shared(), SUBJECT);
+    findings.extend(no_tool(&document));
     if !findings.is_empty() {
         return refuse(document, findings);
     }
@@ -83,6 +84,18 @@ fn placed(document: &Document, diagnostic: Diagnostic) -> Diagnostic {
     }
     let span = diagnostic.field.as_ref().and_then(|field| document.nearest_span(field));
     diagnostic.span(span)
+}
+
+/// Each table may be absent because the other is there.
+fn no_tool(document: &Document) -> Option<Diagnostic> {
+    let has = |table: &str| document.root().follow(table).is_some();
+    (!has("worm") && !has("catalogue")).then(|| {
+        Diagnostic::new(Problem::MissingKey, "the table `[worm]` is missing")
+            .field("worm")
+            .allowed("a table [worm], or a table [catalogue] to choose worm and dresser from")
+            .way_out(format!("add `[worm]`; {}", SUBJECT.example))
+            .span(Some(document.root().span.clone()))
+    })
 }
 
 /// Jobs of the other processes have other tables; one message about the process says more than many about them.

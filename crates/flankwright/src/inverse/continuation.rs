@@ -130,7 +130,7 @@ where
     // Distances to the events: above 0 before, at most 0 from the event on.
     let to_fold = |node: &Node<M>| sign * node.tangent[N];
     let to_target = |node: &Node<M>| target.map_or(f64::INFINITY, |t| sign * (t - node.y[N]));
-    let ended = |points, end| Some(Path { points, end });
+    let ended = |points, end| Some(Path { points: advancing(points, sign), end });
     let within = |margin: f64| margin >= 0.0;
     let mut margin_here = 1.0;
     if let Watch::Margin(margin, limit) = monitor(&points[0], &points[0]) {
@@ -200,6 +200,22 @@ where
         }
     }
     ended(points, PathEnd::TooLong)
+}
+
+/// The points without those that a later one, off by the tolerance of the corrector, has not passed: near a fold or the end of
+/// the domain the parameter hardly changes any more.
+fn advancing<const N: usize>(points: Vec<PathPoint<N>>, sign: f64) -> Vec<PathPoint<N>> {
+    let mut kept: Vec<PathPoint<N>> = Vec::with_capacity(points.len());
+    for at in points {
+        let passes = |earlier: &PathPoint<N>| sign * (at.parameter - earlier.parameter) > 0.0;
+        while kept.len() > 1 && !passes(&kept[kept.len() - 1]) {
+            kept.pop();
+        }
+        if kept.first().is_none_or(passes) {
+            kept.push(at);
+        }
+    }
+    kept
 }
 
 fn point<const N: usize, const M: usize>(node: &Node<M>) -> PathPoint<N> {

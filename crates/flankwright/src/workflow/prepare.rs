@@ -3,9 +3,9 @@
 use super::finding::{Remark, RunFailure, generating_finding, geometry_finding, modification_finding};
 use super::shift::shift_of_job;
 use crate::exchange::job::{
-    Condition, DegreeOfFreedom, DesignedFor, DiagonalRatio, DresserModification, Dressing, DressingFlanks,
-    Fit, FixedDresser, Flanks, Gauge, GaugeRule, Job, Method, Modification as JobModification,
-    ProfileCrowningBy, ToleranceMapSource, Tool as JobTool,
+    Condition, DegreeOfFreedom, DesignedFor, DiagonalRatio, Dressing, DressingFlanks, Fit, Flanks, Gauge,
+    GaugeRule, Job, Method, Modification as JobModification, ProfileCrowningBy, ToleranceMapSource,
+    Tool as JobTool,
 };
 use crate::exchange::{
     Diagnostic, LoadedJob, Problem, TableForm, read_grid_target, read_points, read_tolerances, read_traces,
@@ -394,11 +394,7 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
     }
     let tolerance = tolerance_of_job(loaded).map_err(RunFailure::bad_input)?;
     let mut warnings = Vec::new();
-    let given = match job.dresser.as_ref().map(|d| &d.modification) {
-        None | Some(DresserModification::Rule(FixedDresser::Target)) => None,
-        Some(DresserModification::Rule(FixedDresser::None)) => Some(None),
-        Some(DresserModification::Given(spec)) => Some(Some(spec)),
-    };
+    let given = job.dresser.as_ref().and_then(|dresser| dresser.modification.given());
     let cylindrical = setup.pair.work.is_cylindrical();
     // Without a shift even a freely made tool only leaves profile lines.
     let carrier = match (&setup.tool, job.grinding.method) {
@@ -430,9 +426,8 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
         }
         let target = match given {
             None => FlankTarget::carried_by(wanted, carrier),
-            Some(None) => FlankTarget::with_given_dresser(wanted, Modification::none(field)),
-            Some(Some(spec)) => {
-                let made = dresser_profile(loaded, spec, flank, field).map_err(RunFailure::bad_input)?;
+            Some(specs) => {
+                let made = dresser_profile(loaded, specs, flank, field).map_err(RunFailure::bad_input)?;
                 FlankTarget::with_given_dresser(wanted, made)
             }
         };
@@ -502,7 +497,7 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
         }
     }
     let reliefs = Sides::from_fn(|flank| match given {
-        Some(made) => made.into_iter().cloned().collect(),
+        Some(made) => made.to_vec(),
         None => relief_specs(loaded, flank, &setup.fields[flank]),
     });
     let which: Vec<Flank> = Flank::BOTH.into_iter().filter(|&flank| ground(flank)).collect();
@@ -565,11 +560,11 @@ pub fn settings_reliefs(
 
 fn dresser_profile(
     loaded: &LoadedJob,
-    spec: &JobModification,
+    specs: &[JobModification],
     flank: Flank,
     field: &EvaluationField,
 ) -> Result<Modification, Diagnostic> {
-    let made = Modification::for_flank(std::slice::from_ref(spec), flank, field, &Beside(loaded))
+    let made = Modification::for_flank(specs, flank, field, &Beside(loaded))
         .map_err(|e| modification_finding(&e, "dresser.modification"))?;
     if !made.terms().iter().all(Modification::depends_on_profile_only) {
         return Err(Diagnostic::new(

@@ -17,12 +17,6 @@ pub(super) fn check(job: &Job, findings: &mut Vec<Diagnostic>) {
                 .allowed("no key, or a table [catalogue]")
                 .way_out("add `[catalogue]`, or remove this study"),
         ),
-        (None, None) if job.worm.is_absent() => findings.push(
-            Diagnostic::new(Problem::MissingKey, "the table `[worm]` is missing")
-                .field("worm")
-                .allowed("a table [worm], or a table [catalogue] to choose worm and dresser from")
-                .way_out("add `[worm]`; `flankwright new generating-grinding` prints a complete example"),
-        ),
         (None, None) => {}
     }
 }

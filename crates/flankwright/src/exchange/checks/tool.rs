@@ -3,8 +3,8 @@
 use super::not_yet;
 use crate::exchange::diagnostic::{Diagnostic, Problem};
 use crate::exchange::job::{
-    Condition, DesignedFor, Dresser, DresserModification, Dressing, DressingFlanks, FixedDresser, Flanks,
-    Job, Modification, ProfileCrowningBy, Tool,
+    Condition, DesignedFor, Dresser, DresserModification, Dressing, DressingFlanks, Flanks, Job,
+    Modification, ProfileCrowningBy, Tool,
 };
 use crate::exchange::node::shown_number;
 
@@ -157,7 +157,7 @@ fn dresser(dresser: &Dresser, findings: &mut Vec<Diagnostic>) {
     }
     if let Some(there) = &dresser.designed_for {
         designed_for(there, findings);
-        if dresser.modification == DresserModification::Rule(FixedDresser::Target) {
+        if dresser.modification.given().is_none() {
             findings.push(
                 Diagnostic::new(
                     Problem::InvalidJob,
@@ -170,13 +170,16 @@ fn dresser(dresser: &Dresser, findings: &mut Vec<Diagnostic>) {
             );
         }
     }
-    if let DresserModification::Given(entry) = &dresser.modification {
-        let kind = entry.kind();
+    for (i, entry) in dresser.modification.given().unwrap_or_default().iter().enumerate() {
         if !of_profile(entry) {
+            let place = match &dresser.modification {
+                DresserModification::Sum(_) => format!("dresser.modification[{i}].kind"),
+                _ => "dresser.modification.kind".into(),
+            };
             findings.push(
                 Diagnostic::new(Problem::InvalidJob, "a dresser carries a profile only, the same all round")
-                    .field("dresser.modification.kind")
-                    .value(format!("{kind:?}"))
+                    .field(place)
+                    .value(format!("{:?}", entry.kind()))
                     .allowed("a kind of profile modification or relief at tip or root, or a sum of such")
                     .way_out("use a profile kind, e.g. \"profile_crowning\""),
             );

@@ -43,6 +43,20 @@ pub enum DresserModification {
     Rule(FixedDresser),
     /// A dresser that exists: one entry as in `[target] modifications`, of a profile kind.
     Given(Modification),
+    /// The same with several entries, which add up; each may be for one flank.
+    Sum(Vec<Modification>),
+}
+
+impl DresserModification {
+    /// What a dresser that exists carries; `None` if it is made for the target.
+    pub fn given(&self) -> Option<&[Modification]> {
+        match self {
+            Self::Rule(FixedDresser::Target) => None,
+            Self::Rule(FixedDresser::None) => Some(&[]),
+            Self::Given(entry) => Some(std::slice::from_ref(entry)),
+            Self::Sum(entries) => Some(entries),
+        }
+    }
 }
 
 impl Default for DresserModification {

@@ -59,7 +59,8 @@ pub struct CrowningRange {
     pub smallest: CrowningEnd,
     /// Largest crowning.
     pub largest: CrowningEnd,
-    /// Solutions in ascending crowning.
+    /// Solutions in ascending crowning, both ends with them; without those whose circle t_Nf touches nothing and which have no
+    /// stretch therefore.
     pub path: Vec<CrowningPoint>,
 }
 

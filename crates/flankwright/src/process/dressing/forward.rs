@@ -26,8 +26,8 @@ pub struct ProfilePoint {
     pub df_dk: [f64; 4],
 }
 
-/// Steps from a circle that touches nothing to the middle of the profile in search of one that does.
-const FIRST_STEPS: u8 = 8;
+/// Circles looked at over the whole profile, in search of one that touches.
+const FIRST_CIRCLES: u8 = 17;
 
 /// Forward calculation of one flank in one constant position of the dresser.
 #[derive(Clone, Copy, Debug)]
@@ -262,17 +262,20 @@ impl<'a> DressedProfile<'a> {
         Err(outside())
     }
 
-    /// The profile parameter nearest to `t` on the way to the middle of the profile where the dresser touches, with w and its
-    /// slope.
+    /// A profile parameter near to `t` where the dresser touches, with w and its slope: itself or the nearest of some over the
+    /// whole profile.
     fn first_contact(
         &self,
         t: f64,
         roll: &impl Fn(f64) -> Result<(f64, f64), DressingError>,
     ) -> Result<(f64, (f64, f64)), DressingError> {
         roll(t).map(|at| (t, at)).or_else(|none| {
-            let middle = self.dresser.designed.middle();
-            let steps = (1..=FIRST_STEPS).map(|k| t + (middle - t) * f64::from(k) / f64::from(FIRST_STEPS));
-            steps.into_iter().find_map(|t| roll(t).ok().map(|at| (t, at))).ok_or(none)
+            let (from, to) = self.interval();
+            let steps = f64::from(FIRST_CIRCLES - 1);
+            let mut circles: Vec<f64> =
+                (0..FIRST_CIRCLES).map(|k| from + (to - from) * f64::from(k) / steps).collect();
+            circles.sort_by(|a, b| (a - t).abs().total_cmp(&(b - t).abs()));
+            circles.into_iter().find_map(|t| roll(t).ok().map(|at| (t, at))).ok_or(none)
         })
     }
 

@@ -5,7 +5,7 @@ use crate::exchange::LoadedJob;
 use crate::exchange::catalogue::{DresserEntry, WormEntry};
 use crate::exchange::job::{Dresser, DresserModification, FixedDresser, OneOrSides, Worm};
 use crate::geometry::Sides;
-use crate::modification::{AmountSpec, CompositeSpec, FlankChoice, ModificationSpec, Reference};
+use crate::modification::{AmountSpec, FlankChoice, ModificationSpec, Reference};
 
 /// The job with this pair in place of its catalogue.
 pub(super) fn job_of_pair(
@@ -65,11 +65,6 @@ fn modification(task: &Task, crowning_um: OneOrSides<f64>) -> DresserModificatio
     } else if left == right {
         DresserModification::Given(spec(FlankChoice::Both, left))
     } else {
-        let children = vec![spec(FlankChoice::Left, left), spec(FlankChoice::Right, right)];
-        DresserModification::Given(ModificationSpec::Sum(CompositeSpec {
-            children,
-            flank: FlankChoice::Both,
-            reference: Reference::default(),
-        }))
+        DresserModification::Sum(vec![spec(FlankChoice::Left, left), spec(FlankChoice::Right, right)])
     }
 }
