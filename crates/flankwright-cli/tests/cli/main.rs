@@ -9,3 +9,4 @@ mod explore;
 mod planning;
 mod robustness;
 mod shifts;
+mod strokes;

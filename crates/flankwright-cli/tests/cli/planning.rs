@@ -148,7 +148,6 @@ fn limits_of_axes_and_folds_end_with_4() {
 #[test]
 fn parts_of_the_format_that_are_not_carried_out_are_refused() {
     for (replacement, field) in [
-        (("flanks = \"one\"", "strokes = 2"), "dressing.strokes"),
         (("[grid]", "[machine]\nfile = \"m.toml\"\n\n[grid]"), "machine"),
     ] {
         let (run, _) = planned(&[replacement], &["--json"]);

@@ -5,6 +5,7 @@ mod catalogue;
 mod explore;
 mod grinding;
 mod stroke_study;
+mod strokes;
 mod tool;
 
 use super::diagnostic::{Diagnostic, Problem};
@@ -23,6 +24,7 @@ pub(super) fn check(job: &Job) -> Vec<Diagnostic> {
     // Without a worm there is nothing to say about it.
     if !job.worm.is_absent() {
         tool::check(job, &mut findings);
+        strokes::check(job, &mut findings);
     }
     grinding::check(job, &mut findings);
     explore::check(job, &mut findings);
@@ -67,6 +69,19 @@ fn settings(job: &Job, findings: &mut Vec<Diagnostic>) {
             ("profile_um", &s.profile_um),
         ] {
             lists.push((format!("{flank}.{key}"), list));
+        }
+    }
+    let tables = &settings.strokes;
+    for (flank, strokes) in [("left", &tables.left), ("right", &tables.right)] {
+        for (k, s) in strokes.iter().enumerate() {
+            for (key, list) in [
+                ("d_phi_S_deg", &s.d_phi_s_deg),
+                ("d_gamma_deg", &s.d_gamma_deg),
+                ("d_d_mm", &s.d_d_mm),
+                ("d_v_yA_mm", &s.d_v_ya_mm),
+            ] {
+                lists.push((format!("strokes.{flank}[{k}].{key}"), list));
+            }
         }
     }
     for (key, list) in lists {

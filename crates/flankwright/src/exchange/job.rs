@@ -20,6 +20,7 @@ mod output;
 mod process;
 mod settings;
 mod stroke_study;
+mod strokes;
 mod target;
 mod worm;
 
@@ -29,7 +30,7 @@ pub use designed_for::DesignedFor;
 pub use diagonal_ratio::{
     DiagonalRatio, DiagonalRule, LineBlendCurve, LineSineCurve, PointsCurve, ShiftCurve, ShiftLaw, ShiftTable,
 };
-pub use dresser::{Dresser, DresserModification, FixedDresser};
+pub use dresser::{Dresser, DresserModification, FixedDresser, OtherDresser};
 pub use dressing::{Condition, DegreeOfFreedom, Dressing, DressingFlanks, ProfileCrowningBy};
 pub use dressing_study::{Compare, DressingStudy, StudyOver};
 pub use explore::{Explore, Steps};
@@ -42,8 +43,9 @@ pub use one_or_sides::OneOrSides;
 pub(in crate::exchange) use one_or_sides::{one_or_sides_schema, pressure_angle_schema};
 pub use output::{Mesh, Output, Program, Table};
 pub use process::{JobInfo, Process};
-pub use settings::{FlankSettings, Pieces, Settings, ToolTable, ToolTables};
+pub use settings::{FlankSettings, Pieces, Settings, StrokeSettings, StrokeTables, ToolTable, ToolTables};
 pub use stroke_study::{AxisDeviations, Distribution, DresserArea, StrokeSection, StrokeStudy};
+pub use strokes::{DressedSection, StrokeArea, Strokes};
 pub use target::{Fit, Modification, Target, ToleranceMapSource, ToleranceTable};
 pub use worm::{Tool, Worm};
 

@@ -19,6 +19,8 @@ pub struct Revolution {
     axial: [Chebyshev; 4],
     orientation: f64,
     offset: Option<Arc<dyn ProfileOffset>>,
+    /// What of the meridian is there; `None`: all of it.
+    part: Option<(f64, f64)>,
 }
 
 /// Point and outward unit normal of a meridian.
@@ -43,7 +45,7 @@ impl Revolution {
             let d3 = d2.derivative();
             [series, d1, d2, d3]
         };
-        Self { radius: jets(radius), axial: jets(axial), orientation: orientation.signum(), offset: None }
+        Self { radius: jets(radius), axial: jets(axial), orientation: orientation.signum(), offset: None, part: None }
     }
 
     /// The same surface with its profile moved outwards by g(t) along its normal (more material for g > 0).
@@ -61,14 +63,25 @@ impl Revolution {
         self.offset.as_ref()
     }
 
-    /// Parameter interval the series were made for.
+    /// The surface between two parameters, as far as it is there; beyond them it ends in edges.
+    pub fn part(&self, from: f64, to: f64) -> Self {
+        let (first, last) = self.interval();
+        Self { part: Some((from.max(first), to.min(last))), ..self.clone() }
+    }
+
+    /// Whether it is the part of a surface.
+    pub fn is_part(&self) -> bool {
+        self.part.is_some()
+    }
+
+    /// Parameter interval the series were made for, or that of the part.
     pub fn interval(&self) -> (f64, f64) {
-        self.radius[0].interval()
+        self.part.unwrap_or_else(|| self.radius[0].interval())
     }
 
     /// Whether t lies on the meridian.
     pub fn covers(&self, t: f64) -> bool {
-        self.radius[0].covers(t)
+        self.radius[0].covers(t) && self.part.is_none_or(|(from, to)| t >= from && t <= to)
     }
 
     /// Point and outward normal at t, with the offset. Exact first derivatives for dual numbers.

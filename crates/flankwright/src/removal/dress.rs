@@ -19,7 +19,7 @@ use rayon::prelude::*;
 pub struct Dressing<'a> {
     /// The worm flank on whose normals the rays stand.
     pub worm: &'a InvoluteFlank,
-    /// The dresser's flank, its offset included.
+    /// The dresser's flank, its offset included. A part of a flank cuts with its edges too.
     pub dresser: &'a Revolution,
     /// The motion that is really driven.
     pub motion: &'a DressingMotion,
@@ -262,7 +262,19 @@ impl<'a> Cutter<'a> {
             self.length(ray, v, guess).ok_or(Uncut::ToolMissing)
         };
         let mut a = from + self.step * k as f64;
-        let mut low = at(a, guess)?;
+        let mut low = match at(a, guess) {
+            // At an edge the scan's length may be one of a pose that just misses.
+            Err(_) if self.setup.dresser.is_part() => {
+                let beside = [a - self.step, a + self.step].into_iter().filter(|v| *v >= from && *v <= to);
+                let (v, found) = beside
+                    .filter_map(|v| at(v, guess).ok().map(|found| (v, found)))
+                    .min_by(|x, y| x.1.lam.total_cmp(&y.1.lam))
+                    .ok_or(Uncut::ToolMissing)?;
+                a = v;
+                found
+            }
+            found => found?,
+        };
         // Downhill, pose by pose: the scan's first-order lengths may be off by one pose. Near the end of the profile
         // shorter strides keep to it.
         let mut stride = -self.step * low.rate.signum();
@@ -270,7 +282,10 @@ impl<'a> Cutter<'a> {
         let mut high = low;
         for strides in 0.. {
             if strides > 16 {
-                return Err(Uncut::ToolMissing);
+                // The dresser ends here: a body that is only a part cuts with its edge, and less than nothing lies beyond the
+                // last stride.
+                let edge = self.setup.dresser.is_part();
+                return if edge { Ok((DressedRay { f: low.lam, shift: a }, 0.0)) } else { Err(Uncut::ToolMissing) };
             }
             b = a + stride;
             if b < from - 0.5 * self.step || b > to + 0.5 * self.step {

@@ -1,6 +1,6 @@
 //! The referee: what is left on a flank when normal rays are shortened by the moving tool.
 //!
-//! Stage one shortens rays of the worm by the dresser ([`dress`]), stage two rays of the workpiece by the worm that
+//! Stage one shortens rays of the worm by the dresser ([`dress`], [`dress_in_strokes`]), stage two rays of the workpiece by the worm that
 //! stage one left ([`grind`]). The room knows shapes, poses and motions. It must not know how `contact` or `process`
 //! find a contact: every length here comes from a ray that meets a body in a pose of the real motion, so that an error
 //! in a closed form shows as a difference instead of cancelling out.
@@ -17,6 +17,7 @@ mod ground_flank;
 mod line_dress;
 mod meridian;
 mod statistics;
+mod strokes;
 mod sweep;
 mod worm_surface;
 
@@ -30,4 +31,5 @@ pub use grind::{Grinding, GrindingMode, grind};
 pub use ground_flank::{GroundFlank, GroundRay};
 pub use line_dress::{LineCut, LineDressed, LinePasses, dress_lines};
 pub use statistics::Statistics;
+pub use strokes::dress_in_strokes;
 pub use worm_surface::{Unmodified, WormArea, WormModification};

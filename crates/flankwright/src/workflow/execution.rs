@@ -1,9 +1,10 @@
 //! A grinding process with all its settings, ready to be run: from a plan or from the `[settings]` of a job. Both go the
 //! same way to the referee and to the report.
 
+use super::executed_strokes::{ExecutedStrokes, strokes_of_settings};
 use super::finding::{Remark, RunFailure};
 use super::prepare::{Prepared, settings_reliefs};
-use crate::exchange::job::{FlankSettings, Job, Pieces, Settings, ToolTable, ToolTables};
+use crate::exchange::job::{FlankSettings, Job, Pieces, Settings, StrokeTables, ToolTable, ToolTables};
 use crate::exchange::{Diagnostic, LoadedJob, Problem};
 use crate::geometry::{Flank, Sides};
 use crate::kinematics::{
@@ -38,6 +39,8 @@ pub struct ExecutedDressing {
 pub enum ExecutedTool {
     /// From the dresser.
     Dressed(Box<ExecutedDressing>),
+    /// From the dressers, stroke by stroke.
+    Stroked(Box<ExecutedStrokes>),
     /// It is a table.
     Made(Box<MadeFlank>),
 }
@@ -64,7 +67,7 @@ pub struct Execution {
     pub ratio: f64,
     /// z_V01, mm.
     pub shift_origin: f64,
-    /// The dresser with its profile; `None` for a tool that is not dressed.
+    /// The dresser with its profile, the first of several; `None` for a tool that is not dressed.
     pub dresser: Option<DresserTool>,
     /// z_1 occupied on the worm, mm.
     pub occupation: [f64; 2],
@@ -106,14 +109,22 @@ impl ExecutedFlank {
     pub fn dressing(&self) -> Option<&ExecutedDressing> {
         match &self.tool {
             ExecutedTool::Dressed(dressing) => Some(dressing),
-            ExecutedTool::Made(_) => None,
+            ExecutedTool::Stroked(_) | ExecutedTool::Made(_) => None,
+        }
+    }
+
+    /// The strokes in which the tool is dressed, if it is so.
+    pub fn strokes(&self) -> Option<&ExecutedStrokes> {
+        match &self.tool {
+            ExecutedTool::Stroked(strokes) => Some(strokes),
+            ExecutedTool::Dressed(_) | ExecutedTool::Made(_) => None,
         }
     }
 
     /// The flank of the tool as a table, if it is one.
     pub fn made(&self) -> Option<&MadeFlank> {
         match &self.tool {
-            ExecutedTool::Dressed(_) => None,
+            ExecutedTool::Dressed(_) | ExecutedTool::Stroked(_) => None,
             ExecutedTool::Made(made) => Some(made),
         }
     }
@@ -174,6 +185,10 @@ impl Execution {
                     ExecutedTool::Dressed(Box::new(dressing))
                 }
                 (PlannedTool::Dressed(_), None) => return None,
+                (PlannedTool::Stroked(stroked), _) => {
+                    let layout = prepared.setup.strokes.as_deref()?;
+                    ExecutedTool::Stroked(Box::new(ExecutedStrokes::of_flank(layout, flank, stroked)?))
+                }
                 (PlannedTool::Made(made), _) => ExecutedTool::Made(Box::new(made.clone())),
             };
             Some(ExecutedFlank { tool, target, planned, determinant })
@@ -252,19 +267,29 @@ impl Execution {
             dressing: DressingRows::default(),
             gauge: Sides { left: None, right: None },
         };
-        let dresser = match &setup.tool {
-            Tool::Dressed(_) => {
+        let first = setup.strokes.as_ref().and_then(|layout| layout.dressers.first());
+        let dresser = match (&setup.tool, first) {
+            (Tool::Dressed(_), Some(first)) => Some((first.clone(), first.clone())),
+            (Tool::Dressed(_), None) => {
                 let settled = dresser_of_plan(setup, &ideal, policy).map_err(|e| RunFailure::from(&e))?;
                 Some((settled.unsettled(), settled))
             }
-            Tool::Made | Tool::Given(_) => None,
+            (Tool::Made | Tool::Given(_), _) => None,
         };
         let grid = PlanningGrid::new(setup, job.grid.profile_points, job.grid.helix_points);
         let mut feeds = Vec::new();
         let flanks = Sides::try_from_fn(|flank| -> Result<_, RunFailure> {
             let Some(target) = &prepared.targets[flank] else { return Ok(None) };
-            let (tool, ground) = match &dresser {
-                Some((dresser, settled)) => {
+            let (tool, ground) = match (&dresser, &setup.strokes) {
+                (Some(_), Some(layout)) => {
+                    let stroked = strokes_of_settings(settings, layout, flank)?;
+                    let ground = stroked.ground(setup, flank, &grid, &motion);
+                    let Some(strokes) = ExecutedStrokes::of_flank(layout, flank, &stroked) else {
+                        return Ok(None);
+                    };
+                    (ExecutedTool::Stroked(Box::new(strokes)), ground)
+                }
+                (Some((dresser, settled)), None) => {
                     let corrections = match given(flank) {
                         Some(s) => correction_series(s),
                         None => {
@@ -280,7 +305,7 @@ impl Execution {
                     let ground = grid.ground(setup, flank, &motion, &worm);
                     (ExecutedTool::Dressed(Box::new(dressing)), ground)
                 }
-                None => {
+                (None, _) => {
                     let made = made_of_settings(settings, prepared, &ideal, flank)?;
                     let ground = grid.ground(setup, flank, &motion, &made.surface(setup, flank));
                     (ExecutedTool::Made(Box::new(made)), ground)
@@ -338,6 +363,10 @@ impl Execution {
                 reliefs: f.reliefs.clone(),
             })
         };
+        let strokes = |flank: Flank| {
+            let strokes = self.flanks[flank].as_ref().and_then(ExecutedFlank::strokes);
+            strokes.map_or(Vec::new(), ExecutedStrokes::settings)
+        };
         Settings {
             diagonal_ratio: self.ratio,
             shift_origin_mm: self.shift_origin,
@@ -347,6 +376,7 @@ impl Execution {
             tool: ToolTables { left: table(Flank::Left), right: table(Flank::Right) },
             delta_d_um: law(&self.motion.delta_d, 1e3),
             delta_phi_2_urad: law(&self.motion.delta_phi_2, 1e6),
+            strokes: StrokeTables { left: strokes(Flank::Left), right: strokes(Flank::Right) },
             left: flank(Flank::Left),
             right: flank(Flank::Right),
         }

@@ -5,6 +5,7 @@ use crate::exchange::Diagnostic;
 use crate::geometry::GeometryError;
 use crate::kinematics::LawError;
 use crate::modification::ModificationError;
+use crate::process::dressing::DressingError;
 use crate::process::generating::GeneratingError;
 
 /// Something worth saying that is no error.
@@ -117,6 +118,7 @@ pub(super) fn generating_finding(error: &GeneratingError) -> Diagnostic {
         GeneratingError::ToolUndefined { .. } => finding(error, "worm.modifications"),
         GeneratingError::NoCommonSwivel { .. } => finding(error, "grinding.gauge"),
         GeneratingError::NoFlank => finding(error, "grinding.flanks"),
+        GeneratingError::Dressing(DressingError::Gap { .. }) => finding(error, "dressing.strokes"),
         GeneratingError::Dressing(_) => finding(error, "dressing"),
         _ => finding(error, "grinding"),
     }

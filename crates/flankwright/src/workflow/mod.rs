@@ -4,6 +4,7 @@
 mod catalogue;
 mod dressing_study;
 mod equal_ratio_offers;
+mod executed_strokes;
 mod execution;
 mod explore;
 mod finding;
@@ -15,6 +16,7 @@ mod referee;
 mod result;
 mod run;
 mod shift;
+mod strokes;
 mod tables;
 mod tip_land;
 pub mod verify;

@@ -1,16 +1,19 @@
 //! Fills the report of a run. Timing stays out of it, so that the same job gives the same bytes.
 
+use super::executed_strokes::ExecutedStroke;
 use super::result::{CharacteristicsUm, FlankResult, Status};
 use super::run::{Outcome, ratio_reason};
 use super::tables::ROWS;
 use crate::exchange::job::{Job, Modification as Spec};
 use crate::geometry::{Flank, Sides};
+use crate::kinematics::DressingMotion as Motion;
 use crate::numerics::equidistant;
 use crate::process::dressing::stretch as profile_stretch;
 use crate::report::charts::{ChartError, SectionTrace, Topography, format_significant};
 use crate::report::generating::{
     Characteristics, ConvergenceRound, DressingMotion, FlankReport, GeneratingReport, GrindingMotion,
-    OutsideTerm, RatioCandidate, RatioChoice, Reason, RefereeStage, TargetAmount, Verification, WrittenFile,
+    OutsideTerm, RatioCandidate, RatioChoice, Reason, RefereeStage, StrokeReport, TargetAmount, Verification,
+    WrittenFile,
 };
 use crate::report::{Quantity, Status as Banner, Warning, html};
 
@@ -197,6 +200,7 @@ fn tool_quantities(outcome: &Outcome, job: &Job) -> (Vec<Quantity>, Vec<Quantity
         Quantity::text(
             "profile",
             match (&choice.designed_for, modified) {
+                (None, true) if setup.strokes.is_some() => "conjugate to the worm, with its own modification",
                 (None, true) => "conjugate to the worm, with the profile modifications of the target",
                 (None, false) => "conjugate to the unmodified worm",
                 (Some(_), true) => "conjugate to the worm it was designed for, with its own modification",
@@ -204,6 +208,10 @@ fn tool_quantities(outcome: &Outcome, job: &Job) -> (Vec<Quantity>, Vec<Quantity
             },
         ),
     ];
+    for (k, other) in job.dresser.iter().flat_map(|dresser| &dresser.others).enumerate() {
+        let name = format!("tip diameter of dresser {}", k + 2);
+        of_dresser.push(Quantity::number(&name, "d_aA", other.tip_diameter, "mm"));
+    }
     if let (Some(designed), Ok(settled)) = (&choice.designed_for, setup.dresser()) {
         of_dresser.push(Quantity::count("designed for threads", "z_S", i64::from(designed.threads)));
         of_dresser.extend(
@@ -281,18 +289,30 @@ fn grinding_motion(outcome: &Outcome) -> GrindingMotion {
 
 fn dressing_motion(outcome: &Outcome, flank: Flank) -> Option<DressingMotion> {
     let dressing = outcome.execution.flanks[flank].as_ref()?.dressing()?;
-    let motion = &dressing.motion;
-    let (from, to) = dressing.corrections[0].interval();
+    Some(motion_over(&dressing.motion, dressing.corrections[0].interval()))
+}
+
+fn strokes(outcome: &Outcome, flank: Flank) -> Vec<StrokeReport> {
+    let executed = outcome.execution.flanks[flank].as_ref().and_then(|f| f.strokes());
+    let report = |stroke: &ExecutedStroke| StrokeReport {
+        dresser: stroke.place.dresser + 1,
+        range_mm: stroke.place.range,
+        motion: motion_over(&stroke.motion, stroke.corrections[0].interval()),
+    };
+    executed.map_or(Vec::new(), |executed| executed.strokes.iter().map(report).collect())
+}
+
+fn motion_over(motion: &Motion, (from, to): (f64, f64)) -> DressingMotion {
     let v: Vec<f64> = equidistant([from, to], ROWS);
     let component = |j: usize, unit: f64| v.iter().map(|&v| motion.correction_at(v)[j] * unit).collect();
     let deg = 180.0 / std::f64::consts::PI;
-    Some(DressingMotion {
+    DressingMotion {
         d_phi_s_deg: component(0, deg),
         d_gamma_deg: component(1, deg),
         d_d_mm: component(2, 1.0),
         d_v_ya_mm: component(3, 1.0),
         v_zs_mm: v,
-    })
+    }
 }
 
 fn feed_marks(outcome: &Outcome) -> Option<String> {
@@ -404,6 +424,7 @@ pub fn html_page(
         sections: outcome.sections.clone(),
         grinding_motion: Some(grinding_motion(outcome)),
         dressing: Sides::from_fn(|flank| dressing_motion(outcome, flank)),
+        strokes: Sides::from_fn(|flank| strokes(outcome, flank)),
         warnings: result
             .warnings
             .iter()

@@ -2,6 +2,7 @@
 
 use super::finding::{Remark, RunFailure, generating_finding, geometry_finding, modification_finding};
 use super::shift::shift_of_job;
+use super::strokes::strokes_of_job;
 use crate::exchange::job::{
     Condition, DegreeOfFreedom, DesignedFor, DiagonalRatio, Dressing, DressingFlanks, Fit, Flanks, Gauge,
     GaugeRule, Job, Method, Modification as JobModification, ProfileCrowningBy, ToleranceMapSource,
@@ -394,7 +395,13 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
     }
     let tolerance = tolerance_of_job(loaded).map_err(RunFailure::bad_input)?;
     let mut warnings = Vec::new();
-    let given = job.dresser.as_ref().and_then(|dresser| dresser.modification.given());
+    let strokes = strokes_of_job(loaded, &setup)?;
+    // In strokes the corrections make the whole profile, as a dresser made for the target would.
+    let given = match &strokes {
+        None => job.dresser.as_ref().and_then(|dresser| dresser.modification.given()),
+        Some(_) => None,
+    };
+    setup.strokes = strokes.map(Box::new);
     let cylindrical = setup.pair.work.is_cylindrical();
     // Without a shift even a freely made tool only leaves profile lines.
     let carrier = match (&setup.tool, job.grinding.method) {
@@ -427,7 +434,8 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
         let target = match given {
             None => FlankTarget::carried_by(wanted, carrier),
             Some(specs) => {
-                let made = dresser_profile(loaded, specs, flank, field).map_err(RunFailure::bad_input)?;
+                let made = dresser_profile(loaded, specs, flank, field, "dresser.modification")
+                    .map_err(RunFailure::bad_input)?;
                 FlankTarget::with_given_dresser(wanted, made)
             }
         };
@@ -558,20 +566,25 @@ pub fn settings_reliefs(
     Ok(built.terms())
 }
 
-fn dresser_profile(
+/// What a dresser that exists leaves on the gear; `place` is its key in the job.
+///
+/// # Errors
+/// A finding on that key for what is impossible or no function of the profile alone.
+pub(super) fn dresser_profile(
     loaded: &LoadedJob,
     specs: &[JobModification],
     flank: Flank,
     field: &EvaluationField,
+    place: &str,
 ) -> Result<Modification, Diagnostic> {
     let made = Modification::for_flank(specs, flank, field, &Beside(loaded))
-        .map_err(|e| modification_finding(&e, "dresser.modification"))?;
+        .map_err(|e| modification_finding(&e, place))?;
     if !made.terms().iter().all(Modification::depends_on_profile_only) {
         return Err(Diagnostic::new(
             Problem::InvalidJob,
             "a dresser can only carry modifications of the profile",
         )
-        .field("dresser.modification")
+        .field(place)
         .allowed("profile crowning, profile slope, tip or root relief")
         .way_out("leave helix modifications to the target"));
     }

@@ -1,16 +1,17 @@
 //! The referee's run: rays of the worm against the dresser, then rays of the workpiece against the worm that those rays
 //! left (spec 28 section 5). Nothing of the process's own formulas enters here, only bodies and motions.
 
+use super::executed_strokes::ExecutedStrokes;
 use super::execution::{ExecutedDressing, ExecutedTool, Execution};
 use super::partition::StrokePlan;
 use crate::geometry::{Flank, Sides};
 use crate::metrology::Topography;
 use crate::numerics::{CubicSpline, Progress, Silent};
 use crate::process::dressing::DresserTool;
-use crate::process::generating::{GrindingSetup, finished_area};
+use crate::process::generating::{GrindingSetup, StrokeLayout, finished_area};
 use crate::removal::{
     ActiveThreads, DressedSurface, Dressing, Grinding, GrindingMode, RayGrid, RemovalError, Statistics,
-    WormArea, WormModification, dress, grind,
+    WormArea, WormModification, dress_in_strokes, grind,
 };
 
 /// What one stage did and how exact it is.
@@ -88,10 +89,10 @@ fn sections(axis: &[f64]) -> Vec<f64> {
 
 /// Halves the cells over the profile and along the worm in which a spline misses the rays in the middle, until it does not:
 /// reliefs bend the flank far more sharply than crownings.
-fn refined(dressing: &Dressing<'_>, even: &RayGrid) -> Result<RayGrid, RemovalError> {
+fn refined(dressing: &[Dressing<'_>], even: &RayGrid) -> Result<RayGrid, RemovalError> {
     let rays = |w: &[f64], z: &[f64]| {
         let grid = RayGrid::new(w.to_vec(), z.to_vec())?;
-        dress(dressing, &grid, &Silent)?.lengths().map(|f| (f, grid.z().len()))
+        dress_in_strokes(dressing, &grid, &Silent)?.lengths().map(|f| (f, grid.z().len()))
     };
     let columns = sections(even.z());
     let over_profile = |w: &[f64]| {
@@ -180,8 +181,51 @@ fn dressed_worm(
         shift_range: [from, to],
         stock,
     };
+    rayed(&[stage], w, z, progress)
+}
+
+/// The worm as all strokes leave it, each by the part of its dresser that cuts.
+fn stroked_worm(
+    setup: &GrindingSetup,
+    layout: &StrokeLayout,
+    strokes: &ExecutedStrokes,
+    flank: Flank,
+    stock: f64,
+    progress: &dyn Progress,
+) -> Result<RayedWorm, RemovalError> {
+    let mut bodies = Vec::with_capacity(strokes.strokes.len());
+    for stroke in &strokes.strokes {
+        let Some(tool) = layout.dressers.get(stroke.place.dresser) else { continue };
+        let [from, to] = stroke.place.area.touching();
+        bodies.push((tool.flanks[flank].profile.part(from, to), stroke));
+    }
+    let stages: Vec<Dressing<'_>> = bodies
+        .iter()
+        .map(|(body, stroke)| {
+            let (from, to) = stroke.corrections[0].interval();
+            Dressing {
+                worm: setup.pair.worm.flank(flank),
+                dresser: body,
+                motion: &stroke.motion,
+                shift_range: [from, to],
+                stock,
+            }
+        })
+        .collect();
+    // Only where rays stand follows from the process: what the strokes do not reach there stays uncut and is told.
+    let (w, z) = strokes.area;
+    rayed(&stages, w, [z[0] + WORM_MARGIN, z[1] - WORM_MARGIN], progress)
+}
+
+/// The surface through the rays over lengths of roll w and worm positions z.
+fn rayed(
+    stages: &[Dressing<'_>],
+    w: [f64; 2],
+    z: [f64; 2],
+    progress: &dyn Progress,
+) -> Result<RayedWorm, RemovalError> {
     let even = RayGrid::spaced(w, WORM_SPACING[0], z, WORM_SPACING[1])?;
-    let dressed = dress(&stage, &refined(&stage, &even)?, progress)?;
+    let dressed = dress_in_strokes(stages, &refined(stages, &even)?, progress)?;
     Ok(RayedWorm { surface: dressed.surface()?, area: WormArea { w, z }, statistics: dressed.statistics })
 }
 
@@ -201,6 +245,10 @@ fn run_flank(
         (ExecutedTool::Dressed(dressing), Some(dresser)) => {
             Some(dressed_worm(setup, dresser, dressing, flank, stock, progress)?)
         }
+        (ExecutedTool::Stroked(strokes), _) => match &setup.strokes {
+            Some(layout) => Some(stroked_worm(setup, layout, strokes, flank, stock, progress)?),
+            None => None,
+        },
         _ => None,
     };
     // A tool that is not dressed is given by its table: the spline through it is the tool itself.
@@ -210,7 +258,7 @@ fn run_flank(
             let [w, z] = made.spline.domain();
             (&made.spline, WormArea { w, z })
         }
-        (ExecutedTool::Dressed(_), None) => return Ok(None),
+        (ExecutedTool::Dressed(_) | ExecutedTool::Stroked(_), None) => return Ok(None),
     };
     let grid = RayGrid::new(executed.target.w.clone(), executed.target.z.clone())?;
     let grinding = Grinding {

@@ -1,9 +1,11 @@
 //! Tables of a run as CSV: topographies of the flanks and both motions over their strokes.
 
+use super::executed_strokes::ExecutedStrokes;
 use super::execution::ExecutedFlank;
 use super::run::Outcome;
 use crate::exchange::{Column, CsvError, CsvTable};
 use crate::geometry::Flank;
+use crate::kinematics::DressingMotion;
 use crate::numerics::equidistant;
 
 /// Rows of a motion table and points of a motion chart.
@@ -67,12 +69,24 @@ pub fn grinding_motion(outcome: &Outcome) -> Result<CsvTable, CsvError> {
 /// # Errors
 /// A value that is not finite.
 pub fn dressing_motion(outcome: &Outcome, flank: Flank) -> Result<Option<CsvTable>, CsvError> {
-    let Some(dressing) = outcome.execution.flanks[flank].as_ref().and_then(ExecutedFlank::dressing) else {
+    let executed = outcome.execution.flanks[flank].as_ref();
+    if let Some(strokes) = executed.and_then(ExecutedFlank::strokes) {
+        return stroke_motions(strokes).map(Some);
+    }
+    let Some(dressing) = executed.and_then(ExecutedFlank::dressing) else {
         return Ok(None);
     };
     let motion = &dressing.motion;
     let (from, to) = dressing.corrections[0].interval();
-    let mut table = CsvTable::new(&[
+    let mut table = CsvTable::new(&motion_columns());
+    for v in equidistant([from, to], ROWS) {
+        table.push(&motion_row(motion, v))?;
+    }
+    Ok(Some(table))
+}
+
+fn motion_columns() -> [Column; 9] {
+    [
         Column::new("v_zS", "mm"),
         Column::new("d_phi_S", "deg"),
         Column::new("d_gamma", "deg"),
@@ -82,23 +96,39 @@ pub fn dressing_motion(outcome: &Outcome, flank: Flank) -> Result<Option<CsvTabl
         Column::new("gamma_A", "deg"),
         Column::new("d_A", "mm"),
         Column::new("v_yA", "mm"),
-    ]);
-    for v in equidistant([from, to], ROWS) {
-        let dk = motion.correction_at(v);
-        let at = motion.position(v);
-        table.push(&[
-            v,
-            dk[0].to_degrees(),
-            dk[1].to_degrees(),
-            dk[2],
-            dk[3],
-            at.worm_angle.to_degrees(),
-            at.crossing_angle.to_degrees(),
-            at.centre_distance,
-            at.offset,
-        ])?;
+    ]
+}
+
+fn motion_row(motion: &DressingMotion, v: f64) -> [f64; 9] {
+    let dk = motion.correction_at(v);
+    let at = motion.position(v);
+    [
+        v,
+        dk[0].to_degrees(),
+        dk[1].to_degrees(),
+        dk[2],
+        dk[3],
+        at.worm_angle.to_degrees(),
+        at.crossing_angle.to_degrees(),
+        at.centre_distance,
+        at.offset,
+    ]
+}
+
+/// The motions of all strokes one after the other, with the numbers of stroke and dresser before each row.
+fn stroke_motions(strokes: &ExecutedStrokes) -> Result<CsvTable, CsvError> {
+    let numbers = [Column::new("stroke", ""), Column::new("dresser", "")];
+    let columns: Vec<Column> = numbers.into_iter().chain(motion_columns()).collect();
+    let mut table = CsvTable::new(&columns);
+    for (k, stroke) in strokes.strokes.iter().enumerate() {
+        let (from, to) = stroke.corrections[0].interval();
+        for v in equidistant([from, to], ROWS) {
+            let numbers = [(k + 1) as f64, (stroke.place.dresser + 1) as f64];
+            let row: Vec<f64> = numbers.into_iter().chain(motion_row(&stroke.motion, v)).collect();
+            table.push(&row)?;
+        }
     }
-    Ok(Some(table))
+    Ok(table)
 }
 
 /// The flank of a tool that is not dressed: its modification over (w_1, z_1); `None` for a dressed one.

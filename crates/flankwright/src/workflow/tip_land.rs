@@ -1,13 +1,14 @@
 //! Whether the dresser spares the counter flank while it dresses, and how wide its tip land may be (spec 28 section 2, spec 30
 //! section 13).
 
+use super::executed_strokes::ExecutedStrokes;
 use super::execution::Execution;
 use super::finding::{Remark, RunFailure};
 use super::prepare::Prepared;
 use crate::exchange::job::{DressingFlanks, Job};
 use crate::geometry::{Flank, Sides};
 use crate::process::dressing::{SectionOutline, SectionPart};
-use crate::process::generating::{GeneratingError, LeastRoom};
+use crate::process::generating::{GeneratingError, GrindingSetup, LeastRoom};
 use crate::report::charts::{
     DressingSectionChart, MarkedClearance, SectionKind, SectionStretch, SpaceFlank, format_significant,
 };
@@ -50,10 +51,16 @@ impl TipLands {
         let given = job.dresser.as_ref().and_then(|d| d.tip_land);
         let left_out = left_out(job);
         for flank in Flank::BOTH {
-            let Some(dressing) = execution.flanks[flank].as_ref().and_then(|f| f.dressing()) else {
+            let Some(executed) = &execution.flanks[flank] else { continue };
+            if let Some(strokes) = executed.strokes() {
+                found.of_strokes(&prepared.setup, strokes, flank, given, left_out);
+                continue;
+            }
+            let (Some(dressing), Some(choice)) = (executed.dressing(), &prepared.setup.input.dresser) else {
                 continue;
             };
-            let room = LeastRoom::of_motion(&prepared.setup, dresser, flank, &dressing.corrections, left_out);
+            let tip_radius = 0.5 * choice.tip_diameter;
+            let room = LeastRoom::of_motion(dresser, tip_radius, flank, &dressing.corrections, left_out);
             let room = match room {
                 Ok(room) => room,
                 Err(error) => {
@@ -80,11 +87,57 @@ impl TipLands {
             }
             let land = given.or(room.tip_land).unwrap_or(0.0);
             // A section that cannot be drawn takes nothing from the figures.
-            if let Ok(outline) = room.outline(&prepared.setup, dresser, flank, land, left_out) {
+            if let Ok(outline) = room.outline(&prepared.setup, (dresser, tip_radius), flank, land, left_out) {
                 found.pictures.push(picture(&outline, flank, land));
             }
         }
         Ok(found)
+    }
+
+    /// The same for a flank that is dressed in strokes. A dresser may stand back outside its active areas, which no job describes: what
+    /// is found for a whole one is said and not decided upon.
+    fn of_strokes(
+        &mut self,
+        setup: &GrindingSetup,
+        strokes: &ExecutedStrokes,
+        flank: Flank,
+        given: Option<f64>,
+        left_out: u32,
+    ) {
+        let Some(layout) = &setup.strokes else { return };
+        let mut least: Option<f64> = None;
+        for (k, stroke) in strokes.strokes.iter().enumerate() {
+            let number = stroke.place.dresser;
+            let (Some(tool), Some(&tip)) = (layout.dressers.get(number), layout.tip_radii.get(number)) else {
+                continue;
+            };
+            let room = LeastRoom::of_motion(tool, tip, flank, &stroke.corrections, left_out);
+            // The tip land of the job is that of its first dresser.
+            let land = given.filter(|_| number == 0);
+            match room {
+                Ok(LeastRoom { tip_land: Some(here), .. }) if land.is_none_or(|land| land <= here) => {
+                    least = Some(least.map_or(here, |land| land.min(here)));
+                }
+                Ok(LeastRoom { tip_land, .. }) => {
+                    let cut = GeneratingError::CounterFlankCut { flank, land, largest: tip_land };
+                    self.warnings.push(Remark {
+                        code: cut.code(),
+                        text: format!("stroke {}: {cut}", k + 1),
+                        way_out: "let the dresser stand back there, or leave out threads of the worm".into(),
+                    });
+                }
+                Err(error) => self.warnings.push(Remark {
+                    code: "tip-land-unknown",
+                    text: format!(
+                        "stroke {}: the clearance of the {} flank is not known: {error}",
+                        k + 1,
+                        flank.other()
+                    ),
+                    way_out: error.way_out(),
+                }),
+            }
+        }
+        self.largest[flank] = least;
     }
 }
 

@@ -186,6 +186,7 @@ pub fn met() -> GeneratingReport {
             z_v2_mm: feed,
         }),
         dressing: Sides::from_fn(|side| Some(dressing(side))),
+        strokes: Sides::from_fn(|_| Vec::new()),
         warnings: vec![Warning {
             text: "The worm cuts 0.12 mm below the given root diameter.".to_owned(),
             way_out: "Reduce the tip diameter of the worm or give the root diameter of the finished gear.".to_owned(),

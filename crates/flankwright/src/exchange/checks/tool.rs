@@ -1,6 +1,5 @@
 //! Contradictions between `[worm]`, `[dresser]` and `[dressing]`: who profiles the tool, and with what.
 
-use super::not_yet;
 use crate::exchange::diagnostic::{Diagnostic, Problem};
 use crate::exchange::job::{
     Condition, DesignedFor, Dresser, DresserModification, Dressing, DressingFlanks, Flanks, Job,
@@ -188,7 +187,7 @@ fn dresser(dresser: &Dresser, findings: &mut Vec<Diagnostic>) {
 }
 
 /// Whether a modification depends on the profile only, by its kind.
-fn of_profile(entry: &Modification) -> bool {
+pub(super) fn of_profile(entry: &Modification) -> bool {
     match entry {
         Modification::Sum(sum) => !sum.children.is_empty() && sum.children.iter().all(of_profile),
         other => ["profile_", "tip_", "root_"].iter().any(|start| other.kind().starts_with(start)),
@@ -314,16 +313,6 @@ fn dressing(dressing: &Dressing, findings: &mut Vec<Diagnostic>) {
             .value("given beside dressing.flanks = \"two\"")
             .allowed("no conditions and no degrees_of_freedom, or dressing.flanks = \"one\"")
             .way_out("leave `conditions` and `degrees_of_freedom` out"),
-        );
-    }
-    if let Some(strokes) = dressing.strokes
-        && strokes > 1
-    {
-        findings.push(
-            not_yet("dressing.strokes", "dressing in several strokes")
-                .value(strokes)
-                .allowed("1")
-                .way_out("leave `strokes` out"),
         );
     }
 }

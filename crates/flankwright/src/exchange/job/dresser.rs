@@ -33,6 +33,32 @@ pub struct Dresser {
     /// Another worm for which the dresser was made; default the worm of the job.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub designed_for: Option<DesignedFor>,
+    /// Further dressers of the same worm, for the strokes of `[dressing.strokes]`; they count from 2.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[schemars(length(max = 12))]
+    pub others: Vec<OtherDresser>,
+}
+
+/// A further dresser, made for the worm of the job. Lengths in mm.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct OtherDresser {
+    /// Tip diameter.
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 2000, "x-way-out" = "give the tip diameter of the dresser in mm"))]
+    pub tip_diameter: f64,
+    /// Pitch diameter; with it the dressing centre distance is the sum of the pitch radii, without it the disc tip touches the
+    /// worm root.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 2000,
+        "x-way-out" = "give the pitch diameter of the dresser in mm, or leave it out"))]
+    pub pitch_diameter: Option<f64>,
+    /// What profile it carries; default none.
+    #[serde(default = "plain")]
+    pub modification: DresserModification,
+}
+
+fn plain() -> DresserModification {
+    DresserModification::Rule(FixedDresser::None)
 }
 
 /// Profile modification of the dresser.

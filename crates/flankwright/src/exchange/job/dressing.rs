@@ -3,6 +3,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::strokes::Strokes;
+
 /// How the worm is dressed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -18,10 +20,9 @@ pub struct Dressing {
     /// One flank after the other, each with its own motion, or both with one motion.
     #[serde(default)]
     pub flanks: DressingFlanks,
-    /// Number of dressing strokes with their own corrections.
+    /// Strokes that divide the worm's profile; default one stroke for all of it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(extend("minimum" = 1, "maximum" = 100, "x-way-out" = "leave it out for one stroke"))]
-    pub strokes: Option<u32>,
+    pub strokes: Option<Strokes>,
     /// What makes the profile crowning.
     #[serde(default)]
     pub profile_crowning_by: ProfileCrowningBy,

@@ -36,6 +36,9 @@ pub struct Settings {
     /// Flanks of a tool that is not dressed; absent: unmodified, or as `[worm] modifications` says.
     #[serde(default, skip_serializing_if = "ToolTables::is_empty")]
     pub tool: ToolTables,
+    /// Strokes in which the worm flanks are dressed, with `[dressing.strokes]`, in place of `left` and `right`.
+    #[serde(default, skip_serializing_if = "StrokeTables::is_empty")]
+    pub strokes: StrokeTables,
     /// Dressing of the left worm flank; absent: nominal.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub left: Option<FlankSettings>,
@@ -86,6 +89,65 @@ pub struct ToolTable {
     pub z_mm: Vec<f64>,
     /// f_n1 by [w][z].
     pub f_um: Vec<Vec<f64>>,
+}
+
+/// The strokes of both worm flanks.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StrokeTables {
+    /// Strokes of the left flank.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[schemars(length(max = 1000))]
+    pub left: Vec<StrokeSettings>,
+    /// Strokes of the right flank.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[schemars(length(max = 1000))]
+    pub right: Vec<StrokeSettings>,
+}
+
+impl StrokeTables {
+    /// Whether neither flank has strokes.
+    pub fn is_empty(&self) -> bool {
+        self.left.is_empty() && self.right.is_empty()
+    }
+}
+
+/// One stroke: what of which dresser touches which part of the worm's profile, and its corrections DK(v) as Chebyshev series of the
+/// worm position v_zS.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StrokeSettings {
+    /// Number of the dresser: 1 is `[dresser]`, from 2 on the entries of `dresser.others`.
+    #[schemars(extend("minimum" = 1, "maximum" = 13, "x-way-out" = "give 1 for `[dresser]`, from 2 on the entries of `dresser.others`"))]
+    pub dresser: usize,
+    /// Start and end of the active area by the parameter of the dresser's profile, the length of roll that it was designed for, mm.
+    pub area_mm: [f64; 2],
+    /// All that touches the worm: the area and what it overlaps with its neighbours by, mm.
+    pub touching_mm: [f64; 2],
+    /// Lengths of roll of the worm on which the area is laid, mm.
+    pub range_mm: [f64; 2],
+    /// First worm position v_zS of the series, mm.
+    #[schemars(extend("minimum" = -5000, "maximum" = 5000, "x-way-out" = "give the start of the dressing stroke in mm"))]
+    pub v_from_mm: f64,
+    /// Last worm position v_zS of the series, mm.
+    #[schemars(extend("minimum" = -5000, "maximum" = 5000, "x-way-out" = "give the end of the dressing stroke in mm"))]
+    pub v_to_mm: f64,
+    /// Chebyshev coefficients of d_phi_S, deg.
+    #[serde(default, rename = "d_phi_S_deg")]
+    #[schemars(extend("maxItems" = 1000))]
+    pub d_phi_s_deg: Vec<f64>,
+    /// Chebyshev coefficients of d_gamma, deg.
+    #[serde(default)]
+    #[schemars(extend("maxItems" = 1000))]
+    pub d_gamma_deg: Vec<f64>,
+    /// Chebyshev coefficients of d_d, mm.
+    #[serde(default)]
+    #[schemars(extend("maxItems" = 1000))]
+    pub d_d_mm: Vec<f64>,
+    /// Chebyshev coefficients of d_v_yA, mm.
+    #[serde(default, rename = "d_v_yA_mm")]
+    #[schemars(extend("maxItems" = 1000))]
+    pub d_v_ya_mm: Vec<f64>,
 }
 
 /// Dressing of one worm flank: corrections DK(v) as Chebyshev series of the worm position v_zS, and the dresser's profile.

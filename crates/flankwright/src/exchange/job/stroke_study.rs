@@ -128,7 +128,7 @@ impl Distribution {
     }
 }
 
-fn share(_: &mut schemars::SchemaGenerator) -> Schema {
+pub(super) fn share(_: &mut schemars::SchemaGenerator) -> Schema {
     json_schema!({
         "type": "number", "minimum": -0.5, "maximum": 1.5,
         "x-way-out": "give a share of the used profile, 0 at w_NfS and 1 at w_NaS"

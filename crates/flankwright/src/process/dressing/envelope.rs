@@ -98,6 +98,11 @@ impl DressedWorm {
         self.dresser.range
     }
 
+    /// Worm positions between which the motion goes, mm.
+    pub(super) fn interval(&self) -> (f64, f64) {
+        self.interval
+    }
+
     /// The four corrections at v with two derivatives each.
     fn corrections(&self, v: f64) -> [[f64; 3]; 4] {
         let (from, to) = self.interval;

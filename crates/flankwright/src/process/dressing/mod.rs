@@ -35,6 +35,7 @@ mod stretch_angle;
 mod stroke;
 mod stroke_division;
 mod stroke_motion;
+mod stroke_surface;
 mod swept_circle;
 mod tilt_chart;
 mod topological;
@@ -82,6 +83,7 @@ pub use stroke_division::{ProfileSection, divide};
 pub use stroke_motion::{
     MovingStroke, StrokeAlong, StrokeWish, StrokedPoint, StrokedWorm, solve_stroke_node,
 };
+pub use stroke_surface::StrokeSurface;
 pub use tilt_chart::TiltChart;
 pub use topological::{
     NodePlan, NodeSolution, pitch_rolls, residue_of_motion, solve_conditions_along, solve_conditions_at,

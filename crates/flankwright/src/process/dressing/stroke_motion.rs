@@ -3,10 +3,11 @@
 
 use super::multi_stroke::{ROUNDING, at_least_one, first_gap};
 use super::stroke::check_range;
+use super::stroke_surface::StrokeSurface;
 use super::topological::follow_nodes;
 use super::{
-    ActiveArea, DressedProfile, DressedWorm, DresserTool, DressingError, NodePlan, NodeSolution, Stroke,
-    pitch_rolls,
+    ActiveArea, DressedProfile, DressedWorm, DresserTool, DressingError, EnvelopePoint, NodePlan, NodeSolution,
+    Stroke, pitch_rolls,
 };
 use crate::geometry::Flank;
 use crate::kinematics::DressingCorrection;
@@ -83,10 +84,104 @@ fn first_height(stroke: &MovingStroke<'_>, flank: Flank) -> f64 {
 pub struct StrokeAlong {
     /// DK(v), rad, rad, mm, mm.
     pub corrections: [Chebyshev; 4],
-    /// The nodes through which it was laid.
+    /// The nodes through which it was laid; none where the corrections were given.
     pub nodes: Vec<NodeSolution>,
     touching: [f64; 2],
+    seated: DresserTool,
+    flank: Flank,
     worm: DressedWorm,
+}
+
+/// Nodes of the line in which a stroke touches the worm.
+const LINE_NODES: usize = 8;
+/// Share of a stroke's range by which that line is continued at each end.
+const LINE_BEYOND: f64 = 0.3;
+
+impl StrokeAlong {
+    /// Solves DK(v) of one stroke for the wanted f*(w, b).
+    ///
+    /// # Errors
+    /// [`DressingError::InvalidNumber`] for the plan; those of [`solve_stroke_node`].
+    pub fn solve(
+        stroke: &MovingStroke<'_>,
+        flank: Flank,
+        reference_radius: f64,
+        plan: &NodePlan,
+        wanted: StrokeWish<'_>,
+    ) -> Result<Self, DressingError> {
+        let (from, to) = plan.interval;
+        let invalid = |field, value, allowed| Err(DressingError::InvalidNumber { field, value, allowed });
+        if !(from.is_finite() && to.is_finite() && from < to) {
+            return invalid("end of the interval of v_zS", to, "finite and above its start");
+        }
+        if plan.nodes < 2 {
+            return invalid("nodes of DK(v)", plan.nodes as f64, "at least 2");
+        }
+        let (corrections, nodes) = follow_nodes(plan, |v, start| {
+            solve_stroke_node(stroke, flank, reference_radius, v, start, wanted)
+        })?;
+        // Start values of the envelope come from the range in the middle of the motion.
+        let range = (stroke.range)(first_height(stroke, flank) - 0.5 * (from + to));
+        let still = Stroke { tool: stroke.tool, area: stroke.area, range };
+        Ok(Self { nodes, ..Self::at(&still, flank, corrections)? })
+    }
+
+    /// A stroke with given corrections over v; its range only tells where to begin to look for contacts.
+    ///
+    /// # Errors
+    /// [`DressingError::InvalidNumber`] for an area that the dresser does not have, and for the range.
+    pub fn at(
+        stroke: &Stroke<'_>,
+        flank: Flank,
+        corrections: [Chebyshev; 4],
+    ) -> Result<Self, DressingError> {
+        stroke.area.check(stroke.tool, flank)?;
+        check_range(stroke.range)?;
+        let mut seated = stroke.area.seated(stroke.tool, flank, stroke.range);
+        let (from, to) = corrections[0].interval();
+        let dk: DressingCorrection = std::array::from_fn(|j| corrections[j].value(0.5 * (from + to)));
+        let beyond = LINE_BEYOND * (stroke.range[1] - stroke.range[0]);
+        let start = (stroke.range[0] - beyond).max(0.5 * stroke.range[0]);
+        let line = {
+            let profile = DressedProfile::new(&seated, flank, dk);
+            Chebyshev::fit(start, stroke.range[1] + beyond, LINE_NODES, |w| profile.at_roll(w).map(|at| at.b))
+        };
+        // A line that cannot be followed leaves the nominal one, from which contacts are found as well, only later.
+        if let Ok(line) = line {
+            seated.flanks[flank].line = line;
+        }
+        let worm = DressedWorm::new(&seated, flank, &corrections);
+        Ok(Self { corrections, nodes: Vec::new(), touching: stroke.area.touching(), seated, flank, worm })
+    }
+
+    /// Parameters of the dresser's profile between which it touches the worm, mm.
+    pub fn touching(&self) -> [f64; 2] {
+        self.touching
+    }
+
+    /// Worm z between which the stroke dresses all of its lengths of roll, mm.
+    ///
+    /// # Errors
+    /// [`DressingError::NoContact`] where an end of the active area touches nothing.
+    pub fn finished(&self) -> Result<[f64; 2], DressingError> {
+        let (from, to) = self.corrections[0].interval();
+        let at = |t: f64, v: f64| {
+            let point = self.worm.envelope_point(t, v).map(|at| at.b);
+            point.ok_or(DressingError::NoContact { flank: self.flank, t })
+        };
+        let [a, b] = self.touching;
+        Ok([f64::max(at(a, to)?, at(b, to)?), f64::min(at(a, from)?, at(b, from)?)])
+    }
+
+    /// The exact envelope as a tool surface, also beyond what touches.
+    pub fn surface(&self) -> StrokeSurface<'_> {
+        StrokeSurface::new(&self.worm, &self.seated, self.flank)
+    }
+
+    /// The exact envelope at the profile parameter t and the worm position v; `None` where there is none.
+    pub fn envelope_point(&self, t: f64, v: f64) -> Option<EnvelopePoint> {
+        self.worm.envelope_point(t, v)
+    }
 }
 
 /// A worm flank dressed in several strokes.
@@ -122,27 +217,20 @@ impl StrokedWorm {
         wanted: StrokeWish<'_>,
     ) -> Result<Self, DressingError> {
         at_least_one(strokes.len())?;
-        let (from, to) = plan.interval;
-        let invalid = |field, value, allowed| Err(DressingError::InvalidNumber { field, value, allowed });
-        if !(from.is_finite() && to.is_finite() && from < to) {
-            return invalid("end of the interval of v_zS", to, "finite and above its start");
-        }
-        if plan.nodes < 2 {
-            return invalid("nodes of DK(v)", plan.nodes as f64, "at least 2");
-        }
-        let solved = strokes.par_iter().map(|stroke| {
-            let (corrections, nodes) = follow_nodes(plan, |v, start| {
-                solve_stroke_node(stroke, flank, reference_radius, v, start, wanted)
-            })?;
-            // Start values of the envelope come from the range in the middle of the motion.
-            let middle = 0.5 * (from + to);
-            let range = (stroke.range)(first_height(stroke, flank) - middle);
-            let seated = stroke.area.seated(stroke.tool, flank, range);
-            let worm = DressedWorm::new(&seated, flank, &corrections);
-            Ok(StrokeAlong { corrections, nodes, touching: stroke.area.touching(), worm })
-        });
-        let solved: Vec<Result<StrokeAlong, DressingError>> = solved.collect();
-        Ok(Self { flank, strokes: solved.into_iter().collect::<Result<_, _>>()? })
+        let solved = strokes
+            .par_iter()
+            .map(|stroke| StrokeAlong::solve(stroke, flank, reference_radius, plan, wanted));
+        // The first of the strokes that fail is named, on any number of threads.
+        Self::of(flank, solved.collect::<Vec<_>>().into_iter().collect::<Result<_, _>>()?)
+    }
+
+    /// A flank of strokes that stand already.
+    ///
+    /// # Errors
+    /// [`DressingError::InvalidNumber`] without strokes.
+    pub fn of(flank: Flank, strokes: Vec<StrokeAlong>) -> Result<Self, DressingError> {
+        at_least_one(strokes.len())?;
+        Ok(Self { flank, strokes })
     }
 
     /// The strokes in the order in which they were given.

@@ -44,13 +44,13 @@ pub const DRESSING_MARGIN: f64 = 3.0;
 pub const DRESSING_NODES: usize = 17;
 
 /// Most nodes for reliefs and waves on the worm's lines.
-const MOST_NODES: usize = 257;
+pub(super) const MOST_NODES: usize = 257;
 /// Share of the modification, mm, that the last quarter of a series may hold before the nodes are doubled.
-const SERIES_TOLERANCE: f64 = 2e-7;
+pub(super) const SERIES_TOLERANCE: f64 = 2e-7;
 
 /// The last quarter of the coefficients, as an amount on the worm flank, mm: each component times its influence (base radius
 /// for the phase; orders of magnitude for crossing angle, distance and offset).
-fn tail(series: &[Chebyshev; 4], lever: [f64; 4]) -> f64 {
+pub(super) fn tail(series: &[Chebyshev; 4], lever: [f64; 4]) -> f64 {
     let quarter = |c: &Chebyshev| {
         let c = c.coefficients();
         c[c.len() - c.len() / 4..].iter().map(|c| c.abs()).sum::<f64>()
@@ -116,20 +116,29 @@ pub fn dresser_of_plan(
     policy: ProfilePolicy,
 ) -> Result<DresserTool, GeneratingError> {
     let plain = setup.dresser()?;
-    let offsets = Sides::from_fn(|flank| -> Option<Arc<dyn ProfileOffset>> {
+    let worms = Sides::from_fn(|flank| {
         let mut worm = plan.worms[flank].clone()?;
         worm.parts.profile = dresser_profile(&worm, policy);
-        let empty = worm.reliefs.is_empty() && worm.parts.profile.iter().all(|&p| p == 0.0);
-        let plain = plain.flanks[flank].clone();
-        (!empty).then(|| Arc::new(GearProfile { worm, plain }) as Arc<dyn ProfileOffset>)
+        Some(worm)
     });
-    let tool = plain.with_offsets(&offsets);
+    let tool = with_profiles(plain, &worms);
     Ok(match policy.dressing {
         DressingRows::Alone(FlankRows { head: true, .. }) => {
             tool.with_head(setup.worm_tip_radius, HEAD_HALF)?
         }
         _ => tool,
     })
+}
+
+/// A dresser that leaves the profile parts of `worms` on the gear.
+pub(super) fn with_profiles(plain: &DresserTool, worms: &Sides<Option<IdealWorm>>) -> DresserTool {
+    let offsets = Sides::from_fn(|flank| -> Option<Arc<dyn ProfileOffset>> {
+        let worm = worms[flank].clone()?;
+        let empty = worm.reliefs.is_empty() && worm.parts.profile.iter().all(|&p| p == 0.0);
+        let plain = plain.flanks[flank].clone();
+        (!empty).then(|| Arc::new(GearProfile { worm, plain }) as Arc<dyn ProfileOffset>)
+    });
+    plain.with_offsets(&offsets)
 }
 
 /// Interval of v in which `tool` dresses the plan's occupation of one flank with a margin at each end, mm.

@@ -30,6 +30,8 @@ mod ratio;
 mod ratio_nodes;
 mod setup;
 mod share;
+mod stroke_layout;
+mod stroked;
 mod strokes;
 mod target;
 mod tip_land;
@@ -69,6 +71,10 @@ pub use quadratic::{
 pub use ratio::{Candidate, FlankResidual, RatioChoice, RatioReason, lead_correction_ratio};
 pub use setup::{DresserChoice, DressingLimits, GrindingSetup, ProfilePlace, SetupInput, Tool};
 pub use share::Command;
+pub use stroke_layout::{
+    AreaOfDresser, DressedSection, GivenDresser, StrokeChoice, StrokeLayout, StrokePlace,
+};
+pub use stroked::StrokedFlank;
 pub use strokes::Strokes;
 pub use target::{Carrier, ClassFit, FlankTarget};
 pub use tip_land::LeastRoom;

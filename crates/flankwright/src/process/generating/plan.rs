@@ -8,8 +8,8 @@ use super::precompensation::{FREE_ROUNDS, ROUNDS, corrected, precompensate};
 use super::ratio::{Candidate, FlankResidual, RatioChoice, RatioReason, Rule};
 use super::{
     DressingLimits, DressingRows, EqualSwivel, FeedLaw, FlankTarget, FreeCoefficients, GeneratingError,
-    GrindingSetup, IdealPlan, MadeFlank, PlanGauge, PlanningGrid, ProfilePlace, ProfilePolicy, SwivelSide,
-    Tool, equal_swivel,
+    GrindingSetup, IdealPlan, MadeFlank, PlanGauge, PlanningGrid, ProfilePlace, ProfilePolicy, StrokedFlank,
+    SwivelSide, Tool, equal_swivel,
 };
 use crate::contact::{ContactError, ContactSolution};
 use crate::geometry::{Flank, Sides};
@@ -52,6 +52,8 @@ pub struct PlanTask<'a> {
 pub enum PlannedTool {
     /// As its dresser leaves it.
     Dressed(Box<DressedFlank>),
+    /// As several strokes leave it.
+    Stroked(Box<StrokedFlank>),
     /// As a table.
     Made(MadeFlank),
 }
@@ -80,7 +82,7 @@ pub struct GrindingPlan {
     pub policy: ProfilePolicy,
     /// Worm functions and motion.
     pub ideal: IdealPlan,
-    /// The dresser with its profile; `None` for a tool that is not dressed.
+    /// The dresser with its profile, the first of several; `None` for a tool that is not dressed.
     pub dresser: Option<DresserTool>,
     /// Planned flanks.
     pub flanks: Sides<Option<FlankPlan>>,
@@ -140,6 +142,7 @@ impl PlanTask<'_> {
         self.law.is_none()
             && self.targets.iter().all(|(_, t)| bare(t))
             && matches!(self.setup.tool, Tool::Dressed(_))
+            && self.setup.strokes.is_none()
     }
 
     /// The grid on which the plan is judged.
@@ -368,17 +371,27 @@ impl PlanTask<'_> {
         grid: &PlanningGrid,
         margin: f64,
     ) -> Result<Equipment, GeneratingError> {
-        let dresser = match &self.setup.tool {
-            Tool::Dressed(_) => Some(dresser_of_plan(self.setup, ideal, policy)?),
-            Tool::Made | Tool::Given(_) => None,
+        let dresser = match (&self.setup.tool, &self.setup.strokes) {
+            (Tool::Dressed(_), Some(layout)) => layout.dressers.first().cloned(),
+            (Tool::Dressed(_), None) => Some(dresser_of_plan(self.setup, ideal, policy)?),
+            (Tool::Made | Tool::Given(_), _) => None,
         };
-        let flanks = match &dresser {
-            Some(dresser) => {
+        let flanks = match (&dresser, &self.setup.strokes) {
+            (Some(_), Some(layout)) => {
+                let dress = |flank: Flank| {
+                    let worm = ideal.worms[flank].as_ref();
+                    worm.map(|_| StrokedFlank::solve(self.setup, layout, ideal, flank, margin)).transpose()
+                };
+                let (left, right) = rayon::join(|| dress(Flank::Left), || dress(Flank::Right));
+                let tool = |stroked: StrokedFlank| PlannedTool::Stroked(Box::new(stroked));
+                Sides { left: left?.map(tool), right: right?.map(tool) }
+            }
+            (Some(dresser), None) => {
                 let Sides { left, right } = dress_flanks(self.setup, ideal, dresser, policy, margin)?;
                 let tool = |dressed: DressedFlank| PlannedTool::Dressed(Box::new(dressed));
                 Sides { left: left.map(tool), right: right.map(tool) }
             }
-            None => {
+            (None, _) => {
                 let make = |flank: Flank| {
                     let worm = ideal.worms[flank].as_ref();
                     worm.map(|_| MadeFlank::of_plan(self.setup, ideal, flank, margin)).transpose()
@@ -444,6 +457,7 @@ impl PlannedTool {
     ) -> Result<Vec<ContactSolution>, GeneratingError> {
         match self {
             Self::Dressed(dressed) => grid.ground(setup, flank, motion, &dressed.worm),
+            Self::Stroked(stroked) => stroked.ground(setup, flank, grid, motion),
             Self::Made(made) => grid.ground(setup, flank, motion, &made.surface(setup, flank)),
         }
     }
@@ -453,7 +467,7 @@ impl PlannedTool {
         let (p, q) = at.tool;
         match self {
             Self::Dressed(dressed) => dressed.worm.envelope_point(p, q).map(|foot| (foot.w, foot.b)),
-            Self::Made(_) => Some((p, q)),
+            Self::Stroked(_) | Self::Made(_) => Some((p, q)),
         }
     }
 
@@ -464,6 +478,7 @@ impl PlannedTool {
                 finished_area(setup, dresser, flank, &dressed.corrections).1
             }
             (Self::Dressed(_), None) => [0.0; 2],
+            (Self::Stroked(stroked), _) => stroked.area.1,
             (Self::Made(made), _) => made.spline.domain()[1],
         }
     }

@@ -1,6 +1,6 @@
 //! The bodies of a grinding job by the one table of defaults (spec 10 section 7): gear, worm, dresser and how they stand.
 
-use super::{FlankLines, GeneratingError};
+use super::{FlankLines, GeneratingError, StrokeLayout};
 use crate::contact::Pair;
 use crate::geometry::{Blank, Flank, Gear, GeometryError, Sides, WormChoice, WormForGear, worm_for_gear};
 use crate::kinematics::{DressingChain, MotionLaw};
@@ -106,6 +106,8 @@ pub struct GrindingSetup {
     pub fields: Sides<EvaluationField>,
     /// Where the tool's flank comes from.
     pub tool: Tool,
+    /// The strokes in which the worm is dressed; `None`: in one, by the dresser of `tool`.
+    pub strokes: Option<Box<StrokeLayout>>,
     /// Direction of the tool's lines, tan(rho_1).
     pub tool_direction: Sides<f64>,
     /// Numbers per flank.
@@ -190,6 +192,7 @@ impl GrindingSetup {
             worm_root_radius: root_radius,
             fields,
             tool,
+            strokes: None,
             tool_direction,
             lines,
             root_cut: made.tip_radius - (engaged - input.blank.root_diameter / 2.0),

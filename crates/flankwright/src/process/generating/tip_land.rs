@@ -22,18 +22,18 @@ pub struct LeastRoom {
 const POSITIONS: usize = 17;
 
 impl LeastRoom {
-    /// For the motion DK(v) of one flank. `left_out`: threads removed across the space.
+    /// For the motion DK(v) of one flank by a dresser of tip radius `tip_radius` (mm). `left_out`: threads removed across the space.
     ///
     /// # Errors
     /// Those of [`DresserSection`].
     pub fn of_motion(
-        setup: &GrindingSetup,
         tool: &DresserTool,
+        tip_radius: f64,
         flank: Flank,
         corrections: &[Chebyshev; 4],
         left_out: u32,
     ) -> Result<Self, GeneratingError> {
-        let section = section(setup, tool, flank)?;
+        let section = DresserSection::new(tool, flank, tip_radius)?;
         // At worm position v the dresser works about z = -v; the space of a conical worm is another one elsewhere.
         let worm = &tool.flanks[flank].worm;
         let reach =
@@ -61,7 +61,7 @@ impl LeastRoom {
     pub fn outline(
         &self,
         setup: &GrindingSetup,
-        tool: &DresserTool,
+        (tool, tip_radius): (&DresserTool, f64),
         flank: Flank,
         tip_land: f64,
         left_out: u32,
@@ -75,15 +75,6 @@ impl LeastRoom {
             radii: [setup.worm_root_radius, setup.worm_tip_radius],
             b: 0.0,
         };
-        Ok(section(setup, tool, flank)?.outline(&self.dk, tip_land, &worm)?)
+        Ok(DresserSection::new(tool, flank, tip_radius)?.outline(&self.dk, tip_land, &worm)?)
     }
-}
-
-fn section<'a>(
-    setup: &GrindingSetup,
-    tool: &'a DresserTool,
-    flank: Flank,
-) -> Result<DresserSection<'a>, GeneratingError> {
-    let Some(choice) = &setup.input.dresser else { return Err(GeneratingError::NotDressed) };
-    Ok(DresserSection::new(tool, flank, 0.5 * choice.tip_diameter)?)
 }

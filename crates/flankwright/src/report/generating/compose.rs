@@ -1,7 +1,7 @@
 //! Puts the sections of a generating-grinding report in their order.
 
 use super::data::{GeneratingReport, RatioChoice, Verification};
-use super::{motions, result, topographies};
+use super::{motions, result, strokes, topographies};
 use crate::report::charts::{
     ChartError, dressing_section_chart, format_fixed, format_significant, worm_occupation_chart,
 };
@@ -13,6 +13,8 @@ impl GeneratingReport {
     /// # Errors
     /// [`ChartError`] if a motion or trace holds values that are not finite or lists of different length.
     pub fn to_page(&self) -> Result<PlanReport, ChartError> {
+        let mut dressing = motions::dressing(&self.dressing)?;
+        dressing.extend(strokes::figures(&self.strokes)?);
         let sections = vec![
             Section::new("Result per flank", result::summary(self)),
             warnings(self),
@@ -21,7 +23,7 @@ impl GeneratingReport {
             Section::new("Topographies", topographies::figures(&self.flanks)?),
             Section::new("Profile and helix", topographies::diagram(&self.flanks)?),
             Section::new("Grinding motion", motions::grinding(self.grinding_motion.as_ref())?),
-            Section::new("Dressing corrections", motions::dressing(&self.dressing)?),
+            Section::new("Dressing corrections", dressing),
             Section::new("Room for the dresser", sections(self)?),
             Section::new(
                 "How it was verified",

@@ -44,9 +44,22 @@ pub struct GeneratingReport {
     pub grinding_motion: Option<GrindingMotion>,
     /// Dressing corrections per flank; both equal if both flanks are dressed with one motion.
     pub dressing: Sides<Option<DressingMotion>>,
+    /// The strokes per flank, where the worm is dressed in strokes.
+    pub strokes: Sides<Vec<StrokeReport>>,
     /// What to know, with a way out.
     pub warnings: Vec<Warning>,
-    /// How the result was verified.
+    /// One stroke of dressing.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct StrokeReport {
+    /// Number of its dresser, from 1.
+    pub dresser: usize,
+    /// Lengths of roll of the worm that it dresses, mm.
+    pub range_mm: [f64; 2],
+    /// Its corrections.
+    pub motion: DressingMotion,
+}
+
+/// How the result was verified.
     pub verification: Option<Verification>,
     /// Largest error by round of the precompensation.
     pub convergence: Vec<ConvergenceRound>,

@@ -7,10 +7,11 @@ mod compose;
 mod data;
 mod motions;
 mod result;
+mod strokes;
 mod topographies;
 
 pub use data::{
     Characteristics, ConvergenceRound, DressingMotion, FlankReport, GeneratingReport, GrindingMotion,
-    OutsideTerm, RatioCandidate, RatioChoice, Reason, RefereeStage, TargetAmount, Timing, Verification,
+    OutsideTerm, RatioCandidate, RatioChoice, Reason, RefereeStage, StrokeReport, TargetAmount, Timing, Verification,
     WrittenFile,
 };

@@ -26,6 +26,7 @@ pub(super) fn job_of_pair(
         ..Worm::absent()
     };
     job.dresser = Some(Dresser {
+        others: Vec::new(),
         tip_diameter: dresser.tip_diameter,
         pitch_diameter: dresser.pitch_diameter,
         root_clearance: job.catalogue.as_ref().and_then(|source| source.root_clearance),

@@ -1,0 +1,113 @@
+//! The strokes of a worm flank as they are driven: from a plan or from `[settings.strokes]`, and back into settings. Knows no
+//! referee and no report.
+
+use super::finding::RunFailure;
+use crate::exchange::job::{Settings, StrokeSettings, StrokeTables};
+use crate::exchange::{Diagnostic, Problem};
+use crate::geometry::Flank;
+use crate::kinematics::DressingMotion;
+use crate::numerics::Chebyshev;
+use crate::process::dressing::{ActiveArea, dressing_motion};
+use crate::process::generating::{GeneratingError, StrokeLayout, StrokePlace, StrokedFlank};
+use std::f64::consts::PI;
+
+/// One stroke.
+#[derive(Clone, Debug)]
+pub struct ExecutedStroke {
+    /// What dresses which lengths of roll.
+    pub place: StrokePlace,
+    /// DK over v: rad, rad, mm, mm.
+    pub corrections: [Chebyshev; 4],
+    /// The motion that these corrections make.
+    pub motion: DressingMotion,
+}
+
+/// All strokes of a flank.
+#[derive(Clone, Debug)]
+pub struct ExecutedStrokes {
+    /// The strokes.
+    pub strokes: Vec<ExecutedStroke>,
+    /// Lengths of roll and worm z that they finish together, mm.
+    pub area: ([f64; 2], [f64; 2]),
+}
+
+impl ExecutedStrokes {
+    /// Of a dressed flank; `None` for a dresser that is not there.
+    pub(super) fn of_flank(layout: &StrokeLayout, flank: Flank, stroked: &StrokedFlank) -> Option<Self> {
+        let strokes = stroked.places.iter().zip(stroked.worm.strokes()).map(|(&place, along)| {
+            let chain = layout.dressers.get(place.dresser)?.flanks[flank].chain;
+            let corrections = along.corrections.clone();
+            let motion = dressing_motion(chain, &corrections);
+            Some(ExecutedStroke { place, corrections, motion })
+        });
+        Some(Self { strokes: strokes.collect::<Option<_>>()?, area: stroked.area })
+    }
+
+    /// The strokes as settings carry them.
+    pub(super) fn settings(&self) -> Vec<StrokeSettings> {
+        let of = |stroke: &ExecutedStroke| {
+            let (v_from_mm, v_to_mm) = stroke.corrections[0].interval();
+            let series =
+                |j: usize, unit: f64| stroke.corrections[j].coefficients().iter().map(|c| c * unit).collect();
+            StrokeSettings {
+                dresser: stroke.place.dresser + 1,
+                area_mm: stroke.place.area.part(),
+                touching_mm: stroke.place.area.touching(),
+                range_mm: stroke.place.range,
+                v_from_mm,
+                v_to_mm,
+                d_phi_s_deg: series(0, 180.0 / PI),
+                d_gamma_deg: series(1, 180.0 / PI),
+                d_d_mm: series(2, 1.0),
+                d_v_ya_mm: series(3, 1.0),
+            }
+        };
+        self.strokes.iter().map(of).collect()
+    }
+}
+
+/// The strokes of one flank that stand in settings.
+///
+/// # Errors
+/// [`RunFailure`] for settings without strokes, strokes that leave stock, numbers that are none.
+pub(super) fn strokes_of_settings(
+    settings: &Settings,
+    layout: &StrokeLayout,
+    flank: Flank,
+) -> Result<StrokedFlank, RunFailure> {
+    let StrokeTables { left, right } = &settings.strokes;
+    let given = match flank {
+        Flank::Left => left,
+        Flank::Right => right,
+    };
+    let field = format!("settings.strokes.{flank}");
+    if given.is_empty() {
+        let finding =
+            Diagnostic::new(Problem::MissingKey, format!("the strokes of the {flank} worm flank are missing"))
+                .field(field)
+                .allowed("one entry for each stroke")
+                .way_out("plan the job: `flankwright plan` writes them into settings.json");
+        return Err(RunFailure::bad_input(finding));
+    }
+    let mut strokes = Vec::with_capacity(given.len());
+    for (k, stroke) in given.iter().enumerate() {
+        let area = ActiveArea::new(stroke.area_mm, stroke.touching_mm)
+            .map_err(|e| RunFailure::on_field(&GeneratingError::from(e), &format!("{field}[{k}]")))?;
+        let place = StrokePlace { dresser: stroke.dresser.saturating_sub(1), area, range: stroke.range_mm };
+        strokes.push((place, correction_series(stroke)));
+    }
+    StrokedFlank::of_corrections(layout, flank, strokes).map_err(|e| RunFailure::on_field(&e, &field))
+}
+
+fn correction_series(s: &StrokeSettings) -> [Chebyshev; 4] {
+    let series = |c: &[f64], unit: f64| {
+        let coefficients = if c.is_empty() { vec![0.0] } else { c.iter().map(|c| c * unit).collect() };
+        Chebyshev::from_coefficients(s.v_from_mm, s.v_to_mm, coefficients)
+    };
+    [
+        series(&s.d_phi_s_deg, PI / 180.0),
+        series(&s.d_gamma_deg, PI / 180.0),
+        series(&s.d_d_mm, 1.0),
+        series(&s.d_v_ya_mm, 1.0),
+    ]
+}
