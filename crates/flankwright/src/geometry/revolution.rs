@@ -45,7 +45,13 @@ impl Revolution {
             let d3 = d2.derivative();
             [series, d1, d2, d3]
         };
-        Self { radius: jets(radius), axial: jets(axial), orientation: orientation.signum(), offset: None, part: None }
+        Self {
+            radius: jets(radius),
+            axial: jets(axial),
+            orientation: orientation.signum(),
+            offset: None,
+            part: None,
+        }
     }
 
     /// The same surface with its profile moved outwards by g(t) along its normal (more material for g > 0).

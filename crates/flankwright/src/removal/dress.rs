@@ -285,7 +285,11 @@ impl<'a> Cutter<'a> {
                 // The dresser ends here: a body that is only a part cuts with its edge, and less than nothing lies beyond the
                 // last stride.
                 let edge = self.setup.dresser.is_part();
-                return if edge { Ok((DressedRay { f: low.lam, shift: a }, 0.0)) } else { Err(Uncut::ToolMissing) };
+                return if edge {
+                    Ok((DressedRay { f: low.lam, shift: a }, 0.0))
+                } else {
+                    Err(Uncut::ToolMissing)
+                };
             }
             b = a + stride;
             if b < from - 0.5 * self.step || b > to + 0.5 * self.step {

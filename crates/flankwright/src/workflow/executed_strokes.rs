@@ -82,11 +82,13 @@ pub(super) fn strokes_of_settings(
     };
     let field = format!("settings.strokes.{flank}");
     if given.is_empty() {
-        let finding =
-            Diagnostic::new(Problem::MissingKey, format!("the strokes of the {flank} worm flank are missing"))
-                .field(field)
-                .allowed("one entry for each stroke")
-                .way_out("plan the job: `flankwright plan` writes them into settings.json");
+        let finding = Diagnostic::new(
+            Problem::MissingKey,
+            format!("the strokes of the {flank} worm flank are missing"),
+        )
+        .field(field)
+        .allowed("one entry for each stroke")
+        .way_out("plan the job: `flankwright plan` writes them into settings.json");
         return Err(RunFailure::bad_input(finding));
     }
     let mut strokes = Vec::with_capacity(given.len());

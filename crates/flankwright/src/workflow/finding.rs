@@ -118,7 +118,9 @@ pub(super) fn generating_finding(error: &GeneratingError) -> Diagnostic {
         GeneratingError::ToolUndefined { .. } => finding(error, "worm.modifications"),
         GeneratingError::NoCommonSwivel { .. } => finding(error, "grinding.gauge"),
         GeneratingError::NoFlank => finding(error, "grinding.flanks"),
-        GeneratingError::Dressing(DressingError::Gap { .. }) => finding(error, "dressing.strokes"),
+        GeneratingError::Stroke { .. } | GeneratingError::Dressing(DressingError::Gap { .. }) => {
+            finding(error, "dressing.strokes")
+        }
         GeneratingError::Dressing(_) => finding(error, "dressing"),
         _ => finding(error, "grinding"),
     }

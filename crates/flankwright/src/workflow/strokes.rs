@@ -20,14 +20,15 @@ pub(super) fn strokes_of_job(
     let (Some(strokes), Some(dresser)) = (&loaded.job.dressing.strokes, &loaded.job.dresser) else {
         return Ok(None);
     };
-    let given = |tip_diameter: f64, pitch_diameter: Option<f64>, modification: &DresserModification, place: &str| {
-        let specs = modification.given().unwrap_or_default();
-        let carries = Sides::try_from_fn(|flank| {
-            dresser_profile(loaded, specs, flank, &setup.fields[flank], place).map(|made| made.terms())
-        });
-        let choice = DresserChoice { tip_diameter, pitch_diameter, designed_for: None };
-        carries.map(|carries| GivenDresser { choice, carries }).map_err(RunFailure::bad_input)
-    };
+    let given =
+        |tip_diameter: f64, pitch_diameter: Option<f64>, modification: &DresserModification, place: &str| {
+            let specs = modification.given().unwrap_or_default();
+            let carries = Sides::try_from_fn(|flank| {
+                dresser_profile(loaded, specs, flank, &setup.fields[flank], place).map(|made| made.terms())
+            });
+            let choice = DresserChoice { tip_diameter, pitch_diameter, designed_for: None };
+            carries.map(|carries| GivenDresser { choice, carries }).map_err(RunFailure::bad_input)
+        };
     let (tip, pitch) = (dresser.tip_diameter, dresser.pitch_diameter);
     let mut dressers = vec![given(tip, pitch, &dresser.modification, "dresser.modification")?];
     for (k, other) in dresser.others.iter().enumerate() {
@@ -38,11 +39,7 @@ pub(super) fn strokes_of_job(
     let areas = strokes
         .areas
         .iter()
-        .map(|area| AreaOfDresser {
-            dresser: area.dresser.saturating_sub(1),
-            from: area.from,
-            to: area.to,
-        })
+        .map(|area| AreaOfDresser { dresser: area.dresser.saturating_sub(1), from: area.from, to: area.to })
         .collect();
     let sections = strokes
         .sections

@@ -206,22 +206,28 @@ fn settings(job: &Job, findings: &mut Vec<Diagnostic>) {
     let dressers = 1 + job.dresser.as_ref().map_or(0, |dresser| dresser.others.len());
     if job.dressing.strokes.is_none() && !settings.strokes.is_empty() {
         findings.push(
-            Diagnostic::new(Problem::InvalidJob, "settings of strokes are given, but the worm is dressed in one")
-                .field("settings.strokes")
-                .value("a table")
-                .allowed("no key, or a table [dressing.strokes]")
-                .way_out("remove them, or add [dressing.strokes]"),
+            Diagnostic::new(
+                Problem::InvalidJob,
+                "settings of strokes are given, but the worm is dressed in one",
+            )
+            .field("settings.strokes")
+            .value("a table")
+            .allowed("no key, or a table [dressing.strokes]")
+            .way_out("remove them, or add [dressing.strokes]"),
         );
     }
     if job.dressing.strokes.is_some() {
         for (flank, given) in [("left", &settings.left), ("right", &settings.right)] {
             if given.is_some() {
                 findings.push(
-                    Diagnostic::new(Problem::InvalidJob, "one motion is given for a flank that is dressed in strokes")
-                        .field(format!("settings.{flank}"))
-                        .value("a table")
-                        .allowed(format!("settings.strokes.{flank}"))
-                        .way_out("plan the job again, or leave [dressing.strokes] out"),
+                    Diagnostic::new(
+                        Problem::InvalidJob,
+                        "one motion is given for a flank that is dressed in strokes",
+                    )
+                    .field(format!("settings.{flank}"))
+                    .value("a table")
+                    .allowed(format!("settings.strokes.{flank}"))
+                    .way_out("plan the job again, or leave [dressing.strokes] out"),
                 );
             }
         }

@@ -6,8 +6,8 @@ use super::stroke::check_range;
 use super::stroke_surface::StrokeSurface;
 use super::topological::follow_nodes;
 use super::{
-    ActiveArea, DressedProfile, DressedWorm, DresserTool, DressingError, EnvelopePoint, NodePlan, NodeSolution,
-    Stroke, pitch_rolls,
+    ActiveArea, DressedProfile, DressedWorm, DresserTool, DressingError, EnvelopePoint, NodePlan,
+    NodeSolution, Stroke, pitch_rolls,
 };
 use crate::geometry::Flank;
 use crate::kinematics::DressingCorrection;
@@ -130,11 +130,7 @@ impl StrokeAlong {
     ///
     /// # Errors
     /// [`DressingError::InvalidNumber`] for an area that the dresser does not have, and for the range.
-    pub fn at(
-        stroke: &Stroke<'_>,
-        flank: Flank,
-        corrections: [Chebyshev; 4],
-    ) -> Result<Self, DressingError> {
+    pub fn at(stroke: &Stroke<'_>, flank: Flank, corrections: [Chebyshev; 4]) -> Result<Self, DressingError> {
         stroke.area.check(stroke.tool, flank)?;
         check_range(stroke.range)?;
         let mut seated = stroke.area.seated(stroke.tool, flank, stroke.range);

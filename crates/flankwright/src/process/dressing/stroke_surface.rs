@@ -24,7 +24,8 @@ impl<'a> StrokeSurface<'a> {
     pub(super) fn new(worm: &'a DressedWorm, seated: &'a DresserTool, flank: Flank) -> Self {
         let (from, to) = worm.interval();
         let none = Chebyshev::constant(from - BEYOND, to + BEYOND, 0.0);
-        let nominal = DressedWorm::new(&seated.plain(), flank, &[none.clone(), none.clone(), none.clone(), none]);
+        let nominal =
+            DressedWorm::new(&seated.plain(), flank, &[none.clone(), none.clone(), none.clone(), none]);
         Self { worm, nominal, seated: &seated.flanks[flank], share: 1.0 }
     }
 

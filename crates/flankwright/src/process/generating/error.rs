@@ -24,6 +24,14 @@ pub enum GeneratingError {
     /// Dresser and worm do not touch as they should.
     #[error(transparent)]
     Dressing(#[from] DressingError),
+    /// A stroke of dressing cannot be made.
+    #[error("stroke {number} of the dressing: {error}")]
+    Stroke {
+        /// Which, from 1.
+        number: usize,
+        /// Why.
+        error: DressingError,
+    },
     /// The worm is too narrow for the modified area.
     #[error(
         "the plan needs {needed:.2} mm of worm width, the worm has {width:.2} mm (diagonal ratio {ratio:.4})"
@@ -314,6 +322,7 @@ impl GeneratingError {
             Self::Modification(e) => e.code(),
             Self::Contact(e) => e.code(),
             Self::Dressing(e) => e.code(),
+            Self::Stroke { error, .. } => error.code(),
             Self::WormTooShort { .. } => "worm-too-short",
             Self::AxisLimit { .. } => "axis-limit",
             Self::DegenerateDirection { .. } => "degenerate-direction",
@@ -354,6 +363,17 @@ impl GeneratingError {
             Self::Modification(e) => e.way_out().to_string(),
             Self::Contact(e) => e.way_out().to_string(),
             Self::Dressing(e) => e.way_out().to_string(),
+            Self::Stroke {
+                error:
+                    DressingError::NoZero { .. }
+                    | DressingError::NoContact { .. }
+                    | DressingError::OutOfDresser { .. },
+                ..
+            } => {
+                "bend its section less, hollow ones above all, divide it, or dress it with an area nearer to its place on the dresser"
+                    .into()
+            }
+            Self::Stroke { error, .. } => error.way_out().to_string(),
             Self::WormTooShort { .. } => {
                 "take a wider worm, a diagonal ratio of smaller magnitude, or put the profile crowning into the diagonal"
                     .into()
@@ -435,7 +455,7 @@ impl GeneratingError {
                     | ContactError::NoStart { .. }
                     | ContactError::ContactBelowBase { .. }
             ),
-            Self::Dressing(e) => matches!(
+            Self::Dressing(e) | Self::Stroke { error: e, .. } => matches!(
                 e,
                 DressingError::Geometry(_)
                     | DressingError::InvalidNumber { .. }

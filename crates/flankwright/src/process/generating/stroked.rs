@@ -31,6 +31,8 @@ const MOST_SMOOTH_NODES: usize = 65;
 const EDGE: f64 = 0.5;
 /// Lengths of roll by which a stroke may stand off a point and still be asked for it, mm.
 const NEAR: f64 = 1.0;
+/// A contact stands on the finished worm if no stroke cuts deeper there by more than this, mm: rounding of two envelopes.
+const STANDING: f64 = 1e-9;
 /// Parameters that differ by less are the same, mm.
 const ROUNDING: f64 = 1e-9;
 
@@ -96,12 +98,19 @@ impl StrokedFlank {
         let places = layout.strokes[flank].clone();
         let solved: Vec<_> =
             places.par_iter().map(|place| along(setup, layout, worm, flank, place, ends)).collect();
-        let strokes = solved.into_iter().collect::<Result<Vec<_>, _>>()?;
+        // The first of the strokes that fail is named, on any number of threads.
+        let numbered = solved.into_iter().zip(1..).map(|(solved, number)| {
+            solved.map_err(|error| match error {
+                GeneratingError::Dressing(error) => GeneratingError::Stroke { number, error },
+                other => other,
+            })
+        });
+        let strokes = numbered.collect::<Result<Vec<_>, _>>()?;
         Self::new(layout, flank, places, strokes)
     }
 
-    /// The exact flank that the strokes leave on the workpiece, by grid point: the worm is what every stroke has left of it, so that of
-    /// the strokes that reach a point the one counts which grinds least. Tool parameters of the solutions are (w_1, z_1).
+    /// The exact flank that the strokes leave on the workpiece, by grid point, from the contacts with every stroke: those count that
+    /// stand on the finished worm, the least of all strokes. Tool parameters of the solutions are (w_1, z_1).
     ///
     /// # Errors
     /// Those of the exact contact where no stroke grinds a point; [`DressingError::Gap`].
@@ -118,33 +127,20 @@ impl StrokedFlank {
         let reaches: Vec<[f64; 2]> = self.places.iter().map(reach).collect();
         let point = |w_2: f64, z_2: f64| {
             let (w_1, z_1) = setup.lines[flank].worm_point(w_2, z_2, &motion.shift);
-            let mut best: Option<(f64, ContactSolution)> = None;
-            let mut failure = None;
+            let (mut found, mut failure) = (Vec::new(), None);
             for ((stroke, contact), near) in self.worm.strokes().iter().zip(&contacts).zip(&reaches) {
                 if w_1 < near[0] - NEAR || w_1 > near[1] + NEAR {
                     continue;
                 }
-                let found = match contact.solve(w_2, z_2) {
-                    Ok(found) => found,
+                match contact.solve(w_2, z_2) {
+                    Ok(solution) => found.extend(Touch::new(stroke, solution)),
                     Err(error) => {
                         failure.get_or_insert(error);
-                        continue;
                     }
-                };
-                let (t, v) = found.tool;
-                let [from, to] = stroke.touching();
-                let beyond = (from - t).max(t - to).max(0.0);
-                let beyond = if beyond <= ROUNDING { 0.0 } else { beyond };
-                let Some(foot) = stroke.envelope_point(t, v).filter(|_| beyond <= EDGE) else { continue };
-                let counts = best.is_none_or(|(least, other)| {
-                    if beyond == least { found.f_n > other.f_n } else { beyond < least }
-                });
-                if counts {
-                    best = Some((beyond, ContactSolution { tool: (foot.w, foot.b), ..found }));
                 }
             }
-            match (best, failure) {
-                (Some((_, found)), _) => Ok(found),
+            match (self.what_grinds(found), failure) {
+                (Some(solution), _) => Ok(solution),
                 (None, Some(error)) => Err(error.into()),
                 (None, None) => Err(GeneratingError::from(DressingError::Gap {
                     flank,
@@ -164,6 +160,49 @@ impl StrokedFlank {
             solutions.extend(row?);
         }
         Ok(solutions)
+    }
+
+    /// The contact that leaves least among those on the finished worm. Where there is none, a ridge between two strokes grinds, which
+    /// lies beside the contacts of both: the one that leaves more is nearer to it.
+    fn what_grinds(&self, touches: Vec<Touch>) -> Option<ContactSolution> {
+        let inside: Vec<&Touch> = touches.iter().filter(|touch| touch.beyond == 0.0).collect();
+        if let [only] = inside.as_slice() {
+            return Some(only.solution);
+        }
+        let stands = |touch: &&&Touch| {
+            let (w, b) = touch.solution.tool;
+            self.worm.modification(w, b).is_ok_and(|least| touch.f <= least.f + STANDING)
+        };
+        let by_height = |a: &&&Touch, b: &&&Touch| a.solution.f_n.total_cmp(&b.solution.f_n);
+        let on_worm = inside.iter().filter(stands).min_by(by_height);
+        let nearest = || touches.iter().min_by(|a, b| a.beyond.total_cmp(&b.beyond));
+        on_worm
+            .or_else(|| inside.iter().max_by(by_height))
+            .copied()
+            .or_else(nearest)
+            .map(|touch| touch.solution)
+    }
+}
+
+/// A contact of the workpiece with the envelope of one stroke.
+struct Touch {
+    /// The contact; its tool parameters are (w_1, z_1).
+    solution: ContactSolution,
+    /// Modification of the stroke there, mm.
+    f: f64,
+    /// How far beyond the active area it lies, mm of the profile parameter.
+    beyond: f64,
+}
+
+impl Touch {
+    /// `None` for a contact far beyond the active area.
+    fn new(stroke: &StrokeAlong, found: ContactSolution) -> Option<Self> {
+        let (t, v) = found.tool;
+        let [from, to] = stroke.touching();
+        let beyond = (from - t).max(t - to);
+        let beyond = if beyond <= ROUNDING { 0.0 } else { beyond };
+        let foot = stroke.envelope_point(t, v).filter(|_| beyond <= EDGE)?;
+        Some(Self { solution: ContactSolution { tool: (foot.w, foot.b), ..found }, f: foot.f, beyond })
     }
 }
 

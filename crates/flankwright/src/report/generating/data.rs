@@ -48,18 +48,7 @@ pub struct GeneratingReport {
     pub strokes: Sides<Vec<StrokeReport>>,
     /// What to know, with a way out.
     pub warnings: Vec<Warning>,
-    /// One stroke of dressing.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct StrokeReport {
-    /// Number of its dresser, from 1.
-    pub dresser: usize,
-    /// Lengths of roll of the worm that it dresses, mm.
-    pub range_mm: [f64; 2],
-    /// Its corrections.
-    pub motion: DressingMotion,
-}
-
-/// How the result was verified.
+    /// How the result was verified.
     pub verification: Option<Verification>,
     /// Largest error by round of the precompensation.
     pub convergence: Vec<ConvergenceRound>,
@@ -208,6 +197,17 @@ pub struct DressingMotion {
     pub d_d_mm: Vec<f64>,
     /// Change of the dresser's tangential offset, mm.
     pub d_v_ya_mm: Vec<f64>,
+}
+
+/// One stroke of dressing.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct StrokeReport {
+    /// Number of its dresser, from 1.
+    pub dresser: usize,
+    /// Lengths of roll of the worm that it dresses, mm.
+    pub range_mm: [f64; 2],
+    /// Its corrections.
+    pub motion: DressingMotion,
 }
 
 /// How the result was verified.

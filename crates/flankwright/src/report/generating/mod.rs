@@ -12,6 +12,6 @@ mod topographies;
 
 pub use data::{
     Characteristics, ConvergenceRound, DressingMotion, FlankReport, GeneratingReport, GrindingMotion,
-    OutsideTerm, RatioCandidate, RatioChoice, Reason, RefereeStage, StrokeReport, TargetAmount, Timing, Verification,
-    WrittenFile,
+    OutsideTerm, RatioCandidate, RatioChoice, Reason, RefereeStage, StrokeReport, TargetAmount, Timing,
+    Verification, WrittenFile,
 };
