@@ -32,6 +32,7 @@ pub struct DressedFlank {
 #[derive(Clone, Debug, PartialEq)]
 pub struct DressedSurface {
     spline: TensorSpline,
+    creases: Vec<f64>,
     /// Largest difference between the spline and exact rays in the middles of cells, um.
     pub interpolation_um: f64,
     /// Bound of the surface's error, um: the rays' own and the interpolation's.
@@ -69,7 +70,8 @@ impl DressedFlank {
         }
         let interpolation_um = interpolation * 1e3;
         // Between the check rays the spline misses by up to 1.5 times what it misses at them; 2 covers that.
-        Ok(DressedSurface { spline, interpolation_um, error_um: self.error_um + 2.0 * interpolation_um })
+        let creases = creases(self.grid.w());
+        Ok(DressedSurface { spline, creases, interpolation_um, error_um: self.error_um + 2.0 * interpolation_um })
     }
 }
 
@@ -86,9 +88,35 @@ impl WormModification for DressedSurface {
         self.spline.domain()
     }
 
+    fn creases(&self) -> &[f64] {
+        &self.creases
+    }
+
     fn error_um(&self) -> f64 {
         self.error_um
     }
+}
+
+/// Cells as narrow as this stand only where a flank bends most sharply, mm.
+const NARROW: f64 = 0.01;
+
+/// Where the grid has been refined to narrow cells, once for each run of them.
+fn creases(w: &[f64]) -> Vec<f64> {
+    let mut found = Vec::new();
+    let mut begun: Option<f64> = None;
+    for pair in w.windows(2) {
+        let narrow = pair[1] - pair[0] < NARROW;
+        match begun {
+            None if narrow => begun = Some(pair[0]),
+            Some(start) if !narrow => {
+                found.push(0.5 * (start + pair[0]));
+                begun = None;
+            }
+            _ => {}
+        }
+    }
+    found.extend(begun.zip(w.last()).map(|(start, end)| 0.5 * (start + end)));
+    found
 }
 
 /// One number of every ray, or the first ray without one and how many there are.

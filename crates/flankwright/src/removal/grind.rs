@@ -53,6 +53,11 @@ pub struct Grinding<'a> {
     pub mode: GrindingMode,
 }
 
+/// Bottoms whose foot is nearer than this to a crease of the worm may have others beside them, mm of roll: contacts on both sides of
+/// an angle of 0.01 rad lie no further apart.
+const BESIDE_CREASE: f64 = 0.6;
+/// Ways along the path of contact at which these are looked for, mm.
+const CREASE_STRIDES: [f64; 8] = [-0.6, -0.3, -0.15, -0.07, 0.07, 0.15, 0.3, 0.6];
 /// Largest slope of the gap along a ray that counts as meeting the worm from its front (spec 20 section 9).
 const FACING: f64 = -0.3;
 /// Rounding of a length, mm: coordinates of some 100 mm and roll angles of some 10 rad on base radii of some 10 mm.
@@ -347,7 +352,8 @@ impl<'a> Engagement<'a> {
         };
         let finished = match evaluate(start, candidate.gap) {
             None => Ok(None),
-            Some(first) => descend(start, Vector2::from(sweep.step), first.lam, &mut evaluate)
+            Some(first) => self
+                .deepest(start, sweep, first.lam, &mut evaluate)
                 .ok_or(Uncut::NotConverged)
                 .and_then(|bottom| self.judged(&bottom).map(|()| bottom))
                 .and_then(|bottom| {
@@ -369,6 +375,37 @@ impl<'a> Engagement<'a> {
         };
         *exact += count;
         finished
+    }
+
+    /// The bottom below a start; beside a crease of the worm the deepest of those that lie side by side.
+    fn deepest(
+        &self,
+        start: Vector2<f64>,
+        sweep: &Sweep,
+        guess: f64,
+        evaluate: &mut impl FnMut(Vector2<f64>, f64) -> Option<Length>,
+    ) -> Option<Bottom<Length>> {
+        let scale = Vector2::from(sweep.step);
+        let mut best = descend(start, scale, guess, &mut *evaluate);
+        let creases = self.setup.modification.creases();
+        let roll = best.as_ref().map(|bottom| bottom.sample.foot[0]);
+        if !creases.iter().any(|crease| roll.is_none_or(|roll| (roll - crease).abs() < BESIDE_CREASE)) {
+            return best;
+        }
+        let from = best.as_ref().map_or(start, |bottom| bottom.x);
+        for stride in CREASE_STRIDES {
+            // A turn of the workpiece moves the foot along the path of contact by about its base radius.
+            let turned = from + Vector2::new(stride / self.setup.work.base_radius, 0.0);
+            let other = descend(turned, scale, guess, &mut *evaluate);
+            let deeper = |bottom: &Bottom<Length>| {
+                self.judged(bottom).is_ok()
+                    && best.as_ref().is_none_or(|best| bottom.sample.lam < best.sample.lam)
+            };
+            if other.as_ref().is_some_and(deeper) {
+                best = other;
+            }
+        }
+        best
     }
 
     /// The thread on which a bottom lies when phi_2 is the bottom's own angle, no whole turns added.

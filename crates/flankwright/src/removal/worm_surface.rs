@@ -19,6 +19,11 @@ pub trait WormModification: Sync {
         [[f64::NEG_INFINITY, f64::INFINITY]; 2]
     }
 
+    /// Lengths of roll at which the function bends so sharply that there may be several bottoms side by side, mm.
+    fn creases(&self) -> &[f64] {
+        &[]
+    }
+
     /// Bound of the function's own error, um.
     fn error_um(&self) -> f64 {
         0.0
