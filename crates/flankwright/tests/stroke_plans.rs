@@ -55,7 +55,8 @@ const OTHERS: &str = "[[dresser.others]]\ntip_diameter = 100.0\n";
 #[test]
 fn reliefs_of_plain_dressers_on_both_hands() {
     let right = planned(&[]);
-    let hands = [("helix_angle_deg = 35.0", "helix_angle_deg = -35.0"), ("hand = \"right\"", "hand = \"left\"")];
+    let hands =
+        [("helix_angle_deg = 35.0", "helix_angle_deg = -35.0"), ("hand = \"right\"", "hand = \"left\"")];
     let left = planned(&hands);
     for outcome in [&right, &left] {
         assert_eq!(outcome.result.status, Status::Met, "{:?}", outcome.result.reason);
@@ -79,12 +80,7 @@ fn another_grouping_of_strokes_gives_the_same_flank() {
     let smooth = (RELIEFS, "");
     let one = "areas = [{ from = -0.1, to = 1.1 }]";
     let two = "areas = [{ from = -0.1, to = 0.5 }, { from = 0.5, to = 1.1 }]";
-    let whole = planned(&[
-        smooth,
-        (OTHERS, ""),
-        (AREAS, one),
-        (SECTIONS, "sections = [{ to = 1.0 }]"),
-    ]);
+    let whole = planned(&[smooth, (OTHERS, ""), (AREAS, one), (SECTIONS, "sections = [{ to = 1.0 }]")]);
     let halves = planned(&[
         smooth,
         (OTHERS, ""),
@@ -158,7 +154,10 @@ fn settings_go_round_and_threads_change_nothing() {
 fn a_stroke_that_cannot_be_made_is_named() {
     // A hollow of 8 um over a short section is beyond what corrections bend.
     let hollow = "length_mm = 2.6, exponent = 2 }";
-    let refused = plan_job(&job(&[("amount_um = 4.0, length_mm = 2.6 }", &format!("amount_um = 12.0, {hollow}"))]), &Silent);
+    let refused = plan_job(
+        &job(&[("amount_um = 4.0, length_mm = 2.6 }", &format!("amount_um = 12.0, {hollow}"))]),
+        &Silent,
+    );
     let Err(RunFailure::NotProducible(finding)) = refused else { panic!("a hollow relief is made") };
     assert_eq!(finding.code, "no-zero");
     assert_eq!(finding.field.as_deref(), Some("dressing.strokes"));

@@ -71,7 +71,12 @@ impl DressedFlank {
         let interpolation_um = interpolation * 1e3;
         // Between the check rays the spline misses by up to 1.5 times what it misses at them; 2 covers that.
         let creases = creases(self.grid.w());
-        Ok(DressedSurface { spline, creases, interpolation_um, error_um: self.error_um + 2.0 * interpolation_um })
+        Ok(DressedSurface {
+            spline,
+            creases,
+            interpolation_um,
+            error_um: self.error_um + 2.0 * interpolation_um,
+        })
     }
 }
 
