@@ -561,7 +561,7 @@ const CASES: &[Case] = &[
     ),
     case(
         "[dressing]",
-        "[dressing]\nstrokes = { areas = [{ from = 0.0, to = 1.0 }], sections = [{ to = 1.0 }] }",
+        "modification = \"target\"\n\n[dressing]\nstrokes = { areas = [{ from = 0.0, to = 1.0 }], sections = [{ to = 1.0 }] }",
         "invalid-job",
         "dresser.modification",
         &["target", "none"],
