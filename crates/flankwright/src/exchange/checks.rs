@@ -24,8 +24,8 @@ pub(super) fn check(job: &Job) -> Vec<Diagnostic> {
     // Without a worm there is nothing to say about it.
     if !job.worm.is_absent() {
         tool::check(job, &mut findings);
-        strokes::check(job, &mut findings);
     }
+    strokes::check(job, &mut findings);
     grinding::check(job, &mut findings);
     explore::check(job, &mut findings);
     settings(job, &mut findings);

@@ -20,6 +20,14 @@ pub(super) fn check(job: &Job, findings: &mut Vec<Diagnostic>) {
             beside(job, dresser, findings);
         }
     }
+    if job.catalogue.is_some() && job.dressing.strokes.is_some() {
+        findings.push(
+            not_yet(STROKES, "dressing in strokes with a dresser from a catalogue")
+                .value("a table")
+                .allowed("no key, or tables [worm] and [dresser]")
+                .way_out("give worm and dresser in the job, or leave `strokes` out"),
+        );
+    }
     settings(job, findings);
 }
 
