@@ -10,6 +10,7 @@ const PLANS: &[(&str, i32)] = &[
     ("beveloid-cylindrical-worm.toml", 0),
     ("catalogue.toml", 0),
     ("dressing/conical-worm.toml", 0),
+    ("dressing/gear-root.toml", 0),
     ("dressing/two-flanks.toml", 0),
     ("hob.toml", 0),
     ("left-out-thread.toml", 0),

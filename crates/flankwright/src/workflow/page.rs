@@ -262,6 +262,44 @@ fn settings_quantities(outcome: &Outcome, job: &Job) -> Vec<Quantity> {
         list.push(Quantity::text("index offsets of the strokes (pitches)", joined(&strokes.index_pitches)));
         list.push(Quantity::number("share of the full feed", "", strokes.feed_factor, ""));
     }
+    if let Some(root) = &outcome.result.gear_root {
+        list.push(Quantity::number("ground root diameter from", "d_fE", root.root_diameter_mm[0], "mm"));
+        list.push(Quantity::number("ground root diameter to", "d_fE", root.root_diameter_mm[1], "mm"));
+        list.push(Quantity::number(
+            "tip diameter of the worm from",
+            "d_aS",
+            root.worm_tip_diameter_mm[0],
+            "mm",
+        ));
+        list.push(Quantity::number(
+            "tip diameter of the worm to",
+            "d_aS",
+            root.worm_tip_diameter_mm[1],
+            "mm",
+        ));
+        for (flank, fillet) in root.flanks.iter() {
+            let Some(fillet) = fillet else { continue };
+            let of = |what: &str| format!("{what}, {flank}");
+            list.push(Quantity::number(
+                &of("fillet begins at diameter"),
+                "d_Ff",
+                fillet.form_diameter_mm,
+                "mm",
+            ));
+            list.push(Quantity::number(
+                &of("least radius of the fillet"),
+                "ρ_F",
+                fillet.least_radius_mm,
+                "mm",
+            ));
+            list.push(Quantity::number(
+                &of("fillet, plan against referee"),
+                "",
+                fillet.model_difference_um,
+                "um",
+            ));
+        }
+    }
     if let Some(feed) = job.grinding.feed_per_revolution {
         list.push(Quantity::number("feed per revolution of the gear", "", feed, "mm"));
     }

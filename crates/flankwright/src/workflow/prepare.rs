@@ -4,8 +4,8 @@ use super::finding::{Remark, RunFailure, generating_finding, geometry_finding, m
 use super::shift::shift_of_job;
 use crate::exchange::job::{
     Condition, DegreeOfFreedom, DesignedFor, DiagonalRatio, Dressing, DressingFlanks, Fit, Flanks, Gauge,
-    GaugeRule, Job, Method, Modification as JobModification, ProfileCrowningBy, ToleranceMapSource,
-    Tool as JobTool,
+    GaugeRule, Job, Method, Modification as JobModification, ProfileCrowningBy, RootAlong,
+    ToleranceMapSource, Tool as JobTool,
 };
 use crate::exchange::{
     Diagnostic, LoadedJob, Problem, TableForm, read_grid_target, read_points, read_tolerances, read_traces,
@@ -21,7 +21,7 @@ use crate::process::generating::areas::AreaPlan;
 use crate::process::generating::least_squares::FitNorm;
 use crate::process::generating::{
     Carrier, DresserChoice, DressingLimits, DressingRows, FlankRows, FlankTarget, FreeCoefficients,
-    GrindingSetup, PlanGauge, PlanTask, ProfilePlace, SetupInput, Tool,
+    GearRootChoice, GrindingSetup, PlanGauge, PlanTask, ProfilePlace, SetupInput, Tool,
 };
 
 /// A job made ready for planning.
@@ -207,6 +207,11 @@ pub fn setup_of_job(job: &Job) -> Result<GrindingSetup, RunFailure> {
             .as_ref()
             .map(|given| given.sides().map(|_, rho| rho.to_radians().tan())),
         root_clearance: job.dresser.as_ref().and_then(|d| d.root_clearance),
+        gear_root: job.dressing.gear_root.map(|root| GearRootChoice {
+            corner_radius: root.corner_radius,
+            constant: root.along == RootAlong::Constant,
+            least_fillet_radius: root.least_fillet_radius,
+        }),
     })
     .map_err(|e| RunFailure::from(&e))?;
     let made = setup.pair.worm.data().pressure_angle;

@@ -1,6 +1,7 @@
 //! `result.json`: what a plan or a simulation came to, with units in the key names (spec 90 section 3).
 
 use super::finding::Remark;
+use super::gear_root::GearRootResult;
 use super::partition::{Partition, StrokePlan};
 use crate::exchange::job::Settings;
 use crate::geometry::Sides;
@@ -185,6 +186,9 @@ pub struct JobResult {
     pub settings: SettingsResult,
     /// Flanks that are ground.
     pub flanks: BTreeMap<&'static str, FlankResult>,
+    /// The root of the gear; absent unless the worm's tip grinds it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gear_root: Option<GearRootResult>,
     /// Largest error of the ideal worm by round of precompensation, per flank.
     pub ideal_error_by_round_um: Sides<Vec<f64>>,
     /// Seconds per stage; the only part that differs between two runs.

@@ -3,6 +3,7 @@
 use super::equal_ratio_offers::equal_ratio_remark;
 use super::execution::Execution;
 use super::finding::{Remark, RunFailure};
+use super::gear_root::gear_root;
 use super::partition::{Partition, StrokePlan};
 use super::prepare::{Prepared, prepare};
 use super::referee::{self, Cutting, Verdict};
@@ -112,6 +113,7 @@ fn finish(
             Diagnostic::with_code(e.code(), e.to_string()).field("grinding").way_out(e.way_out().to_string());
         RunFailure::not_producible(finding)
     })?;
+    let gear_root = gear_root(&prepared, &execution)?;
     timing.insert("referee", refereeing.elapsed().as_secs_f64());
     let mut warnings = prepared.warnings.clone();
     warnings.extend(execution.warnings.iter().cloned());
@@ -209,6 +211,7 @@ fn finish(
                 .map(|d| d.flanks.left.chain.crossing_angle.to_degrees()),
         },
         flanks,
+        gear_root,
         ideal_error_by_round_um: plan.as_ref().map_or(Sides { left: Vec::new(), right: Vec::new() }, |p| {
             p.ideal_error_by_round.map(|_, e| e.iter().map(|e| e * 1e3).collect())
         }),

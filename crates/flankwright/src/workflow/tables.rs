@@ -34,6 +34,29 @@ pub fn topography(outcome: &Outcome) -> Result<CsvTable, CsvError> {
     Ok(table)
 }
 
+/// Sections of the ground root; `None` where the worm's tip does not grind it.
+///
+/// # Errors
+/// A value that is not finite.
+pub fn gear_root(outcome: &Outcome) -> Result<Option<CsvTable>, CsvError> {
+    let Some(root) = &outcome.result.gear_root else { return Ok(None) };
+    let columns = [
+        Column::new("z", "mm"),
+        Column::new("x", "mm"),
+        Column::new("y", "mm"),
+        Column::new("diameter", "mm"),
+    ];
+    let mut table = CsvTable::labelled("flank", &columns);
+    for (flank, fillet) in root.flanks.iter() {
+        for section in fillet.iter().flat_map(|fillet| &fillet.sections) {
+            for &[x, y] in &section.points_mm {
+                table.push_labelled(flank.name(), &[section.z_mm, x, y, 2.0 * x.hypot(y)])?;
+            }
+        }
+    }
+    Ok(Some(table))
+}
+
 /// The grinding motion over the feed z_V2.
 ///
 /// # Errors

@@ -77,6 +77,9 @@ pub fn write_outcome(job: &Job, outcome: &Outcome, directory: &Path) -> Result<V
             tables::grinding_motion(outcome)?.text().into(),
         ),
     ];
+    if let Some(table) = tables::gear_root(outcome)? {
+        files.push(("gear-root.csv".into(), "sections of the ground root", table.text().into()));
+    }
     for flank in Flank::BOTH {
         if let Some(table) = tables::dressing_motion(outcome, flank)? {
             let path = format!("motions/dressing-{flank}.csv");
@@ -108,7 +111,7 @@ pub fn write_outcome(job: &Job, outcome: &Outcome, directory: &Path) -> Result<V
 }
 
 /// Names that a run may write; what an earlier run left of them and this one does not write would contradict it.
-const NAMES: [&str; 9] = [
+const NAMES: [&str; 10] = [
     "result.json",
     "settings.json",
     "topography.csv",
@@ -117,6 +120,7 @@ const NAMES: [&str; 9] = [
     "motions/dressing-right.csv",
     "tool-left.csv",
     "tool-right.csv",
+    "gear-root.csv",
     "report.html",
 ];
 

@@ -3,6 +3,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::gear_root::GearRoot;
+
 /// How the worm is dressed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -25,6 +27,9 @@ pub struct Dressing {
     /// What makes the profile crowning.
     #[serde(default)]
     pub profile_crowning_by: ProfileCrowningBy,
+    /// The worm's tip grinds the root of the gear; goes with the condition `"head"`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gear_root: Option<GearRoot>,
 }
 
 impl Default for Dressing {
@@ -35,6 +40,7 @@ impl Default for Dressing {
             flanks: DressingFlanks::default(),
             strokes: None,
             profile_crowning_by: ProfileCrowningBy::default(),
+            gear_root: None,
         }
     }
 }
