@@ -7,6 +7,7 @@ mod equal_ratio_offers;
 mod execution;
 mod explore;
 mod finding;
+mod line_dressing;
 mod occupation;
 mod page;
 mod partition;
@@ -37,6 +38,7 @@ pub use explore::{
     write_exploration,
 };
 pub use finding::{Remark, RunFailure};
+pub use line_dressing::{LineDressingResult, WrittenFlank};
 pub use occupation::occupation_chart;
 pub use partition::{Partition, StrokePlan};
 pub use prepare::{Prepared, blank_of_job, gear_of_job, prepare, setup_of_job, tolerance_of_job};

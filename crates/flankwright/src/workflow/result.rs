@@ -1,6 +1,7 @@
 //! `result.json`: what a plan or a simulation came to, with units in the key names (spec 90 section 3).
 
 use super::finding::Remark;
+use super::line_dressing::LineDressingResult;
 use super::partition::{Partition, StrokePlan};
 use crate::exchange::job::Settings;
 use crate::geometry::Sides;
@@ -82,6 +83,9 @@ pub struct FlankResult {
     /// Height of the true feed marks over the envelope (sample of rays); absent without a feed per revolution.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub feed_mark_um: Option<f64>,
+    /// How the worm flank is written line by line; absent for every other tool.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub line_dressing: Option<LineDressingResult>,
     /// Characteristics of the target.
     pub target_characteristics: CharacteristicsUm,
     /// Characteristics of the simulated flank.

@@ -3,6 +3,7 @@
 use super::equal_ratio_offers::equal_ratio_remark;
 use super::execution::Execution;
 use super::finding::{Remark, RunFailure};
+use super::line_dressing::{WrittenFlank, line_dressing};
 use super::partition::{Partition, StrokePlan};
 use super::prepare::{Prepared, prepare};
 use super::referee::{self, Cutting, Verdict};
@@ -32,6 +33,8 @@ pub struct Outcome {
     pub verdicts: Sides<Option<Verdict>>,
     /// The dresser in the thread space where it has least room, a picture for each flank that is dressed alone.
     pub sections: Vec<DressingSectionChart>,
+    /// How a disc in point contact writes the worm, where there is one.
+    pub written: Sides<Option<WrittenFlank>>,
 }
 
 fn prepared(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
@@ -113,6 +116,7 @@ fn finish(
         RunFailure::not_producible(finding)
     })?;
     timing.insert("referee", refereeing.elapsed().as_secs_f64());
+    let written = line_dressing(job, &prepared, &execution, progress)?;
     let mut warnings = prepared.warnings.clone();
     warnings.extend(execution.warnings.iter().cloned());
     warnings.extend(tip_lands.warnings);
@@ -138,6 +142,7 @@ fn finish(
                 tolerance_share: tolerance_share(&prepared, &deviation),
                 model_difference_um: executed.planned.minus(&verdict.simulated).largest() * 1e3,
                 referee_error_um: verdict.grinding.error_um,
+                line_dressing: written[flank].as_ref().map(|w| w.result.clone()),
                 feed_mark_um: verdict.feed_mark.as_ref().and_then(|h| h.as_ref().ok()).map(|h| h * 1e3),
                 target_characteristics: CharacteristicsUm::of(&executed.target, cos_b),
                 simulated_characteristics: CharacteristicsUm::of(&verdict.simulated, cos_b),
@@ -148,6 +153,7 @@ fn finish(
         );
     }
     warnings.extend(feed_mark_warnings(&verdicts, tolerance));
+    warnings.extend(line_dressing_warnings(&written, tolerance, prepared.setup.worm_root_radius));
     warnings.extend(plan.as_ref().and_then(given_ratio_warning));
     warnings.extend(plan.as_ref().and_then(|_| equal_ratio_remark(&prepared)));
     // Parts outside the class count by themselves: the grid may miss them (a wave between its points).
@@ -214,7 +220,7 @@ fn finish(
         }),
         timing_s: timing,
     };
-    Ok(Outcome { result, prepared, execution, plan, verdicts, sections: tip_lands.pictures })
+    Ok(Outcome { result, prepared, execution, plan, verdicts, sections: tip_lands.pictures, written })
 }
 
 /// Largest |deviation| over the tolerance at its place.
@@ -284,6 +290,40 @@ fn feed_mark_warnings(verdicts: &Sides<Option<Verdict>>, tolerance: f64) -> Vec<
                 way_out: "reduce grinding.feed_per_revolution".into(),
             }),
             _ => {}
+        }
+    }
+    warnings
+}
+
+/// Scallops above the tolerance, and a disc that reaches below the worm's root.
+fn line_dressing_warnings(
+    written: &Sides<Option<WrittenFlank>>,
+    tolerance: f64,
+    root_radius: f64,
+) -> Vec<Remark> {
+    let mut warnings = Vec::new();
+    for (flank, written) in written.iter() {
+        let Some(r) = written.as_ref().map(|w| &w.result) else { continue };
+        if r.simulated_scallop_um > tolerance {
+            warnings.push(Remark {
+                code: "scallops-above-tolerance",
+                text: format!(
+                    "the dressing lines leave scallops of {:.3} um on the {flank} flank of the worm",
+                    r.simulated_scallop_um
+                ),
+                way_out: "reduce dressing.scallop_um".into(),
+            });
+        }
+        if r.deepest_radius_mm < root_radius {
+            warnings.push(Remark {
+                code: "disc-below-worm-root",
+                text: format!(
+                    "writing the {flank} flank, the disc reaches to {:.3} mm radius, {:.3} mm below the root of the worm",
+                    r.deepest_radius_mm,
+                    root_radius - r.deepest_radius_mm
+                ),
+                way_out: "take a smaller dresser.tip_radius, or raise dresser.root_clearance".into(),
+            });
         }
     }
     warnings

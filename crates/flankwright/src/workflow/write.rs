@@ -82,6 +82,11 @@ pub fn write_outcome(job: &Job, outcome: &Outcome, directory: &Path) -> Result<V
             let path = format!("motions/dressing-{flank}.csv");
             files.push((path, "dressing motion over the worm position", table.text().into()));
         }
+        if let Some(table) = tables::dressing_lines(outcome, flank)? {
+            let path = format!("motions/dressing-lines-{flank}.csv");
+            let what = "motion of the disc along the lines of one thread; the others follow by their share of a turn";
+            files.push((path, what, table.text().into()));
+        }
         if let Some(table) = tables::tool_flank(outcome, flank)? {
             let path = format!("tool-{flank}.csv");
             files.push((path, "modification of the tool's flank, normal", table.text().into()));
@@ -108,13 +113,15 @@ pub fn write_outcome(job: &Job, outcome: &Outcome, directory: &Path) -> Result<V
 }
 
 /// Names that a run may write; what an earlier run left of them and this one does not write would contradict it.
-const NAMES: [&str; 9] = [
+const NAMES: [&str; 11] = [
     "result.json",
     "settings.json",
     "topography.csv",
     "motions/grinding.csv",
     "motions/dressing-left.csv",
     "motions/dressing-right.csv",
+    "motions/dressing-lines-left.csv",
+    "motions/dressing-lines-right.csv",
     "tool-left.csv",
     "tool-right.csv",
     "report.html",
