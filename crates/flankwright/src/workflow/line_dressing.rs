@@ -57,6 +57,13 @@ pub struct LineDressingResult {
     pub nodes_per_line: usize,
 }
 
+impl LineDressingResult {
+    /// How far the worm as written is off the wanted one at most, by the referee's rays, um.
+    pub fn off_um(&self) -> f64 {
+        self.simulated_scallop_um.max(self.simulated_undercut_um)
+    }
+}
+
 /// The table of the tool ends this far beyond what is written, in shares of its range over the profile and in mm along the worm:
 /// lines run over the ends of the area.
 const PROFILE_MARGIN: f64 = 0.03;
@@ -82,14 +89,14 @@ pub fn line_dressing(
     let Some((dresser, tip_radius)) = job.point_dresser() else {
         return Ok(Sides { left: None, right: None });
     };
-    let disc = TipDisc::new(0.5 * dresser.tip_diameter, tip_radius).map_err(|e| refused(&e))?;
+    let disc = TipDisc::new(0.5 * dresser.tip_diameter, tip_radius).map_err(|e| refused(&e, tip_radius))?;
     Sides::try_from_fn(|flank| {
         let made = execution.flanks[flank].as_ref().and_then(ExecutedFlank::made);
         made.map(|made| written(job, prepared, disc, flank, made, progress)).transpose()
     })
 }
 
-fn refused(error: &DressingError) -> RunFailure {
+fn refused(error: &DressingError, tip_radius: f64) -> RunFailure {
     let field = match error {
         DressingError::InvalidNumber { field: "scallop height", .. } => "dressing.scallop_um",
         DressingError::TipRadiusTooLarge { .. }
@@ -100,7 +107,23 @@ fn refused(error: &DressingError) -> RunFailure {
         }
         _ => "dresser",
     };
-    RunFailure::on_field(&GeneratingError::Dressing(error.clone()), field)
+    let finding =
+        Diagnostic::with_code(error.code(), error.to_string()).field(field).way_out(error.way_out());
+    let finding = match error {
+        DressingError::InvalidNumber { value, allowed, .. } => finding.value(value).allowed(*allowed),
+        DressingError::TipRadiusTooLarge { tip_radius, largest, .. } => {
+            finding.value(tip_radius).allowed(format!("below {largest:.4} mm"))
+        }
+        DressingError::DiscCollides { .. } | DressingError::DiscTouchesNot { .. } => {
+            finding.value(tip_radius)
+        }
+        _ => finding,
+    };
+    if GeneratingError::Dressing(error.clone()).is_bad_input() {
+        RunFailure::bad_input(finding)
+    } else {
+        RunFailure::not_producible(finding)
+    }
 }
 
 fn unfinished(error: &RemovalError) -> RunFailure {
@@ -138,12 +161,13 @@ fn written(
         direction: DiagonalLine { rho: setup.tool_direction[flank].atan() },
         scallop: job.dressing.scallop_height_um() * 1e-3,
     };
-    let plan = task.plan().map_err(|e| refused(&e))?;
+    let fault = |e: DressingError| refused(&e, disc.tip_radius());
+    let plan = task.plan().map_err(fault)?;
     let mut positions = Vec::with_capacity(plan.lines.len());
     let mut paths = Vec::with_capacity(plan.lines.len());
     for (k, line) in plan.lines.iter().enumerate() {
-        let mut along = task.positions(line, plan.nodes).map_err(|e| refused(&e))?;
-        paths.push(task.path(line, plan.nodes).map_err(|e| refused(&e))?);
+        let mut along = task.positions(line, plan.nodes).map_err(fault)?;
+        paths.push(task.path(line, plan.nodes).map_err(fault)?);
         if k % 2 == 1 {
             along.reverse();
         }

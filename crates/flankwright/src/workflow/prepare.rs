@@ -3,6 +3,7 @@
 use super::equal_ratio_offers::free_lines;
 use super::finding::{Remark, RunFailure, generating_finding, geometry_finding, modification_finding};
 use super::shift::shift_of_job;
+use crate::contact::ContactError;
 use crate::exchange::job::{
     Condition, DegreeOfFreedom, DesignedFor, DiagonalRatio, Dressing, DressingFlanks, Fit, Flanks, Gauge,
     GaugeRule, Job, Method, Modification as JobModification, ProfileCrowningBy, ToleranceMapSource,
@@ -209,6 +210,10 @@ pub fn setup_of_job(job: &Job) -> Result<GrindingSetup, RunFailure> {
         root_clearance: job.dresser.as_ref().and_then(|d| d.root_clearance),
     })
     .map_err(|e| RunFailure::from(&e))?;
+    if let Some(given) = &direction {
+        let key = if point.is_some() { "dressing.line_direction_deg" } else { "worm.direction_deg" };
+        check_lines(&setup, &given.sides(), key).map_err(RunFailure::bad_input)?;
+    }
     let made = setup.pair.worm.data().pressure_angle;
     for (flank, angle) in angle.iter() {
         let wanted = angle.to_radians();
@@ -225,6 +230,28 @@ pub fn setup_of_job(job: &Job) -> Result<GrindingSetup, RunFailure> {
         }
     }
     Ok(setup)
+}
+
+/// Lines of the tool are at least this far from the contact path: along it every direction on the workpiece asks for the ratio 0.
+const FROM_CONTACT_PATH_DEG: f64 = 0.1;
+
+/// Refuses lines of the tool along the contact path, for which there is no diagonal ratio.
+fn check_lines(setup: &GrindingSetup, given: &Sides<f64>, key: &str) -> Result<(), Diagnostic> {
+    for (flank, &degrees) in given.iter() {
+        let [path, _] = setup.pair.flanks[flank].contact_path();
+        let path = path.rho.to_degrees();
+        if (degrees - path).abs() >= FROM_CONTACT_PATH_DEG {
+            continue;
+        }
+        let error = ContactError::DirectionIsContactPath { direction_deg: degrees };
+        let text = format!("on the {flank} flank {error}, and no diagonal ratio");
+        return Err(Diagnostic::with_code(error.code(), text)
+            .field(key)
+            .value(degrees)
+            .allowed(format!("at least {FROM_CONTACT_PATH_DEG} deg from {path:.4} deg, the contact path"))
+            .way_out("turn the lines away from the contact path, or leave the key out"));
+    }
+    Ok(())
 }
 
 /// What a given tool carries on its flanks, over (w_1, z_1).
@@ -531,7 +558,7 @@ fn with_free_lines(mut prepared: Prepared) -> Prepared {
              writes lines of {:.4} deg left and {:.4} deg right, with which both ask for {:.6}",
             shared.demanded.left, shared.demanded.right, degrees.left, degrees.right, shared.ratio
         ),
-        way_out: "give dressing.line_direction_deg for other lines".into(),
+        way_out: "give dressing.line_direction_deg if other lines are wanted".into(),
     });
     prepared.setup = prepared.setup.with_tool_direction(shared.direction);
     prepared

@@ -72,7 +72,8 @@ pub struct FlankResult {
     pub simulated_um: Vec<Vec<f64>>,
     /// Largest |simulated - target|.
     pub max_deviation_um: f64,
-    /// Largest |simulated - target| over the tolerance at its place.
+    /// Largest |simulated - target| over the tolerance at its place; plus what the lines of a disc in point contact leave of the
+    /// worm, over the tightest tolerance. The target is met up to 1.
     pub tolerance_share: f64,
     /// Root mean square of simulated - target.
     pub rms_deviation_um: f64,

@@ -2,9 +2,9 @@
 
 use super::run::Outcome;
 use super::{page, tables};
-use crate::exchange::job::Job;
+use crate::exchange::job::{Job, OneOrSides};
 use crate::exchange::{CsvError, Diagnostic, write_atomically};
-use crate::geometry::Flank;
+use crate::geometry::{Flank, Sides};
 use crate::report::charts::ChartError;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
@@ -167,7 +167,13 @@ pub fn write_refusal(job: &Job, finding: &Diagnostic, directory: &Path) -> Resul
 }
 
 fn with_settings(job: &Job, outcome: &Outcome) -> Job {
-    Job { settings: Some(outcome.execution.settings()), ..job.clone() }
+    let mut job = Job { settings: Some(outcome.execution.settings()), ..job.clone() };
+    if job.point_dresser().is_some() {
+        // Laid by the plan from its target; the settings hold whatever the target becomes.
+        let Sides { left, right } = outcome.prepared.setup.tool_direction.map(|_, t| t.atan().to_degrees());
+        job.dressing.line_direction_deg = Some(OneOrSides::Each { left, right });
+    }
+    job
 }
 
 fn json(value: &impl serde::Serialize) -> Result<Vec<u8>, serde_json::Error> {

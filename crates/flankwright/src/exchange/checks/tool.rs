@@ -179,32 +179,32 @@ fn contact(dresser: &Dresser, dressing: &Dressing, findings: &mut Vec<Diagnostic
             .way_out("give the radius of the rounding at the rim, e.g. 0.5"),
         );
     }
-    let plain = dresser.modification == DresserModification::Rule(FixedDresser::Target);
-    let rest = Dressing { line_direction_deg: None, scallop_um: None, ..dressing.clone() };
+    let made_for_target = dresser.modification == DresserModification::default();
+    let plain = Dressing::default();
     let foreign = [
         ("dresser.tip_radius", !point && dresser.tip_radius.is_some()),
         ("dressing.line_direction_deg", !point && dressing.line_direction_deg.is_some()),
         ("dressing.scallop_um", !point && dressing.scallop_um.is_some()),
         ("dresser.pitch_diameter", point && dresser.pitch_diameter.is_some()),
         ("dresser.tip_land", point && dresser.tip_land.is_some()),
-        ("dresser.modification", point && !plain),
-        ("dressing", point && rest != Dressing::default()),
+        ("dresser.modification", point && !made_for_target),
+        ("dresser.designed_for", point && dresser.designed_for.is_some()),
+        ("dressing.degrees_of_freedom", point && dressing.degrees_of_freedom.is_some()),
+        ("dressing.conditions", point && dressing.conditions != plain.conditions),
+        ("dressing.flanks", point && dressing.flanks != plain.flanks),
+        ("dressing.profile_crowning_by", point && dressing.profile_crowning_by != plain.profile_crowning_by),
     ];
     for (field, _) in foreign.into_iter().filter(|(_, given)| *given) {
-        let (what, allowed) = match field {
-            "dressing" => (
-                format!("conditions and motions of line contact mean nothing for contact = \"{word}\""),
-                "only line_direction_deg and scallop_um",
-            ),
-            _ => (format!("this key means nothing for a disc with contact = \"{word}\""), "no key"),
-        };
         let other = if point { "line" } else { "point" };
         findings.push(
-            Diagnostic::new(Problem::InvalidJob, what)
-                .field(field)
-                .value("given")
-                .allowed(allowed)
-                .way_out(format!("leave it out, or use dresser.contact = \"{other}\"")),
+            Diagnostic::new(
+                Problem::InvalidJob,
+                format!("this key means nothing for a disc with contact = \"{word}\""),
+            )
+            .field(field)
+            .value("given")
+            .allowed(format!("no key, or dresser.contact = \"{other}\""))
+            .way_out(format!("leave it out, or use dresser.contact = \"{other}\"")),
         );
     }
 }
