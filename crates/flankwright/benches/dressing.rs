@@ -1,11 +1,12 @@
-//! Speed of dressing: profile with derivatives, one set of conditions solved, and the limits of one worm under one dresser.
+//! Speed of dressing: profile with derivatives, conditions solved exactly and by compensation, the range of crownings, and the
+//! limits of one worm under one dresser.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use flankwright::geometry::{Flank, Gear, GearData, Sides};
 use flankwright::kinematics::DressingChain;
 use flankwright::process::dressing::{
-    Condition, ConditionSolver, DressedProfile, DresserSection, DresserTool, GeometricRange, ThreadSpace,
-    WormFlank,
+    Compensation, Condition, ConditionSolver, CrowningLimits, CrowningRows, DressedProfile, DresserSection,
+    DresserTool, GeometricRange, SoftCondition, ThreadSpace, WormFlank,
 };
 use std::hint::black_box;
 
@@ -56,6 +57,21 @@ fn dressing(c: &mut Criterion) {
         Condition::Map { flank: Flank::Left, t: range.w_na, w: range.w_na },
     ];
     let solver = ConditionSolver::new(&tool, REFERENCE_RADIUS);
+    let crownings = CrowningRows::new(&tool.flanks.left, REFERENCE_RADIUS, 0.58);
+    c.bench_function("range of profile crownings, both ways", |b| {
+        b.iter(|| crownings.range(black_box(&CrowningLimits::default())).expect("range"));
+    });
+    let soft: Vec<SoftCondition> = rolls
+        .iter()
+        .map(|&w| SoftCondition {
+            condition: point(w, 5e-4 * ((w - range.middle()) / range.length()).powi(3)),
+            weight: 1.0,
+        })
+        .collect();
+    let compensation = Compensation::new(&tool, REFERENCE_RADIUS, soft, vec![rows[3]]);
+    c.bench_function("compensation of 7 points with a hard map", |b| {
+        b.iter(|| compensation.solve(black_box(&[0.0; 4])).expect("correction"));
+    });
     c.bench_function("3-point solve, 2 um profile crowning", |b| {
         b.iter(|| solver.solve(black_box(&rows), &[0.0; 4]).expect("correction"));
     });

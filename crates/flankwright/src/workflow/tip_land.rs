@@ -68,8 +68,7 @@ impl TipLands {
             found.largest[flank] = room.tip_land;
             if room.tip_land.is_none_or(|largest| given.is_some_and(|land| land > largest)) {
                 let cut = GeneratingError::CounterFlankCut { flank, land: given, largest: room.tip_land };
-                // The space of a conical worm changes along it: there the finding is said, not decided upon.
-                if planned && prepared.setup.pair.worm.is_cylindrical() {
+                if planned {
                     return Err(RunFailure::on_field(&cut, "dresser.tip_land"));
                 }
                 found.warnings.push(Remark {

@@ -78,11 +78,11 @@ impl Bodies {
 /// Worms of 1 to 7 threads, both hands, diameters 60 to 300 mm with dressers of 60 to 200 mm, symmetric and not.
 pub fn bodies() -> impl Strategy<Value = Bodies> {
     let angles = (15.0..24.0f64, 15.0..24.0f64, any::<bool>());
-    (1..8i32, 0.1..0.9f64, 60.0..300.0f64, angles, any::<bool>(), 60.0..200.0f64).prop_map(
+    (1..8i32, 0.4..0.9f64, 60.0..300.0f64, angles, any::<bool>(), 60.0..200.0f64).prop_map(
         |(threads, size, diameter, (left, right, symmetric), right_hand, dresser)| Bodies {
             threads,
-            // Leads up to 15 degrees, thread heights up to a twelfth of the diameter.
-            module: size * f64::min(0.26 * diameter / f64::from(threads), diameter / 25.0),
+            // Leads up to 15 degrees, thread heights up to a twelfth of the diameter and a sixth of the dresser's.
+            module: size * (0.26 * diameter / f64::from(threads)).min(diameter / 25.0).min(dresser / 13.0),
             diameter,
             angles: [left, if symmetric { left } else { right }],
             hand: if right_hand { 1.0 } else { -1.0 },

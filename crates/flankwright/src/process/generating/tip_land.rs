@@ -34,7 +34,8 @@ impl LeastRoom {
         left_out: u32,
     ) -> Result<Self, GeneratingError> {
         let section = section(setup, tool, flank)?;
-        // At worm position v the dresser works about z = -v; the space of a conical worm is another one elsewhere.
+        // At worm position v the dresser works about z = -v, all of it within a pitch; the space of a conical worm is another
+        // one elsewhere.
         let worm = &tool.flanks[flank].worm;
         let reach =
             (2.0 * std::f64::consts::PI * tool.flanks[flank].chain.screw_parameter / worm.teeth).abs();
