@@ -7,7 +7,8 @@ use flankwright::kinematics::{DressingPath, MotionLaw};
 use flankwright::numerics::{Silent, TensorSpline, equidistant, extremes};
 use flankwright::process::generating::GrindingSetup;
 use flankwright::removal::{
-    ActiveThreads, Grinding, GrindingMode, LinePasses, RayGrid, WormArea, dress_lines, grind,
+    ActiveThreads, Grinding, GrindingMode, LinePasses, RayGrid, WormArea, WormModification, dress_lines,
+    grind,
 };
 use flankwright::workflow::{Outcome, RunFailure, plan_job, write_outcome};
 use std::path::{Path, PathBuf};
@@ -123,9 +124,28 @@ fn a_gear_ground_by_the_written_worm_is_off_by_no_more_than_the_scallops() {
     let flank = Flank::Left;
     let executed = execution.flanks[flank].as_ref().unwrap();
     let made = executed.made().unwrap();
-    // A gear point of the relief, and the worm point that grinds it.
+    // A gear point of the relief, and the worm point that the referee sees grinding it.
     let (w_2, z_2) = (executed.target.w[3], executed.target.z[3]);
-    let (w_1, z_1) = setup.lines[flank].worm_point(w_2, z_2, &execution.motion.shift);
+    let gear =
+        RayGrid::new(equidistant([w_2 - 0.02, w_2 + 0.02], 5), equidistant([z_2 - 0.02, z_2 + 0.02], 5))
+            .unwrap();
+    let ground = |modification: &dyn WormModification, [w, z]: [[f64; 2]; 2]| {
+        let setup = Grinding {
+            worm: setup.pair.worm.flank(flank),
+            area: WormArea { w, z },
+            modification,
+            work: setup.pair.work.flank(flank),
+            motion: &execution.motion,
+            feed_range: execution.feed_range,
+            stock: 0.1,
+            threads: ActiveThreads::All,
+            mode: GrindingMode::Continuous,
+        };
+        grind(&setup, &gear, &Silent).unwrap()
+    };
+    let wanted = ground(&made.spline, made.spline.domain());
+    let middle = wanted.rays[12].as_ref().unwrap();
+    let (w_1, z_1) = (middle.worm_roll, middle.worm_z);
     let near: Vec<DressingPath> = lines(directory.path(), flank)
         .into_iter()
         .filter(|(places, _)| {
@@ -142,25 +162,8 @@ fn a_gear_ground_by_the_written_worm_is_off_by_no_more_than_the_scallops() {
     let rows: Vec<Vec<f64>> = cut.chunks(z.len()).map(<[f64]>::to_vec).collect();
     let written = TensorSpline::new(&w, &z, &rows).unwrap();
 
-    let area = WormArea { w: [w[0], w[w.len() - 1]], z: [z[0], z[z.len() - 1]] };
-    let gear =
-        RayGrid::new(equidistant([w_2 - 0.02, w_2 + 0.02], 5), equidistant([z_2 - 0.02, z_2 + 0.02], 5))
-            .unwrap();
-    let ground = |modification| {
-        let setup = Grinding {
-            worm: setup.pair.worm.flank(flank),
-            area,
-            modification,
-            work: setup.pair.work.flank(flank),
-            motion: &execution.motion,
-            feed_range: execution.feed_range,
-            stock: 0.1,
-            threads: ActiveThreads::All,
-            mode: GrindingMode::Continuous,
-        };
-        grind(&setup, &gear, &Silent).unwrap().lengths().unwrap()
-    };
-    let (wanted, left) = (ground(&made.spline), ground(&written));
+    let left = ground(&written, [w, z].map(|x| [x[0], x[x.len() - 1]]));
+    let (wanted, left) = (wanted.lengths().unwrap(), left.lengths().unwrap());
     let deeper: Vec<f64> = wanted.iter().zip(&left).map(|(a, b)| (a - b) * 1e3).collect();
     let [least, greatest] = extremes(deeper.iter().copied());
     println!("{} lines on the patch; the gear is ground {least:.4} to {greatest:.4} um deeper", near.len());

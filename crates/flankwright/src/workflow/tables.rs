@@ -119,6 +119,9 @@ pub fn tool_flank(outcome: &Outcome, flank: Flank) -> Result<Option<CsvTable>, C
     Ok(Some(table))
 }
 
+/// Lines are many: their numbers stand to a ten-millionth of a mm or degree, which moves a worm of 300 mm by less than 1e-6 mm.
+const LINE_DIGITS: f64 = 1e7;
+
 /// The motion of a disc in point contact along all lines of one thread, in the order in which they are driven; `None` if the flank is
 /// not written so.
 ///
@@ -140,7 +143,7 @@ pub fn dressing_lines(outcome: &Outcome, flank: Flank) -> Result<Option<CsvTable
     for (k, (line, positions)) in written.plan.lines.iter().zip(&written.positions).enumerate() {
         for (t, at) in positions {
             let (w, z) = line.point(*t);
-            table.push(&[
+            let row = [
                 k as f64,
                 line.coordinate,
                 w,
@@ -150,7 +153,8 @@ pub fn dressing_lines(outcome: &Outcome, flank: Flank) -> Result<Option<CsvTable
                 at.centre_distance,
                 at.crossing_angle.to_degrees(),
                 at.offset,
-            ])?;
+            ];
+            table.push(&row.map(|x| (x * LINE_DIGITS).round() / LINE_DIGITS))?;
         }
     }
     Ok(Some(table))
