@@ -112,6 +112,24 @@ fn the_files_make_the_worm_that_they_name() {
     }
 }
 
+/// The wanted worm with a patch of the written one.
+struct Patched<'a> {
+    wanted: &'a TensorSpline,
+    written: &'a TensorSpline,
+}
+
+impl WormModification for Patched<'_> {
+    fn jet(&self, w: f64, z: f64) -> [f64; 3] {
+        let [w_s, z_s] = self.written.domain();
+        let on_patch = w > w_s[0] && w < w_s[1] && z > z_s[0] && z < z_s[1];
+        WormModification::jet(if on_patch { self.written } else { self.wanted }, w, z)
+    }
+
+    fn domain(&self) -> [[f64; 2]; 2] {
+        self.wanted.domain()
+    }
+}
+
 /// Half widths of the patch of the worm over w_1 and z_1, mm, and its rays a side.
 const PATCH: f64 = 0.12;
 const PATCH_RAYS: usize = 121;
@@ -162,7 +180,8 @@ fn a_gear_ground_by_the_written_worm_is_off_by_no_more_than_the_scallops() {
     let rows: Vec<Vec<f64>> = cut.chunks(z.len()).map(<[f64]>::to_vec).collect();
     let written = TensorSpline::new(&w, &z, &rows).unwrap();
 
-    let left = ground(&written, [w, z].map(|x| [x[0], x[x.len() - 1]]));
+    let patched = Patched { wanted: &made.spline, written: &written };
+    let left = ground(&patched, made.spline.domain());
     let (wanted, left) = (wanted.lengths().unwrap(), left.lengths().unwrap());
     let deeper: Vec<f64> = wanted.iter().zip(&left).map(|(a, b)| (a - b) * 1e3).collect();
     let [least, greatest] = extremes(deeper.iter().copied());
