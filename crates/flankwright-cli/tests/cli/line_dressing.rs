@@ -8,6 +8,9 @@ const POINT: &str = "contact = \"point\"\n";
 const TIP: &str = "tip_radius = 0.4";
 const SCALLOP: &str = "scallop_um = 0.5";
 
+/// Change of the example, code, field, and what is said.
+type Case<'a> = ((&'a str, &'a str), &'a str, &'a str, &'a [&'a str]);
+
 /// The example on a coarse grid with the given replacements.
 fn job(replacements: &[(&str, &str)]) -> String {
     let mut text = example("line-dressing.toml")
@@ -113,8 +116,7 @@ fn a_disc_that_finds_no_room_ends_with_4() {
 
 #[test]
 fn every_contradiction_is_told_in_full() {
-    // Change, code, field, what is said.
-    let cases: &[((&str, &str), &str, &str, &[&str])] = &[
+    let cases: &[Case] = &[
         ((TIP, "tip_radius = 40.0"), "invalid-geometry", "dresser.tip_radius", &["40", "up to 30"]),
         ((TIP, "tip_radius = 400.0"), "invalid-number", "dresser.tip_radius", &["400", "100", "0.5"]),
         ((TIP, "tip_radius = 0.0"), "invalid-number", "dresser.tip_radius", &["> 0"]),
