@@ -14,6 +14,7 @@ const PLANS: &[(&str, i32)] = &[
     ("dressing/two-flanks.toml", 0),
     ("hob.toml", 0),
     ("left-out-thread.toml", 0),
+    ("line-dressing.toml", 0),
     ("plated-worm.toml", 0),
     ("radial-feed-crowning.toml", 3),
     ("triangular-end-relief.toml", 0),

@@ -185,6 +185,9 @@ fn tool_quantities(outcome: &Outcome, job: &Job) -> (Vec<Quantity>, Vec<Quantity
         Quantity::number("worm length used", "", outcome.result.settings.worm_length_mm, "mm"),
     ];
     of_worm.extend(job.worm.width.map(|w| Quantity::number("worm width", "", w, "mm")));
+    if let Some((dresser, tip_radius)) = job.point_dresser() {
+        return (of_worm, point_dresser_quantities(outcome, dresser.tip_diameter, tip_radius));
+    }
     let (Some(dresser), Some(choice)) = (&outcome.execution.dresser, &setup.input.dresser) else {
         return (of_worm, vec![Quantity::text("tool", "not dressed: its flanks are given as tables")]);
     };
@@ -227,6 +230,30 @@ fn tool_quantities(outcome: &Outcome, job: &Job) -> (Vec<Quantity>, Vec<Quantity
             .map(|land| Quantity::number("tip land", "b_A", land, "mm")),
     );
     (of_worm, of_dresser)
+}
+
+/// The disc in point contact and what its lines come to.
+fn point_dresser_quantities(outcome: &Outcome, tip_diameter: f64, tip_radius: f64) -> Vec<Quantity> {
+    let mut list = vec![
+        Quantity::text("contact", "in a point, line by line"),
+        Quantity::number("tip diameter", "d_aA", tip_diameter, "mm"),
+        Quantity::number("tip radius", "r_T", tip_radius, "mm"),
+    ];
+    for (flank, written) in outcome.written.iter() {
+        let Some(r) = written.as_ref().map(|w| &w.result) else { continue };
+        let named = |what: &str| format!("{flank} flank: {what}");
+        let count = i64::try_from(r.lines).unwrap_or(i64::MAX);
+        list.extend([
+            Quantity::number(&named("direction of the lines"), "ρ_1", r.line_direction_deg, "deg"),
+            Quantity::count(&named("lines a thread"), "", count),
+            Quantity::number(&named("pitch of the lines"), "p_X", r.pitch_mm, "mm"),
+            Quantity::number(&named("contact path a thread"), "", r.path_length_m, "m"),
+            Quantity::number(&named("scallops by curvature"), "", r.scallop_um, "µm"),
+            Quantity::number(&named("scallops by rays"), "", r.simulated_scallop_um, "µm"),
+            Quantity::number(&named("room at the counter flank"), "", r.clearance_mm, "mm"),
+        ]);
+    }
+    list
 }
 
 fn settings_quantities(outcome: &Outcome, job: &Job) -> Vec<Quantity> {
@@ -349,10 +376,43 @@ fn feed_marks(outcome: &Outcome) -> Option<String> {
     })
 }
 
+fn line_sample(outcome: &Outcome) -> Option<String> {
+    let seen: Vec<String> = outcome
+        .result
+        .flanks
+        .iter()
+        .filter_map(|(flank, f)| {
+            let lines = f.line_dressing.as_ref()?;
+            let um = |x| format_significant(x, 2);
+            let (over, under) = (um(lines.simulated_scallop_um), um(lines.simulated_undercut_um));
+            Some(format!("{flank} flank {over} um above and {under} um below"))
+        })
+        .collect();
+    (!seen.is_empty()).then(|| {
+        format!(
+            "The worm is written line by line. The flank above is ground by the wanted worm; what the lines leave of it was seen by \
+             normal rays of the worm, a sample of them, shortened by the rounded disc on all its lines: {} the wanted worm \
+             flank at most.",
+            seen.join(", ")
+        )
+    })
+}
+
+/// Own error of the rays against lines: the splines of the motions hold 1e-6 mm.
+const LINE_STAGE_ERROR_UM: f64 = 1e-3;
+
 fn verification(outcome: &Outcome) -> Verification {
     let mut stages = Vec::new();
     for (flank, verdict) in outcome.verdicts.iter() {
         let Some(v) = verdict else { continue };
+        if let Some(written) = &outcome.written[flank] {
+            stages.push(RefereeStage {
+                name: format!("{flank} flank: disc on its lines against worm, a sample"),
+                rays: written.statistics.rays,
+                poses: written.statistics.poses,
+                discretisation_um: LINE_STAGE_ERROR_UM,
+            });
+        }
         let dressing = v.dressing.iter().map(|stage| ("dresser against worm", stage));
         for (name, stage) in dressing.chain([("worm against workpiece", &v.grinding)]) {
             stages.push(RefereeStage {
@@ -376,6 +436,7 @@ fn verification(outcome: &Outcome) -> Verification {
         ]
         .into_iter()
         .chain(feed_marks(outcome))
+        .chain(line_sample(outcome))
         .collect(),
         stages,
     }

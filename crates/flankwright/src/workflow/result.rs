@@ -2,6 +2,7 @@
 
 use super::finding::Remark;
 use super::gear_root::GearRootResult;
+use super::line_dressing::LineDressingResult;
 use super::partition::{Partition, StrokePlan};
 use crate::exchange::job::Settings;
 use crate::geometry::Sides;
@@ -72,7 +73,8 @@ pub struct FlankResult {
     pub simulated_um: Vec<Vec<f64>>,
     /// Largest |simulated - target|.
     pub max_deviation_um: f64,
-    /// Largest |simulated - target| over the tolerance at its place.
+    /// Largest |simulated - target| over the tolerance at its place; plus what the lines of a disc in point contact leave of the
+    /// worm, over the tightest tolerance. The target is met up to 1.
     pub tolerance_share: f64,
     /// Root mean square of simulated - target.
     pub rms_deviation_um: f64,
@@ -83,6 +85,9 @@ pub struct FlankResult {
     /// Height of the true feed marks over the envelope (sample of rays); absent without a feed per revolution.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub feed_mark_um: Option<f64>,
+    /// How the worm flank is written line by line; absent for every other tool.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub line_dressing: Option<LineDressingResult>,
     /// Characteristics of the target.
     pub target_characteristics: CharacteristicsUm,
     /// Characteristics of the simulated flank.

@@ -203,6 +203,16 @@ impl GrindingSetup {
         })
     }
 
+    /// The same bodies with other lines on the tool, tan(rho_1).
+    pub fn with_tool_direction(mut self, direction: Sides<f64>) -> Self {
+        self.input.tool_direction = Some(direction);
+        self.tool_direction = direction;
+        self.lines = Sides::from_fn(|flank| {
+            FlankLines::new(&self.pair.flanks[flank], &self.fields[flank], direction[flank])
+        });
+        self
+    }
+
     /// The plain dresser.
     ///
     /// # Errors
