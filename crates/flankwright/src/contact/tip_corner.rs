@@ -264,14 +264,18 @@ impl RootFillet {
         ((self.flank_normal.x * dx + self.flank_normal.y * dy) / (n * length)).asin().abs()
     }
 
-    /// Whether it runs from the flank to the root without turning back: else it is an undercut with a notch.
-    pub fn descends(&self) -> bool {
-        let (dx, dy) = (self.x.derivative(), self.y.derivative());
-        self.places().all(|chi| {
-            let [x, y]: [f64; 2] = self.point(chi);
-            // At the root it runs along the circle.
-            x * dx.value(chi) + y * dy.value(chi) <= 1e-9 * (x * x + y * y)
-        })
+    /// By how much its radius rises again on the way from the flank to the root, mm: 0 but for rounding, and for what the end on a
+    /// changing tip is off; more is the notch of an undercut.
+    pub fn rise(&self) -> f64 {
+        let mut least = f64::INFINITY;
+        let mut rise: f64 = 0.0;
+        for chi in self.places() {
+            let [x, y] = self.point(chi);
+            let radius = x.hypot(y);
+            rise = rise.max(radius - least);
+            least = least.min(radius);
+        }
+        rise
     }
 
     /// Least radius of curvature, mm.

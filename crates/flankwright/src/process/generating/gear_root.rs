@@ -78,6 +78,8 @@ pub struct GroundRoot {
 
 /// Sections of the face in which the fillet is looked at.
 const SECTIONS: usize = 5;
+/// A fillet that rises by more on its way to the root has a notch, mm.
+const NOTCH: f64 = 1e-3;
 /// Largest angle between flank and fillet that counts as a tangential transition, rad.
 const TANGENTIAL: f64 = 1e-4;
 
@@ -105,7 +107,7 @@ impl GroundRoot {
             .collect::<Result<Vec<_>, _>>()?;
         let form = 0.5 * setup.input.blank.form_diameter;
         for fillet in &fillets {
-            if !fillet.descends() || fillet.transition() > TANGENTIAL {
+            if fillet.rise() > NOTCH || fillet.transition() > TANGENTIAL {
                 return Err(GeneratingError::RootNotched { flank, z: fillet.z });
             }
             if fillet.form_radius() > form {
