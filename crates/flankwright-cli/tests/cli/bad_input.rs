@@ -515,6 +515,35 @@ const CASES: &[Case] = &[
         &["< 123"],
     ),
     case("teeth = 19", "teeth = -19", "invalid-geometry", "gear.tip_diameter", &["internal gear"]),
+    // the root of the gear
+    case(
+        "[dressing]",
+        "[dressing]\ngear_root = { corner_radius = 0.8 }",
+        "invalid-job",
+        "dressing.conditions",
+        &["head", "three-point"],
+    ),
+    case(
+        "[dressing]",
+        "[dressing]\ngear_root = { corner_radius = 0.8 }",
+        "invalid-job",
+        "worm.tip_diameter",
+        &["200", "worm.pitch_diameter"],
+    ),
+    case(
+        "[dressing]",
+        "[dressing]\ngear_root = { corner_radius = -0.8 }",
+        "invalid-number",
+        "dressing.gear_root.corner_radius",
+        &["-0.8", "radius of the worm's edge"],
+    ),
+    case(
+        "[dressing]",
+        "[dressing]\ngear_root = { along = \"constant\" }",
+        "missing-key",
+        "dressing.gear_root.corner_radius",
+        &[],
+    ),
     // not yet
     case("[dressing]", "[dressing]\nstrokes = 3", "not-yet-supported", "dressing.strokes", &["3", "leave"]),
     case(

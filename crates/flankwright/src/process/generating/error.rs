@@ -501,6 +501,7 @@ impl GeneratingError {
                 ContactError::Undercut { .. }
                     | ContactError::WormSurfaceMissing { .. }
                     | ContactError::NoStart { .. }
+                    | ContactError::NoRootFillet { .. }
                     | ContactError::ContactBelowBase { .. }
             ),
             Self::Dressing(e) => matches!(
