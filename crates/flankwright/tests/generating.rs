@@ -56,6 +56,7 @@ fn input() -> SetupInput {
         }),
         tool_direction: None,
         root_clearance: None,
+        gear_root: None,
     }
 }
 

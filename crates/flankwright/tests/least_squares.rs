@@ -331,6 +331,7 @@ fn setup() -> GrindingSetup {
         }),
         tool_direction: None,
         root_clearance: None,
+        gear_root: None,
     })
     .unwrap()
 }

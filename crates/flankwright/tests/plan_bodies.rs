@@ -1,6 +1,7 @@
 //! Jobs beyond the cylinder with its dressed worm: reliefs on lines, areas, laws of the shift, cones, tools without a dresser.
 //! Every plan is held against the referee, and its settings, written and read again, give the same flank.
 
+use flankwright::exchange::job::RootAlong;
 use flankwright::exchange::{LoadedJob, read_job};
 use flankwright::geometry::Flank;
 use flankwright::numerics::Silent;
@@ -215,6 +216,33 @@ fn one_motion_dresses_both_flanks() {
     assert_eq!(left.motion, right.motion);
     assert!(outcome.result.flanks.values().all(|f| f.max_deviation_um < 0.25));
     settings_go_round("dressing/two-flanks.toml", &outcome);
+}
+
+#[test]
+fn the_worms_tip_follows_the_distance_so_that_the_root_stays() {
+    let name = "dressing/gear-root.toml";
+    let outcome = held(name, 1e-3);
+    let root = outcome.result.gear_root.as_ref().unwrap();
+    let spread = |range: [f64; 2]| range[1] - range[0];
+    // The distance changes by 7.6 um over the face: twice that on a diameter.
+    assert!(
+        spread(root.root_diameter_mm) < 1e-4 && (root.root_diameter_mm[1] - 72.4315).abs() < 1e-6,
+        "{root:?}"
+    );
+    assert!((spread(root.worm_tip_diameter_mm) - 0.0153).abs() < 5e-4, "{:?}", root.worm_tip_diameter_mm);
+    for (flank, fillet) in root.flanks.iter() {
+        let fillet = fillet.as_ref().unwrap();
+        assert!(fillet.model_difference_um < 1e-3, "{flank}: {}", fillet.model_difference_um);
+        assert!(fillet.form_diameter_mm < 76.2065 && fillet.least_radius_mm > 0.8);
+        assert!(fillet.sections.len() == 5 && fillet.sections.iter().all(|s| s.points_mm.len() == 41));
+    }
+    settings_go_round(name, &outcome);
+    // A cylindrical tip leaves the change of the distance in the root.
+    let mut job = load(name);
+    job.job.dressing.gear_root.as_mut().unwrap().along = RootAlong::Follows;
+    let follows = planned(&job).result.gear_root.unwrap();
+    assert!(spread(follows.worm_tip_diameter_mm) == 0.0);
+    assert!((spread(follows.root_diameter_mm) - 0.0153).abs() < 5e-4, "{:?}", follows.root_diameter_mm);
 }
 
 #[test]

@@ -114,6 +114,19 @@ fn summary(result: &JobResult, written: &[PathBuf]) -> String {
     if !marks.is_empty() {
         let _ = writeln!(text, "  feed marks stand above the envelope by up to {}", marks.join(", "));
     }
+    for (flank, f) in &result.flanks {
+        let Some(lines) = &f.line_dressing else { continue };
+        let _ = writeln!(
+            text,
+            "  {flank:<5} worm flank in {} lines of {:.4} deg a thread, {:.4} mm apart, {:.2} m: {:.3} um above and {:.3} um below the wanted one",
+            lines.lines,
+            lines.line_direction_deg,
+            lines.pitch_mm,
+            lines.path_length_m,
+            lines.simulated_scallop_um,
+            lines.simulated_undercut_um
+        );
+    }
     let outside = result.flanks.values().map(|f| f.outside_class_um).fold(0.0, f64::max);
     if outside > 0.0 {
         let _ = writeln!(

@@ -580,6 +580,35 @@ const CASES: &[Case] = &[
         "dresser.others[0].pitch_diameter",
         &["< 100"],
     ),
+    // the root of the gear
+    case(
+        "[dressing]",
+        "[dressing]\ngear_root = { corner_radius = 0.8 }",
+        "invalid-job",
+        "dressing.conditions",
+        &["head", "three-point"],
+    ),
+    case(
+        "[dressing]",
+        "[dressing]\ngear_root = { corner_radius = 0.8 }",
+        "invalid-job",
+        "worm.tip_diameter",
+        &["200", "worm.pitch_diameter"],
+    ),
+    case(
+        "[dressing]",
+        "[dressing]\ngear_root = { corner_radius = -0.8 }",
+        "invalid-number",
+        "dressing.gear_root.corner_radius",
+        &["-0.8", "radius of the worm's edge"],
+    ),
+    case(
+        "[dressing]",
+        "[dressing]\ngear_root = { along = \"constant\" }",
+        "missing-key",
+        "dressing.gear_root.corner_radius",
+        &[],
+    ),
     case(
         "[dresser]",
         "[dresser]\ndesigned_for = { threads = 2 }",

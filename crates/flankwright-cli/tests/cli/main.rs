@@ -6,6 +6,7 @@ mod command;
 mod commands;
 mod examples;
 mod explore;
+mod line_dressing;
 mod planning;
 mod robustness;
 mod shifts;

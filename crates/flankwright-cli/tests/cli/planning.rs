@@ -1,6 +1,6 @@
 //! `plan`, `simulate` and `verify` as a user runs them: files, exit status, messages.
 
-use crate::command::{Run, repository, run};
+use crate::command::{Run, example, repository, run};
 use std::path::Path;
 
 /// The first example with a coarse grid and the given replacements, written to a file.
@@ -142,6 +142,29 @@ fn limits_of_axes_and_folds_end_with_4() {
         let (run, _) = planned(&[replacement], &["--json"]);
         assert_eq!(run.exit, Some(4), "{code}: {run:?}");
         assert_eq!(run.json()["error"]["code"], code);
+    }
+}
+
+/// A root that the worm's edge cannot grind ends with 4, an edge that the worm cannot have with 2; both say why.
+#[test]
+fn roots_that_cannot_be_ground_are_refused() {
+    let job = example("dressing/gear-root.toml");
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("job.toml");
+    for (old, new, exit, code) in [
+        ("corner_radius = 0.8", "corner_radius = 0.9", 4, "root-reaches-flank"),
+        ("along = \"constant\"", "least_fillet_radius = 5.0", 4, "root-too-sharp"),
+        ("corner_radius = 0.8", "corner_radius = 95.0", 2, "corner-radius-too-large"),
+        ("diagonal_ratio = -1.2", "diagonal_ratio = 0.0", 4, "root-needs-shift"),
+    ] {
+        assert!(job.contains(old));
+        std::fs::write(&path, job.replace(old, new)).unwrap();
+        let output = directory.path().join("out");
+        let run = run(&["plan", path.to_str().unwrap(), "--json", "-o", output.to_str().unwrap()]);
+        assert_eq!(run.exit, Some(exit), "{new}: {run:?}");
+        let error = &run.json()["error"];
+        assert_eq!(error["code"], code, "{error}");
+        assert!(error["way_out"].is_string());
     }
 }
 

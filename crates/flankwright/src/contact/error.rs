@@ -121,6 +121,22 @@ pub enum ContactError {
         /// Second surface parameter.
         q: f64,
     },
+    /// The edge of the worm cannot be that round.
+    #[error("a corner radius of {radius} mm does not fit on the worm: below {most:.4} mm it would")]
+    CornerTooLarge {
+        /// Radius wanted, mm.
+        radius: f64,
+        /// Distance of tip and base cylinder of the worm, mm.
+        most: f64,
+    },
+    /// The edge of the worm leaves no envelope in the tooth space.
+    #[error("the edge of the worm on its {flank} flank leaves no root fillet at z = {z:.4} mm")]
+    NoRootFillet {
+        /// Flank concerned.
+        flank: Flank,
+        /// Axial position on the gear.
+        z: f64,
+    },
     /// A number that is not usable.
     #[error("{field} = {value} is not usable; allowed: {allowed}")]
     InvalidNumber {
@@ -152,6 +168,8 @@ impl ContactError {
             Self::NoStart { .. } => "no-start",
             Self::WormSurfaceMissing { .. } => "worm-surface-missing",
             Self::NotSmooth { .. } => "not-smooth",
+            Self::CornerTooLarge { .. } => "corner-radius-too-large",
+            Self::NoRootFillet { .. } => "no-root-fillet",
             Self::InvalidNumber { .. } => "invalid-number",
         }
     }
@@ -183,6 +201,9 @@ impl ContactError {
             }
             Self::NotSmooth { .. } => {
                 "round the modification's kink with a transition or split the field there"
+            }
+            Self::CornerTooLarge { .. } | Self::NoRootFillet { .. } => {
+                "give a smaller corner radius, or a larger root diameter of the gear"
             }
             Self::InvalidNumber { .. } => "give a value inside the allowed range",
         }

@@ -9,6 +9,7 @@ mod pair;
 mod relative_curvature;
 mod surface;
 mod thread;
+mod tip_corner;
 mod working_area;
 
 pub use diagonal::{DiagonalLine, DiagonalRatio, LineMap, PointMap, WorkPoint};
@@ -18,4 +19,5 @@ pub use pair::{FlankPair, Pair};
 pub use relative_curvature::RelativeCurvature;
 pub use surface::{SurfaceJet, ToolSurface};
 pub use thread::{ModifiedThread, ThreadFunction, Unmodified};
+pub use tip_corner::{RootFillet, TipCorner};
 pub use working_area::WorkingArea;

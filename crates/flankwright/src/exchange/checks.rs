@@ -3,6 +3,7 @@
 
 mod catalogue;
 mod explore;
+mod gear_root;
 mod grinding;
 mod stroke_study;
 mod strokes;
@@ -24,6 +25,7 @@ pub(super) fn check(job: &Job) -> Vec<Diagnostic> {
     // Without a worm there is nothing to say about it.
     if !job.worm.is_absent() {
         tool::check(job, &mut findings);
+        gear_root::check(job, &mut findings);
     }
     strokes::check(job, &mut findings);
     grinding::check(job, &mut findings);

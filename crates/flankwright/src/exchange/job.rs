@@ -12,6 +12,7 @@ mod dressing_study;
 mod explore;
 mod gauge;
 mod gear;
+mod gear_root;
 mod grid;
 mod grinding;
 mod machine;
@@ -30,12 +31,13 @@ pub use designed_for::DesignedFor;
 pub use diagonal_ratio::{
     DiagonalRatio, DiagonalRule, LineBlendCurve, LineSineCurve, PointsCurve, ShiftCurve, ShiftLaw, ShiftTable,
 };
-pub use dresser::{Dresser, DresserModification, FixedDresser, OtherDresser};
+pub use dresser::{Dresser, DresserContact, DresserModification, FixedDresser, OtherDresser};
 pub use dressing::{Condition, DegreeOfFreedom, Dressing, DressingFlanks, ProfileCrowningBy};
 pub use dressing_study::{Compare, DressingStudy, StudyOver};
 pub use explore::{Explore, Steps};
 pub use gauge::{Gauge, GaugeRule, GivenGauge};
 pub use gear::{Evaluation, EvaluationRange, Gear, OverBalls, Span};
+pub use gear_root::{GearRoot, RootAlong};
 pub use grid::Grid;
 pub use grinding::{Grinding, Method};
 pub use machine::Machine;
@@ -110,6 +112,12 @@ impl Job {
     /// Hand of the worm: as given, else that of the gear (spur: right).
     pub fn worm_hand(&self) -> Hand {
         self.worm.hand.unwrap_or(if self.gear.helix_angle_deg < 0.0 { Hand::Left } else { Hand::Right })
+    }
+
+    /// The disc that writes the worm line by line, with its tip radius, mm; `None` for every other tool.
+    pub fn point_dresser(&self) -> Option<(&Dresser, f64)> {
+        let point = |d: &&Dresser| self.worm.tool == Tool::Dressed && d.contact == DresserContact::Point;
+        self.dresser.as_ref().filter(point).and_then(|d| Some((d, d.tip_radius?)))
     }
 
     /// Normal pressure angles of the worm in degrees: as given, else those of the gear.

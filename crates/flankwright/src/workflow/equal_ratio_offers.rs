@@ -6,7 +6,7 @@ use super::prepare::Prepared;
 use crate::contact::{DiagonalLine, FlankPair};
 use crate::geometry::{Flank, Sides};
 use crate::process::generating::{
-    EqualRatioSearch, GeneratingError, GrindingSetup, Lever, RatioRoot, Tool, generatrix,
+    EqualRatioSearch, GeneratingError, GrindingSetup, Lever, RatioRoot, Tool, equal_ratio_lines, generatrix,
 };
 use serde::Serialize;
 
@@ -54,6 +54,27 @@ fn different_demands(prepared: &Prepared) -> Option<(Sides<f64>, Sides<f64>)> {
     let (left, right) = (one(Flank::Left)?, one(Flank::Right)?);
     (!alike(left.0, right.0))
         .then_some((Sides { left: left.0, right: right.0 }, Sides { left: left.1, right: right.1 }))
+}
+
+/// Lines with which both flanks of a job share a ratio.
+pub(super) struct SharedRatio {
+    /// tan(rho_1) on each flank.
+    pub direction: Sides<f64>,
+    /// The common ratio.
+    pub ratio: f64,
+    /// The ratios that the flanks ask for without them.
+    pub demanded: Sides<f64>,
+}
+
+/// Where the direction of the tool's lines is free: the lines nearest to the present ones with which both flanks ask for the same
+/// ratio (spec 29 section 1). `None` where the directed parts of the target do not ask for different ratios, or where no
+/// lines make them equal.
+pub(super) fn free_lines(prepared: &Prepared) -> Option<SharedRatio> {
+    let (demanded, directions) = different_demands(prepared)?;
+    let lines = |t: &Sides<f64>| t.map(|_, t| DiagonalLine { rho: t.atan() });
+    let setup = &prepared.setup;
+    let free = equal_ratio_lines(&setup.pair, lines(&directions), lines(&setup.tool_direction)).ok()?;
+    Some(SharedRatio { direction: free.lines.map(|_, line| line.rho.tan()), ratio: free.ratio, demanded })
 }
 
 fn alike(a: f64, b: f64) -> bool {

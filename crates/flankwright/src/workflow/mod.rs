@@ -8,6 +8,8 @@ mod executed_strokes;
 mod execution;
 mod explore;
 mod finding;
+mod gear_root;
+mod line_dressing;
 mod occupation;
 mod page;
 mod partition;
@@ -39,6 +41,8 @@ pub use explore::{
     write_exploration,
 };
 pub use finding::{Remark, RunFailure};
+pub use gear_root::{FilletResult, FilletSection, GearRootResult};
+pub use line_dressing::{LineDressingResult, WrittenFlank};
 pub use occupation::occupation_chart;
 pub use partition::{Partition, StrokePlan};
 pub use prepare::{Prepared, blank_of_job, gear_of_job, prepare, setup_of_job, tolerance_of_job};

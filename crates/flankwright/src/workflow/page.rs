@@ -188,6 +188,9 @@ fn tool_quantities(outcome: &Outcome, job: &Job) -> (Vec<Quantity>, Vec<Quantity
         Quantity::number("worm length used", "", outcome.result.settings.worm_length_mm, "mm"),
     ];
     of_worm.extend(job.worm.width.map(|w| Quantity::number("worm width", "", w, "mm")));
+    if let Some((dresser, tip_radius)) = job.point_dresser() {
+        return (of_worm, point_dresser_quantities(outcome, dresser.tip_diameter, tip_radius));
+    }
     let (Some(dresser), Some(choice)) = (&outcome.execution.dresser, &setup.input.dresser) else {
         return (of_worm, vec![Quantity::text("tool", "not dressed: its flanks are given as tables")]);
     };
@@ -237,6 +240,30 @@ fn tool_quantities(outcome: &Outcome, job: &Job) -> (Vec<Quantity>, Vec<Quantity
     (of_worm, of_dresser)
 }
 
+/// The disc in point contact and what its lines come to.
+fn point_dresser_quantities(outcome: &Outcome, tip_diameter: f64, tip_radius: f64) -> Vec<Quantity> {
+    let mut list = vec![
+        Quantity::text("contact", "in a point, line by line"),
+        Quantity::number("tip diameter", "d_aA", tip_diameter, "mm"),
+        Quantity::number("tip radius", "r_T", tip_radius, "mm"),
+    ];
+    for (flank, written) in outcome.written.iter() {
+        let Some(r) = written.as_ref().map(|w| &w.result) else { continue };
+        let named = |what: &str| format!("{flank} flank: {what}");
+        let count = i64::try_from(r.lines).unwrap_or(i64::MAX);
+        list.extend([
+            Quantity::number(&named("direction of the lines"), "ρ_1", r.line_direction_deg, "deg"),
+            Quantity::count(&named("lines a thread"), "", count),
+            Quantity::number(&named("pitch of the lines"), "p_X", r.pitch_mm, "mm"),
+            Quantity::number(&named("contact path a thread"), "", r.path_length_m, "m"),
+            Quantity::number(&named("scallops by curvature"), "", r.scallop_um, "µm"),
+            Quantity::number(&named("scallops by rays"), "", r.simulated_scallop_um, "µm"),
+            Quantity::number(&named("room at the counter flank"), "", r.clearance_mm, "mm"),
+        ]);
+    }
+    list
+}
+
 fn settings_quantities(outcome: &Outcome, job: &Job) -> Vec<Quantity> {
     let s = &outcome.result.settings;
     let mut list = vec![
@@ -269,6 +296,44 @@ fn settings_quantities(outcome: &Outcome, job: &Job) -> Vec<Quantity> {
         list.push(Quantity::text("threads that grind", joined(&strokes.active_threads)));
         list.push(Quantity::text("index offsets of the strokes (pitches)", joined(&strokes.index_pitches)));
         list.push(Quantity::number("share of the full feed", "", strokes.feed_factor, ""));
+    }
+    if let Some(root) = &outcome.result.gear_root {
+        list.push(Quantity::number("ground root diameter from", "d_fE", root.root_diameter_mm[0], "mm"));
+        list.push(Quantity::number("ground root diameter to", "d_fE", root.root_diameter_mm[1], "mm"));
+        list.push(Quantity::number(
+            "tip diameter of the worm from",
+            "d_aS",
+            root.worm_tip_diameter_mm[0],
+            "mm",
+        ));
+        list.push(Quantity::number(
+            "tip diameter of the worm to",
+            "d_aS",
+            root.worm_tip_diameter_mm[1],
+            "mm",
+        ));
+        for (flank, fillet) in root.flanks.iter() {
+            let Some(fillet) = fillet else { continue };
+            let of = |what: &str| format!("{what}, {flank}");
+            list.push(Quantity::number(
+                &of("fillet begins at diameter"),
+                "d_Ff",
+                fillet.form_diameter_mm,
+                "mm",
+            ));
+            list.push(Quantity::number(
+                &of("least radius of the fillet"),
+                "ρ_F",
+                fillet.least_radius_mm,
+                "mm",
+            ));
+            list.push(Quantity::number(
+                &of("fillet, plan against referee"),
+                "",
+                fillet.model_difference_um,
+                "um",
+            ));
+        }
     }
     if let Some(feed) = job.grinding.feed_per_revolution {
         list.push(Quantity::number("feed per revolution of the gear", "", feed, "mm"));
@@ -331,10 +396,43 @@ fn feed_marks(outcome: &Outcome) -> Option<String> {
     })
 }
 
+fn line_sample(outcome: &Outcome) -> Option<String> {
+    let seen: Vec<String> = outcome
+        .result
+        .flanks
+        .iter()
+        .filter_map(|(flank, f)| {
+            let lines = f.line_dressing.as_ref()?;
+            let um = |x| format_significant(x, 2);
+            let (over, under) = (um(lines.simulated_scallop_um), um(lines.simulated_undercut_um));
+            Some(format!("{flank} flank {over} um above and {under} um below"))
+        })
+        .collect();
+    (!seen.is_empty()).then(|| {
+        format!(
+            "The worm is written line by line. The flank above is ground by the wanted worm; what the lines leave of it was seen by \
+             normal rays of the worm, a sample of them, shortened by the rounded disc on all its lines: {} the wanted worm \
+             flank at most.",
+            seen.join(", ")
+        )
+    })
+}
+
+/// Own error of the rays against lines: the splines of the motions hold 1e-6 mm.
+const LINE_STAGE_ERROR_UM: f64 = 1e-3;
+
 fn verification(outcome: &Outcome) -> Verification {
     let mut stages = Vec::new();
     for (flank, verdict) in outcome.verdicts.iter() {
         let Some(v) = verdict else { continue };
+        if let Some(written) = &outcome.written[flank] {
+            stages.push(RefereeStage {
+                name: format!("{flank} flank: disc on its lines against worm, a sample"),
+                rays: written.statistics.rays,
+                poses: written.statistics.poses,
+                discretisation_um: LINE_STAGE_ERROR_UM,
+            });
+        }
         let dressing = v.dressing.iter().map(|stage| ("dresser against worm", stage));
         for (name, stage) in dressing.chain([("worm against workpiece", &v.grinding)]) {
             stages.push(RefereeStage {
@@ -358,6 +456,7 @@ fn verification(outcome: &Outcome) -> Verification {
         ]
         .into_iter()
         .chain(feed_marks(outcome))
+        .chain(line_sample(outcome))
         .collect(),
         stages,
     }

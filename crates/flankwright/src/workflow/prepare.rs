@@ -1,12 +1,14 @@
 //! From a checked job to bodies, targets and the task of planning. Every finding names the job's key.
 
+use super::equal_ratio_offers::free_lines;
 use super::finding::{Remark, RunFailure, generating_finding, geometry_finding, modification_finding};
 use super::shift::shift_of_job;
 use super::strokes::strokes_of_job;
+use crate::contact::ContactError;
 use crate::exchange::job::{
     Condition, DegreeOfFreedom, DesignedFor, DiagonalRatio, Dressing, DressingFlanks, Fit, Flanks, Gauge,
-    GaugeRule, Job, Method, Modification as JobModification, ProfileCrowningBy, ToleranceMapSource,
-    Tool as JobTool,
+    GaugeRule, Job, Method, Modification as JobModification, ProfileCrowningBy, RootAlong,
+    ToleranceMapSource, Tool as JobTool,
 };
 use crate::exchange::{
     Diagnostic, LoadedJob, Problem, TableForm, read_grid_target, read_points, read_tolerances, read_traces,
@@ -22,7 +24,7 @@ use crate::process::generating::areas::AreaPlan;
 use crate::process::generating::least_squares::FitNorm;
 use crate::process::generating::{
     Carrier, DresserChoice, DressingLimits, DressingRows, FlankRows, FlankTarget, FreeCoefficients,
-    GrindingSetup, PlanGauge, PlanTask, ProfilePlace, SetupInput, Tool,
+    GearRootChoice, GrindingSetup, PlanGauge, PlanTask, ProfilePlace, SetupInput, Tool,
 };
 
 /// A job made ready for planning.
@@ -191,25 +193,33 @@ pub fn setup_of_job(job: &Job) -> Result<GrindingSetup, RunFailure> {
     }
     let range = job.gear.evaluation_range();
     let angle = job.worm_pressure_angle_deg().sides();
+    let point = job.point_dresser();
+    let direction = if point.is_some() { job.dressing.line_direction_deg } else { job.worm.direction_deg };
     let setup = GrindingSetup::new(SetupInput {
         gear,
         blank,
         evaluation: [range.start_diameter, range.end_diameter, range.z_start, range.z_end],
         worm: worm_choice_of_job(job),
         worm_width: job.worm.width,
-        dresser: job.dresser.as_ref().map(|d| DresserChoice {
+        // What a disc in point contact writes is any flank: for the plan the tool is made, not profiled.
+        dresser: job.dresser.as_ref().filter(|_| point.is_none()).map(|d| DresserChoice {
             tip_diameter: d.tip_diameter,
             pitch_diameter: d.pitch_diameter,
             designed_for: d.designed_for.map(|there| designed_worm(job, &there)),
         }),
-        tool_direction: job
-            .worm
-            .direction_deg
-            .as_ref()
-            .map(|given| given.sides().map(|_, rho| rho.to_radians().tan())),
+        tool_direction: direction.map(|given| given.sides().map(|_, rho| rho.to_radians().tan())),
         root_clearance: job.dresser.as_ref().and_then(|d| d.root_clearance),
+        gear_root: job.dressing.gear_root.map(|root| GearRootChoice {
+            corner_radius: root.corner_radius,
+            constant: root.along == RootAlong::Constant,
+            least_fillet_radius: root.least_fillet_radius,
+        }),
     })
     .map_err(|e| RunFailure::from(&e))?;
+    if let Some(given) = &direction {
+        let key = if point.is_some() { "dressing.line_direction_deg" } else { "worm.direction_deg" };
+        check_lines(&setup, &given.sides(), key).map_err(RunFailure::bad_input)?;
+    }
     let made = setup.pair.worm.data().pressure_angle;
     for (flank, angle) in angle.iter() {
         let wanted = angle.to_radians();
@@ -226,6 +236,28 @@ pub fn setup_of_job(job: &Job) -> Result<GrindingSetup, RunFailure> {
         }
     }
     Ok(setup)
+}
+
+/// Lines of the tool are at least this far from the contact path: along it every direction on the workpiece asks for the ratio 0.
+const FROM_CONTACT_PATH_DEG: f64 = 0.1;
+
+/// Refuses lines of the tool along the contact path, for which there is no diagonal ratio.
+fn check_lines(setup: &GrindingSetup, given: &Sides<f64>, key: &str) -> Result<(), Diagnostic> {
+    for (flank, &degrees) in given.iter() {
+        let [path, _] = setup.pair.flanks[flank].contact_path();
+        let path = path.rho.to_degrees();
+        if (degrees - path).abs() >= FROM_CONTACT_PATH_DEG {
+            continue;
+        }
+        let error = ContactError::DirectionIsContactPath { direction_deg: degrees };
+        let text = format!("on the {flank} flank {error}, and no diagonal ratio");
+        return Err(Diagnostic::with_code(error.code(), text)
+            .field(key)
+            .value(degrees)
+            .allowed(format!("at least {FROM_CONTACT_PATH_DEG} deg from {path:.4} deg, the contact path"))
+            .way_out("turn the lines away from the contact path, or leave the key out"));
+    }
+    Ok(())
 }
 
 /// What a given tool carries on its flanks, over (w_1, z_1).
@@ -509,18 +541,40 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
         None => relief_specs(loaded, flank, &setup.fields[flank]),
     });
     let which: Vec<Flank> = Flank::BOTH.into_iter().filter(|&flank| ground(flank)).collect();
-    let shift = shift_of_job(job, &setup, &targets, &tolerance, &which)?;
-    Ok(Prepared {
+    let mut prepared = Prepared {
         setup,
         targets,
         reliefs,
         places,
         free_dresser,
         tolerance,
-        law: shift.law,
-        areas: shift.areas,
+        law: None,
+        areas: None,
         warnings,
-    })
+    };
+    if job.point_dresser().is_some() && job.dressing.line_direction_deg.is_none() {
+        prepared = with_free_lines(prepared);
+    }
+    let shift = shift_of_job(job, &prepared.setup, &prepared.targets, &prepared.tolerance, &which)?;
+    Ok(Prepared { law: shift.law, areas: shift.areas, ..prepared })
+}
+
+/// Lays the lines of a disc in point contact so that both flanks ask for the same ratio, where the target's directed parts ask
+/// for different ones, and says so.
+fn with_free_lines(mut prepared: Prepared) -> Prepared {
+    let Some(shared) = free_lines(&prepared) else { return prepared };
+    let degrees = shared.direction.map(|_, t| t.atan().to_degrees());
+    prepared.warnings.push(Remark {
+        code: "dressing-lines-laid",
+        text: format!(
+            "directed parts of the target ask for diagonal ratio {:.6} on the left flank and {:.6} on the right one; the disc \
+             writes lines of {:.4} deg left and {:.4} deg right, with which both ask for {:.6}",
+            shared.demanded.left, shared.demanded.right, degrees.left, degrees.right, shared.ratio
+        ),
+        way_out: "give dressing.line_direction_deg if other lines are wanted".into(),
+    });
+    prepared.setup = prepared.setup.with_tool_direction(shared.direction);
+    prepared
 }
 
 /// Entries of the target, sums opened, that depend on the profile only and are no polynomials.

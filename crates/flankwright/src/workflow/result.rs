@@ -1,6 +1,8 @@
 //! `result.json`: what a plan or a simulation came to, with units in the key names (spec 90 section 3).
 
 use super::finding::Remark;
+use super::gear_root::GearRootResult;
+use super::line_dressing::LineDressingResult;
 use super::partition::{Partition, StrokePlan};
 use crate::exchange::job::Settings;
 use crate::geometry::Sides;
@@ -71,7 +73,8 @@ pub struct FlankResult {
     pub simulated_um: Vec<Vec<f64>>,
     /// Largest |simulated - target|.
     pub max_deviation_um: f64,
-    /// Largest |simulated - target| over the tolerance at its place.
+    /// Largest |simulated - target| over the tolerance at its place; plus what the lines of a disc in point contact leave of the
+    /// worm, over the tightest tolerance. The target is met up to 1.
     pub tolerance_share: f64,
     /// Root mean square of simulated - target.
     pub rms_deviation_um: f64,
@@ -82,6 +85,9 @@ pub struct FlankResult {
     /// Height of the true feed marks over the envelope (sample of rays); absent without a feed per revolution.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub feed_mark_um: Option<f64>,
+    /// How the worm flank is written line by line; absent for every other tool.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub line_dressing: Option<LineDressingResult>,
     /// Characteristics of the target.
     pub target_characteristics: CharacteristicsUm,
     /// Characteristics of the simulated flank.
@@ -185,6 +191,9 @@ pub struct JobResult {
     pub settings: SettingsResult,
     /// Flanks that are ground.
     pub flanks: BTreeMap<&'static str, FlankResult>,
+    /// The root of the gear; absent unless the worm's tip grinds it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gear_root: Option<GearRootResult>,
     /// Largest error of the ideal worm by round of precompensation, per flank.
     pub ideal_error_by_round_um: Sides<Vec<f64>>,
     /// Seconds per stage; the only part that differs between two runs.

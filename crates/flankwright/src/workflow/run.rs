@@ -3,6 +3,8 @@
 use super::equal_ratio_offers::equal_ratio_remark;
 use super::execution::Execution;
 use super::finding::{Remark, RunFailure};
+use super::gear_root::gear_root;
+use super::line_dressing::{LineDressingResult, WrittenFlank, line_dressing};
 use super::partition::{Partition, StrokePlan};
 use super::prepare::{Prepared, prepare};
 use super::referee::{self, Cutting, Verdict};
@@ -32,6 +34,8 @@ pub struct Outcome {
     pub verdicts: Sides<Option<Verdict>>,
     /// The dresser in the thread space where it has least room, a picture for each flank that is dressed alone.
     pub sections: Vec<DressingSectionChart>,
+    /// How a disc in point contact writes the worm, where there is one.
+    pub written: Sides<Option<WrittenFlank>>,
 }
 
 fn prepared(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
@@ -104,6 +108,11 @@ fn finish(
     let partition = Partition::of_job(job, &prepared, execution.ratio, &execution.motion.shift)?;
     let strokes = StrokePlan::of_job(job)?;
     let tip_lands = TipLands::of_execution(job, &prepared, &execution, plan.is_some())?;
+    let dressing_lines = Instant::now();
+    let written = line_dressing(job, &prepared, &execution, progress)?;
+    if written.iter().any(|(_, w)| w.is_some()) {
+        timing.insert("dressing lines", dressing_lines.elapsed().as_secs_f64());
+    }
     let refereeing = Instant::now();
     let cutting =
         Cutting { feed_per_revolution: job.grinding.feed_per_revolution, strokes: strokes.as_ref() };
@@ -112,6 +121,7 @@ fn finish(
             Diagnostic::with_code(e.code(), e.to_string()).field("grinding").way_out(e.way_out().to_string());
         RunFailure::not_producible(finding)
     })?;
+    let gear_root = gear_root(&prepared, &execution)?;
     timing.insert("referee", refereeing.elapsed().as_secs_f64());
     let mut warnings = prepared.warnings.clone();
     warnings.extend(execution.warnings.iter().cloned());
@@ -125,6 +135,9 @@ fn finish(
         let (Some(executed), Some(verdict)) = (&execution.flanks[flank], &verdicts[flank]) else { continue };
         let cos_b = prepared.setup.lines[flank].cos_b2;
         let deviation = verdict.simulated.minus(&executed.target);
+        let lines = written[flank].as_ref().map(|w| &w.result);
+        // What the lines leave of the worm counts in full: on the flank it is no more than that.
+        let from_lines = lines.map_or(0.0, LineDressingResult::off_um) / tolerance;
         flanks.insert(
             flank.name(),
             FlankResult {
@@ -135,9 +148,10 @@ fn finish(
                 simulated_um: verdict.simulated.rows_um(),
                 max_deviation_um: deviation.largest() * 1e3,
                 rms_deviation_um: deviation.rms() * 1e3,
-                tolerance_share: tolerance_share(&prepared, &deviation),
+                tolerance_share: tolerance_share(&prepared, &deviation) + from_lines,
                 model_difference_um: executed.planned.minus(&verdict.simulated).largest() * 1e3,
                 referee_error_um: verdict.grinding.error_um,
+                line_dressing: lines.cloned(),
                 feed_mark_um: verdict.feed_mark.as_ref().and_then(|h| h.as_ref().ok()).map(|h| h * 1e3),
                 target_characteristics: CharacteristicsUm::of(&executed.target, cos_b),
                 simulated_characteristics: CharacteristicsUm::of(&verdict.simulated, cos_b),
@@ -148,6 +162,7 @@ fn finish(
         );
     }
     warnings.extend(feed_mark_warnings(&verdicts, tolerance));
+    warnings.extend(line_dressing_warnings(&written, prepared.setup.worm_root_radius));
     warnings.extend(plan.as_ref().and_then(given_ratio_warning));
     warnings.extend(plan.as_ref().and_then(|_| equal_ratio_remark(&prepared)));
     // Parts outside the class count by themselves: the grid may miss them (a wave between its points).
@@ -209,12 +224,13 @@ fn finish(
                 .map(|d| d.flanks.left.chain.crossing_angle.to_degrees()),
         },
         flanks,
+        gear_root,
         ideal_error_by_round_um: plan.as_ref().map_or(Sides { left: Vec::new(), right: Vec::new() }, |p| {
             p.ideal_error_by_round.map(|_, e| e.iter().map(|e| e * 1e3).collect())
         }),
         timing_s: timing,
     };
-    Ok(Outcome { result, prepared, execution, plan, verdicts, sections: tip_lands.pictures })
+    Ok(Outcome { result, prepared, execution, plan, verdicts, sections: tip_lands.pictures, written })
 }
 
 /// Largest |deviation| over the tolerance at its place.
@@ -289,6 +305,26 @@ fn feed_mark_warnings(verdicts: &Sides<Option<Verdict>>, tolerance: f64) -> Vec<
     warnings
 }
 
+/// A disc that reaches below the worm's root.
+fn line_dressing_warnings(written: &Sides<Option<WrittenFlank>>, root_radius: f64) -> Vec<Remark> {
+    let mut warnings = Vec::new();
+    for (flank, written) in written.iter() {
+        let Some(r) = written.as_ref().map(|w| &w.result) else { continue };
+        if r.deepest_radius_mm < root_radius {
+            warnings.push(Remark {
+                code: "disc-below-worm-root",
+                text: format!(
+                    "writing the {flank} flank, the disc reaches to {:.3} mm radius, {:.3} mm below the root of the worm",
+                    r.deepest_radius_mm,
+                    root_radius - r.deepest_radius_mm
+                ),
+                way_out: "take a smaller dresser.tip_radius, or raise dresser.root_clearance".into(),
+            });
+        }
+    }
+    warnings
+}
+
 /// A ratio that the job gives overrides the limits; that it does is said.
 fn given_ratio_warning(plan: &GrindingPlan) -> Option<Remark> {
     let given = plan.choice.candidates.first().filter(|_| plan.choice.reason == RatioReason::Given)?;
@@ -341,6 +377,21 @@ fn missed(
                  out the natural profile crowning of the radial feed: {}.",
                 natural.join(", ")
             ),
+        };
+    }
+    let of_lines = |f: &FlankResult| f.line_dressing.as_ref().map_or(0.0, LineDressingResult::off_um);
+    let without_lines = |f: &FlankResult| f.tolerance_share - of_lines(f) / tolerance;
+    if flanks.values().any(|f| of_lines(f) > 0.0)
+        && flanks.values().all(|f| without_lines(f) <= 1.0 && f.outside_class_um <= tolerance)
+    {
+        let off = flanks.values().map(of_lines).fold(0.0, f64::max);
+        return Remark {
+            code: "scallops-above-tolerance",
+            text: format!(
+                "The dressing lines leave the worm up to {off:.3} um off the wanted one; with that the flank is outside the \
+                 tolerance."
+            ),
+            way_out: "Reduce dressing.scallop_um: more lines leave less.".into(),
         };
     }
     let outside = flanks.values().map(|f| f.outside_class_um).fold(0.0, f64::max);

@@ -36,6 +36,29 @@ pub fn topography(outcome: &Outcome) -> Result<CsvTable, CsvError> {
     Ok(table)
 }
 
+/// Sections of the ground root; `None` where the worm's tip does not grind it.
+///
+/// # Errors
+/// A value that is not finite.
+pub fn gear_root(outcome: &Outcome) -> Result<Option<CsvTable>, CsvError> {
+    let Some(root) = &outcome.result.gear_root else { return Ok(None) };
+    let columns = [
+        Column::new("z", "mm"),
+        Column::new("x", "mm"),
+        Column::new("y", "mm"),
+        Column::new("diameter", "mm"),
+    ];
+    let mut table = CsvTable::labelled("flank", &columns);
+    for (flank, fillet) in root.flanks.iter() {
+        for section in fillet.iter().flat_map(|fillet| &fillet.sections) {
+            for &[x, y] in &section.points_mm {
+                table.push_labelled(flank.name(), &[section.z_mm, x, y, 2.0 * x.hypot(y)])?;
+            }
+        }
+    }
+    Ok(Some(table))
+}
+
 /// The grinding motion over the feed z_V2.
 ///
 /// # Errors
@@ -144,6 +167,47 @@ pub fn tool_flank(outcome: &Outcome, flank: Flank) -> Result<Option<CsvTable>, C
     for (&w, row) in made.w.iter().zip(&made.f) {
         for (&z, f) in made.z.iter().zip(row) {
             table.push(&[w, z, f * 1e3])?;
+        }
+    }
+    Ok(Some(table))
+}
+
+/// Lines are many: their numbers stand to a ten-millionth of a mm or degree, which moves a worm of 300 mm by less than 1e-6 mm.
+const LINE_DIGITS: f64 = 1e7;
+
+/// The motion of a disc in point contact along all lines of one thread, in the order in which they are driven; `None` if the flank is
+/// not written so.
+///
+/// # Errors
+/// A value that is not finite.
+pub fn dressing_lines(outcome: &Outcome, flank: Flank) -> Result<Option<CsvTable>, CsvError> {
+    let Some(written) = &outcome.written[flank] else { return Ok(None) };
+    let mut table = CsvTable::new(&[
+        Column::new("line", ""),
+        Column::new("X_1", "mm"),
+        Column::new("w_1", "mm"),
+        Column::new("z_1", "mm"),
+        Column::new("phi_S", "deg"),
+        Column::new("v_zS", "mm"),
+        Column::new("d_A", "mm"),
+        Column::new("gamma_A", "deg"),
+        Column::new("v_yA", "mm"),
+    ]);
+    for (k, (line, positions)) in written.plan.lines.iter().zip(&written.positions).enumerate() {
+        for (t, at) in positions {
+            let (w, z) = line.point(*t);
+            let row = [
+                k as f64,
+                line.coordinate,
+                w,
+                z,
+                at.worm_angle.to_degrees(),
+                at.worm_shift,
+                at.centre_distance,
+                at.crossing_angle.to_degrees(),
+                at.offset,
+            ];
+            table.push(&row.map(|x| (x * LINE_DIGITS).round() / LINE_DIGITS))?;
         }
     }
     Ok(Some(table))

@@ -2,9 +2,9 @@
 
 use super::run::Outcome;
 use super::{page, tables};
-use crate::exchange::job::Job;
+use crate::exchange::job::{Job, OneOrSides};
 use crate::exchange::{CsvError, Diagnostic, write_atomically};
-use crate::geometry::Flank;
+use crate::geometry::{Flank, Sides};
 use crate::report::charts::ChartError;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
@@ -77,10 +77,18 @@ pub fn write_outcome(job: &Job, outcome: &Outcome, directory: &Path) -> Result<V
             tables::grinding_motion(outcome)?.text().into(),
         ),
     ];
+    if let Some(table) = tables::gear_root(outcome)? {
+        files.push(("gear-root.csv".into(), "sections of the ground root", table.text().into()));
+    }
     for flank in Flank::BOTH {
         if let Some(table) = tables::dressing_motion(outcome, flank)? {
             let path = format!("motions/dressing-{flank}.csv");
             files.push((path, "dressing motion over the worm position", table.text().into()));
+        }
+        if let Some(table) = tables::dressing_lines(outcome, flank)? {
+            let path = format!("motions/dressing-lines-{flank}.csv");
+            let what = "motion of the disc along the lines of one thread; the others follow by their share of a turn";
+            files.push((path, what, table.text().into()));
         }
         if let Some(table) = tables::tool_flank(outcome, flank)? {
             let path = format!("tool-{flank}.csv");
@@ -108,15 +116,18 @@ pub fn write_outcome(job: &Job, outcome: &Outcome, directory: &Path) -> Result<V
 }
 
 /// Names that a run may write; what an earlier run left of them and this one does not write would contradict it.
-const NAMES: [&str; 9] = [
+const NAMES: [&str; 12] = [
     "result.json",
     "settings.json",
     "topography.csv",
     "motions/grinding.csv",
     "motions/dressing-left.csv",
     "motions/dressing-right.csv",
+    "motions/dressing-lines-left.csv",
+    "motions/dressing-lines-right.csv",
     "tool-left.csv",
     "tool-right.csv",
+    "gear-root.csv",
     "report.html",
 ];
 
@@ -160,7 +171,13 @@ pub fn write_refusal(job: &Job, finding: &Diagnostic, directory: &Path) -> Resul
 }
 
 fn with_settings(job: &Job, outcome: &Outcome) -> Job {
-    Job { settings: Some(outcome.execution.settings()), ..job.clone() }
+    let mut job = Job { settings: Some(outcome.execution.settings()), ..job.clone() };
+    if job.point_dresser().is_some() {
+        // Laid by the plan from its target; the settings hold whatever the target becomes.
+        let Sides { left, right } = outcome.prepared.setup.tool_direction.map(|_, t| t.atan().to_degrees());
+        job.dressing.line_direction_deg = Some(OneOrSides::Each { left, right });
+    }
+    job
 }
 
 fn json(value: &impl serde::Serialize) -> Result<Vec<u8>, serde_json::Error> {

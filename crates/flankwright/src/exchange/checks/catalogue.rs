@@ -104,6 +104,14 @@ fn dressing(dressing: &Dressing, findings: &mut Vec<Diagnostic>) {
     if dressing.flanks == DressingFlanks::Two {
         refuse("dressing.flanks", "\"two\"".into(), "\"one\"");
     }
+    for (field, given) in [
+        ("dressing.line_direction_deg", dressing.line_direction_deg.is_some()),
+        ("dressing.scallop_um", dressing.scallop_um.is_some()),
+    ] {
+        if given {
+            refuse(field, "given".into(), "no key: a dresser of a catalogue touches along a line");
+        }
+    }
     let rows = Dressing::default();
     if dressing.conditions != rows.conditions || !dressing.fixed().is_empty() {
         refuse(

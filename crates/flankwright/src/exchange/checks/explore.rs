@@ -50,6 +50,18 @@ pub(super) fn check(job: &Job, findings: &mut Vec<Diagnostic>) {
                 .way_out("describe the worm that the dresser was designed for in `[worm]`"),
             );
         }
+        if job.point_dresser().is_some() {
+            findings.push(
+                Diagnostic::new(
+                    Problem::InvalidJob,
+                    "a study of dressing looks at corrections of a disc in line contact; a disc in point contact has none",
+                )
+                .field("dresser.contact")
+                .value("\"point\"")
+                .allowed("\"line\" beside explore.dressing")
+                .way_out("leave `contact` out, or plan the job"),
+            );
+        }
         if job.worm.tool != Tool::Dressed {
             findings.push(
                 Diagnostic::new(Problem::InvalidJob, "a tool that is not dressed has no study of dressing")

@@ -3,8 +3,8 @@
 use super::not_yet;
 use crate::exchange::diagnostic::{Diagnostic, Problem};
 use crate::exchange::job::{
-    Dresser, DresserModification, Dressing, DressingFlanks, Job, OtherDresser, ProfileCrowningBy,
-    StrokeSettings, Strokes,
+    Dresser, DresserContact, DresserModification, Dressing, DressingFlanks, Job, OtherDresser,
+    ProfileCrowningBy, StrokeSettings, Strokes,
 };
 use crate::exchange::node::shown_number;
 
@@ -171,6 +171,24 @@ fn beside(job: &Job, dresser: &Dresser, findings: &mut Vec<Diagnostic>) {
         );
     }
     let dressing = &job.dressing;
+    if dresser.contact == DresserContact::Point {
+        refuse(
+            "a disc in point contact writes lines and has no active areas",
+            "dresser.contact".into(),
+            "\"point\"".into(),
+            "\"line\", or no [dressing.strokes]",
+            "leave `contact` out, or leave [dressing.strokes] out",
+        );
+    }
+    if dressing.gear_root.is_some() {
+        refuse(
+            "the head of a dresser and strokes are not planned together",
+            "dressing.gear_root".into(),
+            "a table".into(),
+            "no key, or no [dressing.strokes]",
+            "leave `gear_root` out, or dress in one stroke",
+        );
+    }
     if dressing.flanks == DressingFlanks::Two {
         refuse(
             "strokes have motions of their own on each flank",

@@ -1,9 +1,10 @@
 //! Contradictions between `[worm]`, `[dresser]` and `[dressing]`: who profiles the tool, and with what.
 
+use super::not_yet;
 use crate::exchange::diagnostic::{Diagnostic, Problem};
 use crate::exchange::job::{
-    Condition, DesignedFor, Dresser, DresserModification, Dressing, DressingFlanks, Flanks, Job,
-    Modification, ProfileCrowningBy, Tool,
+    Condition, DesignedFor, Dresser, DresserContact, DresserModification, Dressing, DressingFlanks, Flanks,
+    Job, Modification, ProfileCrowningBy, Tool,
 };
 use crate::exchange::node::shown_number;
 
@@ -14,7 +15,18 @@ pub(super) fn check(job: &Job, findings: &mut Vec<Diagnostic>) {
     diameters(job, findings);
     let tool = job.worm.tool;
     match (&job.dresser, tool) {
-        (Some(given), Tool::Dressed) => dresser(given, findings),
+        (Some(given), Tool::Dressed) => {
+            dresser(given, findings);
+            contact(given, &job.dressing, findings);
+            if given.contact == DresserContact::Point && job.worm.cone_angle_deg != 0.0 {
+                findings.push(
+                    not_yet("worm.cone_angle_deg", "line dressing of a conical worm")
+                        .value(shown_number(job.worm.cone_angle_deg))
+                        .allowed("0")
+                        .way_out("leave the cone angle out: lines of a free direction serve both flanks with one ratio"),
+                );
+            }
+        }
         (None, Tool::Dressed) => findings.push(
             Diagnostic::new(
                 Problem::MissingKey,
@@ -135,6 +147,65 @@ fn diameters(job: &Job, findings: &mut Vec<Diagnostic>) {
             .way_out("leave `pitch_diameter` out: it follows from the tip diameter"),
         ),
         _ => {}
+    }
+}
+
+/// Keys that belong to one kind of contact only.
+fn contact(dresser: &Dresser, dressing: &Dressing, findings: &mut Vec<Diagnostic>) {
+    let point = dresser.contact == DresserContact::Point;
+    let word = if point { "point" } else { "line" };
+    if point && dresser.tip_radius.is_none() {
+        findings.push(
+            Diagnostic::new(Problem::MissingKey, "a disc in point contact has a tip radius")
+                .field("dresser.tip_radius")
+                .allowed("the radius of the rounded tip in mm")
+                .way_out("give dresser.tip_radius, e.g. 0.5"),
+        );
+    }
+    if let Some(tip) = dresser.tip_radius
+        && tip > 0.25 * dresser.tip_diameter
+    {
+        findings.push(
+            Diagnostic::new(
+                Problem::InvalidGeometry,
+                format!("the tip radius {tip} is no rounding of a disc of {} mm", dresser.tip_diameter),
+            )
+            .field("dresser.tip_radius")
+            .value(shown_number(tip))
+            .allowed(format!(
+                "up to {} (a quarter of the tip diameter)",
+                shown_number(0.25 * dresser.tip_diameter)
+            ))
+            .way_out("give the radius of the rounding at the rim, e.g. 0.5"),
+        );
+    }
+    let made_for_target = dresser.modification == DresserModification::default();
+    let plain = Dressing::default();
+    let foreign = [
+        ("dresser.tip_radius", !point && dresser.tip_radius.is_some()),
+        ("dressing.line_direction_deg", !point && dressing.line_direction_deg.is_some()),
+        ("dressing.scallop_um", !point && dressing.scallop_um.is_some()),
+        ("dresser.pitch_diameter", point && dresser.pitch_diameter.is_some()),
+        ("dresser.tip_land", point && dresser.tip_land.is_some()),
+        ("dresser.modification", point && !made_for_target),
+        ("dresser.designed_for", point && dresser.designed_for.is_some()),
+        ("dressing.degrees_of_freedom", point && dressing.degrees_of_freedom.is_some()),
+        ("dressing.conditions", point && dressing.conditions != plain.conditions),
+        ("dressing.flanks", point && dressing.flanks != plain.flanks),
+        ("dressing.profile_crowning_by", point && dressing.profile_crowning_by != plain.profile_crowning_by),
+    ];
+    for (field, _) in foreign.into_iter().filter(|(_, given)| *given) {
+        let other = if point { "line" } else { "point" };
+        findings.push(
+            Diagnostic::new(
+                Problem::InvalidJob,
+                format!("this key means nothing for a disc with contact = \"{word}\""),
+            )
+            .field(field)
+            .value("given")
+            .allowed(format!("no key, or dresser.contact = \"{other}\""))
+            .way_out(format!("leave it out, or use dresser.contact = \"{other}\"")),
+        );
     }
 }
 

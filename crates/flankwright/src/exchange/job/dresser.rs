@@ -13,6 +13,13 @@ pub struct Dresser {
     /// Tip diameter.
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 2000, "x-way-out" = "give the tip diameter of the dresser in mm"))]
     pub tip_diameter: f64,
+    /// How the disc touches the worm: along a line over the whole profile, or in a point with its rounded tip, line by line.
+    #[serde(default, skip_serializing_if = "DresserContact::is_default")]
+    pub contact: DresserContact,
+    /// Radius of the rounded tip of a disc in point contact, whose sides are parallel.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 100, "x-way-out" = "give the tip radius of the disc in mm, e.g. 0.5"))]
+    pub tip_radius: Option<f64>,
     /// Pitch diameter; with it the dressing centre distance is the sum of the pitch radii, without it the disc
     /// tip touches the worm root.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -59,6 +66,23 @@ pub struct OtherDresser {
 
 fn plain() -> DresserModification {
     DresserModification::Rule(FixedDresser::None)
+}
+
+/// How the disc touches the worm.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum DresserContact {
+    /// Along a line: its profile is that of the worm.
+    #[default]
+    Line,
+    /// In a point: it writes the worm line by line.
+    Point,
+}
+
+impl DresserContact {
+    fn is_default(&self) -> bool {
+        *self == Self::default()
+    }
 }
 
 /// Profile modification of the dresser.

@@ -3,7 +3,10 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::gear_root::GearRoot;
+use super::one_or_sides::OneOrSides;
 use super::strokes::Strokes;
+use super::worm::direction_schema;
 
 /// How the worm is dressed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -26,7 +29,23 @@ pub struct Dressing {
     /// What makes the profile crowning.
     #[serde(default)]
     pub profile_crowning_by: ProfileCrowningBy,
+    /// The worm's tip grinds the root of the gear; goes with the condition `"head"`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gear_root: Option<GearRoot>,
+    /// Direction rho_1 of the lines that a disc in point contact writes, degrees, w_1 sin rho_1 + z_1 cos rho_1 = constant;
+    /// default the generatrix, or those with which both flanks ask for the same diagonal ratio.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(schema_with = "direction_schema")]
+    pub line_direction_deg: Option<OneOrSides<f64>>,
+    /// Height of the scallops that a disc in point contact may leave between its lines, um; default 0.2.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("minimum" = 0.001, "maximum" = 100,
+        "x-way-out" = "give the height of the scallops in micrometres, e.g. 0.2"))]
+    pub scallop_um: Option<f64>,
 }
+
+/// Height of scallops where the job gives none, um.
+const SCALLOP_UM: f64 = 0.2;
 
 impl Default for Dressing {
     fn default() -> Self {
@@ -36,6 +55,9 @@ impl Default for Dressing {
             flanks: DressingFlanks::default(),
             strokes: None,
             profile_crowning_by: ProfileCrowningBy::default(),
+            gear_root: None,
+            line_direction_deg: None,
+            scallop_um: None,
         }
     }
 }
@@ -52,6 +74,11 @@ impl Dressing {
                 || self.conditions.iter().any(|c| c.fixes() == Some(*axis))
         };
         DegreeOfFreedom::ALL.into_iter().filter(fixed).collect()
+    }
+
+    /// Height of the scallops between dressing lines, um.
+    pub fn scallop_height_um(&self) -> f64 {
+        self.scallop_um.unwrap_or(SCALLOP_UM)
     }
 
     /// Rows of the system of conditions; four make it determinate.

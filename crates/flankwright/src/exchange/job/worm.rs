@@ -110,7 +110,7 @@ impl Tool {
 }
 
 /// At +-90 degrees the line would be a profile, along which the tool has no other value.
-fn direction_schema(_: &mut schemars::SchemaGenerator) -> Schema {
+pub(super) fn direction_schema(_: &mut schemars::SchemaGenerator) -> Schema {
     one_or_sides_schema(json_schema!({
         "type": "number",
         "exclusiveMinimum": -90,

@@ -2,7 +2,7 @@
 
 use super::{
     DressingRows, FlankRows, GeneratingError, GrindingSetup, IdealPlan, IdealWorm, ProfilePlace,
-    ProfilePolicy,
+    ProfilePolicy, WormTip,
 };
 use crate::geometry::{Flank, ProfileOffset, Sides};
 use crate::kinematics::{DressingCorrection, MotionLaw};
@@ -310,8 +310,10 @@ fn motion(
     if rows == FlankRows::default() {
         return Ok(solve_dressing_motion(tool, flank, radius, &nodes, &|b| wish.values(b))?);
     }
-    let further = further_rows(setup, tool, flank, rows);
-    let conditions = |_: f64, b: &[f64; 4]| {
+    let tip = WormTip::new(setup, &plan.motion)?;
+    let conditions = |v: f64, b: &[f64; 4]| {
+        // At worm position v the head works about z = -v.
+        let further = further_rows(tool, flank, rows, tip.radius(-v));
         let point = |i: usize, f: f64| Condition::Point { flank, w: wish.rolls[i], f };
         if rows.points == 4 {
             let f = wish.values(*b);
@@ -324,10 +326,10 @@ fn motion(
 }
 
 /// The row beside three pitch points.
-fn further_rows(setup: &GrindingSetup, tool: &DresserTool, flank: Flank, rows: FlankRows) -> Condition {
+fn further_rows(tool: &DresserTool, flank: Flank, rows: FlankRows, tip_radius: f64) -> Condition {
     match rows.fixed.iter().position(|&fixed| fixed) {
         _ if rows.map => map_of_upper_end(&tool.flanks[flank]),
-        _ if rows.head => Condition::Head { t: 0.0, r: setup.worm_tip_radius },
+        _ if rows.head => Condition::Head { t: 0.0, r: tip_radius },
         Some(j) => Condition::Fixed { j, x: 0.0 },
         None => map_of_upper_end(&tool.flanks[flank]),
     }

@@ -103,6 +103,59 @@ pub enum GeneratingError {
         /// Widest land that spares the other flank, mm; `None` where none does.
         largest: Option<f64>,
     },
+    /// The root of the gear shall be a cylinder, but one place of the worm grinds all of it.
+    #[error(
+        "at diagonal ratio {ratio} the tip of the worm cannot follow the centre distance: the root of the gear is no cylinder"
+    )]
+    RootNeedsShift {
+        /// Diagonal ratio, or its value in the middle of the feed.
+        ratio: f64,
+    },
+    /// The edge of the worm undercuts the flank.
+    #[error("the worm's edge undercuts the {flank} flank: its root fillet at z = {z:.3} mm has a notch")]
+    RootNotched {
+        /// Flank concerned.
+        flank: Flank,
+        /// Axial position on the gear, mm.
+        z: f64,
+    },
+    /// The root fillet begins above the root form diameter.
+    #[error(
+        "the root fillet of the {flank} flank begins at diameter {ground:.4} mm, above the root form diameter {form} mm"
+    )]
+    RootReachesFlank {
+        /// Flank concerned.
+        flank: Flank,
+        /// Diameter at which it begins, mm.
+        ground: f64,
+        /// Root form diameter of the gear, mm.
+        form: f64,
+    },
+    /// The root fillet is sharper than wanted.
+    #[error(
+        "the root fillet of the {flank} flank has a radius of {least:.4} mm at its sharpest, less than {wanted} mm"
+    )]
+    RootTooSharp {
+        /// Flank concerned.
+        flank: Flank,
+        /// Least radius of curvature, mm.
+        least: f64,
+        /// Least one wanted, mm.
+        wanted: f64,
+    },
+    /// The referee's rays do not end on the planned root fillet.
+    #[error(
+        "the simulation does not confirm the root fillet of the {flank} flank at z = {z:.3} mm: {}",
+        difference.map_or_else(|| "nothing is cut there".to_owned(), |d| format!("it differs by {:.3} um", d * 1e3))
+    )]
+    RootNotConfirmed {
+        /// Flank concerned.
+        flank: Flank,
+        /// Axial position on the gear, mm.
+        z: f64,
+        /// What is left over the planned fillet, mm; `None` where nothing is cut.
+        difference: Option<f64>,
+    },
     /// A dresser is asked for a tool that has none.
     #[error("the tool is not dressed")]
     NotDressed,
@@ -330,6 +383,11 @@ impl GeneratingError {
             Self::ModelError { .. } => "model-error",
             Self::NoFlank => "no-flank",
             Self::CounterFlankCut { .. } => "counter-flank-cut",
+            Self::RootNeedsShift { .. } => "root-needs-shift",
+            Self::RootNotched { .. } => "root-notched",
+            Self::RootReachesFlank { .. } => "root-reaches-flank",
+            Self::RootTooSharp { .. } => "root-too-sharp",
+            Self::RootNotConfirmed { .. } => "root-not-confirmed",
             Self::NotDressed => "not-dressed",
             Self::ConicalWormWithoutWidth { .. } => "conical-worm-without-width",
             Self::ToolBelowBase { .. } => "worm-below-base",
@@ -390,6 +448,16 @@ impl GeneratingError {
             }
             Self::CounterFlankCut { .. } => {
                 "let the dresser carry more of the profile, leave out threads of the worm, or take a worm with a wider space".into()
+            }
+            Self::RootNeedsShift { .. } => {
+                "choose a diagonal ratio other than 0 and constant, or dressing.gear_root.along = \"follows\"".into()
+            }
+            Self::RootNotched { .. } | Self::RootReachesFlank { .. } => {
+                "give a smaller corner radius, a larger root diameter, or a larger form diameter of the gear".into()
+            }
+            Self::RootTooSharp { .. } => "give a larger corner radius, or accept a sharper fillet".into(),
+            Self::RootNotConfirmed { .. } => {
+                "give another corner radius, or leave dressing.gear_root out".into()
             }
             Self::NotDressed => "set worm.tool = \"dressed\" and describe the [dresser]".into(),
             Self::ConicalWormWithoutWidth { .. } => "give the usable width of the worm as worm.width, in mm".into(),
@@ -453,6 +521,7 @@ impl GeneratingError {
                 ContactError::Undercut { .. }
                     | ContactError::WormSurfaceMissing { .. }
                     | ContactError::NoStart { .. }
+                    | ContactError::NoRootFillet { .. }
                     | ContactError::ContactBelowBase { .. }
             ),
             Self::Dressing(e) | Self::Stroke { error: e, .. } => matches!(

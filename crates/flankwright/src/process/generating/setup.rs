@@ -1,6 +1,6 @@
 //! The bodies of a grinding job by the one table of defaults (spec 10 section 7): gear, worm, dresser and how they stand.
 
-use super::{FlankLines, GeneratingError, StrokeLayout};
+use super::{FlankLines, GearRootChoice, GeneratingError, StrokeLayout};
 use crate::contact::Pair;
 use crate::geometry::{Blank, Flank, Gear, GeometryError, Sides, WormChoice, WormForGear, worm_for_gear};
 use crate::kinematics::{DressingChain, MotionLaw};
@@ -26,6 +26,8 @@ pub struct SetupInput {
     pub tool_direction: Option<Sides<f64>>,
     /// Clearance between gear tip and worm root; default 0.25 m_n0.
     pub root_clearance: Option<f64>,
+    /// What is wanted of the gear's root where the worm's tip grinds it: the tip radius then follows from the root diameter.
+    pub gear_root: Option<GearRootChoice>,
 }
 
 /// What is chosen of a dresser. mm.
@@ -128,7 +130,7 @@ impl GrindingSetup {
     /// Impossible bodies, bodies that do not mesh, a worm without conjugate dresser.
     pub fn new(input: SetupInput) -> Result<Self, GeneratingError> {
         input.blank.check(&input.gear)?;
-        let Placed { made, pair, engaged, root_by_gear, fields, ranges } = Placed::new(
+        let Placed { mut made, pair, engaged, root_by_gear, fields, ranges } = Placed::new(
             &input.gear,
             &input.blank,
             input.evaluation,
@@ -136,6 +138,9 @@ impl GrindingSetup {
             input.worm_width,
             input.root_clearance,
         )?;
+        if input.gear_root.is_some() {
+            made.tip_radius = engaged - 0.5 * input.blank.root_diameter;
+        }
         let r_w1 = made.worm.pitch_radius();
         let (tool, root_radius) = match &input.dresser {
             None => (Tool::Made, root_by_gear),
@@ -199,6 +204,16 @@ impl GrindingSetup {
             tip_short: reach - largest_tip_radius,
             input,
         })
+    }
+
+    /// The same bodies with other lines on the tool, tan(rho_1).
+    pub fn with_tool_direction(mut self, direction: Sides<f64>) -> Self {
+        self.input.tool_direction = Some(direction);
+        self.tool_direction = direction;
+        self.lines = Sides::from_fn(|flank| {
+            FlankLines::new(&self.pair.flanks[flank], &self.fields[flank], direction[flank])
+        });
+        self
     }
 
     /// The plain dresser.

@@ -3,7 +3,7 @@
 use super::task::Task;
 use crate::exchange::LoadedJob;
 use crate::exchange::catalogue::{DresserEntry, WormEntry};
-use crate::exchange::job::{Dresser, DresserModification, FixedDresser, OneOrSides, Worm};
+use crate::exchange::job::{Dresser, DresserContact, DresserModification, FixedDresser, OneOrSides, Worm};
 use crate::geometry::Sides;
 use crate::modification::{AmountSpec, FlankChoice, ModificationSpec, Reference};
 
@@ -28,6 +28,8 @@ pub(super) fn job_of_pair(
     job.dresser = Some(Dresser {
         others: Vec::new(),
         tip_diameter: dresser.tip_diameter,
+        contact: DresserContact::Line,
+        tip_radius: None,
         pitch_diameter: dresser.pitch_diameter,
         root_clearance: job.catalogue.as_ref().and_then(|source| source.root_clearance),
         tip_land: dresser.tip_land,

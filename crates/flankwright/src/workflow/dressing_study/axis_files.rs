@@ -177,7 +177,9 @@ pub(super) fn deviation_figures(curves: &[DeviationCurve]) -> Table {
                 .deviation
                 .map_or_else(String::new, |x| format!("{} {}", format_significant(x, 4), unit(axis.unit)));
             let mut row = vec![label(&c.bodies), symbol(axis.axis).into(), deviation];
-            let um = [axis.tip_um, axis.middle_um, axis.root_um, axis.beyond_first_order_um];
+            // Rounding is no change.
+            let um = [axis.tip_um, axis.middle_um, axis.root_um, axis.beyond_first_order_um]
+                .map(|x| if x.abs() < 1e-9 { 0.0 } else { x });
             row.extend(um.map(|um| format_significant(um, 4)));
             row
         })

@@ -29,77 +29,109 @@ pub(super) struct Room {
     pub deepest: f64,
 }
 
-/// The disc is looked at over this angle to both sides of the direction to the worm axis, rad: beyond it, it is out of the
-/// thread space of any worm that it can dress.
-const HALF_ANGLE: f64 = 1.2;
-/// Positions of the scan and steps of the search round the best.
-const SCAN: usize = 81;
+/// The disc is looked at over this angle to both sides of the contact, rad: beyond it, it is out of the thread space of any worm
+/// that it can dress.
+const HALF_ANGLE: f64 = 1.4;
+/// Positions of the scan to each side and steps of the search round the best. Between two of them a distance changes by less than
+/// half a pitch of the threads.
+const SCAN: usize = 80;
 const STEPS: usize = 40;
 /// Circles of each side, from the tip rounding inwards, as shares of the depth of the thread.
 const SIDE_CIRCLES: [f64; 3] = [0.0, 0.5, 1.0];
 
-/// Room of the disc at `touch`; `modification` is f_n1 of the dressed flank at (w, z), mm.
+/// A circle of the disc: radius, axial position, and radius of the body round it.
+type Circle = [f64; 3];
+
+/// Room of the disc at `touch`, whose contact is at `contact`; `modification` is f_n1 of the dressed flank at (w, z), mm.
 pub(super) fn room(
     disc: &TipDisc,
     touch: &Touch,
+    contact: &Vector3<f64>,
     space: &ThreadSpace,
     modification: &dyn Fn(f64, f64) -> f64,
 ) -> Room {
     let deepest = touch.position.centre_distance - disc.outside_radius();
     let depth = space.tip_radius - deepest;
     let r_t = disc.tip_radius();
-    // Radius and axial position of a circle of the disc, and radius of the body round it.
-    let tip = [disc.centre_radius(), 0.0, r_t];
-    let sides = SIDE_CIRCLES.into_iter().flat_map(|share| {
-        let radius = disc.centre_radius() - share * depth;
-        [[radius, r_t, 0.0], [radius, -r_t, 0.0]]
-    });
-    let circles: Vec<[f64; 3]> = std::iter::once(tip).chain(sides).filter(|c| c[0] > 0.0).collect();
-    let least_of = |circles: &[[f64; 3]], flank: &InvoluteFlank, added: &dyn Fn(f64, f64) -> f64| {
-        let distances = circles.iter().map(|circle| least(touch, *circle, flank, space.tip_radius, added));
-        distances.fold(f64::INFINITY, f64::min)
+    let tip: Circle = [disc.centre_radius(), 0.0, r_t];
+    let side = |z: f64| {
+        SIDE_CIRCLES
+            .map(|share| [disc.centre_radius() - share * depth, z, 0.0])
+            .into_iter()
+            .filter(|c| c[0] > 0.0)
     };
+    let plain = |_: f64, _: f64| 0.0;
+    // Where the side would touch the dressed flank, the rounding next to it does too.
+    let own = Wall { flank: &space.own, tip_radius: space.tip_radius, modification };
+    let counter = Wall { flank: &space.counter, tip_radius: space.tip_radius, modification: &plain };
+    // The contact lies in the space, so that the counter flank is in front of it.
+    let across = counter.flank.deviation(contact).f_n;
+    let across = if across < 0.0 { across + counter.pitch() } else { across };
+    let walls = [side(r_t).collect(), side(-r_t).collect(), vec![tip]];
     Room {
-        counter: least_of(&circles, &space.counter, &|_, _| 0.0),
-        // Where the side would touch the dressed flank, the rounding next to it does too.
-        own: least_of(&circles[..1], &space.own, modification),
+        counter: walls
+            .iter()
+            .map(|chain: &Vec<Circle>| counter.least(touch, chain, across))
+            .fold(f64::INFINITY, f64::min),
+        own: own.least(touch, &[tip], r_t),
         deepest,
     }
 }
 
-/// Distance of a point in the thread space from a flank, mm: > 0 outside the material; infinite where there is no flank.
-fn distance(flank: &InvoluteFlank, x: &Vector3<f64>, modification: &dyn Fn(f64, f64) -> f64) -> f64 {
-    let at = flank.deviation(x);
-    // The nearest thread may be the next one: across the space a distance counts from this side.
-    let base_pitch = 2.0 * PI * flank.base_radius * flank.base_helix_angle.cos() / flank.teeth;
-    let f = if at.f_n < -0.25 * base_pitch { at.f_n + base_pitch } else { at.f_n };
-    if f.is_nan() { f64::INFINITY } else { f - modification(at.w, at.z) }
+/// A flank of the thread space as something to stay clear of.
+struct Wall<'a> {
+    flank: &'a InvoluteFlank,
+    tip_radius: f64,
+    modification: &'a dyn Fn(f64, f64) -> f64,
 }
 
-/// Least distance of the body round one circle of the disc from a flank.
-fn least(
-    touch: &Touch,
-    [radius, z, body]: [f64; 3],
-    flank: &InvoluteFlank,
-    tip_radius: f64,
-    modification: &dyn Fn(f64, f64) -> f64,
-) -> f64 {
-    // Radial directions of the disc: towards the worm axis, and across.
-    let to_axis = Vector3::new(-touch.centre.x, -touch.centre.y, 0.0);
-    let towards = (to_axis - touch.axis * to_axis.dot(&touch.axis)).normalize();
-    let across = touch.axis.cross(&towards);
-    let at = |psi: f64| {
-        let radial = towards * psi.cos() + across * psi.sin();
-        let x = touch.centre + radial * radius + touch.axis * z;
-        if x.x.hypot(x.y) > tip_radius + body {
-            return f64::INFINITY;
+impl Wall<'_> {
+    /// Distance of two threads along the normal, mm.
+    fn pitch(&self) -> f64 {
+        2.0 * PI * self.flank.base_radius * self.flank.base_helix_angle.cos() / self.flank.teeth
+    }
+
+    /// Distance of a point from this very flank, mm: the closed distance is that of the nearest thread, so whole pitches are
+    /// added until it is next to `near`, the distance of a point less than half a pitch away.
+    fn distance(&self, x: &Vector3<f64>, near: f64) -> Option<f64> {
+        let at = self.flank.deviation(x);
+        let f = at.f_n + self.pitch() * ((near - at.f_n) / self.pitch()).round();
+        f.is_finite().then(|| f - (self.modification)(at.w, at.z))
+    }
+
+    /// Least distance of the bodies round a chain of circles, each next to the one before it; `near` is the distance of a point
+    /// next to the first.
+    fn least(&self, touch: &Touch, circles: &[Circle], near: f64) -> f64 {
+        let radial = touch.around.cross(&touch.axis);
+        let mut least = f64::INFINITY;
+        let mut near = near;
+        for &[radius, z, body] in circles {
+            let point = |psi: f64| {
+                touch.centre + (radial * psi.cos() + touch.around * psi.sin()) * radius + touch.axis * z
+            };
+            let exists = |x: &Vector3<f64>| x.x.hypot(x.y) <= self.tip_radius + body;
+            near = self.distance(&point(0.0), near).unwrap_or(near);
+            let mut best = (f64::INFINITY, 0.0, near);
+            for way in [1.0, -1.0] {
+                let mut before = near;
+                for k in 0..=SCAN {
+                    let psi = way * HALF_ANGLE * k as f64 / SCAN as f64;
+                    let x = point(psi);
+                    let Some(f) = self.distance(&x, before) else { break };
+                    before = f;
+                    if exists(&x) && f < best.0 {
+                        best = (f, psi, f);
+                    }
+                }
+            }
+            let step = HALF_ANGLE / SCAN as f64;
+            let at = |psi: f64| {
+                let x = point(psi);
+                self.distance(&x, best.2).filter(|_| exists(&x)).unwrap_or(f64::INFINITY)
+            };
+            let psi = golden_section(best.1 - step, best.1 + step, STEPS, at);
+            least = least.min(best.0.min(at(psi)) - body);
         }
-        distance(flank, &x, modification) - body
-    };
-    let step = 2.0 * HALF_ANGLE / (SCAN - 1) as f64;
-    let values: Vec<f64> = (0..SCAN).map(|k| at(-HALF_ANGLE + step * k as f64)).collect();
-    let best = (0..SCAN).min_by(|&a, &b| values[a].total_cmp(&values[b])).unwrap_or(0);
-    let middle = -HALF_ANGLE + step * best as f64;
-    let psi = golden_section(middle - step, middle + step, STEPS, at);
-    values[best].min(at(psi))
+        least
+    }
 }

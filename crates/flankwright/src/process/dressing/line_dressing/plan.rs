@@ -208,7 +208,8 @@ impl<F: ThreadFunction> LineDressing<'_, F> {
         self.grid(ROOM_POINTS)
             .into_par_iter()
             .map(|(w, z)| {
-                let found = room(&self.disc, &self.touch(w, z, 0.0)?, &space, &modification);
+                let contact = self.contact(w, z, 0.0)?;
+                let found = room(&self.disc, &contact.touch, &contact.jet.p, &space, &modification);
                 for (with, distance, allowed) in
                     [(self.counter.flank, found.counter, 0.0), (flank, found.own, -GOUGE)]
                 {

@@ -113,6 +113,7 @@ impl Input {
             }),
             tool_direction: None,
             root_clearance: None,
+            gear_root: None,
         })
     }
 
