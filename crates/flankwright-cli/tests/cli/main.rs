@@ -11,3 +11,4 @@ mod planning;
 mod robustness;
 mod shifts;
 mod strokes;
+mod trends;
