@@ -5,6 +5,7 @@ mod catalogue;
 mod explore;
 mod gear_root;
 mod grinding;
+mod profile_parts;
 mod stroke_study;
 mod strokes;
 mod tool;

@@ -1,6 +1,7 @@
 //! The strokes of a worm flank as they are driven: from a plan or from `[settings.strokes]`, and back into settings. Knows no
 //! referee and no report.
 
+use super::execution::correction_series;
 use super::finding::RunFailure;
 use crate::exchange::job::{Settings, StrokeSettings, StrokeTables};
 use crate::exchange::{Diagnostic, Problem};
@@ -96,20 +97,9 @@ pub(super) fn strokes_of_settings(
         let area = ActiveArea::new(stroke.area_mm, stroke.touching_mm)
             .map_err(|e| RunFailure::on_field(&GeneratingError::from(e), &format!("{field}[{k}]")))?;
         let place = StrokePlace { dresser: stroke.dresser.saturating_sub(1), area, range: stroke.range_mm };
-        strokes.push((place, correction_series(stroke)));
+        let coefficients: [&[f64]; 4] =
+            [&stroke.d_phi_s_deg, &stroke.d_gamma_deg, &stroke.d_d_mm, &stroke.d_v_ya_mm];
+        strokes.push((place, correction_series([stroke.v_from_mm, stroke.v_to_mm], coefficients)));
     }
     StrokedFlank::of_corrections(layout, flank, strokes).map_err(|e| RunFailure::on_field(&e, &field))
-}
-
-fn correction_series(s: &StrokeSettings) -> [Chebyshev; 4] {
-    let series = |c: &[f64], unit: f64| {
-        let coefficients = if c.is_empty() { vec![0.0] } else { c.iter().map(|c| c * unit).collect() };
-        Chebyshev::from_coefficients(s.v_from_mm, s.v_to_mm, coefficients)
-    };
-    [
-        series(&s.d_phi_s_deg, PI / 180.0),
-        series(&s.d_gamma_deg, PI / 180.0),
-        series(&s.d_d_mm, 1.0),
-        series(&s.d_v_ya_mm, 1.0),
-    ]
 }

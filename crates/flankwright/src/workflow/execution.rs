@@ -291,7 +291,10 @@ impl Execution {
                 }
                 (Some((dresser, settled)), None) => {
                     let corrections = match given(flank) {
-                        Some(s) => correction_series(s),
+                        Some(s) => correction_series(
+                            [s.v_from_mm, s.v_to_mm],
+                            [&s.d_phi_s_deg, &s.d_gamma_deg, &s.d_d_mm, &s.d_v_ya_mm],
+                        ),
                         None => {
                             let (from, to) = dressing_interval(setup, settled, &shift, flank, 3.0);
                             settled.flanks[flank].settled.map(|x| Chebyshev::constant(from, to, x))
@@ -433,15 +436,12 @@ fn made_of_settings(
     })
 }
 
-fn correction_series(s: &FlankSettings) -> [Chebyshev; 4] {
-    let series = |c: &[f64], unit: f64| {
-        let coefficients = if c.is_empty() { vec![0.0] } else { c.iter().map(|c| c * unit).collect() };
-        Chebyshev::from_coefficients(s.v_from_mm, s.v_to_mm, coefficients)
-    };
-    [
-        series(&s.d_phi_s_deg, PI / 180.0),
-        series(&s.d_gamma_deg, PI / 180.0),
-        series(&s.d_d_mm, 1.0),
-        series(&s.d_v_ya_mm, 1.0),
-    ]
+/// DK over the worm position from the coefficients of settings: d_phi_S and d_gamma in degrees, d_d and d_v_yA in mm; left out: 0.
+pub(super) fn correction_series([from, to]: [f64; 2], coefficients: [&[f64]; 4]) -> [Chebyshev; 4] {
+    let units = [PI / 180.0, PI / 180.0, 1.0, 1.0];
+    std::array::from_fn(|j| {
+        let given = coefficients[j];
+        let scaled = if given.is_empty() { vec![0.0] } else { given.iter().map(|c| c * units[j]).collect() };
+        Chebyshev::from_coefficients(from, to, scaled)
+    })
 }

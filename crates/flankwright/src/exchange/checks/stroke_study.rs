@@ -1,8 +1,8 @@
 //! Contradictions in `[explore.dressing.strokes]` and `[explore.dressing.deviations]`.
 
+use super::profile_parts;
 use crate::exchange::diagnostic::{Diagnostic, Problem};
 use crate::exchange::job::{DressingStudy, StrokeStudy, StudyOver};
-use crate::exchange::node::shown_number;
 
 /// The tables stand with their abscissa and nowhere else; what they hold fits together.
 pub(super) fn check(study: &DressingStudy, findings: &mut Vec<Diagnostic>) {
@@ -46,44 +46,7 @@ pub(super) fn check(study: &DressingStudy, findings: &mut Vec<Diagnostic>) {
 }
 
 fn check_strokes(strokes: &StrokeStudy, findings: &mut Vec<Diagnostic>) {
-    let mut ascending = |field: String, from: f64, to: f64| {
-        if to <= from {
-            findings.push(
-                Diagnostic::new(Problem::InvalidJob, "a part of the profile ends before it begins")
-                    .field(field)
-                    .value(shown_number(to))
-                    .allowed(format!("> {}", shown_number(from)))
-                    .way_out("give the shares in ascending order"),
-            );
-        }
-    };
-    for (k, area) in strokes.areas.iter().enumerate() {
-        ascending(format!("explore.dressing.strokes.areas[{k}].to"), area.from, area.to);
-    }
-    let mut start = 0.0;
-    for (k, section) in strokes.sections.iter().enumerate() {
-        ascending(format!("explore.dressing.strokes.sections[{k}].to"), start, section.to);
-        start = section.to;
-    }
-    let last = strokes.sections.len().saturating_sub(1);
-    if start != 1.0 {
-        findings.push(
-            Diagnostic::new(Problem::InvalidJob, "the sections do not end with the profile")
-                .field(format!("explore.dressing.strokes.sections[{last}].to"))
-                .value(shown_number(start))
-                .allowed("1")
-                .way_out("let the last section end at 1.0"),
-        );
-    }
-    for (k, section) in strokes.sections.iter().enumerate() {
-        if section.area > strokes.areas.len() {
-            findings.push(
-                Diagnostic::new(Problem::InvalidJob, "there is no such active area")
-                    .field(format!("explore.dressing.strokes.sections[{k}].area"))
-                    .value(section.area.to_string())
-                    .allowed(format!("1 to {}", strokes.areas.len()))
-                    .way_out("give the number of an entry of `areas`, or add one"),
-            );
-        }
-    }
+    let areas: Vec<[f64; 2]> = strokes.areas.iter().map(|area| [area.from, area.to]).collect();
+    let sections: Vec<(f64, usize)> = strokes.sections.iter().map(|s| (s.to, s.area)).collect();
+    profile_parts::check("explore.dressing.strokes", &areas, &sections, findings);
 }

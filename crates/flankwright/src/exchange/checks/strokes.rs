@@ -1,6 +1,7 @@
 //! Contradictions in `[dressing.strokes]`, `dresser.others` and `[settings.strokes]`.
 
 use super::not_yet;
+use super::profile_parts;
 use crate::exchange::diagnostic::{Diagnostic, Problem};
 use crate::exchange::job::{
     Dresser, DresserContact, DresserModification, Dressing, DressingFlanks, Job, OtherDresser,
@@ -15,8 +16,7 @@ pub(super) fn check(job: &Job, findings: &mut Vec<Diagnostic>) {
     if let Some(dresser) = &job.dresser {
         others(job, dresser, findings);
         if let Some(strokes) = &job.dressing.strokes {
-            shares(strokes, findings);
-            numbers(strokes, 1 + dresser.others.len(), findings);
+            parts(strokes, 1 + dresser.others.len(), findings);
             beside(job, dresser, findings);
         }
     }
@@ -59,52 +59,11 @@ fn others(job: &Job, dresser: &Dresser, findings: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Areas and sections have a length, and the sections end with the profile.
-fn shares(strokes: &Strokes, findings: &mut Vec<Diagnostic>) {
-    let mut ascending = |field: String, from: f64, to: f64| {
-        if to <= from {
-            findings.push(
-                Diagnostic::new(Problem::InvalidJob, "a part of the profile ends before it begins")
-                    .field(field)
-                    .value(shown_number(to))
-                    .allowed(format!("> {}", shown_number(from)))
-                    .way_out("give the shares in ascending order"),
-            );
-        }
-    };
-    for (k, area) in strokes.areas.iter().enumerate() {
-        ascending(format!("{STROKES}.areas[{k}].to"), area.from, area.to);
-    }
-    let mut start = 0.0;
-    for (k, section) in strokes.sections.iter().enumerate() {
-        ascending(format!("{STROKES}.sections[{k}].to"), start, section.to);
-        start = section.to;
-    }
-    if start != 1.0 {
-        let last = strokes.sections.len().saturating_sub(1);
-        findings.push(
-            Diagnostic::new(Problem::InvalidJob, "the sections do not end with the profile")
-                .field(format!("{STROKES}.sections[{last}].to"))
-                .value(shown_number(start))
-                .allowed("1")
-                .way_out("let the last section end at 1.0"),
-        );
-    }
-}
-
-/// Every number names something that there is.
-fn numbers(strokes: &Strokes, dressers: usize, findings: &mut Vec<Diagnostic>) {
-    for (k, section) in strokes.sections.iter().enumerate() {
-        if section.area > strokes.areas.len() {
-            findings.push(
-                Diagnostic::new(Problem::InvalidJob, "there is no such active area")
-                    .field(format!("{STROKES}.sections[{k}].area"))
-                    .value(section.area.to_string())
-                    .allowed(format!("1 to {}", strokes.areas.len()))
-                    .way_out("give the number of an entry of `areas`, or add one"),
-            );
-        }
-    }
+/// Areas and sections are parts of the profile, and every number names something that there is.
+fn parts(strokes: &Strokes, dressers: usize, findings: &mut Vec<Diagnostic>) {
+    let areas: Vec<[f64; 2]> = strokes.areas.iter().map(|area| [area.from, area.to]).collect();
+    let sections: Vec<(f64, usize)> = strokes.sections.iter().map(|s| (s.to, s.area)).collect();
+    profile_parts::check(STROKES, &areas, &sections, findings);
     for (k, area) in strokes.areas.iter().enumerate() {
         if area.dresser > dressers {
             findings.push(no_dresser(format!("{STROKES}.areas[{k}].dresser"), area.dresser, dressers));
