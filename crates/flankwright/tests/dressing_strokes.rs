@@ -96,7 +96,12 @@ fn parabola(tool: &DresserTool, amount: f64) -> impl Fn(f64) -> f64 + Sync {
 /// Three strokes of one area over the whole profile.
 fn three(tool: &DresserTool, excess: f64) -> Vec<Stroke<'_>> {
     let section = ProfileSection { tool, area: area(tool, [0.3, 0.65], excess), range: range(tool) };
-    divide(&[section], Flank::Left, 0.02 * (range(tool)[1] - range(tool)[0])).unwrap()
+    divided(&[section], 0.02 * (range(tool)[1] - range(tool)[0]))
+}
+
+/// The strokes without the numbers of their sections.
+fn divided<'a>(sections: &[ProfileSection<'a>], overlap: f64) -> Vec<Stroke<'a>> {
+    divide(sections, Flank::Left, overlap).unwrap().into_iter().map(|(_, stroke)| stroke).collect()
 }
 
 #[test]
@@ -201,7 +206,7 @@ proptest! {
         let part = area(&tool, [0.0, length], 0.0);
         let middle = from + kink * m;
         let sections = [[from, middle], [middle, to]].map(|range| ProfileSection { tool: &tool, area: part, range });
-        let strokes = divide(&sections, Flank::Left, overlap * m).unwrap();
+        let strokes = divided(&sections, overlap * m);
         let count = |width: f64| if width <= length { 1 } else {
             (1..).find(|&n| f64::from(n) * length - f64::from(n - 1) * overlap >= width - 1e-9).unwrap()
         };

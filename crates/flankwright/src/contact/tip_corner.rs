@@ -33,27 +33,12 @@ pub struct RootFillet {
     x: Chebyshev,
     y: Chebyshev,
     /// Unit normal of the gear at chi = 0, out of its material.
-    pub flank_normal: Vector3<f64>,
-    /// Feed z_V2 at which the junction with the flank is ground, and that of the root.
-    pub feeds: [f64; 2],
+    flank_normal: Vector3<f64>,
 }
 
 /// Contacts over the edge from which the section is interpolated, and places at which its curvature is looked at.
 const NODES: usize = 41;
 const PLACES: usize = 201;
-
-fn cross<T: Scalar>(a: &Vector3<T>, b: &Vector3<T>) -> Vector3<T> {
-    Vector3::new(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x)
-}
-
-fn dot<T: Scalar>(a: &Vector3<T>, b: &Vector3<T>) -> T {
-    a.x * b.x + a.y * b.y + a.z * b.z
-}
-
-fn unit<T: Scalar>(a: &Vector3<T>) -> Vector3<T> {
-    let length = dot(a, a).sqrt();
-    a.map(|x| x / length)
-}
 
 impl TipCorner {
     /// Edge of radius `radius` on a worm flank; `tip` is the tip radius over the worm's z.
@@ -103,10 +88,11 @@ impl TipCorner {
         let centre = combined(T::from(r_b), w, zeta);
         // d(centre)/d(zeta): along the involute as the tip radius changes, and with the helix.
         let path = combined(r * slope / r_b - w * (twist * s), T::from(twist * s * r_b), T::from(1.0));
-        let across = unit(&cross(&path, &frame.n));
+        let across = path.cross(&frame.n);
         let radial = Vector3::new(centre.x, centre.y, T::from(0.0));
-        let turned = if value_of(dot(&across, &radial)) < 0.0 { -1.0 } else { 1.0 };
-        Section { centre, flank_normal: frame.n, outward: across.map(|x| x * turned) }
+        let turned = if value_of(across.dot(&radial)) < 0.0 { -1.0 } else { 1.0 };
+        let scale = across.dot(&across).sqrt().recip() * turned;
+        Section { centre, flank_normal: frame.n, outward: across * scale }
     }
 
     /// Angle chi at which the edge passes into the tip.
@@ -150,7 +136,7 @@ impl TipCorner {
             .map_err(|_| ContactError::NoRootFillet { flank: self.flank.flank, z })?;
             start = solved.x;
             let (_, point, normal) = self.contact(motion, phase, chi, start[0], start[1], start[2]);
-            found.push((point, normal, start[2]));
+            found.push((point, normal));
         }
         let (root, flank) = (found[0], found[NODES + 1]);
         // Into the space centred on +y.
@@ -161,13 +147,7 @@ impl TipCorner {
             let values: Vec<f64> = found[1..=NODES].iter().rev().map(|at| (turn * at.0)[k]).collect();
             Chebyshev::interpolate(0.0, end, &values)
         };
-        Ok(RootFillet {
-            z,
-            x: series(0),
-            y: series(1),
-            flank_normal: turn * flank.1,
-            feeds: [flank.2, root.2],
-        })
+        Ok(RootFillet { z, x: series(0), y: series(1), flank_normal: turn * flank.1 })
     }
 
     /// Both conditions of the envelope, and point and outward normal of the gear, at an angle on the edge, a place of the ball, and
@@ -202,15 +182,13 @@ impl TipCorner {
         let (sin_1, cos_1) = angle.sin_cos();
         let towards = Vector3::new(sin_1, cos_1, T::from(0.0));
         let rate = (shift * motion.shift_coupling + motion.feed_coupling) / z_2 + turn;
-        let pivot = towards.map(|x| x * (state.delta_d + motion.chain.centre_distance))
+        let pivot = towards * (state.delta_d + motion.chain.centre_distance)
             - Vector3::new(T::from(0.0), T::from(0.0), state.shift);
-        let by_feed = turning.map(|x| x * rate)
-            + axis
-            + towards.map(|x| x * approach)
-            + cross(&towards, &(at.centre - pivot)).map(|x| x * swivel)
-            - Vector3::new(T::from(0.0), T::from(0.0), shift);
+        let by_feed =
+            turning * rate + axis + towards * approach + towards.cross(&(at.centre - pivot)) * swivel
+                - Vector3::new(T::from(0.0), T::from(0.0), shift);
         let normal = on_gear(&n);
-        ([dot(&n, &by_angle), dot(&n, &by_feed)], gear + normal.map(|x| x * self.radius), -normal)
+        ([n.dot(&by_angle), n.dot(&by_feed)], gear + normal.map(|x| x * self.radius), -normal)
     }
 }
 

@@ -36,6 +36,17 @@ pub(super) fn check(job: &Job) -> Vec<Diagnostic> {
     findings
 }
 
+/// Entries that are each in range and contradict each other.
+fn contradiction(
+    message: &str,
+    field: impl Into<Box<str>>,
+    value: String,
+    allowed: &str,
+    way_out: &str,
+) -> Diagnostic {
+    Diagnostic::new(Problem::InvalidJob, message).field(field).value(value).allowed(allowed).way_out(way_out)
+}
+
 /// Result points per flank: a finer grid shows nothing more and takes minutes.
 const MOST_POINTS: usize = 40_401;
 

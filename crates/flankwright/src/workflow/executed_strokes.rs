@@ -1,7 +1,7 @@
 //! The strokes of a worm flank as they are driven: from a plan or from `[settings.strokes]`, and back into settings. Knows no
 //! referee and no report.
 
-use super::execution::correction_series;
+use super::execution::{correction_coefficients, correction_series};
 use super::finding::RunFailure;
 use crate::exchange::job::{Settings, StrokeSettings, StrokeTables};
 use crate::exchange::{Diagnostic, Problem};
@@ -10,7 +10,6 @@ use crate::kinematics::DressingMotion;
 use crate::numerics::Chebyshev;
 use crate::process::dressing::{ActiveArea, dressing_motion};
 use crate::process::generating::{GeneratingError, StrokeLayout, StrokePlace, StrokedFlank};
-use std::f64::consts::PI;
 
 /// One stroke.
 #[derive(Clone, Debug)]
@@ -48,8 +47,7 @@ impl ExecutedStrokes {
     pub(super) fn settings(&self) -> Vec<StrokeSettings> {
         let of = |stroke: &ExecutedStroke| {
             let (v_from_mm, v_to_mm) = stroke.corrections[0].interval();
-            let series =
-                |j: usize, unit: f64| stroke.corrections[j].coefficients().iter().map(|c| c * unit).collect();
+            let [d_phi_s_deg, d_gamma_deg, d_d_mm, d_v_ya_mm] = correction_coefficients(&stroke.corrections);
             StrokeSettings {
                 dresser: stroke.place.dresser + 1,
                 area_mm: stroke.place.area.part(),
@@ -57,10 +55,10 @@ impl ExecutedStrokes {
                 range_mm: stroke.place.range,
                 v_from_mm,
                 v_to_mm,
-                d_phi_s_deg: series(0, 180.0 / PI),
-                d_gamma_deg: series(1, 180.0 / PI),
-                d_d_mm: series(2, 1.0),
-                d_v_ya_mm: series(3, 1.0),
+                d_phi_s_deg,
+                d_gamma_deg,
+                d_d_mm,
+                d_v_ya_mm,
             }
         };
         self.strokes.iter().map(of).collect()

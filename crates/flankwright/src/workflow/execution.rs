@@ -353,15 +353,14 @@ impl Execution {
         let flank = |flank: Flank| {
             let f = self.flanks[flank].as_ref()?.dressing()?;
             let (from, to) = f.corrections[0].interval();
-            let series =
-                |j: usize, unit: f64| f.corrections[j].coefficients().iter().map(|c| c * unit).collect();
+            let [d_phi_s_deg, d_gamma_deg, d_d_mm, d_v_ya_mm] = correction_coefficients(&f.corrections);
             Some(FlankSettings {
                 v_from_mm: from,
                 v_to_mm: to,
-                d_phi_s_deg: series(0, 180.0 / PI),
-                d_gamma_deg: series(1, 180.0 / PI),
-                d_d_mm: series(2, 1.0),
-                d_v_ya_mm: series(3, 1.0),
+                d_phi_s_deg,
+                d_gamma_deg,
+                d_d_mm,
+                d_v_ya_mm,
                 profile_um: f.profile.iter().map(|p| p * 1e3).collect(),
                 reliefs: f.reliefs.clone(),
             })
@@ -434,6 +433,12 @@ fn made_of_settings(
             .way_out("give ascending w_mm and z_mm and one row of f_um for each w_mm");
         RunFailure::bad_input(finding)
     })
+}
+
+/// The coefficients of DK as settings have them: d_phi_S and d_gamma in degrees, d_d and d_v_yA in mm.
+pub(super) fn correction_coefficients(corrections: &[Chebyshev; 4]) -> [Vec<f64>; 4] {
+    let units = [180.0 / PI, 180.0 / PI, 1.0, 1.0];
+    std::array::from_fn(|j| corrections[j].coefficients().iter().map(|c| c * units[j]).collect())
 }
 
 /// DK over the worm position from the coefficients of settings: d_phi_S and d_gamma in degrees, d_d and d_v_yA in mm; left out: 0.

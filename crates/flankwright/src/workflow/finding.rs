@@ -7,6 +7,7 @@ use crate::kinematics::LawError;
 use crate::modification::ModificationError;
 use crate::process::dressing::DressingError;
 use crate::process::generating::GeneratingError;
+use crate::removal::RemovalError;
 
 /// Something worth saying that is no error.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -48,6 +49,12 @@ impl RunFailure {
     pub(super) fn of_law(error: &LawError, field: &str) -> Self {
         let finding = Diagnostic::with_code(error.code(), error.to_string());
         Self::bad_input(finding.field(field).way_out(error.way_out()))
+    }
+
+    /// What stopped the referee, on the table whose motion it ran.
+    pub(super) fn of_removal(error: &RemovalError, field: &str) -> Self {
+        let finding = Diagnostic::with_code(error.code(), error.to_string());
+        Self::not_producible(finding.field(field).way_out(error.way_out().to_string()))
     }
 
     fn of_generating(error: &GeneratingError, finding: Diagnostic) -> Self {

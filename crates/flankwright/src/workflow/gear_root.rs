@@ -121,10 +121,7 @@ fn refereed(
             })
         })
         .collect();
-    let lengths = grinding.lengths(&rays).map_err(|e| {
-        let error = crate::exchange::Diagnostic::with_code(e.code(), e.to_string());
-        RunFailure::not_producible(error.field("dressing.gear_root").way_out(e.way_out().to_string()))
-    })?;
+    let lengths = grinding.lengths(&rays).map_err(|e| RunFailure::of_removal(&e, "dressing.gear_root"))?;
     let mut largest: f64 = 0.0;
     for (ray, length) in rays.iter().zip(lengths) {
         match length {

@@ -126,11 +126,6 @@ fn refused(error: &DressingError, tip_radius: f64) -> RunFailure {
     }
 }
 
-fn unfinished(error: &RemovalError) -> RunFailure {
-    let finding = Diagnostic::with_code(error.code(), error.to_string());
-    RunFailure::not_producible(finding.field("dressing").way_out(error.way_out().to_string()))
-}
-
 /// The part of the tool's table that is written.
 fn area(made: &MadeFlank, tip_roll: f64) -> [[f64; 2]; 2] {
     let [w, z] = made.spline.domain();
@@ -173,7 +168,8 @@ fn written(
         }
         positions.push(along);
     }
-    let (over, statistics) = sample(&task, &plan, &paths, made, progress).map_err(|e| unfinished(&e))?;
+    let (over, statistics) =
+        sample(&task, &plan, &paths, made, progress).map_err(|e| RunFailure::of_removal(&e, "dressing"))?;
     let result = LineDressingResult {
         line_direction_deg: task.direction.rho.to_degrees(),
         lines: plan.lines.len(),

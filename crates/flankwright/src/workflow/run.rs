@@ -116,11 +116,8 @@ fn finish(
     let refereeing = Instant::now();
     let cutting =
         Cutting { feed_per_revolution: job.grinding.feed_per_revolution, strokes: strokes.as_ref() };
-    let verdicts = referee::run(&prepared.setup, &execution, cutting, progress).map_err(|e| {
-        let finding =
-            Diagnostic::with_code(e.code(), e.to_string()).field("grinding").way_out(e.way_out().to_string());
-        RunFailure::not_producible(finding)
-    })?;
+    let verdicts = referee::run(&prepared.setup, &execution, cutting, progress)
+        .map_err(|e| RunFailure::of_removal(&e, "grinding"))?;
     let gear_root = gear_root(&prepared, &execution)?;
     timing.insert("referee", refereeing.elapsed().as_secs_f64());
     let mut warnings = prepared.warnings.clone();

@@ -1,6 +1,7 @@
 //! Contradictions around `[dressing.gear_root]`: the head of the dresser makes the worm's tip, and the tip follows from the gear.
 
-use crate::exchange::diagnostic::{Diagnostic, Problem};
+use super::contradiction;
+use crate::exchange::diagnostic::Diagnostic;
 use crate::exchange::job::{Condition, DressingFlanks, Job, Tool};
 use crate::exchange::node::shown_number;
 
@@ -9,13 +10,7 @@ pub(super) fn check(job: &Job, findings: &mut Vec<Diagnostic>) {
         return;
     }
     let mut refuse = |message: &str, field: &str, value: String, allowed: &str, way_out: &str| {
-        findings.push(
-            Diagnostic::new(Problem::InvalidJob, message)
-                .field(field)
-                .value(value)
-                .allowed(allowed)
-                .way_out(way_out),
-        );
+        findings.push(contradiction(message, field, value, allowed, way_out));
     };
     const WITHOUT: &str = "leave `dressing.gear_root` out";
     if job.worm.tool != Tool::Dressed {

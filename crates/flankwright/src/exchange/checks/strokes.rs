@@ -1,7 +1,7 @@
 //! Contradictions in `[dressing.strokes]`, `dresser.others` and `[settings.strokes]`.
 
 use super::not_yet;
-use super::profile_parts;
+use super::{contradiction, profile_parts};
 use crate::exchange::diagnostic::{Diagnostic, Problem};
 use crate::exchange::job::{
     Dresser, DresserContact, DresserModification, Dressing, DressingFlanks, Job, OtherDresser,
@@ -82,13 +82,7 @@ fn no_dresser(field: String, number: usize, dressers: usize) -> Diagnostic {
 /// What cannot stand beside strokes.
 fn beside(job: &Job, dresser: &Dresser, findings: &mut Vec<Diagnostic>) {
     let mut refuse = |message: &str, field: String, value: String, allowed: &str, way_out: &str| {
-        findings.push(
-            Diagnostic::new(Problem::InvalidJob, message.to_string())
-                .field(field)
-                .value(value)
-                .allowed(allowed)
-                .way_out(way_out),
-        );
+        findings.push(contradiction(message, field, value, allowed, way_out));
     };
     let modifications = std::iter::once(("dresser.modification".to_owned(), &dresser.modification));
     let further = dresser.others.iter().enumerate();

@@ -1,5 +1,6 @@
 //! Contradictions between `[worm]`, `[dresser]` and `[dressing]`: who profiles the tool, and with what.
 
+use super::contradiction;
 use super::not_yet;
 use crate::exchange::diagnostic::{Diagnostic, Problem};
 use crate::exchange::job::{
@@ -291,13 +292,7 @@ fn designed_for(there: &DesignedFor, findings: &mut Vec<Diagnostic>) {
 /// One motion for both flanks makes value and slope of each; it needs both, and one lead.
 fn two_flanks(job: &Job, findings: &mut Vec<Diagnostic>) {
     let mut refuse = |message: &str, field: &str, value: String, allowed: &str, way_out: &str| {
-        findings.push(
-            Diagnostic::new(Problem::InvalidJob, message.to_string())
-                .field(field)
-                .value(value)
-                .allowed(allowed)
-                .way_out(way_out),
-        );
+        findings.push(contradiction(message, field, value, allowed, way_out));
     };
     const ONE: &str = "dress one flank after the other: dressing.flanks = \"one\"";
     if job.grinding.flanks != Flanks::Both {

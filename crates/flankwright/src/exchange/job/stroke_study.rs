@@ -24,7 +24,7 @@ pub struct StrokeStudy {
     pub overlap: f64,
 }
 
-fn overlap() -> f64 {
+pub(super) fn overlap() -> f64 {
     0.05
 }
 
@@ -59,7 +59,7 @@ pub struct StrokeSection {
     pub area: usize,
 }
 
-fn first() -> usize {
+pub(super) fn first() -> usize {
     1
 }
 

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::stroke_study::share;
+use super::stroke_study::{first, overlap, share};
 
 /// Dressing of the worm's profile in several strokes, each with its own corrections. Shares count from w_NfS (0), which grinds the
 /// tip of the gear, to w_NaS (1), which grinds its root form circle, evenly in the length of roll.
@@ -20,10 +20,6 @@ pub struct Strokes {
     #[serde(default = "overlap")]
     #[schemars(extend("minimum" = 0, "maximum" = 10, "x-way-out" = "give some hundredths of a mm"))]
     pub overlap: f64,
-}
-
-fn overlap() -> f64 {
-    0.05
 }
 
 /// A part of a dresser's profile that touches the worm.
@@ -53,8 +49,4 @@ pub struct DressedSection {
     #[serde(default = "first")]
     #[schemars(extend("minimum" = 1, "maximum" = 24, "x-way-out" = "give the number of an entry of `areas`"))]
     pub area: usize,
-}
-
-fn first() -> usize {
-    1
 }

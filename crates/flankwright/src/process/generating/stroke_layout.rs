@@ -2,6 +2,7 @@
 //! each stroke dresses. Knows no wanted modification and no correction.
 
 use super::dressed::with_profiles;
+use super::setup::dressing_place;
 use super::{Carried, Decomposition, DresserChoice, GeneratingError, GrindingSetup, IdealWorm};
 use crate::geometry::{Flank, Sides};
 use crate::kinematics::MotionLaw;
@@ -119,17 +120,9 @@ fn beside(
     first: &DresserTool,
     choice: &DresserChoice,
 ) -> Result<DresserTool, GeneratingError> {
-    let centre_distance = match choice.pitch_diameter {
-        Some(pitch) => setup.worm_pitch_radius + 0.5 * pitch,
-        None => setup.worm_root_radius + 0.5 * choice.tip_diameter,
-    };
-    let chains = Sides::from_fn(|flank| {
-        let mut chain = first.flanks[flank].chain;
-        chain.centre_distance = centre_distance;
-        chain
-    });
-    let ranges = Sides::from_fn(|flank| first.flanks[flank].range);
-    Ok(DresserTool::conjugate(&setup.pair.worm, chains, ranges)?)
+    let worm = &setup.pair.worm;
+    let (_, chains) = dressing_place(choice, worm, setup.worm_root_radius);
+    Ok(DresserTool::conjugate(worm, chains, Sides::from_fn(|flank| first.flanks[flank].range))?)
 }
 
 /// The strokes of one flank.
@@ -140,32 +133,27 @@ fn places(
 ) -> Result<Vec<StrokePlace>, GeneratingError> {
     let mut areas = Vec::with_capacity(choice.areas.len());
     for area in &choice.areas {
-        let Some(tool) = dressers.get(area.dresser) else { return Err(GeneratingError::NotDressed) };
-        let (designed, range) = (tool.flanks[flank].designed, tool.flanks[flank].range);
-        let part = [area.from, area.to].map(|share| designed.w_nf + share * designed.length());
-        // Each of two neighbours gives half of the overlap.
-        let excess = 0.5 * choice.overlap * designed.length() / range.length();
-        areas.push((area.dresser, tool, ActiveArea::new(part, [part[0] - excess, part[1] + excess])?));
+        let tool = dressers.get(area.dresser).ok_or(GeneratingError::NotDressed)?;
+        let part = ActiveArea::of_shares(&tool.flanks[flank], [area.from, area.to], choice.overlap)?;
+        areas.push((area.dresser, tool, part));
     }
     let mut sections = Vec::with_capacity(choice.sections.len());
+    let mut numbers = Vec::with_capacity(choice.sections.len());
     let mut start = -CONTINUED;
     for (k, section) in choice.sections.iter().enumerate() {
-        let Some(&(_, tool, area)) = areas.get(section.area) else { return Err(GeneratingError::NotDressed) };
+        let &(dresser, tool, area) = areas.get(section.area).ok_or(GeneratingError::NotDressed)?;
         let range = tool.flanks[flank].range;
         let end = if k + 1 == choice.sections.len() { section.to + CONTINUED } else { section.to };
         let on_worm = |share: f64| range.w_nf + share * range.length();
         sections.push(ProfileSection { tool, area, range: [on_worm(start), on_worm(end)] });
+        numbers.push(dresser);
         start = end;
     }
-    let dresser_of = |stroke: &Stroke<'_>| {
-        let same = |(_, tool, area): &&(usize, &DresserTool, ActiveArea)| {
-            std::ptr::eq(*tool, stroke.tool) && *area == stroke.area
-        };
-        areas.iter().find(same).map_or(0, |(dresser, ..)| *dresser)
-    };
     let strokes = divide(&sections, flank, choice.overlap)?;
-    Ok(strokes
-        .iter()
-        .map(|stroke| StrokePlace { dresser: dresser_of(stroke), area: stroke.area, range: stroke.range })
-        .collect())
+    let place = |(section, stroke): (usize, Stroke<'_>)| StrokePlace {
+        dresser: numbers[section],
+        area: stroke.area,
+        range: stroke.range,
+    };
+    Ok(strokes.into_iter().map(place).collect())
 }

@@ -1,28 +1,21 @@
 //! Entries of a catalogue as bodies of the search.
 
 use crate::exchange::catalogue::{Catalogue, DresserEntry, WormEntry};
-use crate::exchange::job::{DesignedFor, Job, OneOrSides};
+use crate::exchange::job::Job;
 use crate::geometry::WormChoice;
 use crate::process::dressing::catalogue::{CatalogueDresser, CatalogueWorm, DresserSize, WornDiameter};
-
-fn threads(threads: u32) -> i32 {
-    i32::try_from(threads).unwrap_or(i32::MAX)
-}
-
-/// Angle of the left flank, rad; that of the gear where none is given.
-fn angle(job: &Job, given: Option<OneOrSides<f64>>) -> f64 {
-    given.unwrap_or(job.gear.normal_pressure_angle_deg).sides().left.to_radians()
-}
+use crate::workflow::prepare::designed_worm;
 
 fn worm(job: &Job, entry: &WormEntry) -> CatalogueWorm {
+    let angles = entry.normal_pressure_angle_deg.unwrap_or(job.gear.normal_pressure_angle_deg);
     CatalogueWorm {
         name: entry.name.clone(),
         choice: WormChoice {
-            threads: threads(entry.threads),
+            threads: i32::try_from(entry.threads).unwrap_or(i32::MAX),
             hand: entry.hand.unwrap_or_else(|| job.worm_hand()).sign(),
             pitch_diameter: entry.pitch_diameter,
             tip_diameter: entry.tip_diameter,
-            pressure_angle: Some(angle(job, entry.normal_pressure_angle_deg)),
+            pressure_angle: Some(angles.sides().left.to_radians()),
             profile_shift: 0.0,
             cone_angle: 0.0,
         },
@@ -33,18 +26,6 @@ fn worm(job: &Job, entry: &WormEntry) -> CatalogueWorm {
             .map(WornDiameter::Pitch)
             .or(entry.smallest_tip_diameter.map(WornDiameter::Tip)),
         width: entry.width,
-    }
-}
-
-fn designed_worm(job: &Job, there: &DesignedFor) -> WormChoice {
-    WormChoice {
-        threads: threads(there.threads),
-        hand: job.worm_hand().sign(),
-        pitch_diameter: there.pitch_diameter,
-        tip_diameter: there.tip_diameter,
-        pressure_angle: Some(angle(job, there.normal_pressure_angle_deg)),
-        profile_shift: 0.0,
-        cone_angle: 0.0,
     }
 }
 

@@ -100,10 +100,12 @@ pub(super) struct Task<'a> {
 }
 
 impl<'a> Task<'a> {
-    /// The task for the bodies of a setup.
-    pub fn new(setup: &'a GrindingSetup, flank: Flank) -> Result<Self, GeneratingError> {
-        let tool = setup.dresser()?;
-        Ok(Self { tool, flank, radius: setup.worm_pitch_radius, cos: setup.lines[flank].cos_b2 })
+    /// The task for bodies, or why there is none.
+    pub fn new(bodies: &'a Bodies, flank: Flank) -> Result<(Self, &'a GrindingSetup), Refused> {
+        let setup = bodies.setup.as_ref().map_err(Clone::clone)?;
+        let tool = setup.dresser().map_err(|error| Refused::from(&error))?;
+        let task = Self { tool, flank, radius: setup.worm_pitch_radius, cos: setup.lines[flank].cos_b2 };
+        Ok((task, setup))
     }
 
     /// f_n of the worm at the middle of the profile for a profile crowning c on the gear, mm (spec 30, decision on (19)).
@@ -157,13 +159,9 @@ pub(super) fn curve(
         with_tip_land: None,
         refused: Some(refused),
     };
-    let setup = match &bodies.setup {
-        Ok(setup) => setup,
-        Err(refused) => return none(refused.clone()),
-    };
-    let task = match Task::new(setup, flank) {
-        Ok(task) => task,
-        Err(error) => return none(Refused::from(&error)),
+    let (task, setup) = match Task::new(bodies, flank) {
+        Ok(found) => found,
+        Err(refused) => return none(refused),
     };
     let Some(steps) = steps else {
         return whole(bodies, &task, setup, tip_land).unwrap_or_else(|error| none(Refused::from(&error)));

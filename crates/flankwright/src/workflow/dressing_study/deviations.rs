@@ -103,12 +103,9 @@ pub(super) fn curve(bodies: &Bodies, flank: Flank, given: &AxisDeviations) -> De
         quantiles: Vec::new(),
         refused: None,
     };
-    let made = match &bodies.setup {
-        Err(refused) => Err(refused.clone()),
-        Ok(setup) => Task::new(setup, flank).map_err(|error| Refused::from(&error)).and_then(|task| {
-            fill(&task, given, &mut curve).map_err(|error| Refused::from(&GeneratingError::from(error)))
-        }),
-    };
+    let made = Task::new(bodies, flank).and_then(|(task, _)| {
+        fill(&task, given, &mut curve).map_err(|error| Refused::from(&GeneratingError::from(error)))
+    });
     curve.refused = made.err();
     curve
 }

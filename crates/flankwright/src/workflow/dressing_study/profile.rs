@@ -69,18 +69,10 @@ fn one(bodies: &Bodies, flank: Flank, crowning_um: f64) -> ProfileCurve {
         r_a_mm: Vec::new(),
         refused: None,
     };
-    match &bodies.setup {
-        Err(refused) => ProfileCurve { refused: Some(refused.clone()), ..empty },
-        Ok(setup) => match Task::new(setup, flank) {
-            Err(error) => ProfileCurve { refused: Some(Refused::from(&error)), ..empty },
-            Ok(task) => match fill(&task, crowning_um, empty.clone()) {
-                Ok(curve) => curve,
-                Err(error) => {
-                    ProfileCurve { refused: Some(Refused::from(&GeneratingError::from(error))), ..empty }
-                }
-            },
-        },
-    }
+    let filled = Task::new(bodies, flank).and_then(|(task, _)| {
+        fill(&task, crowning_um, empty.clone()).map_err(|error| Refused::from(&GeneratingError::from(error)))
+    });
+    filled.unwrap_or_else(|refused| ProfileCurve { refused: Some(refused), ..empty })
 }
 
 fn fill(task: &Task<'_>, crowning_um: f64, empty: ProfileCurve) -> Result<ProfileCurve, DressingError> {

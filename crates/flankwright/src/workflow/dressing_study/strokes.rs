@@ -5,7 +5,7 @@ use super::crowning::Task;
 use crate::exchange::job::StrokeStudy;
 use crate::geometry::Flank;
 use crate::numerics::equidistant;
-use crate::process::dressing::{ActiveArea, DressingError, MultiStroke, ProfileSection, divide};
+use crate::process::dressing::{ActiveArea, DressingError, MultiStroke, ProfileSection, Stroke, divide};
 use crate::process::generating::GeneratingError;
 use crate::workflow::explore::Refused;
 use serde::Serialize;
@@ -83,26 +83,22 @@ pub(super) fn curve(bodies: &Bodies, flank: Flank, study: &StrokeStudy) -> Strok
         deviation_um: None,
         refused: None,
     };
-    let made = match &bodies.setup {
-        Err(refused) => Err(refused.clone()),
-        Ok(setup) => Task::new(setup, flank).map_err(|error| Refused::from(&error)).and_then(|task| {
-            fill(&task, study, &mut curve).map_err(|error| Refused::from(&GeneratingError::from(error)))
-        }),
-    };
+    let made = Task::new(bodies, flank).and_then(|(task, _)| {
+        fill(&task, study, &mut curve).map_err(|error| Refused::from(&GeneratingError::from(error)))
+    });
     curve.refused = made.err();
     curve
 }
 
 fn fill(task: &Task<'_>, study: &StrokeStudy, curve: &mut StrokeCurve) -> Result<(), DressingError> {
     let dresser = &task.tool.flanks[task.flank];
-    let (range, designed) = (dresser.range, dresser.designed);
+    let range = dresser.range;
     let on_worm = |share: f64| range.w_nf + share * range.length();
-    let excess = 0.5 * study.overlap * designed.length() / range.length();
-    let mut areas = Vec::new();
-    for area in &study.areas {
-        let part = [area.from, area.to].map(|share| designed.w_nf + share * designed.length());
-        areas.push(ActiveArea::new(part, [part[0] - excess, part[1] + excess])?);
-    }
+    let areas: Vec<ActiveArea> = study
+        .areas
+        .iter()
+        .map(|area| ActiveArea::of_shares(dresser, [area.from, area.to], study.overlap))
+        .collect::<Result<_, _>>()?;
     let starts = std::iter::once(0.0).chain(study.sections.iter().map(|s| s.to));
     let sections: Vec<ProfileSection<'_>> = study
         .sections
@@ -113,16 +109,16 @@ fn fill(task: &Task<'_>, study: &StrokeStudy, curve: &mut StrokeCurve) -> Result
             Some(ProfileSection { tool: task.tool, area, range: [on_worm(start), on_worm(section.to)] })
         })
         .collect();
-    let strokes = divide(&sections, task.flank, study.overlap)?;
+    let divided = divide(&sections, task.flank, study.overlap)?;
+    let strokes: Vec<Stroke<'_>> = divided.iter().map(|(_, stroke)| *stroke).collect();
     let wanted = |w: f64| wanted_um(study, (w - range.w_nf) / range.length()) * 1e-3;
     let dressed = MultiStroke::solve(&strokes, task.flank, task.radius, &wanted)?;
-    for (stroke, made) in strokes.iter().zip(dressed.strokes()) {
+    for ((section, _), made) in divided.iter().zip(dressed.strokes()) {
         let w = equidistant(made.covers, STROKE_POINTS);
         let points = made.profile().at_rolls(&w)?;
-        let area = areas.iter().position(|area| *area == stroke.area).map_or(0, |k| k + 1);
         let [d_phi, d_gamma, d_d, d_v] = made.dk;
         curve.strokes.push(StrokeFigures {
-            area,
+            area: study.sections[*section].area,
             from_mm: made.covers[0],
             to_mm: made.covers[1],
             d_phi_s_deg: d_phi.to_degrees(),

@@ -4,7 +4,8 @@
 use crate::geometry::Flank;
 use crate::kinematics::DressingCorrection;
 use crate::process::dressing::{
-    Condition, ConditionSolver, DressedProfile, DresserTool, DressingError, GeometricRange, pitch_rolls,
+    Condition, ConditionSolver, DressedProfile, DresserTool, DressingError, FlankDresser, GeometricRange,
+    pitch_rolls,
 };
 
 /// What of a dresser's flank cuts in a stroke, by the parameter t of its profile, mm.
@@ -35,6 +36,18 @@ impl ActiveArea {
             return invalid("end of what touches the worm", touching[1], "a finite number from t_b on");
         }
         Ok(Self { part, touching })
+    }
+
+    /// The part of a dresser's profile between two shares of the range that it was designed for, 0 at w_NfS and 1 at w_NaS, which
+    /// gives half of the overlap (mm on the worm in use) to each neighbour.
+    ///
+    /// # Errors
+    /// Those of [`ActiveArea::new`].
+    pub fn of_shares(dresser: &FlankDresser, shares: [f64; 2], overlap: f64) -> Result<Self, DressingError> {
+        let (designed, range) = (dresser.designed, dresser.range);
+        let part = shares.map(|share| designed.w_nf + share * designed.length());
+        let excess = 0.5 * overlap * designed.length() / range.length();
+        Self::new(part, [part[0] - excess, part[1] + excess])
     }
 
     /// [t_a, t_b].

@@ -19,7 +19,8 @@ pub struct ProfileSection<'a> {
 /// Most strokes of a section; more are a mistake in the units.
 const MOST: usize = 1000;
 
-/// Strokes for the sections of a profile, given in ascending order of w and without room between them. The strokes of a section are
+/// Strokes for the sections of a profile, each with the number of its section from 0. Sections are given in ascending order of w and
+/// without room between them. The strokes of a section are
 /// as long as the active part (on the worm in use) and lie evenly; neighbours overlap by at least `overlap` (mm). One stroke that is longer than its
 /// section may reach beyond the profile at its first or last end, where the gear does not touch the worm, but not into another section.
 ///
@@ -30,7 +31,7 @@ pub fn divide<'a>(
     sections: &[ProfileSection<'a>],
     flank: Flank,
     overlap: f64,
-) -> Result<Vec<Stroke<'a>>, DressingError> {
+) -> Result<Vec<(usize, Stroke<'a>)>, DressingError> {
     let invalid = |field, value, allowed| Err(DressingError::InvalidNumber { field, value, allowed });
     if sections.is_empty() {
         return invalid("number of sections", 0.0, "at least 1");
@@ -70,7 +71,7 @@ pub fn divide<'a>(
             };
             let range = [start, start + length];
             check_range(range)?;
-            strokes.push(Stroke { tool: section.tool, area: section.area, range });
+            strokes.push((k, Stroke { tool: section.tool, area: section.area, range }));
             continue;
         }
         let count = ((width - overlap) / (length - overlap) - 1e-12).ceil();
@@ -81,7 +82,8 @@ pub fn divide<'a>(
         for i in 0..count as usize {
             // The last stroke meets the end of the section exactly.
             let end = if i + 1 == count as usize { to } else { from + step * i as f64 + length };
-            strokes.push(Stroke { tool: section.tool, area: section.area, range: [end - length, end] });
+            let range = [end - length, end];
+            strokes.push((k, Stroke { tool: section.tool, area: section.area, range }));
         }
     }
     Ok(strokes)
