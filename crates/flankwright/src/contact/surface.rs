@@ -1,6 +1,8 @@
 //! What the exact solver must know of a tool surface, and nothing more.
 
+use crate::numerics::{gradient_of, value_of};
 use nalgebra::Vector3;
+use num_dual::DualSVec64;
 
 /// A point of a two-parameter surface with its outward normal (any length) and their first derivatives, in the tool's
 /// rest frame. mm.
@@ -18,6 +20,22 @@ pub struct SurfaceJet {
     pub n_p: Vector3<f64>,
     /// dN/dq.
     pub n_q: Vector3<f64>,
+}
+
+impl SurfaceJet {
+    /// From point and outward normal with their derivatives by (p, q).
+    pub fn of_duals(point: &Vector3<DualSVec64<2>>, normal: &Vector3<DualSVec64<2>>) -> Self {
+        let value = |x: &Vector3<DualSVec64<2>>| x.map(value_of);
+        let by = |x: &Vector3<DualSVec64<2>>, k: usize| x.map(|c| gradient_of(&c)[k]);
+        Self {
+            p: value(point),
+            n: value(normal),
+            p_p: by(point, 0),
+            p_q: by(point, 1),
+            n_p: by(normal, 0),
+            n_q: by(normal, 1),
+        }
+    }
 }
 
 /// A smooth tool flank with parameters (p, q) (spec 20 section 14): involute thread with a modification, worm as

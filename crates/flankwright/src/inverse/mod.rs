@@ -9,6 +9,7 @@ mod least_squares;
 mod newton;
 mod pivots;
 mod row_reduction;
+mod svd_loop;
 
 pub use banded_reduction::BandedReduction;
 pub use constrained::{ConstrainedReport, Rows, constrained_gauss_newton};
@@ -18,3 +19,4 @@ pub use largest_residual::{LargestResidual, minimise_largest_residual};
 pub use least_squares::{LeastSquares, RankReport, weighted_least_squares};
 pub use newton::{NewtonError, NewtonOptions, NewtonReport, newton};
 pub use row_reduction::{MinimumNorm, RowReduction};
+pub use svd_loop::{SvdLoop, SvdLoopError, SvdReport, SvdRound, svd_loop};

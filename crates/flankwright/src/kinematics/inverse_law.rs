@@ -1,6 +1,7 @@
 //! The inverse of a strictly monotone motion law: at which feed an axis stands where. Knows no axis by name.
 
 use super::{LawError, MotionLaw};
+use crate::numerics::Chebyshev;
 
 /// Values that exceed an end of the range by this share belong to the end: rounding of whoever computed them.
 const END: f64 = 1e-12;
@@ -124,21 +125,37 @@ fn stationary(law: &MotionLaw, [a, b]: [f64; 2]) -> Result<Option<f64>, LawError
             // The tangents beyond the ends.
             Ok([a, b].into_iter().find(|&x| !good(x)))
         }
+        MotionLaw::Series(series) if !covers(series, a, b) => {
+            let (from, to) = series[0].interval();
+            let value = if (from..=to).contains(&a) { b } else { a };
+            Err(LawError::OutsideRange { value, from, to })
+        }
+        _ => Ok(subdivide(&good, law, largest_bend(law, [a, b]), a, b)),
+    }
+}
+
+fn covers(series: &[Chebyshev; 3], a: f64, b: f64) -> bool {
+    let (from, to) = series[0].interval();
+    (from..=to).contains(&a) && (from..=to).contains(&b)
+}
+
+/// A bound of |f''| on [a, b].
+fn largest_bend(law: &MotionLaw, [a, b]: [f64; 2]) -> f64 {
+    match law {
         MotionLaw::Polynomial { origin, coefficients } => {
             let reach = (a - origin).abs().max((b - origin).abs());
             let bend = |k: usize, c: &f64| c.abs() * (k * k.saturating_sub(1)) as f64 * power(reach, k);
-            let bound = coefficients.iter().enumerate().map(|(k, c)| bend(k, c)).sum();
-            Ok(subdivide(&good, law, bound, a, b))
+            coefficients.iter().enumerate().map(|(k, c)| bend(k, c)).sum()
         }
-        MotionLaw::Series(series) => {
-            let (from, to) = series[0].interval();
-            if let Some(&value) = [a, b].iter().find(|x| !(from..=to).contains(*x)) {
-                return Err(LawError::OutsideRange { value, from, to });
-            }
-            // A Chebyshev series is nowhere larger than the sum of its coefficients.
-            let bound = series[2].coefficients().iter().map(|c| c.abs()).sum();
-            Ok(subdivide(&good, law, bound, a, b))
+        // A Chebyshev series is nowhere larger than the sum of its coefficients.
+        MotionLaw::Series(series) => series[2].coefficients().iter().map(|c| c.abs()).sum(),
+        MotionLaw::BSpline { spline, stretch, factor } => {
+            let (a, b) = ((stretch * a).min(stretch * b), (stretch * a).max(stretch * b));
+            factor.abs() * stretch * stretch * spline.largest_bend([a, b])
         }
+        MotionLaw::Sum(laws) => laws.iter().map(|law| largest_bend(law, [a, b])).sum(),
+        // Its slope may jump, so that nothing can be proved of a sum with it.
+        MotionLaw::Pieces(_) => f64::INFINITY,
     }
 }
 
@@ -172,7 +189,6 @@ fn subdivide(good: &impl Fn(f64) -> bool, law: &MotionLaw, bound: f64, a: f64, b
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numerics::Chebyshev;
 
     fn laws() -> Vec<MotionLaw> {
         let x = [-2.0, -0.5, 0.0, 1.5, 2.0, 3.0];

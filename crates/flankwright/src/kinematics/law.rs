@@ -1,7 +1,8 @@
 //! Motion laws: how one axis follows another, as plain data with derivatives.
 
 use super::{LawError, PiecewisePolynomial};
-use crate::numerics::{Chebyshev, Scalar, equidistant, value_of};
+use crate::numerics::{BSpline, Chebyshev, Scalar, equidistant, value_of};
+use std::sync::Arc;
 
 /// Points of a smoothed law.
 const SMOOTH_POINTS: usize = 257;
@@ -20,6 +21,17 @@ pub enum MotionLaw {
     Series(Box<[Chebyshev; 3]>),
     /// Polynomials up to third degree between breakpoints.
     Pieces(PiecewisePolynomial),
+    /// factor * spline(stretch * x); beyond its interval the border pieces of the spline continue.
+    BSpline {
+        /// The function.
+        spline: Arc<BSpline>,
+        /// Its argument per mm.
+        stretch: f64,
+        /// Units of the axis per value.
+        factor: f64,
+    },
+    /// Laws that add up.
+    Sum(Vec<MotionLaw>),
 }
 
 impl MotionLaw {
@@ -98,6 +110,14 @@ impl MotionLaw {
             }
             Self::Series(s) => [s[0].value(x), s[1].value(x), s[2].value(x)],
             Self::Pieces(p) => p.jet(x),
+            Self::BSpline { spline, stretch, factor } => {
+                let [f0, f1, f2] = spline.jet(stretch * x);
+                [factor * f0, factor * stretch * f1, factor * stretch * stretch * f2]
+            }
+            Self::Sum(laws) => laws.iter().fold([0.0; 3], |sum, law| {
+                let jet = law.jet(x);
+                std::array::from_fn(|k| sum[k] + jet[k])
+            }),
         }
     }
 
@@ -123,6 +143,10 @@ impl MotionLaw {
             },
             Self::Series(s) => Self::series(s[0].scaled(factor)),
             Self::Pieces(p) => Self::Pieces(p.scaled(factor)),
+            Self::BSpline { spline, stretch, factor: own } => {
+                Self::BSpline { spline: spline.clone(), stretch: *stretch, factor: own * factor }
+            }
+            Self::Sum(laws) => Self::Sum(laws.iter().map(|law| law.scaled(factor)).collect()),
         }
     }
 
@@ -147,6 +171,11 @@ impl MotionLaw {
                 Self::series(Chebyshev::from_coefficients(from, to, coefficients))
             }
             Self::Pieces(p) => Self::Pieces(p.raised(by)),
+            Self::BSpline { .. } => Self::Sum(vec![self.clone(), Self::polynomial(0.0, vec![by])]),
+            Self::Sum(laws) => {
+                let constant = Self::polynomial(0.0, vec![by]);
+                Self::Sum(laws.iter().cloned().chain([constant]).collect())
+            }
         }
     }
 
@@ -166,6 +195,10 @@ impl MotionLaw {
             Self::Polynomial { coefficients, .. } => coefficients.iter().all(|&c| c == 0.0),
             Self::Series(s) => s[0].coefficients().iter().all(|&c| c == 0.0),
             Self::Pieces(p) => p.pieces().iter().flatten().all(|&c| c == 0.0),
+            Self::BSpline { spline, factor, .. } => {
+                *factor == 0.0 || spline.coefficients().iter().all(|&c| c == 0.0)
+            }
+            Self::Sum(laws) => laws.iter().all(Self::is_zero),
         }
     }
 }
@@ -173,6 +206,7 @@ impl MotionLaw {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numerics::BSplineBasis;
 
     #[test]
     fn polynomial_and_series_agree_with_their_derivatives() {
@@ -188,5 +222,22 @@ mod tests {
             assert!((law.scaled(2.0).value(x) - 2.0 * f(x)).abs() < 1e-13);
         }
         assert!(MotionLaw::zero().is_zero() && !law.is_zero());
+    }
+
+    #[test]
+    fn a_sum_with_a_spline_adds_values_and_derivatives() {
+        let basis = BSplineBasis::uniform([-1.0, 1.0], 4, 5, &[]).unwrap();
+        let spline = BSpline::new(basis, (0..9).map(|j| f64::from(j).sin()).collect()).unwrap();
+        let polynomial = MotionLaw::polynomial(0.0, vec![0.5, -1.0, 2.0]);
+        let drawn = MotionLaw::BSpline { spline: Arc::new(spline.clone()), stretch: -0.5, factor: 3.0 };
+        let sum = MotionLaw::Sum(vec![polynomial.clone(), drawn]);
+        for x in [-0.8, 0.1, 1.2] {
+            let (a, b, c) = (sum.jet(x), polynomial.jet(x), spline.jet(-0.5 * x));
+            for (k, chain) in [3.0, -1.5, 0.75].into_iter().enumerate() {
+                assert!((a[k] - b[k] - chain * c[k]).abs() < 1e-13);
+            }
+            assert!((sum.scaled(-3.0).raised(1.0).value(x) - (1.0 - 3.0 * a[0])).abs() < 1e-13);
+        }
+        assert!(!sum.is_zero() && sum.scaled(0.0).is_zero());
     }
 }

@@ -201,6 +201,24 @@ impl BSpline {
         [f, f1, 2.0 * f2]
     }
 
+    /// A bound of the second derivative on [a, b], which may reach beyond the interval.
+    pub fn largest_bend(&self, [a, b]: [f64; 2]) -> f64 {
+        let count = self.basis.degree + 1;
+        let ends = self.starts[1..].iter().copied().chain([f64::INFINITY]);
+        let bend = |(i, end): (usize, f64)| {
+            let first = if i == 0 { f64::NEG_INFINITY } else { self.starts[i] };
+            let (from, to) = (first.max(a), end.min(b));
+            if from > to {
+                return 0.0;
+            }
+            let reach = (from - self.starts[i]).abs().max((to - self.starts[i]).abs());
+            let piece = &self.pieces[i * count..(i + 1) * count];
+            // Horner's rule for the second derivative with all signs equal.
+            (2..count).rev().fold(0.0, |sum, k| sum * reach + (k * (k - 1)) as f64 * piece[k].abs())
+        };
+        ends.enumerate().map(bend).fold(0.0, f64::max)
+    }
+
     #[inline]
     fn piece(&self, x: f64) -> (&[f64], f64) {
         let i = self.starts[1..].partition_point(|start| *start <= x);
@@ -222,6 +240,19 @@ impl BSpline {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn no_second_derivative_exceeds_its_bound() {
+        let spline = spline(5, &[]);
+        let at = |from: f64, to: f64| {
+            let x = (0..=400).map(|i| from + (to - from) * f64::from(i) / 400.0);
+            x.map(|x| spline.jet(x)[2].abs()).fold(0.0, f64::max)
+        };
+        for (from, to) in [(-2.0, 5.0), (-3.0, 0.2), (1.1, 1.2), (4.0, 6.0)] {
+            let (most, bound) = (at(from, to), spline.largest_bend([from, to]));
+            assert!(most <= bound * (1.0 + 1e-12) && bound < 100.0 * most + 1e-9, "{most} {bound}");
+        }
+    }
 
     fn spline(degree: usize, kinks: &[f64]) -> BSpline {
         let basis = BSplineBasis::uniform([-2.0, 5.0], 6, degree, kinks).unwrap();

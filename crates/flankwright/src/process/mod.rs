@@ -2,3 +2,4 @@
 
 pub mod dressing;
 pub mod generating;
+pub mod tangential_dressing;

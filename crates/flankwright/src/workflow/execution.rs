@@ -340,7 +340,7 @@ impl Execution {
     pub fn settings(&self) -> Settings {
         let law = |law: &MotionLaw, unit: f64| match law {
             MotionLaw::Polynomial { coefficients, .. } => coefficients.iter().map(|c| c * unit).collect(),
-            MotionLaw::Series(_) | MotionLaw::Pieces(_) => Vec::new(),
+            _ => Vec::new(),
         };
         let table = |flank: Flank| {
             let made = self.flanks[flank].as_ref()?.made()?;
@@ -407,7 +407,7 @@ fn pieces_of_law(law: &MotionLaw, unit: f64) -> Option<Pieces> {
             let coefficients = p.pieces().iter().map(|piece| piece.map(|c| c * unit)).collect();
             Some(Pieces { breaks_mm: p.breaks().to_vec(), coefficients })
         }
-        MotionLaw::Polynomial { .. } | MotionLaw::Series(_) => None,
+        _ => None,
     }
 }
 

@@ -143,12 +143,8 @@ impl DressedWorm {
             p: self.dresser.chain.screw_parameter,
         };
         let contact = circle_contact(&self.dresser.profile.at(t), &screw)?;
-        let angle = -(lifted(0, 0) + self.dresser.chain.worm_angle + v / self.dresser.chain.screw_parameter);
-        let (sin, cos) = angle.sin_cos();
-        let turned = |x: &Vector3<T>| Vector3::new(cos * x.x - sin * x.y, sin * x.x + cos * x.y, x.z);
-        let mut point = contact.q;
-        point.z -= v;
-        Some((turned(&point), turned(&contact.n)))
+        let angle = lifted(0, 0) + self.dresser.chain.worm_angle + v / self.dresser.chain.screw_parameter;
+        Some(contact.on_worm(angle, -v))
     }
 
     /// The envelope point for profile parameter t at worm position v; `None` outside the dressed area.
@@ -214,21 +210,8 @@ impl ToolSurface for DressedWorm {
     fn jet(&self, t: f64, v: f64) -> Option<SurfaceJet> {
         let [td, vd] = variables([t, v]);
         let (p, n) = self.surface(td, vd)?;
-        let column = |x: &Vector3<num_dual::DualSVec64<2>>, k: Option<usize>| {
-            x.map(|c| match k {
-                None => value_of(c),
-                Some(k) => gradient_of(&c)[k],
-            })
-        };
         // The dresser's outward normal points into the worm.
-        Some(SurfaceJet {
-            p: column(&p, None),
-            n: -column(&n, None),
-            p_p: column(&p, Some(0)),
-            p_q: column(&p, Some(1)),
-            n_p: -column(&n, Some(0)),
-            n_q: -column(&n, Some(1)),
-        })
+        Some(SurfaceJet::of_duals(&p, &-n))
     }
 
     fn start(&self, w_1: f64, z_1: f64) -> (f64, f64) {

@@ -42,6 +42,7 @@ pub use limits::{Clearance, DresserSection, SectionOutline, SectionPart, ShownWo
 pub use line_dressing::{DressingLine, LineDressing, LinePlan, RelativeForm, TipDisc, Touch};
 pub use nominal::{NominalContact, nominal_contact};
 pub use other_worms::{StretchAngle, WormSeat, angle_of_least_stretch};
+pub(in crate::process) use placement::{DresserAxes, RoomContact, WormScrew, touch};
 pub use strokes::{
     ActiveArea, DressedStroke, MovingStroke, MultiStroke, ProfileSection, Stroke, StrokeAlong, StrokePoint,
     StrokeSurface, StrokeWish, StrokedPoint, StrokedWorm, divide, solve_stroke_node,

@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 
 /// Frame of the dresser in the room: the worm axis is z, the worm at v_zS = 0.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct DresserAxes<T: Scalar> {
+pub(in crate::process) struct DresserAxes<T: Scalar> {
     /// Centre of the dresser.
     pub centre: Vector3<T>,
     /// Its axis.
@@ -46,7 +46,7 @@ impl<T: Scalar> DresserAxes<T> {
 
 /// Motion of the worm against the dresser, per radian of worm rotation.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct WormScrew<T: Scalar> {
+pub(in crate::process) struct WormScrew<T: Scalar> {
     /// Rotation.
     pub spin: Vector3<T>,
     /// Velocity of the origin.
@@ -63,9 +63,20 @@ impl<T: Scalar> WormScrew<T> {
 
 /// Contact point and dresser normal in the room frame.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct RoomContact<T: Scalar> {
+pub(in crate::process) struct RoomContact<T: Scalar> {
     pub q: Vector3<T>,
     pub n: Vector3<T>,
+}
+
+impl<T: Scalar> RoomContact<T> {
+    /// Point and dresser normal in worm coordinates, where the worm has turned by `angle` (rad) and its z = 0 stands at `-axial` (mm).
+    pub fn on_worm(&self, angle: T, axial: T) -> (Vector3<T>, Vector3<T>) {
+        let (sin, cos) = (-angle).sin_cos();
+        let turned = |x: &Vector3<T>| Vector3::new(cos * x.x - sin * x.y, sin * x.x + cos * x.y, x.z);
+        let mut point = turned(&self.q);
+        point.z += axial;
+        (point, turned(&self.n))
+    }
 }
 
 /// The contact condition A cos(psi) + B sin(psi) + D = 0 of a circle.
@@ -91,7 +102,7 @@ impl<T: Scalar> Balance<T> {
 }
 
 /// The contact of a dresser circle; `None` where the circle touches nothing.
-pub(super) fn touch<T: Scalar>(
+pub(in crate::process) fn touch<T: Scalar>(
     m: &MeridianPoint<T>,
     dresser: &DresserAxes<T>,
     worm: &WormScrew<T>,
