@@ -11,6 +11,7 @@ mod profile;
 mod radial_feed;
 mod selection;
 mod settings;
+mod strokes;
 mod target;
 mod worm_surface;
 
@@ -24,4 +25,5 @@ pub use profile::ProfileKind;
 pub use radial_feed::RadialFeed;
 pub use selection::{Selection, SelectionStep, SelectionTask};
 pub use settings::TangentialSettings;
+pub use strokes::TangentialStrokes;
 pub use target::{EdgeAmounts, FitGrid, Wanted, Weights};

@@ -128,6 +128,12 @@ impl Profile {
         self.height.value(w_1.clamp(from, to)).clamp(self.heights[0], self.heights[1])
     }
 
+    /// Lengths of roll of the worm between which the dresser exists, mm.
+    pub fn rolls(&self) -> [f64; 2] {
+        let (from, to) = self.height.interval();
+        [from, to]
+    }
+
     /// z_c of the left flank, mm; the right one has it on the other side.
     pub fn line(&self, w_1: f64) -> f64 {
         let (from, to) = self.line.interval();
