@@ -3,7 +3,10 @@
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use flankwright::exchange::{LoadedJob, Source, read_job, write_atomically};
+use flankwright::exchange::job::Process;
+use flankwright::exchange::{
+    AnyJob, Diagnostic, LoadedJob, Problem, Source, parse_any_job, read_any_job, write_atomically,
+};
 use serde::Serialize;
 
 use crate::arguments::CommonArguments;
@@ -55,13 +58,32 @@ pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
 /// # Errors
 /// Everything that is wrong with the job.
 pub fn load_job(path: &Path) -> Result<LoadedJob, Failure> {
-    if path == Path::new("-") {
+    let job = if path == Path::new("-") {
         let source = Source::read_from("-", io::stdin().lock()).map_err(|error| {
             Failure::new(Exit::BadInput, crate::failure::unreadable("standard input", &error))
         })??;
-        return Ok(flankwright::exchange::parse_job(source)?);
+        parse_any_job(source)?
+    } else {
+        read_any_job(path)?
+    };
+    planned(job)
+}
+
+/// A job of tangential dressing is read and checked, but not planned.
+fn planned(job: AnyJob) -> Result<LoadedJob, Failure> {
+    match job {
+        AnyJob::Grinding(loaded) => Ok(loaded),
+        AnyJob::Tangential(loaded) => {
+            let name = loaded.job.job.process.name();
+            let message = format!("the job is valid, but the process \"{name}\" is not available yet");
+            let finding = Diagnostic::new(Problem::ProcessNotAvailable, message)
+                .field("job.process")
+                .value(format!("\"{name}\""))
+                .allowed(format!("\"{}\"", Process::GeneratingGrinding.name()))
+                .way_out("keep the job; this version plans generating grinding only");
+            Err(loaded.error(finding).into())
+        }
     }
-    Ok(read_job(path)?)
 }
 
 /// Where the files of a job go: as told, else `<job name>.out/` beside the job.
