@@ -93,7 +93,7 @@ pub fn derived_geometry(
 ) -> Result<(DerivedGeometry, Vec<Remark>), RunFailure> {
     let job = &loaded.job;
     let mut derived = DerivedGeometry::default();
-    let gear = gear_of_job(job).map_err(RunFailure::bad_input)?;
+    let gear = gear_of_job(&job.gear).map_err(RunFailure::bad_input)?;
     gear_sections(&mut derived, job, &gear);
     if let Some(found) = catalogue {
         let wanted = wanted_of_catalogue(loaded, found)?;
@@ -152,7 +152,7 @@ fn gear_sections(derived: &mut DerivedGeometry, job: &Job, gear: &Gear) {
         derived.quantity(keys[4], keys[5], gear.transverse_pressure_angle(flank).to_degrees(), "deg");
         derived.quantity(keys[6], keys[7], gear.normal_base_pitch(flank), "mm");
     }
-    let blank = blank_of_job(job);
+    let blank = blank_of_job(&job.gear);
     if let Some(span) = best_span(gear, &blank) {
         derived.quantity("span_teeth", "teeth spanned k", span.teeth, "");
         derived.quantity("span_mm", "span W_k", span.length, "mm");
