@@ -5,7 +5,7 @@
 //! another one, so that the order of work is immaterial.
 
 use super::dressed_flank::{DressedFlank, DressedRay};
-use super::meridian::Meridian;
+use super::meridian::{self, Meridian};
 use super::{RayGrid, RemovalError, Stage, Statistics, Uncut, error};
 use crate::geometry::{InvoluteFlank, Revolution};
 use crate::kinematics::DressingMotion;
@@ -93,7 +93,7 @@ pub fn dress(
     grid: &RayGrid,
     progress: &dyn Progress,
 ) -> Result<DressedFlank, RemovalError> {
-    let cutter = Cutter::new(setup)?;
+    let cutter = Cutter::new(setup, meridian::TOLERANCE)?;
     let (w_stride, z_stride) = CHECK_STRIDES;
     let mut feet: Vec<(f64, f64)> = (0..grid.count()).map(|i| grid.ray(i)).collect();
     feet.extend(grid.cell_middles(w_stride, z_stride));
@@ -129,7 +129,7 @@ pub fn dress(
 }
 
 impl<'a> Cutter<'a> {
-    pub fn new(setup: &'a Dressing<'a>) -> Result<Self, RemovalError> {
+    pub fn new(setup: &'a Dressing<'a>, tolerance: f64) -> Result<Self, RemovalError> {
         error::range("dressing stroke v_zS", setup.shift_range)?;
         error::positive("dressing stock", setup.stock)?;
         let flank = setup.worm;
@@ -167,7 +167,7 @@ impl<'a> Cutter<'a> {
                 ScanPose { rotation: *pose.rotation(), translation: *pose.translation() }
             })
             .collect();
-        Ok(Self { setup, meridian: Meridian::new(setup.dresser)?, poses, step, pitch })
+        Ok(Self { setup, meridian: Meridian::new(setup.dresser, tolerance)?, poses, step, pitch })
     }
 
     /// Bound of the error of a length beside the residue of its bottom, um.

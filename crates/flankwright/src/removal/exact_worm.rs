@@ -4,6 +4,7 @@
 //! of the fast way leaves, and by how much the two stages together agree with a closed theory.
 
 use super::dress::Cutter;
+use super::meridian::FINEST;
 use super::{DressedSurface, Dressing, RemovalError, WormModification};
 
 /// A worm flank as its dresser leaves it, asked point by point.
@@ -19,7 +20,7 @@ impl<'a> ExactWorm<'a> {
     /// # Errors
     /// As [`super::dress`].
     pub fn new(dressing: &'a Dressing<'a>, surface: DressedSurface) -> Result<Self, RemovalError> {
-        Ok(Self { cutter: Cutter::new(dressing)?, surface })
+        Ok(Self { cutter: Cutter::new(dressing, FINEST)?, surface })
     }
 }
 

@@ -343,12 +343,18 @@ fn settings_quantities(outcome: &Outcome, job: &Job) -> Vec<Quantity> {
     list
 }
 
-pub(super) fn grinding_motion(motion: &GeneratingMotion, feed_range: [f64; 2]) -> GrindingMotion {
+pub(super) fn grinding_motion(
+    flanks: &str,
+    motion: &GeneratingMotion,
+    feed_range: [f64; 2],
+) -> GrindingMotion {
     let feeds: Vec<f64> = equidistant(feed_range, ROWS);
     GrindingMotion {
         z_v1_mm: feeds.iter().map(|&v| motion.shift.value(v)).collect(),
         delta_d_um: feeds.iter().map(|&v| motion.delta_d.value(v) * 1e3).collect(),
         delta_phi_2_urad: feeds.iter().map(|&v| motion.delta_phi_2.value(v) * 1e6).collect(),
+        delta_gamma_deg: feeds.iter().map(|&v| motion.delta_gamma.value(v).to_degrees()).collect(),
+        flanks: flanks.to_owned(),
         z_v2_mm: feeds,
     }
 }
@@ -532,7 +538,11 @@ pub fn html_page(
         }),
         occupation: outcome.result.settings.partition.as_ref().map(|p| p.chart().clone()),
         sections: outcome.sections.clone(),
-        grinding_motion: Some(grinding_motion(&outcome.execution.motion, outcome.execution.feed_range)),
+        grinding_motions: vec![grinding_motion(
+            "both flanks",
+            &outcome.execution.motion,
+            outcome.execution.feed_range,
+        )],
         dressing: Sides::from_fn(|flank| dressing_motion(outcome, flank)),
         strokes: Sides::from_fn(|flank| strokes(outcome, flank)),
         warnings: result

@@ -8,7 +8,7 @@ use crate::kinematics::{DressingMotion, MotionLaw};
 use crate::numerics::Chebyshev;
 
 /// Accuracy of the corrections as series over v_zS, mm and rad.
-const ACCURACY: f64 = 1e-10;
+const ACCURACY: f64 = 3e-13;
 /// Nodes of the series: first try, and most; splines need many.
 const NODES: [usize; 2] = [24, 1536];
 
