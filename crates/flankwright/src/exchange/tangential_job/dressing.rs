@@ -138,13 +138,13 @@ pub enum DeviationMeasure {
     Arc,
 }
 
-/// Weights of the points of the fit.
+/// Weights of the points of the fit, and how they stand.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum FitWeights {
     /// All alike.
     #[default]
     Uniform,
-    /// 0.1 + xi^2 + eta^2, as the source has it.
+    /// 0.1 + xi^2 + eta^2 at equidistant radii, as the source has it with 5 points; all others stand graded in roll length.
     Source,
 }

@@ -68,12 +68,7 @@ impl TangentialFlank<'_> {
                 fit(&|r| r.centre_distance - chain.centre_distance),
                 fit(&|r| r.offset),
             ];
-            // The last quarter of the coefficients says what the nodes miss.
-            let tail = |s: &Chebyshev| -> f64 {
-                let c = s.coefficients();
-                c[c.len() - c.len() / 4..].iter().map(|x| x.abs()).sum()
-            };
-            if series.iter().all(|s| tail(s) < ACCURACY) || count >= most {
+            if series.iter().all(|s| s.tail() < ACCURACY) || count >= most {
                 let correction = series.map(|s| MotionLaw::series(s.truncated(1e-17)));
                 return Ok((DressingMotion { chain, correction }, [from, to]));
             }
@@ -112,9 +107,9 @@ impl TangentialFlank<'_> {
         shifts.iter().map(one).collect()
     }
 
-    /// The side of the dresser that dresses this flank, its profile function included, over s.
-    pub fn dresser(&self) -> Revolution {
+    /// The side of the dresser that dresses this flank, its profile function included, over the heights `heights` as far as it exists.
+    pub fn dresser(&self, heights: [f64; 2]) -> Revolution {
         let surface = self.surface();
-        surface.profile.revolution(surface.sigma, |s| surface.laws.profile.value(s))
+        surface.profile.revolution(surface.sigma, heights, |s| surface.laws.profile.value(s))
     }
 }

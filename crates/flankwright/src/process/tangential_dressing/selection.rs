@@ -5,7 +5,7 @@
 
 use super::TangentialError;
 use super::channel::{Channel, Variable};
-use super::fit::{FitMethod, FitTask, Places};
+use super::fit::{Fit, FitMethod, FitTask, Places};
 use super::settings::TangentialSettings;
 use super::target::FitGrid;
 use nalgebra::{DMatrix, DVector};
@@ -74,8 +74,16 @@ impl SelectionTask {
             (Channel::TangentialShift, 2..=3),
         ];
         if two_flanks {
+            // One motion has to serve both: higher powers, the swivel and the law of the shift count as well.
             offers.extend(sides.map(|side| (side, 1..=6)));
-            offers.push((Channel::AxialOffset, 0..=0));
+            offers.extend([
+                (Channel::AxialOffset, 0..=0),
+                (Channel::AxialOffset, 6..=7),
+                (Channel::DressingDistance, 5..=6),
+                (Channel::DressingAngle, 4..=4),
+                (Channel::CrossedAxesAngle, 0..=1),
+                (Channel::ToolShift, 1..=3),
+            ]);
         }
         let offers = offers.into_iter().filter(|(channel, _)| !excluded.contains(channel));
         offers.flat_map(|(channel, powers)| powers.map(move |k| Variable::power(channel, k))).collect()
@@ -106,11 +114,14 @@ impl FitTask<'_> {
         let places = Places::of(self, 1.0)?;
         let variables =
             |chosen: &[usize]| -> Vec<Variable> { chosen.iter().map(|&k| pool[k].clone()).collect() };
-        // Fits that are stuck in a narrow valley get out of it with damping.
-        let attempt = |chosen: Vec<usize>, start: &[f64]| -> Option<Tried> {
+        // A fit that makes nothing better is stuck in a narrow valley: damping gets it out.
+        let attempt = |chosen: Vec<usize>, start: &[f64], before: f64| -> Option<Tried> {
             let free = variables(&chosen);
-            let fit = self.fit(&free, start, FitMethod::Plain).ok().filter(|f| f.converged);
+            let better = |fit: &Fit| fit.converged || fit.weighted_rms < before;
+            let fit = self.fit(&free, start, FitMethod::Plain).ok().filter(better);
             let fit = fit.or_else(|| self.fit(&free, start, FitMethod::Damped).ok())?;
+            // Nor is a set any good that needs worm or dresser beyond their tips.
+            self.judge(&self.fixed.with(&free, &fit.values), self.grid).ok()?;
             Some(Tried { chosen, values: fit.values, rms: fit.weighted_rms, largest: fit.largest })
         };
         // Between the points of the fit.
@@ -136,7 +147,7 @@ impl FitTask<'_> {
             let ranked = self.ranked(&places, &settings, pool, &now.chosen)?;
             let tried = ranked.into_iter().take(TRIED).filter_map(|k| {
                 let chosen = [now.chosen.as_slice(), &[k]].concat();
-                attempt(chosen, &[now.values.as_slice(), &[0.0]].concat()).map(|t| (k, t))
+                attempt(chosen, &[now.values.as_slice(), &[0.0]].concat(), now.rms).map(|t| (k, t))
             });
             let Some((k, next)) = tried.min_by(|a, b| a.1.rms.total_cmp(&b.1.rms)) else { break };
             now = next;
@@ -157,7 +168,9 @@ impl FitTask<'_> {
                     let (mut chosen, mut values) = (now.chosen.clone(), now.values.clone());
                     let k = chosen.remove(out);
                     values.remove(out);
-                    attempt(chosen, &values).filter(|t| t.largest <= selection.tolerance).map(|t| (k, t))
+                    attempt(chosen, &values, f64::INFINITY)
+                        .filter(|t| t.largest <= selection.tolerance)
+                        .map(|t| (k, t))
                 })
                 .collect();
             tried.sort_by(|a, b| a.1.largest.total_cmp(&b.1.largest));

@@ -16,10 +16,14 @@ pub struct TangentialStrokes {
     pub worm_rolls: [f64; 2],
     /// Axial positions on the worm that are used.
     pub worm_faces: [f64; 2],
+    /// Heights of the dresser that dress them.
+    pub heights: [f64; 2],
 }
 
 /// The used part of the worm is taken larger by this much in roll and along the axis, for what lies beside a contact.
-const MARGINS: [f64; 2] = [0.3, 1.5];
+const MARGINS: [f64; 2] = [0.1, 1.5];
+/// The dresser is taken higher and lower by this much than its contacts, mm: more than the margin in roll asks for.
+const HEIGHT_MARGIN: f64 = 0.25;
 /// Run-in and run-out of both strokes, mm.
 const RUN_IN: f64 = 2.0;
 
@@ -59,6 +63,7 @@ impl TangentialFlank<'_> {
             feed: wider(range(points.iter().map(|p| -p.feed)), RUN_IN),
             worm_rolls,
             worm_faces,
+            heights: wider(range(points.iter().map(|p| p.height)), HEIGHT_MARGIN),
         }
     }
 }

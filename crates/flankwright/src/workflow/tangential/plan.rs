@@ -1,7 +1,7 @@
 //! Planning of tangential dressing: per pass which variables, which values, and what else was tried. Knows no referee.
 
 use super::prepare::{TangentialPrepared, channel_of, measure_of, variable_of, weights_of};
-use crate::exchange::tangential_job::{FitMethod as JobMethod, TangentialJob};
+use crate::exchange::tangential_job::{FitMethod as JobMethod, FitWeights, TangentialJob};
 use crate::geometry::Flank;
 use crate::numerics::Progress;
 use crate::process::tangential_dressing::{
@@ -56,7 +56,10 @@ pub fn task_of<'a>(
         wanted,
         fixed: TangentialSettings::default(),
         measure: measure_of(job),
-        grid: FitGrid::Graded(job.dressing.fit_points),
+        grid: match job.dressing.weights {
+            FitWeights::Uniform => FitGrid::Graded(job.dressing.fit_points),
+            FitWeights::Source => FitGrid::Radii(job.dressing.fit_points),
+        },
         weights: weights_of(job),
         cut,
     }

@@ -38,7 +38,7 @@ pub fn referee(
 ) -> Result<Refereed, RunFailure> {
     let (motion, shift_range) = flank.dressing_motion(strokes.dressing).map_err(|e| RunFailure::from(&e))?;
     let refused = |e: RemovalError| RunFailure::of_removal(&e, "grinding");
-    let dresser = flank.dresser();
+    let dresser = flank.dresser(strokes.heights);
     let stock = stock(flank.worm(), target);
     let stage = Dressing { worm: flank.worm(), dresser: &dresser, motion: &motion, shift_range, stock };
     let [from, to] = strokes.worm_faces;
