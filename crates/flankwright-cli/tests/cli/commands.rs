@@ -46,24 +46,6 @@ fn the_new_job_is_valid_in_both_formats() {
 }
 
 #[test]
-fn a_job_of_tangential_dressing_is_read_but_not_planned_yet() {
-    let toml = run(&["new", "tangential-dressing"]);
-    let json = run(&["new", "tangential-dressing", "--json"]);
-    assert_eq!((toml.exit, json.exit), (Some(0), Some(0)));
-    for command in ["check", "plan", "simulate", "explore"] {
-        for made in [&toml, &json] {
-            let refused = run_with(&[command, "-", "--json"], made.stdout.as_bytes());
-            assert_eq!(refused.exit, Some(2), "{command}: {refused:?}");
-            let error = &refused.json()["error"];
-            assert_eq!(
-                (&error["code"], &error["field"]),
-                (&json!("process-not-available"), &json!("job.process"))
-            );
-        }
-    }
-}
-
-#[test]
 fn new_and_schema_write_to_a_directory() {
     let directory = tempfile::tempdir().unwrap();
     let told = directory.path().join("made/here");

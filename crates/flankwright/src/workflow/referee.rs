@@ -217,11 +217,14 @@ fn stroked_worm(
     rayed(&stages, w, [z[0] + WORM_MARGIN, z[1] - WORM_MARGIN], progress)
 }
 
-/// Largest length of a ray that counts as this flank's, mm: above the target by far, but no more than a quarter of the normal base
-/// pitch of the worm, beyond which the next flank begins.
-pub(super) fn stock(worm: &InvoluteFlank, target: &Topography) -> f64 {
-    let base_pitch = 2.0 * std::f64::consts::PI * worm.base_radius * worm.base_helix_angle.cos() / worm.teeth;
-    STOCK.max(3.0 * target.largest()).min(0.24 * base_pitch)
+/// Largest length of a ray that counts as this flank's, mm: above what is expected (mm) by far.
+pub(super) fn stock(worm: &InvoluteFlank, expected: f64) -> f64 {
+    STOCK.max(3.0 * expected).min(most_stock(worm))
+}
+
+/// No more than a quarter of the normal base pitch of the worm, mm: beyond it the next flank begins.
+pub(super) fn most_stock(worm: &InvoluteFlank) -> f64 {
+    0.24 * 2.0 * std::f64::consts::PI * worm.base_radius * worm.base_helix_angle.cos() / worm.teeth
 }
 
 /// The surface through the rays over lengths of roll w and worm positions z.
@@ -245,7 +248,7 @@ fn run_flank(
 ) -> Result<Option<Verdict>, RemovalError> {
     let Some(executed) = &execution.flanks[flank] else { return Ok(None) };
     let (worm, work) = (setup.pair.worm.flank(flank), setup.pair.work.flank(flank));
-    let stock = stock(worm, &executed.target);
+    let stock = stock(worm, executed.target.largest());
     let dressed = match (&executed.tool, &execution.dresser) {
         (ExecutedTool::Dressed(dressing), Some(dresser)) => {
             Some(dressed_worm(setup, dresser, dressing, flank, stock, progress)?)

@@ -11,7 +11,29 @@ use crate::geometry::Flank;
 use crate::inverse::{GaussNewton, SvdLoop, SvdLoopError, SvdRound, gauss_newton, svd_loop};
 use nalgebra::{DMatrix, DVector};
 
+/// How far a fit goes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FitLimits {
+    /// Singular values of the equilibrated matrix below this share of the largest are left alone: variables that nearly do the same
+    /// would run away together.
+    pub cut: f64,
+    /// Variables whose effect is below this share of the most effective one stay as they are for a round.
+    pub live: f64,
+    /// Most rounds.
+    pub rounds: usize,
+}
+
+impl FitLimits {
+    /// Those of the source (spec 40 section 6).
+    pub const SOURCE: Self = Self { cut: 1e-10, live: 1e-7, rounds: 60 };
+    /// For sets that somebody names: splines repeat what powers do, and have functions where no contact is.
+    pub const NAMED: Self = Self { cut: 1e-8, live: 1e-4, rounds: 60 };
+    /// For sets that are chosen out of many: for a hundredth of a micrometre they would leave the machine.
+    pub const CHOSEN: Self = Self { cut: 1e-5, live: 1e-4, rounds: 60 };
+}
+
 /// One pass: flanks that share their motions, what is wanted of them, and how it is measured.
+#[derive(Clone)]
 pub struct FitTask<'a> {
     /// The bodies.
     pub model: &'a TangentialModel,
@@ -27,9 +49,8 @@ pub struct FitTask<'a> {
     pub grid: FitGrid,
     /// How its points count.
     pub weights: Weights,
-    /// Singular values below this share of the largest are left alone: 1e-10 in the source, more where variables nearly do the same and
-    /// would run away together.
-    pub cut: f64,
+    /// How far it goes.
+    pub limits: FitLimits,
 }
 
 /// How to fit.
@@ -240,7 +261,8 @@ impl FitTask<'_> {
             FitMethod::Damped => Some(1e-7),
             FitMethod::GaussNewton => return self.gauss_newton(places, free, start),
         };
-        let options = SvdLoop { damping, cut: self.cut, ..SvdLoop::default() };
+        let FitLimits { cut, live, rounds } = self.limits;
+        let options = SvdLoop { damping, cut, live, rounds, ..SvdLoop::default() };
         let report = svd_loop(start, &places.weights, &options, rows).map_err(|error| match error {
             SvdLoopError::Start(why) => why,
             SvdLoopError::NoLiveColumn => nothing(),
@@ -277,8 +299,8 @@ impl FitTask<'_> {
         let options = GaussNewton {
             step_tolerance: 1e-9,
             longest_step: 3.0,
-            cut: self.cut,
-            iterations: SvdLoop::default().rounds,
+            cut: self.limits.cut,
+            iterations: self.limits.rounds,
         };
         let found = gauss_newton(DVector::zeros(free.len()), Some(&places.weights), &options, |y| {
             let (residual, mut jacobian) = rows(&unscaled(y)).ok()?;

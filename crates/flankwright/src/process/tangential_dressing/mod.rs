@@ -17,7 +17,7 @@ mod worm_surface;
 
 pub use channel::{Abscissa, Channel, LARGEST_EXPONENT, Shape, Variable};
 pub use error::TangentialError;
-pub use fit::{Fit, FitMethod, FitTask, Judged};
+pub use fit::{Fit, FitLimits, FitMethod, FitTask, Judged};
 pub use forward::{FlankPoint, RollGrid, TangentialFlank};
 pub use model::{DressedLine, ShiftOffset, ShiftRatio, TangentialInput, TangentialModel};
 pub use motion::DressingRow;

@@ -107,9 +107,27 @@ impl TangentialFlank<'_> {
         shifts.iter().map(one).collect()
     }
 
-    /// The side of the dresser that dresses this flank, its profile function included, over the heights `heights` as far as it exists.
-    pub fn dresser(&self, heights: [f64; 2]) -> Revolution {
+    /// The side of the dresser that dresses this flank, its profile function included, over s. It goes on beyond the tips of the tools, so
+    /// that what lies beside the used part of the worm is a surface as well; that nothing used lies there is checked with the flank. A
+    /// profile with a spline ends where the spline does.
+    pub fn dresser(&self) -> Revolution {
         let surface = self.surface();
+        let heights = spline_heights(&surface.laws.profile);
         surface.profile.revolution(surface.sigma, heights, |s| surface.laws.profile.value(s))
+    }
+}
+
+/// Where all splines of a law are known; everywhere without one.
+fn spline_heights(law: &MotionLaw) -> [f64; 2] {
+    match law {
+        MotionLaw::BSpline { spline, stretch, .. } => {
+            let [a, b] = spline.basis().interval().map(|x| x / stretch);
+            [a.min(b), a.max(b)]
+        }
+        MotionLaw::Sum(laws) => laws
+            .iter()
+            .map(spline_heights)
+            .fold([f64::NEG_INFINITY, f64::INFINITY], |[a, b], [from, to]| [a.max(from), b.min(to)]),
+        _ => [f64::NEG_INFINITY, f64::INFINITY],
     }
 }

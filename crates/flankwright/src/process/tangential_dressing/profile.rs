@@ -144,8 +144,8 @@ impl Profile {
         self.line.value(w_1.clamp(from, to))
     }
 
-    /// A side of the dresser as a surface of revolution over s, with the profile function F_p taken off, from height to height as far as it
-    /// exists.
+    /// A side of the dresser as a surface of revolution over s, with the profile function F_p taken off, between `heights` as far as it
+    /// goes.
     pub fn revolution(&self, sigma: f64, heights: [f64; 2], removed: impl Fn(f64) -> f64) -> Revolution {
         let (from, to) = (heights[0].max(self.heights[0]), heights[1].min(self.heights[1]));
         let [mut count, most] = SERIES_NODES;

@@ -16,14 +16,12 @@ pub struct TangentialStrokes {
     pub worm_rolls: [f64; 2],
     /// Axial positions on the worm that are used.
     pub worm_faces: [f64; 2],
-    /// Heights of the dresser that dress them.
-    pub heights: [f64; 2],
+    /// Largest distance of the dressed worm flank from the unmodified one at its contacts.
+    pub worm_modification: f64,
 }
 
 /// The used part of the worm is taken larger by this much in roll and along the axis, for what lies beside a contact.
 const MARGINS: [f64; 2] = [0.1, 1.5];
-/// The dresser is taken higher and lower by this much than its contacts, mm: more than the margin in roll asks for.
-const HEIGHT_MARGIN: f64 = 0.25;
 /// Run-in and run-out of both strokes, mm.
 const RUN_IN: f64 = 2.0;
 
@@ -39,7 +37,7 @@ impl TangentialFlank<'_> {
     /// The ranges that ground points of the flank need.
     pub fn strokes(&self, points: &[FlankPoint]) -> TangentialStrokes {
         let surface = self.surface();
-        let feet: Vec<(f64, f64, f64)> = points
+        let feet: Vec<(f64, f64, f64, f64)> = points
             .iter()
             .filter_map(|p| {
                 let dressed = surface.touch(p.height, p.position)?;
@@ -47,7 +45,7 @@ impl TangentialFlank<'_> {
                 let (point, _) = dressed.contact.on_worm(surface.worm_angle(p.position), axial);
                 let foot = self.worm().deviation(&point);
                 // Where the dresser stands against the place that it would dress without corrections.
-                Some((foot.w, foot.z, p.position - surface.start(foot.w, foot.z).1))
+                Some((foot.w, foot.z, p.position - surface.start(foot.w, foot.z).1, foot.f_n))
             })
             .collect();
         let [first, last] = surface.profile.rolls();
@@ -63,7 +61,7 @@ impl TangentialFlank<'_> {
             feed: wider(range(points.iter().map(|p| -p.feed)), RUN_IN),
             worm_rolls,
             worm_faces,
-            heights: wider(range(points.iter().map(|p| p.height)), HEIGHT_MARGIN),
+            worm_modification: feet.iter().map(|f| f.3.abs()).fold(0.0, f64::max),
         }
     }
 }

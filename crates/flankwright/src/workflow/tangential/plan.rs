@@ -1,12 +1,14 @@
 //! Planning of tangential dressing: per pass which variables, which values, and what else was tried. Knows no referee.
 
 use super::prepare::{TangentialPrepared, channel_of, measure_of, variable_of, weights_of};
-use crate::exchange::tangential_job::{FitMethod as JobMethod, FitWeights, TangentialJob};
+use crate::exchange::tangential_job::{
+    FitMethod as JobMethod, FitWeights, TangentialJob, VariableRule, Variables,
+};
 use crate::geometry::Flank;
 use crate::numerics::Progress;
 use crate::process::tangential_dressing::{
-    Channel, Fit, FitGrid, FitMethod, FitTask, Selection, SelectionTask, TangentialError, TangentialSettings,
-    Variable,
+    Channel, Fit, FitGrid, FitLimits, FitMethod, FitTask, Selection, SelectionTask, TangentialError,
+    TangentialSettings, Variable,
 };
 use crate::workflow::finding::RunFailure;
 
@@ -36,11 +38,8 @@ pub struct MethodTried {
     pub outcome: Result<(Fit, f64), TangentialError>,
 }
 
-/// Share of the largest singular value below which variables that nearly do the same are held: chosen sets would otherwise run
-/// away together for a hundredth of a micrometre.
-const CHOSEN_CUT: f64 = 1e-5;
-/// The same for sets that the job names (spec 40 section 6).
-const NAMED_CUT: f64 = 1e-10;
+/// A fit that takes more trouble has to be better by this share.
+const WORTH_MORE: f64 = 0.01;
 
 /// The task of a pass.
 pub fn task_of<'a>(
@@ -48,7 +47,7 @@ pub fn task_of<'a>(
     ready: &'a TangentialPrepared,
     pass: &'a [Flank],
     wanted: &'a (dyn Fn(Flank, f64, f64) -> f64 + Sync),
-    cut: f64,
+    limits: FitLimits,
 ) -> FitTask<'a> {
     FitTask {
         model: &ready.model,
@@ -61,7 +60,7 @@ pub fn task_of<'a>(
             FitWeights::Source => FitGrid::Radii(job.dressing.fit_points),
         },
         weights: weights_of(job),
-        cut,
+        limits,
     }
 }
 
@@ -84,7 +83,12 @@ pub fn plan_pass(
     let failed = |e: TangentialError| RunFailure::from(&e);
     let splines = spline_variables(job, ready, pass)?;
     let named = job.dressing.variables.named();
-    let task = task_of(job, ready, pass, &wanted, if named.is_some() { NAMED_CUT } else { CHOSEN_CUT });
+    let limits = match &job.dressing.variables {
+        Variables::Rule(VariableRule::Auto) => FitLimits::CHOSEN,
+        Variables::Rule(VariableRule::Source) => FitLimits::SOURCE,
+        Variables::List(_) => FitLimits::NAMED,
+    };
+    let task = task_of(job, ready, pass, &wanted, limits);
     progress.start("fitting", 1);
     let (free, start, selection) = match named {
         Some(list) => {
@@ -193,7 +197,9 @@ fn best_fit(
         }
         let zero = vec![0.0; free.len()];
         match task.fit_in_steps(free, if steps > 1 { &zero } else { start }, method, steps) {
-            Ok(fit) if best.as_ref().is_none_or(|b| fit.weighted_rms < b.weighted_rms * (1.0 - 1e-6)) => {
+            Ok(fit)
+                if best.as_ref().is_none_or(|b| fit.weighted_rms < b.weighted_rms * (1.0 - WORTH_MORE)) =>
+            {
                 best = Some(fit);
             }
             Ok(_) => {}
@@ -234,7 +240,7 @@ pub fn conventional(
     pass: &[Flank],
 ) -> Result<(TangentialSettings, Fit), TangentialError> {
     let wanted = |flank: Flank, w: f64, z: f64| ready.wanted(flank, w, z);
-    let mut task = task_of(job, ready, pass, &wanted, CHOSEN_CUT);
+    let mut task = task_of(job, ready, pass, &wanted, FitLimits::CHOSEN);
     task.fixed.set(&Variable::shift_ratio(), -ready.model.shift_ratio);
     task.fixed.set(&Variable::power(Channel::ToolShift, 0), -ready.model.shift_offset(pass));
     let profile = (1..=4).map(|k| Variable::power(Channel::Profile(None), k));

@@ -16,8 +16,8 @@ use crate::geometry::{Flank, Sides};
 use crate::metrology::Topography;
 use crate::numerics::Progress;
 use crate::process::tangential_dressing::{
-    Channel, Fit, FitGrid, Judged, RollGrid, Shape, TangentialError, TangentialFlank, TangentialSettings,
-    TangentialStrokes, Variable,
+    Channel, Fit, FitGrid, FitLimits, Judged, RollGrid, Shape, TangentialError, TangentialFlank,
+    TangentialSettings, TangentialStrokes, Variable,
 };
 use crate::workflow::finding::{Remark, RunFailure};
 use crate::workflow::result::{CharacteristicsUm, FlankResult, Status};
@@ -210,7 +210,7 @@ fn finish(
     let refereeing = Instant::now();
     for pass in &passes {
         let wanted = |flank: Flank, w: f64, z: f64| ready.wanted(flank, w, z);
-        let task = task_of(job, &ready, &pass.flanks, &wanted, 0.0);
+        let task = task_of(job, &ready, &pass.flanks, &wanted, FitLimits::NAMED);
         let judged = task.judge(&pass.settings, result_grid(job)).map_err(failed)?;
         let radial = job.dressing.compare_radial.then(|| conventional(job, &ready, &pass.flanks));
         for of_flank in &judged {
