@@ -24,6 +24,8 @@ const HEIGHTS: [f64; 2] = [-1.75, 1.55];
 const KNOWN_FROM: f64 = -2.75;
 /// Nodes; the series ends below 4e-15 mm (spec 40 section 2.1).
 const NODES: usize = 28;
+/// Trailing coefficients below this share of the largest are the rounding of the nodes: half a dozen are left, and derivatives gain.
+const NOISE: f64 = 5e-15;
 /// Accuracy of a length of roll, mm; heights follow it with a slope of some tenths.
 const ROLL_ACCURACY: f64 = 1e-14;
 
@@ -34,8 +36,8 @@ pub(super) struct Profile {
     pub pitch_radius: f64,
     /// Range of s, mm.
     pub heights: [f64; 2],
-    /// S, S', S'' over s.
-    half_thickness: [Chebyshev; 3],
+    /// S over s.
+    half_thickness: Chebyshev,
     /// s of a length of roll w_1 of the worm.
     height: Chebyshev,
     /// z_c: where along the worm w_1 is dressed while x_D = 0; of the left flank.
@@ -91,7 +93,7 @@ impl Profile {
                 Chebyshev::from_coefficients(from, to, vec![start + slope * middle, slope * half])
             }
         }
-        .truncated(1e-17);
+        .truncated(NOISE);
         let (first, last) = (roll_of(to)?.0, roll_of(from)?.0);
         let contacts = Chebyshev::nodes(first, last, NODES)
             .into_iter()
@@ -99,25 +101,23 @@ impl Profile {
             .collect::<Result<Vec<_>, _>>()?;
         let over_roll = |value: &dyn Fn(&NominalContact) -> f64| {
             let values: Vec<f64> = contacts.iter().map(value).collect();
-            Chebyshev::interpolate(first, last, &values).truncated(1e-17)
+            Chebyshev::interpolate(first, last, &values).truncated(NOISE)
         };
-        let slope = thickness.derivative();
-        let bend = slope.derivative();
         Ok(Self {
             pitch_radius,
             heights,
             height: over_roll(&|c| c.r - pitch_radius),
             line: over_roll(&|c| c.b),
-            half_thickness: [thickness, slope, bend],
+            half_thickness: thickness,
         })
     }
 
     /// S, S', S'' at the height s, mm. Beyond what is known it continues with the curvature of its end: a way for iterations, not a
     /// dresser.
     pub fn half_thickness(&self, s: f64) -> [f64; 3] {
-        let (from, to) = self.half_thickness[0].interval();
+        let (from, to) = self.half_thickness.interval();
         let end = s.clamp(from, to);
-        let [thickness, slope, bend] = self.half_thickness.each_ref().map(|series| series.value(end));
+        let [thickness, slope, bend] = self.half_thickness.jet(end);
         let beyond = s - end;
         [thickness + beyond * (slope + 0.5 * beyond * bend), slope + beyond * bend, bend]
     }
@@ -138,7 +138,7 @@ impl Profile {
     pub fn revolution(&self, sigma: f64, offset: impl Fn(f64) -> f64) -> Revolution {
         let [from, to] = self.heights;
         let axial = Chebyshev::fit(from, to, 2 * NODES, |s| {
-            Ok::<f64, std::convert::Infallible>(sigma * (self.half_thickness[0].value(s) - offset(s)))
+            Ok::<f64, std::convert::Infallible>(sigma * (self.half_thickness.value(s) - offset(s)))
         });
         let Ok(axial) = axial;
         let radius = Chebyshev::from_coefficients(
