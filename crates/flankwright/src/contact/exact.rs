@@ -11,6 +11,8 @@ use std::f64::consts::PI;
 const MAX_ITERATIONS: usize = 40;
 const CONVERGED: f64 = 1e-12;
 const STALLED: f64 = 1e-9;
+/// Steps whose square is below the rounding of a deviation.
+const SHORT: f64 = 1e-8;
 
 /// The ground flank at one workpiece point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,6 +57,8 @@ pub struct ExactContact<'a, S: ToolSurface> {
     measure: Measure,
     /// Rotation of the coupling by whole pitches that brings the start onto the workpiece flank.
     pitch: f64,
+    /// The unmodified contacts of one w differ by screws of both bodies only: cylinders at a constant ratio.
+    along_the_screw: bool,
 }
 
 /// Why an iteration ended without a contact.
@@ -70,12 +74,25 @@ enum Lost {
 
 type State = Vector4<f64>;
 
+/// Where an iteration ended.
+#[derive(Clone, Copy, Debug)]
+struct Found {
+    y: State,
+    /// Tool point in workpiece coordinates at y.
+    q_2: Vector3<f64>,
+    /// Of the Jacobian, at most a short step before y.
+    determinant: f64,
+    iterations: usize,
+}
+
 impl<'a, S: ToolSurface> ExactContact<'a, S> {
     /// Prepares the flank `flank` of `pair` moved by `motion`, ground by `surface` (given in worm coordinates).
     pub fn new(pair: &'a Pair, flank: Flank, motion: &'a GeneratingMotion, surface: &'a S) -> Self {
+        let kernel = Kernel::new(motion, motion.phase[flank]);
         Self {
             pair: &pair.flanks[flank],
-            kernel: Kernel::new(motion, motion.phase[flank]),
+            along_the_screw: kernel.straight && motion.shift.is_affine(),
+            kernel,
             plain: motion.uncorrected(),
             surface,
             unmodified: surface.with_share(0.0),
@@ -120,7 +137,7 @@ impl<'a, S: ToolSurface> ExactContact<'a, S> {
         let (p, q) = self.surface.start(w_1, z_1);
         // Whole pitches are settled here once and never wrapped later.
         let wanted = pair.work_angle(w_2, z_2);
-        let coupled = Kernel::new(&self.plain, self.kernel.phase).work_angle(phi_1, v);
+        let coupled = self.plain.state(phi_1, v, self.kernel.phase).work_angle;
         let pitches = ((wanted - coupled) / self.pitch).round() * self.pitch;
         Ok((State::new(p, q, phi_1, v), pitches))
     }
@@ -144,31 +161,37 @@ impl<'a, S: ToolSurface> ExactContact<'a, S> {
         if good { Ok(e) } else { Err(Lost::Surface { p, q }) }
     }
 
-    /// Newton from y; the evaluation returned stands at the state returned.
+    /// Newton from y.
     fn newton(
         &self,
         kernel: &Kernel<'_>,
         surface: &dyn ToolSurface,
         mut y: State,
         target: &Target,
-    ) -> Result<(State, Evaluation, usize), Lost> {
+    ) -> Result<Found, Lost> {
         let (limit_p, limit_q) = surface.step_limits();
         let limits = [limit_p, limit_q, 0.3, 4.0];
         let mut previous = f64::INFINITY;
-        for iteration in 1..=MAX_ITERATIONS {
+        for iterations in 1..=MAX_ITERATIONS {
             let e = Self::evaluate(kernel, surface, &y, target, self.measure)?;
-            let mut step = solve4(&e.jacobian, &e.residual).ok_or(Lost::Diverged)?;
+            let (mut step, determinant) = solve4(&e.jacobian, &e.residual).ok_or(Lost::Diverged)?;
             let excess = (0..4).map(|k| step[k].abs() / limits[k]).fold(1.0, f64::max);
             step /= excess;
             let size = step.norm() / (1.0 + y.norm());
             if size < CONVERGED {
                 // The step is the error of y, and f_n changes along it only by the angle between the normals.
-                return Ok((y, e, iteration));
+                return Ok(Found { y, q_2: e.q_2, determinant, iterations });
             }
             y -= step;
+            // Steps shrink at least as fast as they did so far: the next one is known to be nothing. The point follows this one to
+            // first order; what is left out is the square of a step so short.
+            if size < SHORT && size * (size / previous) < CONVERGED && previous.is_finite() {
+                let moved: Vector3<f64> = (0..4).map(|k| e.q_x[k] * step[k]).sum();
+                return Ok(Found { y, q_2: e.q_2 - moved, determinant, iterations });
+            }
             if size < STALLED && size >= previous {
                 let e = Self::evaluate(kernel, surface, &y, target, self.measure)?;
-                return Ok((y, e, iteration));
+                return Ok(Found { y, q_2: e.q_2, determinant: e.jacobian.determinant(), iterations });
             }
             previous = size;
         }
@@ -180,31 +203,34 @@ impl<'a, S: ToolSurface> ExactContact<'a, S> {
     /// # Errors
     /// `NoStart`, `ContactBelowBase`, `WormSurfaceMissing`, `NotSmooth`, `Undercut`.
     pub fn solve(&self, w_2: f64, z_2: f64) -> Result<ContactSolution, ContactError> {
-        self.solve_from(w_2, z_2, None).map(|(solution, _)| solution)
+        self.solve_from(w_2, z_2, None, &mut None).map(|(solution, _)| solution)
     }
 
-    /// Solves a grid point, starting from the correction found at a neighbour (difference to its unmodified contact).
+    /// Solves a grid point, starting from the correction found at a neighbour (difference to its unmodified contact). `unmodified`
+    /// holds the determinant of the unmodified contact where points of the same w share it.
     fn solve_from(
         &self,
         w_2: f64,
         z_2: f64,
         neighbour: Option<&State>,
+        unmodified: &mut Option<f64>,
     ) -> Result<(ContactSolution, State), ContactError> {
         let target = Target::new(&self.pair.work, w_2, z_2);
         let (y_0, pitches) = self.nominal(w_2, z_2)?;
         let mut kernel = self.kernel.clone();
         kernel.phase += pitches * kernel.motion.teeth;
-        let reference = {
-            let plain = Kernel::new(&self.plain, kernel.phase);
-            let e = Self::evaluate(&plain, self.unmodified.as_ref(), &y_0, &target, self.measure)
-                .map_err(|_| ContactError::WormSurfaceMissing { p: y_0[0], q: y_0[1] })?;
-            e.jacobian.determinant()
+        let reference = match *unmodified {
+            Some(known) => known,
+            None => {
+                let plain = Kernel::new(&self.plain, kernel.phase);
+                let e = Self::evaluate(&plain, self.unmodified.as_ref(), &y_0, &target, self.measure)
+                    .map_err(|_| ContactError::WormSurfaceMissing { p: y_0[0], q: y_0[1] })?;
+                e.jacobian.determinant()
+            }
         };
-        let accepted = |found: Result<(State, Evaluation, usize), Lost>| {
-            let (y, e, iterations) = found.ok()?;
-            let ratio = e.jacobian.determinant() / reference;
-            (ratio > 0.0).then_some((y, e, iterations, ratio))
-        };
+        *unmodified = self.along_the_screw.then_some(reference);
+        let accepted =
+            |found: Result<Found, Lost>| found.ok().filter(|found| found.determinant / reference > 0.0);
         let mut found = None;
         if let Some(delta) = neighbour {
             found = accepted(self.newton(&kernel, self.surface, y_0 + delta, &target));
@@ -212,17 +238,16 @@ impl<'a, S: ToolSurface> ExactContact<'a, S> {
         if found.is_none() {
             found = accepted(self.newton(&kernel, self.surface, y_0, &target));
         }
-        let (y, e, iterations, ratio) = match found {
+        let Found { y, q_2, determinant, iterations } = match found {
             Some(found) => found,
             None => self.step_up(&kernel, y_0, &target, reference, w_2, z_2)?,
         };
-        let f_n = (e.q_2 - target.point).dot(&target.n);
         let solution = ContactSolution {
-            f_n,
+            f_n: (q_2 - target.point).dot(&target.n),
             tool: (y[0], y[1]),
             worm_angle: y[2],
             feed: y[3],
-            determinant_ratio: ratio,
+            determinant_ratio: determinant / reference,
             iterations,
         };
         Ok((solution, y - y_0))
@@ -237,7 +262,7 @@ impl<'a, S: ToolSurface> ExactContact<'a, S> {
         reference: f64,
         w: f64,
         z: f64,
-    ) -> Result<(State, Evaluation, usize, f64), ContactError> {
+    ) -> Result<Found, ContactError> {
         let (mut share, mut step, mut y, mut last) = (0.0, 0.25, y_0, 1.0);
         let mut lost = Lost::Diverged;
         while step > 1e-3 {
@@ -246,11 +271,11 @@ impl<'a, S: ToolSurface> ExactContact<'a, S> {
             let scaled = Kernel::new(&motion, kernel.phase);
             let surface = self.surface.with_share(next);
             match self.newton(&scaled, surface.as_ref(), y, target) {
-                Ok((found, e, n)) if e.jacobian.determinant() / reference > 0.0 => {
-                    last = e.jacobian.determinant() / reference;
-                    (share, y) = (next, found);
+                Ok(found) if found.determinant / reference > 0.0 => {
+                    last = found.determinant / reference;
+                    (share, y) = (next, found.y);
                     if share >= 1.0 {
-                        return Ok((y, e, n, last));
+                        return Ok(found);
                     }
                 }
                 outcome => {
@@ -275,10 +300,10 @@ impl<'a, S: ToolSurface> ExactContact<'a, S> {
         let mut solutions = Vec::with_capacity(w.len() * z.len());
         let mut column = Trail::default();
         for &w_2 in w {
-            let mut row = Trail::default();
+            let (mut row, mut unmodified) = (Trail::default(), None);
             for (j, &z_2) in z.iter().enumerate() {
                 let start = if j == 0 { column.expected(w_2) } else { row.expected(z_2) };
-                let (solution, delta) = self.solve_from(w_2, z_2, start.as_ref())?;
+                let (solution, delta) = self.solve_from(w_2, z_2, start.as_ref(), &mut unmodified)?;
                 solutions.push(solution);
                 row.push(z_2, delta);
                 if j == 0 {
@@ -359,6 +384,55 @@ impl Trail {
     }
 }
 
-fn solve4(matrix: &Matrix4<f64>, rhs: &Vector4<f64>) -> Option<Vector4<f64>> {
-    matrix.lu().solve(rhs)
+/// Solution and determinant by elimination with pivots, on the stack: the inner step of every flank.
+fn solve4(matrix: &Matrix4<f64>, rhs: &Vector4<f64>) -> Option<(Vector4<f64>, f64)> {
+    let mut a: [[f64; 5]; 4] =
+        std::array::from_fn(|i| std::array::from_fn(|j| if j < 4 { matrix[(i, j)] } else { rhs[i] }));
+    let mut inverse = [0.0; 4];
+    let mut determinant = 1.0;
+    for k in 0..4 {
+        let mut pivot = k;
+        for i in k + 1..4 {
+            if a[i][k].abs() > a[pivot][k].abs() {
+                pivot = i;
+            }
+        }
+        if pivot != k {
+            a.swap(k, pivot);
+            determinant = -determinant;
+        }
+        if a[k][k] == 0.0 {
+            return None;
+        }
+        determinant *= a[k][k];
+        inverse[k] = 1.0 / a[k][k];
+        for i in k + 1..4 {
+            let share = a[i][k] * inverse[k];
+            for j in k + 1..5 {
+                a[i][j] -= share * a[k][j];
+            }
+        }
+    }
+    let mut x = Vector4::zeros();
+    for k in (0..4).rev() {
+        let known: f64 = (k + 1..4).map(|j| a[k][j] * x[j]).sum();
+        x[k] = (a[k][4] - known) * inverse[k];
+    }
+    Some((x, determinant))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn elimination_solves_and_knows_the_determinant() {
+        let matrix =
+            Matrix4::new(0.0, 2.0, -1.0, 0.5, 3.0, 0.0, 1.0, 4.0, -2.0, 5.0, 7.0, 0.0, 1.0, 1.0, 0.0, -3.0);
+        let x = Vector4::new(1.0, -2.0, 3.0, 0.25);
+        let (found, determinant) = solve4(&matrix, &(matrix * x)).unwrap();
+        assert!((found - x).norm() < 1e-14);
+        assert!((determinant - matrix.determinant()).abs() < 1e-12 * determinant.abs());
+        assert_eq!(solve4(&Matrix4::zeros(), &x), None);
+    }
 }

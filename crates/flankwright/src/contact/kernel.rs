@@ -60,6 +60,8 @@ pub(super) struct Evaluation {
     /// Tool point and normal in workpiece coordinates.
     pub q_2: Vector3<f64>,
     pub n_q: Vector3<f64>,
+    /// Derivatives of the tool point by y.
+    pub q_x: [Vector3<f64>; 4],
     /// phi_2.
     pub work_angle: f64,
     /// gamma + Delta_gamma.
@@ -75,7 +77,10 @@ pub(super) struct Kernel<'a> {
     pub phase: f64,
     worm_tilt: Matrix3<f64>,
     work_tilt: Matrix3<f64>,
-    straight: bool,
+    /// Neither body is a cone.
+    pub straight: bool,
+    /// Ry(-gamma) while gamma stands still.
+    back: Option<Matrix3<f64>>,
 }
 
 fn rot_x(a: f64) -> Matrix3<f64> {
@@ -101,18 +106,15 @@ pub(super) fn about_z(v: &Vector3<f64>) -> Vector3<f64> {
 impl<'a> Kernel<'a> {
     pub fn new(motion: &'a GeneratingMotion, phase: f64) -> Self {
         let chain = &motion.chain;
+        let still = motion.delta_gamma.is_constant();
         Self {
             motion,
             phase,
+            back: still.then(|| rot_y(-chain.crossed_axes_angle - motion.delta_gamma.value(0.0))),
             worm_tilt: rot_x(-chain.worm_cone),
             work_tilt: rot_x(chain.work_cone),
             straight: chain.worm_cone == 0.0 && chain.work_cone == 0.0,
         }
-    }
-
-    /// phi_2 by the coupling.
-    pub fn work_angle(&self, phi_1: f64, v: f64) -> f64 {
-        self.motion.state(phi_1, v, self.phase).work_angle
     }
 
     pub fn evaluate(
@@ -132,7 +134,7 @@ impl<'a> Kernel<'a> {
             gamma: motion.delta_gamma.jet(v),
         };
         let gamma = chain.crossed_axes_angle + laws.gamma[0];
-        let back = rot_y(-gamma);
+        let back = self.back.unwrap_or_else(|| rot_y(-gamma));
         // `frame` turns from the room to the workpiece's rest frame, `carry` from the worm's rest frame.
         let (frame, carry) = if self.straight {
             (back, back)
@@ -226,7 +228,7 @@ impl<'a> Kernel<'a> {
             jacobian[(3, k)] = nu_x[k].dot(&u_v) + nu.dot(&u_v_x[k]) - kappa * c_2x;
         }
         jacobian[(3, 3)] -= kappa_v * c_2;
-        Evaluation { residual, jacobian, q_2, n_q, work_angle, gamma, gamma_lever: from_worm }
+        Evaluation { residual, jacobian, q_2, n_q, q_x, work_angle, gamma, gamma_lever: from_worm }
     }
 
     /// Direction from the room frame into workpiece coordinates at the given angles.

@@ -47,7 +47,8 @@ pub trait ToolSurface: Send + Sync {
     /// Parameters of the surface point that belongs to (w_1, z_1) of the unmodified thread.
     fn start(&self, w_1: f64, z_1: f64) -> (f64, f64);
 
-    /// The surface with a share (0..1) of its modification; share 0 is the unmodified thread in the same parameters.
+    /// The surface with a share (0..1) of its modification; share 0 is the unmodified thread in the same parameters, the second of
+    /// which then runs along its screw evenly.
     fn with_share(&self, share: f64) -> Box<dyn ToolSurface + '_>;
 
     /// Largest sensible Newton steps in (p, q).

@@ -86,6 +86,28 @@ impl Chebyshev {
         t * b1 - b2 + self.coefficients.first().copied().unwrap_or(0.0)
     }
 
+    /// Value, first and second derivative at `x` in one pass of the recurrence.
+    pub fn jet(&self, x: f64) -> [f64; 3] {
+        let scale = 2.0 / (self.b - self.a);
+        let t = (2.0 * x - (self.a + self.b)) / (self.b - self.a);
+        let twice = 2.0 * t;
+        let (mut b1, mut b2) = ([0.0; 3], [0.0; 3]);
+        for &c in self.coefficients.iter().skip(1).rev() {
+            let b0 = [
+                twice * b1[0] - b2[0] + c,
+                twice * b1[1] + 2.0 * b1[0] - b2[1],
+                twice * b1[2] + 4.0 * b1[1] - b2[2],
+            ];
+            (b1, b2) = (b0, b1);
+        }
+        let constant = self.coefficients.first().copied().unwrap_or(0.0);
+        [
+            t * b1[0] - b2[0] + constant,
+            (t * b1[1] + b1[0] - b2[1]) * scale,
+            (t * b1[2] + 2.0 * b1[1] - b2[2]) * (scale * scale),
+        ]
+    }
+
     /// The series times a factor.
     pub fn scaled(&self, factor: f64) -> Self {
         Self { coefficients: self.coefficients.iter().map(|c| c * factor).collect(), ..*self }
@@ -133,8 +155,13 @@ mod tests {
             let x = 1.0 + 0.1 * k as f64;
             assert!((series.value(x) - (2.0 * x).sin()).abs() < 1e-14);
             assert!((derivative.value(x) - 2.0 * (2.0 * x).cos()).abs() < 1e-12);
+            let bend = derivative.derivative().value(x);
+            for (a, b) in series.jet(x).into_iter().zip([series.value(x), derivative.value(x), bend]) {
+                assert!((a - b).abs() < 1e-11, "{x}: {a} {b}");
+            }
         }
         assert_eq!(Chebyshev::constant(0.0, 1.0, 4.0).value(0.3), 4.0);
         assert_eq!(Chebyshev::constant(0.0, 1.0, 4.0).derivative().value(0.3), 0.0);
+        assert_eq!(Chebyshev::constant(0.0, 1.0, 4.0).jet(0.3), [4.0, 0.0, 0.0]);
     }
 }

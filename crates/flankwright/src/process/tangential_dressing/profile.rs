@@ -28,6 +28,8 @@ const NODES: usize = 28;
 const SERIES_NODES: [usize; 2] = [48, 768];
 /// Its accuracy, mm.
 const SERIES_ACCURACY: f64 = 1e-13;
+/// Trailing coefficients below this share of the largest are the rounding of the nodes: half a dozen are left, and derivatives gain.
+const NOISE: f64 = 5e-15;
 /// Accuracy of a length of roll, mm; heights follow it with a slope of some tenths.
 const ROLL_ACCURACY: f64 = 1e-14;
 
@@ -38,8 +40,8 @@ pub(super) struct Profile {
     pub pitch_radius: f64,
     /// Range of s, mm.
     pub heights: [f64; 2],
-    /// S, S', S'' over s.
-    half_thickness: [Chebyshev; 3],
+    /// S over s.
+    half_thickness: Chebyshev,
     /// s of a length of roll w_1 of the worm.
     height: Chebyshev,
     /// z_c: where along the worm w_1 is dressed while x_D = 0; of the left flank.
@@ -95,7 +97,7 @@ impl Profile {
                 Chebyshev::from_coefficients(from, to, vec![start + slope * middle, slope * half])
             }
         }
-        .truncated(1e-17);
+        .truncated(NOISE);
         let (first, last) = (roll_of(to)?.0, roll_of(from)?.0);
         let contacts = Chebyshev::nodes(first, last, NODES)
             .into_iter()
@@ -103,25 +105,23 @@ impl Profile {
             .collect::<Result<Vec<_>, _>>()?;
         let over_roll = |value: &dyn Fn(&NominalContact) -> f64| {
             let values: Vec<f64> = contacts.iter().map(value).collect();
-            Chebyshev::interpolate(first, last, &values).truncated(1e-17)
+            Chebyshev::interpolate(first, last, &values).truncated(NOISE)
         };
-        let slope = thickness.derivative();
-        let bend = slope.derivative();
         Ok(Self {
             pitch_radius,
             heights,
             height: over_roll(&|c| c.r - pitch_radius),
             line: over_roll(&|c| c.b),
-            half_thickness: [thickness, slope, bend],
+            half_thickness: thickness,
         })
     }
 
     /// S, S', S'' at the height s, mm. Beyond what is known it continues with the curvature of its end: a way for iterations, not a
     /// dresser.
     pub fn half_thickness(&self, s: f64) -> [f64; 3] {
-        let (from, to) = self.half_thickness[0].interval();
+        let (from, to) = self.half_thickness.interval();
         let end = s.clamp(from, to);
-        let [thickness, slope, bend] = self.half_thickness.each_ref().map(|series| series.value(end));
+        let [thickness, slope, bend] = self.half_thickness.jet(end);
         let beyond = s - end;
         [thickness + beyond * (slope + 0.5 * beyond * bend), slope + beyond * bend, bend]
     }
@@ -152,7 +152,7 @@ impl Profile {
         let axial = loop {
             let nodes = Chebyshev::nodes(from, to, count).into_iter();
             let values: Vec<f64> =
-                nodes.map(|s| sigma * (self.half_thickness[0].value(s) - removed(s))).collect();
+                nodes.map(|s| sigma * (self.half_thickness.value(s) - removed(s))).collect();
             let series = Chebyshev::interpolate(from, to, &values);
             if series.tail() < SERIES_ACCURACY || count >= most {
                 break series.truncated(1e-17);

@@ -48,6 +48,21 @@ pub(super) struct WormSurface<'a> {
     pub flank_sign: f64,
 }
 
+/// Profile and laws with their first two derivatives at one place.
+struct Local {
+    /// h over s.
+    profile: [f64; 3],
+    tangential: [f64; 3],
+    axial: [f64; 3],
+    distance: [f64; 3],
+    angle: [f64; 3],
+}
+
+/// Value and first derivative of a function known by its jet, `dx` beside that place.
+fn lifted<T: Scalar>(jet: &[f64; 3], dx: T) -> [T; 2] {
+    [dx * jet[1] + jet[0], dx * jet[2] + jet[1]]
+}
+
 /// Where a circle of the dresser touches the worm, with what moves there. Room frame at x_D = 0.
 pub(super) struct DressedPoint<T: Scalar> {
     pub contact: RoomContact<T>,
@@ -55,23 +70,37 @@ pub(super) struct DressedPoint<T: Scalar> {
 }
 
 impl WormSurface<'_> {
+    fn local(&self, s: f64, x_d: f64) -> Local {
+        let nominal = self.profile.half_thickness(s);
+        let removed = self.laws.profile.jet(s);
+        Local {
+            profile: std::array::from_fn(|k| self.sigma * (nominal[k] - removed[k])),
+            tangential: self.laws.tangential.jet(x_d),
+            axial: self.laws.axial.jet(x_d),
+            distance: self.laws.distance.jet(x_d),
+            angle: self.laws.angle.jet(x_d),
+        }
+    }
+
     /// The contact of the circle at height s while the dresser is at x_D; `None` where there is none.
     pub fn touch<T: Scalar>(&self, s: T, x_d: T) -> Option<DressedPoint<T>> {
-        let height = value_of(s);
-        let h = self.axial_profile(height);
-        let ds = s - height;
-        let slope = ds * h[2] + h[1];
+        self.touch_at(&self.local(value_of(s), value_of(x_d)), s, x_d)
+    }
+
+    fn touch_at<T: Scalar>(&self, at: &Local, s: T, x_d: T) -> Option<DressedPoint<T>> {
+        let dx = x_d - value_of(x_d);
+        let [height, slope] = lifted(&at.profile, s - value_of(s));
         let length = (slope * slope + 1.0).sqrt();
         let meridian = MeridianPoint {
             r: s + self.profile.pitch_radius,
-            z: ds * h[1] + h[0],
+            z: height,
             n_r: -slope * self.sigma / length,
             n_z: length.recip() * self.sigma,
         };
-        let [tangential, tangential_rate] = self.laws.tangential.lifted(x_d);
-        let [_, axial_rate] = self.laws.axial.lifted(x_d);
-        let [distance, distance_rate] = self.laws.distance.lifted(x_d);
-        let [angle, angle_rate] = self.laws.angle.lifted(x_d);
+        let [tangential, tangential_rate] = lifted(&at.tangential, dx);
+        let [_, axial_rate] = lifted(&at.axial, dx);
+        let [distance, distance_rate] = lifted(&at.distance, dx);
+        let [angle, angle_rate] = lifted(&at.angle, dx);
         let mut axes = DresserAxes::kinematic(
             angle + self.chain.crossing_angle,
             distance + self.chain.centre_distance,
@@ -92,19 +121,12 @@ impl WormSurface<'_> {
         Some(DressedPoint { contact, axes })
     }
 
-    /// h, h', h'' at the height s.
-    fn axial_profile(&self, s: f64) -> [f64; 3] {
-        let nominal = self.profile.half_thickness(s);
-        let removed = self.laws.profile.jet(s);
-        std::array::from_fn(|k| self.sigma * (nominal[k] - removed[k]))
-    }
-
     /// How fast the contact condition of a circle changes along it; 0 where its envelope folds.
     pub fn circle_rate(&self, s: f64, x_d: f64) -> Option<f64> {
-        let DressedPoint { contact, axes, .. } = self.touch(s, x_d)?;
+        let at = self.local(s, x_d);
+        let DressedPoint { contact, axes } = self.touch_at(&at, s, x_d)?;
         let [distance, tangential, axial, angle] =
-            [&self.laws.distance, &self.laws.tangential, &self.laws.axial, &self.laws.angle]
-                .map(|law| law.jet(x_d)[1]);
+            [at.distance, at.tangential, at.axial, at.angle].map(|jet| jet[1]);
         let turn = 1.0 / self.chain.screw_parameter;
         let over = |v: &Vector3<f64>| Vector3::new(-v.y * turn, v.z * angle + v.x * turn, -v.y * angle);
         let arm = contact.q - axes.centre;
@@ -130,10 +152,9 @@ impl WormSurface<'_> {
 impl ToolSurface for WormSurface<'_> {
     /// By hand, not by dual numbers, for this is the inner loop of every fit; the tests compare both.
     fn jet(&self, s: f64, x_d: f64) -> Option<SurfaceJet> {
-        let DressedPoint { contact, axes, .. } = self.touch(s, x_d)?;
-        let laws = &self.laws;
-        let (tangential, axial) = (laws.tangential.jet(x_d), laws.axial.jet(x_d));
-        let (distance, [_, angle_1, angle_2]) = (laws.distance.jet(x_d), laws.angle.jet(x_d));
+        let at = self.local(s, x_d);
+        let DressedPoint { contact, axes } = self.touch_at(&at, s, x_d)?;
+        let Local { profile: h, tangential, axial, distance, angle: [_, angle_1, angle_2] } = at;
         let centre = |k: usize| Vector3::new(distance[k], -tangential[k], axial[k]);
         // Turning with the dresser: a vector fixed to it moves by -gA' e_x x it.
         let tilted = |v: &Vector3<f64>| Vector3::new(0.0, v.z, -v.y);
@@ -154,7 +175,6 @@ impl ToolSurface for WormSurface<'_> {
             centre(2) + tilted(&arm) * angle_2 + tilted(&arm_x) * angle_1 + about_z(&point_x) * turn;
         let over = |v: &Vector3<f64>| tilted(v) * angle_1 + about_z(v) * turn;
 
-        let h = self.axial_profile(s);
         let rho = s + self.profile.pitch_radius;
         let radial = (arm - axes.axis * h[0]) / rho;
         let tangent = axes.axis.cross(&radial);
