@@ -107,7 +107,7 @@ fn inverse(c: &mut Criterion) {
         fixed,
         grid: FitGrid::Graded(9),
         weights: Weights::Uniform,
-        limits: FitLimits::CHOSEN,
+        limits: FitLimits::STEADY,
         ..task
     };
     let selection = SelectionTask {

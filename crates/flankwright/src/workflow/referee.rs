@@ -217,14 +217,11 @@ fn stroked_worm(
     rayed(&stages, w, [z[0] + WORM_MARGIN, z[1] - WORM_MARGIN], progress)
 }
 
-/// Largest length of a ray that counts as this flank's, mm: above what is expected (mm) by far.
+/// Largest length of a ray that counts as this flank's, mm: above what is expected (mm) by far, but no more than a quarter of the normal
+/// base pitch of the worm, beyond which the next flank begins.
 pub(super) fn stock(worm: &InvoluteFlank, expected: f64) -> f64 {
-    STOCK.max(3.0 * expected).min(most_stock(worm))
-}
-
-/// No more than a quarter of the normal base pitch of the worm, mm: beyond it the next flank begins.
-pub(super) fn most_stock(worm: &InvoluteFlank) -> f64 {
-    0.24 * 2.0 * std::f64::consts::PI * worm.base_radius * worm.base_helix_angle.cos() / worm.teeth
+    let base_pitch = 2.0 * std::f64::consts::PI * worm.base_radius * worm.base_helix_angle.cos() / worm.teeth;
+    STOCK.max(3.0 * expected).min(0.24 * base_pitch)
 }
 
 /// The surface through the rays over lengths of roll w and worm positions z.

@@ -26,10 +26,9 @@ pub struct FitLimits {
 impl FitLimits {
     /// Those of the source (spec 40 section 6).
     pub const SOURCE: Self = Self { cut: 1e-10, live: 1e-7, rounds: 60 };
-    /// For sets that somebody names: splines repeat what powers do, and have functions where no contact is.
-    pub const NAMED: Self = Self { cut: 1e-8, live: 1e-4, rounds: 60 };
-    /// For sets that are chosen out of many: for a hundredth of a micrometre they would leave the machine.
-    pub const CHOSEN: Self = Self { cut: 1e-5, live: 1e-4, rounds: 60 };
+    /// For all other sets: splines repeat what powers do and have functions with few contacts, and many powers together would leave the
+    /// machine for a hundredth of a micrometre.
+    pub const STEADY: Self = Self { cut: 1e-5, live: 1e-4, rounds: 60 };
 }
 
 /// One pass: flanks that share their motions, what is wanted of them, and how it is measured.

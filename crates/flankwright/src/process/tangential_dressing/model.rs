@@ -92,9 +92,9 @@ pub struct TangentialModel {
     pub(super) heights: [f64; 2],
 }
 
-/// Share by which the abscissae of splines reach beyond what the unmodified flank needs: less than an interval, so that every function has
-/// contacts.
-const SPLINE_MARGIN: f64 = 0.06;
+/// Share by which the abscissae of splines reach beyond what the unmodified flank needs: a small part of an interval, so that the outermost
+/// functions have contacts that settle them.
+const SPLINE_MARGIN: f64 = 0.02;
 
 impl TangentialModel {
     /// Puts the bodies in place.

@@ -117,12 +117,15 @@ impl TangentialFlank<'_> {
     }
 }
 
-/// Where all splines of a law are known; everywhere without one.
+/// How far the border pieces of a spline continue it, mm.
+const BEYOND_SPLINE: f64 = 0.35;
+
+/// Where all splines of a law hold; everywhere without one.
 fn spline_heights(law: &MotionLaw) -> [f64; 2] {
     match law {
         MotionLaw::BSpline { spline, stretch, .. } => {
             let [a, b] = spline.basis().interval().map(|x| x / stretch);
-            [a.min(b), a.max(b)]
+            [a.min(b) - BEYOND_SPLINE, a.max(b) + BEYOND_SPLINE]
         }
         MotionLaw::Sum(laws) => laws
             .iter()

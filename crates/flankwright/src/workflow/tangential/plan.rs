@@ -84,9 +84,8 @@ pub fn plan_pass(
     let splines = spline_variables(job, ready, pass)?;
     let named = job.dressing.variables.named();
     let limits = match &job.dressing.variables {
-        Variables::Rule(VariableRule::Auto) => FitLimits::CHOSEN,
         Variables::Rule(VariableRule::Source) => FitLimits::SOURCE,
-        Variables::List(_) => FitLimits::NAMED,
+        Variables::Rule(VariableRule::Auto) | Variables::List(_) => FitLimits::STEADY,
     };
     let task = task_of(job, ready, pass, &wanted, limits);
     progress.start("fitting", 1);
@@ -171,17 +170,17 @@ fn spline_variables(
 fn ways(job: &TangentialJob) -> Vec<(FitMethod, usize)> {
     let steps = job.dressing.steps;
     let methods = match job.dressing.method {
-        JobMethod::Auto => vec![FitMethod::Plain, FitMethod::GaussNewton],
+        JobMethod::Auto => FitMethod::ALL.to_vec(),
         JobMethod::Svd => vec![FitMethod::Plain],
         JobMethod::Damped => vec![FitMethod::Damped],
         JobMethod::GaussNewton => vec![FitMethod::GaussNewton],
     };
     let stepped: &[usize] = if steps > 1 { &[1, steps] } else { &[1] };
-    methods.iter().flat_map(|&m| stepped.iter().map(move |&n| (m, n))).collect()
+    stepped.iter().flat_map(|&n| methods.iter().map(move |&m| (m, n))).collect()
 }
 
-/// The fit of least weighted error among the ways that the job allows; stepping is tried where going straight there does not
-/// meet the tolerance. What a selection found is taken further from where it is.
+/// The fit of least weighted error among the ways that the job allows; more trouble is taken, stepping last, as long as no fit has
+/// settled within the tolerance, or is within half of it. What a selection found is taken further from where it is.
 fn best_fit(
     job: &TangentialJob,
     task: &FitTask<'_>,
@@ -192,8 +191,9 @@ fn best_fit(
     let mut best: Option<Fit> = None;
     let mut refused = None;
     for (method, steps) in ways(job) {
-        if steps > 1 && best.as_ref().is_some_and(|b| b.largest <= tolerance) {
-            continue;
+        let enough = |b: &Fit| b.largest <= if b.converged { tolerance } else { 0.5 * tolerance };
+        if best.as_ref().is_some_and(enough) {
+            break;
         }
         let zero = vec![0.0; free.len()];
         match task.fit_in_steps(free, if steps > 1 { &zero } else { start }, method, steps) {
@@ -240,7 +240,7 @@ pub fn conventional(
     pass: &[Flank],
 ) -> Result<(TangentialSettings, Fit), TangentialError> {
     let wanted = |flank: Flank, w: f64, z: f64| ready.wanted(flank, w, z);
-    let mut task = task_of(job, ready, pass, &wanted, FitLimits::CHOSEN);
+    let mut task = task_of(job, ready, pass, &wanted, FitLimits::STEADY);
     task.fixed.set(&Variable::shift_ratio(), -ready.model.shift_ratio);
     task.fixed.set(&Variable::power(Channel::ToolShift, 0), -ready.model.shift_offset(pass));
     let profile = (1..=4).map(|k| Variable::power(Channel::Profile(None), k));

@@ -9,7 +9,7 @@ use crate::removal::{
     WormModification, grind,
 };
 use crate::workflow::finding::RunFailure;
-use crate::workflow::referee::{StageReport, Verdict, most_stock, rayed, stock};
+use crate::workflow::referee::{StageReport, Verdict, rayed, stock};
 
 /// Distance of the outermost worm rays from the ends of the dressed length, mm.
 const WORM_MARGIN: f64 = 0.5;
@@ -40,14 +40,7 @@ pub fn referee(
     let refused = |e: RemovalError| RunFailure::of_removal(&e, "grinding");
     let dresser = flank.dresser();
     let stock = stock(flank.worm(), target.largest().max(strokes.worm_modification));
-    // In the corners of the worm's rectangle, which grind nothing, powers of the motions run far.
-    let stage = Dressing {
-        worm: flank.worm(),
-        dresser: &dresser,
-        motion: &motion,
-        shift_range,
-        stock: most_stock(flank.worm()),
-    };
+    let stage = Dressing { worm: flank.worm(), dresser: &dresser, motion: &motion, shift_range, stock };
     let [from, to] = strokes.worm_faces;
     let dressed = rayed(&[stage], strokes.worm_rolls, [from + WORM_MARGIN, to - WORM_MARGIN], progress)
         .map_err(refused)?;

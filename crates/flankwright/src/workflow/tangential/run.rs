@@ -210,7 +210,7 @@ fn finish(
     let refereeing = Instant::now();
     for pass in &passes {
         let wanted = |flank: Flank, w: f64, z: f64| ready.wanted(flank, w, z);
-        let task = task_of(job, &ready, &pass.flanks, &wanted, FitLimits::NAMED);
+        let task = task_of(job, &ready, &pass.flanks, &wanted, FitLimits::STEADY);
         let judged = task.judge(&pass.settings, result_grid(job)).map_err(failed)?;
         let radial = job.dressing.compare_radial.then(|| conventional(job, &ready, &pass.flanks));
         for of_flank in &judged {
@@ -221,7 +221,8 @@ fn finish(
             flanks.insert(flank.name(), flank_result(job, &ready, of_flank, &run, radial));
             runs[flank] = Some(run);
         }
-        warnings.extend(pass.plan.as_ref().and_then(pass_warning));
+        warnings
+            .extend(pass.plan.as_ref().and_then(|plan| pass_warning(plan, job.target.tolerance_um * 1e-3)));
     }
     timing.insert("referee", refereeing.elapsed().as_secs_f64());
     let lengths = worm_lengths(&passes, &runs);
@@ -384,8 +385,9 @@ fn flank_warnings(judged: &Judged) -> Option<Remark> {
     })
 }
 
-fn pass_warning(plan: &PassPlan) -> Option<Remark> {
-    (!plan.fit.converged).then(|| {
+/// A fit that crawls within the tolerance is no matter.
+fn pass_warning(plan: &PassPlan, tolerance: f64) -> Option<Remark> {
+    (!plan.fit.converged && plan.fit.largest > tolerance).then(|| {
         let error = TangentialError::NotConverged {
             rounds: plan.fit.rounds_in_all,
             rms_um: plan.fit.weighted_rms * 1e3,
