@@ -10,7 +10,7 @@ use super::prepare::{Prepared, prepare};
 use super::referee::{self, Cutting, Verdict};
 use super::result::{CandidateResult, CharacteristicsUm, FlankResult, JobResult, SettingsResult, Status};
 use super::tip_land::TipLands;
-use crate::exchange::job::{DiagonalRatio, Job};
+use crate::exchange::job::{DiagonalRatio, Job, Output};
 use crate::exchange::{Diagnostic, LoadedJob, Problem};
 use crate::geometry::{Flank, Sides};
 use crate::metrology::Topography;
@@ -123,7 +123,7 @@ fn finish(
     let mut warnings = prepared.warnings.clone();
     warnings.extend(execution.warnings.iter().cloned());
     warnings.extend(tip_lands.warnings);
-    warnings.extend(output_warnings(job));
+    warnings.extend(output_warnings(&job.output));
     let tolerance = prepared.tolerance.tightest() * 1e3;
     // A simulation has no plan that could say what stands on the tool's lines: the target is judged by its deviation alone.
     let outside = plan.as_ref().map_or(Sides::both(0.0), |p| p.ideal.outside);
@@ -257,7 +257,7 @@ pub fn ratio_reason(reason: RatioReason) -> &'static str {
 }
 
 /// Formats and machines that the job asks for and that come with later versions.
-fn output_warnings(job: &Job) -> Vec<Remark> {
+pub(super) fn output_warnings(output: &Output) -> Vec<Remark> {
     let mut warnings = Vec::new();
     let mut later = |code, what: &str, key: &str| {
         warnings.push(Remark {
@@ -266,13 +266,13 @@ fn output_warnings(job: &Job) -> Vec<Remark> {
             way_out: format!("take the tables in motions/*.csv, or leave {key} out"),
         });
     };
-    if !job.output.programs.is_empty() {
+    if !output.programs.is_empty() {
         later("programs-not-written", "NC programs", "output.programs");
     }
-    if !job.output.meshes.is_empty() {
+    if !output.meshes.is_empty() {
         later("meshes-not-written", "meshes", "output.meshes");
     }
-    if job.output.tables.contains(&crate::exchange::job::Table::Parquet) {
+    if output.tables.contains(&crate::exchange::job::Table::Parquet) {
         later("parquet-not-written", "Parquet tables", "\"parquet\" in output.tables");
     }
     warnings

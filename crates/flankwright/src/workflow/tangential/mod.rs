@@ -1,19 +1,24 @@
 //! Tangential dressing from job to result: bodies and targets, plan, referee, files. The counterpart of `plan` and `simulate` of
 //! generating grinding, whose parts it shares.
 
+mod flank;
 mod page;
 mod plan;
 mod prepare;
 mod referee;
+mod remarks;
 mod result;
 mod run;
+mod sensitivities;
+mod settings;
 mod tables;
 mod write;
 
+pub use flank::TangentialRun;
 pub use prepare::{TangentialPrepared, WantedFlank, prepare_tangential};
 pub use result::{
     ChoiceStep, MethodResult, PassResult, RadialFeedResult, SensitivityResult, SettingsResult,
     TangentialFlankResult, TangentialResult, VariableValue,
 };
-pub use run::{TangentialOutcome, TangentialRun, plan_tangential, simulate_tangential};
+pub use run::{TangentialOutcome, plan_tangential, simulate_tangential};
 pub use write::write_tangential;

@@ -1,7 +1,8 @@
 //! Fills the report of a run of tangential dressing. Timing stays out of it, so that the same job gives the same bytes.
 
+use super::flank::TangentialRun;
 use super::result::{PassResult, SensitivityResult, TangentialFlankResult};
-use super::run::{TangentialOutcome, TangentialRun};
+use super::run::TangentialOutcome;
 use crate::contact::Measure;
 use crate::exchange::TangentialJob;
 use crate::exchange::tangential_job::{DresserProfile, EdgeAmounts};

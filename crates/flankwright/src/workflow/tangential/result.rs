@@ -1,5 +1,6 @@
 //! `result.json` of tangential dressing, with units in the key names. Flanks have the keys of every process and some of their own.
 
+use super::plan::PassPlan;
 use crate::exchange::tangential_job::TangentialSettings;
 use crate::workflow::finding::Remark;
 use crate::workflow::result::{FlankResult, Status};
@@ -204,4 +205,64 @@ pub struct SensitivityResult {
     pub z_mm: Vec<f64>,
     /// dm/dc, `[profile][helix]`.
     pub values: Vec<Vec<f64>>,
+}
+
+impl From<&PassPlan> for PassResult {
+    fn from(plan: &PassPlan) -> Self {
+        let um = |x: f64| x * 1e3;
+        let ends = [plan.fit.rounds.first(), plan.fit.rounds.last()];
+        Self {
+            flanks: plan.flanks.iter().map(|f| f.name()).collect(),
+            variables: plan
+                .free
+                .iter()
+                .zip(&plan.fit.values)
+                .map(|(v, &value)| VariableValue {
+                    name: v.to_string(),
+                    value,
+                    unit: v.channel.unit(),
+                    meaning: v.channel.meaning(),
+                })
+                .collect(),
+            method: plan.fit.method.name(),
+            steps: plan.fit.steps,
+            rounds: plan.fit.rounds_in_all,
+            converged: plan.fit.converged,
+            weighted_rms_um: um(plan.fit.weighted_rms),
+            largest_um: um(plan.fit.largest),
+            weighted_rms_by_round_um: plan.fit.rounds.iter().map(|r| um(r.weighted_rms)).collect(),
+            singular_values: ends.into_iter().flatten().map(|r| r.singular_values.clone()).collect(),
+            choice: plan
+                .selection
+                .iter()
+                .flat_map(|s| &s.steps)
+                .map(|s| ChoiceStep {
+                    variable: s.variable.to_string(),
+                    taken: s.taken,
+                    largest_um: um(s.largest),
+                    count: s.count,
+                })
+                .collect(),
+            compared: plan
+                .compared
+                .iter()
+                .map(|tried| {
+                    let fit = tried.outcome.as_ref().ok();
+                    MethodResult {
+                        method: tried.method.name(),
+                        steps: tried.steps,
+                        rounds: fit.map(|(f, _)| f.rounds_in_all),
+                        converged: fit.map(|(f, _)| f.converged),
+                        weighted_rms_um: fit.map(|(f, _)| um(f.weighted_rms)),
+                        largest_um: fit.map(|(_, largest)| um(*largest)),
+                        refused: tried.outcome.as_ref().err().map(|e| Remark {
+                            code: e.code(),
+                            text: e.to_string(),
+                            way_out: e.way_out().into(),
+                        }),
+                    }
+                })
+                .collect(),
+        }
+    }
 }
