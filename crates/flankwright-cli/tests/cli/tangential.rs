@@ -156,23 +156,21 @@ fn a_shared_pass_says_which_variables_cannot_crown_both_flanks() {
 
 #[test]
 fn limits_of_the_bodies_end_with_four() {
-    let cases: [(&str, &[(&str, &str)]); 3] = [
-        ("worm-too-short", &[("# width = 100.0", "width = 40.0")]),
-        ("outside-tool", &[("tip_diameter = 123.0", "tip_diameter = 119.0")]),
+    let cases: [(&str, &str, &[(&str, &str)]); 3] = [
+        ("plan", "worm-too-short", &[("# width = 100.0", "width = 40.0")]),
+        ("plan", "outside-tool", &[("tip_diameter = 123.0", "tip_diameter = 119.0")]),
+        // Crowning of 50 um by radial feed (spec 40 section 11).
         (
+            "simulate",
             "undercut",
-            &[
-                ("lead_crowning_um = 10", "lead_crowning_um = 50"),
-                ("# variables = \"auto\"", "variables = [\"dist2\"]"),
-                ("shift_ratio = 1.202605", "shift_ratio = 0.0"),
-            ],
+            &[("# [settings]", "[settings.right]\nkap = 0.0\nvalues = { dist2 = -0.052426, FT0 = 0.0 }\n#")],
         ),
     ];
-    for (code, changes) in cases {
+    for (command, code, changes) in cases {
         let directory = tempfile::tempdir().unwrap();
         let path = job(directory.path(), changes);
         let out = directory.path().join("out");
-        let run = run(&["plan", &path, "-o", out.to_str().unwrap(), "--quiet"]);
+        let run = run(&[command, &path, "-o", out.to_str().unwrap(), "--quiet"]);
         assert_eq!(run.exit, Some(4), "{code}: {run:?}");
         assert!(run.message().contains(code), "{code}: {}", run.message());
         let result: Value = serde_json::from_slice(&std::fs::read(out.join("result.json")).unwrap()).unwrap();
