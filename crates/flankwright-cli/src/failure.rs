@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::io::{self, IsTerminal, Write as _};
 
-use flankwright::exchange::{Diagnostic, JobError, LoadedJob, Source};
+use flankwright::exchange::{Diagnostic, JobError, Loaded, Source};
 use flankwright::workflow::RunFailure;
 use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteDiagnostic, NamedSource, Report};
 use serde_json::{Value, json};
@@ -45,12 +45,12 @@ impl Failure {
     }
 
     /// A failure of a job, found by any layer; the diagnostic's field decides the place shown.
-    pub fn of_job(exit: Exit, loaded: &LoadedJob, diagnostic: Diagnostic) -> Self {
+    pub fn of_job<J>(exit: Exit, loaded: &Loaded<J>, diagnostic: Diagnostic) -> Self {
         Self { exit, ..loaded.error(diagnostic).into() }
     }
 
     /// A job that the workflow refused or could not make.
-    pub fn of_run(loaded: &LoadedJob, failure: RunFailure) -> Self {
+    pub fn of_run<J>(loaded: &Loaded<J>, failure: RunFailure) -> Self {
         match failure {
             RunFailure::BadInput(finding) => Self::of_job(Exit::BadInput, loaded, *finding),
             RunFailure::NotProducible(finding) => Self::of_job(Exit::NotProducible, loaded, *finding),

@@ -3,7 +3,10 @@
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use flankwright::exchange::{LoadedJob, Source, read_job, write_atomically};
+use flankwright::exchange::job::{JobInfo, Process};
+use flankwright::exchange::{
+    AnyJob, Diagnostic, Loaded, LoadedJob, Problem, Source, parse_any_job, read_any_job, write_atomically,
+};
 use serde::Serialize;
 
 use crate::arguments::CommonArguments;
@@ -50,21 +53,43 @@ pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     write_atomically(path, bytes).map_err(|error| Failure::cannot_write(&path.display().to_string(), &error))
 }
 
-/// Reads a job file; `-` is standard input.
+/// Reads a job file of any process; `-` is standard input.
 ///
 /// # Errors
 /// Everything that is wrong with the job.
-pub fn load_job(path: &Path) -> Result<LoadedJob, Failure> {
-    if path == Path::new("-") {
-        let source = Source::read_from("-", io::stdin().lock()).map_err(|error| {
-            Failure::new(Exit::BadInput, crate::failure::unreadable("standard input", &error))
-        })??;
-        return Ok(flankwright::exchange::parse_job(source)?);
+pub fn load_any_job(path: &Path) -> Result<AnyJob, Failure> {
+    if path != Path::new("-") {
+        return Ok(read_any_job(path)?);
     }
-    Ok(read_job(path)?)
+    let source = Source::read_from("-", io::stdin().lock()).map_err(|error| {
+        Failure::new(Exit::BadInput, crate::failure::unreadable("standard input", &error))
+    })??;
+    Ok(parse_any_job(source)?)
+}
+
+/// Reads a job file for a command that takes generating grinding only.
+///
+/// # Errors
+/// As [`load_any_job`]; a job of another process.
+pub fn load_grinding_job(path: &Path, command: &str) -> Result<LoadedJob, Failure> {
+    match load_any_job(path)? {
+        AnyJob::Grinding(loaded) => Ok(loaded),
+        AnyJob::Tangential(loaded) => {
+            let name = loaded.job.job.process.name();
+            let message = format!("`{command}` does not take a job of the process \"{name}\"");
+            let finding = Diagnostic::new(Problem::ProcessNotAvailable, message)
+                .field("job.process")
+                .value(format!("\"{name}\""))
+                .allowed(format!("\"{}\"", Process::GeneratingGrinding.name()))
+                .way_out(
+                    "take `flankwright plan`, which compares methods and shows sensitivities in its report",
+                );
+            Err(loaded.error(finding).into())
+        }
+    }
 }
 
 /// Where the files of a job go: as told, else `<job name>.out/` beside the job.
-pub fn directory(common: &CommonArguments, loaded: &LoadedJob) -> PathBuf {
-    common.output.clone().unwrap_or_else(|| loaded.beside(&format!("{}.out", loaded.job.job.name)))
+pub fn directory<J>(common: &CommonArguments, loaded: &Loaded<J>, job: &JobInfo) -> PathBuf {
+    common.output.clone().unwrap_or_else(|| loaded.beside(&format!("{}.out", job.name)))
 }

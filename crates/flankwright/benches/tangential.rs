@@ -5,7 +5,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use flankwright::contact::Measure;
 use flankwright::geometry::{Flank, Gear, GearData, Sides};
 use flankwright::process::tangential_dressing::{
-    EdgeAmounts, FitGrid, FitMethod, FitTask, ProfileKind, SelectionTask, ShiftOffset, ShiftRatio,
+    EdgeAmounts, FitGrid, FitLimits, FitMethod, FitTask, ProfileKind, SelectionTask, ShiftOffset, ShiftRatio,
     TangentialFlank, TangentialInput, TangentialModel, TangentialSettings, Variable, Weights,
 };
 use std::f64::consts::FRAC_PI_2;
@@ -95,7 +95,7 @@ fn inverse(c: &mut Criterion) {
         measure: Measure::Arc,
         grid: FitGrid::Radii(5),
         weights: Weights::Source,
-        cut: 1e-10,
+        limits: FitLimits::SOURCE,
     };
     let nine = FITTED.map(|(name, _)| variable(name));
     c.bench_function("tangential: loop of nine variables", |b| {
@@ -103,7 +103,13 @@ fn inverse(c: &mut Criterion) {
     });
     let mut fixed = TangentialSettings::default();
     fixed.set(&variable("FT0"), model.lines[FLANK].offset);
-    let task = FitTask { fixed, grid: FitGrid::Graded(9), weights: Weights::Uniform, cut: 1e-5, ..task };
+    let task = FitTask {
+        fixed,
+        grid: FitGrid::Graded(9),
+        weights: Weights::Uniform,
+        limits: FitLimits::CHOSEN,
+        ..task
+    };
     let selection = SelectionTask {
         candidates: SelectionTask::standard_candidates(false, &[]),
         tolerance: 0.03e-3,

@@ -585,7 +585,7 @@ fn one_flank_and_no_referee_still_make_a_page() {
 #[test]
 fn a_wrong_motion_is_an_error_not_a_page() {
     let mut report = report_sample::met();
-    report.grinding_motion.as_mut().unwrap().delta_d_um[7] = f64::NAN;
+    report.grinding_motions[0].delta_d_um[7] = f64::NAN;
     assert!(matches!(report.to_page(), Err(ChartError::InvalidNumber { index: 7, .. })));
     let mut report = report_sample::met();
     report.dressing.right.as_mut().unwrap().d_d_mm.pop();

@@ -38,7 +38,7 @@ pub fn plan(
     let planned = plan_from_catalogue(loaded, catalogue, &bars);
     bars.finish();
     let plan = planned.map_err(|failure| Failure::of_run(loaded, failure))?;
-    let directory = output::directory(common, loaded);
+    let directory = output::directory(common, loaded, &loaded.job.job);
     write_catalogue(&plan.ranking, &directory).map_err(unwritten)?;
     match plan.planned {
         Ok((variant, planned)) => outcome::deliver(common, &variant, Ok(*planned)),
@@ -63,7 +63,8 @@ pub fn explore(
     let ranked = rank_catalogue(loaded, catalogue, &bars);
     bars.finish();
     let outcome = ranked.map_err(|failure| Failure::of_run(loaded, failure))?;
-    let written = write_catalogue(&outcome, &output::directory(common, loaded)).map_err(unwritten)?;
+    let written =
+        write_catalogue(&outcome, &output::directory(common, loaded, &loaded.job.job)).map_err(unwritten)?;
     if common.json {
         output::print_json(&outcome)?;
     } else if !common.quiet {
@@ -91,7 +92,8 @@ fn free(
     let studied = study_free_worm(loaded, catalogue, &bars);
     bars.finish();
     let outcome = studied.map_err(|failure| Failure::of_run(loaded, failure))?;
-    let written = write_free_study(&outcome, &output::directory(common, loaded)).map_err(unwritten)?;
+    let written =
+        write_free_study(&outcome, &output::directory(common, loaded, &loaded.job.job)).map_err(unwritten)?;
     if common.json {
         output::print_json(&outcome)?;
     } else if !common.quiet {

@@ -3,12 +3,14 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use flankwright::exchange::LoadedJob;
-use flankwright::workflow::Remark;
+use flankwright::exchange::job::JobInfo;
+use flankwright::exchange::{AnyJob, Loaded};
+use flankwright::workflow::{Remark, RunFailure};
+use serde::Serialize;
 use serde_json::json;
 
 use super::catalogue;
-use super::derived::{DerivedGeometry, derived_geometry};
+use super::derived::{DerivedGeometry, derived_geometry, derived_tangential};
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
@@ -32,33 +34,50 @@ pub struct CheckArguments {
 /// # Errors
 /// Everything that is wrong with the job.
 pub fn run(arguments: &CheckArguments) -> Result<Exit, Failure> {
-    let loaded = output::load_job(&arguments.job)?;
-    let catalogue = catalogue::of_job(&loaded)?;
-    let (derived, warnings) =
-        derived_geometry(&loaded, catalogue.as_ref()).map_err(|failure| Failure::of_run(&loaded, failure))?;
-    let directory = output::directory(&arguments.common, &loaded).display().to_string();
-    if arguments.common.json {
+    match output::load_any_job(&arguments.job)? {
+        AnyJob::Grinding(loaded) => {
+            let catalogue = catalogue::of_job(&loaded)?;
+            let derived = derived_geometry(&loaded, catalogue.as_ref());
+            show(&arguments.common, &loaded, &loaded.job.job, derived)
+        }
+        AnyJob::Tangential(loaded) => {
+            let derived = derived_tangential(&loaded).map(|derived| (derived, Vec::new()));
+            show(&arguments.common, &loaded, &loaded.job.job, derived)
+        }
+    }
+}
+
+fn show<J: Serialize>(
+    common: &CommonArguments,
+    loaded: &Loaded<J>,
+    info: &JobInfo,
+    derived: Result<(DerivedGeometry, Vec<Remark>), RunFailure>,
+) -> Result<Exit, Failure> {
+    let (derived, warnings) = derived.map_err(|failure| Failure::of_run(loaded, failure))?;
+    let directory = output::directory(common, loaded, info).display().to_string();
+    let file = loaded.document.source().name();
+    if common.json {
         output::print_json(&json!({
-            "file": loaded.document.source().name(),
+            "file": file,
             "job": loaded.job,
             "derived": derived.to_json(),
             "warnings": warnings,
             "output_directory": directory,
         }))?;
-    } else if !arguments.common.quiet {
-        output::print(&text(&loaded, &derived, &warnings, &directory))?;
+    } else if !common.quiet {
+        output::print(&text(file, info, &derived, &warnings, &directory))?;
     }
     Ok(Exit::Done)
 }
 
-fn text(loaded: &LoadedJob, derived: &DerivedGeometry, warnings: &[Remark], directory: &str) -> String {
-    let info = &loaded.job.job;
-    let mut text = format!(
-        "{}: valid job \"{}\" ({})\n",
-        loaded.document.source().name(),
-        info.name,
-        info.process.name()
-    );
+fn text(
+    file: &str,
+    info: &JobInfo,
+    derived: &DerivedGeometry,
+    warnings: &[Remark],
+    directory: &str,
+) -> String {
+    let mut text = format!("{file}: valid job \"{}\" ({})\n", info.name, info.process.name());
     if let Some(description) = &info.description {
         text += &format!("{description}\n");
     }

@@ -3,11 +3,12 @@
 
 use std::fmt::Write;
 
-use flankwright::exchange::LoadedJob;
 use flankwright::exchange::catalogue::LoadedCatalogue;
-use flankwright::exchange::job::Job;
+use flankwright::exchange::job::Gear as JobGear;
+use flankwright::exchange::{LoadedJob, LoadedTangentialJob};
 use flankwright::geometry::{Blank, Flank, Gear, Span};
 use flankwright::process::generating::GrindingSetup;
+use flankwright::workflow::tangential::prepare_tangential;
 use flankwright::workflow::{Remark, RunFailure, blank_of_job, gear_of_job, prepare, wanted_of_catalogue};
 use serde_json::{Map, Value};
 
@@ -93,8 +94,8 @@ pub fn derived_geometry(
 ) -> Result<(DerivedGeometry, Vec<Remark>), RunFailure> {
     let job = &loaded.job;
     let mut derived = DerivedGeometry::default();
-    let gear = gear_of_job(job).map_err(RunFailure::bad_input)?;
-    gear_sections(&mut derived, job, &gear);
+    let gear = gear_of_job(&job.gear).map_err(RunFailure::bad_input)?;
+    gear_sections(&mut derived, &job.gear, &gear);
     if let Some(found) = catalogue {
         let wanted = wanted_of_catalogue(loaded, found)?;
         derived.section("catalogue");
@@ -126,8 +127,56 @@ pub fn derived_geometry(
     Ok((derived, ready.warnings))
 }
 
-fn gear_sections(derived: &mut DerivedGeometry, job: &Job, gear: &Gear) {
-    let range = job.gear.evaluation_range();
+/// The same of a job of tangential dressing: gear, worm, dresser, how they stand, the shift.
+///
+/// # Errors
+/// A finding about bodies or targets that cannot exist.
+pub fn derived_tangential(loaded: &LoadedTangentialJob) -> Result<DerivedGeometry, RunFailure> {
+    let ready = prepare_tangential(loaded)?;
+    let model = &ready.model;
+    let input = model.input();
+    let mut derived = DerivedGeometry::default();
+    gear_sections(&mut derived, &loaded.job.gear, &input.gear);
+    let worm = &model.pair.worm;
+    derived.section("worm");
+    derived.quantity("worm_pitch_diameter_mm", "pitch diameter", 2.0 * worm.pitch_radius(), "mm");
+    derived.quantity("worm_tip_diameter_mm", "tip diameter", 2.0 * ready.worm_tip_radius, "mm");
+    derived.quantity(
+        "lead_angle_deg",
+        "lead angle",
+        90.0 - worm.data().helix_angle.to_degrees().abs(),
+        "deg",
+    );
+    derived.quantity("screw_parameter_mm", "screw parameter", model.chain.screw_parameter, "mm/rad");
+    derived.section("grinding");
+    derived.quantity("centre_distance_mm", "centre distance", model.pair.chain.centre_distance, "mm");
+    let crossed = model.pair.chain.crossed_axes_angle.to_degrees();
+    derived.quantity("crossed_axes_angle_deg", "crossed-axes angle", crossed, "deg");
+    derived.quantity("shift_ratio", "tool shift per feed", model.shift_ratio, "");
+    if let Some(neutral) = model.neutral_ratio {
+        derived.quantity("neutral_shift_ratio", "neutral tool shift per feed", neutral, "");
+    }
+    derived.quantity("shift_width_mm", "scale along the worm b_w", input.shift_width, "mm");
+    let lines = &model.lines;
+    derived.quantity("shift_offset_left_mm", "shift that centres the left flank", lines.left.offset, "mm");
+    derived.quantity("shift_offset_right_mm", "shift that centres the right flank", lines.right.offset, "mm");
+    let twist = model.natural_twist(Flank::Left);
+    derived.quantity("natural_twist_left", "twist of radial feed per crowning, left", -twist, "");
+    derived.section("dressing");
+    derived.quantity(
+        "dresser_pitch_diameter_mm",
+        "pitch diameter of the dresser",
+        2.0 * input.dresser_pitch_radius,
+        "mm",
+    );
+    derived.quantity("dressing_centre_distance_mm", "centre distance", model.chain.centre_distance, "mm");
+    let crossing = model.chain.crossing_angle.to_degrees();
+    derived.quantity("dressing_crossing_angle_deg", "crossing angle", crossing, "deg");
+    Ok(derived)
+}
+
+fn gear_sections(derived: &mut DerivedGeometry, drawing: &JobGear, gear: &Gear) {
+    let range = drawing.evaluation_range();
     derived.section("evaluation");
     derived.quantity("start_diameter", "start diameter", range.start_diameter, "mm");
     derived.quantity("end_diameter", "end diameter", range.end_diameter, "mm");
@@ -152,7 +201,7 @@ fn gear_sections(derived: &mut DerivedGeometry, job: &Job, gear: &Gear) {
         derived.quantity(keys[4], keys[5], gear.transverse_pressure_angle(flank).to_degrees(), "deg");
         derived.quantity(keys[6], keys[7], gear.normal_base_pitch(flank), "mm");
     }
-    let blank = blank_of_job(job);
+    let blank = blank_of_job(drawing);
     if let Some(span) = best_span(gear, &blank) {
         derived.quantity("span_teeth", "teeth spanned k", span.teeth, "");
         derived.quantity("span_mm", "span W_k", span.length, "mm");

@@ -43,7 +43,7 @@ pub struct ExploreArguments {
 /// Everything that is wrong with the job for all combinations, files that cannot be written.
 pub fn run(arguments: &ExploreArguments) -> Result<Exit, Failure> {
     let common = &arguments.common;
-    let loaded = output::load_job(&arguments.job)?;
+    let loaded = output::load_grinding_job(&arguments.job, "explore")?;
     if let Some(found) = catalogue::of_job(&loaded)? {
         return catalogue::explore(&loaded, &found, arguments.top, common);
     }
@@ -54,7 +54,8 @@ pub fn run(arguments: &ExploreArguments) -> Result<Exit, Failure> {
     let explored = explore_job(&loaded, &bars);
     bars.finish();
     let outcome = explored.map_err(|failure| Failure::of_run(&loaded, failure))?;
-    let written = write_exploration(&outcome, &output::directory(common, &loaded)).map_err(unwritten)?;
+    let written = write_exploration(&outcome, &output::directory(common, &loaded, &loaded.job.job))
+        .map_err(unwritten)?;
     if common.json {
         output::print_json(&outcome)?;
     } else if !common.quiet {
@@ -78,7 +79,8 @@ fn dressing(loaded: &LoadedJob, common: &CommonArguments) -> Result<Exit, Failur
     let studied = study_dressing(loaded, &bars);
     bars.finish();
     let outcome = studied.map_err(|failure| Failure::of_run(loaded, failure))?;
-    let written = write_dressing_study(&outcome, &output::directory(common, loaded)).map_err(unwritten)?;
+    let written = write_dressing_study(&outcome, &output::directory(common, loaded, &loaded.job.job))
+        .map_err(unwritten)?;
     if common.json {
         output::print_json(&outcome)?;
     } else if !common.quiet {

@@ -9,4 +9,5 @@ mod outcome;
 pub mod plan;
 pub mod schema;
 pub mod simulate;
+mod tangential;
 pub mod verify;

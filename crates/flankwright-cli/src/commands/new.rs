@@ -3,7 +3,7 @@
 use clap::builder::PossibleValuesParser;
 use clap::{Args, builder::TypedValueParser};
 use flankwright::exchange::job::Process;
-use flankwright::exchange::{Source, job_template, parse_job};
+use flankwright::exchange::{AnyJob, Source, job_template, parse_any_job};
 
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;
@@ -12,8 +12,10 @@ use crate::output;
 
 /// Arguments of `new`.
 #[derive(Args, Debug)]
-#[command(after_help = "Example:\n  flankwright new generating-grinding > job.toml\n\n\
-    With --json the job is printed as JSON, which every command reads as well; with -o it is written to DIR.")]
+#[command(
+    after_help = "Example:\n  flankwright new generating-grinding > job.toml\n  flankwright new tangential-dressing > job.toml\n\n\
+    With --json the job is printed as JSON, which every command reads as well; with -o it is written to DIR."
+)]
 pub struct NewArguments {
     /// The process to plan
     #[arg(value_name = "PROCESS", value_parser = process_parser())]
@@ -37,8 +39,11 @@ fn process_parser() -> impl TypedValueParser<Value = Process> {
 pub fn run(arguments: &NewArguments) -> Result<Exit, Failure> {
     let toml = job_template(arguments.process);
     let (text, ending) = if arguments.common.json {
-        let loaded = parse_job(Source::new("example.toml", toml))?;
-        (output::json_text(&loaded.job)?, "json")
+        let text = match parse_any_job(Source::new("example.toml", toml))? {
+            AnyJob::Grinding(loaded) => output::json_text(&loaded.job)?,
+            AnyJob::Tangential(loaded) => output::json_text(&loaded.job)?,
+        };
+        (text, "json")
     } else {
         (toml.to_owned(), "toml")
     };

@@ -1,12 +1,14 @@
 //! What `plan` and `simulate` do with a finished run: files, summary, exit status.
 
 use std::fmt::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use flankwright::exchange::LoadedJob;
+use flankwright::exchange::job::JobInfo;
+use flankwright::exchange::{Loaded, LoadedJob};
 use flankwright::workflow::{
-    JobResult, Outcome, RunFailure, Status, WriteError, write_outcome, write_refusal,
+    JobResult, Outcome, Remark, RunFailure, Status, WriteError, write_outcome, write_refusal,
 };
+use serde::Serialize;
 
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;
@@ -22,27 +24,56 @@ pub fn deliver(
     loaded: &LoadedJob,
     run: Result<Outcome, RunFailure>,
 ) -> Result<Exit, Failure> {
-    let directory = output::directory(common, loaded);
-    let outcome = match run {
-        Ok(outcome) => outcome,
-        Err(failure) => {
-            if let RunFailure::NotProducible(finding) = &failure {
-                write_refusal(&loaded.job, finding, &directory).map_err(unwritten)?;
-            }
-            return Err(Failure::of_run(loaded, failure));
-        }
-    };
+    let directory = output::directory(common, loaded, &loaded.job.job);
+    let refused =
+        |failure| refuse(loaded, &loaded.job.job, loaded.job.target.tolerance_um, failure, &directory);
+    let outcome = run.map_err(refused)?;
     let written = write_outcome(&loaded.job, &outcome, &directory).map_err(unwritten)?;
+    let result = &outcome.result;
+    let verdict = Verdict { job: &result.job, status: result.status, reason: result.reason.as_ref() };
+    conclude(common, result, verdict, || summary(result, &written))
+}
+
+/// What is left to say of a run.
+pub(super) struct Verdict<'a> {
+    pub job: &'a str,
+    pub status: Status,
+    pub reason: Option<&'a Remark>,
+}
+
+/// Notes a refusal of the bodies in `result.json` and makes the failure of it.
+pub(super) fn refuse<J>(
+    loaded: &Loaded<J>,
+    job: &JobInfo,
+    tolerance_um: f64,
+    failure: RunFailure,
+    directory: &Path,
+) -> Failure {
+    if let RunFailure::NotProducible(finding) = &failure
+        && let Err(error) = write_refusal(job, tolerance_um, finding, directory)
+    {
+        return unwritten(error);
+    }
+    Failure::of_run(loaded, failure)
+}
+
+/// Prints what the arguments ask for; the exit status says whether the target is met.
+pub(super) fn conclude(
+    common: &CommonArguments,
+    result: &impl Serialize,
+    verdict: Verdict<'_>,
+    summary: impl FnOnce() -> String,
+) -> Result<Exit, Failure> {
     if common.json {
-        output::print_json(&outcome.result)?;
+        output::print_json(result)?;
     } else if !common.quiet {
-        output::print(&summary(&outcome.result, &written))?;
+        output::print(&summary())?;
     }
-    if let Some(reason) = outcome.result.reason.as_ref().filter(|_| common.quiet) {
+    if let Some(reason) = verdict.reason.filter(|_| common.quiet) {
         // A miss is told even when all else is quiet.
-        eprintln!("{}: target missed: {} {}", outcome.result.job, reason.text, reason.way_out);
+        eprintln!("{}: target missed: {} {}", verdict.job, reason.text, reason.way_out);
     }
-    Ok(match outcome.result.status {
+    Ok(match verdict.status {
         Status::Met => Exit::Done,
         Status::Missed => Exit::TargetMissed,
     })
@@ -57,7 +88,7 @@ pub(super) fn unwritten(error: WriteError) -> Failure {
 }
 
 /// A number with fixed decimals; what rounds to zero has no sign.
-fn fixed(x: f64, decimals: usize) -> String {
+pub(super) fn fixed(x: f64, decimals: usize) -> String {
     let text = format!("{x:.decimals$}");
     match text.strip_prefix('-') {
         Some(rest) if rest.chars().all(|c| c == '0' || c == '.') => rest.to_owned(),

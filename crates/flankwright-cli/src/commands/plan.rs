@@ -3,9 +3,10 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use flankwright::exchange::AnyJob;
 use flankwright::workflow::plan_job;
 
-use super::{catalogue, outcome};
+use super::{catalogue, outcome, tangential};
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
@@ -31,7 +32,10 @@ pub struct PlanArguments {
 /// # Errors
 /// Everything that is wrong with the job, a target that these bodies cannot make, files that cannot be written.
 pub fn run(arguments: &PlanArguments) -> Result<Exit, Failure> {
-    let loaded = output::load_job(&arguments.job)?;
+    let loaded = match output::load_any_job(&arguments.job)? {
+        AnyJob::Grinding(loaded) => loaded,
+        AnyJob::Tangential(loaded) => return tangential::plan(&loaded, &arguments.common),
+    };
     if let Some(catalogue) = catalogue::of_job(&loaded)? {
         return catalogue::plan(&loaded, &catalogue, &arguments.common);
     }

@@ -3,9 +3,10 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use flankwright::exchange::AnyJob;
 use flankwright::workflow::simulate_job;
 
-use super::outcome;
+use super::{outcome, tangential};
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
@@ -32,7 +33,10 @@ pub struct SimulateArguments {
 /// # Errors
 /// As `plan`; a job without settings.
 pub fn run(arguments: &SimulateArguments) -> Result<Exit, Failure> {
-    let loaded = output::load_job(&arguments.job)?;
+    let loaded = match output::load_any_job(&arguments.job)? {
+        AnyJob::Grinding(loaded) => loaded,
+        AnyJob::Tangential(loaded) => return tangential::simulate(&loaded, &arguments.common),
+    };
     let bars = Bars::new(arguments.common.quiet);
     let simulated = simulate_job(&loaded, &bars);
     bars.finish();

@@ -4,9 +4,11 @@
 use std::time::{Duration, Instant};
 
 use crate::command::{check, example, run, run_with};
+use flankwright::exchange::job::Process;
+use flankwright::exchange::job_template;
 use serde_json::Value;
 
-/// What a change to the first example has to be answered with.
+/// What a change to a job has to be answered with.
 struct Case {
     from: &'static str,
     to: &'static str,
@@ -618,17 +620,412 @@ const CASES: &[Case] = &[
     ),
 ];
 
+/// Changes to the template of tangential dressing.
+const TANGENTIAL_CASES: &[Case] = &[
+    // keys
+    case(
+        "edge_amounts = {",
+        "edge_amount = {",
+        "unknown-key",
+        "target.edge_amount",
+        &["did you mean `edge_amounts`"],
+    ),
+    case(
+        "lead_crowning_um = 10.0",
+        "lead_crown_um = 10.0",
+        "unknown-key",
+        "target.edge_amounts.lead_crown_um",
+        &["did you mean `lead_crowning_um`", "pressure_angle_um"],
+    ),
+    case(
+        "edge_amounts = {",
+        "edge_amounts = { left = { lead_crowning_um = 10.0 } } # {",
+        "missing-key",
+        "target.edge_amounts.right",
+        &["profile_crowning_um"],
+    ),
+    case(
+        "edge_amounts = {",
+        "edge_amounts = { left = {}, right = { crowning_um = 3 } } # {",
+        "unknown-key",
+        "target.edge_amounts.right.crowning_um",
+        &["lead_conical_um"],
+    ),
+    case("threads = 3", "threads = 3\ncone_angle_deg = 1.0", "unknown-key", "worm.cone_angle_deg", &["hand"]),
+    case("[grid]", "[explore]\n[grid]", "unknown-key", "explore", &["dressing, gear, grid"]),
+    case(
+        "tip_diameter = 123.0\n",
+        "",
+        "missing-key",
+        "dresser.tip_diameter",
+        &["tip diameter of the dresser"],
+    ),
+    case("threads = 3\n", "", "missing-key", "worm.threads", &["number of threads"]),
+    // words
+    case(
+        "process = \"tangential-dressing\"",
+        "process = \"tangential-dresing\"",
+        "unknown-value",
+        "job.process",
+        &["did you mean \"tangential-dressing\"", "\"generating-grinding\""],
+    ),
+    case(
+        "shift_ratio = 1.202605",
+        "shift_ratio = \"neutal\"",
+        "unknown-value",
+        "grinding.shift_ratio",
+        &["did you mean \"neutral\"", "or a number"],
+    ),
+    case(
+        "[dressing]",
+        "shift_offset = \"contacts\"\n[dressing]",
+        "unknown-value",
+        "grinding.shift_offset",
+        &["did you mean \"contact\"", "or a number"],
+    ),
+    case(
+        "[dressing]",
+        "[dressing]\nmethod = \"newton\"",
+        "unknown-value",
+        "dressing.method",
+        &["\"auto\", \"svd\", \"damped\", \"gauss-newton\""],
+    ),
+    case("[dressing]", "[dressing]\npasses = 2", "wrong-type", "dressing.passes", &["\"one\" or \"each\""]),
+    case(
+        "[dressing]",
+        "[dressing]\nexclude = [\"Fz\", \"FpL\"]",
+        "unknown-value",
+        "dressing.exclude[1]",
+        &["\"Fp\", \"Fz\"", "\"kap\""],
+    ),
+    case(
+        "[dressing]",
+        "[dressing]\nsplines = [{ channel = \"kap\", intervals = 6 }]",
+        "unknown-value",
+        "dressing.splines[0].channel",
+        &["\"FpL\", \"FpR\""],
+    ),
+    // names of variables
+    case(
+        "[dressing]",
+        "[dressing]\nvariables = \"all\"",
+        "unknown-value",
+        "dressing.variables",
+        &["\"auto\", \"source\" or a list"],
+    ),
+    case(
+        "[dressing]",
+        "[dressing]\nvariables = [\"dX2\", \"dx3\"]",
+        "unknown-value",
+        "dressing.variables[1]",
+        &["did you mean \"dX3\"", "Fp1..Fp9"],
+    ),
+    case(
+        "[dressing]",
+        "[dressing]\nvariables = [\"Fp0\"]",
+        "unknown-value",
+        "dressing.variables[0]",
+        &["thickness", "dist0"],
+    ),
+    case(
+        "[dressing]",
+        "[dressing]\nvariables = [\"crowning\"]",
+        "unknown-value",
+        "dressing.variables[0]",
+        &["\"dX2\""],
+    ),
+    case("[dressing]", "[dressing]\nvariables = [2]", "wrong-type", "dressing.variables[0]", &["a text"]),
+    case(
+        "[dressing]",
+        "[dressing]\nvariables = [\"dX2\", \"kap\", \"dX2\"]",
+        "invalid-list",
+        "dressing.variables[2]",
+        &["twice", "each entry once"],
+    ),
+    case("[dressing]", "[dressing]\nvariables = []", "invalid-list", "dressing.variables", &["1 to 60"]),
+    case(
+        "[grid]",
+        "[settings]\nleft = { values = { Fp0 = 0.001 } }\n[grid]",
+        "unknown-key",
+        "settings.left.values.Fp0",
+        &["dist0"],
+    ),
+    case(
+        "[grid]",
+        "[settings]\nboth = { values = { kap = 1.2 } }\n[grid]",
+        "unknown-key",
+        "settings.both.values.kap",
+        &["settings.both", "kap = .."],
+    ),
+    case(
+        "[grid]",
+        "[settings]\nright = { values = { FC10 = 0.001 } }\n[grid]",
+        "unknown-key",
+        "settings.right.values.FC10",
+        &["did you mean \"FC1\""],
+    ),
+    // numbers
+    case(
+        "profile_crowning_um = 5.0",
+        "profile_crowning_um = nan",
+        "invalid-number",
+        "target.edge_amounts.profile_crowning_um",
+        &["NaN", "-1000"],
+    ),
+    case(
+        "edge_amounts = {",
+        "edge_amounts = { left = { lead_conical_um = 1001 }, right = {} } # {",
+        "invalid-number",
+        "target.edge_amounts.left.lead_conical_um",
+        &["1001", "<= 1000"],
+    ),
+    case("tolerance_um = 1.0", "tolerance_um = 0.0", "invalid-number", "target.tolerance_um", &["> 0"]),
+    case("shift_width = 48.1042", "shift_width = 0", "invalid-number", "grinding.shift_width", &["> 0"]),
+    case(
+        "shift_ratio = 1.202605",
+        "shift_ratio = 1001",
+        "invalid-number",
+        "grinding.shift_ratio",
+        &["<= 1000", "neutral"],
+    ),
+    case(
+        "[dressing]",
+        "shift_offset = inf\n[dressing]",
+        "invalid-number",
+        "grinding.shift_offset",
+        &["inf", "contact"],
+    ),
+    case(
+        "[dressing]",
+        "[dressing]\nmost_variables = 61",
+        "invalid-number",
+        "dressing.most_variables",
+        &[">= 1 and <= 60"],
+    ),
+    case("[dressing]", "[dressing]\nsteps = 0", "invalid-number", "dressing.steps", &[">= 1 and <= 64"]),
+    case(
+        "[dressing]",
+        "[dressing]\nfit_points = 4",
+        "invalid-number",
+        "dressing.fit_points",
+        &[">= 5 and <= 41"],
+    ),
+    case(
+        "[dressing]",
+        "[dressing]\nsplines = [{ channel = \"dX\", intervals = 0 }]",
+        "invalid-number",
+        "dressing.splines[0].intervals",
+        &[">= 1 and <= 64"],
+    ),
+    case(
+        "[grid]",
+        "[settings]\nleft = { values = { dX2 = 1e4 } }\n[grid]",
+        "invalid-number",
+        "settings.left.values.dX2",
+        &["<= 1000", "coefficient in mm"],
+    ),
+    case(
+        "[grid]",
+        "[settings]\nleft = { values = { dX2 = \"0.1\" } }\n[grid]",
+        "wrong-type",
+        "settings.left.values.dX2",
+        &["remove the quotes"],
+    ),
+    case(
+        "[grid]",
+        "[settings]\nleft = { values = { gA1 = 2.0 } }\n[grid]",
+        "invalid-number",
+        "settings.left.values.gA1",
+        &["-1.5 to 1.5 rad"],
+    ),
+    case(
+        "[grid]",
+        "[settings]\nleft = { splines = [{ channel = \"gA\", intervals = 1, coefficients = [0.0, -2.0] }] }\n[grid]",
+        "invalid-number",
+        "settings.left.splines[0].coefficients[1]",
+        &["rad"],
+    ),
+    case(
+        "[grid]",
+        "[settings]\nleft = { splines = [{ channel = \"dX\", intervals = 1, coefficients = [] }] }\n[grid]",
+        "invalid-list",
+        "settings.left.splines[0].coefficients",
+        &["1 to 100"],
+    ),
+    // contradictions
+    case(
+        "name = \"tangential-dressing\"",
+        "name = \"../elsewhere\"",
+        "invalid-job",
+        "job.name",
+        &["plain name"],
+    ),
+    case(
+        "edge_amounts = { profile_crowning_um = 5.0, lead_crowning_um = 10.0 }\n",
+        "",
+        "missing-key",
+        "target.modifications",
+        &["either", "edge_amounts"],
+    ),
+    case(
+        "tolerance_um = 1.0",
+        "tolerance_um = 1.0\nmodifications = []",
+        "invalid-job",
+        "target.edge_amounts",
+        &["twice", "keep one"],
+    ),
+    case("teeth = 19", "teeth = -19", "not-yet-supported", "gear.teeth", &["-19", "> 0", "external"]),
+    case(
+        "face_width = 40.0",
+        "face_width = 40.0\ncone_angle_deg = 2.0",
+        "not-yet-supported",
+        "gear.cone_angle_deg",
+        &["generating-grinding"],
+    ),
+    case(
+        "normal_pressure_angle_deg = 17.5",
+        "normal_pressure_angle_deg = { left = 17.5, right = 20.0 }",
+        "not-yet-supported",
+        "gear.normal_pressure_angle_deg",
+        &["left 17.5, right 20", "the same angle"],
+    ),
+    case(
+        "profile_shift = 0.0",
+        "profile_shift = 0.0\nspan = { teeth = 3, length = 27.5 }",
+        "invalid-job",
+        "gear.span",
+        &["exactly one of"],
+    ),
+    case("z_end = 20.0", "z_end = 20.1", "invalid-geometry", "gear.evaluation.z_end", &["-20 to 20"]),
+    case("tip_diameter = 200.0\n", "", "missing-key", "worm.tip_diameter", &["pitch_diameter"]),
+    case(
+        "threads = 3",
+        "threads = 3\npitch_diameter = 200.0",
+        "invalid-geometry",
+        "worm.pitch_diameter",
+        &["< 200"],
+    ),
+    case(
+        "pitch_diameter = 115.65",
+        "pitch_diameter = 123.0",
+        "invalid-geometry",
+        "dresser.pitch_diameter",
+        &["< 123"],
+    ),
+    case(
+        "shift_ratio = 1.202605\nshift_width = 48.1042\n",
+        "",
+        "missing-key",
+        "grinding.shift_width",
+        &["neutral", "1.2 times the face width"],
+    ),
+    case(
+        "shift_ratio = 1.202605\nshift_width = 48.1042\n",
+        "shift_ratio = \"width\"\n",
+        "missing-key",
+        "grinding.shift_width",
+        &["range of the tool shift"],
+    ),
+    case(
+        "[dressing]",
+        "[dressing]\npasses = \"one\"",
+        "invalid-job",
+        "dressing.passes",
+        &["right flank", "\"each\""],
+    ),
+    case(
+        "flanks = \"right\"\nshift_ratio = 1.202605\nshift_width = 48.1042\n[dressing]",
+        "shift_ratio = 1.2\n[settings]\nleft = { kap = 1.2 }\n[dressing]\npasses = \"one\"",
+        "invalid-job",
+        "settings.left",
+        &["settings.both", "FpL"],
+    ),
+    case(
+        "[dressing]",
+        "[dressing]\nexclude = [\"dX\"]\nvariables = [\"Fp1\", \"dX2\"]",
+        "invalid-job",
+        "dressing.variables[1]",
+        &["\"dX2\"", "exclude"],
+    ),
+    case(
+        "[dressing]",
+        "[dressing]\nexclude = [\"Fp\"]\nvariables = [\"dX2\", \"FpL2\"]",
+        "invalid-job",
+        "dressing.variables[1]",
+        &["Fp is excluded"],
+    ),
+    case(
+        "[dressing]",
+        "[dressing]\nexclude = [\"Fz\"]\nvariables = \"source\"",
+        "invalid-job",
+        "dressing.variables",
+        &["Fz is excluded", "auto"],
+    ),
+    case(
+        "[dressing]",
+        "[dressing]\nexclude = [\"dX\"]\nsplines = [{ channel = \"dX\", intervals = 6 }]",
+        "invalid-job",
+        "dressing.splines[0].channel",
+        &["delete the spline"],
+    ),
+    case(
+        "[dressing]",
+        "[dressing]\nsplines = [{ channel = \"dX\", intervals = 6 }, { channel = \"dX\", intervals = 3 }]",
+        "invalid-list",
+        "dressing.splines[1].channel",
+        &["each channel once"],
+    ),
+    case(
+        "[dressing]",
+        "[dressing]\nexclude = [\"dX\", \"dX\"]",
+        "invalid-list",
+        "dressing.exclude[1]",
+        &["twice"],
+    ),
+    case(
+        "[dressing]",
+        "[dressing]\nexclude = [\"Fp\", \"Fz\", \"dX\", \"dA\", \"gA\", \"gam\", \"dist\", \"FC\", \"FT\", \"kap\"]",
+        "invalid-list",
+        "dressing.exclude",
+        &["0 to 9"],
+    ),
+    case(
+        "profile_points = 41\nhelix_points = 41",
+        "profile_points = 1001\nhelix_points = 101",
+        "invalid-job",
+        "grid.profile_points",
+        &["40401"],
+    ),
+];
+
 /// The example without its comments, so that changes meet entries.
 fn job() -> String {
-    let text = example("twist-free-crowning.toml");
+    without_comments(&example("twist-free-crowning.toml"))
+}
+
+/// The template of tangential dressing without its comments and empty lines.
+fn tangential_job() -> String {
+    let text = without_comments(job_template(Process::TangentialDressing));
+    text.lines().filter(|line| !line.is_empty()).map(|line| line.to_owned() + "\n").collect()
+}
+
+fn without_comments(text: &str) -> String {
     text.lines().map(|line| line.split('#').next().unwrap_or(line).trim_end().to_owned() + "\n").collect()
 }
 
 #[test]
 fn every_case_is_told_in_full() {
-    let job = job();
-    for case in CASES {
-        assert!(job.contains(case.from), "the example has no `{}`", case.from);
+    told_in_full(&job(), CASES);
+}
+
+#[test]
+fn every_case_of_tangential_dressing_is_told_in_full() {
+    told_in_full(&tangential_job(), TANGENTIAL_CASES);
+}
+
+fn told_in_full(job: &str, cases: &[Case]) {
+    for case in cases {
+        assert!(job.contains(case.from), "the job has no `{}`", case.from);
         let text = job.replacen(case.from, case.to, 1);
         let (human, machine) = check("bad.toml", text.as_bytes());
         let about = format!("{} -> {}\n{}\n{}", case.from, case.to, human.stderr, machine.stdout);
@@ -661,6 +1058,19 @@ fn every_case_is_told_in_full() {
             assert!(at.contains(key), "line {line} `{at}` has no `{key}`: {about}");
         }
     }
+}
+
+#[test]
+fn a_spur_gear_has_no_neutral_shift_ratio() {
+    let text = tangential_job().replace("-35.0", "0.0").replace("= 1.202605", "= \"neutral\"");
+    let (human, machine) = check("bad.toml", text.as_bytes());
+    assert_eq!((human.exit, machine.exit), (Some(2), Some(2)));
+    let error = &machine.json()["error"];
+    assert_eq!(
+        (&error["code"], &error["field"]),
+        (&"invalid-job".into(), &"grinding.shift_ratio".into()),
+        "{error}"
+    );
 }
 
 #[test]

@@ -1,6 +1,8 @@
 //! `new`, `schema`, `check` and the help of every command.
 
 use crate::command::{example, repository, run, run_with};
+use flankwright::exchange::job::Process;
+use flankwright::exchange::{Document, Source, job_template, parse_any_job};
 use serde_json::{Value, json};
 
 const EXAMPLES: [&str; 3] = ["automotive-bias.toml", "radial-feed-crowning.toml", "twist-free-crowning.toml"];
@@ -104,6 +106,59 @@ fn the_schema_admits_the_examples_and_nothing_unknown() {
         assert!(!validator.is_valid(&job), "{job}");
         let text = job.to_string();
         assert_eq!(run_with(&["check", "-"], text.as_bytes()).exit, Some(2), "{text}");
+    }
+}
+
+#[test]
+fn the_schema_admits_every_template_and_tells_the_processes_apart() {
+    let schema = run(&["schema"]).json();
+    let validator = jsonschema::draft202012::new(&schema).expect("a valid schema");
+    let errors = |job: &Value| validator.iter_errors(job).map(|e| e.to_string()).collect::<Vec<_>>();
+    for process in Process::ALL {
+        // As written and with all defaults.
+        let template = Source::new("new.toml", job_template(process));
+        let written = Document::parse(template).expect("a template").to_value();
+        for job in [written, run(&["new", process.name(), "--json"]).json()] {
+            assert!(validator.is_valid(&job), "{process:?}: {:?}", errors(&job));
+        }
+    }
+    let tangential = run(&["new", "tangential-dressing", "--json"]).json();
+    let change = |change: &dyn Fn(&mut Value)| {
+        let mut job = tangential.clone();
+        change(&mut job);
+        job
+    };
+    let right = [
+        change(&|job| {
+            job["target"]["edge_amounts"] = json!({ "left": {}, "right": { "lead_conical_um": 5 } })
+        }),
+        change(&|job| job["dressing"]["variables"] = json!(["Fp1", "FpL9", "dX0", "kap"])),
+        change(&|job| job["settings"] = json!({ "left": { "values": { "dX2": 0.1, "FpR1": 0 } } })),
+    ];
+    for job in right {
+        assert!(validator.is_valid(&job), "{job}: {:?}", errors(&job));
+        assert!(parse_any_job(Source::new("job.json", &job.to_string())).is_ok(), "{job}");
+    }
+    let wrong = [
+        change(&|job| job["surplus"] = json!({})),
+        change(&|job| job["job"]["process"] = json!("generating-grinding")),
+        change(&|job| job["job"]["process"] = json!("five-axis-milling")),
+        change(&|job| job["job"].as_object_mut().unwrap().clear()),
+        change(&|job| job["target"]["edge_amounts"] = json!({ "left": {} })),
+        change(&|job| job["target"]["edge_amounts"] = json!({ "crowning_um": 1 })),
+        change(&|job| job["dressing"]["variables"] = json!(["Fp0"])),
+        change(&|job| job["dressing"]["variables"] = json!(["dX2", "dX2"])),
+        change(&|job| job["dressing"]["variables"] = json!("all")),
+        change(&|job| job["dressing"]["exclude"] = json!(["FpL"])),
+        change(&|job| job["dressing"]["splines"] = json!([{ "channel": "kap", "intervals": 2 }])),
+        change(&|job| job["grinding"]["shift_ratio"] = json!("auto")),
+        change(&|job| job["settings"] = json!({ "left": { "values": { "kap": 0.1 } } })),
+        change(&|job| job["settings"] = json!({ "left": { "values": { "dX10": 0.1 } } })),
+        change(&|job| job["settings"] = json!({ "left": { "values": { "dX1": 1001 } } })),
+    ];
+    for job in wrong {
+        assert!(!validator.is_valid(&job), "{job}");
+        assert!(parse_any_job(Source::new("job.json", &job.to_string())).is_err(), "{job}");
     }
 }
 

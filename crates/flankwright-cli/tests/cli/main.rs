@@ -11,4 +11,5 @@ mod planning;
 mod robustness;
 mod shifts;
 mod strokes;
+mod tangential;
 mod trends;

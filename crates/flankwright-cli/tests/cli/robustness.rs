@@ -1,13 +1,14 @@
 //! Whatever stands in a job file: an answer, never a panic.
 
-use flankwright::exchange::{Source, parse_job};
+use flankwright::exchange::job::Process;
+use flankwright::exchange::{AnyJob, Source, job_template, parse_any_job};
 use flankwright_cli::failure::Failure;
 use proptest::prelude::*;
 
 /// Reads the bytes as both formats and draws every message.
 fn read(bytes: &[u8]) {
     for name in ["a.toml", "a.json", "a"] {
-        if let Err(error) = Source::from_bytes(name, bytes).and_then(parse_job) {
+        if let Err(error) = Source::from_bytes(name, bytes).and_then(parse_any_job) {
             assert!(!error.diagnostics.is_empty());
             for diagnostic in &error.diagnostics {
                 if let Some(span) = &diagnostic.span {
@@ -25,10 +26,22 @@ fn read(bytes: &[u8]) {
     }
 }
 
-fn job() -> (String, String) {
-    let toml = crate::command::example("automotive-bias.toml");
-    let loaded = parse_job(Source::new("job.toml", &toml)).expect("a valid example");
-    (toml, serde_json::to_string_pretty(&loaded.job).expect("JSON"))
+/// A job of either process as TOML and as JSON.
+fn job(tangential: bool) -> (String, String) {
+    let toml = if tangential {
+        // With the keys that hold names and with settings, which the template has in comments only.
+        let named = "[dressing]\nvariables = [\"Fp1\", \"dX2\"]\nsplines = [{ channel = \"dX\", intervals = 6 }]\nexclude = [\"gA\"]\n";
+        let settings = "[settings.right]\nkap = 1.2\nvalues = { Fp1 = 0.001, dX2 = -0.006 }\n";
+        let template = job_template(Process::TangentialDressing);
+        template.replacen("[dressing]\n", named, 1) + settings
+    } else {
+        crate::command::example("automotive-bias.toml")
+    };
+    let json = match parse_any_job(Source::new("job.toml", &toml)).expect("a valid example") {
+        AnyJob::Grinding(loaded) => serde_json::to_string_pretty(&loaded.job),
+        AnyJob::Tangential(loaded) => serde_json::to_string_pretty(&loaded.job),
+    };
+    (toml, json.expect("JSON"))
 }
 
 /// What is put into a job in place of something else.
@@ -91,8 +104,8 @@ proptest! {
     }
 
     #[test]
-    fn changed_jobs(changes in prop::collection::vec((any::<prop::sample::Index>(), 0usize..12, piece()), 1..5), json in any::<bool>()) {
-        let (toml, as_json) = job();
+    fn changed_jobs(changes in prop::collection::vec((any::<prop::sample::Index>(), 0usize..12, piece()), 1..5), json in any::<bool>(), tangential in any::<bool>()) {
+        let (toml, as_json) = job(tangential);
         let mut text: Vec<char> = if json { as_json } else { toml }.chars().collect();
         for (place, length, piece) in changes {
             let start = place.index(text.len() + 1);
@@ -103,8 +116,8 @@ proptest! {
     }
 
     #[test]
-    fn changed_values(place in any::<prop::sample::Index>(), piece in piece()) {
-        let (toml, _) = job();
+    fn changed_values(place in any::<prop::sample::Index>(), piece in piece(), tangential in any::<bool>()) {
+        let (toml, _) = job(tangential);
         // Entries of the form `key = value` on a line of their own.
         let lines: Vec<&str> = toml.lines().collect();
         let entries: Vec<usize> = (0..lines.len()).filter(|&i| lines[i].contains(" = ") && !lines[i].starts_with([' ', '#'])).collect();
@@ -117,8 +130,8 @@ proptest! {
     }
 
     #[test]
-    fn cut_jobs(place in any::<prop::sample::Index>(), json in any::<bool>()) {
-        let (toml, as_json) = job();
+    fn cut_jobs(place in any::<prop::sample::Index>(), json in any::<bool>(), tangential in any::<bool>()) {
+        let (toml, as_json) = job(tangential);
         let text = if json { as_json } else { toml };
         read(&text.as_bytes()[..place.index(text.len())]);
     }

@@ -78,6 +78,11 @@ impl<'s> Form<'s> {
         self.keywords.iter().rev().find_map(|schema| schema.get(name))
     }
 
+    /// What values of a table under keys that are not named have to meet, if it takes such.
+    pub fn other_values(&self) -> Option<&'s Value> {
+        self.keyword("additionalProperties").filter(|schema| schema.is_object())
+    }
+
     pub fn number(&self, name: &str) -> Option<f64> {
         self.keyword(name).and_then(Value::as_f64)
     }

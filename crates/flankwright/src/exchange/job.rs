@@ -48,6 +48,7 @@ pub use process::{JobInfo, Process};
 pub use settings::{FlankSettings, Pieces, Settings, StrokeSettings, StrokeTables, ToolTable, ToolTables};
 pub use stroke_study::{AxisDeviations, Distribution, DresserArea, StrokeSection, StrokeStudy};
 pub use strokes::{DressedSection, StrokeArea, Strokes};
+pub(in crate::exchange) use target::default_tolerance;
 pub use target::{Fit, Modification, Target, ToleranceMapSource, ToleranceTable};
 pub use worm::{Tool, Worm};
 
@@ -111,7 +112,7 @@ pub struct Job {
 impl Job {
     /// Hand of the worm: as given, else that of the gear (spur: right).
     pub fn worm_hand(&self) -> Hand {
-        self.worm.hand.unwrap_or(if self.gear.helix_angle_deg < 0.0 { Hand::Left } else { Hand::Right })
+        self.worm.hand.unwrap_or(self.gear.default_worm_hand())
     }
 
     /// The disc that writes the worm line by line, with its tip radius, mm; `None` for every other tool.

@@ -17,6 +17,7 @@ mod node;
 mod schema;
 mod shape;
 mod source;
+pub mod tangential_job;
 mod template;
 mod toml_tree;
 
@@ -28,7 +29,10 @@ pub use grid_file::{
     GridTarget, TableForm, read_grid_target, read_points, read_tolerances, read_traces, table_form,
 };
 pub use job::Job;
-pub use load::{LoadedJob, parse_job, read_job};
+pub use load::{
+    AnyJob, Loaded, LoadedJob, LoadedTangentialJob, parse_any_job, parse_job, read_any_job, read_job,
+};
 pub use schema::job_schema;
 pub use source::{MAXIMUM_BYTES, Source};
+pub use tangential_job::TangentialJob;
 pub use template::job_template;

@@ -3,30 +3,79 @@
 
 use std::sync::LazyLock;
 
-use schemars::JsonSchema;
-use schemars::generate::SchemaSettings;
-use serde_json::Value;
+use schemars::generate::{SchemaGenerator, SchemaSettings};
+use schemars::{JsonSchema, Schema};
+use serde_json::{Value, json};
 
-use super::job::Job;
+use super::job::{Job, JobInfo, Process};
+use super::tangential_job::TangentialJob;
 
-static SCHEMA: LazyLock<Value> = LazyLock::new(|| schema_of::<Job>("flankwright job"));
+static SCHEMA: LazyLock<Value> = LazyLock::new(schema_of_jobs);
 
 /// The schema of a document type under a title.
 pub(super) fn schema_of<T: JsonSchema>(title: &str) -> Value {
-    let schema = SchemaSettings::draft2020_12().into_generator().into_root_schema_for::<T>();
-    let mut schema = schema.to_value();
+    let mut schema = generator().into_root_schema_for::<T>().to_value();
     without_null(&mut schema);
     schema["title"] = Value::from(title);
     schema
 }
 
-/// The schema of the job file, JSON Schema draft 2020-12. `x-way-out` beside a range is what messages advise.
+/// The schema of the job file, JSON Schema draft 2020-12: every job has a table `job`, and its process decides which other
+/// tables there are. `x-way-out` beside a range is what messages advise.
 pub fn job_schema() -> Value {
     SCHEMA.clone()
 }
 
 pub(super) fn shared() -> &'static Value {
     &SCHEMA
+}
+
+/// The part of the published schema that jobs of a process have to meet.
+pub(super) fn of_process(process: Process) -> &'static Value {
+    let place = Process::ALL.iter().position(|p| *p == process).unwrap_or_default();
+    &SCHEMA["allOf"][place]["then"]
+}
+
+fn generator() -> SchemaGenerator {
+    SchemaSettings::draft2020_12().into_generator()
+}
+
+/// One schema for all processes. An `if` for each rather than `oneOf`: a validator then tells what is wrong with the job of
+/// this process, not that it is neither of all.
+fn schema_of_jobs() -> Value {
+    let mut generator = generator();
+    let info = generator.subschema_for::<JobInfo>();
+    let cases: Vec<Value> = Process::ALL
+        .into_iter()
+        .map(|process| {
+            let named =
+                json!({ "properties": { "process": { "const": process.name() } }, "required": ["process"] });
+            json!({
+                "if": { "properties": { "job": named }, "required": ["job"] },
+                "then": tables(process, &mut generator),
+            })
+        })
+        .collect();
+    let mut schema = json!({
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "flankwright job",
+        "description": "A job file; `job.process` decides which tables it has.",
+        "type": "object",
+        "properties": { "job": info },
+        "required": ["job"],
+        "allOf": cases,
+        "$defs": generator.take_definitions(true),
+    });
+    without_null(&mut schema);
+    schema
+}
+
+/// What the jobs of a process consist of.
+fn tables(process: Process, generator: &mut SchemaGenerator) -> Schema {
+    match process {
+        Process::GeneratingGrinding => generator.subschema_for::<Job>(),
+        Process::TangentialDressing => generator.subschema_for::<TangentialJob>(),
+    }
 }
 
 /// An optional key may be left out, but not be null: TOML has no null, and both formats shall take the same.
@@ -64,7 +113,19 @@ mod tests {
         let schema = job_schema();
         assert_eq!(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
         assert!(!schema.to_string().contains("\"null\""));
-        assert_eq!(schema["additionalProperties"], false);
+        assert_eq!(schema["required"], json!(["job"]));
+    }
+
+    #[test]
+    fn every_process_has_its_closed_set_of_tables() {
+        let schema = job_schema();
+        for process in Process::ALL {
+            let pointer = of_process(process)["$ref"].as_str().unwrap().trim_start_matches('#');
+            let tables = schema.pointer(pointer).unwrap();
+            assert_eq!(tables["additionalProperties"], false, "{process:?}");
+            assert_eq!(tables["properties"]["job"]["$ref"], "#/$defs/JobInfo", "{process:?}");
+        }
+        assert_eq!(schema["allOf"].as_array().unwrap().len(), Process::ALL.len());
     }
 
     #[test]

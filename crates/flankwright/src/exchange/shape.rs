@@ -18,10 +18,11 @@ pub(super) struct Subject {
     pub example: &'static str,
 }
 
-/// All findings about a document.
-pub(super) fn check(root: &Node, schema: &Value, subject: Subject) -> Vec<Diagnostic> {
+/// All findings about a document. `form` is what the document has to meet: `schema` itself or a part of it; references
+/// lead into `schema`.
+pub(super) fn check(root: &Node, schema: &Value, form: &Value, subject: Subject) -> Vec<Diagnostic> {
     let mut walk = Walk { schema, subject, findings: Vec::new() };
-    walk.node(root, schema, "", None);
+    walk.node(root, form, "", None);
     walk.findings
 }
 
@@ -236,7 +237,8 @@ impl<'s> Walk<'s> {
         let Some(form) = self.chosen(node, forms, path) else { return };
         for entry in entries {
             let path = joined(path, &entry.key);
-            match form.properties.get(entry.key.as_str()) {
+            let value = form.properties.get(entry.key.as_str()).copied().or_else(|| form.other_values());
+            match value {
                 Some(schema) => self.node(&entry.value, schema, &path, Some(entry)),
                 None if form.closed => self.unknown_key(entry, &form, &path),
                 None => self.anything(&entry.value, &path),
@@ -247,7 +249,8 @@ impl<'s> Walk<'s> {
         }
     }
 
-    /// Of several forms of a table the one that its tag names (the key whose word differs from form to form).
+    /// Of several forms of a table the one that its tag names (the key whose word differs from form to form); without a
+    /// tag the first that knows most of its keys.
     fn chosen(&mut self, node: &Node, forms: &[&Form<'s>], path: &str) -> Option<Form<'s>> {
         if let [only] = forms {
             return Some((*only).clone());
@@ -257,7 +260,10 @@ impl<'s> Walk<'s> {
         };
         let tag =
             forms[0].properties.keys().copied().find(|key| forms.iter().all(|f| word_of(f, key).is_some()));
-        let Some(tag) = tag else { return Some(forms[0].clone()) };
+        let Some(tag) = tag else {
+            let known = |form: &Form<'s>| form.properties.keys().filter(|k| node.entry(k).is_some()).count();
+            return forms.iter().rev().max_by_key(|form| known(form)).map(|form| (*form).clone());
+        };
         let words: Vec<&str> = forms.iter().filter_map(|f| word_of(f, tag)).collect();
         let tag_path = joined(path, tag);
         match node.entry(tag).map(|entry| (&entry.value, &entry.value.kind)) {
@@ -344,7 +350,7 @@ fn joined(path: &str, key: &str) -> String {
 }
 
 /// Keys come from the file and may be of any length.
-fn shortened(text: &str) -> String {
+pub(super) fn shortened(text: &str) -> String {
     const LONGEST: usize = 120;
     if text.chars().count() <= LONGEST {
         text.to_owned()

@@ -13,6 +13,8 @@ pub struct SvdLoop {
     pub damping: Option<f64>,
     /// Columns shorter than this share of the longest are left alone for a round.
     pub live: f64,
+    /// Columns of which the longest is no longer than this move nothing.
+    pub least: f64,
     /// Converged when the weighted root mean square changes by less than this share.
     pub change: f64,
     /// Most rounds.
@@ -21,7 +23,7 @@ pub struct SvdLoop {
 
 impl Default for SvdLoop {
     fn default() -> Self {
-        Self { cut: 1e-10, damping: None, live: 1e-7, change: 1e-6, rounds: 60 }
+        Self { cut: 1e-10, damping: None, live: 1e-7, least: 0.0, change: 1e-6, rounds: 60 }
     }
 }
 
@@ -162,7 +164,7 @@ impl Step {
         let mut norms: Vec<f64> = a.column_iter().map(|c| c.norm()).collect();
         let longest = norms.iter().copied().fold(0.0, f64::max);
         // Written so that NaN is no live column.
-        if !(longest > 0.0 && longest.is_finite() && right.iter().all(|x| x.is_finite())) {
+        if !(longest > options.least && longest.is_finite() && right.iter().all(|x| x.is_finite())) {
             return None;
         }
         for (mut column, norm) in a.column_iter_mut().zip(&mut norms) {
@@ -240,6 +242,8 @@ mod tests {
         );
         let dead = |x: &DVector<f64>| rows(x).map(|(r, j)| (r, j * 0.0));
         assert_eq!(svd_loop(at(0.0), &[1.0; 6], &options, dead).unwrap_err(), SvdLoopError::NoLiveColumn);
+        let blind = SvdLoop { least: 10.0, ..options };
+        assert_eq!(svd_loop(at(0.0), &[1.0; 6], &blind, rows).unwrap_err(), SvdLoopError::NoLiveColumn);
         let nan = |x: &DVector<f64>| rows(x).map(|(r, j)| (r * f64::NAN, j));
         assert_eq!(svd_loop(at(0.0), &[1.0; 6], &options, nan).unwrap_err(), SvdLoopError::NoLiveColumn);
     }

@@ -113,6 +113,12 @@ impl Chebyshev {
         Self { coefficients: self.coefficients.iter().map(|c| c * factor).collect(), ..*self }
     }
 
+    /// What the nodes of an interpolation may miss: the sum of the last quarter of the coefficients.
+    pub fn tail(&self) -> f64 {
+        let count = self.coefficients.len();
+        self.coefficients[count - count / 4..].iter().map(|c| c.abs()).sum()
+    }
+
     /// The series without trailing coefficients below `relative` times the largest one.
     pub fn truncated(mut self, relative: f64) -> Self {
         let limit = relative * self.coefficients.iter().fold(0.0, |m: f64, c| m.max(c.abs()));

@@ -5,7 +5,7 @@
 //! another one, so that the order of work is immaterial.
 
 use super::dressed_flank::{DressedFlank, DressedRay};
-use super::meridian::Meridian;
+use super::meridian::{self, Meridian};
 use super::{RayGrid, RemovalError, Stage, Statistics, Uncut, error};
 use crate::geometry::{InvoluteFlank, Revolution};
 use crate::kinematics::DressingMotion;
@@ -42,6 +42,8 @@ const FACING: f64 = -0.3;
 const SETTLED: f64 = 1e-13;
 /// Rounding of a length: coordinates of some 100 mm go through three rotations, mm.
 const ROUNDING: f64 = 1e-12;
+/// Where the first secant on the rate of a length ends, mm: a bottom found is nearer than that.
+const BESIDE: f64 = 0.01;
 /// Check rays stand in every third cell in w and every fifth in z.
 const CHECK_STRIDES: (usize, usize) = (3, 5);
 /// Rays per parcel of work; a parcel takes about a millisecond.
@@ -53,7 +55,7 @@ struct ScanPose {
     translation: Vector3<f64>,
 }
 
-struct Cutter<'a> {
+pub(super) struct Cutter<'a> {
     setup: &'a Dressing<'a>,
     meridian: Meridian,
     poses: Vec<ScanPose>,
@@ -91,7 +93,7 @@ pub fn dress(
     grid: &RayGrid,
     progress: &dyn Progress,
 ) -> Result<DressedFlank, RemovalError> {
-    let cutter = Cutter::new(setup)?;
+    let cutter = Cutter::new(setup, meridian::TOLERANCE)?;
     let (w_stride, z_stride) = CHECK_STRIDES;
     let mut feet: Vec<(f64, f64)> = (0..grid.count()).map(|i| grid.ray(i)).collect();
     feet.extend(grid.cell_middles(w_stride, z_stride));
@@ -127,7 +129,7 @@ pub fn dress(
 }
 
 impl<'a> Cutter<'a> {
-    fn new(setup: &'a Dressing<'a>) -> Result<Self, RemovalError> {
+    pub fn new(setup: &'a Dressing<'a>, tolerance: f64) -> Result<Self, RemovalError> {
         error::range("dressing stroke v_zS", setup.shift_range)?;
         error::positive("dressing stock", setup.stock)?;
         let flank = setup.worm;
@@ -165,7 +167,55 @@ impl<'a> Cutter<'a> {
                 ScanPose { rotation: *pose.rotation(), translation: *pose.translation() }
             })
             .collect();
-        Ok(Self { setup, meridian: Meridian::new(setup.dresser)?, poses, step, pitch })
+        Ok(Self { setup, meridian: Meridian::new(setup.dresser, tolerance)?, poses, step, pitch })
+    }
+
+    /// Bound of the error of a length beside the residue of its bottom, um.
+    pub fn error_um(&self) -> f64 {
+        (self.meridian.error + ROUNDING) * 1e3
+    }
+
+    /// Length of the ray at (w, z) and its derivatives by w and z; `None` where the dresser does not finish it.
+    pub fn jet(&self, w: f64, z: f64) -> Option<[f64; 3]> {
+        let found = self.shoot(w, z, &mut Vec::new()).ray.ok()?;
+        let frame = self.setup.worm.frame(w, z);
+        let ray = Ray { point: self.setup.worm.point_in(&frame, w, z), normal: frame.n };
+        let cut = self.settled(&ray, found)?;
+        // At the bottom the length does not change with the worm position: what is left is the ray's own displacement.
+        let pose = self.setup.motion.position(cut.shift).pose().inverse();
+        let by = |dw: f64, dz: f64| {
+            let (w, z) = (Dual64::new(w, dw), Dual64::new(z, dz));
+            let frame = self.setup.worm.frame(w, z);
+            let [point, normal] = [self.setup.worm.point_in(&frame, w, z), frame.n];
+            let rotation = pose.rotation().map(Dual64::from_re);
+            let p = rotation * point + pose.translation().map(Dual64::from_re);
+            let n = rotation * normal;
+            let end = p + n * Dual64::from_re(cut.f);
+            let r = end.x.re.hypot(end.y.re);
+            let [_, slope] = self.meridian.at(r)?;
+            let outward = |v: [f64; 3]| v[2] - slope * (end.x.re * v[0] + end.y.re * v[1]) / r;
+            Some(-outward([end.x.eps, end.y.eps, end.z.eps]) / outward([n.x.re, n.y.re, n.z.re]))
+        };
+        Some([cut.f, by(1.0, 0.0)?, by(0.0, 1.0)?])
+    }
+
+    /// The bottom of a dip so exactly that the derivatives of its length have no noise: secants on the rate.
+    fn settled(&self, ray: &Ray, found: DressedRay) -> Option<DressedRay> {
+        let (mut v, mut length) = (found.shift, self.length(ray, found.shift, found.f)?);
+        let (mut other, mut rate) = (v + BESIDE, self.length(ray, v + BESIDE, found.f)?.rate);
+        for _ in 0..6 {
+            let step = length.rate * (v - other) / (length.rate - rate);
+            if !step.is_finite() || step.abs() > BESIDE {
+                break;
+            }
+            (other, rate) = (v, length.rate);
+            v -= step;
+            length = self.length(ray, v, length.lam)?;
+            if step.abs() < 1e-9 {
+                break;
+            }
+        }
+        Some(DressedRay { f: length.lam, shift: v })
     }
 
     /// The ray at (w, z); `lengths` is scratch.

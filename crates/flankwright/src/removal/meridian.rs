@@ -5,8 +5,10 @@ use crate::geometry::Revolution;
 use crate::numerics::CubicSpline;
 use num_dual::Dual64;
 
-/// Largest distance between spline and meridian that ends the refinement, mm.
-const TOLERANCE: f64 = 1e-11;
+/// Largest distance between spline and meridian that ends the refinement, mm: for surfaces through many rays.
+pub(super) const TOLERANCE: f64 = 1e-11;
+/// The same where single rays are asked as exactly as can be.
+pub(super) const FINEST: f64 = 1e-13;
 /// Intervals to begin with: enough for a smooth profile.
 const INTERVALS: usize = 256;
 /// Rounds of halving. Where the profile has a kink, twenty bring the knots together to 1e-7 mm and less.
@@ -31,11 +33,12 @@ struct Node {
 }
 
 impl Meridian {
-    /// Samples a profile over its whole parameter interval and halves the intervals in whose middle the spline misses it.
+    /// Samples a profile over its whole parameter interval and halves the intervals in whose middle the spline misses it by more than
+    /// `tolerance`, mm.
     ///
     /// # Errors
     /// [`RemovalError::ProfileFolds`] where radius or normal turn back.
-    pub fn new(profile: &Revolution) -> Result<Self, RemovalError> {
+    pub fn new(profile: &Revolution, tolerance: f64) -> Result<Self, RemovalError> {
         let (first, last) = profile.interval();
         let (start, end) = (profile.at(first), profile.at(last));
         let side = start.n_z.signum();
@@ -59,14 +62,14 @@ impl Meridian {
             let spline = CubicSpline::new(&r, &z)?;
             let miss = |node: &Node| (spline.value(node.r) - node.z).abs();
             let error = middles.iter().map(miss).fold(0.0, f64::max);
-            if error <= TOLERANCE || round == ROUNDS {
+            if error <= tolerance || round == ROUNDS {
                 return Ok(Self { spline, side, error });
             }
             let mut finer = Vec::with_capacity(2 * knots.len());
             let mut between = Vec::with_capacity(2 * knots.len());
             for (pair, node) in knots.windows(2).zip(&middles) {
                 finer.push(pair[0]);
-                if miss(node) > TOLERANCE {
+                if miss(node) > tolerance {
                     between.push(middle(&pair[0], node)?);
                     between.push(middle(node, &pair[1])?);
                     finer.push(*node);

@@ -7,6 +7,7 @@ use crate::kinematics::LawError;
 use crate::modification::ModificationError;
 use crate::process::dressing::DressingError;
 use crate::process::generating::GeneratingError;
+use crate::process::tangential_dressing::TangentialError;
 use crate::removal::RemovalError;
 
 /// Something worth saying that is no error.
@@ -57,6 +58,13 @@ impl RunFailure {
         Self::not_producible(finding.field(field).way_out(error.way_out().to_string()))
     }
 
+    /// A fault of tangential dressing that belongs to `field`.
+    pub(super) fn of_tangential_on(error: &TangentialError, field: &str) -> Self {
+        let finding = Diagnostic::with_code(error.code(), error.to_string());
+        let finding = finding.field(field.to_owned()).way_out(error.way_out());
+        if error.is_bad_input() { Self::bad_input(finding) } else { Self::not_producible(finding) }
+    }
+
     fn of_generating(error: &GeneratingError, finding: Diagnostic) -> Self {
         if error.is_bad_input() { Self::bad_input(finding) } else { Self::not_producible(finding) }
     }
@@ -65,6 +73,35 @@ impl RunFailure {
 impl From<&GeneratingError> for RunFailure {
     fn from(error: &GeneratingError) -> Self {
         Self::of_generating(error, generating_finding(error))
+    }
+}
+
+impl From<&TangentialError> for RunFailure {
+    fn from(error: &TangentialError) -> Self {
+        let field = match error {
+            TangentialError::Geometry(e) => return Self::bad_input(geometry_finding(e, "gear")),
+            TangentialError::InvalidNumber { field, .. } => match *field {
+                "shift_ratio" | "shift_offset" | "shift_width" => {
+                    return Self::of_tangential_on(error, &format!("grinding.{field}"));
+                }
+                "start radius" => "gear.evaluation.start_diameter",
+                "end radius" => "gear.evaluation.end_diameter",
+                "face_width" => "gear.face_width",
+                "normal_pressure_angle" => "gear.normal_pressure_angle_deg",
+                "pitch diameter of the worm" | "pitch radius of the worm" => "worm.pitch_diameter",
+                "pitch radius of the dresser" => "dresser.pitch_diameter",
+                "target" => "target",
+                _ => "dressing",
+            },
+            TangentialError::Contact(_) => "worm",
+            TangentialError::Dressing(_) | TangentialError::OutsideTool { .. } => "dresser",
+            TangentialError::UnknownVariable { .. } | TangentialError::NoLiveVariable { .. } => {
+                "dressing.variables"
+            }
+            TangentialError::Undercut { .. } => "target",
+            TangentialError::NotConverged { .. } => "dressing.method",
+        };
+        Self::of_tangential_on(error, field)
     }
 }
 

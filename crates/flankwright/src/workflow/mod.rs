@@ -20,6 +20,7 @@ mod run;
 mod shift;
 mod strokes;
 mod tables;
+pub mod tangential;
 mod tip_land;
 pub mod verify;
 mod write;

@@ -1,12 +1,13 @@
 //! Fills the report of a run. Timing stays out of it, so that the same job gives the same bytes.
 
 use super::executed_strokes::ExecutedStroke;
+use super::referee::Verdict;
 use super::result::{CharacteristicsUm, FlankResult, Status};
 use super::run::{Outcome, ratio_reason};
 use super::tables::ROWS;
 use crate::exchange::job::{Job, Modification as Spec};
-use crate::geometry::{Flank, Sides};
-use crate::kinematics::DressingMotion as Motion;
+use crate::geometry::{Blank, Flank, Gear, Sides};
+use crate::kinematics::{DressingMotion as Motion, GeneratingMotion};
 use crate::numerics::equidistant;
 use crate::process::dressing::stretch as profile_stretch;
 use crate::report::charts::{ChartError, SectionTrace, Topography, format_significant};
@@ -17,7 +18,7 @@ use crate::report::generating::{
 };
 use crate::report::{Quantity, Status as Banner, Warning, html};
 
-fn characteristics(c: &CharacteristicsUm) -> Characteristics {
+pub(super) fn characteristics(c: &CharacteristicsUm) -> Characteristics {
     Characteristics {
         helix_crowning_um: Some(c.helix_crowning_um),
         profile_crowning_um: Some(c.profile_crowning_um),
@@ -31,8 +32,12 @@ fn characteristics(c: &CharacteristicsUm) -> Characteristics {
 }
 
 /// The amount of a target entry as the job has it, where its kind has one.
-fn target_amounts(job: &Job, flank: Flank, target: &CharacteristicsUm) -> Vec<TargetAmount> {
-    let entries = job.target.modifications.iter().flatten().filter(|spec| spec.flank().includes(flank));
+pub(super) fn target_amounts(
+    modifications: Option<&[Spec]>,
+    flank: Flank,
+    target: &CharacteristicsUm,
+) -> Vec<TargetAmount> {
+    let entries = modifications.unwrap_or_default().iter().filter(|spec| spec.flank().includes(flank));
     entries
         .map(|spec: &Spec| {
             let keys = serde_json::to_value(spec).unwrap_or_default();
@@ -96,9 +101,8 @@ fn trace_values(x: &[f64], f: &[f64]) -> (f64, f64) {
     (-c2, -2.0 * c1)
 }
 
-fn flank_report(
-    job: &Job,
-    flank: Flank,
+pub(super) fn flank_report(
+    amounts: Vec<TargetAmount>,
     f: &FlankResult,
     planned: &CharacteristicsUm,
 ) -> Result<FlankReport, ChartError> {
@@ -115,7 +119,7 @@ fn flank_report(
         Vec::new()
     };
     Ok(FlankReport {
-        amounts: target_amounts(job, flank, &f.target_characteristics),
+        amounts,
         target,
         planned: Some(map(&f.planned_um)?),
         simulated: Some(simulated),
@@ -131,9 +135,7 @@ fn flank_report(
     })
 }
 
-fn gear_quantities(outcome: &Outcome) -> Vec<Quantity> {
-    let setup = &outcome.prepared.setup;
-    let (gear, blank) = (&setup.input.gear, &setup.input.blank);
+pub(super) fn gear_quantities(gear: &Gear, blank: &Blank, evaluation: [f64; 4]) -> Vec<Quantity> {
     let d = gear.data();
     let (l, r) = (gear.flank(Flank::Left), gear.flank(Flank::Right));
     vec![
@@ -152,10 +154,10 @@ fn gear_quantities(outcome: &Outcome) -> Vec<Quantity> {
         Quantity::number("tip diameter", "d_a", blank.tip_diameter, "mm"),
         Quantity::number("root form diameter", "d_Ff", blank.form_diameter, "mm"),
         Quantity::number("root diameter", "d_f", blank.root_diameter, "mm"),
-        Quantity::number("evaluation from diameter", "", setup.input.evaluation[0], "mm"),
-        Quantity::number("evaluation to diameter", "", setup.input.evaluation[1], "mm"),
-        Quantity::number("evaluation from face position", "z", setup.input.evaluation[2], "mm"),
-        Quantity::number("evaluation to face position", "z", setup.input.evaluation[3], "mm"),
+        Quantity::number("evaluation from diameter", "", evaluation[0], "mm"),
+        Quantity::number("evaluation to diameter", "", evaluation[1], "mm"),
+        Quantity::number("evaluation from face position", "z", evaluation[2], "mm"),
+        Quantity::number("evaluation to face position", "z", evaluation[3], "mm"),
         Quantity::per_flank("base diameter", "d_b", 2.0 * l.base_radius, 2.0 * r.base_radius, "mm"),
         Quantity::per_flank(
             "base helix angle",
@@ -341,13 +343,18 @@ fn settings_quantities(outcome: &Outcome, job: &Job) -> Vec<Quantity> {
     list
 }
 
-fn grinding_motion(outcome: &Outcome) -> GrindingMotion {
-    let motion = &outcome.execution.motion;
-    let feeds: Vec<f64> = equidistant(outcome.execution.feed_range, ROWS);
+pub(super) fn grinding_motion(
+    flanks: &str,
+    motion: &GeneratingMotion,
+    feed_range: [f64; 2],
+) -> GrindingMotion {
+    let feeds: Vec<f64> = equidistant(feed_range, ROWS);
     GrindingMotion {
         z_v1_mm: feeds.iter().map(|&v| motion.shift.value(v)).collect(),
         delta_d_um: feeds.iter().map(|&v| motion.delta_d.value(v) * 1e3).collect(),
         delta_phi_2_urad: feeds.iter().map(|&v| motion.delta_phi_2.value(v) * 1e6).collect(),
+        delta_gamma_deg: feeds.iter().map(|&v| motion.delta_gamma.value(v).to_degrees()).collect(),
+        flanks: flanks.to_owned(),
         z_v2_mm: feeds,
     }
 }
@@ -367,7 +374,7 @@ fn strokes(outcome: &Outcome, flank: Flank) -> Vec<StrokeReport> {
     executed.map_or(Vec::new(), |executed| executed.strokes.iter().map(report).collect())
 }
 
-fn motion_over(motion: &Motion, (from, to): (f64, f64)) -> DressingMotion {
+pub(super) fn motion_over(motion: &Motion, (from, to): (f64, f64)) -> DressingMotion {
     let v: Vec<f64> = equidistant([from, to], ROWS);
     let component = |j: usize, unit: f64| v.iter().map(|&v| motion.correction_at(v)[j] * unit).collect();
     let deg = 180.0 / std::f64::consts::PI;
@@ -418,6 +425,29 @@ fn line_sample(outcome: &Outcome) -> Option<String> {
     })
 }
 
+/// Why planned and simulated flank may be compared.
+pub(super) const TWO_CALCULATIONS: [&str; 2] = [
+    "The planned flank is the exact contact of the worm as dressed with the workpiece, solved point by point.",
+    "The simulated flank comes from a second calculation that shares no formula with the first: normal rays of the worm are \
+     shortened by the dresser over the real dressing motion, a smooth surface through their ends is the worm, and normal rays of \
+     the workpiece are shortened by that worm over the real grinding motion. Only the shapes, the chain of axes and the motions are \
+     common to both; the plan only tells on which part of the worm the rays stand.",
+];
+
+/// The stages behind a verdict.
+pub(super) fn referee_stages(flank: Flank, verdict: &Verdict) -> Vec<RefereeStage> {
+    let dressing = verdict.dressing.iter().map(|stage| ("dresser against worm", stage));
+    dressing
+        .chain([("worm against workpiece", &verdict.grinding)])
+        .map(|(name, stage)| RefereeStage {
+            name: format!("{flank} flank: {name}"),
+            rays: stage.statistics.rays,
+            poses: stage.statistics.poses,
+            discretisation_um: stage.error_um,
+        })
+        .collect()
+}
+
 /// Own error of the rays against lines: the splines of the motions hold 1e-6 mm.
 const LINE_STAGE_ERROR_UM: f64 = 1e-3;
 
@@ -433,31 +463,15 @@ fn verification(outcome: &Outcome) -> Verification {
                 discretisation_um: LINE_STAGE_ERROR_UM,
             });
         }
-        let dressing = v.dressing.iter().map(|stage| ("dresser against worm", stage));
-        for (name, stage) in dressing.chain([("worm against workpiece", &v.grinding)]) {
-            stages.push(RefereeStage {
-                name: format!("{flank} flank: {name}"),
-                rays: stage.statistics.rays,
-                poses: stage.statistics.poses,
-                discretisation_um: stage.error_um,
-            });
-        }
+        stages.extend(referee_stages(flank, v));
     }
     Verification {
-        paragraphs: [
-            "The planned flank is the exact contact of the worm as dressed with the workpiece, solved point by point."
-                .into(),
-            "The simulated flank comes from a second calculation that shares no formula with the first: normal rays of the \
-             worm are shortened by the dresser over the real dressing motion, a smooth surface through their ends is the \
-             worm, and normal rays of the workpiece are shortened by that worm over the real grinding motion. Only the \
-             shapes, the chain of axes and the motions are common to both; the plan only tells on which part of the worm the \
-             rays stand."
-                .into(),
-        ]
-        .into_iter()
-        .chain(feed_marks(outcome))
-        .chain(line_sample(outcome))
-        .collect(),
+        paragraphs: TWO_CALCULATIONS
+            .map(String::from)
+            .into_iter()
+            .chain(feed_marks(outcome))
+            .chain(line_sample(outcome))
+            .collect(),
         stages,
     }
 }
@@ -478,10 +492,13 @@ pub fn html_page(
             return Ok(None);
         };
         let cos_b = outcome.prepared.setup.lines[flank].cos_b2;
-        Ok(Some(flank_report(job, flank, f, &CharacteristicsUm::of(&executed.planned, cos_b))?))
+        let modifications = job.target.modifications.as_deref();
+        let amounts = target_amounts(modifications, flank, &f.target_characteristics);
+        Ok(Some(flank_report(amounts, f, &CharacteristicsUm::of(&executed.planned, cos_b))?))
     })?;
     let rounds = result.ideal_error_by_round_um.left.len().max(result.ideal_error_by_round_um.right.len());
     let (worm, dresser) = tool_quantities(outcome, job);
+    let input = &outcome.prepared.setup.input;
     let report = GeneratingReport {
         job_name: result.job.clone(),
         description: job.job.description.clone(),
@@ -498,7 +515,7 @@ pub fn html_page(
         }),
         tolerance_um: result.tolerance_um,
         flanks,
-        gear: gear_quantities(outcome),
+        gear: gear_quantities(&input.gear, &input.blank, input.evaluation),
         worm,
         dresser,
         settings: settings_quantities(outcome, job),
@@ -521,7 +538,11 @@ pub fn html_page(
         }),
         occupation: outcome.result.settings.partition.as_ref().map(|p| p.chart().clone()),
         sections: outcome.sections.clone(),
-        grinding_motion: Some(grinding_motion(outcome)),
+        grinding_motions: vec![grinding_motion(
+            "both flanks",
+            &outcome.execution.motion,
+            outcome.execution.feed_range,
+        )],
         dressing: Sides::from_fn(|flank| dressing_motion(outcome, flank)),
         strokes: Sides::from_fn(|flank| strokes(outcome, flank)),
         warnings: result

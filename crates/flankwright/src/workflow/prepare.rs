@@ -6,13 +6,13 @@ use super::shift::shift_of_job;
 use super::strokes::strokes_of_job;
 use crate::contact::ContactError;
 use crate::exchange::job::{
-    Condition, DegreeOfFreedom, DesignedFor, DiagonalRatio, Dressing, DressingFlanks, Fit, Flanks, Gauge,
-    GaugeRule, Job, Method, Modification as JobModification, ProfileCrowningBy, RootAlong,
+    Condition, DegreeOfFreedom, DesignedFor, DiagonalRatio, Dressing, DressingFlanks, Fit, Gauge, GaugeRule,
+    Gear as JobGear, Job, Method, Modification as JobModification, ProfileCrowningBy, RootAlong,
     ToleranceMapSource, Tool as JobTool,
 };
 use crate::exchange::{
-    Diagnostic, LoadedJob, Problem, TableForm, read_grid_target, read_points, read_tolerances, read_traces,
-    table_form,
+    Diagnostic, Loaded, LoadedJob, Problem, TableForm, read_grid_target, read_points, read_tolerances,
+    read_traces, table_form,
 };
 use crate::geometry::{Blank, Flank, Gear, GearData, Sides, ThicknessMeasure, WormChoice, worm_for_gear};
 use crate::kinematics::MotionLaw;
@@ -50,9 +50,9 @@ pub struct Prepared {
 }
 
 /// Grid and point files named in a job, beside the job file.
-struct Beside<'a>(&'a LoadedJob);
+struct Beside<'a, J>(&'a Loaded<J>);
 
-impl ModificationFiles for Beside<'_> {
+impl<J> ModificationFiles for Beside<'_, J> {
     fn grid(&self, file: &str) -> Result<GridTable, String> {
         let table = read_grid_target(&self.0.beside(file)).map_err(|e| e.to_string())?;
         Ok(GridTable { w_mm: table.w_mm, z_mm: table.z_mm, f_um: table.f_um })
@@ -68,12 +68,11 @@ impl ModificationFiles for Beside<'_> {
     }
 }
 
-/// The gear of a job with its thickness measure turned into the profile shift.
+/// The gear of the table `[gear]` of a job, with its thickness measure turned into the profile shift.
 ///
 /// # Errors
 /// A finding on the key concerned.
-pub fn gear_of_job(job: &Job) -> Result<Gear, Diagnostic> {
-    let g = &job.gear;
+pub fn gear_of_job(g: &JobGear) -> Result<Gear, Diagnostic> {
     let data = GearData {
         teeth: g.teeth,
         normal_module: g.normal_module,
@@ -95,14 +94,14 @@ pub fn gear_of_job(job: &Job) -> Result<Gear, Diagnostic> {
     Gear::new(GearData { profile_shift, ..data }).map_err(|e| geometry_finding(&e, "gear"))
 }
 
-/// Diameters and face width of the job's gear.
-pub fn blank_of_job(job: &Job) -> Blank {
+/// Diameters and face width of the table `[gear]` of a job.
+pub fn blank_of_job(gear: &JobGear) -> Blank {
     Blank {
-        face_width: job.gear.face_width,
-        tip_diameter: job.gear.tip_diameter,
-        root_diameter: job.gear.root_diameter,
-        tip_form_diameter: job.gear.tip_diameter,
-        form_diameter: job.gear.root_form_diameter(),
+        face_width: gear.face_width,
+        tip_diameter: gear.tip_diameter,
+        root_diameter: gear.root_diameter,
+        tip_form_diameter: gear.tip_diameter,
+        form_diameter: gear.root_form_diameter(),
         rack_addendum: None,
     }
 }
@@ -185,8 +184,8 @@ const MATING: f64 = 1e-6;
 /// # Errors
 /// [`RunFailure`] with a finding on the key concerned.
 pub fn setup_of_job(job: &Job) -> Result<GrindingSetup, RunFailure> {
-    let gear = gear_of_job(job).map_err(RunFailure::bad_input)?;
-    let blank = blank_of_job(job);
+    let gear = gear_of_job(&job.gear).map_err(RunFailure::bad_input)?;
+    let blank = blank_of_job(&job.gear);
     blank.check(&gear).map_err(|e| RunFailure::bad_input(geometry_finding(&e, "gear")))?;
     if let Some(there) = job.dresser.as_ref().and_then(|d| d.designed_for.as_ref()) {
         check_designed_worm(job, &gear, there).map_err(RunFailure::bad_input)?;
@@ -283,8 +282,9 @@ fn tool_modifications(loaded: &LoadedJob, setup: &GrindingSetup) -> Result<Sides
     })
 }
 
-fn specs_of_flank(
-    loaded: &LoadedJob,
+/// Modifications of the list `target.modifications` on a flank; a finding names the entry.
+pub(super) fn specs_of_flank<J>(
+    loaded: &Loaded<J>,
     specs: &[ModificationSpec],
     flank: Flank,
     field: &EvaluationField,
@@ -368,11 +368,7 @@ pub(super) fn wanted_flanks(
 
 /// Whether a flank is ground.
 fn is_ground(job: &Job, flank: Flank) -> bool {
-    match job.grinding.flanks {
-        Flanks::Both => true,
-        Flanks::Left => flank == Flank::Left,
-        Flanks::Right => flank == Flank::Right,
-    }
+    job.grinding.flanks.includes(flank)
 }
 
 /// The tolerances of a job, normal to the flank: its `tolerance_map`, else `tolerance_um` everywhere.

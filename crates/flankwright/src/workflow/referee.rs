@@ -4,7 +4,7 @@
 use super::executed_strokes::ExecutedStrokes;
 use super::execution::{ExecutedDressing, ExecutedTool, Execution};
 use super::partition::StrokePlan;
-use crate::geometry::{Flank, Sides};
+use crate::geometry::{Flank, InvoluteFlank, Sides};
 use crate::metrology::Topography;
 use crate::numerics::{CubicSpline, Progress, Silent};
 use crate::process::dressing::DresserTool;
@@ -155,10 +155,10 @@ fn halved(
 }
 
 /// The worm as the rays of stage one left it.
-struct RayedWorm {
-    surface: DressedSurface,
-    area: WormArea,
-    statistics: Statistics,
+pub(super) struct RayedWorm {
+    pub surface: DressedSurface,
+    pub area: WormArea,
+    pub statistics: Statistics,
 }
 
 fn dressed_worm(
@@ -217,8 +217,18 @@ fn stroked_worm(
     rayed(&stages, w, [z[0] + WORM_MARGIN, z[1] - WORM_MARGIN], progress)
 }
 
+/// Largest length of a ray that counts as this flank's, mm: above what is expected (mm) by far.
+pub(super) fn stock(worm: &InvoluteFlank, expected: f64) -> f64 {
+    STOCK.max(3.0 * expected).min(most_stock(worm))
+}
+
+/// No more than a quarter of the normal base pitch of the worm, mm: beyond it the next flank begins.
+pub(super) fn most_stock(worm: &InvoluteFlank) -> f64 {
+    0.24 * 2.0 * std::f64::consts::PI * worm.base_radius * worm.base_helix_angle.cos() / worm.teeth
+}
+
 /// The surface through the rays over lengths of roll w and worm positions z.
-fn rayed(
+pub(super) fn rayed(
     stages: &[Dressing<'_>],
     w: [f64; 2],
     z: [f64; 2],
@@ -238,9 +248,7 @@ fn run_flank(
 ) -> Result<Option<Verdict>, RemovalError> {
     let Some(executed) = &execution.flanks[flank] else { return Ok(None) };
     let (worm, work) = (setup.pair.worm.flank(flank), setup.pair.work.flank(flank));
-    // The stages take up to a quarter of the normal base pitch, beyond which the next flank begins.
-    let base_pitch = 2.0 * std::f64::consts::PI * worm.base_radius * worm.base_helix_angle.cos() / worm.teeth;
-    let stock = STOCK.max(3.0 * executed.target.largest()).min(0.24 * base_pitch);
+    let stock = stock(worm, executed.target.largest());
     let dressed = match (&executed.tool, &execution.dresser) {
         (ExecutedTool::Dressed(dressing), Some(dresser)) => {
             Some(dressed_worm(setup, dresser, dressing, flank, stock, progress)?)

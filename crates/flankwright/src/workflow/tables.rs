@@ -2,10 +2,11 @@
 
 use super::executed_strokes::ExecutedStrokes;
 use super::execution::ExecutedFlank;
+use super::result::FlankResult;
 use super::run::Outcome;
 use crate::exchange::{Column, CsvError, CsvTable};
 use crate::geometry::Flank;
-use crate::kinematics::DressingMotion;
+use crate::kinematics::{DressingMotion, GeneratingMotion};
 use crate::numerics::equidistant;
 
 /// Rows of a motion table and points of a motion chart.
@@ -15,7 +16,9 @@ pub(super) const ROWS: usize = 201;
 ///
 /// # Errors
 /// A value that is not finite.
-pub fn topography(outcome: &Outcome) -> Result<CsvTable, CsvError> {
+pub fn topography<'a>(
+    flanks: impl Iterator<Item = (&'a str, &'a FlankResult)>,
+) -> Result<CsvTable, CsvError> {
     let columns = [
         Column::new("w", "mm"),
         Column::new("z", "mm"),
@@ -25,7 +28,7 @@ pub fn topography(outcome: &Outcome) -> Result<CsvTable, CsvError> {
         Column::new("deviation", "um"),
     ];
     let mut table = CsvTable::labelled("flank", &columns);
-    for (name, f) in &outcome.result.flanks {
+    for (name, f) in flanks {
         for (i, &w) in f.w_mm.iter().enumerate() {
             for (j, &z) in f.z_mm.iter().enumerate() {
                 let (t, p, s) = (f.target_um[i][j], f.planned_um[i][j], f.simulated_um[i][j]);
@@ -63,8 +66,7 @@ pub fn gear_root(outcome: &Outcome) -> Result<Option<CsvTable>, CsvError> {
 ///
 /// # Errors
 /// A value that is not finite.
-pub fn grinding_motion(outcome: &Outcome) -> Result<CsvTable, CsvError> {
-    let motion = &outcome.execution.motion;
+pub fn grinding_motion(motion: &GeneratingMotion, feed_range: [f64; 2]) -> Result<CsvTable, CsvError> {
     let mut table = CsvTable::new(&[
         Column::new("z_V2", "mm"),
         Column::new("z_V1", "mm"),
@@ -73,7 +75,7 @@ pub fn grinding_motion(outcome: &Outcome) -> Result<CsvTable, CsvError> {
         Column::new("delta_phi_2", "urad"),
         Column::new("crossed_axes_angle", "deg"),
     ]);
-    for v in equidistant(outcome.execution.feed_range, ROWS) {
+    for v in equidistant(feed_range, ROWS) {
         let (d, phi) = (motion.delta_d.value(v), motion.delta_phi_2.value(v));
         table.push(&[
             v,

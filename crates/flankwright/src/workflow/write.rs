@@ -2,7 +2,7 @@
 
 use super::run::Outcome;
 use super::{page, tables};
-use crate::exchange::job::{Job, OneOrSides};
+use crate::exchange::job::{Job, JobInfo, OneOrSides};
 use crate::exchange::{CsvError, Diagnostic, write_atomically};
 use crate::geometry::{Flank, Sides};
 use crate::report::charts::ChartError;
@@ -59,7 +59,7 @@ pub(super) fn write_study(
 /// # Errors
 /// [`WriteError`]; files written before the error stay.
 pub fn write_outcome(job: &Job, outcome: &Outcome, directory: &Path) -> Result<Vec<PathBuf>, WriteError> {
-    let mut files: Vec<(String, &'static str, Vec<u8>)> = vec![
+    let mut files: Vec<NamedFile> = vec![
         ("result.json".into(), "result with settings and flanks", json(&outcome.result)?),
         (
             "settings.json".into(),
@@ -69,12 +69,12 @@ pub fn write_outcome(job: &Job, outcome: &Outcome, directory: &Path) -> Result<V
         (
             "topography.csv".into(),
             "target, planned, simulated and deviation of both flanks",
-            tables::topography(outcome)?.text().into(),
+            tables::topography(outcome.result.flanks.iter().map(|(name, f)| (*name, f)))?.text().into(),
         ),
         (
             "motions/grinding.csv".into(),
             "grinding motion over the feed",
-            tables::grinding_motion(outcome)?.text().into(),
+            tables::grinding_motion(&outcome.execution.motion, outcome.execution.feed_range)?.text().into(),
         ),
     ];
     if let Some(table) = tables::gear_root(outcome)? {
@@ -95,11 +95,22 @@ pub fn write_outcome(job: &Job, outcome: &Outcome, directory: &Path) -> Result<V
             files.push((path, "modification of the tool's flank, normal", table.text().into()));
         }
     }
+    write_with_report(files, directory, |named| page::html_page(job, outcome, named))
+}
+
+/// A file below the directory of a run: its path, what is in it, its bytes.
+pub(super) type NamedFile = (String, &'static str, Vec<u8>);
+
+/// Makes the report that lists all files, removes what an earlier run left, and writes everything, the report last.
+pub(super) fn write_with_report(
+    mut files: Vec<NamedFile>,
+    directory: &Path,
+    report: impl FnOnce(&[(String, &'static str)]) -> Result<String, ChartError>,
+) -> Result<Vec<PathBuf>, WriteError> {
     let mut named: Vec<(String, &'static str)> =
         files.iter().map(|(path, what, _)| (path.clone(), *what)).collect();
     named.push(("report.html".into(), "this report"));
-    let report = page::html_page(job, outcome, &named)?;
-    files.push(("report.html".into(), "report", report.into_bytes()));
+    files.push(("report.html".into(), "report", report(&named)?.into_bytes()));
     let names: Vec<&str> = files.iter().map(|file| file.0.as_str()).collect();
     remove_stale(directory, &names)?;
     let mut written = Vec::with_capacity(files.len());
@@ -116,11 +127,15 @@ pub fn write_outcome(job: &Job, outcome: &Outcome, directory: &Path) -> Result<V
 }
 
 /// Names that a run may write; what an earlier run left of them and this one does not write would contradict it.
-const NAMES: [&str; 12] = [
+const NAMES: [&str; 16] = [
     "result.json",
     "settings.json",
     "topography.csv",
+    "sensitivities.csv",
+    "fit.csv",
     "motions/grinding.csv",
+    "motions/grinding-left.csv",
+    "motions/grinding-right.csv",
     "motions/dressing-left.csv",
     "motions/dressing-right.csv",
     "motions/dressing-lines-left.csv",
@@ -149,13 +164,18 @@ fn remove_stale(directory: &Path, written: &[&str]) -> Result<(), WriteError> {
 ///
 /// # Errors
 /// [`WriteError`].
-pub fn write_refusal(job: &Job, finding: &Diagnostic, directory: &Path) -> Result<PathBuf, WriteError> {
+pub fn write_refusal(
+    job: &JobInfo,
+    tolerance_um: f64,
+    finding: &Diagnostic,
+    directory: &Path,
+) -> Result<PathBuf, WriteError> {
     let document = serde_json::json!({
-        "job": job.job.name,
-        "process": job.job.process.name(),
+        "job": job.name,
+        "process": job.process.name(),
         "version": env!("CARGO_PKG_VERSION"),
         "status": "not_producible",
-        "tolerance_um": job.target.tolerance_um,
+        "tolerance_um": tolerance_um,
         "reason": { "code": finding.code, "text": finding.message, "way_out": finding.way_out, "field": finding.field },
         "warnings": [],
         "settings": {},
@@ -180,7 +200,7 @@ fn with_settings(job: &Job, outcome: &Outcome) -> Job {
     job
 }
 
-fn json(value: &impl serde::Serialize) -> Result<Vec<u8>, serde_json::Error> {
+pub(super) fn json(value: &impl serde::Serialize) -> Result<Vec<u8>, serde_json::Error> {
     let mut bytes = serde_json::to_vec_pretty(value)?;
     bytes.push(b'\n');
     Ok(bytes)

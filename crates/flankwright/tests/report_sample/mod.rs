@@ -179,12 +179,14 @@ pub fn met() -> GeneratingReport {
         }),
         occupation: None,
         sections: Vec::new(),
-        grinding_motion: Some(GrindingMotion {
+        grinding_motions: vec![GrindingMotion {
+            flanks: "both flanks".into(),
             z_v1_mm: feed.iter().map(|z| -1.916_05 * z).collect(),
             delta_d_um: feed.iter().map(|z| 0.04 * (z / 21.0).powi(2)).collect(),
             delta_phi_2_urad: feed.iter().map(|z| 0.9 * (z / 21.0) + 0.3 * (z / 21.0).powi(3)).collect(),
             z_v2_mm: feed,
-        }),
+            delta_gamma_deg: Vec::new(),
+        }],
         dressing: Sides::from_fn(|side| Some(dressing(side))),
         strokes: Sides::from_fn(|_| Vec::new()),
         warnings: vec![Warning {
@@ -262,7 +264,7 @@ pub fn not_producible() -> GeneratingReport {
             way_out: "Take a wider worm, fewer threads or a diagonal ratio nearer to zero.".to_owned(),
         }),
         flanks: Sides::from_fn(|_| None),
-        grinding_motion: None,
+        grinding_motions: Vec::new(),
         dressing: Sides::from_fn(|_| None),
         ratio: Some(RatioChoice {
             chosen: None,

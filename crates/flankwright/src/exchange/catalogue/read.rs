@@ -49,7 +49,7 @@ pub fn read_catalogue(path: &Path) -> Result<LoadedCatalogue, JobError> {
 /// As [`read_catalogue`].
 pub fn parse_catalogue(source: Source) -> Result<LoadedCatalogue, JobError> {
     let document = Document::parse(source)?;
-    let findings = shape::check(document.root(), &SCHEMA, SUBJECT);
+    let findings = shape::check(document.root(), &SCHEMA, &SCHEMA, SUBJECT);
     refuse_if_any(&document, findings)?;
     checked(document.to_value(), vec![document])
 }
@@ -93,7 +93,7 @@ fn table_document(path: &Path, list: &str) -> Result<Document, JobError> {
     // The table holds one of the two lists.
     let mut schema = SCHEMA.clone();
     schema["required"] = json!([list]);
-    let findings = shape::check(document.root(), &schema, SUBJECT);
+    let findings = shape::check(document.root(), &schema, &schema, SUBJECT);
     refuse_if_any(&document, findings)?;
     Ok(document)
 }

@@ -1,11 +1,11 @@
 //! Contradictions in `[dressing.strokes]`, `dresser.others` and `[settings.strokes]`.
 
-use super::not_yet;
-use super::{contradiction, profile_parts};
+use super::diameters::dresser_diameters;
+use super::{contradiction, not_yet, profile_parts};
 use crate::exchange::diagnostic::{Diagnostic, Problem};
 use crate::exchange::job::{
-    Dresser, DresserContact, DresserModification, Dressing, DressingFlanks, Job, OtherDresser,
-    ProfileCrowningBy, StrokeSettings, Strokes,
+    Dresser, DresserContact, DresserModification, Dressing, DressingFlanks, Job, ProfileCrowningBy,
+    StrokeSettings, Strokes,
 };
 use crate::exchange::node::shown_number;
 
@@ -45,17 +45,9 @@ fn others(job: &Job, dresser: &Dresser, findings: &mut Vec<Diagnostic>) {
                 .way_out("leave `others` out, or say in [dressing.strokes] which dresser dresses what"),
         );
     }
-    for (k, OtherDresser { tip_diameter: tip, pitch_diameter, .. }) in dresser.others.iter().enumerate() {
-        if let Some(pitch) = pitch_diameter.filter(|pitch| pitch >= tip) {
-            let text = format!("the pitch diameter {pitch} is not below the tip diameter {tip}");
-            findings.push(
-                Diagnostic::new(Problem::InvalidGeometry, text)
-                    .field(format!("dresser.others[{k}].pitch_diameter"))
-                    .value(shown_number(pitch))
-                    .allowed(format!("< {}", shown_number(*tip)))
-                    .way_out("leave `pitch_diameter` out: the disc tip then touches the worm root"),
-            );
-        }
+    for (k, other) in dresser.others.iter().enumerate() {
+        let at = format!("dresser.others[{k}]");
+        dresser_diameters(&at, other.pitch_diameter, other.tip_diameter, findings);
     }
 }
 

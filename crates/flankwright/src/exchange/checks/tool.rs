@@ -1,7 +1,7 @@
 //! Contradictions between `[worm]`, `[dresser]` and `[dressing]`: who profiles the tool, and with what.
 
-use super::contradiction;
-use super::not_yet;
+use super::diameters::{dresser_diameters, inside_tip, worm_diameters};
+use super::{contradiction, not_yet};
 use crate::exchange::diagnostic::{Diagnostic, Problem};
 use crate::exchange::job::{
     Condition, DesignedFor, Dresser, DresserContact, DresserModification, Dressing, DressingFlanks, Flanks,
@@ -13,7 +13,7 @@ use crate::exchange::node::shown_number;
 const TOOL_KINDS: [&str; 4] = ["polynomial", "grid", "points", "formula"];
 
 pub(super) fn check(job: &Job, findings: &mut Vec<Diagnostic>) {
-    diameters(job, findings);
+    worm_diameters(job.worm.pitch_diameter, job.worm.tip_diameter, findings);
     let tool = job.worm.tool;
     match (&job.dresser, tool) {
         (Some(given), Tool::Dressed) => {
@@ -129,28 +129,6 @@ fn flanks(job: &Job, findings: &mut Vec<Diagnostic>) {
     }
 }
 
-fn diameters(job: &Job, findings: &mut Vec<Diagnostic>) {
-    match (job.worm.pitch_diameter, job.worm.tip_diameter) {
-        (None, None) => findings.push(
-            Diagnostic::new(Problem::MissingKey, "`worm` has no diameter")
-                .field("worm.tip_diameter")
-                .allowed("tip_diameter or pitch_diameter, or both")
-                .way_out("add the present tip diameter of the worm in mm"),
-        ),
-        (Some(pitch), Some(tip)) if pitch >= tip => findings.push(
-            Diagnostic::new(
-                Problem::InvalidGeometry,
-                format!("the pitch diameter {pitch} is not below the tip diameter {tip}"),
-            )
-            .field("worm.pitch_diameter")
-            .value(shown_number(pitch))
-            .allowed(format!("< {}", shown_number(tip)))
-            .way_out("leave `pitch_diameter` out: it follows from the tip diameter"),
-        ),
-        _ => {}
-    }
-}
-
 /// Keys that belong to one kind of contact only.
 fn contact(dresser: &Dresser, dressing: &Dressing, findings: &mut Vec<Diagnostic>) {
     let point = dresser.contact == DresserContact::Point;
@@ -211,21 +189,7 @@ fn contact(dresser: &Dresser, dressing: &Dressing, findings: &mut Vec<Diagnostic
 }
 
 fn dresser(dresser: &Dresser, findings: &mut Vec<Diagnostic>) {
-    if let Some(pitch) = dresser.pitch_diameter
-        && pitch >= dresser.tip_diameter
-    {
-        let tip = dresser.tip_diameter;
-        findings.push(
-            Diagnostic::new(
-                Problem::InvalidGeometry,
-                format!("the pitch diameter {pitch} is not below the tip diameter {tip}"),
-            )
-            .field("dresser.pitch_diameter")
-            .value(shown_number(pitch))
-            .allowed(format!("< {}", shown_number(tip)))
-            .way_out("leave `pitch_diameter` out: the disc tip then touches the worm root"),
-        );
-    }
+    dresser_diameters("dresser", dresser.pitch_diameter, dresser.tip_diameter, findings);
     if let Some(there) = &dresser.designed_for {
         designed_for(there, findings);
         if dresser.modification.given().is_none() {
@@ -268,25 +232,21 @@ pub(super) fn of_profile(entry: &Modification) -> bool {
 
 /// At least one diameter, the pitch circle inside the tip circle.
 fn designed_for(there: &DesignedFor, findings: &mut Vec<Diagnostic>) {
-    match (there.pitch_diameter, there.tip_diameter) {
-        (None, None) => findings.push(
+    if there.pitch_diameter.is_none() && there.tip_diameter.is_none() {
+        findings.push(
             Diagnostic::new(Problem::MissingKey, "`dresser.designed_for` has no diameter")
                 .field("dresser.designed_for.pitch_diameter")
                 .allowed("pitch_diameter or tip_diameter, or both")
                 .way_out("add the pitch diameter of the worm that the dresser was designed for"),
-        ),
-        (Some(pitch), Some(tip)) if pitch >= tip => findings.push(
-            Diagnostic::new(
-                Problem::InvalidGeometry,
-                format!("the pitch diameter {pitch} is not below the tip diameter {tip}"),
-            )
-            .field("dresser.designed_for.pitch_diameter")
-            .value(shown_number(pitch))
-            .allowed(format!("< {}", shown_number(tip)))
-            .way_out("leave one of the two out: it follows from the other"),
-        ),
-        _ => {}
+        );
     }
+    inside_tip(
+        "dresser.designed_for",
+        there.pitch_diameter,
+        there.tip_diameter,
+        "leave one of the two out: it follows from the other",
+        findings,
+    );
 }
 
 /// One motion for both flanks makes value and slope of each; it needs both, and one lead.

@@ -3,6 +3,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::geometry::Flank;
+
 /// Hand of a helix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
@@ -34,4 +36,15 @@ pub enum Flanks {
     /// Both flanks at once.
     #[default]
     Both,
+}
+
+impl Flanks {
+    /// Whether a flank is among them.
+    pub fn includes(self, flank: Flank) -> bool {
+        match self {
+            Self::Both => true,
+            Self::Left => flank == Flank::Left,
+            Self::Right => flank == Flank::Right,
+        }
+    }
 }

@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::choices::Hand;
 use super::one_or_sides::{OneOrSides, pressure_angle_schema};
 
 /// Drawing data of the workpiece. Lengths in mm.
@@ -126,6 +127,11 @@ pub struct EvaluationRange {
 }
 
 impl Gear {
+    /// Hand of a worm for which the job gives none: that of the gear (spur: right).
+    pub fn default_worm_hand(&self) -> Hand {
+        if self.helix_angle_deg < 0.0 { Hand::Left } else { Hand::Right }
+    }
+
     /// Root form diameter in mm: as given, else the start of the evaluation. A checked job has one of them; the
     /// root diameter stands in only for jobs built in code without either.
     pub fn root_form_diameter(&self) -> f64 {

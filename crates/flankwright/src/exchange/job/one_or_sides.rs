@@ -31,11 +31,11 @@ impl<T: Clone> OneOrSides<T> {
 }
 
 /// The schema of both forms, so that the range holds for the single value and for each flank's.
-pub(in crate::exchange) fn one_or_sides_schema(number: Schema) -> Schema {
+pub(in crate::exchange) fn one_or_sides_schema(value: Schema) -> Schema {
     json_schema!({
-        "anyOf": [number, {
+        "anyOf": [value, {
             "type": "object",
-            "properties": { "left": number, "right": number },
+            "properties": { "left": value, "right": value },
             "required": ["left", "right"],
             "additionalProperties": false
         }]

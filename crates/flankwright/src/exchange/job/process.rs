@@ -23,20 +23,22 @@ pub struct JobInfo {
 pub enum Process {
     /// Generating grinding with a dressed worm.
     GeneratingGrinding,
+    /// Generating grinding with a worm that one motion of the dresser along its tangent has modified.
+    TangentialDressing,
 }
 
 impl Process {
     /// All processes that can be planned.
-    pub const ALL: [Process; 1] = [Process::GeneratingGrinding];
+    pub const ALL: [Process; 2] = [Process::GeneratingGrinding, Process::TangentialDressing];
 
     /// Processes that the job format knows and this version does not plan.
-    pub const NOT_AVAILABLE: [&str; 3] =
-        ["tangential-dressing", "five-axis-milling", "skiving-tool-measuring"];
+    pub const NOT_AVAILABLE: [&str; 2] = ["five-axis-milling", "skiving-tool-measuring"];
 
     /// The name in job files.
     pub fn name(self) -> &'static str {
         match self {
             Process::GeneratingGrinding => "generating-grinding",
+            Process::TangentialDressing => "tangential-dressing",
         }
     }
 }

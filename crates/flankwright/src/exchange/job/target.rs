@@ -59,7 +59,7 @@ pub struct ToleranceTable {
     pub tolerance_um: Vec<Vec<f64>>,
 }
 
-fn default_tolerance() -> f64 {
+pub(in crate::exchange) fn default_tolerance() -> f64 {
     1.0
 }
 

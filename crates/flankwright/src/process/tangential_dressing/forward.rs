@@ -6,7 +6,7 @@ use super::model::TangentialModel;
 use super::settings::TangentialSettings;
 use super::worm_surface::{DresserLaws, WormSurface};
 use crate::contact::{ContactError, ContactSolution, ExactContact, Measure};
-use crate::geometry::Flank;
+use crate::geometry::{Flank, InvoluteFlank};
 use crate::kinematics::{GeneratingMotion, MotionLaw};
 use nalgebra::{DMatrix, Vector3};
 
@@ -97,6 +97,16 @@ impl<'a> TangentialFlank<'a> {
     /// Motion of grinding, over v = z_V2 = -z.
     pub fn motion(&self) -> &GeneratingMotion {
         &self.motion
+    }
+
+    /// The unmodified worm flank.
+    pub fn worm(&self) -> &InvoluteFlank {
+        self.model.pair.worm.flank(self.flank)
+    }
+
+    /// The unmodified flank of the gear.
+    pub fn work(&self) -> &InvoluteFlank {
+        self.model.pair.work.flank(self.flank)
     }
 
     pub(super) fn surface(&self) -> &WormSurface<'a> {

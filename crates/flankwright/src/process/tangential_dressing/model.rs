@@ -92,8 +92,9 @@ pub struct TangentialModel {
     pub(super) heights: [f64; 2],
 }
 
-/// Share by which the abscissae of splines reach beyond what the unmodified flank needs.
-const SPLINE_MARGIN: f64 = 0.1;
+/// Share by which the abscissae of splines reach beyond what the unmodified flank needs: less than an interval, so that every function has
+/// contacts.
+const SPLINE_MARGIN: f64 = 0.06;
 
 impl TangentialModel {
     /// Puts the bodies in place.
@@ -197,7 +198,7 @@ impl TangentialModel {
         }
     }
 
-    /// Abscissae over which a spline of a channel is laid: what the unmodified flanks of one pass need, and a tenth more.
+    /// Abscissae over which a spline of a channel is laid: what the unmodified flanks of one pass need, and a little more.
     pub fn spline_range(&self, channel: Channel, flanks: &[Flank]) -> [f64; 2] {
         let offset = self.shift_offset(flanks);
         let mut range = [f64::INFINITY, f64::NEG_INFINITY];
@@ -207,12 +208,14 @@ impl TangentialModel {
                     let line = &self.lines[flank];
                     let z = z_g - self.pair.flanks[flank].work_z(w, 0.0, 0.0);
                     let x_d = line.offset + line.slope * (w - line.w_star) - self.shift_ratio * z - offset;
-                    let s = self.profile.height(self.pair.flanks[flank].worm_roll(w, 0.0, 0.0));
                     let at = match channel.abscissa() {
-                        Abscissa::Profile => s,
+                        Abscissa::Profile => {
+                            self.profile.height(self.pair.flanks[flank].worm_roll(w, 0.0, 0.0))
+                        }
                         Abscissa::Worm => x_d,
                         Abscissa::Gear => z,
-                    } * self.scales.per_length(channel.abscissa());
+                    };
+                    let at = at * self.scales.per_length(channel.abscissa());
                     range = [range[0].min(at), range[1].max(at)];
                 }
             }

@@ -8,7 +8,7 @@ use crate::kinematics::{DressingMotion, MotionLaw};
 use crate::numerics::Chebyshev;
 
 /// Accuracy of the corrections as series over v_zS, mm and rad.
-const ACCURACY: f64 = 1e-10;
+const ACCURACY: f64 = 3e-13;
 /// Nodes of the series: first try, and most; splines need many.
 const NODES: [usize; 2] = [24, 1536];
 
@@ -68,12 +68,7 @@ impl TangentialFlank<'_> {
                 fit(&|r| r.centre_distance - chain.centre_distance),
                 fit(&|r| r.offset),
             ];
-            // The last quarter of the coefficients says what the nodes miss.
-            let tail = |s: &Chebyshev| -> f64 {
-                let c = s.coefficients();
-                c[c.len() - c.len() / 4..].iter().map(|x| x.abs()).sum()
-            };
-            if series.iter().all(|s| tail(s) < ACCURACY) || count >= most {
+            if series.iter().all(|s| s.tail() < ACCURACY) || count >= most {
                 let correction = series.map(|s| MotionLaw::series(s.truncated(1e-17)));
                 return Ok((DressingMotion { chain, correction }, [from, to]));
             }
@@ -112,9 +107,27 @@ impl TangentialFlank<'_> {
         shifts.iter().map(one).collect()
     }
 
-    /// The side of the dresser that dresses this flank, its profile function included, over s.
+    /// The side of the dresser that dresses this flank, its profile function included, over s. It goes on beyond the tips of the tools, so
+    /// that what lies beside the used part of the worm is a surface as well; that nothing used lies there is checked with the flank. A
+    /// profile with a spline ends where the spline does.
     pub fn dresser(&self) -> Revolution {
         let surface = self.surface();
-        surface.profile.revolution(surface.sigma, |s| surface.laws.profile.value(s))
+        let heights = spline_heights(&surface.laws.profile);
+        surface.profile.revolution(surface.sigma, heights, |s| surface.laws.profile.value(s))
+    }
+}
+
+/// Where all splines of a law are known; everywhere without one.
+fn spline_heights(law: &MotionLaw) -> [f64; 2] {
+    match law {
+        MotionLaw::BSpline { spline, stretch, .. } => {
+            let [a, b] = spline.basis().interval().map(|x| x / stretch);
+            [a.min(b), a.max(b)]
+        }
+        MotionLaw::Sum(laws) => laws
+            .iter()
+            .map(spline_heights)
+            .fold([f64::NEG_INFINITY, f64::INFINITY], |[a, b], [from, to]| [a.max(from), b.min(to)]),
+        _ => [f64::NEG_INFINITY, f64::INFINITY],
     }
 }

@@ -26,6 +26,10 @@ const KNOWN_FROM: f64 = -2.75;
 const NODES: usize = 28;
 /// Trailing coefficients below this share of the largest are the rounding of the nodes: half a dozen are left, and derivatives gain.
 const NOISE: f64 = 5e-15;
+/// Nodes of the profile with its function, first try and most: splines need many.
+const SERIES_NODES: [usize; 2] = [48, 768];
+/// Its accuracy, mm.
+const SERIES_ACCURACY: f64 = 1e-13;
 /// Accuracy of a length of roll, mm; heights follow it with a slope of some tenths.
 const ROLL_ACCURACY: f64 = 1e-14;
 
@@ -128,24 +132,35 @@ impl Profile {
         self.height.value(w_1.clamp(from, to)).clamp(self.heights[0], self.heights[1])
     }
 
+    /// Lengths of roll of the worm between which the dresser exists, mm.
+    pub fn rolls(&self) -> [f64; 2] {
+        let (from, to) = self.height.interval();
+        [from, to]
+    }
+
     /// z_c of the left flank, mm; the right one has it on the other side.
     pub fn line(&self, w_1: f64) -> f64 {
         let (from, to) = self.line.interval();
         self.line.value(w_1.clamp(from, to))
     }
 
-    /// The side of the dresser that dresses `flank` as a surface of revolution over s, with the given profile function F_p taken off.
-    pub fn revolution(&self, sigma: f64, offset: impl Fn(f64) -> f64) -> Revolution {
-        let [from, to] = self.heights;
-        let axial = Chebyshev::fit(from, to, 2 * NODES, |s| {
-            Ok::<f64, std::convert::Infallible>(sigma * (self.half_thickness.value(s) - offset(s)))
-        });
-        let Ok(axial) = axial;
-        let radius = Chebyshev::from_coefficients(
-            from,
-            to,
-            vec![self.pitch_radius + 0.5 * (from + to), 0.5 * (to - from)],
-        );
+    /// A side of the dresser as a surface of revolution over s, with the profile function F_p taken off, between `heights` as far as it
+    /// goes.
+    pub fn revolution(&self, sigma: f64, heights: [f64; 2], removed: impl Fn(f64) -> f64) -> Revolution {
+        let (from, to) = (heights[0].max(self.heights[0]), heights[1].min(self.heights[1]));
+        let [mut count, most] = SERIES_NODES;
+        let axial = loop {
+            let nodes = Chebyshev::nodes(from, to, count).into_iter();
+            let values: Vec<f64> =
+                nodes.map(|s| sigma * (self.half_thickness.value(s) - removed(s))).collect();
+            let series = Chebyshev::interpolate(from, to, &values);
+            if series.tail() < SERIES_ACCURACY || count >= most {
+                break series.truncated(1e-17);
+            }
+            count *= 2;
+        };
+        let middle = self.pitch_radius + 0.5 * (from + to);
+        let radius = Chebyshev::from_coefficients(from, to, vec![middle, 0.5 * (to - from)]);
         // Out of the dresser's material: away from its middle plane.
         Revolution::new(radius, axial, -sigma)
     }

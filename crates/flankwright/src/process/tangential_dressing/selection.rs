@@ -5,7 +5,7 @@
 
 use super::TangentialError;
 use super::channel::{Channel, Variable};
-use super::fit::{FitMethod, FitTask, Places};
+use super::fit::{Fit, FitLimits, FitMethod, FitTask, Places};
 use super::settings::TangentialSettings;
 use super::target::FitGrid;
 use nalgebra::{DMatrix, DVector};
@@ -51,8 +51,10 @@ pub struct Selection {
     pub steps: Vec<SelectionStep>,
 }
 
-/// Candidates that are fitted in each forward step.
+/// Candidates of which a fit is compared in each forward step.
 const TRIED: usize = 3;
+/// Rounds that an attempt may take.
+const ROUNDS_OF_ATTEMPT: usize = 12;
 /// Columns shorter than this share of themselves after the chosen ones are taken out say nothing new.
 const NOTHING_NEW: f64 = 1e-6;
 
@@ -74,8 +76,16 @@ impl SelectionTask {
             (Channel::TangentialShift, 2..=3),
         ];
         if two_flanks {
+            // One motion has to serve both: higher powers, the swivel and the law of the shift count as well.
             offers.extend(sides.map(|side| (side, 1..=6)));
-            offers.push((Channel::AxialOffset, 0..=0));
+            offers.extend([
+                (Channel::AxialOffset, 0..=0),
+                (Channel::AxialOffset, 6..=7),
+                (Channel::DressingDistance, 5..=6),
+                (Channel::DressingAngle, 4..=4),
+                (Channel::CrossedAxesAngle, 0..=1),
+                (Channel::ToolShift, 1..=3),
+            ]);
         }
         let offers = offers.into_iter().filter(|(channel, _)| !excluded.contains(channel));
         offers.flat_map(|(channel, powers)| powers.map(move |k| Variable::power(channel, k))).collect()
@@ -106,11 +116,17 @@ impl FitTask<'_> {
         let places = Places::of(self, 1.0)?;
         let variables =
             |chosen: &[usize]| -> Vec<Variable> { chosen.iter().map(|&k| pool[k].clone()).collect() };
-        // Fits that are stuck in a narrow valley get out of it with damping.
-        let attempt = |chosen: Vec<usize>, start: &[f64]| -> Option<Tried> {
+        // Attempts need not be polished: the set that is found can be.
+        let rounds = self.limits.rounds.min(ROUNDS_OF_ATTEMPT);
+        let quick = Self { limits: FitLimits { rounds, ..self.limits }, ..self.clone() };
+        // A fit that makes nothing better is stuck in a narrow valley: damping gets it out.
+        let attempt = |chosen: Vec<usize>, start: &[f64], before: f64| -> Option<Tried> {
             let free = variables(&chosen);
-            let fit = self.fit(&free, start, FitMethod::Plain).ok().filter(|f| f.converged);
-            let fit = fit.or_else(|| self.fit(&free, start, FitMethod::Damped).ok())?;
+            let better = |fit: &Fit| fit.converged || fit.weighted_rms < before;
+            let fit = quick.fit(&free, start, FitMethod::Plain).ok().filter(better);
+            let fit = fit.or_else(|| quick.fit(&free, start, FitMethod::Damped).ok())?;
+            // Nor is a set any good that needs worm or dresser beyond their tips.
+            self.judge(&self.fixed.with(&free, &fit.values), self.grid).ok()?;
             Some(Tried { chosen, values: fit.values, rms: fit.weighted_rms, largest: fit.largest })
         };
         // Between the points of the fit.
@@ -134,10 +150,11 @@ impl FitTask<'_> {
         while best.0 > selection.tolerance && now.chosen.len() < selection.most.min(pool.len()) {
             let settings = self.fixed.with(&variables(&now.chosen), &now.values);
             let ranked = self.ranked(&places, &settings, pool, &now.chosen)?;
-            let tried = ranked.into_iter().take(TRIED).filter_map(|k| {
+            let tried = ranked.into_iter().filter_map(|k| {
                 let chosen = [now.chosen.as_slice(), &[k]].concat();
-                attempt(chosen, &[now.values.as_slice(), &[0.0]].concat()).map(|t| (k, t))
+                attempt(chosen, &[now.values.as_slice(), &[0.0]].concat(), now.rms).map(|t| (k, t))
             });
+            let tried = tried.take(TRIED);
             let Some((k, next)) = tried.min_by(|a, b| a.1.rms.total_cmp(&b.1.rms)) else { break };
             now = next;
             // Where the points of the fit miss the tolerance, those between them do.
@@ -157,7 +174,9 @@ impl FitTask<'_> {
                     let (mut chosen, mut values) = (now.chosen.clone(), now.values.clone());
                     let k = chosen.remove(out);
                     values.remove(out);
-                    attempt(chosen, &values).filter(|t| t.largest <= selection.tolerance).map(|t| (k, t))
+                    attempt(chosen, &values, f64::INFINITY)
+                        .filter(|t| t.largest <= selection.tolerance)
+                        .map(|t| (k, t))
                 })
                 .collect();
             tried.sort_by(|a, b| a.1.largest.total_cmp(&b.1.largest));

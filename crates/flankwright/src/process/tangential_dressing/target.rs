@@ -69,8 +69,8 @@ pub enum FitGrid {
     /// That many points each way, graded in roll length: between Chebyshev and equidistant, for near the base circle the radius hides
     /// what the roll shows.
     Graded(usize),
-    /// That many points each way, equidistant in roll length.
-    Equidistant(usize),
+    /// That many points over the profile and over the face, equidistant in roll length.
+    Equidistant(usize, usize),
 }
 
 impl FitGrid {
@@ -92,8 +92,8 @@ impl FitGrid {
                 RollGrid { w, z: spread(faces, n, &equidistant) }
             }
             Self::Graded(n) => RollGrid { w: spread(rolls, n, &graded), z: spread(faces, n, &graded) },
-            Self::Equidistant(n) => {
-                RollGrid { w: spread(rolls, n, &equidistant), z: spread(faces, n, &equidistant) }
+            Self::Equidistant(rows, columns) => {
+                RollGrid { w: spread(rolls, rows, &equidistant), z: spread(faces, columns, &equidistant) }
             }
         }
     }

@@ -22,7 +22,7 @@ impl GeneratingReport {
             Section::new("Settings", settings(self)?),
             Section::new("Topographies", topographies::figures(&self.flanks)?),
             Section::new("Profile and helix", topographies::diagram(&self.flanks)?),
-            Section::new("Grinding motion", motions::grinding(self.grinding_motion.as_ref())?),
+            Section::new("Grinding motion", motions::grinding(&self.grinding_motions)?),
             Section::new("Dressing corrections", dressing),
             Section::new("Room for the dresser", sections(self)?),
             Section::new(

@@ -40,8 +40,8 @@ pub struct GeneratingReport {
     pub occupation: Option<WormOccupationChart>,
     /// Sections through dresser and thread space.
     pub sections: Vec<DressingSectionChart>,
-    /// The grinding motion over the feed.
-    pub grinding_motion: Option<GrindingMotion>,
+    /// The grinding motions over the feed: one, or one for each flank.
+    pub grinding_motions: Vec<GrindingMotion>,
     /// Dressing corrections per flank; both equal if both flanks are dressed with one motion.
     pub dressing: Sides<Option<DressingMotion>>,
     /// The strokes per flank, where the worm is dressed in strokes.
@@ -174,6 +174,8 @@ pub struct RatioCandidate {
 /// Corrections of the grinding motion over the axial feed; lists of equal length.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct GrindingMotion {
+    /// Flanks that it grinds, for example "both flanks".
+    pub flanks: String,
     /// Axial feed z_V2, mm.
     pub z_v2_mm: Vec<f64>,
     /// Shift of the worm z_V1, mm.
@@ -182,6 +184,8 @@ pub struct GrindingMotion {
     pub delta_d_um: Vec<f64>,
     /// Additional rotation of the workpiece, urad.
     pub delta_phi_2_urad: Vec<f64>,
+    /// Change of the crossed-axes angle, degree.
+    pub delta_gamma_deg: Vec<f64>,
 }
 
 /// Dressing corrections DK of one flank over the worm position; lists of equal length.

@@ -17,28 +17,45 @@ fn flank_name(side: Flank) -> &'static str {
     }
 }
 
-pub(super) fn grinding(motion: Option<&GrindingMotion>) -> Result<Vec<Block>, ChartError> {
-    let Some(motion) = motion else { return Ok(Vec::new()) };
-    let series = |y: &Vec<f64>| vec![Series::new("both flanks", motion.z_v2_mm.clone(), y.clone())];
+pub(super) fn grinding(motions: &[GrindingMotion]) -> Result<Vec<Block>, ChartError> {
+    if motions.is_empty() {
+        return Ok(Vec::new());
+    }
+    let swivels = motions.iter().any(|m| m.delta_gamma_deg.iter().any(|&x| x != 0.0));
+    let panel = |title: &str, least_span: f64, pick: fn(&GrindingMotion) -> &Vec<f64>| {
+        let series =
+            motions.iter().map(|m| Series::new(&m.flanks, m.z_v2_mm.clone(), pick(m).clone())).collect();
+        Panel::linear(title, least_span, series)
+    };
+    let mut panels = vec![
+        panel("Worm shift z_V1 [mm]", 0.1, |m| &m.z_v1_mm),
+        panel("Centre distance Δd [µm]", 0.01, |m| &m.delta_d_um),
+        panel("Workpiece rotation Δφ_2 [µrad]", 0.1, |m| &m.delta_phi_2_urad),
+    ];
+    if swivels {
+        panels.push(panel("Crossed-axes angle Δγ [°]", 1e-4, |m| &m.delta_gamma_deg));
+    }
     let svg = line_chart(&LineChart {
         title: "Grinding motion over the axial feed".to_owned(),
         x_title: "z_V2 [mm]".to_owned(),
-        panels: vec![
-            Panel::linear("Worm shift z_V1 [mm]", 0.1, series(&motion.z_v1_mm)),
-            Panel::linear("Centre distance Δd [µm]", 0.01, series(&motion.delta_d_um)),
-            Panel::linear("Workpiece rotation Δφ_2 [µrad]", 0.1, series(&motion.delta_phi_2_urad)),
-        ],
+        panels,
     })?;
-    let columns = [
-        (Column::number("z_V2", "mm"), &motion.z_v2_mm, 3),
-        (Column::number("z_V1", "mm"), &motion.z_v1_mm, 4),
-        (Column::number("Δd", "µm"), &motion.delta_d_um, 3),
-        (Column::number("Δφ_2", "µrad"), &motion.delta_phi_2_urad, 3),
-    ];
-    Ok(vec![
-        figure(svg, "Corrections beside the rolling motion of the electronic gearbox."),
-        Block::Table(thinned("Grinding motion", columns)),
-    ])
+    let mut blocks = vec![figure(svg, "Corrections beside the rolling motion of the electronic gearbox.")];
+    let tables = motions.iter().map(|motion| {
+        let columns = [
+            (Column::number("z_V2", "mm"), &motion.z_v2_mm, 3),
+            (Column::number("z_V1", "mm"), &motion.z_v1_mm, 4),
+            (Column::number("Δd", "µm"), &motion.delta_d_um, 3),
+            (Column::number("Δφ_2", "µrad"), &motion.delta_phi_2_urad, 3),
+        ];
+        let caption = match motions {
+            [_] => "Grinding motion".to_owned(),
+            _ => format!("Grinding motion, {}", motion.flanks),
+        };
+        thinned(&caption, columns)
+    });
+    blocks.push(Block::Tables(tables.collect()));
+    Ok(blocks)
 }
 
 pub(super) fn dressing(motions: &Sides<Option<DressingMotion>>) -> Result<Vec<Block>, ChartError> {

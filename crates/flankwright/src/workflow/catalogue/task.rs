@@ -40,8 +40,8 @@ impl Task {
                 .way_out("add `[catalogue]` with `file`, instead of `[worm]` and `[dresser]`");
             return Err(RunFailure::bad_input(finding));
         };
-        let gear = gear_of_job(job).map_err(RunFailure::bad_input)?;
-        let blank = blank_of_job(job);
+        let gear = gear_of_job(&job.gear).map_err(RunFailure::bad_input)?;
+        let blank = blank_of_job(&job.gear);
         blank.check(&gear).map_err(|e| RunFailure::bad_input(geometry_finding(&e, "gear")))?;
         let (worms, dressers) = bodies(job, &catalogue.catalogue);
         check_count(worms.len().saturating_mul(dressers.len()))?;

@@ -43,7 +43,7 @@ impl Variant {
             changed.job.worm.cone_angle_deg = angle;
         }
         if let Some(angle) = self.crossed_axes_angle_deg {
-            let gear = gear_of_job(&changed.job).map_err(|finding| Refused::from(&finding))?;
+            let gear = gear_of_job(&changed.job.gear).map_err(|finding| Refused::from(&finding))?;
             let worm = worm_at_crossing_angle(&gear, &worm_choice_of_job(&changed.job), angle.to_radians())
                 .map_err(|e| Refused::from(&e))?;
             let pitch = worm.pitch_diameter.unwrap_or_default();

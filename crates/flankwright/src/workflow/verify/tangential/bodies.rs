@@ -4,7 +4,7 @@ use super::super::expected::{Expected, numbers};
 use super::super::gear_sets::Hand;
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
-use super::{Outcome, Setup, UM, compare_table, with_setup};
+use super::{Outcome, Setup, UM, with_setup};
 use crate::contact::Measure;
 use crate::geometry::{Flank, Gear, GearData, Revolution, Sides};
 use crate::process::tangential_dressing::{
@@ -157,7 +157,7 @@ fn points(setup: &Setup<'_>, item: &mut Expected<'_>, ledger: &mut Ledger) -> Ou
     ledger.equal(item.case(), "order", order, "[iR][iZ]".into());
     let weights: Vec<f64> =
         grid.points().map(|(w, z)| Weights::Source.at(&setup.model, flank, w, z)).collect();
-    compare_table(item, "weights", (&weights, grid.z.len()), share, ledger);
+    item.table("weights", (&weights, grid.z.len()), share, ledger);
     Ok(())
 }
 

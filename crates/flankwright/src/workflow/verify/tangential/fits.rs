@@ -3,12 +3,12 @@
 use super::super::expected::Expected;
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
-use super::{Outcome, Setup, UM, compare_table, given_settings, given_sign, given_variables, with_setup};
+use super::{Outcome, Setup, UM, given_settings, given_sign, given_variables, with_setup};
 use crate::contact::Measure;
 use crate::geometry::Flank;
 use crate::process::tangential_dressing::{
-    EdgeAmounts, FitGrid, FitMethod, FitTask, Judged, ProfileKind, TangentialError, TangentialModel,
-    TangentialSettings, Variable, Weights,
+    EdgeAmounts, FitGrid, FitLimits, FitMethod, FitTask, Judged, ProfileKind, TangentialError,
+    TangentialModel, TangentialSettings, Variable, Weights,
 };
 use serde_json::Value;
 use std::error::Error;
@@ -98,7 +98,7 @@ fn one_flank(
         measure: Measure::Arc,
         grid: if of_source { COARSE } else { OWN },
         weights: if of_source { Weights::Source } else { Weights::Uniform },
-        cut: 1e-10,
+        limits: FitLimits::SOURCE,
     };
     let coarse = &task.judge_beyond_tool(&listed, COARSE)?[0];
     let dense = &task.judge_beyond_tool(&listed, DENSE)?[0];
@@ -109,7 +109,7 @@ fn one_flank(
 
     let um = within("forward_m_um", CONTINUED_UM);
     let errors: Vec<f64> = coarse.error.iter().map(|e| e / UM).collect();
-    compare_table(entry, "residual_5x5_um", (&errors, coarse.grid.z.len()), um, ledger);
+    entry.table("residual_5x5_um", (&errors, coarse.grid.z.len()), um, ledger);
     let residuals = [
         ("max_5x5_um", coarse.largest() / UM),
         ("rms_5x5_um", coarse.rms() / UM),
@@ -269,7 +269,7 @@ fn two_flanks(
         measure: Measure::Arc,
         grid: OWN,
         weights: Weights::Uniform,
-        cut: 1e-10,
+        limits: FitLimits::SOURCE,
     };
     let keys = ["max_41x41_um", "rms_41x41_um"];
     for (key, found) in keys.into_iter().zip(residuals(&task, &listed, &keys)?) {

@@ -3,7 +3,7 @@
 use super::super::expected::Expected;
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
-use super::{Outcome, Setup, UM, compare_table, given_settings, name_in_files, table, with_setup};
+use super::{Outcome, Setup, UM, given_settings, name_in_files, with_setup};
 use crate::contact::Measure;
 use crate::geometry::Flank;
 use crate::process::tangential_dressing::{
@@ -114,7 +114,7 @@ fn sensitivities(
             let found: Vec<f64> = by.column(j).iter().map(|by| amount * by).collect();
             let largest = by.column(j).amax().max(NOTHING);
             let within = share.map_or(setup.tolerances.get("table3_um"), |share| share * largest);
-            compare_table(&mut entries, key, (&found, columns), within, ledger);
+            entries.table(key, (&found, columns), within, ledger);
         }
         entries.finish(ledger);
     }
@@ -130,13 +130,9 @@ fn finite(
     tolerance: f64,
     ledger: &mut Ledger,
 ) {
-    let Some(value) = entries.take(key) else { return };
-    let Some(expected) = table(value, grid.w.len(), grid.z.len()) else {
-        ledger.fail(entries.case(), key, value.clone(), "a table over the file's points".into());
-        return;
-    };
+    let Some(expected) = entries.take_table(key, [grid.w.len(), grid.z.len()], ledger) else { return };
     for (k, ((w, z), expected)) in grid.points().zip(expected).enumerate() {
-        let name = format!("table3_finite_um.{key}[{}][{}]", k / grid.z.len(), k % grid.z.len());
+        let name = entries.name(&format!("{key}[{}][{}]", k / grid.z.len(), k % grid.z.len()));
         let found = flank.solve_beyond_tool(&RollGrid { w: vec![w], z: vec![z] });
         let found = found.map(|points| points[0].deviation / UM);
         match (expected.as_f64(), found) {
@@ -169,7 +165,7 @@ fn forward(
     for (measure, key) in [(Measure::Arc, "m_arc_um"), (Measure::Ray, "m_ray_um")] {
         let points = ground(&setup.model, flank, &settings, measure).solve(grid)?;
         let found: Vec<f64> = points.iter().map(|p| p.deviation / UM).collect();
-        compare_table(entry, key, (&found, columns), within, ledger);
+        entry.table(key, (&found, columns), within, ledger);
         if measure == Measure::Arc {
             let positions: Vec<f64> = points.iter().map(|p| p.position).collect();
             entry.list("x_D", &positions, setup.tolerances.get("contact_s_xD_z_mm"), ledger);

@@ -3,7 +3,7 @@
 use super::super::expected::Expected;
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
-use super::{Outcome, Setup, UM, compare_table, given_settings, given_sign, name_in_files, with_setup};
+use super::{Outcome, Setup, UM, given_settings, given_sign, name_in_files, with_setup};
 use crate::contact::Measure;
 use crate::geometry::Flank;
 use crate::process::tangential_dressing::{
@@ -76,7 +76,7 @@ fn crowned(setup: &Setup<'_>, case: &mut Expected<'_>, ledger: &mut Ledger) -> O
             case.number("simulated_twist_um", found.twist / UM, twist, ledger);
             let in_um: Vec<f64> = found.deviations.iter().map(|m| m / UM).collect();
             let within = setup.tolerances.get("forward_m_um");
-            compare_table(case, "m_um", (&in_um, columns), within, ledger);
+            case.table("m_um", (&in_um, columns), within, ledger);
             let pure = EdgeAmounts { lead_crowning: crowning, ..EdgeAmounts::default() };
             let apart = places.points().zip(&found.deviations);
             let apart =

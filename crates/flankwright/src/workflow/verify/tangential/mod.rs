@@ -114,34 +114,6 @@ fn given_sign(item: &mut Expected<'_>, ledger: &mut Ledger) -> Option<Flank> {
     flank
 }
 
-/// A table `[row][column]` of numbers as one list; `None` if it has another shape.
-fn table(value: &Value, rows: usize, columns: usize) -> Option<Vec<&Value>> {
-    let lists: Option<Vec<&Vec<Value>>> = value.as_array()?.iter().map(Value::as_array).collect();
-    let lists = lists.filter(|lists| lists.len() == rows && lists.iter().all(|row| row.len() == columns))?;
-    Some(lists.into_iter().flatten().collect())
-}
-
-/// Compares a table `[row][column]` with values in that order.
-fn compare_table(
-    item: &mut Expected<'_>,
-    key: &str,
-    (actual, columns): (&[f64], usize),
-    tolerance: f64,
-    ledger: &mut Ledger,
-) {
-    let Some(value) = item.take(key) else { return };
-    let expected = table(value, actual.len() / columns.max(1), columns);
-    let expected: Option<Vec<f64>> = expected.and_then(|list| list.into_iter().map(Value::as_f64).collect());
-    let Some(expected) = expected else {
-        ledger.fail(item.case(), key, value.clone(), "a table of numbers over the file's points".into());
-        return;
-    };
-    for (k, (e, a)) in expected.iter().zip(actual).enumerate() {
-        let name = format!("{key}[{}][{}]", k / columns, k % columns);
-        ledger.number(item.case(), &name, *e, *a, tolerance);
-    }
-}
-
 /// A refusal in the files' words.
 fn name_in_files(error: &TangentialError) -> &'static str {
     match error {

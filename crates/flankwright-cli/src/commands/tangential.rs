@@ -1,0 +1,111 @@
+//! `plan` and `simulate` of tangential dressing: runs the job, writes its files, prints a summary.
+
+use std::fmt::Write;
+use std::path::PathBuf;
+
+use flankwright::exchange::LoadedTangentialJob;
+use flankwright::workflow::tangential::{
+    TangentialOutcome, TangentialResult, plan_tangential, simulate_tangential, write_tangential,
+};
+use flankwright::workflow::{RunFailure, Status};
+
+use super::outcome::{Verdict, conclude, fixed, refuse, unwritten};
+use crate::arguments::CommonArguments;
+use crate::exit::Exit;
+use crate::failure::Failure;
+use crate::output;
+use crate::progress::Bars;
+
+/// Plans the job, writes its files and prints a summary.
+///
+/// # Errors
+/// Everything that is wrong with the job, a target that these bodies cannot make, files that cannot be written.
+pub fn plan(loaded: &LoadedTangentialJob, common: &CommonArguments) -> Result<Exit, Failure> {
+    let bars = Bars::new(common.quiet);
+    let planned = plan_tangential(loaded, &bars);
+    bars.finish();
+    deliver(loaded, common, planned)
+}
+
+/// Runs the settings of the job, writes its files and prints a summary.
+///
+/// # Errors
+/// As [`plan`]; a job without settings.
+pub fn simulate(loaded: &LoadedTangentialJob, common: &CommonArguments) -> Result<Exit, Failure> {
+    let bars = Bars::new(common.quiet);
+    let simulated = simulate_tangential(loaded, &bars);
+    bars.finish();
+    deliver(loaded, common, simulated)
+}
+
+fn deliver(
+    loaded: &LoadedTangentialJob,
+    common: &CommonArguments,
+    run: Result<TangentialOutcome, RunFailure>,
+) -> Result<Exit, Failure> {
+    let job = &loaded.job;
+    let directory = output::directory(common, loaded, &job.job);
+    let outcome =
+        run.map_err(|failure| refuse(loaded, &job.job, job.target.tolerance_um, failure, &directory))?;
+    let written = write_tangential(job, &outcome, &directory).map_err(unwritten)?;
+    let result = &outcome.result;
+    let verdict = Verdict { job: &result.job, status: result.status, reason: result.reason.as_ref() };
+    conclude(common, result, verdict, || summary(result, &written))
+}
+
+fn summary(result: &TangentialResult, written: &[PathBuf]) -> String {
+    let mut text = String::new();
+    let worst = result.flanks.values().map(|f| f.flank.max_deviation_um).fold(0.0, f64::max);
+    let verdict = match result.status {
+        Status::Met => "target met".to_owned(),
+        Status::Missed => format!("target MISSED, largest deviation {worst:.3} um"),
+    };
+    // Writing to a text cannot fail.
+    let _ = writeln!(text, "{}: {verdict} (tolerance {} um)", result.job, result.tolerance_um);
+    if let Some(reason) = &result.reason {
+        let _ = writeln!(text, "  {}", reason.text);
+        let _ = writeln!(text, "  way out: {}", reason.way_out);
+    }
+    for pass in &result.passes {
+        let names: Vec<String> =
+            pass.variables.iter().map(|v| format!("{} {}", v.name, fixed(v.value, 5))).collect();
+        let _ = writeln!(
+            text,
+            "  {}: {} variables by {} in {} rounds: {}",
+            pass.flanks.join(" and "),
+            names.len(),
+            pass.method,
+            pass.rounds,
+            names.join(", ")
+        );
+    }
+    for (flank, f) in &result.flanks {
+        let [from, to] = f.dresser_position_mm;
+        let _ = writeln!(
+            text,
+            "  {flank:<5} deviation max {:.4} um, rms {:.4} um; analytic against referee {:.2e} um, without a surface between the stages {:.1e} um",
+            f.flank.max_deviation_um,
+            f.flank.rms_deviation_um,
+            f.flank.model_difference_um,
+            f.sample_difference_um
+        );
+        let _ = writeln!(text, "        dresser from {from:.2} to {to:.2} mm on the worm");
+        if let Some(radial) = &f.radial_feed {
+            let left = radial
+                .max_deviation_um
+                .map_or_else(|| "no flank".to_owned(), |um| format!("up to {um:.3} um off"));
+            let twist = radial.twist_normal_um.unwrap_or(radial.closed_twist_normal_um);
+            let _ = writeln!(text, "        radial feed would leave {} um of twist, {left}", fixed(twist, 3));
+        }
+    }
+    for warning in &result.warnings {
+        let _ = writeln!(text, "  warning: {} ({})", warning.text, warning.way_out);
+    }
+    let total: f64 = result.timing_s.values().sum();
+    let stages: Vec<String> = result.timing_s.iter().map(|(stage, s)| format!("{stage} {s:.2} s")).collect();
+    let _ = writeln!(text, "  time {total:.2} s ({})", stages.join(", "));
+    if let Some(report) = written.last() {
+        let _ = writeln!(text, "  report: {}", report.display());
+    }
+    text
+}

@@ -1,0 +1,88 @@
+//! The referee's run on a flank of tangential dressing: rays of the worm against the dresser, rays of the gear against the worm that
+//! those left; and a sample that asks the dresser at every point. Only bodies and motions enter here.
+
+use crate::metrology::Topography;
+use crate::numerics::{Progress, Silent};
+use crate::process::tangential_dressing::{TangentialFlank, TangentialStrokes};
+use crate::removal::{
+    ActiveThreads, Dressing, ExactWorm, Grinding, GrindingMode, RayGrid, RemovalError, WormArea,
+    WormModification, grind,
+};
+use crate::workflow::finding::RunFailure;
+use crate::workflow::referee::{StageReport, Verdict, most_stock, rayed, stock};
+
+/// Distance of the outermost worm rays from the ends of the dressed length, mm.
+const WORM_MARGIN: f64 = 0.5;
+/// Points of the sample over the profile and over the face.
+const SAMPLE: usize = 5;
+
+/// Both calculations beside the plan.
+pub struct Refereed {
+    /// The flank by rays.
+    pub verdict: Verdict,
+    /// Lengths of roll, axial positions and lengths left of a sample, mm, by rays without a surface between the stages.
+    pub sample: (RayGrid, Vec<f64>),
+    /// Bound of the sample's own error, um.
+    pub sample_error_um: f64,
+}
+
+/// Runs both stages.
+///
+/// # Errors
+/// Those of the stages, and a dressing motion that is none.
+pub fn referee(
+    flank: &TangentialFlank<'_>,
+    strokes: &TangentialStrokes,
+    target: &Topography,
+    progress: &dyn Progress,
+) -> Result<Refereed, RunFailure> {
+    let (motion, shift_range) = flank.dressing_motion(strokes.dressing).map_err(|e| RunFailure::from(&e))?;
+    let refused = |e: RemovalError| RunFailure::of_removal(&e, "grinding");
+    let dresser = flank.dresser();
+    let stock = stock(flank.worm(), target.largest().max(strokes.worm_modification));
+    // In the corners of the worm's rectangle, which grind nothing, powers of the motions run far.
+    let stage = Dressing {
+        worm: flank.worm(),
+        dresser: &dresser,
+        motion: &motion,
+        shift_range,
+        stock: most_stock(flank.worm()),
+    };
+    let [from, to] = strokes.worm_faces;
+    let dressed = rayed(&[stage], strokes.worm_rolls, [from + WORM_MARGIN, to - WORM_MARGIN], progress)
+        .map_err(refused)?;
+    let exact = ExactWorm::new(&stage, dressed.surface.clone()).map_err(refused)?;
+    let run =
+        |area: WormArea, modification: &dyn WormModification, grid: &RayGrid, progress: &dyn Progress| {
+            let grinding = Grinding {
+                worm: flank.worm(),
+                area,
+                modification,
+                work: flank.work(),
+                motion: flank.motion(),
+                feed_range: strokes.feed,
+                stock,
+                threads: ActiveThreads::All,
+                mode: GrindingMode::Continuous,
+            };
+            grind(&grinding, grid, progress)
+        };
+    let grid = RayGrid::new(target.w.clone(), target.z.clone()).map_err(refused)?;
+    let ground = run(dressed.area, &dressed.surface, &grid, progress).map_err(refused)?;
+    let ends = |x: &[f64]| [x[0], x[x.len() - 1]];
+    let sample = RayGrid::equidistant(ends(&target.w), SAMPLE, ends(&target.z), SAMPLE).map_err(refused)?;
+    let asked = run(dressed.area, &exact, &sample, &Silent).map_err(refused)?;
+    Ok(Refereed {
+        verdict: Verdict {
+            simulated: Topography { f: ground.lengths().map_err(refused)?, ..target.clone() },
+            dressing: Some(StageReport {
+                statistics: dressed.statistics,
+                error_um: dressed.surface.error_um,
+            }),
+            grinding: StageReport { statistics: ground.statistics, error_um: ground.error_um },
+            feed_mark: None,
+        },
+        sample_error_um: asked.error_um,
+        sample: (sample, asked.lengths().map_err(refused)?),
+    })
+}
