@@ -17,13 +17,15 @@ pub struct SvdLoop {
     pub least: f64,
     /// Converged when the weighted root mean square changes by less than this share.
     pub change: f64,
+    /// A weighted root mean square that is as good as none: below it only rounding changes.
+    pub exact: f64,
     /// Most rounds.
     pub rounds: usize,
 }
 
 impl Default for SvdLoop {
     fn default() -> Self {
-        Self { cut: 1e-10, damping: None, live: 1e-7, least: 0.0, change: 1e-6, rounds: 60 }
+        Self { cut: 1e-10, damping: None, live: 1e-7, least: 0.0, change: 1e-6, exact: 0.0, rounds: 60 }
     }
 }
 
@@ -130,7 +132,7 @@ pub fn svd_loop<E>(
             best = (x.clone(), residual.clone(), now);
         }
         damping *= if options.damping.is_some() { 0.1 } else { 1.0 };
-        if (before - now).abs() <= options.change * before {
+        if (before - now).abs() <= options.change * before || now <= options.exact {
             converged = true;
             break;
         }
@@ -230,6 +232,14 @@ mod tests {
             assert!((report.x[0] - 2.0).abs() < 1e-9 && (report.x[1] + 0.7).abs() < 1e-9);
             assert_eq!(report.x[2], 5.0);
         }
+    }
+
+    #[test]
+    fn an_exact_fit_is_an_end() {
+        let start = DVector::from_vec(vec![1.0, 1.4, 5.0]);
+        let options = SvdLoop { exact: 1e-9, ..SvdLoop::default() };
+        let report = svd_loop(start, &[1.0; 6], &options, rows).unwrap();
+        assert!(report.converged && report.weighted_rms <= 1e-9 && report.rounds.len() < 20);
     }
 
     #[test]

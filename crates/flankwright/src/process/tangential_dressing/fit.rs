@@ -156,6 +156,9 @@ impl Judged {
 /// flank.
 const NO_EFFECT: f64 = 1e-9;
 
+/// Weighted rms at which a flank is what is wanted but for the rounding of the contact, mm.
+const EXACT: f64 = 1e-11;
+
 /// The length of a column of such effects.
 fn least_effect(places: &Places) -> f64 {
     NO_EFFECT * (places.weights.len() as f64).sqrt()
@@ -289,7 +292,7 @@ impl FitTask<'_> {
         };
         let FitLimits { cut, live, rounds } = self.limits;
         let least = least_effect(places);
-        let options = SvdLoop { damping, cut, live, least, rounds, ..SvdLoop::default() };
+        let options = SvdLoop { damping, cut, live, least, exact: EXACT, rounds, ..SvdLoop::default() };
         let report = svd_loop(start, &places.weights, &options, rows).map_err(|error| match error {
             SvdLoopError::Start(why) => why,
             SvdLoopError::NoLiveColumn => nothing(),

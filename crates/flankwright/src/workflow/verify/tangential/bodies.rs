@@ -141,7 +141,7 @@ fn placed(setup: &Setup<'_>, item: &mut Expected<'_>, ledger: &mut Ledger) {
 
 /// Block `grid`.
 pub(in super::super) fn grid(file: &Reference<'_>, block: &Value, ledger: &mut Ledger) {
-    with_setup("grid", file, block, ledger, |setup, item, ledger| points(setup, item, ledger));
+    with_setup("grid", file, block, ledger, points);
 }
 
 fn points(setup: &Setup<'_>, item: &mut Expected<'_>, ledger: &mut Ledger) -> Outcome {

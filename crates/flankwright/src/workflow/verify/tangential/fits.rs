@@ -160,7 +160,8 @@ fn rounds(
         entry.list_relative_to_largest("singular_values_last", &found, SINGULAR, ledger);
     }
     // `null` where the file's fit did not start from nothing.
-    if entry.peek("rank_first").is_some_and(|rank| !rank.is_null()) {
+    let rank_is_listed = entry.peek("rank_first").is_some_and(|rank| !rank.is_null());
+    if rank_is_listed || entry.peek("start").is_some_and(|start| start == "zero") {
         let from_nothing = task.fit(free, &vec![0.0; free.len()], FitMethod::Plain)?;
         let rank = from_nothing.rounds.first().map_or(f64::NAN, |round| round.rank as f64);
         entry.number("rank_first", rank, 0.0, ledger);
