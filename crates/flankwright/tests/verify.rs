@@ -75,6 +75,12 @@ fn dressing_passes_whole() {
 }
 
 #[test]
+fn tangential_dressing_passes_whole() {
+    let report = passes("40-tdm.json", 2900);
+    assert_eq!((report.schema, report.not_covered.len()), (Schema::TangentialDressing, 0));
+}
+
+#[test]
 fn files_to_come_are_recognised_and_listed() {
     let shapes = [
         (json!({"errors": content("10-gears.json")["errors"]}), Schema::Gears),
@@ -338,6 +344,91 @@ fn every_changed_number_of_other_worms_is_noticed() {
     }
 }
 
+/// The tangential file with some of its blocks, shortened so that a check is quick.
+fn tangential(blocks: &[&str]) -> Value {
+    let mut root = content("40-tdm.json");
+    let common = ["topic", "units", "input", "tolerance", "grid"];
+    root.as_object_mut()
+        .unwrap()
+        .retain(|key, _| common.contains(&key.as_str()) || blocks.contains(&key.as_str()));
+    let retain = |value: &mut Value, keys: &[&str]| {
+        value.as_object_mut().unwrap().retain(|key, _| keys.contains(&key.as_str()));
+    };
+    for side in blocks.iter().filter(|block| ["left", "right"].contains(*block)) {
+        let side = &mut root[*side];
+        retain(&mut side["sensitivity_per_mm_or_rad"], &["gA0", "gam0", "FC2"]);
+        retain(&mut side["table3_linear_um"], &["v5_Fz3"]);
+        retain(&mut side["table3_finite_um"], &["v9_FC3"]);
+        side["forward"].as_array_mut().unwrap().remove(0);
+    }
+    if blocks.contains(&"two_flank_same_motions") {
+        retain(&mut root["two_flank_same_motions"], &["C10_radial_pair"]);
+        let target = root["examples"]["ex1_C10"]["target_mm"].clone();
+        root["examples"] = json!({"ex1_C10": {"flank": -1, "target_mm": target}});
+    } else if blocks.contains(&"examples") {
+        retain(&mut root["examples"], &["ex1_C100"]);
+        retain(&mut root["examples"]["ex1_C100"], &["flank", "target_mm", "paper9", "small_set_kappa0"]);
+    }
+    assert_eq!(check(&root).failed, 0);
+    root
+}
+
+#[test]
+fn every_changed_number_of_tangential_dressing_is_noticed() {
+    // How two sources agreed and how long the file's fit took; the other flank's side of the dresser.
+    let immaterial = ["/brute_minus_kernel_max_um", "/iterations", "/left/forward/0/variables/FpR1"];
+    notices_every_number(&tangential(&["machine", "left"]), "/input", &[]);
+    for block in ["machine", "grid", "dresser_profile", "left", "right", "twist_conventional", "examples"] {
+        notices_every_number(&tangential(&[block]), &format!("/{block}"), &immaterial);
+    }
+    let shared = tangential(&["examples", "two_flank_same_motions"]);
+    notices_every_number(&shared, "/two_flank_same_motions", &[]);
+}
+
+#[test]
+fn changed_words_and_gaps_of_tangential_dressing_are_noticed() {
+    let fails = |blocks: &[&str], pointer: &str, value: Value| {
+        let mut changed = tangential(blocks);
+        *changed.pointer_mut(pointer).unwrap() = value;
+        assert!(check(&changed).failed > 0, "{pointer}");
+    };
+    fails(&["machine"], "/input/hand1", json!("right"));
+    fails(&["grid"], "/grid/order", json!("[iZ][iR]"));
+    // Undercut where there is none, and none where there is.
+    fails(&["right"], "/right/table3_finite_um/v9_FC3/2/2", json!(null));
+    fails(&["right"], "/right/table3_finite_um/v9_FC3/0/0", json!(-94.0));
+    fails(&["undercut"], "/undercut/0/error", json!("OutsideTool"));
+    fails(&["undercut"], "/undercut/0/variables/Fp3", json!(-0.005));
+    fails(&["undercut"], "/undercut/1/Z", json!(0.0));
+    fails(&["undercut"], "/undercut/1/flank", json!("left"));
+    let first = "/twist_conventional/cases/2/error";
+    fails(&["twist_conventional"], first, json!("Undercut: undercut or no contact: 2 of 25 points"));
+    fails(&["examples"], "/examples/ex1_C100/paper9/variables", json!({"Fq1": 0.0}));
+    fails(&["examples"], "/examples/ex1_C100/paper9/rank_first", json!(9));
+    fails(&["examples"], "/examples/ex1_C100/target_mm", json!({"r2": 0.005, "z2": 0.1, "z9": 0.0}));
+    for (blocks, place) in [
+        (&["left"][..], "/left"),
+        (&["left"], "/left/forward/0"),
+        (&["machine"], "/machine"),
+        (&["grid"], "/grid"),
+        (&["undercut"], "/undercut/0"),
+        (&["twist_conventional"], "/twist_conventional/cases/0"),
+        (&["examples"], "/examples/ex1_C100/paper9"),
+        (&["examples", "two_flank_same_motions"], "/two_flank_same_motions/C10_radial_pair"),
+    ] {
+        let mut changed = tangential(blocks);
+        changed.pointer_mut(place).unwrap()["roughness_um"] = json!(0.1);
+        assert_eq!(check(&changed).failed, 1, "{place}");
+    }
+    // Residuals that no fit reaches.
+    for (key, value) in [("max_41x41_um", 0.05), ("rms_41x41_um", 0.01)] {
+        let mut changed = tangential(&["examples", "two_flank_same_motions"]);
+        changed["two_flank_same_motions"]["C10_radial_pair"][key] = json!(value);
+        let report = check(&changed);
+        assert!(report.failures.iter().any(|f| f.quantity == format!("{key} of a fit")), "{report:?}");
+    }
+}
+
 #[test]
 fn a_changed_plan_is_noticed() {
     let mut root = content("28-planning.json");
@@ -587,6 +678,21 @@ fn places(value: &Value, pointer: String, found: &mut Vec<String>) {
     found.push(pointer);
 }
 
+/// The tangential file with the block of a place, or with what is quick where the place concerns all of them.
+fn with_tangential_block(whole: &Value, place: &str) -> Value {
+    let own = place.split('/').nth(1).unwrap_or_default();
+    let common = ["topic", "units", "input", "tolerance", "grid"];
+    let quick = ["machine", "dresser_profile", "undercut"];
+    let mut root = whole.clone();
+    root.as_object_mut().unwrap().retain(|key, _| {
+        let key = key.as_str();
+        key == own
+            || common.contains(&key)
+            || (common.contains(&own) || own.is_empty()) && quick.contains(&key)
+    });
+    root
+}
+
 /// One case of every block, so that a check is quick.
 fn shortened(name: &str) -> Value {
     let mut root = content(name);
@@ -603,6 +709,11 @@ fn shortened(name: &str) -> Value {
             for key in ["profile", "three_point", "conditions"] {
                 first(&mut root["cases"][0][key], 2);
             }
+        }
+        "40-tdm.json" => {
+            let blocks = ["machine", "dresser_profile", "left", "undercut", "twist_conventional", "examples"];
+            root = tangential(&blocks);
+            first(&mut root["twist_conventional"]["cases"], 3);
         }
         _ => {
             let one_each = [
@@ -641,7 +752,13 @@ fn damaged_files_end_in_a_report_or_an_error() {
         json!({}),
         json!([[1e9]]),
     ];
-    for name in ["10-gears.json", "20-generating-contact.json", "25-modifications.json", "30-dressing.json"] {
+    for name in [
+        "10-gears.json",
+        "20-generating-contact.json",
+        "25-modifications.json",
+        "30-dressing.json",
+        "40-tdm.json",
+    ] {
         let whole = shortened(name);
         assert_eq!(check(&whole).failed, 0);
         let mut found = Vec::new();
@@ -652,6 +769,7 @@ fn damaged_files_end_in_a_report_or_an_error() {
             let root = match block {
                 Some("input") if name == "30-dressing.json" => with_block(&whole, "profile"),
                 Some(block) if name == "30-dressing.json" => with_block(&whole, block),
+                _ if name == "40-tdm.json" => with_tangential_block(&whole, place),
                 _ => whole.clone(),
             };
             for damage in [&damages[k % damages.len()], &damages[(k + 4) % damages.len()]] {
@@ -661,9 +779,12 @@ fn damaged_files_end_in_a_report_or_an_error() {
                     Ok(report) => {
                         let number = root.pointer(place).unwrap().is_number();
                         let exempt = place.contains("step_error") && place.ends_with("simulated_um")
-                            || place.ends_with("brute_minus_kernel_um");
-                        let expected =
-                            place.contains("/expected/") && number && !damage.is_number() && !exempt;
+                            || place.ends_with("brute_minus_kernel_um")
+                            || place.ends_with("brute_minus_kernel_max_um")
+                            || place.ends_with("/iterations");
+                        let figure = place.contains("/expected/")
+                            || name == "40-tdm.json" && !place.starts_with("/tolerance");
+                        let expected = figure && number && !damage.is_number() && !exempt;
                         assert!(!expected || report.failed > 0, "{name}{place} -> {damage} went unnoticed");
                     }
                     Err(error) => assert_eq!(error.code(), "unknown-schema"),

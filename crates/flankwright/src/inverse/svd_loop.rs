@@ -13,15 +13,19 @@ pub struct SvdLoop {
     pub damping: Option<f64>,
     /// Columns shorter than this share of the longest are left alone for a round.
     pub live: f64,
+    /// Columns of which the longest is no longer than this move nothing.
+    pub least: f64,
     /// Converged when the weighted root mean square changes by less than this share.
     pub change: f64,
+    /// A weighted root mean square that is as good as none: below it only rounding changes.
+    pub exact: f64,
     /// Most rounds.
     pub rounds: usize,
 }
 
 impl Default for SvdLoop {
     fn default() -> Self {
-        Self { cut: 1e-10, damping: None, live: 1e-7, change: 1e-6, rounds: 60 }
+        Self { cut: 1e-10, damping: None, live: 1e-7, least: 0.0, change: 1e-6, exact: 0.0, rounds: 60 }
     }
 }
 
@@ -128,7 +132,7 @@ pub fn svd_loop<E>(
             best = (x.clone(), residual.clone(), now);
         }
         damping *= if options.damping.is_some() { 0.1 } else { 1.0 };
-        if (before - now).abs() <= options.change * before {
+        if (before - now).abs() <= options.change * before || now <= options.exact {
             converged = true;
             break;
         }
@@ -162,7 +166,7 @@ impl Step {
         let mut norms: Vec<f64> = a.column_iter().map(|c| c.norm()).collect();
         let longest = norms.iter().copied().fold(0.0, f64::max);
         // Written so that NaN is no live column.
-        if !(longest > 0.0 && longest.is_finite() && right.iter().all(|x| x.is_finite())) {
+        if !(longest > options.least && longest.is_finite() && right.iter().all(|x| x.is_finite())) {
             return None;
         }
         for (mut column, norm) in a.column_iter_mut().zip(&mut norms) {
@@ -231,6 +235,14 @@ mod tests {
     }
 
     #[test]
+    fn an_exact_fit_is_an_end() {
+        let start = DVector::from_vec(vec![1.0, 1.4, 5.0]);
+        let options = SvdLoop { exact: 1e-9, ..SvdLoop::default() };
+        let report = svd_loop(start, &[1.0; 6], &options, rows).unwrap();
+        assert!(report.converged && report.weighted_rms <= 1e-9 && report.rounds.len() < 20);
+    }
+
+    #[test]
     fn what_cannot_be_evaluated_or_moved_is_said() {
         let at = |b: f64| DVector::from_vec(vec![1.0, b, 0.0]);
         let options = SvdLoop::default();
@@ -240,6 +252,8 @@ mod tests {
         );
         let dead = |x: &DVector<f64>| rows(x).map(|(r, j)| (r, j * 0.0));
         assert_eq!(svd_loop(at(0.0), &[1.0; 6], &options, dead).unwrap_err(), SvdLoopError::NoLiveColumn);
+        let blind = SvdLoop { least: 10.0, ..options };
+        assert_eq!(svd_loop(at(0.0), &[1.0; 6], &blind, rows).unwrap_err(), SvdLoopError::NoLiveColumn);
         let nan = |x: &DVector<f64>| rows(x).map(|(r, j)| (r * f64::NAN, j));
         assert_eq!(svd_loop(at(0.0), &[1.0; 6], &options, nan).unwrap_err(), SvdLoopError::NoLiveColumn);
     }

@@ -98,6 +98,23 @@ pub struct Fit {
     pub converged: bool,
 }
 
+impl Fit {
+    /// The fit if it converged.
+    ///
+    /// # Errors
+    /// [`TangentialError::NotConverged`] with the best values, where it did not.
+    pub fn require_convergence(self) -> Result<Self, TangentialError> {
+        if self.converged {
+            return Ok(self);
+        }
+        Err(TangentialError::NotConverged {
+            rounds: self.rounds_in_all,
+            rms_um: self.weighted_rms * 1e3,
+            best: self.values,
+        })
+    }
+}
+
 /// A flank beside what is wanted of it, on a grid. mm.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Judged {
@@ -132,6 +149,18 @@ impl Judged {
     pub fn least_ratio(&self) -> f64 {
         self.points.iter().map(|p| p.determinant_ratio).fold(f64::INFINITY, f64::min)
     }
+}
+
+/// Effect on a point below which a variable moves nothing, mm per mm or rad: rounding, as of the crossed-axes angle of an unmodified
+/// flank.
+const NO_EFFECT: f64 = 1e-9;
+
+/// Weighted rms at which a flank is what is wanted but for the rounding of the contact, mm.
+const EXACT: f64 = 1e-11;
+
+/// The length of a column of such effects.
+fn least_effect(places: &Places) -> f64 {
+    NO_EFFECT * (places.weights.len() as f64).sqrt()
 }
 
 /// Residual, Jacobian: what a method works on.
@@ -261,7 +290,8 @@ impl FitTask<'_> {
             FitMethod::GaussNewton => return self.gauss_newton(places, free, start),
         };
         let FitLimits { cut, live, rounds } = self.limits;
-        let options = SvdLoop { damping, cut, live, rounds, ..SvdLoop::default() };
+        let least = least_effect(places);
+        let options = SvdLoop { damping, cut, live, least, exact: EXACT, rounds, ..SvdLoop::default() };
         let report = svd_loop(start, &places.weights, &options, rows).map_err(|error| match error {
             SvdLoopError::Start(why) => why,
             SvdLoopError::NoLiveColumn => nothing(),
@@ -289,7 +319,7 @@ impl FitTask<'_> {
         let (_, jacobian) = rows(&start)?;
         let norms: Vec<f64> = jacobian.column_iter().map(|c| c.norm()).collect();
         let longest = norms.iter().copied().fold(0.0, f64::max);
-        if longest <= 0.0 {
+        if longest <= least_effect(places) {
             return Err(TangentialError::NoLiveVariable { count: free.len() });
         }
         // A variable without effect at the start (a crossed-axes angle) keeps its own unit of a tenth of the most effective one.
@@ -301,25 +331,35 @@ impl FitTask<'_> {
             cut: self.limits.cut,
             iterations: self.limits.rounds,
         };
+        let rms = |residual: &DVector<f64>| {
+            let weighted = residual.iter().zip(&places.weights).map(|(r, w)| (r * w) * (r * w));
+            (weighted.sum::<f64>() / places.weights.len() as f64).sqrt()
+        };
+        // The method does not look back: where it loses its way, the best that it met is what it found.
+        let (mut best, mut evaluations) = ((f64::INFINITY, start.clone(), f64::INFINITY), 0);
         let found = gauss_newton(DVector::zeros(free.len()), Some(&places.weights), &options, |y| {
-            let (residual, mut jacobian) = rows(&unscaled(y)).ok()?;
+            evaluations += 1;
+            let x = unscaled(y);
+            let (residual, mut jacobian) = rows(&x).ok()?;
+            let now = rms(&residual);
+            if now < best.0 {
+                best = (now, x, residual.amax());
+            }
             for (mut column, unit) in jacobian.column_iter_mut().zip(&units) {
                 column *= *unit;
             }
             Some((residual, jacobian))
         });
-        let found = found.ok_or(TangentialError::NoLiveVariable { count: free.len() })?;
-        let weighted: f64 = found.residual.iter().zip(&places.weights).map(|(r, w)| (r * w) * (r * w)).sum();
-        let weighted_rms = (weighted / places.weights.len() as f64).sqrt();
+        let (weighted_rms, values, largest) = best;
         Ok(Fit {
             method: FitMethod::GaussNewton,
             steps: 1,
-            values: unscaled(&found.x).as_slice().to_vec(),
+            values: values.as_slice().to_vec(),
             weighted_rms,
-            largest: found.residual.amax(),
+            largest,
             rounds: Vec::new(),
-            rounds_in_all: found.iterations,
-            converged: found.converged,
+            rounds_in_all: found.as_ref().map_or(evaluations, |found| found.iterations),
+            converged: found.is_some_and(|found| found.converged),
         })
     }
 }

@@ -49,7 +49,8 @@ pub enum Weights {
 }
 
 impl Weights {
-    pub(super) fn at(self, model: &TangentialModel, flank: Flank, w: f64, z: f64) -> f64 {
+    /// The factor on the residual at a point of a flank.
+    pub fn at(self, model: &TangentialModel, flank: Flank, w: f64, z: f64) -> f64 {
         match self {
             Self::Uniform => 1.0,
             Self::Source => {

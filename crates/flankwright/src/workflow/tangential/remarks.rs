@@ -7,7 +7,7 @@ use super::settings::SettledPass;
 use crate::exchange::Diagnostic;
 use crate::exchange::tangential_job::TangentialJob;
 use crate::geometry::Sides;
-use crate::process::tangential_dressing::{Channel, Judged, Shape, TangentialError, Variable};
+use crate::process::tangential_dressing::{Channel, Judged, Shape, Variable};
 use crate::workflow::finding::{Remark, RunFailure};
 use std::collections::BTreeMap;
 
@@ -28,14 +28,8 @@ pub(super) fn flank_warnings(judged: &Judged) -> Option<Remark> {
 
 /// A fit that crawls within the tolerance is no matter.
 pub(super) fn pass_warning(plan: &PassPlan, tolerance: f64) -> Option<Remark> {
-    (!plan.fit.converged && plan.fit.largest > tolerance).then(|| {
-        let error = TangentialError::NotConverged {
-            rounds: plan.fit.rounds_in_all,
-            rms_um: plan.fit.weighted_rms * 1e3,
-            best: plan.fit.values.clone(),
-        };
-        Remark { code: error.code(), text: error.to_string(), way_out: error.way_out().into() }
-    })
+    let error = plan.fit.clone().require_convergence().err().filter(|_| plan.fit.largest > tolerance)?;
+    Some(Remark { code: error.code(), text: error.to_string(), way_out: error.way_out().into() })
 }
 
 /// What one pass for both flanks means (spec 40 section 5).

@@ -32,7 +32,8 @@ impl<'a> Expected<'a> {
         self.case = case.into();
     }
 
-    fn name(&self, key: &str) -> String {
+    /// The name of a quantity in the report, with its path inside the case.
+    pub fn name(&self, key: &str) -> String {
         if self.path.is_empty() { key.into() } else { format!("{}.{key}", self.path) }
     }
 
@@ -186,6 +187,45 @@ impl<'a> Expected<'a> {
         let expected = self.map.and_then(|m| m.get(key)).and_then(numbers).unwrap_or_default();
         let largest = expected.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
         self.list(key, actual, share * largest, ledger);
+    }
+
+    /// Takes a table `[row][column]` with that many rows and columns as one list; another shape is a failure and `None`.
+    pub fn take_table(
+        &mut self,
+        key: &str,
+        [rows, columns]: [usize; 2],
+        ledger: &mut Ledger,
+    ) -> Option<Vec<&'a Value>> {
+        let value = self.take(key)?;
+        let table: Option<Vec<&Vec<Value>>> =
+            value.as_array().and_then(|list| list.iter().map(Value::as_array).collect());
+        let fits =
+            |table: &Vec<&Vec<Value>>| table.len() == rows && table.iter().all(|row| row.len() == columns);
+        let table = table.filter(fits).map(|table| table.into_iter().flatten().collect());
+        if table.is_none() {
+            let found = format!("a table of {rows} rows and {columns} columns");
+            ledger.fail(&self.case, &self.name(key), value.clone(), found.into());
+        }
+        table
+    }
+
+    /// Compares a table `[row][column]` with values in that order.
+    pub fn table(
+        &mut self,
+        key: &str,
+        (actual, columns): (&[f64], usize),
+        tolerance: f64,
+        ledger: &mut Ledger,
+    ) {
+        let rows = actual.len() / columns.max(1);
+        let Some(expected) = self.take_table(key, [rows, columns], ledger) else { return };
+        for (k, (expected, &actual)) in expected.into_iter().zip(actual).enumerate() {
+            let name = self.name(&format!("{key}[{}][{}]", k / columns, k % columns));
+            match expected.as_f64() {
+                Some(number) => ledger.number(&self.case, &name, number, actual, tolerance),
+                None => ledger.fail(&self.case, &name, expected.clone(), actual.into()),
+            }
+        }
     }
 
     /// An object inside this one.

@@ -30,6 +30,7 @@ mod reference;
 mod report;
 mod schema;
 mod step_simulation;
+mod tangential;
 mod terms;
 mod variable_ratio;
 

@@ -6,7 +6,7 @@ use super::ledger::Ledger;
 use super::reference::Reference;
 use super::{
     areas, contact, decompositions, dressing, equal_ratio, gears, ground_flank, ground_modifications,
-    least_squares, modifications, planning, variable_ratio,
+    least_squares, modifications, planning, tangential, variable_ratio,
 };
 use serde::Serialize;
 use serde_json::Value;
@@ -169,17 +169,17 @@ impl Schema {
             Self::Dressing => const { &[Block::checked("cases", dressing::cases)] },
             Self::TangentialDressing => {
                 const {
-                    to_come![
-                        "input",
-                        "machine",
-                        "grid",
-                        "dresser_profile",
-                        "left",
-                        "right",
-                        "undercut",
-                        "twist_conventional",
-                        "examples",
-                        "two_flank_same_motions",
+                    &[
+                        Block::checked("input", tangential::input),
+                        Block::checked("machine", tangential::machine),
+                        Block::checked("grid", tangential::grid),
+                        Block::checked("dresser_profile", tangential::dresser_profile),
+                        Block::checked("left", tangential::left),
+                        Block::checked("right", tangential::right),
+                        Block::checked("undercut", tangential::undercut),
+                        Block::checked("twist_conventional", tangential::twist_conventional),
+                        Block::checked("examples", tangential::examples),
+                        Block::checked("two_flank_same_motions", tangential::two_flank_same_motions),
                     ]
                 }
             }
