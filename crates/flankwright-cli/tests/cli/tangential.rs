@@ -154,9 +154,12 @@ fn a_shared_pass_says_which_variables_cannot_crown_both_flanks() {
     assert!(way_out.contains("dressing.passes = \"each\""), "{way_out}");
 }
 
+/// A command, the code of its refusal, and what is changed in the template.
+type Case = (&'static str, &'static str, &'static [(&'static str, &'static str)]);
+
 #[test]
 fn limits_of_the_bodies_end_with_four() {
-    let cases: [(&str, &str, &[(&str, &str)]); 3] = [
+    let cases: [Case; 3] = [
         ("plan", "worm-too-short", &[("# width = 100.0", "width = 40.0")]),
         ("plan", "outside-tool", &[("tip_diameter = 123.0", "tip_diameter = 119.0")]),
         // Crowning of 50 um by radial feed (spec 40 section 11).

@@ -1,7 +1,7 @@
 //! What is said about a job: remarks, failures, and how errors of the layers below become findings on keys of the job. Knows
 //! no file and no body.
 
-use crate::exchange::Diagnostic;
+use crate::exchange::{Diagnostic, Problem};
 use crate::geometry::GeometryError;
 use crate::kinematics::LawError;
 use crate::modification::ModificationError;
@@ -39,6 +39,14 @@ impl RunFailure {
     /// A limit of the bodies.
     pub fn not_producible(finding: Diagnostic) -> Self {
         Self::NotProducible(Box::new(finding))
+    }
+
+    /// A job without the settings that `simulate` runs.
+    pub(super) fn no_settings() -> Self {
+        let finding = Diagnostic::new(Problem::MissingKey, "the job has no settings to simulate")
+            .field("settings")
+            .way_out("plan the job first: `flankwright plan` writes settings.json, which `simulate` takes");
+        Self::bad_input(finding)
     }
 
     /// A planning error that belongs to `field`, whatever key it has by itself.

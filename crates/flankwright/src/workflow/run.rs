@@ -86,10 +86,7 @@ pub fn simulate_job(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Outco
     let begun = Instant::now();
     let ready = prepared(loaded)?;
     let Some(settings) = &loaded.job.settings else {
-        let finding = Diagnostic::new(Problem::MissingKey, "the job has no settings to simulate")
-            .field("settings")
-            .way_out("plan the job first: `flankwright plan` writes settings.json, which `simulate` takes");
-        return Err(RunFailure::bad_input(finding));
+        return Err(RunFailure::no_settings());
     };
     let execution = Execution::of_settings(loaded, &ready, settings)?;
     let timing = BTreeMap::from([("prepare", begun.elapsed().as_secs_f64())]);

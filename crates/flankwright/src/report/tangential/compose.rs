@@ -248,6 +248,12 @@ fn sensitivities(maps: &[SensitivityMap]) -> Result<Vec<Block>, ChartError> {
         let (group, others) = rest.split_at(count);
         rest = others;
         let names: Vec<&str> = group.iter().map(|m| m.variable.as_str()).collect();
+        if group.iter().all(|m| m.map.range_um() == (0.0, 0.0)) {
+            let text =
+                format!("{}, {}: no effect of first order.", names.join(", "), first.flank.to_lowercase());
+            blocks.push(Block::Paragraph(text));
+            continue;
+        }
         let map = ContourMap {
             title: format!("Sensitivity to {}, {}", names.join(", "), first.flank.to_lowercase()),
             quantity: if first.unit.is_empty() { "dm/dc".into() } else { first.unit.clone() },

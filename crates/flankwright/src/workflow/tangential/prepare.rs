@@ -191,3 +191,28 @@ fn wanted_flank(
     let specs = target.modifications.as_deref().unwrap_or_default();
     specs_of_flank(loaded, specs, flank, &field).map(|m| WantedFlank::Modifications(Box::new(m)))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_words_of_jobs_are_those_of_the_process() {
+        let mut count = 0;
+        for variable in job::Variable::all() {
+            let own = variable_of(variable, "dressing.variables").unwrap();
+            assert_eq!(own.to_string(), variable.to_string());
+            assert_eq!(own.channel, channel_of(variable.channel(), "dressing.exclude").unwrap());
+            count += 1;
+        }
+        // All powers of all channels but the constant of a profile, which is a thickness.
+        let profiles = Channel::ALL.iter().filter(|c| matches!(c, Channel::Profile(_))).count();
+        assert_eq!(count, (Channel::ALL.len() - 1) * 10 - profiles + 1);
+        assert_eq!(job::Channel::ALL.map(job::Channel::name), Channel::ALL.map(Channel::name));
+        let source = job::Variable::SOURCE.map(|v| v.to_string());
+        assert_eq!(
+            source,
+            super::super::sensitivities::SOURCE_VARIABLES.map(|(c, k)| Variable::power(c, k).to_string())
+        );
+    }
+}

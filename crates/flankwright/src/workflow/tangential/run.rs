@@ -9,8 +9,8 @@ use super::remarks::{
 use super::result::{PassResult, SettingsResult, TangentialFlankResult, TangentialResult};
 use super::sensitivities::sensitivities;
 use super::settings::{SettledPass, job_settings, settings_of_job};
+use crate::exchange::LoadedTangentialJob;
 use crate::exchange::tangential_job::TangentialJob;
-use crate::exchange::{Diagnostic, LoadedTangentialJob, Problem};
 use crate::geometry::{Flank, Sides};
 use crate::numerics::Progress;
 use crate::process::tangential_dressing::{FitLimits, TangentialError};
@@ -65,10 +65,7 @@ pub fn simulate_tangential(
     let begun = Instant::now();
     let ready = prepare_tangential(loaded)?;
     let Some(given) = &loaded.job.settings else {
-        let finding = Diagnostic::new(Problem::MissingKey, "the job has no settings to simulate")
-            .field("settings")
-            .way_out("plan the job first: `flankwright plan` writes settings.json, which `simulate` takes");
-        return Err(RunFailure::bad_input(finding));
+        return Err(RunFailure::no_settings());
     };
     let passes = ready
         .passes

@@ -9,7 +9,7 @@ use crate::process::tangential_dressing::{
 };
 
 /// The nine variables of the source, whose topographies every report shows (its table 3).
-const SOURCE_VARIABLES: [(Channel, u32); 9] = [
+pub(super) const SOURCE_VARIABLES: [(Channel, u32); 9] = [
     (Channel::Profile(None), 1),
     (Channel::Profile(None), 2),
     (Channel::Profile(None), 3),
@@ -48,7 +48,7 @@ pub(super) fn sensitivities(
             for (j, variable) in variables.iter().enumerate().filter(|(_, v)| v.channel.concerns(flank)) {
                 let angle = variable.channel == Channel::DressingAngle;
                 let values = (0..grid.w.len())
-                    .map(|i| (0..columns).map(|k| by[(i * columns + k, j)]).collect())
+                    .map(|i| (0..columns).map(|k| without_rounding(by[(i * columns + k, j)])).collect())
                     .collect();
                 all.push(SensitivityResult {
                     flank: flank.name(),
@@ -63,4 +63,11 @@ pub(super) fn sensitivities(
         }
     }
     Ok(all)
+}
+
+/// Derivatives below this are rounding: a crossed-axes angle has no effect of first order.
+const ROUNDING: f64 = 1e-9;
+
+fn without_rounding(x: f64) -> f64 {
+    if x.abs() < ROUNDING { 0.0 } else { x }
 }
