@@ -76,7 +76,7 @@ fn dressing_passes_whole() {
 
 #[test]
 fn tangential_dressing_passes_whole() {
-    let report = passes("40-tdm.json", 2900);
+    let report = passes("40-tdm.json", 3700);
     assert_eq!((report.schema, report.not_covered.len()), (Schema::TangentialDressing, 0));
 }
 
@@ -714,6 +714,7 @@ fn shortened(name: &str) -> Value {
             let blocks = ["machine", "dresser_profile", "left", "undercut", "twist_conventional", "examples"];
             root = tangential(&blocks);
             first(&mut root["twist_conventional"]["cases"], 3);
+            root["examples"]["ex1_C100"].as_object_mut().unwrap().remove("small_set_kappa0");
         }
         _ => {
             let one_each = [
