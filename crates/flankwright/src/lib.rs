@@ -143,6 +143,7 @@ pub mod modification;
 pub mod kinematics;
 
 pub mod inverse;
+pub mod machine;
 
 pub mod contact;
 

@@ -5,12 +5,13 @@ use std::fs;
 use std::path::Path;
 
 /// The layers from the ground up; those that do not exist yet keep their place.
-const LAYERS: [&str; 14] = [
+const LAYERS: [&str; 15] = [
     "numerics",
     "geometry",
     "modification",
     "kinematics",
     "inverse",
+    "machine",
     "contact",
     "removal",
     "metrology",

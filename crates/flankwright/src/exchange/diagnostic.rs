@@ -45,6 +45,8 @@ pub enum Problem {
     InvalidJob,
     /// Entries of a catalogue that contradict each other.
     InvalidCatalogue,
+    /// Entries of a machine description that contradict each other or make no machine.
+    InvalidMachine,
     /// A process of the job format that this version does not plan.
     ProcessNotAvailable,
     /// A part of the job format that this version does not carry out.
@@ -72,6 +74,7 @@ impl Problem {
             Problem::InvalidGeometry => "invalid-geometry",
             Problem::InvalidJob => "invalid-job",
             Problem::InvalidCatalogue => "invalid-catalogue",
+            Problem::InvalidMachine => "invalid-machine",
             Problem::ProcessNotAvailable => "process-not-available",
             Problem::NotYetSupported => "not-yet-supported",
         }

@@ -13,6 +13,7 @@ mod grid_file;
 pub mod job;
 mod json_tree;
 mod load;
+pub mod machine;
 mod node;
 mod schema;
 mod shape;

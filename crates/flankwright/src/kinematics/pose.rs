@@ -11,7 +11,7 @@
 //! ```
 
 use crate::numerics::Scalar;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, Rotation3, Unit, Vector3};
 use std::marker::PhantomData;
 
 /// Frame V: the workpiece.
@@ -71,7 +71,9 @@ pub struct Pose<To, From, T: Scalar = f64> {
 }
 
 impl<To, From, T: Scalar> Pose<To, From, T> {
-    fn from_parts(rotation: Matrix3<T>, translation: Vector3<T>) -> Self {
+    /// From a rotation matrix (columns: axes of `From` in `To`) and the origin of `From` in `To`, mm. That the matrix is a
+    /// rotation is the caller's word.
+    pub fn rigid(rotation: Matrix3<T>, translation: Vector3<T>) -> Self {
         Self { rotation, translation, frames: PhantomData }
     }
 
@@ -85,7 +87,7 @@ impl<To, From, T: Scalar> Pose<To, From, T> {
         r[(j, j)] = cos;
         r[(i, j)] = -sin;
         r[(j, i)] = sin;
-        Self::from_parts(r, Vector3::from_element(zero))
+        Self::rigid(r, Vector3::from_element(zero))
     }
 
     fn shift(offset: T, axis: usize) -> Self {
@@ -101,7 +103,7 @@ impl<To, From, T: Scalar> Pose<To, From, T> {
         for k in 0..3 {
             r[(k, k)] = one;
         }
-        Self::from_parts(r, Vector3::from_element(zero))
+        Self::rigid(r, Vector3::from_element(zero))
     }
 
     /// Rx(a) of spec 00: rotation by +a about x.
@@ -136,13 +138,13 @@ impl<To, From, T: Scalar> Pose<To, From, T> {
 
     /// Appends a motion on the right: `X_TF.then(X_FG)` is X_TG.
     pub fn then<Next>(&self, next: &Pose<From, Next, T>) -> Pose<To, Next, T> {
-        Pose::from_parts(self.rotation * next.rotation, self.rotation * next.translation + self.translation)
+        Pose::rigid(self.rotation * next.rotation, self.rotation * next.translation + self.translation)
     }
 
     /// The pose the other way round.
     pub fn inverse(&self) -> Pose<From, To, T> {
         let transposed = self.rotation.transpose();
-        Pose::from_parts(transposed, -(transposed * self.translation))
+        Pose::rigid(transposed, -(transposed * self.translation))
     }
 
     /// A point of `From` in coordinates of `To`.
@@ -163,5 +165,18 @@ impl<To, From, T: Scalar> Pose<To, From, T> {
     /// Origin of `From` in coordinates of `To`, mm.
     pub fn translation(&self) -> &Vector3<T> {
         &self.translation
+    }
+}
+
+impl<To, From> Pose<To, From> {
+    /// Translation by `distance` (mm) along a unit vector.
+    pub fn along(direction: &Vector3<f64>, distance: f64) -> Self {
+        Self::rigid(Matrix3::identity(), direction * distance)
+    }
+
+    /// Rotation by `angle` (rad) about the line through `point` (mm) along a unit vector.
+    pub fn about(direction: &Vector3<f64>, point: &Vector3<f64>, angle: f64) -> Self {
+        let rotation = *Rotation3::from_axis_angle(&Unit::new_unchecked(*direction), angle).matrix();
+        Self::rigid(rotation, point - rotation * point)
     }
 }

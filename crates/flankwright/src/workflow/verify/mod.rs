@@ -24,6 +24,7 @@ mod ground_flank;
 mod ground_modifications;
 mod least_squares;
 mod ledger;
+mod machines;
 mod modifications;
 mod planning;
 mod reference;

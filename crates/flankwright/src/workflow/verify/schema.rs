@@ -6,7 +6,7 @@ use super::ledger::Ledger;
 use super::reference::Reference;
 use super::{
     areas, contact, decompositions, dressing, equal_ratio, gears, ground_flank, ground_modifications,
-    least_squares, modifications, planning, tangential, variable_ratio,
+    least_squares, machines, modifications, planning, tangential, variable_ratio,
 };
 use serde::Serialize;
 use serde_json::Value;
@@ -163,7 +163,17 @@ impl Schema {
                 }
             }
             Self::MachineChains => {
-                const { to_come!["machines", "forward", "inverse", "stroke", "gearbox", "influence", "errors"] }
+                const {
+                    &[
+                        Block::checked("machines", machines::machines),
+                        Block::checked("forward", machines::forward),
+                        Block::checked("inverse", machines::inverse),
+                        Block::checked("stroke", machines::stroke),
+                        Block::checked("gearbox", machines::gearbox),
+                        Block::checked("influence", machines::influence),
+                        Block::checked("errors", machines::errors),
+                    ]
+                }
             }
             Self::Planning => const { &[Block::checked("cases", planning::cases)] },
             Self::Dressing => const { &[Block::checked("cases", dressing::cases)] },

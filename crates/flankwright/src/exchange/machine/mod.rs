@@ -1,0 +1,13 @@
+//! Machine descriptions (`machines/*.toml`): axes, limbs, roles and what the controls call them. Knows no job.
+
+mod axis;
+mod build;
+mod checks;
+mod control;
+mod description;
+mod read;
+
+pub use axis::{AxisEntry, AxisType};
+pub use control::{Control, ControlCoupling, Controls, Decimals};
+pub use description::{ChainEntry, Chains, FrameEntry, MachineFile, Roles};
+pub use read::{LoadedMachine, machine_schema, parse_machine, read_machine};

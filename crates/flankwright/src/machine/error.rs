@@ -1,0 +1,153 @@
+//! What can be wrong with a machine, a pose or a rule asked of it (spec 26 section 9).
+
+use thiserror::Error;
+
+/// Why a description is no machine.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[error("`{field}` of the machine: {problem}")]
+pub struct InvalidMachine {
+    /// Key of the description, e.g. `axes.X1.direction`.
+    pub field: String,
+    /// What is wrong with it.
+    pub problem: String,
+    /// What is allowed.
+    pub allowed: String,
+}
+
+/// Why a machine cannot take up a pose.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum MachineError {
+    /// A number that is not finite.
+    #[error("{field} = {value} is not usable; allowed: a finite number")]
+    InvalidNumber {
+        /// Name of the quantity.
+        field: String,
+        /// Its value.
+        value: f64,
+    },
+    /// A matrix that is no rotation.
+    #[error(
+        "the rotation of the pose is off a right-handed orthonormal one by {deviation:.3e}; allowed: 1e-9"
+    )]
+    InvalidPose {
+        /// Largest deviation of an entry of R^T R from the unit matrix, or of the determinant from 1.
+        deviation: f64,
+    },
+    /// Two axes of the machine do the same.
+    #[error("{} do the same in this pose ({measure:.3e} from it): their positions are not determined", axes.join(" and "))]
+    Singular {
+        /// Names of the axes that lose their difference.
+        axes: Vec<String>,
+        /// How far from it: sine of an angle, or a determinant.
+        measure: f64,
+    },
+    /// Dresser and worm axis are parallel: the worm angle is free.
+    #[error("dresser and worm axis are parallel: the swivel does not determine the angle of {axis}")]
+    PoleOfChart {
+        /// Axis of the worm.
+        axis: String,
+    },
+    /// The machine lacks an axis or a limb.
+    #[error("the machine {machine} has no {role} axis")]
+    MissingAxis {
+        /// Name of the machine.
+        machine: String,
+        /// Role of the axis.
+        role: &'static str,
+    },
+    /// More or fewer axes are free than a pose determines.
+    #[error("{free} axes are free, a pose determines {determined}: {}", axes.join(", "))]
+    NotDetermined {
+        /// Axes that are free.
+        free: usize,
+        /// Axes that a pose determines.
+        determined: usize,
+        /// Their names.
+        axes: Vec<String>,
+    },
+    /// No position of the axes gives the pose.
+    #[error(
+        "{what} cannot be reached: wanted {wanted:.6} {unit}, this machine reaches {least:.6} .. {greatest:.6} {unit} in this pose"
+    )]
+    Unreachable {
+        /// What cannot be reached: an axis under a rule, or the direction of the tool.
+        what: String,
+        /// Wanted value.
+        wanted: f64,
+        /// Least value that is reached.
+        least: f64,
+        /// Greatest value that is reached.
+        greatest: f64,
+        /// Unit of the three.
+        unit: &'static str,
+    },
+    /// The iteration found no position of the axes that gives the pose.
+    #[error("no position of the axes gives this pose: {starts} starts left at least {residual:.3e}")]
+    NoSolution {
+        /// Starts that were tried.
+        starts: usize,
+        /// Least residual: rad, and mm/100.
+        residual: f64,
+    },
+    /// No solution stands within the travel of the machine.
+    #[error(
+        "{axis} = {value:.4} {unit} would stand {excess:.4} {unit} beyond its travel {from:.4} .. {to:.4}"
+    )]
+    AxisLimit {
+        /// Name of the axis.
+        axis: String,
+        /// Its position, deg or mm.
+        value: f64,
+        /// How far beyond, deg or mm.
+        excess: f64,
+        /// "deg" or "mm".
+        unit: &'static str,
+        /// Lower end of the travel.
+        from: f64,
+        /// Upper end of the travel.
+        to: f64,
+    },
+}
+
+impl MachineError {
+    /// Stable kebab-case code.
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::InvalidNumber { .. } => "invalid-number",
+            Self::InvalidPose { .. } => "invalid-pose",
+            Self::Singular { .. } => "machine-singular",
+            Self::PoleOfChart { .. } => "pole-of-chart",
+            Self::MissingAxis { .. } => "missing-axis",
+            Self::NotDetermined { .. } => "axes-not-determined",
+            Self::Unreachable { .. } | Self::NoSolution { .. } => "unreachable",
+            Self::AxisLimit { .. } => "axis-limit",
+        }
+    }
+
+    /// What the user can do about it, in one sentence.
+    pub fn way_out(&self) -> String {
+        match self {
+            Self::InvalidNumber { .. } => "give a finite number".into(),
+            Self::InvalidPose { .. } => "give a rotation with at least ten correct digits".into(),
+            Self::Singular { .. } => "take another angle between tool and counterpart axis".into(),
+            Self::PoleOfChart { .. } => {
+                "give the worm angle wanted, or prescribe the axial slide instead of the swivel".into()
+            }
+            Self::MissingAxis { role: "swivel", .. } => {
+                "leave the swivel at 0, or take a machine that has the axis".into()
+            }
+            Self::MissingAxis { role, .. } => format!("take a machine whose description has a {role} axis"),
+            Self::NotDetermined { free, determined, .. } if free > determined => {
+                "fix the surplus axes by a rule".into()
+            }
+            Self::NotDetermined { .. } => "take a machine with more axes".into(),
+            Self::Unreachable { .. } => "take a value inside the range, or leave the axis free".into(),
+            Self::NoSolution { .. } => {
+                "look whether the directions of the axes span this pose, or take another machine".into()
+            }
+            Self::AxisLimit { axis, .. } => format!(
+                "move the zero of {axis}, clamp the body the other way round, or take smaller bodies or another machine"
+            ),
+        }
+    }
+}
