@@ -114,8 +114,7 @@ impl Machine {
         let other = self.station(station)?;
         let wanted = self.limb::<ToolSpindle>(self.tool(), at).then(pose);
         let here: Pose<Bed, StationSpindle> = self.limb(other, at);
-        let off = Rotation3::from_matrix_unchecked(wanted.rotation() * here.rotation().transpose());
-        let phi = off.scaled_axis();
+        let phi = rotation_vector(&(wanted.rotation() * here.rotation().transpose()));
         let gap = (wanted.translation() - here.translation()) / LENGTH;
         let residual = SVector::<f64, 6>::from_column_slice(&[phi.x, phi.y, phi.z, gap.x, gap.y, gap.z]);
         let rates = [rate_of_rotation_vector(&phi), rate_of_rotation_vector(&-phi)];
@@ -136,6 +135,24 @@ impl Machine {
         Ok((residual, jacobian))
     }
 }
+
+/// Axis times angle of a rotation, exact also for the smallest angles.
+fn rotation_vector(r: &Matrix3<f64>) -> Vector3<f64> {
+    let sine = Vector3::new(r[(2, 1)] - r[(1, 2)], r[(0, 2)] - r[(2, 0)], r[(1, 0)] - r[(0, 1)]) * 0.5;
+    let size = sine.norm();
+    let angle = size.atan2(0.5 * (r.trace() - 1.0));
+    if size > SMALL {
+        sine * (angle / size)
+    } else if angle < 1.0 {
+        sine
+    } else {
+        // Half a turn: its axis stands in the symmetric part.
+        Rotation3::from_matrix_unchecked(*r).scaled_axis()
+    }
+}
+
+/// Sine below which angle and sine are the same, or the angle is half a turn.
+const SMALL: f64 = 1e-8;
 
 /// How the rotation vector of R grows when R is turned further from the left: the inverse of the left Jacobian.
 fn rate_of_rotation_vector(phi: &Vector3<f64>) -> Matrix3<f64> {
