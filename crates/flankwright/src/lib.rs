@@ -153,6 +153,8 @@ pub mod metrology;
 
 pub mod process;
 
+pub mod nc;
+
 pub mod exchange;
 
 pub mod report;

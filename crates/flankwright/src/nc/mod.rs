@@ -1,0 +1,18 @@
+//! The neutral axis program and its way to a control and back (spec 80): blocks of axis values in mm, rad and s, one writer
+//! per control dialect, a reader that shares no code with the writers, and the comparison of what was written with what was
+//! read back. Knows axes and couplings by their names and numbers only: no gear, no process, no file.
+
+mod dialect;
+mod error;
+mod program;
+mod writer;
+
+pub use dialect::Dialect;
+pub use error::NcError;
+pub use program::{
+    AxisMotion, AxisWord, BSplineMotion, Block, Coupling, CubicMotion, CubicSpan, CurveTable, Gear, GearLeader,
+    GearSynchronisation, Header, MAXIMUM_AXES, Program, Repetition, TablePiece, Targets, ToothData, Word,
+};
+pub use writer::{
+    Decimals, FanucOptions, HalOptions, LinuxCncOptions, Rounding, Warning, WriteOptions, Written, write,
+};

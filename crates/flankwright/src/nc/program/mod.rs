@@ -1,0 +1,49 @@
+//! The neutral program (spec 80 section 1): axes, blocks, couplings. Inside mm, rad and s. A [`Program`] is checked when it is
+//! made for everything that does not depend on a control; it knows no dialect and no text but names and comments.
+
+mod axes;
+mod blocks;
+mod check;
+mod coupling;
+
+pub use axes::{AxisMotion, AxisWord, Header, MAXIMUM_AXES, Targets, Word};
+pub use blocks::{BSplineMotion, Block, CubicMotion, CubicSpan};
+pub use coupling::{
+    Coupling, CurveTable, Gear, GearLeader, GearSynchronisation, Repetition, TablePiece, ToothData,
+};
+
+use super::NcError;
+
+/// A checked neutral program: a header and its blocks, the last of which is [`Block::End`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Program {
+    header: Header,
+    blocks: Vec<Block>,
+}
+
+impl Program {
+    /// Checks the header and every block (spec 80 section 7).
+    ///
+    /// # Errors
+    /// `BadHeader`, `BadText`, `UnknownAxis`, `NotMovable`, `EmptyMotion`, `UnknownStart`, `NumberRange`, `FeedRange`, `BadTable`,
+    /// `DegreeNotSupported`, `BadSpline`, `GearState`, `SpindleStopped`, `EndMisplaced`.
+    pub fn new(header: Header, blocks: Vec<Block>) -> Result<Self, NcError> {
+        check::check(&header, &blocks)?;
+        Ok(Self { header, blocks })
+    }
+
+    /// Name, axes, tolerance.
+    pub fn header(&self) -> &Header {
+        &self.header
+    }
+
+    /// The blocks in their order.
+    pub fn blocks(&self) -> &[Block] {
+        &self.blocks
+    }
+
+    /// The axes: an axis index of a block counts in this list.
+    pub fn axes(&self) -> &[AxisWord] {
+        &self.header.axes
+    }
+}

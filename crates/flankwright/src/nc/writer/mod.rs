@@ -1,0 +1,30 @@
+//! The writers: one file per control dialect over the lines that they share (spec 80 sections 2, 3, 5 and 6). A writer gives the
+//! same bytes for the same program and options. Knows no file, and nothing of the readers.
+
+mod fanuc;
+mod hal;
+mod lines;
+mod linuxcnc;
+mod number;
+mod options;
+mod siemens;
+mod unconfirmed;
+
+pub use options::{
+    Decimals, FanucOptions, HalOptions, LinuxCncOptions, Rounding, Warning, WriteOptions, Written,
+};
+
+use super::{Dialect, NcError, Program};
+
+/// The program in a control's language. Who writes it to a file takes [`super::write_checked`] instead.
+///
+/// # Errors
+/// `BadHeader` for options out of range, `AxisNotAvailable`, `BlockTooLong`, `UnsupportedCoupling`, `RatioRange`,
+/// `BlockNotAvailable`, `BadText`, and `NumberRange` where the control takes less than the neutral program.
+pub fn write(program: &Program, dialect: Dialect, options: &WriteOptions) -> Result<Written, NcError> {
+    match dialect {
+        Dialect::LinuxCnc => linuxcnc::write(program, options),
+        Dialect::Siemens => siemens::write(program, options),
+        Dialect::Fanuc => fanuc::write(program, options),
+    }
+}

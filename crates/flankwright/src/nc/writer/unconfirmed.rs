@@ -1,0 +1,32 @@
+//! What the writers take for granted about a control without a manual or a measurement behind it (marked [U] in spec 80). It
+//! stands here and nowhere else, so that whoever has the control changes one file. The reader has its own list.
+
+/// Siemens: metric, absolute, plane, no radius compensation, no frame, path mode.
+pub(super) const SIEMENS_PREAMBLE: &str = "G710 G90 G17 G40 G500 G64";
+/// Siemens: when the block after a coupling starts: `NOC`, `FINE`, `COARSE` or `IPOSTOP`.
+pub(super) const SIEMENS_BLOCK_CHANGE: &str = "FINE";
+/// Siemens: what a leading axis gives: 0 its actual value, 1 its setpoint.
+pub(super) const SIEMENS_LEADER_TYPE: u8 = 1;
+/// Siemens: longest line.
+pub(super) const SIEMENS_LINE: usize = 512;
+/// Siemens: feed of the blocks of a table, which do not move anything, in inverse time.
+pub(super) const SIEMENS_TABLE_FEED: &str = " F60.000000";
+/// Siemens: a spline ends with the next motion command, also without axes.
+pub(super) const SIEMENS_SPLINE_END: &str = "G1";
+
+/// Fanuc: metric, absolute, plane, no radius and length compensation, no cycle.
+pub(super) const FANUC_PREAMBLE: &str = "G21 G90 G17 G40 G49 G80";
+/// Fanuc: contour mode on, alone in its block.
+pub(super) const FANUC_CONTOUR_ON: &str = "G05.1 Q1";
+/// Fanuc: contour mode off.
+pub(super) const FANUC_CONTOUR_OFF: &str = "G05.1 Q0";
+/// Fanuc: longest line.
+pub(super) const FANUC_LINE: usize = 256;
+/// Fanuc: what a comment may hold.
+pub(super) fn is_fanuc_comment(byte: u8) -> bool {
+    byte.is_ascii_uppercase() || byte.is_ascii_digit() || byte == b' '
+}
+/// Fanuc: a dwell in seconds takes X with a point.
+pub(super) const FANUC_DWELL: &str = "G4 X";
+/// Fanuc: the word that picks a spindle other than the first; its number counts from 1.
+pub(super) const FANUC_SPINDLE_WORD: char = 'P';
