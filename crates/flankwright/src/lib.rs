@@ -153,6 +153,7 @@ pub mod metrology;
 
 pub mod process;
 
+pub mod motion;
 pub mod nc;
 
 pub mod exchange;

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 /// The layers from the ground up; those that do not exist yet keep their place.
-const LAYERS: [&str; 15] = [
+const LAYERS: [&str; 16] = [
     "numerics",
     "geometry",
     "modification",
@@ -18,6 +18,7 @@ const LAYERS: [&str; 15] = [
     "control",
     "process",
     "nc",
+    "motion",
     "exchange",
     "report",
     "workflow",

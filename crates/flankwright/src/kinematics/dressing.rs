@@ -2,6 +2,7 @@
 
 use super::{Dresser, MotionLaw, Pose, Worm};
 use crate::numerics::Scalar;
+use std::f64::consts::TAU;
 
 /// A dressing correction vector DK = (d_phi_S, d_gamma, d_d, d_v_yA): rad, rad, mm, mm.
 pub type DressingCorrection = [f64; 4];
@@ -47,6 +48,40 @@ impl<T: Scalar> DressingPosition<T> {
     }
 }
 
+impl DressingPosition {
+    /// The position whose [`DressingPosition::pose`] this is but for the dresser's own rotation; of the two that describe it, and
+    /// among full turns, the one nearest to the worm angle `near` (rad). `None` where the dresser axis stands across the worm axis.
+    pub fn of_pose(pose: &Pose<Worm, Dresser>, near: f64) -> Option<Self> {
+        let axis = pose.rotation().column(2).into_owned();
+        let tilted = axis.x.hypot(axis.y);
+        let nearest = |angle: f64| angle - TAU * ((angle - near) / TAU).round();
+        let direct = nearest(axis.x.atan2(axis.y));
+        let turned = nearest((-axis.x).atan2(-axis.y));
+        let (worm_angle, sine) = if tilted == 0.0 {
+            (near, 0.0)
+        } else if (direct - near).abs() <= (turned - near).abs() {
+            (direct, tilted)
+        } else {
+            (turned, -tilted)
+        };
+        let t = Pose::<Worm, Worm>::rz(worm_angle).then(pose);
+        let t = t.translation();
+        let cosine = axis.z;
+        if cosine.abs() < 1e-9 {
+            return None;
+        }
+        // (d, -v_y cos g, v_y sin g - v_z).
+        let offset = -t.y / cosine;
+        Some(Self {
+            worm_angle,
+            worm_shift: offset * sine - t.z,
+            crossing_angle: sine.atan2(cosine),
+            centre_distance: t.x,
+            offset,
+        })
+    }
+}
+
 /// The dressing motion: nominal kinematics plus DK as functions of the worm position v = v_zS.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DressingMotion {
@@ -76,6 +111,36 @@ impl DressingMotion {
             crossing_angle: gamma + self.chain.crossing_angle,
             centre_distance: d + self.chain.centre_distance,
             offset: v_y + self.chain.offset,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pose_gives_back_its_position() {
+        for (k, gamma) in [0.06, -0.03, 1e-6, 0.4].into_iter().enumerate() {
+            let position = DressingPosition {
+                worm_angle: -40.0 + 17.0 * k as f64,
+                worm_shift: 12.5,
+                crossing_angle: gamma,
+                centre_distance: 150.0,
+                offset: -1.25,
+            };
+            let pose = position.pose().then(&Pose::rz(2.0));
+            let back = DressingPosition::of_pose(&pose, position.worm_angle + 0.5).unwrap();
+            // The worm angle follows from the direction of the dresser's axis: at 1e-6 rad only that far.
+            let angle = 1e-14 / gamma.abs() + 1e-13;
+            assert!((back.worm_angle - position.worm_angle).abs() < angle);
+            assert!((back.crossing_angle - gamma).abs() < 1e-15);
+            let moved = [
+                back.worm_shift - position.worm_shift,
+                back.centre_distance - position.centre_distance,
+                back.offset - position.offset,
+            ];
+            assert!(moved.iter().all(|x| x.abs() < 200.0 * angle), "{moved:?}");
         }
     }
 }

@@ -3,6 +3,7 @@
 use super::{MotionLaw, Pose, Workpiece, Worm};
 use crate::geometry::Sides;
 use crate::numerics::Scalar;
+use std::f64::consts::TAU;
 
 /// The constant part of the chain K_R: distances and angles. mm, rad.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,6 +54,59 @@ impl GeneratingChain {
             .then(&Pose::<Workpiece, Workpiece, T>::ty(constant(-self.work_pivot)))
             .then(&Pose::<Workpiece, Workpiece, T>::rz(state.work_angle));
         head.then(&tail)
+    }
+}
+
+impl GeneratingChain {
+    /// The state at which [`GeneratingChain::pose`] gives this pose: of the two that the rotation admits, and among full turns, the
+    /// one nearest to `near`. `None` where the axes are parallel, or for a pose that these pivots and cones do not reach.
+    pub fn state_of(&self, pose: &Pose<Worm, Workpiece>, near: &GeneratingState) -> Option<GeneratingState> {
+        let r = pose.rotation();
+        let (sin_1, cos_1) = self.worm_cone.sin_cos();
+        let (sin_2, cos_2) = self.work_cone.sin_cos();
+        // e_z . Rx(theta_1) Ry(gamma) Rx(-theta_2) e_z = cos th1 cos th2 cos gamma + sin th1 sin th2.
+        let cosine = (r[(2, 2)] - sin_1 * sin_2) / (cos_1 * cos_2);
+        let wanted = self.crossed_axes_angle + near.delta_gamma;
+        let gamma = if cos_1 == 1.0 && cos_2 == 1.0 {
+            // The sine is at hand where the cosine loses it.
+            r[(0, 2)].hypot(r[(1, 2)]).atan2(r[(2, 2)])
+        } else if cosine.abs() <= 1.0 {
+            cosine.acos()
+        } else {
+            return None;
+        };
+        let gamma = if wanted < 0.0 { -gamma } else { gamma };
+        let head = Pose::<Worm, Worm>::rx(self.worm_cone).then(&Pose::<Worm, Worm>::ry(gamma));
+        let core = head.then(&Pose::<Worm, Workpiece>::rx(-self.work_cone));
+        // Rz(phi_1) R = core Rz(phi_2): the last columns give phi_1, the last rows phi_2.
+        let (a, b) = (core.rotation(), r);
+        let worm = a[(1, 2)].atan2(a[(0, 2)]) - b[(1, 2)].atan2(b[(0, 2)]);
+        let work = a[(2, 1)].atan2(a[(2, 0)]) - b[(2, 1)].atan2(b[(2, 0)]);
+        let nearest = |angle: f64, to: f64| angle - TAU * ((angle - to) / TAU).round();
+        // R = Rz(-phi_1) core Rz(phi_2): angles of the last column of core less those of R give +phi_1; the last row of R is that of
+        // core turned by -phi_2.
+        let worm_angle = nearest(worm, near.worm_angle);
+        let work_angle = nearest(work, near.work_angle);
+        let turned = Pose::<Worm, Worm>::rz(worm_angle).then(pose);
+        // Translation of the chain: p_1 + Rx(th1) (-z_V1 e_z + d e_y) + head e_z z_V2 + core (0, -p_2, 0), linear in z_V1, d, z_V2.
+        let pivots = nalgebra::Vector3::new(0.0, self.worm_pivot, 0.0)
+            + core.rotation() * nalgebra::Vector3::new(0.0, -self.work_pivot, 0.0);
+        let tilted = Pose::<Worm, Worm>::rx(self.worm_cone);
+        let columns = nalgebra::Matrix3::from_columns(&[
+            tilted.rotation() * -nalgebra::Vector3::z(),
+            tilted.rotation() * nalgebra::Vector3::y(),
+            head.rotation() * nalgebra::Vector3::z(),
+        ]);
+        let [shift, distance, feed]: [f64; 3] = columns.lu().solve(&(turned.translation() - pivots))?.into();
+        let state = GeneratingState {
+            worm_angle,
+            work_angle,
+            shift,
+            feed,
+            delta_d: distance - self.centre_distance,
+            delta_gamma: gamma - self.crossed_axes_angle,
+        };
+        [shift, distance, feed, worm_angle, work_angle, gamma].iter().all(|x| x.is_finite()).then_some(state)
     }
 }
 
@@ -110,6 +164,61 @@ impl GeneratingMotion {
             feed,
             delta_d: self.delta_d.lifted(feed)[0],
             delta_gamma: self.delta_gamma.lifted(feed)[0],
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pose_gives_back_its_state() {
+        let chains =
+            [(0.0, 0.0, 0.0, 0.0, 2.0), (-0.05, 0.0, 120.0, 0.0, -1.2), (0.04, -0.1, 90.0, 41.0, 1.9)];
+        for (worm_cone, work_cone, worm_pivot, work_pivot, crossed_axes_angle) in chains {
+            let chain = GeneratingChain {
+                centre_distance: 150.0,
+                crossed_axes_angle,
+                worm_cone,
+                work_cone,
+                worm_pivot,
+                work_pivot,
+            };
+            for k in 0..20 {
+                let x = f64::from(k);
+                let state = GeneratingState {
+                    worm_angle: 3.7 * x - 20.0,
+                    work_angle: -1.3 * x + 5.0,
+                    shift: 4.0 * x - 30.0,
+                    feed: 12.0 - x,
+                    delta_d: 0.01 * x,
+                    delta_gamma: 0.001 * (x - 10.0),
+                };
+                let near = GeneratingState {
+                    worm_angle: state.worm_angle + 1.0,
+                    work_angle: state.work_angle - 2.0,
+                    ..GeneratingState {
+                        shift: 0.0,
+                        feed: 0.0,
+                        delta_d: 0.0,
+                        delta_gamma: 0.0,
+                        worm_angle: 0.0,
+                        work_angle: 0.0,
+                    }
+                };
+                let back = chain.state_of(&chain.pose(&state), &near).unwrap();
+                for (a, b) in [
+                    (back.worm_angle, state.worm_angle),
+                    (back.work_angle, state.work_angle),
+                    (back.shift, state.shift),
+                    (back.feed, state.feed),
+                    (back.delta_d, state.delta_d),
+                    (back.delta_gamma, state.delta_gamma),
+                ] {
+                    assert!((a - b).abs() < 2e-12 * (1.0 + b.abs()), "{state:?} {back:?}");
+                }
+            }
         }
     }
 }

@@ -18,7 +18,7 @@ mod orient;
 mod rotations;
 mod rule;
 
-pub use axis::{Axis, AxisLimits, Joint, Positions, Role};
+pub use axis::{Axis, AxisLimits, Joint, MOST_AXES, Positions, Role};
 pub use choice::{Follower, Solution};
 pub use description::{Limb, Machine, MachineParts};
 pub use error::{InvalidMachine, MachineError};

@@ -10,8 +10,9 @@ mod writer;
 pub use dialect::Dialect;
 pub use error::NcError;
 pub use program::{
-    AxisMotion, AxisWord, BSplineMotion, Block, Coupling, CubicMotion, CubicSpan, CurveTable, Gear, GearLeader,
-    GearSynchronisation, Header, MAXIMUM_AXES, Program, Repetition, TablePiece, Targets, ToothData, Word,
+    AxisMotion, AxisWord, BSplineMotion, Block, Coupling, CubicMotion, CubicSpan, CurveTable, Gear,
+    GearLeader, GearSynchronisation, Header, MAXIMUM_AXES, Program, Repetition, TablePiece, Targets,
+    ToothData, Word,
 };
 pub use writer::{
     Decimals, FanucOptions, HalOptions, LinuxCncOptions, Rounding, Warning, WriteOptions, Written, write,

@@ -9,8 +9,8 @@ use super::unconfirmed::{
 };
 use super::{WriteOptions, Written};
 use crate::nc::{
-    AxisMotion, BSplineMotion, Block, Coupling, CubicMotion, CubicSpan, CurveTable, Gear, GearSynchronisation, MAXIMUM_AXES,
-    NcError, Program, Repetition, Targets, Word,
+    AxisMotion, BSplineMotion, Block, Coupling, CubicMotion, CubicSpan, CurveTable, Gear,
+    GearSynchronisation, MAXIMUM_AXES, NcError, Program, Repetition, Targets, Word,
 };
 
 /// Most leading axes of a gear.
@@ -76,7 +76,9 @@ impl Siemens<'_> {
                     self.define(gear)?;
                     self.gears[gear.follower] = Some(gear);
                 }
-                Block::GearOn { follower, synchronisation } => self.couple(*follower, synchronisation.as_deref())?,
+                Block::GearOn { follower, synchronisation } => {
+                    self.couple(*follower, synchronisation.as_deref())?
+                }
                 Block::GearOff { follower } => self.gear_call("EGOFS", *follower)?,
                 Block::Table(table) => self.table(table)?,
             }
@@ -236,7 +238,8 @@ impl Siemens<'_> {
     }
 
     fn table(&mut self, table: &CurveTable) -> Result<(), NcError> {
-        let [follower, leader] = [table.follower, table.leader].map(|axis| self.out.axes[axis].address.clone());
+        let [follower, leader] =
+            [table.follower, table.leader].map(|axis| self.out.axes[axis].address.clone());
         let repetition = match table.repetition {
             Repetition::Held => 0,
             Repetition::Leader => 1,

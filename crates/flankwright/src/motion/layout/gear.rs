@@ -1,0 +1,227 @@
+//! The electronic gearbox of a pass: which axes lead the workpiece and by how much, and a table for what is not linear.
+
+use super::{
+    AxisPath, AxisWords, LayoutOptions, Machine, MotionError, Pass, Positions, Role, STANDS_STILL, WorkGear,
+    tooth_data,
+};
+use crate::machine::Joint;
+use crate::motion::Course;
+use crate::nc::{
+    Block, Coupling, CubicSpan, CurveTable, Gear, GearLeader, GearSynchronisation, Repetition, TablePiece,
+};
+use crate::numerics::CubicSpline;
+
+/// The gear of a pass.
+pub(super) struct GearBlocks {
+    gear: Gear,
+    /// A table that has to stand before.
+    pub table: Option<CurveTable>,
+    /// Number of the follower in the machine.
+    pub follower: usize,
+    /// Its place in the program.
+    pub word: usize,
+    /// Numbers of the leaders in the machine.
+    leaders: Vec<usize>,
+}
+
+impl GearBlocks {
+    /// Defines the gear and switches it on where the axes stand.
+    pub fn engage(&self, machine: &Machine, words: &AxisWords, at: &Positions) -> [Block; 2] {
+        let counted = |axis: usize| machine.axes()[axis].nc_sign * at[axis];
+        let synchronisation = GearSynchronisation {
+            follower: counted(self.follower),
+            leaders: self.leaders.iter().map(|&axis| counted(axis)).collect(),
+        };
+        debug_assert!(words.place(self.follower) == Some(self.word));
+        [
+            Block::GearDefine(Box::new(self.gear.clone())),
+            Block::GearOn { follower: self.word, synchronisation: Some(Box::new(synchronisation)) },
+        ]
+    }
+}
+
+/// A coupling is linear if it misses the path by less than this, rad.
+const LINEAR: f64 = 1e-11;
+/// Intervals of a table at first, and at the most.
+const INTERVALS: [usize; 2] = [8, 4096];
+
+/// The gear that keeps the workpiece on the paths of a pass.
+pub(super) fn couple(
+    machine: &Machine,
+    words: &AxisWords,
+    gear: &WorkGear,
+    pass: &Pass,
+    paths: [&AxisPath; 3],
+    options: &LayoutOptions,
+    tables: &mut u32,
+) -> Result<GearBlocks, MotionError> {
+    let unsupported = |reason: String| Err(MotionError::UnsupportedCoupling { reason });
+    let rates = machine.gearbox(&gear.coupling, pass.course.mounts())?;
+    let [worm, work, axial] = [Role::Worm, Role::Work, Role::Axial].map(|role| machine.needed(role));
+    let (worm, work, axial) = (worm?, work?, axial?);
+    let shift = machine.role(Role::Shift).or(machine.role(Role::Tangential));
+    if let Some(tilt) = machine.role(Role::Tilt)
+        && paths.iter().any(|path| path.range(tilt) > STANDS_STILL)
+    {
+        return unsupported(format!(
+            "{} moves: the ratios of the gearbox hold for one tilt",
+            machine.axes()[tilt].name
+        ));
+    }
+    let place = |axis: usize| {
+        words.place(axis).ok_or_else(|| MotionError::NoWord {
+            axis: machine.axes()[axis].name.clone(),
+            travel: machine.axes()[axis].joint.shown(paths[1].range(axis)),
+            unit: machine.axes()[axis].joint.unit(),
+        })
+    };
+    // In the control's counts.
+    let sense = |axis: usize| machine.axes()[axis].nc_sign;
+    let signed = |rate: f64, leader: usize| rate * sense(work) * sense(leader);
+    let numerator = signed(f64::from(rates.worm_numerator), worm);
+    let mut leaders = vec![GearLeader {
+        axis: place(worm)?,
+        coupling: Coupling::Ratio { num: numerator, den: f64::from(rates.worm_denominator) },
+    }];
+    let mut numbers = vec![worm];
+    let shifting = shift.filter(|&axis| paths.iter().any(|path| path.range(axis) > STANDS_STILL));
+    // What the worm and the shift do not explain belongs to the axial slide.
+    let Some(&(_, first)) = paths[1].nodes.first() else {
+        return unsupported("the stroke has no way".into());
+    };
+    let rest = |at: &Positions| {
+        let by_shift = shifting.map_or(0.0, |axis| rates.shift * (at[axis] - first[axis]));
+        at[work] - first[work] - rates.worm() * (at[worm] - first[worm]) - by_shift
+    };
+    let linear = |at: &Positions| {
+        (rest(at) - rates.axial * (at[axial] - first[axial])).abs() < LINEAR * (1.0 + at[work].abs())
+    };
+    let moves_axially = paths[1].range(axial) > STANDS_STILL;
+    let mut table = None;
+    if paths.iter().flat_map(|path| &path.nodes).all(|(_, at)| linear(at)) {
+        if moves_axially {
+            // Numerator and denominator in degrees and mm, as controls show them.
+            let lead = signed(rates.axial, axial);
+            leaders
+                .push(GearLeader { axis: place(axial)?, coupling: Coupling::Ratio { num: lead, den: 1.0 } });
+            numbers.push(axial);
+        }
+    } else if moves_axially {
+        *tables += 1;
+        let made = table_of(
+            machine,
+            pass,
+            options,
+            [work, axial],
+            &rest,
+            paths[1],
+            *tables,
+            [place(work)?, place(axial)?],
+        )?;
+        leaders.push(GearLeader { axis: made.leader, coupling: Coupling::Table(made.id) });
+        numbers.push(axial);
+        table = Some(made);
+    } else {
+        return unsupported("the workpiece has to move by itself while the axial slide stands".into());
+    }
+    if let Some(axis) = shifting {
+        let coupling = Coupling::Ratio { num: signed(rates.shift, axis), den: 1.0 };
+        leaders.push(GearLeader { axis: place(axis)?, coupling });
+        numbers.push(axis);
+    }
+    let plain = table.is_none() && shifting.is_none();
+    let word = place(work)?;
+    Ok(GearBlocks {
+        gear: Gear { follower: word, leaders, teeth: plain.then(|| tooth_data(gear, numerator as i32)) },
+        table,
+        follower: work,
+        word,
+        leaders: numbers,
+    })
+}
+
+/// Lead and correction of the workpiece over the axial slide as cubics, from the path driven at many places.
+#[expect(clippy::too_many_arguments, reason = "one table of one pass")]
+fn table_of(
+    machine: &Machine,
+    pass: &Pass,
+    options: &LayoutOptions,
+    [work, axial]: [usize; 2],
+    rest: &impl Fn(&Positions) -> f64,
+    stroke: &AxisPath,
+    id: u32,
+    [follower, leader]: [usize; 2],
+) -> Result<CurveTable, MotionError> {
+    use crate::motion::Waypoint;
+    use crate::motion::drive::Drive;
+    let per_turn = match &pass.course {
+        Course::Grinding(course) => course.per_turn,
+        Course::Dressing(_) => 1.0,
+    };
+    let (Some(&(begin, start)), Some(&(end, _))) = (stroke.nodes.first(), stroke.nodes.last()) else {
+        return Err(MotionError::UnsupportedCoupling { reason: "the stroke has no way".into() });
+    };
+    let (sense_work, sense_axial) = (machine.axes()[work].nc_sign, machine.axes()[axial].nc_sign);
+    debug_assert!(machine.axes()[axial].joint == Joint::Linear);
+    let mut intervals = INTERVALS[0];
+    loop {
+        // Every other place is a node, those between are compared.
+        let count = 2 * intervals;
+        let mut drive = Drive::new(machine, &pass.course, &pass.name, options.swivel);
+        let mut leaders = Vec::with_capacity(count + 1);
+        let mut followers = Vec::with_capacity(count + 1);
+        let mut first = None;
+        for k in 0..=count {
+            let v = begin.v + (end.v - begin.v) * k as f64 / count as f64;
+            let at = drive.stand(&Waypoint { v, ..Waypoint::default() })?;
+            let zero = *first.get_or_insert(rest(&at));
+            leaders.push(sense_axial * at[axial]);
+            followers.push(sense_work * (rest(&at) - zero + rest(&start)));
+        }
+        let sign = (leaders[count] - leaders[0]).signum();
+        if leaders.windows(2).any(|pair| (pair[1] - pair[0]) * sign <= 0.0) {
+            return Err(MotionError::UnsupportedCoupling {
+                reason: "the axial slide turns back within the stroke".into(),
+            });
+        }
+        let nodes = |values: &[f64]| -> Vec<f64> { values.iter().step_by(2).copied().collect() };
+        // Splines want ascending places.
+        let ordered = |mut values: Vec<f64>| {
+            if sign < 0.0 {
+                values.reverse();
+            }
+            values
+        };
+        let (x, y) = (ordered(nodes(&leaders)), ordered(nodes(&followers)));
+        let spline = CubicSpline::new(&x, &y)
+            .map_err(|error| MotionError::UnsupportedCoupling { reason: error.to_string() })?;
+        let miss = (0..intervals)
+            .map(|k| (spline.value(leaders[2 * k + 1]) - followers[2 * k + 1]).abs() * per_turn)
+            .fold(0.0, f64::max);
+        if miss <= options.tolerance {
+            let pieces = (0..intervals)
+                .map(|k| {
+                    let (from, to) = (leaders[2 * k], leaders[2 * k + 2]);
+                    let slope = |at: f64| spline.derivatives(at)[1] * (to - from);
+                    let span = CubicSpan {
+                        end: followers[2 * k + 2],
+                        start_slope: slope(from),
+                        end_slope: slope(to),
+                    };
+                    TablePiece { leader: to, follower: span }
+                })
+                .collect();
+            let start = [leaders[0], followers[0]];
+            return Ok(CurveTable { id, follower, leader, start, pieces, repetition: Repetition::Held });
+        }
+        intervals *= 2;
+        if intervals > INTERVALS[1] {
+            return Err(MotionError::ToleranceNotReached {
+                stroke: pass.name.clone(),
+                pieces: intervals,
+                deviation_um: miss * 1e3,
+                tolerance_um: options.tolerance * 1e3,
+            });
+        }
+    }
+}

@@ -1,0 +1,28 @@
+//! Motions of a machine's axes: strokes of bodies driven by a machine, their speed under the limits of every axis, their neutral
+//! program, and the bodies' motions read back from a program. Knows machines and neutral programs; knows no dialect, no file, no flank
+//! but the sizes by which a deviation of the axes shows on it.
+
+mod axes;
+mod course;
+mod dressing_course;
+mod drive;
+mod error;
+mod grinding_course;
+mod layout;
+mod path;
+mod read_back;
+mod s_curve;
+mod speed;
+mod trace;
+
+pub use axes::{AxisWords, axis_words};
+pub use course::{BodyPlace, Course, Waypoint};
+pub use dressing_course::DressingCourse;
+pub use error::MotionError;
+pub use grinding_course::GrindingCourse;
+pub use layout::{Coupling, Layout, LayoutOptions, Pass, PassReport, WorkGear, lay_out};
+pub use path::AxisPath;
+pub use read_back::{ReadStroke, Tracked, track};
+pub use s_curve::SCurve;
+pub use speed::{Braked, PathLimits};
+pub use trace::{AxisTrace, TraceRow};
