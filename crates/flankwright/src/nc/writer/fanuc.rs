@@ -46,7 +46,9 @@ pub(super) fn write(program: &Program, options: &WriteOptions) -> Result<Written
                 out.moded_targets("G1", target)?;
                 out.feed(*duration)?;
             }
-            Block::Cubic(_) => return Err(NcError::BlockNotAvailable { block: out.block, what: "cubic of all axes" }),
+            Block::Cubic(_) => {
+                return Err(NcError::BlockNotAvailable { block: out.block, what: "cubic of all axes" });
+            }
             Block::BSpline(_) => {
                 return Err(NcError::BlockNotAvailable { block: out.block, what: "B-spline of all axes" });
             }
@@ -143,7 +145,9 @@ fn gear_words(out: &mut Lines<'_>, gear: &Gear) -> Result<String, NcError> {
         };
         *place.0 = Some((place.1, place.2));
     }
-    let Some((num, den)) = tool else { return refused("G81 follows spindle 0, which does not lead this gear") };
+    let Some((num, den)) = tool else {
+        return refused("G81 follows spindle 0, which does not lead this gear");
+    };
     if num * f64::from(teeth.teeth) != den * f64::from(teeth.threads) {
         return refused("the ratio to the spindle is not that of threads to teeth");
     }
@@ -170,7 +174,12 @@ fn gear_words(out: &mut Lines<'_>, gear: &Gear) -> Result<String, NcError> {
 
 fn range(block: usize, teeth: u32, threads: i32, module: f64, helix_angle: f64) -> Result<(), NcError> {
     let cases = [
-        ("T (teeth of the workpiece)", f64::from(teeth), (1.0..=1000.0).contains(&f64::from(teeth)), "1 to 1000"),
+        (
+            "T (teeth of the workpiece)",
+            f64::from(teeth),
+            (1.0..=1000.0).contains(&f64::from(teeth)),
+            "1 to 1000",
+        ),
         (
             "L (threads of the worm)",
             f64::from(threads),

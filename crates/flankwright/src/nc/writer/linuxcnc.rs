@@ -39,7 +39,9 @@ pub(super) fn write(program: &Program, options: &WriteOptions) -> Result<Written
                 out.feed(*duration)?;
                 keeper.block(out.block, target, *duration);
             }
-            Block::Cubic(_) => return Err(NcError::BlockNotAvailable { block: out.block, what: "cubic of all axes" }),
+            Block::Cubic(_) => {
+                return Err(NcError::BlockNotAvailable { block: out.block, what: "cubic of all axes" });
+            }
             Block::BSpline(_) => {
                 return Err(NcError::BlockNotAvailable { block: out.block, what: "B-spline of all axes" });
             }
@@ -66,7 +68,9 @@ pub(super) fn write(program: &Program, options: &WriteOptions) -> Result<Written
             }
             Block::Comment(text) => {
                 // (MSG, ..), (DEBUG, ..), (LOGOPEN, ..): a word before a comma is a command.
-                let active = text.split_once(',').is_some_and(|(word, _)| word.bytes().all(|b| b.is_ascii_alphabetic()));
+                let active = text
+                    .split_once(',')
+                    .is_some_and(|(word, _)| word.bytes().all(|b| b.is_ascii_alphabetic()));
                 if active {
                     let allowed = "no single word before a comma: LinuxCNC carries out such comments";
                     return Err(NcError::BadText { block: out.block, text: text.clone(), allowed });
@@ -94,7 +98,8 @@ pub(super) fn write(program: &Program, options: &WriteOptions) -> Result<Written
             }
             Block::GearOn { follower, synchronisation } => {
                 let (Some(options), Some(gear)) = (&options.linuxcnc.hal, gear) else {
-                    let reason = "LinuxCNC has no gear in its programs; the option of a HAL netlist makes one";
+                    let reason =
+                        "LinuxCNC has no gear in its programs; the option of a HAL netlist makes one";
                     return Err(NcError::UnsupportedCoupling { block: out.block, reason });
                 };
                 let made = hal::netlist(&out, gear, synchronisation.as_deref(), options)?;

@@ -23,7 +23,8 @@ pub(super) fn units(value: f64, decimals: u8) -> Option<i64> {
     let bits = value.to_bits();
     let stored = (bits >> 52 & 0x7ff) as i32;
     let fraction = bits & ((1 << 52) - 1);
-    let (mantissa, exponent) = if stored == 0 { (fraction, -1074) } else { (fraction | 1 << 52, stored - 1075) };
+    let (mantissa, exponent) =
+        if stored == 0 { (fraction, -1074) } else { (fraction | 1 << 52, stored - 1075) };
     let product = u128::from(mantissa) * u128::from(POWERS[usize::from(decimals)]);
     // The exponent is below 0 here; what is shifted by 127 or more is less than half a unit.
     let shift = exponent.unsigned_abs();
@@ -133,7 +134,10 @@ mod tests {
             push_significant(&mut text, value, 15);
             String::from_utf8(text).unwrap()
         };
-        assert_eq!((text(3.0), text(-40.0), text(0.5)), ("3".into(), "-40".into(), "0.500000000000000".into()));
+        assert_eq!(
+            (text(3.0), text(-40.0), text(0.5)),
+            ("3".into(), "-40".into(), "0.500000000000000".into())
+        );
         assert_eq!(text(123.125_818_920_741), "123.125818920741");
         assert_eq!(text(0.000_001_234_567_890_123_45), "0.00000123456789012345");
     }

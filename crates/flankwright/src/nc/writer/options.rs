@@ -79,7 +79,10 @@ impl WriteOptions {
     pub(super) fn check(&self) -> Result<(), NcError> {
         let bad = |reason: &str| Err(NcError::BadHeader { reason: reason.into() });
         let decimals = self.decimals;
-        if !(3..=9).contains(&decimals.mm) || !(3..=9).contains(&decimals.deg) || !(6..=9).contains(&decimals.feed) {
+        if !(3..=9).contains(&decimals.mm)
+            || !(3..=9).contains(&decimals.deg)
+            || !(6..=9).contains(&decimals.feed)
+        {
             return bad("decimals; allowed: 3 to 9 for mm and deg, 6 to 9 for the feed");
         }
         let linuxcnc = &self.linuxcnc;
@@ -148,7 +151,9 @@ impl Warning {
     /// What the user can do about it, in one sentence.
     pub fn way_out(&self) -> &'static str {
         match self {
-            Self::TimeNotKept { .. } => "take longer blocks, a longer time, or one straight block for the whole stroke",
+            Self::TimeNotKept { .. } => {
+                "take longer blocks, a longer time, or one straight block for the whole stroke"
+            }
         }
     }
 }

@@ -9,8 +9,8 @@ use super::unconfirmed::{
 };
 use super::{WriteOptions, Written};
 use crate::nc::{
-    AxisMotion, BSplineMotion, Block, Coupling, CubicMotion, CubicSpan, CurveTable, Gear, GearSynchronisation, MAXIMUM_AXES,
-    NcError, Program, Repetition, Targets, Word,
+    AxisMotion, BSplineMotion, Block, Coupling, CubicMotion, CubicSpan, CurveTable, Gear,
+    GearSynchronisation, MAXIMUM_AXES, NcError, Program, Repetition, Targets, Word,
 };
 
 /// Most leading axes of a gear.
@@ -76,7 +76,9 @@ impl Siemens<'_> {
                     self.define(gear)?;
                     self.gears[gear.follower] = Some(gear);
                 }
-                Block::GearOn { follower, synchronisation } => self.couple(*follower, synchronisation.as_deref())?,
+                Block::GearOn { follower, synchronisation } => {
+                    self.couple(*follower, synchronisation.as_deref())?
+                }
                 Block::GearOff { follower } => self.gear_call("EGOFS", *follower)?,
                 Block::Table(table) => self.table(table)?,
             }
@@ -203,10 +205,9 @@ impl Siemens<'_> {
             self.out.push(", ");
             self.out.axis_value(follower, at.follower);
         }
-        let degrees = |axis: usize| self.out.program.axes()[axis].motion == AxisMotion::Rotary;
-        let follower_turns = degrees(follower);
+        let program = self.out.program;
+        let turns = |axis: usize| program.axes()[axis].motion == AxisMotion::Rotary;
         for (k, leader) in gear.leaders.iter().enumerate() {
-            let leader_turns = self.out.program.axes()[leader.axis].motion == AxisMotion::Rotary;
             let address = self.out.axes[leader.axis].address.clone();
             self.out.push_format(format_args!(", {address}, "));
             if let Some(at) = at {
@@ -216,7 +217,7 @@ impl Siemens<'_> {
             match leader.coupling {
                 // Degrees where radians were: on one side only, so that ratios of turning axes stay integers.
                 Coupling::Ratio { num, den } => {
-                    let (num, den) = match (follower_turns, leader_turns) {
+                    let (num, den) = match (turns(follower), turns(leader.axis)) {
                         (true, false) => (num.to_degrees(), den),
                         (false, true) => (num, den.to_degrees()),
                         _ => (num, den),
@@ -236,7 +237,8 @@ impl Siemens<'_> {
     }
 
     fn table(&mut self, table: &CurveTable) -> Result<(), NcError> {
-        let [follower, leader] = [table.follower, table.leader].map(|axis| self.out.axes[axis].address.clone());
+        let [follower, leader] =
+            [table.follower, table.leader].map(|axis| self.out.axes[axis].address.clone());
         let repetition = match table.repetition {
             Repetition::Held => 0,
             Repetition::Leader => 1,
