@@ -23,8 +23,11 @@ fn benchmark(criterion: &mut Criterion) {
         group.throughput(Throughput::Elements(BLOCKS as u64));
         group.sample_size(10);
         group.bench_function("write", |b| b.iter(|| write(black_box(&program), dialect, &options)));
-        group.bench_function("read", |b| b.iter(|| read(black_box(text.as_bytes()), dialect, program.axes())));
-        group.bench_function("write_checked", |b| b.iter(|| write_checked(black_box(&program), dialect, &options)));
+        group
+            .bench_function("read", |b| b.iter(|| read(black_box(text.as_bytes()), dialect, program.axes())));
+        group.bench_function("write_checked", |b| {
+            b.iter(|| write_checked(black_box(&program), dialect, &options))
+        });
         group.finish();
         if dialect == Dialect::LinuxCnc {
             against_linuxcnc(&text, || {
