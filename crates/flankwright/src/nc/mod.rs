@@ -2,18 +2,24 @@
 //! per control dialect, a reader that shares no code with the writers, and the comparison of what was written with what was
 //! read back. Knows axes and couplings by their names and numbers only: no gear, no process, no file.
 
+mod compare;
 mod dialect;
 mod error;
+mod expand;
 mod program;
+mod reader;
 mod writer;
 
+pub use compare::{compare, write_checked};
 pub use dialect::Dialect;
 pub use error::NcError;
+pub use expand::{split_turns, subdivide};
 pub use program::{
     AxisMotion, AxisWord, BSplineMotion, Block, Coupling, CubicMotion, CubicSpan, CurveTable, Gear,
     GearLeader, GearSynchronisation, Header, MAXIMUM_AXES, Program, Repetition, TablePiece, Targets,
     ToothData, Word,
 };
+pub use reader::{MAXIMUM_BYTES, ReadError, ReadProblem, ReadProgram, detect_dialect, read};
 pub use writer::{
     Decimals, FanucOptions, HalOptions, LinuxCncOptions, Rounding, Warning, WriteOptions, Written, write,
 };

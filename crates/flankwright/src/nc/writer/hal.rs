@@ -5,7 +5,6 @@
 use super::lines::Lines;
 use super::options::HalOptions;
 use crate::nc::{AxisMotion, Coupling, Gear, GearSynchronisation, NcError, Word};
-use std::fmt::Write as _;
 
 /// The netlist of one gear.
 ///
@@ -47,8 +46,10 @@ pub(super) fn netlist(
     let (switch, off, fit) = (format!("{name}-switch"), format!("{name}-off"), format!("{name}-fit"));
 
     let mut text = String::new();
-    // Writing into memory does not fail.
-    let mut line = |arguments: std::fmt::Arguments<'_>| drop(writeln!(text, "{arguments}"));
+    let mut line = |arguments: std::fmt::Arguments<'_>| {
+        text.push_str(&arguments.to_string());
+        text.push('\n');
+    };
     line(format_args!("# Gear of the axis {} for the program {}.", follower.name, out.program.header().name));
     line(format_args!(
         "# M64 P{0} in the program couples, M65 P{0} opens; motmod needs num_dio above {0}.",

@@ -218,7 +218,8 @@ impl<'a> Lines<'a> {
             lead_ratio: self.lead_ratio,
         };
         // ASCII by construction: names, comments and addresses are checked, the rest is written here.
-        let text = String::from_utf8_lossy(&self.text).into_owned();
+        let text = String::from_utf8(self.text)
+            .unwrap_or_else(|error| String::from_utf8_lossy(error.as_bytes()).into_owned());
         Written { text, hal: None, rounding, warnings: Vec::new() }
     }
 }

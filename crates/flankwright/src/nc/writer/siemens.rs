@@ -15,10 +15,14 @@ use crate::nc::{
 
 /// Most leading axes of a gear.
 const LEADERS: usize = 5;
-/// Decimals of polynomials, so that a cubic comes back within 1e-9 of its unit.
-const POLYNOMIAL_DECIMALS: u8 = 10;
 /// Digits of a ratio that is not of integers.
 const RATIO_DIGITS: u8 = 15;
+
+/// Decimals of polynomials and knots, so that a cubic comes back within 1e-9 of its unit: as many as an f64 of that size holds, and
+/// at most 18 digits in all.
+fn polynomial_decimals(value: f64) -> u8 {
+    if value.abs() < 1e7 { 10 } else { 8 }
+}
 
 pub(super) fn write(program: &Program, options: &WriteOptions) -> Result<Written, NcError> {
     let allowed = "X Y Z A B C U V W, addresses such as B1, spindles";
@@ -130,6 +134,10 @@ impl Siemens<'_> {
         self.out.end_line()
     }
 
+    fn precise(&mut self, value: f64) {
+        self.out.fixed(value, polynomial_decimals(value));
+    }
+
     /// ` PO[X]=(xe,a2,a3)`: a1 follows from where the axis stands.
     fn polynomial(&mut self, axis: usize, start: f64, span: &CubicSpan) {
         let scale = self.out.axes[axis].scale;
@@ -138,7 +146,7 @@ impl Siemens<'_> {
         self.out.push_format(format_args!(" PO[{address}]=("));
         for (separator, value) in [("", span.end), (",", a2), (",", a3)] {
             self.out.push(separator);
-            self.out.fixed(value * scale, POLYNOMIAL_DECIMALS);
+            self.precise(value * scale);
         }
         self.out.push(")");
     }
@@ -166,7 +174,7 @@ impl Siemens<'_> {
             self.out.push("BSPLINE");
             self.out.targets(point);
             self.out.push_format(format_args!(" SD={degree} PL="));
-            self.out.fixed(knots[k + 1 + degree] - knots[k + degree], POLYNOMIAL_DECIMALS);
+            self.precise(knots[k + 1 + degree] - knots[k + degree]);
             self.out.feed(share)?;
             self.places.update(point);
             self.out.moved(point);
@@ -205,10 +213,9 @@ impl Siemens<'_> {
             self.out.push(", ");
             self.out.axis_value(follower, at.follower);
         }
-        let degrees = |axis: usize| self.out.program.axes()[axis].motion == AxisMotion::Rotary;
-        let follower_turns = degrees(follower);
+        let program = self.out.program;
+        let turns = |axis: usize| program.axes()[axis].motion == AxisMotion::Rotary;
         for (k, leader) in gear.leaders.iter().enumerate() {
-            let leader_turns = self.out.program.axes()[leader.axis].motion == AxisMotion::Rotary;
             let address = self.out.axes[leader.axis].address.clone();
             self.out.push_format(format_args!(", {address}, "));
             if let Some(at) = at {
@@ -218,7 +225,7 @@ impl Siemens<'_> {
             match leader.coupling {
                 // Degrees where radians were: on one side only, so that ratios of turning axes stay integers.
                 Coupling::Ratio { num, den } => {
-                    let (num, den) = match (follower_turns, leader_turns) {
+                    let (num, den) = match (turns(follower), turns(leader.axis)) {
                         (true, false) => (num.to_degrees(), den),
                         (false, true) => (num, den.to_degrees()),
                         _ => (num, den),
@@ -268,6 +275,6 @@ impl Siemens<'_> {
         let equals = if matches!(self.out.program.axes()[axis].word, Word::Named(_)) { "=" } else { "" };
         let (address, scale) = (self.out.axes[axis].address.clone(), self.out.axes[axis].scale);
         self.out.push_format(format_args!(" {address}{equals}"));
-        self.out.fixed(value * scale, POLYNOMIAL_DECIMALS);
+        self.precise(value * scale);
     }
 }

@@ -1,0 +1,517 @@
+//! Letter-and-number programs: LinuxCNC and Fanuc (spec 80 sections 3 and 6). Everything about their order of words is here.
+
+use super::error::{ReadError, ReadProblem};
+use super::machine::{AxisWords, Fault, Machine, Meaning, Motion};
+use super::scan::{Decimal, Scan};
+use super::{Grammar, ReadProgram, program_name};
+use crate::nc::{AxisMotion, Block, Coupling, Dialect, Gear, GearLeader, ToothData, Word};
+
+/// Most codes of one line.
+const CODES: usize = 16;
+
+const LINUXCNC_CODES: &str =
+    "G0 G1 G4 G17 G20 G21 G40 G49 G61 G64 G80 G90 G91 G93 G94, M0 M1 M2 M3 M4 M5 M30 M64 M65";
+const FANUC_CODES: &str =
+    "G0 G1 G4 G5.1 G17 G20 G21 G40 G49 G64 G80 G81 G90 G91 G93 G94, M0 M1 M2 M3 M4 M5 M30";
+const LINUXCNC_WORDS: &str = "G M N F S P $, letters of the axis map, comments ( ) and ;";
+const FANUC_WORDS: &str = "G M N O F S P Q T L, letters of the axis map, comments ( ), capital letters only";
+
+const BELONG: &str = "only words that belong to the codes of the line";
+
+/// Codes of G in tenths, and the group that allows one of them in a line.
+fn group(dialect: Dialect, tenths: u32) -> Option<u32> {
+    let group = match tenths {
+        0 | 10 | 800 => 0,
+        40 => 1,
+        170 => 2,
+        200 | 210 => 3,
+        400 => 4,
+        490 => 5,
+        610 | 640 => 6,
+        900 | 910 => 7,
+        930 | 940 => 8,
+        51 if dialect == Dialect::Fanuc => 9,
+        810 if dialect == Dialect::Fanuc => 0,
+        _ => return None,
+    };
+    (!(tenths == 610 && dialect == Dialect::Fanuc)).then_some(group)
+}
+
+/// The words of one line, by letter.
+struct Words {
+    values: [Decimal; 26],
+    columns: [usize; 26],
+    present: u32,
+    used: u32,
+}
+
+const fn letter(byte: u8) -> usize {
+    (byte - b'A') as usize
+}
+
+impl Words {
+    fn get(&mut self, byte: u8) -> Option<Decimal> {
+        let bit = 1 << letter(byte);
+        self.used |= bit;
+        (self.present & bit != 0).then(|| self.values[letter(byte)])
+    }
+}
+
+pub(super) struct Iso<'a> {
+    dialect: Dialect,
+    machine: Machine<'a>,
+    /// Axis of each letter.
+    letters: [Option<u8>; 26],
+    words: Words,
+    axis_words: AxisWords,
+    name: Option<String>,
+    chord_tolerance: Option<f64>,
+    /// Whether anything but a comment was read, and whether a percent sign opened the text.
+    begun: bool,
+    percent: bool,
+    /// Follower of the gear that is on.
+    coupled: Option<usize>,
+}
+
+impl<'a> Iso<'a> {
+    pub fn new(dialect: Dialect, machine: Machine<'a>) -> Self {
+        let mut letters = [None; 26];
+        for (axis, word) in machine.axes.iter().enumerate() {
+            if let Word::Letter(name @ 'A'..='Z') = word.word {
+                letters[letter(name as u8)] = Some(axis as u8);
+            }
+        }
+        let words = Words { values: [Decimal::default(); 26], columns: [0; 26], present: 0, used: 0 };
+        Self {
+            dialect,
+            machine,
+            letters,
+            words,
+            axis_words: AxisWords::NONE,
+            name: None,
+            chord_tolerance: None,
+            begun: false,
+            percent: false,
+            coupled: None,
+        }
+    }
+
+    fn is_fanuc(&self) -> bool {
+        self.dialect == Dialect::Fanuc
+    }
+
+    fn comment(&mut self, bytes: &[u8], scan: &Scan<'_>, start: usize) -> Result<(), ReadError> {
+        if bytes.contains(&b'(') {
+            return Err(scan.fault(ReadProblem::Conflict, start, "comments without brackets inside"));
+        }
+        let text = String::from_utf8_lossy(bytes.trim_ascii()).into_owned();
+        if !self.begun && self.name.is_none() && self.machine.blocks.is_empty() {
+            self.name = program_name(&text);
+            if self.name.is_some() {
+                return Ok(());
+            }
+        }
+        if !text.is_empty() {
+            self.machine.blocks.push(Block::Comment(text.into()));
+        }
+        Ok(())
+    }
+
+    /// Letters and numbers of the line into `words`, codes into the two lists.
+    fn words(&mut self, scan: &mut Scan<'_>) -> Result<Codes, ReadError> {
+        let mut codes = Codes::default();
+        let allowed = if self.is_fanuc() { FANUC_WORDS } else { LINUXCNC_WORDS };
+        self.words.present = 0;
+        self.words.used = 0;
+        self.axis_words.clear();
+        loop {
+            scan.skip_blanks();
+            let start = scan.at;
+            let Some(byte) = scan.peek() else { return Ok(codes) };
+            scan.at += 1;
+            match byte {
+                b'(' => {
+                    let Some(length) = scan.bytes[scan.at..].iter().position(|byte| *byte == b')') else {
+                        return Err(scan.fault(
+                            ReadProblem::Missing,
+                            start,
+                            "a bracket that closes the comment",
+                        ));
+                    };
+                    let text = &scan.bytes[scan.at..scan.at + length];
+                    scan.at += length + 1;
+                    self.comment(text, scan, start)?;
+                    continue;
+                }
+                b';' if !self.is_fanuc() => {
+                    let text = &scan.bytes[scan.at..];
+                    scan.at = scan.bytes.len();
+                    self.comment(text, scan, start)?;
+                    continue;
+                }
+                b'$' if !self.is_fanuc() => {
+                    let number = scan.number()?;
+                    if codes.spindle.is_some() {
+                        return Err(scan.fault(ReadProblem::Conflict, start, "one word $"));
+                    }
+                    codes.spindle = number.count();
+                    if codes.spindle.is_none() {
+                        return Err(scan.fault(ReadProblem::OutOfRange, start, "$0 to $7"));
+                    }
+                    continue;
+                }
+                _ => {}
+            }
+            let name = if self.is_fanuc() { byte } else { byte.to_ascii_uppercase() };
+            if !name.is_ascii_uppercase() {
+                return Err(scan.fault(ReadProblem::UnknownWord, start, allowed));
+            }
+            let number = scan.number()?;
+            match name {
+                b'G' => {
+                    let tenths = match number.decimals {
+                        0 => number.mantissa.checked_mul(10),
+                        1 => Some(number.mantissa),
+                        _ => None,
+                    };
+                    let code = tenths.and_then(|tenths| u32::try_from(tenths).ok());
+                    let known = code.and_then(|code| Some((code, group(self.dialect, code)?)));
+                    let Some((code, group)) = known else {
+                        let allowed = if self.is_fanuc() { FANUC_CODES } else { LINUXCNC_CODES };
+                        return Err(scan.fault(ReadProblem::UnknownWord, start, allowed));
+                    };
+                    if codes.groups & 1 << group != 0 || !codes.g.push(code) {
+                        return Err(scan.fault(
+                            ReadProblem::Conflict,
+                            start,
+                            "one code of each group in a line",
+                        ));
+                    }
+                    codes.groups |= 1 << group;
+                }
+                b'M' => {
+                    let code = number.count().filter(|code| {
+                        matches!(code, 0..=5 | 30) || (!self.is_fanuc() && matches!(code, 64 | 65))
+                    });
+                    let Some(code) = code else {
+                        let allowed = if self.is_fanuc() { FANUC_CODES } else { LINUXCNC_CODES };
+                        return Err(scan.fault(ReadProblem::UnknownWord, start, allowed));
+                    };
+                    if !codes.m.push(code) {
+                        return Err(scan.fault(ReadProblem::Conflict, start, "few codes in a line"));
+                    }
+                }
+                b'N' => {}
+                _ => {
+                    let bit = 1 << letter(name);
+                    // X may be a dwell where no axis has it.
+                    let plain = if self.is_fanuc() { &b"FSPQTLOX"[..] } else { b"FSP" };
+                    if let Some(axis) = self.letters[letter(name)] {
+                        if self.is_fanuc() && !number.pointed {
+                            let allowed = "a number with a point: without one it counts least increments";
+                            return Err(scan.fault(ReadProblem::BadNumber, start, allowed));
+                        }
+                        self.axis_words.add(usize::from(axis), number, Meaning::ByMode);
+                    } else if !plain.contains(&name) {
+                        return Err(scan.fault(ReadProblem::UnknownWord, start, allowed));
+                    }
+                    if self.words.present & bit != 0 {
+                        return Err(scan.fault(ReadProblem::Conflict, start, "each letter once in a line"));
+                    }
+                    self.words.present |= bit;
+                    self.words.values[letter(name)] = number;
+                    self.words.columns[letter(name)] = start;
+                }
+            }
+        }
+    }
+
+    /// Carries a line out in the order that controls do.
+    fn carry_out(&mut self, codes: &Codes) -> Result<(), Fault> {
+        let dwell = codes.g.has(40);
+        let axis_bits = self.letters.iter().enumerate().filter(|(_, axis)| axis.is_some());
+        let axis_bits = axis_bits.fold(0u32, |mask, (k, _)| mask | 1 << k);
+        let moves = !dwell && !codes.g.has(51) && !codes.g.has(810);
+        if moves {
+            self.words.used |= axis_bits;
+        }
+        if codes.g.has(930) {
+            self.machine.inverse_time = true;
+            self.machine.feed = None;
+        }
+        if codes.g.has(940) {
+            self.machine.inverse_time = false;
+            self.machine.feed = None;
+        }
+        let feed = self.words.get(b'F').map(Decimal::value);
+        if feed.is_some_and(|feed| !(1e-4..=1e9).contains(&feed)) {
+            return Err((ReadProblem::OutOfRange, "F from 0.0001 to 1e9"));
+        }
+        self.spindle(codes)?;
+        if dwell {
+            self.dwell()?;
+        }
+        for &code in codes.g.list() {
+            match code {
+                200 => self.machine.inch = true,
+                210 => self.machine.inch = false,
+                900 => self.machine.incremental = false,
+                910 => self.machine.incremental = true,
+                0 => self.machine.motion = Motion::Rapid,
+                10 => self.machine.motion = Motion::Linear,
+                640 if !self.is_fanuc() => {
+                    if let Some(tolerance) = self.words.get(b'P') {
+                        let scale = if self.machine.inch { 25.4 } else { 1.0 };
+                        self.chord_tolerance = Some(tolerance.value() * scale);
+                    }
+                }
+                51 if !matches!(self.words.get(b'Q').and_then(Decimal::count), Some(0 | 1)) => {
+                    return Err((ReadProblem::Missing, "G5.1 with Q0 or Q1"));
+                }
+                810 => self.couple()?,
+                800 => {
+                    self.machine.motion = Motion::None;
+                    if let (true, Some(follower)) = (self.is_fanuc(), self.coupled.take()) {
+                        self.machine.blocks.push(Block::GearOff { follower });
+                    }
+                }
+                _ => {}
+            }
+        }
+        for (code, on) in [(64, true), (65, false)] {
+            if codes.m.has(code) {
+                let axis = self.words.get(b'P').and_then(Decimal::count).map(|axis| axis as usize);
+                let follower = axis.filter(|axis| *axis < self.machine.axes.len());
+                let follower = follower.ok_or((ReadProblem::Missing, "P with the index of an axis"))?;
+                // At which positions is said by the netlist.
+                self.machine.blocks.push(match on {
+                    true => Block::GearOn { follower, synchronisation: None },
+                    false => Block::GearOff { follower },
+                });
+            }
+        }
+        if !self.axis_words.is_empty() && moves {
+            let words = self.axis_words;
+            self.machine.straight(&words, feed)?;
+        } else if let (Some(feed), false) = (feed, self.machine.inverse_time) {
+            self.machine.feed = Some(feed);
+        }
+        if codes.m.has(0) || codes.m.has(1) {
+            self.machine.blocks.push(Block::Stop);
+        }
+        if codes.m.has(2) || codes.m.has(30) {
+            self.machine.blocks.push(Block::End);
+            self.machine.ended = true;
+        }
+        if self.words.present & !self.words.used != 0 {
+            return Err((ReadProblem::Conflict, BELONG));
+        }
+        Ok(())
+    }
+
+    fn spindle(&mut self, codes: &Codes) -> Result<(), Fault> {
+        let speed = self.words.get(b'S').map(Decimal::value);
+        let mut directions =
+            [(3, 1.0), (4, -1.0), (5, 0.0)].into_iter().filter(|(code, _)| codes.m.has(*code));
+        let direction = directions.next().map(|(_, direction)| direction);
+        if directions.next().is_some() {
+            return Err((ReadProblem::Conflict, "one of M3, M4, M5"));
+        }
+        if speed.is_none() && direction.is_none() {
+            return match codes.spindle {
+                Some(_) => Err((ReadProblem::Conflict, "$ beside S, M3, M4 or M5 only")),
+                None => Ok(()),
+            };
+        }
+        let mut spindle = codes.spindle.unwrap_or(0) as usize;
+        if self.is_fanuc()
+            && let Some(number) = self.words.get(b'P')
+        {
+            let number = number.count().filter(|number| *number > 0);
+            spindle = number.ok_or((ReadProblem::OutOfRange, "spindles P1 to P8"))? as usize - 1;
+        }
+        self.machine.spindle(spindle, speed, direction)
+    }
+
+    fn dwell(&mut self) -> Result<(), Fault> {
+        let seconds = if self.is_fanuc() {
+            match (self.words.get(b'X'), self.words.get(b'P')) {
+                (Some(seconds), None) if seconds.pointed => seconds.value(),
+                // P counts milliseconds.
+                (None, Some(number)) => {
+                    f64::from(number.count().ok_or((ReadProblem::BadNumber, "P with whole milliseconds"))?)
+                        / 1e3
+                }
+                _ => {
+                    return Err((
+                        ReadProblem::Missing,
+                        "G4 with X in seconds, with a point, or P in milliseconds",
+                    ));
+                }
+            }
+        } else {
+            self.words.get(b'P').ok_or((ReadProblem::Missing, "G4 with P in seconds"))?.value()
+        };
+        self.machine.dwell(seconds)
+    }
+
+    /// G81 of a hobbing machine: spindle 0 drives C, Z adds the lead.
+    fn couple(&mut self) -> Result<(), Fault> {
+        if self.coupled.is_some() {
+            return Err((ReadProblem::Conflict, "G80 before the next G81"));
+        }
+        let axes = self.machine.axes;
+        let axis = |word: Word| axes.iter().position(|axis| axis.word == word);
+        let (Some(follower), Some(tool)) = (axis(Word::Letter('C')), axis(Word::Spindle(0))) else {
+            return Err((ReadProblem::UnknownWord, "G81 with an axis C and a spindle 0 in the axis map"));
+        };
+        let teeth = self.words.get(b'T').and_then(Decimal::count).filter(|teeth| (1..=1000).contains(teeth));
+        let teeth = teeth.ok_or((ReadProblem::OutOfRange, "T from 1 to 1000"))?;
+        let threads = self.words.get(b'L').filter(|threads| {
+            threads.decimals == 0 && threads.mantissa != 0 && threads.mantissa.unsigned_abs() <= 21
+        });
+        let threads = threads.ok_or((ReadProblem::OutOfRange, "L from -21 to 21 without 0"))?.mantissa as i32;
+        let mut leaders = vec![GearLeader {
+            axis: tool,
+            coupling: Coupling::Ratio { num: threads.into(), den: teeth.into() },
+        }];
+        let (mut normal_module, mut helix_angle) = (f64::NAN, f64::NAN);
+        match (self.words.get(b'Q'), self.words.get(b'P')) {
+            (None, None) => {}
+            (Some(q), Some(p)) if q.pointed && p.pointed => {
+                normal_module = q.value();
+                helix_angle = p.value().to_radians();
+                if !(0.1..=25.0).contains(&normal_module) || !(-90.0..=90.0).contains(&p.value()) {
+                    return Err((ReadProblem::OutOfRange, "Q from 0.1 to 25 mm, P from -90 to 90 deg"));
+                }
+                let lead = axis(Word::Letter('Z')).filter(|lead| axes[*lead].motion == AxisMotion::Linear);
+                let lead = lead
+                    .ok_or((ReadProblem::UnknownWord, "G81 with Q and P, and an axis Z in the axis map"))?;
+                // dC/dZ = 360 sin(P)/(pi T Q) deg/mm.
+                let (num, den) = (2.0 * helix_angle.sin(), f64::from(teeth) * normal_module);
+                leaders.push(GearLeader { axis: lead, coupling: Coupling::Ratio { num, den } });
+            }
+            _ => return Err((ReadProblem::Missing, "Q and P together, with points")),
+        }
+        let teeth = ToothData { teeth, threads, normal_module, helix_angle };
+        self.machine.blocks.push(Block::GearDefine(Box::new(Gear { follower, leaders, teeth: Some(teeth) })));
+        self.machine.blocks.push(Block::GearOn { follower, synchronisation: None });
+        self.coupled = Some(follower);
+        Ok(())
+    }
+}
+
+impl Grammar for Iso<'_> {
+    // The longer of the two; LinuxCNC's own is checked in `line`.
+    const LINE: usize = 256;
+
+    fn line(&mut self, bytes: &[u8], number: usize) -> Result<(), ReadError> {
+        let mut scan = Scan::new(bytes, number);
+        if !self.is_fanuc() && bytes.len() > 252 {
+            return Err(scan.fault(ReadProblem::LineTooLong, 252, "252 characters"));
+        }
+        if bytes.trim_ascii() == b"%" {
+            let first = !self.begun && !self.percent && self.machine.blocks.is_empty() && self.name.is_none();
+            if first {
+                self.percent = true;
+            } else if self.percent && !self.machine.ended {
+                self.machine.blocks.push(Block::End);
+                self.machine.ended = true;
+            } else if !self.percent {
+                return Err(scan.fault(ReadProblem::End, 0, "% in the first and the last line"));
+            }
+            return Ok(());
+        }
+        let before = self.machine.ended;
+        let blocks = self.machine.blocks.len();
+        let codes = self.words(&mut scan)?;
+        let empty = codes.g.list().is_empty()
+            && codes.m.list().is_empty()
+            && self.words.present == 0
+            && codes.spindle.is_none();
+        if before {
+            self.machine.blocks.truncate(blocks);
+            if !empty {
+                return Err(scan.fault(ReadProblem::End, 0, "comments after the end"));
+            }
+            return Ok(());
+        }
+        if empty {
+            return Ok(());
+        }
+        if let Some(number) = self.words.get(b'O') {
+            let alone = self.words.present == 1 << letter(b'O')
+                && codes.g.list().is_empty()
+                && codes.m.list().is_empty();
+            if self.begun || !alone || number.count().is_none_or(|number| number == 0) {
+                return Err(scan.fault(
+                    ReadProblem::Conflict,
+                    0,
+                    "the number O once, before everything else",
+                ));
+            }
+            self.begun = true;
+            return Ok(());
+        }
+        self.begun = true;
+        self.carry_out(&codes).map_err(|(problem, allowed)| {
+            let unused = (0..26).find(|k| (self.words.present & !self.words.used) >> k & 1 == 1);
+            let start = unused.filter(|_| allowed == BELONG).map_or(0, |k| self.words.columns[k]);
+            scan.at = bytes.len();
+            scan.fault(problem, start, allowed)
+        })
+    }
+
+    fn finish(self, last: usize) -> Result<ReadProgram, ReadError> {
+        if !self.machine.ended {
+            let allowed = "a program that ends with M2 or M30";
+            return Err(ReadError {
+                line: last,
+                column: 1,
+                problem: ReadProblem::End,
+                word: "".into(),
+                allowed,
+            });
+        }
+        Ok(ReadProgram {
+            name: self.name,
+            chord_tolerance: self.chord_tolerance,
+            blocks: self.machine.blocks,
+        })
+    }
+}
+
+/// The codes of one line.
+#[derive(Default)]
+struct Codes {
+    g: CodeList,
+    m: CodeList,
+    groups: u32,
+    spindle: Option<u32>,
+}
+
+#[derive(Default)]
+struct CodeList {
+    codes: [u32; CODES],
+    count: usize,
+}
+
+impl CodeList {
+    /// False if there is no more room or the code is there already.
+    fn push(&mut self, code: u32) -> bool {
+        if self.count == CODES || self.has(code) {
+            return false;
+        }
+        self.codes[self.count] = code;
+        self.count += 1;
+        true
+    }
+
+    fn has(&self, code: u32) -> bool {
+        self.list().contains(&code)
+    }
+
+    fn list(&self) -> &[u32] {
+        &self.codes[..self.count]
+    }
+}
