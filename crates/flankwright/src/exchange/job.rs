@@ -40,7 +40,7 @@ pub use gear::{Evaluation, EvaluationRange, Gear, OverBalls, Span};
 pub use gear_root::{GearRoot, RootAlong};
 pub use grid::Grid;
 pub use grinding::{Grinding, Method};
-pub use machine::Machine;
+pub use machine::{Clamping, Machine};
 pub use one_or_sides::OneOrSides;
 pub(in crate::exchange) use one_or_sides::{one_or_sides_schema, pressure_angle_schema};
 pub use output::{Mesh, Output, Program, Table};

@@ -46,8 +46,12 @@ impl DressingCourse {
         let wanted = self.position(&Waypoint { v: is.worm_shift, ..*near });
         // How the dresser stands off its place, in worm coordinates: its own rotation is in neither pose.
         let moved = is.pose().then(&wanted.pose().inverse());
-        let here = Pose::<Worm, Worm>::rz(-is.worm_shift / self.motion.chain.screw_parameter)
-            .then(&Pose::<Worm, Worm>::tz(-is.worm_shift));
+        let here = Pose::<Worm, Worm>::rz(-is.worm_shift / self.motion.chain.screw_parameter).then(&Pose::<
+            Worm,
+            Worm,
+        >::tz(
+            -is.worm_shift,
+        ));
         let left = |(point, normal): &(Vector3<f64>, Vector3<f64>)| {
             let p = here.rotation() * point + here.translation();
             let n = here.rotation() * normal;

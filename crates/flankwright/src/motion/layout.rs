@@ -10,6 +10,8 @@ use crate::nc::{Block, Header, Program, ToothData};
 mod gear;
 mod passes;
 
+pub use passes::in_words;
+
 /// One pass of the tool.
 #[derive(Clone, Debug)]
 pub struct Pass {

@@ -20,7 +20,7 @@ pub use course::{BodyPlace, Course, Waypoint};
 pub use dressing_course::DressingCourse;
 pub use error::MotionError;
 pub use grinding_course::GrindingCourse;
-pub use layout::{Coupling, Layout, LayoutOptions, Pass, PassReport, WorkGear, lay_out};
+pub use layout::{Coupling, Layout, LayoutOptions, Pass, PassReport, WorkGear, in_words, lay_out};
 pub use path::AxisPath;
 pub use read_back::{ReadStroke, Tracked, track};
 pub use s_curve::SCurve;

@@ -7,7 +7,7 @@ use crate::kinematics::{
     Pose, Workpiece, Worm,
 };
 use crate::machine::{Machine, Mounts, Positions, Role, Station};
-use crate::nc::{Block, Coupling, CurveTable, Gear, GearSynchronisation, Program};
+use crate::nc::{Block, Coupling, CurveTable, Gear, GearSynchronisation};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
@@ -79,12 +79,12 @@ pub struct ReadStroke<M> {
     pub duration: f64,
 }
 
-/// Follows a program from `start`, where axes that it does not name stand.
+/// Follows the blocks of a program from `start`, where axes that it does not name stand.
 ///
 /// # Errors
 /// [`MotionError::NotFollowed`] for a block that moves an axis whose place is not known, or a gear without one.
 pub fn track(
-    program: &Program,
+    blocks: &[Block],
     machine: &Machine,
     words: &AxisWords,
     start: &Positions,
@@ -100,7 +100,7 @@ pub fn track(
         tracked: Tracked { chains: Vec::new(), ranges: vec![None; machine.axes().len()], duration: 0.0 },
         open: false,
     };
-    for (k, block) in program.blocks().iter().enumerate() {
+    for (k, block) in blocks.iter().enumerate() {
         walk.block(k + 1, block)?;
     }
     Ok(walk.tracked)

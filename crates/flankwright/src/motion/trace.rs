@@ -40,15 +40,6 @@ impl AxisTrace {
         self.rows.windows(2).map(|pair| (pair[1].at[axis] - pair[0].at[axis]).abs()).sum()
     }
 
-    /// All axes stand for a time, s.
-    pub(super) fn wait(&mut self, at: &Positions, time: f64) {
-        let begun = self.duration();
-        for t in [begun, begun + time] {
-            let still = Positions::default();
-            self.rows.push(TraceRow { t, at: *at, velocity: still, acceleration: still });
-        }
-    }
-
     /// Each axis moves on its own as fast as it may; an axis without limits jumps.
     pub(super) fn rapid(&mut self, machine: &Machine, from: &Positions, to: &Positions) {
         let begun = self.duration();

@@ -20,6 +20,8 @@ pub struct ExecutedStroke {
     pub corrections: [Chebyshev; 4],
     /// The motion that these corrections make.
     pub motion: DressingMotion,
+    /// Worm positions v_zS that are driven, mm.
+    pub driven: [f64; 2],
 }
 
 /// All strokes of a flank.
@@ -38,7 +40,8 @@ impl ExecutedStrokes {
             let chain = layout.dressers.get(place.dresser)?.flanks[flank].chain;
             let corrections = along.corrections.clone();
             let motion = dressing_motion(chain, &corrections);
-            Some(ExecutedStroke { place, corrections, motion })
+            let (from, to) = corrections[0].interval();
+            Some(ExecutedStroke { place, corrections, motion, driven: [from, to] })
         });
         Some(Self { strokes: strokes.collect::<Option<_>>()?, area: stroked.area })
     }

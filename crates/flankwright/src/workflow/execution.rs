@@ -32,6 +32,8 @@ pub struct ExecutedDressing {
     pub reliefs: Vec<ModificationSpec>,
     /// The motion that these corrections make.
     pub motion: DressingMotion,
+    /// Worm positions v_zS that are driven, mm.
+    pub driven: [f64; 2],
 }
 
 /// Where one flank of the tool comes from.
@@ -87,7 +89,8 @@ impl ExecutedDressing {
         reliefs: Vec<ModificationSpec>,
     ) -> Self {
         let motion = dressing_motion(chain, &corrections);
-        Self { corrections, profile, reliefs, motion }
+        let (from, to) = corrections[0].interval();
+        Self { corrections, profile, reliefs, motion, driven: [from, to] }
     }
 }
 

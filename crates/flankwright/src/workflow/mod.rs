@@ -14,6 +14,7 @@ mod occupation;
 mod page;
 mod partition;
 mod prepare;
+mod programs;
 mod referee;
 mod result;
 mod run;
@@ -47,6 +48,10 @@ pub use line_dressing::{LineDressingResult, WrittenFlank};
 pub use occupation::occupation_chart;
 pub use partition::{Partition, StrokePlan};
 pub use prepare::{Prepared, blank_of_job, gear_of_job, prepare, setup_of_job, tolerance_of_job};
+pub use programs::{
+    AxisResult, Built, BuiltProgram, DressingWork, GrindingWork, PassResult, ProgramResult, ProgramTask,
+    ProgramsResult, ProofResult, RunPrograms,
+};
 pub use referee::{StageReport, Verdict};
 pub use result::{CandidateResult, CharacteristicsUm, FlankResult, JobResult, SettingsResult, Status};
 pub use run::{Outcome, plan_job, simulate_job};

@@ -169,6 +169,12 @@ impl Partition {
         }))
     }
 
+    /// Added to z_V1 of the finishing area for each roughing area, mm.
+    pub(super) fn roughing_shifts(&self) -> Vec<f64> {
+        let finishing = self.shifts_mm.get(self.roughing_areas).copied().unwrap_or(0.0);
+        self.shifts_mm.iter().take(self.roughing_areas).map(|shift| shift - finishing).collect()
+    }
+
     /// The picture of the tool's width.
     pub fn chart(&self) -> &WormOccupationChart {
         &self.chart

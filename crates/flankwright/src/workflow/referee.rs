@@ -169,7 +169,6 @@ fn dressed_worm(
     stock: f64,
     progress: &dyn Progress,
 ) -> Result<RayedWorm, RemovalError> {
-    let (from, to) = dressing.corrections[0].interval();
     // Only where rays stand follows from the finished area. Beyond its tip the worm does not exist; what it does not reach
     // stays uncut and is told.
     let (w, z) = finished_area(setup, dresser, flank, &dressing.corrections);
@@ -178,7 +177,7 @@ fn dressed_worm(
         worm: setup.pair.worm.flank(flank),
         dresser: &dresser.flanks[flank].profile,
         motion: &dressing.motion,
-        shift_range: [from, to],
+        shift_range: dressing.driven,
         stock,
     };
     rayed(&[stage], w, z, progress)
@@ -201,15 +200,12 @@ fn stroked_worm(
     }
     let stages: Vec<Dressing<'_>> = bodies
         .iter()
-        .map(|(body, stroke)| {
-            let (from, to) = stroke.corrections[0].interval();
-            Dressing {
-                worm: setup.pair.worm.flank(flank),
-                dresser: body,
-                motion: &stroke.motion,
-                shift_range: [from, to],
-                stock,
-            }
+        .map(|(body, stroke)| Dressing {
+            worm: setup.pair.worm.flank(flank),
+            dresser: body,
+            motion: &stroke.motion,
+            shift_range: stroke.driven,
+            stock,
         })
         .collect();
     // Only where rays stand follows from the process: what the strokes do not reach there stays uncut and is told.

@@ -4,6 +4,7 @@ use super::finding::Remark;
 use super::gear_root::GearRootResult;
 use super::line_dressing::LineDressingResult;
 use super::partition::{Partition, StrokePlan};
+use super::programs::ProgramsResult;
 use crate::exchange::job::Settings;
 use crate::geometry::Sides;
 use crate::metrology::{Characteristics, Topography};
@@ -194,6 +195,9 @@ pub struct JobResult {
     /// The root of the gear; absent unless the worm's tip grinds it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gear_root: Option<GearRootResult>,
+    /// NC programs with their proof; absent without a machine.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub programs: Option<ProgramsResult>,
     /// Largest error of the ideal worm by round of precompensation, per flank.
     pub ideal_error_by_round_um: Sides<Vec<f64>>,
     /// Seconds per stage; the only part that differs between two runs.

@@ -7,11 +7,12 @@ use super::gear_root::gear_root;
 use super::line_dressing::{LineDressingResult, WrittenFlank, line_dressing};
 use super::partition::{Partition, StrokePlan};
 use super::prepare::{Prepared, prepare};
+use super::programs::{RunPrograms, programs_of_grinding};
 use super::referee::{self, Cutting, Verdict};
 use super::result::{CandidateResult, CharacteristicsUm, FlankResult, JobResult, SettingsResult, Status};
 use super::tip_land::TipLands;
+use crate::exchange::LoadedJob;
 use crate::exchange::job::{DiagonalRatio, Job, Output};
-use crate::exchange::{Diagnostic, LoadedJob, Problem};
 use crate::geometry::{Flank, Sides};
 use crate::metrology::Topography;
 use crate::numerics::Progress;
@@ -36,30 +37,8 @@ pub struct Outcome {
     pub sections: Vec<DressingSectionChart>,
     /// How a disc in point contact writes the worm, where there is one.
     pub written: Sides<Option<WrittenFlank>>,
-}
-
-fn prepared(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
-    supported(&loaded.job)?;
-    prepare(loaded)
-}
-
-/// Parts of the job format that this process does not carry out yet are refused, never ignored.
-pub(super) fn supported(job: &Job) -> Result<(), RunFailure> {
-    let refuse = |field: &str, what: &str, way_out: &str| {
-        let finding =
-            Diagnostic::new(Problem::NotYetSupported, format!("{what} is not carried out by this version"))
-                .field(field)
-                .way_out(way_out);
-        Err(RunFailure::bad_input(finding))
-    };
-    if job.machine.is_some() {
-        return refuse(
-            "machine",
-            "a machine description",
-            "leave [machine] out; the default axis limits hold",
-        );
-    }
-    Ok(())
+    /// NC programs with their proof, where the job names a machine.
+    pub programs: Option<RunPrograms>,
 }
 
 /// Plans a job and has the plan refereed.
@@ -68,7 +47,7 @@ pub(super) fn supported(job: &Job) -> Result<(), RunFailure> {
 /// [`RunFailure`]. A target missed within its tolerance is no error: the status says so.
 pub fn plan_job(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Outcome, RunFailure> {
     let begun = Instant::now();
-    let ready = prepared(loaded)?;
+    let ready = prepare(loaded)?;
     let prepared_at = begun.elapsed().as_secs_f64();
     let planning = Instant::now();
     let plan = ready.task(&loaded.job).plan().map_err(|e| RunFailure::from(&e))?;
@@ -84,7 +63,7 @@ pub fn plan_job(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Outcome, 
 /// [`RunFailure`], among them a job without `[settings]`.
 pub fn simulate_job(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Outcome, RunFailure> {
     let begun = Instant::now();
-    let ready = prepared(loaded)?;
+    let ready = prepare(loaded)?;
     let Some(settings) = &loaded.job.settings else {
         return Err(RunFailure::no_settings());
     };
@@ -117,10 +96,18 @@ fn finish(
         .map_err(|e| RunFailure::of_removal(&e, "grinding"))?;
     let gear_root = gear_root(&prepared, &execution)?;
     timing.insert("referee", refereeing.elapsed().as_secs_f64());
+    let proving = Instant::now();
+    let roughing = partition.as_ref().map_or(Vec::new(), Partition::roughing_shifts);
+    let programs = programs_of_grinding(loaded, &prepared, &execution, &verdicts, cutting, roughing)?;
+    if let Some(programs) = &programs {
+        timing.insert("programs", programs.seconds);
+        timing.insert("proof of the programs", proving.elapsed().as_secs_f64() - programs.seconds);
+    }
     let mut warnings = prepared.warnings.clone();
     warnings.extend(execution.warnings.iter().cloned());
     warnings.extend(tip_lands.warnings);
-    warnings.extend(output_warnings(&job.output));
+    warnings.extend(output_warnings(&job.output, job.machine.is_some()));
+    warnings.extend(programs.iter().flat_map(|programs| programs.warnings.iter().cloned()));
     let tolerance = prepared.tolerance.tightest() * 1e3;
     // A simulation has no plan that could say what stands on the tool's lines: the target is judged by its deviation alone.
     let outside = plan.as_ref().map_or(Sides::both(0.0), |p| p.ideal.outside);
@@ -219,12 +206,22 @@ fn finish(
         },
         flanks,
         gear_root,
+        programs: programs.as_ref().map(|programs| programs.result.clone()),
         ideal_error_by_round_um: plan.as_ref().map_or(Sides { left: Vec::new(), right: Vec::new() }, |p| {
             p.ideal_error_by_round.map(|_, e| e.iter().map(|e| e * 1e3).collect())
         }),
         timing_s: timing,
     };
-    Ok(Outcome { result, prepared, execution, plan, verdicts, sections: tip_lands.pictures, written })
+    Ok(Outcome {
+        result,
+        prepared,
+        execution,
+        plan,
+        verdicts,
+        sections: tip_lands.pictures,
+        written,
+        programs,
+    })
 }
 
 /// Largest |deviation| over the tolerance at its place.
@@ -254,7 +251,7 @@ pub fn ratio_reason(reason: RatioReason) -> &'static str {
 }
 
 /// Formats and machines that the job asks for and that come with later versions.
-pub(super) fn output_warnings(output: &Output) -> Vec<Remark> {
+pub(super) fn output_warnings(output: &Output, machine: bool) -> Vec<Remark> {
     let mut warnings = Vec::new();
     let mut later = |code, what: &str, key: &str| {
         warnings.push(Remark {
@@ -263,14 +260,18 @@ pub(super) fn output_warnings(output: &Output) -> Vec<Remark> {
             way_out: format!("take the tables in motions/*.csv, or leave {key} out"),
         });
     };
-    if !output.programs.is_empty() {
-        later("programs-not-written", "NC programs", "output.programs");
-    }
     if !output.meshes.is_empty() {
         later("meshes-not-written", "meshes", "output.meshes");
     }
     if output.tables.contains(&crate::exchange::job::Table::Parquet) {
         later("parquet-not-written", "Parquet tables", "\"parquet\" in output.tables");
+    }
+    if !output.programs.is_empty() && !machine {
+        warnings.push(Remark {
+            code: "programs-without-machine",
+            text: "no NC programs are written: the job names no machine".into(),
+            way_out: "add [machine] with `file = \"machines/....toml\"`, or leave output.programs out".into(),
+        });
     }
     warnings
 }

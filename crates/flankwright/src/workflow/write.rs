@@ -1,10 +1,12 @@
 //! Writes what a run produced: result, tables, settings, report. Every file appears whole or not at all.
 
+use super::programs::RunPrograms;
 use super::run::Outcome;
 use super::{page, tables};
 use crate::exchange::job::{Job, JobInfo, OneOrSides};
 use crate::exchange::{CsvError, Diagnostic, write_atomically};
 use crate::geometry::{Flank, Sides};
+use crate::machine::Station;
 use crate::report::charts::ChartError;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
@@ -95,7 +97,25 @@ pub fn write_outcome(job: &Job, outcome: &Outcome, directory: &Path) -> Result<V
             files.push((path, "modification of the tool's flank, normal", table.text().into()));
         }
     }
+    files.extend(outcome.programs.iter().flat_map(program_files));
     write_with_report(files, directory, |named| page::html_page(job, outcome, named))
+}
+
+/// The texts of the programs.
+pub(super) fn program_files(programs: &RunPrograms) -> Vec<NamedFile> {
+    let mut files: Vec<NamedFile> = Vec::new();
+    for program in &programs.built.programs {
+        let what = match program.station {
+            Station::Dresser => "NC program: dressing the worm",
+            Station::Work => "NC program: grinding the gear",
+        };
+        files.push((program.file.clone(), what, program.written.text.clone().into_bytes()));
+        if let Some(netlist) = &program.written.hal {
+            let path = program.file.replace(".ngc", ".hal");
+            files.push((path, "HAL netlist of the electronic gearbox", netlist.clone().into_bytes()));
+        }
+    }
+    files
 }
 
 /// A file below the directory of a run: its path, what is in it, its bytes.
@@ -127,7 +147,7 @@ pub(super) fn write_with_report(
 }
 
 /// Names that a run may write; what an earlier run left of them and this one does not write would contradict it.
-const NAMES: [&str; 16] = [
+const NAMES: [&str; 23] = [
     "result.json",
     "settings.json",
     "topography.csv",
@@ -143,6 +163,13 @@ const NAMES: [&str; 16] = [
     "tool-left.csv",
     "tool-right.csv",
     "gear-root.csv",
+    "programs/dressing-linuxcnc.ngc",
+    "programs/dressing-siemens.mpf",
+    "programs/dressing-fanuc.nc",
+    "programs/grinding-linuxcnc.ngc",
+    "programs/grinding-linuxcnc.hal",
+    "programs/grinding-siemens.mpf",
+    "programs/grinding-fanuc.nc",
     "report.html",
 ];
 

@@ -22,6 +22,8 @@ pub(super) struct GearBlocks {
     pub word: usize,
     /// Numbers of the leaders in the machine.
     leaders: Vec<usize>,
+    /// What the gear misses the paths by, seen on the flank, mm.
+    pub deviation: f64,
 }
 
 impl GearBlocks {
@@ -40,8 +42,14 @@ impl GearBlocks {
     }
 }
 
-/// A coupling is linear if it misses the path by less than this, rad.
-const LINEAR: f64 = 1e-11;
+/// Normal deviation of the flank per turning of the workpiece, mm/rad.
+fn per_turn(course: &Course) -> f64 {
+    match course {
+        Course::Grinding(course) => course.per_turn,
+        Course::Dressing(_) => 1.0,
+    }
+}
+
 /// Intervals of a table at first, and at the most.
 const INTERVALS: [usize; 2] = [8, 4096];
 
@@ -93,12 +101,14 @@ pub(super) fn couple(
         let by_shift = shifting.map_or(0.0, |axis| rates.shift * (at[axis] - first[axis]));
         at[work] - first[work] - rates.worm() * (at[worm] - first[worm]) - by_shift
     };
-    let linear = |at: &Positions| {
-        (rest(at) - rates.axial * (at[axial] - first[axial])).abs() < LINEAR * (1.0 + at[work].abs())
-    };
+    let per_turn = per_turn(&pass.course);
+    // A correction that nobody would see on the flank needs no table.
+    let bent = |at: &Positions| (rest(at) - rates.axial * (at[axial] - first[axial])).abs() * per_turn;
+    let nodes = paths.iter().flat_map(|path| &path.nodes);
+    let deviation = nodes.map(|(_, at)| bent(at)).fold(0.0, f64::max);
     let moves_axially = paths[1].range(axial) > STANDS_STILL;
     let mut table = None;
-    if paths.iter().flat_map(|path| &path.nodes).all(|(_, at)| linear(at)) {
+    if deviation <= options.tolerance {
         if moves_axially {
             // Numerator and denominator in degrees and mm, as controls show them.
             let lead = signed(rates.axial, axial);
@@ -129,7 +139,8 @@ pub(super) fn couple(
         leaders.push(GearLeader { axis: place(axis)?, coupling });
         numbers.push(axis);
     }
-    let plain = table.is_none() && shifting.is_none();
+    let table_made = table.is_some();
+    let plain = !table_made && shifting.is_none();
     let word = place(work)?;
     Ok(GearBlocks {
         gear: Gear { follower: word, leaders, teeth: plain.then(|| tooth_data(gear, numerator as i32)) },
@@ -137,6 +148,7 @@ pub(super) fn couple(
         follower: work,
         word,
         leaders: numbers,
+        deviation: if table_made { options.tolerance } else { deviation },
     })
 }
 
@@ -154,10 +166,7 @@ fn table_of(
 ) -> Result<CurveTable, MotionError> {
     use crate::motion::Waypoint;
     use crate::motion::drive::Drive;
-    let per_turn = match &pass.course {
-        Course::Grinding(course) => course.per_turn,
-        Course::Dressing(_) => 1.0,
-    };
+    let per_turn = per_turn(&pass.course);
     let (Some(&(begin, start)), Some(&(end, _))) = (stroke.nodes.first(), stroke.nodes.last()) else {
         return Err(MotionError::UnsupportedCoupling { reason: "the stroke has no way".into() });
     };

@@ -86,7 +86,7 @@ impl<'a> Writer<'a> {
             blocks: nodes.len().saturating_sub(1),
             speed: stroke.limits.speed,
             braked: stroke.limits.braked.clone(),
-            chord_deviation: stroke.stroke.deviation,
+            chord_deviation: stroke.stroke.deviation + gear.as_ref().map_or(0.0, |gear| gear.deviation),
             rounding: self.rounding(&pass.course, &stroke.stroke),
             time,
             path: stroke.stroke,
@@ -238,12 +238,8 @@ impl<'a> Writer<'a> {
                 Some(_) => {}
                 None => {
                     self.at_rest.push((axis, value));
-                    let shown = described.joint.shown(value);
-                    let name = &described.name;
-                    self.blocks.push(comment(&format!(
-                        "{name} STANDS AT {shown:.7} {}",
-                        described.joint.unit().to_uppercase()
-                    )));
+                    let shown = in_words(described.joint.shown(value), described.joint.unit());
+                    self.blocks.push(comment(&format!("{} STANDS AT {shown}", described.name)));
                 }
             }
         }
@@ -280,6 +276,14 @@ impl<'a> Writer<'a> {
         let program = Program::new(header(self.words, self.options), self.blocks)?;
         Ok(Layout { program, trace: self.trace, passes: self.reports, at_rest: self.at_rest })
     }
+}
+
+/// A quantity in capital letters, digits and blanks only, which every control takes: "MINUS 12 POINT 5 DEG".
+pub fn in_words(value: f64, unit: &str) -> String {
+    let text = format!("{:.4}", value.abs());
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    let sign = if value < 0.0 && text != "0" { "MINUS " } else { "" };
+    format!("{sign}{} {}", text.replace('.', " POINT "), unit.to_uppercase())
 }
 
 /// Places of a path at which the effect of rounding is looked at.

@@ -10,7 +10,6 @@ use crate::numerics::Progress;
 use crate::process::dressing::catalogue::{BackwardsSearch, FreeQuantity, FreeValue, WorkingRange};
 use crate::workflow::explore::Refused;
 use crate::workflow::finding::RunFailure;
-use crate::workflow::run::supported;
 use rayon::prelude::*;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -104,7 +103,6 @@ pub fn study_free_worm(
     catalogue: &LoadedCatalogue,
     progress: &dyn Progress,
 ) -> Result<FreeOutcome, RunFailure> {
-    supported(&loaded.job)?;
     let study = loaded.job.explore.as_ref().and_then(|explore| explore.catalogue).ok_or_else(|| {
         let finding = Diagnostic::new(Problem::MissingKey, "the job has no study of a catalogue")
             .field("explore.catalogue")

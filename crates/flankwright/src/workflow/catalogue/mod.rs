@@ -20,7 +20,6 @@ pub use plan::{CataloguePlan, plan_from_catalogue};
 pub use task::MOST_PAIRS;
 
 use super::finding::RunFailure;
-use super::run::supported;
 use crate::exchange::LoadedJob;
 use crate::exchange::catalogue::LoadedCatalogue;
 use crate::numerics::Progress;
@@ -46,7 +45,6 @@ pub fn rank_catalogue(
     catalogue: &LoadedCatalogue,
     progress: &dyn Progress,
 ) -> Result<CatalogueOutcome, RunFailure> {
-    supported(&loaded.job)?;
     let task = Task::new(loaded, catalogue)?;
     let (ranked, lives) = ranked(&task, progress);
     Ok(CatalogueOutcome::new(loaded, &catalogue.catalogue, &task, &ranked, lives))
@@ -61,7 +59,6 @@ pub fn wanted_of_catalogue(
     loaded: &LoadedJob,
     catalogue: &LoadedCatalogue,
 ) -> Result<BTreeMap<&'static str, f64>, RunFailure> {
-    supported(&loaded.job)?;
     Ok(outcome::wanted_um(&Task::new(loaded, catalogue)?))
 }
 

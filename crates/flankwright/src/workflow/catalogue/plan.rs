@@ -10,7 +10,7 @@ use crate::exchange::catalogue::LoadedCatalogue;
 use crate::numerics::Progress;
 use crate::workflow::finding::{Remark, RunFailure};
 use crate::workflow::result::Status;
-use crate::workflow::run::{Outcome, plan_job, supported};
+use crate::workflow::run::{Outcome, plan_job};
 
 /// Pairs that are planned until one meets the tolerance.
 const TRIED: usize = 6;
@@ -32,7 +32,6 @@ pub fn plan_from_catalogue(
     catalogue: &LoadedCatalogue,
     progress: &dyn Progress,
 ) -> Result<CataloguePlan, RunFailure> {
-    supported(&loaded.job)?;
     let task = Task::new(loaded, catalogue)?;
     let (pairs, lives) = ranked(&task, progress);
     let ranking = CatalogueOutcome::new(loaded, &catalogue.catalogue, &task, &pairs, lives);

@@ -11,7 +11,6 @@ pub use files::write_exploration;
 use super::equal_ratio_offers::{EqualRatioOffer, equal_ratio_offers};
 use super::finding::RunFailure;
 use super::prepare::{Prepared, prepare, tolerance_of_job};
-use super::run::supported;
 use crate::exchange::job::{DiagonalRatio, Explore, Method, Steps};
 use crate::exchange::{Diagnostic, LoadedJob};
 use crate::numerics::Progress;
@@ -79,7 +78,6 @@ enum Ratios {
 /// [`RunFailure`]: more than [`MOST_COMBINATIONS`], parts of the job that are not carried out, and whatever is wrong with the
 /// job as it stands unless one of the combinations mends it. A combination that fails is listed with its code.
 pub fn explore_job(loaded: &LoadedJob, progress: &dyn Progress) -> Result<ExploreOutcome, RunFailure> {
-    supported(&loaded.job)?;
     let explore = loaded.job.explore.clone().unwrap_or_default();
     let nothing = explore == Explore::default();
     let count = |steps: Option<Steps>| steps.map_or(1, |s| s.count);

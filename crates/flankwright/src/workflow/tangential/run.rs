@@ -112,7 +112,7 @@ fn finish(
     let lengths = worm_lengths(&passes, &runs);
     check_worm_width(job, &runs, &passes, lengths)?;
     warnings.extend(shared_pass_warning(&passes));
-    warnings.extend(output_warnings(&job.output));
+    warnings.extend(output_warnings(&job.output, false));
     let sensitivities = sensitivities(job, &ready, &passes).map_err(failed)?;
     let met = flanks.values().all(|f: &TangentialFlankResult| f.flank.tolerance_share <= 1.0);
     let status = if !flanks.is_empty() && met { Status::Met } else { Status::Missed };

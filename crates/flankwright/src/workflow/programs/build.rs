@@ -1,0 +1,385 @@
+//! From the motions of a run to programs: the passes, laid out for every control, written and read back.
+
+use super::task::{DressingWork, GrindingWork, ProgramTask};
+use super::technology::Technology;
+use crate::exchange::job::Program as DialectName;
+use crate::exchange::machine::{Control, ControlCoupling};
+use crate::exchange::{Diagnostic, Problem};
+use crate::machine::{Machine, Positions, Role, Station};
+use crate::motion::{
+    AxisWords, Coupling, Course, DressingCourse, GrindingCourse, Layout, LayoutOptions, MotionError, Pass,
+    WorkGear, axis_words, in_words, lay_out,
+};
+use crate::nc::{Block, Decimals, Dialect, HalOptions, NcError, WriteOptions, Written, read, write_checked};
+use crate::workflow::finding::{Remark, RunFailure};
+use std::f64::consts::TAU;
+
+/// One program.
+#[derive(Clone, Debug)]
+pub struct BuiltProgram {
+    /// The control.
+    pub dialect: Dialect,
+    /// Dressing or grinding.
+    pub station: Station,
+    /// Path below the directory of the run.
+    pub file: String,
+    /// The text, and what rounding did.
+    pub written: Written,
+    /// What it does.
+    pub layout: Layout,
+    /// Axes and words.
+    pub words: AxisWords,
+    /// What an independent reader found in the text.
+    pub read: Vec<Block>,
+    /// Where axes without a word stand.
+    pub start: Positions,
+    /// Passes that finish: their places among the strokes of the program.
+    pub finishing: Vec<usize>,
+}
+
+/// All programs of a run.
+#[derive(Clone, Debug)]
+pub struct Built {
+    /// The programs, dressing before grinding, in the order of the job's dialects.
+    pub programs: Vec<BuiltProgram>,
+    /// Remarks.
+    pub warnings: Vec<Remark>,
+}
+
+/// Chord tolerance where the control gives none, um (spec 80 section 2 rule 6).
+const CHORD_TOLERANCE_UM: f64 = 0.05;
+/// Following error at which the guard of a LinuxCNC gear opens, rad: half a degree.
+const FOLLOWING_ERROR: f64 = 0.5 / 180.0 * std::f64::consts::PI;
+
+pub(super) fn dialect_of(name: DialectName) -> Dialect {
+    match name {
+        DialectName::Linuxcnc => Dialect::LinuxCnc,
+        DialectName::Siemens => Dialect::Siemens,
+        DialectName::Fanuc => Dialect::Fanuc,
+    }
+}
+
+/// An error of the motion as a finding of the job: bad input if the machine or its controls lack something.
+fn failure(error: &MotionError) -> RunFailure {
+    let finding =
+        Diagnostic::with_code(error.code(), error.to_string()).field("machine").way_out(error.way_out());
+    match error {
+        MotionError::Machine { .. } | MotionError::ToleranceNotReached { .. } => {
+            RunFailure::not_producible(finding)
+        }
+        _ => RunFailure::bad_input(finding),
+    }
+}
+
+/// An error of a writer as a finding of the job.
+fn refused(error: &NcError, dialect: Dialect) -> RunFailure {
+    let text = format!("program for {}: {error}", dialect.name());
+    let finding = Diagnostic::with_code(error.code(), text).field("output.programs").way_out(error.way_out());
+    RunFailure::bad_input(finding)
+}
+
+impl ProgramTask<'_> {
+    /// Lays out, writes and reads back all programs.
+    ///
+    /// # Errors
+    /// [`RunFailure`]: a machine that lacks an axis or cannot stand where it should, a control that is not described or cannot
+    /// say it.
+    pub fn build(&self) -> Result<Built, RunFailure> {
+        let mut programs = Vec::new();
+        let mut warnings = Vec::new();
+        for &name in self.dialects {
+            let Some(control) = self.machine.file.controls.of(name) else {
+                let dialect = dialect_of(name).name();
+                let known: Vec<&str> = self.machine.file.controls.present().map(|(key, _)| key).collect();
+                let finding = Diagnostic::new(
+                    Problem::InvalidMachine,
+                    format!("the machine {} has no control {dialect:?}", self.machine.file.name),
+                )
+                .field("output.programs")
+                .value(format!("{dialect:?}"))
+                .allowed(if known.is_empty() { "none".to_owned() } else { known.join(", ") })
+                .way_out(format!(
+                    "describe [controls.{dialect}] in {}, or leave it out",
+                    self.machine.file.name
+                ));
+                return Err(RunFailure::bad_input(finding));
+            };
+            let stations =
+                [(Station::Dresser, !self.dressing.is_empty()), (Station::Work, !self.grinding.is_empty())];
+            for (station, _) in stations.into_iter().filter(|(_, wanted)| *wanted) {
+                let made = self.program(dialect_of(name), control, station)?;
+                warnings.extend(warnings_of(&made));
+                programs.push(made);
+            }
+        }
+        Ok(Built { programs, warnings })
+    }
+
+    fn program(
+        &self,
+        dialect: Dialect,
+        control: &Control,
+        station: Station,
+    ) -> Result<BuiltProgram, RunFailure> {
+        let machine = &self.machine.machine;
+        let axes = machine.axes_at(station).map_err(|e| failure(&e.into()))?;
+        let file = &self.machine.file;
+        let word = |name: &str| {
+            let own = control.words.get(name).map(String::as_str);
+            own.or_else(|| file.axes.get(name).and_then(|axis| axis.letter.as_deref()))
+        };
+        let words = axis_words(machine, &axes, word).map_err(|e| failure(&e))?;
+        let decimals = control.decimals.map_or_else(Decimals::default, |d| Decimals {
+            mm: d.mm,
+            deg: d.deg,
+            feed: d.feed.max(6),
+        });
+        let half = |digits: u8| 0.5 * 10f64.powi(-i32::from(digits));
+        let (what, passes, finishing) = match station {
+            Station::Dresser => {
+                let (passes, finishing) = self.dressing_passes();
+                ("dressing", passes, finishing)
+            }
+            Station::Work => {
+                let (passes, finishing) = self.grinding_passes(machine);
+                ("grinding", passes, finishing)
+            }
+        };
+        let gearbox = control.coupling == ControlCoupling::Gearbox && station == Station::Work;
+        let [normal_module, helix_angle] = self.gear;
+        let options = LayoutOptions {
+            name: program_name(self.job, station),
+            comments: comments(self, station),
+            tolerance: control.chord_tolerance_um.unwrap_or(CHORD_TOLERANCE_UM) * 1e-3,
+            swivel: self.technology.swivel,
+            coupling: if gearbox {
+                Coupling::Gearbox(WorkGear { coupling: self.coupling, normal_module, helix_angle })
+            } else {
+                Coupling::Blocks
+            },
+            dresser_speed: if station == Station::Dresser { self.technology.dresser_speed } else { 0.0 },
+            half_unit: [half(decimals.mm), half(decimals.deg).to_radians()],
+        };
+        let layout = lay_out(machine, &words, &passes, &options).map_err(|e| failure(&e))?;
+        let mut write_options = WriteOptions { decimals, ..WriteOptions::default() };
+        write_options.linuxcnc.accelerations =
+            words.numbers.iter().map_while(|&axis| machine.axes()[axis].limits.acceleration).collect();
+        if gearbox && dialect == Dialect::LinuxCnc {
+            write_options.linuxcnc.hal = Some(HalOptions { following_error: FOLLOWING_ERROR });
+        }
+        let written =
+            write_checked(&layout.program, dialect, &write_options).map_err(|e| refused(&e, dialect))?;
+        let read = read(written.text.as_bytes(), dialect, &words.words)
+            .map_err(|e| refused(&NcError::NotReadBack(e.to_string().into()), dialect))?;
+        let ending = match dialect {
+            Dialect::LinuxCnc => "ngc",
+            Dialect::Siemens => "mpf",
+            Dialect::Fanuc => "nc",
+        };
+        let mut start = Positions::default();
+        for &(axis, value) in &layout.at_rest {
+            start[axis] = value;
+        }
+        Ok(BuiltProgram {
+            dialect,
+            station,
+            file: format!("programs/{what}-{}.{ending}", dialect.name()),
+            written,
+            read: read.blocks,
+            words,
+            start,
+            finishing,
+            layout,
+        })
+    }
+
+    /// The dressing passes of all strokes, and which strokes of the program finish.
+    fn dressing_passes(&self) -> (Vec<Pass>, Vec<usize>) {
+        let technology = &self.technology;
+        let mut passes = Vec::new();
+        let mut finishing = Vec::new();
+        for work in &self.dressing {
+            let stocks = technology.dressing_stock.iter().copied().chain([0.0]);
+            for stock in stocks {
+                let name = if stock > 0.0 {
+                    format!("{} STOCK {}", work.name, in_words(stock * 1e3, "um"))
+                } else {
+                    work.name.clone()
+                };
+                if stock == 0.0 {
+                    finishing.push(passes.len());
+                }
+                passes.push(dressing_pass(work, technology, name, stock));
+            }
+        }
+        (passes, finishing)
+    }
+
+    /// The grinding passes of all strokes, and which strokes of the program finish.
+    fn grinding_passes(&self, machine: &Machine) -> (Vec<Pass>, Vec<usize>) {
+        let technology = &self.technology;
+        let mut passes = Vec::new();
+        let mut finishing = Vec::new();
+        let mut strokes = 0;
+        let mut push = |pass: Pass, finishes: bool, finishing: &mut Vec<usize>| {
+            if finishes {
+                finishing.push(strokes);
+            }
+            strokes += pass.times;
+            passes.push(pass);
+        };
+        for work in &self.grinding {
+            for (k, stock) in technology.roughing.iter().enumerate() {
+                let shift = technology.roughing_shift.get(k % technology.roughing_shift.len().max(1));
+                let name = format!("{} ROUGHING STOCK {}", work.name, in_words(stock * 1e3, "um"));
+                push(
+                    grinding_pass(work, technology, name, *stock, shift.copied().unwrap_or(0.0)),
+                    false,
+                    &mut finishing,
+                );
+            }
+            push(
+                grinding_pass(work, technology, format!("{} FINISHING", work.name), 0.0, 0.0),
+                true,
+                &mut finishing,
+            );
+            if technology.spark_out > 0 {
+                let mut pass = grinding_pass(work, technology, format!("{} SPARK OUT", work.name), 0.0, 0.0);
+                pass.times = technology.spark_out;
+                push(pass, false, &mut finishing);
+            }
+        }
+        debug_assert!(machine.role(Role::Work).is_some() || passes.is_empty());
+        (passes, finishing)
+    }
+}
+
+/// One dressing pass that leaves some stock on the worm, mm.
+fn dressing_pass(work: &DressingWork, technology: &Technology, name: String, stock: f64) -> Pass {
+    let mut motion = work.motion.clone();
+    if stock > 0.0 {
+        // Turning the worm by d moves the dresser by -d z x p against it: towards one flank, away from the other.
+        let rates: Vec<f64> = work.contacts.iter().map(|(p, n)| -(n.y * p.x - n.x * p.y)).collect();
+        let same = rates.iter().all(|r| *r > 0.0) || rates.iter().all(|r| *r < 0.0);
+        let least = rates.iter().copied().min_by(|a, b| a.abs().total_cmp(&b.abs()));
+        match least.filter(|_| same) {
+            Some(rate) => motion.correction[0] = motion.correction[0].raised(stock / rate),
+            None => motion.correction[2] = motion.correction[2].raised(stock / work.per_distance),
+        }
+    }
+    let room = |end: f64| technology.worm_end.map_or(0.0, |edge| (edge - end).max(0.0));
+    let [from, to] = work.interval;
+    let screw = motion.chain.screw_parameter.abs();
+    Pass {
+        name,
+        course: Course::Dressing(DressingCourse {
+            motion,
+            interval: work.interval,
+            mounts: technology.dressing,
+            contacts: work.contacts.clone(),
+        }),
+        range: [from, to],
+        room: [room(-from), room(to)],
+        speed: screw * technology.dressing_speed,
+        clearance: technology.clearance,
+        times: 1,
+    }
+}
+
+/// One grinding pass that leaves some stock on the flank, mm, in an area of the worm at a distance from the finishing one.
+fn grinding_pass(work: &GrindingWork, technology: &Technology, name: String, stock: f64, shift: f64) -> Pass {
+    let mut motion = work.motion.clone();
+    if stock > 0.0 {
+        motion.delta_d = motion.delta_d.raised(stock / work.per_distance);
+    }
+    if shift != 0.0 {
+        motion.shift = motion.shift.raised(shift);
+    }
+    // One revolution of the workpiece takes z_2/z_1 of the worm.
+    let worm_per_turn = motion.teeth.abs() / motion.threads;
+    let speed = technology.feed_per_revolution * technology.worm_speed / (TAU * worm_per_turn);
+    let turning = technology.worm_speed / speed;
+    let [from, to] = work.feeds;
+    Pass {
+        name,
+        course: Course::Grinding(GrindingCourse {
+            motion,
+            phase: work.phase,
+            feeds: [from, to],
+            turning,
+            mounts: technology.grinding,
+            per_turn: work.per_turn,
+            per_distance: work.per_distance,
+        }),
+        range: [from, to],
+        room: [0.0, 0.0],
+        speed,
+        clearance: technology.clearance,
+        times: 1,
+    }
+}
+
+/// [A-Z0-9_]{1,24} of the job's name and D or G.
+fn program_name(job: &str, station: Station) -> String {
+    let letter = if station == Station::Dresser { "D" } else { "G" };
+    let word: String = job
+        .chars()
+        .map(|c| if c.is_ascii_alphanumeric() { c.to_ascii_uppercase() } else { '_' })
+        .take(22)
+        .collect();
+    format!("{word}_{letter}")
+}
+
+/// What the head of a program says.
+fn comments(task: &ProgramTask<'_>, station: Station) -> Vec<String> {
+    let plain = |text: &str| -> String {
+        let kept = text.to_ascii_uppercase();
+        let kept = kept
+            .chars()
+            .map(|c| if c.is_ascii_alphanumeric() { c } else { ' ' })
+            .take(60)
+            .collect::<String>();
+        kept.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let what = match station {
+        Station::Dresser => "DRESSING",
+        Station::Work => "GRINDING",
+    };
+    let mut lines =
+        vec![format!("{} {what}", plain(task.job)), format!("MACHINE {}", plain(&task.machine.file.name))];
+    if station == Station::Work && task.technology.grinding.counterpart.reversed {
+        lines.push("WORKPIECE CLAMPED WITH ITS DATUM FACE DOWN".into());
+    }
+    lines
+}
+
+/// What a control will not keep, and what slows the machine down.
+fn warnings_of(program: &BuiltProgram) -> Vec<Remark> {
+    let mut warnings: Vec<Remark> = program
+        .written
+        .warnings
+        .iter()
+        .map(|warning| Remark {
+            code: "program-time-not-kept",
+            text: format!("{}: {warning}", program.file),
+            way_out: "raise chord_tolerance_um for fewer blocks, or lower the speed".into(),
+        })
+        .collect();
+    for pass in &program.layout.passes {
+        if let Some(braked) = &pass.braked {
+            warnings.push(Remark {
+                code: "axis-limits-speed",
+                text: format!(
+                    "{}, {}: the {} of {} allows {:.1} % of the wanted speed; feed and rotations are slowed down together",
+                    program.file,
+                    pass.name,
+                    braked.limit,
+                    braked.axis,
+                    100.0 * braked.share
+                ),
+                way_out: "lower machine.cutting_speed_m_per_s or machine.dressing_worm_speed_rpm, or take a faster machine".into(),
+            });
+        }
+    }
+    warnings
+}

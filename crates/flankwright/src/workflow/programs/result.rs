@@ -1,0 +1,194 @@
+//! What `result.json` says of programs, with units in the key names.
+
+use super::build::{Built, BuiltProgram};
+use super::task::ProgramTask;
+use crate::machine::{Joint, Station};
+use crate::nc::Word;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// The programs of a run.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ProgramsResult {
+    /// Name of the machine.
+    pub machine: String,
+    /// Whether the workpiece is clamped with its +z into the -z of its spindle.
+    pub work_reversed: bool,
+    /// The programs.
+    pub programs: Vec<ProgramResult>,
+    /// What was proven from their texts.
+    pub proofs: Vec<ProofResult>,
+}
+
+/// One program.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ProgramResult {
+    /// Path below the directory of the run.
+    pub file: String,
+    /// Control.
+    pub control: &'static str,
+    /// "dressing" or "grinding".
+    pub job: &'static str,
+    /// Blocks that move axes.
+    pub blocks: usize,
+    /// Time of the whole program, ramps included.
+    pub duration_s: f64,
+    /// Axes.
+    pub axes: Vec<AxisResult>,
+    /// Passes.
+    pub passes: Vec<PassResult>,
+}
+
+/// One axis over a program. mm or degrees, per second.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct AxisResult {
+    /// Name on the machine.
+    pub axis: String,
+    /// Word in the text.
+    pub word: String,
+    /// "mm" or "deg".
+    pub unit: &'static str,
+    /// Lowest position.
+    pub from: f64,
+    /// Highest position.
+    pub to: f64,
+    /// Whole way.
+    pub way: f64,
+    /// Greatest speed.
+    pub velocity: f64,
+    /// Greatest acceleration.
+    pub acceleration: f64,
+    /// What the machine allows.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub max_velocity: Option<f64>,
+    /// What the machine allows.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub max_acceleration: Option<f64>,
+}
+
+/// One pass.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PassResult {
+    /// Its name.
+    pub name: String,
+    /// Feed z_V2 or worm position v_zS from where to where, run-in and run-out included.
+    pub driven_mm: [f64; 2],
+    /// Straight blocks of the stroke.
+    pub blocks: usize,
+    /// Speed of the feed or the worm position.
+    pub speed_mm_per_s: f64,
+    /// Share of the wanted speed that the axes allow, where they slow it down.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub braked_to: Option<f64>,
+    /// Largest deviation of the blocks on the flank.
+    pub chords_um: f64,
+    /// What the digits may add.
+    pub rounding_um: f64,
+    /// Time of one drive.
+    pub duration_s: f64,
+}
+
+/// What the referee made of a control's texts.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ProofResult {
+    /// Controls whose texts say the same.
+    pub controls: Vec<&'static str>,
+    /// In words.
+    pub statement: String,
+    /// By flank.
+    pub flanks: BTreeMap<&'static str, FlankProof>,
+    /// Deviation of straight blocks, dressing and grinding added up.
+    pub chords_um: f64,
+    /// What the digits may add, dressing and grinding added up.
+    pub rounding_um: f64,
+    /// Difference from the run's own flank that blocks and digits explain.
+    pub allowed_difference_um: f64,
+}
+
+/// One flank as proven.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct FlankProof {
+    /// Largest deviation from the target.
+    pub max_deviation_um: f64,
+    /// Largest difference from the flank of the run's own motions.
+    pub difference_um: f64,
+}
+
+impl ProgramsResult {
+    pub(in crate::workflow) fn new(task: &ProgramTask<'_>, built: &Built, proofs: Vec<ProofResult>) -> Self {
+        Self {
+            machine: task.machine.file.name.clone(),
+            work_reversed: task.technology.grinding.counterpart.reversed,
+            programs: built.programs.iter().map(|program| program_result(task, program)).collect(),
+            proofs,
+        }
+    }
+}
+
+fn program_result(task: &ProgramTask<'_>, program: &BuiltProgram) -> ProgramResult {
+    let machine = &task.machine.machine;
+    let trace = &program.layout.trace;
+    let axes = program
+        .words
+        .words
+        .iter()
+        .zip(&program.words.numbers)
+        .filter(|(_, number)| program.words.is_moved(**number) || trace.way(**number) > 0.0)
+        .map(|(word, &number)| {
+            let axis = &machine.axes()[number];
+            let shown = |x: f64| axis.joint.shown(x);
+            let [from, to] = crate::numerics::extremes(trace.rows.iter().map(|row| row.at[number]));
+            let largest =
+                |f: &dyn Fn(usize) -> f64| (0..trace.rows.len()).map(f).fold(0.0f64, |m, x| m.max(x.abs()));
+            AxisResult {
+                axis: axis.name.clone(),
+                word: match &word.word {
+                    Word::Letter(letter) => letter.to_string(),
+                    Word::Named(name) => name.clone(),
+                    Word::Spindle(spindle) => format!("spindle {spindle}"),
+                },
+                unit: match axis.joint {
+                    Joint::Linear => "mm",
+                    Joint::Rotary => "deg",
+                },
+                from: shown(from),
+                to: shown(to),
+                way: shown(trace.way(number)),
+                velocity: shown(largest(&|k| trace.rows[k].velocity[number])),
+                acceleration: shown(largest(&|k| trace.rows[k].acceleration[number])),
+                max_velocity: axis.limits.velocity.map(shown),
+                max_acceleration: axis.limits.acceleration.map(shown),
+            }
+        })
+        .collect();
+    let moves = |block: &&crate::nc::Block| {
+        use crate::nc::Block;
+        matches!(block, Block::Rapid(_) | Block::Linear { .. } | Block::Cubic(_) | Block::BSpline(_))
+    };
+    ProgramResult {
+        file: program.file.clone(),
+        control: program.dialect.name(),
+        job: match program.station {
+            Station::Dresser => "dressing",
+            Station::Work => "grinding",
+        },
+        blocks: program.layout.program.blocks().iter().filter(moves).count(),
+        duration_s: trace.duration(),
+        axes,
+        passes: program
+            .layout
+            .passes
+            .iter()
+            .map(|pass| PassResult {
+                name: pass.name.clone(),
+                driven_mm: pass.driven,
+                blocks: pass.blocks,
+                speed_mm_per_s: pass.speed,
+                braked_to: pass.braked.as_ref().map(|braked| braked.share),
+                chords_um: pass.chord_deviation * 1e3,
+                rounding_um: pass.rounding * 1e3,
+                duration_s: pass.time,
+            })
+            .collect(),
+    }
+}
