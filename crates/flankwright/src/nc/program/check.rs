@@ -6,7 +6,7 @@ use super::{
     Header, MAXIMUM_AXES, Repetition, Targets, Word,
 };
 use crate::nc::NcError;
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 
 /// Shortest and longest time of a block, s: F = 60/s from 1e9 down to 1e-4.
 const DURATION: [f64; 2] = [60.0 / 1e9, 60.0 / 1e-4];
@@ -24,7 +24,7 @@ pub(super) fn check(header: &Header, blocks: &[Block]) -> Result<(), NcError> {
         axes: &header.axes,
         known: 0,
         gears: [const { GearPlace::Absent }; MAXIMUM_AXES],
-        tables: BTreeSet::new(),
+        tables: BTreeMap::new(),
         speeds: [0.0; SPINDLES],
         block: 0,
     };
@@ -112,7 +112,8 @@ struct State<'a> {
     /// Bit mask of the axes whose place is known.
     known: u16,
     gears: [GearPlace; MAXIMUM_AXES],
-    tables: BTreeSet<u32>,
+    /// Follower and leader of each table.
+    tables: BTreeMap<u32, [usize; 2]>,
     speeds: [f64; SPINDLES],
     block: usize,
 }
@@ -339,9 +340,12 @@ impl State<'_> {
                         });
                     }
                 }
-                Coupling::Table(table) if self.tables.contains(&table) => {}
                 Coupling::Table(table) => {
-                    let reason = "is used before it is given";
+                    let reason = match self.tables.get(&table) {
+                        Some(axes) if *axes == [gear.follower, leader.axis] => continue,
+                        Some(_) => "is of other axes than the gear that uses it",
+                        None => "is used before it is given",
+                    };
                     return Err(NcError::BadTable { block: self.block, table, reason });
                 }
             }
@@ -388,7 +392,7 @@ impl State<'_> {
         if table.id == 0 || table.id > 99_999 {
             return bad("has a number outside 1 to 99999");
         }
-        if self.tables.contains(&table.id) {
+        if self.tables.contains_key(&table.id) {
             return bad("is given twice");
         }
         if table.follower == table.leader {
@@ -413,7 +417,7 @@ impl State<'_> {
         if table.repetition == Repetition::Leader && (last.follower.end - table.start[1]).abs() > 1e-9 {
             return bad("repeats in its leader only, but ends elsewhere than it starts");
         }
-        self.tables.insert(table.id);
+        self.tables.insert(table.id, [table.follower, table.leader]);
         Ok(())
     }
 }
