@@ -10,6 +10,12 @@ use std::collections::BTreeMap;
 
 /// Shortest and longest time of a block, s: F = 60/s from 1e9 down to 1e-4.
 const DURATION: [f64; 2] = [60.0 / 1e9, 60.0 / 1e-4];
+/// Shortest and longest dwell, s: six decimals are written.
+const DWELL: [f64; 2] = [1e-6, 1e5];
+/// Numerators and denominators of gears: fifteen digits of them fit in the eighteen that a reader takes.
+const RATIO: [f64; 2] = [1e-6, 1e9];
+/// Least step of a leader in a table, mm or rad: ten decimals are written.
+const LEADER_STEP: f64 = 1e-9;
 /// Spindle speeds that a text with six decimals still tells from a standstill, 1/min.
 const SPEED: [f64; 2] = [1e-4, 1e6];
 /// Longest text of a comment: what the shortest line of all controls (252) leaves.
@@ -136,7 +142,12 @@ impl State<'_> {
             }
             Block::Cubic(motion) => self.cubic(motion)?,
             Block::BSpline(motion) => self.spline(motion)?,
-            Block::Dwell(duration) => self.duration(*duration)?,
+            Block::Dwell(seconds) => {
+                if !(DWELL[0]..=DWELL[1]).contains(seconds) {
+                    let (axis, allowed) = ("dwell".into(), "0.000001 to 100000 s");
+                    return Err(NcError::NumberRange { block: here, axis, value: *seconds, allowed });
+                }
+            }
             Block::Spindle { spindle, speed } => self.spindle(*spindle, *speed)?,
             Block::Comment(text) => {
                 let fits = (1..=COMMENT).contains(&text.len())
@@ -266,6 +277,8 @@ impl State<'_> {
 
     fn spline(&mut self, motion: &BSplineMotion) -> Result<(), NcError> {
         self.feed(motion.duration)?;
+        // A control that takes one line for each point shares the time among them.
+        self.duration(motion.duration / motion.points.len().max(1) as f64)?;
         let (block, degree) = (self.block, motion.degree);
         let bad = |reason| Err(NcError::BadSpline { block, reason });
         if !(2..=3).contains(&degree) {
@@ -328,10 +341,11 @@ impl State<'_> {
             }
             match leader.coupling {
                 Coupling::Ratio { num, den } => {
-                    let fits = num.abs() <= 1e9 && den.abs() <= 1e9 && den.abs() >= 1e-9;
+                    let fits = |value: f64| (RATIO[0]..=RATIO[1]).contains(&value.abs());
+                    let fits = fits(den) && (num == 0.0 || fits(num));
                     if !fits {
                         let (quantity, allowed) =
-                            ("a gear ratio", "numerator and denominator to 1e9, the denominator from 1e-9");
+                            ("a gear ratio", "numerator 0 or 1e-6 to 1e9, denominator 1e-6 to 1e9");
                         return Err(NcError::RatioRange {
                             block: self.block,
                             quantity,
@@ -408,7 +422,7 @@ impl State<'_> {
             for value in [piece.follower.end, piece.follower.start_slope, piece.follower.end_slope] {
                 self.value(follower, value)?;
             }
-            let goes_on = sign * (piece.leader - before) > 0.0;
+            let goes_on = sign * (piece.leader - before) >= LEADER_STEP;
             if !goes_on {
                 return bad("is not strictly monotone in its leader");
             }
