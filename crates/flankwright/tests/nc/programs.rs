@@ -227,7 +227,7 @@ fn gear(draw: &mut Draw, dialect: Dialect, table: u32, blocks: &mut Vec<Block>) 
         if table > 0 && draw.below(2) == 0 {
             leaders[1].coupling = Coupling::Table(table);
         }
-        let sizes = [draw.between(-5.9, 4.0), draw.between(-5.9, 4.0)].map(|size| 10f64.powf(size));
+        let sizes = [draw.between(-11.9, 3.0), draw.between(-11.9, 3.0)].map(|size| 10f64.powf(size));
         let coupling = Coupling::Ratio { num: -sizes[0], den: sizes[1] };
         leaders.push(GearLeader { axis: Y, coupling });
         if draw.below(2) == 0 {

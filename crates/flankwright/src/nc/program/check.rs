@@ -12,8 +12,9 @@ use std::collections::BTreeMap;
 const DURATION: [f64; 2] = [60.0 / 1e9, 60.0 / 1e-4];
 /// Shortest and longest dwell, s: six decimals are written.
 const DWELL: [f64; 2] = [1e-6, 1e5];
-/// Numerators and denominators of gears: fifteen digits of them fit in the eighteen that a reader takes.
-const RATIO: [f64; 2] = [1e-6, 1e9];
+/// Numerators and denominators of gears, and how far apart they may be: what fits in the eighteen digits that a reader takes.
+const RATIO: [f64; 2] = [1e-12, 1e13];
+const RATIO_SPREAD: f64 = 1e15;
 /// Least step of a leader in a table, mm or rad: ten decimals are written.
 const LEADER_STEP: f64 = 1e-9;
 /// Spindle speeds that a text with six decimals still tells from a standstill, 1/min.
@@ -341,11 +342,16 @@ impl State<'_> {
             }
             match leader.coupling {
                 Coupling::Ratio { num, den } => {
-                    let fits = |value: f64| (RATIO[0]..=RATIO[1]).contains(&value.abs());
-                    let fits = fits(den) && (num == 0.0 || fits(num));
+                    let (n, d) = (if num == 0.0 { den.abs() } else { num.abs() }, den.abs());
+                    let (least, largest) = (n.min(d), n.max(d));
+                    // Written so that NaN, which min and max pass over, fails.
+                    let fits = num.is_finite()
+                        && den.is_finite()
+                        && least >= RATIO[0]
+                        && largest <= RATIO[1].min(RATIO_SPREAD * least);
                     if !fits {
-                        let (quantity, allowed) =
-                            ("a gear ratio", "numerator 0 or 1e-6 to 1e9, denominator 1e-6 to 1e9");
+                        let quantity = "a gear ratio";
+                        let allowed = "numerator 0 or 1e-12 to 1e13, denominator 1e-12 to 1e13, not 1e15 times each other";
                         return Err(NcError::RatioRange {
                             block: self.block,
                             quantity,

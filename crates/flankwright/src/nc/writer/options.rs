@@ -9,7 +9,7 @@ pub struct Decimals {
     pub mm: u8,
     /// Of angles in degrees: 3 to 9.
     pub deg: u8,
-    /// Of inverse-time feeds: 6 to 8; four more below F1, so that long blocks keep their time.
+    /// Of inverse-time feeds: 6 to 9; four more below F1, so that long blocks keep their time.
     pub feed: u8,
 }
 
@@ -81,9 +81,9 @@ impl WriteOptions {
         let decimals = self.decimals;
         if !(3..=9).contains(&decimals.mm)
             || !(3..=9).contains(&decimals.deg)
-            || !(6..=8).contains(&decimals.feed)
+            || !(6..=9).contains(&decimals.feed)
         {
-            return bad("decimals; allowed: 3 to 9 for mm and deg, 6 to 8 for the feed");
+            return bad("decimals; allowed: 3 to 9 for mm and deg, 6 to 9 for the feed");
         }
         let linuxcnc = &self.linuxcnc;
         let positive = |value: f64| value > 0.0 && value.is_finite();

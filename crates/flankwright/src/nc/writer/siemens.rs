@@ -39,7 +39,7 @@ pub(super) fn write(program: &Program, options: &WriteOptions) -> Result<Written
 /// The same ratio of numbers from 1e-3, so that fifteen digits of them do not need more decimals than are read; integers stay.
 fn enlarged(num: f64, den: f64) -> (f64, f64) {
     let least = if num == 0.0 { den.abs() } else { num.abs().min(den.abs()) };
-    let factor = if least < 1e-3 { 1e3 } else { 1.0 };
+    let factor = if least < 1e-3 { 10f64.powi((-3.0 - least.log10()).ceil() as i32) } else { 1.0 };
     (num * factor, den * factor)
 }
 
