@@ -7,8 +7,8 @@ mod programs;
 use flankwright::nc::{
     AxisMotion, AxisWord, BSplineMotion, Block, Coupling, CubicMotion, CubicSpan, CurveTable, Decimals,
     Dialect, Gear, GearLeader, GearSynchronisation, HalOptions, Header, NcError, Program, ReadProblem,
-    Repetition, TablePiece, Targets, ToothData, Warning, WriteOptions, compare, detect_dialect, read,
-    split_turns, subdivide, write, write_checked,
+    Repetition, TablePiece, Targets, ToothData, Warning, WriteOptions, compare, detect_dialect, expand_gears,
+    read, split_turns, subdivide, write, write_checked,
 };
 use programs::{A, B, C, WORM, X, Y, Z, axes, header, program, random, stroke};
 use proptest::prelude::*;
@@ -68,7 +68,8 @@ proptest! {
     }
 }
 
-/// Places of the digits in G0 and G1 lines, of an F its first two: times are told apart to a millionth only. Lines of a table are
+/// Places of the digits in G0 and G1 lines but the last of each number, whose neighbour may be as near, and of an F its first two:
+/// times are told apart to a millionth only. Lines of a table are
 /// left out, whose F is not compared and whose last digit is finer than its tolerance.
 fn words_of_motions(bytes: &[u8]) -> Vec<usize> {
     let mut digits = Vec::new();
@@ -79,8 +80,11 @@ fn words_of_motions(bytes: &[u8]) -> Vec<usize> {
             for word in line[2..].split_inclusive(|byte| *byte == b' ') {
                 let number = word.iter().position(|byte| *byte == b'=').map_or(1, |equals| equals + 1);
                 // An F is told apart to a millionth only.
-                let length =
-                    if word[0] == b'F' { word.len().min(number + 3) } else { word.trim_ascii_end().len() };
+                let length = if word[0] == b'F' {
+                    word.len().min(number + 3)
+                } else {
+                    word.trim_ascii_end().len() - 1
+                };
                 let numbers = (number..length).filter(|k| word[*k].is_ascii_digit());
                 digits.extend(numbers.map(|k| start + at + k));
                 at += word.len();
@@ -306,11 +310,27 @@ fn what_no_writer_emits_is_refused_with_its_place() {
     }
 }
 
+/// A text that repeats for ever.
+struct Endless<'a> {
+    pattern: &'a [u8],
+    at: usize,
+}
+
+impl Read for Endless<'_> {
+    fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
+        let count = buffer.len().min(self.pattern.len() - self.at);
+        buffer[..count].copy_from_slice(&self.pattern[self.at..self.at + count]);
+        self.at = (self.at + count) % self.pattern.len();
+        Ok(count)
+    }
+}
+
 #[test]
 fn a_text_without_end_is_refused_early() {
-    // Far more than memory would hold, from a source that never ends.
-    for (byte, problem) in [(b'7', ReadProblem::LineTooLong), (b'\n', ReadProblem::TextTooLong)] {
-        let endless = BufReader::new(std::io::repeat(byte).take(1 << 40));
+    // Far more than memory would hold: one line, and lines of blanks.
+    let blanks = [" ".repeat(500), "\n".to_owned()].concat();
+    for (pattern, problem) in [("7", ReadProblem::LineTooLong), (&blanks, ReadProblem::TextTooLong)] {
+        let endless = BufReader::new(Endless { pattern: pattern.as_bytes(), at: 0 });
         let error = read(endless, Dialect::Siemens, &axes(Dialect::Siemens)).unwrap_err();
         assert_eq!(error.problem, problem);
     }
@@ -384,6 +404,82 @@ fn curves_become_chords_within_their_tolerance() {
 }
 
 #[test]
+fn gears_become_straight_blocks() {
+    // C follows Z by a table that repeats and Y by a shift; at Z 0, Y 1 it stands at 0.5.
+    let span = |end| CubicSpan { end, start_slope: 0.01, end_slope: 0.01 };
+    let pieces = vec![
+        TablePiece { leader: 4.0, follower: span(0.05) },
+        TablePiece { leader: 10.0, follower: span(0.0) },
+    ];
+    let repetition = Repetition::Leader;
+    let table = CurveTable { id: 3, follower: C, leader: Z, start: [0.0; 2], pieces, repetition };
+    let shift = Coupling::Ratio { num: 0.3, den: 7.0 };
+    let leaders =
+        vec![GearLeader { axis: Z, coupling: Coupling::Table(3) }, GearLeader { axis: Y, coupling: shift }];
+    let gear = Gear { follower: C, leaders, teeth: None };
+    let at = GearSynchronisation { follower: 0.5, leaders: vec![0.0, 1.0] };
+    let to = |z: f64, y: f64| Targets::NONE.with(Z, z).with(Y, y);
+    let blocks = vec![
+        Block::Table(Box::new(table.clone())),
+        Block::Rapid(to(-12.0, 2.0).with(X, 1.0)),
+        Block::GearDefine(Box::new(gear)),
+        Block::GearOn { follower: C, synchronisation: Some(Box::new(at)) },
+        Block::Linear { target: to(33.0, 5.0), duration: 3.0 },
+        Block::Linear { target: Targets::NONE.with(Y, 7.0), duration: 1.0 },
+        Block::GearOff { follower: C },
+        Block::Linear { target: to(0.0, 0.0), duration: 1.0 },
+    ];
+    let geared = program(Dialect::Siemens, blocks.clone());
+    let tolerance = 1e-5;
+    let plain = expand_gears(&geared, &[tolerance; 8]).unwrap();
+    let wanted = |z: f64, y: f64| 0.5 + table.value(z) + 0.3 / 7.0 * (y - 1.0);
+    let (mut place, mut worst, mut time) = (Targets::NONE, 0.0f64, 0.0);
+    for block in plain.blocks() {
+        let before = place;
+        match block {
+            Block::Rapid(target) => place.update(target),
+            Block::Linear { target, duration } => {
+                place.update(target);
+                time += duration;
+            }
+            Block::End => break,
+            other => panic!("{other:?}"),
+        }
+        if time > 4.0 + 1e-9 {
+            assert_eq!(place.get(C), before.get(C), "free again");
+        } else if before.get(C).is_some() {
+            for share in [0.2, 0.5, 0.9, 1.0] {
+                let [z, y, c] = [Z, Y, C].map(|axis| {
+                    let [a, b] = [before, place].map(|place| place.get(axis).unwrap());
+                    a + share * (b - a)
+                });
+                worst = worst.max((c - wanted(z, y)).abs());
+            }
+        }
+    }
+    assert!(worst < 1.1 * tolerance && (time - 5.0).abs() < 1e-12, "{worst} {time}");
+    // A shift alone is one block.
+    let last = &plain.blocks()[plain.blocks().len() - 3];
+    assert!(matches!(last, Block::Linear { target, .. } if target.mask() == 1 << Y | 1 << C));
+    for dialect in Dialect::ALL {
+        text(&Program::new(header(dialect), plain.blocks().to_vec()).unwrap(), dialect);
+    }
+    // What cannot be expanded is refused.
+    let code = |change: &dyn Fn(&mut Vec<Block>)| {
+        let mut blocks = blocks.clone();
+        change(&mut blocks);
+        expand_gears(&program(Dialect::Siemens, blocks), &[tolerance; 8]).unwrap_err().code()
+    };
+    assert_eq!(code(&|blocks| blocks[4] = Block::Rapid(to(1.0, 1.0))), "nc-unsupported-coupling");
+    let follower = Targets::NONE.with(C, 1.0);
+    assert_eq!(
+        code(&|blocks| blocks[4] = Block::Linear { target: follower, duration: 1.0 }),
+        "nc-unsupported-coupling"
+    );
+    assert_eq!(code(&|blocks| drop(blocks.remove(1))), "nc-unknown-start");
+}
+
+#[test]
 fn blocks_that_linuxcnc_cannot_keep_in_time_are_warned_of() {
     // Spec 80 section 3: a = 5000 deg/s^2, 2.68 deg of way: 81.8 deg/s at most.
     let degrees = |value: f64| Targets::NONE.with(C, value.to_radians());
@@ -425,7 +521,9 @@ fn every_condition_of_section_7_gives_its_error() {
     for duration in [0.0, -1.0, f64::NAN, 1e-8, 6.1e5] {
         assert_eq!(code(l, linear(X, 1.0, duration)), "nc-feed-range");
     }
-    assert_eq!(code(l, vec![Block::Dwell(0.0)]), "nc-feed-range");
+    for seconds in [0.0, 1e-7, -1.0, f64::NAN, 1e6] {
+        assert_eq!(code(l, vec![Block::Dwell(seconds)]), "nc-number-range");
+    }
     assert_eq!(code(l, linear(WORM, 1.0, 1.0)), "nc-not-movable");
     assert_eq!(code(l, linear(9, 1.0, 1.0)), "nc-unknown-axis");
     assert_eq!(code(l, vec![Block::Rapid(Targets::NONE)]), "nc-empty-motion");
@@ -580,8 +678,7 @@ fn words_lines_and_headers_beyond_a_control_are_refused() {
     }
     let seven = split_turns(&stroke(Dialect::LinuxCnc, 3)).unwrap();
     assert_eq!(seven.blocks().len(), 5);
-    let mut modulo = WriteOptions::default();
-    modulo.incremental_rotary = true;
+    let modulo = WriteOptions { incremental_rotary: true, ..WriteOptions::default() };
     let far = vec![Block::Rapid(Targets::NONE.with(C, 0.0)), Block::Rapid(Targets::NONE.with(C, 7.0))];
     let far = programs::program(Dialect::Siemens, far);
     assert_eq!(write_checked(&far, Dialect::Siemens, &modulo).unwrap_err().code(), "nc-number-range");

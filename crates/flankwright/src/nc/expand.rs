@@ -14,11 +14,7 @@ const HALVINGS: u32 = 20;
 /// `BadHeader` unless there is one finite tolerance above 0 for each axis, `ToleranceNotReached` with more than 2^20 pieces, and
 /// those of [`Program::new`] if a piece becomes too short in time.
 pub fn subdivide(program: &Program, tolerances: &[f64]) -> Result<Program, NcError> {
-    let fits =
-        tolerances.len() == program.axes().len() && tolerances.iter().all(|&t| t > 0.0 && t.is_finite());
-    if !fits {
-        return Err(NcError::BadHeader { reason: "tolerances; needed: one above 0 for each axis".into() });
-    }
+    check_tolerances(program, tolerances)?;
     let mut blocks = Vec::with_capacity(program.blocks().len());
     let mut places = Targets::NONE;
     for (k, block) in program.blocks().iter().enumerate() {
@@ -60,17 +56,26 @@ pub fn subdivide(program: &Program, tolerances: &[f64]) -> Result<Program, NcErr
     Program::new(program.header().clone(), blocks)
 }
 
+/// One finite tolerance above 0 for each axis.
+pub(super) fn check_tolerances(program: &Program, tolerances: &[f64]) -> Result<(), NcError> {
+    if tolerances.len() == program.axes().len() && tolerances.iter().all(|&t| t > 0.0 && t.is_finite()) {
+        return Ok(());
+    }
+    Err(NcError::BadHeader { reason: "tolerances; needed: one above 0 for each axis".into() })
+}
+
 /// A curve as chords.
-struct Chords<'a, A: Fn(f64) -> Targets> {
-    program: &'a Program,
-    tolerances: &'a [f64],
-    block: usize,
-    at: A,
+pub(super) struct Chords<'a, A: Fn(f64) -> Targets> {
+    pub program: &'a Program,
+    pub tolerances: &'a [f64],
+    pub block: usize,
+    /// Where the axes stand at a parameter.
+    pub at: A,
 }
 
 impl<A: Fn(f64) -> Targets> Chords<'_, A> {
     /// Chords over the intervals between the borders, in which the curve is smooth; the time is shared as the parameter.
-    fn between(&self, borders: &[f64], duration: f64, blocks: &mut Vec<Block>) -> Result<(), NcError> {
+    pub fn between(&self, borders: &[f64], duration: f64, blocks: &mut Vec<Block>) -> Result<(), NcError> {
         let whole = borders.last().zip(borders.first()).map_or(1.0, |(last, first)| last - first);
         for pair in borders.windows(2) {
             // A stack of intervals that are still to be judged, the next on top.

@@ -6,6 +6,7 @@ mod compare;
 mod dialect;
 mod error;
 mod expand;
+mod expand_gears;
 mod program;
 mod reader;
 mod writer;
@@ -14,6 +15,7 @@ pub use compare::{compare, write_checked};
 pub use dialect::Dialect;
 pub use error::NcError;
 pub use expand::{split_turns, subdivide};
+pub use expand_gears::expand_gears;
 pub use program::{
     AxisMotion, AxisWord, BSplineMotion, Block, Coupling, CubicMotion, CubicSpan, CurveTable, Gear,
     GearLeader, GearSynchronisation, Header, MAXIMUM_AXES, Program, Repetition, TablePiece, Targets,

@@ -227,10 +227,9 @@ fn gear(draw: &mut Draw, dialect: Dialect, table: u32, blocks: &mut Vec<Block>) 
         if table > 0 && draw.below(2) == 0 {
             leaders[1].coupling = Coupling::Table(table);
         }
-        leaders.push(GearLeader {
-            axis: Y,
-            coupling: Coupling::Ratio { num: draw.between(-0.1, 0.1), den: 1.0 },
-        });
+        let sizes = [draw.between(-11.9, 3.0), draw.between(-11.9, 3.0)].map(|size| 10f64.powf(size));
+        let coupling = Coupling::Ratio { num: -sizes[0], den: sizes[1] };
+        leaders.push(GearLeader { axis: Y, coupling });
         if draw.below(2) == 0 {
             let leaders = leaders.iter().map(|leader| draw.value(leader.axis)).collect();
             synchronisation = Some(Box::new(GearSynchronisation { follower: draw.value(C), leaders }));

@@ -18,7 +18,7 @@ pub enum Block {
     Cubic(Box<CubicMotion>),
     /// A B-spline.
     BSpline(Box<BSplineMotion>),
-    /// All axes wait, s, above 0.
+    /// All axes wait, s: 1e-6 to 1e5.
     Dwell(f64),
     /// A spindle turns at a speed.
     Spindle {

@@ -6,10 +6,17 @@ use super::{
     Header, MAXIMUM_AXES, Repetition, Targets, Word,
 };
 use crate::nc::NcError;
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 
 /// Shortest and longest time of a block, s: F = 60/s from 1e9 down to 1e-4.
 const DURATION: [f64; 2] = [60.0 / 1e9, 60.0 / 1e-4];
+/// Shortest and longest dwell, s: six decimals are written.
+const DWELL: [f64; 2] = [1e-6, 1e5];
+/// Numerators and denominators of gears, and how far apart they may be: what fits in the eighteen digits that a reader takes.
+const RATIO: [f64; 2] = [1e-12, 1e13];
+const RATIO_SPREAD: f64 = 1e15;
+/// Least step of a leader in a table, mm or rad: ten decimals are written.
+const LEADER_STEP: f64 = 1e-9;
 /// Spindle speeds that a text with six decimals still tells from a standstill, 1/min.
 const SPEED: [f64; 2] = [1e-4, 1e6];
 /// Longest text of a comment: what the shortest line of all controls (252) leaves.
@@ -24,7 +31,7 @@ pub(super) fn check(header: &Header, blocks: &[Block]) -> Result<(), NcError> {
         axes: &header.axes,
         known: 0,
         gears: [const { GearPlace::Absent }; MAXIMUM_AXES],
-        tables: BTreeSet::new(),
+        tables: BTreeMap::new(),
         speeds: [0.0; SPINDLES],
         block: 0,
     };
@@ -112,7 +119,8 @@ struct State<'a> {
     /// Bit mask of the axes whose place is known.
     known: u16,
     gears: [GearPlace; MAXIMUM_AXES],
-    tables: BTreeSet<u32>,
+    /// Follower and leader of each table.
+    tables: BTreeMap<u32, [usize; 2]>,
     speeds: [f64; SPINDLES],
     block: usize,
 }
@@ -135,7 +143,12 @@ impl State<'_> {
             }
             Block::Cubic(motion) => self.cubic(motion)?,
             Block::BSpline(motion) => self.spline(motion)?,
-            Block::Dwell(duration) => self.duration(*duration)?,
+            Block::Dwell(seconds) => {
+                if !(DWELL[0]..=DWELL[1]).contains(seconds) {
+                    let (axis, allowed) = ("dwell".into(), "0.000001 to 100000 s");
+                    return Err(NcError::NumberRange { block: here, axis, value: *seconds, allowed });
+                }
+            }
             Block::Spindle { spindle, speed } => self.spindle(*spindle, *speed)?,
             Block::Comment(text) => {
                 let fits = (1..=COMMENT).contains(&text.len())
@@ -265,6 +278,8 @@ impl State<'_> {
 
     fn spline(&mut self, motion: &BSplineMotion) -> Result<(), NcError> {
         self.feed(motion.duration)?;
+        // A control that takes one line for each point shares the time among them.
+        self.duration(motion.duration / motion.points.len().max(1) as f64)?;
         let (block, degree) = (self.block, motion.degree);
         let bad = |reason| Err(NcError::BadSpline { block, reason });
         if !(2..=3).contains(&degree) {
@@ -327,10 +342,16 @@ impl State<'_> {
             }
             match leader.coupling {
                 Coupling::Ratio { num, den } => {
-                    let fits = num.abs() <= 1e9 && den.abs() <= 1e9 && den.abs() >= 1e-9;
+                    let (n, d) = (if num == 0.0 { den.abs() } else { num.abs() }, den.abs());
+                    let (least, largest) = (n.min(d), n.max(d));
+                    // Written so that NaN, which min and max pass over, fails.
+                    let fits = num.is_finite()
+                        && den.is_finite()
+                        && least >= RATIO[0]
+                        && largest <= RATIO[1].min(RATIO_SPREAD * least);
                     if !fits {
-                        let (quantity, allowed) =
-                            ("a gear ratio", "numerator and denominator to 1e9, the denominator from 1e-9");
+                        let quantity = "a gear ratio";
+                        let allowed = "numerator 0 or 1e-12 to 1e13, denominator 1e-12 to 1e13, not 1e15 times each other";
                         return Err(NcError::RatioRange {
                             block: self.block,
                             quantity,
@@ -339,9 +360,12 @@ impl State<'_> {
                         });
                     }
                 }
-                Coupling::Table(table) if self.tables.contains(&table) => {}
                 Coupling::Table(table) => {
-                    let reason = "is used before it is given";
+                    let reason = match self.tables.get(&table) {
+                        Some(axes) if *axes == [gear.follower, leader.axis] => continue,
+                        Some(_) => "is of other axes than the gear that uses it",
+                        None => "is used before it is given",
+                    };
                     return Err(NcError::BadTable { block: self.block, table, reason });
                 }
             }
@@ -388,7 +412,7 @@ impl State<'_> {
         if table.id == 0 || table.id > 99_999 {
             return bad("has a number outside 1 to 99999");
         }
-        if self.tables.contains(&table.id) {
+        if self.tables.contains_key(&table.id) {
             return bad("is given twice");
         }
         if table.follower == table.leader {
@@ -404,7 +428,7 @@ impl State<'_> {
             for value in [piece.follower.end, piece.follower.start_slope, piece.follower.end_slope] {
                 self.value(follower, value)?;
             }
-            let goes_on = sign * (piece.leader - before) > 0.0;
+            let goes_on = sign * (piece.leader - before) >= LEADER_STEP;
             if !goes_on {
                 return bad("is not strictly monotone in its leader");
             }
@@ -413,7 +437,7 @@ impl State<'_> {
         if table.repetition == Repetition::Leader && (last.follower.end - table.start[1]).abs() > 1e-9 {
             return bad("repeats in its leader only, but ends elsewhere than it starts");
         }
-        self.tables.insert(table.id);
+        self.tables.insert(table.id, [table.follower, table.leader]);
         Ok(())
     }
 }

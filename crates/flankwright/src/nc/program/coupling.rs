@@ -8,9 +8,9 @@ pub enum Coupling {
     /// num/den units of the follower per unit of the leader, e.g. rad per mm. Two numbers, because a ratio of tooth numbers is
     /// exact as two integers only.
     Ratio {
-        /// Numerator.
+        /// Numerator: 0, or 1e-12 to 1e13 of both signs.
         num: f64,
-        /// Denominator, not 0.
+        /// Denominator: 1e-12 to 1e13 of both signs, within 1e15 times the numerator and back.
         den: f64,
     },
     /// By a table of this number, which must stand before.

@@ -128,8 +128,12 @@ impl<'a> Lines<'a> {
     /// F of a block in inverse time, at the end of its line.
     pub fn feed(&mut self, duration: f64) -> Result<(), NcError> {
         let feed = 60.0 / duration;
-        // Below 1 four more decimals keep the time to 1e-6.
-        let decimals = if feed < 1.0 { self.decimals.feed + 4 } else { self.decimals.feed };
+        // Below 1 four more decimals keep the time to 1e-6; of the greatest feeds a reader takes 18 digits.
+        let decimals = match feed {
+            _ if feed < 1.0 => self.decimals.feed + 4,
+            _ if feed >= 1e8 => self.decimals.feed.min(8),
+            _ => self.decimals.feed,
+        };
         self.push(" F");
         self.fixed(feed, decimals);
         self.end_line()

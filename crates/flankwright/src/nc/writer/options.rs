@@ -64,7 +64,7 @@ pub struct HalOptions {
 pub struct FanucOptions {
     /// The number after O: 1 to 99999999.
     pub program_number: u32,
-    /// Switches the contour mode of [`super::unconfirmed`] on and off.
+    /// Switches the contour mode on at the begin and off at the end.
     pub contour_mode: bool,
 }
 

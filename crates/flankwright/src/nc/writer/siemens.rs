@@ -36,6 +36,13 @@ pub(super) fn write(program: &Program, options: &WriteOptions) -> Result<Written
     Ok(writer.out.finish())
 }
 
+/// The same ratio of numbers from 1e-3, so that fifteen digits of them do not need more decimals than are read; integers stay.
+fn enlarged(num: f64, den: f64) -> (f64, f64) {
+    let least = if num == 0.0 { den.abs() } else { num.abs().min(den.abs()) };
+    let factor = if least < 1e-3 { 10f64.powi((-3.0 - least.log10()).ceil() as i32) } else { 1.0 };
+    (num * factor, den * factor)
+}
+
 struct Siemens<'a> {
     out: Lines<'a>,
     /// Where the axes stand: POLY is written from the end value and two coefficients.
@@ -230,6 +237,7 @@ impl Siemens<'_> {
                         (false, true) => (num, den.to_degrees()),
                         _ => (num, den),
                     };
+                    let (num, den) = enlarged(num, den);
                     push_significant(&mut self.out.text, num, RATIO_DIGITS);
                     self.out.push(", ");
                     push_significant(&mut self.out.text, den, RATIO_DIGITS);
