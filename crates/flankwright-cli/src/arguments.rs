@@ -8,6 +8,7 @@ use crate::commands::check::CheckArguments;
 use crate::commands::explore::ExploreArguments;
 use crate::commands::new::NewArguments;
 use crate::commands::plan::PlanArguments;
+use crate::commands::program::ProgramArguments;
 use crate::commands::schema::SchemaArguments;
 use crate::commands::simulate::SimulateArguments;
 use crate::commands::verify::VerifyArguments;
@@ -40,6 +41,8 @@ pub enum Command {
     Simulate(SimulateArguments),
     /// Vary diagonal ratio, cone angle and crossing angle: a ranked table and the residual over the ratio
     Explore(ExploreArguments),
+    /// Read an NC program and tell what it does on a machine
+    Program(ProgramArguments),
     /// Recompute every expected value of reference files and compare
     Verify(VerifyArguments),
 }
@@ -54,6 +57,7 @@ impl Command {
             Command::Plan(arguments) => &arguments.common,
             Command::Simulate(arguments) => &arguments.common,
             Command::Explore(arguments) => &arguments.common,
+            Command::Program(arguments) => arguments.common(),
             Command::Verify(arguments) => &arguments.common,
         }
     }

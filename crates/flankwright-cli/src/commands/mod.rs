@@ -7,6 +7,7 @@ pub mod explore;
 pub mod new;
 mod outcome;
 pub mod plan;
+pub mod program;
 pub mod schema;
 pub mod simulate;
 mod tangential;

@@ -1,8 +1,9 @@
-//! `flankwright schema`: the schema of the job file, or of a catalogue.
+//! `flankwright schema`: the schema of the job file, of a catalogue, or of a machine description.
 
 use clap::Args;
 use flankwright::exchange::catalogue::catalogue_schema;
 use flankwright::exchange::job_schema;
+use flankwright::exchange::machine::machine_schema;
 
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;
@@ -12,11 +13,14 @@ use crate::output;
 /// Arguments of `schema`.
 #[derive(Args, Debug)]
 #[command(after_help = "Example:\n  flankwright schema > job.schema.json\n\n\
-    Editors use it to complete and check job files. With -o it is written to DIR/job.schema.json (catalogue.schema.json).")]
+    Editors use it to complete and check job files. With -o it is written to DIR/job.schema.json (catalogue.schema.json, machine.schema.json).")]
 pub struct SchemaArguments {
     /// The schema of a catalogue of worms and dressers instead
     #[arg(long)]
     pub catalogue: bool,
+    /// The schema of a machine description instead
+    #[arg(long, conflicts_with = "catalogue")]
+    pub machine: bool,
     /// Arguments that every command has.
     #[command(flatten)]
     pub common: CommonArguments,
@@ -29,6 +33,8 @@ pub struct SchemaArguments {
 pub fn run(arguments: &SchemaArguments) -> Result<Exit, Failure> {
     let (schema, name) = if arguments.catalogue {
         (catalogue_schema(), "catalogue.schema.json")
+    } else if arguments.machine {
+        (machine_schema(), "machine.schema.json")
     } else {
         (job_schema(), "job.schema.json")
     };

@@ -31,7 +31,7 @@ pub use worm::TangentialWorm;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::job::{Gear, Grid, Hand, JobInfo, Output};
+use super::job::{Gear, Grid, Hand, JobInfo, Machine, Output};
 
 /// A job of tangential dressing: a worm is dressed by one motion along its axis, modified as function of the position of the
 /// dresser, and grinds the gear with a shift that follows the feed.
@@ -53,6 +53,9 @@ pub struct TangentialJob {
     /// How the worm is dressed, and by which variables the target is met.
     #[serde(default)]
     pub dressing: TangentialDressing,
+    /// The machine for which programs are written.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub machine: Option<Machine>,
     /// Points of the result grid.
     #[serde(default)]
     pub grid: Grid,

@@ -2,9 +2,11 @@
 
 use super::grinding_course::beyond;
 use super::{BodyPlace, Waypoint};
+use crate::geometry::InvoluteFlank;
 use crate::kinematics::{Dresser, DressingMotion, DressingPosition, Pose, Worm};
 use crate::machine::{Mounts, StationSpindle, ToolSpindle};
 use nalgebra::Vector3;
+use std::f64::consts::TAU;
 
 /// A dressing stroke's bodies.
 #[derive(Clone, Debug)]
@@ -18,6 +20,27 @@ pub struct DressingCourse {
     /// Places where the dresser touches the worm at v_zS = 0: point (mm) and normal, in worm coordinates. Along the stroke they go
     /// round with the thread.
     pub contacts: Vec<(Vector3<f64>, Vector3<f64>)>,
+}
+
+/// Places of a flank in which a dresser whose worm stands at `worm_angle` (rad) touches some lengths of roll (mm): where the flank
+/// crosses the plane through the worm axis on the dresser's side. Point and normal in worm coordinates.
+pub fn dresser_contacts(
+    flank: &InvoluteFlank,
+    worm_angle: f64,
+    rolls: &[f64],
+) -> Vec<(Vector3<f64>, Vector3<f64>)> {
+    let pitch = TAU / flank.teeth;
+    let lead = flank.base_radius / flank.base_helix_angle.tan();
+    rolls
+        .iter()
+        .map(|&w| {
+            let p = flank.point(w, 0.0);
+            // Along the helix the point turns by z/lead; the dresser stands in the direction of -worm_angle. Any thread will do.
+            let apart = -worm_angle - p.y.atan2(p.x);
+            let z = (apart - pitch * (apart / pitch).round()) * lead;
+            (flank.point(w, z), flank.normal(w, z))
+        })
+        .collect()
 }
 
 impl DressingCourse {

@@ -17,7 +17,7 @@ mod trace;
 
 pub use axes::{AxisWords, axis_words};
 pub use course::{BodyPlace, Course, Waypoint};
-pub use dressing_course::DressingCourse;
+pub use dressing_course::{DressingCourse, dresser_contacts};
 pub use error::MotionError;
 pub use grinding_course::GrindingCourse;
 pub use layout::{Coupling, Layout, LayoutOptions, Pass, PassReport, WorkGear, in_words, lay_out};

@@ -1,12 +1,12 @@
 //! From a program back to the motions of the bodies: blocks -> axis positions -> forward kinematics -> laws over the path parameter.
 //! Shares no formula with the way in which the program was made: it knows the machine, the mounts and the bodies' chains, no plan.
 
-use super::{AxisWords, MotionError};
+use super::{AxisWords, MotionError, SCurve};
 use crate::kinematics::{
     Dresser, DressingChain, DressingMotion, DressingPosition, GeneratingMotion, GeneratingState, MotionLaw,
     Pose, Workpiece, Worm,
 };
-use crate::machine::{Machine, Mounts, Positions, Role, Station};
+use crate::machine::{AxisLimits, Machine, Mounts, Positions, Role, Station};
 use crate::nc::{Block, Coupling, CurveTable, Gear, GearSynchronisation};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -62,7 +62,11 @@ pub struct Tracked {
     chains: Vec<Vec<Segment>>,
     /// Range of every axis over the program, mm or rad; `None` for one that is not named.
     pub ranges: Vec<Option<[f64; 2]>>,
-    /// Time of all blocks that state one, s.
+    /// Whole way of every axis, mm or rad.
+    pub ways: Vec<f64>,
+    /// Greatest speed of every axis in blocks that state a time, mm/s or rad/s.
+    pub speeds: Vec<f64>,
+    /// Time of all blocks, s: stated, or of rapid moves under the limits of the axes.
     pub duration: f64,
 }
 
@@ -97,7 +101,14 @@ pub fn track(
         gears: BTreeMap::new(),
         engaged: None,
         speeds: BTreeMap::new(),
-        tracked: Tracked { chains: Vec::new(), ranges: vec![None; machine.axes().len()], duration: 0.0 },
+        tracked: Tracked {
+            chains: Vec::new(),
+            ranges: vec![None; machine.axes().len()],
+            ways: vec![0.0; machine.axes().len()],
+            speeds: vec![0.0; machine.axes().len()],
+            duration: 0.0,
+        },
+        placed: false,
         open: false,
     };
     for (k, block) in blocks.iter().enumerate() {
@@ -118,6 +129,8 @@ struct Walk<'a> {
     tracked: Tracked,
     /// Whether the last chain goes on.
     open: bool,
+    /// Whether a move has placed the axes: the first one comes from wherever they stood.
+    placed: bool,
 }
 
 /// Parts of a block with cubic motion: a cubic of mm over 64 parts is followed to below 1e-6 of its sagitta.
@@ -127,8 +140,14 @@ impl Walk<'_> {
     fn block(&mut self, number: usize, block: &Block) -> Result<(), MotionError> {
         match block {
             Block::Rapid(target) => {
-                self.at = self.words.positions(self.machine, &self.at, target);
+                let from = self.at;
+                self.at = self.words.positions(self.machine, &from, target);
                 self.follow();
+                if self.placed {
+                    let time = |k: usize| rapid_time(&self.machine.axes()[k].limits, self.at[k] - from[k]);
+                    self.tracked.duration += (0..self.machine.axes().len()).map(time).fold(0.0, f64::max);
+                    self.add_way(&from);
+                }
                 self.seen();
                 self.open = false;
             }
@@ -243,6 +262,11 @@ impl Walk<'_> {
         self.at = to;
         self.follow();
         self.seen();
+        self.add_way(&from);
+        for k in 0..self.machine.axes().len() {
+            let speed = (self.at[k] - from[k]).abs() / duration;
+            self.tracked.speeds[k] = self.tracked.speeds[k].max(speed);
+        }
         let segment = Segment { block, from, to: self.at, duration, gear: self.engaged.clone() };
         match (self.open, self.tracked.chains.last_mut()) {
             (true, Some(chain)) => chain.push(segment),
@@ -252,7 +276,14 @@ impl Walk<'_> {
         self.tracked.duration += duration;
     }
 
+    fn add_way(&mut self, from: &Positions) {
+        for k in 0..self.machine.axes().len() {
+            self.tracked.ways[k] += (self.at[k] - from[k]).abs();
+        }
+    }
+
     fn seen(&mut self) {
+        self.placed = true;
         for (k, range) in self.tracked.ranges.iter_mut().enumerate() {
             let named = self.words.place(k).is_some();
             if named {
@@ -261,6 +292,15 @@ impl Walk<'_> {
             }
         }
     }
+}
+
+/// Time of a rapid move of one axis, s; none for an axis without limits.
+fn rapid_time(limits: &AxisLimits, way: f64) -> f64 {
+    let limit = |x: Option<f64>| x.unwrap_or(f64::INFINITY);
+    if limits.velocity.is_none() && limits.acceleration.is_none() {
+        return 0.0;
+    }
+    SCurve::new(way, limit(limits.velocity), limit(limits.acceleration), limit(limits.jerk)).duration()
 }
 
 impl Segment {

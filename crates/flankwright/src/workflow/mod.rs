@@ -49,8 +49,9 @@ pub use occupation::occupation_chart;
 pub use partition::{Partition, StrokePlan};
 pub use prepare::{Prepared, blank_of_job, gear_of_job, prepare, setup_of_job, tolerance_of_job};
 pub use programs::{
-    AxisResult, Built, BuiltProgram, DressingWork, GrindingWork, PassResult, ProgramResult, ProgramTask,
-    ProgramsResult, ProofResult, RunPrograms,
+    AxisResult, Built, BuiltProgram, CheckedAxis, CheckedFlank, CheckedProgram, CheckedStroke, DressingWork,
+    GrindingWork, PassResult, ProgramResult, ProgramTask, ProgramsResult, ProofResult, RunPrograms,
+    check_program,
 };
 pub use referee::{StageReport, Verdict};
 pub use result::{CandidateResult, CharacteristicsUm, FlankResult, JobResult, SettingsResult, Status};

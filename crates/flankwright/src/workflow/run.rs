@@ -96,12 +96,11 @@ fn finish(
         .map_err(|e| RunFailure::of_removal(&e, "grinding"))?;
     let gear_root = gear_root(&prepared, &execution)?;
     timing.insert("referee", refereeing.elapsed().as_secs_f64());
-    let proving = Instant::now();
     let roughing = partition.as_ref().map_or(Vec::new(), Partition::roughing_shifts);
     let programs = programs_of_grinding(loaded, &prepared, &execution, &verdicts, cutting, roughing)?;
     if let Some(programs) = &programs {
-        timing.insert("programs", programs.seconds);
-        timing.insert("proof of the programs", proving.elapsed().as_secs_f64() - programs.seconds);
+        timing.insert("programs", programs.seconds[0]);
+        timing.insert("proof of the programs", programs.seconds[1]);
     }
     let mut warnings = prepared.warnings.clone();
     warnings.extend(execution.warnings.iter().cloned());

@@ -24,6 +24,11 @@ pub struct TangentialGrinding {
     /// F_T0, the shift of the tool in the middle of the feed.
     #[serde(default)]
     pub shift_offset: ShiftOffset,
+    /// Axial feed per revolution of the gear, mm, for the programs; default 0.3.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 100,
+        "x-way-out" = "give the axial feed in mm per revolution of the gear, e.g. 0.3"))]
+    pub feed_per_revolution: Option<f64>,
 }
 
 /// Shift of the tool per feed.

@@ -59,6 +59,15 @@ pub(super) fn dialect_of(name: DialectName) -> Dialect {
     }
 }
 
+/// The key of a dialect in files.
+pub(super) fn name_of(dialect: Dialect) -> DialectName {
+    match dialect {
+        Dialect::LinuxCnc => DialectName::Linuxcnc,
+        Dialect::Siemens => DialectName::Siemens,
+        Dialect::Fanuc => DialectName::Fanuc,
+    }
+}
+
 /// An error of the motion as a finding of the job: bad input if the machine or its controls lack something.
 fn failure(error: &MotionError) -> RunFailure {
     let finding =

@@ -2,14 +2,22 @@
 //! axes -> bodies -> referee. Nothing leaves this room that was not read back and simulated.
 
 mod build;
+mod check;
 mod of_grinding;
+mod of_tangential;
 mod proof;
 mod result;
+mod run_programs;
 mod task;
 mod technology;
 
 pub use build::{Built, BuiltProgram};
-pub use of_grinding::RunPrograms;
+pub use check::check_program;
 pub(super) use of_grinding::programs_of_grinding;
-pub use result::{AxisResult, PassResult, ProgramResult, ProgramsResult, ProofResult};
+pub(super) use of_tangential::programs_of_tangential;
+pub use result::{
+    AxisResult, CheckedAxis, CheckedFlank, CheckedProgram, CheckedStroke, PassResult, ProgramResult,
+    ProgramsResult, ProofResult,
+};
+pub use run_programs::RunPrograms;
 pub use task::{DressingWork, GrindingWork, ProgramTask};

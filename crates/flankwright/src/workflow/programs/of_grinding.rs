@@ -1,52 +1,76 @@
 //! The programs of a generating-grinding run: its strokes as work for a machine, and its referee asked with motions from a text.
 
-use super::build::Built;
-use super::proof::{ReadBack, proofs};
-use super::result::ProgramsResult;
+use super::proof::ReadBack;
+use super::result::{CheckedFlank, CheckedStroke};
+use super::run_programs::{RunPrograms, dialects};
 use super::task::{DressingWork, GrindingWork, ProgramTask, machine_of_job};
 use super::technology::Technology;
-use crate::contact::ToolSurface;
-use crate::exchange::LoadedJob;
-use crate::exchange::job::{DressingFlanks, Program as DialectName};
+use crate::exchange::job::{DressingFlanks, Job, Machine as JobMachine};
 use crate::exchange::machine::LoadedMachine;
+use crate::exchange::{Diagnostic, LoadedJob};
 use crate::geometry::{Flank, Sides};
-use crate::machine::GearCoupling;
+use crate::kinematics::{DressingMotion, GeneratingMotion, MotionLaw};
+use crate::machine::{GearCoupling, Machine, Role};
 use crate::metrology::Topography;
-use crate::numerics::{Chebyshev, Silent, equidistant};
-use crate::process::dressing::{DressedWorm, DresserTool};
+use crate::motion::{MotionError, ReadStroke, Tracked, dresser_contacts};
+use crate::numerics::{Progress, Silent, equidistant};
+use crate::process::dressing::DresserTool;
 use crate::workflow::execution::{ExecutedTool, Execution};
 use crate::workflow::finding::{Remark, RunFailure};
 use crate::workflow::prepare::Prepared;
 use crate::workflow::referee::{self, Cutting, Verdict};
+use crate::workflow::run::{Outcome, plan_job, simulate_job};
 use nalgebra::Vector3;
+use std::collections::BTreeMap;
 use std::f64::consts::TAU;
-
-/// Programs and proof of a run.
-pub struct RunPrograms {
-    /// For `result.json`.
-    pub result: ProgramsResult,
-    /// Texts and traces.
-    pub built: Built,
-    /// The machine.
-    pub machine: LoadedMachine,
-    /// Remarks.
-    pub warnings: Vec<Remark>,
-    /// Seconds for the programs alone, without the proof.
-    pub seconds: f64,
-}
 
 /// Contacts looked at along the line in which the dresser touches a flank.
 const CONTACTS: usize = 5;
 /// Phases of two flanks closer than this (rad) are one motion.
 const SAME_PHASE: f64 = 1e-9;
 
-/// The dialects that a job asks for; without a wish, those of the machine.
-fn dialects(asked: &[DialectName], machine: &LoadedMachine) -> Vec<DialectName> {
-    if !asked.is_empty() {
-        return asked.to_vec();
+/// The strokes of a run with the bodies that they move.
+struct Strokes {
+    technology: Technology,
+    coupling: GearCoupling,
+    gear: [f64; 2],
+    /// Dressing strokes, each with the flanks and their strokes that it makes.
+    dressing: Vec<(DressingWork, Vec<(Flank, usize)>)>,
+    /// Grinding strokes, each with the flanks that it makes.
+    grinding: Vec<(GrindingWork, Vec<Flank>)>,
+}
+
+impl Strokes {
+    fn new(job: &Job, machine: &JobMachine, prepared: &Prepared, execution: &Execution) -> Self {
+        let setup = &prepared.setup;
+        let worm = &setup.pair.worm;
+        let hand = if worm.data().helix_angle < 0.0 { -1.0 } else { 1.0 };
+        let sizes = (hand, setup.largest_tip_radius, setup.worm_module(), setup.input.worm_width);
+        let any = &setup.pair.flanks.left;
+        let data = setup.pair.work.data();
+        let two_flanks = job.dressing.flanks == DressingFlanks::Two;
+        Self {
+            technology: Technology::new(machine, sizes, job.grinding.feed_per_revolution),
+            coupling: GearCoupling {
+                threads: worm.data().teeth.unsigned_abs(),
+                teeth: data.teeth,
+                shift: any.shift_coupling,
+                feed: any.feed_coupling,
+                crossed_axes_angle: setup.pair.chain.crossed_axes_angle,
+            },
+            gear: [data.normal_module, data.helix_angle],
+            dressing: dressing_work(prepared, execution, two_flanks),
+            grinding: grinding_work(prepared, execution),
+        }
     }
-    let all = [DialectName::Linuxcnc, DialectName::Siemens, DialectName::Fanuc];
-    all.into_iter().filter(|&dialect| machine.file.controls.of(dialect).is_some()).collect()
+}
+
+/// Target and flank of a run.
+fn flanks_of(execution: &Execution, verdicts: &Sides<Option<Verdict>>) -> [Sides<Option<Topography>>; 2] {
+    [
+        Sides::from_fn(|flank| execution.flanks[flank].as_ref().map(|f| f.target.clone())),
+        Sides::from_fn(|flank| verdicts[flank].as_ref().map(|v| v.simulated.clone())),
+    ]
 }
 
 /// Programs of a run whose job names a machine; `None` for one that names none.
@@ -63,80 +87,173 @@ pub(in crate::workflow) fn programs_of_grinding(
 ) -> Result<Option<RunPrograms>, RunFailure> {
     let Some(job_machine) = &loaded.job.machine else { return Ok(None) };
     let machine = machine_of_job(loaded, job_machine)?;
-    let begun = std::time::Instant::now();
-    let setup = &prepared.setup;
-    let worm = &setup.pair.worm;
-    let hand = if worm.data().helix_angle < 0.0 { -1.0 } else { 1.0 };
-    let sizes = (hand, setup.largest_tip_radius, setup.worm_module(), setup.input.worm_width);
-    let mut technology = Technology::new(job_machine, sizes, loaded.job.grinding.feed_per_revolution);
-    technology.roughing_shift = roughing_shift;
-    let chain = &setup.pair.chain;
-    let any = &setup.pair.flanks.left;
-    let data = setup.pair.work.data();
-    let dialects = dialects(&loaded.job.output.programs, &machine);
-    let two_flanks = loaded.job.dressing.flanks == DressingFlanks::Two;
-    let dressing = dressing_work(prepared, execution, two_flanks);
-    let strokes_of: Vec<Vec<(Flank, usize)>> = dressing.iter().map(|(_, of)| of.clone()).collect();
-    let grinding = grinding_work(prepared, execution);
+    let mut strokes = Strokes::new(&loaded.job, job_machine, prepared, execution);
+    strokes.technology.roughing_shift = roughing_shift;
     let task = ProgramTask {
         job: &loaded.job.job.name,
         machine: &machine,
-        dialects: &dialects,
-        technology,
-        dressing: dressing.into_iter().map(|(work, _)| work).collect(),
-        grinding: grinding.iter().map(|(work, _)| work.clone()).collect(),
-        coupling: GearCoupling {
-            threads: worm.data().teeth.unsigned_abs(),
-            teeth: data.teeth,
-            shift: any.shift_coupling,
-            feed: any.feed_coupling,
-            crossed_axes_angle: chain.crossed_axes_angle,
-        },
-        gear: [data.normal_module, data.helix_angle],
+        dialects: &dialects(&loaded.job.output.programs, &machine),
+        technology: strokes.technology.clone(),
+        dressing: strokes.dressing.iter().map(|(work, _)| work.clone()).collect(),
+        grinding: strokes.grinding.iter().map(|(work, _)| work.clone()).collect(),
+        coupling: strokes.coupling,
+        gear: strokes.gear,
     };
-    let built = task.build()?;
-    let seconds = begun.elapsed().as_secs_f64();
-    let flanks = |f: &dyn Fn(Flank) -> Option<Topography>| Sides::from_fn(f);
-    let target = flanks(&|flank| execution.flanks[flank].as_ref().map(|f| f.target.clone()));
-    let simulated = flanks(&|flank| verdicts[flank].as_ref().map(|v| v.simulated.clone()));
-    let proofs = proofs(&task, &built, [&target, &simulated], |read| {
-        simulate(prepared, execution, cutting, read, &strokes_of, &grinding)
-    })?;
-    let result = ProgramsResult::new(&task, &built, proofs);
-    let mut warnings = built.warnings.clone();
-    if loaded.job.grinding.feed_per_revolution.is_none() {
-        warnings.push(Remark {
-            code: "feed-by-default",
-            text: format!(
-                "the programs feed {} mm per revolution of the gear",
-                task.technology.feed_per_revolution
-            ),
-            way_out: "give grinding.feed_per_revolution".into(),
-        });
-    }
+    let flanks = flanks_of(execution, verdicts);
+    let mut programs =
+        RunPrograms::new(&task, loaded.job.grinding.feed_per_revolution.is_some(), &flanks, |read| {
+            simulate(prepared, execution, cutting, read, &strokes)
+        })?;
     if execution.flanks.iter().any(|(_, f)| f.as_ref().is_some_and(|f| f.made().is_some())) {
-        warnings.push(Remark {
+        programs.warnings.push(Remark {
             code: "dressing-without-program",
             text: "the worm is a table: no dressing strokes lead to it, only grinding programs are written"
                 .into(),
             way_out: "take motions/dressing-lines-*.csv, or a dresser with a profile".into(),
         });
     }
-    Ok(Some(RunPrograms { result, built, machine, warnings, seconds }))
+    Ok(Some(programs))
+}
+
+/// A job made ready for looking at programs: its own run, and its strokes on a machine.
+pub(super) struct PreparedPrograms<'a> {
+    machine: &'a Machine,
+    run: Outcome,
+    strokes: Strokes,
+}
+
+impl<'a> PreparedPrograms<'a> {
+    /// Runs the job, by its settings if it has some, without programs of its own.
+    ///
+    /// # Errors
+    /// Those of the run.
+    pub fn of_job(
+        loaded: &LoadedJob,
+        machine: &'a LoadedMachine,
+        progress: &dyn Progress,
+    ) -> Result<Self, RunFailure> {
+        let mut plain = loaded.clone();
+        plain.job.machine = None;
+        let run = if plain.job.settings.is_some() {
+            simulate_job(&plain, progress)?
+        } else {
+            plan_job(&plain, progress)?
+        };
+        let clamped = loaded.job.machine.clone().unwrap_or_default();
+        let strokes = Strokes::new(&loaded.job, &clamped, &run.prepared, &run.execution);
+        Ok(Self { machine: &machine.machine, run, strokes })
+    }
+}
+
+/// What a program does to the bodies of a job: its kind, its strokes, the flank that it leaves with everything else as the job has it.
+type BodiesOfProgram = (&'static str, Vec<CheckedStroke>, Option<BTreeMap<&'static str, CheckedFlank>>);
+
+/// The strokes of a program on the bodies of a job, and the flank that they leave. Of several strokes for the same flank the one
+/// nearest to the job's own finishes.
+///
+/// # Errors
+/// A program whose axes do not bring these bodies together; the referee's.
+pub(super) fn flank_of_program(
+    ready: &PreparedPrograms<'_>,
+    tracked: &Tracked,
+) -> Result<BodiesOfProgram, RunFailure> {
+    let strokes = &ready.strokes;
+    let refused = |error: MotionError| {
+        let finding = Diagnostic::with_code(error.code(), error.to_string());
+        RunFailure::bad_input(finding.way_out(error.way_out()))
+    };
+    let nothing = |what: &str| {
+        refused(MotionError::NotFollowed {
+            block: 1,
+            reason: format!("it has no {what} stroke on these bodies"),
+        })
+    };
+    let turns = ready.machine.role(Role::Work).and_then(|axis| tracked.ranges[axis]);
+    let grinds = turns.is_some_and(|[from, to]| to > from);
+    let mut read = ReadBack { dressing: Vec::new(), grinding: Vec::new() };
+    let mut listed: Vec<CheckedStroke> = Vec::new();
+    let kind = if grinds {
+        for (work, _) in &strokes.grinding {
+            let there = tracked
+                .grinding(ready.machine, &strokes.technology.grinding, &work.motion, work.phase)
+                .map_err(refused)?;
+            let off = |stroke: &ReadStroke<GeneratingMotion>| {
+                let at = 0.5 * (stroke.range[0] + stroke.range[1]);
+                let apart = |a: &MotionLaw, b: &MotionLaw| (a.value(at) - b.value(at)).abs();
+                apart(&stroke.motion.delta_d, &work.motion.delta_d)
+                    + work.per_turn * apart(&stroke.motion.delta_phi_2, &work.motion.delta_phi_2)
+            };
+            let best = serve(&there, off, &work.name, &mut listed).ok_or_else(|| nothing("grinding"))?;
+            read.grinding.push(there[best].clone());
+        }
+        "grinding"
+    } else {
+        for (work, _) in &strokes.grinding {
+            let motion = work.motion.clone();
+            read.grinding.push(ReadStroke { motion, range: work.feeds, blocks: [0, 0], duration: 0.0 });
+        }
+        for (work, _) in &strokes.dressing {
+            let there = tracked
+                .dressing(ready.machine, &strokes.technology.dressing, &work.motion.chain)
+                .map_err(refused)?;
+            let off = |stroke: &ReadStroke<DressingMotion>| {
+                let at = 0.5 * (stroke.range[0] + stroke.range[1]);
+                let [a, b] = [stroke.motion.correction_at(at), work.motion.correction_at(at)];
+                // Angles at a radius of some 100 mm.
+                let weighed = [100.0, 100.0, 1.0, 1.0].iter().zip(a.iter().zip(b));
+                weighed.map(|(weight, (a, b))| weight * (a - b).abs()).sum::<f64>()
+            };
+            let best = serve(&there, off, &work.name, &mut listed).ok_or_else(|| nothing("dressing"))?;
+            read.dressing.push(there[best].clone());
+        }
+        "dressing"
+    };
+    let cutting = Cutting { feed_per_revolution: None, strokes: ready.run.result.settings.strokes.as_ref() };
+    let (prepared, execution) = (&ready.run.prepared, &ready.run.execution);
+    let flanks = simulate(prepared, execution, cutting, &read, strokes)?;
+    let [target, simulated] = flanks_of(execution, &ready.run.verdicts);
+    let mut of_flanks = BTreeMap::new();
+    for (flank, left) in flanks.iter() {
+        let (Some(left), Some(target), Some(simulated)) = (left, &target[flank], &simulated[flank]) else {
+            continue;
+        };
+        let checked = CheckedFlank {
+            max_deviation_um: left.minus(target).largest() * 1e3,
+            difference_um: left.minus(simulated).largest() * 1e3,
+        };
+        of_flanks.insert(flank.name(), checked);
+    }
+    Ok((kind, listed, Some(of_flanks)))
+}
+
+/// The stroke nearest to a stroke of the job, and all strokes listed once, with the name of the one that they finish.
+fn serve<M>(
+    there: &[ReadStroke<M>],
+    off: impl Fn(&ReadStroke<M>) -> f64,
+    name: &str,
+    listed: &mut Vec<CheckedStroke>,
+) -> Option<usize> {
+    let best = (0..there.len()).min_by(|&a, &b| off(&there[a]).total_cmp(&off(&there[b])))?;
+    for (k, stroke) in there.iter().enumerate() {
+        let serves = (k == best).then(|| name.to_owned());
+        match listed.iter_mut().find(|known| known.blocks == stroke.blocks) {
+            Some(known) => known.serves = known.serves.take().or(serves),
+            None => listed.push(CheckedStroke {
+                range_mm: stroke.range,
+                blocks: stroke.blocks,
+                duration_s: stroke.duration,
+                serves,
+            }),
+        }
+    }
+    Some(best)
 }
 
 /// Contacts of the dresser with a worm flank at v_zS = 0, nominal.
 fn contacts(dresser: &DresserTool, flank: Flank) -> Vec<(Vector3<f64>, Vector3<f64>)> {
-    let half = 10.0 * dresser.flanks[flank].chain.screw_parameter.abs().max(1.0);
-    let nominal = DressedWorm::new(dresser, flank, &[(); 4].map(|()| Chebyshev::constant(-half, half, 0.0)));
-    let range = nominal.range();
-    equidistant([range.w_nf, range.w_na], CONTACTS)
-        .into_iter()
-        .filter_map(|w| {
-            let (t, _) = nominal.start(w, 0.0);
-            nominal.jet(t, 0.0).map(|jet| (jet.p, jet.n))
-        })
-        .collect()
+    let dresser = &dresser.flanks[flank];
+    let rolls = equidistant([dresser.range.w_nf, dresser.range.w_na], CONTACTS);
+    dresser_contacts(&dresser.worm, dresser.chain.worm_angle, &rolls)
 }
 
 /// The dressing strokes, each with the flanks and their strokes that it makes.
@@ -238,16 +355,15 @@ fn simulate(
     execution: &Execution,
     cutting: Cutting<'_>,
     read: &ReadBack,
-    dressed: &[Vec<(Flank, usize)>],
-    ground: &[(GrindingWork, Vec<Flank>)],
+    strokes: &Strokes,
 ) -> Result<Sides<Option<Topography>>, RunFailure> {
     let mut flanks = Sides { left: None, right: None };
     let cutting = Cutting { feed_per_revolution: None, ..cutting };
-    for (stroke, (_, of)) in read.grinding.iter().zip(ground) {
+    for (stroke, (_, of)) in read.grinding.iter().zip(&strokes.grinding) {
         let mut run = execution.clone();
         run.motion = stroke.motion.clone();
         run.feed_range = stroke.range;
-        for (stroke, of) in read.dressing.iter().zip(dressed) {
+        for (stroke, (_, of)) in read.dressing.iter().zip(&strokes.dressing) {
             for &(flank, number) in of {
                 match run.flanks[flank].as_mut().map(|f| &mut f.tool) {
                     Some(ExecutedTool::Dressed(dressing)) => {

@@ -4,6 +4,7 @@ use super::build::{Built, BuiltProgram};
 use super::task::ProgramTask;
 use crate::machine::{Joint, Station};
 use crate::nc::Word;
+use crate::workflow::finding::Remark;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -125,6 +126,94 @@ impl ProgramsResult {
     }
 }
 
+/// A word as people write it.
+pub(super) fn shown_word(word: &Word) -> String {
+    match word {
+        Word::Letter(letter) => letter.to_string(),
+        Word::Named(name) => name.clone(),
+        Word::Spindle(spindle) => format!("spindle {spindle}"),
+    }
+}
+
+/// What `program check` says.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CheckedProgram {
+    /// Control whose language it is.
+    pub control: &'static str,
+    /// Name of the machine.
+    pub machine: String,
+    /// Name of the program, if its text has one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// "dressing" or "grinding", as far as the axes tell.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub kind: Option<&'static str>,
+    /// Blocks.
+    pub blocks: usize,
+    /// Time of all blocks, rapid moves under the limits of the axes, s.
+    pub duration_s: f64,
+    /// Axes that the program names.
+    pub axes: Vec<CheckedAxis>,
+    /// Strokes of the tool on the bodies of the job; empty without a job.
+    pub strokes: Vec<CheckedStroke>,
+    /// The flank that it leaves; absent without a job.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub flanks: Option<BTreeMap<&'static str, CheckedFlank>>,
+    /// What does not fit the machine.
+    pub remarks: Vec<Remark>,
+}
+
+/// One axis of a checked program. mm or degrees, per second.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CheckedAxis {
+    /// Name on the machine.
+    pub axis: String,
+    /// Word in the text.
+    pub word: String,
+    /// "mm" or "deg".
+    pub unit: &'static str,
+    /// Lowest position.
+    pub from: f64,
+    /// Highest position.
+    pub to: f64,
+    /// Whole way.
+    pub way: f64,
+    /// Greatest speed of blocks that state a time.
+    pub velocity: f64,
+    /// Lower end of travel.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub min: Option<f64>,
+    /// Upper end of travel.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub max: Option<f64>,
+    /// What the machine allows.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub max_velocity: Option<f64>,
+}
+
+/// One stroke of a checked program.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CheckedStroke {
+    /// Feed z_V2 or worm position v_zS from where to where.
+    pub range_mm: [f64; 2],
+    /// First and last block, from 1.
+    pub blocks: [usize; 2],
+    /// Time, s.
+    pub duration_s: f64,
+    /// The stroke of the job that it finishes, if it does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub serves: Option<String>,
+}
+
+/// One flank as a checked program leaves it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct CheckedFlank {
+    /// Largest deviation from the target of the job.
+    pub max_deviation_um: f64,
+    /// Largest difference from the flank of the job's own motions.
+    pub difference_um: f64,
+}
+
 fn program_result(task: &ProgramTask<'_>, program: &BuiltProgram) -> ProgramResult {
     let machine = &task.machine.machine;
     let trace = &program.layout.trace;
@@ -142,11 +231,7 @@ fn program_result(task: &ProgramTask<'_>, program: &BuiltProgram) -> ProgramResu
                 |f: &dyn Fn(usize) -> f64| (0..trace.rows.len()).map(f).fold(0.0f64, |m, x| m.max(x.abs()));
             AxisResult {
                 axis: axis.name.clone(),
-                word: match &word.word {
-                    Word::Letter(letter) => letter.to_string(),
-                    Word::Named(name) => name.clone(),
-                    Word::Spindle(spindle) => format!("spindle {spindle}"),
-                },
+                word: shown_word(&word.word),
                 unit: match axis.joint {
                     Joint::Linear => "mm",
                     Joint::Rotary => "deg",

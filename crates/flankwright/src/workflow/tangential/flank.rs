@@ -1,7 +1,7 @@
 //! One flank of a run: planned, refereed, and radial feed beside it.
 
 use super::prepare::{TangentialPrepared, measure_of};
-use super::referee::{Refereed, referee};
+use super::referee::{DrivenMotions, Refereed, referee};
 use super::result::{RadialFeedResult, TangentialFlankResult};
 use super::settings::SettledPass;
 use crate::contact::Measure;
@@ -57,7 +57,8 @@ pub(super) fn run_flank(
     let planned = topography(judged, judged.points.iter().map(|p| p.deviation).collect());
     let wanted = judged.points.iter().zip(&judged.error).map(|(p, e)| p.deviation - e).collect();
     let target = topography(judged, wanted);
-    let refereed = referee(&along_normals, &strokes, &target, progress)?;
+    let driven = DrivenMotions::of_flank(&along_normals, &strokes)?;
+    let refereed = referee(&along_normals, &strokes, &driven, &target, progress)?;
     let rays = &refereed.verdict.simulated;
     let (difference, simulated) = match measure_of(job) {
         Measure::Ray => (rays.minus(&planned), rays.clone()),

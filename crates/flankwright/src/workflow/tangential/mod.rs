@@ -16,6 +16,7 @@ mod write;
 
 pub use flank::TangentialRun;
 pub use prepare::{TangentialPrepared, WantedFlank, prepare_tangential};
+pub(super) use referee::{DrivenMotions, referee};
 pub use result::{
     ChoiceStep, MethodResult, PassResult, RadialFeedResult, SensitivityResult, SettingsResult,
     TangentialFlankResult, TangentialResult, VariableValue,

@@ -1,6 +1,7 @@
 //! The referee's run on a flank of tangential dressing: rays of the worm against the dresser, rays of the gear against the worm that
 //! those left; and a sample that asks the dresser at every point. Only bodies and motions enter here.
 
+use crate::kinematics::{DressingMotion, GeneratingMotion};
 use crate::metrology::Topography;
 use crate::numerics::{Progress, Silent};
 use crate::process::tangential_dressing::{TangentialFlank, TangentialStrokes};
@@ -26,21 +27,46 @@ pub struct Refereed {
     pub sample_error_um: f64,
 }
 
+/// Motions that are really driven.
+pub struct DrivenMotions {
+    /// Dresser against worm.
+    pub dressing: DressingMotion,
+    /// v_zS from where to where, mm.
+    pub shift_range: [f64; 2],
+    /// Worm against workpiece.
+    pub grinding: GeneratingMotion,
+    /// z_V2 from where to where, mm.
+    pub feed: [f64; 2],
+}
+
+impl DrivenMotions {
+    /// Those of the flank's own settings.
+    ///
+    /// # Errors
+    /// A dressing motion that is none.
+    pub fn of_flank(flank: &TangentialFlank<'_>, strokes: &TangentialStrokes) -> Result<Self, RunFailure> {
+        let (dressing, shift_range) =
+            flank.dressing_motion(strokes.dressing).map_err(|e| RunFailure::from(&e))?;
+        Ok(Self { dressing, shift_range, grinding: flank.motion().clone(), feed: strokes.feed })
+    }
+}
+
 /// Runs both stages.
 ///
 /// # Errors
-/// Those of the stages, and a dressing motion that is none.
+/// Those of the stages.
 pub fn referee(
     flank: &TangentialFlank<'_>,
     strokes: &TangentialStrokes,
+    driven: &DrivenMotions,
     target: &Topography,
     progress: &dyn Progress,
 ) -> Result<Refereed, RunFailure> {
-    let (motion, shift_range) = flank.dressing_motion(strokes.dressing).map_err(|e| RunFailure::from(&e))?;
+    let (motion, shift_range) = (&driven.dressing, driven.shift_range);
     let refused = |e: RemovalError| RunFailure::of_removal(&e, "grinding");
     let dresser = flank.dresser();
     let stock = stock(flank.worm(), target.largest().max(strokes.worm_modification));
-    let stage = Dressing { worm: flank.worm(), dresser: &dresser, motion: &motion, shift_range, stock };
+    let stage = Dressing { worm: flank.worm(), dresser: &dresser, motion, shift_range, stock };
     let [from, to] = strokes.worm_faces;
     let dressed = rayed(&[stage], strokes.worm_rolls, [from + WORM_MARGIN, to - WORM_MARGIN], progress)
         .map_err(refused)?;
@@ -52,8 +78,8 @@ pub fn referee(
                 area,
                 modification,
                 work: flank.work(),
-                motion: flank.motion(),
-                feed_range: strokes.feed,
+                motion: &driven.grinding,
+                feed_range: driven.feed,
                 stock,
                 threads: ActiveThreads::All,
                 mode: GrindingMode::Continuous,

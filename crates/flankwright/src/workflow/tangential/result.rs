@@ -3,6 +3,7 @@
 use super::plan::PassPlan;
 use crate::exchange::tangential_job::TangentialSettings;
 use crate::workflow::finding::Remark;
+use crate::workflow::programs::ProgramsResult;
 use crate::workflow::result::{FlankResult, Status};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -31,6 +32,9 @@ pub struct TangentialResult {
     pub flanks: BTreeMap<&'static str, TangentialFlankResult>,
     /// The passes in their order.
     pub passes: Vec<PassResult>,
+    /// NC programs with their proof; absent without a machine.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub programs: Option<ProgramsResult>,
     /// Derivatives of the unmodified flank by design variables.
     pub sensitivities: Vec<SensitivityResult>,
     /// Seconds per stage; the only part that differs between two runs.

@@ -15,6 +15,7 @@ use crate::geometry::{Flank, Sides};
 use crate::numerics::Progress;
 use crate::process::tangential_dressing::{FitLimits, TangentialError};
 use crate::workflow::finding::RunFailure;
+use crate::workflow::programs::{RunPrograms, programs_of_tangential};
 use crate::workflow::result::Status;
 use crate::workflow::run::output_warnings;
 use std::collections::BTreeMap;
@@ -28,6 +29,8 @@ pub struct TangentialOutcome {
     pub prepared: TangentialPrepared,
     /// The flanks with their motions.
     pub flanks: Sides<Option<TangentialRun>>,
+    /// NC programs with their proof, where the job names a machine.
+    pub programs: Option<RunPrograms>,
 }
 
 /// Plans a job and has the plan refereed.
@@ -112,7 +115,13 @@ fn finish(
     let lengths = worm_lengths(&passes, &runs);
     check_worm_width(job, &runs, &passes, lengths)?;
     warnings.extend(shared_pass_warning(&passes));
-    warnings.extend(output_warnings(&job.output, false));
+    let programs = programs_of_tangential(loaded, &ready, &runs)?;
+    if let Some(programs) = &programs {
+        timing.insert("programs", programs.seconds[0]);
+        timing.insert("proof of the programs", programs.seconds[1]);
+    }
+    warnings.extend(output_warnings(&job.output, job.machine.is_some()));
+    warnings.extend(programs.iter().flat_map(|programs| programs.warnings.iter().cloned()));
     let sensitivities = sensitivities(job, &ready, &passes).map_err(failed)?;
     let met = flanks.values().all(|f: &TangentialFlankResult| f.flank.tolerance_share <= 1.0);
     let status = if !flanks.is_empty() && met { Status::Met } else { Status::Missed };
@@ -128,10 +137,11 @@ fn finish(
         settings: settings_result(job, &ready, &passes, lengths),
         flanks,
         passes: passes.iter().filter_map(|p| p.plan.as_ref().map(PassResult::from)).collect(),
+        programs: programs.as_ref().map(|programs| programs.result.clone()),
         sensitivities,
         timing_s: timing,
     };
-    Ok(TangentialOutcome { result, prepared: ready, flanks: runs })
+    Ok(TangentialOutcome { result, prepared: ready, flanks: runs, programs })
 }
 
 fn settings_result(

@@ -8,7 +8,7 @@ use crate::exchange::TangentialJob;
 use crate::geometry::Flank;
 use crate::process::tangential_dressing::TangentialFlank;
 use crate::workflow::tables::{grinding_motion, topography};
-use crate::workflow::write::{NamedFile, WriteError, json, write_with_report};
+use crate::workflow::write::{NamedFile, WriteError, json, program_files, write_with_report};
 use std::path::{Path, PathBuf};
 
 /// Writes all files of a run into `directory` (made if missing); returns the paths in the order written, the report last.
@@ -57,5 +57,6 @@ pub fn write_tangential(
             files.push((path, "grinding motion over the feed", table.text().into()));
         }
     }
+    files.extend(outcome.programs.iter().flat_map(program_files));
     write_with_report(files, directory, |named| page::html_page(job, outcome, named))
 }

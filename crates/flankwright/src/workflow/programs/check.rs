@@ -1,0 +1,139 @@
+//! `program check`: what a program does on a machine: axes, travel, speed, time, strokes, and with a job the flank that it leaves.
+
+use super::of_grinding::{PreparedPrograms, flank_of_program};
+use super::result::{CheckedAxis, CheckedProgram};
+use crate::exchange::machine::LoadedMachine;
+use crate::exchange::{Diagnostic, LoadedJob};
+use crate::machine::{Positions, Role};
+use crate::motion::{AxisWords, MotionError, Tracked, axis_words, track};
+use crate::nc::{Dialect, ReadError, ReadProgram, Word, read};
+use crate::numerics::Progress;
+use crate::workflow::finding::{Remark, RunFailure};
+use std::io::BufRead;
+
+/// A program that cannot be read, as a finding with its place in the message.
+fn unreadable(error: &ReadError, dialect: Dialect) -> RunFailure {
+    let text = format!("no program for {}: {error}", dialect.name());
+    RunFailure::bad_input(
+        Diagnostic::with_code(error.code(), text).allowed(error.allowed).way_out(error.way_out()),
+    )
+}
+
+fn refused(error: &MotionError) -> RunFailure {
+    let finding = Diagnostic::with_code(error.code(), error.to_string());
+    RunFailure::bad_input(finding.way_out(error.way_out()))
+}
+
+/// The words that a control has for the axes of a machine.
+///
+/// # Errors
+/// [`MotionError::InvalidWord`].
+pub(super) fn words_of(machine: &LoadedMachine, dialect: Dialect) -> Result<AxisWords, MotionError> {
+    let file = &machine.file;
+    let control = file.controls.of(super::build::name_of(dialect));
+    let all: Vec<usize> = (0..machine.machine.axes().len()).collect();
+    axis_words(&machine.machine, &all, |name| {
+        let own = control.and_then(|control| control.words.get(name)).map(String::as_str);
+        own.or_else(|| file.axes.get(name).and_then(|axis| axis.letter.as_deref()))
+    })
+}
+
+/// Reads a program of a dialect and follows it on a machine; with a job also to the flank.
+///
+/// # Errors
+/// [`RunFailure`]: a text that is no program, axes that the machine has not, a job that cannot be planned.
+pub fn check_program(
+    text: impl BufRead,
+    dialect: Dialect,
+    machine: &LoadedMachine,
+    job: Option<&LoadedJob>,
+    progress: &dyn Progress,
+) -> Result<CheckedProgram, RunFailure> {
+    let words = words_of(machine, dialect).map_err(|e| refused(&e))?;
+    let found = read(text, dialect, &words.words).map_err(|e| unreadable(&e, dialect))?;
+    let tracked =
+        track(&found.blocks, &machine.machine, &words, &Positions::default()).map_err(|e| refused(&e))?;
+    let mut checked = figures(&found, dialect, machine, &words, &tracked);
+    if let Some(job) = job {
+        let ready = PreparedPrograms::of_job(job, machine, progress)?;
+        let (kind, strokes, flank) = flank_of_program(&ready, &tracked)?;
+        checked.kind = Some(kind);
+        checked.strokes = strokes;
+        checked.flanks = flank;
+    }
+    Ok(checked)
+}
+
+fn figures(
+    found: &ReadProgram,
+    dialect: Dialect,
+    machine: &LoadedMachine,
+    words: &AxisWords,
+    tracked: &Tracked,
+) -> CheckedProgram {
+    let mut remarks = Vec::new();
+    let mut axes = Vec::new();
+    for (number, axis) in machine.machine.axes().iter().enumerate() {
+        let Some([from, to]) = tracked.ranges[number] else { continue };
+        let speed = tracked.speeds[number];
+        let moved = to > from || speed > 0.0;
+        let named = words.place(number).map(|k| &words.words[k].word);
+        if !moved && matches!(named, Some(Word::Spindle(_))) {
+            continue;
+        }
+        let shown = |x: f64| axis.joint.shown(x);
+        for value in [from, to] {
+            if let Some(error) = axis.beyond(value) {
+                remarks.push(Remark {
+                    code: error.code(),
+                    text: error.to_string(),
+                    way_out: error.way_out(),
+                });
+                break;
+            }
+        }
+        if let Some(most) = axis.limits.velocity.filter(|most| speed > most * (1.0 + 1e-9)) {
+            remarks.push(Remark {
+                code: "axis-too-fast",
+                text: format!(
+                    "{} would move at {:.4} {unit}/s; the machine allows {:.4} {unit}/s",
+                    axis.name,
+                    shown(speed),
+                    shown(most),
+                    unit = axis.joint.unit()
+                ),
+                way_out: "give the block more time: the control slows down all axes of it".into(),
+            });
+        }
+        axes.push(CheckedAxis {
+            axis: axis.name.clone(),
+            word: named.map_or_else(String::new, super::result::shown_word),
+            unit: axis.joint.unit(),
+            from: shown(from),
+            to: shown(to),
+            way: shown(tracked.ways[number]),
+            velocity: shown(speed),
+            min: axis.travel.map(|[min, _]| shown(min)),
+            max: axis.travel.map(|[_, max]| shown(max)),
+            max_velocity: axis.limits.velocity.map(shown),
+        });
+    }
+    let turning = machine.machine.role(Role::Work).and_then(|axis| tracked.ranges[axis]);
+    let kind = match turning {
+        Some([from, to]) if to > from => Some("grinding"),
+        _ if machine.machine.role(Role::Worm).is_some() => Some("dressing"),
+        _ => None,
+    };
+    CheckedProgram {
+        control: dialect.name(),
+        machine: machine.file.name.clone(),
+        name: found.name.clone(),
+        kind,
+        blocks: found.blocks.len(),
+        duration_s: tracked.duration,
+        axes,
+        strokes: Vec::new(),
+        flanks: None,
+        remarks,
+    }
+}
