@@ -63,7 +63,10 @@ pub fn check(name: &str, bytes: &[u8]) -> (Run, Run) {
     (run(&["check", path]), run(&["check", "--json", path]))
 }
 
-/// The text of an example job.
+/// The text of an example job, without its machine: the description stands beside the example, not beside copies of it.
 pub fn example(name: &str) -> String {
-    std::fs::read_to_string(repository().join("examples").join(name)).expect("an example")
+    let text = std::fs::read_to_string(repository().join("examples").join(name)).expect("an example");
+    let Some(from) = text.find("[machine]\n") else { return text };
+    let to = text[from..].find("\n\n").map_or(text.len(), |length| from + length + 2);
+    text[..from].to_owned() + &text[to..]
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 
 /// The first example with a coarse grid and the given replacements, written to a file.
 fn job(directory: &Path, replacements: &[(&str, &str)]) -> String {
-    let text = std::fs::read_to_string(repository().join("examples/twist-free-crowning.toml")).unwrap();
+    let text = example("twist-free-crowning.toml");
     let mut text = text.replace("_points = 41", "_points = 7");
     for (from, to) in replacements {
         assert!(text.contains(from), "{from}");

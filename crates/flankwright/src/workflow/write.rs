@@ -3,7 +3,7 @@
 use super::programs::RunPrograms;
 use super::run::Outcome;
 use super::{page, tables};
-use crate::exchange::job::{Job, JobInfo, OneOrSides};
+use crate::exchange::job::{Job, JobInfo, Machine, OneOrSides};
 use crate::exchange::{CsvError, Diagnostic, write_atomically};
 use crate::geometry::{Flank, Sides};
 use crate::machine::Station;
@@ -219,12 +219,22 @@ pub fn write_refusal(
 
 fn with_settings(job: &Job, outcome: &Outcome) -> Job {
     let mut job = Job { settings: Some(outcome.execution.settings()), ..job.clone() };
+    job.machine = job.machine.map(|machine| placed(machine, outcome.programs.as_ref()));
     if job.point_dresser().is_some() {
         // Laid by the plan from its target; the settings hold whatever the target becomes.
         let Sides { left, right } = outcome.prepared.setup.tool_direction.map(|_, t| t.atan().to_degrees());
         job.dressing.line_direction_deg = Some(OneOrSides::Each { left, right });
     }
     job
+}
+
+/// The machine of a job that is written elsewhere: its description stays where it is.
+pub(super) fn placed(machine: Machine, programs: Option<&RunPrograms>) -> Machine {
+    let read = programs.map(|programs| Path::new(programs.machine.document.source().name()));
+    match read.and_then(|path| std::path::absolute(path).ok()) {
+        Some(path) => Machine { file: path.display().to_string(), ..machine },
+        None => machine,
+    }
 }
 
 pub(super) fn json(value: &impl serde::Serialize) -> Result<Vec<u8>, serde_json::Error> {

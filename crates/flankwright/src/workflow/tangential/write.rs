@@ -8,7 +8,7 @@ use crate::exchange::TangentialJob;
 use crate::geometry::Flank;
 use crate::process::tangential_dressing::TangentialFlank;
 use crate::workflow::tables::{grinding_motion, topography};
-use crate::workflow::write::{NamedFile, WriteError, json, program_files, write_with_report};
+use crate::workflow::write::{NamedFile, WriteError, json, placed, program_files, write_with_report};
 use std::path::{Path, PathBuf};
 
 /// Writes all files of a run into `directory` (made if missing); returns the paths in the order written, the report last.
@@ -21,7 +21,8 @@ pub fn write_tangential(
     directory: &Path,
 ) -> Result<Vec<PathBuf>, WriteError> {
     let result = &outcome.result;
-    let with_settings = TangentialJob { settings: Some(result.settings.settings.clone()), ..job.clone() };
+    let mut with_settings = TangentialJob { settings: Some(result.settings.settings.clone()), ..job.clone() };
+    with_settings.machine = with_settings.machine.map(|machine| placed(machine, outcome.programs.as_ref()));
     let flanks = result.flanks.iter().map(|(name, f)| (*name, &f.flank));
     let mut files: Vec<NamedFile> = vec![
         ("result.json".into(), "result with settings and flanks", json(result)?),
