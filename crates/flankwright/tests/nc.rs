@@ -69,8 +69,7 @@ proptest! {
 }
 
 /// Places of the digits in G0 and G1 lines but the last of each number, whose neighbour may be as near, and of an F its first two:
-/// times are told apart to a millionth only. Lines of a table are
-/// left out, whose F is not compared and whose last digit is finer than its tolerance.
+/// times are told apart to a millionth only. Lines of a table are left out, whose F is not compared.
 fn words_of_motions(bytes: &[u8]) -> Vec<usize> {
     let mut digits = Vec::new();
     let (mut start, mut table) = (0, false);
@@ -83,7 +82,7 @@ fn words_of_motions(bytes: &[u8]) -> Vec<usize> {
                 let length = if word[0] == b'F' {
                     word.len().min(number + 3)
                 } else {
-                    word.trim_ascii_end().len() - 1
+                    word.trim_ascii_end().len().saturating_sub(1)
                 };
                 let numbers = (number..length).filter(|k| word[*k].is_ascii_digit());
                 digits.extend(numbers.map(|k| start + at + k));

@@ -24,7 +24,7 @@ const PLACES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 /// Writes the program, reads it with the reader that shares nothing with the writer, and compares: what comes out was read back.
 ///
 /// # Errors
-/// Those of [`write`]; `NotReadBack` and `ReadBackMismatch` tell of a fault in this library.
+/// Those of [`write()`]; `NotReadBack` and `ReadBackMismatch` tell of a fault in this library.
 pub fn write_checked(
     program: &Program,
     dialect: Dialect,

@@ -27,12 +27,14 @@ pub struct Client {
 }
 
 impl Client {
-    /// The client, if it is there.
+    /// The client, if it is there and can start.
     pub fn find() -> Option<Self> {
         let target = std::env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into());
         let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
         let client = Self { root: workspace.join(target).join("linuxcnc") };
-        client.root.join("usr/bin/rs274").is_file().then_some(client)
+        // Without a library that it needs the loader ends with 127.
+        let probe = client.command(&client.root.join("usr/bin/rs274")).arg("-h").output().ok()?;
+        (probe.status.code() != Some(127)).then_some(client)
     }
 
     fn command(&self, program: &Path) -> Command {
