@@ -179,25 +179,39 @@ fn file(directory: &tempfile::TempDir, text: &str) -> PathBuf {
 #[test]
 fn written_programs_mean_in_linuxcnc_what_the_neutral_program_says() {
     let Some((client, directory)) = client("interpretation of written programs") else { return };
-    let (mut motions, mut worst) = (0, [0.0f64; 2]);
+    let mut found = Found::default();
     for (program, options) in programs() {
         let text = write_checked(&program, Dialect::LinuxCnc, &options).unwrap().text;
-        let path = file(&directory, &text);
+        found.add(&client, &directory, &program, &text);
+    }
+    found.tell();
+}
+
+/// What the client made of programs.
+#[derive(Default)]
+struct Found {
+    motions: usize,
+    worst: [f64; 2],
+}
+
+impl Found {
+    /// Has the client interpret a text and compares with the program that it is of.
+    fn add(&mut self, client: &Client, directory: &tempfile::TempDir, program: &Program, text: &str) {
+        let path = file(directory, text);
         let wanted = wanted(program.axes(), program.blocks());
-        motions += wanted.len();
+        self.motions += wanted.len();
 
         let output = client.interpret(&path, directory.path());
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
         let found = canonical(&String::from_utf8_lossy(&output.stdout));
         let half = PRINTED + 5e-7;
-        worst[0] = worst[0].max(half * compare(&wanted, &found, half, half, 1e-4));
+        self.worst[0] = self.worst[0].max(half * compare(&wanted, &found, half, half, 1e-4));
 
         let Some(parsed) = client.parse(&path, directory.path()) else {
-            say_absent("its module gcode finds no Python of its version; that part skipped");
-            continue;
+            return say_absent("its module gcode finds no Python of its version; that part skipped");
         };
         let (found, others) = events(&parsed.expect("the module takes the program"));
-        worst[1] = worst[1].max(compare(&wanted, &found, 5.1e-7, 5.1e-8, 1e-6));
+        self.worst[1] = self.worst[1].max(compare(&wanted, &found, 5.1e-7, 5.1e-8, 1e-6));
         let expected: Vec<f64> = program
             .blocks()
             .iter()
@@ -211,10 +225,31 @@ fn written_programs_mean_in_linuxcnc_what_the_neutral_program_says() {
         let written = program.blocks().iter().filter(|block| matches!(block, Block::Comment(_))).count();
         assert_eq!(comments, written + 1, "the name is a comment as well");
     }
-    println!(
-        "{motions} motions: rs274 within {:.3e}, gcode within {:.4} of half a digit",
-        worst[0], worst[1]
-    );
+
+    fn tell(&self) {
+        println!(
+            "{} motions: rs274 within {:.3e}, gcode within {:.4} of half a digit",
+            self.motions, self.worst[0], self.worst[1]
+        );
+    }
+}
+
+/// Every LinuxCNC program that the examples with a machine give.
+#[test]
+fn the_programs_of_the_examples_mean_the_same_in_linuxcnc() {
+    let Some((client, directory)) = client("programs of the examples") else { return };
+    let mut found = Found::default();
+    for example in ["twist-free-crowning", "automotive-bias", "radial-feed-crowning"] {
+        let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(format!("../../examples/{example}.toml"));
+        let loaded = flankwright::exchange::read_job(&path).expect("an example");
+        let outcome = flankwright::workflow::plan_job(&loaded, &flankwright::numerics::Silent);
+        let programs = outcome.expect("a plan").programs.expect("programs");
+        let of_client = programs.built.programs.iter().filter(|p| p.dialect == Dialect::LinuxCnc);
+        let before = found.motions;
+        of_client.for_each(|made| found.add(&client, &directory, &made.layout.program, &made.written.text));
+        assert!(found.motions > before + 10, "{example}");
+    }
+    found.tell();
 }
 
 #[test]

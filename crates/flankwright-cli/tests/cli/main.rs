@@ -8,6 +8,7 @@ mod examples;
 mod explore;
 mod line_dressing;
 mod planning;
+mod programs;
 mod robustness;
 mod shifts;
 mod strokes;

@@ -1,6 +1,6 @@
 //! `plan`, `simulate` and `verify` as a user runs them: files, exit status, messages.
 
-use crate::command::{Run, example, repository, run};
+use crate::command::{Run, example, run};
 use std::path::Path;
 
 /// The first example with a coarse grid and the given replacements, written to a file.

@@ -68,6 +68,14 @@ impl MotionLaw {
         PiecewisePolynomial::rounded_line(x, y, half_length).map(Self::Pieces)
     }
 
+    /// Straight lines through the points with parabolas at the corners, each over half of the shorter line beside it: C1.
+    ///
+    /// # Errors
+    /// Those of [`PiecewisePolynomial::rounded_corners`].
+    pub fn rounded_corners(x: &[f64], y: &[f64]) -> Result<Self, LawError> {
+        PiecewisePolynomial::rounded_corners(x, y).map(Self::Pieces)
+    }
+
     /// Monotone cubic interpolation of the points (Fritsch-Carlson): C1.
     ///
     /// # Errors

@@ -5,6 +5,8 @@ use crate::numerics::CubicSpline;
 
 /// Pieces may miss each other by this share of the larger value: rounding of whoever computed the coefficients.
 const JOINT: f64 = 1e-9;
+/// What is left of a line between two roundings counts as nothing below this share of it.
+const ROUNDING: f64 = 1e-9;
 
 /// Polynomials up to third degree between ascending breakpoints, continuous; beyond both ends the tangent there continues.
 #[derive(Clone, Debug, PartialEq)]
@@ -68,11 +70,29 @@ impl PiecewisePolynomial {
         if !fits {
             return Err(LawError::RoundingOutOfRange { half_length, largest });
         }
+        Self::rounded(x, y, &slopes, |_| half_length)
+    }
+
+    /// Straight lines through the points with parabolas at the corners, each over half of the shorter line beside it on both sides:
+    /// C1. A corner moves by a quarter of what its lines' middles miss a smooth curve by, at most.
+    ///
+    /// # Errors
+    /// `TooFewPoints` below two, `LengthMismatch`, `NotAscending`, `NotFinite`.
+    pub fn rounded_corners(x: &[f64], y: &[f64]) -> Result<Self, LawError> {
+        let slopes = secants(x, y, 2)?;
+        Self::rounded(x, y, &slopes, |k| 0.5 * (x[k + 1] - x[k]).min(x[k + 2] - x[k + 1]))
+    }
+
+    /// `half(k)`: half length of the rounding at the corner between the lines k and k + 1.
+    fn rounded(x: &[f64], y: &[f64], slopes: &[f64], half: impl Fn(usize) -> f64) -> Result<Self, LawError> {
+        let last = slopes.len() - 1;
         let (mut breaks, mut pieces) = (Vec::new(), Vec::new());
         let mut from = x[0];
         for (k, &m) in slopes.iter().enumerate() {
-            let to = if k < last { x[k + 1] - half_length } else { x[k + 1] };
-            if to > from {
+            let half_length = if k < last { half(k) } else { 0.0 };
+            let to = x[k + 1] - half_length;
+            // Roundings that fill a line leave nothing of it but rounding errors.
+            if to - from > ROUNDING * (x[k + 1] - x[k]) {
                 breaks.push(from);
                 pieces.push([y[k] + m * (from - x[k]), m, 0.0, 0.0]);
             }
@@ -239,6 +259,26 @@ mod tests {
             PiecewisePolynomial::monotone(&X, &Y).unwrap(),
             PiecewisePolynomial::spline(&X, &Y).unwrap(),
         ]
+    }
+
+    #[test]
+    fn corners_of_lines_of_any_length_are_rounded() {
+        // Nodes of a parabola at uneven distances: the rounded line is smooth and misses it by no more than its chords.
+        let x = [-3.0, -2.5, -1.0, -0.9, 0.0, 2.0, 2.25];
+        let y = x.map(|x| 0.3 * x * x);
+        let law = PiecewisePolynomial::rounded_corners(&x, &y).unwrap();
+        let mut before = law.jet(-3.0);
+        for k in 1..=5250 {
+            let at = -3.0 + 1e-3 * f64::from(k);
+            let now = law.jet(at);
+            assert!((now[0] - 0.3 * at * at).abs() < 0.3 * 2.0 * 2.0 / 4.0 + 1e-12);
+            assert!((now[1] - before[1]).abs() < 0.02, "a kink at {at}");
+            before = now;
+        }
+        // Two lines: one corner over half of the shorter.
+        let law = PiecewisePolynomial::rounded_corners(&[0.0, 1.0, 5.0], &[0.0, 1.0, 1.0]).unwrap();
+        assert_eq!((law.jet(0.4)[0], law.jet(1.6)[0]), (0.4, 1.0));
+        assert!((law.jet(1.0)[0] - 0.875).abs() < 1e-15);
     }
 
     #[test]

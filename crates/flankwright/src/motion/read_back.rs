@@ -314,7 +314,7 @@ impl Segment {
     }
 
     /// Shares of the block between which the follower is one cubic of a table: ends included, each divided for a spline.
-    fn shares(&self, machine: &Machine) -> Vec<f64> {
+    fn shares(&self) -> Vec<f64> {
         let mut shares = vec![0.0, 1.0];
         if let Some((_, gear)) = &self.gear {
             for (axis, sense, coupled) in &gear.leaders {
@@ -336,7 +336,6 @@ impl Segment {
                 .flat_map(|u| (0..TABLE_PARTS).map(|k| u[0] + (u[1] - u[0]) * k as f64 / TABLE_PARTS as f64));
             shares = finer.chain([1.0]).collect();
         }
-        debug_assert!(machine.axes().len() <= crate::machine::MOST_AXES);
         shares
     }
 }
@@ -345,12 +344,12 @@ impl Segment {
 const TABLE_PARTS: usize = 4;
 /// A path parameter that changes by less than this over a block stands, mm.
 const STANDS: f64 = 1e-9;
-/// Corners are rounded over this share of the shortest block on both sides, as controls do within their path tolerance.
-const ROUNDED: f64 = 0.25;
-
 /// A place of the bodies in a program.
+#[derive(Clone, Copy)]
 struct Place<S> {
     v: f64,
+    /// Centre distance, mm.
+    distance: f64,
     state: S,
     /// Block, from 1, and time, s.
     block: usize,
@@ -359,58 +358,66 @@ struct Place<S> {
     inner: bool,
 }
 
+/// Lets a run go on with a place, or ends it. A block is part of a stroke if the path parameter changes by more than the distance of
+/// the bodies: otherwise the tool comes in or goes out.
+fn extend<S: Copy>(
+    run: &mut Vec<Place<S>>,
+    runs: &mut Vec<Vec<Place<S>>>,
+    before: Place<S>,
+    place: Place<S>,
+) {
+    let step = place.v - before.v;
+    let moves = step.abs() > STANDS && step.abs() > (place.distance - before.distance).abs();
+    let turns_back = match run.as_slice() {
+        [.., a, b] => (b.v - a.v) * step < 0.0,
+        _ => false,
+    };
+    if !moves || turns_back {
+        let done = std::mem::take(run);
+        if done.len() > 1 {
+            runs.push(done);
+        }
+    }
+    if moves {
+        if run.is_empty() {
+            run.push(Place { duration: 0.0, ..before });
+        }
+        run.push(place);
+    }
+}
+
 impl Tracked {
     /// Runs of places along which the path parameter rises or falls.
     fn runs<S: Copy>(
         &self,
         machine: &Machine,
-        mut state: impl FnMut(&Positions, Option<&S>, Option<(&Positions, &Positions)>) -> Option<(f64, S)>,
+        mut state: impl FnMut(&Positions, Option<&S>, Option<(&Positions, &Positions)>) -> Option<([f64; 2], S)>,
     ) -> Result<Vec<Vec<Place<S>>>, MotionError> {
         let mut runs: Vec<Vec<Place<S>>> = Vec::new();
         for chain in &self.chains {
             let mut run: Vec<Place<S>> = Vec::new();
-            let mut last: Option<(Positions, f64, S)> = None;
+            let mut last: Option<(Positions, Place<S>)> = None;
             for segment in chain {
-                let lost = || MotionError::NotFollowed {
-                    block: segment.block,
-                    reason: "the bodies cannot stand so against each other".into(),
-                };
-                let shares = segment.shares(machine);
+                let shares = segment.shares();
                 for (k, &u) in shares.iter().enumerate() {
-                    let at = segment.at(machine, u);
-                    let before = last.as_ref();
-                    let (v, now) =
-                        state(&at, before.map(|b| &b.2), before.map(|b| (&b.0, &at))).ok_or_else(lost)?;
-                    let place = |duration| Place {
-                        v,
-                        state: now,
-                        block: segment.block,
-                        duration,
-                        inner: k > 0 && k + 1 < shares.len(),
-                    };
-                    let step = before.map_or(0.0, |b| v - b.1);
-                    let share = if k > 0 { segment.duration * (u - shares[k - 1]) } else { 0.0 };
-                    last = Some((at, v, now));
-                    if k == 0 {
-                        // The start of a block is the end of the one before it, unless a chain begins.
-                        if run.is_empty() {
-                            run.push(place(0.0));
-                        }
+                    // The start of a block is the end of the one before it, unless a chain begins.
+                    if k == 0 && last.is_some() {
                         continue;
                     }
-                    let goes_on = run.len() < 2 || {
-                        let n = run.len();
-                        (run[n - 1].v - run[n - 2].v) * step > 0.0
-                    };
-                    if step.abs() > STANDS && goes_on {
-                        run.push(place(share));
-                    } else {
-                        let done = std::mem::take(&mut run);
-                        if done.len() > 1 {
-                            runs.push(done);
-                        }
-                        run.push(place(0.0));
+                    let at = segment.at(machine, u);
+                    let before = last.as_ref();
+                    let found = state(&at, before.map(|b| &b.1.state), before.map(|b| (&b.0, &at)));
+                    let ([v, distance], state) = found.ok_or_else(|| MotionError::NotFollowed {
+                        block: segment.block,
+                        reason: "the bodies cannot stand so against each other".into(),
+                    })?;
+                    let duration = if k > 0 { segment.duration * (u - shares[k - 1]) } else { 0.0 };
+                    let inner = k > 0 && k + 1 < shares.len();
+                    let place = Place { v, distance, state, block: segment.block, duration, inner };
+                    if let Some((_, before)) = last {
+                        extend(&mut run, &mut runs, before, place);
                     }
+                    last = Some((at, place));
                 }
             }
             if run.len() > 1 {
@@ -451,7 +458,7 @@ impl Tracked {
                 near.work_angle += by(1);
             }
             let state = nominal.chain.state_of(&bodies, &near)?;
-            Some((state.feed, state))
+            Some(([state.feed, state.delta_d], state))
         })?;
         let mut strokes = Vec::with_capacity(runs.len());
         for run in runs {
@@ -504,7 +511,7 @@ impl Tracked {
                 }
             };
             let position = DressingPosition::of_pose(&bodies, near)?;
-            Some((position.worm_shift, position))
+            Some(([position.worm_shift, position.centre_distance], position))
         })?;
         let mut strokes = Vec::with_capacity(runs.len());
         for run in runs {
@@ -542,11 +549,10 @@ fn law_of<S>(run: &[Place<S>], value: &dyn Fn(&S) -> f64, smooth: bool) -> Resul
     let order = |k: usize| if falling { kept.len() - 1 - k } else { k };
     let x: Vec<f64> = (0..kept.len()).map(|k| kept[order(k)].v).collect();
     let y: Vec<f64> = (0..kept.len()).map(|k| value(&kept[order(k)].state)).collect();
-    let shortest = x.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::INFINITY, f64::min);
     let law = if smooth && x.len() >= 4 {
         MotionLaw::spline(&x, &y)
     } else if x.len() > 2 {
-        MotionLaw::rounded_line(&x, &y, ROUNDED * shortest)
+        MotionLaw::rounded_corners(&x, &y)
     } else {
         let slope = (y[1] - y[0]) / (x[1] - x[0]);
         return Ok(MotionLaw::polynomial(x[0], vec![y[0], slope]));

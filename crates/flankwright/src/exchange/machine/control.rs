@@ -62,6 +62,6 @@ pub struct Decimals {
     #[schemars(extend("minimum" = 3, "maximum" = 9, "x-way-out" = "write 3 to 9 digits"))]
     pub deg: u8,
     /// Of the feed.
-    #[schemars(extend("minimum" = 3, "maximum" = 9, "x-way-out" = "write 3 to 9 digits"))]
+    #[schemars(extend("minimum" = 6, "maximum" = 9, "x-way-out" = "write 6 to 9 digits"))]
     pub feed: u8,
 }

@@ -30,6 +30,8 @@ struct Stroke {
     limits: PathLimits,
 }
 
+/// A way shorter than this is none, mm.
+const LEAST_WAY: f64 = 1e-6;
 /// Speed at which the tool comes in and goes out where no axis limits it, mm/s.
 const INFEED_SPEED: f64 = 1e3;
 
@@ -107,7 +109,10 @@ impl<'a> Writer<'a> {
         let limits = PathLimits::new(self.machine, &working, &lengths(&working), pass.speed);
         let [before, behind] = pass.room.map(|room| room.max(limits.run_in()));
         let (begin, end) = (from - sense * before, to + sense * behind);
-        let stroke = along(&[place(begin), place(from), place(to), place(end)], tolerance)?;
+        // Without run-in and run-out there is nothing to drive before and behind.
+        let mut places = vec![place(begin), place(from), place(to), place(end)];
+        places.dedup_by(|a, b| (a.v - b.v).abs() < LEAST_WAY);
+        let stroke = along(&places, tolerance)?;
         let limits = PathLimits::new(self.machine, &stroke, &lengths(&stroke), pass.speed);
         // The worm goes on turning at its speed while the radial slide comes in and goes out.
         let lead = match &pass.course {

@@ -141,7 +141,7 @@ impl ProgramTask<'_> {
         let decimals = control.decimals.map_or_else(Decimals::default, |d| Decimals {
             mm: d.mm,
             deg: d.deg,
-            feed: d.feed.max(6),
+            feed: d.feed,
         });
         let half = |digits: u8| 0.5 * 10f64.powi(-i32::from(digits));
         let (what, passes, finishing) = match station {

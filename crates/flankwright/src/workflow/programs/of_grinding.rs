@@ -391,3 +391,62 @@ fn simulate(
     }
     Ok(flanks)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::proof::proofs;
+    use super::*;
+    use crate::exchange::read_job;
+    use crate::machine::Station;
+    use crate::nc::Block;
+    use std::path::Path;
+
+    /// A text that says something else than the plan is not written, however small the difference.
+    #[test]
+    fn programs_that_differ_from_the_plan_are_not_proven() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+        let mut loaded = read_job(&root.join("examples/twist-free-crowning.toml")).unwrap();
+        let job_machine = loaded.job.machine.take().unwrap();
+        (loaded.job.grid.profile_points, loaded.job.grid.helix_points) = (5, 5);
+        let machine = machine_of_job(&loaded, &job_machine).unwrap();
+        let run = plan_job(&loaded, &Silent).unwrap();
+        let strokes = Strokes::new(&loaded.job, &job_machine, &run.prepared, &run.execution);
+        let task = ProgramTask {
+            job: "TEST",
+            machine: &machine,
+            dialects: &dialects(&[], &machine)[..1],
+            technology: strokes.technology.clone(),
+            dressing: strokes.dressing.iter().map(|(work, _)| work.clone()).collect(),
+            grinding: strokes.grinding.iter().map(|(work, _)| work.clone()).collect(),
+            coupling: strokes.coupling,
+            gear: strokes.gear,
+        };
+        let built = task.build().unwrap();
+        let [target, simulated] = flanks_of(&run.execution, &run.verdicts);
+        let cutting = Cutting { feed_per_revolution: None, strokes: None };
+        let prove = |built: &super::super::Built| {
+            proofs(&task, built, [&target, &simulated], |read| {
+                simulate(&run.prepared, &run.execution, cutting, read, &strokes)
+            })
+        };
+        assert_eq!(prove(&built).unwrap().len(), 1);
+        let radial = machine.machine.role(Role::Radial).unwrap();
+        for station in [Station::Dresser, Station::Work] {
+            let mut changed = built.clone();
+            let program = changed.programs.iter_mut().find(|p| p.station == station).unwrap();
+            let word = program.words.place(radial).unwrap();
+            for block in &mut program.read {
+                if let Block::Linear { target, .. } = block
+                    && let Some(value) = target.get(word)
+                {
+                    target.set(word, value + 2e-4);
+                }
+            }
+            let error = match prove(&changed) {
+                Err(RunFailure::NotProducible(finding)) => finding,
+                other => panic!("{station:?}: {other:?}"),
+            };
+            assert_eq!(error.code, "program-not-proven", "{error:?}");
+        }
+    }
+}

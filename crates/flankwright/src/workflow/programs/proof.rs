@@ -9,7 +9,7 @@ use crate::kinematics::{DressingMotion, GeneratingMotion};
 use crate::machine::Station;
 use crate::metrology::Topography;
 use crate::motion::{MotionError, ReadStroke, track};
-use crate::nc::Dialect;
+use crate::nc::{Block, Dialect};
 use crate::workflow::finding::RunFailure;
 use std::collections::BTreeMap;
 
@@ -30,6 +30,16 @@ const CHORDS: f64 = 2.0;
 fn not_followed(program: &BuiltProgram, error: &MotionError) -> RunFailure {
     let finding = Diagnostic::with_code(error.code(), format!("{}: {error}", program.file));
     RunFailure::not_producible(finding.field("machine").way_out(error.way_out()))
+}
+
+/// The blocks of a program that bear on its motion: neither comments nor the speed of a dresser, which is a body of revolution.
+fn moves(program: &BuiltProgram) -> impl Iterator<Item = &Block> {
+    let dressing = program.station == Station::Dresser;
+    program.read.iter().filter(move |block| match block {
+        Block::Comment(_) => false,
+        Block::Spindle { .. } => !dressing,
+        _ => true,
+    })
 }
 
 /// The finishing strokes of a control's programs.
@@ -94,7 +104,10 @@ pub(in crate::workflow) fn proofs(
         }
         let same = |known: &[&BuiltProgram]| {
             known.len() == programs.len()
-                && known.iter().zip(&programs).all(|(a, b)| a.words == b.words && a.read == b.read)
+                && known
+                    .iter()
+                    .zip(&programs)
+                    .all(|(a, b)| a.words.numbers == b.words.numbers && moves(a).eq(moves(b)))
         };
         if let Some((_, proof)) = proven.iter_mut().find(|(known, _)| same(known)) {
             proof.controls.push(dialect.name());
