@@ -324,9 +324,8 @@ impl Segment {
                     continue;
                 }
                 let breaks = table.pieces.iter().map(|piece| piece.leader).chain([table.start[0]]);
-                shares.extend(
-                    breaks.map(|x| (x - from) / (to - from)).filter(|u| *u > 1e-9 && *u < 1.0 - 1e-9),
-                );
+                let inside = |u: &f64| *u > NEAR && *u < 1.0 - NEAR;
+                shares.extend(breaks.map(|x| (x - from) / (to - from)).filter(inside));
             }
         }
         shares.sort_by(f64::total_cmp);
@@ -340,6 +339,9 @@ impl Segment {
     }
 }
 
+/// Share of a block, or of the mean distance of places, below which two places are one: a spline through both would follow their
+/// rounding.
+const NEAR: f64 = 0.02;
 /// Parts of a table's cubic through which a spline goes.
 const TABLE_PARTS: usize = 4;
 /// A path parameter that changes by less than this over a block stands, mm.
@@ -545,7 +547,14 @@ fn stroke_of<S, M>(run: &[Place<S>], motion: M) -> ReadStroke<M> {
 /// A quantity over the path parameter: straight between the places, corners rounded; or a spline where a table was followed.
 fn law_of<S>(run: &[Place<S>], value: &dyn Fn(&S) -> f64, smooth: bool) -> Result<MotionLaw, MotionError> {
     let falling = run[run.len() - 1].v < run[0].v;
-    let kept: Vec<&Place<S>> = run.iter().filter(|place| smooth || !place.inner).collect();
+    let apart = NEAR * (run[run.len() - 1].v - run[0].v).abs() / run.len() as f64;
+    let mut kept: Vec<&Place<S>> = Vec::with_capacity(run.len());
+    for place in run.iter().filter(|place| smooth || !place.inner) {
+        match kept.last() {
+            Some(before) if smooth && (place.v - before.v).abs() < apart => {}
+            _ => kept.push(place),
+        }
+    }
     let order = |k: usize| if falling { kept.len() - 1 - k } else { k };
     let x: Vec<f64> = (0..kept.len()).map(|k| kept[order(k)].v).collect();
     let y: Vec<f64> = (0..kept.len()).map(|k| value(&kept[order(k)].state)).collect();
