@@ -3,6 +3,7 @@
 
 mod build;
 mod of_grinding;
+mod page;
 mod proof;
 mod result;
 mod task;
@@ -11,5 +12,6 @@ mod technology;
 pub use build::{Built, BuiltProgram};
 pub use of_grinding::RunPrograms;
 pub(super) use of_grinding::programs_of_grinding;
+pub(super) use page::programs_report;
 pub use result::{AxisResult, PassResult, ProgramResult, ProgramsResult, ProofResult};
 pub use task::{DressingWork, GrindingWork, ProgramTask};

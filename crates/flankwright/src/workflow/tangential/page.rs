@@ -104,6 +104,7 @@ fn common(
             Some(motion_over(&motion, (from, to)))
         }),
         strokes: Sides { left: Vec::new(), right: Vec::new() },
+        programs: None,
         warnings: result
             .warnings
             .iter()
