@@ -125,6 +125,39 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! # To the machine
+//!
+//! A machine is a tree of axes ([`machine`]). Every pose of two bodies becomes positions of its axes, all solutions of it, and a
+//! program is what a reader that knows nothing of the writer reads back from its text ([`nc`]). Strokes, speed and the way back to
+//! the bodies are in [`motion`]; a job that names a machine gets programs that the referee has proven.
+//!
+//! ```
+//! use flankwright::exchange::machine::read_machine;
+//! use flankwright::kinematics::DressingPosition;
+//! use flankwright::machine::{DressingRule, Mounts, Role, Station};
+//! use flankwright::motion::axis_words;
+//! use flankwright::nc::{Block, Dialect, Header, Program, WriteOptions, write_checked};
+//!
+//! let grinder = read_machine("../../machines/no-swivel.toml".as_ref())?;
+//! let machine = &grinder.machine;
+//! let dresser = DressingPosition {
+//!     worm_angle: 0.3, worm_shift: -11.0, crossing_angle: 0.055, centre_distance: 153.0, offset: 0.0,
+//! };
+//! let pose = Mounts::default().spindles(&dresser.pose());
+//! let solutions = machine.judged(Station::Dresser, machine.dressing(&pose, DressingRule::Swivel(0.0), None)?)?;
+//! assert_eq!(solutions.len(), 2);
+//! let at = machine.first(&solutions)?.at; // within travel, the head tilted least
+//! assert!((at[machine.needed(Role::Radial)?] + 153.0).abs() < 1e-9);
+//!
+//! let axes: Vec<usize> = machine.axes_at(Station::Dresser)?;
+//! let words = axis_words(machine, &axes, |name| grinder.file.axes[name].letter.as_deref())?;
+//! let header = Header { name: "TOUR".into(), axes: words.words.clone(), chord_tolerance: 1e-4 };
+//! let blocks = vec![Block::Rapid(words.targets(machine, &at, |_| true)), Block::End];
+//! let written = write_checked(&Program::new(header, blocks)?, Dialect::Siemens, &WriteOptions::default())?;
+//! assert!(written.text.contains("X-153.000000"), "{}", written.text);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! [`workflow::write_outcome`] writes result, tables, settings and report; [`workflow::simulate_job`] runs settings that
 //! stand in a job; [`workflow::verify`] recomputes reference files.
 //!
@@ -143,6 +176,7 @@ pub mod modification;
 pub mod kinematics;
 
 pub mod inverse;
+
 pub mod machine;
 
 pub mod contact;
@@ -153,8 +187,9 @@ pub mod metrology;
 
 pub mod process;
 
-pub mod motion;
 pub mod nc;
+
+pub mod motion;
 
 pub mod exchange;
 

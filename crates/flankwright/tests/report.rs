@@ -4,16 +4,18 @@ mod report_sample;
 
 use flankwright::geometry::{Flank, Sides};
 use flankwright::report::charts::{
-    ChartError, ContourMap, DressingSectionChart, FlankSections, LevelScale, LineChart, MarkedClearance,
-    NamedTopography, OccupationBar, OccupationKind, OccupationRow, Panel, ProfileHelixDiagram, SectionKind,
-    SectionStretch, SectionTrace, Series, SpaceFlank, Svg, Topography, TopographyNet, WormOccupationChart,
-    YScale, contour_map, dressing_section_chart, format_fixed, format_significant, line_chart,
-    profile_helix_diagram, topography_net, worm_occupation_chart,
+    AxisChart, AxisChartLimits, ChartError, ContourMap, DressingSectionChart, FlankSections, LevelScale,
+    LineChart, MarkedClearance, NamedTopography, OccupationBar, OccupationKind, OccupationRow, Panel,
+    ProfileHelixDiagram, SectionKind, SectionStretch, SectionTrace, Series, SpaceFlank, Svg, Topography,
+    TopographyNet, WormOccupationChart, YScale, axis_chart, contour_map, dressing_section_chart,
+    format_fixed, format_significant, line_chart, profile_helix_diagram, topography_net,
+    worm_occupation_chart,
 };
 use flankwright::report::{
     Banner, Block, Column, Fact, PlanReport, Quantity, Section, Status, Table, Warning, html,
 };
 use proptest::prelude::*;
+use report_sample::programs::swinging;
 use report_sample::{crowned, field, ripple, spread};
 
 /// All text of a chart without its markup; panics if the chart is not well-formed XML or holds no number.
@@ -308,6 +310,114 @@ fn sections_that_cannot_be_drawn_are_refused() {
     assert_eq!(code(&|c| c.flanks[0].clearance.as_mut().unwrap().normal_mm = f64::NAN), "invalid-number");
 }
 
+/// Dashed lines of a limit, without the one of the legend.
+fn limits_drawn(svg: &Svg) -> usize {
+    svg.as_str().matches("stroke-dasharray=\"6 3\"").count().saturating_sub(1)
+}
+
+#[test]
+fn an_axis_chart_names_axis_word_units_and_limits() {
+    let svg = axis_chart(&swinging(400, 2.0, -131.0, 5.0)).unwrap();
+    let text = text_of(&svg);
+    assert_holds(&text, &["Axis X1, word X", "position [mm]", "velocity [mm/s]", "acceleration [mm/s²]"]);
+    assert_holds(&text, &["time [s]", "axis"]);
+    // Far limits are said, not drawn: the curves keep their height.
+    assert!(!svg.as_str().contains("stroke-dasharray") && !svg.as_str().contains(">limit</text>"));
+    assert_holds(&text, &["travel −420 .. −20 (beyond the scale), 106 mm to spare"]);
+    assert_holds(&text, &["limit ±250 (beyond the scale), 2.51 % used"]);
+    assert_eq!(svg, axis_chart(&swinging(400, 2.0, -131.0, 5.0)).unwrap());
+}
+
+#[test]
+fn near_limits_of_an_axis_are_drawn_dashed() {
+    // Velocity up to 251.3, acceleration up to 3158 in both senses, travel near at its upper end only.
+    let mut chart = swinging(400, 20.0, -51.0, 20.0);
+    chart.limits =
+        AxisChartLimits { travel: Some([-420.0, -20.0]), velocity: Some(300.0), acceleration: Some(3200.0) };
+    let svg = axis_chart(&chart).unwrap();
+    let text = text_of(&svg);
+    assert_eq!(limits_drawn(&svg), 1 + 2 + 2);
+    for value in ["−20", "300", "−300", "3200", "−3200"] {
+        assert!(svg.as_str().contains(&format!(">{value}</text>")), "{value}");
+    }
+    assert_holds(&text, &["travel −420 .. −20, 11 mm to spare", "83.8 % used", "98.7 % used"]);
+    assert!(!text.contains("beyond the scale") && svg.as_str().contains(">limit</text>"), "{text}");
+}
+
+#[test]
+fn an_axis_without_limits_and_one_at_rest_are_drawn() {
+    let endless = AxisChart { limits: AxisChartLimits::default(), ..swinging(400, 2.0, 0.0, 720.0) };
+    let svg = axis_chart(&endless).unwrap();
+    assert_holds(&text_of(&svg), &["travel without ends", "no limit given"]);
+    assert!(!svg.as_str().contains("stroke-dasharray"));
+    for at in [0.0, -131.0, 1e-12, -420.0] {
+        text_of(&axis_chart(&swinging(50, 1.0, at, 0.0)).unwrap());
+        text_of(&axis_chart(&swinging(50, 0.0, at, 3.0)).unwrap());
+        let mut instant = swinging(3, 1.0, at, 1.0);
+        instant.time_s = vec![2.0; 3];
+        text_of(&axis_chart(&instant).unwrap());
+    }
+}
+
+#[test]
+fn a_long_trace_of_an_axis_is_thinned_and_keeps_its_peaks() {
+    let mut chart = swinging(20_000, 3.0, -131.0, 5.0);
+    chart.velocity[12_345] = 200.0;
+    let svg = axis_chart(&chart).unwrap();
+    assert!(svg.as_str().len() < 40_000, "{} bytes", svg.as_str().len());
+    chart.velocity[12_345] = 0.0;
+    assert_ne!(svg, axis_chart(&chart).unwrap());
+    assert_holds(&text_of(&svg), &["80 % used"]);
+}
+
+#[test]
+fn axes_that_cannot_be_drawn_are_refused() {
+    let code = |change: &dyn Fn(&mut AxisChart)| {
+        let mut chart = swinging(50, 1.0, -131.0, 5.0);
+        change(&mut chart);
+        axis_chart(&chart).unwrap_err().code()
+    };
+    assert_eq!(code(&|c| c.time_s.clear()), "too-few-values");
+    assert_eq!(code(&|c| c.time_s[7] = 9.0), "not-ascending");
+    assert_eq!(code(&|c| c.velocity.truncate(49)), "length-mismatch");
+    assert_eq!(code(&|c| c.acceleration[3] = f64::NAN), "invalid-number");
+    assert_eq!(code(&|c| c.position[3] = f64::INFINITY), "invalid-number");
+    assert_eq!(code(&|c| c.limits.velocity = Some(f64::NAN)), "invalid-number");
+    assert_eq!(code(&|c| c.limits.travel = Some([0.0, f64::INFINITY])), "invalid-number");
+}
+
+#[test]
+fn programs_stand_with_their_proof() {
+    let report = report_sample::met();
+    let page = html::render(&report.to_page().unwrap());
+    assert_holds(
+        &page,
+        &[
+            "linuxcnc and fanuc: proven from the program text: max deviation 0.0123 um.",
+            "siemens: proven from the program text: max deviation 0.0119 um.",
+            "programs/grinding-siemens.mpf",
+            "grinder &lt;8&gt;",
+            "datum face down",
+            "125.40",
+            "2:05",
+            "Passes of grinding: linuxcnc and fanuc",
+            "to 83 %, C2 acceleration",
+            "X (linuxcnc, fanuc); X1 (siemens)",
+            "X1, radial",
+            "A1 at 3.1468 deg",
+            "B3 (spindle 1) at 4000 1/min",
+            "the control counts X1 the other way",
+            "Axis X1, word X",
+            "they jump: V1",
+        ],
+    );
+    // Half of the velocity that the machine allows; the acceleration has no limit.
+    assert_holds(&page, &["<td class=\"right\">125</td><td class=\"right\">50</td>"]);
+    assert_holds(&page, &["<td class=\"right\">2000</td><td class=\"right\">–</td>"]);
+    let without = flankwright::report::generating::GeneratingReport { programs: None, ..report };
+    assert!(!html::render(&without.to_page().unwrap()).contains("NC programs"));
+}
+
 #[test]
 fn decades_stand_on_a_logarithmic_ordinate() {
     let panel = Panel {
@@ -515,6 +625,7 @@ fn the_page_is_complete_and_self_contained() {
         "Profile and helix",
         "Grinding motion",
         "Dressing corrections",
+        "NC programs",
         "How it was verified",
         "Convergence of the precompensation",
         "Time and files",
@@ -526,7 +637,7 @@ fn the_page_is_complete_and_self_contained() {
         &["twist-free-crowning", "within the tolerance of 1 µm", "K = −1.91605", "Way out: "],
     );
     assert_holds(&page, &["C<sub>β</sub>", "motions/dressing-left.csv", "@media print"]);
-    assert_eq!(page.matches("<svg ").count(), 12);
+    assert_eq!(page.matches("<svg ").count(), 13);
     // Nothing is fetched: no script, no link, no image, no address but the name of the SVG namespace.
     for foreign in ["<script", "<link", "<img", "url(", "@import", "src=", "href="] {
         assert!(!page.contains(foreign), "{foreign}");

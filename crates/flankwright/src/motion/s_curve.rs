@@ -21,14 +21,16 @@ impl SCurve {
         let length = length.abs();
         // Length of getting up to speed v and down again, and its time: v T with T = t_jerk + t_const + t_jerk.
         let ramp = |v: f64| {
-            let t_jerk = if (acceleration * acceleration / jerk) > v {
-                (v / jerk).sqrt()
-            } else {
-                acceleration / jerk
-            };
-            let peak = if jerk.is_finite() { (jerk * t_jerk).min(acceleration) } else { acceleration };
-            let t_const = if peak > 0.0 { (v / peak - t_jerk).max(0.0) } else { 0.0 };
-            (t_jerk, t_const, peak)
+            if jerk.is_infinite() || v <= 0.0 {
+                // Without any limit the speed is there at once.
+                return if acceleration.is_infinite() || v <= 0.0 {
+                    (0.0, 0.0, 0.0)
+                } else {
+                    (0.0, v / acceleration, acceleration)
+                };
+            }
+            let peak = acceleration.min((v * jerk).sqrt());
+            (peak / jerk, (v / peak - peak / jerk).max(0.0), peak)
         };
         let over = |v: f64| {
             let (t_jerk, t_const, _) = ramp(v);
@@ -117,6 +119,9 @@ mod tests {
             (3.0, 10.0, 5.0, 20.0),
             (3.0, 10.0, 5.0, f64::INFINITY),
             (3.0, f64::INFINITY, 5.0, 2.0),
+            (3.0, 10.0, f64::INFINITY, 2.0),
+            (3.0, 10.0, f64::INFINITY, f64::INFINITY),
+            (3.0, f64::INFINITY, f64::INFINITY, f64::INFINITY),
             (0.0, 1.0, 1.0, 1.0),
         ] {
             let curve = SCurve::new(length, speed, acceleration, jerk);
@@ -127,10 +132,15 @@ mod tests {
                 let now = curve.at(step * f64::from(k));
                 assert!(now[1] <= speed * (1.0 + 1e-9) && now[2].abs() <= acceleration * (1.0 + 1e-9));
                 way += 0.5 * step * (before[1] + now[1]);
-                assert!((now[0] - way).abs() < 1e-5 * (length + 1e-12), "{length}: {} {way}", now[0]);
+                assert!(now.iter().all(|x| x.is_finite()));
+                assert!(
+                    (now[0] - way).abs() < 1e-5 * (length + 1e-12) || acceleration.is_infinite(),
+                    "{length}: {way}"
+                );
                 before = now;
             }
-            assert!((before[0] - length).abs() < 1e-9 * length.max(1e-9) && before[1].abs() < 1e-6);
+            assert!((before[0] - length).abs() < 1e-9 * length.max(1e-9));
+            assert!(before[1].abs() < 1e-6 || acceleration.is_infinite() && jerk.is_infinite());
         }
     }
 }

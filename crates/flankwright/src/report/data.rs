@@ -90,6 +90,8 @@ impl Section {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Block {
+    /// Heading of a part of the section.
+    Heading(String),
     /// Running text.
     Paragraph(String),
     /// A table.
@@ -98,6 +100,8 @@ pub enum Block {
     Tables(Vec<Table>),
     /// A chart with its caption.
     Figure(Figure),
+    /// Small charts, two beside each other.
+    Figures(Vec<Figure>),
     /// Things to know before the job runs on a machine.
     Warnings(Vec<Warning>),
 }

@@ -63,6 +63,9 @@ fn write_section(page: &mut String, section: &Section) {
     let _ = writeln!(page, "<section>\n<h2>{}</h2>", escape(&section.title));
     for block in &section.blocks {
         match block {
+            Block::Heading(text) => {
+                let _ = writeln!(page, "<h3>{}</h3>", escape(text));
+            }
             Block::Paragraph(text) => {
                 let _ = writeln!(page, "<p>{}</p>", escape(text));
             }
@@ -73,6 +76,11 @@ fn write_section(page: &mut String, section: &Section) {
                 page.push_str("</div>\n");
             }
             Block::Figure(figure) => write_figure(page, figure),
+            Block::Figures(figures) => {
+                page.push_str("<div class=\"charts\">\n");
+                figures.iter().for_each(|figure| write_figure(page, figure));
+                page.push_str("</div>\n");
+            }
             Block::Warnings(warnings) => write_warnings(page, warnings),
         }
     }

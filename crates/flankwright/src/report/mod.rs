@@ -3,7 +3,8 @@
 //! The room turns finished numbers into pictures and pages. It must not know how a number came about: no
 //! process, no contact, no removal, no workflow. [`charts`] draws, [`PlanReport`] is the page as data
 //! (a banner and an ordered list of sections, the same for every process), [`html`] writes it, and
-//! [`generating`] composes the page of diagonal generating grinding; [`tangential`] adds the sections of tangential dressing.
+//! [`generating`] composes the page of diagonal generating grinding; [`tangential`] adds the sections of tangential dressing,
+//! [`programs`] the one on NC programs.
 //!
 //! ```
 //! use flankwright::report::{Banner, Block, PlanReport, Section, Status, html};
@@ -22,6 +23,7 @@
 pub mod charts;
 pub mod generating;
 pub mod html;
+pub mod programs;
 pub mod tangential;
 
 mod data;

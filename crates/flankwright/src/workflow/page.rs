@@ -1,6 +1,7 @@
 //! Fills the report of a run. Timing stays out of it, so that the same job gives the same bytes.
 
 use super::executed_strokes::ExecutedStroke;
+use super::programs::programs_report;
 use super::referee::Verdict;
 use super::result::{CharacteristicsUm, FlankResult, Status};
 use super::run::{Outcome, ratio_reason};
@@ -545,6 +546,7 @@ pub fn html_page(
         )],
         dressing: Sides::from_fn(|flank| dressing_motion(outcome, flank)),
         strokes: Sides::from_fn(|flank| strokes(outcome, flank)),
+        programs: outcome.programs.as_ref().map(programs_report),
         warnings: result
             .warnings
             .iter()

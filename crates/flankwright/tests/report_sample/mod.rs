@@ -1,6 +1,8 @@
 //! A made-up but realistic generating-grinding report: the twist-free crowning of a 19-tooth gear. Shared by the tests of
 //! the report and the example that writes it for looking.
 
+pub mod programs;
+
 use flankwright::geometry::{Flank, Sides};
 use flankwright::report::charts::{SectionTrace, Topography};
 use flankwright::report::generating::{
@@ -189,6 +191,7 @@ pub fn met() -> GeneratingReport {
         }],
         dressing: Sides::from_fn(|side| Some(dressing(side))),
         strokes: Sides::from_fn(|_| Vec::new()),
+        programs: Some(programs::programs()),
         warnings: vec![Warning {
             text: "The worm cuts 0.12 mm below the given root diameter.".to_owned(),
             way_out: "Reduce the tip diameter of the worm or give the root diameter of the finished gear.".to_owned(),
@@ -279,6 +282,7 @@ pub fn not_producible() -> GeneratingReport {
                 candidate(1.916_05, "dresser", None, "dropped: no-zero at v = 31.2 mm, right flank"),
             ],
         }),
+        programs: None,
         warnings: vec![],
         verification: None,
         convergence: vec![],

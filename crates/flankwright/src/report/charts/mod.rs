@@ -7,6 +7,7 @@
 //! z (face width, mm).
 
 mod axes;
+mod axis_chart;
 mod contour_map;
 mod contours;
 mod dressing_section;
@@ -19,10 +20,12 @@ mod profile_helix;
 mod scale;
 mod svg;
 mod text;
+mod thinning;
 mod topography;
 mod topography_net;
 mod worm_occupation;
 
+pub use axis_chart::{AxisChart, AxisChartLimits, axis_chart};
 pub use contour_map::{ContourMap, contour_map};
 pub use dressing_section::{
     DressingSectionChart, MarkedClearance, SectionKind, SectionStretch, SpaceFlank, dressing_section_chart,
@@ -39,5 +42,6 @@ pub use worm_occupation::{
     OccupationBar, OccupationKind, OccupationRow, WormOccupationChart, worm_occupation_chart,
 };
 
+pub(crate) use axis_chart::share_of_limit;
 pub(crate) use svg::escape;
 pub(crate) use text::indices;

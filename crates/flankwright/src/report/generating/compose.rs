@@ -5,6 +5,7 @@ use super::{motions, result, strokes, topographies};
 use crate::report::charts::{
     ChartError, dressing_section_chart, format_fixed, format_significant, worm_occupation_chart,
 };
+use crate::report::programs::ProgramsReport;
 use crate::report::{Block, Column, Fact, Figure, PlanReport, Section, Table};
 
 impl GeneratingReport {
@@ -25,6 +26,7 @@ impl GeneratingReport {
             Section::new("Grinding motion", motions::grinding(&self.grinding_motions)?),
             Section::new("Dressing corrections", dressing),
             Section::new("Room for the dresser", sections(self)?),
+            Section::new("NC programs", programs(self)?),
             Section::new(
                 "How it was verified",
                 self.verification.as_ref().map(verification).unwrap_or_default(),
@@ -166,6 +168,10 @@ fn sections(report: &GeneratingReport) -> Result<Vec<Block>, ChartError> {
         Ok(Block::Figure(Figure { svg: dressing_section_chart(chart)?, caption: caption.to_owned() }))
     };
     report.sections.iter().map(figure).collect()
+}
+
+fn programs(report: &GeneratingReport) -> Result<Vec<Block>, ChartError> {
+    report.programs.as_ref().map_or(Ok(Vec::new()), ProgramsReport::blocks)
 }
 
 fn time_and_files(report: &GeneratingReport) -> Vec<Block> {

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use crate::geometry::Sides;
 use crate::report::charts::{DressingSectionChart, SectionTrace, Topography, WormOccupationChart};
+use crate::report::programs::ProgramsReport;
 use crate::report::{Quantity, Status, Warning};
 
 /// Everything that the report of a generating-grinding job can show.
@@ -46,6 +47,8 @@ pub struct GeneratingReport {
     pub dressing: Sides<Option<DressingMotion>>,
     /// The strokes per flank, where the worm is dressed in strokes.
     pub strokes: Sides<Vec<StrokeReport>>,
+    /// NC programs, where the job names a machine.
+    pub programs: Option<ProgramsReport>,
     /// What to know, with a way out.
     pub warnings: Vec<Warning>,
     /// How the result was verified.

@@ -5,6 +5,7 @@ mod build;
 mod check;
 mod of_grinding;
 mod of_tangential;
+mod page;
 mod proof;
 mod result;
 mod run_programs;
@@ -15,6 +16,7 @@ pub use build::{Built, BuiltProgram};
 pub use check::check_program;
 pub(super) use of_grinding::programs_of_grinding;
 pub(super) use of_tangential::programs_of_tangential;
+pub(super) use page::programs_report;
 pub use result::{
     AxisResult, CheckedAxis, CheckedFlank, CheckedProgram, CheckedStroke, PassResult, ProgramResult,
     ProgramsResult, ProofResult,

@@ -126,6 +126,9 @@ impl ProgramsResult {
     }
 }
 
+/// A way shorter than this, mm or rad, is rounding.
+const STANDS_STILL: f64 = 1e-9;
+
 /// A word as people write it.
 pub(super) fn shown_word(word: &Word) -> String {
     match word {
@@ -222,7 +225,7 @@ fn program_result(task: &ProgramTask<'_>, program: &BuiltProgram) -> ProgramResu
         .words
         .iter()
         .zip(&program.words.numbers)
-        .filter(|(_, number)| program.words.is_moved(**number) || trace.way(**number) > 0.0)
+        .filter(|(_, number)| program.words.is_moved(**number) || trace.way(**number) > STANDS_STILL)
         .map(|(word, &number)| {
             let axis = &machine.axes()[number];
             let shown = |x: f64| axis.joint.shown(x);

@@ -19,6 +19,7 @@ use crate::workflow::page::{
     TWO_CALCULATIONS, flank_report, gear_quantities, grinding_motion, motion_over, referee_stages,
     target_amounts,
 };
+use crate::workflow::programs::programs_report;
 use crate::workflow::result::{CharacteristicsUm, Status};
 
 /// The report of a run as a self-contained HTML page.
@@ -104,6 +105,7 @@ fn common(
             Some(motion_over(&motion, (from, to)))
         }),
         strokes: Sides { left: Vec::new(), right: Vec::new() },
+        programs: outcome.programs.as_ref().map(programs_report),
         warnings: result
             .warnings
             .iter()
