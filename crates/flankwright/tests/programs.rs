@@ -147,3 +147,70 @@ fn what_a_machine_cannot_do_is_told() {
     assert!(text.contains("C5 STANDS AT 1 DEG"), "{text}");
     proven(&swivelled);
 }
+
+/// A machine with another control, in a file of its own.
+fn changed_machine(name: &str, changes: &[(&str, &str)]) -> (tempfile::TempDir, String) {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../machines");
+    let mut text = std::fs::read_to_string(root.join(format!("{name}.toml"))).expect("a machine");
+    for (from, to) in changes {
+        assert!(text.contains(from), "{from}");
+        text = text.replacen(from, to, 1);
+    }
+    let directory = tempfile::tempdir().expect("a directory");
+    std::fs::write(directory.path().join("machine.toml"), text).expect("a file");
+    let path = directory.path().join("machine").display().to_string();
+    (directory, path)
+}
+
+/// What controls offer beside plain blocks: steps below one turn, a HAL netlist, G81 of gears without shift.
+#[test]
+fn other_ways_of_a_control_are_proven_as_well() {
+    let one = |dialect: &str| format!("programs = [\"{dialect}\"]");
+    let all = "programs = [\"linuxcnc\", \"siemens\", \"fanuc\"]";
+    let of = |machine: &str, example: &str, dialect: &str| {
+        let only = one(dialect);
+        let change = match example {
+            "radial-feed-crowning" => {
+                ("helix_points = 41".to_owned(), format!("helix_points = 41\n[output]\n{only}"))
+            }
+            _ => (all.to_owned(), only),
+        };
+        let outcome = planned(example, machine, &[(&change.0, &change.1)]);
+        let programs = outcome.programs.expect("programs");
+        for proof in &programs.result.proofs {
+            assert!(proof.flanks.values().all(|f| f.difference_um < 0.02), "{proof:?}");
+        }
+        programs.built.programs
+    };
+    let modulo = (
+        "[controls.linuxcnc]\ncoupling = \"blocks\"",
+        "[controls.linuxcnc]\nmodulo = true\ncoupling = \"blocks\"",
+    );
+    let (_keep, machine) = changed_machine("no-swivel", &[modulo]);
+    let programs = of(&machine, "twist-free-crowning", "linuxcnc");
+    assert!(programs[1].written.text.lines().count() > 1000, "every turn of the worm is a step");
+
+    let hal = ("[controls.linuxcnc]\ncoupling = \"blocks\"", "[controls.linuxcnc]\ncoupling = \"gearbox\"");
+    let (_keep, machine) = changed_machine("no-swivel", &[hal]);
+    // The netlist of a gear holds ratios only: the radial job has nothing else.
+    let programs = of(&machine, "radial-feed-crowning", "linuxcnc");
+    assert!(programs[1].written.hal.as_ref().is_some_and(|netlist| netlist.contains("sum2")));
+
+    let fanuc = [(
+        "[controls.fanuc]\ncoupling = \"blocks\"",
+        "[controls.fanuc]\nprogram_number = 4711\ncoupling = \"gearbox\"",
+    )];
+    let (_keep, machine) = changed_machine("no-swivel", &fanuc);
+    let programs = of(&machine, "radial-feed-crowning", "fanuc");
+    assert!(programs[0].written.text.contains("O4711") && programs[1].written.text.contains("O4712"));
+    assert!(programs[1].written.text.contains("G81 T19"), "{}", programs[1].written.text);
+    // A shift is more than G81 can say.
+    let (_, code, message) = refused("twist-free-crowning", &machine, &[(all, &one("fanuc"))]);
+    assert!(code.contains("unsupported-coupling"), "{code} {message}");
+    // A gearbox that cannot take the shift as a leading axis.
+    let siemens = ("[controls.siemens]\n", "[controls.siemens]\nleaders = [\"B1\", \"Z1\"]\n");
+    let (_keep, machine) = changed_machine("no-swivel", &[siemens]);
+    let (_, code, message) = refused("twist-free-crowning", &machine, &[(all, &one("siemens"))]);
+    assert_eq!(code, "unsupported-coupling");
+    assert!(message.contains("V1"), "{message}");
+}

@@ -111,40 +111,45 @@ fn check(arguments: &CheckProgramArguments) -> Result<Exit, Failure> {
             })?
         }
     };
-    let job = match &arguments.job {
-        Some(path) => match output::load_any_job(path)? {
-            AnyJob::Grinding(loaded) => Some(loaded),
-            AnyJob::Tangential(_) => {
-                let finding = Diagnostic::with_code(
-                    "process-not-available",
-                    "programs are checked against jobs of generating grinding",
-                )
-                .way_out("leave --job out: axes, travel and time are told without it");
-                return Err(Failure::new(Exit::BadInput, finding));
-            }
-        },
-        None => None,
-    };
+    let job = arguments.job.as_ref().map(|path| output::load_any_job(path)).transpose()?;
     let text = BufReader::new(File::open(&arguments.file).map_err(failed)?);
+    // The gears of a LinuxCNC program stand in a netlist beside it.
+    let netlist = match dialect {
+        Dialect::LinuxCnc => std::fs::read_to_string(arguments.file.with_extension("hal")).ok(),
+        Dialect::Siemens | Dialect::Fanuc => None,
+    };
     let bars = Bars::new(arguments.common.quiet);
-    let checked = check_program(text, dialect, &machine, job.as_ref(), &bars);
+    let checked = check_program((text, netlist.as_deref()), dialect, &machine, job.as_ref(), &bars);
     bars.finish();
     let checked = checked.map_err(|failure| match (failure, &job) {
-        (failure, Some(loaded)) if matches!(&failure, RunFailure::BadInput(d) | RunFailure::NotProducible(d) if d.field.is_some()) => {
+        // What names a key is about the job.
+        (failure, Some(AnyJob::Grinding(loaded))) if names_key(&failure) => Failure::of_run(loaded, failure),
+        (failure, Some(AnyJob::Tangential(loaded))) if names_key(&failure) => {
             Failure::of_run(loaded, failure)
         }
         (RunFailure::BadInput(finding), _) => Failure::new(Exit::BadInput, in_file(&name, *finding)),
-        (RunFailure::NotProducible(finding), _) => Failure::new(Exit::NotProducible, in_file(&name, *finding)),
+        (RunFailure::NotProducible(finding), _) => {
+            Failure::new(Exit::NotProducible, in_file(&name, *finding))
+        }
     })?;
     if arguments.common.json {
         output::print_json(&checked)?;
     } else if !arguments.common.quiet {
         output::print(&summary(&checked))?;
     }
-    let tolerance = job.as_ref().map_or(f64::INFINITY, |loaded| loaded.job.target.tolerance_um);
+    let tolerance = match &job {
+        Some(AnyJob::Grinding(loaded)) => loaded.job.target.tolerance_um,
+        Some(AnyJob::Tangential(loaded)) => loaded.job.target.tolerance_um,
+        None => f64::INFINITY,
+    };
     let flanks = checked.flanks.iter().flatten();
     let met = flanks.map(|(_, f)| f.max_deviation_um).all(|um| um <= tolerance);
     Ok(if met && checked.remarks.is_empty() { Exit::Done } else { Exit::TargetMissed })
+}
+
+fn names_key(failure: &RunFailure) -> bool {
+    let (RunFailure::BadInput(finding) | RunFailure::NotProducible(finding)) = failure;
+    finding.field.is_some()
 }
 
 /// The finding with the file in front.

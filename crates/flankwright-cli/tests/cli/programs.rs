@@ -89,6 +89,8 @@ fn a_plan_writes_programs_that_check_finds_to_make_the_flank() {
         &machine("no-swivel"),
     ]);
     assert!(told.stdout.contains("fanuc grinding on no_swivel"), "{}", told.stdout);
+    let page = std::fs::read_to_string(out.join("report.html")).expect("a report");
+    assert!(page.contains("NC programs") && page.contains(statement), "the report says what is proven");
     // settings.json names the machine from where it stands.
     let settings = out.join("settings.json").display().to_string();
     let again =
@@ -220,4 +222,30 @@ fn the_schema_of_machines_is_published() {
     assert_eq!(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
     assert_eq!(schema["title"], "flankwright machine");
     assert!(schema["properties"]["axes"].is_object());
+}
+
+/// Tangential dressing on a machine of its own, its programs looked at again.
+#[test]
+fn programs_of_tangential_dressing_are_proven() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let out = directory.path().join("out");
+    let job = "examples/tangential/automotive.toml";
+    let planned = run(&["plan", job, "-o", &out.display().to_string(), "--json"]);
+    assert_eq!(planned.exit, Some(0), "{}", planned.stderr);
+    let result = planned.json();
+    for proof in result["programs"]["proofs"].as_array().expect("proofs") {
+        for flank in ["left", "right"] {
+            let apart = proof["flanks"][flank]["max_deviation_um"].as_f64().expect("a flank")
+                - result["flanks"][flank]["max_deviation_um"].as_f64().expect("a flank");
+            assert!(apart.abs() < 0.02, "{proof}");
+        }
+    }
+    for file in ["dressing-siemens.mpf", "grinding-fanuc.nc"] {
+        let path = out.join("programs").join(file).display().to_string();
+        let checked =
+            run(&["program", "check", &path, "--machine", &machine("xyzabc"), "--job", job, "--json"]);
+        assert_eq!(checked.exit, Some(0), "{file}: {}", checked.stderr);
+        let deviation = &checked.json()["flanks"]["left"]["difference_um"];
+        assert!(deviation.as_f64().is_some_and(|um| um < 0.03), "{file}: {deviation}");
+    }
 }

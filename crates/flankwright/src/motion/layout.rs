@@ -32,7 +32,7 @@ pub struct Pass {
 }
 
 /// The gear of an electronic gearbox that leads the workpiece.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct WorkGear {
     /// Couplings of the bodies.
     pub coupling: crate::machine::GearCoupling,
@@ -40,10 +40,12 @@ pub struct WorkGear {
     pub normal_module: f64,
     /// beta_2, rad.
     pub helix_angle: f64,
+    /// Numbers of the axes that it can take as leading ones; empty: all.
+    pub leaders: Vec<usize>,
 }
 
 /// How the rotations of tool and workpiece are kept together.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Coupling {
     /// Every axis is given in every block.
     Blocks,
@@ -64,6 +66,8 @@ pub struct LayoutOptions {
     pub swivel: f64,
     /// Coupling of the workpiece.
     pub coupling: Coupling,
+    /// Whether the gearbox is told at which positions of its axes it couples; otherwise it couples them as they stand.
+    pub synchronous: bool,
     /// Speed of the dresser's spindle, rad/s; 0 for none.
     pub dresser_speed: f64,
     /// Half a unit of the last digit of lengths (mm) and angles (rad).

@@ -21,7 +21,9 @@ pub use program::{
     GearLeader, GearSynchronisation, Header, MAXIMUM_AXES, Program, Repetition, TablePiece, Targets,
     ToothData, Word,
 };
-pub use reader::{MAXIMUM_BYTES, ReadError, ReadProblem, ReadProgram, detect_dialect, read};
+pub use reader::{
+    MAXIMUM_BYTES, ReadError, ReadProblem, ReadProgram, detect_dialect, read, read_with_netlist,
+};
 pub use writer::{
     Decimals, FanucOptions, HalOptions, LinuxCncOptions, Rounding, Warning, WriteOptions, Written, write,
 };

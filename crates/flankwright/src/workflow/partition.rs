@@ -169,10 +169,12 @@ impl Partition {
         }))
     }
 
-    /// Added to z_V1 of the finishing area for each roughing area, mm.
-    pub(super) fn roughing_shifts(&self) -> Vec<f64> {
+    /// z_V1 over z_V2 in every roughing area, where the first finishing area stays where the plan has it; `origin` is its z_V1 at
+    /// z_V2 = 0 if it was laid out without, mm.
+    pub(super) fn roughing_laws(&self, ratio: f64, origin: f64) -> Vec<MotionLaw> {
         let finishing = self.shifts_mm.get(self.roughing_areas).copied().unwrap_or(0.0);
-        self.shifts_mm.iter().take(self.roughing_areas).map(|shift| shift - finishing).collect()
+        let law = |shift: &f64| MotionLaw::polynomial(0.0, vec![origin + shift - finishing, ratio]);
+        self.shifts_mm.iter().take(self.roughing_areas).map(law).collect()
     }
 
     /// The picture of the tool's width.

@@ -96,7 +96,11 @@ fn finish(
         .map_err(|e| RunFailure::of_removal(&e, "grinding"))?;
     let gear_root = gear_root(&prepared, &execution)?;
     timing.insert("referee", refereeing.elapsed().as_secs_f64());
-    let roughing = partition.as_ref().map_or(Vec::new(), Partition::roughing_shifts);
+    // Areas of straight laws are laid out as if they passed through 0.
+    let straight = execution.motion.shift.is_affine() && prepared.areas.is_none();
+    let origin = if straight { execution.shift_origin } else { 0.0 };
+    let ratio = job.grinding.roughing_ratio.unwrap_or(0.0);
+    let roughing = partition.as_ref().map_or(Vec::new(), |areas| areas.roughing_laws(ratio, origin));
     let programs = programs_of_grinding(loaded, &prepared, &execution, &verdicts, cutting, roughing)?;
     if let Some(programs) = &programs {
         timing.insert("programs", programs.seconds[0]);

@@ -1,6 +1,6 @@
 //! Contradictions between the entries of a machine description that are each in range.
 
-use super::{AxisEntry, AxisType, MachineFile};
+use super::{AxisEntry, AxisType, Control, MachineFile};
 use crate::exchange::diagnostic::{Diagnostic, Problem};
 
 fn contradiction(field: String, message: String, allowed: &str, way_out: &str) -> Diagnostic {
@@ -27,11 +27,31 @@ pub(super) fn check(file: &MachineFile) -> Vec<Diagnostic> {
         for name in control.words.keys() {
             named(file, format!("controls.{dialect}.words.{name}"), name, &mut findings);
         }
+        for (k, name) in control.leaders.iter().enumerate() {
+            named(file, format!("controls.{dialect}.leaders[{k}]"), name, &mut findings);
+        }
+        foreign(dialect, control, &mut findings);
     }
     for (name, axis) in &file.axes {
         travel(name, axis, &mut findings);
     }
     findings
+}
+
+/// Options that another control has.
+fn foreign(dialect: &str, control: &Control, findings: &mut Vec<Diagnostic>) {
+    let options = [
+        ("program_number", "fanuc", control.program_number.is_some()),
+        ("contour_mode", "fanuc", control.contour_mode),
+        ("following_error_deg", "linuxcnc", control.following_error_deg.is_some()),
+    ];
+    for (key, owner, given) in options {
+        if given && owner != dialect {
+            let field = format!("controls.{dialect}.{key}");
+            let message = format!("`{field}` is an option of {owner}");
+            findings.push(contradiction(field, message, "no key", "leave it out"));
+        }
+    }
 }
 
 /// A name that has to be that of an axis.

@@ -42,6 +42,24 @@ pub struct Control {
     /// How the rotations of tool and workpiece are kept together; default by blocks.
     #[serde(default)]
     pub coupling: ControlCoupling,
+    /// Axes that the electronic gearbox can take as leading ones; default all.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[schemars(extend("maxItems" = 12))]
+    pub leaders: Vec<String>,
+    /// Whether the control counts rotary axes modulo 360 degrees: they are then moved by steps below one turn.
+    #[serde(default)]
+    pub modulo: bool,
+    /// Number after O of the dressing program, Fanuc only; the grinding program has the next one; default 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("minimum" = 1, "maximum" = 99_999_998, "x-way-out" = "write a number of up to eight digits"))]
+    pub program_number: Option<u32>,
+    /// Whether programs switch the contour mode on, Fanuc only.
+    #[serde(default)]
+    pub contour_mode: bool,
+    /// Following error at which the guard of the gearbox opens, degrees, LinuxCNC only; default 0.5.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 360, "x-way-out" = "give an angle in degrees, e.g. 0.5"))]
+    pub following_error_deg: Option<f64>,
     /// Digits behind the point; default 6 for mm, 7 for degrees, 6 for the feed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub decimals: Option<Decimals>,

@@ -28,16 +28,16 @@ pub(super) struct GearBlocks {
 
 impl GearBlocks {
     /// Defines the gear and switches it on where the axes stand.
-    pub fn engage(&self, machine: &Machine, words: &AxisWords, at: &Positions) -> [Block; 2] {
+    pub fn engage(&self, machine: &Machine, at: &Positions, synchronous: bool) -> [Block; 2] {
         let counted = |axis: usize| machine.axes()[axis].nc_sign * at[axis];
-        let synchronisation = GearSynchronisation {
+        let positions = || GearSynchronisation {
             follower: counted(self.follower),
             leaders: self.leaders.iter().map(|&axis| counted(axis)).collect(),
         };
-        debug_assert!(words.place(self.follower) == Some(self.word));
+        let synchronisation = synchronous.then(|| Box::new(positions()));
         [
             Block::GearDefine(Box::new(self.gear.clone())),
-            Block::GearOn { follower: self.word, synchronisation: Some(Box::new(synchronisation)) },
+            Block::GearOn { follower: self.word, synchronisation },
         ]
     }
 }
@@ -138,6 +138,13 @@ pub(super) fn couple(
         let coupling = Coupling::Ratio { num: signed(rates.shift, axis), den: 1.0 };
         leaders.push(GearLeader { axis: place(axis)?, coupling });
         numbers.push(axis);
+    }
+    if let Some(&other) = numbers.iter().find(|axis| !gear.leaders.is_empty() && !gear.leaders.contains(axis))
+    {
+        return unsupported(format!(
+            "{} would have to lead and is not among its leaders",
+            machine.axes()[other].name
+        ));
     }
     let table_made = table.is_some();
     let plain = !table_made && shifting.is_none();

@@ -156,7 +156,7 @@ impl<'a> Writer<'a> {
         self.rapid_to(pass.course.station(), &start)?;
         let follower = gear.map(|gear| gear.follower);
         if let Some(gear) = gear {
-            self.blocks.extend(gear.engage(self.machine, self.words, &start));
+            self.blocks.extend(gear.engage(self.machine, &start, self.options.synchronous));
         }
         let parts = [(&infeed, None), (&stroke, Some(&paths.limits)), (&retraction, None)];
         for (path, limits) in parts {

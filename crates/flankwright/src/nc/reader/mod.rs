@@ -57,6 +57,18 @@ pub fn read(text: impl BufRead, dialect: Dialect, axes: &[AxisWord]) -> Result<R
     }
 }
 
+/// Reads a LinuxCNC program whose gears are in a netlist beside it.
+///
+/// # Errors
+/// As [`read`]; a gear that the netlist does not hold.
+pub fn read_with_netlist(
+    text: impl BufRead,
+    netlist: &str,
+    axes: &[AxisWord],
+) -> Result<ReadProgram, ReadError> {
+    hal::with_netlist(read(text, Dialect::LinuxCnc, axes)?, netlist, axes)
+}
+
 fn read_lines<G: Grammar>(mut text: impl BufRead, mut grammar: G) -> Result<ReadProgram, ReadError> {
     let mut buffer = Vec::with_capacity(G::LINE + 2);
     let (mut number, mut total) = (0, 0);

@@ -5,12 +5,16 @@ use super::technology::Technology;
 use crate::exchange::job::Program as DialectName;
 use crate::exchange::machine::{Control, ControlCoupling};
 use crate::exchange::{Diagnostic, Problem};
+use crate::kinematics::MotionLaw;
 use crate::machine::{Machine, Positions, Role, Station};
 use crate::motion::{
     AxisWords, Coupling, Course, DressingCourse, GrindingCourse, Layout, LayoutOptions, MotionError, Pass,
     WorkGear, axis_words, in_words, lay_out,
 };
-use crate::nc::{Block, Decimals, Dialect, HalOptions, NcError, WriteOptions, Written, read, write_checked};
+use crate::nc::{
+    Block, Decimals, Dialect, FanucOptions, HalOptions, NcError, WriteOptions, Written, read,
+    read_with_netlist, split_turns, write_checked,
+};
 use crate::workflow::finding::{Remark, RunFailure};
 use std::f64::consts::TAU;
 
@@ -48,8 +52,8 @@ pub struct Built {
 
 /// Chord tolerance where the control gives none, um (spec 80 section 2 rule 6).
 const CHORD_TOLERANCE_UM: f64 = 0.05;
-/// Following error at which the guard of a LinuxCNC gear opens, rad: half a degree.
-const FOLLOWING_ERROR: f64 = 0.5 / 180.0 * std::f64::consts::PI;
+/// Following error at which the guard of a LinuxCNC gear opens, deg.
+const FOLLOWING_ERROR_DEG: f64 = 0.5;
 
 pub(super) fn dialect_of(name: DialectName) -> Dialect {
     match name {
@@ -162,24 +166,40 @@ impl ProgramTask<'_> {
             tolerance: control.chord_tolerance_um.unwrap_or(CHORD_TOLERANCE_UM) * 1e-3,
             swivel: self.technology.swivel,
             coupling: if gearbox {
-                Coupling::Gearbox(WorkGear { coupling: self.coupling, normal_module, helix_angle })
+                let leaders = control.leaders.iter().filter_map(|name| machine.axis_named(name)).collect();
+                Coupling::Gearbox(WorkGear { coupling: self.coupling, normal_module, helix_angle, leaders })
             } else {
                 Coupling::Blocks
             },
+            // G81 couples the axes as they stand.
+            synchronous: dialect != Dialect::Fanuc,
             dresser_speed: if station == Station::Dresser { self.technology.dresser_speed } else { 0.0 },
             half_unit: [half(decimals.mm), half(decimals.deg).to_radians()],
         };
-        let layout = lay_out(machine, &words, &passes, &options).map_err(|e| failure(&e))?;
-        let mut write_options = WriteOptions { decimals, ..WriteOptions::default() };
+        let mut layout = lay_out(machine, &words, &passes, &options).map_err(|e| failure(&e))?;
+        if control.modulo {
+            layout.program = split_turns(&layout.program).map_err(|e| refused(&e, dialect))?;
+        }
+        let next = u32::from(station == Station::Work);
+        let mut write_options =
+            WriteOptions { decimals, incremental_rotary: control.modulo, ..WriteOptions::default() };
+        write_options.fanuc = FanucOptions {
+            program_number: control.program_number.unwrap_or(1) + next,
+            contour_mode: control.contour_mode,
+        };
         write_options.linuxcnc.accelerations =
             words.numbers.iter().map_while(|&axis| machine.axes()[axis].limits.acceleration).collect();
         if gearbox && dialect == Dialect::LinuxCnc {
-            write_options.linuxcnc.hal = Some(HalOptions { following_error: FOLLOWING_ERROR });
+            let degrees = control.following_error_deg.unwrap_or(FOLLOWING_ERROR_DEG);
+            write_options.linuxcnc.hal = Some(HalOptions { following_error: degrees.to_radians() });
         }
         let written =
             write_checked(&layout.program, dialect, &write_options).map_err(|e| refused(&e, dialect))?;
-        let read = read(written.text.as_bytes(), dialect, &words.words)
-            .map_err(|e| refused(&NcError::NotReadBack(e.to_string().into()), dialect))?;
+        let read = match &written.hal {
+            Some(netlist) => read_with_netlist(written.text.as_bytes(), netlist, &words.words),
+            None => read(written.text.as_bytes(), dialect, &words.words),
+        };
+        let read = read.map_err(|e| refused(&NcError::NotReadBack(e.to_string().into()), dialect))?;
         let ending = match dialect {
             Dialect::LinuxCnc => "ngc",
             Dialect::Siemens => "mpf",
@@ -241,19 +261,12 @@ impl ProgramTask<'_> {
             for (k, stock) in technology.roughing.iter().enumerate() {
                 let shift = technology.roughing_shift.get(k % technology.roughing_shift.len().max(1));
                 let name = format!("{} ROUGHING STOCK {}", work.name, in_words(stock * 1e3, "um"));
-                push(
-                    grinding_pass(work, technology, name, *stock, shift.copied().unwrap_or(0.0)),
-                    false,
-                    &mut finishing,
-                );
+                push(grinding_pass(work, technology, name, *stock, shift), false, &mut finishing);
             }
-            push(
-                grinding_pass(work, technology, format!("{} FINISHING", work.name), 0.0, 0.0),
-                true,
-                &mut finishing,
-            );
+            let finish = grinding_pass(work, technology, format!("{} FINISHING", work.name), 0.0, None);
+            push(finish, true, &mut finishing);
             if technology.spark_out > 0 {
-                let mut pass = grinding_pass(work, technology, format!("{} SPARK OUT", work.name), 0.0, 0.0);
+                let mut pass = grinding_pass(work, technology, format!("{} SPARK OUT", work.name), 0.0, None);
                 pass.times = technology.spark_out;
                 push(pass, false, &mut finishing);
             }
@@ -295,14 +308,20 @@ fn dressing_pass(work: &DressingWork, technology: &Technology, name: String, sto
     }
 }
 
-/// One grinding pass that leaves some stock on the flank, mm, in an area of the worm at a distance from the finishing one.
-fn grinding_pass(work: &GrindingWork, technology: &Technology, name: String, stock: f64, shift: f64) -> Pass {
+/// One grinding pass that leaves some stock on the flank, mm; `shift`: z_V1 in an area of the worm that is not the finishing one.
+fn grinding_pass(
+    work: &GrindingWork,
+    technology: &Technology,
+    name: String,
+    stock: f64,
+    shift: Option<&MotionLaw>,
+) -> Pass {
     let mut motion = work.motion.clone();
     if stock > 0.0 {
         motion.delta_d = motion.delta_d.raised(stock / work.per_distance);
     }
-    if shift != 0.0 {
-        motion.shift = motion.shift.raised(shift);
+    if let Some(shift) = shift {
+        motion.shift = shift.clone();
     }
     // One revolution of the workpiece takes z_2/z_1 of the worm.
     let worm_per_turn = motion.teeth.abs() / motion.threads;

@@ -1,12 +1,13 @@
 //! `program check`: what a program does on a machine: axes, travel, speed, time, strokes, and with a job the flank that it leaves.
 
-use super::of_grinding::{PreparedPrograms, flank_of_program};
+use super::of_grinding::follow_on_grinding;
+use super::of_tangential::follow_on_tangential;
 use super::result::{CheckedAxis, CheckedProgram};
 use crate::exchange::machine::LoadedMachine;
-use crate::exchange::{Diagnostic, LoadedJob};
+use crate::exchange::{AnyJob, Diagnostic};
 use crate::machine::{Positions, Role};
 use crate::motion::{AxisWords, MotionError, Tracked, axis_words, track};
-use crate::nc::{Dialect, ReadError, ReadProgram, Word, read};
+use crate::nc::{Dialect, ReadError, ReadProgram, Word, read, read_with_netlist};
 use crate::numerics::Progress;
 use crate::workflow::finding::{Remark, RunFailure};
 use std::io::BufRead;
@@ -38,28 +39,35 @@ pub(super) fn words_of(machine: &LoadedMachine, dialect: Dialect) -> Result<Axis
     })
 }
 
-/// Reads a program of a dialect and follows it on a machine; with a job also to the flank.
+/// Reads a program of a dialect and follows it on a machine; with a job also to the flank. `netlist`: the HAL netlist of a LinuxCNC
+/// program whose gears are in one.
 ///
 /// # Errors
 /// [`RunFailure`]: a text that is no program, axes that the machine has not, a job that cannot be planned.
 pub fn check_program(
-    text: impl BufRead,
+    (text, netlist): (impl BufRead, Option<&str>),
     dialect: Dialect,
     machine: &LoadedMachine,
-    job: Option<&LoadedJob>,
+    job: Option<&AnyJob>,
     progress: &dyn Progress,
 ) -> Result<CheckedProgram, RunFailure> {
     let words = words_of(machine, dialect).map_err(|e| refused(&e))?;
-    let found = read(text, dialect, &words.words).map_err(|e| unreadable(&e, dialect))?;
+    let found = match netlist.filter(|_| dialect == Dialect::LinuxCnc) {
+        Some(netlist) => read_with_netlist(text, netlist, &words.words),
+        None => read(text, dialect, &words.words),
+    };
+    let found = found.map_err(|e| unreadable(&e, dialect))?;
     let tracked =
         track(&found.blocks, &machine.machine, &words, &Positions::default()).map_err(|e| refused(&e))?;
     let mut checked = figures(&found, dialect, machine, &words, &tracked);
     if let Some(job) = job {
-        let ready = PreparedPrograms::of_job(job, machine, progress)?;
-        let (kind, strokes, flank) = flank_of_program(&ready, &tracked)?;
-        checked.kind = Some(kind);
-        checked.strokes = strokes;
-        checked.flanks = flank;
+        let followed = match job {
+            AnyJob::Grinding(loaded) => follow_on_grinding(loaded, &machine.machine, &tracked, progress)?,
+            AnyJob::Tangential(loaded) => follow_on_tangential(loaded, &machine.machine, &tracked, progress)?,
+        };
+        checked.kind = Some(followed.kind);
+        checked.strokes = followed.strokes;
+        checked.flanks = Some(followed.flanks);
     }
     Ok(checked)
 }

@@ -3,6 +3,7 @@
 
 mod build;
 mod check;
+mod follow;
 mod of_grinding;
 mod of_tangential;
 mod page;

@@ -1,27 +1,25 @@
 //! The programs of a generating-grinding run: its strokes as work for a machine, and its referee asked with motions from a text.
 
+use super::follow::{Bodies, Followed, follow};
 use super::proof::ReadBack;
-use super::result::{CheckedFlank, CheckedStroke};
 use super::run_programs::{RunPrograms, dialects};
 use super::task::{DressingWork, GrindingWork, ProgramTask, machine_of_job};
 use super::technology::Technology;
+use crate::exchange::LoadedJob;
 use crate::exchange::job::{DressingFlanks, Job, Machine as JobMachine};
-use crate::exchange::machine::LoadedMachine;
-use crate::exchange::{Diagnostic, LoadedJob};
 use crate::geometry::{Flank, Sides};
-use crate::kinematics::{DressingMotion, GeneratingMotion, MotionLaw};
-use crate::machine::{GearCoupling, Machine, Role};
+use crate::kinematics::MotionLaw;
+use crate::machine::{GearCoupling, Machine};
 use crate::metrology::Topography;
-use crate::motion::{MotionError, ReadStroke, Tracked, dresser_contacts};
+use crate::motion::{Tracked, dresser_contacts};
 use crate::numerics::{Progress, Silent, equidistant};
 use crate::process::dressing::DresserTool;
 use crate::workflow::execution::{ExecutedTool, Execution};
 use crate::workflow::finding::{Remark, RunFailure};
 use crate::workflow::prepare::Prepared;
 use crate::workflow::referee::{self, Cutting, Verdict};
-use crate::workflow::run::{Outcome, plan_job, simulate_job};
+use crate::workflow::run::{plan_job, simulate_job};
 use nalgebra::Vector3;
-use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 /// Contacts looked at along the line in which the dresser touches a flank.
@@ -83,7 +81,7 @@ pub(in crate::workflow) fn programs_of_grinding(
     execution: &Execution,
     verdicts: &Sides<Option<Verdict>>,
     cutting: Cutting<'_>,
-    roughing_shift: Vec<f64>,
+    roughing_shift: Vec<MotionLaw>,
 ) -> Result<Option<RunPrograms>, RunFailure> {
     let Some(job_machine) = &loaded.job.machine else { return Ok(None) };
     let machine = machine_of_job(loaded, job_machine)?;
@@ -115,138 +113,34 @@ pub(in crate::workflow) fn programs_of_grinding(
     Ok(Some(programs))
 }
 
-/// A job made ready for looking at programs: its own run, and its strokes on a machine.
-pub(super) struct PreparedPrograms<'a> {
-    machine: &'a Machine,
-    run: Outcome,
-    strokes: Strokes,
-}
-
-impl<'a> PreparedPrograms<'a> {
-    /// Runs the job, by its settings if it has some, without programs of its own.
-    ///
-    /// # Errors
-    /// Those of the run.
-    pub fn of_job(
-        loaded: &LoadedJob,
-        machine: &'a LoadedMachine,
-        progress: &dyn Progress,
-    ) -> Result<Self, RunFailure> {
-        let mut plain = loaded.clone();
-        plain.job.machine = None;
-        let run = if plain.job.settings.is_some() {
-            simulate_job(&plain, progress)?
-        } else {
-            plan_job(&plain, progress)?
-        };
-        let clamped = loaded.job.machine.clone().unwrap_or_default();
-        let strokes = Strokes::new(&loaded.job, &clamped, &run.prepared, &run.execution);
-        Ok(Self { machine: &machine.machine, run, strokes })
-    }
-}
-
-/// What a program does to the bodies of a job: its kind, its strokes, the flank that it leaves with everything else as the job has it.
-type BodiesOfProgram = (&'static str, Vec<CheckedStroke>, Option<BTreeMap<&'static str, CheckedFlank>>);
-
-/// The strokes of a program on the bodies of a job, and the flank that they leave. Of several strokes for the same flank the one
-/// nearest to the job's own finishes.
+/// Follows a program on the bodies of a job: its own run, by its settings if it has some, and what the program makes of it.
 ///
 /// # Errors
-/// A program whose axes do not bring these bodies together; the referee's.
-pub(super) fn flank_of_program(
-    ready: &PreparedPrograms<'_>,
+/// Those of the run; of [`follow`].
+pub(super) fn follow_on_grinding(
+    loaded: &LoadedJob,
+    machine: &Machine,
     tracked: &Tracked,
-) -> Result<BodiesOfProgram, RunFailure> {
-    let strokes = &ready.strokes;
-    let refused = |error: MotionError| {
-        let finding = Diagnostic::with_code(error.code(), error.to_string());
-        RunFailure::bad_input(finding.way_out(error.way_out()))
-    };
-    let nothing = |what: &str| {
-        refused(MotionError::NotFollowed {
-            block: 1,
-            reason: format!("it has no {what} stroke on these bodies"),
-        })
-    };
-    let turns = ready.machine.role(Role::Work).and_then(|axis| tracked.ranges[axis]);
-    let grinds = turns.is_some_and(|[from, to]| to > from);
-    let mut read = ReadBack { dressing: Vec::new(), grinding: Vec::new() };
-    let mut listed: Vec<CheckedStroke> = Vec::new();
-    let kind = if grinds {
-        for (work, _) in &strokes.grinding {
-            let there = tracked
-                .grinding(ready.machine, &strokes.technology.grinding, &work.motion, work.phase)
-                .map_err(refused)?;
-            let off = |stroke: &ReadStroke<GeneratingMotion>| {
-                let at = 0.5 * (stroke.range[0] + stroke.range[1]);
-                let apart = |a: &MotionLaw, b: &MotionLaw| (a.value(at) - b.value(at)).abs();
-                apart(&stroke.motion.delta_d, &work.motion.delta_d)
-                    + work.per_turn * apart(&stroke.motion.delta_phi_2, &work.motion.delta_phi_2)
-            };
-            let best = serve(&there, off, &work.name, &mut listed).ok_or_else(|| nothing("grinding"))?;
-            read.grinding.push(there[best].clone());
-        }
-        "grinding"
+    progress: &dyn Progress,
+) -> Result<Followed, RunFailure> {
+    let mut plain = loaded.clone();
+    plain.job.machine = None;
+    let run = if plain.job.settings.is_some() {
+        simulate_job(&plain, progress)?
     } else {
-        for (work, _) in &strokes.grinding {
-            let motion = work.motion.clone();
-            read.grinding.push(ReadStroke { motion, range: work.feeds, blocks: [0, 0], duration: 0.0 });
-        }
-        for (work, _) in &strokes.dressing {
-            let there = tracked
-                .dressing(ready.machine, &strokes.technology.dressing, &work.motion.chain)
-                .map_err(refused)?;
-            let off = |stroke: &ReadStroke<DressingMotion>| {
-                let at = 0.5 * (stroke.range[0] + stroke.range[1]);
-                let [a, b] = [stroke.motion.correction_at(at), work.motion.correction_at(at)];
-                // Angles at a radius of some 100 mm.
-                let weighed = [100.0, 100.0, 1.0, 1.0].iter().zip(a.iter().zip(b));
-                weighed.map(|(weight, (a, b))| weight * (a - b).abs()).sum::<f64>()
-            };
-            let best = serve(&there, off, &work.name, &mut listed).ok_or_else(|| nothing("dressing"))?;
-            read.dressing.push(there[best].clone());
-        }
-        "dressing"
+        plan_job(&plain, progress)?
     };
-    let cutting = Cutting { feed_per_revolution: None, strokes: ready.run.result.settings.strokes.as_ref() };
-    let (prepared, execution) = (&ready.run.prepared, &ready.run.execution);
-    let flanks = simulate(prepared, execution, cutting, &read, strokes)?;
-    let [target, simulated] = flanks_of(execution, &ready.run.verdicts);
-    let mut of_flanks = BTreeMap::new();
-    for (flank, left) in flanks.iter() {
-        let (Some(left), Some(target), Some(simulated)) = (left, &target[flank], &simulated[flank]) else {
-            continue;
-        };
-        let checked = CheckedFlank {
-            max_deviation_um: left.minus(target).largest() * 1e3,
-            difference_um: left.minus(simulated).largest() * 1e3,
-        };
-        of_flanks.insert(flank.name(), checked);
-    }
-    Ok((kind, listed, Some(of_flanks)))
-}
-
-/// The stroke nearest to a stroke of the job, and all strokes listed once, with the name of the one that they finish.
-fn serve<M>(
-    there: &[ReadStroke<M>],
-    off: impl Fn(&ReadStroke<M>) -> f64,
-    name: &str,
-    listed: &mut Vec<CheckedStroke>,
-) -> Option<usize> {
-    let best = (0..there.len()).min_by(|&a, &b| off(&there[a]).total_cmp(&off(&there[b])))?;
-    for (k, stroke) in there.iter().enumerate() {
-        let serves = (k == best).then(|| name.to_owned());
-        match listed.iter_mut().find(|known| known.blocks == stroke.blocks) {
-            Some(known) => known.serves = known.serves.take().or(serves),
-            None => listed.push(CheckedStroke {
-                range_mm: stroke.range,
-                blocks: stroke.blocks,
-                duration_s: stroke.duration,
-                serves,
-            }),
-        }
-    }
-    Some(best)
+    let (prepared, execution) = (&run.prepared, &run.execution);
+    let clamped = loaded.job.machine.clone().unwrap_or_default();
+    let strokes = Strokes::new(&loaded.job, &clamped, prepared, execution);
+    let cutting = Cutting { feed_per_revolution: None, strokes: run.result.settings.strokes.as_ref() };
+    let bodies = Bodies {
+        technology: &strokes.technology,
+        dressing: strokes.dressing.iter().map(|(work, _)| work).collect(),
+        grinding: strokes.grinding.iter().map(|(work, _)| work).collect(),
+        flanks: flanks_of(execution, &run.verdicts),
+    };
+    follow(machine, tracked, &bodies, |read| simulate(prepared, execution, cutting, read, &strokes))
 }
 
 /// Contacts of the dresser with a worm flank at v_zS = 0, nominal.
@@ -397,7 +291,7 @@ mod tests {
     use super::super::proof::proofs;
     use super::*;
     use crate::exchange::read_job;
-    use crate::machine::Station;
+    use crate::machine::{Role, Station};
     use crate::nc::Block;
     use std::path::Path;
 

@@ -1,19 +1,24 @@
 //! The programs of a run of tangential dressing: its passes as work for a machine, and its referee asked with motions from a text.
 
+use super::follow::{Bodies, Followed, follow};
 use super::proof::ReadBack;
 use super::run_programs::{RunPrograms, dialects};
 use super::task::{DressingWork, GrindingWork, ProgramTask, machine_of_job};
 use super::technology::Technology;
 use crate::contact::Measure;
-use crate::exchange::LoadedTangentialJob;
+use crate::exchange::job::Machine as JobMachine;
+use crate::exchange::{LoadedTangentialJob, TangentialJob};
 use crate::geometry::{Flank, Sides};
-use crate::machine::GearCoupling;
+use crate::kinematics::DressingMotion;
+use crate::machine::{GearCoupling, Machine};
 use crate::metrology::Topography;
-use crate::motion::dresser_contacts;
-use crate::numerics::{Silent, equidistant, extremes};
+use crate::motion::{ReadStroke, Tracked, dresser_contacts};
+use crate::numerics::{Progress, Silent, equidistant, extremes};
 use crate::process::tangential_dressing::TangentialFlank;
 use crate::workflow::finding::RunFailure;
-use crate::workflow::tangential::{DrivenMotions, TangentialPrepared, TangentialRun, referee};
+use crate::workflow::tangential::{
+    DrivenMotions, TangentialPrepared, TangentialRun, plan_tangential, referee, simulate_tangential,
+};
 
 /// Contacts looked at along the line in which the dresser touches a flank.
 const CONTACTS: usize = 5;
@@ -30,36 +35,18 @@ pub(in crate::workflow) fn programs_of_tangential(
     let job = &loaded.job;
     let Some(job_machine) = &job.machine else { return Ok(None) };
     let machine = machine_of_job(loaded, job_machine)?;
+    let strokes = Strokes::new(job, job_machine, ready, runs)?;
     let pair = &ready.model.pair;
-    let worm = pair.worm.data();
-    let hand = if worm.helix_angle < 0.0 { -1.0 } else { 1.0 };
-    let sizes = (hand, ready.worm_tip_radius, worm.normal_module, job.worm.width);
-    let technology = Technology::new(job_machine, sizes, job.grinding.feed_per_revolution);
-    let mut passes: Vec<Vec<Flank>> = Vec::new();
-    for (_, run) in runs.iter() {
-        if let Some(run) = run
-            && !passes.contains(&run.pass)
-        {
-            passes.push(run.pass.clone());
-        }
-    }
-    let mut dressing = Vec::with_capacity(passes.len());
-    let mut grinding = Vec::with_capacity(passes.len());
-    for pass in &passes {
-        let (dress, grind) = work_of_pass(ready, runs, pass)?;
-        dressing.push(dress);
-        grinding.push(grind);
-    }
     let gear = pair.work.data();
     let task = ProgramTask {
         job: &job.job.name,
         machine: &machine,
         dialects: &dialects(&job.output.programs, &machine),
-        technology,
-        dressing,
-        grinding,
+        technology: strokes.technology.clone(),
+        dressing: strokes.dressing.clone(),
+        grinding: strokes.grinding.clone(),
         coupling: GearCoupling {
-            threads: worm.teeth.unsigned_abs(),
+            threads: pair.worm.data().teeth.unsigned_abs(),
             teeth: gear.teeth,
             shift: pair.flanks.left.shift_coupling,
             feed: pair.flanks.left.feed_coupling,
@@ -67,13 +54,98 @@ pub(in crate::workflow) fn programs_of_tangential(
         },
         gear: [gear.normal_module, gear.helix_angle],
     };
-    // The referee's rays stand along the normals, whatever the job measures along.
-    let target = Sides::from_fn(|flank| runs[flank].as_ref().map(|run| run.target.clone()));
-    let simulated =
-        Sides::from_fn(|flank| runs[flank].as_ref().map(|run| run.refereed.verdict.simulated.clone()));
     let given = job.grinding.feed_per_revolution.is_some();
-    RunPrograms::new(&task, given, &[target, simulated], |read| simulate(ready, runs, &passes, read))
-        .map(Some)
+    let programs = RunPrograms::new(&task, given, &flanks_of(runs), |read| {
+        simulate(ready, runs, &strokes.passes, read)
+    })?;
+    Ok(Some(programs))
+}
+
+/// The strokes of a run, pass by pass.
+struct Strokes {
+    technology: Technology,
+    passes: Vec<Vec<Flank>>,
+    dressing: Vec<DressingWork>,
+    grinding: Vec<GrindingWork>,
+}
+
+impl Strokes {
+    fn new(
+        job: &TangentialJob,
+        machine: &JobMachine,
+        ready: &TangentialPrepared,
+        runs: &Sides<Option<TangentialRun>>,
+    ) -> Result<Self, RunFailure> {
+        let worm = ready.model.pair.worm.data();
+        let hand = if worm.helix_angle < 0.0 { -1.0 } else { 1.0 };
+        let sizes = (hand, ready.worm_tip_radius, worm.normal_module, job.worm.width);
+        let technology = Technology::new(machine, sizes, job.grinding.feed_per_revolution);
+        let mut strokes = Self { technology, passes: Vec::new(), dressing: Vec::new(), grinding: Vec::new() };
+        for run in runs.iter().filter_map(|(_, run)| run.as_ref()) {
+            if strokes.passes.contains(&run.pass) {
+                continue;
+            }
+            let (dressing, grinding) = work_of_pass(ready, runs, &run.pass)?;
+            strokes.passes.push(run.pass.clone());
+            strokes.dressing.push(dressing);
+            strokes.grinding.push(grinding);
+        }
+        Ok(strokes)
+    }
+}
+
+/// Target and flank of a run: the referee's rays stand along the normals, whatever the job measures along.
+fn flanks_of(runs: &Sides<Option<TangentialRun>>) -> [Sides<Option<Topography>>; 2] {
+    [
+        Sides::from_fn(|flank| runs[flank].as_ref().map(|run| run.target.clone())),
+        Sides::from_fn(|flank| runs[flank].as_ref().map(|run| run.refereed.verdict.simulated.clone())),
+    ]
+}
+
+/// Follows a program on the bodies of a job: its own run, by its settings if it has some, and what the program makes of it.
+///
+/// # Errors
+/// Those of the run; of [`follow`].
+pub(super) fn follow_on_tangential(
+    loaded: &LoadedTangentialJob,
+    machine: &Machine,
+    tracked: &Tracked,
+    progress: &dyn Progress,
+) -> Result<Followed, RunFailure> {
+    let mut plain = loaded.clone();
+    plain.job.machine = None;
+    let run = if plain.job.settings.is_some() {
+        simulate_tangential(&plain, progress)?
+    } else {
+        plan_tangential(&plain, progress)?
+    };
+    let clamped = loaded.job.machine.clone().unwrap_or_default();
+    let strokes = Strokes::new(&loaded.job, &clamped, &run.prepared, &run.flanks)?;
+    let bodies = Bodies {
+        technology: &strokes.technology,
+        dressing: strokes.dressing.iter().collect(),
+        grinding: strokes.grinding.iter().collect(),
+        flanks: flanks_of(&run.flanks),
+    };
+    follow(machine, tracked, &bodies, |read| {
+        let own;
+        let read = if read.dressing.is_empty() {
+            // A grinding program: the worm is dressed as the job has it.
+            own = ReadBack {
+                dressing: strokes.dressing.iter().map(driven).collect(),
+                grinding: read.grinding.clone(),
+            };
+            &own
+        } else {
+            read
+        };
+        simulate(&run.prepared, &run.flanks, &strokes.passes, read)
+    })
+}
+
+/// A stroke as the job itself has it.
+fn driven(work: &DressingWork) -> ReadStroke<DressingMotion> {
+    ReadStroke { motion: work.motion.clone(), range: work.interval, blocks: [0, 0], duration: 0.0 }
 }
 
 /// Motions of a pass over all that its flanks need.

@@ -120,6 +120,10 @@ pub(in crate::workflow) fn proofs(
             .map(|p| p.layout.passes.iter().map(|pass| pass.chord_deviation).fold(0.0, f64::max))
             .sum::<f64>();
         let rounding = passes().map(|pass| pass.rounding).fold(0.0, f64::max) * programs.len() as f64;
+        // A lead that a control takes in few digits turns the workpiece over the whole feed.
+        let leads = programs.iter().map(|p| p.written.rounding.lead_ratio).fold(0.0, f64::max);
+        let swept = task.grinding.iter().map(|work| (work.feeds[1] - work.feeds[0]) * work.per_turn);
+        let rounding = rounding + leads * swept.fold(0.0, f64::max);
         let allowed = CHORDS * chords * 1e3 + rounding * 1e3 + MARGIN_UM;
         let mut of_flanks = BTreeMap::new();
         for (flank, proven) in flanks.iter() {

@@ -1,6 +1,7 @@
 //! How fast a machine works and how the bodies are clamped in it, as a job says.
 
 use crate::exchange::job::{Clamping, Machine as JobMachine};
+use crate::kinematics::MotionLaw;
 use crate::machine::{Mount, Mounts};
 use std::f64::consts::TAU;
 
@@ -32,8 +33,8 @@ pub struct Technology {
     /// Way before and behind a dressing stroke to leave the worm, mm, for ends of the working part at a distance from the worm's
     /// middle; `None` for a worm without a stated width.
     pub worm_end: Option<f64>,
-    /// Areas of the worm for roughing and finishing, added to z_V1, mm; empty: all in the finishing area.
-    pub roughing_shift: Vec<f64>,
+    /// z_V1 over z_V2 of the roughing strokes, one for each area of the worm kept for them; empty: they use the finishing area.
+    pub roughing_shift: Vec<MotionLaw>,
 }
 
 /// Defaults: cutting speed in m/s, speeds in 1/min, clearance in mm, feed in mm per revolution.
