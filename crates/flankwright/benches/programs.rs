@@ -123,7 +123,6 @@ fn options() -> LayoutOptions {
         tolerance: 5e-6,
         swivel: 0.0,
         coupling: Coupling::Blocks,
-        synchronous: true,
         dresser_speed: 400.0,
         half_unit: [5e-7, 8.7e-10],
     }

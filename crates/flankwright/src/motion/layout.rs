@@ -5,7 +5,7 @@ use super::speed::{Braked, PathLimits};
 use super::trace::AxisTrace;
 use super::{AxisWords, Course, MotionError, Waypoint};
 use crate::machine::{Machine, Positions, Role, Station};
-use crate::nc::{Block, Header, Program, ToothData};
+use crate::nc::{Block, Header, Program};
 
 mod gear;
 mod passes;
@@ -36,10 +36,6 @@ pub struct Pass {
 pub struct WorkGear {
     /// Couplings of the bodies.
     pub coupling: crate::machine::GearCoupling,
-    /// m_n, mm.
-    pub normal_module: f64,
-    /// beta_2, rad.
-    pub helix_angle: f64,
     /// Numbers of the axes that it can take as leading ones; empty: all.
     pub leaders: Vec<usize>,
 }
@@ -66,8 +62,6 @@ pub struct LayoutOptions {
     pub swivel: f64,
     /// Coupling of the workpiece.
     pub coupling: Coupling,
-    /// Whether the gearbox is told at which positions of its axes it couples; otherwise it couples them as they stand.
-    pub synchronous: bool,
     /// Speed of the dresser's spindle, rad/s; 0 for none.
     pub dresser_speed: f64,
     /// Half a unit of the last digit of lengths (mm) and angles (rad).
@@ -132,16 +126,6 @@ pub fn lay_out(
         writer.pass(pass)?;
     }
     writer.finish(passes.first().map(|pass| pass.course.station()))
-}
-
-/// What the gearbox is told of the bodies.
-fn tooth_data(gear: &WorkGear, numerator: i32) -> ToothData {
-    ToothData {
-        teeth: gear.coupling.teeth.unsigned_abs(),
-        threads: numerator,
-        normal_module: gear.normal_module,
-        helix_angle: gear.helix_angle,
-    }
 }
 
 /// The way between two waypoints as path length: mm of the parameter, or of the lift where the parameter stands.

@@ -2,12 +2,12 @@
 
 use super::{
     AxisPath, AxisWords, LayoutOptions, Machine, MotionError, Pass, Positions, Role, STANDS_STILL, WorkGear,
-    tooth_data,
 };
 use crate::machine::Joint;
 use crate::motion::Course;
 use crate::nc::{
     Block, Coupling, CubicSpan, CurveTable, Gear, GearLeader, GearSynchronisation, Repetition, TablePiece,
+    Word,
 };
 use crate::numerics::CubicSpline;
 
@@ -28,16 +28,15 @@ pub(super) struct GearBlocks {
 
 impl GearBlocks {
     /// Defines the gear and switches it on where the axes stand.
-    pub fn engage(&self, machine: &Machine, at: &Positions, synchronous: bool) -> [Block; 2] {
+    pub fn engage(&self, machine: &Machine, at: &Positions) -> [Block; 2] {
         let counted = |axis: usize| machine.axes()[axis].nc_sign * at[axis];
-        let positions = || GearSynchronisation {
+        let positions = GearSynchronisation {
             follower: counted(self.follower),
             leaders: self.leaders.iter().map(|&axis| counted(axis)).collect(),
         };
-        let synchronisation = synchronous.then(|| Box::new(positions()));
         [
             Block::GearDefine(Box::new(self.gear.clone())),
-            Block::GearOn { follower: self.word, synchronisation },
+            Block::GearOn { follower: self.word, synchronisation: Some(Box::new(positions)) },
         ]
     }
 }
@@ -76,6 +75,12 @@ pub(super) fn couple(
             machine.axes()[tilt].name
         ));
     }
+    if words.place(worm).is_some_and(|k| matches!(words.words[k].word, Word::Spindle(_))) {
+        let name = &machine.axes()[worm].name;
+        return unsupported(format!(
+            "{name} is a spindle: where it stands is not in the text, so that its phase cannot be proven"
+        ));
+    }
     let place = |axis: usize| {
         words.place(axis).ok_or_else(|| MotionError::NoWord {
             axis: machine.axes()[axis].name.clone(),
@@ -102,8 +107,11 @@ pub(super) fn couple(
         at[work] - first[work] - rates.worm() * (at[worm] - first[worm]) - by_shift
     };
     let per_turn = per_turn(&pass.course);
-    // A correction that nobody would see on the flank needs no table.
-    let bent = |at: &Positions| (rest(at) - rates.axial * (at[axial] - first[axial])).abs() * per_turn;
+    // A lead correction belongs to the lead; what is left over of a straight line has to be seen on the flank to need a table.
+    let Some(&(_, last)) = paths[1].nodes.last() else { return unsupported("the stroke has no way".into()) };
+    let swept = last[axial] - first[axial];
+    let lead = if swept.abs() > STANDS_STILL { rest(&last) / swept } else { rates.axial };
+    let bent = |at: &Positions| (rest(at) - lead * (at[axial] - first[axial])).abs() * per_turn;
     let nodes = paths.iter().flat_map(|path| &path.nodes);
     let deviation = nodes.map(|(_, at)| bent(at)).fold(0.0, f64::max);
     let moves_axially = paths[1].range(axial) > STANDS_STILL;
@@ -111,7 +119,7 @@ pub(super) fn couple(
     if deviation <= options.tolerance {
         if moves_axially {
             // Numerator and denominator in degrees and mm, as controls show them.
-            let lead = signed(rates.axial, axial);
+            let lead = signed(lead, axial);
             leaders
                 .push(GearLeader { axis: place(axial)?, coupling: Coupling::Ratio { num: lead, den: 1.0 } });
             numbers.push(axial);
@@ -147,10 +155,9 @@ pub(super) fn couple(
         ));
     }
     let table_made = table.is_some();
-    let plain = !table_made && shifting.is_none();
     let word = place(work)?;
     Ok(GearBlocks {
-        gear: Gear { follower: word, leaders, teeth: plain.then(|| tooth_data(gear, numerator as i32)) },
+        gear: Gear { follower: word, leaders, teeth: None },
         table,
         follower: work,
         word,

@@ -156,7 +156,7 @@ impl<'a> Writer<'a> {
         self.rapid_to(pass.course.station(), &start)?;
         let follower = gear.map(|gear| gear.follower);
         if let Some(gear) = gear {
-            self.blocks.extend(gear.engage(self.machine, &start, self.options.synchronous));
+            self.blocks.extend(gear.engage(self.machine, &start));
         }
         let parts = [(&infeed, None), (&stroke, Some(&paths.limits)), (&retraction, None)];
         for (path, limits) in parts {
@@ -209,14 +209,8 @@ impl<'a> Writer<'a> {
 
     /// Every axis that moves has a word, or stands where it is said.
     fn check_words(&mut self, station: Station, paths: &Stroke) -> Result<(), MotionError> {
-        let leading = match self.options.coupling {
-            Coupling::Gearbox(_) => self.machine.role(Role::Worm),
-            Coupling::Blocks => None,
-        };
         for axis in driven(self.machine, station)? {
-            let spindle = |k: usize| matches!(self.words.words[k].word, Word::Spindle(_));
-            let leads = Some(axis) == leading && self.words.place(axis).is_some_and(spindle);
-            if self.words.is_moved(axis) || leads {
+            if self.words.is_moved(axis) {
                 continue;
             }
             let travel = [&paths.infeed, &paths.stroke, &paths.retraction]

@@ -159,7 +159,6 @@ impl ProgramTask<'_> {
             }
         };
         let gearbox = control.coupling == ControlCoupling::Gearbox && station == Station::Work;
-        let [normal_module, helix_angle] = self.gear;
         let options = LayoutOptions {
             name: program_name(self.job, station),
             comments: comments(self, station),
@@ -167,12 +166,10 @@ impl ProgramTask<'_> {
             swivel: self.technology.swivel,
             coupling: if gearbox {
                 let leaders = control.leaders.iter().filter_map(|name| machine.axis_named(name)).collect();
-                Coupling::Gearbox(WorkGear { coupling: self.coupling, normal_module, helix_angle, leaders })
+                Coupling::Gearbox(WorkGear { coupling: self.coupling, leaders })
             } else {
                 Coupling::Blocks
             },
-            // G81 couples the axes as they stand.
-            synchronous: dialect != Dialect::Fanuc,
             dresser_speed: if station == Station::Dresser { self.technology.dresser_speed } else { 0.0 },
             half_unit: [half(decimals.mm), half(decimals.deg).to_radians()],
         };

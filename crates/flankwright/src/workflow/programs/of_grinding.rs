@@ -31,7 +31,6 @@ const SAME_PHASE: f64 = 1e-9;
 struct Strokes {
     technology: Technology,
     coupling: GearCoupling,
-    gear: [f64; 2],
     /// Dressing strokes, each with the flanks and their strokes that it makes.
     dressing: Vec<(DressingWork, Vec<(Flank, usize)>)>,
     /// Grinding strokes, each with the flanks that it makes.
@@ -56,7 +55,6 @@ impl Strokes {
                 feed: any.feed_coupling,
                 crossed_axes_angle: setup.pair.chain.crossed_axes_angle,
             },
-            gear: [data.normal_module, data.helix_angle],
             dressing: dressing_work(prepared, execution, two_flanks),
             grinding: grinding_work(prepared, execution),
         }
@@ -95,7 +93,6 @@ pub(in crate::workflow) fn programs_of_grinding(
         dressing: strokes.dressing.iter().map(|(work, _)| work.clone()).collect(),
         grinding: strokes.grinding.iter().map(|(work, _)| work.clone()).collect(),
         coupling: strokes.coupling,
-        gear: strokes.gear,
     };
     let flanks = flanks_of(execution, verdicts);
     let mut programs =
@@ -313,7 +310,6 @@ mod tests {
             dressing: strokes.dressing.iter().map(|(work, _)| work.clone()).collect(),
             grinding: strokes.grinding.iter().map(|(work, _)| work.clone()).collect(),
             coupling: strokes.coupling,
-            gear: strokes.gear,
         };
         let built = task.build().unwrap();
         let [target, simulated] = flanks_of(&run.execution, &run.verdicts);

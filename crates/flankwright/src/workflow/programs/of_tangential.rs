@@ -52,7 +52,6 @@ pub(in crate::workflow) fn programs_of_tangential(
             feed: pair.flanks.left.feed_coupling,
             crossed_axes_angle: pair.chain.crossed_axes_angle,
         },
-        gear: [gear.normal_module, gear.helix_angle],
     };
     let given = job.grinding.feed_per_revolution.is_some();
     let programs = RunPrograms::new(&task, given, &flanks_of(runs), |read| {

@@ -58,8 +58,6 @@ pub struct ProgramTask<'a> {
     pub grinding: Vec<GrindingWork>,
     /// Couplings of the bodies.
     pub coupling: GearCoupling,
-    /// m_n, mm, and beta_2, rad.
-    pub gear: [f64; 2],
 }
 
 /// The machine that a job names.
