@@ -57,7 +57,7 @@ impl Command {
             Command::Plan(arguments) => &arguments.common,
             Command::Simulate(arguments) => &arguments.common,
             Command::Explore(arguments) => &arguments.common,
-            Command::Program(arguments) => arguments.common(),
+            Command::Program(arguments) => &arguments.common,
             Command::Verify(arguments) => &arguments.common,
         }
     }

@@ -5,7 +5,7 @@ use std::fs::File;
 use std::io::{BufReader, Read};
 use std::path::PathBuf;
 
-use clap::{Args, Subcommand, ValueEnum};
+use clap::{Args, ValueEnum};
 use flankwright::exchange::machine::read_machine;
 use flankwright::exchange::{AnyJob, Diagnostic};
 use flankwright::nc::{Dialect, detect_dialect};
@@ -17,28 +17,11 @@ use crate::failure::{Failure, unreadable};
 use crate::output;
 use crate::progress::Bars;
 
-/// Arguments of `program`.
-#[derive(Args, Debug)]
-pub struct ProgramArguments {
-    /// What to do with the program.
-    #[command(subcommand)]
-    pub action: ProgramAction,
-}
-
 /// What to do with a program.
-#[derive(Debug, Subcommand)]
+#[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum ProgramAction {
-    /// Read a program and tell what it does: axes, travel, time, limits, flank
-    Check(CheckProgramArguments),
-}
-
-impl ProgramArguments {
-    /// The arguments that every command has.
-    pub fn common(&self) -> &CommonArguments {
-        match &self.action {
-            ProgramAction::Check(arguments) => &arguments.common,
-        }
-    }
+    /// Read it and tell what it does: axes, travel, time, limits, flank
+    Check,
 }
 
 /// Control dialects on the command line.
@@ -52,13 +35,16 @@ pub enum DialectArgument {
     Fanuc,
 }
 
-/// Arguments of `program check`.
+/// Arguments of `program`.
 #[derive(Args, Debug)]
 #[command(
     after_help = "Example:\n  flankwright program check out/programs/grinding-siemens.mpf --machine machines/no-swivel.toml --job job.toml\n\n\
     Without --job the flank is not asked for. Exit status 3: the program leaves the travel or the speed of an axis, or the flank its tolerance."
 )]
-pub struct CheckProgramArguments {
+pub struct ProgramArguments {
+    /// What to do with the program
+    #[arg(value_enum, value_name = "ACTION")]
+    pub action: ProgramAction,
     /// The program
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
@@ -84,12 +70,12 @@ const HEAD: u64 = 64 << 10;
 /// # Errors
 /// A program, machine or job that cannot be read.
 pub fn run(arguments: &ProgramArguments) -> Result<Exit, Failure> {
-    match &arguments.action {
-        ProgramAction::Check(arguments) => check(arguments),
+    match arguments.action {
+        ProgramAction::Check => check(arguments),
     }
 }
 
-fn check(arguments: &CheckProgramArguments) -> Result<Exit, Failure> {
+fn check(arguments: &ProgramArguments) -> Result<Exit, Failure> {
     let machine = read_machine(&arguments.machine)?;
     let name = arguments.file.display().to_string();
     let failed = |error: std::io::Error| Failure::new(Exit::BadInput, unreadable(&name, &error));

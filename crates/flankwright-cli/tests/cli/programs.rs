@@ -193,7 +193,7 @@ fn a_job_whose_machine_is_none_says_what_is_wrong_with_it() {
     assert!(error["message"].as_str().expect("a text").contains("line "), "{error}");
     let without = text.replace("[controls.siemens]", "[controls.fanuc_old]");
     let without =
-        without.replace("[controls.fanuc_old]\ncoupling = \"gearbox\"\nchord_tolerance_um = 0.005\n", "");
+        without.replace("[controls.fanuc_old]\ncoupling = \"gearbox\"\nchord_tolerance_um = 0.003\n", "");
     std::fs::write(directory.path().join("two.toml"), without).expect("a file");
     let (status, _, error) = plan("[machine]\nfile = \"two.toml\"");
     assert_eq!(status, 2, "{error}");

@@ -83,6 +83,9 @@ pub struct PassReport {
     pub braked: Option<Braked>,
     /// Largest deviation of the blocks from the course, on the flank, mm.
     pub chord_deviation: f64,
+    /// Blocks of the working part that a control without look-ahead over several blocks takes longer for: shorter than twice the time
+    /// in which an axis reaches its speed (spec 80 section 3).
+    pub short_blocks: usize,
     /// What the rounding of the numbers may add, mm.
     pub rounding: f64,
     /// Time of one drive, s.

@@ -1,4 +1,4 @@
-//! The path of all axes along a course in straight blocks: as few as a tolerance on the flank allows (spec 80 section 2 rule 6).
+//! The path of all axes along a course in straight blocks, few enough for the control and near enough to the course on the flank (spec 80 section 2 rule 6).
 
 use super::drive::Drive;
 use super::{Course, MotionError, Waypoint};
@@ -15,6 +15,15 @@ pub struct AxisPath {
 
 /// Most blocks of a path (spec 80 section 7).
 const MOST_PIECES: usize = 1 << 20;
+/// Most pieces into which a block is divided in one step.
+const MOST_AT_ONCE: f64 = 64.0;
+/// A block of less than this share of 1 mm cannot be divided further.
+const LEAST_BLOCK: f64 = 1e-6;
+
+fn nothing_left(a: &Waypoint, b: &Waypoint) -> bool {
+    (a.v - b.v).abs().max((a.lift - b.lift).abs()) < LEAST_BLOCK
+}
+
 /// Where a block is compared with the course.
 const CHECKS: [f64; 3] = [0.25, 0.5, 0.75];
 
@@ -46,7 +55,7 @@ pub(super) fn chord_deviation(
 }
 
 impl AxisPath {
-    /// Straight blocks from one place to the next, each halved until it is within `tolerance` (mm) of the course.
+    /// Straight blocks from one place to the next, each divided until it is within `tolerance` (mm) of the course.
     ///
     /// # Errors
     /// [`MotionError::Machine`], [`MotionError::ToleranceNotReached`].
@@ -75,7 +84,7 @@ impl AxisPath {
                     nodes.push(reached);
                     drive = probe;
                     ahead.pop();
-                } else if nodes.len() + ahead.len() > MOST_PIECES || ahead.len() > 60 {
+                } else if nodes.len() + ahead.len() > MOST_PIECES || nothing_left(&begun.0, &target) {
                     return Err(MotionError::ToleranceNotReached {
                         stroke: stroke.to_owned(),
                         pieces: nodes.len() + ahead.len(),
@@ -83,7 +92,11 @@ impl AxisPath {
                         tolerance_um: tolerance * 1e3,
                     });
                 } else {
-                    ahead.push(between(&begun.0, &target, 0.5));
+                    // A chord misses a smooth curve by the square of its length.
+                    let pieces = (off / tolerance).sqrt().ceil().clamp(2.0, MOST_AT_ONCE) as usize;
+                    let places =
+                        (1..pieces).rev().map(|k| between(&begun.0, &target, k as f64 / pieces as f64));
+                    ahead.extend(places);
                 }
             }
         }

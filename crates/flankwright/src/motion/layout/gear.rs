@@ -112,8 +112,8 @@ pub(super) fn couple(
     let swept = last[axial] - first[axial];
     let lead = if swept.abs() > STANDS_STILL { rest(&last) / swept } else { rates.axial };
     let bent = |at: &Positions| (rest(at) - lead * (at[axial] - first[axial])).abs() * per_turn;
-    let nodes = paths.iter().flat_map(|path| &path.nodes);
-    let deviation = nodes.map(|(_, at)| bent(at)).fold(0.0, f64::max);
+    // Infeed and retraction are straight by themselves, in turns of their own.
+    let deviation = paths[1].nodes.iter().map(|(_, at)| bent(at)).fold(0.0, f64::max);
     let moves_axially = paths[1].range(axial) > STANDS_STILL;
     let mut table = None;
     if deviation <= options.tolerance {

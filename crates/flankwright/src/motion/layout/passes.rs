@@ -89,6 +89,7 @@ impl<'a> Writer<'a> {
             speed: stroke.limits.speed,
             braked: stroke.limits.braked.clone(),
             chord_deviation: stroke.stroke.deviation + gear.as_ref().map_or(0.0, |gear| gear.deviation),
+            short_blocks: self.short_blocks(&stroke),
             rounding: self.rounding(&pass.course, &stroke.stroke),
             time,
             path: stroke.stroke,
@@ -243,6 +244,20 @@ impl<'a> Writer<'a> {
             }
         }
         Ok(())
+    }
+
+    /// Blocks between run-in and run-out that are over before an axis could reach its speed and stop again.
+    fn short_blocks(&self, stroke: &Stroke) -> usize {
+        let lengths = lengths(&stroke.stroke);
+        let nodes = &stroke.stroke.nodes;
+        let short = |k: &usize| {
+            let time = (lengths[k + 1] - lengths[*k]) / stroke.limits.speed;
+            self.machine.axes().iter().enumerate().any(|(axis, described)| {
+                let speed = (nodes[k + 1].1[axis] - nodes[*k].1[axis]).abs() / time;
+                described.limits.acceleration.is_some_and(|a| time < 2.0 * speed / a)
+            })
+        };
+        (1..nodes.len().saturating_sub(2)).filter(short).count()
     }
 
     /// What half a unit of the last digit of every number may leave on the flank, all added up, mm.

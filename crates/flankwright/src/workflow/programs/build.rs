@@ -184,8 +184,6 @@ impl ProgramTask<'_> {
             program_number: control.program_number.unwrap_or(1) + next,
             contour_mode: control.contour_mode,
         };
-        write_options.linuxcnc.accelerations =
-            words.numbers.iter().map_while(|&axis| machine.axes()[axis].limits.acceleration).collect();
         if gearbox && dialect == Dialect::LinuxCnc {
             let degrees = control.following_error_deg.unwrap_or(FOLLOWING_ERROR_DEG);
             write_options.linuxcnc.hal = Some(HalOptions { following_error: degrees.to_radians() });
@@ -380,17 +378,18 @@ fn comments(task: &ProgramTask<'_>, station: Station) -> Vec<String> {
 
 /// What a control will not keep, and what slows the machine down.
 fn warnings_of(program: &BuiltProgram) -> Vec<Remark> {
-    let mut warnings: Vec<Remark> = program
-        .written
-        .warnings
-        .iter()
-        .map(|warning| Remark {
-            code: "program-time-not-kept",
-            text: format!("{}: {warning}", program.file),
-            way_out: "raise chord_tolerance_um for fewer blocks, or lower the speed".into(),
-        })
-        .collect();
+    let mut warnings = Vec::new();
     for pass in &program.layout.passes {
+        if program.dialect == Dialect::LinuxCnc && pass.short_blocks > 0 {
+            warnings.push(Remark {
+                code: "program-time-not-kept",
+                text: format!(
+                    "{}, {}: LinuxCNC takes longer than programmed for {} of {} blocks, which are over before the axes reach their speed",
+                    program.file, pass.name, pass.short_blocks, pass.blocks
+                ),
+                way_out: "raise chord_tolerance_um of the control for fewer blocks, or lower the speed".into(),
+            });
+        }
         if let Some(braked) = &pass.braked {
             warnings.push(Remark {
                 code: "axis-limits-speed",

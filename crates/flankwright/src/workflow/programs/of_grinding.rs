@@ -5,15 +5,16 @@ use super::proof::ReadBack;
 use super::run_programs::{RunPrograms, dialects};
 use super::task::{DressingWork, GrindingWork, ProgramTask, machine_of_job};
 use super::technology::Technology;
+use crate::contact::ToolSurface;
 use crate::exchange::LoadedJob;
 use crate::exchange::job::{DressingFlanks, Job, Machine as JobMachine};
 use crate::geometry::{Flank, Sides};
-use crate::kinematics::MotionLaw;
+use crate::kinematics::{MotionLaw, Point, Pose, Worm};
 use crate::machine::{GearCoupling, Machine};
 use crate::metrology::Topography;
-use crate::motion::{Tracked, dresser_contacts};
-use crate::numerics::{Progress, Silent, equidistant};
-use crate::process::dressing::DresserTool;
+use crate::motion::Tracked;
+use crate::numerics::{Chebyshev, Progress, Silent, equidistant};
+use crate::process::dressing::{DressedWorm, DresserTool};
 use crate::workflow::execution::{ExecutedTool, Execution};
 use crate::workflow::finding::{Remark, RunFailure};
 use crate::workflow::prepare::Prepared;
@@ -24,6 +25,8 @@ use std::f64::consts::TAU;
 
 /// Contacts looked at along the line in which the dresser touches a flank.
 const CONTACTS: usize = 5;
+/// Where along a stroke they are looked at, as shares of it.
+const PLACES: [f64; 3] = [0.1, 0.5, 0.9];
 /// Phases of two flanks closer than this (rad) are one motion.
 const SAME_PHASE: f64 = 1e-9;
 
@@ -140,11 +143,26 @@ pub(super) fn follow_on_grinding(
     follow(machine, tracked, &bodies, |read| simulate(prepared, execution, cutting, read, &strokes))
 }
 
-/// Contacts of the dresser with a worm flank at v_zS = 0, nominal.
-fn contacts(dresser: &DresserTool, flank: Flank) -> Vec<(Vector3<f64>, Vector3<f64>)> {
-    let dresser = &dresser.flanks[flank];
-    let rolls = equidistant([dresser.range.w_nf, dresser.range.w_na], CONTACTS);
-    dresser_contacts(&dresser.worm, dresser.chain.worm_angle, &rolls)
+/// Contacts of the dresser with a worm flank along a stroke, each carried back along the thread to v_zS = 0.
+fn contacts(
+    dresser: &DresserTool,
+    flank: Flank,
+    corrections: &[Chebyshev; 4],
+) -> Vec<(Vector3<f64>, Vector3<f64>)> {
+    let worm = DressedWorm::new(dresser, flank, corrections);
+    let (range, (from, to)) = (worm.range(), corrections[0].interval());
+    let screw = dresser.flanks[flank].chain.screw_parameter;
+    let mut contacts = Vec::with_capacity(CONTACTS * PLACES.len());
+    for v in PLACES.map(|share| from + share * (to - from)) {
+        let back = Pose::<Worm, Worm>::tz(v).then(&Pose::<Worm, Worm>::rz(v / screw));
+        for w in equidistant([range.w_nf, range.w_na], CONTACTS) {
+            let (t, _) = worm.start(w, 0.0);
+            if let Some(jet) = worm.jet(t, v) {
+                contacts.push((back.point(&Point::from_vector(jet.p)).xyz, back.rotation() * jet.n));
+            }
+        }
+    }
+    contacts
 }
 
 /// The dressing strokes, each with the flanks and their strokes that it makes.
@@ -174,7 +192,10 @@ fn dressing_work(
                     name,
                     motion: dressing.motion.clone(),
                     interval: dressing.driven,
-                    contacts: flanks.iter().flat_map(|&flank| contacts(dresser, flank)).collect(),
+                    contacts: flanks
+                        .iter()
+                        .flat_map(|&flank| contacts(dresser, flank, &dressing.corrections))
+                        .collect(),
                     per_distance: flanks.iter().map(|&f| sin_an(f)).fold(0.0, f64::max),
                 };
                 works.push((work, flanks.into_iter().map(|flank| (flank, 0)).collect()));
@@ -192,7 +213,7 @@ fn dressing_work(
                         ),
                         motion: stroke.motion.clone(),
                         interval: stroke.driven,
-                        contacts: contacts(dresser, flank),
+                        contacts: contacts(dresser, flank, &stroke.corrections),
                         per_distance: sin_an(flank),
                     };
                     works.push((work, vec![(flank, k)]));
