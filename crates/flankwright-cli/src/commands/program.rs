@@ -154,10 +154,10 @@ fn summary(program: &CheckedProgram) -> String {
     );
     for axis in &program.axes {
         let travel = match (axis.min, axis.max) {
-            (Some(min), Some(max)) => format!(" (travel {min} .. {max})"),
+            (Some(min), Some(max)) => format!(" (travel {min:.3} .. {max:.3})"),
             _ => String::new(),
         };
-        let limit = axis.max_velocity.map_or_else(String::new, |most| format!(" of {most}"));
+        let limit = axis.max_velocity.map_or_else(String::new, |most| format!(" of {most:.3}"));
         let _ = writeln!(
             text,
             "  {:<3} {:<9} {:.6} .. {:.6} {}{travel}, way {:.3}, up to {:.3}{limit} {}/s",

@@ -169,10 +169,10 @@ fn roots_that_cannot_be_ground_are_refused() {
 }
 
 #[test]
-fn parts_of_the_format_that_are_not_carried_out_are_refused() {
+fn a_machine_that_is_not_there_is_named() {
     let (run, _) = planned(&[("[grid]", "[machine]\nfile = \"m.toml\"\n\n[grid]")], &["--json"]);
     assert_eq!(run.exit, Some(2), "{run:?}");
-    assert_eq!(run.json()["error"]["field"], "machine");
+    assert_eq!(run.json()["error"]["field"], "machine.file");
 }
 
 #[test]

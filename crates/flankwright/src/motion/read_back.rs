@@ -7,7 +7,7 @@ use crate::kinematics::{
     Pose, Workpiece, Worm,
 };
 use crate::machine::{AxisLimits, Machine, Mounts, Positions, Role, Station};
-use crate::nc::{Block, Coupling, CurveTable, Gear, GearSynchronisation};
+use crate::nc::{Block, Coupling, CurveTable, Gear, GearSynchronisation, Targets};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
@@ -108,7 +108,7 @@ pub fn track(
             speeds: vec![0.0; machine.axes().len()],
             duration: 0.0,
         },
-        placed: false,
+        placed: vec![false; machine.axes().len()],
         open: false,
     };
     for (k, block) in blocks.iter().enumerate() {
@@ -129,8 +129,8 @@ struct Walk<'a> {
     tracked: Tracked,
     /// Whether the last chain goes on.
     open: bool,
-    /// Whether a move has placed the axes: the first one comes from wherever they stood.
-    placed: bool,
+    /// Which axes a move has placed: their first one comes from wherever they stood.
+    placed: Vec<bool>,
 }
 
 /// Parts of a block with cubic motion: a cubic of mm over 64 parts is followed to below 1e-6 of its sagitta.
@@ -143,16 +143,19 @@ impl Walk<'_> {
                 let from = self.at;
                 self.at = self.words.positions(self.machine, &from, target);
                 self.follow();
-                if self.placed {
-                    let time = |k: usize| rapid_time(&self.machine.axes()[k].limits, self.at[k] - from[k]);
-                    self.tracked.duration += (0..self.machine.axes().len()).map(time).fold(0.0, f64::max);
-                    self.add_way(&from);
-                }
+                let time = |k: usize| match self.placed[k] {
+                    true => rapid_time(&self.machine.axes()[k].limits, self.at[k] - from[k]),
+                    false => 0.0,
+                };
+                self.tracked.duration += (0..self.machine.axes().len()).map(time).fold(0.0, f64::max);
+                self.add_way(&from);
+                self.place(target);
                 self.seen();
                 self.open = false;
             }
             Block::Linear { target, duration } => {
                 let to = self.words.positions(self.machine, &self.at, target);
+                self.place(target);
                 self.segment(number, to, *duration);
             }
             Block::Cubic(motion) => {
@@ -189,6 +192,7 @@ impl Walk<'_> {
                 let word = crate::nc::Word::Spindle(*spindle);
                 for (known, &axis) in self.words.words.iter().zip(&self.words.numbers) {
                     if known.word == word {
+                        self.placed[axis] = true;
                         self.speeds.insert(axis, speed * self.machine.axes()[axis].nc_sign);
                     }
                 }
@@ -242,6 +246,7 @@ impl Walk<'_> {
             leaders.push((number, sense(number), coupled));
         }
         let own = synchronisation.map_or(self.at[axis], |at| sense(axis) * at.follower);
+        self.placed[axis] = true;
         self.engaged = Some((axis, Engaged { leaders, sense: sense(axis), at: (own, begun) }));
         self.follow();
         Ok(())
@@ -278,15 +283,24 @@ impl Walk<'_> {
 
     fn add_way(&mut self, from: &Positions) {
         for k in 0..self.machine.axes().len() {
-            self.tracked.ways[k] += (self.at[k] - from[k]).abs();
+            if self.placed[k] {
+                self.tracked.ways[k] += (self.at[k] - from[k]).abs();
+            }
+        }
+    }
+
+    /// Axes that a block names stand somewhere from here on.
+    fn place(&mut self, target: &Targets) {
+        for (word, _) in target.iter() {
+            if let Some(&axis) = self.words.numbers.get(word) {
+                self.placed[axis] = true;
+            }
         }
     }
 
     fn seen(&mut self) {
-        self.placed = true;
         for (k, range) in self.tracked.ranges.iter_mut().enumerate() {
-            let named = self.words.place(k).is_some();
-            if named {
+            if self.placed[k] {
                 let value = self.at[k];
                 *range = Some(range.map_or([value; 2], |[a, b]| [a.min(value), b.max(value)]));
             }

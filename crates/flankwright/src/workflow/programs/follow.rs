@@ -11,8 +11,12 @@ use crate::kinematics::{DressingMotion, GeneratingMotion, MotionLaw};
 use crate::machine::{Machine, Role};
 use crate::metrology::Topography;
 use crate::motion::{MotionError, ReadStroke, Tracked};
+use crate::numerics::equidistant;
 use crate::workflow::finding::RunFailure;
 use std::collections::BTreeMap;
+
+/// Places of a stroke at which it is compared with one of the job.
+const PLACES: usize = 9;
 
 /// The strokes of a job's own run, and its flanks.
 pub(super) struct Bodies<'a> {
@@ -64,10 +68,12 @@ pub(super) fn follow(
                 .grinding(machine, &bodies.technology.grinding, &work.motion, work.phase)
                 .map_err(refused)?;
             let off = |stroke: &ReadStroke<GeneratingMotion>| {
-                let at = 0.5 * (stroke.range[0] + stroke.range[1]);
-                let apart = |a: &MotionLaw, b: &MotionLaw| (a.value(at) - b.value(at)).abs();
-                apart(&stroke.motion.delta_d, &work.motion.delta_d)
-                    + work.per_turn * apart(&stroke.motion.delta_phi_2, &work.motion.delta_phi_2)
+                let apart = |a: &MotionLaw, b: &MotionLaw, at: f64| (a.value(at) - b.value(at)).abs();
+                let at_place = |at: f64| {
+                    apart(&stroke.motion.delta_d, &work.motion.delta_d, at)
+                        + work.per_turn * apart(&stroke.motion.delta_phi_2, &work.motion.delta_phi_2, at)
+                };
+                equidistant(work.feeds, PLACES).into_iter().map(at_place).sum::<f64>()
             };
             let best = serve(&there, off, &work.name, &mut strokes).ok_or_else(|| nothing("grinding"))?;
             read.grinding.push(there[best].clone());
@@ -83,11 +89,13 @@ pub(super) fn follow(
                 .dressing(machine, &bodies.technology.dressing, &work.motion.chain)
                 .map_err(refused)?;
             let off = |stroke: &ReadStroke<DressingMotion>| {
-                let at = 0.5 * (stroke.range[0] + stroke.range[1]);
-                let [a, b] = [stroke.motion.correction_at(at), work.motion.correction_at(at)];
-                // Angles at a radius of some 100 mm.
-                let weighed = [100.0, 100.0, 1.0, 1.0].iter().zip(a.iter().zip(b));
-                weighed.map(|(weight, (a, b))| weight * (a - b).abs()).sum::<f64>()
+                let at_place = |at: f64| {
+                    let [a, b] = [stroke.motion.correction_at(at), work.motion.correction_at(at)];
+                    // Angles at a radius of some 100 mm.
+                    let weighed = [100.0, 100.0, 1.0, 1.0].iter().zip(a.iter().zip(b));
+                    weighed.map(|(weight, (a, b))| weight * (a - b).abs()).sum::<f64>()
+                };
+                equidistant(work.interval, PLACES).into_iter().map(at_place).sum::<f64>()
             };
             let best = serve(&there, off, &work.name, &mut strokes).ok_or_else(|| nothing("dressing"))?;
             read.dressing.push(there[best].clone());

@@ -160,7 +160,7 @@ fn work_of_pass(
     });
     let Some((flank, run)) = first else { return Err(RunFailure::no_settings()) };
     let ends = |f: &dyn Fn(&TangentialRun) -> [f64; 2]| extremes(of_pass.iter().flat_map(|(_, run)| f(run)));
-    let mut strokes = run.strokes.clone();
+    let mut strokes = run.strokes;
     strokes.dressing = ends(&|run| run.strokes.dressing);
     strokes.feed = ends(&|run| run.strokes.feed);
     let driven = DrivenMotions::of_flank(&flank, &strokes)?;
