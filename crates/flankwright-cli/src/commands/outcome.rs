@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use flankwright::exchange::job::JobInfo;
 use flankwright::exchange::{Loaded, LoadedJob};
 use flankwright::workflow::{
-    JobResult, Outcome, Remark, RunFailure, Status, WriteError, write_outcome, write_refusal,
+    JobResult, Outcome, ProgramsResult, Remark, RunFailure, Status, WriteError, write_outcome, write_refusal,
 };
 use serde::Serialize;
 
@@ -96,6 +96,14 @@ pub(super) fn fixed(x: f64, decimals: usize) -> String {
     }
 }
 
+/// What was proven from the texts of programs, a line for each text that says something of its own.
+pub(super) fn proven(programs: Option<&ProgramsResult>) -> String {
+    let proofs = programs.iter().flat_map(|programs| &programs.proofs);
+    proofs
+        .map(|proof| format!("  programs for {}: {}\n", proof.controls.join(", "), proof.statement))
+        .collect()
+}
+
 fn summary(result: &JobResult, written: &[PathBuf]) -> String {
     let mut text = String::new();
     let worst = result.flanks.values().map(|f| f.max_deviation_um).fold(0.0, f64::max);
@@ -165,6 +173,7 @@ fn summary(result: &JobResult, written: &[PathBuf]) -> String {
             "  parts of the target outside the producible class: {outside:.3} um, best-fitted"
         );
     }
+    text += &proven(result.programs.as_ref());
     for warning in &result.warnings {
         let _ = writeln!(text, "  warning: {} ({})", warning.text, warning.way_out);
     }

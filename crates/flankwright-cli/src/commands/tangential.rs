@@ -9,7 +9,7 @@ use flankwright::workflow::tangential::{
 };
 use flankwright::workflow::{RunFailure, Status};
 
-use super::outcome::{Verdict, conclude, fixed, refuse, unwritten};
+use super::outcome::{Verdict, conclude, fixed, proven, refuse, unwritten};
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
@@ -98,6 +98,7 @@ fn summary(result: &TangentialResult, written: &[PathBuf]) -> String {
             let _ = writeln!(text, "        radial feed would leave {} um of twist, {left}", fixed(twist, 3));
         }
     }
+    text += &proven(result.programs.as_ref());
     for warning in &result.warnings {
         let _ = writeln!(text, "  warning: {} ({})", warning.text, warning.way_out);
     }

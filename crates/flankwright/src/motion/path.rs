@@ -16,7 +16,7 @@ pub struct AxisPath {
 /// Most blocks of a path (spec 80 section 7).
 const MOST_PIECES: usize = 1 << 20;
 /// Most pieces into which a block is divided in one step.
-const MOST_AT_ONCE: f64 = 64.0;
+const MOST_AT_ONCE: f64 = 256.0;
 /// A block of less than this share of 1 mm cannot be divided further.
 const LEAST_BLOCK: f64 = 1e-6;
 
