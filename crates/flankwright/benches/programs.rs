@@ -123,7 +123,7 @@ fn options() -> LayoutOptions {
         tolerance: 5e-6,
         swivel: 0.0,
         coupling: Coupling::Blocks,
-        dresser_speed: 400.0,
+        dresser_speed: 4000.0 * std::f64::consts::TAU / 60.0,
         half_unit: [5e-7, 8.7e-10],
     }
 }
