@@ -6,7 +6,7 @@ use crate::exchange::job::Program as DialectName;
 use crate::exchange::machine::{Control, ControlCoupling};
 use crate::exchange::{Diagnostic, Problem};
 use crate::kinematics::MotionLaw;
-use crate::machine::{Machine, Positions, Role, Station};
+use crate::machine::{Positions, Station};
 use crate::motion::{
     AxisWords, Coupling, Course, DressingCourse, GrindingCourse, Layout, LayoutOptions, MotionError, Pass,
     WorkGear, axis_words, in_words, lay_out,
@@ -154,7 +154,7 @@ impl ProgramTask<'_> {
                 ("dressing", passes, finishing)
             }
             Station::Work => {
-                let (passes, finishing) = self.grinding_passes(machine);
+                let (passes, finishing) = self.grinding_passes();
                 ("grinding", passes, finishing)
             }
         };
@@ -240,7 +240,7 @@ impl ProgramTask<'_> {
     }
 
     /// The grinding passes of all strokes, and which strokes of the program finish.
-    fn grinding_passes(&self, machine: &Machine) -> (Vec<Pass>, Vec<usize>) {
+    fn grinding_passes(&self) -> (Vec<Pass>, Vec<usize>) {
         let technology = &self.technology;
         let mut passes = Vec::new();
         let mut finishing = Vec::new();
@@ -266,7 +266,6 @@ impl ProgramTask<'_> {
                 push(pass, false, &mut finishing);
             }
         }
-        debug_assert!(machine.role(Role::Work).is_some() || passes.is_empty());
         (passes, finishing)
     }
 }
