@@ -1,0 +1,7 @@
+#![no_std]
+#![forbid(unsafe_code)]
+#![doc = "The electronic gearbox that couples the axes of a gear machine."]
+
+mod error;
+
+pub use error::{Error, TableFault};
