@@ -24,14 +24,12 @@ pub enum Error {
         /// What is allowed.
         allowed: &'static str,
     },
-    /// Reference ticks do not rise strictly, or start before tick 1.
+    /// A reference pulse that cannot be.
     BadReferenceTrain {
         /// Number of the reference, from 0.
         index: u64,
-        /// Its tick.
-        tick: u64,
-        /// The least tick that would have been possible.
-        least: u64,
+        /// What is wrong with it.
+        fault: TrainFault,
     },
     /// The rate multiplier passes less than one pulse a reference pulse: b must stay below 1 - 2^-19.
     CoefficientTooLarge {
@@ -72,6 +70,23 @@ pub enum Error {
     },
     /// The coupling is closed: ratio, table and sign cannot change now.
     Busy,
+}
+
+/// What is wrong with a reference pulse.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TrainFault {
+    /// Ticks have to rise strictly, from tick 1 on.
+    Tick {
+        /// As given.
+        tick: u64,
+        /// The least tick that would have been possible.
+        least: u64,
+    },
+    /// A sign that is neither +1 nor -1.
+    Sign {
+        /// As given.
+        sign: i64,
+    },
 }
 
 /// What is wrong with a table.
@@ -132,7 +147,7 @@ impl Error {
             Self::CounterLimit { .. } => "choose a period counter of at least one count; 2^24 - 1 is usual",
             Self::BadParameter { .. } => "give a finite value within the range",
             Self::BadReferenceTrain { .. } => {
-                "list reference pulses in the order of their ticks, from tick 1 on"
+                "list reference pulses in the order of their ticks, from tick 1 on, with signs +1 or -1"
             }
             Self::CoefficientTooLarge { .. } => {
                 "take a finer scale of the slide or fewer pulses per revolution of the workpiece"
@@ -157,8 +172,11 @@ impl fmt::Display for Error {
             Self::BadParameter { name, value, allowed } | Self::BadGear { name, value, allowed } => {
                 write!(f, "{name} = {value}; allowed: {allowed}")
             }
-            Self::BadReferenceTrain { index, tick, least } => {
+            Self::BadReferenceTrain { index, fault: TrainFault::Tick { tick, least } } => {
                 write!(f, "reference pulse {index} at tick {tick}; it cannot be before tick {least}")
+            }
+            Self::BadReferenceTrain { index, fault: TrainFault::Sign { sign } } => {
+                write!(f, "reference pulse {index} of sign {sign}; allowed: +1, -1")
             }
             Self::CoefficientTooLarge { b, least_pulses_per_metre } => write!(
                 f,
