@@ -7,12 +7,10 @@ use crate::pulse::Direction;
 /// A ratio |n/d| <= 1 driven by single pulses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Bresenham {
-    /// |n|.
-    step: i64,
+    numerator: i64,
     denominator: i64,
     /// 0..d.
     remainder: i64,
-    crossed: bool,
 }
 
 impl Bresenham {
@@ -21,30 +19,29 @@ impl Bresenham {
     /// # Errors
     /// [`Error::GearRange`] for |n| > d.
     pub const fn new(ratio: Ratio) -> Result<Self, Error> {
-        let (step, denominator) = (ratio.numerator().abs(), ratio.denominator());
-        if step > denominator {
-            return Err(Error::GearRange {
-                name: "numerator n of a ratio up to 1",
-                value: ratio.numerator(),
-            });
+        let (numerator, denominator) = (ratio.numerator(), ratio.denominator());
+        if numerator.abs() > denominator {
+            return Err(Error::GearRange { name: "numerator n of a ratio up to 1", value: numerator });
         }
-        Ok(Self { step, denominator, remainder: 0, crossed: ratio.numerator() < 0 })
+        Ok(Self { numerator, denominator, remainder: 0 })
     }
 
     /// One pulse of the leading axis; the follower's pulse, if floor((n/d) x) changes.
     #[inline]
     pub fn pulse(&mut self, direction: Direction) -> Option<Direction> {
-        let turned = if self.crossed { direction.reversed() } else { direction };
-        let sum = match turned {
-            Direction::Forward => self.remainder + self.step,
-            Direction::Backward => self.remainder - self.step,
+        let sum = match direction {
+            Direction::Forward => self.remainder + self.numerator,
+            Direction::Backward => self.remainder - self.numerator,
         };
-        let carried = match turned {
-            Direction::Forward => sum >= self.denominator,
-            Direction::Backward => sum < 0,
-        };
-        self.remainder = if carried { sum - turned.sign() * self.denominator } else { sum };
-        carried.then_some(turned)
+        // Both outcomes are at hand before the comparison, so that it becomes a selection: senses of pulses are not predictable.
+        let (above, below) = (sum - self.denominator, sum + self.denominator);
+        let inside = if sum < 0 { below } else { sum };
+        self.remainder = if above >= 0 { above } else { inside };
+        if above >= 0 {
+            Some(Direction::Forward)
+        } else {
+            (sum < 0).then_some(Direction::Backward)
+        }
     }
 
     /// The rest in units of 1/d, 0..d.
