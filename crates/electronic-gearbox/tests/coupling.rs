@@ -19,7 +19,7 @@ fn term(numerator: i64, denominator: i64, zero: i64) -> LinearTerm {
 fn ratio() -> impl Strategy<Value = (i64, i64)> {
     (1u32..=62, any::<u64>(), any::<u64>(), any::<bool>()).prop_map(|(bits, a, b, negative)| {
         let d = 1i64.max((b >> (64 - bits)) as i64);
-        let n = (a >> 2) as i64 % d.saturating_mul(1 << 18).min((1 << 62) - 1).max(1);
+        let n = (a >> 2) as i64 % d.saturating_mul(1 << 18).clamp(1, (1 << 62) - 1);
         (if negative { -n } else { n }, d)
     })
 }
@@ -69,7 +69,7 @@ proptest! {
         let (mut x, mut y) = (0, 0);
         for k in 0..2000 {
             // Runs of one sense, then the other.
-            let forward = (k / 300) % 2 == 0 || draw.bits() % 5 == 0;
+            let forward = (k / 300) % 2 == 0 || draw.bits().is_multiple_of(5);
             let direction = if forward { Direction::Forward } else { Direction::Backward };
             x += direction.sign();
             y += line.pulse(direction).map_or(0, Direction::sign);
