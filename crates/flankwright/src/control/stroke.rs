@@ -1,0 +1,296 @@
+//! A stroke of generating grinding through a real gearbox and a real servo: encoders and scales are counted, the gearbox sums the counts,
+//! the servo follows with inertia, friction and disturbances. What remains is the error of the workpiece's angle over time
+//! (spec 70 sections 7 and 8).
+
+use super::error::ControlError;
+use super::interpolation::Interpolation;
+use super::rotation::{Rotation, exact_ratio};
+use super::servo::{Disturbances, Moment, ServoLoop, ServoParameters, Setpoint};
+use super::slide::SlideMotion;
+use crate::kinematics::GeneratingMotion;
+use electronic_gearbox::Error as GearboxError;
+use electronic_gearbox::coupling::{CubicTable, EndRule, Gearbox, LinearTerm, Ratio, endless_ratio, solve_slopes};
+use electronic_gearbox::pulse::EventInterpolator;
+use std::f64::consts::TAU;
+
+/// The control of a machine.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StrokeControl {
+    /// Scale of the axial slide.
+    pub feed: Interpolation,
+    /// How its pulses turn the workpiece.
+    pub rotation: Rotation,
+    /// Pulses per revolution of the worm's encoder.
+    pub worm_pulses: u32,
+    /// Pulses per revolution of the workpiece's encoder; the setpoint resolves 1/P of one.
+    pub workpiece_pulses: u32,
+    /// Distance of the counts of the shift's scale, mm; `None` if the shift is known exactly.
+    pub shift_pitch: Option<f64>,
+    /// Loop and motor of the workpiece spindle.
+    pub servo: ServoParameters,
+    /// Torques on it.
+    pub disturbances: Disturbances,
+}
+
+/// What leads: constant speeds. mm, rad, s.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StrokeSpeeds {
+    /// Of the worm, rad/s, positive.
+    pub worm: f64,
+    /// First and last z_V2, in the order in which they are driven, mm.
+    pub feed_range: [f64; 2],
+    /// Amount of d z_V2/dt, mm/s.
+    pub feed: f64,
+}
+
+/// The error of the workpiece's angle over a stroke.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StrokeRecord {
+    /// Time of the first sample, s.
+    pub start: f64,
+    /// Distance of samples, s.
+    pub sample_time: f64,
+    /// Setpoint of the gearbox less the ideal angle, mean removed, rad.
+    pub setpoint: Vec<f64>,
+    /// Actual less ideal angle, mean removed, rad.
+    pub actual: Vec<f64>,
+    /// The means that were removed: setpoint and actual, rad. Centring the tooth space in the machine removes them there.
+    pub means: [f64; 2],
+    /// Share of samples in which the torque was at its limit.
+    pub limited: f64,
+    /// Greatest torque of the motor, Nm.
+    pub greatest_torque: f64,
+    /// Intervals of the scale that were too short for the interpolator, or ended with corrections owed.
+    pub alarms: u64,
+    drive: StrokeSpeeds,
+    /// z_V2 at time 0 if it moved at its speed from there on, mm.
+    origin: f64,
+}
+
+/// Why a stroke could not be simulated.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum StrokeError {
+    /// Numbers of control, servo or disturbances.
+    #[error(transparent)]
+    Control(#[from] ControlError),
+    /// The gearbox.
+    #[error(transparent)]
+    Gearbox(#[from] GearboxError),
+}
+
+impl StrokeError {
+    /// Stable kebab-case code.
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Control(error) => error.code(),
+            Self::Gearbox(error) => error.code(),
+        }
+    }
+
+    /// What the user can do about it, in one sentence.
+    pub fn way_out(&self) -> &'static str {
+        match self {
+            Self::Control(error) => error.way_out(),
+            Self::Gearbox(error) => error.way_out(),
+        }
+    }
+}
+
+/// Time before the flank, in periods 1/w_0 of the loop: the transient of a triple pole has gone to 1e-8 after 25.
+const LEAD_IN: f64 = 30.0;
+/// Knots of the table that holds the correction of phi_2 over the feed, a C2 spline as in a control.
+const KNOTS: usize = 1025;
+
+/// The correction of phi_2 as a table over the feed, counts.
+struct CorrectionTable {
+    from: f64,
+    spacing: f64,
+    values: Vec<f64>,
+    slopes: Vec<f64>,
+}
+
+impl CorrectionTable {
+    fn new(motion: &GeneratingMotion, range: [f64; 2], per_radian: f64) -> Result<Self, GearboxError> {
+        let (from, to) = (range[0].min(range[1]), range[0].max(range[1]));
+        let spacing = (to - from) / (KNOTS - 1) as f64;
+        let values: Vec<f64> =
+            (0..KNOTS).map(|k| motion.delta_phi_2.value(from + k as f64 * spacing) * per_radian).collect();
+        let (mut slopes, mut room) = (vec![0.0; KNOTS], vec![0.0; 2 * KNOTS]);
+        solve_slopes(&values, spacing, EndRule::Natural, &mut slopes, &mut room)?;
+        Ok(Self { from, spacing, values, slopes })
+    }
+
+    fn table(&self) -> Result<CubicTable<'_>, GearboxError> {
+        CubicTable::new(self.from, self.spacing, &self.values, &self.slopes, EndRule::Natural)
+    }
+}
+
+/// Simulates a stroke; `phase` is k_0F of the flank looked at.
+///
+/// # Errors
+/// [`StrokeError`].
+pub fn run_stroke(
+    control: &StrokeControl,
+    motion: &GeneratingMotion,
+    speeds: &StrokeSpeeds,
+    phase: f64,
+) -> Result<StrokeRecord, StrokeError> {
+    let [first, last] = speeds.feed_range;
+    let sense = (last - first).signum();
+    let velocity = sense * speeds.feed;
+    // The slide starts from rest, the loop settles, then the flank begins.
+    let bandwidth = (control.servo.gains.integral / control.servo.drive.inertia).cbrt();
+    let lead_in = LEAD_IN / bandwidth.max(1e-3);
+    let rise = lead_in / 3.0;
+    let way = speeds.feed * (lead_in - 0.5 * rise);
+    let duration = (last - first).abs() / speeds.feed;
+    let slide =
+        SlideMotion::from_rest(first - sense * way, [(rise, velocity / rise), (lead_in - rise + duration, 0.0)])?;
+    let references = control.feed.references(&slide)?;
+    let mut interpolator = EventInterpolator::new(control.feed.settings);
+
+    let p = f64::from(control.feed.settings.pulses_per_interval());
+    let parts = control.rotation.parts_per_revolution;
+    let worm_ratio = endless_ratio(
+        i64::from(motion.threads as i32),
+        i64::from(control.workpiece_pulses) * i64::from(control.feed.settings.pulses_per_interval()),
+        i64::from(motion.teeth as i32),
+        i64::from(control.worm_pulses),
+    )?;
+    let worm_ratio = Ratio::new(-worm_ratio.numerator(), worm_ratio.denominator())?;
+    let shift_ratio =
+        exact_ratio(motion.shift_coupling / motion.teeth * parts / TAU * control.shift_pitch.unwrap_or(1.0))?;
+    let gearbox = Gearbox::new(0, [LinearTerm::new(worm_ratio, 0), LinearTerm::new(shift_ratio, 0)]);
+    let correction = match motion.delta_phi_2.is_zero() {
+        true => None,
+        false => Some(CorrectionTable::new(motion, [first - sense * way, last], parts / TAU)?),
+    };
+    let table = correction.as_ref().map(CorrectionTable::table).transpose()?;
+
+    let step = control.servo.sample_time;
+    let samples = ((lead_in + duration) / step).ceil() as u64;
+    let skipped = (lead_in / step).floor() as u64;
+    let mut rotation = control.rotation.counter(control.feed.settings.pulses_per_interval())?;
+    let (mut net, mut failed) = (0i64, Ok(()));
+    let mut lines = references.iter().peekable();
+    // Place of the scale at pulse position 0: the line before the first one passed forwards, the first one backwards.
+    let zero = slide.crossings(control.feed.pitch)?.first().map_or(0.0, |crossing| {
+        (crossing.line + i64::from(sense < 0.0) - i64::from(sense > 0.0) * 0) as f64 * control.feed.pitch
+    });
+    let mut cursor = slide.cursor();
+    let ideal = |time: f64, feed: f64| motion.state(speeds.worm * time, feed, phase);
+    let at_rest = cursor.at(0.0);
+    let begin = ideal(0.0, at_rest.position).work_angle;
+    let speed_of = |state: super::slide::SlideState| {
+        let [_, shift_1, shift_2] = motion.shift.jet(state.position);
+        let [_, turn_1, turn_2] = motion.delta_phi_2.jet(state.position);
+        let by_feed = (motion.shift_coupling * shift_1 + motion.feed_coupling) / motion.teeth + turn_1;
+        let bend = motion.shift_coupling / motion.teeth * shift_2 + turn_2;
+        let speed = by_feed * state.speed - speeds.worm * motion.threads / motion.teeth;
+        (speed, by_feed * state.acceleration + bend * state.speed * state.speed)
+    };
+    let mut servo = ServoLoop::new(control.servo)?.starting_at(begin, speed_of(at_rest).0)?;
+
+    let kept = (samples - skipped) as usize + 1;
+    let (mut setpoints, mut actuals) = (Vec::with_capacity(kept), Vec::with_capacity(kept));
+    let (mut limited, mut greatest_torque) = (0u64, 0.0f64);
+    let mut offset = None;
+    for k in 0..=samples {
+        let time = k as f64 * step;
+        let tick = (time * control.feed.clock).floor() as u64;
+        let mut sink = |timed: electronic_gearbox::pulse::TimedPulse| {
+            net += timed.pulse.direction.sign();
+            if let Err(error) = rotation.pulse(timed.pulse.direction) {
+                failed = Err(error);
+            }
+        };
+        while let Some((at, sign)) = lines.next_if(|(at, _)| *at <= tick) {
+            interpolator.reference(*at, *sign, &mut sink)?;
+        }
+        interpolator.advance(tick, &mut sink);
+        failed?;
+
+        let state = cursor.at(time);
+        let wanted = ideal(time, state.position);
+        let worm_counts = (wanted.worm_angle / TAU * f64::from(control.worm_pulses)).floor() as i64;
+        let mut counts = match control.shift_pitch {
+            Some(pitch) => {
+                let shift_counts = (wanted.shift / pitch).floor() as i64;
+                gearbox.position(&[worm_counts, shift_counts])?.counts as f64
+            }
+            None => {
+                let turned = motion.shift_coupling / motion.teeth * wanted.shift * parts / TAU;
+                gearbox.position(&[worm_counts, 0])?.counts as f64 + turned.floor()
+            }
+        };
+        counts += rotation.total()? as f64;
+        if let Some(table) = &table {
+            counts += table.counts(zero + net as f64 / p * control.feed.pitch)? as f64;
+        }
+        // The gearbox is closed where the workpiece stands.
+        let offset = *offset.get_or_insert(begin / TAU * parts - counts);
+        let angle = (counts + offset) / parts * TAU;
+        let (speed, acceleration) = speed_of(state);
+        // Half a part up: the loop rounds its setpoint down, this one is whole already.
+        let setpoint = Setpoint { position: angle + 0.5 / parts * TAU, speed, acceleration };
+        let moment = Moment { time, worm_angle: wanted.worm_angle, workpiece_angle: wanted.work_angle };
+        let before = servo.angle();
+        let sample = servo.step(&setpoint, control.disturbances.torque(&moment)?)?;
+        greatest_torque = greatest_torque.max(sample.torque.abs());
+        if k >= skipped {
+            limited += u64::from(sample.limited);
+            setpoints.push(angle - wanted.work_angle);
+            actuals.push(before - wanted.work_angle);
+        }
+    }
+    let status = interpolator.status();
+    let means = [&mut setpoints, &mut actuals].map(|errors| {
+        let mean = errors.iter().sum::<f64>() / errors.len() as f64;
+        errors.iter_mut().for_each(|error| *error -= mean);
+        mean
+    });
+    let count = actuals.len() as f64;
+    Ok(StrokeRecord {
+        start: skipped as f64 * step,
+        sample_time: step,
+        setpoint: setpoints,
+        actual: actuals,
+        means,
+        limited: limited as f64 / count,
+        greatest_torque,
+        alarms: status.overruns + status.too_fast,
+        drive: *speeds,
+        origin: first - velocity * lead_in,
+    })
+}
+
+impl StrokeRecord {
+    /// z_V2 at a time within the stroke, mm.
+    pub fn feed(&self, time: f64) -> f64 {
+        let [first, last] = self.drive.feed_range;
+        self.origin + (last - first).signum() * self.drive.feed * time
+    }
+
+    /// Time at which z_V2 is reached, s.
+    pub fn time(&self, feed: f64) -> f64 {
+        let [first, last] = self.drive.feed_range;
+        (feed - self.origin) / ((last - first).signum() * self.drive.feed)
+    }
+
+    /// The speeds of the stroke.
+    pub fn speeds(&self) -> &StrokeSpeeds {
+        &self.drive
+    }
+
+    /// Error of the actual angle at a time, rad: a cubic through the four samples around it, held at the ends.
+    pub fn error(&self, time: f64) -> f64 {
+        let errors = &self.actual;
+        let last = errors.len() as i64 - 1;
+        let u = ((time - self.start) / self.sample_time).clamp(0.0, last as f64);
+        let k = (u.floor() as i64).min(last - 1).max(0);
+        let at = |j: i64| errors[j.clamp(0, last) as usize];
+        let [a, b, c, d] = [at(k - 1), at(k), at(k + 1), at(k + 2)];
+        let s = u - k as f64;
+        b + 0.5 * s * (c - a + s * (2.0 * a - 5.0 * b + 4.0 * c - d + s * (3.0 * (b - c) + d - a)))
+    }
+}
