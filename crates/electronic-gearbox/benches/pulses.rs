@@ -7,7 +7,8 @@ mod common;
 
 use common::{Draw, Slide};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use electronic_gearbox::chain::{AdditionalRotation, Hand, RateRule};
+use electronic_gearbox::Sign;
+use electronic_gearbox::chain::{AdditionalRotation, RateRule};
 use electronic_gearbox::coupling::{Bresenham, Gearbox, IncrementalGearbox, LinearTerm, Ratio};
 use electronic_gearbox::pulse::{
     ClockedInterpolator, Direction, EventInterpolator, Mode, Settings, TimedPulse,
@@ -66,7 +67,7 @@ fn multipliers(c: &mut Criterion) {
     let mut group = c.benchmark_group("additional rotation");
     group.throughput(Throughput::Elements(lines.len() as u64));
     for (name, rule) in [("binary", RateRule::Binary), ("bresenham", RateRule::Bresenham)] {
-        let mut chain = AdditionalRotation::new(123_456, rule, Hand::Direct, 16).unwrap();
+        let mut chain = AdditionalRotation::new(123_456, rule, Sign::Plus, 16).unwrap();
         group.bench_function(name, |b| {
             b.iter(|| {
                 for direction in &lines {

@@ -70,6 +70,8 @@ pub enum Error {
     },
     /// The coupling is closed: ratio, table and sign cannot change now.
     Busy,
+    /// The coupling is open: there is nothing to put in phase.
+    NotEngaged,
 }
 
 /// What is wrong with a reference pulse.
@@ -121,6 +123,13 @@ pub enum TableFault {
         /// Room for slopes.
         slopes: usize,
     },
+    /// Too little room to work in while solving for the slopes.
+    Workspace {
+        /// Numbers needed.
+        needed: usize,
+        /// Numbers given.
+        given: usize,
+    },
 }
 
 impl Error {
@@ -137,6 +146,7 @@ impl Error {
             Self::EncoderJump { .. } => "encoder-jump",
             Self::BadTable { .. } => "bad-table",
             Self::Busy => "busy",
+            Self::NotEngaged => "not-engaged",
         }
     }
 
@@ -158,6 +168,7 @@ impl Error {
             Self::EncoderJump { .. } => "read the counter more often or use a wider one",
             Self::BadTable { .. } => "give at least two finite values at equal positive distances",
             Self::Busy => "switch the coupling off first",
+            Self::NotEngaged => "engage the coupling first",
         }
     }
 }
@@ -207,8 +218,15 @@ impl fmt::Display for Error {
                 TableFault::Storage { values, slopes } => {
                     write!(f, "room for {slopes} slopes at {values} values; the two must be equal")
                 }
+                TableFault::Workspace { needed, given } => {
+                    write!(
+                        f,
+                        "room for {given} numbers to solve for the slopes; at least {needed} are needed"
+                    )
+                }
             },
             Self::Busy => f.write_str("ratio, table or sign cannot change while the coupling is closed"),
+            Self::NotEngaged => f.write_str("the coupling is open"),
         }
     }
 }

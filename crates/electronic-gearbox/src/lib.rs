@@ -3,8 +3,11 @@
 #![doc = "The electronic gearbox that couples the axes of a gear machine."]
 
 pub mod chain;
+pub mod coefficient;
 pub mod coupling;
 mod error;
 pub mod pulse;
+mod sign;
 
 pub use error::{Error, TableFault, TrainFault};
+pub use sign::Sign;

@@ -3,11 +3,11 @@
 mod common;
 
 use common::{Draw, Slide};
-use electronic_gearbox::Error;
 use electronic_gearbox::chain::{
-    AdditionalRotation, Hand, Multiplier, RateRule, SharedRotation, Split, SplitRotation, passed_pulses,
+    AdditionalRotation, Multiplier, RateRule, SharedRotation, Split, SplitRotation, passed_pulses,
 };
 use electronic_gearbox::pulse::Direction;
+use electronic_gearbox::{Error, Sign};
 
 const RULES: [RateRule; 2] = [RateRule::Binary, RateRule::Bresenham];
 
@@ -70,13 +70,13 @@ fn deviation_from_the_straight_line() {
 #[test]
 fn to_and_fro_does_not_drift() {
     let word = 0b101010101010101010;
-    for hand in [Hand::Direct, Hand::Crossed] {
+    for hand in [Sign::Plus, Sign::Minus] {
         let mut chain = AdditionalRotation::new(word, RateRule::Binary, hand, 16).unwrap();
         let mut position = 0i64;
         for (_, direction) in Slide::new(21, 16, 100).take(3_000_000) {
             chain.pulse(direction);
             position += direction.sign();
-            let sign = if hand == Hand::Direct { 1.0 } else { -1.0 };
+            let sign = hand.as_f64();
             let off = chain.total() as f64 - sign * position as f64 * f64::from(word) / 262144.0;
             assert!(off.abs() < 2.8889 + 3.3889, "{off}");
         }
@@ -118,7 +118,7 @@ fn bad_settings_are_refused() {
     assert!(matches!(Multiplier::new(1 << 18, RateRule::Binary), Err(Error::BadParameter { name: "B", .. })));
     assert!(matches!(Split::new(1), Err(Error::PulsesPerInterval { value: 1 })));
     assert!(matches!(
-        AdditionalRotation::new(5, RateRule::Binary, Hand::Direct, 257),
+        AdditionalRotation::new(5, RateRule::Binary, Sign::Plus, 257),
         Err(Error::PulsesPerInterval { value: 257 })
     ));
 }

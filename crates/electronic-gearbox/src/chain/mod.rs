@@ -6,5 +6,5 @@ mod rotation;
 mod split;
 
 pub use multiplier::{Multiplier, RateRule, passed_pulses};
-pub use rotation::{AdditionalRotation, Hand};
+pub use rotation::AdditionalRotation;
 pub use split::{SharedRotation, Split, SplitRotation};

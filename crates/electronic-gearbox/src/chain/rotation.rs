@@ -1,18 +1,8 @@
 //! The chain behind the interpolator: multipliers of both lines, hand switch, split.
 
 use super::{Multiplier, RateRule, Split, SplitRotation};
-use crate::Error;
 use crate::pulse::Direction;
-
-/// Position of the hand switch: which line turns the workpiece forward.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Hand {
-    /// The forward line turns forward (h = +1).
-    #[default]
-    Direct,
-    /// The lines change places (h = -1).
-    Crossed,
-}
+use crate::{Error, Sign};
 
 /// The additional rotation as counted. Each line has a multiplier with a counter of its own, so that the error of a slide that goes to
 /// and fro stays below twice the deviation of one multiplier for ever.
@@ -20,17 +10,18 @@ pub enum Hand {
 pub struct AdditionalRotation {
     forward: Multiplier,
     backward: Multiplier,
-    hand: Hand,
+    hand: Sign,
     split: Split,
     total: i64,
 }
 
 impl AdditionalRotation {
-    /// At 0, with coefficient B = `word` and P = `parts` to a workpiece pulse.
+    /// At 0, with coefficient B = `word` and P = `parts` to a workpiece pulse. The hand switch is `Plus` where the forward line turns the
+    /// workpiece forward; with `Minus` the lines change places.
     ///
     /// # Errors
     /// As [`Multiplier::new`] and [`Split::new`].
-    pub fn new(word: u32, rule: RateRule, hand: Hand, parts: u32) -> Result<Self, Error> {
+    pub fn new(word: u32, rule: RateRule, hand: Sign, parts: u32) -> Result<Self, Error> {
         let line = Multiplier::new(word, rule)?;
         Ok(Self { forward: line, backward: line, hand, split: Split::new(parts)?, total: 0 })
     }
@@ -46,8 +37,8 @@ impl AdditionalRotation {
             return None;
         }
         let turned = match self.hand {
-            Hand::Direct => direction,
-            Hand::Crossed => direction.reversed(),
+            Sign::Plus => direction,
+            Sign::Minus => direction.reversed(),
         };
         self.total = self.total.wrapping_add(turned.sign());
         self.split.pulse(turned);

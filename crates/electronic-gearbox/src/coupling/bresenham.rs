@@ -34,7 +34,7 @@ impl Bresenham {
             Direction::Backward => self.remainder - self.numerator,
         };
         // Both outcomes are at hand before the comparison, so that it becomes a selection: senses of pulses are not predictable.
-        let (above, below) = (sum - self.denominator, sum + self.denominator);
+        let (above, below) = (sum - self.denominator, sum.wrapping_add(self.denominator));
         let inside = if sum < 0 { below } else { sum };
         self.remainder = if above >= 0 { above } else { inside };
         if above >= 0 { Some(Direction::Forward) } else { (sum < 0).then_some(Direction::Backward) }

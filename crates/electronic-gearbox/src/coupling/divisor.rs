@@ -28,8 +28,10 @@ impl Divisor {
         let shift = d.leading_zeros();
         let normalised = (d as u64) << shift;
         // At construction only; the low word of the quotient is the reciprocal, its high word is 1.
-        let reciprocal = (u128::MAX / normalised as u128) as u64;
-        Some(Self { normalised, reciprocal, shift })
+        match u128::MAX.checked_div(normalised as u128) {
+            Some(quotient) => Some(Self { normalised, reciprocal: quotient as u64, shift }),
+            None => None,
+        }
     }
 
     pub const fn value(&self) -> u64 {
