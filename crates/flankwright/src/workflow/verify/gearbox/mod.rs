@@ -53,17 +53,25 @@ mod tests {
         let mut paths = Vec::new();
         numbers_below(&root, "", &mut paths);
         // Tolerances may be wider. What a run does not reach or use may be anything, and the quantised run is compared
-        // to a third of its error only.
+        // to a third of its error only. At standstill the share of the acceleration saturates.
+        let immaterial = [
+            "/servo/runs/0/input/par/w0",
+            "/servo/runs/0/input/par/Tc",
+            "/servo/runs/0/input/par/Tmax",
+            "/servo/runs/1/input/par/Tmax",
+            "/servo/runs/2/input/par/Tc",
+            "/error_budget/3/input/a_mm_s2",
+        ];
         let idle = |path: &String| {
             let symbol = path.rsplit('/').next().unwrap_or("");
             path.contains("tolerance")
                 || path.starts_with("/servo/runs/3/input")
                 || (path.starts_with("/servo/runs/") && ["ws", "Nw", "P", "steps"].contains(&symbol))
-                || ["/servo/runs/0/input/par/Tc", "/servo/runs/2/input/par/Tc"].contains(&path.as_str())
-                || ["/servo/runs/0/input/par/Tmax", "/servo/runs/1/input/par/Tmax"].contains(&path.as_str())
+                || immaterial.contains(&path.as_str())
         };
         paths.retain(|path| !idle(path));
         assert!(paths.len() > 150);
+        let mut unnoticed = Vec::new();
         for path in paths {
             let mut changed = root.clone();
             let value = changed.pointer_mut(&path).unwrap();
@@ -71,8 +79,11 @@ mod tests {
                 Some(whole) if path.contains("/input/") => json!(whole + 1 + whole / 50),
                 _ => json!(value.as_f64().unwrap() * 1.03 + 0.013),
             };
-            assert!(check(&changed).failed > 0, "a change of {path} went unnoticed");
+            if check(&changed).failed == 0 {
+                unnoticed.push(path);
+            }
         }
+        assert!(unnoticed.is_empty(), "changes went unnoticed: {unnoticed:?}");
     }
 
     #[test]
