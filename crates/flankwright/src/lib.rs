@@ -185,6 +185,8 @@ pub mod removal;
 
 pub mod metrology;
 
+pub mod control;
+
 pub mod process;
 
 pub mod nc;

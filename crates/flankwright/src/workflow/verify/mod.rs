@@ -19,6 +19,7 @@ mod equal_ratio;
 mod error;
 mod expected;
 mod gear_sets;
+mod gearbox;
 mod gears;
 mod ground_flank;
 mod ground_modifications;

@@ -5,8 +5,8 @@
 use super::ledger::Ledger;
 use super::reference::Reference;
 use super::{
-    areas, contact, decompositions, dressing, equal_ratio, gears, ground_flank, ground_modifications,
-    least_squares, machines, modifications, planning, tangential, variable_ratio,
+    areas, contact, decompositions, dressing, equal_ratio, gearbox, gears, ground_flank,
+    ground_modifications, least_squares, machines, modifications, planning, tangential, variable_ratio,
 };
 use serde::Serialize;
 use serde_json::Value;
@@ -236,20 +236,20 @@ impl Schema {
             }
             Self::Gearbox => {
                 const {
-                    to_come![
-                        "pulse_trains",
-                        "chain",
-                        "rate_multiplier",
-                        "coefficients",
-                        "error_budget",
-                        "literal_reversal_loss",
-                        "gearbox",
-                        "bresenham",
-                        "ratio_of_lead",
-                        "couplings",
-                        "table",
-                        "synchroniser",
-                        "servo",
+                    &[
+                        Block::to_come("pulse_trains"),
+                        Block::to_come("chain"),
+                        Block::to_come("rate_multiplier"),
+                        Block::to_come("coefficients"),
+                        Block::checked("error_budget", gearbox::error_budget),
+                        Block::to_come("literal_reversal_loss"),
+                        Block::to_come("gearbox"),
+                        Block::to_come("bresenham"),
+                        Block::to_come("ratio_of_lead"),
+                        Block::to_come("couplings"),
+                        Block::to_come("table"),
+                        Block::to_come("synchroniser"),
+                        Block::checked("servo", gearbox::servo),
                     ]
                 }
             }
