@@ -2,8 +2,8 @@
 //! misses the lead by (spec 70 sections 2, 4, 6).
 
 use super::error::{ControlError, within};
-use super::slide::{SlideCursor, SlideMotion};
 use super::rotation::{Rotation, RotationCounter};
+use super::slide::{SlideCursor, SlideMotion};
 use electronic_gearbox::Error as GearboxError;
 use electronic_gearbox::pulse::{EventInterpolator, Mode, PulseKind, Settings, Status, TimedPulse};
 
@@ -315,7 +315,16 @@ impl<'a> Observer<'a> {
         let Some(measure) = self.measure else {
             let (error, steady, angle) = (None, None, None);
             let means = [None; 2];
-            return Ok(InterpolationRun { counts, status, rotation, error, steady, means, angle, bins: Vec::new() });
+            return Ok(InterpolationRun {
+                counts,
+                status,
+                rotation,
+                error,
+                steady,
+                means,
+                angle,
+                bins: Vec::new(),
+            });
         };
         let mean = |(sum, duration): (f64, f64)| (duration > 0.0).then(|| sum / duration);
         let bins = measure.bins.iter().enumerate().filter_map(|(k, (axial, angle))| {

@@ -1,10 +1,20 @@
-//! What a control makes of a motion before it reaches the flank: the error budget of pulse interpolation and the sampled
-//! position loop of the workpiece spindle (spec 70). Knows neither processes nor files.
+//! What a control makes of a motion before it reaches the flank (spec 70): slides and their scales, pulse interpolation, the gearbox, the
+//! sampled position loop of the workpiece spindle, and what their errors are on the flank. Knows neither processes nor files.
 
 pub mod servo;
 
+mod at_flank;
 mod budget;
 mod error;
+mod interpolation;
+mod rotation;
+mod slide;
+mod stroke;
 
+pub use at_flank::{ControlledFlank, FlankPlaces};
 pub use budget::{BudgetInput, ErrorBound, ErrorBudget};
 pub use error::ControlError;
+pub use interpolation::{ErrorBin, Extremes, Interpolation, InterpolationRun, PulseCounts};
+pub use rotation::{Rotation, RotationCounter, RotationRule};
+pub use slide::{Crossing, Move, SlideCursor, SlideMotion, SlideState};
+pub use stroke::{StrokeControl, StrokeError, StrokeRecord, StrokeSpeeds, run_stroke};

@@ -2,8 +2,8 @@
 //! the exact accumulator of the gearbox (spec 70 sections 4, 5, 7).
 
 use electronic_gearbox::Error;
-use electronic_gearbox::chain::{AdditionalRotation, Hand, RateRule};
-use electronic_gearbox::coefficient::{Coefficient, Sign};
+use electronic_gearbox::chain::{AdditionalRotation, RateRule};
+use electronic_gearbox::coefficient::Coefficient;
 use electronic_gearbox::coupling::{Gearbox, IncrementalGearbox, LinearTerm, Ratio, dyadic};
 use electronic_gearbox::pulse::Direction;
 
@@ -45,7 +45,7 @@ impl Rotation {
         parts_per_revolution: f64,
         pulse_distance: f64,
     ) -> Result<Self, Error> {
-        let ratio = exact_ratio(turns_per_millimetre * parts_per_revolution * pulse_distance)?;
+        let ratio = dyadic(turns_per_millimetre * parts_per_revolution * pulse_distance)?.ratio();
         Ok(Self { rule: RotationRule::Exact { ratio }, turns_per_millimetre, parts_per_revolution })
     }
 
@@ -56,11 +56,12 @@ impl Rotation {
     pub fn counter(&self, pulses_per_interval: u32) -> Result<RotationCounter, Error> {
         match self.rule {
             RotationRule::Multiplier { coefficient, rule } => {
-                let hand = match coefficient.hand() {
-                    Sign::Plus => Hand::Direct,
-                    Sign::Minus => Hand::Crossed,
-                };
-                let chain = AdditionalRotation::new(coefficient.word(), rule, hand, pulses_per_interval)?;
+                let chain = AdditionalRotation::new(
+                    coefficient.word(),
+                    rule,
+                    coefficient.hand(),
+                    pulses_per_interval,
+                )?;
                 Ok(RotationCounter::Multiplied(chain))
             }
             RotationRule::Exact { ratio } => {
@@ -79,15 +80,6 @@ impl Rotation {
         };
         (made - wanted) / pulse_distance * 1e3 * std::f64::consts::TAU / self.parts_per_revolution
     }
-}
-
-/// The binary fraction next to a ratio: off by less than 2^-61 for one below 1.
-///
-/// # Errors
-/// [`Error::BadParameter`] or [`Error::GearRange`] for a ratio beyond the accumulator.
-pub(super) fn exact_ratio(ratio: f64) -> Result<Ratio, Error> {
-    let fraction = dyadic(ratio)?.fraction();
-    Ratio::new(fraction.numerator(), fraction.denominator())
 }
 
 /// Counts rotation pulse by pulse.

@@ -127,7 +127,13 @@ impl SlideMotion {
                 }
             };
             let order = Self::from_rest(at, pieces)?;
-            motion.pieces.extend(order.pieces.iter().filter(|piece| piece.duration > 0.0).map(|piece| Piece { start: piece.start + time, ..*piece }));
+            motion.pieces.extend(
+                order
+                    .pieces
+                    .iter()
+                    .filter(|piece| piece.duration > 0.0)
+                    .map(|piece| Piece { start: piece.start + time, ..*piece }),
+            );
             time += pieces.iter().map(|(duration, _)| duration).sum::<f64>();
             // Not where rounding has led, so that it does not add up.
             at = target;
@@ -207,7 +213,13 @@ impl SlideMotion {
         for piece in &self.pieces {
             let turn = piece.turn();
             let middle = piece.position(turn.unwrap_or(piece.duration));
-            legs.push(Leg { piece, begin: piece.position, end: middle, from: 0.0, to: turn.unwrap_or(piece.duration) });
+            legs.push(Leg {
+                piece,
+                begin: piece.position,
+                end: middle,
+                from: 0.0,
+                to: turn.unwrap_or(piece.duration),
+            });
             if let Some(turn) = turn {
                 let end = piece.position(piece.duration);
                 legs.push(Leg { piece, begin: middle, end, from: turn, to: piece.duration });
@@ -260,7 +272,11 @@ impl SlideCursor<'_> {
             let position = piece.position(after.clamp(0.0, piece.duration));
             return SlideState { position, speed: 0.0, acceleration: 0.0 };
         }
-        SlideState { position: piece.position(after), speed: piece.speed(after), acceleration: piece.acceleration }
+        SlideState {
+            position: piece.position(after),
+            speed: piece.speed(after),
+            acceleration: piece.acceleration,
+        }
     }
 }
 
@@ -304,7 +320,10 @@ mod tests {
             assert_eq!(pair[1].line - pair[0].line, if turned { 0 } else { pair[0].direction.sign() });
         }
         for crossing in &crossings {
-            assert!((motion.at(crossing.time).position - crossing.line as f64 * 0.01).abs() < 1e-12, "{crossing:?}");
+            assert!(
+                (motion.at(crossing.time).position - crossing.line as f64 * 0.01).abs() < 1e-12,
+                "{crossing:?}"
+            );
         }
     }
 
@@ -313,8 +332,11 @@ mod tests {
         for speed in [0.7, 1.0, 3.3] {
             for target in [0.07, 0.3, 1.1] {
                 let back = Move::To { position: 0.0, speed, acceleration: 17.0 };
-                let motion =
-                    SlideMotion::of_moves(0.0, &[Move::To { position: target, speed, acceleration: 17.0 }, back]).unwrap();
+                let motion = SlideMotion::of_moves(
+                    0.0,
+                    &[Move::To { position: target, speed, acceleration: 17.0 }, back],
+                )
+                .unwrap();
                 let crossings = motion.crossings(0.01).unwrap();
                 let sum: i64 = crossings.iter().map(|crossing| crossing.direction.sign()).sum();
                 // Coming home to line 0 may pass it by a rounding, which is one pulse, never half a pair at the turn.

@@ -4,13 +4,15 @@
 
 use super::error::ControlError;
 use super::interpolation::Interpolation;
-use super::rotation::{Rotation, exact_ratio};
+use super::rotation::Rotation;
 use super::servo::{Disturbances, Moment, ServoLoop, ServoParameters, Setpoint};
 use super::slide::SlideMotion;
 use crate::kinematics::GeneratingMotion;
 use electronic_gearbox::Error as GearboxError;
-use electronic_gearbox::coupling::{CubicTable, EndRule, Gearbox, LinearTerm, Ratio, endless_ratio, solve_slopes};
-use electronic_gearbox::pulse::EventInterpolator;
+use electronic_gearbox::coupling::{
+    CubicTable, EndRule, Gearbox, LinearTerm, Ratio, dyadic, endless_ratio, solve_slopes,
+};
+use electronic_gearbox::pulse::{EventInterpolator, TimedPulse};
 use std::f64::consts::TAU;
 
 /// The control of a machine.
@@ -144,8 +146,10 @@ pub fn run_stroke(
     let rise = lead_in / 3.0;
     let way = speeds.feed * (lead_in - 0.5 * rise);
     let duration = (last - first).abs() / speeds.feed;
-    let slide =
-        SlideMotion::from_rest(first - sense * way, [(rise, velocity / rise), (lead_in - rise + duration, 0.0)])?;
+    let slide = SlideMotion::from_rest(
+        first - sense * way,
+        [(rise, velocity / rise), (lead_in - rise + duration, 0.0)],
+    )?;
     let references = control.feed.references(&slide)?;
     let mut interpolator = EventInterpolator::new(control.feed.settings);
 
@@ -158,8 +162,8 @@ pub fn run_stroke(
         i64::from(control.worm_pulses),
     )?;
     let worm_ratio = Ratio::new(-worm_ratio.numerator(), worm_ratio.denominator())?;
-    let shift_ratio =
-        exact_ratio(motion.shift_coupling / motion.teeth * parts / TAU * control.shift_pitch.unwrap_or(1.0))?;
+    let shift_turn = motion.shift_coupling / motion.teeth * parts / TAU;
+    let shift_ratio = dyadic(shift_turn * control.shift_pitch.unwrap_or(1.0))?.ratio();
     let gearbox = Gearbox::new(0, [LinearTerm::new(worm_ratio, 0), LinearTerm::new(shift_ratio, 0)]);
     let correction = match motion.delta_phi_2.is_zero() {
         true => None,
@@ -198,7 +202,7 @@ pub fn run_stroke(
     for k in 0..=samples {
         let time = k as f64 * step;
         let tick = (time * control.feed.clock).floor() as u64;
-        let mut sink = |timed: electronic_gearbox::pulse::TimedPulse| {
+        let mut sink = |timed: TimedPulse| {
             net += timed.pulse.direction.sign();
             if let Err(error) = rotation.pulse(timed.pulse.direction) {
                 failed = Err(error);
@@ -218,10 +222,7 @@ pub fn run_stroke(
                 let shift_counts = (wanted.shift / pitch).floor() as i64;
                 gearbox.position(&[worm_counts, shift_counts])?.counts as f64
             }
-            None => {
-                let turned = motion.shift_coupling / motion.teeth * wanted.shift * parts / TAU;
-                gearbox.position(&[worm_counts, 0])?.counts as f64 + turned.floor()
-            }
+            None => gearbox.position(&[worm_counts, 0])?.counts as f64 + (shift_turn * wanted.shift).floor(),
         };
         counts += rotation.total()? as f64;
         if let Some(table) = &table {

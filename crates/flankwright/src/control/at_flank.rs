@@ -1,0 +1,150 @@
+//! Which error of the workpiece's angle each place of the flank keeps: the place is ground by the passes of its tooth whose feed is nearest
+//! to the one of its contact, and the deepest of them stays (spec 20 sections 3, 4, 7).
+
+use super::stroke::StrokeRecord;
+use crate::contact::FlankPair;
+use crate::kinematics::GeneratingMotion;
+use std::f64::consts::TAU;
+
+/// Where and when places of one flank are ground, in closed form: contacts of the unmodified bodies, passes at the real feed.
+#[derive(Clone, Copy, Debug)]
+pub struct FlankPlaces<'a> {
+    /// Contact relations of the flank.
+    pub pair: &'a FlankPair,
+    /// The motion that is driven.
+    pub motion: &'a GeneratingMotion,
+    /// The stroke with its errors.
+    pub record: &'a StrokeRecord,
+}
+
+/// What the control leaves on one flank of all teeth, um, normal, positive = material left.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ControlledFlank {
+    /// Lengths of roll, mm.
+    pub w: Vec<f64>,
+    /// Axial positions, mm.
+    pub z: Vec<f64>,
+    /// For each tooth the deviations, row-major [w][z].
+    pub teeth: Vec<Vec<f64>>,
+}
+
+/// Passes looked at before and after the nearest one: further ones leave more than twice the marks.
+const PASSES: i64 = 2;
+/// Steps until the feed of a contact, and the time of a pass, do not move any more.
+const STEPS: usize = 20;
+
+/// A place with all that its passes need.
+struct Place {
+    /// z_V2 of its contact, mm.
+    feed: f64,
+    /// phi_2 of its contact for tooth 0, rad.
+    angle: f64,
+    /// Growth of the gap with the square of the feed missed, 1/mm.
+    curvature: f64,
+}
+
+impl FlankPlaces<'_> {
+    /// Deviation in mm that the place (w, z) of a tooth keeps, normal, positive = material left.
+    pub fn deviation(&self, w: f64, z: f64, tooth: usize) -> f64 {
+        self.deviation_of(&self.place(w, z), tooth)
+    }
+
+    /// Deviations of `teeth` teeth, evenly spread over the gear, on a grid.
+    pub fn flank(&self, w: &[f64], z: &[f64], teeth: &[usize]) -> ControlledFlank {
+        let places: Vec<Place> = w.iter().flat_map(|&w| z.iter().map(move |&z| self.place(w, z))).collect();
+        let teeth = teeth
+            .iter()
+            .map(|&tooth| places.iter().map(|place| 1e3 * self.deviation_of(place, tooth)).collect());
+        ControlledFlank { w: w.to_vec(), z: z.to_vec(), teeth: teeth.collect() }
+    }
+
+    fn place(&self, w: f64, z: f64) -> Place {
+        let (pair, motion) = (self.pair, self.motion);
+        // z_2 = work_z(w_2, F(v), v), by Newton's rule; linear for a constant diagonal ratio.
+        let mut feed = z;
+        let mut ratio = 0.0;
+        for _ in 0..STEPS {
+            let [shift, slope, _] = motion.shift.jet(feed);
+            ratio = slope;
+            let step = (z - pair.work_z(w, shift, feed)) / (pair.c_zv22 + slope * pair.c_zv12);
+            feed += step;
+            if step.abs() < 1e-12 {
+                break;
+            }
+        }
+        let w_1 = pair.worm_roll(w, motion.shift.value(feed), feed);
+        // The height of marks f apart is c f^2/8 for a gap c x^2/2.
+        let curvature = 8.0 * pair.relative_curvature(w_1, w, ratio).feed_mark(1.0);
+        Place { feed, angle: pair.work_angle(w, z), curvature }
+    }
+
+    fn deviation_of(&self, place: &Place, tooth: usize) -> f64 {
+        let work = &self.pair.work;
+        // The flank moves against the rotation of the body: n . (e_z x r) = s r_b cos(beta_b).
+        let arm = -work.flank.sign() * work.base_radius * work.base_helix_angle.cos();
+        let pitch_angle = TAU / self.motion.teeth.abs();
+        let angle = place.angle + pitch_angle * tooth as f64;
+        let (mut with, mut without) = (f64::INFINITY, f64::INFINITY);
+        let nearest = self.turn_nearest(angle, place.feed);
+        for turn in -PASSES..=PASSES {
+            let time = self.time_of(angle + TAU * (nearest + turn) as f64);
+            let missed = self.record.feed(time) - place.feed;
+            let gap = 0.5 * place.curvature * missed * missed;
+            without = without.min(gap);
+            with = with.min(gap + arm * self.record.error(time));
+        }
+        with - without
+    }
+
+    /// phi_2 and its rate at a time.
+    fn work_angle(&self, time: f64) -> [f64; 2] {
+        let speeds = self.record.speeds();
+        let state = |time: num_dual::Dual64| {
+            let origin = self.record.feed(0.0);
+            let rate = self.record.feed(1.0) - origin;
+            let feed = time * rate + origin;
+            self.motion.state(time * speeds.worm, feed, self.motion.phase[self.pair.flank()]).work_angle
+        };
+        let angle = state(num_dual::Dual64::new(time, 1.0));
+        [angle.re, angle.eps]
+    }
+
+    /// Full turns to be added to an angle so that it passes when the feed is nearest to `feed`.
+    fn turn_nearest(&self, angle: f64, feed: f64) -> i64 {
+        let [then, _] = self.work_angle(self.record.time(feed));
+        ((then - angle) / TAU).round() as i64
+    }
+
+    /// When phi_2 has a value.
+    fn time_of(&self, angle: f64) -> f64 {
+        let mut time = 0.0;
+        for _ in 0..STEPS {
+            let [at, rate] = self.work_angle(time);
+            let step = (angle - at) / rate;
+            time += step;
+            if step.abs() < 1e-12 * time.abs().max(1.0) {
+                break;
+            }
+        }
+        time
+    }
+}
+
+impl ControlledFlank {
+    /// Deviations of one tooth, and of a place over all teeth, from the mean of all: least and greatest, um.
+    pub fn extremes(&self) -> (f64, f64) {
+        let all = self.teeth.iter().flatten();
+        all.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &f| (a.min(f), b.max(f)))
+    }
+
+    /// Root mean square over all teeth and places, um.
+    pub fn rms(&self) -> f64 {
+        let count = self.teeth.iter().map(Vec::len).sum::<usize>().max(1);
+        (self.teeth.iter().flatten().map(|f| f * f).sum::<f64>() / count as f64).sqrt()
+    }
+
+    /// Mean of each tooth, um: what a pitch measurement sees.
+    pub fn means(&self) -> Vec<f64> {
+        self.teeth.iter().map(|f| f.iter().sum::<f64>() / f.len().max(1) as f64).collect()
+    }
+}
