@@ -47,12 +47,13 @@ mod tests {
             normal_pressure_angle_deg: 20.0,
             helix_angle_deg,
         };
-        // 360 degrees over the rotation per mm for z_2 = 40, beta_2 = 15 deg, m_n = 2 (spec 70 section 5: 0.023492316 belongs
-        // to the worm, the gear's own term is 360 sin 15/(80 pi)).
-        let rotation = 360.0 * 15_f64.to_radians().sin() / (80.0 * PI);
+        // Rotation over the feed in rad/mm as found on the helicoids themselves (spec 70 section 5).
+        const ROTATION: f64 = 0.006470476;
         for teeth in [40, -40] {
-            assert!((gear(teeth, 15.0).lead_mm().unwrap() * rotation - 360.0).abs() < 1e-12);
-            assert!((gear(teeth, -15.0).lead_mm().unwrap() * rotation + 360.0).abs() < 1e-12);
+            for sign in [1.0, -1.0] {
+                let lead = gear(teeth, sign * 15.0).lead_mm().unwrap();
+                assert!((lead * ROTATION - sign * 2.0 * PI).abs() < 1e-6, "{lead}");
+            }
         }
         assert_eq!(gear(40, 0.0).lead_mm(), None);
     }
