@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 
 use flankwright::exchange::job::{JobInfo, Process};
 use flankwright::exchange::{
-    AnyJob, Diagnostic, Loaded, LoadedJob, Problem, Source, parse_any_job, read_any_job, write_atomically,
+    AnyJob, Diagnostic, GearboxJob, Loaded, LoadedGearboxJob, LoadedJob, Problem, Source, parse_any_job,
+    read_any_job, write_atomically,
 };
 use serde::Serialize;
 
@@ -86,7 +87,13 @@ pub fn load_grinding_job(path: &Path, command: &str) -> Result<LoadedJob, Failur
                 );
             Err(loaded.error(finding).into())
         }
+        AnyJob::Gearbox(loaded) => Err(gearbox_only(&loaded, command)),
     }
+}
+
+/// What a command that plans or simulates a flank answers to a job of the electronic gearbox.
+pub fn gearbox_only(loaded: &LoadedGearboxJob, command: &str) -> Failure {
+    loaded.error(GearboxJob::refused_by(command)).into()
 }
 
 /// Where the files of a job go: as told, else `<job name>.out/` beside the job.

@@ -10,7 +10,7 @@ use serde::Serialize;
 use serde_json::json;
 
 use super::catalogue;
-use super::derived::{DerivedGeometry, derived_geometry, derived_tangential};
+use super::derived::{DerivedGeometry, derived_gearbox, derived_geometry, derived_tangential};
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
@@ -43,6 +43,10 @@ pub fn run(arguments: &CheckArguments) -> Result<Exit, Failure> {
         AnyJob::Tangential(loaded) => {
             let derived = derived_tangential(&loaded).map(|derived| (derived, Vec::new()));
             show(&arguments.common, &loaded, &loaded.job.job, derived)
+        }
+        AnyJob::Gearbox(loaded) => {
+            let derived = derived_gearbox(&loaded)?;
+            show(&arguments.common, &loaded, &loaded.job.job, Ok((derived, Vec::new())))
         }
     }
 }

@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use flankwright::exchange::catalogue::LoadedCatalogue;
 use flankwright::exchange::job::Gear as JobGear;
-use flankwright::exchange::{LoadedJob, LoadedTangentialJob};
+use flankwright::exchange::{JobError, LoadedGearboxJob, LoadedJob, LoadedTangentialJob};
 use flankwright::geometry::{Blank, Flank, Gear, Span};
 use flankwright::process::generating::GrindingSetup;
 use flankwright::workflow::tangential::prepare_tangential;
@@ -172,6 +172,29 @@ pub fn derived_tangential(loaded: &LoadedTangentialJob) -> Result<DerivedGeometr
     derived.quantity("dressing_centre_distance_mm", "centre distance", model.chain.centre_distance, "mm");
     let crossing = model.chain.crossing_angle.to_degrees();
     derived.quantity("dressing_crossing_angle_deg", "crossing angle", crossing, "deg");
+    Ok(derived)
+}
+
+/// The same of a job of the electronic gearbox: scale of the feed, lead, how many reference pulses a train has.
+///
+/// # Errors
+/// Everything that is wrong with the table of reference pulses that the job names.
+pub fn derived_gearbox(loaded: &LoadedGearboxJob) -> Result<DerivedGeometry, JobError> {
+    let job = &loaded.job;
+    let train = loaded.reference_train()?;
+    let mut derived = DerivedGeometry::default();
+    derived.section("feed");
+    derived.quantity("pitch_mm", "pitch of the scale", job.feed.pitch_mm(), "mm");
+    let greatest = 60.0 * job.feed.greatest_speed_mm_per_s();
+    derived.quantity("greatest_speed_mm_per_min", "greatest speed v_max", greatest, "mm/min");
+    if let Some(lead) = job.gear.lead_mm() {
+        derived.section("gear");
+        derived.quantity("lead_mm", "lead", lead, "mm");
+    }
+    if let Some(train) = train {
+        derived.section("stimulus");
+        derived.quantity("reference_pulses", "reference pulses", train.references().len(), "");
+    }
     Ok(derived)
 }
 

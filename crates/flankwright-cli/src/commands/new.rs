@@ -13,7 +13,7 @@ use crate::output;
 /// Arguments of `new`.
 #[derive(Args, Debug)]
 #[command(
-    after_help = "Example:\n  flankwright new generating-grinding > job.toml\n  flankwright new tangential-dressing > job.toml\n\n\
+    after_help = "Example:\n  flankwright new generating-grinding > job.toml\n  flankwright new tangential-dressing > job.toml\n  flankwright new electronic-gearbox > job.toml\n\n\
     With --json the job is printed as JSON, which every command reads as well; with -o it is written to DIR."
 )]
 pub struct NewArguments {
@@ -42,6 +42,7 @@ pub fn run(arguments: &NewArguments) -> Result<Exit, Failure> {
         let text = match parse_any_job(Source::new("example.toml", toml))? {
             AnyJob::Grinding(loaded) => output::json_text(&loaded.job)?,
             AnyJob::Tangential(loaded) => output::json_text(&loaded.job)?,
+            AnyJob::Gearbox(loaded) => output::json_text(&loaded.job)?,
         };
         (text, "json")
     } else {

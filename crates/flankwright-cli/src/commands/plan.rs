@@ -35,6 +35,7 @@ pub fn run(arguments: &PlanArguments) -> Result<Exit, Failure> {
     let loaded = match output::load_any_job(&arguments.job)? {
         AnyJob::Grinding(loaded) => loaded,
         AnyJob::Tangential(loaded) => return tangential::plan(&loaded, &arguments.common),
+        AnyJob::Gearbox(loaded) => return Err(output::gearbox_only(&loaded, "plan")),
     };
     if let Some(catalogue) = catalogue::of_job(&loaded)? {
         return catalogue::plan(&loaded, &catalogue, &arguments.common);

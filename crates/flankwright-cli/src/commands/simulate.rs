@@ -36,6 +36,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<Exit, Failure> {
     let loaded = match output::load_any_job(&arguments.job)? {
         AnyJob::Grinding(loaded) => loaded,
         AnyJob::Tangential(loaded) => return tangential::simulate(&loaded, &arguments.common),
+        AnyJob::Gearbox(loaded) => return Err(output::gearbox_only(&loaded, "simulate")),
     };
     let bars = Bars::new(arguments.common.quiet);
     let simulated = simulate_job(&loaded, &bars);

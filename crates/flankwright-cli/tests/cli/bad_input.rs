@@ -998,6 +998,472 @@ const TANGENTIAL_CASES: &[Case] = &[
     ),
 ];
 
+/// Changes to the template of the electronic gearbox.
+const GEARBOX_CASES: &[Case] = &[
+    // keys, types and words
+    case("teeth = 40\n", "", "missing-key", "gear.teeth", &["whole number", "number of teeth"]),
+    case(
+        "helix_angle_deg = 20.0",
+        "helix_angle_deg = 20.0\nface_width = 30.0",
+        "unknown-key",
+        "gear.face_width",
+        &["normal_module"],
+    ),
+    case(
+        "pulses_per_metre = 100000\n",
+        "",
+        "missing-key",
+        "feed.pulses_per_metre",
+        &["number > 0 and <= 1e9", "pulses per metre of the scale"],
+    ),
+    case(
+        "pulses_per_metre = 100000",
+        "pulses_per_metre = 100000\nmode = \"no_backlash\"",
+        "unknown-value",
+        "feed.mode",
+        &["\"one-way\", \"no-backlash\", \"literal\"", "did you mean \"no-backlash\""],
+    ),
+    case(
+        "pulses_per_revolution = 36000",
+        "pulses_per_revolution = 36000.5",
+        "wrong-type",
+        "workpiece.pulses_per_revolution",
+        &["36000.5", "whole number"],
+    ),
+    case(
+        "pulses_per_revolution = 36000",
+        "pulses_per_revolution = 36000\nrate = \"bresenheim\"",
+        "unknown-value",
+        "workpiece.rate",
+        &["did you mean \"bresenham\"", "\"binary\""],
+    ),
+    case(
+        "pulses_per_revolution = 36000",
+        "pulses_per_revolution = 36000\nreversed = 1",
+        "wrong-type",
+        "workpiece.reversed",
+        &["true or false"],
+    ),
+    case("[output]", "[outputs]", "unknown-key", "outputs", &["did you mean `output`"]),
+    case(
+        "[output]",
+        "[output]\ntables = [\"csv\"]",
+        "unknown-key",
+        "output.tables",
+        &["pulse_trace", "remove the key"],
+    ),
+    case(
+        "kind = \"constant\"",
+        "kind = \"constand\"",
+        "unknown-value",
+        "servo.disturbances[0].kind",
+        &["did you mean \"constant\"", "\"pulses\""],
+    ),
+    case(
+        "torque_n_m = 2.0 }",
+        "torque_n_m = 2.0, frequency_hz = 50.0 }",
+        "unknown-key",
+        "servo.disturbances[0].frequency_hz",
+        &["torque_n_m"],
+    ),
+    case(
+        "axis = \"workpiece\"",
+        "axis = \"work\"",
+        "unknown-value",
+        "servo.disturbances[3].axis",
+        &["\"worm\", \"workpiece\""],
+    ),
+    // numbers
+    case("teeth = 40", "teeth = 0", "invalid-number", "gear.teeth", &["not 0", "internal gear"]),
+    case(
+        "normal_pressure_angle_deg = 20.0",
+        "normal_pressure_angle_deg = 4.0",
+        "invalid-number",
+        "gear.normal_pressure_angle_deg",
+        &[">= 5 and <= 45"],
+    ),
+    case(
+        "helix_angle_deg = 20.0",
+        "helix_angle_deg = 90.0",
+        "invalid-number",
+        "gear.helix_angle_deg",
+        &["< 90", "spur gear"],
+    ),
+    case(
+        "pulses_per_metre = 100000",
+        "pulses_per_metre = 0",
+        "invalid-number",
+        "feed.pulses_per_metre",
+        &["> 0", "pitch"],
+    ),
+    case(
+        "pulses_per_metre = 100000",
+        "pulses_per_metre = 1e5\nclock_hz = nan",
+        "invalid-number",
+        "feed.clock_hz",
+        &["NaN", "> 0 and <= 1e9", "Hz"],
+    ),
+    case(
+        "pulses_per_metre = 100000",
+        "pulses_per_metre = 1e5\npulses_per_interval = 257",
+        "invalid-number",
+        "feed.pulses_per_interval",
+        &[">= 2 and <= 256"],
+    ),
+    case(
+        "pulses_per_metre = 100000",
+        "pulses_per_metre = 1e5\ncounter_limit = 4294967296",
+        "invalid-number",
+        "feed.counter_limit",
+        &["4294967296", ">= 1", "16777215"],
+    ),
+    case(
+        "pulses_per_revolution = 36000",
+        "pulses_per_revolution = 2147483649",
+        "invalid-number",
+        "workpiece.pulses_per_revolution",
+        &["2147483649", ">= 1"],
+    ),
+    case("threads = 3", "threads = 0", "invalid-number", "worm.threads", &[">= 1"]),
+    case(
+        "pulses_per_revolution = 4096",
+        "pulses_per_revolution = 0",
+        "invalid-number",
+        "worm.pulses_per_revolution",
+        &[">= 1"],
+    ),
+    case("speed_rpm = 3000.0", "speed_rpm = 0", "invalid-number", "worm.speed_rpm", &["> 0", "1/min"]),
+    case(
+        "speed_mm_per_min = 300.0",
+        "speed_mm_per_min = -300.0",
+        "invalid-number",
+        "stimulus.motion[0].speed_mm_per_min",
+        &["> 0", "mm/min"],
+    ),
+    case("dwell_s = 0.5", "dwell_s = 0", "invalid-number", "stimulus.motion[1].dwell_s", &["> 0"]),
+    case("[stimulus]", "[stimulus]\nrest_s = -1", "invalid-number", "stimulus.rest_s", &[">= 0"]),
+    case("[servo]", "[servo]\nsample_time_us = 0", "invalid-number", "servo.sample_time_us", &["> 0", "125"]),
+    case("inertia_kg_m2 = 0.12", "inertia_kg_m2 = 0", "invalid-number", "servo.inertia_kg_m2", &["> 0"]),
+    case("[servo]", "[servo]\ndamping_n_m_s = -1", "invalid-number", "servo.damping_n_m_s", &[">= 0"]),
+    case("[servo]", "[servo]\nfriction_n_m = -1", "invalid-number", "servo.friction_n_m", &[">= 0"]),
+    case(
+        "[servo]",
+        "[servo]\nfriction_speed_rad_per_s = 0",
+        "invalid-number",
+        "servo.friction_speed_rad_per_s",
+        &["> 0", "0.05"],
+    ),
+    case(
+        "torque_limit_n_m = 60.0",
+        "torque_limit_n_m = 0",
+        "invalid-number",
+        "servo.torque_limit_n_m",
+        &["> 0"],
+    ),
+    case("bandwidth_hz = 40.0", "bandwidth_hz = 0", "invalid-number", "servo.bandwidth_hz", &["> 0", "Hz"]),
+    case(
+        "[servo]",
+        "[servo]\nfeed_forward = 1.5",
+        "invalid-number",
+        "servo.feed_forward",
+        &["<= 1", "share"],
+    ),
+    case(
+        "bandwidth_hz = 40.0",
+        "gains = { proportional_n_m_per_rad = 0, integral_n_m_per_rad_s = 0, derivative_n_m_s_per_rad = 0 }",
+        "invalid-number",
+        "servo.gains.proportional_n_m_per_rad",
+        &["> 0", "N m/rad"],
+    ),
+    case(
+        "per_revolution = 3,",
+        "per_revolution = 0,",
+        "invalid-number",
+        "servo.disturbances[4].per_revolution",
+        &[">= 1"],
+    ),
+    case("at_s = 1.0", "at_s = -1.0", "invalid-number", "servo.disturbances[1].at_s", &[">= 0"]),
+    case("order = 40.0", "order = 0", "invalid-number", "servo.disturbances[3].order", &["> 0"]),
+    // the stimulus
+    case(
+        "[stimulus]",
+        "[stimulus]\nreferences = \"train.csv\"",
+        "invalid-job",
+        "stimulus.motion",
+        &["exactly one of", "references"],
+    ),
+    case(
+        "[stimulus]",
+        "[stimulus]\nreference_ticks = [1, 2]\nreference_signs = [1, 1]",
+        "invalid-job",
+        "stimulus.motion",
+        &["exactly one of"],
+    ),
+    case(
+        "[stimulus]",
+        "[stimulus]\nreference_signs = [1, 1]",
+        "invalid-job",
+        "stimulus.reference_signs",
+        &["reference_ticks"],
+    ),
+    case(
+        "[stimulus]",
+        "[stimulus]\nreference_ticks = [1, 2]",
+        "missing-key",
+        "stimulus.reference_signs",
+        &["2 signs"],
+    ),
+    case(
+        "[stimulus]",
+        "[stimulus]\nreference_ticks = [1, 2, 3]\nreference_signs = [1, 1]",
+        "invalid-list",
+        "stimulus.reference_signs",
+        &["2 signs for 3", "3 entries"],
+    ),
+    case(
+        "[stimulus]",
+        "[stimulus]\nreference_ticks = [-1]\nreference_signs = [1]",
+        "invalid-number",
+        "stimulus.reference_ticks[0]",
+        &[">= 0", "counted from 1"],
+    ),
+    case(
+        "[stimulus]",
+        "[stimulus]\nreference_ticks = []\nreference_signs = []",
+        "invalid-list",
+        "stimulus.reference_ticks",
+        &["1 or more"],
+    ),
+    case(
+        "[stimulus]",
+        "[stimulus]\nlast_tick = 1000",
+        "invalid-job",
+        "stimulus.last_tick",
+        &["1000", "no key beside `motion`", "rest_s"],
+    ),
+    case(
+        "[stimulus]",
+        "[stimulus]\nstart = 30.0",
+        "invalid-job",
+        "stimulus.motion[0].to",
+        &["30", "dwell_s"],
+    ),
+    case(
+        "{ to = 30.0, speed_mm_per_min = 300.0, acceleration_mm_per_s2 = 200.0 },",
+        "{ to = 30.0, speed_mm_per_min = 300.0 },",
+        "missing-key",
+        "stimulus.motion[0].acceleration_mm_per_s2",
+        &["mm/s^2"],
+    ),
+    case(
+        "{ dwell_s = 0.5 }",
+        "{ dwell_s = 0.5, at = 3.0 }",
+        "unknown-key",
+        "stimulus.motion[1].at",
+        &["dwell_s"],
+    ),
+    // amounts that no run can take
+    case(
+        "speed_mm_per_min = 300.0",
+        "speed_mm_per_min = 1e-3",
+        "invalid-job",
+        "stimulus.motion",
+        &["longer than a day", "86400 s"],
+    ),
+    case(
+        "pulses_per_metre = 100000",
+        "pulses_per_metre = 1e9\npulses_per_interval = 32",
+        "invalid-job",
+        "stimulus.motion",
+        &["1.92e9 pulses", "coarser scale"],
+    ),
+    case(
+        "[servo]",
+        "[servo]\nsample_time_us = 1e-3",
+        "invalid-job",
+        "stimulus.motion",
+        &["samples", "servo.sample_time_us"],
+    ),
+    // the servo
+    case("bandwidth_hz = 40.0\n", "", "missing-key", "servo.bandwidth_hz", &["exactly one of", "gains"]),
+    case(
+        "[servo]",
+        "[servo]\ngains = { proportional_n_m_per_rad = 1, integral_n_m_per_rad_s = 0, derivative_n_m_s_per_rad = 0 }",
+        "invalid-job",
+        "servo.gains",
+        &["beside `bandwidth_hz`", "keep one"],
+    ),
+    case(
+        "[worm]\nthreads = 3\npulses_per_revolution = 4096\nspeed_rpm = 3000.0\n",
+        "",
+        "invalid-job",
+        "servo.disturbances[4].axis",
+        &["no worm", "[worm]"],
+    ),
+    case(
+        "width_deg = 20.0",
+        "width_deg = 120.0",
+        "invalid-job",
+        "servo.disturbances[4].width_deg",
+        &["< 120", "\"constant\""],
+    ),
+    // the choice
+    case("[output]", "[explore]\nwanted_um = 0.5\n[output]", "missing-key", "explore.scales", &["encoders"]),
+    case(
+        "[output]",
+        "[explore]\nscales = [{ pulses_per_metre = 1e5, cost = 1 }]\n[output]",
+        "missing-key",
+        "explore.wanted_um",
+        &["> 0", "micrometres"],
+    ),
+    case(
+        "[output]",
+        "[explore]\nwanted_um = 0\nclocks = [{ clock_hz = 1e6, cost = 1 }]\n[output]",
+        "invalid-number",
+        "explore.wanted_um",
+        &["> 0"],
+    ),
+    case(
+        "[output]",
+        "[explore]\nwanted_um = 0.5\nclocks = [{ clock_hz = 1e6, cost = -1 }]\n[output]",
+        "invalid-number",
+        "explore.clocks[0].cost",
+        &[">= 0"],
+    ),
+    case(
+        "[output]",
+        "[explore]\nwanted_um = 0.5\nencoders = []\n[output]",
+        "invalid-list",
+        "explore.encoders",
+        &["1 to 50"],
+    ),
+    case(
+        "[output]",
+        "[explore]\nwanted_um = 0.5\ninterpolations = [{ pulses_per_interval = 1, cost = 0 }]\n[output]",
+        "invalid-number",
+        "explore.interpolations[0].pulses_per_interval",
+        &[">= 2"],
+    ),
+];
+
+/// Changes to the template of the electronic gearbox with a train of reference pulses in place of its motion.
+const TRAIN_CASES: &[Case] = &[
+    case(
+        "reference_ticks = [100, 260, 420]\nreference_signs = [1, 1, -1]",
+        "",
+        "missing-key",
+        "stimulus.motion",
+        &["exactly one of", "references"],
+    ),
+    case(
+        "reference_ticks = [100, 260, 420]\nreference_signs = [1, 1, -1]",
+        "motion = [{ dwell_s = 1.0 }]",
+        "invalid-job",
+        "stimulus.motion",
+        &["goes nowhere", "add a travel"],
+    ),
+    case(
+        "reference_ticks = [100, 260, 420]\nreference_signs = [1, 1, -1]",
+        "motion = []",
+        "invalid-list",
+        "stimulus.motion",
+        &["1 to 1000 entries"],
+    ),
+    case("[stimulus]", "[stimulus]\nstart = 1.0", "invalid-job", "stimulus.start", &["motion"]),
+    case("[stimulus]", "[stimulus]\nrest_s = 1.0", "invalid-job", "stimulus.rest_s", &["last_tick"]),
+    case(
+        "[stimulus]",
+        "[stimulus]\nlast_tick = 419",
+        "invalid-job",
+        "stimulus.last_tick",
+        &[">= 420", "later tick"],
+    ),
+    case(
+        "[stimulus]",
+        "[stimulus]\nlast_tick = 86400000001",
+        "invalid-job",
+        "stimulus.last_tick",
+        &["longer than a day"],
+    ),
+    case(
+        "[output]",
+        "[explore]\nwanted_um = 0.5\nclocks = [{ clock_hz = 1e6, cost = 1 }]\nspeed_mm_per_min = 300.0\n[output]",
+        "missing-key",
+        "explore.acceleration_mm_per_s2",
+        &["no motion"],
+    ),
+    case(
+        "[output]",
+        "[explore]\nwanted_um = 0.5\nclocks = [{ clock_hz = 1e6, cost = 1 }]\n[output]",
+        "missing-key",
+        "explore.speed_mm_per_min",
+        &["e.g. speed_mm_per_min"],
+    ),
+];
+
+/// Changes to the example with a sound table [control].
+const CONTROL_CASES: &[Case] = &[
+    case(
+        "feed_per_revolution = 0.3\n",
+        "",
+        "missing-key",
+        "grinding.feed_per_revolution",
+        &["when each place is ground", "e.g. 0.3", "[control]"],
+    ),
+    case("worm = {", "worms = {", "unknown-key", "control.worms", &["did you mean `worm`"]),
+    case(
+        "worm = { pulses_per_revolution = 4096 }\n",
+        "",
+        "missing-key",
+        "control.worm",
+        &["pulses_per_revolution"],
+    ),
+    case("feed = { pulses_per_metre = 100000 }\n", "", "missing-key", "control.feed", &["pulses_per_metre"]),
+    case(
+        "servo = {",
+        "servo = { gains = { proportional_n_m_per_rad = 1, integral_n_m_per_rad_s = 0, derivative_n_m_s_per_rad = 0 }, ",
+        "invalid-job",
+        "control.servo.gains",
+        &["exactly one of"],
+    ),
+    case(", bandwidth_hz = 40.0", "", "missing-key", "control.servo.bandwidth_hz", &["exactly one of"]),
+    case(
+        "bandwidth_hz = 40.0",
+        "bandwidth_hz = 40.0, disturbances = [{ kind = \"pulses\", torque_n_m = 1, axis = \"worm\", per_revolution = 2, width_deg = 180 }]",
+        "invalid-job",
+        "control.servo.disturbances[0].width_deg",
+        &["180", "< 180"],
+    ),
+    case(
+        "worm = {",
+        "worm_speed_rpm = 0\nworm = {",
+        "invalid-number",
+        "control.worm_speed_rpm",
+        &["> 0", "1/min"],
+    ),
+    case(
+        "worm = {",
+        "shift = { pulses_per_metre = -1 }\nworm = {",
+        "invalid-number",
+        "control.shift.pulses_per_metre",
+        &["> 0"],
+    ),
+    case(
+        "pulses_per_metre = 100000 }",
+        "pulses_per_metre = 100000, pulses_per_interval = 1 }",
+        "invalid-number",
+        "control.feed.pulses_per_interval",
+        &[">= 2"],
+    ),
+    case(
+        "pulses_per_revolution = 36000",
+        "pulses_per_revolution = 0",
+        "invalid-number",
+        "control.workpiece.pulses_per_revolution",
+        &[">= 1"],
+    ),
+];
+
 /// The example without its comments, so that changes meet entries.
 fn job() -> String {
     without_comments(&example("twist-free-crowning.toml"))
@@ -1007,6 +1473,28 @@ fn job() -> String {
 fn tangential_job() -> String {
     let text = without_comments(job_template(Process::TangentialDressing));
     text.lines().filter(|line| !line.is_empty()).map(|line| line.to_owned() + "\n").collect()
+}
+
+/// The template of the electronic gearbox without its comments and empty lines.
+fn gearbox_job() -> String {
+    let text = without_comments(job_template(Process::ElectronicGearbox));
+    text.lines().filter(|line| !line.is_empty()).map(|line| line.to_owned() + "\n").collect()
+}
+
+/// The same with a train of reference pulses in place of its motion.
+fn train_job() -> String {
+    let job = gearbox_job();
+    let (begin, end) = (job.find("motion = [").unwrap(), job.find("[servo]").unwrap());
+    let train = "reference_ticks = [100, 260, 420]\nreference_signs = [1, 1, -1]\n";
+    format!("{}{train}{}", &job[..begin], &job[end..])
+}
+
+/// The example with a sound table [control].
+fn control_job() -> String {
+    let control = "[control]\nfeed = { pulses_per_metre = 100000 }\nworkpiece = { pulses_per_revolution = 36000 }\n\
+        worm = { pulses_per_revolution = 4096 }\n\
+        servo = { inertia_kg_m2 = 0.12, torque_limit_n_m = 60.0, bandwidth_hz = 40.0 }\n[grid]";
+    job().replacen("[grid]", control, 1)
 }
 
 fn without_comments(text: &str) -> String {
@@ -1021,6 +1509,21 @@ fn every_case_is_told_in_full() {
 #[test]
 fn every_case_of_tangential_dressing_is_told_in_full() {
     told_in_full(&tangential_job(), TANGENTIAL_CASES);
+}
+
+#[test]
+fn every_case_of_the_electronic_gearbox_is_told_in_full() {
+    told_in_full(&gearbox_job(), GEARBOX_CASES);
+    told_in_full(&train_job(), TRAIN_CASES);
+    told_in_full(&control_job(), CONTROL_CASES);
+}
+
+#[test]
+fn jobs_with_trains_and_control_are_sound() {
+    for text in [gearbox_job(), train_job(), control_job()] {
+        let (human, machine) = check("job.toml", text.as_bytes());
+        assert_eq!((human.exit, machine.exit), (Some(0), Some(0)), "{}", human.stderr);
+    }
 }
 
 fn told_in_full(job: &str, cases: &[Case]) {

@@ -6,6 +6,7 @@ mod command;
 mod commands;
 mod examples;
 mod explore;
+mod gearbox;
 mod line_dressing;
 mod planning;
 mod programs;

@@ -26,20 +26,26 @@ fn read(bytes: &[u8]) {
     }
 }
 
-/// A job of either process as TOML and as JSON.
-fn job(tangential: bool) -> (String, String) {
-    let toml = if tangential {
+/// A job of each process as TOML and as JSON.
+fn job(process: Process) -> (String, String) {
+    let toml = match process {
         // With the keys that hold names and with settings, which the template has in comments only.
-        let named = "[dressing]\nvariables = [\"Fp1\", \"dX2\"]\nsplines = [{ channel = \"dX\", intervals = 6 }]\nexclude = [\"gA\"]\n";
-        let settings = "[settings.right]\nkap = 1.2\nvalues = { Fp1 = 0.001, dX2 = -0.006 }\n";
-        let template = job_template(Process::TangentialDressing);
-        template.replacen("[dressing]\n", named, 1) + settings
-    } else {
-        crate::command::example("automotive-bias.toml")
+        Process::TangentialDressing => {
+            let named = "[dressing]\nvariables = [\"Fp1\", \"dX2\"]\nsplines = [{ channel = \"dX\", intervals = 6 }]\nexclude = [\"gA\"]\n";
+            let settings = "[settings.right]\nkap = 1.2\nvalues = { Fp1 = 0.001, dX2 = -0.006 }\n";
+            job_template(process).replacen("[dressing]\n", named, 1) + settings
+        }
+        // With choices, which the template has in comments only.
+        Process::ElectronicGearbox => {
+            let explore = "[explore]\nwanted_um = 0.5\nscales = [{ pulses_per_metre = 1e5, cost = 1 }]\n";
+            job_template(process).to_owned() + explore
+        }
+        Process::GeneratingGrinding => crate::command::example("automotive-bias.toml"),
     };
     let json = match parse_any_job(Source::new("job.toml", &toml)).expect("a valid example") {
         AnyJob::Grinding(loaded) => serde_json::to_string_pretty(&loaded.job),
         AnyJob::Tangential(loaded) => serde_json::to_string_pretty(&loaded.job),
+        AnyJob::Gearbox(loaded) => serde_json::to_string_pretty(&loaded.job),
     };
     (toml, json.expect("JSON"))
 }
@@ -104,8 +110,8 @@ proptest! {
     }
 
     #[test]
-    fn changed_jobs(changes in prop::collection::vec((any::<prop::sample::Index>(), 0usize..12, piece()), 1..5), json in any::<bool>(), tangential in any::<bool>()) {
-        let (toml, as_json) = job(tangential);
+    fn changed_jobs(changes in prop::collection::vec((any::<prop::sample::Index>(), 0usize..12, piece()), 1..5), json in any::<bool>(), process in prop::sample::select(Process::ALL.to_vec())) {
+        let (toml, as_json) = job(process);
         let mut text: Vec<char> = if json { as_json } else { toml }.chars().collect();
         for (place, length, piece) in changes {
             let start = place.index(text.len() + 1);
@@ -116,8 +122,8 @@ proptest! {
     }
 
     #[test]
-    fn changed_values(place in any::<prop::sample::Index>(), piece in piece(), tangential in any::<bool>()) {
-        let (toml, _) = job(tangential);
+    fn changed_values(place in any::<prop::sample::Index>(), piece in piece(), process in prop::sample::select(Process::ALL.to_vec())) {
+        let (toml, _) = job(process);
         // Entries of the form `key = value` on a line of their own.
         let lines: Vec<&str> = toml.lines().collect();
         let entries: Vec<usize> = (0..lines.len()).filter(|&i| lines[i].contains(" = ") && !lines[i].starts_with([' ', '#'])).collect();
@@ -130,8 +136,8 @@ proptest! {
     }
 
     #[test]
-    fn cut_jobs(place in any::<prop::sample::Index>(), json in any::<bool>(), tangential in any::<bool>()) {
-        let (toml, as_json) = job(tangential);
+    fn cut_jobs(place in any::<prop::sample::Index>(), json in any::<bool>(), process in prop::sample::select(Process::ALL.to_vec())) {
+        let (toml, as_json) = job(process);
         let text = if json { as_json } else { toml };
         read(&text.as_bytes()[..place.index(text.len())]);
     }

@@ -2,6 +2,7 @@
 //! of diameters.
 
 mod catalogue;
+mod control;
 mod diameters;
 mod explore;
 mod gear;
@@ -32,6 +33,7 @@ pub(super) fn check(job: &Job) -> Vec<Diagnostic> {
     strokes::check(job, &mut findings);
     grinding::check(job, &mut findings);
     explore::check(job, &mut findings);
+    control::check(job, &mut findings);
     settings(job, &mut findings);
     findings
 }
@@ -130,7 +132,8 @@ fn settings(job: &Job, findings: &mut Vec<Diagnostic>) {
     }
 }
 
-fn name(info: &JobInfo, findings: &mut Vec<Diagnostic>) {
+/// A name that can be that of a directory.
+pub(super) fn name(info: &JobInfo, findings: &mut Vec<Diagnostic>) {
     let name = &info.name;
     let plain = |c: char| c.is_alphanumeric() || matches!(c, '-' | '_' | '.' | ' ');
     // The name becomes a directory: nothing that leads elsewhere or that a file system trims.

@@ -4,6 +4,7 @@
 
 mod catalogue;
 mod choices;
+mod control;
 mod designed_for;
 mod diagonal_ratio;
 mod dresser;
@@ -27,6 +28,7 @@ mod worm;
 
 pub use catalogue::{CatalogueSource, FreeQuantity, FreeWorm};
 pub use choices::{Flanks, Hand};
+pub use control::Control;
 pub use designed_for::DesignedFor;
 pub use diagonal_ratio::{
     DiagonalRatio, DiagonalRule, LineBlendCurve, LineSineCurve, PointsCurve, ShiftCurve, ShiftLaw, ShiftTable,
@@ -95,6 +97,9 @@ pub struct Job {
     /// The machine; without one the default limits hold.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub machine: Option<Machine>,
+    /// The control that couples the axes; without one they move exactly as commanded.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub control: Option<Control>,
     /// Points of the result grid.
     #[serde(default)]
     pub grid: Grid,

@@ -7,6 +7,7 @@ use serde::de::DeserializeOwned;
 
 use super::diagnostic::{Diagnostic, JobError, Problem};
 use super::document::Document;
+use super::gearbox_job::{self, GearboxJob};
 use super::job::{Job, JobInfo, Process};
 use super::node::Kind;
 use super::source::Source;
@@ -27,6 +28,9 @@ pub type LoadedJob = Loaded<Job>;
 
 /// A checked job of tangential dressing.
 pub type LoadedTangentialJob = Loaded<TangentialJob>;
+
+/// A checked job of the electronic gearbox.
+pub type LoadedGearboxJob = Loaded<GearboxJob>;
 
 impl<J> Loaded<J> {
     /// The path of a file that the job names: beside the job file unless absolute.
@@ -49,6 +53,8 @@ pub enum AnyJob {
     Grinding(LoadedJob),
     /// Tangential dressing.
     Tangential(LoadedTangentialJob),
+    /// The electronic gearbox.
+    Gearbox(LoadedGearboxJob),
 }
 
 impl AnyJob {
@@ -57,6 +63,7 @@ impl AnyJob {
         match self {
             Self::Grinding(loaded) => &loaded.job.job,
             Self::Tangential(loaded) => &loaded.job.job,
+            Self::Gearbox(loaded) => &loaded.job.job,
         }
     }
 }
@@ -78,6 +85,7 @@ pub fn parse_any_job(source: Source) -> Result<AnyJob, JobError> {
     match process_of(&document)? {
         Process::GeneratingGrinding => typed(document).map(AnyJob::Grinding),
         Process::TangentialDressing => typed(document).map(AnyJob::Tangential),
+        Process::ElectronicGearbox => typed(document).map(AnyJob::Gearbox),
     }
 }
 
@@ -140,11 +148,24 @@ impl ProcessJob for TangentialJob {
     }
 }
 
+impl ProcessJob for GearboxJob {
+    const PROCESS: Process = Process::ElectronicGearbox;
+
+    fn shape(_: &Document) -> Vec<Diagnostic> {
+        Vec::new()
+    }
+
+    fn contradictions(&self) -> Vec<Diagnostic> {
+        gearbox_job::check(self)
+    }
+}
+
 /// What messages call a job of the process, and where an example is.
 fn subject(process: Process) -> shape::Subject {
     let example = match process {
         Process::GeneratingGrinding => "`flankwright new generating-grinding` prints a complete example",
         Process::TangentialDressing => "`flankwright new tangential-dressing` prints a complete example",
+        Process::ElectronicGearbox => "`flankwright new electronic-gearbox` prints a complete example",
     };
     shape::Subject { document: "the job", example }
 }

@@ -4,17 +4,20 @@
 
 pub mod catalogue;
 mod checks;
+pub mod control;
 mod csv;
 mod diagnostic;
 mod document;
 mod files;
 mod form;
+pub mod gearbox_job;
 mod grid_file;
 pub mod job;
 mod json_tree;
 mod load;
 pub mod machine;
 mod node;
+mod reference_train;
 mod schema;
 mod shape;
 mod source;
@@ -26,13 +29,16 @@ pub use csv::{Cell, Column, CsvError, CsvTable};
 pub use diagnostic::{Diagnostic, JobError, Problem};
 pub use document::Document;
 pub use files::write_atomically;
+pub use gearbox_job::GearboxJob;
 pub use grid_file::{
     GridTarget, TableForm, read_grid_target, read_points, read_tolerances, read_traces, table_form,
 };
 pub use job::Job;
 pub use load::{
-    AnyJob, Loaded, LoadedJob, LoadedTangentialJob, parse_any_job, parse_job, read_any_job, read_job,
+    AnyJob, Loaded, LoadedGearboxJob, LoadedJob, LoadedTangentialJob, parse_any_job, parse_job, read_any_job,
+    read_job,
 };
+pub use reference_train::{ReferenceTrain, read_reference_train};
 pub use schema::job_schema;
 pub use source::{MAXIMUM_BYTES, Source};
 pub use tangential_job::TangentialJob;

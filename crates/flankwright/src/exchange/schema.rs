@@ -7,6 +7,7 @@ use schemars::generate::{SchemaGenerator, SchemaSettings};
 use schemars::{JsonSchema, Schema};
 use serde_json::{Value, json};
 
+use super::gearbox_job::GearboxJob;
 use super::job::{Job, JobInfo, Process};
 use super::tangential_job::TangentialJob;
 
@@ -75,6 +76,7 @@ fn tables(process: Process, generator: &mut SchemaGenerator) -> Schema {
     match process {
         Process::GeneratingGrinding => generator.subschema_for::<Job>(),
         Process::TangentialDressing => generator.subschema_for::<TangentialJob>(),
+        Process::ElectronicGearbox => generator.subschema_for::<GearboxJob>(),
     }
 }
 

@@ -7,13 +7,14 @@ pub fn job_template(process: Process) -> &'static str {
     match process {
         Process::GeneratingGrinding => include_str!("template/generating-grinding.toml"),
         Process::TangentialDressing => include_str!("template/tangential-dressing.toml"),
+        Process::ElectronicGearbox => include_str!("template/electronic-gearbox.toml"),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exchange::{Source, job_schema, parse_any_job, schema};
+    use crate::exchange::{AnyJob, Source, job_schema, parse_any_job, parse_job, schema};
 
     #[test]
     fn templates_are_valid_jobs() {
@@ -85,5 +86,63 @@ mod tests {
             let read = parse_any_job(Source::new("new.toml", &text));
             assert!(read.is_ok(), "{key}: {}", read.unwrap_err());
         }
+    }
+
+    /// The template with one line in place of another.
+    fn with_line(template: &str, from: &str, to: &str) -> String {
+        template.lines().map(|line| if line == from { to } else { line }.to_owned() + "\n").collect()
+    }
+
+    #[test]
+    fn every_optional_key_of_the_gearbox_is_valid() {
+        let template = job_template(Process::ElectronicGearbox);
+        let (tables, explore) = template.split_at(template.find("# [explore]").unwrap());
+        let list = &tables[tables.find("motion = [").unwrap()..tables.find("# start").unwrap()];
+        let train = "reference_ticks = [100, 260, 420]\nreference_signs = [1, 1, -1]\n";
+        let mut keys = 0;
+        for line in tables.lines().filter(|line| line.starts_with("# ")) {
+            let entry = &line[2..];
+            let Some((key, _)) = entry.split_once(" = ").filter(|(key, _)| !key.contains(' ')) else {
+                continue;
+            };
+            keys += 1;
+            let text = with_line(tables, line, entry);
+            let text = match key {
+                "gains" => text.replace("\nbandwidth_hz", "\n# bandwidth_hz"),
+                "references" => text.replace(list, ""),
+                "last_tick" => text.replace(list, train),
+                "reference_ticks" | "reference_signs" => {
+                    tables.replace(list, "").replace("# reference_", "reference_")
+                }
+                _ => text,
+            };
+            let read = parse_any_job(Source::new("new.toml", &(text + explore)));
+            assert!(read.is_ok(), "{key}: {}", read.unwrap_err());
+        }
+        assert!(keys > 15, "{keys}");
+        let explore: String =
+            explore.lines().map(|line| line.strip_prefix("# ").unwrap_or(line).to_owned() + "\n").collect();
+        let text = tables.to_owned() + &explore;
+        parse_any_job(Source::new("new.toml", &text)).unwrap_or_else(|error| panic!("{error}"));
+    }
+
+    #[test]
+    fn the_control_of_a_grinding_job_is_valid() {
+        let template = job_template(Process::GeneratingGrinding);
+        let from = template.find("# [control]").unwrap();
+        let to = from + template[from..].find("\n\n").unwrap();
+        let control: String =
+            template[from..to].lines().map(|line| line.trim_start_matches("# ").to_owned() + "\n").collect();
+        let text = template[..from].to_owned() + &control + &template[to..];
+        let read = parse_any_job(Source::new("new.toml", &text));
+        let Ok(AnyJob::Grinding(loaded)) = read else { panic!("{}", read.unwrap_err()) };
+        // What the template calls defaults is what stands in for them.
+        let short = text.replace(
+            ", clock_hz = 1e6, pulses_per_interval = 16, mode = \"no-backlash\", counter_limit = 16777215",
+            "",
+        );
+        assert_ne!(short, text);
+        let short = parse_job(Source::new("new.toml", &short)).unwrap_or_else(|error| panic!("{error}"));
+        assert_eq!(short.job.control, loaded.job.control);
     }
 }

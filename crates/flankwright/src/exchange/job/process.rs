@@ -17,7 +17,7 @@ pub struct JobInfo {
     pub description: Option<String>,
 }
 
-/// The processes that can be planned.
+/// The processes that have jobs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Process {
@@ -25,11 +25,14 @@ pub enum Process {
     GeneratingGrinding,
     /// Generating grinding with a worm that one motion of the dresser along its tangent has modified.
     TangentialDressing,
+    /// The electronic gearbox that turns a helical workpiece while it feeds.
+    ElectronicGearbox,
 }
 
 impl Process {
-    /// All processes that can be planned.
-    pub const ALL: [Process; 2] = [Process::GeneratingGrinding, Process::TangentialDressing];
+    /// All processes that have jobs.
+    pub const ALL: [Process; 3] =
+        [Process::GeneratingGrinding, Process::TangentialDressing, Process::ElectronicGearbox];
 
     /// Processes that the job format knows and this version does not plan.
     pub const NOT_AVAILABLE: [&str; 2] = ["five-axis-milling", "skiving-tool-measuring"];
@@ -39,6 +42,7 @@ impl Process {
         match self {
             Process::GeneratingGrinding => "generating-grinding",
             Process::TangentialDressing => "tangential-dressing",
+            Process::ElectronicGearbox => "electronic-gearbox",
         }
     }
 }

@@ -1,0 +1,21 @@
+//! Contradictions in `[control]`.
+
+use crate::exchange::control::check_servo;
+use crate::exchange::diagnostic::{Diagnostic, Problem};
+use crate::exchange::job::Job;
+
+pub(super) fn check(job: &Job, findings: &mut Vec<Diagnostic>) {
+    let Some(control) = &job.control else { return };
+    if job.grinding.feed_per_revolution.is_none() {
+        findings.push(
+            Diagnostic::new(
+                Problem::MissingKey,
+                "`[control]` needs `grinding.feed_per_revolution`: what the control costs on the flank depends on when each place is ground",
+            )
+            .field("grinding.feed_per_revolution")
+            .allowed("a number > 0 and <= 100")
+            .way_out("give the axial feed in mm per revolution of the gear, e.g. 0.3, or leave `[control]` out"),
+        );
+    }
+    check_servo("control.servo", &control.servo, true, findings);
+}

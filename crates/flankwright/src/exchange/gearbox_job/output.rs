@@ -1,0 +1,12 @@
+//! `[output]` of the electronic gearbox.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// What to write beside result and report.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct GearboxOutput {
+    /// Every pulse as a table.
+    pub pulse_trace: bool,
+}

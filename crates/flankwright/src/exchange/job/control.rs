@@ -1,0 +1,27 @@
+//! `[control]`: the control that couples the axes while the gear is ground.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::exchange::control::{ScaleInterpolation, Servo, ShiftScale, WorkpieceEncoder, WormEncoder};
+
+/// The control that couples the axes: what its pulses, its coefficients and its servo leave on the flank is added to the result.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Control {
+    /// Scale of the feed slide and interpolation of its pulses.
+    pub feed: ScaleInterpolation,
+    /// Encoder of the workpiece spindle.
+    pub workpiece: WorkpieceEncoder,
+    /// Encoder of the worm spindle.
+    pub worm: WormEncoder,
+    /// Scale of the slide that shifts the worm; without one the shift is taken as exact.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shift: Option<ShiftScale>,
+    /// Servo of the workpiece spindle.
+    pub servo: Servo,
+    /// Speed of the worm while it grinds, 1/min; default by the cutting speed of the machine.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 100_000, "x-way-out" = "give the speed of the worm in 1/min, e.g. 3000, or leave it out"))]
+    pub worm_speed_rpm: Option<f64>,
+}
