@@ -10,9 +10,8 @@ use flankwright::control::{
     FlankPlaces, Interpolation, Rotation, StrokeControl, StrokeRecord, StrokeSpeeds, run_stroke,
 };
 use flankwright::geometry::{Flank, Gear, GearData, Sides, WormChoice, worm_for_gear};
-use flankwright::kinematics::{GeneratingMotion, MotionLaw};
-use flankwright::numerics::Silent;
-use flankwright::removal::{ActiveThreads, Grinding, GrindingMode, RayGrid, Unmodified, WormArea, grind};
+use flankwright::kinematics::{GeneratingMotion, GeneratingState, MotionLaw};
+use flankwright::removal::{RayGrid, TimedGrinding, Unmodified, WormArea, grind_in_time};
 use std::f64::consts::TAU;
 
 fn pair(teeth: i32, helix_angle: f64) -> Pair {
@@ -95,37 +94,28 @@ fn by_rays(
     grid: &RayGrid,
 ) -> Vec<f64> {
     let speeds = record.speeds();
-    let rate = record.feed(1.0) - record.feed(0.0);
-    let angle =
-        |time: f64| motion.state(speeds.worm * time, record.feed(time), motion.phase[flank]).work_angle;
-    let middle = record.time(0.0);
-    let turning = angle(middle + 0.5) - angle(middle - 0.5);
-    let feed_per_revolution = rate / turning * TAU;
-    let start = record.feed(middle) - feed_per_revolution * angle(middle) / TAU;
-
-    let count = record.actual.len();
-    let times = (0..count).map(|k| record.start + k as f64 * record.sample_time);
-    let mut points: Vec<(f64, f64)> =
-        times.map(|t| record.feed(t)).zip(record.actual.iter().copied()).collect();
-    points.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let (x, y): (Vec<f64>, Vec<f64>) = points.into_iter().unzip();
-    let errors = MotionLaw::spline(&x, &y).unwrap();
-    let rays = |motion: &GeneratingMotion| {
-        let setup = Grinding {
+    let phase = motion.phase[flank];
+    let angle = |time: f64| motion.state(speeds.worm * time, record.feed(time), phase).work_angle;
+    let turning = angle(1.0) - angle(0.0);
+    let rays = |error: &(dyn Fn(f64) -> f64 + Sync)| {
+        let pose = |time: f64| {
+            let state = motion.state(speeds.worm * time, record.feed(time), phase);
+            motion.chain.pose(&GeneratingState { work_angle: state.work_angle + error(time), ..state })
+        };
+        let setup = TimedGrinding {
             worm: pair.worm.flank(flank),
-            area: WormArea { w: [5.0, 120.0], z: [-100.0, 100.0] },
+            area: WormArea { w: [50.0, 140.0], z: [-60.0, 60.0] },
             modification: &Unmodified,
             work: pair.work.flank(flank),
-            motion,
-            feed_range: [x[0], x[x.len() - 1]],
+            pose: &pose,
+            span: [record.start, record.start + record.sample_time * (record.actual.len() - 1) as f64],
+            revolution: TAU / turning.abs(),
             stock: 0.1,
-            threads: ActiveThreads::All,
-            mode: GrindingMode::FeedMarks { feed_per_revolution, start },
         };
-        grind(&setup, grid, &Silent).unwrap().lengths().unwrap()
+        grind_in_time(&setup, grid).unwrap()
     };
-    let disturbed = GeneratingMotion { delta_phi_2: errors, ..motion.clone() };
-    rays(&disturbed).iter().zip(rays(motion)).map(|(with, without)| 1e3 * (with - without)).collect()
+    let disturbed = rays(&|time| record.error(time));
+    disturbed.iter().zip(rays(&|_| 0.0)).map(|(with, without)| 1e3 * (with - without)).collect()
 }
 
 #[test]
@@ -134,9 +124,18 @@ fn places_keep_what_the_referee_leaves() {
         let pair = pair(teeth, helix);
         let motion = pair.motion(MotionLaw::polynomial(0.0, vec![0.0, ratio]));
         let control = control(&pair, torques(), true);
-        let speeds = StrokeSpeeds { worm: 300.0, feed_range: [-sense * 6.0, sense * 6.0], feed: 1.4 };
+        let speeds = StrokeSpeeds { worm: 300.0, feed_range: [-sense * 9.0, sense * 9.0], feed: 1.4 };
         let phase = motion.phase[Flank::Left];
         let record = run_stroke(&control, &motion, &speeds, phase).unwrap();
+        let big = record.actual.iter().fold(0.0f64, |a, e| a.max(e.abs()));
+        let big2 = record.setpoint.iter().fold(0.0f64, |a, e| a.max(e.abs()));
+        eprintln!(
+            "{big} {big2} {:?} n {} limited {} torque {}",
+            record.means,
+            record.actual.len(),
+            record.limited,
+            record.greatest_torque
+        );
         assert_eq!((record.alarms, record.limited), (0, 0.0));
         for flank in Flank::BOTH {
             let work = pair.work.flank(flank);

@@ -1,9 +1,11 @@
 //! Which error of the workpiece's angle each place of the flank keeps: the place is ground by the passes of its tooth whose feed is nearest
-//! to the one of its contact, and the deepest of them stays (spec 20 sections 3, 4, 7).
+//! to the one of its contact, in the instant in which the tool comes deepest, and the deepest pass stays (spec 20 sections 3, 4, 7).
 
 use super::stroke::StrokeRecord;
 use crate::contact::FlankPair;
 use crate::kinematics::GeneratingMotion;
+use nalgebra::{Matrix2, Vector2};
+use num_dual::Dual64;
 use std::f64::consts::TAU;
 
 /// Where and when places of one flank are ground, in closed form: contacts of the unmodified bodies, passes at the real feed.
@@ -32,6 +34,8 @@ pub struct ControlledFlank {
 const PASSES: i64 = 2;
 /// Steps until the feed of a contact, and the time of a pass, do not move any more.
 const STEPS: usize = 20;
+/// Steps to the vertex of a pass: each reduces its error by the bend of the error over that of the gap, some hundredths.
+const SLOPES: usize = 6;
 
 /// A place with all that its passes need.
 struct Place {
@@ -39,8 +43,10 @@ struct Place {
     feed: f64,
     /// phi_2 of its contact for tooth 0, rad.
     angle: f64,
-    /// Growth of the gap with the square of the feed missed, 1/mm.
-    curvature: f64,
+    /// Gap of a pose whose contact is (dw_2, dz_V2) beside this place: half its quadratic form, 1/mm.
+    gap: Matrix2<f64>,
+    /// d phi_2/d w_2 and d phi_2/d z_V2 of contacts, rad/mm.
+    rates: [f64; 2],
 }
 
 impl FlankPlaces<'_> {
@@ -72,40 +78,66 @@ impl FlankPlaces<'_> {
                 break;
             }
         }
-        let w_1 = pair.worm_roll(w, motion.shift.value(feed), feed);
-        // The height of marks f apart is c f^2/8 for a gap c x^2/2.
-        let curvature = 8.0 * pair.relative_curvature(w_1, w, ratio).feed_mark(1.0);
-        Place { feed, angle: pair.work_angle(w, z), curvature }
+        let shift = motion.shift.value(feed);
+        let gap = pair.relative_curvature(pair.worm_roll(w, shift, feed), w, ratio).h;
+        // Contact relations are linear: differences over 1 mm are derivatives.
+        let angle = pair.work_angle(w, z);
+        let by_roll = pair.work_angle(w + 1.0, pair.work_z(w + 1.0, shift, feed)) - angle;
+        let by_feed = (pair.work_angle(w, z + 1.0) - angle) * (pair.c_zv22 + ratio * pair.c_zv12);
+        Place { feed, angle, gap, rates: [by_roll, by_feed] }
     }
 
     fn deviation_of(&self, place: &Place, tooth: usize) -> f64 {
+        let pitch_angle = TAU / self.motion.teeth.abs();
+        let angle = place.angle + pitch_angle * tooth as f64;
+        let nearest = self.turn_nearest(angle, place.feed);
+        let (mut with, mut without) = (f64::INFINITY, f64::INFINITY);
+        for turn in -PASSES..=PASSES {
+            let [pass, ideal] = self.pass(place, angle + TAU * (nearest + turn) as f64);
+            (with, without) = (with.min(pass), without.min(ideal));
+        }
+        with - without
+    }
+
+    /// Depth of one pass with the error and without it, mm. The gap of unmodified bodies is a parabola in time; its vertex moves by the slope
+    /// of the error.
+    fn pass(&self, place: &Place, angle: f64) -> [f64; 2] {
         let work = &self.pair.work;
         // The flank moves against the rotation of the body: n . (e_z x r) = s r_b cos(beta_b).
         let arm = -work.flank.sign() * work.base_radius * work.base_helix_angle.cos();
-        let pitch_angle = TAU / self.motion.teeth.abs();
-        let angle = place.angle + pitch_angle * tooth as f64;
-        let (mut with, mut without) = (f64::INFINITY, f64::INFINITY);
-        let nearest = self.turn_nearest(angle, place.feed);
-        for turn in -PASSES..=PASSES {
-            let time = self.time_of(angle + TAU * (nearest + turn) as f64);
-            let missed = self.record.feed(time) - place.feed;
-            let gap = 0.5 * place.curvature * missed * missed;
-            without = without.min(gap);
-            with = with.min(gap + arm * self.record.error(time));
+        let time = self.time_of(angle);
+        let [_, turning] = self.work_angle(time);
+        let feeding = self.record.feed(1.0) - self.record.feed(0.0);
+        let missed = self.record.feed(time) - place.feed;
+        let [by_roll, by_feed] = place.rates;
+        // (dw_2, dz_V2) = offset + rate (t - time).
+        let offset = Vector2::new(-by_feed * missed / by_roll, missed);
+        let rate = Vector2::new((turning - by_feed * feeding) / by_roll, feeding);
+        let bend = rate.dot(&(place.gap * rate));
+        let vertex = -rate.dot(&(place.gap * offset)) / bend;
+        let gap = |after: f64| {
+            let at = offset + rate * after;
+            0.5 * at.dot(&(place.gap * at))
+        };
+        let mut after = vertex;
+        for _ in 0..SLOPES {
+            let [_, slope] = self.record.error_with_slope(time + after);
+            after = vertex - arm * slope / bend;
         }
-        with - without
+        let [error, _] = self.record.error_with_slope(time + after);
+        [gap(after) + arm * error, gap(vertex)]
     }
 
     /// phi_2 and its rate at a time.
     fn work_angle(&self, time: f64) -> [f64; 2] {
         let speeds = self.record.speeds();
-        let state = |time: num_dual::Dual64| {
+        let state = |time: Dual64| {
             let origin = self.record.feed(0.0);
             let rate = self.record.feed(1.0) - origin;
             let feed = time * rate + origin;
             self.motion.state(time * speeds.worm, feed, self.motion.phase[self.pair.flank()]).work_angle
         };
-        let angle = state(num_dual::Dual64::new(time, 1.0));
+        let angle = state(Dual64::new(time, 1.0));
         [angle.re, angle.eps]
     }
 

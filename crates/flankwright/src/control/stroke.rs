@@ -285,13 +285,19 @@ impl StrokeRecord {
 
     /// Error of the actual angle at a time, rad: a cubic through the four samples around it, held at the ends.
     pub fn error(&self, time: f64) -> f64 {
-        let errors = &self.actual;
-        let last = errors.len() as i64 - 1;
+        self.error_with_slope(time)[0]
+    }
+
+    /// The same with its rate, rad/s.
+    pub fn error_with_slope(&self, time: f64) -> [f64; 2] {
+        let last = self.actual.len() as i64 - 1;
         let u = ((time - self.start) / self.sample_time).clamp(0.0, last as f64);
         let k = (u.floor() as i64).min(last - 1).max(0);
-        let at = |j: i64| errors[j.clamp(0, last) as usize];
+        let at = |j: i64| self.actual[j.clamp(0, last) as usize];
         let [a, b, c, d] = [at(k - 1), at(k), at(k + 1), at(k + 2)];
         let s = u - k as f64;
-        b + 0.5 * s * (c - a + s * (2.0 * a - 5.0 * b + 4.0 * c - d + s * (3.0 * (b - c) + d - a)))
+        let [c1, c2, c3] =
+            [0.5 * (c - a), 0.5 * (2.0 * a - 5.0 * b + 4.0 * c - d), 0.5 * (3.0 * (b - c) + d - a)];
+        [b + s * (c1 + s * (c2 + s * c3)), (c1 + s * (2.0 * c2 + 3.0 * s * c3)) / self.sample_time]
     }
 }

@@ -10,7 +10,7 @@ mod servo;
 pub(super) use checks::check_servo;
 pub use disturbance::{Disturbance, Spindle};
 pub(super) use encoder::encoder_pulses_schema;
-pub use encoder::{MultiplierRate, WorkpieceEncoder, WormEncoder};
+pub use encoder::{RotationRate, WorkpieceEncoder, WormEncoder};
 pub use scale::{InterpolationMode, ScaleInterpolation, ShiftScale};
 pub(super) use scale::{clock_schema, pulses_per_interval_schema, scale_pulses_schema};
 pub use servo::{Servo, ServoGains};

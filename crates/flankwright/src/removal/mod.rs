@@ -15,6 +15,7 @@ mod fit;
 mod grid;
 mod grind;
 mod ground_flank;
+mod in_time;
 mod line_dress;
 mod meridian;
 mod root;
@@ -32,6 +33,7 @@ pub use fit::{ContactSweep, FittedRelations, LinearRelation, SeenContact, feeds_
 pub use grid::RayGrid;
 pub use grind::{Grinding, GrindingMode, grind};
 pub use ground_flank::{GroundFlank, GroundRay};
+pub use in_time::{TimedGrinding, grind_in_time};
 pub use line_dress::{LineCut, LineDressed, LinePasses, dress_lines};
 pub use root::{RootGrinding, RootRay};
 pub use statistics::Statistics;

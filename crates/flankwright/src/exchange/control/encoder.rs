@@ -3,16 +3,16 @@
 use schemars::{JsonSchema, Schema, json_schema};
 use serde::{Deserialize, Serialize};
 
-/// The encoder of the workpiece spindle and the multiplier of its additional rotation.
+/// The encoder of the workpiece spindle and how its additional rotation is counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct WorkpieceEncoder {
     /// Pulses per revolution of the workpiece.
     #[schemars(schema_with = "encoder_pulses_schema")]
     pub pulses_per_revolution: u32,
-    /// Which of the interpolated pulses pass to the workpiece.
+    /// How interpolated pulses of the slide become rotation of the workpiece.
     #[serde(default)]
-    pub rate: MultiplierRate,
+    pub rate: RotationRate,
 }
 
 /// The encoder of the worm spindle.
@@ -24,14 +24,17 @@ pub struct WormEncoder {
     pub pulses_per_revolution: u32,
 }
 
-/// The rule by which a rate multiplier lets pulses pass.
+/// How pulses of the slide become rotation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
-pub enum MultiplierRate {
-    /// Whenever the exact count grows by one: never a whole pulse off.
+pub enum RotationRate {
+    /// By an accumulator of 128 bits: any ratio, less than a part of a pulse off.
     #[default]
+    Exact,
+    /// By a rate multiplier of 18 bits that passes a pulse whenever the count grows by one: never a whole pulse off. At most one pulse of
+    /// rotation for one of the slide.
     Bresenham,
-    /// By the bits of a counter of 18 places, as circuits do: up to 3.4 pulses off.
+    /// By a rate multiplier of 18 bits that goes by the bits of its counter, as circuits do: up to 3.4 pulses off.
     Binary,
 }
 

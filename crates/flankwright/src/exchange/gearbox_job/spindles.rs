@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::exchange::control::{MultiplierRate, WorkpieceEncoder, encoder_pulses_schema};
+use crate::exchange::control::{RotationRate, WorkpieceEncoder, encoder_pulses_schema};
 
 /// The workpiece spindle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -14,7 +14,7 @@ pub struct GearboxWorkpiece {
     pub pulses_per_revolution: u32,
     /// Which of the interpolated pulses pass to the workpiece.
     #[serde(default)]
-    pub rate: MultiplierRate,
+    pub rate: RotationRate,
     /// Whether spindle or slide of the machine count in the other sense, so that a right-hand gear turns backward over the feed.
     #[serde(default)]
     pub reversed: bool,
