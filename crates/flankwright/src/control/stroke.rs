@@ -177,9 +177,9 @@ pub fn run_stroke(
     let mut rotation = control.rotation.counter(control.feed.settings.pulses_per_interval())?;
     let (mut net, mut failed) = (0i64, Ok(()));
     let mut lines = references.iter().peekable();
-    // Place of the scale at pulse position 0: the line before the first one passed forwards, the first one backwards.
-    let zero = slide.crossings(control.feed.pitch)?.first().map_or(0.0, |crossing| {
-        (crossing.line + i64::from(sense < 0.0) - i64::from(sense > 0.0) * 0) as f64 * control.feed.pitch
+    // Place of the slide at pulse position 0, in the middle of the staircase.
+    let zero = slide.crossings(control.feed.pitch)?.first().map_or(first, |crossing| {
+        crossing.line as f64 * control.feed.pitch - sense * 0.5 * control.feed.pitch / p
     });
     let mut cursor = slide.cursor();
     let ideal = |time: f64, feed: f64| motion.state(speeds.worm * time, feed, phase);

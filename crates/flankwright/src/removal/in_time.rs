@@ -34,6 +34,8 @@ const INSTANTS: f64 = 500.0;
 const NEAR: f64 = 0.02;
 /// Largest slope of the gap along a ray that counts as meeting the worm from its front (spec 20 section 9).
 const FACING: f64 = -0.3;
+/// Turns of a long stroke that are looked at first.
+const COARSE: f64 = 16.0;
 /// Steps of the golden section: 0.618^60 of an interval.
 const SECTIONS: usize = 60;
 
@@ -63,25 +65,48 @@ impl TimedGrinding<'_> {
         let frame = self.work.frame(w, z);
         let ray = (self.work.point_in(&frame, w, z), frame.n);
         let [first, last] = self.span;
+        let turns = ((last - first) / self.revolution).ceil();
+        // Of a long stroke some turns tell where the tool comes deepest; from turn to turn it does so gradually.
+        let stride = (turns / COARSE).floor().max(1.0);
+        let mut window = self.span;
+        if stride > 1.0 {
+            let seen = (0..)
+                .map(|k| first + f64::from(k) * stride * self.revolution)
+                .take_while(|&start| start < last)
+                .flat_map(|start| self.bottoms(&ray, [start, (start + self.revolution).min(last)]));
+            let (deepest, _) = seen.min_by(|a, b| a.1.total_cmp(&b.1))?;
+            let way = (stride + 1.0) * self.revolution;
+            window = [(deepest - way).max(first), (deepest + way).min(last)];
+        }
+        let bottoms = self.bottoms(&ray, window);
+        let lowest = bottoms.iter().map(|bottom| bottom.1).reduce(f64::min)?;
         let step = self.revolution / INSTANTS;
-        let count = ((last - first) / step).ceil().max(2.0) as usize;
-        let instants: Vec<f64> = (0..=count).map(|k| (first + k as f64 * step).min(last)).collect();
-        let lengths: Vec<f64> =
-            instants.iter().map(|&time| self.length(&ray, time).unwrap_or(f64::INFINITY)).collect();
+        let near = bottoms.into_iter().filter(|bottom| bottom.1 <= lowest + NEAR);
+        near.map(|(time, _)| self.refined(&ray, time - step, time + step))
+            .filter(|length| length.abs() <= self.stock)
+            .reduce(f64::min)
+    }
+
+    /// Instants in a window at which the ray is shorter than just before and after, with its length.
+    fn bottoms(&self, ray: &(Vector3<f64>, Vector3<f64>), [first, last]: [f64; 2]) -> Vec<(f64, f64)> {
+        let step = self.revolution / INSTANTS;
+        let count = ((last - first) / step).ceil() as usize;
+        // One instant beyond each end, so that a bottom at the end is seen from both sides.
+        let length = |k: usize| {
+            let time = first + (k as f64 - 1.0) * step;
+            (time, self.length(ray, time).unwrap_or(f64::INFINITY))
+        };
+        let lengths: Vec<(f64, f64)> = (0..=count + 2).map(length).collect();
         // A bottom deeper than the stock belongs to another flank, and so does a single instant: another flank sweeps across the ray in
         // less than a step, the own one rolls along it.
-        let own = |length: f64| length.abs() <= self.stock;
-        let bottoms: Vec<usize> = (1..lengths.len() - 1)
-            .filter(|&k| {
-                let [before, here, after] = [lengths[k - 1], lengths[k], lengths[k + 1]];
-                own(here) && here <= before && here <= after && before.is_finite() && after.is_finite()
+        lengths
+            .windows(3)
+            .filter(|around| {
+                let [before, here, after] = [around[0].1, around[1].1, around[2].1];
+                here.abs() <= self.stock && here <= before && here <= after && before.max(after).is_finite()
             })
-            .collect();
-        let lowest = bottoms.iter().map(|&k| lengths[k]).reduce(f64::min)?;
-        let near = bottoms.into_iter().filter(|&k| lengths[k] <= lowest + NEAR);
-        near.map(|k| self.refined(&ray, instants[k] - step, instants[k] + step))
-            .filter(|&f| own(f))
-            .reduce(f64::min)
+            .map(|around| around[1])
+            .collect()
     }
 
     /// Least length in an interval that has one bottom, by the golden section.

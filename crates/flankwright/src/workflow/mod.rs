@@ -2,6 +2,7 @@
 //! call. Knows every layer below, and no user interface.
 
 mod catalogue;
+mod control;
 mod dressing_study;
 mod equal_ratio_offers;
 mod executed_strokes;
@@ -31,6 +32,7 @@ pub use catalogue::{
     FreeRange, LifeCurve, LifePoint, MOST_PAIRS, PAIR_RANKING, PairFlank, PairLife, plan_from_catalogue,
     rank_catalogue, study_free_worm, wanted_of_catalogue, write_catalogue, write_free_study,
 };
+pub use control::{ControlFlankResult, ControlResult, ErrorTrace, Trace};
 pub use dressing_study::{
     AxisInfluence, CrowningCurve, CrowningPoint, CurveEnd, DeviationCurve, DeviationQuantile,
     DressingStudyOutcome, ProfileCurve, StrokeCurve, StrokeFigures, StudyCurves, WormCurve, WormPoint,

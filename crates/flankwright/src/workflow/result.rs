@@ -1,5 +1,6 @@
 //! `result.json`: what a plan or a simulation came to, with units in the key names (spec 90 section 3).
 
+use super::control::ControlResult;
 use super::finding::Remark;
 use super::gear_root::GearRootResult;
 use super::line_dressing::LineDressingResult;
@@ -195,6 +196,9 @@ pub struct JobResult {
     /// The root of the gear; absent unless the worm's tip grinds it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gear_root: Option<GearRootResult>,
+    /// What gearbox and servo leave; absent unless the job describes its control.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub control: Option<ControlResult>,
     /// NC programs with their proof; absent without a machine.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub programs: Option<ProgramsResult>,

@@ -1,5 +1,6 @@
 //! `plan` and `simulate`: from a checked job to result, tables and report.
 
+use super::control::{ControlResult, control_of_grinding};
 use super::equal_ratio_offers::equal_ratio_remark;
 use super::execution::Execution;
 use super::finding::{Remark, RunFailure};
@@ -96,6 +97,11 @@ fn finish(
         .map_err(|e| RunFailure::of_removal(&e, "grinding"))?;
     let gear_root = gear_root(&prepared, &execution)?;
     timing.insert("referee", refereeing.elapsed().as_secs_f64());
+    let controlling = Instant::now();
+    let control = control_of_grinding(loaded, &prepared, &execution, &verdicts)?;
+    if control.is_some() {
+        timing.insert("control", controlling.elapsed().as_secs_f64());
+    }
     // Areas of straight laws are laid out as if they passed through 0.
     let straight = execution.motion.shift.is_affine() && prepared.areas.is_none();
     let origin = if straight { execution.shift_origin } else { 0.0 };
@@ -156,8 +162,14 @@ fn finish(
             && f.outside_class_um <= tolerance
             && f.planned_between_um.is_none_or(|between| between <= allowed)
     };
-    let status = if !flanks.is_empty() && flanks.values().all(met) { Status::Met } else { Status::Missed };
-    let reason = (status == Status::Missed).then(|| missed(job, &prepared, &flanks, execution.ratio));
+    let by_process = !flanks.is_empty() && flanks.values().all(met);
+    let by_control =
+        control.as_ref().filter(|_| by_process).and_then(|control| control_missed(control, tolerance));
+    let status = if by_process && by_control.is_none() { Status::Met } else { Status::Missed };
+    let reason = match by_control {
+        Some(reason) => Some(reason),
+        None => (!by_process).then(|| missed(job, &prepared, &flanks, execution.ratio)),
+    };
     let setup = &prepared.setup;
     let candidates = plan.iter().flat_map(|p| &p.choice.candidates);
     let result = JobResult {
@@ -209,6 +221,7 @@ fn finish(
         },
         flanks,
         gear_root,
+        control,
         programs: programs.as_ref().map(|programs| programs.result.clone()),
         ideal_error_by_round_um: plan.as_ref().map_or(Sides { left: Vec::new(), right: Vec::new() }, |p| {
             p.ideal_error_by_round.map(|_, e| e.iter().map(|e| e * 1e3).collect())
@@ -331,6 +344,23 @@ fn given_ratio_warning(plan: &GrindingPlan) -> Option<Remark> {
         code: "given-ratio-beyond-limits",
         text: format!("the given diagonal ratio would not have been chosen: {refusal}"),
         way_out: "use diagonal_ratio = \"auto\", or check that the machine has the travel".into(),
+    })
+}
+
+/// A process within the tolerance that the control takes out of it.
+fn control_missed(control: &ControlResult, tolerance: f64) -> Option<Remark> {
+    let flanks = control.flanks.iter();
+    let (name, worst) = flanks.max_by(|a, b| a.1.tolerance_share.total_cmp(&b.1.tolerance_share))?;
+    (worst.tolerance_share > 1.0).then(|| Remark {
+        code: "control-above-tolerance",
+        text: format!(
+            "The process alone is within the tolerance of {tolerance} um, but gearbox and servo leave up to {:.3} um on the {name} \
+             flank; together {:.3} um.",
+            worst.largest_um, worst.deviation_with_control_um
+        ),
+        way_out: "Take a stiffer loop (control.servo.bandwidth_hz), finer encoders and scales, or reduce the disturbances; \
+                  the report shows which of them counts."
+            .into(),
     })
 }
 

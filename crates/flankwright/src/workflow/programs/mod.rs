@@ -24,3 +24,4 @@ pub use result::{
 };
 pub use run_programs::RunPrograms;
 pub use task::{DressingWork, GrindingWork, ProgramTask};
+pub(super) use technology::Technology;

@@ -1,0 +1,285 @@
+//! The stroke of a grinding run through the job's control, mapped to the flanks, with rays in time as its referee.
+
+use super::result::{ControlFlankResult, ControlResult, ErrorTrace, Trace};
+use super::setup::{disturbances, failure, interpolation, servo_parameters};
+use crate::control::{
+    FlankPlaces, Rotation, RotationRule, StrokeControl, StrokeRecord, StrokeSpeeds, run_stroke,
+};
+use crate::exchange::control::RotationRate;
+use crate::exchange::job::{Control, Job};
+use crate::exchange::{Diagnostic, LoadedJob};
+use crate::geometry::Flank;
+use crate::geometry::Sides;
+use crate::kinematics::{GeneratingState, Pose, Workpiece};
+use crate::metrology::Topography;
+use crate::numerics::equidistant;
+use crate::removal::{RayGrid, TimedGrinding, Unmodified, WormArea, grind_in_time};
+use crate::workflow::execution::Execution;
+use crate::workflow::finding::RunFailure;
+use crate::workflow::prepare::Prepared;
+use crate::workflow::programs::Technology;
+use crate::workflow::referee::Verdict;
+use electronic_gearbox::Sign;
+use electronic_gearbox::chain::RateRule;
+use electronic_gearbox::coefficient::{Coefficient, GearGeometry};
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+
+/// Points of a trace.
+const TRACE: usize = 161;
+/// Teeth whose traces are shown.
+const TRACED_TEETH: usize = 4;
+/// Stretches of time of the error's chart.
+const STRETCHES: usize = 700;
+/// Rays over the profile and the face width whose lengths are compared, on two teeth.
+const SAMPLE: usize = 3;
+/// Largest length of a ray that counts as this flank's, mm.
+const STOCK: f64 = 0.1;
+/// Samples of the loop that one stroke may have.
+const MOST_SAMPLES: f64 = 5e7;
+
+/// What the job's control leaves; `None` for a job without one.
+///
+/// # Errors
+/// [`RunFailure`] on a key of `[control]`.
+pub(in crate::workflow) fn control_of_grinding(
+    loaded: &LoadedJob,
+    prepared: &Prepared,
+    execution: &Execution,
+    verdicts: &Sides<Option<Verdict>>,
+) -> Result<Option<ControlResult>, RunFailure> {
+    let Some(control) = &loaded.job.control else { return Ok(None) };
+    let speeds = speeds(&loaded.job, control, prepared, execution)?;
+    let (stroke, per_metre) = stroke_control(control, prepared)?;
+    let motion = &execution.motion;
+    let work = prepared.setup.pair.work.flank(Flank::Left);
+    let arm_um = 1e3 * work.base_radius * work.base_helix_angle.cos();
+    let threads = speeds.worm / TAU * motion.threads.abs();
+    let response = stroke.servo.disturbance_response(threads);
+    let response = response.map_err(|error| failure(&error.into(), "control.servo"))?;
+    let mut flanks = BTreeMap::new();
+    for flank in Flank::BOTH {
+        let (Some(executed), Some(verdict)) = (&execution.flanks[flank], &verdicts[flank]) else { continue };
+        let record = run_stroke(&stroke, motion, &speeds, motion.phase[flank])
+            .map_err(|error| failure(&error, "control"))?;
+        let deviation = verdict.simulated.minus(&executed.target);
+        flanks.insert(flank.name(), flank_result(prepared, execution, flank, &record, &deviation)?);
+    }
+    let turn_um = TAU * arm_um;
+    Ok(Some(ControlResult {
+        worm_speed_rpm: speeds.worm * 60.0 / TAU,
+        work_speed_rpm: speeds.worm * (motion.threads / motion.teeth).abs() * 60.0 / TAU,
+        feed_mm_per_min: speeds.feed * 60.0,
+        scale_pitch_um: stroke.feed.pitch * 1e3,
+        setpoint_step_um: turn_um / stroke.rotation.parts_per_revolution,
+        encoder_step_um: turn_um / f64::from(stroke.workpiece_pulses),
+        ratio_error_um_per_m: per_metre * arm_um,
+        compliance_at_threads_um_per_n_m: response.norm() * arm_um,
+        thread_frequency_hz: threads,
+        flanks,
+    }))
+}
+
+/// Worm at its speed, feed by the feed per revolution.
+fn speeds(
+    job: &Job,
+    control: &Control,
+    prepared: &Prepared,
+    execution: &Execution,
+) -> Result<StrokeSpeeds, RunFailure> {
+    let motion = &execution.motion;
+    let setup = &prepared.setup;
+    let hand = if setup.pair.worm.data().helix_angle < 0.0 { -1.0 } else { 1.0 };
+    let sizes = (hand, setup.largest_tip_radius, setup.worm_module(), setup.input.worm_width);
+    let machine = job.machine.clone().unwrap_or_default();
+    let technology = Technology::new(&machine, sizes, job.grinding.feed_per_revolution);
+    let worm = control.worm_speed_rpm.map_or(technology.worm_speed, |rpm| rpm * TAU / 60.0);
+    let turning = worm * (motion.threads / motion.teeth).abs() / TAU;
+    let feed = technology.feed_per_revolution * turning;
+    let [first, last] = execution.feed_range;
+    let duration = (last - first).abs() / feed;
+    let step = control.servo.sample_time_us * 1e-6;
+    let samples = duration / step;
+    if samples > MOST_SAMPLES {
+        let least = duration / MOST_SAMPLES * 1e6;
+        let message = format!("a stroke of {duration:.1} s would have {samples:.1e} samples of the servo");
+        let finding = Diagnostic::with_code("too-many-samples", message)
+            .field("control.servo.sample_time_us".to_owned())
+            .value(control.servo.sample_time_us.to_string())
+            .allowed(format!("at least {least:.3} for this stroke"))
+            .way_out("take a longer sample time, or a larger feed per revolution");
+        return Err(RunFailure::bad_input(finding));
+    }
+    Ok(StrokeSpeeds { worm, feed_range: [first, last], feed })
+}
+
+/// The control, and what the ratio of its additional rotation is off by, rad per metre.
+fn stroke_control(control: &Control, prepared: &Prepared) -> Result<(StrokeControl, f64), RunFailure> {
+    let feed = interpolation(&control.feed, "control.feed")?;
+    let p = feed.settings.pulses_per_interval();
+    let pulses = control.workpiece.pulses_per_revolution;
+    let data = prepared.setup.pair.work.data();
+    // The coupling of the feed, which a conical workpiece does not have from its lead.
+    let turns = prepared.setup.pair.flanks.left.feed_coupling / f64::from(data.teeth) / TAU;
+    let distance = feed.pitch / f64::from(p);
+    let parts = f64::from(pulses) * f64::from(p);
+    let on_pulses =
+        |error: electronic_gearbox::Error| failure(&error.into(), "control.workpiece.pulses_per_revolution");
+    let multiplier = |rule| -> Result<Rotation, electronic_gearbox::Error> {
+        let angle = data.pressure_angle.left;
+        let gear = GearGeometry::new(data.normal_module, data.teeth, data.helix_angle, angle)?;
+        let coefficient = Coefficient::new(&gear, pulses, control.feed.pulses_per_metre, Sign::Plus)?;
+        let rule = RotationRule::Multiplier { coefficient, rule };
+        Ok(Rotation { rule, turns_per_millimetre: turns, parts_per_revolution: parts })
+    };
+    let rotation = match control.workpiece.rate {
+        RotationRate::Exact => Rotation::exact(turns, parts, distance),
+        RotationRate::Bresenham => multiplier(RateRule::Bresenham),
+        RotationRate::Binary => multiplier(RateRule::Binary),
+    };
+    let rotation = rotation.map_err(on_pulses)?;
+    let per_metre = rotation.error_per_metre(distance);
+    let stroke = StrokeControl {
+        feed,
+        rotation,
+        worm_pulses: control.worm.pulses_per_revolution,
+        workpiece_pulses: pulses,
+        shift_pitch: control.shift.as_ref().map(|scale| 1e3 / scale.pulses_per_metre),
+        servo: servo_parameters(&control.servo, pulses, p, "control.servo")?,
+        disturbances: disturbances(&control.servo.disturbances, "control.servo")?,
+    };
+    Ok((stroke, per_metre))
+}
+
+fn flank_result(
+    prepared: &Prepared,
+    execution: &Execution,
+    flank: Flank,
+    record: &StrokeRecord,
+    deviation: &Topography,
+) -> Result<ControlFlankResult, RunFailure> {
+    let (pair, motion) = (&prepared.setup.pair.flanks[flank], &execution.motion);
+    let places = FlankPlaces { pair, motion, record };
+    let count = pair.work.teeth.abs() as usize;
+    let all: Vec<usize> = (0..count).collect();
+    let left = places.flank(&deviation.w, &deviation.z, &all);
+    let (least, greatest) = left.extremes();
+    let (mut with, mut share) = (0.0f64, 0.0f64);
+    let points: Vec<(f64, f64)> =
+        deviation.w.iter().flat_map(|&w| deviation.z.iter().map(move |&z| (w, z))).collect();
+    for tooth in &left.teeth {
+        for ((&(w, z), f), control) in points.iter().zip(&deviation.f).zip(tooth) {
+            let sum = (f * 1e3 + control).abs();
+            with = with.max(sum);
+            share = share.max(sum / (1e3 * prepared.tolerance.value(w, z)));
+        }
+    }
+    let means = left.means();
+    let step = |k: usize| (means[(k + 1) % count] - means[k]).abs();
+    let [w, z] = [
+        [deviation.w[0], deviation.w[deviation.w.len() - 1]],
+        [deviation.z[0], deviation.z[deviation.z.len() - 1]],
+    ];
+    let (trace_w, trace_z) = (equidistant(w, TRACE), equidistant(z, TRACE));
+    let traced: Vec<usize> =
+        (0..TRACED_TEETH.min(count)).map(|k| k * count / TRACED_TEETH.min(count)).collect();
+    let named = |teeth: Vec<Vec<f64>>| {
+        traced.iter().zip(teeth).map(|(&tooth, f_um)| Trace { tooth, f_um }).collect::<Vec<_>>()
+    };
+    let [mid_w, mid_z] = [0.5 * (w[0] + w[1]), 0.5 * (z[0] + z[1])];
+    let profiles = named(places.flank(&trace_w, &[mid_z], &traced).teeth);
+    let helices = named(places.flank(&[mid_w], &trace_z, &traced).teeth);
+    let sample = RayGrid::equidistant(w, SAMPLE, z, SAMPLE);
+    let sample = sample.map_err(|error| RunFailure::of_removal(&error, "control"))?;
+    let mut difference = 0.0f64;
+    for tooth in [0, count / 2] {
+        let rays = by_rays(prepared, execution, flank, record, &sample, tooth)?;
+        for (k, f) in rays.iter().enumerate() {
+            let (w, z) = sample.ray(k);
+            difference = difference.max((f - 1e3 * places.deviation(w, z, tooth)).abs());
+        }
+    }
+    let arm_um = 1e3 * pair.work.base_radius * pair.work.base_helix_angle.cos();
+    let range = |values: &[f64]| {
+        let (a, b) =
+            values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &x| (a.min(x), b.max(x)));
+        (a, b)
+    };
+    let (low, high) = range(&means);
+    Ok(ControlFlankResult {
+        largest_um: greatest.max(-least),
+        rms_um: left.rms(),
+        topography_um: left.teeth[0].chunks(deviation.z.len()).map(<[f64]>::to_vec).collect(),
+        deviation_with_control_um: with,
+        tolerance_share: share,
+        single_pitch_um: (0..count).map(step).fold(0.0, f64::max),
+        cumulative_pitch_um: high - low,
+        tooth_means_um: means,
+        trace_w_mm: trace_w,
+        trace_z_mm: trace_z,
+        profiles,
+        helices,
+        model_difference_um: difference,
+        sample: 2 * sample.count(),
+        error: error_trace(record, arm_um),
+        means_um: record.means.map(|mean| mean * arm_um),
+        torque_limited_share: record.limited,
+        greatest_torque_n_m: record.greatest_torque,
+    })
+}
+
+/// Rays of one tooth under the motion that was really driven less those under the ideal one, um. The bodies are unmodified: what a
+/// modification does to the effect of an error is of second order.
+fn by_rays(
+    prepared: &Prepared,
+    execution: &Execution,
+    flank: Flank,
+    record: &StrokeRecord,
+    grid: &RayGrid,
+    tooth: usize,
+) -> Result<Vec<f64>, RunFailure> {
+    let (pair, motion) = (&prepared.setup.pair, &execution.motion);
+    let speeds = record.speeds();
+    let phase = motion.phase[flank];
+    let state = |time: f64| motion.state(speeds.worm * time, record.feed(time), phase);
+    let to_tooth = Pose::<Workpiece, Workpiece>::rz(-TAU * tooth as f64 / motion.teeth.abs());
+    let last = record.start + record.sample_time * (record.actual.len() - 1) as f64;
+    let turning = (state(1.0).work_angle - state(0.0).work_angle).abs();
+    let rays = |share: f64| {
+        let pose = |time: f64| {
+            let ideal = state(time);
+            let driven =
+                GeneratingState { work_angle: ideal.work_angle + share * record.error(time), ..ideal };
+            motion.chain.pose(&driven).then(&to_tooth)
+        };
+        let setup = TimedGrinding {
+            worm: pair.worm.flank(flank),
+            area: WormArea { w: [1e-3, 1e4], z: [-1e4, 1e4] },
+            modification: &Unmodified,
+            work: pair.work.flank(flank),
+            pose: &pose,
+            span: [record.start, last],
+            revolution: TAU / turning,
+            stock: STOCK,
+        };
+        grind_in_time(&setup, grid).map_err(|error| RunFailure::of_removal(&error, "control"))
+    };
+    Ok(rays(1.0)?.iter().zip(rays(0.0)?).map(|(with, without)| 1e3 * (with - without)).collect())
+}
+
+/// The error over the stroke in stretches of time.
+fn error_trace(record: &StrokeRecord, arm_um: f64) -> ErrorTrace {
+    let count = record.actual.len();
+    let width = count.div_ceil(STRETCHES).max(1);
+    let mut trace = ErrorTrace::default();
+    for (k, (setpoint, actual)) in record.setpoint.chunks(width).zip(record.actual.chunks(width)).enumerate()
+    {
+        let time = record.start + record.sample_time * (k as f64 + 0.5) * width as f64;
+        trace.feed_mm.push(record.feed(time));
+        for (lines, values) in [(&mut trace.setpoint_um, setpoint), (&mut trace.actual_um, actual)] {
+            lines[0].push(arm_um * values.iter().copied().fold(f64::INFINITY, f64::min));
+            lines[1].push(arm_um * values.iter().copied().fold(f64::NEG_INFINITY, f64::max));
+        }
+    }
+    trace
+}
