@@ -173,6 +173,15 @@ fn summary(result: &JobResult, written: &[PathBuf]) -> String {
             "  parts of the target outside the producible class: {outside:.3} um, best-fitted"
         );
     }
+    if let Some(control) = &result.control {
+        for (flank, f) in &control.flanks {
+            let _ = writeln!(
+                text,
+                "  {flank:<5} gearbox and servo leave {:.3} um (rms {:.3}), pitch {:.3}/{:.3} um (single/cumulative); deviation with them {:.3} um",
+                f.largest_um, f.rms_um, f.single_pitch_um, f.cumulative_pitch_um, f.deviation_with_control_um
+            );
+        }
+    }
     text += &proven(result.programs.as_ref());
     for warning in &result.warnings {
         let _ = writeln!(text, "  warning: {} ({})", warning.text, warning.way_out);

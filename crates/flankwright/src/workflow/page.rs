@@ -1,5 +1,6 @@
 //! Fills the report of a run. Timing stays out of it, so that the same job gives the same bytes.
 
+use super::control::control_report;
 use super::executed_strokes::ExecutedStroke;
 use super::programs::programs_report;
 use super::referee::Verdict;
@@ -546,6 +547,16 @@ pub fn html_page(
         )],
         dressing: Sides::from_fn(|flank| dressing_motion(outcome, flank)),
         strokes: Sides::from_fn(|flank| strokes(outcome, flank)),
+        control: result
+            .control
+            .as_ref()
+            .map(|control| {
+                control_report(control, |flank| {
+                    let f = result.flanks.get(flank.name())?;
+                    Some((f.w_mm.clone(), f.z_mm.clone()))
+                })
+            })
+            .transpose()?,
         programs: outcome.programs.as_ref().map(programs_report),
         warnings: result
             .warnings

@@ -191,6 +191,7 @@ pub fn met() -> GeneratingReport {
         }],
         dressing: Sides::from_fn(|side| Some(dressing(side))),
         strokes: Sides::from_fn(|_| Vec::new()),
+        control: None,
         programs: Some(programs::programs()),
         warnings: vec![Warning {
             text: "The worm cuts 0.12 mm below the given root diameter.".to_owned(),
@@ -282,6 +283,7 @@ pub fn not_producible() -> GeneratingReport {
                 candidate(1.916_05, "dresser", None, "dropped: no-zero at v = 31.2 mm, right flank"),
             ],
         }),
+        control: None,
         programs: None,
         warnings: vec![],
         verification: None,

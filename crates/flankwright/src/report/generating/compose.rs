@@ -5,6 +5,7 @@ use super::{motions, result, strokes, topographies};
 use crate::report::charts::{
     ChartError, dressing_section_chart, format_fixed, format_significant, worm_occupation_chart,
 };
+use crate::report::control::ControlReport;
 use crate::report::programs::ProgramsReport;
 use crate::report::{Block, Column, Fact, Figure, PlanReport, Section, Table};
 
@@ -26,6 +27,10 @@ impl GeneratingReport {
             Section::new("Grinding motion", motions::grinding(&self.grinding_motions)?),
             Section::new("Dressing corrections", dressing),
             Section::new("Room for the dresser", sections(self)?),
+            Section::new(
+                "Gearbox and servo",
+                self.control.as_ref().map_or(Ok(Vec::new()), ControlReport::blocks)?,
+            ),
             Section::new("NC programs", programs(self)?),
             Section::new(
                 "How it was verified",

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use crate::geometry::Sides;
 use crate::report::charts::{DressingSectionChart, SectionTrace, Topography, WormOccupationChart};
+use crate::report::control::ControlReport;
 use crate::report::programs::ProgramsReport;
 use crate::report::{Quantity, Status, Warning};
 
@@ -47,6 +48,8 @@ pub struct GeneratingReport {
     pub dressing: Sides<Option<DressingMotion>>,
     /// The strokes per flank, where the worm is dressed in strokes.
     pub strokes: Sides<Vec<StrokeReport>>,
+    /// What gearbox and servo leave, where the job describes its control.
+    pub control: Option<ControlReport>,
     /// NC programs, where the job names a machine.
     pub programs: Option<ProgramsReport>,
     /// What to know, with a way out.

@@ -105,6 +105,7 @@ fn common(
             Some(motion_over(&motion, (from, to)))
         }),
         strokes: Sides { left: Vec::new(), right: Vec::new() },
+        control: None,
         programs: outcome.programs.as_ref().map(programs_report),
         warnings: result
             .warnings
