@@ -81,6 +81,12 @@ fn tangential_dressing_passes_whole() {
 }
 
 #[test]
+fn gearbox_passes_whole() {
+    let report = passes("70-gearbox.json", 2200);
+    assert_eq!((report.schema, report.not_covered.len()), (Schema::Gearbox, 0));
+}
+
+#[test]
 fn files_to_come_are_recognised_and_listed() {
     let shapes = [
         (json!({"errors": content("10-gears.json")["errors"]}), Schema::Gears),

@@ -122,6 +122,37 @@ impl<'a> Expected<'a> {
         }
     }
 
+    /// Compares a whole number exactly; the file gives it as a number or, where other readers would round it, as a text.
+    pub fn whole(&mut self, key: &str, actual: i64, ledger: &mut Ledger) {
+        if let Some(value) = self.take(key) {
+            ledger.equal(&self.case, &self.name(key), value.clone(), whole_like(value, actual));
+        }
+    }
+
+    /// Compares a list of whole numbers exactly, element by element.
+    pub fn wholes(&mut self, key: &str, actual: &[i64], ledger: &mut Ledger) {
+        let Some(value) = self.take(key) else { return };
+        let name = self.name(key);
+        match value.as_array().filter(|list| list.len() == actual.len()) {
+            Some(list) => {
+                for (k, (e, &a)) in list.iter().zip(actual).enumerate() {
+                    ledger.equal(&self.case, &format!("{name}[{k}]"), e.clone(), whole_like(e, a));
+                }
+            }
+            None => {
+                let found = format!("a list of {} whole numbers", actual.len());
+                ledger.fail(&self.case, &name, value.clone(), found.into());
+            }
+        }
+    }
+
+    /// Compares a text, if the file expects it.
+    pub fn text(&mut self, key: &str, actual: &str, ledger: &mut Ledger) {
+        if let Some(value) = self.take(key) {
+            ledger.equal(&self.case, &self.name(key), value.clone(), actual.into());
+        }
+    }
+
     /// Compares several numbers to one tolerance.
     pub fn numbers(&mut self, pairs: &[(&str, f64)], tolerance: f64, ledger: &mut Ledger) {
         for &(key, actual) in pairs {
@@ -264,6 +295,11 @@ impl<'a> Expected<'a> {
             }
         }
     }
+}
+
+/// A whole number written as the file writes it: as text beside a text, else as number.
+fn whole_like(written: &Value, whole: i64) -> Value {
+    if written.is_string() { whole.to_string().into() } else { whole.into() }
 }
 
 /// A JSON list of numbers.

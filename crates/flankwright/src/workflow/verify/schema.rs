@@ -237,18 +237,18 @@ impl Schema {
             Self::Gearbox => {
                 const {
                     &[
-                        Block::to_come("pulse_trains"),
-                        Block::to_come("chain"),
-                        Block::to_come("rate_multiplier"),
-                        Block::to_come("coefficients"),
+                        Block::checked("pulse_trains", gearbox::pulse_trains),
+                        Block::checked("chain", gearbox::chain),
+                        Block::checked("rate_multiplier", gearbox::rate_multiplier),
+                        Block::checked("coefficients", gearbox::coefficients),
                         Block::checked("error_budget", gearbox::error_budget),
-                        Block::to_come("literal_reversal_loss"),
-                        Block::to_come("gearbox"),
-                        Block::to_come("bresenham"),
-                        Block::to_come("ratio_of_lead"),
-                        Block::to_come("couplings"),
-                        Block::to_come("table"),
-                        Block::to_come("synchroniser"),
+                        Block::checked("literal_reversal_loss", gearbox::literal_reversal_loss),
+                        Block::checked("gearbox", gearbox::gearbox),
+                        Block::checked("bresenham", gearbox::bresenham),
+                        Block::checked("ratio_of_lead", gearbox::ratio_of_lead),
+                        Block::checked("couplings", gearbox::couplings),
+                        Block::checked("table", gearbox::table),
+                        Block::checked("synchroniser", gearbox::synchroniser),
                         Block::checked("servo", gearbox::servo),
                     ]
                 }

@@ -1,8 +1,8 @@
 //! Block `error_budget`.
 
-use super::super::expected::Expected;
 use super::super::ledger::Ledger;
-use super::super::reference::{Reference, read};
+use super::super::reference::Reference;
+use super::case::check_each;
 use crate::control::{BudgetInput, ErrorBudget};
 use serde::Deserialize;
 use serde_json::Value;
@@ -23,42 +23,22 @@ struct Input {
 
 /// Block `error_budget`: every part of every budget.
 pub(in super::super::super) fn error_budget(_: &Reference<'_>, block: &Value, ledger: &mut Ledger) {
-    let Some(items) = block.as_array() else {
-        return ledger.fail(
-            "error_budget",
-            "error_budget",
-            block.clone(),
-            "a list of cases is needed here".into(),
-        );
-    };
-    for (k, item) in items.iter().enumerate() {
-        let name = format!("error_budget[{k}]");
-        let mut case = Expected::new(&name, "", item, ledger);
-        case.informative(&["input", "name", "note"]);
-        let relative = case.given("tolerance_rel", ledger).unwrap_or(f64::NAN);
-        match (read::<Input>(&name, &item["input"], ledger), case.object("expected", ledger)) {
-            (Some(input), Some(expected)) => budget(&input, expected, relative, ledger),
-            (_, None) => ledger.fail(&name, "expected", Value::Null, "the case expects nothing".into()),
-            // The unreadable input is a failure already.
-            (None, Some(_)) => {}
-        }
-        case.finish(ledger);
-    }
-}
-
-fn budget(input: &Input, mut expected: Expected<'_>, relative: f64, ledger: &mut Ledger) {
-    let given = BudgetInput {
-        multiplier: input.multiplier,
-        clock: input.f1_hz,
-        pulses_per_metre: input.q_per_m,
-        speed: input.v_mm_s,
-        least_speed: input.v_min_mm_s,
-        acceleration: input.a_mm_s2,
-        normal_pressure_angle: input.alpha_n_deg.to_radians(),
-        helix_angle: input.beta_deg.to_radians(),
-    };
-    match ErrorBudget::new(&given) {
-        Ok(budget) => {
+    check_each(
+        "error_budget",
+        block,
+        ["tolerance_rel"],
+        ledger,
+        |input: &Input, [relative], expected, ledger| {
+            let budget = ErrorBudget::new(&BudgetInput {
+                multiplier: input.multiplier,
+                clock: input.f1_hz,
+                pulses_per_metre: input.q_per_m,
+                speed: input.v_mm_s,
+                least_speed: input.v_min_mm_s,
+                acceleration: input.a_mm_s2,
+                normal_pressure_angle: input.alpha_n_deg.to_radians(),
+                helix_angle: input.beta_deg.to_radians(),
+            })?;
             for (key, actual) in [
                 ("pitch_mm", budget.pitch),
                 ("quantisation_mm", budget.quantisation),
@@ -71,8 +51,7 @@ fn budget(input: &Input, mut expected: Expected<'_>, relative: f64, ledger: &mut
             ] {
                 expected.number(key, actual, relative * actual.abs(), ledger);
             }
-        }
-        Err(error) => expected.refused(&error, ledger),
-    }
-    expected.finish(ledger);
+            Ok(())
+        },
+    );
 }
