@@ -237,8 +237,8 @@ pub fn run_stroke(
         let moment = Moment { time, worm_angle: wanted.worm_angle, workpiece_angle: wanted.work_angle };
         let before = servo.angle();
         let sample = servo.step(&setpoint, control.disturbances.torque(&moment)?)?;
-        greatest_torque = greatest_torque.max(sample.torque.abs());
         if k >= skipped {
+            greatest_torque = greatest_torque.max(sample.torque.abs());
             limited += u64::from(sample.limited);
             setpoints.push(angle - wanted.work_angle);
             actuals.push(before - wanted.work_angle);

@@ -40,7 +40,7 @@ impl ControlReport {
             panels: nets.collect(),
             range_um: None,
         })?;
-        blocks.push(figure(net, "Waves over the profile come from errors at the frequency of the threads, waves over the face width from slower ones."));
+        blocks.push(figure(net, "Errors at the frequency of the threads stand as waves along lines of equal rotation, slower ones as waves over the face width."));
         blocks.push(figure(
             traces(&flanks, "Profile traces of some teeth by gearbox and servo", "w [mm]", |flank| {
                 &flank.profiles
