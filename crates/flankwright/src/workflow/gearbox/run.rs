@@ -1,15 +1,16 @@
 //! `gearbox`: from a checked job to counters, errors and their budget, the servo and the choice of a set-up.
 
-use super::couple::{self, coupling_refused, geometry, interpolation, of_feed, on_field};
+use super::couple::{coupling, coupling_refused, geometry, interpolation, of_feed, on_field};
 use super::explore::explore;
-use super::result::GearboxResult;
+use super::result::{CouplingResult, GearboxResult};
 use super::stimulus::{Driven, driven};
 use super::{figures, following, remarks};
-use crate::control::{FollowingRecord, InterpolationRun};
-use crate::exchange::{Diagnostic, JobError, LoadedGearboxJob};
+use crate::control::{FollowingRecord, Interpolation, InterpolationRun, Rotation};
+use crate::exchange::{Diagnostic, GearboxJob, JobError, LoadedGearboxJob};
 use crate::numerics::Progress;
 use crate::workflow::RunFailure;
 use crate::workflow::result::Status;
+use electronic_gearbox::coefficient::GearGeometry;
 use electronic_gearbox::pulse::TimedPulse;
 use std::collections::BTreeMap;
 use std::time::Instant;
@@ -62,10 +63,7 @@ pub fn run_gearbox(
     let job = &loaded.job;
     let mut timing = BTreeMap::new();
     let begun = Instant::now();
-    let gear = geometry(&job.gear)?;
-    let interpolation = interpolation(&job.feed)?;
-    let rotation = couple::coupling(&gear, &job.workpiece, &interpolation)
-        .map_err(|error| coupling_refused(&error, &job.workpiece))?;
+    let (gear, interpolation, rotation) = chain(job)?;
     let driven = driven(loaded, &interpolation)?;
     if job.output.pulse_trace {
         check_trace(&driven, job.feed.pulses_per_interval)?;
@@ -152,6 +150,24 @@ pub fn run_gearbox(
         timing_s: timing,
     };
     Ok(GearboxOutcome { result, run, servo: servo_record, trace })
+}
+
+/// What the lead asks for and what the coupling of a job makes of it.
+///
+/// # Errors
+/// [`RunFailure`]: a gear, scale or coefficient that cannot be.
+pub fn coupling_of_job(job: &GearboxJob) -> Result<CouplingResult, RunFailure> {
+    let (gear, interpolation, rotation) = chain(job)?;
+    Ok(figures::coupling(job, &gear, &interpolation, &rotation))
+}
+
+/// Workpiece, interpolator of the slide, and how its pulses turn the workpiece.
+fn chain(job: &GearboxJob) -> Result<(GearGeometry, Interpolation, Rotation), RunFailure> {
+    let gear = geometry(&job.gear)?;
+    let interpolation = interpolation(&job.feed)?;
+    let rotation = coupling(&gear, &job.workpiece, &interpolation)
+        .map_err(|error| coupling_refused(&error, &job.workpiece))?;
+    Ok((gear, interpolation, rotation))
 }
 
 fn check_trace(driven: &Driven, pulses_per_interval: u32) -> Result<(), RunFailure> {
