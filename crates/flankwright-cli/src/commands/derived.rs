@@ -5,12 +5,15 @@ use std::fmt::Write;
 
 use flankwright::exchange::catalogue::LoadedCatalogue;
 use flankwright::exchange::job::Gear as JobGear;
-use flankwright::exchange::{JobError, LoadedGearboxJob, LoadedJob, LoadedTangentialJob};
+use flankwright::exchange::{LoadedGearboxJob, LoadedJob, LoadedTangentialJob};
 use flankwright::geometry::{Blank, Flank, Gear, Span};
 use flankwright::process::generating::GrindingSetup;
+use flankwright::workflow::gearbox::coupling_of_job;
 use flankwright::workflow::tangential::prepare_tangential;
 use flankwright::workflow::{Remark, RunFailure, blank_of_job, gear_of_job, prepare, wanted_of_catalogue};
 use serde_json::{Map, Value};
+
+use crate::failure::Failure;
 
 /// Sections in the order of the printed text.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -175,11 +178,11 @@ pub fn derived_tangential(loaded: &LoadedTangentialJob) -> Result<DerivedGeometr
     Ok(derived)
 }
 
-/// The same of a job of the electronic gearbox: scale of the feed, lead, how many reference pulses a train has.
+/// The same of a job of the electronic gearbox: scale of the feed, lead, coefficient, how many reference pulses a train has.
 ///
 /// # Errors
-/// Everything that is wrong with the table of reference pulses that the job names.
-pub fn derived_gearbox(loaded: &LoadedGearboxJob) -> Result<DerivedGeometry, JobError> {
+/// Everything that is wrong with the table of reference pulses that the job names; a coefficient beyond the rate multiplier.
+pub fn derived_gearbox(loaded: &LoadedGearboxJob) -> Result<DerivedGeometry, Failure> {
     let job = &loaded.job;
     let train = loaded.reference_train()?;
     let mut derived = DerivedGeometry::default();
@@ -191,6 +194,20 @@ pub fn derived_gearbox(loaded: &LoadedGearboxJob) -> Result<DerivedGeometry, Job
         derived.section("gear");
         derived.quantity("lead_mm", "lead", lead, "mm");
     }
+    let coupling = coupling_of_job(job).map_err(|failure| Failure::of_run(loaded, failure))?;
+    derived.section("coupling");
+    derived.quantity("coefficient", "coefficient b", coupling.coefficient, "");
+    if let Some((word, error)) = coupling.coefficient_word.zip(coupling.coefficient_relative_error) {
+        derived.quantity("coefficient_word", "its word B of 18 bits", word, "");
+        // A millionth has no digits among six decimals.
+        derived.quantity("coefficient_error_ppm", "relative error of B", 1e6 * error, "ppm");
+    }
+    derived.quantity(
+        "rotation_error_um_per_m",
+        "rounding of the rotation in use",
+        coupling.rotation_error_um_per_m,
+        "um per m of feed",
+    );
     if let Some(train) = train {
         derived.section("stimulus");
         derived.quantity("reference_pulses", "reference pulses", train.references().len(), "");

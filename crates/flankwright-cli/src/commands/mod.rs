@@ -4,6 +4,7 @@ mod catalogue;
 pub mod check;
 mod derived;
 pub mod explore;
+pub mod gearbox;
 pub mod new;
 mod outcome;
 pub mod plan;

@@ -51,16 +51,25 @@ const STUDIES: &[(&str, i32)] = &[
     ("dressing/figure-20b.toml", 0),
 ];
 
+/// Exit status of `gearbox`.
+const GEARBOXES: &[(&str, i32)] = &[
+    ("gearbox/cheapest-set-up.toml", 0),
+    ("gearbox/feed-to-and-fro.toml", 0),
+    ("gearbox/following-with-disturbances.toml", 0),
+    ("gearbox/reference-train.toml", 0),
+];
+
 /// Files that jobs name.
 const NO_JOBS: [&str; 1] = ["catalogue/bodies.toml"];
 
 #[test]
 fn examples_end_as_they_say() {
     let results = tempfile::tempdir().unwrap();
-    let checks = PLANS.iter().chain(STUDIES).map(|&(name, _)| ("check", name, 0));
+    let checks = PLANS.iter().chain(STUDIES).chain(GEARBOXES).map(|&(name, _)| ("check", name, 0));
     let plans = PLANS.iter().map(|&(name, exit)| ("plan", name, exit));
     let studies = STUDIES.iter().map(|&(name, exit)| ("explore", name, exit));
-    for (command, name, exit) in checks.chain(plans).chain(studies) {
+    let gearboxes = GEARBOXES.iter().map(|&(name, exit)| ("gearbox", name, exit));
+    for (command, name, exit) in checks.chain(plans).chain(studies).chain(gearboxes) {
         let output = results.path().join(command).join(name);
         let run = run(&[command, &format!("examples/{name}"), "-o", output.to_str().unwrap()]);
         assert_eq!(run.exit, Some(exit), "{command} {name}: {run:?}");
@@ -91,7 +100,8 @@ fn jobs(directory: &str) -> Vec<String> {
 fn every_example_has_its_expectation() {
     let mut found = jobs("");
     found.sort();
-    let mut expected: Vec<&str> = PLANS.iter().chain(STUDIES).map(|(name, _)| *name).collect();
+    let mut expected: Vec<&str> =
+        PLANS.iter().chain(STUDIES).chain(GEARBOXES).map(|(name, _)| *name).collect();
     expected.extend(NO_JOBS);
     expected.sort_unstable();
     // A job may be planned and studied.

@@ -1,7 +1,8 @@
-//! Jobs of the electronic gearbox at the command line: what `check` derives, the table of reference pulses, and the commands
-//! that do not take them.
+//! Jobs of the electronic gearbox at the command line: what `check` derives, the table of reference pulses, what `gearbox` makes of
+//! them, and the commands that do not take them.
 
-use crate::command::{repository, run, run_with};
+use crate::command::{Run, example, repository, run, run_with};
+use serde_json::Value;
 use std::path::Path;
 
 /// The template with a table of reference pulses in place of its motion.
@@ -87,4 +88,216 @@ fn other_commands_name_the_one_that_takes_the_job() {
         assert!(human.message().contains("flankwright gearbox FILE"), "{}", human.stderr);
     }
     assert_eq!(std::fs::read_dir(directory.path()).unwrap().count(), 2);
+}
+
+/// Runs a job text; its answer with `--json`.
+fn gearbox(text: &str, directory: &Path) -> Run {
+    run_with(&["gearbox", "-", "--json", "-o", directory.to_str().unwrap()], text.as_bytes())
+}
+
+/// Least and greatest of a range in um.
+fn ends(range: &Value) -> [f64; 2] {
+    [range["least_um"].as_f64().unwrap(), range["greatest_um"].as_f64().unwrap()]
+}
+
+#[test]
+fn a_known_train_has_its_counters_and_every_pulse_traced() {
+    // "constant speed" of tests/reference/70-gearbox.json.
+    let directory = tempfile::tempdir().unwrap();
+    let out = directory.path().to_str().unwrap();
+    let human = run(&["gearbox", "examples/gearbox/reference-train.toml", "-o", out]);
+    assert_eq!(human.exit, Some(0), "{human:?}");
+    assert!(human.stdout.contains("5 reference pulses, 59 intermediate, 16 corrections: 80 pulses, net 80"));
+    let text = std::fs::read_to_string(directory.path().join("result.json")).unwrap();
+    let result: Value = serde_json::from_str(&text).unwrap();
+    let pulses = &result["pulses"];
+    let keys = ["pulses", "references", "intermediates", "corrections", "net_pulses", "overruns", "too_fast"];
+    assert_eq!(keys.map(|key| pulses[key].as_i64().unwrap()), [80, 5, 59, 16, 80, 0, 0]);
+    let table = std::fs::read_to_string(directory.path().join("pulses.csv")).unwrap();
+    let rows: Vec<Vec<&str>> = table.lines().skip(1).map(|line| line.split(',').collect()).collect();
+    let kinds: String = rows.iter().map(|row| row[3]).collect();
+    assert_eq!(kinds, "RRKKKKKKKKKKKKKKKZZZZZZZZZZZZZZRKZZZZZZZZZZZZZZZRZZZZZZZZZZZZZZZRZZZZZZZZZZZZZZZ");
+    assert_eq!((rows[1][0], rows[2][0], rows[79][0]), ("260", "261", "890"));
+    let turned: i64 = rows.iter().map(|row| row[4].parse::<i64>().unwrap()).sum();
+    let (whole, rest) = (&pulses["rotation_workpiece_pulses"], &pulses["rotation_rest_parts"]);
+    assert_eq!(16 * whole.as_i64().unwrap() + rest.as_i64().unwrap(), turned);
+    // floor(80 B/2^18) parts.
+    let word = result["coupling"]["coefficient_word"].as_i64().unwrap();
+    assert_eq!(turned, (80 * word) >> 18);
+}
+
+#[test]
+fn errors_keep_to_their_limits_and_both_senses_agree() {
+    let directory = tempfile::tempdir().unwrap();
+    let no_backlash = example("gearbox/feed-to-and-fro.toml");
+    let one_way = no_backlash.replace("\"no-backlash\"", "\"one-way\"");
+    for (text, offset) in [(&no_backlash, -0.1..0.1), (&one_way, 9.0..9.6)] {
+        let answer = gearbox(text, directory.path());
+        assert_eq!(answer.exit, Some(0), "{answer:?}");
+        let result = answer.json();
+        let along = &result["along_feed"];
+        assert_eq!(along["within_bound"], true, "{along}");
+        assert_eq!(result["angle"]["within_bound"], true, "{}", result["angle"]);
+        let ([least, greatest], [lower, upper]) = (ends(&along["steady"]), ends(&along["steady_bound"]));
+        // The limits of constant speed are near: more than half of them is used, in mode one-way apart from the offset.
+        assert!(lower < least && greatest < upper && greatest - least > 0.5 * (upper - lower), "{along}");
+        let found = along["direction_offset_um"].as_f64().unwrap();
+        assert!(offset.contains(&found), "{found}");
+        let share = result["coupling"]["flank_um_per_feed_um"].as_f64().unwrap();
+        let flank = along["direction_offset_flank_um"].as_f64().unwrap();
+        assert!((flank - share * found).abs() < 1e-12 && (share - 0.321_393_8).abs() < 1e-6);
+        // There and back.
+        assert_eq!(result["pulses"]["net_references"], 0);
+    }
+}
+
+#[test]
+fn document_and_summary_agree_and_repeat() {
+    let text = example("gearbox/following-with-disturbances.toml");
+    let directories = [tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap()];
+    let [first, second] = directories.each_ref().map(|directory| {
+        let out = directory.path().to_str().unwrap();
+        run_with(&["gearbox", "-", "-o", out], text.as_bytes())
+    });
+    assert_eq!((first.exit, second.exit), (Some(0), Some(0)), "{first:?}");
+    let read = |k: usize, name: &str| std::fs::read(directories[k].path().join(name)).unwrap();
+    for name in ["report.html", "errors.csv", "servo.csv"] {
+        assert!(read(0, name) == read(1, name), "{name}");
+    }
+    let [mut a, mut b] = [0, 1].map(|k| serde_json::from_slice::<Value>(&read(k, "result.json")).unwrap());
+    assert!(a["timing_s"].take() != Value::Null && b["timing_s"].take() != Value::Null);
+    assert_eq!(a, b);
+    let servo = &a["servo"];
+    let number = |key: &str| servo["workpiece"][key].as_f64().unwrap();
+    let line = format!("workpiece rms {:.4} um, peak {:.4} um", number("rms_um"), number("peak_um"));
+    assert!(first.stdout.contains(&line), "{line}: {}", first.stdout);
+    assert!(number("rms_um") > 0.0 && number("rms_um") < number("peak_um"));
+    let quiet =
+        run_with(&["gearbox", "-", "-q", "-o", directories[0].path().to_str().unwrap()], text.as_bytes());
+    assert_eq!((quiet.stdout.as_str(), quiet.stderr.as_str()), ("", ""));
+}
+
+#[test]
+fn the_cheapest_set_up_is_accurate_enough_or_the_largest_part_is_named() {
+    let directory = tempfile::tempdir().unwrap();
+    let text = example("gearbox/cheapest-set-up.toml");
+    let result = gearbox(&text, directory.path()).json();
+    let explored = &result["explore"];
+    let all = explored["set_ups"].as_array().unwrap();
+    assert_eq!((all.len(), &result["status"]), (36, &"met".into()));
+    let best = &explored["best"];
+    let um = |set_up: &Value| set_up["flank_um"].as_f64().unwrap();
+    let cost = |set_up: &Value| set_up["cost"].as_f64().unwrap();
+    assert_eq!((&best["rank"], &best["feasible"]), (&1.into(), &true.into()));
+    for set_up in all {
+        let accurate = um(set_up) <= 0.3;
+        assert_eq!(set_up["feasible"], accurate, "{set_up}");
+        assert!(!accurate || cost(set_up) >= cost(best), "{set_up}");
+        let parts = ["quantisation_um", "clock_um", "acceleration_um", "resolution_um", "rounding_um"];
+        let sum: f64 = parts.map(|key| set_up[key].as_f64().unwrap()).iter().sum();
+        assert!((sum - um(set_up)).abs() < 1e-12, "{set_up}");
+    }
+    assert!(best["measured_steady_um"].as_f64().unwrap() <= um(best), "{best}");
+
+    let missed = text.replace("wanted_um = 0.3", "wanted_um = 0.001");
+    let answer = gearbox(&missed, directory.path());
+    assert_eq!((answer.exit, &answer.json()["status"]), (Some(3), &"missed".into()));
+    assert_eq!(answer.json()["reason"]["code"], "no-set-up-accurate-enough");
+    let quiet =
+        run_with(&["gearbox", "-", "-q", "-o", directory.path().to_str().unwrap()], missed.as_bytes());
+    assert!(quiet.stderr.contains("no set-up reaches 0.001 um"), "{quiet:?}");
+    // A rate multiplier of 18 bits cannot make b >= 1: those set-ups say so.
+    let coarse =
+        text.replace("pulses_per_revolution = 36000\n", "pulses_per_revolution = 9000\nrate = \"binary\"\n");
+    let coarse = coarse.replace("pulses_per_metre = 50000,", "pulses_per_metre = 20000,");
+    let result = gearbox(&coarse, directory.path()).json();
+    let refused = result["explore"]["set_ups"].as_array().unwrap().iter();
+    let refused = refused.filter(|s| s["refused"] == "coefficient-too-large");
+    assert_eq!(
+        refused.filter(|s| s["pulses_per_metre"] == 20000.0 && s["pulses_per_revolution"] == 36000).count(),
+        6
+    );
+}
+
+#[test]
+fn a_feed_too_fast_is_an_alarm_and_no_error() {
+    let directory = tempfile::tempdir().unwrap();
+    // 16 pulses need 16 ticks: 10 kHz are enough for 375 mm/min.
+    let text = example("gearbox/feed-to-and-fro.toml").replace("clock_hz = 1e6", "clock_hz = 7e3");
+    let answer = gearbox(&text, directory.path());
+    let result = answer.json();
+    assert_eq!(answer.exit, Some(0));
+    assert!(result["pulses"]["too_fast"].as_u64().unwrap() > 0, "{}", result["pulses"]);
+    assert_eq!(result["warnings"][0]["code"], "interpolator-too-fast");
+    assert!(result["along_feed"]["bound"].is_null());
+}
+
+#[test]
+fn bad_input_names_the_key() {
+    let motion = example("gearbox/feed-to-and-fro.toml");
+    let servo = example("gearbox/following-with-disturbances.toml");
+    let from = motion.find("start = ").unwrap();
+    let train = |ticks: &str, signs: &str| {
+        format!("{}reference_ticks = {ticks}\nreference_signs = {signs}\n", &motion[..from])
+    };
+    let coarse =
+        motion.replace("pulses_per_revolution = 36000", "pulses_per_revolution = 36000\nrate = \"binary\"");
+    let coarse = coarse.replace("pulses_per_metre = 100000", "pulses_per_metre = 1000");
+    let gains = "gains = { proportional_n_m_per_rad = 1.0, integral_n_m_per_rad_s = 1e9, derivative_n_m_s_per_rad = 0.0 }";
+    let number = "invalid-number";
+    let cases = [
+        (motion.replace("interval = 16", "interval = 1"), number, "feed.pulses_per_interval"),
+        (motion.replace("interval = 16", "interval = 257"), number, "feed.pulses_per_interval"),
+        (motion.replace("interval = 16", "interval = 16\ncounter_limit = 0"), number, "feed.counter_limit"),
+        (motion.replace("clock_hz = 1e6", "clock_hz = 0.0"), number, "feed.clock_hz"),
+        (motion.replace("clock_hz = 1e6", "clock_hz = nan"), number, "feed.clock_hz"),
+        (motion.replace("metre = 100000", "metre = 0"), number, "feed.pulses_per_metre"),
+        (train("[100, 100]", "[1, 1]"), "bad-reference-train", "stimulus.reference_ticks[1]"),
+        (train("[0, 100]", "[1, 1]"), "bad-reference-train", "stimulus.reference_ticks[0]"),
+        (train("[100, 200]", "[1, 2]"), "bad-reference-train", "stimulus.reference_signs[1]"),
+        (coarse, "coefficient-too-large", "workpiece.pulses_per_revolution"),
+        (motion.replace("teeth = 40", "teeth = 0"), number, "gear.teeth"),
+        (motion.replace("normal_module = 2.5", "normal_module = 0.0"), number, "gear.normal_module"),
+        (motion.replace("helix_angle_deg = 20.0", "helix_angle_deg = 90.0"), number, "gear.helix_angle_deg"),
+        (
+            servo.replace("bandwidth_hz = 60.0", "bandwidth_hz = 2000.0"),
+            "unstable-loop",
+            "servo.bandwidth_hz",
+        ),
+        (servo.replace("bandwidth_hz = 60.0", gains), "unstable-loop", "servo.gains"),
+        (servo.replace("inertia_kg_m2 = 0.12", "inertia_kg_m2 = 0.0"), number, "servo.inertia_kg_m2"),
+        (
+            servo.replace("torque_limit_n_m = 60.0", "torque_limit_n_m = 0.0"),
+            number,
+            "servo.torque_limit_n_m",
+        ),
+        (
+            motion.replace("to = 6.0", "to = 9000.0") + "[output]\npulse_trace = true\n",
+            "trace-too-long",
+            "output.pulse_trace",
+        ),
+    ];
+    let directory = tempfile::tempdir().unwrap();
+    for (text, code, field) in cases {
+        let answer = gearbox(&text, directory.path());
+        let error = answer.json()["error"].take();
+        assert_eq!(answer.exit, Some(2), "{code} {field}: {error}");
+        assert_eq!((&error["code"], &error["field"]), (&code.into(), &field.into()), "{error}");
+        assert!(error["way_out"].is_string() && error["line"].is_u64(), "{error}");
+    }
+    // A spur gear needs no additional rotation.
+    let spur = gearbox(&motion.replace("helix_angle_deg = 20.0", "helix_angle_deg = 0.0"), directory.path());
+    assert_eq!((spur.exit, &spur.json()["pulses"]["parts_turned"]), (Some(0), &0.into()), "{spur:?}");
+    let grinding = run(&["gearbox", "--json", "examples/twist-free-crowning.toml"]);
+    assert_eq!((grinding.exit, &grinding.json()["error"]["field"]), (Some(2), &"job.process".into()));
+}
+
+#[test]
+fn a_fault_in_the_table_of_pulses_has_its_row() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = job_with_table(directory.path(), "tick,sign\n100,1\n90,1\n");
+    let error = run(&["gearbox", "--json", &path]).json()["error"].take();
+    assert_eq!((&error["code"], &error["field"]), (&"bad-reference-train".into(), &"tick".into()), "{error}");
+    assert_eq!(error["line"], 3);
+    assert!(error["file"].as_str().unwrap().ends_with("train.csv"));
 }

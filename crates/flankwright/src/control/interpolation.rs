@@ -45,14 +45,14 @@ pub struct Extremes {
 }
 
 impl Extremes {
-    const NONE: Self = Self { least: f64::INFINITY, greatest: f64::NEG_INFINITY };
+    pub(super) const NONE: Self = Self { least: f64::INFINITY, greatest: f64::NEG_INFINITY };
 
-    fn add(&mut self, value: f64) {
+    pub(super) fn add(&mut self, value: f64) {
         (self.least, self.greatest) = (self.least.min(value), self.greatest.max(value));
     }
 
     /// `None` if nothing was added.
-    fn any(self) -> Option<Self> {
+    pub(super) fn any(self) -> Option<Self> {
         (self.least <= self.greatest).then_some(self)
     }
 
@@ -297,6 +297,8 @@ impl<'a> Observer<'a> {
         }
         if let Some((_, rotation)) = &self.chain {
             let turned = self.turned as f64 / rotation.parts_per_revolution;
+            // The pulses at the zero of the slide have turned the workpiece before anything is ground.
+            let way = way + measure.zero as f64 * self.interpolation.pitch / p;
             let error = std::f64::consts::TAU * (turned - rotation.turns_per_millimetre * way);
             measure.angle.add(error);
             measure.bins[bin].1.add(error);

@@ -4,7 +4,8 @@
 //! process, no contact, no removal, no workflow. [`charts`] draws, [`PlanReport`] is the page as data
 //! (a banner and an ordered list of sections, the same for every process), [`html`] writes it, and
 //! [`generating`] composes the page of diagonal generating grinding; [`tangential`] adds the sections of tangential dressing,
-//! [`programs`] the one on NC programs, [`control`] the one on gearbox and servo.
+//! [`programs`] the one on NC programs, [`control`] the one on gearbox and servo; [`gearbox`] composes the page of the electronic
+//! gearbox.
 //!
 //! ```
 //! use flankwright::report::{Banner, Block, PlanReport, Section, Status, html};
@@ -22,6 +23,7 @@
 
 pub mod charts;
 pub mod control;
+pub mod gearbox;
 pub mod generating;
 pub mod html;
 pub mod programs;

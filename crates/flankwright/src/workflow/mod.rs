@@ -10,6 +10,7 @@ mod execution;
 mod explore;
 mod finding;
 mod gear_root;
+pub mod gearbox;
 mod line_dressing;
 mod occupation;
 mod page;

@@ -147,7 +147,7 @@ pub(super) fn write_with_report(
 }
 
 /// Names that a run may write; what an earlier run left of them and this one does not write would contradict it.
-const NAMES: [&str; 23] = [
+const NAMES: [&str; 27] = [
     "result.json",
     "settings.json",
     "topography.csv",
@@ -163,6 +163,10 @@ const NAMES: [&str; 23] = [
     "tool-left.csv",
     "tool-right.csv",
     "gear-root.csv",
+    "errors.csv",
+    "servo.csv",
+    "set-ups.csv",
+    "pulses.csv",
     "programs/dressing-linuxcnc.ngc",
     "programs/dressing-siemens.mpf",
     "programs/dressing-fanuc.nc",

@@ -67,6 +67,8 @@ pub enum Marks {
     Few,
     /// A marker at each, filled or open; as many as points.
     Each(Vec<bool>),
+    /// A marker at each, and no line between them.
+    Points,
     /// None: the line is a level that others are compared with, thin and solid.
     Level,
 }
@@ -80,6 +82,11 @@ impl Series {
     /// With a marker at every point, filled or open.
     pub fn marked(self, filled: Vec<bool>) -> Self {
         Self { marks: Marks::Each(filled), ..self }
+    }
+
+    /// Points (x, y) that nothing joins.
+    pub fn points(name: impl Into<String>, x: Vec<f64>, y: Vec<f64>) -> Self {
+        Self { name: name.into(), x, y, marks: Marks::Points }
     }
 
     /// A level over a range of the abscissa that other lines are compared with.
@@ -243,7 +250,9 @@ fn draw_panel(
             .zip(&series.y)
             .map(|(&x, &y)| frame.at(x_axis.share(x), y_axis.share(y)))
             .collect();
-        canvas.polylines(std::slice::from_ref(&points), stroke(style));
+        if series.marks != Marks::Points {
+            canvas.polylines(std::slice::from_ref(&points), stroke(style));
+        }
         match (style, &series.marks) {
             (Some(style), Marks::Few) => {
                 for k in marked(points.len(), place) {
@@ -253,6 +262,11 @@ fn draw_panel(
             (Some(style), Marks::Each(filled)) => {
                 for (at, filled) in points.iter().zip(filled) {
                     draw_marker(canvas, *at, style, Some(*filled));
+                }
+            }
+            (Some(style), Marks::Points) => {
+                for at in &points {
+                    draw_marker(canvas, *at, style, None);
                 }
             }
             (_, Marks::Level) | (None, _) => {}

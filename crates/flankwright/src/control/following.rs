@@ -1,0 +1,289 @@
+//! A workpiece that follows its worm and the pulses of the feed slide: encoders and scale are counted, the gearbox sums the counts, the
+//! servo follows its setpoint over any motion of the slide. What remains is the error of the angle over time (spec 70 sections 7 and 8).
+
+use super::interpolation::{Extremes, Interpolation};
+use super::rotation::Rotation;
+use super::servo::{Disturbances, Moment, ServoLoop, ServoParameters, Setpoint};
+use super::slide::SlideMotion;
+use super::stroke::StrokeError;
+use electronic_gearbox::coupling::{Gearbox, LinearTerm, Ratio, endless_ratio};
+use electronic_gearbox::pulse::{EventInterpolator, TimedPulse};
+use std::f64::consts::TAU;
+
+/// The worm that leads.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FollowedWorm {
+    /// Threads z_1.
+    pub threads: u32,
+    /// Teeth of the workpiece z_2, negative for an internal gear.
+    pub teeth: i32,
+    /// Pulses per revolution of its encoder.
+    pub pulses: u32,
+    /// Speed, rad/s.
+    pub speed: f64,
+}
+
+/// Encoders, scale and servo of a machine.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Following {
+    /// Scale of the feed slide.
+    pub feed: Interpolation,
+    /// How its pulses turn the workpiece.
+    pub rotation: Rotation,
+    /// The worm; without one the slide alone turns the workpiece.
+    pub worm: Option<FollowedWorm>,
+    /// Pulses per revolution of the workpiece's encoder; the setpoint resolves 1/P of one.
+    pub workpiece_pulses: u32,
+    /// Loop and motor.
+    pub servo: ServoParameters,
+    /// Torques on the workpiece.
+    pub disturbances: Disturbances,
+}
+
+/// What the slide does.
+#[derive(Clone, Copy, Debug)]
+pub struct FollowedSlide<'a> {
+    /// Its reference pulses (tick, sign).
+    pub references: &'a [(u64, i64)],
+    /// Its motion; without one the pulses themselves are taken as the truth, and its speed is not fed forward.
+    pub motion: Option<&'a SlideMotion>,
+    /// How long, s.
+    pub duration: f64,
+}
+
+/// Mean and spread of an error, rad.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FollowingError {
+    /// Mean over the run. Centring the tooth space in the machine removes it there; it is not in the other figures.
+    pub mean: f64,
+    /// Root of the mean square about the mean.
+    pub rms: f64,
+    /// Least and greatest difference from the mean.
+    pub extremes: Extremes,
+}
+
+/// Errors over a stretch of time, for charts, means removed. rad, Nm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FollowingBin {
+    /// Middle of the stretch, s.
+    pub time: f64,
+    /// Setpoint less ideal angle.
+    pub setpoint: Extremes,
+    /// Actual less ideal angle.
+    pub actual: Extremes,
+    /// Torque of the motor.
+    pub torque: Extremes,
+}
+
+/// What a simulation brought.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FollowingRecord {
+    /// Time for which the loop ran before the slide began to move, the worm turning, s. It is in none of the figures.
+    pub lead_in: f64,
+    /// Samples in the figures.
+    pub samples: u64,
+    /// Setpoint of the gearbox less ideal angle.
+    pub setpoint: FollowingError,
+    /// Actual less ideal angle.
+    pub actual: FollowingError,
+    /// Greatest torque of the motor, Nm.
+    pub greatest_torque: f64,
+    /// Share of samples in which the torque was at its limit.
+    pub limited: f64,
+    /// Errors over time.
+    pub bins: Vec<FollowingBin>,
+}
+
+/// Time before the motion in periods 1/w_0 of the loop: the transient of a triple pole has gone to 1e-8 after 25.
+const LEAD_IN: f64 = 30.0;
+/// Most samples of the time before the motion.
+const MOST_LEAD_IN_SAMPLES: f64 = 1e7;
+/// Stretches into which a run is divided for charts.
+const BINS: usize = 1500;
+
+impl Following {
+    /// Simulates the loop over the whole stimulus, sample by sample.
+    ///
+    /// # Errors
+    /// [`StrokeError`]: numbers of control, servo or disturbances, the gearbox, the reference pulses.
+    pub fn run(&self, slide: &FollowedSlide<'_>) -> Result<FollowingRecord, StrokeError> {
+        let p = self.feed.settings.pulses_per_interval();
+        let parts = self.rotation.parts_per_revolution;
+        let gearbox = self.gearbox(p)?;
+        let turn = TAU * self.rotation.turns_per_millimetre;
+        let worm_speed = self.worm.map_or(0.0, |worm| worm.speed);
+        let worm_turn = self.worm.map_or(0.0, |worm| -f64::from(worm.threads) / f64::from(worm.teeth));
+
+        let mut servo = ServoLoop::new(self.servo)?;
+        let step = self.servo.sample_time;
+        let bandwidth = (self.servo.gains.integral / self.servo.drive.inertia).cbrt();
+        let waits = (LEAD_IN / bandwidth.max(1e-3) / step).min(MOST_LEAD_IN_SAMPLES).ceil() as u64;
+        let samples = (slide.duration / step).ceil() as u64;
+
+        let mut rotation = self.rotation.counter(p)?;
+        let mut interpolator = EventInterpolator::new(self.feed.settings);
+        let mut lines = slide.references.iter().peekable();
+        let mut cursor = slide.motion.map(SlideMotion::cursor);
+        let origin = cursor.as_mut().map_or(0.0, |cursor| cursor.at(0.0).position);
+        let begin = worm_turn * worm_speed * -(waits as f64 * step);
+        servo = servo.starting_at(begin, worm_turn * worm_speed)?;
+        let mut observer = Observer::new(slide.duration);
+        let mut offset = None;
+        for k in 0..waits + samples {
+            let time = (k as f64 - waits as f64) * step;
+            let mut failed = Ok(());
+            if k >= waits {
+                let tick = (time * self.feed.clock).floor() as u64;
+                let mut sink = |timed: TimedPulse| {
+                    if let Err(error) = rotation.pulse(timed.pulse.direction) {
+                        failed = Err(error);
+                    }
+                };
+                while let Some((at, sign)) = lines.next_if(|(at, _)| *at <= tick) {
+                    interpolator.reference(*at, *sign, &mut sink)?;
+                }
+                interpolator.advance(tick, &mut sink);
+            }
+            failed?;
+            let turned = rotation.total()?;
+            let worm_angle = worm_speed * time;
+            let worm_counts =
+                self.worm.map_or(0, |worm| (worm_angle / TAU * f64::from(worm.pulses)).floor() as i64);
+            let counts = (gearbox.position(&[worm_counts])?.counts + turned) as f64;
+            let (way, speed, acceleration) = match cursor.as_mut().map(|cursor| cursor.at(time.max(0.0))) {
+                Some(state) if k >= waits => {
+                    (turn * (state.position - origin), turn * state.speed, turn * state.acceleration)
+                }
+                Some(_) => (0.0, 0.0, 0.0),
+                None => (turned as f64 / parts * TAU, 0.0, 0.0),
+            };
+            let ideal = worm_turn * worm_angle + way;
+            // The gearbox is closed where the workpiece stands.
+            let offset = *offset.get_or_insert(begin / TAU * parts - counts);
+            let angle = (counts + offset) / parts * TAU;
+            // Half a part up: the loop rounds its setpoint down, this one is whole already.
+            let setpoint = Setpoint {
+                position: angle + 0.5 / parts * TAU,
+                speed: worm_turn * worm_speed + speed,
+                acceleration,
+            };
+            let moment = Moment { time, worm_angle, workpiece_angle: ideal };
+            let actual = servo.angle();
+            let sample = servo.step(&setpoint, self.disturbances.torque(&moment)?)?;
+            if k >= waits {
+                observer.add(time, angle - ideal, actual - ideal, sample.torque, sample.limited);
+            }
+        }
+        Ok(observer.finish(waits as f64 * step))
+    }
+
+    /// The coupling to the worm, exact; without a worm a coupling that nothing drives.
+    fn gearbox(&self, p: u32) -> Result<Gearbox<1>, StrokeError> {
+        let ratio = match self.worm {
+            Some(worm) => {
+                let ratio = endless_ratio(
+                    i64::from(worm.threads),
+                    i64::from(self.workpiece_pulses) * i64::from(p),
+                    i64::from(worm.teeth),
+                    i64::from(worm.pulses),
+                )?;
+                Ratio::new(-ratio.numerator(), ratio.denominator())?
+            }
+            None => Ratio::new(0, 1)?,
+        };
+        Ok(Gearbox::new(0, [LinearTerm::new(ratio, 0)]))
+    }
+}
+
+/// Sums about the first value, so that a large mean costs no digits.
+#[derive(Clone, Copy)]
+struct Sums {
+    first: Option<f64>,
+    sum: f64,
+    squares: f64,
+    extremes: Extremes,
+}
+
+impl Sums {
+    const NONE: Self = Self { first: None, sum: 0.0, squares: 0.0, extremes: Extremes::NONE };
+
+    fn add(&mut self, error: f64) {
+        let difference = error - *self.first.get_or_insert(error);
+        self.sum += difference;
+        self.squares += difference * difference;
+        self.extremes.add(error);
+    }
+
+    fn finish(&self, samples: u64) -> FollowingError {
+        let Some(first) = self.first else {
+            return FollowingError { mean: 0.0, rms: 0.0, extremes: Extremes { least: 0.0, greatest: 0.0 } };
+        };
+        let count = samples as f64;
+        let shift = self.sum / count;
+        let mean = first + shift;
+        let rms = (self.squares / count - shift * shift).max(0.0).sqrt();
+        FollowingError { mean, rms, extremes: about(self.extremes, mean) }
+    }
+}
+
+fn about(extremes: Extremes, mean: f64) -> Extremes {
+    Extremes { least: extremes.least - mean, greatest: extremes.greatest - mean }
+}
+
+/// Gathers the figures of a run.
+struct Observer {
+    samples: u64,
+    setpoint: Sums,
+    actual: Sums,
+    greatest_torque: f64,
+    limited: u64,
+    bins: Vec<[Extremes; 3]>,
+    width: f64,
+}
+
+impl Observer {
+    fn new(duration: f64) -> Self {
+        Self {
+            samples: 0,
+            setpoint: Sums::NONE,
+            actual: Sums::NONE,
+            greatest_torque: 0.0,
+            limited: 0,
+            bins: vec![[Extremes::NONE; 3]; BINS],
+            width: (duration / BINS as f64).max(f64::MIN_POSITIVE),
+        }
+    }
+
+    fn add(&mut self, time: f64, setpoint: f64, actual: f64, torque: f64, limited: bool) {
+        self.samples += 1;
+        self.setpoint.add(setpoint);
+        self.actual.add(actual);
+        self.greatest_torque = self.greatest_torque.max(torque.abs());
+        self.limited += u64::from(limited);
+        let bin = &mut self.bins[((time / self.width) as usize).min(BINS - 1)];
+        for (extremes, value) in bin.iter_mut().zip([setpoint, actual, torque]) {
+            extremes.add(value);
+        }
+    }
+
+    fn finish(self, lead_in: f64) -> FollowingRecord {
+        let (setpoint, actual) = (self.setpoint.finish(self.samples), self.actual.finish(self.samples));
+        let bins = self.bins.iter().enumerate().filter_map(|(k, [of_setpoint, of_actual, torque])| {
+            Some(FollowingBin {
+                time: (k as f64 + 0.5) * self.width,
+                setpoint: about(of_setpoint.any()?, setpoint.mean),
+                actual: about(of_actual.any()?, actual.mean),
+                torque: torque.any()?,
+            })
+        });
+        FollowingRecord {
+            lead_in,
+            samples: self.samples,
+            setpoint,
+            actual,
+            greatest_torque: self.greatest_torque,
+            limited: self.limited as f64 / self.samples.max(1) as f64,
+            bins: bins.collect(),
+        }
+    }
+}

@@ -1,0 +1,23 @@
+//! The electronic gearbox from job to result: pulses of the slide, additional rotation, errors beside their budget, the servo behind
+//! it, the choice of a set-up, files.
+
+mod couple;
+mod explore;
+mod figures;
+mod following;
+mod page;
+mod remarks;
+mod result;
+mod run;
+mod stimulus;
+mod tables;
+mod write;
+
+pub use explore::MOST_SET_UPS;
+pub use result::{
+    AlongFeedResult, AngleResult, BestSetUpResult, BudgetResult, CouplingResult, ExploreResult,
+    FlankResponseResult, GearboxResult, GearboxSettingsResult, PulseFigures, RangeUm, ServoErrorResult,
+    ServoResult, SetUpResult,
+};
+pub use run::{GearboxFailure, GearboxOutcome, MOST_TRACED_PULSES, coupling_of_job, run_gearbox};
+pub use write::write_gearbox;

@@ -1,0 +1,89 @@
+//! Warnings of a run: alarms of the interpolator, modes and motors at their limits.
+
+use super::result::{AlongFeedResult, BudgetResult, GearboxSettingsResult, PulseFigures, ServoResult};
+use crate::exchange::control::InterpolationMode;
+use crate::workflow::finding::Remark;
+
+/// Share of samples at the limit of the torque from which on the errors are those of the motor, not of the loop.
+const LIMITED: f64 = 1e-3;
+
+/// What the counters and figures say that someone should know.
+pub(super) fn warnings(
+    settings: &GearboxSettingsResult,
+    pulses: &PulseFigures,
+    budget: Option<&BudgetResult>,
+    along: Option<&AlongFeedResult>,
+    servo: Option<&ServoResult>,
+) -> Vec<Remark> {
+    let mut warnings = Vec::new();
+    if pulses.too_fast > 0 {
+        warnings.push(Remark {
+            code: "interpolator-too-fast",
+            text: format!(
+                "alarm: {} of {} intervals had fewer ticks than the {} pulses that belong in them; the feed follows up to {:.6} mm/min",
+                pulses.too_fast,
+                pulses.references.saturating_sub(1),
+                settings.pulses_per_interval,
+                settings.greatest_speed_mm_per_min
+            ),
+            way_out: "feed slower, insert fewer pulses, or take a faster clock or a coarser scale".into(),
+        });
+    }
+    if pulses.overruns > 0 {
+        warnings.push(Remark {
+            code: "interpolator-overrun",
+            text: format!(
+                "alarm: {} intervals ended while corrections of the one before were still owed: pulses come late",
+                pulses.overruns
+            ),
+            way_out: "a machine stops the feed here; feed slower, insert fewer pulses, or take a faster clock".into(),
+        });
+    }
+    if pulses.pending_corrections != 0 {
+        warnings.push(Remark {
+            code: "corrections-pending",
+            text: format!(
+                "the run ends while {} corrections are still owed",
+                pulses.pending_corrections.abs()
+            ),
+            way_out: "let it end later: a longer `rest_s` or a later `last_tick`".into(),
+        });
+    }
+    let offset = along.and_then(|along| along.direction_offset_flank_um);
+    match (settings.mode, offset) {
+        (InterpolationMode::OneWay, Some(um)) => warnings.push(Remark {
+            code: "direction-offset",
+            text: format!("in mode one-way both senses of the feed differ by {um:.3} um at the flank"),
+            way_out: "take mode = \"no-backlash\", or grind in one sense only".into(),
+        }),
+        (InterpolationMode::Literal, _) => warnings.push(Remark {
+            code: "literal-mode",
+            text: "mode literal loses pulses at quick reversals and has no bound".into(),
+            way_out: "take mode = \"no-backlash\" on a machine".into(),
+        }),
+        _ => {}
+    }
+    if let Some((p, best)) =
+        budget.and_then(|b| Some((f64::from(settings.pulses_per_interval), b.best_pulses_per_interval?)))
+        && p > 2.0 * best
+    {
+        warnings.push(Remark {
+            code: "more-pulses-than-help",
+            text: format!(
+                "{p} pulses per interval are more than the clock resolves at the greatest speed; beyond {best:.1} they no longer help"
+            ),
+            way_out: "insert fewer pulses or take a faster clock".into(),
+        });
+    }
+    if let Some(servo) = servo.filter(|servo| servo.torque_limited_share > LIMITED) {
+        warnings.push(Remark {
+            code: "torque-limited",
+            text: format!(
+                "the motor is at its greatest torque in {:.2} % of the samples",
+                1e2 * servo.torque_limited_share
+            ),
+            way_out: "accelerate more slowly, or take a stronger motor or a smaller bandwidth".into(),
+        });
+    }
+    warnings
+}
