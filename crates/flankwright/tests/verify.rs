@@ -82,7 +82,7 @@ fn tangential_dressing_passes_whole() {
 
 #[test]
 fn gearbox_passes_whole() {
-    let report = passes("70-gearbox.json", 2200);
+    let report = passes("70-gearbox.json", 3200);
     assert_eq!((report.schema, report.not_covered.len()), (Schema::Gearbox, 0));
 }
 

@@ -97,34 +97,38 @@ impl Input {
         Ok(())
     }
 
-    /// Sum of all signs and of the corrections still owed after one motion.
-    fn total(&self, mode: Mode, motion: &SlideMotion) -> Result<i64, Refusal> {
+    fn interpolation(&self, mode: Mode) -> Result<Interpolation, Refusal> {
         let interpolation = Interpolation {
             settings: Settings::new(self.multiplier, self.counter_max, mode)?,
             clock: self.f1_hz,
             pitch: 1e3 / self.q_per_m,
         };
-        let references = interpolation.references(motion)?;
-        // The motion lasts 4 T.
-        let last_tick = (motion.duration() * self.f1_hz).floor() as u64 + 20_000;
-        let run = interpolation.run(&references, last_tick, None, None, &mut |_, _| ())?;
-        Ok(run.counts.net + run.status.pending)
+        interpolation.validate()?;
+        Ok(interpolation)
     }
+}
+
+/// Sum of all signs and of the corrections still owed after one motion.
+fn total(interpolation: &Interpolation, motion: &SlideMotion) -> Result<i64, Refusal> {
+    let references = interpolation.references(motion)?;
+    // The motion lasts 4 T.
+    let last_tick = (motion.duration() * interpolation.clock).floor() as u64 + 20_000;
+    let run = interpolation.run(&references, last_tick, None, None, &mut |_, _| ())?;
+    Ok(run.counts.net + run.status.pending)
 }
 
 /// Share of the turning points at which the printed circuit ends elsewhere than the one that conserves pulses.
 fn simulated_share(input: &Input) -> Result<f64, Refusal> {
     input.check_texts()?;
-    let pitch = 1e3 / input.q_per_m;
+    let (printed, conserving) = (input.interpolation(Mode::Literal)?, input.interpolation(Mode::OneWay)?);
+    let (pitch, a) = (printed.pitch, input.a_mm_s2);
     let mut losses = 0;
     for i in 0..input.n {
         let turn = 20.0 * pitch + (f64::from(i) + 0.5) * pitch / f64::from(input.n);
-        let quarter = (turn / input.a_mm_s2).sqrt();
-        let a = input.a_mm_s2;
+        let quarter = (turn / a).sqrt();
         let motion =
             SlideMotion::from_rest(input.x_start_mm, [(quarter, a), (2.0 * quarter, -a), (quarter, a)])?;
-        let lost = input.total(Mode::Literal, &motion)? != input.total(Mode::OneWay, &motion)?;
-        losses += u32::from(lost);
+        losses += u32::from(total(&printed, &motion)? != total(&conserving, &motion)?);
     }
     Ok(f64::from(losses) / f64::from(input.n))
 }

@@ -1,17 +1,21 @@
 //! The checks against the reference file, and against changes of it that none may overlook.
 
 use super::super::{FileReport, VerifyOptions, verify_value};
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 fn file() -> Value {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/reference/70-gearbox.json");
     serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
 }
 
-/// Some blocks of the file.
+/// Some blocks of the file, beside an empty one by which it is recognised: other schemas have a block `gearbox` as well.
 fn blocks(keys: &[&str]) -> Value {
     let whole = file();
-    Value::Object(keys.iter().map(|key| ((*key).to_owned(), whole[key].clone())).collect::<Map<_, _>>())
+    let mut root = json!({ "pulse_trains": [] });
+    for key in keys {
+        root[key] = whole[key].clone();
+    }
+    root
 }
 
 /// The pulse trains of these names; long ones take too long for many runs.
@@ -105,12 +109,14 @@ fn every_changed_number_of_servo_and_budget_is_noticed() {
         "/servo/runs/1/input/par/Tmax",
         "/servo/runs/2/input/par/Tc",
         "/error_budget/3/input/a_mm_s2",
+        "/servo/runs/0/expected/k/0",
+        "/servo/runs/2/expected/k/0",
     ];
     // What a run does not reach or use may be anything, and the quantised run is compared to a third of its error only. At standstill the
-    // share of the acceleration saturates.
+    // share of the acceleration saturates. The first two samples of a run with feed-forward are both without error.
     every_change_is_noticed(&blocks(&["servo", "error_budget"]), "", 150, |path| {
         let symbol = path.rsplit('/').next().unwrap_or("");
-        path.starts_with("/servo/runs/3/input")
+        ["input", "expected/k"].iter().any(|part| path.starts_with(&format!("/servo/runs/3/{part}")))
             || (path.starts_with("/servo/runs/") && ["ws", "Nw", "P", "steps"].contains(&symbol))
             || immaterial.contains(&path)
     });
@@ -130,9 +136,12 @@ fn every_changed_number_of_pulses_is_noticed() {
 #[test]
 fn every_changed_number_of_couplings_is_noticed() {
     let keys = ["coefficients", "couplings", "gearbox", "ratio_of_lead", "table", "synchroniser"];
-    // Beyond the ends of a natural table the value is held, wherever.
+    // Beyond the ends of a natural table the value is held, wherever; half a pitch forward is no other way for a greater pitch.
     let outside = [0, 1, 2, 19, 20, 21, 22].map(|k| format!("/table/0/input/x_mm/{k}"));
-    every_change_is_noticed(&blocks(&keys), "", 200, |path| outside.iter().any(|place| place == path));
+    let half_way = "/synchroniser/3/input/tooth_pitch_deg";
+    every_change_is_noticed(&blocks(&keys), "", 200, |path| {
+        path == half_way || outside.iter().any(|place| place == path)
+    });
     every_change_is_noticed(&blocks(&["bresenham"]), "", 8, |_| false);
 }
 
@@ -169,7 +178,7 @@ fn unknown_quantities_of_every_block_are_failures() {
             "error_budget",
             "servo",
         ]);
-        for part in [short_chain(), one_multiplier(), one_reversal()] {
+        for part in [one_multiplier(), one_reversal(), short_chain()] {
             root.as_object_mut().unwrap().extend(part.as_object().unwrap().clone());
         }
         root
@@ -246,7 +255,8 @@ fn refusals_may_be_expected() {
     let changed_input = |block: &'static str, key: &str, value: Value| {
         let mut input = file()[block][0]["input"].clone();
         input[key] = value;
-        (blocks(&[block]), block, input)
+        let root = if block == "pulse_trains" { trains(&["constant speed"]) } else { blocks(&[block]) };
+        (root, block, input)
     };
     for ((root, block, input), error) in [
         (bad_train(json!([10, 10]), json!([1, 1])), "BadReferenceTrain"),
@@ -271,7 +281,7 @@ fn refusals_may_be_expected() {
         };
         assert_eq!(with(input.clone(), error), 0, "{block} {error}");
         assert_eq!(with(input.clone(), "EncoderJump"), 1, "{block} {error}");
-        assert_eq!(with(root[block][0]["input"].clone(), error), 1, "{block} {error}");
+        assert!(with(root[block][0]["input"].clone(), error) > 0, "{block} {error}");
         // Without an expected error it is a failure.
         assert!(told(root.clone(), &format!("/{block}/0/input"), input).0 > 0, "{block} {error}");
     }
