@@ -9,6 +9,7 @@ const PLANS: &[(&str, i32)] = &[
     ("beveloid-conical-worm.toml", 0),
     ("beveloid-cylindrical-worm.toml", 0),
     ("catalogue.toml", 0),
+    ("control/with-real-control.toml", 0),
     ("dressing/conical-worm.toml", 0),
     ("dressing/strokes.toml", 0),
     ("dressing/gear-root.toml", 0),
