@@ -3,7 +3,7 @@
 CARGO ?= cargo
 DEMO ?= examples/twist-free-crowning.toml
 
-.PHONY: demo test setup format check clean
+.PHONY: demo test setup format check instructions clean
 
 setup:
 	@scripts/setup
@@ -24,6 +24,10 @@ format:
 # Quick look while writing.
 check:
 	$(CARGO) clippy --workspace --all-targets
+
+# Instructions of one update of the electronic gearbox, each with its limit.
+instructions: setup
+	@scripts/instruction-counts
 
 clean:
 	$(CARGO) clean

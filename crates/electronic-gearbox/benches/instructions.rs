@@ -12,7 +12,15 @@ use electronic_gearbox::coupling::{
 };
 use electronic_gearbox::pulse::{ClockedInterpolator, Direction, Mode, Pulse, Settings};
 use gungraun::prelude::*;
+use gungraun::{Callgrind, EventKind};
 use std::hint::black_box;
+
+/// A benchmark that fails beyond this many instructions.
+fn at_most(instructions: u64) -> LibraryBenchmarkConfig {
+    let mut config = LibraryBenchmarkConfig::default();
+    config.tool(Callgrind::default().hard_limits([(EventKind::Ir, instructions)]));
+    config
+}
 
 fn term(n: i64, d: i64) -> LinearTerm {
     LinearTerm::new(Ratio::new(n, d).unwrap(), 0)
@@ -38,7 +46,7 @@ const PLACES: [[i64; 4]; 4] = [
     [i64::MAX / 4, 5, i64::MIN / 8, i64::MAX / 4],
 ];
 
-#[library_benchmark]
+#[library_benchmark(config = at_most(450))]
 #[bench::rest(four_axes(), PLACES[0])]
 #[bench::middle(four_axes(), PLACES[1])]
 #[bench::least(four_axes(), PLACES[2])]
@@ -51,7 +59,7 @@ fn running() -> IncrementalGearbox<4> {
     IncrementalGearbox::new(four_axes(), &[0; 4]).unwrap()
 }
 
-#[library_benchmark]
+#[library_benchmark(config = at_most(400))]
 #[bench::rest(running(), PLACES[0])]
 #[bench::middle(running(), PLACES[1])]
 #[bench::least(running(), PLACES[2])]
@@ -71,7 +79,7 @@ fn interpolator(owed: bool) -> ClockedInterpolator {
     machine
 }
 
-#[library_benchmark]
+#[library_benchmark(config = at_most(75))]
 #[bench::quiet(interpolator(false), None)]
 #[bench::correction(interpolator(true), None)]
 #[bench::reference(interpolator(false), Some(Direction::Forward))]
@@ -80,7 +88,7 @@ fn tick(mut machine: ClockedInterpolator, reference: Option<Direction>) -> Optio
     black_box(&mut machine).tick(black_box(reference))
 }
 
-#[library_benchmark]
+#[library_benchmark(config = at_most(50))]
 #[bench::stays(Direction::Forward)]
 #[bench::carries(Direction::Backward)]
 fn pulse_of_a_ratio(direction: Direction) -> Option<Direction> {
@@ -88,7 +96,7 @@ fn pulse_of_a_ratio(direction: Direction) -> Option<Direction> {
     black_box(&mut line).pulse(black_box(direction))
 }
 
-#[library_benchmark]
+#[library_benchmark(config = at_most(40))]
 #[bench::forward(RateRule::Bresenham, Direction::Forward)]
 #[bench::backward(RateRule::Binary, Direction::Backward)]
 fn pulse_of_the_chain(rule: RateRule, direction: Direction) -> Option<Direction> {
