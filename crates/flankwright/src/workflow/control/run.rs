@@ -1,9 +1,9 @@
 //! The stroke of a grinding run through the job's control, mapped to the flanks, with rays in time as its referee.
 
 use super::result::{ControlFlankResult, ControlResult, ErrorTrace, Trace};
-use super::setup::{disturbances, failure, interpolation, servo_parameters};
+use super::setup::{disturbances, interpolation, of_servo, on_field, servo_parameters};
 use crate::control::{
-    FlankPlaces, Rotation, RotationRule, StrokeControl, StrokeRecord, StrokeSpeeds, run_stroke,
+    FlankPlaces, Rotation, RotationRule, StrokeControl, StrokeError, StrokeRecord, StrokeSpeeds, run_stroke,
 };
 use crate::exchange::control::RotationRate;
 use crate::exchange::job::{Control, Job};
@@ -25,6 +25,8 @@ use electronic_gearbox::coefficient::{Coefficient, GearGeometry};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
+/// Where the tables of the control stand in the job.
+const BELOW: &str = "control.";
 /// Points of a trace.
 const TRACE: usize = 161;
 /// Teeth whose traces are shown.
@@ -56,12 +58,15 @@ pub(in crate::workflow) fn control_of_grinding(
     let arm_um = 1e3 * work.base_radius * work.base_helix_angle.cos();
     let threads = speeds.worm / TAU * motion.threads.abs();
     let response = stroke.servo.disturbance_response(threads);
-    let response = response.map_err(|error| failure(&error.into(), "control.servo"))?;
+    let response = response.map_err(|error| of_servo(&error, &control.servo, BELOW))?;
     let mut flanks = BTreeMap::new();
     for flank in Flank::BOTH {
         let (Some(executed), Some(verdict)) = (&execution.flanks[flank], &verdicts[flank]) else { continue };
         let record = run_stroke(&stroke, motion, &speeds, motion.phase[flank])
-            .map_err(|error| failure(&error, "control"))?;
+            .map_err(|error| match error {
+                StrokeError::Control(error) => of_servo(&error, &control.servo, BELOW),
+                StrokeError::Gearbox(error) => on_field(&error, "control.worm"),
+            })?;
         let deviation = verdict.simulated.minus(&executed.target);
         flanks.insert(flank.name(), flank_result(prepared, execution, flank, &record, &deviation)?);
     }
@@ -115,7 +120,7 @@ fn speeds(
 
 /// The control, and what the ratio of its additional rotation is off by, rad per metre.
 fn stroke_control(control: &Control, prepared: &Prepared) -> Result<(StrokeControl, f64), RunFailure> {
-    let feed = interpolation(&control.feed, "control.feed")?;
+    let feed = interpolation(&control.feed, BELOW)?;
     let p = feed.settings.pulses_per_interval();
     let pulses = control.workpiece.pulses_per_revolution;
     let data = prepared.setup.pair.work.data();
@@ -145,8 +150,8 @@ fn stroke_control(control: &Control, prepared: &Prepared) -> Result<(StrokeContr
         worm_pulses: control.worm.pulses_per_revolution,
         workpiece_pulses: pulses,
         shift_pitch: control.shift.as_ref().map(|scale| 1e3 / scale.pulses_per_metre),
-        servo: servo_parameters(&control.servo, pulses, p, "control.servo")?,
-        disturbances: disturbances(&control.servo.disturbances, "control.servo")?,
+        servo: servo_parameters(&control.servo, pulses, p, BELOW)?,
+        disturbances: disturbances(&control.servo, BELOW)?,
     };
     Ok((stroke, per_metre))
 }

@@ -1,67 +1,56 @@
-//! From a job's tables to the control that is simulated: units become mm, rad, s, and what is wrong is told by its key.
+//! From a job's tables to the control that is simulated: units become mm, rad, s, and what is wrong is told by its key. The tables are those
+//! of a grinding job below `control`, or of a job of the electronic gearbox at its top: `below` is "control." or empty.
 
 use crate::control::servo::{
-    Disturbance, Disturbances, Drive, Gains, Quantisation, ServoParameters, Spindle,
+    self as loops, Disturbances, Drive, Gains, Quantisation, ServoParameters,
 };
-use crate::control::{ControlError, Interpolation, StrokeError};
+use crate::control::{ControlError, Interpolation};
 use crate::exchange::Diagnostic;
-use crate::exchange::control as file;
+use crate::exchange::control::{Disturbance, InterpolationMode, ScaleInterpolation, Servo, Spindle};
 use crate::workflow::finding::RunFailure;
+use electronic_gearbox::Error as GearboxError;
 use electronic_gearbox::pulse::{Mode, Settings};
 
-/// A fault of the control on a key of the job.
-pub(in crate::workflow) fn failure(error: &StrokeError, field: &str) -> RunFailure {
-    let finding = Diagnostic::with_code(error.code(), error.to_string());
-    RunFailure::bad_input(finding.field(field.to_owned()).way_out(error.way_out()))
-}
-
-/// Scale and interpolator of a table `feed`.
+/// Scale and interpolator of the feed slide.
 ///
 /// # Errors
-/// [`RunFailure`] on a key of that table.
-pub(in crate::workflow) fn interpolation(
-    scale: &file::ScaleInterpolation,
-    field: &str,
-) -> Result<Interpolation, RunFailure> {
-    let mode = match scale.mode {
-        file::InterpolationMode::OneWay => Mode::OneWay,
-        file::InterpolationMode::NoBacklash => Mode::NoBacklash,
-        file::InterpolationMode::Literal => Mode::Literal,
+/// [`RunFailure`] on keys of `feed`.
+pub(in crate::workflow) fn interpolation(feed: &ScaleInterpolation, below: &str) -> Result<Interpolation, RunFailure> {
+    let mode = match feed.mode {
+        InterpolationMode::OneWay => Mode::OneWay,
+        InterpolationMode::NoBacklash => Mode::NoBacklash,
+        InterpolationMode::Literal => Mode::Literal,
     };
-    let settings = Settings::new(scale.pulses_per_interval, scale.counter_limit, mode)
-        .map_err(|error| failure(&error.into(), &format!("{field}.pulses_per_interval")))?;
-    Ok(Interpolation { settings, clock: scale.clock_hz, pitch: scale.pitch_mm() })
+    let settings = Settings::new(feed.pulses_per_interval, feed.counter_limit, mode).map_err(|error| {
+        let counter = matches!(error, GearboxError::CounterLimit { .. });
+        let key = if counter { "counter_limit" } else { "pulses_per_interval" };
+        on_field(&error, &format!("{below}feed.{key}"))
+    })?;
+    let interpolation = Interpolation { settings, clock: feed.clock_hz, pitch: feed.pitch_mm() };
+    interpolation.validate().map_err(|error| of_scale(&error, below, "feed.pulses_per_metre"))?;
+    Ok(interpolation)
 }
 
-/// Loop and motor of a table `servo`; counts of the workpiece's encoder and P of the setpoint.
+/// What a scale or a slide refuses; `other` is the key of what is neither clock nor pitch.
+pub(in crate::workflow) fn of_scale(error: &ControlError, below: &str, other: &str) -> RunFailure {
+    let key = match error {
+        ControlError::BadParameter { name: "clock", .. } => "feed.clock_hz",
+        ControlError::BadParameter { name: "pitch" | "pulses_per_metre", .. } => "feed.pulses_per_metre",
+        _ => other,
+    };
+    control_refused(error, &format!("{below}{key}"))
+}
+
+/// Loop and motor of the workpiece spindle.
 ///
 /// # Errors
-/// [`RunFailure`] on a key of that table, among them an unstable loop.
+/// [`RunFailure`] on keys of `servo`.
 pub(in crate::workflow) fn servo_parameters(
-    servo: &file::Servo,
-    counts_per_revolution: u32,
+    servo: &Servo,
+    workpiece_pulses: u32,
     multiplier: u32,
-    field: &str,
+    below: &str,
 ) -> Result<ServoParameters, RunFailure> {
-    let refused = |error: ControlError| {
-        let key = match error {
-            ControlError::BadParameter { name, .. } => match name {
-                "inertia" => "inertia_kg_m2",
-                "viscous_friction" => "damping_n_m_s",
-                "coulomb_friction" => "friction_n_m",
-                "friction_speed" => "friction_speed_rad_per_s",
-                "torque_limit" => "torque_limit_n_m",
-                "feed_forward" => "feed_forward",
-                "bandwidth" => "bandwidth_hz",
-                "proportional" | "integral" | "derivative" => "gains",
-                _ => "sample_time_us",
-            },
-            ControlError::UnstableLoop { .. } if servo.gains.is_some() => "gains",
-            ControlError::UnstableLoop { .. } => "bandwidth_hz",
-            ControlError::TooFast { .. } => "sample_time_us",
-        };
-        failure(&error.into(), &format!("{field}.{key}"))
-    };
     let drive = Drive {
         inertia: servo.inertia_kg_m2,
         viscous_friction: servo.damping_n_m_s,
@@ -75,48 +64,54 @@ pub(in crate::workflow) fn servo_parameters(
             integral: gains.integral_n_m_per_rad_s,
             derivative: gains.derivative_n_m_s_per_rad,
         },
-        // Reading has made sure that one of the two is there; 0 is refused by the next line.
-        (None, bandwidth) => Gains::triple_pole(bandwidth.unwrap_or(0.0), &drive).map_err(refused)?,
+        (None, bandwidth) => Gains::triple_pole(bandwidth.unwrap_or_default(), &drive)
+            .map_err(|error| of_servo(&error, servo, below))?,
     };
     let parameters = ServoParameters {
-        sample_time: servo.sample_time_us * 1e-6,
+        sample_time: 1e-6 * servo.sample_time_us,
         drive,
         gains,
         feed_forward: servo.feed_forward,
-        quantisation: servo.quantised.then_some(Quantisation { counts_per_revolution, multiplier }),
+        quantisation: servo
+            .quantised
+            .then_some(Quantisation { counts_per_revolution: workpiece_pulses, multiplier }),
     };
-    parameters.validate().map_err(refused)?;
+    parameters.validate().map_err(|error| of_servo(&error, servo, below))?;
     Ok(parameters)
 }
 
-/// Torques of a table `servo`.
+/// Torques on the workpiece.
 ///
 /// # Errors
-/// [`RunFailure`] on its list `disturbances`.
-pub(in crate::workflow) fn disturbances(
-    list: &[file::Disturbance],
-    field: &str,
-) -> Result<Disturbances, RunFailure> {
-    let spindle = |axis: file::Spindle| match axis {
-        file::Spindle::Worm => Spindle::Worm,
-        file::Spindle::Workpiece => Spindle::Workpiece,
+/// [`RunFailure`] on `servo.disturbances`.
+pub(in crate::workflow) fn disturbances(servo: &Servo, below: &str) -> Result<Disturbances, RunFailure> {
+    let sources = servo.disturbances.iter().map(disturbance).collect();
+    Disturbances::new(sources).map_err(|error| control_refused(&error, &format!("{below}servo.disturbances")))
+}
+
+fn disturbance(given: &Disturbance) -> loops::Disturbance {
+    let spindle = |axis| match axis {
+        Spindle::Worm => loops::Spindle::Worm,
+        Spindle::Workpiece => loops::Spindle::Workpiece,
     };
-    let sources = list.iter().map(|source| match *source {
-        file::Disturbance::Constant { torque_n_m } => Disturbance::Constant { torque: torque_n_m },
-        file::Disturbance::Step { torque_n_m, at_s } => Disturbance::Step { torque: torque_n_m, after: at_s },
-        file::Disturbance::Harmonic { torque_n_m, frequency_hz, phase_deg } => Disturbance::HarmonicInTime {
+    match *given {
+        Disturbance::Constant { torque_n_m } => loops::Disturbance::Constant { torque: torque_n_m },
+        Disturbance::Step { torque_n_m, at_s } => {
+            loops::Disturbance::Step { torque: torque_n_m, after: at_s }
+        }
+        Disturbance::Harmonic { torque_n_m, frequency_hz, phase_deg } => loops::Disturbance::HarmonicInTime {
             amplitude: torque_n_m,
             frequency: frequency_hz,
             phase: phase_deg.to_radians(),
         },
-        file::Disturbance::Order { torque_n_m, axis, order, phase_deg } => Disturbance::HarmonicInAngle {
+        Disturbance::Order { torque_n_m, axis, order, phase_deg } => loops::Disturbance::HarmonicInAngle {
             spindle: spindle(axis),
             amplitude: torque_n_m,
             order,
             phase: phase_deg.to_radians(),
         },
-        file::Disturbance::Pulses { torque_n_m, axis, per_revolution, width_deg } => {
-            Disturbance::PulseTrain {
+        Disturbance::Pulses { torque_n_m, axis, per_revolution, width_deg } => {
+            loops::Disturbance::PulseTrain {
                 spindle: spindle(axis),
                 torque: torque_n_m,
                 pulses: per_revolution,
@@ -124,7 +119,46 @@ pub(in crate::workflow) fn disturbances(
                 width: width_deg.to_radians(),
             }
         }
-    });
-    Disturbances::new(sources.collect())
-        .map_err(|error| failure(&error.into(), &format!("{field}.disturbances")))
+    }
+}
+
+/// What a loop or its simulation refuses.
+pub(in crate::workflow) fn of_servo(error: &ControlError, servo: &Servo, below: &str) -> RunFailure {
+    let field = match error {
+        ControlError::UnstableLoop { .. } if servo.gains.is_some() => "servo.gains",
+        ControlError::UnstableLoop { .. } => "servo.bandwidth_hz",
+        ControlError::BadParameter { name, .. } => match *name {
+            "inertia" => "servo.inertia_kg_m2",
+            "viscous_friction" => "servo.damping_n_m_s",
+            "coulomb_friction" => "servo.friction_n_m",
+            "friction_speed" => "servo.friction_speed_rad_per_s",
+            "torque_limit" => "servo.torque_limit_n_m",
+            "bandwidth" => "servo.bandwidth_hz",
+            "proportional" => "servo.gains.proportional_n_m_per_rad",
+            "integral" => "servo.gains.integral_n_m_per_rad_s",
+            "derivative" => "servo.gains.derivative_n_m_s_per_rad",
+            "feed_forward" => "servo.feed_forward",
+            "counts_per_revolution" => "workpiece.pulses_per_revolution",
+            "disturbance_torque" | "torque" | "amplitude" => "servo.disturbances",
+            "position" | "speed" | "acceleration" => "stimulus",
+            _ => "servo.sample_time_us",
+        },
+        ControlError::TooFast { .. } => "stimulus",
+    };
+    control_refused(error, &format!("{below}{field}"))
+}
+
+/// A fault of a control on a key of the job.
+pub(in crate::workflow) fn control_refused(error: &ControlError, field: &str) -> RunFailure {
+    let mut finding = Diagnostic::with_code(error.code(), error.to_string()).field(field);
+    if let ControlError::BadParameter { value, allowed, .. } = error {
+        finding = finding.value(value).allowed(*allowed);
+    }
+    RunFailure::bad_input(finding.way_out(error.way_out()))
+}
+
+/// A fault of the gearbox on a key of the job.
+pub(in crate::workflow) fn on_field(error: &GearboxError, field: &str) -> RunFailure {
+    let finding = Diagnostic::with_code(error.code(), error.to_string());
+    RunFailure::bad_input(finding.field(field).way_out(error.way_out()))
 }

@@ -1,7 +1,8 @@
 //! `[explore]` of the electronic gearbox: every combination of scale, clock, interpolation and encoder judged by its error budget at the
 //! flank, ranked by cost; the cheapest that is accurate enough is simulated.
 
-use super::couple::{coupling, interpolation, of_feed, on_field};
+use super::couple::{coupling, of_feed};
+use crate::workflow::control::{interpolation, on_field};
 use super::figures::{budget, counting};
 use super::result::{BestSetUpResult, ExploreResult, SetUpResult};
 use super::stimulus::{Driven, of_motion};
@@ -80,7 +81,7 @@ fn drive(given: &GearboxExplore, driven: &Driven) -> (f64, f64) {
 /// Way over which the rounding of a ratio adds up, mm.
 fn travel(job: &GearboxJob, driven: &Driven) -> f64 {
     // Distance of the outermost lines; the scales to choose from have the same slide.
-    interpolation(&job.feed).map_or(0.0, |interpolation| driven.travel(&interpolation))
+    interpolation(&job.feed, "").map_or(0.0, |interpolation| driven.travel(&interpolation))
 }
 
 /// Every combination as a job of its own, with its cost.
@@ -152,7 +153,7 @@ fn judge(
     travel: f64,
     wanted_um: f64,
 ) -> Result<SetUpResult, RunFailure> {
-    let interpolation = interpolation(&job.feed)?;
+    let interpolation = interpolation(&job.feed, "")?;
     let pressure_angle = job.gear.normal_pressure_angle_deg.to_radians();
     let budget =
         budget(gear, pressure_angle, &interpolation, drive, None).map_err(|error| of_feed(&error))?;
@@ -218,7 +219,7 @@ fn simulate(
         pulses_per_revolution: set_up.pulses_per_revolution,
         ..job.workpiece
     };
-    let interpolation = interpolation(&feed)?;
+    let interpolation = interpolation(&feed, "")?;
     let refused = |error: GearboxError| on_field(&error, "explore");
     let rotation = coupling(gear, &workpiece, &interpolation).map_err(refused)?;
     let again = of_motion(motion.clone(), job.stimulus.rest_or_default(), &interpolation)?;

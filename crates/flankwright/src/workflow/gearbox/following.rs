@@ -1,6 +1,7 @@
 //! The servo of a job: simulation of the loop behind the gearbox, and what it leaves at the flank.
 
-use super::couple::{disturbances, of_following, servo_parameters};
+use super::couple::of_following;
+use crate::workflow::control::{disturbances, servo_parameters};
 use super::result::{FlankResponseResult, ServoErrorResult, ServoResult};
 use super::stimulus::Driven;
 use crate::control::{
@@ -28,7 +29,7 @@ pub(super) fn follow(
     um_per_radian: f64,
 ) -> Result<(ServoResult, FollowingRecord), RunFailure> {
     let multiplier = interpolation.settings.pulses_per_interval();
-    let parameters = servo_parameters(servo, job.workpiece.pulses_per_revolution, multiplier)?;
+    let parameters = servo_parameters(servo, job.workpiece.pulses_per_revolution, multiplier, "")?;
     let following = Following {
         feed: *interpolation,
         rotation: *rotation,
@@ -40,7 +41,7 @@ pub(super) fn follow(
         }),
         workpiece_pulses: job.workpiece.pulses_per_revolution,
         servo: parameters,
-        disturbances: disturbances(servo)?,
+        disturbances: disturbances(servo, "")?,
     };
     let slide = FollowedSlide {
         references: &driven.references,

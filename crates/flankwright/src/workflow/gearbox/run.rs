@@ -1,6 +1,7 @@
 //! `gearbox`: from a checked job to counters, errors and their budget, the servo and the choice of a set-up.
 
-use super::couple::{coupling, coupling_refused, geometry, interpolation, of_feed, on_field};
+use super::couple::{coupling, coupling_refused, geometry, of_feed};
+use crate::workflow::control::{interpolation, on_field};
 use super::explore::explore;
 use super::result::{CouplingResult, GearboxResult};
 use super::stimulus::{Driven, driven};
@@ -164,7 +165,7 @@ pub fn coupling_of_job(job: &GearboxJob) -> Result<CouplingResult, RunFailure> {
 /// Workpiece, interpolator of the slide, and how its pulses turn the workpiece.
 fn chain(job: &GearboxJob) -> Result<(GearGeometry, Interpolation, Rotation), RunFailure> {
     let gear = geometry(&job.gear)?;
-    let interpolation = interpolation(&job.feed)?;
+    let interpolation = interpolation(&job.feed, "")?;
     let rotation = coupling(&gear, &job.workpiece, &interpolation)
         .map_err(|error| coupling_refused(&error, &job.workpiece))?;
     Ok((gear, interpolation, rotation))

@@ -87,7 +87,7 @@ fn checked(
 fn refused(loaded: &LoadedGearboxJob, train: &ReferenceTrain, error: &GearboxError) -> GearboxFailure {
     let finding = Diagnostic::with_code(error.code(), error.to_string()).way_out(error.way_out());
     let GearboxError::BadReferenceTrain { index, fault } = *error else {
-        return super::couple::on_field(error, "stimulus").into();
+        return crate::workflow::control::on_field(error, "stimulus").into();
     };
     let table = loaded.job.stimulus.references.is_some();
     let finding = match fault {
