@@ -323,11 +323,8 @@ mod tests {
 
     #[test]
     fn a_harmonic_torque_leaves_what_the_closed_form_says() {
-        let control = following(vec![Disturbance::HarmonicInTime {
-            amplitude: 2.0,
-            frequency: 50.0,
-            phase: 0.3,
-        }]);
+        let control =
+            following(vec![Disturbance::HarmonicInTime { amplitude: 2.0, frequency: 50.0, phase: 0.3 }]);
         let rest = FollowedSlide { references: &[], motion: None, duration: 0.4 };
         let record = control.run(&rest).unwrap();
         let amplitude = 2.0 * control.servo.disturbance_response(50.0).unwrap().norm();
