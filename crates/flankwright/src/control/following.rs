@@ -287,3 +287,69 @@ impl Observer {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::servo::{Disturbance, Drive, Gains};
+    use super::*;
+    use electronic_gearbox::pulse::{Mode, Settings};
+
+    fn following(disturbances: Vec<Disturbance>) -> Following {
+        let drive = Drive {
+            inertia: 0.12,
+            viscous_friction: 0.05,
+            coulomb_friction: 0.5,
+            friction_speed: 0.05,
+            torque_limit: 60.0,
+        };
+        let gains = Gains::triple_pole(40.0, &drive).unwrap();
+        let settings = Settings::new(16, Settings::COUNTER_LIMIT, Mode::NoBacklash).unwrap();
+        Following {
+            feed: Interpolation { settings, clock: 1e6, pitch: 0.01 },
+            rotation: Rotation::exact(1.0 / 900.0, 16e7, 0.01 / 16.0).unwrap(),
+            worm: Some(FollowedWorm { threads: 3, teeth: 40, pulses: 10_000_000, speed: 50.0 }),
+            // So fine that counting stays below the errors looked at.
+            workpiece_pulses: 10_000_000,
+            servo: ServoParameters {
+                sample_time: 125e-6,
+                drive,
+                gains,
+                feed_forward: 1.0,
+                quantisation: None,
+            },
+            disturbances: Disturbances::new(disturbances).unwrap(),
+        }
+    }
+
+    #[test]
+    fn a_harmonic_torque_leaves_what_the_closed_form_says() {
+        let control =
+            following(vec![Disturbance::HarmonicInTime { amplitude: 2.0, frequency: 50.0, phase: 0.3 }]);
+        let rest = FollowedSlide { references: &[], motion: None, duration: 0.4 };
+        let record = control.run(&rest).unwrap();
+        let amplitude = 2.0 * control.servo.disturbance_response(50.0).unwrap().norm();
+        assert!((record.actual.extremes.greatest / amplitude - 1.0).abs() < 1e-2, "{record:?}");
+        assert!((record.actual.rms / amplitude * 2f64.sqrt() - 1.0).abs() < 1e-2);
+        assert_eq!((record.samples, record.limited), (3200, 0.0));
+    }
+
+    #[test]
+    fn a_moving_slide_leaves_little_beside_its_pulses() {
+        use super::super::slide::Move;
+        let control = following(Vec::new());
+        let motion =
+            SlideMotion::of_moves(0.0, &[Move::To { position: 2.0, speed: 10.0, acceleration: 100.0 }])
+                .unwrap();
+        let references = control.feed.references(&motion).unwrap();
+        let duration = motion.duration() + 0.1;
+        let slide = FollowedSlide { references: &references, motion: Some(&motion), duration };
+        let record = control.run(&slide).unwrap();
+        // The feed turns the workpiece by 14 mrad; pulses miss at most a pitch, 70 urad, and that at the start.
+        assert!(record.setpoint.extremes.range() < 1.1 * TAU / 900.0 * 0.01, "{record:?}");
+        assert!(record.actual.rms < 10e-6 && record.actual.rms > 0.0, "{record:?}");
+        let bins = &record.bins;
+        assert!(bins.windows(2).all(|pair| pair[0].time < pair[1].time));
+        let greatest = bins.iter().map(|bin| bin.actual.greatest).fold(f64::MIN, f64::max);
+        assert_eq!(greatest, record.actual.extremes.greatest);
+    }
+}

@@ -215,7 +215,9 @@ impl<'a> Observer<'a> {
             Some(Measure {
                 slide: motion.cursor(),
                 stops: motion.stops().into_iter().peekable(),
-                origin: (first + i64::from(backwards)) as f64 * interpolation.pitch,
+                // The first pulse belongs to its line: position 0 is one pulse before it.
+                origin: (first + i64::from(backwards)) as f64 * interpolation.pitch
+                    - interpolation.pitch / p as f64,
                 zero,
                 sign: 0,
                 steady: 0,

@@ -125,8 +125,8 @@ pub(super) fn budget_result(budget: &ErrorBudget, acceleration: f64) -> BudgetRe
 }
 
 /// Between which limits an error along the feed stays, mm: at the ticks those of the budget, between two ticks the slide moves on
-/// by up to v/f1. Mode one-way differs by P - 1 pulses between the two senses; `first` is the sign of the first reference pulse.
-/// `None` where there are no limits.
+/// by up to v/f1. The budget counts in the running sense; downwards a pulse belongs to the place one pulse further on, and in mode
+/// one-way to one P - 1 pulses back from there. `None` where there are no limits.
 pub(super) fn limits(
     budget: &ErrorBudget,
     interpolation: &Interpolation,
@@ -134,18 +134,23 @@ pub(super) fn limits(
 ) -> Option<Extremes> {
     let bound = budget.bound().ok()?;
     let between = budget.synchronisation + ROUNDING;
-    let (mut least, mut greatest) = (bound.lower - between, bound.upper + between);
-    let turns = references.windows(2).any(|pair| pair[0].1 != pair[1].1);
-    match (interpolation.settings.mode(), references.first()) {
-        (Mode::Literal, _) => return None,
-        (Mode::OneWay, Some((_, sign))) if turns => {
-            let p = f64::from(interpolation.settings.pulses_per_interval());
-            let offset = interpolation.pitch * (p - 1.0) / p;
-            if *sign > 0 { greatest += offset } else { least -= offset }
-        }
-        _ => {}
-    }
-    Some(Extremes { least, greatest })
+    let p = f64::from(interpolation.settings.pulses_per_interval());
+    let one = interpolation.pitch / p;
+    let back = match interpolation.settings.mode() {
+        Mode::Literal => return None,
+        Mode::NoBacklash => 0.0,
+        Mode::OneWay => one * (p - 1.0),
+    };
+    let upwards = [bound.lower, bound.upper];
+    let downwards = [back - one - bound.upper, back - one - bound.lower];
+    let driven = [(1, upwards), (-1, downwards)]
+        .into_iter()
+        .filter(|(sense, _)| references.iter().any(|(_, sign)| sign == sense));
+    let (least, greatest) = driven
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, greatest), (_, ends)| {
+            (least.min(ends[0]), greatest.max(ends[1]))
+        });
+    (least <= greatest).then_some(Extremes { least: least - between, greatest: greatest + between })
 }
 
 /// Errors along the feed beside their limits.

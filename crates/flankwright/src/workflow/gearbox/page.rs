@@ -73,7 +73,9 @@ fn headline(result: &GearboxResult) -> String {
         );
     }
     let pulses = &result.pulses;
-    let kept = result.angle.and_then(|angle| angle.within_bound);
+    let of_angle = result.angle.and_then(|angle| angle.within_bound);
+    let of_feed = result.along_feed.as_ref().and_then(|along| along.within_bound);
+    let kept = of_angle.zip(of_feed).map(|(a, b)| a && b);
     let within = match kept {
         Some(true) => ", every error within its limits",
         Some(false) => ", ERRORS OUTSIDE THEIR LIMITS",
@@ -320,6 +322,16 @@ fn set_ups(explored: &ExploreResult) -> SetUpReport {
     SetUpReport { wanted_um: explored.wanted_um, points: points.collect(), best, table: ranking(explored) }
 }
 
+/// A verdict in as few words as the table has room for.
+fn verdict(refused: Option<&str>) -> &str {
+    match refused {
+        None => "accurate",
+        Some("not-accurate-enough") => "coarse",
+        Some("interpolator-too-fast") => "too slow",
+        Some(_) => "b ≥ 1",
+    }
+}
+
 fn ranking(explored: &ExploreResult) -> Table {
     let um = |x: f64| format_significant(x, 4);
     let row = |s: &SetUpResult| {
@@ -336,7 +348,7 @@ fn ranking(explored: &ExploreResult) -> Table {
             um(s.acceleration_um),
             um(s.resolution_um),
             s.rounding_um.map_or_else(|| "–".into(), um),
-            s.refused.unwrap_or("accurate").to_owned(),
+            verdict(s.refused).to_owned(),
         ]
     };
     let rest = explored.set_ups.len().saturating_sub(ROWS);
@@ -353,9 +365,9 @@ fn ranking(explored: &ExploreResult) -> Table {
             Column::number("N_w", "1/rev"),
             Column::number("Staircase", "µm"),
             Column::number("Clock", "µm"),
-            Column::number("Acceleration", "µm"),
-            Column::number("Resolution", "µm"),
-            Column::number("Rounding", "µm"),
+            Column::number("Accel.", "µm"),
+            Column::number("Resol.", "µm"),
+            Column::number("Round.", "µm"),
             Column::text("Verdict"),
         ],
         rows: explored.set_ups.iter().take(ROWS).map(row).collect(),
