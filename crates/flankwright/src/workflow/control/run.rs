@@ -62,8 +62,8 @@ pub(in crate::workflow) fn control_of_grinding(
     let mut flanks = BTreeMap::new();
     for flank in Flank::BOTH {
         let (Some(executed), Some(verdict)) = (&execution.flanks[flank], &verdicts[flank]) else { continue };
-        let record = run_stroke(&stroke, motion, &speeds, motion.phase[flank])
-            .map_err(|error| match error {
+        let record =
+            run_stroke(&stroke, motion, &speeds, motion.phase[flank]).map_err(|error| match error {
                 StrokeError::Control(error) => of_servo(&error, &control.servo, BELOW),
                 StrokeError::Gearbox(error) => on_field(&error, "control.worm"),
             })?;
@@ -129,7 +129,7 @@ fn stroke_control(control: &Control, prepared: &Prepared) -> Result<(StrokeContr
     let distance = feed.pitch / f64::from(p);
     let parts = f64::from(pulses) * f64::from(p);
     let on_pulses =
-        |error: electronic_gearbox::Error| failure(&error.into(), "control.workpiece.pulses_per_revolution");
+        |error: electronic_gearbox::Error| on_field(&error, "control.workpiece.pulses_per_revolution");
     let multiplier = |rule| -> Result<Rotation, electronic_gearbox::Error> {
         let angle = data.pressure_angle.left;
         let gear = GearGeometry::new(data.normal_module, data.teeth, data.helix_angle, angle)?;

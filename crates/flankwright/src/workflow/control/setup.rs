@@ -1,9 +1,7 @@
 //! From a job's tables to the control that is simulated: units become mm, rad, s, and what is wrong is told by its key. The tables are those
 //! of a grinding job below `control`, or of a job of the electronic gearbox at its top: `below` is "control." or empty.
 
-use crate::control::servo::{
-    self as loops, Disturbances, Drive, Gains, Quantisation, ServoParameters,
-};
+use crate::control::servo::{self as loops, Disturbances, Drive, Gains, Quantisation, ServoParameters};
 use crate::control::{ControlError, Interpolation};
 use crate::exchange::Diagnostic;
 use crate::exchange::control::{Disturbance, InterpolationMode, ScaleInterpolation, Servo, Spindle};
@@ -15,7 +13,10 @@ use electronic_gearbox::pulse::{Mode, Settings};
 ///
 /// # Errors
 /// [`RunFailure`] on keys of `feed`.
-pub(in crate::workflow) fn interpolation(feed: &ScaleInterpolation, below: &str) -> Result<Interpolation, RunFailure> {
+pub(in crate::workflow) fn interpolation(
+    feed: &ScaleInterpolation,
+    below: &str,
+) -> Result<Interpolation, RunFailure> {
     let mode = match feed.mode {
         InterpolationMode::OneWay => Mode::OneWay,
         InterpolationMode::NoBacklash => Mode::NoBacklash,

@@ -2,7 +2,6 @@
 //! flank, ranked by cost; the cheapest that is accurate enough is simulated.
 
 use super::couple::{coupling, of_feed};
-use crate::workflow::control::{interpolation, on_field};
 use super::figures::{budget, counting};
 use super::result::{BestSetUpResult, ExploreResult, SetUpResult};
 use super::stimulus::{Driven, of_motion};
@@ -11,6 +10,7 @@ use crate::exchange::gearbox_job::GearboxExplore;
 use crate::exchange::{Diagnostic, GearboxJob};
 use crate::numerics::Progress;
 use crate::workflow::RunFailure;
+use crate::workflow::control::{interpolation, on_field};
 use crate::workflow::finding::Remark;
 use electronic_gearbox::Error as GearboxError;
 use electronic_gearbox::coefficient::GearGeometry;

@@ -1,7 +1,6 @@
 //! The servo of a job: simulation of the loop behind the gearbox, and what it leaves at the flank.
 
 use super::couple::of_following;
-use crate::workflow::control::{disturbances, servo_parameters};
 use super::result::{FlankResponseResult, ServoErrorResult, ServoResult};
 use super::stimulus::Driven;
 use crate::control::{
@@ -11,6 +10,7 @@ use crate::control::{
 use crate::exchange::GearboxJob;
 use crate::exchange::control::Servo;
 use crate::workflow::RunFailure;
+use crate::workflow::control::{disturbances, servo_parameters};
 use std::f64::consts::TAU;
 
 /// Frequencies at which the answer to disturbing torques is told, Hz, as far as the sampling reaches.

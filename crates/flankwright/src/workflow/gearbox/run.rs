@@ -1,7 +1,6 @@
 //! `gearbox`: from a checked job to counters, errors and their budget, the servo and the choice of a set-up.
 
 use super::couple::{coupling, coupling_refused, geometry, of_feed};
-use crate::workflow::control::{interpolation, on_field};
 use super::explore::explore;
 use super::result::{CouplingResult, GearboxResult};
 use super::stimulus::{Driven, driven};
@@ -10,6 +9,7 @@ use crate::control::{FollowingRecord, Interpolation, InterpolationRun, Rotation}
 use crate::exchange::{Diagnostic, GearboxJob, JobError, LoadedGearboxJob};
 use crate::numerics::Progress;
 use crate::workflow::RunFailure;
+use crate::workflow::control::{interpolation, on_field};
 use crate::workflow::result::Status;
 use electronic_gearbox::coefficient::GearGeometry;
 use electronic_gearbox::pulse::TimedPulse;
