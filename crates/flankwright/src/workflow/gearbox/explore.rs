@@ -100,48 +100,40 @@ fn set_ups(job: &GearboxJob, given: &GearboxExplore) -> Result<Vec<(GearboxJob, 
     }
     let plain = GearboxJob { explore: None, servo: None, ..job.clone() };
     let mut all = vec![(plain, 0.0)];
-    let mut vary = |choices: Vec<(Box<dyn Fn(&mut GearboxJob) + '_>, f64)>| {
-        if choices.is_empty() {
-            return;
-        }
-        let with = |(job, cost): &(GearboxJob, f64)| -> Vec<(GearboxJob, f64)> {
-            let chosen = |(set, more): &(Box<dyn Fn(&mut GearboxJob) + '_>, f64)| {
-                let mut job = job.clone();
-                set(&mut job);
-                (job, cost + more)
-            };
-            choices.iter().map(chosen).collect()
-        };
-        all = all.iter().flat_map(with).collect();
-    };
-    vary(
-        given
-            .scales
-            .iter()
-            .map(|c| choice(c.cost, |j| j.feed.pulses_per_metre = c.pulses_per_metre))
-            .collect(),
-    );
-    vary(given.clocks.iter().map(|c| choice(c.cost, |j| j.feed.clock_hz = c.clock_hz)).collect());
-    vary(
-        given
-            .interpolations
-            .iter()
-            .map(|c| choice(c.cost, |j| j.feed.pulses_per_interval = c.pulses_per_interval))
-            .collect(),
-    );
-    vary(
-        given
-            .encoders
-            .iter()
-            .map(|c| choice(c.cost, |j| j.workpiece.pulses_per_revolution = c.pulses_per_revolution))
-            .collect(),
-    );
+    all = varied(all, &given.scales, |job, choice| {
+        job.feed.pulses_per_metre = choice.pulses_per_metre;
+        choice.cost
+    });
+    all = varied(all, &given.clocks, |job, choice| {
+        job.feed.clock_hz = choice.clock_hz;
+        choice.cost
+    });
+    all = varied(all, &given.interpolations, |job, choice| {
+        job.feed.pulses_per_interval = choice.pulses_per_interval;
+        choice.cost
+    });
+    all = varied(all, &given.encoders, |job, choice| {
+        job.workpiece.pulses_per_revolution = choice.pulses_per_revolution;
+        choice.cost
+    });
     Ok(all)
 }
 
-/// What a choice sets in the job, and its cost.
-fn choice<'a>(cost: f64, set: impl Fn(&mut GearboxJob) + 'a) -> (Box<dyn Fn(&mut GearboxJob) + 'a>, f64) {
-    (Box::new(set), cost)
+/// Every job with every choice, which `set` puts into it and gives the cost of; the jobs themselves without choices.
+fn varied<C>(
+    jobs: Vec<(GearboxJob, f64)>,
+    choices: &[C],
+    set: impl Fn(&mut GearboxJob, &C) -> f64,
+) -> Vec<(GearboxJob, f64)> {
+    if choices.is_empty() {
+        return jobs;
+    }
+    let with = |(job, cost): &(GearboxJob, f64), choice: &C| {
+        let mut job = job.clone();
+        let more = set(&mut job, choice);
+        (job, cost + more)
+    };
+    jobs.iter().flat_map(|job| choices.iter().map(move |choice| with(job, choice))).collect()
 }
 
 /// The budget of one set-up.

@@ -215,7 +215,11 @@ pub(super) fn counting(rotation: &Rotation) -> [f64; 2] {
     match rotation.rule {
         RotationRule::Exact { .. } => [-1.0, 0.0],
         RotationRule::Multiplier { rule: RateRule::Bresenham, .. } => [-1.0, 1.0],
-        RotationRule::Multiplier { rule: RateRule::Binary, .. } => [-6.28, 6.28],
+        RotationRule::Multiplier { rule: RateRule::Binary, .. } => {
+            // Least and greatest deviation of one multiplier over all words, and two of them.
+            const SPREAD: f64 = 2.8889 + 3.3889;
+            [-SPREAD, SPREAD]
+        }
     }
 }
 
