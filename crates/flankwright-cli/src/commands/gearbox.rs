@@ -10,7 +10,7 @@ use flankwright::workflow::gearbox::{
     ExploreResult, GearboxFailure, GearboxResult, RangeUm, ServoResult, run_gearbox, write_gearbox,
 };
 
-use super::outcome::{Verdict, conclude, fixed, unwritten};
+use super::outcome::{Verdict, closing, conclude, fixed, unwritten};
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
@@ -104,15 +104,7 @@ fn summary(result: &GearboxResult, written: &[PathBuf]) -> String {
         let _ = writeln!(text, "  {}: {}", reason.code, reason.text);
         let _ = writeln!(text, "  way out: {}", reason.way_out);
     }
-    for warning in &result.warnings {
-        let _ = writeln!(text, "  warning: {} ({})", warning.text, warning.way_out);
-    }
-    let total: f64 = result.timing_s.values().sum();
-    let stages: Vec<String> = result.timing_s.iter().map(|(stage, s)| format!("{stage} {s:.2} s")).collect();
-    let _ = writeln!(text, "  time {total:.2} s ({})", stages.join(", "));
-    if let Some(report) = written.last() {
-        let _ = writeln!(text, "  report: {}", report.display());
-    }
+    closing(&mut text, &result.warnings, &result.timing_s, written);
     text
 }
 

@@ -1,5 +1,6 @@
 //! What `plan` and `simulate` do with a finished run: files, summary, exit status.
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -84,6 +85,24 @@ pub(super) fn unwritten(error: WriteError) -> Failure {
     match error {
         WriteError::Io { path, source } => Failure::cannot_write(&path.display().to_string(), &source),
         other => Failure::internal(other.to_string()),
+    }
+}
+
+/// The end of a summary: warnings, time, where the report is.
+pub(super) fn closing(
+    text: &mut String,
+    warnings: &[Remark],
+    timing: &BTreeMap<&'static str, f64>,
+    written: &[PathBuf],
+) {
+    for warning in warnings {
+        let _ = writeln!(text, "  warning: {} ({})", warning.text, warning.way_out);
+    }
+    let total: f64 = timing.values().sum();
+    let stages: Vec<String> = timing.iter().map(|(stage, s)| format!("{stage} {s:.2} s")).collect();
+    let _ = writeln!(text, "  time {total:.2} s ({})", stages.join(", "));
+    if let Some(report) = written.last() {
+        let _ = writeln!(text, "  report: {}", report.display());
     }
 }
 
@@ -183,14 +202,6 @@ fn summary(result: &JobResult, written: &[PathBuf]) -> String {
         }
     }
     text += &proven(result.programs.as_ref());
-    for warning in &result.warnings {
-        let _ = writeln!(text, "  warning: {} ({})", warning.text, warning.way_out);
-    }
-    let total: f64 = result.timing_s.values().sum();
-    let stages: Vec<String> = result.timing_s.iter().map(|(stage, s)| format!("{stage} {s:.2} s")).collect();
-    let _ = writeln!(text, "  time {total:.2} s ({})", stages.join(", "));
-    if let Some(report) = written.last() {
-        let _ = writeln!(text, "  report: {}", report.display());
-    }
+    closing(&mut text, &result.warnings, &result.timing_s, written);
     text
 }

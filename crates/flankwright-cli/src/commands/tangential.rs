@@ -9,7 +9,7 @@ use flankwright::workflow::tangential::{
 };
 use flankwright::workflow::{RunFailure, Status};
 
-use super::outcome::{Verdict, conclude, fixed, proven, refuse, unwritten};
+use super::outcome::{Verdict, closing, conclude, fixed, proven, refuse, unwritten};
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
@@ -99,14 +99,6 @@ fn summary(result: &TangentialResult, written: &[PathBuf]) -> String {
         }
     }
     text += &proven(result.programs.as_ref());
-    for warning in &result.warnings {
-        let _ = writeln!(text, "  warning: {} ({})", warning.text, warning.way_out);
-    }
-    let total: f64 = result.timing_s.values().sum();
-    let stages: Vec<String> = result.timing_s.iter().map(|(stage, s)| format!("{stage} {s:.2} s")).collect();
-    let _ = writeln!(text, "  time {total:.2} s ({})", stages.join(", "));
-    if let Some(report) = written.last() {
-        let _ = writeln!(text, "  report: {}", report.display());
-    }
+    closing(&mut text, &result.warnings, &result.timing_s, written);
     text
 }

@@ -4,6 +4,7 @@ mod bad_input;
 mod catalogue;
 mod command;
 mod commands;
+mod control;
 mod examples;
 mod explore;
 mod gearbox;

@@ -346,7 +346,9 @@ mod tests {
         let record = control.run(&slide).unwrap();
         // The feed turns the workpiece by 14 mrad. Nothing is inserted before the second line: two pitches of 70 urad each.
         assert!(record.setpoint.extremes.range() < 2.1 * TAU / 900.0 * 0.01, "{record:?}");
-        assert!(record.actual.rms < 25e-6 && record.actual.rms > 0.0, "{record:?}");
+        // The loop follows errors slower than its bandwidth: what the setpoint is off, the workpiece is off, with some overshoot.
+        let share = record.actual.rms / record.setpoint.rms;
+        assert!((0.8..1.2).contains(&share), "{share}");
         let bins = &record.bins;
         assert!(bins.windows(2).all(|pair| pair[0].time < pair[1].time));
         let greatest = bins.iter().map(|bin| bin.actual.greatest).fold(f64::MIN, f64::max);

@@ -1,0 +1,80 @@
+//! Grinding jobs through the control that they describe.
+
+use crate::command::{repository, run};
+use serde_json::Value;
+
+/// The example with some of its text replaced.
+fn job(directory: &std::path::Path, replacements: &[(&str, &str)]) -> String {
+    let mut text =
+        std::fs::read_to_string(repository().join("examples/control/with-real-control.toml")).unwrap();
+    for (from, to) in replacements {
+        assert!(text.contains(from), "{from}");
+        text = text.replace(from, to);
+    }
+    let path = directory.join("job.toml");
+    std::fs::write(&path, text).unwrap();
+    path.to_str().unwrap().to_owned()
+}
+
+#[test]
+fn the_report_shows_what_the_control_costs() {
+    let directory = tempfile::tempdir().unwrap();
+    let out = directory.path().join("out");
+    let file = job(directory.path(), &[]);
+    let run = run(&["plan", &file, "--json", "-o", out.to_str().unwrap()]);
+    assert_eq!(run.exit, Some(0), "{run:?}");
+    let result: Value = serde_json::from_str(&run.stdout).unwrap();
+    for flank in ["left", "right"] {
+        let f = &result["control"]["flanks"][flank];
+        let um = |key: &str| f[key].as_f64().unwrap();
+        // Out of balance once a turn, the threads of the worm, and the steps of encoders and scales.
+        assert!((0.1..0.6).contains(&um("largest_um")), "{f}");
+        assert!(um("rms_um") < um("largest_um") && um("cumulative_pitch_um") > 0.05);
+        assert!(um("model_difference_um") < 0.005, "closed form against rays: {}", um("model_difference_um"));
+        assert!((um("deviation_with_control_um") - um("largest_um")).abs() < 0.01);
+        assert_eq!(f["tooth_means_um"].as_array().unwrap().len(), 19);
+    }
+    let page = std::fs::read_to_string(out.join("report.html")).unwrap();
+    assert!(page.contains("Gearbox and servo") && page.contains("Mean deviation of each tooth"));
+}
+
+#[test]
+fn a_soft_loop_misses_the_target_and_says_so() {
+    let directory = tempfile::tempdir().unwrap();
+    let file = job(
+        directory.path(),
+        &[("bandwidth_hz = 60.0", "bandwidth_hz = 8.0"), ("torque_n_m = 0.15", "torque_n_m = 1.5")],
+    );
+    let out = directory.path().join("out");
+    let run = run(&["plan", &file, "-o", out.to_str().unwrap()]);
+    assert_eq!(run.exit, Some(3), "{run:?}");
+    let result: Value = serde_json::from_slice(&std::fs::read(out.join("result.json")).unwrap()).unwrap();
+    assert_eq!(result["status"], "missed");
+    assert_eq!(result["reason"]["code"], "control-above-tolerance");
+}
+
+#[test]
+fn what_the_control_cannot_be_is_refused_by_its_key() {
+    let directory = tempfile::tempdir().unwrap();
+    for (from, to, code, key) in [
+        ("bandwidth_hz = 60.0", "bandwidth_hz = 20000.0", "unstable-loop", "control.servo.bandwidth_hz"),
+        (
+            "pulses_per_revolution = 4194304 }",
+            "pulses_per_revolution = 4194304, rate = \"binary\" }",
+            "coefficient-too-large",
+            "control.workpiece.pulses_per_revolution",
+        ),
+        (
+            "sample_time_us = 62.5",
+            "sample_time_us = 1e-5",
+            "too-many-samples",
+            "control.servo.sample_time_us",
+        ),
+        ("feed_per_revolution = 0.3\n", "", "", "control"),
+    ] {
+        let file = job(directory.path(), &[(from, to)]);
+        let run = run(&["plan", &file, "-o", directory.path().join("out").to_str().unwrap()]);
+        assert_eq!(run.exit, Some(2), "{to}: {run:?}");
+        assert!(run.stderr.contains(code) && run.stderr.contains(key), "{to}: {run:?}");
+    }
+}
