@@ -7,10 +7,29 @@ use crate::pulse::Direction;
 /// A ratio |n/d| <= 1 driven by single pulses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Bresenham {
-    numerator: i64,
     denominator: i64,
     /// 0..d.
     remainder: i64,
+    forward: Step,
+    backward: Step,
+}
+
+/// What a pulse of one sense adds to the remainder: n, less d where it can carry, so that a negative sum always means "d back".
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Step {
+    added: i64,
+    /// 1 where it can carry, 0 where it can borrow.
+    unit: i64,
+}
+
+impl Step {
+    const fn new(numerator: i64, denominator: i64) -> Self {
+        if numerator >= 0 {
+            Self { added: numerator - denominator, unit: 1 }
+        } else {
+            Self { added: numerator, unit: 0 }
+        }
+    }
 }
 
 impl Bresenham {
@@ -23,21 +42,22 @@ impl Bresenham {
         if numerator.abs() > denominator {
             return Err(Error::GearRange { name: "numerator n of a ratio up to 1", value: numerator });
         }
-        Ok(Self { numerator, denominator, remainder: 0 })
+        let (forward, backward) = (Step::new(numerator, denominator), Step::new(-numerator, denominator));
+        Ok(Self { denominator, remainder: 0, forward, backward })
     }
 
     /// One pulse of the leading axis; the follower's pulse, if floor((n/d) x) changes.
     #[inline]
     pub fn pulse(&mut self, direction: Direction) -> Option<Direction> {
-        let sum = match direction {
-            Direction::Forward => self.remainder + self.numerator,
-            Direction::Backward => self.remainder - self.numerator,
+        let Step { added, unit } = match direction {
+            Direction::Forward => self.forward,
+            Direction::Backward => self.backward,
         };
-        // Both outcomes are at hand before the comparison, so that it becomes a selection: senses of pulses are not predictable.
-        let (above, below) = (sum - self.denominator, sum.wrapping_add(self.denominator));
-        let inside = if sum < 0 { below } else { sum };
-        self.remainder = if above >= 0 { above } else { inside };
-        if above >= 0 { Some(Direction::Forward) } else { (sum < 0).then_some(Direction::Backward) }
+        // By the sign of the sum, without a branch: senses of pulses are not predictable.
+        let sum = self.remainder + added;
+        let negative = sum >> 63;
+        self.remainder = sum + (self.denominator & negative);
+        Direction::from_sign(unit + negative)
     }
 
     /// The rest in units of 1/d, 0..d.
