@@ -88,7 +88,7 @@ fn tick(mut machine: ClockedInterpolator, reference: Option<Direction>) -> Optio
     black_box(&mut machine).tick(black_box(reference))
 }
 
-#[library_benchmark(config = at_most(50))]
+#[library_benchmark(config = at_most(64))]
 #[bench::stays(Direction::Forward)]
 #[bench::carries(Direction::Backward)]
 fn pulse_of_a_ratio(direction: Direction) -> Option<Direction> {

@@ -119,18 +119,11 @@ fn coupling(c: &mut Criterion) {
     let lines: Vec<Direction> = Slide::new(6, 2, 9).take(10_000).map(|(_, direction)| direction).collect();
     let mut group = c.benchmark_group("single pulse");
     group.throughput(Throughput::Elements(lines.len() as u64));
-    let mut line = Bresenham::new(Ratio::new(108_000, 327_680).unwrap()).unwrap();
+    let start = Bresenham::new(Ratio::new(108_000, 327_680).unwrap()).unwrap();
     group.bench_function("bresenham", |b| {
         b.iter(|| {
+            let mut line = start;
             lines.iter().map(|direction| line.pulse(*direction).map_or(0, Direction::sign)).sum::<i64>()
-        })
-    });
-    let mut forward = Bresenham::new(Ratio::new(108_000, 327_680).unwrap()).unwrap();
-    group.bench_function("bresenham, one sense", |b| {
-        b.iter(|| {
-            (0..lines.len())
-                .map(|_| forward.pulse(Direction::Forward).map_or(0, Direction::sign))
-                .sum::<i64>()
         })
     });
     group.finish();
