@@ -123,7 +123,9 @@ fn coupling(c: &mut Criterion) {
     group.bench_function("bresenham", |b| {
         b.iter(|| {
             let mut line = start;
-            lines.iter().map(|direction| line.pulse(*direction).map_or(0, Direction::sign)).sum::<i64>()
+            // Counted without a branch: a mispredicted one of the counting would take a third of the time.
+            let counted = |pulse| i64::from(pulse == Some(Direction::Forward)) - i64::from(pulse == Some(Direction::Backward));
+            lines.iter().map(|direction| counted(line.pulse(*direction))).sum::<i64>()
         })
     });
     group.finish();
