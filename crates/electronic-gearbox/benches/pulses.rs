@@ -124,7 +124,9 @@ fn coupling(c: &mut Criterion) {
         b.iter(|| {
             let mut line = start;
             // Counted without a branch: a mispredicted one of the counting would take a third of the time.
-            let counted = |pulse| i64::from(pulse == Some(Direction::Forward)) - i64::from(pulse == Some(Direction::Backward));
+            let counted = |pulse| {
+                i64::from(pulse == Some(Direction::Forward)) - i64::from(pulse == Some(Direction::Backward))
+            };
             lines.iter().map(|direction| counted(line.pulse(*direction))).sum::<i64>()
         })
     });

@@ -1,21 +1,25 @@
-//! Shapes: involute flanks, gears, worms, racks and surfaces of revolution. Knows no motion and no process.
+//! Shapes: involute flanks, gears, worms, racks, surfaces of revolution, milled flanks and cutters. Knows no motion and no process.
 
 mod blank;
+mod cutter;
 mod error;
 mod gear;
 mod involute;
 mod rack;
 mod revolution;
 mod sides;
+mod surface;
 mod thickness;
 mod worm;
 
 pub use blank::{Blank, BlankWarning, EvaluationLimits};
+pub use cutter::{Cutter, CutterShape, ShankStep, in_tool};
 pub use error::GeometryError;
 pub use gear::{Gear, GearData, involute_function};
 pub use involute::{FlankDeviation, FlankFrame, InvoluteFlank};
 pub use rack::Rack;
 pub use revolution::{MeridianPoint, ProfileOffset, Revolution};
 pub use sides::{Flank, Sides};
+pub use surface::{Surface, SurfaceJet};
 pub use thickness::{OverBalls, Span, ThicknessMeasure};
 pub use worm::{WormChoice, WormForGear, check_mating, worm_for_gear};

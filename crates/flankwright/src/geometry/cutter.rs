@@ -1,0 +1,169 @@
+//! Milling cutters as bodies: surfaces of revolution that fill themselves when they turn, with the distance of a point from them.
+//!
+//! Tool coordinates: z along the axis from the tip towards the shank, rho from the axis (spec 50 section 5). Knows no flank and no
+//! motion; contact with a flank is found elsewhere.
+
+use super::GeometryError;
+use nalgebra::Vector3;
+
+/// The cutting part of a mill. mm, rad.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum CutterShape {
+    /// Cylinder (half angle 0) or cone with a rounded corner: end mill, torus, cone; with corner = radius a ball.
+    Conical {
+        /// R, or R_0 of a cone: the radius at which the side meets the tip plane.
+        radius: f64,
+        /// kappa: half angle of the cone, > 0 where the shank is thicker.
+        half_angle: f64,
+        /// r_c: radius of the corner.
+        corner_radius: f64,
+    },
+    /// A profile of one arc: barrel, drum, lens.
+    Barrel {
+        /// R_max: largest radius.
+        radius: f64,
+        /// h_0: height of the largest radius above the tip.
+        height: f64,
+        /// R_b: radius of the profile.
+        profile_radius: f64,
+    },
+}
+
+/// A part of the tool behind its cutting edges: neck, shank or holder, from a height on upwards.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShankStep {
+    /// Radius, mm.
+    pub radius: f64,
+    /// Height above the tip at which it begins, mm.
+    pub from: f64,
+}
+
+/// A cutter with its neck, shank and holder; checked once.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cutter {
+    shape: CutterShape,
+    cutting_length: f64,
+    steps: Vec<ShankStep>,
+}
+
+/// How far a corner may be larger than the radius before a ball is no ball: rounding of numbers in files.
+const ROUNDING: f64 = 1e-12;
+
+impl CutterShape {
+    /// An end mill with a corner radius.
+    pub const fn end_mill(radius: f64, corner_radius: f64) -> Self {
+        Self::Conical { radius, half_angle: 0.0, corner_radius }
+    }
+
+    /// A ball.
+    pub const fn ball(radius: f64) -> Self {
+        Self::end_mill(radius, radius)
+    }
+
+    /// Whether the cutting part is one ball (with a neck or a shank above its middle).
+    pub fn is_ball(&self) -> bool {
+        matches!(self, Self::Conical { radius, half_angle, corner_radius }
+            if *half_angle == 0.0 && (radius - corner_radius).abs() <= ROUNDING * radius)
+    }
+
+    /// Distance of a point at radius rho and height z from the cutting part, mm: exact outside, negative and not above the true
+    /// distance inside; nowhere does it change faster than the point moves.
+    #[inline]
+    pub fn distance(&self, rho: f64, z: f64) -> f64 {
+        match *self {
+            Self::Conical { radius, half_angle, corner_radius } => {
+                // The convex core, all of its boundary moved inwards by the corner radius; its corner lies at (rho_c, r_c).
+                let (sin, cos) = if half_angle == 0.0 { (0.0, 1.0) } else { half_angle.sin_cos() };
+                let rho_c = radius + (sin - 1.0) * corner_radius / cos;
+                let (x, y) = (rho - rho_c, z - corner_radius);
+                let (off_side, up_side) = (cos * x - sin * y, sin * x + cos * y);
+                let core = if off_side <= 0.0 && y >= 0.0 {
+                    off_side.max(-y)
+                } else if off_side > 0.0 && up_side >= 0.0 {
+                    off_side
+                } else if y < 0.0 && x <= 0.0 {
+                    -y
+                } else {
+                    x.hypot(y)
+                };
+                core - corner_radius
+            }
+            Self::Barrel { radius, height, profile_radius } => {
+                (rho - (radius - profile_radius)).hypot(z - height) - profile_radius
+            }
+        }
+    }
+}
+
+impl Cutter {
+    /// A cutter whose edges reach to `cutting_length` above the tip.
+    ///
+    /// # Errors
+    /// [`GeometryError::InvalidNumber`] for sizes that are no tool (`E_TOOL` of spec 50 section 15).
+    pub fn new(
+        shape: CutterShape,
+        cutting_length: f64,
+        steps: Vec<ShankStep>,
+    ) -> Result<Self, GeometryError> {
+        let need = |field, value: f64, good: bool, allowed| {
+            let good = good && value.is_finite();
+            if good { Ok(()) } else { Err(GeometryError::InvalidNumber { field, value, allowed }) }
+        };
+        match shape {
+            CutterShape::Conical { radius, half_angle, corner_radius } => {
+                need("cutter radius", radius, radius > 0.0, "> 0 mm")?;
+                let angle = half_angle.to_degrees();
+                need("cutter half_angle_deg", angle, (0.0..90.0).contains(&angle), "0 to below 90 deg")?;
+                let largest = radius * half_angle.cos() / (1.0 - half_angle.sin());
+                let fits = corner_radius >= 0.0 && corner_radius <= largest * (1.0 + ROUNDING);
+                need("cutter corner_radius", corner_radius, fits, "0 to what the tip radius has room for")?;
+            }
+            CutterShape::Barrel { radius, height, profile_radius } => {
+                need("cutter radius", radius, radius > 0.0, "> 0 mm")?;
+                need("cutter profile_radius", profile_radius, profile_radius > 0.0, "> 0 mm")?;
+                need("cutter largest_radius_height", height, height >= 0.0, ">= 0 mm")?;
+            }
+        }
+        need("cutter cutting_length", cutting_length, cutting_length > 0.0, "> 0 mm")?;
+        for step in &steps {
+            need("cutter shank radius", step.radius, step.radius > 0.0, "> 0 mm")?;
+            need("cutter shank from", step.from, step.from > 0.0, "> 0 mm above the tip")?;
+        }
+        Ok(Self { shape, cutting_length, steps })
+    }
+
+    /// The cutting part.
+    pub fn shape(&self) -> &CutterShape {
+        &self.shape
+    }
+
+    /// l_c: height up to which the cutter cuts, mm above the tip.
+    pub fn cutting_length(&self) -> f64 {
+        self.cutting_length
+    }
+
+    /// Neck, shank and holder.
+    pub fn steps(&self) -> &[ShankStep] {
+        &self.steps
+    }
+
+    /// Distance of a point in tool coordinates from the whole tool, mm, as [`CutterShape::distance`] has it; the cutting part is
+    /// taken to go on upwards.
+    pub fn distance(&self, rho: f64, z: f64) -> f64 {
+        self.steps.iter().fold(self.shape.distance(rho, z), |least, step| {
+            // A cylinder that begins at a height: exact outside.
+            let (x, y) = (rho - step.radius, step.from - z);
+            let outside = x.max(0.0).hypot(y.max(0.0));
+            least.min(if outside > 0.0 { outside } else { x.max(y) })
+        })
+    }
+}
+
+/// Radius and height of a point in the coordinates of a tool with its tip at `tip` and the unit axis `axis` towards its shank.
+#[inline]
+pub fn in_tool(point: &Vector3<f64>, tip: &Vector3<f64>, axis: &Vector3<f64>) -> [f64; 2] {
+    let from_tip = point - tip;
+    let z = from_tip.dot(axis);
+    // Not from the squares' difference: that loses half of the digits near the axis.
+    [(from_tip - axis * z).norm(), z]
+}
