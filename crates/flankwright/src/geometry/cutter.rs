@@ -89,7 +89,10 @@ impl CutterShape {
                 core - corner_radius
             }
             Self::Barrel { radius, height, profile_radius } => {
-                (rho - (radius - profile_radius)).hypot(z - height) - profile_radius
+                // Of a drum, the arc's centre lies off the axis and what is inside of it is full.
+                let middle = radius - profile_radius;
+                let off = if middle > 0.0 { (rho - middle).max(0.0) } else { rho - middle };
+                off.hypot(z - height) - profile_radius
             }
         }
     }

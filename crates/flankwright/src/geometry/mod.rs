@@ -20,6 +20,6 @@ pub use involute::{FlankDeviation, FlankFrame, InvoluteFlank};
 pub use rack::Rack;
 pub use revolution::{MeridianPoint, ProfileOffset, Revolution};
 pub use sides::{Flank, Sides};
-pub use surface::{Surface, SurfaceJet};
+pub use surface::{Frustum, Surface, SurfaceJet};
 pub use thickness::{OverBalls, Span, ThicknessMeasure};
 pub use worm::{WormChoice, WormForGear, check_mating, worm_for_gear};

@@ -128,6 +128,23 @@ impl Chebyshev {
         self
     }
 
+    /// The integral from the lower end of the interval as a series of its own.
+    pub fn integral(&self) -> Self {
+        let at = |j: usize| self.coefficients.get(j).copied().unwrap_or(0.0);
+        // The integral of T_j is (T_(j+1)/(j+1) - T_(j-1)/(j-1))/2; T_0 counts twice.
+        let count = self.coefficients.len();
+        let scale = 0.5 * (self.b - self.a);
+        let mut integral = vec![0.0; count + 1];
+        for (j, coefficient) in integral.iter_mut().enumerate().skip(1) {
+            let before = if j == 1 { 2.0 * at(0) } else { at(j - 1) };
+            *coefficient = scale * (before - at(j + 1)) / (2 * j) as f64;
+        }
+        // Nothing at the lower end, where T_j = (-1)^j.
+        let below: f64 = integral.iter().enumerate().map(|(j, c)| if j % 2 == 0 { *c } else { -c }).sum();
+        integral[0] -= below;
+        Self { coefficients: integral, ..*self }
+    }
+
     /// The derivative as a series of its own.
     pub fn derivative(&self) -> Self {
         let n = self.coefficients.len();

@@ -2,4 +2,5 @@
 
 pub mod dressing;
 pub mod generating;
+pub mod milling;
 pub mod tangential_dressing;

@@ -3,6 +3,10 @@
 //! The height parameter a runs from root to tip, the length parameter b along the tooth (spec 50 section 1). Their units are those of
 //! the surface: length of roll and axial position in mm, roll angle in rad and distance from the apex in mm, fractions of a grid.
 
+mod frustum;
+
+pub use frustum::Frustum;
+
 use nalgebra::Vector3;
 use std::fmt::Debug;
 

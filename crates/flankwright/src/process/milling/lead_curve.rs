@@ -1,0 +1,152 @@
+//! Lead curves: the lines on the base body along which column planes stand (spec 50 section 2).
+
+use super::MillingError;
+use nalgebra::Vector3;
+use std::fmt::Debug;
+
+/// A point of a lead curve with its frame. mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LeadPoint {
+    /// Parameter of the curve: z, distance from the apex, or a fraction.
+    pub u: f64,
+    /// c: the point.
+    pub point: Vector3<f64>,
+    /// t: unit normal of the column plane, the direction of the curve unless planes are set askew.
+    pub direction: Vector3<f64>,
+    /// N: unit normal of the base body, out of its material.
+    pub base_normal: Vector3<f64>,
+}
+
+/// How far the direction of a lead curve may leave the base body: its sine. A curve that is meant to lie on the body is exact to
+/// rounding; 1e-9 is the bound of spec 50 section 2.
+const OFF_BASE: f64 = 1e-9;
+
+impl LeadPoint {
+    /// A point of any curve on a base body, from unit or other vectors.
+    ///
+    /// # Errors
+    /// [`MillingError::LeadOffBase`] if the direction leaves the base body or a vector has no direction.
+    pub fn new(
+        u: f64,
+        point: Vector3<f64>,
+        direction: &Vector3<f64>,
+        base_normal: &Vector3<f64>,
+    ) -> Result<Self, MillingError> {
+        let (direction, base_normal) = (direction.normalize(), base_normal.normalize());
+        let sine = direction.dot(&base_normal);
+        if sine.abs() <= OFF_BASE && point.iter().all(|x| x.is_finite()) {
+            Ok(Self { u, point, direction, base_normal })
+        } else {
+            Err(MillingError::LeadOffBase { u, sine })
+        }
+    }
+
+    /// X_2 = N x t: the abscissa of the column plane; its ordinate is N.
+    pub fn abscissa(&self) -> Vector3<f64> {
+        self.base_normal.cross(&self.direction)
+    }
+
+    /// Coordinates of a point in the column plane, mm.
+    pub fn in_plane(&self, point: &Vector3<f64>) -> [f64; 2] {
+        let from = point - self.point;
+        [from.dot(&self.abscissa()), from.dot(&self.base_normal)]
+    }
+}
+
+/// A curve on the base body.
+pub trait LeadCurve: Send + Sync + Debug {
+    /// The point at the parameter u with its frame.
+    ///
+    /// # Errors
+    /// [`MillingError::LeadOffBase`] where the curve has no direction or leaves the base body.
+    fn at(&self, u: f64) -> Result<LeadPoint, MillingError>;
+}
+
+/// In cylindrical gears: the middle of the space on a cylinder, by default the root cylinder. u = z.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HelixOnCylinder {
+    /// r_0: radius, mm.
+    pub radius: f64,
+    /// k: turn of the space along the axis, rad/mm.
+    pub turn_per_length: f64,
+    /// +1 external, -1 internal: the base body's material lies inside or outside of the cylinder.
+    pub external_sign: f64,
+}
+
+impl LeadCurve for HelixOnCylinder {
+    fn at(&self, u: f64) -> Result<LeadPoint, MillingError> {
+        let (sin, cos) = (-self.turn_per_length * u).sin_cos();
+        let point = Vector3::new(self.radius * sin, self.radius * cos, u);
+        let along = Vector3::new(-self.turn_per_length * point.y, self.turn_per_length * point.x, 1.0);
+        let base_normal = Vector3::new(sin, cos, 0.0) * self.external_sign;
+        LeadPoint::new(u, point, &along, &base_normal)
+    }
+}
+
+/// In bevel gears: the middle of the space on a cone about the axis with its apex at the origin, by default the root cone. u =
+/// distance from the apex.
+#[derive(Clone, Debug)]
+pub struct CurveOnCone<L> {
+    /// Half angle of the cone, rad.
+    pub cone_angle: f64,
+    /// Theta(u) and Theta'(u): the turn of the space, as the flank has it.
+    pub turn: L,
+}
+
+impl<L: Fn(f64) -> [f64; 2] + Send + Sync> LeadCurve for CurveOnCone<L>
+where
+    Self: Debug,
+{
+    fn at(&self, u: f64) -> Result<LeadPoint, MillingError> {
+        let [turn, slope] = (self.turn)(u);
+        let ((sin, cos), (sin_cone, cos_cone)) = ((-turn).sin_cos(), self.cone_angle.sin_cos());
+        let (radial, tangential) = (Vector3::new(sin, cos, 0.0), Vector3::new(cos, -sin, 0.0));
+        let axial = Vector3::z();
+        let outward = radial * sin_cone + axial * cos_cone;
+        let along = outward - tangential * (u * sin_cone * slope);
+        LeadPoint::new(u, outward * u, &along, &(radial * cos_cone - axial * sin_cone))
+    }
+}
+
+/// In blades: the foot curve on a hub whose radius is linear along its axis (spec 50 section 1.6). u = fraction of the length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RuledFoot {
+    /// Radius of the hub at both ends, mm.
+    pub hub_radius: [f64; 2],
+    /// Azimuth at both ends, counter-clockwise from +y, rad; it grows with the square of u.
+    pub azimuth: [f64; 2],
+    /// Length along the axis, mm.
+    pub length: f64,
+}
+
+impl LeadCurve for RuledFoot {
+    fn at(&self, u: f64) -> Result<LeadPoint, MillingError> {
+        let [radius_0, radius_1] = self.hub_radius;
+        let (radius, grows) = (radius_0 + (radius_1 - radius_0) * u, radius_1 - radius_0);
+        let span = self.azimuth[1] - self.azimuth[0];
+        let (turn, slope) = (self.azimuth[0] + span * u * u, 2.0 * span * u);
+        let (sin, cos) = (-turn).sin_cos();
+        let (radial, tangential) = (Vector3::new(sin, cos, 0.0), Vector3::new(cos, -sin, 0.0));
+        let axial = Vector3::z();
+        let along = radial * grows - tangential * (radius * slope) + axial * self.length;
+        let base_normal = radial - axial * (grows / self.length);
+        LeadPoint::new(u, radial * radius + axial * (self.length * u), &along, &base_normal)
+    }
+}
+
+/// Column planes turned about the base body's normal (claim of skew planes): t := cos(chi) t + sin(chi) (N x t).
+#[derive(Clone, Debug)]
+pub struct SkewPlanes<C> {
+    /// The lead curve.
+    pub curve: C,
+    /// chi, rad.
+    pub angle: f64,
+}
+
+impl<C: LeadCurve> LeadCurve for SkewPlanes<C> {
+    fn at(&self, u: f64) -> Result<LeadPoint, MillingError> {
+        let upright = self.curve.at(u)?;
+        let (sin, cos) = self.angle.sin_cos();
+        Ok(LeadPoint { direction: upright.direction * cos + upright.abscissa() * sin, ..upright })
+    }
+}

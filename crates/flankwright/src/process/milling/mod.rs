@@ -1,0 +1,47 @@
+//! Milling of gear teeth and blades on five axes: from a flank to the places of the cutter (spec 50).
+//!
+//! A lead curve runs along the bottom of the space; planes perpendicular to it cut the flank in columns; the cutter's axis stays in
+//! its column's plane and perpendicular to the flank's normal. Knows no machine and no file; what is left on the flank is predicted
+//! here from curvatures and judged elsewhere by rays.
+
+mod clearance;
+mod collision;
+mod column;
+mod density;
+mod error;
+mod finish;
+mod flank;
+mod grid;
+mod lead_curve;
+mod local;
+mod location;
+mod orientation;
+mod path;
+mod predict;
+mod range;
+mod root_pass;
+mod roughing;
+mod spacing;
+mod wear;
+
+pub use clearance::{Clearance, HIDDEN, Patch};
+pub use collision::{Collision, Obstacle, check_path};
+pub use column::{ColumnPlane, Section};
+pub use density::{DenseGrid, DensityLimits, DistanceLimits, MOST_LINES, Violated, dense_grid};
+pub use error::MillingError;
+pub use finish::{FinishOptions, FinishedRow, finish};
+pub use flank::{ActiveFlank, HeightLimits, LimitBody};
+pub use grid::{Column, FlankGrid, GridPlace, NeighbourDistances};
+pub use lead_curve::{CurveOnCone, HelixOnCylinder, LeadCurve, LeadPoint, RuledFoot, SkewPlanes};
+pub use local::{LocalContact, row_distance};
+pub use location::{ContactZone, CutterLocation, Orientation, TouchFault};
+pub use orientation::{AxisChoice, other_axis};
+pub use path::{
+    CutDirection, CutterPath, CutterPlace, Retraction, RowOrder, Traverse, approach_arc, retracted, row_path,
+};
+pub use predict::{Prediction, RowModel};
+pub use range::lead_range;
+pub use root_pass::{BottomPass, RootDepth, RootSection, greatest_contact_height};
+pub use roughing::{RoughingLayer, RoughingOptions, rough};
+pub use spacing::{RowSpacing, row_heights};
+pub use wear::{HeightRule, HeightWindow, RowLoad, WearHistogram};

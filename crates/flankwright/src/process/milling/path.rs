@@ -1,0 +1,178 @@
+//! Paths of the cutter along rows, in which sense and order they are run, and how the cutter comes and goes (spec 50 section 8).
+
+use super::{CutterLocation, MillingError};
+use nalgebra::Vector3;
+
+/// The cutter at one place. mm, workpiece coordinates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CutterPlace {
+    /// Tip, on the axis.
+    pub tip: Vector3<f64>,
+    /// Unit axis towards the shank.
+    pub axis: Vector3<f64>,
+    /// The point that it touches, if any.
+    pub contact: Option<Vector3<f64>>,
+}
+
+/// A path with the cutter in the material, from one end to the other, in straight blocks.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CutterPath {
+    /// Its places.
+    pub places: Vec<CutterPlace>,
+}
+
+/// Against or with the feed: spindle clockwise seen from the shank (M3).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CutDirection {
+    /// The edge leaves the material in the direction of its cut: F.(a x n) < 0.
+    Climb,
+    /// The edge enters it: F.(a x n) > 0.
+    Conventional,
+}
+
+/// How rows follow each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Traverse {
+    /// All rows in one sense.
+    OneWay(CutDirection),
+    /// To and fro; the first row in this sense.
+    Zigzag(CutDirection),
+}
+
+/// Which row comes first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RowOrder {
+    /// From the tip down, so that the material below supports.
+    TipToRoot,
+    /// From the root up.
+    RootToTip,
+}
+
+/// Where the cutter is out of the workpiece.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Retraction {
+    /// Outside a cylinder about the axis, mm (external teeth and blades).
+    Outside(f64),
+    /// Inside one, mm (internal teeth).
+    Inside(f64),
+    /// Outside a cone about the axis, apex at the origin, moved outwards: half angle in rad and distance in mm (bevel gears).
+    OutsideCone {
+        /// Half angle of the cone.
+        half_angle: f64,
+        /// Distance from it.
+        distance: f64,
+    },
+}
+
+/// A row's path from its cutter locations and contact points, in the order of the columns or against it.
+pub fn row_path(locations: &[(CutterLocation, Vector3<f64>)], backwards: bool) -> CutterPath {
+    let place = |(location, contact): &(CutterLocation, Vector3<f64>)| CutterPlace {
+        tip: location.tip,
+        axis: location.axis,
+        contact: Some(*contact),
+    };
+    let mut places: Vec<CutterPlace> = locations.iter().map(place).collect();
+    if backwards {
+        places.reverse();
+    }
+    CutterPath { places }
+}
+
+impl CutDirection {
+    /// The sense of a travel direction F with the axis a and the flank's normal n.
+    pub fn of(travel: &Vector3<f64>, axis: &Vector3<f64>, normal: &Vector3<f64>) -> Self {
+        if travel.dot(&axis.cross(normal)) < 0.0 { Self::Climb } else { Self::Conventional }
+    }
+
+    /// The other one.
+    pub const fn reversed(self) -> Self {
+        match self {
+            Self::Climb => Self::Conventional,
+            Self::Conventional => Self::Climb,
+        }
+    }
+}
+
+impl Traverse {
+    /// The sense of the n-th row that is run.
+    pub const fn of_row(self, number: usize) -> CutDirection {
+        match self {
+            Self::OneWay(direction) => direction,
+            Self::Zigzag(first) => {
+                if number % 2 == 0 {
+                    first
+                } else {
+                    first.reversed()
+                }
+            }
+        }
+    }
+}
+
+/// Steps of an approach over its quarter circle.
+const ARC_STEPS: usize = 9;
+
+/// A quarter circle on which the cutter comes to the first place of a path, its axis as there; reversed travel gives the departure
+/// from the last one. `travel` is the feed there, `normal` the flank's, both units.
+///
+/// # Errors
+/// [`MillingError::Approach`] if the circle does not fit into the clearance to the opposite flank.
+pub fn approach_arc(
+    place: &CutterPlace,
+    travel: &Vector3<f64>,
+    normal: &Vector3<f64>,
+    radius: f64,
+    clearance: f64,
+) -> Result<Vec<CutterPlace>, MillingError> {
+    if !(radius < clearance) {
+        return Err(MillingError::Approach { radius, clearance });
+    }
+    let at = |step: usize| {
+        let angle = std::f64::consts::FRAC_PI_2 * (1.0 - step as f64 / (ARC_STEPS - 1) as f64);
+        let (sin, cos) = angle.sin_cos();
+        let tip = place.tip + normal * (radius * (1.0 - cos)) - travel * (radius * sin);
+        CutterPlace { tip, contact: None, ..*place }
+    };
+    Ok((0..ARC_STEPS - 1).map(at).collect())
+}
+
+/// The place that a cutter reaches when it is drawn back along its axis until its tip is out of the workpiece.
+///
+/// # Errors
+/// [`MillingError::NoRetraction`] if the axis does not lead out.
+pub fn retracted(place: &CutterPlace, out: Retraction) -> Result<CutterPlace, MillingError> {
+    let (tip, axis) = (&place.tip, &place.axis);
+    // Quadratic a x^2 + 2 b x + c = 0 for the way x along the axis; out where `sense` times it is positive.
+    let (a, b, c, sense) = match out {
+        Retraction::Outside(radius) | Retraction::Inside(radius) => {
+            let (t, d) = (tip.xy(), axis.xy());
+            let sense = if matches!(out, Retraction::Outside(_)) { 1.0 } else { -1.0 };
+            (d.norm_squared(), t.dot(&d), t.norm_squared() - radius * radius, sense)
+        }
+        Retraction::OutsideCone { half_angle, distance } => {
+            let (sin, cos) = half_angle.sin_cos();
+            // The cone moved outwards has its apex below the origin.
+            let (tan, apex) = (sin / cos, -distance / sin);
+            let (t, d, z) = (tip.xy(), axis.xy(), tip.z - apex);
+            (
+                d.norm_squared() - tan * tan * axis.z * axis.z,
+                t.dot(&d) - tan * tan * z * axis.z,
+                t.norm_squared() - tan * tan * z * z,
+                1.0,
+            )
+        }
+    };
+    if sense * c >= 0.0 {
+        return Ok(CutterPlace { contact: None, ..*place });
+    }
+    let no_way = MillingError::NoRetraction { tip: (*tip).into(), axis: (*axis).into() };
+    let root = b * b - a * c;
+    if !(root >= 0.0) || a == 0.0 && b == 0.0 {
+        return Err(no_way);
+    }
+    // Both roots without cancellation; the nearest one ahead.
+    let q = -(b + root.sqrt().copysign(b));
+    let ahead = [q / a, c / q].into_iter().filter(|x| x.is_finite() && *x > 0.0).reduce(f64::min);
+    let way = ahead.ok_or(no_way)?;
+    Ok(CutterPlace { tip: tip + axis * way, contact: None, ..*place })
+}

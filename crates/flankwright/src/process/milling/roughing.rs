@@ -1,0 +1,124 @@
+//! Clearing the space before its flanks are finished: layers from the tip down, passes side by side in every layer, the axis upright
+//! in the column's plane, an allowance kept from both flanks and the bottom.
+
+use super::{CutterPath, CutterPlace, LeadCurve, LeadPoint, MillingError, Patch};
+use crate::geometry::Cutter;
+use nalgebra::Vector3;
+use rayon::prelude::*;
+
+/// How a space is cleared. mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RoughingOptions {
+    /// What stays on flanks and bottom.
+    pub allowance: f64,
+    /// Height of the first layer's tip above the lead point.
+    pub top: f64,
+    /// Height of the bottom above the lead point.
+    pub bottom: f64,
+    /// Greatest depth of a layer.
+    pub step_down: f64,
+    /// Greatest distance of passes side by side.
+    pub step_over: f64,
+}
+
+/// One layer.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RoughingLayer {
+    /// Height of the tip above the lead point, mm.
+    pub height: f64,
+    /// Its passes; one that is interrupted where the space is too narrow counts as several.
+    pub passes: Vec<CutterPath>,
+}
+
+/// Halvings in search of how far the cutter can go aside: of some 10 mm that leaves 1e-5 mm, on the safe side.
+const HALVINGS: usize = 20;
+
+/// Layers of a space between two flanks over the planes at the given lead parameters.
+///
+/// # Errors
+/// Those of the lead curve; [`MillingError::RoughingNowhere`] if the cutter finds no room in any layer.
+pub fn rough(
+    cutter: &Cutter,
+    lead: &dyn LeadCurve,
+    at: &[f64],
+    flanks: [Patch; 2],
+    options: &RoughingOptions,
+) -> Result<Vec<RoughingLayer>, MillingError> {
+    let leads = at.iter().map(|&u| lead.at(u)).collect::<Result<Vec<_>, _>>()?;
+    let lowest = options.bottom + options.allowance;
+    let layers = ((options.top - lowest) / options.step_down).ceil().max(1.0) as usize;
+    let heights: Vec<f64> =
+        (1..=layers).map(|n| options.top + (lowest - options.top) * n as f64 / layers as f64).collect();
+    let layer = |&height: &f64| {
+        let room: Vec<Option<[f64; 2]>> =
+            leads.par_iter().map(|lead| room(cutter, lead, &flanks, height, options.allowance)).collect();
+        let widest = room.iter().flatten().map(|[from, to]| to - from).fold(0.0, f64::max);
+        let beside = (widest / options.step_over).ceil() as usize + 1;
+        let shares = (0..beside).map(|n| if beside == 1 { 0.5 } else { n as f64 / (beside - 1) as f64 });
+        let passes = shares.flat_map(|share| pass(&leads, &room, height, share)).collect();
+        RoughingLayer { height, passes }
+    };
+    let layers: Vec<RoughingLayer> = heights.iter().map(layer).filter(|l| !l.passes.is_empty()).collect();
+    if layers.is_empty() {
+        return Err(MillingError::RoughingNowhere { top: options.top, bottom: lowest });
+    }
+    Ok(layers)
+}
+
+fn upright(lead: &LeadPoint, aside: f64, height: f64) -> CutterPlace {
+    let tip: Vector3<f64> = lead.point + lead.abscissa() * aside + lead.base_normal * height;
+    CutterPlace { tip, axis: lead.base_normal, contact: None }
+}
+
+/// How far aside the upright cutter can stand at a height, both ways, from a place in the middle at which it fits.
+fn room(
+    cutter: &Cutter,
+    lead: &LeadPoint,
+    flanks: &[Patch; 2],
+    height: f64,
+    allowance: f64,
+) -> Option<[f64; 2]> {
+    let fits = |aside: f64| {
+        let place = upright(lead, aside, height);
+        flanks.iter().all(|flank| flank.keeps(cutter, &place.tip, &place.axis, allowance).is_ok())
+    };
+    if !fits(0.0) {
+        return None;
+    }
+    let limit = |sense: f64| {
+        let mut step = cutter_scale(flanks);
+        let mut reached = 0.0;
+        for _ in 0..HALVINGS {
+            step *= 0.5;
+            if fits(reached + sense * step) {
+                reached += sense * step;
+            }
+        }
+        reached
+    };
+    Some([limit(-1.0), limit(1.0)])
+}
+
+/// A length that is beyond both flanks: the distance between their middles.
+fn cutter_scale(flanks: &[Patch; 2]) -> f64 {
+    let middle = |flank: &Patch| {
+        let [a, b] = [flank.heights, flank.lengths].map(|[from, to]| 0.5 * (from + to));
+        flank.surface.point(a, b)
+    };
+    (middle(&flanks[0]) - middle(&flanks[1])).norm()
+}
+
+/// The pass at a share of the room's width; interrupted where there is no room.
+fn pass(leads: &[LeadPoint], room: &[Option<[f64; 2]>], height: f64, share: f64) -> Vec<CutterPath> {
+    let mut paths = vec![CutterPath { places: Vec::new() }];
+    for (lead, room) in leads.iter().zip(room) {
+        match (room, paths.last_mut()) {
+            (Some([from, to]), Some(path)) => {
+                path.places.push(upright(lead, from + (to - from) * share, height));
+            }
+            _ => paths.push(CutterPath { places: Vec::new() }),
+        }
+    }
+    paths.retain(|path| path.places.len() > 1);
+    paths
+}
