@@ -13,6 +13,9 @@ pub struct Obstacle<'a> {
     pub patch: Patch<'a>,
     /// What the cutter has to keep, mm; < 0 allows it to go in by that.
     pub wanted: f64,
+    /// Whether blocks between places are followed. Along the flank that the cutter touches they cannot be: there it keeps nothing, and
+    /// what the blocks leave is a matter of micrometres, which the referee's rays tell.
+    pub between: bool,
 }
 
 /// Where a cutter comes too near.
@@ -45,8 +48,11 @@ pub fn check_path(
     for obstacle in obstacles {
         let ball = Ball::around(&obstacle.patch);
         let check = Check { cutter, obstacle, ball };
-        if let [only] = places {
-            check.block(0, [only, only], [0.0, 0.0])?;
+        if !obstacle.between || places.len() == 1 {
+            for (number, place) in places.iter().enumerate() {
+                check.block(number, [place, place], [0.0, 0.0])?;
+            }
+            continue;
         }
         for (block, ends) in places.windows(2).enumerate() {
             check.block(block, [&ends[0], &ends[1]], [0.0, 1.0])?;
@@ -72,7 +78,7 @@ impl Check<'_> {
         let reach =
             |end: &CutterPlace| (end.tip - middle.tip).norm() + lever * (end.axis - middle.axis).norm();
         let moves = reach(&from).max(reach(&to));
-        let Obstacle { name, patch, wanted } = self.obstacle;
+        let Obstacle { name, patch, wanted, .. } = self.obstacle;
         let keeps = |wanted| patch.keeps(self.cutter, &middle.tip, &middle.axis, wanted);
         if keeps(wanted + moves).is_ok() {
             return Ok(());

@@ -7,6 +7,7 @@ use super::{
     greatest_contact_height,
 };
 use crate::geometry::{Cutter, CutterShape};
+use crate::numerics::brent;
 use rayon::prelude::*;
 
 /// How a flank is finished.
@@ -37,8 +38,10 @@ pub struct FinishedRow {
     pub locations: Vec<CutterLocation>,
 }
 
-/// Accuracy of a contact height that the opposite flank limits, mm.
-const HEIGHT_STEP: f64 = 1e-4;
+/// Accuracy of a contact height that the opposite flank limits, mm; and clearances that count as the same, as those of all columns of a
+/// cylinder are.
+const HEIGHT_STEP: f64 = 1e-6;
+const SAME: f64 = 1e-6;
 
 /// The cutter at all points of a grid.
 ///
@@ -128,29 +131,28 @@ fn window(grid: &FlankGrid, row: usize, options: &FinishOptions) -> Result<Heigh
             break;
         }
         let Some((opposite, wanted)) = &options.opposite else { continue };
-        let keeps = |height: f64| {
-            let location = locate(place, &column.lead, options, height)?;
-            Ok::<_, MillingError>(opposite.keeps(options.cutter, &location.tip, &location.axis, *wanted))
-        };
-        if keeps(greatest)?.is_ok() {
+        let tool = |height: f64| locate(place, &column.lead, options, height);
+        let location = tool(greatest)?;
+        if opposite.keeps(options.cutter, &location.tip, &location.axis, *wanted).is_ok() {
             continue;
         }
         // The deeper tool contains the other one: what it keeps falls with the height.
-        if let Err(near) = keeps(least)? {
-            return Err(MillingError::ToolGap {
-                row,
-                column: number,
-                from: "opposite flank",
-                clearance: near.value,
-                wanted: *wanted,
-            });
+        let beyond = |height: f64| {
+            let location = tool(height)?;
+            let kept = opposite.clearance(options.cutter, &location.tip, &location.axis);
+            Ok::<_, MillingError>(kept.value - wanted)
+        };
+        let deepest = beyond(greatest)?;
+        if deepest >= -SAME {
+            continue;
         }
-        let mut good = least;
-        while greatest - good > HEIGHT_STEP {
-            let middle = 0.5 * (good + greatest);
-            if keeps(middle)?.is_ok() { good = middle } else { greatest = middle }
+        let highest = beyond(least)?;
+        if highest < 0.0 {
+            let (from, clearance) = ("opposite flank", highest + wanted);
+            return Err(MillingError::ToolGap { row, column: number, from, clearance, wanted: *wanted });
         }
-        greatest = good;
+        let limit = brent([least, greatest], [highest, deepest], HEIGHT_STEP, |h| beyond(h).ok());
+        greatest = limit.unwrap_or(least);
     }
     Ok(HeightWindow { least, greatest })
 }

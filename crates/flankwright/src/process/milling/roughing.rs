@@ -30,8 +30,8 @@ pub struct RoughingLayer {
     pub passes: Vec<CutterPath>,
 }
 
-/// Halvings in search of how far the cutter can go aside: of some 10 mm that leaves 1e-5 mm, on the safe side.
-const HALVINGS: usize = 20;
+/// Halvings in search of how far the cutter can go aside: of some 10 mm that leaves 5 um, on the safe side.
+const HALVINGS: usize = 11;
 
 /// Layers of a space between two flanks over the planes at the given lead parameters.
 ///
