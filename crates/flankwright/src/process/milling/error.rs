@@ -1,7 +1,8 @@
 //! What can keep a flank from being milled (spec 50 section 15).
 
-use super::LimitBody;
 use super::location::TouchFault;
+use super::plan::OperationKind;
+use super::{Collision, LimitBody};
 use crate::geometry::GeometryError;
 use thiserror::Error;
 
@@ -214,6 +215,19 @@ pub enum MillingError {
         /// The point, mm.
         point: [f64; 3],
     },
+    /// On its way the tool comes too near to something.
+    #[error("{kind}, path {path}: after place {} the tool keeps {:.4} mm from the {}, wanted are {} mm", collision.block, collision.clearance.value, collision.name, collision.wanted)]
+    Collides {
+        /// The operation.
+        kind: OperationKind,
+        /// Number of its path, from 0.
+        path: usize,
+        /// Where and what.
+        collision: Box<Collision>,
+    },
+    /// The root needs a cylindrical tool with a corner.
+    #[error("the root is milled with a cylindrical tool (end mill, torus or ball)")]
+    RootTool,
     /// The roughing cutter is too thick for the space.
     #[error(
         "the roughing cutter finds no room between the flanks from {top:.3} mm down to {bottom:.3} mm above the lead curve"
@@ -282,6 +296,8 @@ impl MillingError {
             Self::InternalAccess { .. } => "internal-access",
             Self::RoughingNowhere { .. } => "roughing-nowhere",
             Self::NotMet { .. } => "not-met",
+            Self::Collides { .. } => "tool-gap",
+            Self::RootTool => "root-tool",
             Self::WearWindow { .. } => "wear-window",
             Self::HeightCount { .. } => "height-count",
             Self::HeightOutside { .. } => "height-outside",
@@ -313,7 +329,10 @@ impl MillingError {
             Self::RootOverlap { .. } => "take a smaller corner radius or a shallower root",
             Self::RootBottom { .. } => "take a thinner tool for the bottom",
             Self::ToolShort { .. } => "take a tool with a longer cutting edge",
-            Self::ToolGap { .. } => "take a thinner tool, less tilt or a smaller contact height",
+            Self::RootTool => "leave out `milling.root`, or mill with an end mill",
+            Self::ToolGap { .. } | Self::Collides { .. } => {
+                "take a thinner tool, less tilt or a smaller contact height"
+            }
             Self::Approach { .. } => "take a smaller radius, or let the tool come in beside the face",
             Self::NoRetraction { .. } => "give a clearance body that the tool's axis crosses",
             Self::InternalAccess { .. } => "lean the axis by a lead angle, or take a longer and thinner tool",
@@ -343,6 +362,17 @@ impl std::fmt::Display for TouchFault {
             Self::Arc { height, allowed: [from, to] } => {
                 write!(f, "height {height:.4} mm, the arc goes from {from:.4} to {to:.4} mm")
             }
+        }
+    }
+}
+
+impl std::fmt::Display for OperationKind {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        match self {
+            Self::Roughing => f.write_str("roughing"),
+            Self::Flank(side) => write!(f, "{side} flank"),
+            Self::Fillet(side) => write!(f, "fillet of the {side} flank"),
+            Self::Bottom => f.write_str("bottom"),
         }
     }
 }

@@ -13,14 +13,17 @@ mod finish;
 mod flank;
 mod grid;
 mod lead_curve;
+mod lines;
 mod local;
 mod location;
 mod orientation;
 mod path;
+mod plan;
 mod predict;
 mod range;
 mod root_pass;
 mod roughing;
+mod space;
 mod spacing;
 mod wear;
 
@@ -33,15 +36,18 @@ pub use finish::{FinishOptions, FinishedRow, finish};
 pub use flank::{ActiveFlank, HeightLimits, LimitBody};
 pub use grid::{Column, FlankGrid, GridPlace, NeighbourDistances};
 pub use lead_curve::{CurveOnCone, HelixOnCylinder, LeadCurve, LeadPoint, RuledFoot, SkewPlanes};
+pub use lines::{LaidLines, Lines, SpacingLaw, lay_lines};
 pub use local::{LocalContact, row_distance};
 pub use location::{ContactZone, CutterLocation, Orientation, TouchFault};
 pub use orientation::{AxisChoice, other_axis};
 pub use path::{
     CutDirection, CutterPath, CutterPlace, Retraction, RowOrder, Traverse, approach_arc, retracted, row_path,
 };
+pub use plan::{FlankPlan, MillingPlan, Operation, OperationKind, PlanOptions, RowFigures, plan};
 pub use predict::{Prediction, RowModel};
 pub use range::lead_range;
 pub use root_pass::{BottomPass, RootDepth, RootSection, greatest_contact_height};
 pub use roughing::{RoughingLayer, RoughingOptions, rough};
+pub use space::{Land, Space, SpaceFlank};
 pub use spacing::{RowSpacing, row_heights};
 pub use wear::{HeightRule, HeightWindow, RowLoad, WearHistogram};

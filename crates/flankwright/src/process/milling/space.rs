@@ -1,0 +1,86 @@
+//! A space to be milled: its flanks, what stands around it, and the frames along its bottom.
+
+use super::{ActiveFlank, LeadCurve, Obstacle, Patch};
+use crate::geometry::{Flank, Frustum};
+use std::sync::Arc;
+
+/// One flank of a space.
+#[derive(Clone, Debug)]
+pub struct SpaceFlank {
+    /// Which.
+    pub side: Flank,
+    /// Its surface and limits.
+    pub active: ActiveFlank,
+}
+
+/// A piece of the land on top of a tooth or blade: a frustum between two azimuths.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Land {
+    /// The surface.
+    pub surface: Frustum,
+    /// From and to, rad.
+    pub azimuths: [f64; 2],
+}
+
+/// A tooth space, or the passage beside a blade.
+#[derive(Clone, Debug)]
+pub struct Space {
+    /// The flanks that are milled.
+    pub flanks: Vec<SpaceFlank>,
+    /// The middle of the bottom.
+    pub lead: Arc<dyn LeadCurve>,
+    /// Turn from one space to the next, rad.
+    pub pitch: f64,
+    /// Tops of the teeth beside the space.
+    pub lands: Vec<Land>,
+    /// Flanks of the other half of a double-helical gear.
+    pub other_half: Vec<SpaceFlank>,
+}
+
+/// How deep the search on the flank that the cutter touches may find it: what curvature and blocks do there is less and judged by
+/// rays; what digs in elsewhere is more. mm.
+const OWN_FLANK: f64 = 0.02;
+
+impl SpaceFlank {
+    /// The flank within its face as something to keep away from, turned about the axis.
+    pub fn patch(&self, turn: f64) -> Patch<'_> {
+        let [a, b] = self.active.height_span();
+        Patch {
+            surface: &*self.active.surface,
+            heights: [a.min(b), a.max(b)],
+            lengths: self.active.face,
+            turn,
+        }
+    }
+}
+
+impl Space {
+    /// The flank opposite to one.
+    pub fn opposite(&self, side: Flank) -> Option<&SpaceFlank> {
+        self.flanks.iter().find(|flank| flank.side != side)
+    }
+
+    /// All that a cutter on one flank (or on none) must keep away from by `safety` mm.
+    pub fn obstacles(&self, on: Option<Flank>, safety: f64) -> Vec<Obstacle<'_>> {
+        let keep = |name, patch| Obstacle { name, patch, wanted: safety, between: true };
+        let mut all = Vec::new();
+        for flank in &self.flanks {
+            if on == Some(flank.side) {
+                let (patch, wanted) = (flank.patch(0.0), -OWN_FLANK);
+                all.push(Obstacle { name: "own flank", patch, wanted, between: false });
+            } else {
+                all.push(keep("opposite flank", flank.patch(0.0)));
+            }
+            for turn in [self.pitch, -self.pitch] {
+                all.push(keep("neighbouring tooth", flank.patch(turn)));
+            }
+        }
+        for land in &self.lands {
+            let patch =
+                Patch { surface: &land.surface, heights: land.azimuths, lengths: [0.0, 1.0], turn: 0.0 };
+            all.push(keep("tip of a tooth", patch));
+        }
+        all.extend(self.other_half.iter().map(|flank| keep("other half", flank.patch(0.0))));
+        all
+    }
+}
