@@ -31,7 +31,7 @@ fn deviation(surface: &dyn Surface, point: &Vector3<f64>, start: [f64; 2]) -> f6
 fn the_octoid_is_that_of_the_reference() {
     let reference = reference();
     let gear = bevel_gear("straight_bevel");
-    let octoid = Octoid::new(&gear, Flank::Left).unwrap();
+    let octoid = Octoid::new(&gear, Flank::Left);
     let involute = SphericalInvolute::new(&gear, Flank::Left);
     let distance = number(&reference["octoid"]["R_mm"]);
     let items = reference["octoid"]["items"].as_array().unwrap();
@@ -55,7 +55,7 @@ fn the_octoid_is_that_of_the_reference() {
 #[test]
 fn both_octoid_flanks_are_mirror_images_and_share_the_pitch_point() {
     let gear = bevel_gear("straight_bevel");
-    let [left, right] = Flank::BOTH.map(|flank| Octoid::new(&gear, flank).unwrap());
+    let [left, right] = Flank::BOTH.map(|flank| Octoid::new(&gear, flank));
     for height in [-0.1, 0.0, 0.3] {
         let (l, r) = (left.point(height, 60.0), right.point(height, 60.0));
         assert!((l - Vector3::new(-r.x, r.y, r.z)).norm() < 1e-13 && l.x > 0.0);
@@ -69,7 +69,7 @@ fn both_octoid_flanks_are_mirror_images_and_share_the_pitch_point() {
 #[test]
 fn undercut_begins_where_the_reference_has_it() {
     let gear = bevel_gear("straight_bevel");
-    let octoid = Octoid::new(&gear, Flank::Left).unwrap();
+    let octoid = Octoid::new(&gear, Flank::Left);
     let lowest = octoid.lowest_polar_angle();
     assert!((lowest.to_degrees() - 31.2803).abs() < 5e-5, "{}", lowest.to_degrees());
     let [from, to] = octoid.domain()[0];
@@ -80,6 +80,25 @@ fn undercut_begins_where_the_reference_has_it() {
         angle = next;
     }
     assert!(octoid.polar_angle(from - 1e-3) > lowest, "and turns back below it");
+}
+
+#[test]
+fn the_regular_branch_reaches_below_every_base_cone() {
+    let mut gears = 0;
+    for delta in (2..80).step_by(6) {
+        for alpha in (5..45).step_by(4) {
+            let [delta, alpha] = [delta, alpha].map(|angle| f64::from(angle).to_radians());
+            let data = BevelData { addendum_factor: 0.1, ..BevelData::new(1.0, 40, delta, alpha, 0.1) };
+            let Ok(gear) = BevelGear::new(data) else { continue };
+            let octoid = Octoid::new(&gear, Flank::Left);
+            assert!(octoid.lowest_polar_angle() < gear.base_angle(), "{delta} {alpha}");
+            assert!(
+                octoid.height_of(gear.form_angle()).is_ok() && octoid.height_of(gear.tip_angle()).is_ok()
+            );
+            gears += 1;
+        }
+    }
+    assert!(gears > 80, "{gears}");
 }
 
 /// A member of a pair turned by its angle, in the frame of the first at its middle position.

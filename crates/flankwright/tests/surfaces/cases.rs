@@ -125,9 +125,9 @@ pub fn samples() -> Vec<Sample> {
     let flank = Flank::Right;
     add("straight bevel", Arc::new(SphericalInvolute::new(&straight, flank)), [0.1, 0.75], [50.0, 73.0]);
     for (name, flank) in [("octoid left", Flank::Left), ("octoid right", Flank::Right)] {
-        let octoid = Octoid::new(&straight, flank).unwrap();
-        let heights = [0.524, 0.656].map(|angle| octoid.height_of(angle).unwrap().clamp(-0.2, 0.5));
-        add(name, Arc::new(octoid), [octoid.domain()[0][0] + 0.05, heights[1]], [50.0, 73.0]);
+        let octoid = Octoid::new(&straight, flank);
+        let heights = [octoid.domain()[0][0] + 0.1, octoid.height_of(0.656).unwrap()];
+        add(name, Arc::new(octoid), heights, [50.0, 73.0]);
     }
     let spiral = bevel_gear("spiral_bevel");
     add("spiral left", Arc::new(SphericalInvolute::new(&spiral, Flank::Left)), [0.1, 0.75], [66.0, 98.0]);

@@ -1,8 +1,12 @@
 //! Derivatives against differences of the exact values, for every surface, plain and eased.
 
-use crate::cases::{Sample, between, chances, offset, samples};
-use flankwright::geometry::{Helicoid, Mirrored, Modified, Surface, SurfaceJet};
+use crate::cases::{Sample, between, bevel_gear, chances, cylindrical_gear, offset, reference, samples};
+use flankwright::geometry::{
+    EaseOff, EaseOffAmounts, Flank, Helicoid, Mirrored, Modified, OffsetBase, SphericalInvolute, Surface,
+    SurfaceJet,
+};
 use nalgebra::Vector3;
+use std::sync::Arc;
 
 /// Fourth-order central difference of a vector function.
 fn difference(f: impl Fn(f64) -> Vector3<f64>, step: f64) -> Vector3<f64> {
@@ -110,13 +114,13 @@ fn second_derivatives_of_points_and_normals_agree_with_differences() {
 
 #[test]
 fn a_mirrored_helicoid_is_the_one_of_the_opposite_helix() {
-    let reference = crate::cases::reference();
+    let reference = reference();
     let mut input = reference["cases"]["helical"]["input"].clone();
-    let right = crate::cases::cylindrical_gear(&input);
+    let right = cylindrical_gear(&input);
     input["beta_deg"] = serde_json::json!(-25.0);
-    let left = crate::cases::cylindrical_gear(&input);
+    let left = cylindrical_gear(&input);
     let mut chance = chances();
-    for flank in flankwright::geometry::Flank::BOTH {
+    for flank in Flank::BOTH {
         let mirrored = Mirrored::new(Helicoid::new(&right, flank), 0.0);
         let expected = Helicoid::new(&left, flank);
         for _ in 0..20 {
@@ -134,7 +138,29 @@ fn a_mirrored_helicoid_is_the_one_of_the_opposite_helix() {
             }
         }
     }
-    let apart = Mirrored::new(Helicoid::new(&right, flankwright::geometry::Flank::Left), 12.0);
+    let apart = Mirrored::new(Helicoid::new(&right, Flank::Left), 12.0);
     assert_eq!(apart.point(20.0, 12.0), apart.base().point(20.0, 12.0), "the halves meet at z_0");
     assert_eq!(apart.point(20.0, 30.0).z, 30.0, "the length is the axial position");
+}
+
+#[test]
+fn borders_of_the_surfaces_have_numbers() {
+    let reference = reference();
+    let gear = cylindrical_gear(&reference["cases"]["helical"]["input"]);
+    let flank = Helicoid::new(&gear, Flank::Left);
+    let zero = EaseOff::new(EaseOffAmounts::default(), [0.0, 40.0], [-20.0, 20.0]).unwrap();
+    let eased = Modified::new(flank, Arc::new(zero));
+    // At the base circle S_w vanishes: what the offset leaves alone keeps its normal.
+    assert_eq!(eased.jet(0.0, 3.0), flank.jet(0.0, 3.0));
+    let bevel = SphericalInvolute::new(&bevel_gear("straight_bevel"), Flank::Left);
+    assert!(bevel.normal_speed_bounds([0.0, 0.5], [0.0, 50.0]).iter().all(|bound| bound.is_finite()));
+    let spiral = SphericalInvolute::new(&bevel_gear("spiral_bevel"), Flank::Left);
+    let [heights, lengths] = spiral.domain();
+    for height in heights {
+        for length in lengths {
+            let at = spiral.second_order(height, length);
+            let all = [at.jet.point, at.jet.normal, at.jet.by_length, at.jet.normal_by_length];
+            assert!(all.iter().flatten().chain(at.normal.iter().flatten()).all(|x| x.is_finite()), "{at:?}");
+        }
+    }
 }

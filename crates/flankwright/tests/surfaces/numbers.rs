@@ -1,7 +1,7 @@
 //! The numbers of the reference file: points, normals, derived data, curvatures.
 
-use crate::cases::{bevel_gear, cylindrical_gear, number, numbers, reference, surface, vector};
-use flankwright::geometry::{Flank, FlankLine, Helicoid, SphericalInvolute, Surface};
+use crate::cases::{bevel_gear, blade_data, cylindrical_gear, number, numbers, reference, surface, vector};
+use flankwright::geometry::{Flank, FlankLine, Helicoid, RuledBlade, SphericalInvolute, Surface};
 
 const CASES: [&str; 6] = ["spur", "helical", "internal", "straight_bevel", "spiral_bevel", "blade"];
 
@@ -81,12 +81,20 @@ fn derived_data_of_bevel_gears() {
 
 #[test]
 fn principal_curvatures_of_the_blade() {
-    let blade = surface("blade");
     let reference = reference();
+    let blade = RuledBlade::of_data(&blade_data(&reference["cases"]["blade"]["input"])).unwrap();
     let items = reference["blade_limits"]["items"].as_array().unwrap();
     assert_eq!(items.len(), 9);
     for item in items {
-        let jet = blade.jet(number(&item["v"]), number(&item["u"]));
+        // u is that of the column: the flank's point lies in the plane across the lead curve, which is the hub's.
+        let (v, lead) = (number(&item["v"]), number(&item["u"]));
+        let [c, tangent, ..] = blade.hub().derivatives(lead);
+        let mut u = lead;
+        for _ in 0..50 {
+            let jet = blade.jet(v, u);
+            u -= (jet.point - c).dot(&tangent) / jet.by_length.dot(&tangent);
+        }
+        let jet = blade.jet(v, u);
         let first = jet.by_height.normalize();
         let second = jet.normal.cross(&first);
         let [k_11, k_12, k_22] = jet.curvatures(&first, &second);

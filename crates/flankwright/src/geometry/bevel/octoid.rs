@@ -35,12 +35,9 @@ struct Frame {
 }
 
 impl Octoid {
-    /// A flank of a straight bevel gear; its spiral, if it has one, is not looked at.
-    ///
-    /// # Errors
-    /// [`GeometryError::OctoidUndercut`] when the active flank begins below the regular branch (`E_UNDERCUT` of spec 50 section
-    /// 15).
-    pub fn new(gear: &BevelGear, flank: Flank) -> Result<Self, GeometryError> {
+    /// A flank of a straight bevel gear; its spiral, if it has one, is not looked at. The regular branch holds the whole flank of a
+    /// checked gear: it reaches below the base cone, whatever the angles.
+    pub fn new(gear: &BevelGear, flank: Flank) -> Self {
         let (sin_pitch, cos_pitch) = gear.data().pitch_angle.sin_cos();
         let (sin_pressure, cos_pressure) = gear.data().pressure_angle.sin_cos();
         let mut octoid = Self {
@@ -55,8 +52,7 @@ impl Octoid {
         // Beyond a right angle between the crown gear's flank and the pitch line the polar angle turns back at both ends.
         let quarter = FRAC_PI_2 / sin_pitch;
         octoid.regular = [-octoid.undercut_rotation().unwrap_or(quarter), quarter];
-        octoid.height_of(gear.form_angle())?;
-        Ok(octoid)
+        octoid
     }
 
     /// Which flank of the space.
@@ -78,7 +74,7 @@ impl Octoid {
     /// Height of a polar angle, on the regular branch.
     ///
     /// # Errors
-    /// [`GeometryError::OctoidUndercut`] below it, [`GeometryError::InvalidNumber`] above it.
+    /// [`GeometryError::OctoidUndercut`] below it (`E_UNDERCUT` of spec 50 section 15), [`GeometryError::InvalidNumber`] above it.
     pub fn height_of(&self, polar_angle: f64) -> Result<f64, GeometryError> {
         let [from, to] = self.regular;
         let (lowest, highest) = (self.polar_angle(from), self.polar_angle(to));

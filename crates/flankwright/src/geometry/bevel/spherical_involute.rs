@@ -188,11 +188,11 @@ impl OffsetBase for SphericalInvolute {
         let helix = line.turn.map(|turn| s * (turn * self.sin_base).atan());
         let [low, high] = if s > 0.0 { helix } else { [helix[1], helix[0]] };
         let xi = heights.map(|omega| omega * self.sin_base);
+        // A line that does not turn may go to the apex.
+        let turn = largest(line.turn);
+        let turning = if turn == 0.0 { 0.0 } else { turn / smallest(distances) };
         let flattest = smallest(line.turn) * self.sin_base;
         let leaning = self.sin_base * line.turn_rate / (1.0 + flattest * flattest);
-        [
-            self.cos_base * largest_cosine([xi[0] + low, xi[1] + high]),
-            largest(line.turn) / smallest(distances) + leaning,
-        ]
+        [self.cos_base * largest_cosine([xi[0] + low, xi[1] + high]), turning + leaning]
     }
 }

@@ -21,7 +21,7 @@ pub struct Helicoid {
     cos_base_helix: f64,
 }
 
-/// Directions at a place: e_r and u of spec 50, and w with the sign of the gear.
+/// Directions at a place: e_r and u of spec 50 at phi.
 struct Directions {
     e_r: Vector3<f64>,
     u: Vector3<f64>,
