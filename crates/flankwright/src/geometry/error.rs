@@ -149,6 +149,84 @@ pub enum GeometryError {
         /// Pitch diameter asked for, mm.
         diameter: f64,
     },
+    /// A polar angle below the base cone of a bevel gear, or beyond the plane through its apex.
+    #[error("the polar angle {angle_deg} deg is off the bevel flank, which begins at {base_angle_deg} deg")]
+    BelowBaseCone {
+        /// Angle asked for, deg.
+        angle_deg: f64,
+        /// Angle of the base cone, deg.
+        base_angle_deg: f64,
+    },
+    /// A flank line that does not cover the face.
+    #[error("the flank line has no direction {distance} mm from the apex, only from {from} to {to} mm")]
+    FlankLineOutOfReach {
+        /// Distance of the end of the face from the apex, mm.
+        distance: f64,
+        /// Where the line begins, mm.
+        from: f64,
+        /// Where it ends, mm.
+        to: f64,
+    },
+    /// No tooth thickness is left at the tip cone.
+    #[error(
+        "the bevel tooth is pointed: half an angle of {half_angle_deg} deg is left of it at the tip cone"
+    )]
+    BevelToothPointed {
+        /// Half of the tooth's angle at the tip cone, deg, <= 0.
+        half_angle_deg: f64,
+    },
+    /// An octoid flank below its regular branch.
+    #[error(
+        "the octoid flank is undercut at the polar angle {angle_deg} deg: undercut begins below {begins_deg} deg"
+    )]
+    OctoidUndercut {
+        /// Angle asked for, deg.
+        angle_deg: f64,
+        /// Where the regular branch ends, deg.
+        begins_deg: f64,
+    },
+    /// A grid of points that is too small for cubic splines.
+    #[error("a grid of {rows} x {columns} points; at least 4 x 4 are needed")]
+    GridSize {
+        /// Rows given.
+        rows: usize,
+        /// Points of the shortest row.
+        columns: usize,
+    },
+    /// Rows of different lengths.
+    #[error("row {row} of the grid has {found} points, the first has {expected}")]
+    GridRagged {
+        /// Row, from 0.
+        row: usize,
+        /// Points of the first row.
+        expected: usize,
+        /// Points of this row.
+        found: usize,
+    },
+    /// A point of a grid that is not finite.
+    #[error("point {column} of row {row} of the grid is not finite")]
+    GridNotFinite {
+        /// Row, from 0.
+        row: usize,
+        /// Place in the row, from 0.
+        column: usize,
+    },
+    /// Two neighbours of a grid at one place.
+    #[error("point {column} of row {row} of the grid coincides with a neighbour before it")]
+    GridDuplicate {
+        /// Row, from 0.
+        row: usize,
+        /// Place in the row, from 0.
+        column: usize,
+    },
+    /// A grid whose surface has no tangent plane at a point, or turns over there.
+    #[error("the surface through the grid has no clear side at point {column} of row {row}")]
+    GridFolded {
+        /// Row, from 0.
+        row: usize,
+        /// Place in the row, from 0.
+        column: usize,
+    },
 }
 
 impl GeometryError {
@@ -171,6 +249,15 @@ impl GeometryError {
             Self::CylindricalOnly => "cylindrical-only",
             Self::NotMating { .. } => "not-mating",
             Self::WormTooSmall { .. } => "worm-too-small",
+            Self::BelowBaseCone { .. } => "below-base-cone",
+            Self::FlankLineOutOfReach { .. } => "flank-line-out-of-reach",
+            Self::BevelToothPointed { .. } => "bevel-tooth-pointed",
+            Self::OctoidUndercut { .. } => "octoid-undercut",
+            Self::GridSize { .. } => "grid-size",
+            Self::GridRagged { .. } => "grid-ragged",
+            Self::GridNotFinite { .. } => "grid-not-finite",
+            Self::GridDuplicate { .. } => "grid-duplicate",
+            Self::GridFolded { .. } => "grid-folded",
         }
     }
 
@@ -197,6 +284,19 @@ impl GeometryError {
             }
             Self::NotMating { .. } => "match m_n cos(alpha_n) of worm and gear",
             Self::WormTooSmall { .. } => "use a larger worm diameter or fewer threads",
+            Self::BelowBaseCone { .. } => "raise the form angle above the base cone",
+            Self::FlankLineOutOfReach { .. } => {
+                "use a larger cutter radius, a smaller spiral angle or a smaller face width"
+            }
+            Self::BevelToothPointed { .. } => "reduce the addendum or the pressure angle",
+            Self::OctoidUndercut { .. } => {
+                "raise the form angle, or use more teeth or a larger pressure angle"
+            }
+            Self::GridSize { .. } => "give at least four rows of four points",
+            Self::GridRagged { .. } => "give every row the same number of points",
+            Self::GridNotFinite { .. } => "correct the point",
+            Self::GridDuplicate { .. } => "leave double points out, or the row that has no extent",
+            Self::GridFolded { .. } => "check the order of the points along rows and columns",
         }
     }
 }

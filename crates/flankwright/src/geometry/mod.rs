@@ -1,5 +1,6 @@
 //! Shapes: involute flanks, gears, worms, racks, surfaces of revolution, milled flanks and cutters. Knows no motion and no process.
 
+mod bevel;
 mod blank;
 mod cutter;
 mod error;
@@ -12,6 +13,7 @@ mod surface;
 mod thickness;
 mod worm;
 
+pub use bevel::{BevelData, BevelGear, CircularLine, FlankLine, Hand, Octoid, SphericalInvolute, Spiral};
 pub use blank::{Blank, BlankWarning, EvaluationLimits};
 pub use cutter::{Cutter, CutterShape, ShankStep, in_tool};
 pub use error::GeometryError;
@@ -20,6 +22,10 @@ pub use involute::{FlankDeviation, FlankFrame, InvoluteFlank};
 pub use rack::Rack;
 pub use revolution::{MeridianPoint, ProfileOffset, Revolution};
 pub use sides::{Flank, Sides};
-pub use surface::{Frustum, Surface, SurfaceJet};
+pub use surface::{
+    BladeCurve, BladeData, CylindricalCurve, EaseOff, EaseOffAmounts, Frustum, GridSurface, Helicoid,
+    Mirrored, Modified, NormalOffset, NormalSide, OffsetBase, OffsetBounds, RuledBlade, SecondOrder,
+    SplineCurve, Surface, SurfaceJet,
+};
 pub use thickness::{OverBalls, Span, ThicknessMeasure};
 pub use worm::{WormChoice, WormForGear, check_mating, worm_for_gear};

@@ -125,4 +125,16 @@ impl Knots {
         };
         (index, x - self.values[index])
     }
+
+    /// The parts of the intervals that lie in a range: index of each and its ends, measured from its first knot. What lies outside
+    /// the knots belongs to the border intervals.
+    pub(super) fn parts(&self, [from, to]: [f64; 2]) -> impl Iterator<Item = (usize, [f64; 2])> {
+        let (first, start) = self.locate(from);
+        let (last, end) = self.locate(to);
+        (first..=last).map(move |index| {
+            let begins = if index == first { start } else { 0.0 };
+            let ends = if index == last { end } else { self.values[index + 1] - self.values[index] };
+            (index, [begins, ends])
+        })
+    }
 }

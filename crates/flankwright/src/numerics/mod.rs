@@ -1,5 +1,6 @@
 //! Numerical tools: the scalar trait, series, splines, polynomials and roots. Knows no gears.
 
+mod bernstein;
 mod bspline;
 mod chebyshev;
 mod equidistant;
@@ -28,4 +29,4 @@ pub use roots::{bisect, brent, golden_section};
 pub use scalar::{Scalar, gradient_of, value_of, variables};
 pub use spline::CubicSpline;
 pub use spline_fit::fit_tensor_spline;
-pub use tensor_spline::TensorSpline;
+pub use tensor_spline::{BicubicPatch, TensorSpline};

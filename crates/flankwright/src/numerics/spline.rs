@@ -1,5 +1,6 @@
 //! The interpolating cubic spline in one variable: C2, not-a-knot at both ends.
 
+use super::bernstein::{bernstein, derivative, shifted};
 use super::knots::{Knots, SplineError};
 
 /// Piecewise cubic through given values with continuous second derivative, whose first two and last two pieces
@@ -50,6 +51,21 @@ impl CubicSpline {
         let (index, t) = self.knots.locate(x);
         let [a, b, c, d] = self.pieces[index];
         [a + t * (b + t * (c + t * d)), b + t * (2.0 * c + t * 3.0 * d), 2.0 * c + 6.0 * d * t, 6.0 * d]
+    }
+
+    /// Ranges that value and first, second and third derivative do not leave between two arguments (ascending).
+    pub fn ranges(&self, interval: [f64; 2]) -> [[f64; 2]; 4] {
+        let mut ranges = [[f64::INFINITY, f64::NEG_INFINITY]; 4];
+        for (index, [from, to]) in self.knots.parts(interval) {
+            let mut piece = shifted(self.pieces[index], from);
+            for range in &mut ranges {
+                for coefficient in bernstein(piece, to - from) {
+                    *range = [range[0].min(coefficient), range[1].max(coefficient)];
+                }
+                piece = derivative(piece);
+            }
+        }
+        ranges
     }
 }
 

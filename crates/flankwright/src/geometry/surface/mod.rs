@@ -3,9 +3,27 @@
 //! The height parameter a runs from root to tip, the length parameter b along the tooth (spec 50 section 1). Their units are those of
 //! the surface: length of roll and axial position in mm, roll angle in rad and distance from the apex in mm, fractions of a grid.
 
+mod blade_curve;
+pub(super) mod bounds;
+mod ease_off;
 mod frustum;
+mod grid;
+mod helicoid;
+mod mirrored;
+mod modified;
+mod ruled;
+mod second_order;
 
+pub use blade_curve::{BladeCurve, CylindricalCurve, SplineCurve};
+pub use ease_off::{EaseOff, EaseOffAmounts};
 pub use frustum::Frustum;
+pub use grid::GridSurface;
+pub use helicoid::Helicoid;
+pub(super) use helicoid::turned;
+pub use mirrored::Mirrored;
+pub use modified::{Modified, NormalOffset, OffsetBounds};
+pub use ruled::{BladeData, RuledBlade};
+pub use second_order::{NormalSide, OffsetBase, SecondOrder};
 
 use nalgebra::Vector3;
 use std::fmt::Debug;

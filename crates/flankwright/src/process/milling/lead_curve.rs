@@ -1,8 +1,10 @@
 //! Lead curves: the lines on the base body along which column planes stand (spec 50 section 2).
 
 use super::MillingError;
+use crate::geometry::{BladeCurve, FlankLine};
 use nalgebra::Vector3;
 use std::fmt::Debug;
+use std::sync::Arc;
 
 /// A point of a lead curve with its frame. mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -85,20 +87,17 @@ impl LeadCurve for HelixOnCylinder {
 
 /// In bevel gears: the middle of the space on a cone about the axis with its apex at the origin, by default the root cone. u =
 /// distance from the apex.
-#[derive(Clone, Debug)]
-pub struct CurveOnCone<L> {
+#[derive(Clone, Debug, PartialEq)]
+pub struct CurveOnCone {
     /// Half angle of the cone, rad.
     pub cone_angle: f64,
-    /// Theta(u) and Theta'(u): the turn of the space, as the flank has it.
-    pub turn: L,
+    /// Theta(u): the turn of the space, as the flank has it.
+    pub line: FlankLine,
 }
 
-impl<L: Fn(f64) -> [f64; 2] + Send + Sync> LeadCurve for CurveOnCone<L>
-where
-    Self: Debug,
-{
+impl LeadCurve for CurveOnCone {
     fn at(&self, u: f64) -> Result<LeadPoint, MillingError> {
-        let [turn, slope] = (self.turn)(u);
+        let [turn, slope, ..] = self.line.derivatives(u);
         let ((sin, cos), (sin_cone, cos_cone)) = ((-turn).sin_cos(), self.cone_angle.sin_cos());
         let (radial, tangential) = (Vector3::new(sin, cos, 0.0), Vector3::new(cos, -sin, 0.0));
         let axial = Vector3::z();
@@ -108,29 +107,20 @@ where
     }
 }
 
-/// In blades: the foot curve on a hub whose radius is linear along its axis (spec 50 section 1.6). u = fraction of the length.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RuledFoot {
-    /// Radius of the hub at both ends, mm.
-    pub hub_radius: [f64; 2],
-    /// Azimuth at both ends, counter-clockwise from +y, rad; it grows with the square of u.
-    pub azimuth: [f64; 2],
-    /// Length along the axis, mm.
-    pub length: f64,
+/// In blades: the foot curve on a hub of revolution whose meridian it follows (spec 50 section 1.6). u = the curve's parameter.
+#[derive(Clone, Debug)]
+pub struct FootOnHub {
+    /// The curve.
+    pub curve: Arc<dyn BladeCurve>,
 }
 
-impl LeadCurve for RuledFoot {
+impl LeadCurve for FootOnHub {
     fn at(&self, u: f64) -> Result<LeadPoint, MillingError> {
-        let [radius_0, radius_1] = self.hub_radius;
-        let (radius, grows) = (radius_0 + (radius_1 - radius_0) * u, radius_1 - radius_0);
-        let span = self.azimuth[1] - self.azimuth[0];
-        let (turn, slope) = (self.azimuth[0] + span * u * u, 2.0 * span * u);
-        let (sin, cos) = (-turn).sin_cos();
-        let (radial, tangential) = (Vector3::new(sin, cos, 0.0), Vector3::new(cos, -sin, 0.0));
-        let axial = Vector3::z();
-        let along = radial * grows - tangential * (radius * slope) + axial * self.length;
-        let base_normal = radial - axial * (grows / self.length);
-        LeadPoint::new(u, radial * radius + axial * (self.length * u), &along, &base_normal)
+        let [point, along, ..] = self.curve.derivatives(u);
+        let radial = Vector3::new(point.x, point.y, 0.0).normalize();
+        // Along the meridian the radius changes by `widens` while the position changes by `rises`.
+        let (widens, rises) = (along.dot(&radial), along.z);
+        LeadPoint::new(u, point, &along, &(radial * rises.abs() - Vector3::z() * (widens * rises.signum())))
     }
 }
 

@@ -35,7 +35,7 @@ pub use error::MillingError;
 pub use finish::{FinishOptions, FinishedRow, finish};
 pub use flank::{ActiveFlank, HeightLimits, LimitBody};
 pub use grid::{Column, FlankGrid, GridPlace, NeighbourDistances};
-pub use lead_curve::{CurveOnCone, HelixOnCylinder, LeadCurve, LeadPoint, RuledFoot, SkewPlanes};
+pub use lead_curve::{CurveOnCone, FootOnHub, HelixOnCylinder, LeadCurve, LeadPoint, SkewPlanes};
 pub use lines::{LaidLines, Lines, SpacingLaw, lay_lines};
 pub use local::{LocalContact, row_distance};
 pub use location::{ContactZone, CutterLocation, Orientation, TouchFault};

@@ -1,0 +1,14 @@
+//! Bevel gears: their cones from drawing data, flank lines, and the flanks over them (spec 50 sections 1.2 and 1.4).
+//!
+//! Coordinates: the origin is the common apex of all cones, z runs from it towards the heel; the tooth space stays centred on +y at
+//! the mean distance.
+
+mod flank_line;
+mod gear;
+mod octoid;
+mod spherical_involute;
+
+pub use flank_line::{CircularLine, FlankLine, Hand};
+pub use gear::{BevelData, BevelGear, Spiral};
+pub use octoid::Octoid;
+pub use spherical_involute::SphericalInvolute;
