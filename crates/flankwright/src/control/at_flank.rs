@@ -4,6 +4,7 @@
 use super::stroke::StrokeRecord;
 use crate::contact::FlankPair;
 use crate::kinematics::GeneratingMotion;
+use crate::numerics::extremes;
 use nalgebra::{Matrix2, Vector2};
 use num_dual::Dual64;
 use std::f64::consts::TAU;
@@ -164,9 +165,8 @@ impl FlankPlaces<'_> {
 
 impl ControlledFlank {
     /// Deviations of one tooth, and of a place over all teeth, from the mean of all: least and greatest, um.
-    pub fn extremes(&self) -> (f64, f64) {
-        let all = self.teeth.iter().flatten();
-        all.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &f| (a.min(f), b.max(f)))
+    pub fn extremes(&self) -> [f64; 2] {
+        extremes(self.teeth.iter().flatten().copied())
     }
 
     /// Root mean square over all teeth and places, um.

@@ -12,7 +12,7 @@ use crate::geometry::Flank;
 use crate::geometry::Sides;
 use crate::kinematics::{GeneratingState, Pose, Workpiece};
 use crate::metrology::Topography;
-use crate::numerics::equidistant;
+use crate::numerics::{equidistant, extremes};
 use crate::removal::{RayGrid, TimedGrinding, Unmodified, WormArea, grind_in_time};
 use crate::workflow::execution::Execution;
 use crate::workflow::finding::RunFailure;
@@ -168,7 +168,7 @@ fn flank_result(
     let count = pair.work.teeth.abs() as usize;
     let all: Vec<usize> = (0..count).collect();
     let left = places.flank(&deviation.w, &deviation.z, &all);
-    let (least, greatest) = left.extremes();
+    let [least, greatest] = left.extremes();
     let (mut with, mut share) = (0.0f64, 0.0f64);
     let points: Vec<(f64, f64)> =
         deviation.w.iter().flat_map(|&w| deviation.z.iter().map(move |&z| (w, z))).collect();
@@ -205,12 +205,7 @@ fn flank_result(
         }
     }
     let arm_um = 1e3 * pair.work.base_radius * pair.work.base_helix_angle.cos();
-    let range = |values: &[f64]| {
-        let (a, b) =
-            values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &x| (a.min(x), b.max(x)));
-        (a, b)
-    };
-    let (low, high) = range(&means);
+    let [low, high] = extremes(means.iter().copied());
     Ok(ControlFlankResult {
         largest_um: greatest.max(-least),
         rms_um: left.rms(),
@@ -282,8 +277,9 @@ fn error_trace(record: &StrokeRecord, arm_um: f64) -> ErrorTrace {
         let time = record.start + record.sample_time * (k as f64 + 0.5) * width as f64;
         trace.feed_mm.push(record.feed(time));
         for (lines, values) in [(&mut trace.setpoint_um, setpoint), (&mut trace.actual_um, actual)] {
-            lines[0].push(arm_um * values.iter().copied().fold(f64::INFINITY, f64::min));
-            lines[1].push(arm_um * values.iter().copied().fold(f64::NEG_INFINITY, f64::max));
+            for (line, end) in lines.iter_mut().zip(extremes(values.iter().copied())) {
+                line.push(arm_um * end);
+            }
         }
     }
     trace

@@ -9,6 +9,7 @@ use crate::control::{
     BudgetInput, ControlError, ErrorBudget, Extremes, Interpolation, InterpolationRun, Rotation, RotationRule,
 };
 use crate::exchange::GearboxJob;
+use crate::numerics::extremes;
 use electronic_gearbox::chain::RateRule;
 use electronic_gearbox::coefficient::{Coefficient, GearGeometry};
 use electronic_gearbox::pulse::Mode;
@@ -146,10 +147,7 @@ pub(super) fn limits(
     let driven = [(1, upwards), (-1, downwards)]
         .into_iter()
         .filter(|(sense, _)| references.iter().any(|(_, sign)| sign == sense));
-    let (least, greatest) = driven
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, greatest), (_, ends)| {
-            (least.min(ends[0]), greatest.max(ends[1]))
-        });
+    let [least, greatest] = extremes(driven.flat_map(|(_, ends)| ends));
     (least <= greatest).then_some(Extremes { least: least - between, greatest: greatest + between })
 }
 
