@@ -5,6 +5,7 @@ pub mod servo;
 
 mod at_flank;
 mod budget;
+mod drive;
 mod error;
 mod following;
 mod interpolation;
