@@ -123,9 +123,8 @@ impl Interpolation {
     pub fn references(&self, motion: &SlideMotion) -> Result<Vec<(u64, i64)>, ControlError> {
         self.validate()?;
         let mut last = 0;
-        let crossings = motion.crossings(self.pitch)?;
-        Ok(crossings
-            .iter()
+        Ok(motion
+            .crossings(self.pitch)?
             .map(|crossing| {
                 last = ((crossing.time * self.clock).ceil() as u64).max(last + 1);
                 (last, crossing.direction.sign())
@@ -205,7 +204,7 @@ impl<'a> Observer<'a> {
         chain: Option<(RotationCounter, &'a Rotation)>,
     ) -> Self {
         let measure = slide.zip(references.first()).and_then(|(motion, &(_, sign))| {
-            let first = motion.crossings(interpolation.pitch).ok()?.first()?.line;
+            let first = motion.crossings(interpolation.pitch).ok()?.next()?.line;
             let p = i64::from(interpolation.settings.pulses_per_interval());
             let backwards = sign < 0;
             let zero = match interpolation.settings.mode() {

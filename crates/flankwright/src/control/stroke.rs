@@ -166,7 +166,7 @@ pub fn run_stroke(
     let skipped = (lead_in / step).floor() as u64;
     let mut pulses = PulseDrive::new(&control.feed, &control.rotation, &references)?;
     // Place of the slide at pulse position 0, in the middle of the staircase.
-    let zero = slide.crossings(control.feed.pitch)?.first().map_or(first, |crossing| {
+    let zero = slide.crossings(control.feed.pitch)?.next().map_or(first, |crossing| {
         crossing.line as f64 * control.feed.pitch - sense * 0.5 * control.feed.pitch / f64::from(p)
     });
     let mut cursor = slide.cursor();
