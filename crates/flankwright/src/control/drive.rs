@@ -59,7 +59,7 @@ impl<'a> PulseDrive<'a> {
     }
 
     /// Parts of rotation so far.
-    pub(super) fn turned(&self) -> Result<i64, GearboxError> {
+    pub(super) fn turned(&self) -> i64 {
         self.rotation.total()
     }
 

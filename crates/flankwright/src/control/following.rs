@@ -129,7 +129,7 @@ impl Following {
             if k >= waits {
                 pulses.advance(time)?;
             }
-            let turned = pulses.turned()?;
+            let turned = pulses.turned();
             let worm_angle = worm_speed * time;
             let worm_counts =
                 self.worm.map_or(0, |worm| (worm_angle / TAU * f64::from(worm.pulses)).floor() as i64);

@@ -200,7 +200,7 @@ pub fn run_stroke(
             }
             None => gearbox.position(&[worm_counts, 0])?.counts as f64 + (shift_turn * wanted.shift).floor(),
         };
-        counts += pulses.turned()? as f64;
+        counts += pulses.turned() as f64;
         if let Some(table) = &table {
             counts += table.counts(zero + pulses.net() as f64 / f64::from(p) * control.feed.pitch)? as f64;
         }
