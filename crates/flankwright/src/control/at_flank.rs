@@ -108,7 +108,7 @@ impl FlankPlaces<'_> {
         let arm = -work.flank.sign() * work.base_radius * work.base_helix_angle.cos();
         let time = self.time_of(angle);
         let [_, turning] = self.work_angle(time);
-        let feeding = self.record.feed(1.0) - self.record.feed(0.0);
+        let feeding = self.record.speeds().velocity();
         let missed = self.record.feed(time) - place.feed;
         let [by_roll, by_feed] = place.rates;
         // (dw_2, dz_V2) = offset + rate (t - time).
@@ -133,9 +133,7 @@ impl FlankPlaces<'_> {
     fn work_angle(&self, time: f64) -> [f64; 2] {
         let speeds = self.record.speeds();
         let state = |time: Dual64| {
-            let origin = self.record.feed(0.0);
-            let rate = self.record.feed(1.0) - origin;
-            let feed = time * rate + origin;
+            let feed = time * speeds.velocity() + self.record.feed(0.0);
             self.motion.state(time * speeds.worm, feed, self.motion.phase[self.pair.flank()]).work_angle
         };
         let angle = state(Dual64::new(time, 1.0));

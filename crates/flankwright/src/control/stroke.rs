@@ -43,6 +43,14 @@ pub struct StrokeSpeeds {
     pub feed: f64,
 }
 
+impl StrokeSpeeds {
+    /// d z_V2/dt with its sign, mm/s.
+    pub fn velocity(&self) -> f64 {
+        let [first, last] = self.feed_range;
+        (last - first).signum() * self.feed
+    }
+}
+
 /// The error of the workpiece's angle over a stroke.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StrokeRecord {
@@ -135,7 +143,7 @@ pub fn run_stroke(
 ) -> Result<StrokeRecord, StrokeError> {
     let [first, last] = speeds.feed_range;
     let sense = (last - first).signum();
-    let velocity = sense * speeds.feed;
+    let velocity = speeds.velocity();
     // The slide starts from rest, the loop settles, then the flank begins.
     let lead_in = control.servo.settling_time();
     let rise = lead_in / 3.0;
@@ -241,14 +249,12 @@ pub fn run_stroke(
 impl StrokeRecord {
     /// z_V2 at a time within the stroke, mm.
     pub fn feed(&self, time: f64) -> f64 {
-        let [first, last] = self.drive.feed_range;
-        self.origin + (last - first).signum() * self.drive.feed * time
+        self.origin + self.drive.velocity() * time
     }
 
     /// Time at which z_V2 is reached, s.
     pub fn time(&self, feed: f64) -> f64 {
-        let [first, last] = self.drive.feed_range;
-        (feed - self.origin) / ((last - first).signum() * self.drive.feed)
+        (feed - self.origin) / self.drive.velocity()
     }
 
     /// The speeds of the stroke.
