@@ -56,7 +56,7 @@ impl FlankPlaces<'_> {
         self.deviation_of(&self.place(w, z), tooth)
     }
 
-    /// Deviations of `teeth` teeth, evenly spread over the gear, on a grid.
+    /// Deviations of the teeth with these numbers, counted from 0, on a grid of all `w` with all `z` (mm).
     pub fn flank(&self, w: &[f64], z: &[f64], teeth: &[usize]) -> ControlledFlank {
         let places: Vec<Place> = w.iter().flat_map(|&w| z.iter().map(move |&z| self.place(w, z))).collect();
         let teeth = teeth
@@ -162,7 +162,7 @@ impl FlankPlaces<'_> {
 }
 
 impl ControlledFlank {
-    /// Deviations of one tooth, and of a place over all teeth, from the mean of all: least and greatest, um.
+    /// Least and greatest deviation over all teeth and places, um; [inf, -inf] of none.
     pub fn extremes(&self) -> [f64; 2] {
         extremes(self.teeth.iter().flatten().copied())
     }
