@@ -93,11 +93,8 @@ fn speeds(
     execution: &Execution,
 ) -> Result<StrokeSpeeds, RunFailure> {
     let motion = &execution.motion;
-    let setup = &prepared.setup;
-    let hand = if setup.pair.worm.data().helix_angle < 0.0 { -1.0 } else { 1.0 };
-    let sizes = (hand, setup.largest_tip_radius, setup.worm_module(), setup.input.worm_width);
     let machine = job.machine.clone().unwrap_or_default();
-    let technology = Technology::new(&machine, sizes, job.grinding.feed_per_revolution);
+    let technology = Technology::of_grinding(&machine, &prepared.setup, job.grinding.feed_per_revolution);
     let worm = control.worm_speed_rpm.map_or(technology.worm_speed, |rpm| rpm * TAU / 60.0);
     let turning = worm * (motion.threads / motion.teeth).abs() / TAU;
     let feed = technology.feed_per_revolution * turning;
