@@ -9,4 +9,6 @@ mod setup;
 pub(super) use page::control_report;
 pub use result::{ControlFlankResult, ControlResult, ErrorTrace, Trace};
 pub(super) use run::control_of_grinding;
-pub(super) use setup::{disturbances, interpolation, of_scale, of_servo, on_field, servo_parameters};
+pub(super) use setup::{
+    disturbances, interpolation, of_scale, of_servo, on_field, rotation, rotation_refused, servo_parameters,
+};

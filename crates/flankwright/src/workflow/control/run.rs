@@ -1,11 +1,10 @@
 //! The stroke of a grinding run through the job's control, mapped to the flanks, with rays in time as its referee.
 
 use super::result::{ControlFlankResult, ControlResult, ErrorTrace, Trace};
-use super::setup::{disturbances, interpolation, of_servo, on_field, servo_parameters};
-use crate::control::{
-    FlankPlaces, Rotation, RotationRule, StrokeControl, StrokeError, StrokeRecord, StrokeSpeeds, run_stroke,
+use super::setup::{
+    disturbances, interpolation, of_servo, on_field, rotation, rotation_refused, servo_parameters,
 };
-use crate::exchange::control::RotationRate;
+use crate::control::{FlankPlaces, StrokeControl, StrokeError, StrokeRecord, StrokeSpeeds, run_stroke};
 use crate::exchange::job::{Control, Job};
 use crate::exchange::{Diagnostic, LoadedJob};
 use crate::geometry::Flank;
@@ -20,7 +19,6 @@ use crate::workflow::prepare::Prepared;
 use crate::workflow::programs::Technology;
 use crate::workflow::referee::Verdict;
 use electronic_gearbox::Sign;
-use electronic_gearbox::chain::RateRule;
 use electronic_gearbox::coefficient::{Coefficient, GearGeometry};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -123,24 +121,14 @@ fn stroke_control(control: &Control, prepared: &Prepared) -> Result<(StrokeContr
     let data = prepared.setup.pair.work.data();
     // The coupling of the feed, which a conical workpiece does not have from its lead.
     let turns = prepared.setup.pair.flanks.left.feed_coupling / f64::from(data.teeth) / TAU;
-    let distance = feed.pitch / f64::from(p);
-    let parts = f64::from(pulses) * f64::from(p);
-    let on_pulses =
-        |error: electronic_gearbox::Error| on_field(&error, "control.workpiece.pulses_per_revolution");
-    let multiplier = |rule| -> Result<Rotation, electronic_gearbox::Error> {
+    let coefficient = || {
         let angle = data.pressure_angle.left;
         let gear = GearGeometry::new(data.normal_module, data.teeth, data.helix_angle, angle)?;
-        let coefficient = Coefficient::new(&gear, pulses, control.feed.pulses_per_metre, Sign::Plus)?;
-        let rule = RotationRule::Multiplier { coefficient, rule };
-        Ok(Rotation { rule, turns_per_millimetre: turns, parts_per_revolution: parts })
+        Coefficient::new(&gear, pulses, control.feed.pulses_per_metre, Sign::Plus)
     };
-    let rotation = match control.workpiece.rate {
-        RotationRate::Exact => Rotation::exact(turns, parts, distance),
-        RotationRate::Bresenham => multiplier(RateRule::Bresenham),
-        RotationRate::Binary => multiplier(RateRule::Binary),
-    };
-    let rotation = rotation.map_err(on_pulses)?;
-    let per_metre = rotation.error_per_metre(distance);
+    let rotation = rotation(control.workpiece, turns, &feed, coefficient)
+        .map_err(|error| rotation_refused(&error, control.workpiece, BELOW))?;
+    let per_metre = rotation.error_per_metre(feed.pitch / f64::from(p));
     let stroke = StrokeControl {
         feed,
         rotation,
