@@ -52,7 +52,7 @@ pub(super) fn coupling(
     let p = f64::from(interpolation.settings.pulses_per_interval());
     let of_multiplier = Coefficient::new(gear, pulses, job.feed.pulses_per_metre, sense(&job.workpiece)).ok();
     CouplingResult {
-        lead_mm: job.gear.lead_mm(),
+        lead_mm: gear.lead().ok(),
         coefficient: rotation.turns_per_millimetre.abs() * f64::from(pulses) * interpolation.pitch,
         coefficient_word: of_multiplier.map(|c| c.word()),
         coefficient_relative_error: of_multiplier.map(|c| c.relative_error()),
