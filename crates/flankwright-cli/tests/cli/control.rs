@@ -1,19 +1,12 @@
 //! Grinding jobs through the control that they describe.
 
-use crate::command::{repository, run};
+use crate::command::{example, run, write_job};
 use serde_json::Value;
+use std::path::Path;
 
 /// The example with some of its text replaced.
-fn job(directory: &std::path::Path, replacements: &[(&str, &str)]) -> String {
-    let mut text =
-        std::fs::read_to_string(repository().join("examples/control/with-real-control.toml")).unwrap();
-    for (from, to) in replacements {
-        assert!(text.contains(from), "{from}");
-        text = text.replace(from, to);
-    }
-    let path = directory.join("job.toml");
-    std::fs::write(&path, text).unwrap();
-    path.to_str().unwrap().to_owned()
+fn job(directory: &Path, replacements: &[(&str, &str)]) -> String {
+    write_job(directory, example("control/with-real-control.toml"), replacements)
 }
 
 #[test]
