@@ -1,18 +1,20 @@
 //! Speed of the paths that count, on one core: clock ticks, pulses, updates of four axes, single pulses of a ratio.
 //! Goals: 100 M ticks/s, 30 M pulses/s, 100 ns an update, 3 ns a pulse.
 
-#[allow(dead_code)]
-#[path = "../tests/common/mod.rs"]
-mod common;
+#[path = "../tests/common/draw.rs"]
+mod draw;
+#[path = "../tests/common/slide.rs"]
+mod slide;
 
-use common::{Draw, Slide};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use draw::Draw;
 use electronic_gearbox::Sign;
 use electronic_gearbox::chain::{AdditionalRotation, RateRule};
 use electronic_gearbox::coupling::{Bresenham, Gearbox, IncrementalGearbox, LinearTerm, Ratio};
 use electronic_gearbox::pulse::{
     ClockedInterpolator, Direction, EventInterpolator, Mode, Settings, TimedPulse,
 };
+use slide::Slide;
 use std::hint::black_box;
 
 fn train() -> Vec<(u64, Direction)> {
@@ -124,7 +126,9 @@ fn coupling(c: &mut Criterion) {
         b.iter(|| {
             let mut line = start;
             // Counted without a branch: a mispredicted one of the counting would take a third of the time.
-            let counted = |pulse| i64::from(pulse == Some(Direction::Forward)) - i64::from(pulse == Some(Direction::Backward));
+            let counted = |pulse| {
+                i64::from(pulse == Some(Direction::Forward)) - i64::from(pulse == Some(Direction::Backward))
+            };
             lines.iter().map(|direction| counted(line.pulse(*direction))).sum::<i64>()
         })
     });
