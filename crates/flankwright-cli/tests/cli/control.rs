@@ -47,6 +47,22 @@ fn a_soft_loop_misses_the_target_and_says_so() {
 }
 
 #[test]
+fn a_feed_too_fast_for_the_interpolator_is_a_warning_with_the_count() {
+    let directory = tempfile::tempdir().unwrap();
+    // 3.158 mm/s pass a line of 4 um in 1.267 ms: 63.84 ticks, now 63, now 64, for 64 pulses.
+    let file = job(directory.path(), &[("clock_hz = 10e6", "clock_hz = 50.4e3")]);
+    let run = run(&["plan", &file, "--json", "-o", directory.path().join("out").to_str().unwrap()]);
+    let result = run.json();
+    let warnings = result["warnings"].as_array().unwrap();
+    let alarms: Vec<_> = warnings.iter().filter(|w| w["code"] == "interpolator-too-fast").collect();
+    let [alarm] = alarms.as_slice() else { panic!("{warnings:?}") };
+    assert!(
+        alarm["text"].as_str().unwrap().contains("intervals had fewer ticks than the 64 pulses"),
+        "{alarm}"
+    );
+}
+
+#[test]
 fn what_the_control_cannot_be_is_refused_by_its_key() {
     let directory = tempfile::tempdir().unwrap();
     for (from, to, code, key) in [

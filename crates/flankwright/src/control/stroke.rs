@@ -11,6 +11,7 @@ use super::slide::SlideMotion;
 use crate::kinematics::GeneratingMotion;
 use electronic_gearbox::Error as GearboxError;
 use electronic_gearbox::coupling::{CubicTable, EndRule, Gearbox, LinearTerm, dyadic, solve_slopes};
+use electronic_gearbox::pulse::Status;
 use std::f64::consts::TAU;
 
 /// The control of a machine.
@@ -68,8 +69,8 @@ pub struct StrokeRecord {
     pub limited: f64,
     /// Greatest torque of the motor, Nm.
     pub greatest_torque: f64,
-    /// Intervals of the scale that were too short for the interpolator, or ended with corrections owed.
-    pub alarms: u64,
+    /// State of the feed's interpolator at the end, with its alarms.
+    pub interpolator: Status,
     drive: StrokeSpeeds,
     /// z_V2 at time 0 if it moved at its speed from there on, mm.
     origin: f64,
@@ -225,7 +226,6 @@ pub fn run_stroke(
             actuals.push(before - wanted.work_angle);
         }
     }
-    let status = pulses.status();
     let means = [&mut setpoints, &mut actuals].map(|errors| {
         let mean = errors.iter().sum::<f64>() / errors.len() as f64;
         errors.iter_mut().for_each(|error| *error -= mean);
@@ -240,7 +240,7 @@ pub fn run_stroke(
         means,
         limited: limited as f64 / count,
         greatest_torque,
-        alarms: status.overruns + status.too_fast,
+        interpolator: pulses.status(),
         drive: *speeds,
         origin: first - velocity * lead_in,
     })

@@ -1,11 +1,13 @@
 //! A run through a real gearbox and servo instead of ideal couplings: what the control that the job describes leaves on the flank of every
 //! tooth, beside what the process leaves (spec 70).
 
+mod alarms;
 mod page;
 mod result;
 mod run;
 mod setup;
 
+pub(super) use alarms::interpolator_alarms;
 pub(super) use page::control_report;
 pub use result::{ControlFlankResult, ControlResult, ErrorTrace, Trace};
 pub(super) use run::control_of_grinding;

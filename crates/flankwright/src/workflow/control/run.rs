@@ -1,5 +1,6 @@
 //! The stroke of a grinding run through the job's control, mapped to the flanks, with rays in time as its referee.
 
+use super::alarms::interpolator_alarms;
 use super::result::{ControlFlankResult, ControlResult, ErrorTrace, Trace};
 use super::setup::{
     disturbances, interpolation, of_servo, on_field, rotation, rotation_refused, servo_parameters,
@@ -14,7 +15,7 @@ use crate::metrology::Topography;
 use crate::numerics::{equidistant, extremes};
 use crate::removal::{RayGrid, TimedGrinding, Unmodified, WormArea, grind_in_time};
 use crate::workflow::execution::Execution;
-use crate::workflow::finding::RunFailure;
+use crate::workflow::finding::{Remark, RunFailure};
 use crate::workflow::prepare::Prepared;
 use crate::workflow::programs::Technology;
 use crate::workflow::referee::Verdict;
@@ -38,7 +39,7 @@ const STOCK: f64 = 0.1;
 /// Samples of the loop that one stroke may have.
 const MOST_SAMPLES: f64 = 5e7;
 
-/// What the job's control leaves; `None` for a job without one.
+/// What the job's control leaves, with the alarms of its interpolator; `None` for a job without one.
 ///
 /// # Errors
 /// [`RunFailure`] on a key of `[control]`.
@@ -47,7 +48,7 @@ pub(in crate::workflow) fn control_of_grinding(
     prepared: &Prepared,
     execution: &Execution,
     verdicts: &Sides<Option<Verdict>>,
-) -> Result<Option<ControlResult>, RunFailure> {
+) -> Result<Option<(ControlResult, Vec<Remark>)>, RunFailure> {
     let Some(control) = &loaded.job.control else { return Ok(None) };
     let speeds = speeds(&loaded.job, control, prepared, execution)?;
     let (stroke, per_metre) = stroke_control(control, prepared)?;
@@ -57,7 +58,7 @@ pub(in crate::workflow) fn control_of_grinding(
     let threads = speeds.worm / TAU * motion.threads.abs();
     let response = stroke.servo.disturbance_response(threads);
     let response = response.map_err(|error| of_servo(&error, &control.servo, BELOW))?;
-    let mut flanks = BTreeMap::new();
+    let (mut flanks, mut alarms) = (BTreeMap::new(), Vec::new());
     for flank in Flank::BOTH {
         let (Some(executed), Some(verdict)) = (&execution.flanks[flank], &verdicts[flank]) else { continue };
         let record =
@@ -65,11 +66,13 @@ pub(in crate::workflow) fn control_of_grinding(
                 StrokeError::Control(error) => of_servo(&error, &control.servo, BELOW),
                 StrokeError::Gearbox(error) => on_field(&error, "control.worm"),
             })?;
+        // The slide is the same for both flanks, and so are its pulses.
+        alarms = interpolator_alarms(&control.feed, &record.interpolator);
         let deviation = verdict.simulated.minus(&executed.target);
         flanks.insert(flank.name(), flank_result(prepared, execution, flank, &record, &deviation)?);
     }
     let turn_um = TAU * arm_um;
-    Ok(Some(ControlResult {
+    let result = ControlResult {
         worm_speed_rpm: speeds.worm * 60.0 / TAU,
         work_speed_rpm: speeds.worm * (motion.threads / motion.teeth).abs() * 60.0 / TAU,
         feed_mm_per_min: speeds.feed * 60.0,
@@ -80,7 +83,8 @@ pub(in crate::workflow) fn control_of_grinding(
         compliance_at_threads_um_per_n_m: response.norm() * arm_um,
         thread_frequency_hz: threads,
         flanks,
-    }))
+    };
+    Ok(Some((result, alarms)))
 }
 
 /// Worm at its speed, feed by the feed per revolution.
