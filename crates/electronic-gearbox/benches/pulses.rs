@@ -1,18 +1,20 @@
 //! Speed of the paths that count, on one core: clock ticks, pulses, updates of four axes, single pulses of a ratio.
 //! Goals: 100 M ticks/s, 30 M pulses/s, 100 ns an update, 3 ns a pulse.
 
-#[allow(dead_code)]
-#[path = "../tests/common/mod.rs"]
-mod common;
+#[path = "../tests/common/draw.rs"]
+mod draw;
+#[path = "../tests/common/slide.rs"]
+mod slide;
 
-use common::{Draw, Slide};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use draw::Draw;
 use electronic_gearbox::Sign;
 use electronic_gearbox::chain::{AdditionalRotation, RateRule};
 use electronic_gearbox::coupling::{Bresenham, Gearbox, IncrementalGearbox, LinearTerm, Ratio};
 use electronic_gearbox::pulse::{
     ClockedInterpolator, Direction, EventInterpolator, Mode, Settings, TimedPulse,
 };
+use slide::Slide;
 use std::hint::black_box;
 
 fn train() -> Vec<(u64, Direction)> {

@@ -1,13 +1,17 @@
 //! Rate multiplier, hand switch and split (spec 70 section 4).
 
-mod common;
+#[path = "common/draw.rs"]
+mod draw;
+#[path = "common/slide.rs"]
+mod slide;
 
-use common::{Draw, Slide};
+use draw::Draw;
 use electronic_gearbox::chain::{
     AdditionalRotation, Multiplier, RateRule, SharedRotation, Split, SplitRotation, passed_pulses,
 };
 use electronic_gearbox::pulse::Direction;
 use electronic_gearbox::{Error, Sign};
+use slide::Slide;
 
 const RULES: [RateRule; 2] = [RateRule::Binary, RateRule::Bresenham];
 

@@ -1,9 +1,9 @@
 //! The gearbox of several axes: exact, free of history, free of drift (spec 70 section 7).
 
-#[allow(dead_code)]
-mod common;
+#[path = "common/draw.rs"]
+mod draw;
 
-use common::Draw;
+use draw::Draw;
 use electronic_gearbox::Error;
 use electronic_gearbox::coupling::{
     Bresenham, Gearbox, IncrementalGearbox, LinearTerm, Ratio, WrappingCounter,

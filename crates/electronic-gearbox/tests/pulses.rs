@@ -1,12 +1,15 @@
 //! The pulse interpolator: the clocked machine against the event form, and the properties I1 to I6 of spec 70 section 3.
 
-mod common;
+#[path = "common/draw.rs"]
+mod draw;
+#[path = "common/slide.rs"]
+mod slide;
 
-use common::Slide;
 use electronic_gearbox::Error;
 use electronic_gearbox::pulse::{
     ClockedInterpolator, Direction, EventInterpolator, Mode, Pulse, PulseKind, Settings, Status, TimedPulse,
 };
+use slide::Slide;
 
 const MODES: [Mode; 3] = [Mode::OneWay, Mode::NoBacklash, Mode::Literal];
 

@@ -130,7 +130,8 @@ fn places_keep_what_the_referee_leaves() {
         let speeds = StrokeSpeeds { worm: 300.0, feed_range: [-sense * 9.0, sense * 9.0], feed: 1.4 };
         let phase = motion.phase[Flank::Left];
         let record = run_stroke(&control, &motion, &speeds, phase).unwrap();
-        assert_eq!((record.alarms, record.limited), (0, 0.0));
+        let alarms = (record.interpolator.too_fast, record.interpolator.overruns);
+        assert_eq!((alarms, record.limited), ((0, 0), 0.0));
         for flank in Flank::BOTH {
             let work = pair.work.flank(flank);
             let at = |radius: f64| work.length_of_roll(radius).unwrap();

@@ -125,7 +125,7 @@ pub(super) fn require(
 
 #[cfg(test)]
 mod tests {
-    use super::{FRAC_PI_2, GearGeometry};
+    use super::{FRAC_PI_2, GearGeometry, PI, TAU};
     use crate::Error;
 
     const ALPHA: f64 = 0.35;
@@ -168,6 +168,18 @@ mod tests {
         assert_eq!(spur.flank_per_axial(), 0.0);
         let almost = GearGeometry::new(2.0, 40, -1e-308, ALPHA).unwrap();
         assert_eq!(almost.lead(), Err(Error::SpurGear));
+    }
+
+    #[test]
+    fn lead_has_the_sign_of_the_hand() {
+        // Rotation over the feed in rad/mm as found on the helicoids themselves (spec 70 section 5).
+        const ROTATION: f64 = 0.006470476;
+        for teeth in [40, -40] {
+            for sign in [1.0, -1.0] {
+                let lead = GearGeometry::new(2.0, teeth, sign * PI / 12.0, ALPHA).unwrap().lead().unwrap();
+                assert!((lead * ROTATION - sign * TAU).abs() < 1e-6, "{lead}");
+            }
+        }
     }
 
     #[test]

@@ -190,11 +190,11 @@ pub fn derived_gearbox(loaded: &LoadedGearboxJob) -> Result<DerivedGeometry, Fai
     derived.quantity("pitch_mm", "pitch of the scale", job.feed.pitch_mm(), "mm");
     let greatest = 60.0 * job.feed.greatest_speed_mm_per_s();
     derived.quantity("greatest_speed_mm_per_min", "greatest speed v_max", greatest, "mm/min");
-    if let Some(lead) = job.gear.lead_mm() {
+    let coupling = coupling_of_job(job).map_err(|failure| Failure::of_run(loaded, failure))?;
+    if let Some(lead) = coupling.lead_mm {
         derived.section("gear");
         derived.quantity("lead_mm", "lead", lead, "mm");
     }
-    let coupling = coupling_of_job(job).map_err(|failure| Failure::of_run(loaded, failure))?;
     derived.section("coupling");
     derived.quantity("coefficient", "coefficient b", coupling.coefficient, "");
     if let Some((word, error)) = coupling.coefficient_word.zip(coupling.coefficient_relative_error) {

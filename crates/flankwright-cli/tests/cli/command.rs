@@ -1,7 +1,7 @@
 //! Runs the built command.
 
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
 use serde_json::Value;
@@ -69,4 +69,19 @@ pub fn example(name: &str) -> String {
     let Some(from) = text.find("[machine]\n") else { return text };
     let to = text[from..].find("\n\n").map_or(text.len(), |length| from + length + 2);
     text[..from].to_owned() + &text[to..]
+}
+
+/// A text with replacements, each of something that stands in it.
+pub fn replaced(text: String, replacements: &[(&str, &str)]) -> String {
+    replacements.iter().fold(text, |text, (from, to)| {
+        assert!(text.contains(from), "{from}");
+        text.replace(from, to)
+    })
+}
+
+/// A text with replacements as the job of a directory; the path of its file.
+pub fn write_job(directory: &Path, text: String, replacements: &[(&str, &str)]) -> String {
+    let path = directory.join("job.toml");
+    std::fs::write(&path, replaced(text, replacements)).expect("a file");
+    path.to_str().expect("a path of UTF-8").to_owned()
 }

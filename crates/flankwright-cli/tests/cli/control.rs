@@ -1,19 +1,12 @@
 //! Grinding jobs through the control that they describe.
 
-use crate::command::{repository, run};
+use crate::command::{example, run, write_job};
 use serde_json::Value;
+use std::path::Path;
 
 /// The example with some of its text replaced.
-fn job(directory: &std::path::Path, replacements: &[(&str, &str)]) -> String {
-    let mut text =
-        std::fs::read_to_string(repository().join("examples/control/with-real-control.toml")).unwrap();
-    for (from, to) in replacements {
-        assert!(text.contains(from), "{from}");
-        text = text.replace(from, to);
-    }
-    let path = directory.join("job.toml");
-    std::fs::write(&path, text).unwrap();
-    path.to_str().unwrap().to_owned()
+fn job(directory: &Path, replacements: &[(&str, &str)]) -> String {
+    write_job(directory, example("control/with-real-control.toml"), replacements)
 }
 
 #[test]
@@ -51,6 +44,22 @@ fn a_soft_loop_misses_the_target_and_says_so() {
     let result: Value = serde_json::from_slice(&std::fs::read(out.join("result.json")).unwrap()).unwrap();
     assert_eq!(result["status"], "missed");
     assert_eq!(result["reason"]["code"], "control-above-tolerance");
+}
+
+#[test]
+fn a_feed_too_fast_for_the_interpolator_is_a_warning_with_the_count() {
+    let directory = tempfile::tempdir().unwrap();
+    // 3.158 mm/s pass a line of 4 um in 1.267 ms: 63.84 ticks, now 63, now 64, for 64 pulses.
+    let file = job(directory.path(), &[("clock_hz = 10e6", "clock_hz = 50.4e3")]);
+    let run = run(&["plan", &file, "--json", "-o", directory.path().join("out").to_str().unwrap()]);
+    let result = run.json();
+    let warnings = result["warnings"].as_array().unwrap();
+    let alarms: Vec<_> = warnings.iter().filter(|w| w["code"] == "interpolator-too-fast").collect();
+    let [alarm] = alarms.as_slice() else { panic!("{warnings:?}") };
+    assert!(
+        alarm["text"].as_str().unwrap().contains("intervals had fewer ticks than the 64 pulses"),
+        "{alarm}"
+    );
 }
 
 #[test]

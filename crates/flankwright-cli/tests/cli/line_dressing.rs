@@ -1,6 +1,6 @@
 //! A worm that a disc in point contact writes line by line, as a user of the command meets it: files, figures, refusals.
 
-use crate::command::{Run, check, example, run};
+use crate::command::{Run, check, example, replaced, run, write_job};
 use serde_json::Value;
 use std::path::Path;
 
@@ -13,20 +13,15 @@ type Case<'a> = ((&'a str, &'a str), &'a str, &'a str, &'a [&'a str]);
 
 /// The example on a coarse grid with the given replacements.
 fn job(replacements: &[(&str, &str)]) -> String {
-    let mut text = example("line-dressing.toml")
+    let text = example("line-dressing.toml")
         .replace("profile_points = 25", "profile_points = 7")
         .replace("helix_points = 31", "helix_points = 9");
-    for (from, to) in replacements {
-        assert!(text.contains(from), "{from}");
-        text = text.replace(from, to);
-    }
-    text
+    replaced(text, replacements)
 }
 
 fn planned(directory: &Path, replacements: &[(&str, &str)]) -> Run {
-    let path = directory.join("job.toml");
-    std::fs::write(&path, job(replacements)).unwrap();
-    run(&["plan", path.to_str().unwrap(), "-o", directory.join("out").to_str().unwrap(), "--json"])
+    let path = write_job(directory, job(replacements), &[]);
+    run(&["plan", &path, "-o", directory.join("out").to_str().unwrap(), "--json"])
 }
 
 fn number(value: &Value, key: &str) -> f64 {

@@ -1,19 +1,12 @@
 //! `plan`, `simulate` and `verify` as a user runs them: files, exit status, messages.
 
-use crate::command::{Run, example, run};
+use crate::command::{Run, example, run, write_job};
 use std::path::Path;
 
 /// The first example with a coarse grid and the given replacements, written to a file.
 fn job(directory: &Path, replacements: &[(&str, &str)]) -> String {
     let text = example("twist-free-crowning.toml");
-    let mut text = text.replace("_points = 41", "_points = 7");
-    for (from, to) in replacements {
-        assert!(text.contains(from), "{from}");
-        text = text.replace(from, to);
-    }
-    let path = directory.join("job.toml");
-    std::fs::write(&path, text).unwrap();
-    path.to_str().unwrap().to_owned()
+    write_job(directory, text.replace("_points = 41", "_points = 7"), replacements)
 }
 
 fn planned(replacements: &[(&str, &str)], extra: &[&str]) -> (Run, tempfile::TempDir) {

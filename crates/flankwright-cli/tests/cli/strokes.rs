@@ -1,20 +1,15 @@
 //! Dressing in strokes as a user runs it: planned, refereed, simulated again, refused.
 
-use crate::command::{Run, example, run};
+use crate::command::{Run, example, run, write_job};
 use serde_json::Value;
 use std::path::Path;
 
 /// The example with a coarse grid and the given replacements, run in a directory.
 fn plan(directory: &Path, replacements: &[(&str, &str)]) -> Run {
-    let mut text = example("dressing/strokes.toml") + "\n[grid]\nprofile_points = 9\nhelix_points = 5\n";
-    for (from, to) in replacements {
-        assert!(text.contains(from), "{from}");
-        text = text.replace(from, to);
-    }
-    let path = directory.join("job.toml");
-    std::fs::write(&path, text).unwrap();
+    let text = example("dressing/strokes.toml") + "\n[grid]\nprofile_points = 9\nhelix_points = 5\n";
+    let path = write_job(directory, text, replacements);
     let output = directory.join("out");
-    run(&["plan", path.to_str().unwrap(), "-o", output.to_str().unwrap(), "--json"])
+    run(&["plan", &path, "-o", output.to_str().unwrap(), "--json"])
 }
 
 fn largest(result: &Value, key: &str) -> f64 {

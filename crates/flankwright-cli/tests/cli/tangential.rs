@@ -1,19 +1,13 @@
 //! Tangential dressing as a user runs it: `new`, `check`, `plan`, `simulate`, their files, exit statuses and messages.
 
-use crate::command::{Run, repository, run};
+use crate::command::{Run, repository, run, write_job};
 use serde_json::Value;
 use std::path::Path;
 
 /// The template with a coarse grid and the given replacements, written to a file.
 fn job(directory: &Path, replacements: &[(&str, &str)]) -> String {
-    let mut text = run(&["new", "tangential-dressing"]).stdout.replace("_points = 41", "_points = 9");
-    for (from, to) in replacements {
-        assert!(text.contains(from), "{from}");
-        text = text.replace(from, to);
-    }
-    let path = directory.join("job.toml");
-    std::fs::write(&path, text).unwrap();
-    path.to_str().unwrap().to_owned()
+    let text = run(&["new", "tangential-dressing"]).stdout;
+    write_job(directory, text.replace("_points = 41", "_points = 9"), replacements)
 }
 
 fn planned(replacements: &[(&str, &str)], extra: &[&str]) -> (Run, tempfile::TempDir) {

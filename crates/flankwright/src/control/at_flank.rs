@@ -4,6 +4,7 @@
 use super::stroke::StrokeRecord;
 use crate::contact::FlankPair;
 use crate::kinematics::GeneratingMotion;
+use crate::numerics::extremes;
 use nalgebra::{Matrix2, Vector2};
 use num_dual::Dual64;
 use std::f64::consts::TAU;
@@ -55,7 +56,7 @@ impl FlankPlaces<'_> {
         self.deviation_of(&self.place(w, z), tooth)
     }
 
-    /// Deviations of `teeth` teeth, evenly spread over the gear, on a grid.
+    /// Deviations of the teeth with these numbers, counted from 0, on a grid of all `w` with all `z` (mm).
     pub fn flank(&self, w: &[f64], z: &[f64], teeth: &[usize]) -> ControlledFlank {
         let places: Vec<Place> = w.iter().flat_map(|&w| z.iter().map(move |&z| self.place(w, z))).collect();
         let teeth = teeth
@@ -107,7 +108,7 @@ impl FlankPlaces<'_> {
         let arm = -work.flank.sign() * work.base_radius * work.base_helix_angle.cos();
         let time = self.time_of(angle);
         let [_, turning] = self.work_angle(time);
-        let feeding = self.record.feed(1.0) - self.record.feed(0.0);
+        let feeding = self.record.speeds().velocity();
         let missed = self.record.feed(time) - place.feed;
         let [by_roll, by_feed] = place.rates;
         // (dw_2, dz_V2) = offset + rate (t - time).
@@ -132,9 +133,7 @@ impl FlankPlaces<'_> {
     fn work_angle(&self, time: f64) -> [f64; 2] {
         let speeds = self.record.speeds();
         let state = |time: Dual64| {
-            let origin = self.record.feed(0.0);
-            let rate = self.record.feed(1.0) - origin;
-            let feed = time * rate + origin;
+            let feed = time * speeds.velocity() + self.record.feed(0.0);
             self.motion.state(time * speeds.worm, feed, self.motion.phase[self.pair.flank()]).work_angle
         };
         let angle = state(Dual64::new(time, 1.0));
@@ -163,10 +162,9 @@ impl FlankPlaces<'_> {
 }
 
 impl ControlledFlank {
-    /// Deviations of one tooth, and of a place over all teeth, from the mean of all: least and greatest, um.
-    pub fn extremes(&self) -> (f64, f64) {
-        let all = self.teeth.iter().flatten();
-        all.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &f| (a.min(f), b.max(f)))
+    /// Least and greatest deviation over all teeth and places, um; [inf, -inf] of none.
+    pub fn extremes(&self) -> [f64; 2] {
+        extremes(self.teeth.iter().flatten().copied())
     }
 
     /// Root mean square over all teeth and places, um.

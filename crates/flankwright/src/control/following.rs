@@ -1,13 +1,13 @@
 //! A workpiece that follows its worm and the pulses of the feed slide: encoders and scale are counted, the gearbox sums the counts, the
 //! servo follows its setpoint over any motion of the slide. What remains is the error of the angle over time (spec 70 sections 7 and 8).
 
+use super::drive::{ClosedGearbox, PulseDrive, worm_ratio};
 use super::interpolation::{Extremes, Interpolation};
 use super::rotation::Rotation;
-use super::servo::{Disturbances, Moment, ServoLoop, ServoParameters, Setpoint};
+use super::servo::{Disturbances, Moment, ServoLoop, ServoParameters};
 use super::slide::SlideMotion;
 use super::stroke::StrokeError;
-use electronic_gearbox::coupling::{Gearbox, LinearTerm, Ratio, endless_ratio};
-use electronic_gearbox::pulse::{EventInterpolator, TimedPulse};
+use electronic_gearbox::coupling::{Gearbox, LinearTerm, Ratio};
 use std::f64::consts::TAU;
 
 /// The worm that leads.
@@ -94,8 +94,6 @@ pub struct FollowingRecord {
     pub bins: Vec<FollowingBin>,
 }
 
-/// Time before the motion in periods 1/w_0 of the loop: the transient of a triple pole has gone to 1e-8 after 25.
-const LEAD_IN: f64 = 30.0;
 /// Most samples of the time before the motion.
 const MOST_LEAD_IN_SAMPLES: f64 = 1e7;
 /// Stretches into which a run is divided for charts.
@@ -116,36 +114,22 @@ impl Following {
 
         let mut servo = ServoLoop::new(self.servo)?;
         let step = self.servo.sample_time;
-        let bandwidth = (self.servo.gains.integral / self.servo.drive.inertia).cbrt();
-        let waits = (LEAD_IN / bandwidth.max(1e-3) / step).min(MOST_LEAD_IN_SAMPLES).ceil() as u64;
+        let waits = (self.servo.settling_time() / step).min(MOST_LEAD_IN_SAMPLES).ceil() as u64;
         let samples = (slide.duration / step).ceil() as u64;
 
-        let mut rotation = self.rotation.counter(p)?;
-        let mut interpolator = EventInterpolator::new(self.feed.settings);
-        let mut lines = slide.references.iter().peekable();
+        let mut pulses = PulseDrive::new(&self.feed, &self.rotation, slide.references)?;
         let mut cursor = slide.motion.map(SlideMotion::cursor);
         let origin = cursor.as_mut().map_or(0.0, |cursor| cursor.at(0.0).position);
         let begin = worm_turn * worm_speed * -(waits as f64 * step);
         servo = servo.starting_at(begin, worm_turn * worm_speed)?;
+        let mut closed = ClosedGearbox::new(parts, begin);
         let mut observer = Observer::new(slide.duration);
-        let mut offset = None;
         for k in 0..waits + samples {
             let time = (k as f64 - waits as f64) * step;
-            let mut failed = Ok(());
             if k >= waits {
-                let tick = (time * self.feed.clock).floor() as u64;
-                let mut sink = |timed: TimedPulse| {
-                    if let Err(error) = rotation.pulse(timed.pulse.direction) {
-                        failed = Err(error);
-                    }
-                };
-                while let Some((at, sign)) = lines.next_if(|(at, _)| *at <= tick) {
-                    interpolator.reference(*at, *sign, &mut sink)?;
-                }
-                interpolator.advance(tick, &mut sink);
+                pulses.advance(time)?;
             }
-            failed?;
-            let turned = rotation.total()?;
+            let turned = pulses.turned();
             let worm_angle = worm_speed * time;
             let worm_counts =
                 self.worm.map_or(0, |worm| (worm_angle / TAU * f64::from(worm.pulses)).floor() as i64);
@@ -158,15 +142,8 @@ impl Following {
                 None => (turned as f64 / parts * TAU, 0.0, 0.0),
             };
             let ideal = worm_turn * worm_angle + way;
-            // The gearbox is closed where the workpiece stands.
-            let offset = *offset.get_or_insert(begin / TAU * parts - counts);
-            let angle = (counts + offset) / parts * TAU;
-            // Half a part up: the loop rounds its setpoint down, this one is whole already.
-            let setpoint = Setpoint {
-                position: angle + 0.5 / parts * TAU,
-                speed: worm_turn * worm_speed + speed,
-                acceleration,
-            };
+            let angle = closed.angle(counts);
+            let setpoint = closed.setpoint(angle, worm_turn * worm_speed + speed, acceleration);
             let moment = Moment { time, worm_angle, workpiece_angle: ideal };
             let actual = servo.angle();
             let sample = servo.step(&setpoint, self.disturbances.torque(&moment)?)?;
@@ -181,13 +158,8 @@ impl Following {
     fn gearbox(&self, p: u32) -> Result<Gearbox<1>, StrokeError> {
         let ratio = match self.worm {
             Some(worm) => {
-                let ratio = endless_ratio(
-                    i64::from(worm.threads),
-                    i64::from(self.workpiece_pulses) * i64::from(p),
-                    i64::from(worm.teeth),
-                    i64::from(worm.pulses),
-                )?;
-                Ratio::new(-ratio.numerator(), ratio.denominator())?
+                let parts = i64::from(self.workpiece_pulses) * i64::from(p);
+                worm_ratio(worm.threads.into(), worm.teeth.into(), parts, worm.pulses)?
             }
             None => Ratio::new(0, 1)?,
         };

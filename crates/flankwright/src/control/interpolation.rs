@@ -123,9 +123,8 @@ impl Interpolation {
     pub fn references(&self, motion: &SlideMotion) -> Result<Vec<(u64, i64)>, ControlError> {
         self.validate()?;
         let mut last = 0;
-        let crossings = motion.crossings(self.pitch)?;
-        Ok(crossings
-            .iter()
+        Ok(motion
+            .crossings(self.pitch)?
             .map(|crossing| {
                 last = ((crossing.time * self.clock).ceil() as u64).max(last + 1);
                 (last, crossing.direction.sign())
@@ -162,7 +161,7 @@ impl Interpolation {
         }
         machine.advance(last_tick, &mut sink);
         failed?;
-        observer.finish(machine.status(), last_tick)
+        Ok(observer.finish(machine.status(), last_tick))
     }
 }
 
@@ -170,8 +169,6 @@ impl Interpolation {
 struct Observer<'a> {
     interpolation: &'a Interpolation,
     chain: Option<(RotationCounter, &'a Rotation)>,
-    /// Parts of rotation so far.
-    turned: i64,
     counts: PulseCounts,
     measure: Option<Measure<'a>>,
 }
@@ -205,7 +202,7 @@ impl<'a> Observer<'a> {
         chain: Option<(RotationCounter, &'a Rotation)>,
     ) -> Self {
         let measure = slide.zip(references.first()).and_then(|(motion, &(_, sign))| {
-            let first = motion.crossings(interpolation.pitch).ok()?.first()?.line;
+            let first = motion.crossings(interpolation.pitch).ok()?.next()?.line;
             let p = i64::from(interpolation.settings.pulses_per_interval());
             let backwards = sign < 0;
             let zero = match interpolation.settings.mode() {
@@ -230,7 +227,7 @@ impl<'a> Observer<'a> {
                 width: (last_tick as f64 / interpolation.clock / BINS as f64).max(f64::MIN_POSITIVE),
             })
         });
-        Self { interpolation, chain, turned: 0, counts: PulseCounts::default(), measure }
+        Self { interpolation, chain, counts: PulseCounts::default(), measure }
     }
 
     fn pulse(&mut self, timed: TimedPulse) -> Result<i64, GearboxError> {
@@ -252,7 +249,6 @@ impl<'a> Observer<'a> {
             Some((chain, _)) => chain.pulse(timed.pulse.direction)?,
             None => 0,
         };
-        self.turned += turned;
         counts.passed += turned.unsigned_abs();
         if let Some(measure) = &mut self.measure
             && timed.pulse.kind == PulseKind::Reference
@@ -297,8 +293,8 @@ impl<'a> Observer<'a> {
             }
             measure.last = Some((time, error));
         }
-        if let Some((_, rotation)) = &self.chain {
-            let turned = self.turned as f64 / rotation.parts_per_revolution;
+        if let Some((chain, rotation)) = &self.chain {
+            let turned = chain.total() as f64 / rotation.parts_per_revolution;
             // The pulses at the zero of the slide have turned the workpiece before anything is ground.
             let way = way + measure.zero as f64 * self.interpolation.pitch / p;
             let error = std::f64::consts::TAU * (turned - rotation.turns_per_millimetre * way);
@@ -307,19 +303,16 @@ impl<'a> Observer<'a> {
         }
     }
 
-    fn finish(mut self, status: Status, last_tick: u64) -> Result<InterpolationRun, GearboxError> {
+    fn finish(mut self, status: Status, last_tick: u64) -> InterpolationRun {
         let end = last_tick as f64 / self.interpolation.clock;
         self.turns_before(end);
         self.look(end);
-        let rotation = match &self.chain {
-            Some((chain, _)) => chain.total()?,
-            None => 0,
-        };
+        let rotation = self.chain.map_or(0, |(chain, _)| chain.total());
         let counts = self.counts;
         let Some(measure) = self.measure else {
             let (error, steady, angle) = (None, None, None);
             let means = [None; 2];
-            return Ok(InterpolationRun {
+            return InterpolationRun {
                 counts,
                 status,
                 rotation,
@@ -328,7 +321,7 @@ impl<'a> Observer<'a> {
                 means,
                 angle,
                 bins: Vec::new(),
-            });
+            };
         };
         let mean = |(sum, duration): (f64, f64)| (duration > 0.0).then(|| sum / duration);
         let bins = measure.bins.iter().enumerate().filter_map(|(k, (axial, angle))| {
@@ -336,7 +329,7 @@ impl<'a> Observer<'a> {
             let zero = Extremes { least: 0.0, greatest: 0.0 };
             Some(ErrorBin { time, axial: axial.any()?, angle: angle.any().unwrap_or(zero) })
         });
-        Ok(InterpolationRun {
+        InterpolationRun {
             counts,
             status,
             rotation,
@@ -345,6 +338,6 @@ impl<'a> Observer<'a> {
             means: measure.sums.map(mean),
             angle: measure.angle.any(),
             bins: bins.collect(),
-        })
+        }
     }
 }

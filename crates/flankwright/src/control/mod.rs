@@ -5,6 +5,7 @@ pub mod servo;
 
 mod at_flank;
 mod budget;
+mod drive;
 mod error;
 mod following;
 mod interpolation;
@@ -18,5 +19,5 @@ pub use error::ControlError;
 pub use following::{FollowedSlide, FollowedWorm, Following, FollowingBin, FollowingError, FollowingRecord};
 pub use interpolation::{ErrorBin, Extremes, Interpolation, InterpolationRun, PulseCounts};
 pub use rotation::{Rotation, RotationCounter, RotationRule};
-pub use slide::{Crossing, Move, SlideCursor, SlideMotion, SlideState};
+pub use slide::{Crossing, Crossings, Move, SlideCursor, SlideMotion, SlideState};
 pub use stroke::{StrokeControl, StrokeError, StrokeRecord, StrokeSpeeds, run_stroke};

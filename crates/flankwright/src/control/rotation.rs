@@ -54,21 +54,19 @@ impl Rotation {
     /// # Errors
     /// [`Error::PulsesPerInterval`] for P outside its range.
     pub fn counter(&self, pulses_per_interval: u32) -> Result<RotationCounter, Error> {
-        match self.rule {
-            RotationRule::Multiplier { coefficient, rule } => {
-                let chain = AdditionalRotation::new(
-                    coefficient.word(),
-                    rule,
-                    coefficient.hand(),
-                    pulses_per_interval,
-                )?;
-                Ok(RotationCounter::Multiplied(chain))
-            }
+        let counting = match self.rule {
+            RotationRule::Multiplier { coefficient, rule } => Counting::Multiplier(AdditionalRotation::new(
+                coefficient.word(),
+                rule,
+                coefficient.hand(),
+                pulses_per_interval,
+            )?),
             RotationRule::Exact { ratio } => {
                 let gearbox = Gearbox::new(0, [LinearTerm::new(ratio, 0)]);
-                Ok(RotationCounter::Exact(IncrementalGearbox::new(gearbox, &[0])?))
+                Counting::Exact(IncrementalGearbox::new(gearbox, &[0])?)
             }
-        }
+        };
+        Ok(RotationCounter { counting, total: 0 })
     }
 
     /// Angle that the rounding of the ratio costs, rad per metre of feed.
@@ -84,10 +82,15 @@ impl Rotation {
 
 /// Counts rotation pulse by pulse.
 #[derive(Clone, Copy, Debug)]
-pub enum RotationCounter {
-    /// See [`RotationRule::Multiplier`].
-    Multiplied(AdditionalRotation),
-    /// See [`RotationRule::Exact`].
+pub struct RotationCounter {
+    counting: Counting,
+    total: i64,
+}
+
+/// What counts, by rule.
+#[derive(Clone, Copy, Debug)]
+enum Counting {
+    Multiplier(AdditionalRotation),
     Exact(IncrementalGearbox<1>),
 }
 
@@ -97,24 +100,19 @@ impl RotationCounter {
     /// # Errors
     /// [`Error::GearRange`] at the end of the range of counts.
     pub fn pulse(&mut self, direction: Direction) -> Result<i64, Error> {
-        match self {
-            Self::Multiplied(chain) => Ok(chain.pulse(direction).map_or(0, Direction::sign)),
-            Self::Exact(gearbox) => {
-                let before = gearbox.position()?.counts;
+        let turned = match &mut self.counting {
+            Counting::Multiplier(chain) => chain.pulse(direction).map_or(0, Direction::sign),
+            Counting::Exact(gearbox) => {
                 gearbox.advance(&[direction.sign()])?;
-                Ok(gearbox.position()?.counts - before)
+                gearbox.position()?.counts - self.total
             }
-        }
+        };
+        self.total += turned;
+        Ok(turned)
     }
 
     /// Parts of rotation so far.
-    ///
-    /// # Errors
-    /// As [`Self::pulse`].
-    pub fn total(&self) -> Result<i64, Error> {
-        match self {
-            Self::Multiplied(chain) => Ok(chain.total()),
-            Self::Exact(gearbox) => Ok(gearbox.position()?.counts),
-        }
+    pub fn total(&self) -> i64 {
+        self.total
     }
 }

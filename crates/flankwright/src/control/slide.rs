@@ -181,30 +181,13 @@ impl SlideMotion {
     ///
     /// # Errors
     /// [`ControlError::BadParameter`] for a pitch that is not positive, or so small that the motion passes more than 2e8 lines.
-    pub fn crossings(&self, pitch: f64) -> Result<Vec<Crossing>, ControlError> {
+    pub fn crossings(&self, pitch: f64) -> Result<Crossings<'_>, ControlError> {
         within("pitch", pitch, 1e-9..=1e6, "1e-9 to 1e6 mm")?;
         let legs = self.legs();
         let way: f64 = legs.iter().map(|leg| (leg.end - leg.begin).abs()).sum();
         within("lines", way / pitch, 0.0..=MOST_LINES, "0 to 2e8 lines in one motion")?;
-        let mut crossings = Vec::with_capacity((way / pitch) as usize + 1);
-        // The cell is kept as a number: the two passages of a line on which the slide turns belong together, whatever rounding says.
-        let mut cell = (self.start / pitch).floor() as i64;
-        for leg in &legs {
-            let upwards = leg.end > leg.begin;
-            loop {
-                let line = if upwards { cell + 1 } else { cell };
-                let place = line as f64 * pitch;
-                let passed = if upwards { place <= leg.end } else { leg.end < place };
-                if !passed {
-                    break;
-                }
-                let time = leg.piece.start + leg.time_of(place);
-                let direction = if upwards { Direction::Forward } else { Direction::Backward };
-                crossings.push(Crossing { time, line, direction });
-                cell += direction.sign();
-            }
-        }
-        Ok(crossings)
+        let cell = (self.start / pitch).floor() as i64;
+        Ok(Crossings { legs: legs.into_iter().peekable(), pitch, cell })
     }
 
     /// The pieces cut where they turn.
@@ -247,6 +230,35 @@ impl Leg<'_> {
         let sum = speed + root.copysign(self.end - self.begin);
         let after = if sum == 0.0 { 0.0 } else { 2.0 * way / sum };
         (self.from + after).clamp(self.from, self.to)
+    }
+}
+
+/// Finds the lines of a scale one after the other.
+pub struct Crossings<'a> {
+    legs: std::iter::Peekable<std::vec::IntoIter<Leg<'a>>>,
+    pitch: f64,
+    /// Kept as a number: the two passages of a line on which the slide turns belong together, whatever rounding says.
+    cell: i64,
+}
+
+impl Iterator for Crossings<'_> {
+    type Item = Crossing;
+
+    fn next(&mut self) -> Option<Crossing> {
+        while let Some(leg) = self.legs.peek() {
+            let upwards = leg.end > leg.begin;
+            let line = if upwards { self.cell + 1 } else { self.cell };
+            let place = line as f64 * self.pitch;
+            let passed = if upwards { place <= leg.end } else { leg.end < place };
+            if passed {
+                let time = leg.piece.start + leg.time_of(place);
+                let direction = if upwards { Direction::Forward } else { Direction::Backward };
+                self.cell += direction.sign();
+                return Some(Crossing { time, line, direction });
+            }
+            self.legs.next();
+        }
+        None
     }
 }
 
@@ -309,7 +321,7 @@ mod tests {
             Move::To { position: -0.503, speed: 2.0, acceleration: 80.0 },
         ];
         let motion = SlideMotion::of_moves(0.0, &moves).unwrap();
-        let crossings = motion.crossings(0.01).unwrap();
+        let crossings: Vec<Crossing> = motion.crossings(0.01).unwrap().collect();
         assert_eq!(crossings.len(), 99 + 99 + 51);
         assert_eq!(crossings[0].line, 1);
         assert_eq!(crossings.last().unwrap().line, -50);
@@ -337,7 +349,7 @@ mod tests {
                     &[Move::To { position: target, speed, acceleration: 17.0 }, back],
                 )
                 .unwrap();
-                let crossings = motion.crossings(0.01).unwrap();
+                let crossings: Vec<Crossing> = motion.crossings(0.01).unwrap().collect();
                 let sum: i64 = crossings.iter().map(|crossing| crossing.direction.sign()).sum();
                 // Coming home to line 0 may pass it by a rounding, which is one pulse, never half a pair at the turn.
                 assert!(sum == 0 || sum == -1 && crossings.last().unwrap().line == 0, "{sum}");

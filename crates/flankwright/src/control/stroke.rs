@@ -2,17 +2,16 @@
 //! the servo follows with inertia, friction and disturbances. What remains is the error of the workpiece's angle over time
 //! (spec 70 sections 7 and 8).
 
+use super::drive::{ClosedGearbox, PulseDrive, worm_ratio};
 use super::error::ControlError;
 use super::interpolation::Interpolation;
 use super::rotation::Rotation;
-use super::servo::{Disturbances, Moment, ServoLoop, ServoParameters, Setpoint};
+use super::servo::{Disturbances, Moment, ServoLoop, ServoParameters};
 use super::slide::SlideMotion;
 use crate::kinematics::GeneratingMotion;
 use electronic_gearbox::Error as GearboxError;
-use electronic_gearbox::coupling::{
-    CubicTable, EndRule, Gearbox, LinearTerm, Ratio, dyadic, endless_ratio, solve_slopes,
-};
-use electronic_gearbox::pulse::{EventInterpolator, TimedPulse};
+use electronic_gearbox::coupling::{CubicTable, EndRule, Gearbox, LinearTerm, dyadic, solve_slopes};
+use electronic_gearbox::pulse::Status;
 use std::f64::consts::TAU;
 
 /// The control of a machine.
@@ -45,6 +44,14 @@ pub struct StrokeSpeeds {
     pub feed: f64,
 }
 
+impl StrokeSpeeds {
+    /// d z_V2/dt with its sign, mm/s.
+    pub fn velocity(&self) -> f64 {
+        let [first, last] = self.feed_range;
+        (last - first).signum() * self.feed
+    }
+}
+
 /// The error of the workpiece's angle over a stroke.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StrokeRecord {
@@ -62,8 +69,8 @@ pub struct StrokeRecord {
     pub limited: f64,
     /// Greatest torque of the motor, Nm.
     pub greatest_torque: f64,
-    /// Intervals of the scale that were too short for the interpolator, or ended with corrections owed.
-    pub alarms: u64,
+    /// State of the feed's interpolator at the end, with its alarms.
+    pub interpolator: Status,
     drive: StrokeSpeeds,
     /// z_V2 at time 0 if it moved at its speed from there on, mm.
     origin: f64,
@@ -98,8 +105,6 @@ impl StrokeError {
     }
 }
 
-/// Time before the flank, in periods 1/w_0 of the loop: the transient of a triple pole has gone to 1e-8 after 25.
-const LEAD_IN: f64 = 30.0;
 /// Knots of the table that holds the correction of phi_2 over the feed, a C2 spline as in a control.
 const KNOTS: usize = 1025;
 
@@ -139,10 +144,9 @@ pub fn run_stroke(
 ) -> Result<StrokeRecord, StrokeError> {
     let [first, last] = speeds.feed_range;
     let sense = (last - first).signum();
-    let velocity = sense * speeds.feed;
+    let velocity = speeds.velocity();
     // The slide starts from rest, the loop settles, then the flank begins.
-    let bandwidth = (control.servo.gains.integral / control.servo.drive.inertia).cbrt();
-    let lead_in = LEAD_IN / bandwidth.max(1e-3);
+    let lead_in = control.servo.settling_time();
     let rise = lead_in / 3.0;
     let way = speeds.feed * (lead_in - 0.5 * rise);
     let duration = (last - first).abs() / speeds.feed;
@@ -151,17 +155,12 @@ pub fn run_stroke(
         [(rise, velocity / rise), (lead_in - rise + duration, 0.0)],
     )?;
     let references = control.feed.references(&slide)?;
-    let mut interpolator = EventInterpolator::new(control.feed.settings);
 
-    let p = f64::from(control.feed.settings.pulses_per_interval());
+    let p = control.feed.settings.pulses_per_interval();
     let parts = control.rotation.parts_per_revolution;
-    let worm_ratio = endless_ratio(
-        i64::from(motion.threads as i32),
-        i64::from(control.workpiece_pulses) * i64::from(control.feed.settings.pulses_per_interval()),
-        i64::from(motion.teeth as i32),
-        i64::from(control.worm_pulses),
-    )?;
-    let worm_ratio = Ratio::new(-worm_ratio.numerator(), worm_ratio.denominator())?;
+    let whole_parts = i64::from(control.workpiece_pulses) * i64::from(p);
+    let worm_ratio =
+        worm_ratio(motion.threads as i64, motion.teeth as i64, whole_parts, control.worm_pulses)?;
     let shift_turn = motion.shift_coupling / motion.teeth * parts / TAU;
     let shift_ratio = dyadic(shift_turn * control.shift_pitch.unwrap_or(1.0))?.ratio();
     let gearbox = Gearbox::new(0, [LinearTerm::new(worm_ratio, 0), LinearTerm::new(shift_ratio, 0)]);
@@ -174,12 +173,10 @@ pub fn run_stroke(
     let step = control.servo.sample_time;
     let samples = ((lead_in + duration) / step).ceil() as u64;
     let skipped = (lead_in / step).floor() as u64;
-    let mut rotation = control.rotation.counter(control.feed.settings.pulses_per_interval())?;
-    let (mut net, mut failed) = (0i64, Ok(()));
-    let mut lines = references.iter().peekable();
+    let mut pulses = PulseDrive::new(&control.feed, &control.rotation, &references)?;
     // Place of the slide at pulse position 0, in the middle of the staircase.
-    let zero = slide.crossings(control.feed.pitch)?.first().map_or(first, |crossing| {
-        crossing.line as f64 * control.feed.pitch - sense * 0.5 * control.feed.pitch / p
+    let zero = slide.crossings(control.feed.pitch)?.next().map_or(first, |crossing| {
+        crossing.line as f64 * control.feed.pitch - sense * 0.5 * control.feed.pitch / f64::from(p)
     });
     let mut cursor = slide.cursor();
     let ideal = |time: f64, feed: f64| motion.state(speeds.worm * time, feed, phase);
@@ -194,26 +191,14 @@ pub fn run_stroke(
         (speed, by_feed * state.acceleration + bend * state.speed * state.speed)
     };
     let mut servo = ServoLoop::new(control.servo)?.starting_at(begin, speed_of(at_rest).0)?;
+    let mut closed = ClosedGearbox::new(parts, begin);
 
     let kept = (samples - skipped) as usize + 1;
     let (mut setpoints, mut actuals) = (Vec::with_capacity(kept), Vec::with_capacity(kept));
     let (mut limited, mut greatest_torque) = (0u64, 0.0f64);
-    let mut offset = None;
     for k in 0..=samples {
         let time = k as f64 * step;
-        let tick = (time * control.feed.clock).floor() as u64;
-        let mut sink = |timed: TimedPulse| {
-            net += timed.pulse.direction.sign();
-            if let Err(error) = rotation.pulse(timed.pulse.direction) {
-                failed = Err(error);
-            }
-        };
-        while let Some((at, sign)) = lines.next_if(|(at, _)| *at <= tick) {
-            interpolator.reference(*at, *sign, &mut sink)?;
-        }
-        interpolator.advance(tick, &mut sink);
-        failed?;
-
+        pulses.advance(time)?;
         let state = cursor.at(time);
         let wanted = ideal(time, state.position);
         let worm_counts = (wanted.worm_angle / TAU * f64::from(control.worm_pulses)).floor() as i64;
@@ -224,16 +209,13 @@ pub fn run_stroke(
             }
             None => gearbox.position(&[worm_counts, 0])?.counts as f64 + (shift_turn * wanted.shift).floor(),
         };
-        counts += rotation.total()? as f64;
+        counts += pulses.turned() as f64;
         if let Some(table) = &table {
-            counts += table.counts(zero + net as f64 / p * control.feed.pitch)? as f64;
+            counts += table.counts(zero + pulses.net() as f64 / f64::from(p) * control.feed.pitch)? as f64;
         }
-        // The gearbox is closed where the workpiece stands.
-        let offset = *offset.get_or_insert(begin / TAU * parts - counts);
-        let angle = (counts + offset) / parts * TAU;
+        let angle = closed.angle(counts);
         let (speed, acceleration) = speed_of(state);
-        // Half a part up: the loop rounds its setpoint down, this one is whole already.
-        let setpoint = Setpoint { position: angle + 0.5 / parts * TAU, speed, acceleration };
+        let setpoint = closed.setpoint(angle, speed, acceleration);
         let moment = Moment { time, worm_angle: wanted.worm_angle, workpiece_angle: wanted.work_angle };
         let before = servo.angle();
         let sample = servo.step(&setpoint, control.disturbances.torque(&moment)?)?;
@@ -244,7 +226,6 @@ pub fn run_stroke(
             actuals.push(before - wanted.work_angle);
         }
     }
-    let status = interpolator.status();
     let means = [&mut setpoints, &mut actuals].map(|errors| {
         let mean = errors.iter().sum::<f64>() / errors.len() as f64;
         errors.iter_mut().for_each(|error| *error -= mean);
@@ -259,7 +240,7 @@ pub fn run_stroke(
         means,
         limited: limited as f64 / count,
         greatest_torque,
-        alarms: status.overruns + status.too_fast,
+        interpolator: pulses.status(),
         drive: *speeds,
         origin: first - velocity * lead_in,
     })
@@ -268,14 +249,12 @@ pub fn run_stroke(
 impl StrokeRecord {
     /// z_V2 at a time within the stroke, mm.
     pub fn feed(&self, time: f64) -> f64 {
-        let [first, last] = self.drive.feed_range;
-        self.origin + (last - first).signum() * self.drive.feed * time
+        self.origin + self.drive.velocity() * time
     }
 
     /// Time at which z_V2 is reached, s.
     pub fn time(&self, feed: f64) -> f64 {
-        let [first, last] = self.drive.feed_range;
-        (feed - self.origin) / ((last - first).signum() * self.drive.feed)
+        (feed - self.origin) / self.drive.velocity()
     }
 
     /// The speeds of the stroke.

@@ -4,6 +4,7 @@
 use super::{RayGrid, RemovalError, Stage, Uncut, WormArea, WormModification, error};
 use crate::geometry::InvoluteFlank;
 use crate::kinematics::{Pose, Workpiece, Worm};
+use crate::numerics::golden_section;
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
@@ -36,8 +37,8 @@ const NEAR: f64 = 0.02;
 const FACING: f64 = -0.3;
 /// Turns of a long stroke that are looked at first.
 const COARSE: f64 = 16.0;
-/// Steps of the golden section: 0.618^60 of an interval.
-const SECTIONS: usize = 60;
+/// Lengths of the golden section: 0.618^60 of an interval is left.
+const EVALUATIONS: usize = 62;
 
 /// Lengths of the rays, mm, in the order of the grid.
 ///
@@ -109,24 +110,10 @@ impl TimedGrinding<'_> {
             .collect()
     }
 
-    /// Least length in an interval that has one bottom, by the golden section.
-    fn refined(&self, ray: &(Vector3<f64>, Vector3<f64>), mut from: f64, mut to: f64) -> f64 {
-        let share = 0.5 * (5f64.sqrt() - 1.0);
+    /// Least length in an interval that has one bottom.
+    fn refined(&self, ray: &(Vector3<f64>, Vector3<f64>), from: f64, to: f64) -> f64 {
         let length = |time: f64| self.length(ray, time).unwrap_or(f64::INFINITY);
-        let mut inner = [to - share * (to - from), from + share * (to - from)];
-        let mut values = inner.map(length);
-        for _ in 0..SECTIONS {
-            if values[0] <= values[1] {
-                to = inner[1];
-                inner = [to - share * (to - from), inner[0]];
-                values = [length(inner[0]), values[0]];
-            } else {
-                from = inner[0];
-                inner = [inner[1], from + share * (to - from)];
-                values = [values[1], length(inner[1])];
-            }
-        }
-        values[0].min(values[1])
+        length(golden_section(from, to, EVALUATIONS, length))
     }
 
     /// Where the ray meets the worm's front at an instant; `None` where it does not, or beyond the stock.

@@ -98,7 +98,7 @@ fn finish(
     let gear_root = gear_root(&prepared, &execution)?;
     timing.insert("referee", refereeing.elapsed().as_secs_f64());
     let controlling = Instant::now();
-    let control = control_of_grinding(loaded, &prepared, &execution, &verdicts)?;
+    let (control, alarms) = control_of_grinding(loaded, &prepared, &execution, &verdicts)?.unzip();
     if control.is_some() {
         timing.insert("control", controlling.elapsed().as_secs_f64());
     }
@@ -152,6 +152,7 @@ fn finish(
         );
     }
     warnings.extend(feed_mark_warnings(&verdicts, tolerance));
+    warnings.extend(alarms.unwrap_or_default());
     warnings.extend(line_dressing_warnings(&written, prepared.setup.worm_root_radius));
     warnings.extend(plan.as_ref().and_then(given_ratio_warning));
     warnings.extend(plan.as_ref().and_then(|_| equal_ratio_remark(&prepared)));

@@ -58,6 +58,8 @@ const POSITIVE: std::ops::RangeInclusive<f64> = 1e-12..=1e12;
 const POSITIVE_WORDS: &str = "above 0 (1e-12 to 1e12)";
 const NOT_NEGATIVE: std::ops::RangeInclusive<f64> = 0.0..=1e12;
 const NOT_NEGATIVE_WORDS: &str = "0 to 1e12";
+/// Time to settle in periods 1/w_0 of the loop: the transient of a triple pole has gone to 1e-8 after 25.
+const SETTLING: f64 = 30.0;
 
 impl Drive {
     fn validate(&self) -> Result<(), ControlError> {
@@ -109,6 +111,12 @@ impl ServoParameters {
         self.validate_numbers()?;
         let largest_pole = self.largest_pole()?;
         if largest_pole < 1.0 { Ok(()) } else { Err(ControlError::UnstableLoop { largest_pole }) }
+    }
+
+    /// Time after which no transient is left, s; bounded for a loop that is too soft to settle.
+    pub(in crate::control) fn settling_time(&self) -> f64 {
+        let bandwidth = (self.gains.integral / self.drive.inertia).cbrt();
+        SETTLING / bandwidth.max(1e-3)
     }
 
     /// The numbers alone, without stability.

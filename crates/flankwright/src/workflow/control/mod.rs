@@ -1,12 +1,16 @@
 //! A run through a real gearbox and servo instead of ideal couplings: what the control that the job describes leaves on the flank of every
 //! tooth, beside what the process leaves (spec 70).
 
+mod alarms;
 mod page;
 mod result;
 mod run;
 mod setup;
 
+pub(super) use alarms::interpolator_alarms;
 pub(super) use page::control_report;
 pub use result::{ControlFlankResult, ControlResult, ErrorTrace, Trace};
 pub(super) use run::control_of_grinding;
-pub(super) use setup::{disturbances, interpolation, of_scale, of_servo, on_field, servo_parameters};
+pub(super) use setup::{
+    disturbances, interpolation, of_scale, of_servo, on_field, rotation, rotation_refused, servo_parameters,
+};

@@ -1,26 +1,25 @@
 //! The stroke of a grinding run through the job's control, mapped to the flanks, with rays in time as its referee.
 
+use super::alarms::interpolator_alarms;
 use super::result::{ControlFlankResult, ControlResult, ErrorTrace, Trace};
-use super::setup::{disturbances, interpolation, of_servo, on_field, servo_parameters};
-use crate::control::{
-    FlankPlaces, Rotation, RotationRule, StrokeControl, StrokeError, StrokeRecord, StrokeSpeeds, run_stroke,
+use super::setup::{
+    disturbances, interpolation, of_servo, on_field, rotation, rotation_refused, servo_parameters,
 };
-use crate::exchange::control::RotationRate;
+use crate::control::{FlankPlaces, StrokeControl, StrokeError, StrokeRecord, StrokeSpeeds, run_stroke};
 use crate::exchange::job::{Control, Job};
 use crate::exchange::{Diagnostic, LoadedJob};
 use crate::geometry::Flank;
 use crate::geometry::Sides;
 use crate::kinematics::{GeneratingState, Pose, Workpiece};
 use crate::metrology::Topography;
-use crate::numerics::equidistant;
+use crate::numerics::{equidistant, extremes};
 use crate::removal::{RayGrid, TimedGrinding, Unmodified, WormArea, grind_in_time};
 use crate::workflow::execution::Execution;
-use crate::workflow::finding::RunFailure;
+use crate::workflow::finding::{Remark, RunFailure};
 use crate::workflow::prepare::Prepared;
 use crate::workflow::programs::Technology;
 use crate::workflow::referee::Verdict;
 use electronic_gearbox::Sign;
-use electronic_gearbox::chain::RateRule;
 use electronic_gearbox::coefficient::{Coefficient, GearGeometry};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -40,7 +39,7 @@ const STOCK: f64 = 0.1;
 /// Samples of the loop that one stroke may have.
 const MOST_SAMPLES: f64 = 5e7;
 
-/// What the job's control leaves; `None` for a job without one.
+/// What the job's control leaves, with the alarms of its interpolator; `None` for a job without one.
 ///
 /// # Errors
 /// [`RunFailure`] on a key of `[control]`.
@@ -49,7 +48,7 @@ pub(in crate::workflow) fn control_of_grinding(
     prepared: &Prepared,
     execution: &Execution,
     verdicts: &Sides<Option<Verdict>>,
-) -> Result<Option<ControlResult>, RunFailure> {
+) -> Result<Option<(ControlResult, Vec<Remark>)>, RunFailure> {
     let Some(control) = &loaded.job.control else { return Ok(None) };
     let speeds = speeds(&loaded.job, control, prepared, execution)?;
     let (stroke, per_metre) = stroke_control(control, prepared)?;
@@ -59,7 +58,7 @@ pub(in crate::workflow) fn control_of_grinding(
     let threads = speeds.worm / TAU * motion.threads.abs();
     let response = stroke.servo.disturbance_response(threads);
     let response = response.map_err(|error| of_servo(&error, &control.servo, BELOW))?;
-    let mut flanks = BTreeMap::new();
+    let (mut flanks, mut alarms) = (BTreeMap::new(), Vec::new());
     for flank in Flank::BOTH {
         let (Some(executed), Some(verdict)) = (&execution.flanks[flank], &verdicts[flank]) else { continue };
         let record =
@@ -67,11 +66,13 @@ pub(in crate::workflow) fn control_of_grinding(
                 StrokeError::Control(error) => of_servo(&error, &control.servo, BELOW),
                 StrokeError::Gearbox(error) => on_field(&error, "control.worm"),
             })?;
+        // The slide is the same for both flanks, and so are its pulses.
+        alarms = interpolator_alarms(&control.feed, &record.interpolator);
         let deviation = verdict.simulated.minus(&executed.target);
         flanks.insert(flank.name(), flank_result(prepared, execution, flank, &record, &deviation)?);
     }
     let turn_um = TAU * arm_um;
-    Ok(Some(ControlResult {
+    let result = ControlResult {
         worm_speed_rpm: speeds.worm * 60.0 / TAU,
         work_speed_rpm: speeds.worm * (motion.threads / motion.teeth).abs() * 60.0 / TAU,
         feed_mm_per_min: speeds.feed * 60.0,
@@ -82,7 +83,8 @@ pub(in crate::workflow) fn control_of_grinding(
         compliance_at_threads_um_per_n_m: response.norm() * arm_um,
         thread_frequency_hz: threads,
         flanks,
-    }))
+    };
+    Ok(Some((result, alarms)))
 }
 
 /// Worm at its speed, feed by the feed per revolution.
@@ -93,11 +95,8 @@ fn speeds(
     execution: &Execution,
 ) -> Result<StrokeSpeeds, RunFailure> {
     let motion = &execution.motion;
-    let setup = &prepared.setup;
-    let hand = if setup.pair.worm.data().helix_angle < 0.0 { -1.0 } else { 1.0 };
-    let sizes = (hand, setup.largest_tip_radius, setup.worm_module(), setup.input.worm_width);
     let machine = job.machine.clone().unwrap_or_default();
-    let technology = Technology::new(&machine, sizes, job.grinding.feed_per_revolution);
+    let technology = Technology::of_grinding(&machine, &prepared.setup, job.grinding.feed_per_revolution);
     let worm = control.worm_speed_rpm.map_or(technology.worm_speed, |rpm| rpm * TAU / 60.0);
     let turning = worm * (motion.threads / motion.teeth).abs() / TAU;
     let feed = technology.feed_per_revolution * turning;
@@ -126,24 +125,14 @@ fn stroke_control(control: &Control, prepared: &Prepared) -> Result<(StrokeContr
     let data = prepared.setup.pair.work.data();
     // The coupling of the feed, which a conical workpiece does not have from its lead.
     let turns = prepared.setup.pair.flanks.left.feed_coupling / f64::from(data.teeth) / TAU;
-    let distance = feed.pitch / f64::from(p);
-    let parts = f64::from(pulses) * f64::from(p);
-    let on_pulses =
-        |error: electronic_gearbox::Error| on_field(&error, "control.workpiece.pulses_per_revolution");
-    let multiplier = |rule| -> Result<Rotation, electronic_gearbox::Error> {
+    let coefficient = || {
         let angle = data.pressure_angle.left;
         let gear = GearGeometry::new(data.normal_module, data.teeth, data.helix_angle, angle)?;
-        let coefficient = Coefficient::new(&gear, pulses, control.feed.pulses_per_metre, Sign::Plus)?;
-        let rule = RotationRule::Multiplier { coefficient, rule };
-        Ok(Rotation { rule, turns_per_millimetre: turns, parts_per_revolution: parts })
+        Coefficient::new(&gear, pulses, control.feed.pulses_per_metre, Sign::Plus)
     };
-    let rotation = match control.workpiece.rate {
-        RotationRate::Exact => Rotation::exact(turns, parts, distance),
-        RotationRate::Bresenham => multiplier(RateRule::Bresenham),
-        RotationRate::Binary => multiplier(RateRule::Binary),
-    };
-    let rotation = rotation.map_err(on_pulses)?;
-    let per_metre = rotation.error_per_metre(distance);
+    let rotation = rotation(control.workpiece, turns, &feed, coefficient)
+        .map_err(|error| rotation_refused(&error, control.workpiece, BELOW))?;
+    let per_metre = rotation.error_per_metre(feed.pitch / f64::from(p));
     let stroke = StrokeControl {
         feed,
         rotation,
@@ -168,7 +157,7 @@ fn flank_result(
     let count = pair.work.teeth.abs() as usize;
     let all: Vec<usize> = (0..count).collect();
     let left = places.flank(&deviation.w, &deviation.z, &all);
-    let (least, greatest) = left.extremes();
+    let [least, greatest] = left.extremes();
     let (mut with, mut share) = (0.0f64, 0.0f64);
     let points: Vec<(f64, f64)> =
         deviation.w.iter().flat_map(|&w| deviation.z.iter().map(move |&z| (w, z))).collect();
@@ -205,12 +194,7 @@ fn flank_result(
         }
     }
     let arm_um = 1e3 * pair.work.base_radius * pair.work.base_helix_angle.cos();
-    let range = |values: &[f64]| {
-        let (a, b) =
-            values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), &x| (a.min(x), b.max(x)));
-        (a, b)
-    };
-    let (low, high) = range(&means);
+    let [low, high] = extremes(means.iter().copied());
     Ok(ControlFlankResult {
         largest_um: greatest.max(-least),
         rms_um: left.rms(),
@@ -282,8 +266,9 @@ fn error_trace(record: &StrokeRecord, arm_um: f64) -> ErrorTrace {
         let time = record.start + record.sample_time * (k as f64 + 0.5) * width as f64;
         trace.feed_mm.push(record.feed(time));
         for (lines, values) in [(&mut trace.setpoint_um, setpoint), (&mut trace.actual_um, actual)] {
-            lines[0].push(arm_um * values.iter().copied().fold(f64::INFINITY, f64::min));
-            lines[1].push(arm_um * values.iter().copied().fold(f64::NEG_INFINITY, f64::max));
+            for (line, end) in lines.iter_mut().zip(extremes(values.iter().copied())) {
+                line.push(arm_um * end);
+            }
         }
     }
     trace

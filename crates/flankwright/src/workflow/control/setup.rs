@@ -2,11 +2,15 @@
 //! of a grinding job below `control`, or of a job of the electronic gearbox at its top: `below` is "control." or empty.
 
 use crate::control::servo::{self as loops, Disturbances, Drive, Gains, Quantisation, ServoParameters};
-use crate::control::{ControlError, Interpolation};
+use crate::control::{ControlError, Interpolation, Rotation, RotationRule};
 use crate::exchange::Diagnostic;
-use crate::exchange::control::{Disturbance, InterpolationMode, ScaleInterpolation, Servo, Spindle};
+use crate::exchange::control::{
+    Disturbance, InterpolationMode, RotationRate, ScaleInterpolation, Servo, Spindle, WorkpieceEncoder,
+};
 use crate::workflow::finding::RunFailure;
 use electronic_gearbox::Error as GearboxError;
+use electronic_gearbox::chain::RateRule;
+use electronic_gearbox::coefficient::Coefficient;
 use electronic_gearbox::pulse::{Mode, Settings};
 
 /// Scale and interpolator of the feed slide.
@@ -40,6 +44,51 @@ pub(in crate::workflow) fn of_scale(error: &ControlError, below: &str, other: &s
         _ => other,
     };
     control_refused(error, &format!("{below}{key}"))
+}
+
+/// How pulses of the slide turn the workpiece by `turns_per_millimetre` of feed; `coefficient` is that of a rate multiplier.
+///
+/// # Errors
+/// The gearbox's own: a coefficient beyond the rate multiplier, a ratio beyond the accumulator.
+pub(in crate::workflow) fn rotation(
+    workpiece: WorkpieceEncoder,
+    turns_per_millimetre: f64,
+    feed: &Interpolation,
+    coefficient: impl FnOnce() -> Result<Coefficient, GearboxError>,
+) -> Result<Rotation, GearboxError> {
+    let p = f64::from(feed.settings.pulses_per_interval());
+    let parts_per_revolution = f64::from(workpiece.pulses_per_revolution) * p;
+    let rule = match workpiece.rate {
+        RotationRate::Exact => {
+            return Rotation::exact(turns_per_millimetre, parts_per_revolution, feed.pitch / p);
+        }
+        RotationRate::Bresenham => RateRule::Bresenham,
+        RotationRate::Binary => RateRule::Binary,
+    };
+    let rule = RotationRule::Multiplier { coefficient: coefficient()?, rule };
+    Ok(Rotation { rule, turns_per_millimetre, parts_per_revolution })
+}
+
+/// What [`rotation`] refuses, on the encoder of the workpiece.
+pub(in crate::workflow) fn rotation_refused(
+    error: &GearboxError,
+    workpiece: WorkpieceEncoder,
+    below: &str,
+) -> RunFailure {
+    let finding = Diagnostic::with_code(error.code(), error.to_string())
+        .field(format!("{below}workpiece.pulses_per_revolution"))
+        .value(workpiece.pulses_per_revolution);
+    RunFailure::bad_input(match *error {
+        GearboxError::CoefficientTooLarge { b, least_pulses_per_metre } => {
+            // The greatest encoder that the scale takes is smaller in the ratio of the coefficients.
+            let most = (f64::from(workpiece.pulses_per_revolution) * (1.0 - 2f64.powi(-19)) / b).floor();
+            finding.allowed(format!("up to {most} with this scale")).way_out(format!(
+                "take a scale with {below}feed.pulses_per_metre of at least {}, fewer pulses per revolution, or rate = \"exact\"",
+                least_pulses_per_metre.ceil()
+            ))
+        }
+        _ => finding.way_out(error.way_out()),
+    })
 }
 
 /// Loop and motor of the workpiece spindle.

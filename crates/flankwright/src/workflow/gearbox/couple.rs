@@ -1,13 +1,11 @@
 //! Entries of a job of the electronic gearbox as gear, interpolator, coupling and servo; what these refuse, as findings on the keys
 //! of the job.
 
-use crate::control::{ControlError, Interpolation, Move, Rotation, RotationRule, SlideMotion, StrokeError};
-use crate::exchange::Diagnostic;
-use crate::exchange::control::{RotationRate, Servo};
+use crate::control::{ControlError, Interpolation, Move, Rotation, SlideMotion, StrokeError};
+use crate::exchange::control::Servo;
 use crate::exchange::gearbox_job::{GearboxGear, GearboxWorkpiece, Move as JobMove, Stimulus};
 use crate::workflow::RunFailure;
-use crate::workflow::control::{of_scale, of_servo, on_field};
-use electronic_gearbox::chain::RateRule;
+use crate::workflow::control::{of_scale, of_servo, on_field, rotation};
 use electronic_gearbox::coefficient::{Coefficient, GearGeometry};
 use electronic_gearbox::{Error as GearboxError, Sign};
 
@@ -39,37 +37,10 @@ pub(super) fn coupling(
     workpiece: &GearboxWorkpiece,
     interpolation: &Interpolation,
 ) -> Result<Rotation, GearboxError> {
-    let p = f64::from(interpolation.settings.pulses_per_interval());
-    let turns_per_millimetre = gear.turns_per_millimetre() * sense(workpiece).as_f64();
-    let parts_per_revolution = f64::from(workpiece.pulses_per_revolution) * p;
-    let rule = match workpiece.rate {
-        RotationRate::Exact => {
-            return Rotation::exact(turns_per_millimetre, parts_per_revolution, interpolation.pitch / p);
-        }
-        RotationRate::Bresenham => RateRule::Bresenham,
-        RotationRate::Binary => RateRule::Binary,
-    };
-    let per_metre = 1e3 / interpolation.pitch;
-    let coefficient = Coefficient::new(gear, workpiece.pulses_per_revolution, per_metre, sense(workpiece))?;
-    let rule = RotationRule::Multiplier { coefficient, rule };
-    Ok(Rotation { rule, turns_per_millimetre, parts_per_revolution })
-}
-
-/// What the coupling refuses, on the encoder of the workpiece.
-pub(super) fn coupling_refused(error: &GearboxError, workpiece: &GearboxWorkpiece) -> RunFailure {
-    let finding = Diagnostic::with_code(error.code(), error.to_string())
-        .field("workpiece.pulses_per_revolution")
-        .value(workpiece.pulses_per_revolution);
-    RunFailure::bad_input(match *error {
-        GearboxError::CoefficientTooLarge { b, least_pulses_per_metre } => {
-            // The greatest encoder that the scale takes is smaller in the ratio of the coefficients.
-            let most = (f64::from(workpiece.pulses_per_revolution) * (1.0 - 2f64.powi(-19)) / b).floor();
-            finding.allowed(format!("up to {most} with this scale")).way_out(format!(
-                "take a scale with feed.pulses_per_metre of at least {}, fewer pulses per revolution, or rate = \"exact\"",
-                least_pulses_per_metre.ceil()
-            ))
-        }
-        _ => finding.way_out(error.way_out()),
+    let sense = sense(workpiece);
+    let turns_per_millimetre = gear.turns_per_millimetre() * sense.as_f64();
+    rotation(workpiece.encoder(), turns_per_millimetre, interpolation, || {
+        Coefficient::new(gear, workpiece.pulses_per_revolution, 1e3 / interpolation.pitch, sense)
     })
 }
 

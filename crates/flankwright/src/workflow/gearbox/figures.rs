@@ -9,6 +9,7 @@ use crate::control::{
     BudgetInput, ControlError, ErrorBudget, Extremes, Interpolation, InterpolationRun, Rotation, RotationRule,
 };
 use crate::exchange::GearboxJob;
+use crate::numerics::extremes;
 use electronic_gearbox::chain::RateRule;
 use electronic_gearbox::coefficient::{Coefficient, GearGeometry};
 use electronic_gearbox::pulse::Mode;
@@ -51,7 +52,7 @@ pub(super) fn coupling(
     let p = f64::from(interpolation.settings.pulses_per_interval());
     let of_multiplier = Coefficient::new(gear, pulses, job.feed.pulses_per_metre, sense(&job.workpiece)).ok();
     CouplingResult {
-        lead_mm: job.gear.lead_mm(),
+        lead_mm: gear.lead().ok(),
         coefficient: rotation.turns_per_millimetre.abs() * f64::from(pulses) * interpolation.pitch,
         coefficient_word: of_multiplier.map(|c| c.word()),
         coefficient_relative_error: of_multiplier.map(|c| c.relative_error()),
@@ -146,10 +147,7 @@ pub(super) fn limits(
     let driven = [(1, upwards), (-1, downwards)]
         .into_iter()
         .filter(|(sense, _)| references.iter().any(|(_, sign)| sign == sense));
-    let (least, greatest) = driven
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, greatest), (_, ends)| {
-            (least.min(ends[0]), greatest.max(ends[1]))
-        });
+    let [least, greatest] = extremes(driven.flat_map(|(_, ends)| ends));
     (least <= greatest).then_some(Extremes { least: least - between, greatest: greatest + between })
 }
 

@@ -1,4 +1,4 @@
-//! Warnings of a run: alarms of the interpolator, modes and motors at their limits.
+//! Warnings of a run: corrections still owed, modes and motors at their limits.
 
 use super::result::{AlongFeedResult, BudgetResult, GearboxSettingsResult, PulseFigures, ServoResult};
 use crate::exchange::control::InterpolationMode;
@@ -7,7 +7,7 @@ use crate::workflow::finding::Remark;
 /// Share of samples at the limit of the torque from which on the errors are those of the motor, not of the loop.
 const LIMITED: f64 = 1e-3;
 
-/// What the counters and figures say that someone should know.
+/// What the figures say that someone should know.
 pub(super) fn warnings(
     settings: &GearboxSettingsResult,
     pulses: &PulseFigures,
@@ -16,29 +16,6 @@ pub(super) fn warnings(
     servo: Option<&ServoResult>,
 ) -> Vec<Remark> {
     let mut warnings = Vec::new();
-    if pulses.too_fast > 0 {
-        warnings.push(Remark {
-            code: "interpolator-too-fast",
-            text: format!(
-                "alarm: {} of {} intervals had fewer ticks than the {} pulses that belong in them; the feed follows up to {:.6} mm/min",
-                pulses.too_fast,
-                pulses.references.saturating_sub(1),
-                settings.pulses_per_interval,
-                settings.greatest_speed_mm_per_min
-            ),
-            way_out: "feed slower, insert fewer pulses, or take a faster clock or a coarser scale".into(),
-        });
-    }
-    if pulses.overruns > 0 {
-        warnings.push(Remark {
-            code: "interpolator-overrun",
-            text: format!(
-                "alarm: {} intervals ended while corrections of the one before were still owed: pulses come late",
-                pulses.overruns
-            ),
-            way_out: "a machine stops the feed here; feed slower, insert fewer pulses, or take a faster clock".into(),
-        });
-    }
     if pulses.pending_corrections != 0 {
         warnings.push(Remark {
             code: "corrections-pending",

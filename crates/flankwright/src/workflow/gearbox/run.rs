@@ -1,6 +1,6 @@
 //! `gearbox`: from a checked job to counters, errors and their budget, the servo and the choice of a set-up.
 
-use super::couple::{coupling, coupling_refused, geometry, of_feed};
+use super::couple::{coupling, geometry, of_feed};
 use super::explore::explore;
 use super::result::{CouplingResult, GearboxResult};
 use super::stimulus::{Driven, driven};
@@ -9,7 +9,7 @@ use crate::control::{FollowingRecord, Interpolation, InterpolationRun, Rotation}
 use crate::exchange::{Diagnostic, GearboxJob, JobError, LoadedGearboxJob};
 use crate::numerics::Progress;
 use crate::workflow::RunFailure;
-use crate::workflow::control::{interpolation, on_field};
+use crate::workflow::control::{interpolation, interpolator_alarms, on_field, rotation_refused};
 use crate::workflow::result::Status;
 use electronic_gearbox::coefficient::GearGeometry;
 use electronic_gearbox::pulse::TimedPulse;
@@ -131,8 +131,14 @@ pub fn run_gearbox(
 
     let settings = figures::settings(job, &interpolation, &driven);
     let pulses = figures::pulses(&run, &interpolation, &rotation);
-    let warnings =
-        remarks::warnings(&settings, &pulses, budget.as_ref(), along_feed.as_ref(), servo.as_ref());
+    let mut warnings = interpolator_alarms(&job.feed, &run.status);
+    warnings.extend(remarks::warnings(
+        &settings,
+        &pulses,
+        budget.as_ref(),
+        along_feed.as_ref(),
+        servo.as_ref(),
+    ));
     let result = GearboxResult {
         job: job.job.name.clone(),
         process: job.job.process.name().to_owned(),
@@ -167,7 +173,7 @@ fn chain(job: &GearboxJob) -> Result<(GearGeometry, Interpolation, Rotation), Ru
     let gear = geometry(&job.gear)?;
     let interpolation = interpolation(&job.feed, "")?;
     let rotation = coupling(&gear, &job.workpiece, &interpolation)
-        .map_err(|error| coupling_refused(&error, &job.workpiece))?;
+        .map_err(|error| rotation_refused(&error, job.workpiece.encoder(), ""))?;
     Ok((gear, interpolation, rotation))
 }
 

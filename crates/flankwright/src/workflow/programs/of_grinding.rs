@@ -44,13 +44,11 @@ impl Strokes {
     fn new(job: &Job, machine: &JobMachine, prepared: &Prepared, execution: &Execution) -> Self {
         let setup = &prepared.setup;
         let worm = &setup.pair.worm;
-        let hand = if worm.data().helix_angle < 0.0 { -1.0 } else { 1.0 };
-        let sizes = (hand, setup.largest_tip_radius, setup.worm_module(), setup.input.worm_width);
         let any = &setup.pair.flanks.left;
         let data = setup.pair.work.data();
         let two_flanks = job.dressing.flanks == DressingFlanks::Two;
         Self {
-            technology: Technology::new(machine, sizes, job.grinding.feed_per_revolution),
+            technology: Technology::of_grinding(machine, setup, job.grinding.feed_per_revolution),
             coupling: GearCoupling {
                 threads: worm.data().teeth.unsigned_abs(),
                 teeth: data.teeth,

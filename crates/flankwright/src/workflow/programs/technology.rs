@@ -3,6 +3,7 @@
 use crate::exchange::job::{Clamping, Machine as JobMachine};
 use crate::kinematics::MotionLaw;
 use crate::machine::{Mount, Mounts};
+use crate::process::generating::GrindingSetup;
 use std::f64::consts::TAU;
 
 /// Speeds, clamping and passes. mm, rad, s.
@@ -47,6 +48,13 @@ const FEED_PER_REVOLUTION: f64 = 0.3;
 const DRESSER_REACH: f64 = 1.5;
 
 impl Technology {
+    /// As the job says, for the worm of a grinding run.
+    pub fn of_grinding(job: &JobMachine, setup: &GrindingSetup, feed_per_revolution: Option<f64>) -> Self {
+        let hand = if setup.pair.worm.data().helix_angle < 0.0 { -1.0 } else { 1.0 };
+        let sizes = (hand, setup.largest_tip_radius, setup.worm_module(), setup.input.worm_width);
+        Self::new(job, sizes, feed_per_revolution)
+    }
+
     /// As the job says; `worm` gives hand (+1 right), tip radius, module and width of the worm.
     pub fn new(
         job: &JobMachine,
