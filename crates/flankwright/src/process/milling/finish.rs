@@ -52,6 +52,14 @@ pub fn finish(grid: &FlankGrid, options: &FinishOptions) -> Result<Vec<FinishedR
     let shape = options.cutter.shape();
     let sided = has_side(shape, &options.orientation);
     let rows = grid.rows();
+    // First of all whether this kind of cutter suits the flank at all.
+    let height = if sided { least_height(shape) } else { 0.0 };
+    for column in &grid.columns {
+        for place in &column.places {
+            let location = locate(place, &column.lead, options, height)?;
+            LocalContact::new(&place.jet, &location, shape).check(&place.jet)?;
+        }
+    }
     let windows: Option<Vec<HeightWindow>> = if sided {
         let of_row = |row: usize| window(grid, row, options);
         Some((0..rows).into_par_iter().map(of_row).collect::<Result<_, _>>()?)
@@ -90,6 +98,14 @@ pub fn finish(grid: &FlankGrid, options: &FinishOptions) -> Result<Vec<FinishedR
     (0..rows).into_par_iter().map(of_row).collect()
 }
 
+/// Where the straight side of a cutter begins, mm above the tip.
+pub(super) fn least_height(shape: &CutterShape) -> f64 {
+    match shape {
+        CutterShape::Conical { half_angle, corner_radius, .. } => corner_radius * (1.0 - half_angle.sin()),
+        CutterShape::Barrel { .. } => 0.0,
+    }
+}
+
 /// Whether a straight side touches, so that the contact height is free.
 fn has_side(shape: &CutterShape, orientation: &Orientation) -> bool {
     matches!(shape, CutterShape::Conical { .. }) && !shape.is_ball() && orientation.tilt == 0.0
@@ -114,10 +130,10 @@ fn locate(
 
 /// Contact heights that all places of a row allow.
 fn window(grid: &FlankGrid, row: usize, options: &FinishOptions) -> Result<HeightWindow, MillingError> {
-    let CutterShape::Conical { half_angle, corner_radius, .. } = *options.cutter.shape() else {
+    let CutterShape::Conical { corner_radius, .. } = *options.cutter.shape() else {
         return Ok(HeightWindow { least: 0.0, greatest: 0.0 });
     };
-    let least = corner_radius * (1.0 - half_angle.sin());
+    let least = least_height(options.cutter.shape());
     let mut greatest = options.cutter.cutting_length();
     for (number, column) in grid.columns.iter().enumerate() {
         let place = &column.places[row];

@@ -30,8 +30,11 @@ pub struct RoughingLayer {
     pub passes: Vec<CutterPath>,
 }
 
-/// Halvings in search of how far the cutter can go aside: of some 10 mm that leaves 5 um, on the safe side.
-const HALVINGS: usize = 11;
+/// How far the cutter may stay short of its limit aside, mm: more stays on the flank, never less.
+const SHORT: f64 = 0.03;
+
+/// Steps aside at most; each covers a good third of the way that is left.
+const STEPS: usize = 60;
 
 /// Layers of a space between two flanks over the planes at the given lead parameters.
 ///
@@ -78,34 +81,30 @@ fn room(
     height: f64,
     allowance: f64,
 ) -> Option<[f64; 2]> {
-    let fits = |aside: f64| {
+    // What is kept beyond the allowance is free to go: a body that moves by x comes nearer by x at the most.
+    let free = |aside: f64| {
         let place = upright(lead, aside, height);
-        flanks.iter().all(|flank| flank.keeps(cutter, &place.tip, &place.axis, allowance).is_ok())
+        let free = flanks
+            .iter()
+            .map(|flank| flank.lower_bound(cutter, &place.tip, &place.axis, allowance, SHORT) - allowance);
+        free.fold(f64::INFINITY, f64::min)
     };
-    if !fits(0.0) {
+    let from_middle = free(0.0);
+    if !(from_middle >= 0.0) {
         return None;
     }
     let limit = |sense: f64| {
-        let mut step = cutter_scale(flanks);
-        let mut reached = 0.0;
-        for _ in 0..HALVINGS {
-            step *= 0.5;
-            if fits(reached + sense * step) {
-                reached += sense * step;
+        let (mut reached, mut step) = (0.0, from_middle);
+        for _ in 0..STEPS {
+            if step < 0.5 * SHORT {
+                break;
             }
+            reached += step;
+            step = free(sense * reached);
         }
-        reached
+        sense * reached
     };
     Some([limit(-1.0), limit(1.0)])
-}
-
-/// A length that is beyond both flanks: the distance between their middles.
-fn cutter_scale(flanks: &[Patch; 2]) -> f64 {
-    let middle = |flank: &Patch| {
-        let [a, b] = [flank.heights, flank.lengths].map(|[from, to]| 0.5 * (from + to));
-        flank.surface.point(a, b)
-    };
-    (middle(&flanks[0]) - middle(&flanks[1])).norm()
 }
 
 /// The pass at a share of the room's width; interrupted where there is no room.
