@@ -30,7 +30,8 @@ pub struct FinishOptions<'a> {
 pub struct FinishedRow {
     /// Contact height, mm; of corners, balls and barrels it follows from the axis and stands in the locations.
     pub contact_height: f64,
-    /// What root, opposite flank and edge allow; `None` for cutters without a straight side.
+    /// What root and edge allow, and the opposite flank where it does not let the wanted height pass; `None` for cutters without a
+    /// straight side.
     pub window: Option<HeightWindow>,
     /// Whether the rule asked for a height outside of the window.
     pub limited: bool,
@@ -128,14 +129,15 @@ fn locate(
     )
 }
 
-/// Contact heights that all places of a row allow.
+/// Contact heights that all places of a row allow. How far the opposite flank limits them is looked for only where it does not let the
+/// wanted height pass.
 fn window(grid: &FlankGrid, row: usize, options: &FinishOptions) -> Result<HeightWindow, MillingError> {
     let CutterShape::Conical { corner_radius, .. } = *options.cutter.shape() else {
         return Ok(HeightWindow { least: 0.0, greatest: 0.0 });
     };
     let least = least_height(options.cutter.shape());
     let mut greatest = options.cutter.cutting_length();
-    for (number, column) in grid.columns.iter().enumerate() {
+    for column in &grid.columns {
         let place = &column.places[row];
         let (point, normal) = (&place.jet.point, &place.jet.normal);
         if let Some(bottom) = options.bottom {
@@ -143,12 +145,18 @@ fn window(grid: &FlankGrid, row: usize, options: &FinishOptions) -> Result<Heigh
             let limit = greatest_contact_height(&column.lead, point, normal, &axis, corner_radius, bottom);
             greatest = greatest.min(limit);
         }
-        if greatest < least {
-            break;
-        }
-        let Some((opposite, wanted)) = &options.opposite else { continue };
+    }
+    let asked = options.heights.wanted(row, grid.rows()).unwrap_or(greatest);
+    let Some((opposite, wanted)) = &options.opposite else { return Ok(HeightWindow { least, greatest }) };
+    if greatest < least {
+        return Ok(HeightWindow { least, greatest });
+    }
+    let mut reached = asked.clamp(least, greatest);
+    let mut limited = false;
+    for (number, column) in grid.columns.iter().enumerate() {
+        let place = &column.places[row];
         let tool = |height: f64| locate(place, &column.lead, options, height);
-        let location = tool(greatest)?;
+        let location = tool(reached)?;
         if opposite.keeps(options.cutter, &location.tip, &location.axis, *wanted).is_ok() {
             continue;
         }
@@ -158,7 +166,7 @@ fn window(grid: &FlankGrid, row: usize, options: &FinishOptions) -> Result<Heigh
             let kept = opposite.clearance(options.cutter, &location.tip, &location.axis);
             Ok::<_, MillingError>(kept.value - wanted)
         };
-        let deepest = beyond(greatest)?;
+        let deepest = beyond(reached)?;
         if deepest >= -SAME {
             continue;
         }
@@ -167,8 +175,9 @@ fn window(grid: &FlankGrid, row: usize, options: &FinishOptions) -> Result<Heigh
             let (from, clearance) = ("opposite flank", highest + wanted);
             return Err(MillingError::ToolGap { row, column: number, from, clearance, wanted: *wanted });
         }
-        let limit = brent([least, greatest], [highest, deepest], HEIGHT_STEP, |h| beyond(h).ok());
-        greatest = limit.unwrap_or(least);
+        let limit = brent([least, reached], [highest, deepest], HEIGHT_STEP, |h| beyond(h).ok());
+        reached = limit.unwrap_or(least);
+        limited = true;
     }
-    Ok(HeightWindow { least, greatest })
+    Ok(HeightWindow { least, greatest: if limited { reached } else { greatest } })
 }
