@@ -294,7 +294,10 @@ fn two_dips_of_one_block_are_both_seen() {
     let end_mill = cutter(CutterShape::end_mill(1.0, 0.2));
     let paths = [path(&[(v(-2.0, -0.4, 0.0), v(-1.0, 0.0, 0.6)), (v(2.0, 0.4, 0.0), v(1.0, 0.1, 0.6))])];
     let rays: Vec<NormalRay> = (0..30)
-        .map(|i| NormalRay { point: v(0.3 * f64::from(i) - 4.5, 0.2, 0.4), normal: v(0.0, 0.2, 1.0).normalize() })
+        .map(|i| NormalRay {
+            point: v(0.3 * f64::from(i) - 4.5, 0.2, 0.4),
+            normal: v(0.0, 0.2, 1.0).normalize(),
+        })
         .collect();
     assert!(compare(&end_mill, &paths, &rays, 600) > 5);
 }
@@ -366,9 +369,7 @@ fn threads_do_not_change_a_bit() {
     };
     let (one, two) = (run(1), run(2));
     assert_eq!(one, two);
-    let bits = |all: &MilledRays| {
-        all.lengths().expect("cut").iter().map(|l| l.to_bits()).collect::<Vec<_>>()
-    };
+    let bits = |all: &MilledRays| all.lengths().expect("cut").iter().map(|l| l.to_bits()).collect::<Vec<_>>();
     assert_eq!(bits(&one), bits(&two));
     assert_eq!((one.statistics.rays, one.statistics.blocks), (400, 9 * 29));
     // The tree rules out nearly all of the pairs.
