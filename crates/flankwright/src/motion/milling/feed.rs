@@ -1,6 +1,6 @@
 //! The time of blocks: the feed along the contact, unless an axis needs longer (spec 50 section 11).
 
-use super::{CutterPlace, MillingSetup};
+use super::{CutterPlace, MillingSetup, PolePassage};
 use crate::machine::Positions;
 use crate::motion::MotionError;
 
@@ -96,4 +96,30 @@ pub fn block_times(
             block_time(setup, ends, arc, feed)?.ok_or(MotionError::NoMotion { place: k + 1 })
         })
         .collect()
+}
+
+/// The feed that a part of a path near the pole allows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SectionFeed {
+    /// The part.
+    pub passage: PolePassage,
+    /// Feed along the contact that no axis forbids on any block that begins or ends there, mm/min; at most the one wanted.
+    pub feed: f64,
+    /// What determines it.
+    pub limit: BlockLimit,
+}
+
+/// The feeds of the parts near the pole, from the times of all blocks at the feed wanted (mm/min): strategy `slow` of spec 50
+/// section 11.
+pub fn section_feeds(times: &[BlockTime], passages: &[PolePassage], feed: f64) -> Vec<SectionFeed> {
+    let of = |passage: &PolePassage| {
+        let touching = times.iter().enumerate().filter(|(k, _)| k + 1 >= passage.from && *k <= passage.to);
+        let slowest = touching.map(|(_, time)| time).min_by(|a, b| a.share.total_cmp(&b.share));
+        SectionFeed {
+            passage: *passage,
+            feed: slowest.map_or(feed, |time| feed * time.share),
+            limit: slowest.map_or(BlockLimit::Feed, |time| time.limit.clone()),
+        }
+    };
+    passages.iter().map(of).collect()
 }

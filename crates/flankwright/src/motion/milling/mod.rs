@@ -11,7 +11,7 @@ mod straight;
 mod tilt;
 
 pub use choice::{AxisCourse, PoleStrategy, choose};
-pub use feed::{BlockLimit, BlockTime, block_time, block_times};
+pub use feed::{BlockLimit, BlockTime, SectionFeed, block_time, block_times, section_feeds};
 pub use place::{CutterPlace, MillingSetup};
 pub use pole::{DEFAULT_CAP, PolePassage, pole_passages};
 pub use smoothness::{Change, RowSmoothness, contact_arcs, leans, smoothness};

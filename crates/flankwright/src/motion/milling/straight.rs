@@ -188,7 +188,7 @@ fn check_tolerances(tip: f64, axis: f64) -> Result<(), MotionError> {
 }
 
 /// The path in as few straight blocks of the axes as pass all places within the tolerances of tip (mm) and axis (rad): a pure
-/// screw row is one. What the path does between its places is not asked.
+/// screw row is one. What the path does between its places is not asked. No block leads to a rewind.
 ///
 /// # Errors
 /// [`MotionError::InvalidNumber`] for tolerances that are not above 0; [`MotionError::Place`].
@@ -202,8 +202,12 @@ pub fn straight_runs(
     let mut runs = Vec::new();
     let mut from = 0;
     while from + 1 < course.nodes.len() {
+        if course.rewinds.contains(&(from + 1)) {
+            from += 1;
+            continue;
+        }
         let mut run = StraightRun { from, to: from + 1, tip: 0.0, axis: 0.0 };
-        for to in from + 2..course.nodes.len() {
+        for to in (from + 2..course.nodes.len()).take_while(|to| !course.rewinds.contains(to)) {
             match one_block(setup, course, from, to)? {
                 Some(longer) if longer.tip <= tip_tolerance && longer.axis <= axis_tolerance => run = longer,
                 _ => break,
