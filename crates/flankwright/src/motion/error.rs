@@ -54,7 +54,9 @@ pub enum MotionError {
     #[error("near the pole the first rotary axis can be held for ball cutters only")]
     HoldNeedsBall,
     /// No mount keeps a path away from the pole.
-    #[error("no mount tilted by up to {greatest_deg} deg keeps the path {clearance_deg} deg away from the pole")]
+    #[error(
+        "no mount tilted by up to {greatest_deg} deg keeps the path {clearance_deg} deg away from the pole"
+    )]
     NoTilt {
         /// Greatest tilt tried, deg.
         greatest_deg: f64,
@@ -154,7 +156,9 @@ impl MotionError {
                 "raise the tolerances, or keep the path away from the pole by a tilted mount".into()
             }
             Self::HoldNeedsBall => "take a ball cutter, slow down near the pole, or tilt the mount".into(),
-            Self::NoTilt { .. } => "allow a greater tilt, divide the path, or ask for a smaller distance".into(),
+            Self::NoTilt { .. } => {
+                "allow a greater tilt, divide the path, or ask for a smaller distance".into()
+            }
             Self::NoWord { axis, .. } => {
                 format!("give {axis} a word in the machine's [controls], or take another control")
             }

@@ -133,7 +133,11 @@ fn held_zone(strategy: PoleStrategy) -> Result<Option<(f64, f64)>, MotionError> 
     let PoleStrategy::Hold { cutter, cap } = strategy else { return Ok(None) };
     if !(cap > 0.0 && cap < std::f64::consts::FRAC_PI_2) {
         let value = cap.to_degrees();
-        return Err(MotionError::InvalidNumber { field: "pole_cap_deg", value, allowed: "above 0, below 90" });
+        return Err(MotionError::InvalidNumber {
+            field: "pole_cap_deg",
+            value,
+            allowed: "above 0, below 90",
+        });
     }
     match cutter {
         CutterShape::Conical { radius, .. } if cutter.is_ball() => Ok(Some((radius, cap))),

@@ -59,7 +59,7 @@ impl CutterPlace {
                 }
             }
             let length = place.axis.xyz.norm();
-            if !((length - 1.0).abs() <= UNIT) {
+            if !(1.0 - UNIT..=1.0 + UNIT).contains(&length) {
                 return wrong("length of the axis (allowed: 1 up to 1e-9)", length);
             }
         }

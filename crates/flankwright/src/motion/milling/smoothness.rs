@@ -35,14 +35,11 @@ impl Change {
     /// Figures of angles (rad) over steps of these lengths (mm); steps without length have no rate.
     pub fn new(angles: &[f64], steps: &[f64]) -> Self {
         let turns: Vec<f64> = angles.windows(2).map(|pair| pair[1] - pair[0]).collect();
-        let rates: Vec<(f64, f64)> = turns
-            .iter()
-            .zip(steps)
-            .filter(|(_, ds)| **ds > 0.0)
-            .map(|(turn, ds)| (turn / ds, *ds))
-            .collect();
+        let rates: Vec<(f64, f64)> =
+            turns.iter().zip(steps).filter(|(_, ds)| **ds > 0.0).map(|(turn, ds)| (turn / ds, *ds)).collect();
         let second = |pair: &[(f64, f64)]| ((pair[1].0 - pair[0].0) / (0.5 * (pair[0].1 + pair[1].1))).abs();
-        let senses: Vec<bool> = turns.iter().filter(|turn| turn.abs() >= STILL).map(|turn| *turn > 0.0).collect();
+        let senses: Vec<bool> =
+            turns.iter().filter(|turn| turn.abs() >= STILL).map(|turn| *turn > 0.0).collect();
         Self {
             travel: turns.iter().map(|turn| turn.abs()).sum(),
             rate: rates.iter().map(|(rate, _)| rate.abs()).fold(0.0, f64::max),

@@ -166,7 +166,8 @@ pub fn refine(
                 } else {
                     // A chord misses a smooth curve by the square of its length.
                     let parts = excess.sqrt().ceil().clamp(2.0, MOST_AT_ONCE) as usize;
-                    let shares = (1..parts).rev().map(|j| done.0 + (share - done.0) * j as f64 / parts as f64);
+                    let shares =
+                        (1..parts).rev().map(|j| done.0 + (share - done.0) * j as f64 / parts as f64);
                     ahead.extend(shares);
                 }
             }

@@ -67,7 +67,8 @@ pub fn tilt_mount(
     let tilts = (0..).map(|k| f64::from(k) * clearance / STEPS).take_while(|&tilt| tilt <= greatest);
     let found = tilts.into_iter().find_map(|tilt| {
         let clear = (0..DIRECTIONS).filter(|&k| least(&moved(k, tilt)) >= clearance);
-        let ends = clear.map(|k| (k, shortened(tilt, clearance / STEPS, |t| least(&moved(k, t)) >= clearance)));
+        let ends =
+            clear.map(|k| (k, shortened(tilt, clearance / STEPS, |t| least(&moved(k, t)) >= clearance)));
         ends.min_by(|a, b| a.1.total_cmp(&b.1))
     });
     let Some((direction, angle)) = found else {
