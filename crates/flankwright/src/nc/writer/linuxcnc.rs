@@ -120,6 +120,17 @@ pub(super) fn write(program: &Program, options: &WriteOptions) -> Result<Written
                 let reason = "LinuxCNC has no curve tables";
                 return Err(NcError::UnsupportedCoupling { block: out.block, reason });
             }
+            Block::Tool { number, length_offset } => {
+                if length_offset.is_some() {
+                    let what = "length offset of a tool: its axis values have the tool's length in them";
+                    return Err(NcError::BlockNotAvailable { block: out.block, what });
+                }
+                out.push_format(format_args!("T{number} M6"));
+                out.end_line()?;
+            }
+            Block::TipControlOn(_) | Block::TipControlOff | Block::Tip(_) | Block::TipSpeed(_) => {
+                return Err(NcError::TipControlNotAvailable { block: out.block });
+            }
         }
     }
     let mut written = out.finish();
