@@ -1,6 +1,7 @@
 //! The neutral program, its writers and its reader: read-back of random programs in three dialects, bytes that never differ,
 //! damage that is found, and every error of spec 80 section 7.
 
+#[allow(dead_code)]
 #[path = "nc/programs.rs"]
 mod programs;
 

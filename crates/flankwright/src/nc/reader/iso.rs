@@ -239,6 +239,9 @@ impl<'a> Iso<'a> {
         if self.coupled.is_some() {
             return Err((ReadProblem::Conflict, "G80 before the next G81"));
         }
+        if self.machine.tip.is_some() {
+            return Err((ReadProblem::Conflict, "G49 before G81"));
+        }
         let axes = self.machine.axes;
         let axis = |word: Word| axes.iter().position(|axis| axis.word == word);
         let (Some(follower), Some(tool)) = (axis(Word::Letter('C')), axis(Word::Spindle(0))) else {
