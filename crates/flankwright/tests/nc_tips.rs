@@ -9,11 +9,12 @@ mod helical_row;
 mod programs;
 
 use flankwright::nc::{
-    Angles, AxisMotion, AxisWord, Block, ClCutter, Decimals, Dialect, FeedWords, Header, NcError,
-    Orientation, Pace, Program, ReadProblem, Targets, TipControl, TipDecimals, TipMotion, WriteOptions,
-    compare, detect_dialect, read, read_cl, rounding_bound, write_checked, write_cl, write_cl_checked,
+    Angles, AxisMotion, AxisWord, Block, ClCutter, Coupling, Decimals, Dialect, FeedWords, Gear, GearLeader,
+    Header, NcError, Orientation, Pace, Program, ReadProblem, Targets, TipControl, TipDecimals, TipMotion,
+    WriteOptions, compare, detect_dialect, read, read_cl, rounding_bound, write_checked, write_cl,
+    write_cl_checked,
 };
-use programs::{B, C, Draw, WORM, X, axes, direction, header, program, tips};
+use programs::{B, C, Draw, WORM, X, Z, axes, direction, header, program, tips};
 use proptest::prelude::*;
 
 const WITH_TIPS: [Dialect; 2] = [Dialect::Siemens, Dialect::Fanuc];
@@ -426,7 +427,14 @@ fn every_wrong_program_under_tip_control_gives_its_error() {
     for (number, length_offset) in [(0, None), (100_000_000, None), (1, Some(0)), (1, Some(1000))] {
         assert_eq!(code(s, vec![Block::Tool { number, length_offset }]), range);
     }
-    // The control stops the spindle for the tool, and the axes stand where no block says afterwards.
+    // Under a gear; a Siemens program of one is refused by the reader too.
+    let leaders = vec![GearLeader { axis: Z, coupling: Coupling::Ratio { num: 1.0, den: 2.0 } }];
+    let gear = Gear { follower: C, leaders, teeth: None };
+    let on = [Block::GearDefine(Box::new(gear)), Block::GearOn { follower: C, synchronisation: None }];
+    assert_eq!(code(s, [on.to_vec(), under(by_directions, vec![])].concat()), state);
+    let text = "T1 D1 M6\nEGDEF(C2, Z1, 1)\nEGON(C2, \"FINE\", Z1, 1, 2)\nTRAORI\nM30\n";
+    assert_eq!(read(text.as_bytes(), s, &axes(s)).unwrap_err().problem, ReadProblem::Conflict);
+    // Words that are directions under tip control.
     let mut named = header(s);
     named.axes[B] = AxisWord::named("C3", AxisMotion::Rotary);
     let blocks = [under(by_directions, vec![]), vec![Block::End]].concat();

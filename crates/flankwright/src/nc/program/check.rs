@@ -193,6 +193,11 @@ impl State<'_> {
         Ok(())
     }
 
+    /// Whether a gear is on.
+    pub(super) fn is_coupled(&self) -> bool {
+        self.gears.iter().any(|gear| matches!(gear, GearPlace::On(_)))
+    }
+
     fn gear_state(&self, axis: usize, reason: &'static str) -> NcError {
         let axis = self.axes.get(axis).map_or("?", |axis| &axis.name).into();
         NcError::GearState { block: self.block, axis, reason }

@@ -61,6 +61,9 @@ impl State<'_> {
                 if self.tip.on.is_some() {
                     return Err(self.tip_state("switches tip control on that is on"));
                 }
+                if self.is_coupled() {
+                    return Err(self.tip_state("switches tip control on under a gear"));
+                }
                 if !self.tip.offset {
                     return Err(self.tip_state("needs a tool with a length offset before"));
                 }
