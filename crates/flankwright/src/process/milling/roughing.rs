@@ -108,7 +108,7 @@ fn room(
         free.fold(f64::INFINITY, f64::min)
     };
     let from_middle = free(0.0);
-    if !(from_middle >= 0.0) {
+    if from_middle < 0.0 {
         return None;
     }
     let beyond = distance_of_middles(flanks);
