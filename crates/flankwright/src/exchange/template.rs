@@ -8,6 +8,7 @@ pub fn job_template(process: Process) -> &'static str {
         Process::GeneratingGrinding => include_str!("template/generating-grinding.toml"),
         Process::TangentialDressing => include_str!("template/tangential-dressing.toml"),
         Process::ElectronicGearbox => include_str!("template/electronic-gearbox.toml"),
+        Process::FiveAxisMilling => include_str!("template/five-axis-milling.toml"),
     }
 }
 
