@@ -26,7 +26,8 @@ const FLANK: Layout = Layout { columns: ["w_mm", "z_mm", "f_um"], least: [4, 4],
 const TRACES: Layout = Layout { columns: ["w_mm", "z_mm", "f_um"], least: [2, 4], most_w: 3 };
 
 /// Tolerances: one value is one everywhere.
-const TOLERANCES: Layout = Layout { columns: ["w_mm", "z_mm", "tolerance_um"], least: [1, 1], most_w: usize::MAX };
+const TOLERANCES: Layout =
+    Layout { columns: ["w_mm", "z_mm", "tolerance_um"], least: [1, 1], most_w: usize::MAX };
 
 impl Layout {
     /// Name of the third column.

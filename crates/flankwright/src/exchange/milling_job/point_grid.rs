@@ -29,7 +29,8 @@ pub fn read_point_grid(path: &Path, wanted: &BladePoints) -> Result<PointGrid, J
 fn parse(text: &str, [rows, columns]: [usize; 2]) -> Result<PointGrid, Diagnostic> {
     let read = parse_rows(text, POINTS)?;
     if read.len() != rows * columns {
-        let message = format!("the table has {} points, the job asks for {rows} rows of {columns}", read.len());
+        let message =
+            format!("the table has {} points, the job asks for {rows} rows of {columns}", read.len());
         return Err(Diagnostic::new(Problem::InvalidTable, message)
             .field("blade.points.rows")
             .value(format!("{} points", read.len()))
@@ -51,7 +52,9 @@ fn parse(text: &str, [rows, columns]: [usize; 2]) -> Result<PointGrid, Diagnosti
             }
         }
     }
-    Ok(PointGrid { points: lines.iter().map(|line| line.iter().map(|(point, _)| *point).collect()).collect() })
+    Ok(PointGrid {
+        points: lines.iter().map(|line| line.iter().map(|(point, _)| *point).collect()).collect(),
+    })
 }
 
 #[cfg(test)]

@@ -59,10 +59,13 @@ fn heights(job: &MillingJob, findings: &mut Vec<Diagnostic>) {
     let range = format!("from {} to {}", shown_number(from), shown_number(to));
     match (&milling.contact_height, side) {
         (None, true) => findings.push(
-            Diagnostic::new(Problem::MissingKey, "the straight side of the cutter touches at a height that is not given")
-                .field(FIELD)
-                .allowed(format!("a number, {{ from, to }} or a list of numbers, {range} mm above the tip"))
-                .way_out("add `contact_height = ...`"),
+            Diagnostic::new(
+                Problem::MissingKey,
+                "the straight side of the cutter touches at a height that is not given",
+            )
+            .field(FIELD)
+            .allowed(format!("a number, {{ from, to }} or a list of numbers, {range} mm above the tip"))
+            .way_out("add `contact_height = ...`"),
         ),
         (Some(given), false) => {
             let value = match given {
@@ -128,7 +131,8 @@ fn root(job: &MillingJob, root: &MilledRoot, findings: &mut Vec<Diagnostic>) {
         "add `bottom = 0.0` for a bottom on the root body",
         findings,
     );
-    let upright = matches!(job.cutter.shape, CutterForm::EndMill | CutterForm::Torus) && job.cutter.has_side();
+    let upright =
+        matches!(job.cutter.shape, CutterForm::EndMill | CutterForm::Torus) && job.cutter.has_side();
     if !upright || job.milling.tilt_deg != 0.0 {
         let tilted = if job.milling.tilt_deg == 0.0 { "" } else { ", tilted" };
         findings.push(contradiction(

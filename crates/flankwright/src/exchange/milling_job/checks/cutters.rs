@@ -79,10 +79,13 @@ fn keys(table: &str, cutter: &MillingCutter, findings: &mut Vec<Diagnostic>) {
     for (key, given, of, needed_by) in rows {
         match given {
             None if needed_by.contains(&shape) => findings.push(
-                Diagnostic::new(Problem::MissingKey, format!("a cutter of the shape \"{name}\" needs `{key}`"))
-                    .field(format!("{table}.{key}"))
-                    .allowed("a number")
-                    .way_out(format!("add `{key} = ...` to [{table}], or choose another shape")),
+                Diagnostic::new(
+                    Problem::MissingKey,
+                    format!("a cutter of the shape \"{name}\" needs `{key}`"),
+                )
+                .field(format!("{table}.{key}"))
+                .allowed("a number")
+                .way_out(format!("add `{key} = ...` to [{table}], or choose another shape")),
             ),
             Some(value) if !of.contains(&shape) => {
                 let shapes: Vec<String> = of.iter().map(|form| format!("\"{}\"", form.name())).collect();

@@ -16,10 +16,13 @@ pub(super) fn check(job: &MillingJob, findings: &mut Vec<Diagnostic>) {
     const ALLOWED: &str = "either rows and columns, or one or more of density, scallop_um, chord_um";
     match (given.first(), limits.as_slice()) {
         (None, []) => findings.push(
-            Diagnostic::new(Problem::MissingKey, "`milling` does not say how many rows and columns there are")
-                .field("milling.rows")
-                .allowed(ALLOWED)
-                .way_out("add `rows` and `columns`, or a limit such as `scallop_um = 5.0`"),
+            Diagnostic::new(
+                Problem::MissingKey,
+                "`milling` does not say how many rows and columns there are",
+            )
+            .field("milling.rows")
+            .allowed(ALLOWED)
+            .way_out("add `rows` and `columns`, or a limit such as `scallop_um = 5.0`"),
         ),
         (Some(count), limits) if !limits.is_empty() => findings.extend(limits.iter().map(|(key, value)| {
             contradiction(
@@ -30,12 +33,14 @@ pub(super) fn check(job: &MillingJob, findings: &mut Vec<Diagnostic>) {
                 "keep the numbers or the limits",
             )
         })),
-        (Some(_), _) => findings.extend(counts.iter().filter(|(_, count)| count.is_none()).map(|(key, _)| {
-            Diagnostic::new(Problem::MissingKey, format!("`milling` has no key `{key}`"))
-                .field(format!("milling.{key}"))
-                .allowed(ALLOWED)
-                .way_out(format!("add `{key} = ...`"))
-        })),
+        (Some(_), _) => {
+            findings.extend(counts.iter().filter(|(_, count)| count.is_none()).map(|(key, _)| {
+                Diagnostic::new(Problem::MissingKey, format!("`milling` has no key `{key}`"))
+                    .field(format!("milling.{key}"))
+                    .allowed(ALLOWED)
+                    .way_out(format!("add `{key} = ...`"))
+            }))
+        }
         _ => {}
     }
     if let (Some(rows), Some(columns)) = (milling.rows, milling.columns)
