@@ -20,12 +20,13 @@ pub(in crate::exchange) fn check(job: &MillingJob) -> Vec<Diagnostic> {
     contact::check(job, &mut findings);
     rays(job, &mut findings);
     if !job.output.programs.is_empty() && job.machine.is_none() {
-        findings.push(
-            Diagnostic::new(Problem::MissingKey, "programs are wanted, and no machine is given")
-                .field("machine")
-                .allowed("a table [machine] with `file` and `tool_length`, or no programs")
-                .way_out("add `[machine]`, or leave `output.programs` out"),
-        );
+        findings.push(contradiction(
+            "programs are wanted, and no machine is given",
+            "output.programs",
+            format!("a list of {}", job.output.programs.len()),
+            "no programs, or a table [machine] with `file` and `tool_length`",
+            "add `[machine]`, or leave `programs` out",
+        ));
     }
     findings
 }

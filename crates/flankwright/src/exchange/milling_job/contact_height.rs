@@ -13,10 +13,11 @@ pub enum ContactHeight {
             "x-way-out" = "give a height between the corner radius and the cutting length in mm"))]
         f64,
     ),
+    /// One for each row, from the root on.
+    // Before the ramp: two numbers in a list would be read as its two keys.
+    Rows(#[schemars(length(min = 1, max = 20_000), inner(range(min = 0, max = 2000)))] Vec<f64>),
     /// From the row at the root to that at the tip, linear in the number of the row.
     Ramp(HeightRamp),
-    /// One for each row, from the root on.
-    Rows(#[schemars(length(min = 1, max = 20_000), inner(range(min = 0, max = 2000)))] Vec<f64>),
 }
 
 /// Heights at the first and the last row.

@@ -370,9 +370,9 @@ const GEAR_CASES: &[Case] = &[
     (
         "[machine]\nfile = \"machines/five-axis-ac-table.toml\"\ntool_length = 120.0\n",
         "",
-        "missing-key",
-        "machine",
-        &["output.programs"],
+        "invalid-job",
+        "output.programs",
+        &["[machine]"],
     ),
     ("[output]", "[grid]\nprofile_points = 41\n[output]", "unknown-key", "grid", &["simulation"]),
 ];
