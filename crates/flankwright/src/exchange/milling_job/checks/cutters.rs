@@ -65,12 +65,15 @@ fn cutter(table: &str, cutter: &MillingCutter, findings: &mut Vec<Diagnostic>) {
     shank(table, cutter, findings);
 }
 
+/// A key, its value, the shapes that have it and those that need it.
+type ShapeKey = (&'static str, Option<f64>, &'static [CutterForm], &'static [CutterForm]);
+
 /// Keys that a shape needs and keys that it does not have.
 fn keys(table: &str, cutter: &MillingCutter, findings: &mut Vec<Diagnostic>) {
     use CutterForm::{Barrel, Cone, Drum, EndMill, Torus};
     let shape = cutter.shape;
     let name = shape.name();
-    let rows: [(&str, Option<f64>, &[CutterForm], &[CutterForm]); 4] = [
+    let rows: [ShapeKey; 4] = [
         ("corner_radius", cutter.corner_radius, &[EndMill, Torus, Cone], &[Torus]),
         ("half_angle_deg", cutter.half_angle_deg, &[Cone], &[Cone]),
         ("profile_radius", cutter.profile_radius, &[Barrel, Drum], &[Barrel, Drum]),
