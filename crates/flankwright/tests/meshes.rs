@@ -296,7 +296,6 @@ fn wrong_meshes_are_refused_by_every_writer() {
     };
     assert_eq!(line.check(), Err(MeshError::DegenerateTriangle { triangle: 0 }));
     assert_eq!(codes(&TriangleMesh::default()), ["too-few"; 3]);
-    assert!(codes(&TriangleMesh::default()).iter().all(|code| !code.is_empty()));
 }
 
 #[test]

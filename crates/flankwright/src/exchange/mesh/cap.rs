@@ -7,7 +7,8 @@ use spade::handles::FixedVertexHandle;
 use spade::{ConstrainedDelaunayTriangulation, HasPosition, Point2, Triangulation, mitigate_underflow};
 use std::collections::VecDeque;
 
-/// The area of the triangles agrees with that of the loops up to this share; an outline that runs round twice or a hole outside misses by far more.
+/// The area of the triangles agrees with that of the loops up to this share; an outline that runs round twice or a hole outside misses
+/// by far more.
 const AREA_TOLERANCE: f64 = 1e-6;
 
 /// A point of a loop in the plane of the face.
