@@ -1,5 +1,5 @@
 //! What crosses the border of the library as files: job documents with the place of every value, their
-//! JSON schema, tables. Reads and writes files; knows the shapes and targets that a job describes, but
+//! JSON schema, tables, meshes. Reads and writes files; knows the shapes and targets that a job describes, but
 //! neither plans nor reports anything.
 
 pub mod catalogue;
@@ -16,6 +16,7 @@ pub mod job;
 mod json_tree;
 mod load;
 pub mod machine;
+pub mod mesh;
 pub mod milling_job;
 mod node;
 mod reference_train;
