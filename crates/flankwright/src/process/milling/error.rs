@@ -209,6 +209,16 @@ pub enum MillingError {
         /// Length of tool and holder, mm.
         needed: f64,
     },
+    /// No lead curve has the wanted row in its column planes.
+    #[error(
+        "no lead curve with a radius of {from:.2} to {to:.2} mm has the normals of that row in its column planes"
+    )]
+    NoSuchLead {
+        /// Least radius looked at, mm.
+        from: f64,
+        /// Greatest radius looked at, mm.
+        to: f64,
+    },
     /// The normal of a point does not meet the cutter that runs beside it.
     #[error("the normal at ({:.3}, {:.3}, {:.3}) mm does not meet the cutter of the next row", point[0], point[1], point[2])]
     NotMet {
@@ -298,6 +308,7 @@ impl MillingError {
             Self::NotMet { .. } => "not-met",
             Self::Collides { .. } => "tool-gap",
             Self::RootTool => "root-tool",
+            Self::NoSuchLead { .. } => "no-such-lead",
             Self::WearWindow { .. } => "wear-window",
             Self::HeightCount { .. } => "height-count",
             Self::HeightOutside { .. } => "height-outside",
@@ -338,6 +349,9 @@ impl MillingError {
             Self::InternalAccess { .. } => "lean the axis by a lead angle, or take a longer and thinner tool",
             Self::RoughingNowhere { .. } => "take a thinner cutter or a smaller allowance",
             Self::NotMet { .. } => "lay the rows closer",
+            Self::NoSuchLead { .. } => {
+                "choose another row, or leave `lead_through_row` out: on spur gears all normals lie in the planes"
+            }
             Self::WearWindow { .. } => "take a thinner tool or one with a smaller corner radius",
             Self::HeightCount { .. } => "give one contact height for each row, the root's first",
             Self::HeightOutside { .. } => "give a height inside the row's window, or the rule `ramp`",

@@ -126,14 +126,14 @@ impl LeadCurve for FootOnHub {
 
 /// Column planes turned about the base body's normal (claim of skew planes): t := cos(chi) t + sin(chi) (N x t).
 #[derive(Clone, Debug)]
-pub struct SkewPlanes<C> {
+pub struct SkewPlanes {
     /// The lead curve.
-    pub curve: C,
+    pub curve: Arc<dyn LeadCurve>,
     /// chi, rad.
     pub angle: f64,
 }
 
-impl<C: LeadCurve> LeadCurve for SkewPlanes<C> {
+impl LeadCurve for SkewPlanes {
     fn at(&self, u: f64) -> Result<LeadPoint, MillingError> {
         let upright = self.curve.at(u)?;
         let (sin, cos) = self.angle.sin_cos();

@@ -25,7 +25,10 @@ pub fn lead_range(flank: &ActiveFlank, lead: &dyn LeadCurve) -> Result<[f64; 2],
 }
 
 /// The parameter of the plane that holds the flank's point at (a, b).
-fn plane_through(
+///
+/// # Errors
+/// [`MillingError::RangeNotFound`] if none does.
+pub fn plane_through(
     flank: &ActiveFlank,
     lead: &dyn LeadCurve,
     height: f64,

@@ -1,0 +1,17 @@
+//! Five-axis milling from a checked job to its result: bodies and options, the plan, the referee's rays with what was predicted for
+//! them, and the files of a run.
+
+mod bodies;
+mod finding;
+mod offset;
+mod referee;
+mod result;
+mod run;
+
+pub use bodies::{MillingBodies, prepare_milling};
+pub use referee::{RefereedFlank, referee};
+pub use result::{
+    CutterResult, DistancesResult, FlankResult, MillingResult, OperationResult, RootResult, RowResult,
+    WearResult,
+};
+pub use run::{MillingOutcome, run_milling};

@@ -1,0 +1,164 @@
+//! The referee on a milled flank: normal rays shortened by all cutters of the plan, and what was predicted for each of them.
+
+use super::bodies::MillingBodies;
+use super::finding::failure;
+use crate::geometry::{Cutter, Flank};
+use crate::numerics::{Progress, equidistant};
+use crate::process::milling::{FlankPlan, MillingError, MillingPlan, OperationKind, RowModel, plane_through};
+use crate::removal::{CutterPlace, MillPath, MillStatistics, Milling, NormalRay, Unmilled, mill};
+use crate::workflow::finding::RunFailure;
+use rayon::prelude::*;
+
+/// A flank as the rays found it, row-major [height][length]. mm.
+#[derive(Clone, Debug)]
+pub struct RefereedFlank {
+    /// Which.
+    pub side: Flank,
+    /// Height parameters of the rays, root to tip.
+    pub heights: Vec<f64>,
+    /// Length parameters.
+    pub lengths: Vec<f64>,
+    /// What the rays found, > 0 stock; `None` where no cutter comes by.
+    pub simulated: Vec<Option<f64>>,
+    /// What was predicted: scallop and chord.
+    pub predicted: Vec<Option<[f64; 2]>>,
+    /// Why rays were not milled, with their number.
+    pub unmilled: Vec<(Unmilled, usize)>,
+    /// How much the referee looked at.
+    pub statistics: MillStatistics,
+    /// Bound of the rays' own error, um.
+    pub error_um: f64,
+}
+
+/// How far outside the flank material is assumed, and how deep below it gouges are looked for, mm.
+const STOCK: f64 = 5.0;
+const DEPTH: f64 = 1.0;
+
+/// Cutters and paths of a plan for the referee.
+pub(super) fn mill_paths(bodies: &MillingBodies, plan: &MillingPlan) -> (Vec<Cutter>, Vec<MillPath>) {
+    let (mut cutters, mut paths) = (Vec::new(), Vec::new());
+    for operation in &plan.operations {
+        let cutter = cutters.len();
+        cutters.push(bodies.options.cutter_of(operation.kind).clone());
+        paths.extend(operation.paths.iter().map(|path| MillPath {
+            cutter,
+            places: path.places.iter().map(|p| CutterPlace { tip: p.tip, axis: p.axis }).collect(),
+        }));
+    }
+    (cutters, paths)
+}
+
+/// Rays on a flank: equal steps of both parameters over the face.
+pub(super) fn rays(flank: &FlankPlan, bodies: &MillingBodies, counts: [usize; 2]) -> Option<Rays> {
+    let space_flank = bodies.space.flanks.iter().find(|other| other.side == flank.side)?;
+    let active = &space_flank.active;
+    let heights = equidistant(active.height_span(), counts[0]);
+    let lengths = equidistant(active.face, counts[1]);
+    let rays = heights
+        .iter()
+        .flat_map(|&a| lengths.iter().map(move |&b| (a, b)))
+        .map(|(a, b)| {
+            let jet = active.surface.jet(a, b);
+            NormalRay { point: jet.point, normal: jet.normal }
+        })
+        .collect();
+    Some(Rays { heights, lengths, rays })
+}
+
+/// Rays of one flank, row-major.
+pub(super) struct Rays {
+    pub heights: Vec<f64>,
+    pub lengths: Vec<f64>,
+    pub rays: Vec<NormalRay>,
+}
+
+/// All milled flanks under their rays.
+///
+/// # Errors
+/// [`RunFailure`] for motions that the referee cannot follow.
+pub fn referee(
+    bodies: &MillingBodies,
+    plan: &MillingPlan,
+    counts: [usize; 2],
+    progress: &dyn Progress,
+) -> Result<Vec<RefereedFlank>, RunFailure> {
+    let (cutters, paths) = mill_paths(bodies, plan);
+    let setup = Milling { cutters: &cutters, paths: &paths, stock: STOCK, depth: DEPTH };
+    let of_flank = |flank: &FlankPlan| {
+        let Some(Rays { heights, lengths, rays }) = rays(flank, bodies, counts) else { return Ok(None) };
+        let milled =
+            mill(&setup, &rays, progress).map_err(|error| RunFailure::of_removal(&error, "milling"))?;
+        let mut unmilled: Vec<(Unmilled, usize)> = Vec::new();
+        for reason in milled.rays.iter().filter_map(|ray| ray.as_ref().err()) {
+            match unmilled
+                .iter_mut()
+                .find(|(known, _)| std::mem::discriminant(known) == std::mem::discriminant(reason))
+            {
+                Some((_, count)) => *count += 1,
+                None => unmilled.push((*reason, 1)),
+            }
+        }
+        let simulated = milled.rays.iter().map(|ray| ray.as_ref().ok().map(|ray| ray.length)).collect();
+        let predicted = predict(bodies, flank, &heights, &lengths)?;
+        Ok(Some(RefereedFlank {
+            side: flank.side,
+            heights,
+            lengths,
+            simulated,
+            predicted,
+            unmilled,
+            statistics: milled.statistics,
+            error_um: milled.error_um,
+        }))
+    };
+    plan.flanks.iter().filter_map(|flank| of_flank(flank).transpose()).collect()
+}
+
+/// What the two rows beside every ray leave there.
+fn predict(
+    bodies: &MillingBodies,
+    flank: &FlankPlan,
+    heights: &[f64],
+    lengths: &[f64],
+) -> Result<Vec<Option<[f64; 2]>>, RunFailure> {
+    let Some(space_flank) = bodies.space.flanks.iter().find(|other| other.side == flank.side) else {
+        return Ok(Vec::new());
+    };
+    let (active, lead) = (&space_flank.active, &*bodies.space.lead);
+    let cutter = bodies.options.cutter_of(OperationKind::Flank(flank.side));
+    let grid = &flank.lines.path;
+    let models = flank.rows.iter().enumerate().map(|(row, finished)| {
+        let tool = (cutter.shape(), cutter.cutting_length());
+        RowModel::new(active, lead, grid, row, tool, finished.contact_height, bodies.options.orientation)
+    });
+    // With fewer than four columns there is no spline through them and nothing is predicted between.
+    let Ok(models) = models.collect::<Result<Vec<_>, _>>() else {
+        return Ok(vec![None; heights.len() * lengths.len()]);
+    };
+    // Row distance over the speed of the lead curve: how far along a row its cutter can do something beside it.
+    let reach = {
+        let columns = &grid.columns;
+        let step = columns[1].lead.u - columns[0].lead.u;
+        let speed = (columns[1].lead.point - columns[0].lead.point).norm() / step;
+        flank.lines.dense.along_columns.greatest / speed
+    };
+    let places: Vec<(f64, f64)> =
+        heights.iter().flat_map(|&a| lengths.iter().map(move |&b| (a, b))).collect();
+    let of_place = |&(a, b): &(f64, f64)| -> Result<Option<[f64; 2]>, MillingError> {
+        let u = plane_through(active, lead, a, b)?;
+        let jet = active.surface.jet(a, b);
+        // Heights of the rows there, ascending or (internal gears) descending.
+        let sense = (heights[heights.len() - 1] - heights[0]).signum();
+        let above = models.partition_point(|model| sense * (model.height(u) - a) < 0.0);
+        let beside = [above.checked_sub(1), (above < models.len()).then_some(above)];
+        let mut best: Option<[f64; 2]> = None;
+        for row in beside.into_iter().flatten() {
+            let stock = models[row].stock(&jet, u, reach)?;
+            if best.is_none_or(|[scallop, chord]| stock.stock() < scallop + chord) {
+                best = Some([stock.scallop, stock.chord]);
+            }
+        }
+        Ok(best)
+    };
+    places.par_iter().map(of_place).collect::<Result<_, _>>().map_err(|error| failure(&error))
+}

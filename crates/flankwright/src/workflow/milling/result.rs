@@ -1,0 +1,194 @@
+//! The document of a milling job's `result.json`, with units in the key names.
+
+use crate::geometry::CutterShape;
+use crate::workflow::finding::Remark;
+use crate::workflow::result::Status;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// The whole document.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MillingResult {
+    /// Name of the job.
+    pub job: String,
+    /// Process.
+    pub process: &'static str,
+    /// Version of flankwright.
+    pub version: &'static str,
+    /// Verdict.
+    pub status: Status,
+    /// Tolerance of the job.
+    pub tolerance_um: f64,
+    /// Why the target is missed, if it is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reason: Option<Remark>,
+    /// Warnings.
+    pub warnings: Vec<Remark>,
+    /// Spaces of the workpiece, and how many of them are milled.
+    pub spaces: [usize; 2],
+    /// The cutter of the flanks.
+    pub cutter: CutterResult,
+    /// Operations in their order, for one space.
+    pub operations: Vec<OperationResult>,
+    /// Flanks that are milled.
+    pub flanks: BTreeMap<&'static str, FlankResult>,
+    /// Seconds per stage; the only part that differs between two runs.
+    pub timing_s: BTreeMap<&'static str, f64>,
+}
+
+/// A cutter. Lengths in mm.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CutterResult {
+    /// "conical" (end mill, ball, torus, cone) or "barrel".
+    pub profile: &'static str,
+    /// Diameter at the tip plane, of a barrel the largest.
+    pub diameter: f64,
+    /// Radius of the corner, of a barrel that of the profile.
+    pub profile_radius: f64,
+    /// Half angle of a cone.
+    pub half_angle_deg: f64,
+    /// Height of the edges.
+    pub cutting_length: f64,
+}
+
+impl CutterResult {
+    /// The figures of a cutting part.
+    pub fn new(shape: &CutterShape, cutting_length: f64) -> Self {
+        match *shape {
+            CutterShape::Conical { radius, half_angle, corner_radius } => Self {
+                profile: "conical",
+                diameter: 2.0 * radius,
+                profile_radius: corner_radius,
+                half_angle_deg: half_angle.to_degrees(),
+                cutting_length,
+            },
+            CutterShape::Barrel { radius, profile_radius, .. } => Self {
+                profile: "barrel",
+                diameter: 2.0 * radius,
+                profile_radius,
+                half_angle_deg: 0.0,
+                cutting_length,
+            },
+        }
+    }
+}
+
+/// One operation in one space.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct OperationResult {
+    /// What it does.
+    pub name: String,
+    /// Paths.
+    pub paths: usize,
+    /// Cutter locations.
+    pub places: usize,
+    /// Way of the tip in the material.
+    pub way_mm: f64,
+}
+
+/// One flank. Arrays over rays are row-major [height][length].
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FlankResult {
+    /// Unit of the height parameter: "mm" (length of roll), "rad" (roll angle), "1" (fraction).
+    pub height_unit: &'static str,
+    /// Unit of the length parameter: "mm" (axial position, distance from the apex) or "1".
+    pub length_unit: &'static str,
+    /// Height parameters of the rays, root to tip.
+    pub height: Vec<f64>,
+    /// Length parameters of the rays.
+    pub length: Vec<f64>,
+    /// Prediction for the deviation: scallop and straight blocks; null where no row lies beside.
+    pub planned_um: Vec<Option<f64>>,
+    /// Deviation that the referee's rays found, > 0 stock; null where no cutter comes by.
+    pub simulated_um: Vec<Option<f64>>,
+    /// Rays that no cutter meets, by reason.
+    pub unmilled: BTreeMap<String, usize>,
+    /// Largest absolute deviation of the rays.
+    pub max_deviation_um: f64,
+    /// Highest and lowest of them.
+    pub stock_um: [f64; 2],
+    /// Root mean square of them.
+    pub rms_deviation_um: f64,
+    /// Largest difference of prediction and rays.
+    pub model_difference_um: f64,
+    /// Bound of the rays' own error.
+    pub referee_error_um: f64,
+    /// Lead parameters between which the flank lies, without overrun.
+    pub lead_range: [f64; 2],
+    /// Columns of the path before the flank begins (and after it ends).
+    pub overrun_columns: usize,
+    /// Distances between columns, along rows.
+    pub along_rows: DistancesResult,
+    /// Distances between rows, along columns.
+    pub along_columns: DistancesResult,
+    /// Rows, root to tip.
+    pub rows: Vec<RowResult>,
+    /// Wear along the edge; absent for cutters whose contact is not chosen.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub wear: Option<WearResult>,
+    /// The root below the flank, at its middle column.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub root: Option<RootResult>,
+}
+
+/// Distances of neighbours, mm; a mean is that of one line.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct DistancesResult {
+    /// Least distance.
+    pub min_mm: f64,
+    /// Greatest distance.
+    pub max_mm: f64,
+    /// Least mean of a line.
+    pub min_mean_mm: f64,
+    /// Greatest mean of a line.
+    pub max_mean_mm: f64,
+}
+
+/// One row.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct RowResult {
+    /// Number, 0 at the root.
+    pub row: usize,
+    /// Contact height above the cutter's tip.
+    pub contact_height_mm: f64,
+    /// Heights that root, edge and opposite flank allow.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub allowed_mm: Option<[f64; 2]>,
+    /// Scallop to the next row; absent above the last one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub scallop_um: Option<f64>,
+    /// What straight blocks leave in their middle, < 0 gouge.
+    pub chord_um: f64,
+    /// Greatest angle of the normals out of their column planes.
+    pub out_of_plane_deg: f64,
+    /// Greatest angle of the cutter's axis out of its column plane.
+    pub axis_out_of_plane_deg: f64,
+    /// Least curvature of the gap between cutter and flank.
+    pub opening_per_mm: f64,
+}
+
+/// Load along the cutting edge.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct WearResult {
+    /// Length of a bin.
+    pub bin_mm: f64,
+    /// Metres of path per mm of edge, bin by bin from the tip.
+    pub load_m_per_mm: Vec<f64>,
+    /// The highest load over that of one contact height for all rows.
+    pub peak_over_fixed: f64,
+    /// Length of the edge that is loaded.
+    pub spread_mm: f64,
+}
+
+/// The root section at one column.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct RootResult {
+    /// Lean of the axis.
+    pub lean_deg: f64,
+    /// Straight piece between active flank and fillet.
+    pub straight_mm: f64,
+    /// Contact height of the pass.
+    pub contact_height_mm: f64,
+    /// Half distance of the lowest points of both fillets.
+    pub half_width_mm: f64,
+}

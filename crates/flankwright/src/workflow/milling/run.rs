@@ -1,0 +1,251 @@
+//! `plan`: from a checked job to the plan of a space, its flanks under the referee, and the verdict.
+
+use super::bodies::{MillingBodies, prepare_milling};
+use super::finding::failure;
+use super::referee::{RefereedFlank, referee};
+use super::result::{
+    CutterResult, DistancesResult, FlankResult, MillingResult, OperationResult, RootResult, RowResult,
+    WearResult,
+};
+use crate::exchange::LoadedMillingJob;
+use crate::exchange::milling_job::MilledBody;
+use crate::geometry::CutterShape;
+use crate::numerics::{Progress, extremes};
+use crate::process::milling::{
+    FlankPlan, MillingPlan, NeighbourDistances, Operation, RowLoad, WearHistogram, plan,
+};
+use crate::workflow::finding::{Remark, RunFailure};
+use crate::workflow::result::Status;
+use std::collections::BTreeMap;
+use std::time::Instant;
+
+/// Everything that a run produces.
+pub struct MillingOutcome {
+    /// The document of `result.json`.
+    pub result: MillingResult,
+    /// What is milled, and with what.
+    pub bodies: MillingBodies,
+    /// The plan of one space.
+    pub plan: MillingPlan,
+    /// The flanks under the referee.
+    pub flanks: Vec<RefereedFlank>,
+}
+
+/// Bin of the wear's histogram, mm (spec 50 section 10).
+const BIN: f64 = 0.5;
+
+/// Plans a job, has the referee judge it, and says whether the target is met.
+///
+/// # Errors
+/// [`RunFailure`]: bad input, or a limit of the bodies.
+pub fn run_milling(loaded: &LoadedMillingJob, progress: &dyn Progress) -> Result<MillingOutcome, RunFailure> {
+    let job = &loaded.job;
+    let mut timing = BTreeMap::new();
+    let begun = Instant::now();
+    let bodies = prepare_milling(loaded)?;
+    timing.insert("prepare", begun.elapsed().as_secs_f64());
+
+    let begun = Instant::now();
+    progress.start("plan", 1);
+    let made = plan(&bodies.space, &bodies.options).map_err(|error| failure(&error))?;
+    progress.advance(1);
+    progress.finish();
+    timing.insert("plan", begun.elapsed().as_secs_f64());
+
+    let begun = Instant::now();
+    let counts = [job.simulation.rays_profile, job.simulation.rays_length];
+    let flanks = referee(&bodies, &made, counts, progress)?;
+    timing.insert("referee", begun.elapsed().as_secs_f64());
+
+    let units = match job.body() {
+        Some(MilledBody::Bevel(_)) => ["rad", "mm"],
+        Some(MilledBody::Blade(_)) => ["1", "1"],
+        _ => ["mm", "mm"],
+    };
+    let results: BTreeMap<&'static str, FlankResult> = made
+        .flanks
+        .iter()
+        .zip(&flanks)
+        .map(|(plan, refereed)| (plan.side.name(), flank_result(&bodies, plan, refereed, units)))
+        .collect();
+    let tolerance_um = job.target.tolerance_um;
+    let missed = results.values().any(|flank| {
+        flank.max_deviation_um.is_nan() || flank.max_deviation_um > tolerance_um || !flank.unmilled.is_empty()
+    });
+    let worst = results.values().map(|flank| flank.max_deviation_um).fold(0.0, f64::max);
+    let reason = missed.then(|| reason(&results, worst, tolerance_um));
+    let result = MillingResult {
+        job: job.job.name.clone(),
+        process: "five-axis-milling",
+        version: env!("CARGO_PKG_VERSION"),
+        status: if missed { Status::Missed } else { Status::Met },
+        tolerance_um,
+        reason,
+        warnings: warnings(&made),
+        spaces: [bodies.spaces, bodies.milled],
+        cutter: CutterResult::new(bodies.options.cutter.shape(), bodies.options.cutter.cutting_length()),
+        operations: made.operations.iter().map(operation_result).collect(),
+        flanks: results,
+        timing_s: timing,
+    };
+    Ok(MillingOutcome { result, bodies, plan: made, flanks })
+}
+
+fn reason(results: &BTreeMap<&'static str, FlankResult>, worst: f64, tolerance_um: f64) -> Remark {
+    let unmilled: usize = results.values().flat_map(|flank| flank.unmilled.values()).sum();
+    if unmilled > 0 {
+        return Remark {
+            code: "flank-not-milled",
+            text: format!("{unmilled} places of the flanks are not reached by the cutter"),
+            way_out: "lengthen the overrun, or check tilt and contact heights".into(),
+        };
+    }
+    Remark {
+        code: "above-tolerance",
+        text: format!("the flank deviates by {worst:.3} um, the tolerance is {tolerance_um} um"),
+        way_out: "lay more rows and columns, or allow a larger tolerance".into(),
+    }
+}
+
+fn warnings(plan: &MillingPlan) -> Vec<Remark> {
+    let mut warnings = Vec::new();
+    for flank in &plan.flanks {
+        for limit in &flank.lines.dense.violated {
+            warnings.push(Remark {
+                code: "density-infeasible",
+                text: format!(
+                    "{} flank: {} = {} mm cannot be kept together with the upper limits, it is {:.4} mm",
+                    flank.side, limit.name, limit.limit, limit.measured
+                ),
+                way_out: "relax this limit or the upper ones".into(),
+            });
+        }
+        let limited: Vec<String> = flank
+            .rows
+            .iter()
+            .enumerate()
+            .filter(|(_, row)| row.limited)
+            .map(|(n, _)| n.to_string())
+            .collect();
+        if !limited.is_empty() {
+            warnings.push(Remark {
+                code: "contact-height-limited",
+                text: format!(
+                    "{} flank: rows {} touch at another height than asked for, because root, edge or opposite flank limit it",
+                    flank.side,
+                    limited.join(", ")
+                ),
+                way_out: "see the contact heights in the result, or give others".into(),
+            });
+        }
+    }
+    warnings
+}
+
+fn operation_result(operation: &Operation) -> OperationResult {
+    let way = |path: &crate::process::milling::CutterPath| {
+        path.places.windows(2).map(|pair| (pair[1].tip - pair[0].tip).norm()).sum::<f64>()
+    };
+    OperationResult {
+        name: operation.kind.to_string(),
+        paths: operation.paths.len(),
+        places: operation.paths.iter().map(|path| path.places.len()).sum(),
+        way_mm: operation.paths.iter().map(way).sum(),
+    }
+}
+
+fn distances(of: &NeighbourDistances) -> DistancesResult {
+    DistancesResult {
+        min_mm: of.least,
+        max_mm: of.greatest,
+        min_mean_mm: of.least_mean,
+        max_mean_mm: of.greatest_mean,
+    }
+}
+
+fn flank_result(
+    bodies: &MillingBodies,
+    plan: &FlankPlan,
+    refereed: &RefereedFlank,
+    [height_unit, length_unit]: [&'static str; 2],
+) -> FlankResult {
+    let um = |value: &Option<f64>| value.map(|mm| 1e3 * mm);
+    let simulated: Vec<Option<f64>> = refereed.simulated.iter().map(um).collect();
+    let planned: Vec<Option<f64>> =
+        refereed.predicted.iter().map(|p| p.map(|[scallop, chord]| 1e3 * (scallop + chord))).collect();
+    let found: Vec<f64> = simulated.iter().flatten().copied().collect();
+    let [lowest, highest] = extremes(found.iter().copied());
+    let differences =
+        simulated.iter().zip(&planned).filter_map(|(found, wanted)| Some(((*found)? - (*wanted)?).abs()));
+    let mut unmilled = BTreeMap::new();
+    for (reason, count) in &refereed.unmilled {
+        *unmilled.entry(reason.to_string()).or_insert(0) += count;
+    }
+    let rows = plan.rows.iter().zip(&plan.figures).enumerate().map(|(row, (finished, figures))| RowResult {
+        row,
+        contact_height_mm: finished.locations[finished.locations.len() / 2].contact_height,
+        allowed_mm: finished.window.map(|window| [window.least, window.greatest]),
+        scallop_um: figures.scallop.map(|mm| 1e3 * mm),
+        chord_um: 1e3 * figures.chord,
+        out_of_plane_deg: figures.out_of_plane.to_degrees(),
+        axis_out_of_plane_deg: figures.axis_off.to_degrees(),
+        opening_per_mm: figures.opening,
+    });
+    let root = plan.root.get(plan.root.len() / 2).map(|(section, _)| RootResult {
+        lean_deg: section.lean.to_degrees(),
+        straight_mm: section.straight,
+        contact_height_mm: section.contact_height,
+        half_width_mm: section.half_width,
+    });
+    FlankResult {
+        height_unit,
+        length_unit,
+        height: refereed.heights.clone(),
+        length: refereed.lengths.clone(),
+        planned_um: planned.clone(),
+        max_deviation_um: lowest.abs().max(highest.abs()),
+        stock_um: [lowest, highest],
+        rms_deviation_um: (found.iter().map(|x| x * x).sum::<f64>() / found.len().max(1) as f64).sqrt(),
+        model_difference_um: extremes(differences)[1].max(0.0),
+        referee_error_um: refereed.error_um,
+        simulated_um: simulated,
+        unmilled,
+        lead_range: plan.lines.range,
+        overrun_columns: plan.lines.first,
+        along_rows: distances(&plan.lines.dense.along_rows),
+        along_columns: distances(&plan.lines.dense.along_columns),
+        rows: rows.collect(),
+        wear: wear(bodies, plan),
+        root,
+    }
+}
+
+/// Wear along the edge, beside that of one height for all rows.
+fn wear(bodies: &MillingBodies, plan: &FlankPlan) -> Option<WearResult> {
+    let cutter = &bodies.options.cutter;
+    if !matches!(cutter.shape(), CutterShape::Conical { .. }) || plan.rows.first()?.window.is_none() {
+        return None;
+    }
+    let band = plan.lines.dense.along_columns.greatest_mean;
+    let columns = &plan.lines.dense.grid.columns;
+    let length = |row: usize| {
+        columns
+            .windows(2)
+            .map(|pair| (pair[1].places[row].jet.point - pair[0].places[row].jet.point).norm())
+            .sum::<f64>()
+    };
+    let histogram = |height: &dyn Fn(usize) -> f64| {
+        let rows: Vec<RowLoad> = (0..plan.rows.len())
+            .map(|row| RowLoad { height: height(row), band, length: length(row) })
+            .collect();
+        WearHistogram::new(&rows, cutter.cutting_length(), BIN)
+    };
+    let made = histogram(&|row| plan.rows[row].contact_height);
+    let fixed = histogram(&|_| plan.rows[0].contact_height);
+    Some(WearResult {
+        bin_mm: BIN,
+        peak_over_fixed: made.peak() / fixed.peak(),
+        spread_mm: made.spread(),
+        load_m_per_mm: made.load,
+    })
+}
