@@ -5,8 +5,11 @@
 #[path = "nc/programs.rs"]
 mod programs;
 
-use flankwright::nc::{Dialect, NcError, Program, WriteOptions, detect_dialect, read, write_checked};
-use programs::{Draw, axes, header, random};
+use flankwright::nc::{
+    Dialect, NcError, Program, WriteOptions, detect_dialect, read, read_cl, write_checked, write_cl,
+    write_cl_checked,
+};
+use programs::{Draw, axes, header, random, tips};
 use proptest::prelude::*;
 
 /// Reads a text in every dialect; true if one of them takes it.
@@ -30,11 +33,33 @@ fn attempt(text: &[u8]) -> bool {
         let unequal = matches!(written, Err(NcError::NotReadBack(_) | NcError::ReadBackMismatch { .. }));
         assert!(!unequal, "{dialect:?} {written:?}: {}", text.escape_ascii());
     }
-    taken
+    taken | attempt_cl(text)
+}
+
+/// The same as cutter locations.
+fn attempt_cl(text: &[u8]) -> bool {
+    let found = match read_cl(text) {
+        Ok(found) => found,
+        Err(error) => {
+            let lines = text.split(|byte| *byte == b'\n').count();
+            assert!(
+                (1..=lines + 1).contains(&error.line) && (1..=513 + 1).contains(&error.column),
+                "{error}"
+            );
+            assert!(error.to_string().is_ascii() && error.word.len() < 300, "{error}");
+            return false;
+        }
+    };
+    if let Ok(program) = Program::new(header(Dialect::Siemens), found.blocks) {
+        let written = write_cl_checked(&program, found.cutter.as_ref());
+        let unequal = matches!(written, Err(NcError::NotReadBack(_) | NcError::ReadBackMismatch { .. }));
+        assert!(!unequal, "{written:?}: {}", text.escape_ascii());
+    }
+    true
 }
 
 /// Pieces of all three languages.
-const WORDS: [&str; 70] = [
+const WORDS: [&str; 92] = [
     "G0",
     "G1",
     "G4",
@@ -105,6 +130,50 @@ const WORDS: [&str; 70] = [
     "R1=2",
     "-",
     "999999999999999999",
+    "T5 M6\n",
+    "T5 D3 M6\n",
+    "T7",
+    "D1",
+    "M6",
+    "TRAORI\n",
+    "ORIWKS\n",
+    "ORIMKS\n",
+    "TRAFOOF\n",
+    "G43.4 H5\n",
+    "G43.5 H5\n",
+    "G49",
+    "G49\n",
+    "A3=0.5",
+    "B3=-1",
+    "C3=1.0",
+    "X1. Y2. Z3.",
+    "I0.5",
+    "J-1.",
+    "K1.0",
+    "H5",
+    "G93 G1",
+];
+
+/// Records of cutter locations.
+const RECORDS: [&str; 18] = [
+    "PARTNO/A",
+    "UNITS/MM",
+    "UNITS/MM\nMULTAX/ON",
+    "TOOL/MILL,5,1,20",
+    "LOADTL/5",
+    "LOADTL/5,OSETNO,3",
+    "SPINDL/RPM,3000,CLW",
+    "SPINDL/OFF",
+    "FEDRAT/100.5,MMPM",
+    "FEDRAT/30,INVERS",
+    "MULTAX/OFF",
+    "RAPID",
+    "GOTO/1.5,-2,3,0.6,0,0.8",
+    "GOTO/1,2,3",
+    "DELAY/0.5",
+    "PPRINT/A B",
+    "STOP",
+    "999999999999999999",
 ];
 
 proptest! {
@@ -118,6 +187,17 @@ proptest! {
     #[test]
     fn characters_of_programs(text in "[GMXYZABCFSPNQTL0-9=\\[\\](),.;%$ \\-\n\"]{0,300}") {
         attempt(text.as_bytes());
+    }
+
+    #[test]
+    fn records_in_any_order(records in prop::collection::vec((0..RECORDS.len(), 0u8..5), 0..40)) {
+        let mut text = String::new();
+        for (record, separator) in records {
+            text.push_str(RECORDS[record]);
+            text.push_str(["\n", "\n", "\n", ",", " "][usize::from(separator)]);
+        }
+        text.push_str("\nFINI\n");
+        attempt_cl(text.as_bytes());
     }
 
     #[test]
@@ -139,12 +219,17 @@ fn written_programs_with_damage() {
     let mut taken = 0;
     for case in 0..cases {
         let dialect = Dialect::ALL[case as usize % 3];
-        let program = random(dialect, case, 12, false);
-        let Ok(written) = write_checked(&program, dialect, &WriteOptions::default()) else {
-            panic!("{case}")
+        // Tips in every other case of the dialects that have them, cutter locations where the third has none.
+        let text = match (dialect, case / 3 % 2) {
+            (_, 0) => write_checked(&random(dialect, case, 12, false), dialect, &WriteOptions::default())
+                .map(|written| written.text),
+            (Dialect::LinuxCnc, _) => write_cl(&tips(Dialect::Siemens, case, 12, false), None),
+            _ => write_checked(&tips(dialect, case, 12, true), dialect, &WriteOptions::default())
+                .map(|written| written.text),
         };
+        let text = text.unwrap_or_else(|error| panic!("{case}: {error}"));
         for _ in 0..40 {
-            let mut bytes = written.text.clone().into_bytes();
+            let mut bytes = text.clone().into_bytes();
             for _ in 0..=draw.below(4) {
                 let from = draw.below(bytes.len() as u64) as usize;
                 let to = (from + draw.below(30) as usize).min(bytes.len());

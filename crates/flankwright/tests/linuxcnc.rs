@@ -4,13 +4,16 @@
 #[path = "nc/client.rs"]
 mod client;
 #[allow(dead_code)]
+#[path = "nc/helical_row.rs"]
+mod helical_row;
+#[allow(dead_code)]
 #[path = "nc/programs.rs"]
 mod programs;
 
 use client::{ABSENT, Client};
 use flankwright::nc::{
-    AxisMotion, AxisWord, Block, Dialect, Header, Program, Targets, WriteOptions, read, split_turns,
-    write_checked,
+    AxisMotion, AxisWord, Block, Decimals, Dialect, FeedWords, Header, Program, Targets, WriteOptions, read,
+    split_turns, write_checked,
 };
 use programs::{A, C, Draw, X, Z, program, random, stroke};
 use std::io::Write as _;
@@ -275,6 +278,53 @@ fn the_sample_of_the_specification_gives_its_values() {
         "{canonical}"
     );
     assert!(canonical.contains("SET_FEED_RATE(349.8574)"), "{canonical}");
+}
+
+/// The helical row of spec 50 as axis values with a time for each block, as a machine without tip control takes it.
+#[test]
+fn a_milled_row_of_axis_values_means_the_same_in_linuxcnc() {
+    let Some((client, directory)) = client("milled row") else { return };
+    let linear = |name: &str, letter| AxisWord::letter(name, AxisMotion::Linear, letter);
+    let rotary = |name: &str, letter| AxisWord::letter(name, AxisMotion::Rotary, letter);
+    let axes =
+        vec![linear("X1", 'X'), linear("Y1", 'Y'), linear("Z1", 'Z'), rotary("C1", 'C'), rotary("A1", 'A')];
+    let place = |k: usize| {
+        let ([x, y, z], [c, a]) = (helical_row::PLACES[k], helical_row::ANGLES[k]);
+        Targets::of_first(&[x, y, z, c.to_radians(), a.to_radians()])
+    };
+    let spindle = Block::Spindle { spindle: 0, speed: 3000.0 * std::f64::consts::PI / 30.0 };
+    let mut blocks = vec![Block::Tool { number: 5, length_offset: None }, spindle, Block::Rapid(place(0))];
+    let feeds = helical_row::FEEDS.iter().enumerate();
+    blocks.extend(feeds.map(|(k, feed)| Block::Linear { target: place(k + 1), duration: 60.0 / feed }));
+    blocks.push(Block::End);
+    let header = Header { name: "ROW".into(), axes, chord_tolerance: 1e-3 };
+    let row = Program::new(header, blocks).unwrap();
+    let milling = WriteOptions {
+        decimals: Decimals::MILLING,
+        feed_words: FeedWords::AxisBlocks,
+        line_numbers: Some(10),
+        ..stand_alone()
+    };
+    for options in [stand_alone(), milling] {
+        let text = write_checked(&row, Dialect::LinuxCnc, &options).unwrap().text;
+        let path = file(&directory, &text);
+        let output = client.interpret_with_tools(&path, directory.path(), "T5 P5 Z0\n");
+        let canonical_text = String::from_utf8_lossy(&output.stdout);
+        assert!(output.status.success(), "{}{text}", String::from_utf8_lossy(&output.stderr));
+        assert!(canonical_text.contains("SELECT_TOOL(5)"), "{canonical_text}");
+        assert!(canonical_text.contains("START_SPINDLE_CLOCKWISE(0)"), "{canonical_text}");
+        // What the text says is at hand, so that only the printing is left.
+        let found = read(text.as_bytes(), Dialect::LinuxCnc, row.axes()).unwrap();
+        let motions = canonical(&canonical_text);
+        compare(&wanted(row.axes(), &found.blocks), &motions, PRINTED, PRINTED, 1e-4);
+        // Without its F a block in inverse time is refused by both.
+        let at = text.rfind(" F434").expect("a feed");
+        let end = at + text[at..].find('\n').expect("a line end");
+        let lacking = [&text[..at], &text[end..]].concat();
+        assert!(read(lacking.as_bytes(), Dialect::LinuxCnc, row.axes()).is_err());
+        let output = client.interpret_with_tools(&file(&directory, &lacking), directory.path(), "T5 P5 Z0\n");
+        assert!(!output.status.success(), "rs274 takes {lacking}");
+    }
 }
 
 #[test]

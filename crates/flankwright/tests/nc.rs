@@ -1,6 +1,7 @@
 //! The neutral program, its writers and its reader: read-back of random programs in three dialects, bytes that never differ,
 //! damage that is found, and every error of spec 80 section 7.
 
+#[allow(dead_code)]
 #[path = "nc/programs.rs"]
 mod programs;
 
@@ -22,7 +23,7 @@ proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, cases: 200, ..ProptestConfig::default() })]
 
     #[test]
-    fn random_programs_read_back_in_every_dialect(seed in any::<u64>(), mm in 3u8..=9, deg in 3u8..=9, feed in 6u8..=9) {
+    fn random_programs_read_back_in_every_dialect(seed in any::<u64>(), mm in 3u8..=9, deg in 3u8..=9, feed in 3u8..=9) {
         for dialect in Dialect::ALL {
             let program = random(dialect, seed, 60, false);
             let options = WriteOptions { decimals: Decimals { mm, deg, feed }, ..WriteOptions::default() };
@@ -286,9 +287,11 @@ fn what_no_writer_emits_is_refused_with_its_place() {
         (f, "G81 T0 L3", ReadProblem::OutOfRange, 1),
         (f, "G81 T40 L3\nG81 T40 L3", Conflict, 1),
         (f, "g0 X1.", UnknownWord, 1),
-        (f, "G43.4 H1", UnknownWord, 1),
+        (f, "G43.4 H1", Missing, 1),
         (s, "G1 X1=1 Q2=3 F1", UnknownWord, 9),
-        (s, "TRAORI", UnknownWord, 1),
+        (s, "TRAORI", End, 1),
+        (s, "TRAORI\nTRAORI", Conflict, 1),
+        (s, "G1 A3=1 F1", UnknownWord, 4),
         (s, "EGON(C2, \"FINE\", B1, 3, 40)", Conflict, 1),
         (s, "EGDEF(C2, B1, 1", Missing, 1),
         (s, "EGDEF(C2, C2, 1)", ReadProblem::OutOfRange, 1),

@@ -66,8 +66,8 @@ impl Machine {
         }
     }
 
-    /// The excess of the solution that stands least beyond the travel.
-    fn limit_of(&self, solutions: &[Solution]) -> MachineError {
+    /// The error of the solution that stands least beyond the travel, where all do.
+    pub fn limit_of(&self, solutions: &[Solution]) -> MachineError {
         let scaled = |axis: usize, excess: f64| match self.joint(axis) {
             Joint::Rotary => excess,
             Joint::Linear => excess / LENGTH,

@@ -17,6 +17,7 @@ mod numeric;
 mod orient;
 mod rotations;
 mod rule;
+mod straight;
 
 pub use axis::{Axis, AxisLimits, Joint, MOST_AXES, Positions, Role};
 pub use choice::{Follower, Solution};
@@ -26,5 +27,6 @@ pub use forward::{Bed, Station, StationSpindle, ToolSpindle};
 pub use gearbox::{CouplingRates, GearCoupling};
 pub use influence::MachineTwist;
 pub use mount::{Mount, Mounts};
-pub use orient::{AxisSolutions, ToolAxis};
+pub use orient::{AxisSolutions, FiveAxes, ToolAxis};
 pub use rule::DressingRule;
+pub use straight::StraightBound;

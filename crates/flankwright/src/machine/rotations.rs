@@ -44,6 +44,9 @@ pub(super) enum NoWrist {
 /// Below this share of its reach squared, the two solutions of the middle axis are one: apart by 3e-8 rad at most, which turns
 /// the outer axes against each other by less than rounding.
 const COINCIDENT: f64 = 1e-15;
+/// Farther below zero than this share of the reach squared nothing is reached (spec 50 section 11): at most 5e-13 rad of the
+/// direction, what rounding makes of a horizontal tool on a table that nutates by 45 degrees.
+const BEYOND: f64 = 1e-12;
 /// Axes closer to parallel than this (sine) do the same.
 const PARALLEL: f64 = 1e-9;
 
@@ -61,7 +64,7 @@ fn middle([k1, k2, k3]: [&Vector3<f64>; 3], wanted: f64, least_reach: f64) -> Re
     // As a product: 1 - cos^2 would lose half of the digits where the solutions meet.
     let square = (reach - rest) * (reach + rest);
     let coincident = COINCIDENT * reach * reach;
-    if square < -coincident {
+    if square < -BEYOND * reach * reach {
         return Err(NoWrist::Beyond { wanted, least: p - reach, greatest: p + reach });
     }
     let centre = v.atan2(u);
@@ -93,7 +96,8 @@ pub(super) fn three_axes(
     middle([k1, k2, k3], k1.dot(&image), least_reach)?.into_iter().map(outer).collect()
 }
 
-/// All angles a, b with R(k1, a) R(k2, b) p = q for unit vectors p and q, rad: a tool on two rotary axes (spec 50 section 11).
+/// All angles a, b with R(k1, a) R(k2, b) p = q for unit vectors p and q, rad: a tool on two rotary axes, the solution with
+/// R(k2, b) p on the side of k1 x k2 first (spec 50 section 11).
 pub(super) fn two_axes(
     [k1, k2]: [&Vector3<f64>; 2],
     p: &Vector3<f64>,
@@ -104,5 +108,6 @@ pub(super) fn two_axes(
         return Err(NoWrist::Singular { measure });
     }
     let middles = middle([k1, k2, p], k1.dot(q), PARALLEL)?;
-    Ok(middles.into_iter().map(|b| [turn(k1, &(about(k2, b) * p), q), b]).collect())
+    // The part of R(k2, b) p along k1 x k2 is the rate of `middle`'s cosine with b: positive at its second angle.
+    Ok(middles.into_iter().rev().map(|b| [turn(k1, &(about(k2, b) * p), q), b]).collect())
 }

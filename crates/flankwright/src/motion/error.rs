@@ -17,6 +17,52 @@ pub enum MotionError {
         /// What the machine says.
         error: MachineError,
     },
+    /// The machine cannot stand at a place of a cutter's path.
+    #[error("place {place} of the cutter: {error}")]
+    Place {
+        /// Number of the place, from 1.
+        place: usize,
+        /// What the machine says.
+        error: MachineError,
+    },
+    /// Two places one after the other are one place.
+    #[error("places {place} and {next} of the cutter are one: a block between them has no duration", next = place + 1)]
+    NoMotion {
+        /// Number of the first of them, from 1.
+        place: usize,
+    },
+    /// Straight blocks do not come near enough to the cutter's path.
+    #[error(
+        "after place {place} of the cutter straight blocks still miss it by {tip_um:.6} um at the tip and {axis_deg:.6} deg after \
+         {pieces} pieces; wanted: {tip_tolerance_um} um, {axis_tolerance_deg} deg"
+    )]
+    CutterMissed {
+        /// Number of the place before, from 1.
+        place: usize,
+        /// Pieces tried.
+        pieces: usize,
+        /// Deviation of the tip left, um.
+        tip_um: f64,
+        /// Wanted, um.
+        tip_tolerance_um: f64,
+        /// Deviation of the axis left, deg.
+        axis_deg: f64,
+        /// Wanted, deg.
+        axis_tolerance_deg: f64,
+    },
+    /// A rotary axis is to stand still near the pole for a cutter that needs its axis.
+    #[error("near the pole the first rotary axis can be held for ball cutters only")]
+    HoldNeedsBall,
+    /// No mount keeps a path away from the pole.
+    #[error(
+        "no mount tilted by up to {greatest_deg} deg keeps the path {clearance_deg} deg away from the pole"
+    )]
+    NoTilt {
+        /// Greatest tilt tried, deg.
+        greatest_deg: f64,
+        /// Wanted distance, deg.
+        clearance_deg: f64,
+    },
     /// The machine itself lacks something.
     #[error(transparent)]
     Lacking(#[from] MachineError),
@@ -87,7 +133,11 @@ impl MotionError {
     /// Stable kebab-case code.
     pub fn code(&self) -> &'static str {
         match self {
-            Self::Machine { error, .. } | Self::Lacking(error) => error.code(),
+            Self::Machine { error, .. } | Self::Place { error, .. } | Self::Lacking(error) => error.code(),
+            Self::NoMotion { .. } => "no-motion",
+            Self::CutterMissed { .. } => "tolerance-not-reached",
+            Self::HoldNeedsBall => "hold-needs-ball",
+            Self::NoTilt { .. } => "no-tilt",
             Self::NoWord { .. } | Self::InvalidWord { .. } => "axis-not-available",
             Self::ToleranceNotReached { .. } => "tolerance-not-reached",
             Self::UnsupportedCoupling { .. } => "unsupported-coupling",
@@ -100,7 +150,15 @@ impl MotionError {
     /// What the user can do about it, in one sentence.
     pub fn way_out(&self) -> String {
         match self {
-            Self::Machine { error, .. } | Self::Lacking(error) => error.way_out(),
+            Self::Machine { error, .. } | Self::Place { error, .. } | Self::Lacking(error) => error.way_out(),
+            Self::NoMotion { .. } => "leave out one of the two places".into(),
+            Self::CutterMissed { .. } => {
+                "raise the tolerances, or keep the path away from the pole by a tilted mount".into()
+            }
+            Self::HoldNeedsBall => "take a ball cutter, slow down near the pole, or tilt the mount".into(),
+            Self::NoTilt { .. } => {
+                "allow a greater tilt, divide the path, or ask for a smaller distance".into()
+            }
             Self::NoWord { axis, .. } => {
                 format!("give {axis} a word in the machine's [controls], or take another control")
             }

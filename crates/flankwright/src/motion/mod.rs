@@ -9,6 +9,7 @@ mod drive;
 mod error;
 mod grinding_course;
 mod layout;
+pub mod milling;
 mod path;
 mod read_back;
 mod s_curve;

@@ -207,7 +207,12 @@ impl Walk<'_> {
                 self.engage(number, *follower, synchronisation.as_deref())?;
             }
             Block::GearOff { .. } => self.engaged = None,
-            Block::Comment(_) | Block::Stop | Block::End => {}
+            Block::TipControlOn(_) | Block::TipControlOff | Block::Tip(_) | Block::TipSpeed(_) => {
+                let reason =
+                    "tool centre point control, which moves the axes in ways that no block says".into();
+                return Err(MotionError::NotFollowed { block: number, reason });
+            }
+            Block::Comment(_) | Block::Stop | Block::End | Block::Tool { .. } => {}
         }
         Ok(())
     }

@@ -2,10 +2,11 @@
 //! neutral programs and how far rounding may have moved them.
 
 use super::reader::{HalGear, read_hal};
+use super::writer::{cl_options, resolved};
 use super::{
-    AxisMotion, AxisWord, BSplineMotion, Block, Coupling, CubicMotion, CubicSpan, CurveTable, Dialect, Gear,
-    GearSynchronisation, MAXIMUM_AXES, NcError, Program, ReadProgram, Targets, Word, WriteOptions, Written,
-    read, write,
+    AxisMotion, AxisWord, BSplineMotion, Block, ClCutter, Coupling, CubicMotion, CubicSpan, CurveTable,
+    Dialect, Gear, GearSynchronisation, MAXIMUM_AXES, NcError, Orientation, Pace, Program, ReadProgram,
+    Targets, TipMotion, Word, WriteOptions, Written, read, read_cl, write, write_cl,
 };
 
 /// Relative difference of times.
@@ -18,6 +19,9 @@ const POLYNOMIAL: f64 = 1e-9;
 const RATIO: f64 = 2e-14;
 /// Rounding of the conversions themselves, relative.
 const CONVERSION: f64 = 1e-15;
+/// Times of feeds from here on, and from there on, have other decimals (see the writers' options).
+const SMALL_FEED: f64 = 1.0;
+const LARGE_FEED: f64 = 1e8;
 /// Where polynomials are compared.
 const PLACES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
@@ -37,6 +41,30 @@ pub fn write_checked(
     Ok(written)
 }
 
+/// Writes the cutter locations, reads them with the reader that shares nothing with the writer, and compares.
+///
+/// # Errors
+/// Those of [`write_cl()`]; `NotReadBack` and `ReadBackMismatch` tell of a fault in this library.
+pub fn write_cl_checked(program: &Program, cutter: Option<&ClCutter>) -> Result<String, NcError> {
+    let text = write_cl(program, cutter)?;
+    let found = read_cl(text.as_bytes()).map_err(|error| NcError::NotReadBack(error.to_string().into()))?;
+    let wanted = Program::new(program.header().clone(), resolved(program)?)?;
+    let options = cl_options();
+    let lengths = |cutter: &ClCutter| [cutter.diameter, cutter.corner_radius, cutter.cutting_length];
+    let half = 0.5 * 10f64.powi(-i32::from(options.decimals.mm));
+    let same = match (cutter.map(lengths), found.cutter.as_ref().map(lengths)) {
+        (None, None) => true,
+        (Some(a), Some(b)) => a.iter().zip(b).all(|(a, b)| (a - b).abs() <= half + CONVERSION * a.abs()),
+        _ => false,
+    };
+    if !same || found.name.as_ref() != Some(&program.header().name) {
+        return Err(NcError::ReadBackMismatch { block: 0, axis: "name or cutter".into(), delta: f64::NAN });
+    }
+    let read = ReadProgram { name: found.name, chord_tolerance: None, blocks: found.blocks };
+    compare_blocks(&wanted, &read, 0.0, None, &options)?;
+    Ok(text)
+}
+
 /// Compares a program with what was read from its text, and the netlist of its gear with the gear.
 ///
 /// # Errors
@@ -47,14 +75,28 @@ pub fn compare(
     written: &Written,
     options: &WriteOptions,
 ) -> Result<(), NcError> {
+    compare_blocks(program, found, written.rounding.lead_ratio, written.hal.as_deref(), options)
+}
+
+/// The same with what the text came with: the change of the lead ratio, and the netlist.
+fn compare_blocks(
+    program: &Program,
+    found: &ReadProgram,
+    lead_ratio: f64,
+    hal: Option<&str>,
+    options: &WriteOptions,
+) -> Result<(), NcError> {
     let half = |decimals: u8| 0.5 * 10f64.powi(-i32::from(decimals));
     let mut wanted = Side::new(program.blocks());
     let mut read = Side::new(&found.blocks);
     let mut comparison = Comparison {
         axes: program.axes(),
         half: [half(options.decimals.mm), half(options.decimals.deg)],
-        lead_ratio: written.rounding.lead_ratio,
-        hal: written.hal.as_deref(),
+        half_direction: half(options.tip_decimals.direction),
+        half_speed: half(options.tip_decimals.speed),
+        feed_decimals: options.decimals.feed,
+        lead_ratio,
+        hal,
         block: 0,
     };
     loop {
@@ -86,6 +128,13 @@ impl<'a> Side<'a> {
         Self { blocks, at: 0, tail: end - stops, places: Targets::NONE, gears: [None; MAXIMUM_AXES] }
     }
 
+    /// Whether tip control is switched on before the next tool, for the tool that was just passed.
+    fn guides_the_tip(&self) -> bool {
+        let rest = self.blocks[self.at.min(self.blocks.len())..].iter();
+        let mut rest = rest.take_while(|block| !matches!(block, Block::Tool { .. }));
+        rest.any(|block| matches!(block, Block::TipControlOn(_)))
+    }
+
     /// The next block that is compared: a definition is compared where it is switched on.
     fn next(&mut self) -> Option<(usize, &'a Block)> {
         loop {
@@ -108,6 +157,10 @@ struct Comparison<'a> {
     axes: &'a [AxisWord],
     /// Half a unit of the last digit of lengths and of angles.
     half: [f64; 2],
+    /// The same of directions, and of speeds of the tip in mm/min.
+    half_direction: f64,
+    half_speed: f64,
+    feed_decimals: u8,
     lead_ratio: f64,
     hal: Option<&'a str>,
     block: usize,
@@ -156,8 +209,19 @@ impl Comparison<'_> {
         wanted.iter().zip(found.iter()).try_for_each(|((axis, a), (_, b))| self.rounded(axis, a, b))
     }
 
-    fn duration(&self, wanted: f64, found: f64) -> Result<(), NcError> {
-        self.number("duration", wanted, found, DURATION * wanted.abs())
+    /// Time of a block that is written as `parts` lines of the same feed: half a unit of the feed's last digit, at least a
+    /// millionth.
+    fn duration(&self, wanted: f64, found: f64, parts: usize) -> Result<(), NcError> {
+        let feed = 60.0 * parts as f64 / wanted;
+        let decimals = match feed {
+            _ if feed < SMALL_FEED => self.feed_decimals + 4,
+            _ if feed >= LARGE_FEED => self.feed_decimals.min(8),
+            _ => self.feed_decimals,
+        };
+        let share = 0.5 * 10f64.powi(-i32::from(decimals)) / feed;
+        // The time is the inverse of the feed.
+        let share = share / (1.0 - share).max(0.5) + 4.0 * CONVERSION;
+        self.number("duration", wanted, found, DURATION.max(share) * wanted.abs())
     }
 
     fn block<'a>(
@@ -175,7 +239,7 @@ impl Comparison<'_> {
             }
             (Block::Linear { target: a, duration: s }, Block::Linear { target: b, duration: t }) => {
                 self.targets(a, b)?;
-                self.duration(*s, *t)?;
+                self.duration(*s, *t, 1)?;
                 a_side.places.update(a);
                 b_side.places.update(b);
             }
@@ -211,9 +275,60 @@ impl Comparison<'_> {
             }
             (Block::GearOff { follower: a }, Block::GearOff { follower: b }) if a == b => {}
             (Block::Table(a), Block::Table(b)) => self.table(a, b)?,
+            (
+                Block::Tool { number: a, length_offset: offset },
+                Block::Tool { number: b, length_offset: found_offset },
+            ) if a == b => {
+                // Where the offset stands beside tip control, a tool without tip control has none.
+                let unused = found_offset.is_none() && !b_side.guides_the_tip();
+                if offset != found_offset && !unused {
+                    return Err(self.mismatch("length offset of the tool", f64::NAN));
+                }
+            }
+            (Block::TipControlOn(a), Block::TipControlOn(b)) if a == b => {}
+            (Block::TipControlOff, Block::TipControlOff) => {
+                (a_side.places, b_side.places) = (Targets::NONE, Targets::NONE);
+            }
+            (Block::Tip(a), Block::Tip(b)) => self.tip(a, b)?,
+            (Block::TipSpeed(a), Block::TipSpeed(b)) => self.speed(*a, *b)?,
             _ => return Err(self.mismatch("kind of block", f64::NAN)),
         }
         Ok(())
+    }
+
+    fn three(&self, what: &str, wanted: [f64; 3], found: [f64; 3], half: f64) -> Result<(), NcError> {
+        wanted
+            .into_iter()
+            .zip(found)
+            .try_for_each(|(a, b)| self.number(what, a, b, half + CONVERSION * a.abs()))
+    }
+
+    fn speed(&self, wanted: f64, found: f64) -> Result<(), NcError> {
+        let (wanted, found) = (wanted * 60.0, found * 60.0);
+        self.number("speed of the tip", wanted, found, self.half_speed + CONVERSION * wanted.abs())
+    }
+
+    fn tip(&self, a: &TipMotion, b: &TipMotion) -> Result<(), NcError> {
+        self.three("tip of the tool", a.tip, b.tip, self.half[0])?;
+        match (a.orientation, b.orientation) {
+            (Orientation::Kept, Orientation::Kept) => {}
+            (Orientation::Direction(a), Orientation::Direction(b)) => {
+                self.three("direction of the tool", a, b, self.half_direction)?;
+            }
+            (Orientation::Angles(a), Orientation::Angles(b)) if a.iter().count() == b.iter().count() => {
+                for (axis, wanted) in a.iter() {
+                    let found = b.get(axis).ok_or_else(|| self.mismatch(self.name(axis), f64::NAN))?;
+                    self.rounded(axis, wanted, found)?;
+                }
+            }
+            _ => return Err(self.mismatch("direction of the tool", f64::NAN)),
+        }
+        match (a.pace, b.pace) {
+            (Pace::Rapid, Pace::Rapid) | (Pace::Kept, Pace::Kept) => Ok(()),
+            (Pace::Speed(a), Pace::Speed(b)) => self.speed(a, b),
+            (Pace::Duration(a), Pace::Duration(b)) => self.duration(a, b, 1),
+            _ => Err(self.mismatch("kind of feed", f64::NAN)),
+        }
     }
 
     /// Cubics at five places. They start where the axes stand, which the blocks before have settled: what their rounding leaves of
@@ -235,7 +350,7 @@ impl Comparison<'_> {
         a_side: &mut Side<'_>,
         b_side: &mut Side<'_>,
     ) -> Result<(), NcError> {
-        self.duration(a.duration, b.duration)?;
+        self.duration(a.duration, b.duration, 1)?;
         if !a.spans.iter().map(|span| span.0).eq(b.spans.iter().map(|span| span.0)) {
             return Err(self.mismatch("axes of the block", f64::NAN));
         }
@@ -249,7 +364,7 @@ impl Comparison<'_> {
     }
 
     fn spline(&self, a: &BSplineMotion, b: &BSplineMotion) -> Result<(), NcError> {
-        self.duration(a.duration, b.duration)?;
+        self.duration(a.duration, b.duration, a.points.len())?;
         if a.degree != b.degree || a.points.len() != b.points.len() || a.knots.len() != b.knots.len() {
             return Err(self.mismatch("degree or number of points", f64::NAN));
         }

@@ -159,6 +159,20 @@ pub enum NcError {
         /// What is wrong.
         reason: &'static str,
     },
+    /// Blocks of tip control in an impossible order, or that contradict how it was switched on.
+    #[error("block {block} {reason}")]
+    TipControlState {
+        /// Block.
+        block: usize,
+        /// What is wrong.
+        reason: &'static str,
+    },
+    /// A control that cannot guide the tip of the tool.
+    #[error("block {block}: this control has no tool centre point control in its standard kinematics")]
+    TipControlNotAvailable {
+        /// Block.
+        block: usize,
+    },
     /// A name or comment that a control could misread.
     #[error("block {block}: the text {text:?} cannot stand in a program; allowed: {allowed}")]
     BadText {
@@ -223,6 +237,8 @@ impl NcError {
             Self::BadSpline { .. } => "nc-bad-spline",
             Self::BlockNotAvailable { .. } => "nc-block-not-available",
             Self::GearState { .. } => "nc-gear-state",
+            Self::TipControlState { .. } => "nc-tip-control-state",
+            Self::TipControlNotAvailable { .. } => "nc-tip-control-not-available",
             Self::BadText { .. } => "nc-bad-text",
             Self::EndMisplaced { .. } => "nc-end-misplaced",
             Self::ToleranceNotReached { .. } => "nc-tolerance-not-reached",
@@ -256,9 +272,15 @@ impl NcError {
             Self::DegreeNotSupported { .. } => "divide the curve into cubics or straight blocks",
             Self::BadSpline { .. } => "give a clamped B-spline: points + degree + 2 ascending knots",
             Self::BlockNotAvailable { .. } => {
-                "subdivide curves into straight blocks before, or take another control"
+                "subdivide curves into straight blocks before, leave out what the control lacks, or take another control"
             }
             Self::GearState { .. } => "define a gear, switch it on, switch it off, in this order",
+            Self::TipControlState { .. } => {
+                "call a tool with its offset, switch tip control on, give directions, places and speeds, switch it off"
+            }
+            Self::TipControlNotAvailable { .. } => {
+                "transform the tip to axis values and give each block its time (G93), or take another control"
+            }
             Self::BadText { .. } => "use plain ASCII letters, digits and blanks",
             Self::EndMisplaced { .. } => "put one `End` at the end of the program",
             Self::ToleranceNotReached { .. } => "allow a larger tolerance, or divide the curve",

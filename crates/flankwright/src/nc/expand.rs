@@ -135,6 +135,10 @@ pub fn split_turns(program: &Program) -> Result<Program, NcError> {
             Block::Rapid(target) => (target, None),
             Block::Linear { target, duration } => (target, Some(*duration)),
             other => {
+                if matches!(other, Block::TipControlOff) {
+                    // The control has moved the axes on its own.
+                    places = Targets::NONE;
+                }
                 blocks.push(other.clone());
                 continue;
             }

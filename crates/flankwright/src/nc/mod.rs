@@ -1,5 +1,5 @@
-//! The neutral axis program and its way to a control and back (spec 80): blocks of axis values in mm, rad and s, one writer
-//! per control dialect, a reader that shares no code with the writers, and the comparison of what was written with what was
+//! The neutral program and its way to a control and back (spec 80; tips of tools: spec 50 section 12): blocks of axis values or of
+//! a tool's tip and direction in mm, rad and s, one writer per control dialect and one of cutter locations, a reader that shares no code with the writers, and the comparison of what was written with what was
 //! read back. Knows axes and couplings by their names and numbers only: no gear, no process, no file.
 
 mod compare;
@@ -11,19 +11,21 @@ mod program;
 mod reader;
 mod writer;
 
-pub use compare::{compare, write_checked};
+pub use compare::{compare, write_checked, write_cl_checked};
 pub use dialect::Dialect;
 pub use error::NcError;
 pub use expand::{split_turns, subdivide};
 pub use expand_gears::expand_gears;
 pub use program::{
-    AxisMotion, AxisWord, BSplineMotion, Block, Coupling, CubicMotion, CubicSpan, CurveTable, Gear,
-    GearLeader, GearSynchronisation, Header, MAXIMUM_AXES, Program, Repetition, TablePiece, Targets,
-    ToothData, Word,
+    Angles, AxisMotion, AxisWord, BSplineMotion, Block, Coupling, CubicMotion, CubicSpan, CurveTable, Gear,
+    GearLeader, GearSynchronisation, Header, MAXIMUM_ANGLES, MAXIMUM_AXES, Orientation, Pace, Program,
+    Repetition, TablePiece, Targets, TipControl, TipMotion, ToothData, Word,
 };
 pub use reader::{
-    MAXIMUM_BYTES, ReadError, ReadProblem, ReadProgram, detect_dialect, read, read_with_netlist,
+    ClProgram, MAXIMUM_BYTES, ReadError, ReadProblem, ReadProgram, detect_dialect, read, read_cl,
+    read_with_netlist,
 };
 pub use writer::{
-    Decimals, FanucOptions, HalOptions, LinuxCncOptions, Rounding, Warning, WriteOptions, Written, write,
+    ClCutter, Decimals, FanucOptions, FeedWords, HalOptions, LinuxCncOptions, Rounding, RoundingBound,
+    TipDecimals, Warning, WriteOptions, Written, rounding_bound, write, write_cl,
 };

@@ -1,5 +1,6 @@
 //! What can go wrong in the referee: unusable input, rays that nobody cut, minima that were not found.
 
+use super::mill::Unmilled;
 use crate::geometry::Flank;
 use crate::numerics::SplineError;
 use thiserror::Error;
@@ -134,6 +135,62 @@ pub enum RemovalError {
         /// Contacts seen.
         contacts: usize,
     },
+    /// No path, or one without a place.
+    #[error("milling path {path} has no place of the cutter")]
+    EmptyPath {
+        /// Index of the path; 0 also when there is none at all.
+        path: usize,
+    },
+    /// A path names a cutter that is not there.
+    #[error("milling path {path} names cutter {cutter}; there are {cutters}")]
+    UnknownCutter {
+        /// Index of the path.
+        path: usize,
+        /// Index of the cutter that it names.
+        cutter: usize,
+        /// How many cutters there are.
+        cutters: usize,
+    },
+    /// A place of a cutter that is no number, or whose axis is no unit vector.
+    #[error("milling path {path}, place {place}: {field} = {value} is not usable")]
+    InvalidCutterPlace {
+        /// Index of the path.
+        path: usize,
+        /// Index of the place in it.
+        place: usize,
+        /// `"tip coordinate"` or `"length of the axis"`.
+        field: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// Between two places the axis turns by half a turn: nothing says which way.
+    #[error("milling path {path}: from place {block} to the next one the axis turns back onto itself")]
+    AxisTurnsBack {
+        /// Index of the path.
+        path: usize,
+        /// Index of the block.
+        block: usize,
+    },
+    /// A ray that is no number, or whose direction is no unit vector.
+    #[error("ray {index}: {field} = {value} is not usable")]
+    InvalidRay {
+        /// Index of the ray.
+        index: usize,
+        /// `"point coordinate"` or `"length of the normal"`.
+        field: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// Rays of a milled flank without a length where all are wanted.
+    #[error("milling: {count} rays have no length, first ray {index}: {reason}")]
+    RayNotMilled {
+        /// Index of the first one.
+        index: usize,
+        /// Why.
+        reason: Unmilled,
+        /// How many there are.
+        count: usize,
+    },
     /// The rays make no interpolating surface.
     #[error("the rays of the worm make no smooth surface: {0}")]
     Surface(#[from] SplineError),
@@ -152,6 +209,12 @@ impl RemovalError {
             Self::RayUncut { .. } => "ray-uncut",
             Self::ContactNotSeen { .. } => "contact-not-seen",
             Self::TooFewContacts { .. } => "too-few-contacts",
+            Self::EmptyPath { .. } => "empty-milling-path",
+            Self::UnknownCutter { .. } => "unknown-cutter",
+            Self::InvalidCutterPlace { .. } => "invalid-cutter-place",
+            Self::AxisTurnsBack { .. } => "axis-turns-back",
+            Self::InvalidRay { .. } => "invalid-ray",
+            Self::RayNotMilled { .. } => "ray-not-milled",
             Self::Surface(_) => "no-worm-surface",
         }
     }
@@ -182,6 +245,18 @@ impl RemovalError {
             Self::TooFewContacts { .. } => {
                 "give at least two lengths of roll, and different feeds for every conical body"
             }
+            Self::EmptyPath { .. } => "give every milling path at least one place of its cutter",
+            Self::UnknownCutter { .. } => "name one of the cutters by its index from 0",
+            Self::InvalidCutterPlace { .. } => "give a finite tip and an axis of length 1 within 1e-6",
+            Self::AxisTurnsBack { .. } => "put a place between the two, or part the path there",
+            Self::InvalidRay { .. } => "give a finite point and a normal of length 1 within 1e-6",
+            Self::RayNotMilled { reason, .. } => match reason {
+                Unmilled::NotReached => "extend the paths over the whole flank, or allow more stock",
+                Unmilled::TooDeep { .. } => {
+                    "look for the gouge there, or begin the rays deeper in the material"
+                }
+                Unmilled::NotSettled => "turn or shift the ray slightly: it only grazes the cutter",
+            },
             Self::Surface(_) => "use at least four lengths of roll and four axial positions",
         }
     }

@@ -1,7 +1,8 @@
 //! The referee: what is left on a flank when normal rays are shortened by the moving tool.
 //!
 //! Stage one shortens rays of the worm by the dresser ([`dress`], [`dress_in_strokes`]), stage two rays of the workpiece by the worm that
-//! stage one left ([`grind`]). The room knows shapes, poses and motions. It must not know how `contact` or `process`
+//! stage one left ([`grind`]). Five-axis milling has one stage: rays of the workpiece shortened by cutters that follow
+//! blocks ([`mill`]). The room knows shapes, poses and motions. It must not know how `contact` or `process`
 //! find a contact: every length here comes from a ray that meets a body in a pose of the real motion, so that an error
 //! in a closed form shows as a difference instead of cancelling out.
 
@@ -18,6 +19,7 @@ mod ground_flank;
 mod in_time;
 mod line_dress;
 mod meridian;
+mod mill;
 mod root;
 mod statistics;
 mod strokes;
@@ -35,6 +37,10 @@ pub use grind::{Grinding, GrindingMode, grind};
 pub use ground_flank::{GroundFlank, GroundRay};
 pub use in_time::{TimedGrinding, grind_in_time};
 pub use line_dress::{LineCut, LineDressed, LinePasses, dress_lines};
+pub use mill::{
+    CutterPart, CutterPlace, MillPath, MillStatistics, MilledRay, MilledRays, Milling, NormalRay, Unmilled,
+    mill,
+};
 pub use root::{RootGrinding, RootRay};
 pub use statistics::Statistics;
 pub use strokes::dress_in_strokes;

@@ -51,8 +51,14 @@ impl Client {
     /// Runs `rs274` on a file; the output holds the canonical text.
     #[allow(dead_code)]
     pub fn interpret(&self, file: &Path, directory: &Path) -> Output {
-        let table = directory.join("empty.tbl");
-        std::fs::write(&table, "").expect("a tool table");
+        self.interpret_with_tools(file, directory, "")
+    }
+
+    /// The same with a tool table.
+    #[allow(dead_code)]
+    pub fn interpret_with_tools(&self, file: &Path, directory: &Path, tools: &str) -> Output {
+        let table = directory.join("tools.tbl");
+        std::fs::write(&table, tools).expect("a tool table");
         let mut command = self.command(&self.root.join("usr/bin/rs274"));
         command.arg("-t").arg(&table).arg("-v").arg(directory.join("run.var")).arg("-g").arg(file);
         run_alone(&mut command).expect("rs274 starts")

@@ -1,8 +1,9 @@
 //! Programs for the tests and the benchmark of `nc`: strokes, and random blocks of every kind that a dialect has.
 
 use flankwright::nc::{
-    AxisMotion, AxisWord, BSplineMotion, Block, Coupling, CubicMotion, CubicSpan, CurveTable, Dialect, Gear,
-    GearLeader, GearSynchronisation, Header, Program, Repetition, TablePiece, Targets, ToothData,
+    Angles, AxisMotion, AxisWord, BSplineMotion, Block, Coupling, CubicMotion, CubicSpan, CurveTable,
+    Dialect, Gear, GearLeader, GearSynchronisation, Header, Orientation, Pace, Program, Repetition,
+    TablePiece, Targets, TipControl, TipMotion, ToothData,
 };
 
 /// Axes that every program here has, by index.
@@ -241,4 +242,76 @@ fn gear(draw: &mut Draw, dialect: Dialect, table: u32, blocks: &mut Vec<Block>) 
     blocks.push(Block::GearOn { follower: C, synchronisation });
     blocks.push(Block::Linear { target: Targets::NONE.with(Z, draw.value(Z)), duration: draw.duration() });
     blocks.push(Block::GearOff { follower: C });
+}
+
+/// Strokes of axis values and blocks under tip control in turn, directions or angles by the seed: for Siemens and Fanuc, and with
+/// directions and without axis values as cutter locations.
+pub fn tips(dialect: Dialect, seed: u64, count: usize, axis_values: bool) -> Program {
+    let mut draw = Draw::new(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ 0x71b5);
+    let mut blocks = Vec::new();
+    while blocks.len() < count {
+        if axis_values {
+            let all = Targets::of_first(&[0.0; 6].map(|_| draw.between(-50.0, 50.0)));
+            blocks.push(Block::Rapid(all));
+            blocks.push(Block::Linear { target: draw.targets(6), duration: draw.duration() });
+        }
+        let (number, offset) = (1 + draw.below(9999) as u32, 1 + draw.below(999) as u32);
+        blocks.push(Block::Tool { number, length_offset: Some(offset) });
+        let speed = draw.between(1.0, 20_000.0).round() * std::f64::consts::PI / 30.0;
+        blocks.push(Block::Spindle { spindle: 0, speed: if draw.below(2) == 0 { speed } else { -speed } });
+        let angles = axis_values && draw.below(2) == 0;
+        blocks.push(Block::TipControlOn(if angles { TipControl::Angles } else { TipControl::Directions }));
+        let (mut oriented, mut paced) = (false, false);
+        for _ in 0..10 {
+            match draw.below(10) {
+                0 => {
+                    blocks.push(Block::TipSpeed(draw.between(0.1, 1e5) / 60.0));
+                    paced = true;
+                }
+                1 => blocks.push(Block::Dwell(draw.between(1e-3, 5.0))),
+                2 => blocks.push(Block::Comment("ROW 1 OF 7".into())),
+                _ => blocks.push(Block::Tip(tip(&mut draw, angles, &mut oriented, &mut paced))),
+            }
+        }
+        blocks.push(Block::TipControlOff);
+    }
+    program(dialect, blocks)
+}
+
+fn tip(draw: &mut Draw, angles: bool, oriented: &mut bool, paced: &mut bool) -> TipMotion {
+    let orientation = match draw.below(4) {
+        0 if *oriented => Orientation::Kept,
+        _ if angles => {
+            let words = [(C, draw.value(C)), (A, draw.value(A)), (B, draw.value(B))];
+            Orientation::Angles(Angles::new(&words[..1 + draw.below(3) as usize]).expect("axes of their own"))
+        }
+        _ => Orientation::Direction(direction(draw)),
+    };
+    *oriented = true;
+    let pace = match draw.below(4) {
+        0 => Pace::Rapid,
+        1 => Pace::Duration(draw.duration()),
+        2 if *paced => Pace::Kept,
+        _ => Pace::Speed(draw.between(0.1, 1e5) / 60.0),
+    };
+    *paced = match pace {
+        Pace::Duration(_) => false,
+        Pace::Speed(_) => true,
+        _ => *paced,
+    };
+    TipMotion { tip: [X, Y, Z].map(|axis| draw.value(axis)), orientation, pace }
+}
+
+/// A unit vector, now and then in a plane of the frame.
+pub fn direction(draw: &mut Draw) -> [f64; 3] {
+    if draw.below(8) == 0 {
+        return [0.6, -0.0, 0.8];
+    }
+    loop {
+        let parts: [f64; 3] = std::array::from_fn(|_| draw.between(-1.0, 1.0));
+        let length = parts.iter().map(|part| part * part).sum::<f64>().sqrt();
+        if length > 0.1 {
+            return parts.map(|part| part / length);
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! The blocks of a program. Every motion starts where the axes stand. Knows no dialect.
 
-use super::{CurveTable, Gear, GearSynchronisation, Targets};
+use super::{CurveTable, Gear, GearSynchronisation, Targets, TipControl, TipMotion};
 
 /// One step of a program.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,6 +49,21 @@ pub enum Block {
     },
     /// A curve that a gear may use.
     Table(Box<CurveTable>),
+    /// Another tool; the control stops spindle 0 for it.
+    Tool {
+        /// Its number, 1 to 99999999.
+        number: u32,
+        /// Number of its length offset on the control, 1 to 999; tip control needs one.
+        length_offset: Option<u32>,
+    },
+    /// From here on the control guides the tip of the tool (RTCP): [`Block::Tip`] and no axis values.
+    TipControlOn(TipControl),
+    /// From here on axis values again.
+    TipControlOff,
+    /// The tip of the tool goes along a straight line, under tip control.
+    Tip(TipMotion),
+    /// Speed of the blocks under tip control that keep theirs, mm/s: 0.1 to 1e6 mm/min.
+    TipSpeed(f64),
 }
 
 /// A cubic of u in 0..1 that starts where its axis stands.

@@ -3,7 +3,7 @@
 
 use super::{
     AxisMotion, AxisWord, BSplineMotion, Block, Coupling, CubicMotion, CurveTable, Gear, GearSynchronisation,
-    Header, MAXIMUM_AXES, Repetition, Targets, Word,
+    Header, MAXIMUM_AXES, Repetition, Targets, Word, check_tip::TipState,
 };
 use crate::nc::NcError;
 use std::collections::BTreeMap;
@@ -33,6 +33,7 @@ pub(super) fn check(header: &Header, blocks: &[Block]) -> Result<(), NcError> {
         gears: [const { GearPlace::Absent }; MAXIMUM_AXES],
         tables: BTreeMap::new(),
         speeds: [0.0; SPINDLES],
+        tip: TipState::default(),
         block: 0,
     };
     for (k, block) in blocks.iter().enumerate() {
@@ -114,15 +115,16 @@ enum GearPlace {
     On(Vec<usize>),
 }
 
-struct State<'a> {
+pub(super) struct State<'a> {
     axes: &'a [AxisWord],
     /// Bit mask of the axes whose place is known.
-    known: u16,
+    pub(super) known: u16,
     gears: [GearPlace; MAXIMUM_AXES],
     /// Follower and leader of each table.
     tables: BTreeMap<u32, [usize; 2]>,
-    speeds: [f64; SPINDLES],
-    block: usize,
+    pub(super) speeds: [f64; SPINDLES],
+    pub(super) tip: TipState,
+    pub(super) block: usize,
 }
 
 impl State<'_> {
@@ -131,6 +133,7 @@ impl State<'_> {
         if matches!(block, Block::End) != last {
             return Err(NcError::EndMisplaced { block: here });
         }
+        self.fits_tip_control(block)?;
         match block {
             Block::Rapid(target) => {
                 self.targets(target)?;
@@ -181,8 +184,18 @@ impl State<'_> {
                 };
             }
             Block::Table(table) => self.table(table)?,
+            Block::Tool { .. }
+            | Block::TipControlOn(_)
+            | Block::TipControlOff
+            | Block::Tip(_)
+            | Block::TipSpeed(_) => self.tip_block(block)?,
         }
         Ok(())
+    }
+
+    /// Whether a gear is on.
+    pub(super) fn is_coupled(&self) -> bool {
+        self.gears.iter().any(|gear| matches!(gear, GearPlace::On(_)))
     }
 
     fn gear_state(&self, axis: usize, reason: &'static str) -> NcError {
@@ -196,7 +209,7 @@ impl State<'_> {
     }
 
     /// An axis that is no spindle.
-    fn movable(&self, index: usize) -> Result<&AxisWord, NcError> {
+    pub(super) fn movable(&self, index: usize) -> Result<&AxisWord, NcError> {
         let axis = self.axis(index)?;
         match axis.word {
             Word::Spindle(_) => {
@@ -207,7 +220,7 @@ impl State<'_> {
     }
 
     /// A value of an axis, mm or rad.
-    fn value(&self, axis: &AxisWord, value: f64) -> Result<(), NcError> {
+    pub(super) fn value(&self, axis: &AxisWord, value: f64) -> Result<(), NcError> {
         let (shown, limit, allowed) = match axis.motion {
             AxisMotion::Linear => (value, 999_999.999_999, "-999999.999999 to 999999.999999 mm"),
             AxisMotion::Rotary => (value.to_degrees(), 99_999_999.0, "-99999999 to 99999999 deg"),
@@ -231,7 +244,7 @@ impl State<'_> {
         targets.iter().try_for_each(|(index, value)| self.value(self.movable(index)?, value))
     }
 
-    fn duration(&self, duration: f64) -> Result<(), NcError> {
+    pub(super) fn duration(&self, duration: f64) -> Result<(), NcError> {
         if (DURATION[0]..=DURATION[1]).contains(&duration) {
             return Ok(());
         }

@@ -1,16 +1,19 @@
-//! The neutral program (spec 80 section 1): axes, blocks, couplings. Inside mm, rad and s. A [`Program`] is checked when it is
+//! The neutral program (spec 80 section 1): axes, blocks, couplings, tool tips. Inside mm, rad and s. A [`Program`] is checked when it is
 //! made for everything that does not depend on a control; it knows no dialect and no text but names and comments.
 
 mod axes;
 mod blocks;
 mod check;
+mod check_tip;
 mod coupling;
+mod tip;
 
 pub use axes::{AxisMotion, AxisWord, Header, MAXIMUM_AXES, Targets, Word};
 pub use blocks::{BSplineMotion, Block, CubicMotion, CubicSpan};
 pub use coupling::{
     Coupling, CurveTable, Gear, GearLeader, GearSynchronisation, Repetition, TablePiece, ToothData,
 };
+pub use tip::{Angles, MAXIMUM_ANGLES, Orientation, Pace, TipControl, TipMotion};
 
 use super::NcError;
 
@@ -26,7 +29,7 @@ impl Program {
     ///
     /// # Errors
     /// `BadHeader`, `BadText`, `UnknownAxis`, `NotMovable`, `EmptyMotion`, `UnknownStart`, `NumberRange`, `FeedRange`, `BadTable`,
-    /// `DegreeNotSupported`, `BadSpline`, `GearState`, `SpindleStopped`, `EndMisplaced`.
+    /// `DegreeNotSupported`, `BadSpline`, `GearState`, `SpindleStopped`, `TipControlState`, `EndMisplaced`.
     pub fn new(header: Header, blocks: Vec<Block>) -> Result<Self, NcError> {
         check::check(&header, &blocks)?;
         Ok(Self { header, blocks })

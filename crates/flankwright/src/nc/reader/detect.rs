@@ -12,14 +12,17 @@ pub fn detect_dialect(text: &[u8]) -> Option<Dialect> {
     let mut words = false;
     for line in text.split(|byte| *byte == b'\n').map(<[u8]>::trim_ascii) {
         let code = line.split(|byte| *byte == b';').next().unwrap_or_default().to_ascii_uppercase();
-        let siemens =
-            ["EGDEF(", "EGDEL(", "EGON(", "EGONSYN(", "CTABDEF(", "G710", "G500", "BSPLINE", "POLY", "PO["];
+        let siemens = [
+            "EGDEF(", "EGDEL(", "EGON(", "EGONSYN(", "CTABDEF(", "G710", "G500", "BSPLINE", "POLY", "PO[",
+            "TRAORI", "TRAFOOF",
+        ];
         let holds = |pattern: &str| code.windows(pattern.len()).any(|window| window == pattern.as_bytes());
         if !code.starts_with(b"(") && (siemens.iter().any(|pattern| holds(pattern)) || code.contains(&b'=')) {
             return Some(Dialect::Siemens);
         }
         let number = code.strip_prefix(b"O").unwrap_or_default();
-        if number.first().is_some_and(u8::is_ascii_digit) {
+        let tip_control = !code.starts_with(b"(") && ["G43.4", "G43.5"].iter().any(|pattern| holds(pattern));
+        if number.first().is_some_and(u8::is_ascii_digit) || tip_control {
             return Some(Dialect::Fanuc);
         }
         let starts_word =
@@ -35,7 +38,10 @@ mod tests {
 
     #[test]
     fn each_dialect_is_known_by_what_only_it_has() {
-        let cases: [(&[u8], Option<Dialect>); 7] = [
+        let cases: [(&[u8], Option<Dialect>); 10] = [
+            (b"N10 TRAORI\nG1 X1 Y2 Z3 F100\n", Some(Dialect::Siemens)),
+            (b"G21 G90\nG43.5 H1\n", Some(Dialect::Fanuc)),
+            (b"(G43.4 AND TRAORI)\nG21 G90\nM2\n", Some(Dialect::LinuxCnc)),
             (b"; A\nG710 G90 G17 G40 G500 G64\nG93\n", Some(Dialect::Siemens)),
             (b"G1 B1=30.5 F1.\n", Some(Dialect::Siemens)),
             (b"%\nO0001 (A)\nG21\n%\n", Some(Dialect::Fanuc)),

@@ -1,4 +1,4 @@
-//! Letter-and-number programs: LinuxCNC and Fanuc (spec 80 sections 3 and 6). Here is what a line does; `words.rs` knows how it is
+//! Letter-and-number programs: LinuxCNC and Fanuc (spec 80 sections 3 and 6; tips of tools: spec 50 section 12). Here is what a line does; `words.rs` knows how it is
 //! spelt.
 
 mod words;
@@ -7,7 +7,7 @@ use super::error::{ReadError, ReadProblem};
 use super::machine::{AxisWords, Fault, Machine, Motion};
 use super::scan::{Decimal, Scan};
 use super::{Grammar, ReadProgram, program_name};
-use crate::nc::{AxisMotion, Block, Coupling, Dialect, Gear, GearLeader, ToothData, Word};
+use crate::nc::{AxisMotion, Block, Coupling, Dialect, Gear, GearLeader, TipControl, ToothData, Word};
 use words::{Codes, Words, letter};
 
 const BELONG: &str = "only words that belong to the codes of the line";
@@ -77,6 +77,7 @@ impl<'a> Iso<'a> {
         let dwell = codes.g.has(40);
         let axis_bits = self.letters.iter().enumerate().filter(|(_, axis)| axis.is_some());
         let axis_bits = axis_bits.fold(0u32, |mask, (k, _)| mask | 1 << k);
+        let tipped = self.machine.tip.is_some();
         let moves = !dwell && !codes.g.has(51) && !codes.g.has(810);
         if moves {
             self.words.used |= axis_bits;
@@ -92,6 +93,10 @@ impl<'a> Iso<'a> {
         let feed = self.words.get(b'F').map(Decimal::value);
         if feed.is_some_and(|feed| !(1e-4..=1e9).contains(&feed)) {
             return Err((ReadProblem::OutOfRange, "F from 0.0001 to 1e9"));
+        }
+        if codes.m.has(6) {
+            let number = self.words.get(b'T').and_then(Decimal::count);
+            self.machine.tool(number, None)?;
         }
         self.spindle(codes)?;
         if dwell {
@@ -115,6 +120,8 @@ impl<'a> Iso<'a> {
                     return Err((ReadProblem::Missing, "G5.1 with Q0 or Q1"));
                 }
                 810 => self.couple()?,
+                434 | 435 => self.tip_on(codes)?,
+                490 => self.machine.tip_off(),
                 800 => {
                     self.machine.motion = Motion::None;
                     if let (true, Some(follower)) = (self.is_fanuc(), self.coupled.take()) {
@@ -136,7 +143,9 @@ impl<'a> Iso<'a> {
                 });
             }
         }
-        if !self.axis_words.is_empty() && moves {
+        if tipped && moves {
+            self.tip_line(feed)?;
+        } else if !self.axis_words.is_empty() && moves {
             let words = self.axis_words;
             self.machine.straight(&words, feed)?;
         } else if let (Some(feed), false) = (feed, self.machine.inverse_time) {
@@ -153,6 +162,30 @@ impl<'a> Iso<'a> {
             return Err((ReadProblem::Conflict, BELONG));
         }
         Ok(())
+    }
+
+    /// G43.4 or G43.5 with the number of the tool's length offset.
+    fn tip_on(&mut self, codes: &Codes) -> Result<(), Fault> {
+        if self.coupled.is_some() || !self.axis_words.is_empty() {
+            return Err((ReadProblem::Conflict, "G43.4 or G43.5 with H alone, not under G81"));
+        }
+        let offset =
+            self.words.get(b'H').and_then(Decimal::count).filter(|offset| (1..=999).contains(offset));
+        self.machine.tool_offset(offset.ok_or((ReadProblem::Missing, "G43.4 or G43.5 with H1 to H999"))?)?;
+        let control = if codes.g.has(434) { TipControl::Angles } else { TipControl::Directions };
+        self.machine.tip_on(Some(control))
+    }
+
+    /// The words of a line under tip control that began before it and is still on.
+    fn tip_line(&mut self, feed: Option<f64>) -> Result<(), Fault> {
+        let places = [b'X', b'Y', b'Z'].map(|letter| self.words.get(letter));
+        let direction = [b'I', b'J', b'K'].map(|letter| self.words.get(letter));
+        if self.machine.tip.is_none() {
+            let any = places.iter().chain(&direction).any(Option::is_some) || !self.axis_words.is_empty();
+            return if any { Err((ReadProblem::Conflict, "G49 alone in its line")) } else { Ok(()) };
+        }
+        let angles = self.axis_words;
+        self.machine.tip_line(&places, &direction, &angles, feed)
     }
 
     fn spindle(&mut self, codes: &Codes) -> Result<(), Fault> {
@@ -206,6 +239,9 @@ impl<'a> Iso<'a> {
         if self.coupled.is_some() {
             return Err((ReadProblem::Conflict, "G80 before the next G81"));
         }
+        if self.machine.tip.is_some() {
+            return Err((ReadProblem::Conflict, "G49 before G81"));
+        }
         let axes = self.machine.axes;
         let axis = |word: Word| axes.iter().position(|axis| axis.word == word);
         let (Some(follower), Some(tool)) = (axis(Word::Letter('C')), axis(Word::Spindle(0))) else {
@@ -250,6 +286,7 @@ impl<'a> Iso<'a> {
 impl Grammar for Iso<'_> {
     // The longer of the two; LinuxCNC's own is checked in `line`.
     const LINE: usize = 256;
+    type Read = ReadProgram;
 
     fn line(&mut self, bytes: &[u8], number: usize) -> Result<(), ReadError> {
         let mut scan = Scan::new(bytes, number);

@@ -3,6 +3,7 @@
 
 use super::error::ReadProblem;
 use super::scan::Decimal;
+use super::tip::Tip;
 use crate::nc::{AxisMotion, AxisWord, Block, CubicMotion, CubicSpan, MAXIMUM_AXES, Targets, Word};
 
 /// How axis words without a motion word of their own move.
@@ -62,6 +63,11 @@ impl AxisWords {
         self.present == 0
     }
 
+    /// Whether one of the words is a step whatever the mode.
+    pub fn has_steps(&self) -> bool {
+        self.steps != 0
+    }
+
     pub fn has(&self, axis: usize) -> bool {
         self.present >> axis & 1 == 1
     }
@@ -82,6 +88,10 @@ pub(super) struct Machine<'a> {
     pub ended: bool,
     /// Where the axes stand, in units of the text; what was never named stands at 0.
     pub places: Places,
+    /// Tip control, if it is on.
+    pub tip: Option<Tip>,
+    /// Axes that tip control has moved to where no text says, as bits.
+    pub lost: u16,
     /// Speed, 1/min, and direction of each spindle.
     spindles: [(Option<f64>, f64); 8],
 }
@@ -107,6 +117,8 @@ impl<'a> Machine<'a> {
             feed: None,
             ended: false,
             places: [Decimal::default(); MAXIMUM_AXES],
+            tip: None,
+            lost: 0,
             spindles: [(None, 0.0); 8],
         }
     }
@@ -135,12 +147,22 @@ impl<'a> Machine<'a> {
                 value = value.inches().ok_or(out_of_range)?;
             }
             if words.steps & bit != 0 || (self.incremental && words.places & bit == 0) {
+                self.found(bit)?;
                 value = self.places[axis].plus(value).ok_or(out_of_range)?;
             }
             self.places[axis] = value;
             targets.set(axis, self.neutral(axis, value.value()));
         }
+        self.lost &= !words.present;
         Ok(targets)
+    }
+
+    /// Where axes stand must be known: tip control has not left them somewhere.
+    fn found(&self, axes: u16) -> Result<(), Fault> {
+        if self.lost & axes == 0 {
+            return Ok(());
+        }
+        Err((ReadProblem::Missing, "the place of the axis by G0 after tip control"))
     }
 
     /// Time of a straight move of `length` units of the text with the F of its line.
@@ -176,6 +198,9 @@ impl<'a> Machine<'a> {
                 self.blocks.push(Block::Rapid(target));
             }
             Motion::Linear => {
+                if !self.inverse_time {
+                    self.found(words.present)?;
+                }
                 let target = self.go(words)?;
                 let duration = self.duration(feed, &from, words.present)?;
                 // A feed per minute over no way takes no time and does nothing.
@@ -195,6 +220,7 @@ impl<'a> Machine<'a> {
         feed: Option<f64>,
     ) -> Result<(), Fault> {
         let duration = inverse_time(feed)?;
+        self.found(words.present)?;
         let before: [f64; MAXIMUM_AXES] =
             std::array::from_fn(|axis| if words.has(axis) { self.place(axis) } else { 0.0 });
         let target = self.go(words)?;
@@ -238,6 +264,11 @@ impl<'a> Machine<'a> {
         };
         self.blocks.push(Block::Spindle { spindle: spindle as u8, speed });
         Ok(())
+    }
+
+    /// Spindle 0 stands; its speed stays what it was set to.
+    pub fn still(&mut self) {
+        self.spindles[0].1 = 0.0;
     }
 
     /// A dwell of so many seconds.

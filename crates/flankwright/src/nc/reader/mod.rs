@@ -3,6 +3,7 @@
 //! emits is refused, except what a plain program of straight moves has besides: numbers of lines, lower case where the control
 //! takes it, feed per minute, inches, steps. Knows no file.
 
+mod cl;
 mod detect;
 mod error;
 mod hal;
@@ -10,7 +11,9 @@ mod iso;
 mod machine;
 mod scan;
 mod siemens;
+mod tip;
 
+pub use cl::ClProgram;
 pub use detect::detect_dialect;
 pub use error::{ReadError, ReadProblem};
 pub(super) use hal::{HalGear, read_hal};
@@ -38,10 +41,12 @@ pub struct ReadProgram {
 trait Grammar {
     /// Longest line before its end.
     const LINE: usize;
+    /// What comes out.
+    type Read;
     /// One line without its end.
     fn line(&mut self, bytes: &[u8], number: usize) -> Result<(), ReadError>;
     /// After the last line.
-    fn finish(self, last: usize) -> Result<ReadProgram, ReadError>;
+    fn finish(self, last: usize) -> Result<Self::Read, ReadError>;
 }
 
 /// Reads a program; `axes` says which word is which axis.
@@ -69,7 +74,15 @@ pub fn read_with_netlist(
     hal::with_netlist(read(text, Dialect::LinuxCnc, axes)?, netlist, axes)
 }
 
-fn read_lines<G: Grammar>(mut text: impl BufRead, mut grammar: G) -> Result<ReadProgram, ReadError> {
+/// Reads cutter locations in the words of APT, as [`crate::nc::write_cl`] writes them.
+///
+/// # Errors
+/// The first thing that is no such record, with its place.
+pub fn read_cl(text: impl BufRead) -> Result<ClProgram, ReadError> {
+    read_lines(text, cl::Cl::new())
+}
+
+fn read_lines<G: Grammar>(mut text: impl BufRead, mut grammar: G) -> Result<G::Read, ReadError> {
     let mut buffer = Vec::with_capacity(G::LINE + 2);
     let (mut number, mut total) = (0, 0);
     loop {
@@ -102,7 +115,7 @@ fn read_lines<G: Grammar>(mut text: impl BufRead, mut grammar: G) -> Result<Read
                 ReadProblem::LineTooLong,
                 start,
                 G::LINE + 1,
-                "252 (linuxcnc), 512 (siemens), 256 (fanuc) characters",
+                "252 (linuxcnc), 512 (siemens, CL), 256 (fanuc) characters",
             ));
         }
         if let Some(at) = line.iter().position(|byte| !(b' '..=b'~').contains(byte) && *byte != b'\t') {

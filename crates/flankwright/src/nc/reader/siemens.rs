@@ -8,11 +8,12 @@ mod words;
 use super::error::{ReadError, ReadProblem};
 use super::machine::{AxisWords, Fault, Machine, Motion, Places};
 use super::scan::{Decimal, Scan};
+use super::tip::Three;
 use super::{Grammar, ReadProgram, program_name};
-use crate::nc::{Block, CurveTable, Gear, MAXIMUM_AXES, Targets, Word};
+use crate::nc::{Block, CurveTable, Gear, MAXIMUM_AXES, Targets, TipControl, Word};
 use words::Name;
 
-const CODES: &str = "G0 G1 G4 G17 G40 G64 G70 G71 G90 G91 G93 G94 G500 G700 G710, M0 M1 M2 M3 M4 M5 M30";
+const CODES: &str = "G0 G1 G4 G17 G40 G64 G70 G71 G90 G91 G93 G94 G500 G700 G710, M0 M1 M2 M3 M4 M5 M6 M30";
 
 /// What one line says.
 struct Line {
@@ -31,6 +32,29 @@ struct Line {
     coefficients: Vec<(usize, f64, f64)>,
     interval: Option<Decimal>,
     degree: Option<Decimal>,
+    tip: TipWords,
+}
+
+/// What a line says of the tool and its tip.
+#[derive(Clone, Copy, Default)]
+struct TipWords {
+    /// T, D and whether M6 changes the tool.
+    tool: Option<Decimal>,
+    offset: Option<Decimal>,
+    change: bool,
+    /// A word that switches tip control or says how directions come.
+    switch: Option<TipSwitch>,
+    /// X, Y, Z and A3, B3, C3.
+    places: Three,
+    direction: Three,
+}
+
+/// Words that stand alone in their lines.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum TipSwitch {
+    On,
+    Off,
+    By(TipControl),
 }
 
 impl Line {
@@ -49,6 +73,7 @@ impl Line {
             coefficients: Vec::new(),
             interval: None,
             degree: None,
+            tip: TipWords::default(),
         }
     }
 
@@ -155,6 +180,32 @@ impl<'a> Siemens<'a> {
         }
     }
 
+    /// The tool, and the words that switch tip control.
+    fn tool_words(&mut self) -> Result<(), Fault> {
+        let tip = self.line.tip;
+        if tip.change {
+            let count = |word: Option<Decimal>| word.and_then(Decimal::count);
+            if tip.offset.is_some() && count(tip.offset).is_none_or(|offset| offset == 0) {
+                return Err((ReadProblem::OutOfRange, "D from 1"));
+            }
+            self.machine.tool(count(tip.tool), count(tip.offset))?;
+        } else if tip.tool.is_some() || tip.offset.is_some() {
+            return Err((ReadProblem::Missing, "M6 beside T and D"));
+        }
+        match tip.switch {
+            None => Ok(()),
+            Some(TipSwitch::On) if self.gears.iter().flatten().any(|gear| gear.on) => {
+                Err((ReadProblem::Conflict, "EGOFS before TRAORI"))
+            }
+            Some(TipSwitch::On) => self.machine.tip_on(None),
+            Some(TipSwitch::Off) => {
+                self.machine.tip_off();
+                Ok(())
+            }
+            Some(TipSwitch::By(control)) => self.machine.tip_control(control),
+        }
+    }
+
     fn carry_out(&mut self) -> Result<(), Fault> {
         let line = &self.line;
         let feed = line.feed.map(Decimal::value);
@@ -171,6 +222,8 @@ impl<'a> Siemens<'a> {
                 self.machine.feed = None;
             }
         }
+        self.tool_words()?;
+        let line = &self.line;
         for spindle in 0..8 {
             let (speed, direction) = (line.speeds[spindle].map(Decimal::value), line.directions[spindle]);
             if speed.is_some() || direction.is_some() {
@@ -206,6 +259,12 @@ impl<'a> Siemens<'a> {
             return Err((ReadProblem::Conflict, "POLY under G90 and G710"));
         } else if line.poly && !(1e-4..=1e5).contains(&parameter) {
             return Err((ReadProblem::OutOfRange, "PL from 0.0001 to 99999.9999"));
+        } else if self.machine.tip.is_some() {
+            if self.table.is_some() || line.poly || line.spline {
+                return Err((ReadProblem::Conflict, "straight blocks under TRAORI"));
+            }
+            let (tip, angles) = (self.line.tip, self.line.axes);
+            self.machine.tip_line(&tip.places, &tip.direction, &angles, feed)?;
         } else {
             // Coefficients of p in 0..PL as those of u in 0..1.
             for (_, a2, a3) in &mut self.line.coefficients {
@@ -244,6 +303,7 @@ impl<'a> Siemens<'a> {
 
 impl Grammar for Siemens<'_> {
     const LINE: usize = 512;
+    type Read = ReadProgram;
 
     fn line(&mut self, bytes: &[u8], number: usize) -> Result<(), ReadError> {
         let mut scan = Scan::new(bytes, number);

@@ -1,13 +1,13 @@
-//! Fanuc 30i family, spec 80 section 6: straight blocks and the gear of a hobbing machine, which is told by the bodies. What
-//! nobody has confirmed stands in `unconfirmed.rs`.
+//! Fanuc 30i family, spec 80 section 6: straight blocks, tool tips, and the gear of a hobbing machine, which is told by the bodies.
+//! What nobody has confirmed stands in `unconfirmed.rs`.
 
 use super::lines::{Lines, PLAIN_DECIMALS, per_minute};
 use super::unconfirmed::{
     FANUC_CONTOUR_OFF, FANUC_CONTOUR_ON, FANUC_DWELL, FANUC_LINE, FANUC_PREAMBLE, FANUC_SPINDLE_WORD,
-    is_fanuc_comment,
+    FANUC_TOOL_CHANGE, is_fanuc_comment,
 };
 use super::{WriteOptions, Written};
-use crate::nc::{Block, Coupling, Gear, MAXIMUM_AXES, NcError, Program, ToothData, Word};
+use crate::nc::{Block, Coupling, Gear, MAXIMUM_AXES, NcError, Program, TipControl, ToothData, Word};
 
 /// A lead ratio may differ from that of the bodies by this share: rounding of whoever computed it.
 const SAME_LEAD: f64 = 1e-9;
@@ -35,6 +35,7 @@ pub(super) fn write(program: &Program, options: &WriteOptions) -> Result<Written
     out.push_line("G93")?;
     let mut gears: [Option<&Gear>; MAXIMUM_AXES] = [None; MAXIMUM_AXES];
     let mut spindles = 0u8;
+    let mut offset = 0;
     for (k, block) in program.blocks().iter().enumerate() {
         out.block = k + 1;
         match block {
@@ -100,6 +101,23 @@ pub(super) fn write(program: &Program, options: &WriteOptions) -> Result<Written
                 let reason = "G81 has no curve tables";
                 return Err(NcError::UnsupportedCoupling { block: out.block, reason });
             }
+            Block::Tool { number, length_offset } => {
+                offset = length_offset.unwrap_or_default();
+                out.push_format(format_args!("T{number}"));
+                out.push_line(FANUC_TOOL_CHANGE)?;
+            }
+            Block::TipControlOn(control) => {
+                let code = if *control == TipControl::Angles { "G43.4" } else { "G43.5" };
+                // A program has an offset before it has tip control.
+                out.push_format(format_args!("{code} H{offset}"));
+                out.end_line()?;
+            }
+            Block::TipControlOff => {
+                out.push_line("G49")?;
+                out.loose_all();
+            }
+            Block::Tip(motion) => out.tip(motion, [" I", " J", " K"])?,
+            Block::TipSpeed(speed) => out.tip_speed(*speed)?,
         }
     }
     Ok(out.finish())

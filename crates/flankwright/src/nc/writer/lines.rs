@@ -1,7 +1,7 @@
-//! The text that all writers fill: lines of bounded length, axis words, inverse-time feeds. Knows no dialect's order of words.
+//! The text that all writers fill: lines of bounded length, their numbers, axis words, feeds. Knows no dialect's order of words.
 
 use super::number::{push_fixed, push_units, units};
-use super::options::{Decimals, Rounding, WriteOptions, Written};
+use super::options::{Decimals, FeedWords, Rounding, TipDecimals, WriteOptions, Written};
 use crate::nc::{AxisMotion, MAXIMUM_AXES, NcError, Program, Targets, Word};
 use std::io::Write as _;
 
@@ -20,6 +20,18 @@ pub(super) struct AxisText {
     rotary: bool,
 }
 
+/// Kinds of feed.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum FeedMode {
+    /// G93, which every preamble switches on.
+    InverseTime,
+    /// G94.
+    PerMinute,
+}
+
+/// Most digits of a line number: what all controls here read.
+const LARGEST_NUMBER: u64 = 99_999_999;
+
 /// A text that grows line by line.
 pub(super) struct Lines<'a> {
     /// The program.
@@ -30,7 +42,14 @@ pub(super) struct Lines<'a> {
     pub text: Vec<u8>,
     /// The block being written, counted from 1; 0 before the first.
     pub block: usize,
-    decimals: Decimals,
+    pub(super) decimals: Decimals,
+    pub(super) tip_decimals: TipDecimals,
+    /// Kind of the feed in force.
+    mode: FeedMode,
+    feed_words: FeedWords,
+    /// Step of the line numbers and the last one given.
+    numbers: Option<u32>,
+    number: u64,
     line: usize,
     limit: usize,
     /// Where rotary axes are moved by increments: where all axes stand in units of their last digit.
@@ -74,7 +93,22 @@ impl<'a> Lines<'a> {
         let increments = options.incremental_rotary.then_some([None; MAXIMUM_AXES]);
         // A line of a six-axis stroke has some 80 characters.
         let text = Vec::with_capacity(80 * program.blocks().len() + 256);
-        Ok(Self { program, axes, text, block: 0, decimals, line: 0, limit, increments, lead_ratio: 0.0 })
+        Ok(Self {
+            program,
+            axes,
+            text,
+            block: 0,
+            decimals,
+            tip_decimals: options.tip_decimals,
+            mode: FeedMode::InverseTime,
+            feed_words: options.feed_words,
+            numbers: options.line_numbers,
+            number: 0,
+            line: 0,
+            limit,
+            increments,
+            lead_ratio: 0.0,
+        })
     }
 
     /// Appends to the line.
@@ -99,6 +133,62 @@ impl<'a> Lines<'a> {
         Ok(())
     }
 
+    /// The number of a straight block's line, if lines are numbered.
+    pub fn line_number(&mut self) -> Result<(), NcError> {
+        let Some(step) = self.numbers else { return Ok(()) };
+        self.number += u64::from(step);
+        if self.number > LARGEST_NUMBER {
+            let (block, value) = (self.block, self.number as f64);
+            let allowed = "line numbers to 99999999: take a smaller step";
+            return Err(NcError::NumberRange { block, axis: "line number".into(), value, allowed });
+        }
+        let number = self.number;
+        self.push_format(format_args!("N{number} "));
+        Ok(())
+    }
+
+    /// Line number and word of the feed's kind before a straight block of axis values.
+    pub fn start_axis_block(&mut self, rapid: bool) -> Result<(), NcError> {
+        self.line_number()?;
+        match (self.feed_words, rapid) {
+            (FeedWords::OnChange, true) => {}
+            (FeedWords::OnChange, false) => self.feed_mode(FeedMode::InverseTime),
+            (FeedWords::AxisBlocks, true) => {
+                self.mode = FeedMode::PerMinute;
+                self.push("G94 ");
+            }
+            (FeedWords::AxisBlocks, false) => {
+                self.mode = FeedMode::InverseTime;
+                self.push("G93 ");
+            }
+        }
+        Ok(())
+    }
+
+    /// The word of the feed's kind, if another one is in force.
+    pub fn feed_mode(&mut self, mode: FeedMode) {
+        if self.mode != mode {
+            self.mode = mode;
+            self.push(if mode == FeedMode::InverseTime { "G93 " } else { "G94 " });
+        }
+    }
+
+    /// Inverse time by a line of its own, where blocks follow that have no place for the word.
+    pub fn inverse_time(&mut self) -> Result<(), NcError> {
+        if self.mode == FeedMode::InverseTime {
+            return Ok(());
+        }
+        self.mode = FeedMode::InverseTime;
+        self.push_line("G93")
+    }
+
+    /// Forgets where all axes stand: the control moves them.
+    pub fn loose_all(&mut self) {
+        if let Some(places) = &mut self.increments {
+            *places = [None; MAXIMUM_AXES];
+        }
+    }
+
     /// A whole line.
     pub fn push_line(&mut self, text: &str) -> Result<(), NcError> {
         self.push(text);
@@ -116,13 +206,16 @@ impl<'a> Lines<'a> {
         self.fixed(value * scale, decimals);
     }
 
+    /// The word of an axis, absolute.
+    pub fn absolute(&mut self, index: usize, value: f64) {
+        let axis = &self.axes[index];
+        self.text.extend_from_slice(&axis.prefix);
+        push_fixed(&mut self.text, value * axis.scale, axis.decimals);
+    }
+
     /// The words of the targets, absolute.
     pub fn targets(&mut self, targets: &Targets) {
-        for (index, value) in targets.iter() {
-            let axis = &self.axes[index];
-            self.text.extend_from_slice(&axis.prefix);
-            push_fixed(&mut self.text, value * axis.scale, axis.decimals);
-        }
+        targets.iter().for_each(|(axis, value)| self.absolute(axis, value));
     }
 
     /// F of a block in inverse time, at the end of its line.
@@ -196,6 +289,7 @@ impl<'a> Lines<'a> {
 
     /// A motion word and the words of the targets for dialects in which absolute and incremental are modes of the whole block.
     pub fn moded_targets(&mut self, motion: &str, targets: &Targets) -> Result<(), NcError> {
+        self.start_axis_block(motion == "G0")?;
         if self.is_incremental() {
             let by_steps = self.turns(targets) && targets.iter().all(|(axis, _)| self.stands(axis));
             self.push(if by_steps { "G91 " } else { "G90 " });

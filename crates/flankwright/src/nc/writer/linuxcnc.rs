@@ -10,6 +10,11 @@ const ALLOWED: &str = "X Y Z A B C U V W and spindles; stand-alone X Y Z A B C a
 
 pub(super) fn write(program: &Program, options: &WriteOptions) -> Result<Written, NcError> {
     let stand_alone = options.linuxcnc.stand_alone;
+    // Before all else: a tool's length offset, which tip control needs, would be refused first.
+    let guided = |block: &Block| matches!(block, Block::TipControlOn(_));
+    if let Some(k) = program.blocks().iter().position(guided) {
+        return Err(NcError::TipControlNotAvailable { block: k + 1 });
+    }
     let mut out = Lines::new(program, options, LINE, ALLOWED, |word| match word {
         Word::Letter(letter) if !stand_alone || "XYZABC".contains(*letter) => Some(letter.to_string()),
         Word::Spindle(spindle) if !stand_alone || *spindle == 0 => Some(format!("${spindle}")),
@@ -119,6 +124,17 @@ pub(super) fn write(program: &Program, options: &WriteOptions) -> Result<Written
             Block::Table(_) => {
                 let reason = "LinuxCNC has no curve tables";
                 return Err(NcError::UnsupportedCoupling { block: out.block, reason });
+            }
+            Block::Tool { number, length_offset } => {
+                if length_offset.is_some() {
+                    let what = "length offset of a tool: its axis values have the tool's length in them";
+                    return Err(NcError::BlockNotAvailable { block: out.block, what });
+                }
+                out.push_format(format_args!("T{number} M6"));
+                out.end_line()?;
+            }
+            Block::TipControlOn(_) | Block::TipControlOff | Block::Tip(_) | Block::TipSpeed(_) => {
+                return Err(NcError::TipControlNotAvailable { block: out.block });
             }
         }
     }

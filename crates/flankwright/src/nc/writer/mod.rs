@@ -1,18 +1,25 @@
 //! The writers: one file per control dialect over the lines that they share (spec 80 sections 2, 3, 5 and 6). A writer gives the
 //! same bytes for the same program and options. Knows no file, and nothing of the readers.
 
+mod cl;
 mod fanuc;
 mod hal;
 mod lines;
 mod linuxcnc;
 mod number;
 mod options;
+mod rounding;
 mod siemens;
+mod tip;
 mod unconfirmed;
 
+pub use cl::{ClCutter, write_cl};
+pub(super) use cl::{cl_options, resolved};
 pub use options::{
-    Decimals, FanucOptions, HalOptions, LinuxCncOptions, Rounding, Warning, WriteOptions, Written,
+    Decimals, FanucOptions, FeedWords, HalOptions, LinuxCncOptions, Rounding, TipDecimals, Warning,
+    WriteOptions, Written,
 };
+pub use rounding::{RoundingBound, rounding_bound};
 
 use super::{Dialect, NcError, Program};
 
@@ -20,7 +27,7 @@ use super::{Dialect, NcError, Program};
 ///
 /// # Errors
 /// `BadHeader` for options out of range, `AxisNotAvailable`, `BlockTooLong`, `UnsupportedCoupling`, `RatioRange`,
-/// `BlockNotAvailable`, `BadText`, and `NumberRange` where the control takes less than the neutral program.
+/// `BlockNotAvailable`, `TipControlNotAvailable`, `BadText`, and `NumberRange` where the control takes less than the neutral program.
 pub fn write(program: &Program, dialect: Dialect, options: &WriteOptions) -> Result<Written, NcError> {
     match dialect {
         Dialect::LinuxCnc => linuxcnc::write(program, options),

@@ -9,8 +9,14 @@ pub struct Decimals {
     pub mm: u8,
     /// Of angles in degrees: 3 to 9.
     pub deg: u8,
-    /// Of inverse-time feeds: 6 to 9; four more below F1, so that long blocks keep their time.
+    /// Of inverse-time feeds: 3 to 9; four more below F1, so that long blocks keep their time. Below 6 a block keeps its time to
+    /// half a unit of the feed's last digit only.
     pub feed: u8,
+}
+
+impl Decimals {
+    /// What spec 50 section 12 has for five-axis milling: 0.1 um, 1e-5 deg, a thousandth of the feed.
+    pub const MILLING: Self = Self { mm: 4, deg: 5, feed: 3 };
 }
 
 impl Default for Decimals {
@@ -19,11 +25,42 @@ impl Default for Decimals {
     }
 }
 
+/// Decimals of what only blocks under tip control have (spec 50 section 12).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TipDecimals {
+    /// Of the speed of the tip in mm/min: 1 to 6.
+    pub speed: u8,
+    /// Of the components of a direction: 4 to 9.
+    pub direction: u8,
+}
+
+impl Default for TipDecimals {
+    fn default() -> Self {
+        Self { speed: 1, direction: 6 }
+    }
+}
+
+/// Where the words G93 and G94 stand.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum FeedWords {
+    /// Where the kind of the feed changes.
+    #[default]
+    OnChange,
+    /// In every straight block of axis values, G94 beside G0; under tip control where the kind changes.
+    AxisBlocks,
+}
+
 /// Options of the writers (spec 80 sections 1 to 6).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct WriteOptions {
     /// Decimals of the numbers.
     pub decimals: Decimals,
+    /// Decimals of what only blocks under tip control have.
+    pub tip_decimals: TipDecimals,
+    /// Where the words G93 and G94 stand.
+    pub feed_words: FeedWords,
+    /// Numbers N of the straight blocks: so much the first, and so much more each further one; 1 to 1000.
+    pub line_numbers: Option<u32>,
     /// Rotary axes of the control count modulo 360 deg: they are moved by increments below one turn. Blocks of a turn or more
     /// are refused; [`crate::nc::split_turns`] divides them.
     pub incremental_rotary: bool,
@@ -81,9 +118,16 @@ impl WriteOptions {
         let decimals = self.decimals;
         if !(3..=9).contains(&decimals.mm)
             || !(3..=9).contains(&decimals.deg)
-            || !(6..=9).contains(&decimals.feed)
+            || !(3..=9).contains(&decimals.feed)
         {
-            return bad("decimals; allowed: 3 to 9 for mm and deg, 6 to 9 for the feed");
+            return bad("decimals; allowed: 3 to 9 for mm, deg and the feed");
+        }
+        let tip = self.tip_decimals;
+        if !(1..=6).contains(&tip.speed) || !(4..=9).contains(&tip.direction) {
+            return bad("decimals of tip control; allowed: 1 to 6 for the speed, 4 to 9 for the direction");
+        }
+        if self.line_numbers.is_some_and(|step| !(1..=1000).contains(&step)) {
+            return bad("step of the line numbers; allowed: 1 to 1000");
         }
         let linuxcnc = &self.linuxcnc;
         let positive = |value: f64| value > 0.0 && value.is_finite();

@@ -1,16 +1,16 @@
-//! Siemens 840D family, spec 80 section 5: electronic gearbox, curve tables, cubics and B-splines of all axes. What nobody has
+//! Siemens 840D family, spec 80 section 5: electronic gearbox, curve tables, cubics and B-splines of all axes, tool tips. What nobody has
 //! confirmed stands in `unconfirmed.rs`.
 
 use super::lines::{Lines, PLAIN_DECIMALS, per_minute};
 use super::number::push_significant;
 use super::unconfirmed::{
     SIEMENS_BLOCK_CHANGE, SIEMENS_LEADER_TYPE, SIEMENS_LINE, SIEMENS_PREAMBLE, SIEMENS_SPLINE_END,
-    SIEMENS_TABLE_FEED,
+    SIEMENS_TABLE_FEED, SIEMENS_TOOL_CHANGE,
 };
 use super::{WriteOptions, Written};
 use crate::nc::{
     AxisMotion, BSplineMotion, Block, Coupling, CubicMotion, CubicSpan, CurveTable, Gear,
-    GearSynchronisation, MAXIMUM_AXES, NcError, Program, Repetition, Targets, Word,
+    GearSynchronisation, MAXIMUM_AXES, NcError, Program, Repetition, Targets, TipControl, Word,
 };
 
 /// Most leading axes of a gear.
@@ -92,9 +92,41 @@ impl Siemens<'_> {
                 }
                 Block::GearOff { follower } => self.gear_call("EGOFS", *follower)?,
                 Block::Table(table) => self.table(table)?,
+                Block::Tool { number, length_offset } => {
+                    self.out.push_format(format_args!("T{number}"));
+                    if let Some(offset) = length_offset {
+                        self.out.push_format(format_args!(" D{offset}"));
+                    }
+                    self.out.push_line(SIEMENS_TOOL_CHANGE)?;
+                }
+                Block::TipControlOn(control) => self.tip_control(*control)?,
+                Block::TipControlOff => {
+                    self.out.push_line("TRAFOOF")?;
+                    self.out.loose_all();
+                    self.places = Targets::NONE;
+                }
+                Block::Tip(motion) => self.out.tip(motion, [" A3=", " B3=", " C3="])?,
+                Block::TipSpeed(speed) => self.out.tip_speed(*speed)?,
             }
         }
         Ok(())
+    }
+
+    fn tip_control(&mut self, control: TipControl) -> Result<(), NcError> {
+        let taken = |word: &Word| matches!(word, Word::Named(name) if ["A3", "B3", "C3"].contains(&&**name));
+        let mut axes = self.out.program.axes().iter().zip(&self.out.axes);
+        if let Some((axis, text)) = axes.find(|(axis, _)| taken(&axis.word)) {
+            return Err(NcError::AxisNotAvailable {
+                axis: axis.name.as_str().into(),
+                word: text.address.clone(),
+                allowed: "addresses other than A3, B3 and C3, which are directions under TRAORI",
+            });
+        }
+        self.out.push_line("TRAORI")?;
+        self.out.push_line(match control {
+            TipControl::Directions => "ORIWKS",
+            TipControl::Angles => "ORIMKS",
+        })
     }
 
     fn end(&mut self) -> Result<(), NcError> {
@@ -112,6 +144,7 @@ impl Siemens<'_> {
 
     /// Motion word and targets; a rotary axis of a modulo control by its increment once it stands somewhere.
     fn motion(&mut self, motion: &str, target: &Targets) -> Result<(), NcError> {
+        self.out.start_axis_block(motion == "G0")?;
         self.out.push(motion);
         for (axis, value) in target.iter() {
             let one = Targets::NONE.with(axis, value);
@@ -159,6 +192,7 @@ impl Siemens<'_> {
     }
 
     fn cubic(&mut self, motion: &CubicMotion) -> Result<(), NcError> {
+        self.out.inverse_time()?;
         self.out.push("POLY");
         let mut ends = Targets::NONE;
         for (axis, span) in &motion.spans {
@@ -175,6 +209,7 @@ impl Siemens<'_> {
     /// One line per control point after the first; the knot interval of a line is the one that its point completes, 0 for the
     /// last `degree` - 1, where the knots lie on each other. The lines share the time evenly.
     fn spline(&mut self, motion: &BSplineMotion) -> Result<(), NcError> {
+        self.out.inverse_time()?;
         let (degree, knots) = (motion.degree, &motion.knots);
         let share = motion.duration / motion.points.len() as f64;
         for (k, point) in motion.points.iter().enumerate() {
@@ -253,6 +288,7 @@ impl Siemens<'_> {
     }
 
     fn table(&mut self, table: &CurveTable) -> Result<(), NcError> {
+        self.out.inverse_time()?;
         let [follower, leader] =
             [table.follower, table.leader].map(|axis| self.out.axes[axis].address.clone());
         let repetition = match table.repetition {

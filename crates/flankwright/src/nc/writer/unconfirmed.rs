@@ -14,6 +14,9 @@ pub(super) const SIEMENS_TABLE_FEED: &str = " F60.000000";
 /// Siemens: a spline ends with the next motion command, also without axes.
 pub(super) const SIEMENS_SPLINE_END: &str = "G1";
 
+/// Siemens: what changes the tool that T has named, after D with its offset.
+pub(super) const SIEMENS_TOOL_CHANGE: &str = " M6";
+
 /// Fanuc: metric, absolute, plane, no radius and length compensation, no cycle.
 pub(super) const FANUC_PREAMBLE: &str = "G21 G90 G17 G40 G49 G80";
 /// Fanuc: contour mode on, alone in its block.
@@ -30,3 +33,5 @@ pub(super) fn is_fanuc_comment(byte: u8) -> bool {
 pub(super) const FANUC_DWELL: &str = "G4 X";
 /// Fanuc: the word that picks a spindle other than the first; its number counts from 1.
 pub(super) const FANUC_SPINDLE_WORD: char = 'P';
+/// Fanuc: what changes the tool that T has named; its offset stands beside G43.4 and G43.5.
+pub(super) const FANUC_TOOL_CHANGE: &str = " M6";

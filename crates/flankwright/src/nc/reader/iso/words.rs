@@ -10,11 +10,11 @@ use crate::nc::reader::scan::{Decimal, Scan};
 const CODES: usize = 16;
 
 const LINUXCNC_CODES: &str =
-    "G0 G1 G4 G17 G20 G21 G40 G49 G61 G64 G80 G90 G91 G93 G94, M0 M1 M2 M3 M4 M5 M30 M64 M65";
+    "G0 G1 G4 G17 G20 G21 G40 G49 G61 G64 G80 G90 G91 G93 G94, M0 M1 M2 M3 M4 M5 M6 M30 M64 M65";
 const FANUC_CODES: &str =
-    "G0 G1 G4 G5.1 G17 G20 G21 G40 G49 G64 G80 G81 G90 G91 G93 G94, M0 M1 M2 M3 M4 M5 M30";
-const LINUXCNC_WORDS: &str = "G M N F S P $, letters of the axis map, comments ( ) and ;";
-const FANUC_WORDS: &str = "G M N O F S P Q T L, letters of the axis map, comments ( ), capital letters only";
+    "G0 G1 G4 G5.1 G17 G20 G21 G40 G43.4 G43.5 G49 G64 G80 G81 G90 G91 G93 G94, M0 M1 M2 M3 M4 M5 M6 M30";
+const LINUXCNC_WORDS: &str = "G M N F S P T $, letters of the axis map, comments ( ) and ;";
+const FANUC_WORDS: &str = "G M N O F S P Q T L H, letters of the axis map, X Y Z I J K under G43.4 and G43.5, comments ( ), capital letters only";
 
 /// Codes of G in tenths, and the group that allows one of them in a line.
 fn group(dialect: Dialect, tenths: u32) -> Option<u32> {
@@ -25,6 +25,7 @@ fn group(dialect: Dialect, tenths: u32) -> Option<u32> {
         200 | 210 => 3,
         400 => 4,
         490 => 5,
+        434 | 435 if dialect == Dialect::Fanuc => 5,
         610 | 640 => 6,
         900 | 910 => 7,
         930 | 940 => 8,
@@ -167,7 +168,7 @@ impl Iso<'_> {
                 }
                 b'M' => {
                     let code = number.count().filter(|code| {
-                        matches!(code, 0..=5 | 30) || (!self.is_fanuc() && matches!(code, 64 | 65))
+                        matches!(code, 0..=6 | 30) || (!self.is_fanuc() && matches!(code, 64 | 65))
                     });
                     let Some(code) = code else {
                         let allowed = if self.is_fanuc() { FANUC_CODES } else { LINUXCNC_CODES };
@@ -181,13 +182,19 @@ impl Iso<'_> {
                 _ => {
                     let bit = 1 << letter(name);
                     // X may be a dwell where no axis has it.
-                    let plain = if self.is_fanuc() { &b"FSPQTLOX"[..] } else { b"FSP" };
-                    if let Some(axis) = self.letters[letter(name)] {
+                    let plain = if self.is_fanuc() { &b"FSPQTLOXH"[..] } else { b"FSPT" };
+                    let tip = self.machine.tip.is_some() && b"XYZIJK".contains(&name);
+                    if let Some(axis) = self.letters[letter(name)].filter(|_| !tip) {
                         if self.is_fanuc() && !number.pointed {
                             let allowed = "a number with a point: without one it counts least increments";
                             return Err(scan.fault(ReadProblem::BadNumber, start, allowed));
                         }
                         self.axis_words.add(usize::from(axis), number, Meaning::ByMode);
+                    } else if tip {
+                        if !number.pointed {
+                            let allowed = "a number with a point: without one it counts least increments";
+                            return Err(scan.fault(ReadProblem::BadNumber, start, allowed));
+                        }
                     } else if !plain.contains(&name) {
                         return Err(scan.fault(ReadProblem::UnknownWord, start, allowed));
                     }

@@ -20,6 +20,9 @@ impl Siemens<'_> {
             _ if self.machine.ended => {
                 return Err(call.fault(ReadProblem::End, "comments after the end"));
             }
+            _ if self.machine.tip.is_some() => {
+                return Err(call.fault(ReadProblem::Conflict, "TRAFOOF before the call"));
+            }
             _ if self.table.is_some() => {
                 return Err(call.fault(ReadProblem::Conflict, "motions and CTABEND after CTABDEF"));
             }

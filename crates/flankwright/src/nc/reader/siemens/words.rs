@@ -1,13 +1,12 @@
 //! Words of a Siemens line: names, numbers, axis words, codes, polynomials. What they do is not known here.
 
-use super::{CODES, Siemens, calls::CALLS};
+use super::{CODES, Siemens, TipSwitch, calls::CALLS};
 use crate::nc::reader::error::{ReadError, ReadProblem};
 use crate::nc::reader::machine::{Fault, Meaning, Motion};
 use crate::nc::reader::scan::{Decimal, Scan};
-use crate::nc::{Block, Word};
+use crate::nc::{Block, TipControl, Word};
 
-const WORDS: &str =
-    "G M N F S, axes of the axis map, X1=.. IC() AC(), S1= M1=, POLY PO[] PL=, BSPLINE SD=, comments ;";
+const WORDS: &str = "G M N F S, axes of the axis map, X1=.. IC() AC(), S1= M1=, T D M6, TRAORI ORIWKS ORIMKS A3= B3= C3= TRAFOOF, POLY PO[] PL=, BSPLINE SD=, comments ;";
 
 /// Longest word of letters and digits.
 const NAME: usize = 16;
@@ -126,11 +125,34 @@ impl Siemens<'_> {
                 scan.number()?;
                 continue;
             }
-            any = true;
+            let before = std::mem::replace(&mut any, true);
             match name.bytes() {
                 b"POLY" if !self.line.poly => self.line.poly = true,
                 b"BSPLINE" if !self.line.spline => self.line.spline = true,
                 b"POLY" | b"BSPLINE" => return conflict(scan),
+                b"TRAORI" | b"TRAFOOF" | b"ORIWKS" | b"ORIMKS" => {
+                    let switch = match name.bytes() {
+                        b"TRAORI" => TipSwitch::On,
+                        b"TRAFOOF" => TipSwitch::Off,
+                        b"ORIWKS" => TipSwitch::By(TipControl::Directions),
+                        _ => TipSwitch::By(TipControl::Angles),
+                    };
+                    scan.skip_blanks();
+                    let alone = !before && self.table.is_none() && matches!(scan.peek(), None | Some(b';'));
+                    if !alone {
+                        return Err(scan.fault(ReadProblem::Conflict, start, "this word alone in its line"));
+                    }
+                    self.line.tip.switch = Some(switch);
+                }
+                b"T" | b"D" => {
+                    scan.take(b'=');
+                    let number = scan.number()?;
+                    let tip = &mut self.line.tip;
+                    let place = if name.bytes()[0] == b'T' { &mut tip.tool } else { &mut tip.offset };
+                    if place.replace(number).is_some() {
+                        return conflict(scan);
+                    }
+                }
                 b"CTABEND" => {
                     if self.line.code_count > 0 || !self.line.axes.is_empty() {
                         return Err(scan.fault(ReadProblem::Conflict, start, "CTABEND alone in its line"));
@@ -210,6 +232,17 @@ impl Siemens<'_> {
                             .map_err(|(problem, allowed)| scan.fault(problem, start, allowed))?;
                         continue;
                     }
+                    if self.machine.tip.is_some()
+                        && let Some((direction, part)) = Self::tip_word(&name, equals)
+                    {
+                        let number = scan.number()?;
+                        let tip = &mut self.line.tip;
+                        let three = if direction { &mut tip.direction } else { &mut tip.places };
+                        if three[part].replace(number).is_some() {
+                            return conflict(scan);
+                        }
+                        continue;
+                    }
                     let axis = self.axis(&name).filter(|axis| {
                         !matches!(self.machine.axes[*axis].word, Word::Spindle(_))
                             && (equals || name.length == 1)
@@ -223,6 +256,19 @@ impl Siemens<'_> {
                     }
                 }
             }
+        }
+    }
+
+    /// Whether a word is of a direction or else of the tip, and which part of it.
+    fn tip_word(name: &Name, equals: bool) -> Option<(bool, usize)> {
+        match name.bytes() {
+            [b'X'] => Some((false, 0)),
+            [b'Y'] => Some((false, 1)),
+            [b'Z'] => Some((false, 2)),
+            b"A3" if equals => Some((true, 0)),
+            b"B3" if equals => Some((true, 1)),
+            b"C3" if equals => Some((true, 2)),
+            _ => None,
         }
     }
 
@@ -252,6 +298,10 @@ impl Siemens<'_> {
             Some(3) => 1.0,
             Some(4) => -1.0,
             Some(5) => 0.0,
+            Some(6) if spindle == 0 && !self.line.tip.change => {
+                self.line.tip.change = true;
+                return Ok(());
+            }
             Some(code @ (0 | 1 | 2 | 30)) => {
                 return match self.line.halt.replace(code) {
                     None => Ok(()),
