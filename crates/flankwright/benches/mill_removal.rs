@@ -1,5 +1,4 @@
-//! Speed of the referee of milling: 81 x 61 rays of a twisted flank against an end mill in rows, 14 x 48 and 12 x 199 blocks, and the
-//! same with a corner that turns fast.
+//! Speed of the referee of milling: 81 x 61 rays of a helical flank against an end mill in 14 x 48, 12 x 199 and 25 x 199 blocks.
 //!
 //! Elements are rays. `RAYON_NUM_THREADS=1` gives the figure of one core.
 

@@ -17,8 +17,11 @@ use nalgebra::Vector3;
 use proptest::prelude::*;
 use std::f64::consts::{PI, TAU};
 
+type DirectionCase = (&'static str, [f64; 3], &'static [[f64; 2]]);
+type SlideCase = (&'static str, [f64; 3], [f64; 2], [f64; 3]);
+
 /// Chain, direction of the tool, both solutions (C, tilt), deg; none beyond reach.
-const DIRECTIONS: [(&str, [f64; 3], &[[f64; 2]]); 20] = [
+const DIRECTIONS: [DirectionCase; 20] = [
     (
         "AC table",
         [-0.3378536900859549, 0.05823091835896943, 0.9393955738890697],
@@ -118,7 +121,7 @@ const DIRECTIONS: [(&str, [f64; 3], &[[f64; 2]]); 20] = [
 ];
 
 /// Chain, tip, C and tilt (deg), positions of X, Y, Z; q_1 = (0, 0, 20), q_2 = (0, 5, -30), pivot 180 mm above the tip.
-const SLIDES: [(&str, [f64; 3], [f64; 2], [f64; 3]); 5] = [
+const SLIDES: [SlideCase; 5] = [
     (
         "AC table",
         [10.382199219063764, 40.762152433073084, 27.17683323748446],

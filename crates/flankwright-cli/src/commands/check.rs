@@ -48,6 +48,7 @@ pub fn run(arguments: &CheckArguments) -> Result<Exit, Failure> {
             let derived = derived_gearbox(&loaded)?;
             show(&arguments.common, &loaded, &loaded.job.job, Ok((derived, Vec::new())))
         }
+        AnyJob::Milling(loaded) => Err(output::not_milling(&loaded, "check")),
     }
 }
 

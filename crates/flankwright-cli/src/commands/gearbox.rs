@@ -44,6 +44,7 @@ pub fn run(arguments: &GearboxArguments) -> Result<Exit, Failure> {
         AnyJob::Gearbox(loaded) => loaded,
         AnyJob::Grinding(loaded) => return Err(other_process(&loaded, &loaded.job.job)),
         AnyJob::Tangential(loaded) => return Err(other_process(&loaded, &loaded.job.job)),
+        AnyJob::Milling(loaded) => return Err(other_process(&loaded, &loaded.job.job)),
     };
     let bars = Bars::new(common.quiet);
     let outcome = run_gearbox(&loaded, &bars);

@@ -36,6 +36,7 @@ pub fn run(arguments: &PlanArguments) -> Result<Exit, Failure> {
         AnyJob::Grinding(loaded) => loaded,
         AnyJob::Tangential(loaded) => return tangential::plan(&loaded, &arguments.common),
         AnyJob::Gearbox(loaded) => return Err(output::gearbox_only(&loaded, "plan")),
+        AnyJob::Milling(loaded) => return Err(output::not_milling(&loaded, "plan")),
     };
     if let Some(catalogue) = catalogue::of_job(&loaded)? {
         return catalogue::plan(&loaded, &catalogue, &arguments.common);

@@ -37,6 +37,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<Exit, Failure> {
         AnyJob::Grinding(loaded) => loaded,
         AnyJob::Tangential(loaded) => return tangential::simulate(&loaded, &arguments.common),
         AnyJob::Gearbox(loaded) => return Err(output::gearbox_only(&loaded, "simulate")),
+        AnyJob::Milling(loaded) => return Err(output::not_milling(&loaded, "simulate")),
     };
     let bars = Bars::new(arguments.common.quiet);
     let simulated = simulate_job(&loaded, &bars);

@@ -129,7 +129,7 @@ const CASES: &[Case] = &[
     ),
     case(
         "\"generating-grinding\"",
-        "\"five-axis-milling\"",
+        "\"skiving-tool-measuring\"",
         "process-not-available",
         "job.process",
         &["generating-grinding"],

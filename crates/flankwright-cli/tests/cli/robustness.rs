@@ -40,12 +40,18 @@ fn job(process: Process) -> (String, String) {
             let explore = "[explore]\nwanted_um = 0.5\nscales = [{ pulses_per_metre = 1e5, cost = 1 }]\n";
             job_template(process).to_owned() + explore
         }
+        // With contact heights from root to tip, which the template has in a comment only.
+        Process::FiveAxisMilling => {
+            let heights = "contact_height = { from = 6.0, to = 15.0 }\ntraverse = \"zigzag\"\n";
+            job_template(process).replacen("contact_height = 6.16", heights, 1)
+        }
         Process::GeneratingGrinding => crate::command::example("automotive-bias.toml"),
     };
     let json = match parse_any_job(Source::new("job.toml", &toml)).expect("a valid example") {
         AnyJob::Grinding(loaded) => serde_json::to_string_pretty(&loaded.job),
         AnyJob::Tangential(loaded) => serde_json::to_string_pretty(&loaded.job),
         AnyJob::Gearbox(loaded) => serde_json::to_string_pretty(&loaded.job),
+        AnyJob::Milling(loaded) => serde_json::to_string_pretty(&loaded.job),
     };
     (toml, json.expect("JSON"))
 }

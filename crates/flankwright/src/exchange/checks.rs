@@ -14,6 +14,7 @@ mod strokes;
 mod tool;
 
 pub(super) use diameters::{dresser_diameters, worm_diameters};
+pub(super) use gear::check as drawing;
 
 use super::diagnostic::{Diagnostic, Problem};
 use super::job::{Gear, Grid, Job, JobInfo};

@@ -1,5 +1,6 @@
 //! Values over a flank as a table: CSV with the columns w_mm, z_mm and f_um or tolerance_um, on a full grid or
-//! scattered. Reads and checks it; knows nothing of how values between the points are found.
+//! scattered; and rows of three numbers under other names. Reads and checks it; knows nothing of how values between
+//! the points are found.
 
 use std::ops::Range;
 use std::path::Path;
@@ -7,34 +8,36 @@ use std::path::Path;
 use super::diagnostic::{Diagnostic, JobError, Problem};
 use super::source::Source;
 
-/// What a table of numbers over w_mm and z_mm holds.
+/// What a table of three numbers a row holds.
 #[derive(Clone, Copy)]
-struct Layout {
-    /// Name of the third column.
-    value: &'static str,
+pub(super) struct Layout {
+    /// Names of the columns, of a grid over w and z their two and the value's.
+    pub columns: [&'static str; 3],
     /// Fewest different w_mm and z_mm of a grid.
-    least: [usize; 2],
+    pub least: [usize; 2],
     /// Most different w_mm.
-    most_w: usize,
+    pub most_w: usize,
 }
 
 /// A flank: a cubic through its values needs four along each direction.
-const FLANK: Layout = Layout { value: "f_um", least: [4, 4], most_w: usize::MAX };
+const FLANK: Layout = Layout { columns: ["w_mm", "z_mm", "f_um"], least: [4, 4], most_w: usize::MAX };
 
 /// Helix traces: two or three, with a cubic along each.
-const TRACES: Layout = Layout { value: "f_um", least: [2, 4], most_w: 3 };
+const TRACES: Layout = Layout { columns: ["w_mm", "z_mm", "f_um"], least: [2, 4], most_w: 3 };
 
 /// Tolerances: one value is one everywhere.
-const TOLERANCES: Layout = Layout { value: "tolerance_um", least: [1, 1], most_w: usize::MAX };
+const TOLERANCES: Layout =
+    Layout { columns: ["w_mm", "z_mm", "tolerance_um"], least: [1, 1], most_w: usize::MAX };
 
 impl Layout {
-    fn columns(self) -> [&'static str; 3] {
-        ["w_mm", "z_mm", self.value]
+    /// Name of the third column.
+    fn value(self) -> &'static str {
+        self.columns[2]
     }
 
-    fn malformed(self, message: impl Into<Box<str>>) -> Diagnostic {
+    pub fn malformed(self, message: impl Into<Box<str>>) -> Diagnostic {
         Diagnostic::new(Problem::InvalidTable, message)
-            .allowed(format!("the columns {}, one row for each point of the grid", self.columns().join(",")))
+            .allowed(format!("the columns {}, one row for each point of the grid", self.columns.join(",")))
     }
 }
 
@@ -129,14 +132,14 @@ fn read_grid(path: &Path, layout: Layout) -> Result<GridTarget, JobError> {
 
 fn parse(text: &str, layout: Layout) -> Result<GridTarget, Diagnostic> {
     let rows = parse_rows(text, layout)?;
-    if layout.value == TOLERANCES.value
+    if layout.value() == TOLERANCES.value()
         && let Some((row, span)) = rows.iter().find(|(row, _)| row[2] <= 0.0)
     {
         return Err(Diagnostic::new(
             Problem::InvalidNumber,
             format!("the tolerance at w = {} mm, z = {} mm is not above 0", row[0], row[1]),
         )
-        .field(layout.value)
+        .field(layout.value())
         .value(row[2])
         .allowed("> 0")
         .way_out("give the largest deviation allowed there in micrometres")
@@ -146,9 +149,10 @@ fn parse(text: &str, layout: Layout) -> Result<GridTarget, Diagnostic> {
 }
 
 /// A row of the table with its place in the text.
-type Row = ([f64; 3], Range<usize>);
+pub(super) type Row = ([f64; 3], Range<usize>);
 
-fn parse_rows(text: &str, layout: Layout) -> Result<Vec<Row>, Diagnostic> {
+/// All rows of a table in the order of the text.
+pub(super) fn parse_rows(text: &str, layout: Layout) -> Result<Vec<Row>, Diagnostic> {
     let mut rows: Vec<Row> = Vec::new();
     let mut header = None;
     let mut offset = 0;
@@ -168,7 +172,7 @@ fn parse_rows(text: &str, layout: Layout) -> Result<Vec<Row>, Diagnostic> {
     if header.is_none() {
         return Err(layout
             .malformed("the table is empty")
-            .way_out(format!("begin it with the line `{}`", layout.columns().join(","))));
+            .way_out(format!("begin it with the line `{}`", layout.columns.join(","))));
     }
     Ok(rows)
 }
@@ -177,21 +181,21 @@ fn parse_rows(text: &str, layout: Layout) -> Result<Vec<Row>, Diagnostic> {
 fn columns(line: &str, span: Range<usize>, layout: Layout) -> Result<[usize; 3], Diagnostic> {
     let titles: Vec<&str> = line.split(',').map(str::trim).collect();
     let mut order = [0; 3];
-    for (place, column) in order.iter_mut().zip(layout.columns()) {
+    for (place, column) in order.iter_mut().zip(layout.columns) {
         *place = titles.iter().position(|t| *t == column).ok_or_else(|| {
             layout
                 .malformed(format!("the table has no column `{column}`"))
                 .field(column)
                 .value(line.chars().take(60).collect::<String>())
-                .way_out(format!("begin the table with the line `{}`", layout.columns().join(",")))
+                .way_out(format!("begin the table with the line `{}`", layout.columns.join(",")))
                 .span(Some(span.clone()))
         })?;
     }
-    if let Some(unknown) = titles.iter().find(|t| !layout.columns().contains(*t)) {
+    if let Some(unknown) = titles.iter().find(|t| !layout.columns.contains(*t)) {
         let message = format!("the column `{}` is not known", unknown.chars().take(60).collect::<String>());
         return Err(layout.malformed(message).way_out("remove the column").span(Some(span)));
     }
-    if titles.len() != layout.columns().len() {
+    if titles.len() != layout.columns.len() {
         return Err(layout
             .malformed("a column stands twice")
             .way_out("remove one of the two")
@@ -214,7 +218,7 @@ fn values(
             .span(Some(span.clone())));
     }
     let mut row = [0.0; 3];
-    for ((value, column), place) in row.iter_mut().zip(layout.columns()).zip(order) {
+    for ((value, column), place) in row.iter_mut().zip(layout.columns).zip(order) {
         let cell = cells[place];
         *value = cell.parse().ok().filter(|v: &f64| v.is_finite()).ok_or_else(|| {
             Diagnostic::new(Problem::InvalidNumber, format!("`{column}` is not a finite number"))
@@ -320,8 +324,8 @@ mod tests {
         let text = |value: &str, count| format!("w_mm,z_mm,{value}\n{}", rows(count));
         for (layout, counts) in [(FLANK, 4..=9), (TRACES, 2..=3), (TOLERANCES, 1..=9)] {
             for count in 1..=9 {
-                let found = parse(&text(layout.value, count), layout);
-                assert_eq!(found.is_ok(), counts.contains(&count), "{} {count}: {found:?}", layout.value);
+                let found = parse(&text(layout.value(), count), layout);
+                assert_eq!(found.is_ok(), counts.contains(&count), "{} {count}: {found:?}", layout.value());
             }
         }
         assert_eq!(parse(&text("tolerance_um", 2), TOLERANCES).unwrap().f_um, [[1.0; 4], [2.0; 4]]);

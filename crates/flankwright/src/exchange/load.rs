@@ -9,6 +9,7 @@ use super::diagnostic::{Diagnostic, JobError, Problem};
 use super::document::Document;
 use super::gearbox_job::{self, GearboxJob};
 use super::job::{Job, JobInfo, Process};
+use super::milling_job::{self, MillingJob};
 use super::node::Kind;
 use super::source::Source;
 use super::tangential_job::{self, TangentialJob};
@@ -31,6 +32,9 @@ pub type LoadedTangentialJob = Loaded<TangentialJob>;
 
 /// A checked job of the electronic gearbox.
 pub type LoadedGearboxJob = Loaded<GearboxJob>;
+
+/// A checked job of five-axis milling.
+pub type LoadedMillingJob = Loaded<MillingJob>;
 
 impl<J> Loaded<J> {
     /// The path of a file that the job names: beside the job file unless absolute.
@@ -55,6 +59,8 @@ pub enum AnyJob {
     Tangential(LoadedTangentialJob),
     /// The electronic gearbox.
     Gearbox(LoadedGearboxJob),
+    /// Five-axis milling.
+    Milling(LoadedMillingJob),
 }
 
 impl AnyJob {
@@ -64,6 +70,7 @@ impl AnyJob {
             Self::Grinding(loaded) => &loaded.job.job,
             Self::Tangential(loaded) => &loaded.job.job,
             Self::Gearbox(loaded) => &loaded.job.job,
+            Self::Milling(loaded) => &loaded.job.job,
         }
     }
 }
@@ -86,6 +93,7 @@ pub fn parse_any_job(source: Source) -> Result<AnyJob, JobError> {
         Process::GeneratingGrinding => typed(document).map(AnyJob::Grinding),
         Process::TangentialDressing => typed(document).map(AnyJob::Tangential),
         Process::ElectronicGearbox => typed(document).map(AnyJob::Gearbox),
+        Process::FiveAxisMilling => typed(document).map(AnyJob::Milling),
     }
 }
 
@@ -160,12 +168,25 @@ impl ProcessJob for GearboxJob {
     }
 }
 
+impl ProcessJob for MillingJob {
+    const PROCESS: Process = Process::FiveAxisMilling;
+
+    fn shape(_: &Document) -> Vec<Diagnostic> {
+        Vec::new()
+    }
+
+    fn contradictions(&self) -> Vec<Diagnostic> {
+        milling_job::check(self)
+    }
+}
+
 /// What messages call a job of the process, and where an example is.
 fn subject(process: Process) -> shape::Subject {
     let example = match process {
         Process::GeneratingGrinding => "`flankwright new generating-grinding` prints a complete example",
         Process::TangentialDressing => "`flankwright new tangential-dressing` prints a complete example",
         Process::ElectronicGearbox => "`flankwright new electronic-gearbox` prints a complete example",
+        Process::FiveAxisMilling => "`flankwright new five-axis-milling` prints a complete example",
     };
     shape::Subject { document: "the job", example }
 }

@@ -1,5 +1,5 @@
 //! What crosses the border of the library as files: job documents with the place of every value, their
-//! JSON schema, tables. Reads and writes files; knows the shapes and targets that a job describes, but
+//! JSON schema, tables, meshes. Reads and writes files; knows the shapes and targets that a job describes, but
 //! neither plans nor reports anything.
 
 pub mod catalogue;
@@ -16,6 +16,8 @@ pub mod job;
 mod json_tree;
 mod load;
 pub mod machine;
+pub mod mesh;
+pub mod milling_job;
 mod node;
 mod reference_train;
 mod schema;
@@ -35,9 +37,10 @@ pub use grid_file::{
 };
 pub use job::Job;
 pub use load::{
-    AnyJob, Loaded, LoadedGearboxJob, LoadedJob, LoadedTangentialJob, parse_any_job, parse_job, read_any_job,
-    read_job,
+    AnyJob, Loaded, LoadedGearboxJob, LoadedJob, LoadedMillingJob, LoadedTangentialJob, parse_any_job,
+    parse_job, read_any_job, read_job,
 };
+pub use milling_job::MillingJob;
 pub use reference_train::{ReferenceTrain, read_reference_train};
 pub use schema::job_schema;
 pub use source::{MAXIMUM_BYTES, Source};

@@ -96,6 +96,24 @@ pub(super) fn three_axes(
     middle([k1, k2, k3], k1.dot(&image), least_reach)?.into_iter().map(outer).collect()
 }
 
+/// Directions that stand to an axis at cosines closer than this stand at one angle to it.
+const SAME_ANGLE: f64 = 1e-13;
+
+/// The angles of [`middle`] for a direction near k1 or its opposite, where the cosine between them does not tell how near: from
+/// the chord, |q -+ k1| = 2 |k1 x k2| sin(half / 2). `None` farther away, and where p does not come to stand along k1.
+fn near_pole([k1, k2]: [&Vector3<f64>; 2], p: &Vector3<f64>, q: &Vector3<f64>) -> Option<[f64; 2]> {
+    let side = k1.dot(q).signum();
+    let pole = k1 * side;
+    if k2.dot(&(p - pole)).abs() > SAME_ANGLE {
+        return None;
+    }
+    let sine = (q - pole).norm() / (2.0 * k1.cross(k2).norm());
+    let centre = turn(k2, p, &pole);
+    // Beyond 60 degrees of the middle axis the cosine tells more.
+    let half = (sine < 0.5).then(|| 2.0 * sine.asin())?;
+    Some(if side > 0.0 { [centre + half, centre - half] } else { [centre - half, centre + half] })
+}
+
 /// All angles a, b with R(k1, a) R(k2, b) p = q for unit vectors p and q, rad: a tool on two rotary axes, the solution with
 /// R(k2, b) p on the side of k1 x k2 first (spec 50 section 11).
 pub(super) fn two_axes(
@@ -107,7 +125,10 @@ pub(super) fn two_axes(
     if measure < PARALLEL {
         return Err(NoWrist::Singular { measure });
     }
-    let middles = middle([k1, k2, p], k1.dot(q), PARALLEL)?;
+    let middles = match near_pole([k1, k2], p, q) {
+        Some(middles) => middles.into(),
+        None => middle([k1, k2, p], k1.dot(q), PARALLEL)?,
+    };
     // The part of R(k2, b) p along k1 x k2 is the rate of `middle`'s cosine with b: positive at its second angle.
     Ok(middles.into_iter().rev().map(|b| [turn(k1, &(about(k2, b) * p), q), b]).collect())
 }

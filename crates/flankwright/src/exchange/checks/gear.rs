@@ -5,7 +5,7 @@ use crate::exchange::diagnostic::{Diagnostic, Problem};
 use crate::exchange::job::Gear;
 use crate::exchange::node::shown_number;
 
-pub(super) fn check(gear: &Gear, findings: &mut Vec<Diagnostic>) {
+pub(in crate::exchange) fn check(gear: &Gear, findings: &mut Vec<Diagnostic>) {
     thickness(gear, findings);
     diameters(gear, findings);
     evaluation(gear, findings);

@@ -27,15 +27,21 @@ pub enum Process {
     TangentialDressing,
     /// The electronic gearbox that turns a helical workpiece while it feeds.
     ElectronicGearbox,
+    /// Five-axis milling of gears and blades.
+    FiveAxisMilling,
 }
 
 impl Process {
     /// All processes that have jobs.
-    pub const ALL: [Process; 3] =
-        [Process::GeneratingGrinding, Process::TangentialDressing, Process::ElectronicGearbox];
+    pub const ALL: [Process; 4] = [
+        Process::GeneratingGrinding,
+        Process::TangentialDressing,
+        Process::ElectronicGearbox,
+        Process::FiveAxisMilling,
+    ];
 
     /// Processes that the job format knows and this version does not plan.
-    pub const NOT_AVAILABLE: [&str; 2] = ["five-axis-milling", "skiving-tool-measuring"];
+    pub const NOT_AVAILABLE: [&str; 1] = ["skiving-tool-measuring"];
 
     /// The name in job files.
     pub fn name(self) -> &'static str {
@@ -43,6 +49,7 @@ impl Process {
             Process::GeneratingGrinding => "generating-grinding",
             Process::TangentialDressing => "tangential-dressing",
             Process::ElectronicGearbox => "electronic-gearbox",
+            Process::FiveAxisMilling => "five-axis-milling",
         }
     }
 }

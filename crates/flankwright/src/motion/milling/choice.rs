@@ -168,7 +168,7 @@ impl Step<'_> {
             .collect()
     }
 
-    /// The rotary axes `which` in the turns nearest to a state, where they have no ends.
+    /// The rotary axes in the turns nearest to a state, where they have no ends.
     fn unrolled(&self, mut at: Positions, near: &Positions) -> Positions {
         for axis in self.setup.axes().rotary {
             if self.setup.machine().axes()[axis].travel.is_none() {

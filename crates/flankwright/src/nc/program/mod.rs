@@ -1,5 +1,5 @@
-//! The neutral program (spec 80 section 1): axes, blocks, couplings, tool tips. Inside mm, rad and s. A [`Program`] is checked when it is
-//! made for everything that does not depend on a control; it knows no dialect and no text but names and comments.
+//! The neutral program (spec 80 section 1): axes, blocks, couplings, tool tips. Inside mm, rad and s. A [`Program`] is checked
+//! when it is made for everything that does not depend on a control; it knows no dialect and no text but names and comments.
 
 mod axes;
 mod blocks;

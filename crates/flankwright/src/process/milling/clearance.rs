@@ -161,6 +161,32 @@ impl Patch<'_> {
         Ok(())
     }
 
+    /// Something that the clearance is not below, mm: at least half of the way from `wanted` to it, or within `accuracy` of it. Much
+    /// cheaper than the clearance where the cutter is far away.
+    pub fn lower_bound(
+        &self,
+        cutter: &Cutter,
+        tip: &Vector3<f64>,
+        axis: &Vector3<f64>,
+        wanted: f64,
+        accuracy: f64,
+    ) -> f64 {
+        let probe = self.probe(cutter, tip, axis);
+        let (first, mut best) = self.whole(&probe);
+        let mut pieces = BinaryHeap::from([first]);
+        while let Some(piece) = pieces.pop() {
+            let enough = piece.least >= 0.5 * (wanted + best) || piece.least >= best - accuracy;
+            if enough || piece.radius() < HIDDEN {
+                return piece.least.min(best);
+            }
+            for (half, distance) in halves(&probe, &piece) {
+                best = best.min(distance);
+                pieces.push(half);
+            }
+        }
+        best
+    }
+
     /// The least distance near a place, which the search has found to a thousandth of a millimetre.
     fn polish(&self, probe: &Probe, middle: [f64; 2], half: [f64; 2], least: f64) -> (f64, [f64; 2]) {
         let around = |k: usize, [from, to]: [f64; 2]| {

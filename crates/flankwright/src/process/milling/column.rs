@@ -52,8 +52,7 @@ impl<'a> ColumnPlane<'a> {
     /// [`MillingError::ColumnNoSection`] if it does not; [`MillingError::ColumnKink`] if it does beyond a kink.
     pub fn section(&self, height: f64, start: f64) -> Result<Section, MillingError> {
         let section = self.by_newton(height, start).or_else(|| self.by_bracket(height, start));
-        let section =
-            section.ok_or_else(|| MillingError::ColumnNoSection { u: self.lead.u, height, start })?;
+        let section = section.ok_or(MillingError::ColumnNoSection { u: self.lead.u, height, start })?;
         match self.flank.kink {
             Some((kink, side)) if (section.length - kink) * side < 0.0 => {
                 Err(MillingError::ColumnKink { u: self.lead.u, length: section.length, kink })

@@ -168,7 +168,8 @@ fn fewest(
     let measure = |lines| measure(lines).map_err(Fault::Grid);
     let length = |measured: &NeighbourDistances, lines: usize| measured.greatest_mean * (lines - 1) as f64;
     let guess = (length(&measure(start)?, start) / upper).ceil() + 1.0;
-    if !(guess <= MOST_LINES as f64) {
+    // NaN becomes 0 and asks for nothing; what is too much is refused.
+    if guess > MOST_LINES as f64 {
         return Err(Fault::Size { needed: guess });
     }
     let mut lines = (guess as usize).max(2);

@@ -30,7 +30,8 @@ pub struct FinishOptions<'a> {
 pub struct FinishedRow {
     /// Contact height, mm; of corners, balls and barrels it follows from the axis and stands in the locations.
     pub contact_height: f64,
-    /// What root, opposite flank and edge allow; `None` for cutters without a straight side.
+    /// What root and edge allow, and the opposite flank where it does not let the wanted height pass; `None` for cutters without a
+    /// straight side.
     pub window: Option<HeightWindow>,
     /// Whether the rule asked for a height outside of the window.
     pub limited: bool,
@@ -52,6 +53,14 @@ pub fn finish(grid: &FlankGrid, options: &FinishOptions) -> Result<Vec<FinishedR
     let shape = options.cutter.shape();
     let sided = has_side(shape, &options.orientation);
     let rows = grid.rows();
+    // First of all whether this kind of cutter suits the flank at all.
+    let height = if sided { least_height(shape) } else { 0.0 };
+    for column in &grid.columns {
+        for place in &column.places {
+            let location = locate(place, &column.lead, options, height)?;
+            LocalContact::new(&place.jet, &location, shape).check(&place.jet)?;
+        }
+    }
     let windows: Option<Vec<HeightWindow>> = if sided {
         let of_row = |row: usize| window(grid, row, options);
         Some((0..rows).into_par_iter().map(of_row).collect::<Result<_, _>>()?)
@@ -90,6 +99,14 @@ pub fn finish(grid: &FlankGrid, options: &FinishOptions) -> Result<Vec<FinishedR
     (0..rows).into_par_iter().map(of_row).collect()
 }
 
+/// Where the straight side of a cutter begins, mm above the tip.
+pub(super) fn least_height(shape: &CutterShape) -> f64 {
+    match shape {
+        CutterShape::Conical { half_angle, corner_radius, .. } => corner_radius * (1.0 - half_angle.sin()),
+        CutterShape::Barrel { .. } => 0.0,
+    }
+}
+
 /// Whether a straight side touches, so that the contact height is free.
 fn has_side(shape: &CutterShape, orientation: &Orientation) -> bool {
     matches!(shape, CutterShape::Conical { .. }) && !shape.is_ball() && orientation.tilt == 0.0
@@ -112,14 +129,15 @@ fn locate(
     )
 }
 
-/// Contact heights that all places of a row allow.
+/// Contact heights that all places of a row allow. How far the opposite flank limits them is looked for only where it does not let the
+/// wanted height pass.
 fn window(grid: &FlankGrid, row: usize, options: &FinishOptions) -> Result<HeightWindow, MillingError> {
-    let CutterShape::Conical { half_angle, corner_radius, .. } = *options.cutter.shape() else {
+    let CutterShape::Conical { corner_radius, .. } = *options.cutter.shape() else {
         return Ok(HeightWindow { least: 0.0, greatest: 0.0 });
     };
-    let least = corner_radius * (1.0 - half_angle.sin());
+    let least = least_height(options.cutter.shape());
     let mut greatest = options.cutter.cutting_length();
-    for (number, column) in grid.columns.iter().enumerate() {
+    for column in &grid.columns {
         let place = &column.places[row];
         let (point, normal) = (&place.jet.point, &place.jet.normal);
         if let Some(bottom) = options.bottom {
@@ -127,12 +145,18 @@ fn window(grid: &FlankGrid, row: usize, options: &FinishOptions) -> Result<Heigh
             let limit = greatest_contact_height(&column.lead, point, normal, &axis, corner_radius, bottom);
             greatest = greatest.min(limit);
         }
-        if greatest < least {
-            break;
-        }
-        let Some((opposite, wanted)) = &options.opposite else { continue };
+    }
+    let asked = options.heights.wanted(row, grid.rows()).unwrap_or(greatest);
+    let Some((opposite, wanted)) = &options.opposite else { return Ok(HeightWindow { least, greatest }) };
+    if greatest < least {
+        return Ok(HeightWindow { least, greatest });
+    }
+    let mut reached = asked.clamp(least, greatest);
+    let mut limited = false;
+    for (number, column) in grid.columns.iter().enumerate() {
+        let place = &column.places[row];
         let tool = |height: f64| locate(place, &column.lead, options, height);
-        let location = tool(greatest)?;
+        let location = tool(reached)?;
         if opposite.keeps(options.cutter, &location.tip, &location.axis, *wanted).is_ok() {
             continue;
         }
@@ -142,7 +166,7 @@ fn window(grid: &FlankGrid, row: usize, options: &FinishOptions) -> Result<Heigh
             let kept = opposite.clearance(options.cutter, &location.tip, &location.axis);
             Ok::<_, MillingError>(kept.value - wanted)
         };
-        let deepest = beyond(greatest)?;
+        let deepest = beyond(reached)?;
         if deepest >= -SAME {
             continue;
         }
@@ -151,8 +175,9 @@ fn window(grid: &FlankGrid, row: usize, options: &FinishOptions) -> Result<Heigh
             let (from, clearance) = ("opposite flank", highest + wanted);
             return Err(MillingError::ToolGap { row, column: number, from, clearance, wanted: *wanted });
         }
-        let limit = brent([least, greatest], [highest, deepest], HEIGHT_STEP, |h| beyond(h).ok());
-        greatest = limit.unwrap_or(least);
+        let limit = brent([least, reached], [highest, deepest], HEIGHT_STEP, |h| beyond(h).ok());
+        reached = limit.unwrap_or(least);
+        limited = true;
     }
-    Ok(HeightWindow { least, greatest })
+    Ok(HeightWindow { least, greatest: if limited { reached } else { greatest } })
 }

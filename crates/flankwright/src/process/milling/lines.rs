@@ -1,12 +1,11 @@
 //! Rows and columns of a flank from what the user asks for: counts, limits of distances, scallop and chord; and columns beyond the
 //! face, so that the tool comes and goes beside it.
 
-use super::finish::FinishOptions;
+use super::finish::{FinishOptions, least_height};
 use super::{
     ActiveFlank, ColumnPlane, CutterLocation, DenseGrid, DensityLimits, FlankGrid, LeadCurve, LocalContact,
     MillingError, RowSpacing, Section, dense_grid, lead_range,
 };
-use crate::geometry::CutterShape;
 use crate::numerics::equidistant;
 
 /// How many rows and columns.
@@ -89,14 +88,6 @@ fn local_contact(
         options.orientation,
     )?;
     Ok((LocalContact::new(&section.jet, &location, cutter.shape()), location))
-}
-
-/// Where the straight side of a cutter begins, mm above the tip.
-fn least_height(shape: &CutterShape) -> f64 {
-    match shape {
-        CutterShape::Conical { half_angle, corner_radius, .. } => corner_radius * (1.0 - half_angle.sin()),
-        CutterShape::Barrel { .. } => 0.0,
-    }
 }
 
 /// Lays rows and columns over a flank; `overrun` is the length that the path goes on beyond both ends of the range, mm along the lead

@@ -72,7 +72,7 @@ impl CutterLocation {
             CutterShape::Barrel { .. } => 0.0,
         };
         let sine = half_angle.sin() / in_plane;
-        if !(sine.abs() <= 1.0) {
+        if sine.is_nan() || sine.abs() > 1.0 {
             return Err(MillingError::AxisNone { u: lead.u, half_angle, out_of_plane: across.asin() });
         }
         let projected = (normal - direction * across) / in_plane;

@@ -99,7 +99,7 @@ impl Traverse {
         match self {
             Self::OneWay(direction) => direction,
             Self::Zigzag(first) => {
-                if number % 2 == 0 {
+                if number.is_multiple_of(2) {
                     first
                 } else {
                     first.reversed()
@@ -124,7 +124,7 @@ pub fn approach_arc(
     radius: f64,
     clearance: f64,
 ) -> Result<Vec<CutterPlace>, MillingError> {
-    if !(radius < clearance) {
+    if radius.is_nan() || radius >= clearance {
         return Err(MillingError::Approach { radius, clearance });
     }
     let at = |step: usize| {
@@ -167,7 +167,7 @@ pub fn retracted(place: &CutterPlace, out: Retraction) -> Result<CutterPlace, Mi
     }
     let no_way = MillingError::NoRetraction { tip: (*tip).into(), axis: (*axis).into() };
     let root = b * b - a * c;
-    if !(root >= 0.0) || a == 0.0 && b == 0.0 {
+    if root.is_nan() || root < 0.0 || a == 0.0 && b == 0.0 {
         return Err(no_way);
     }
     // Both roots without cancellation; the nearest one ahead.

@@ -6,11 +6,11 @@ use super::path::{CutDirection, CutterPath, CutterPlace, RowOrder, Traverse};
 use super::root_pass::{RootDepth, RootSection};
 use super::space::{Space, SpaceFlank};
 use super::{
-    CutterLocation, FlankGrid, HeightRule, LocalContact, MillingError, Orientation, RoughingLayer,
+    CutterLocation, FlankGrid, HeightRule, LocalContact, MillingError, Orientation, Patch, RoughingLayer,
     RoughingOptions, check_path, rough, row_distance, row_path,
 };
 use crate::geometry::{Cutter, Flank};
-use crate::numerics::equidistant;
+use crate::numerics::{equidistant, extremes};
 
 /// What a space is milled with and how.
 #[derive(Clone, Debug)]
@@ -351,8 +351,16 @@ fn roughing(
     let lowest = columns.iter().map(|column| height(column, 0)).fold(f64::INFINITY, f64::min);
     let layers =
         RoughingOptions { allowance, top, bottom: options.bottom.unwrap_or(lowest), step_down, step_over };
+    // Beside the face the cutter stays between the flanks as if they went on, or it would cut across their ends.
+    let lengths = columns.iter().flat_map(|column| column.places.iter().map(|place| place.length));
+    let lengths = extremes(lengths);
+    let extended = |flank: &'_ SpaceFlank| {
+        let [least, greatest] = flank.active.surface.domain()[1];
+        [lengths[0].max(least), lengths[1].min(greatest)]
+    };
+    let patches = [first, second].map(|flank| Patch { lengths: extended(flank), ..flank.patch(0.0) });
     let cutter = options.cutter_of(OperationKind::Roughing);
-    rough(cutter, &*space.lead, &at, [first.patch(0.0), second.patch(0.0)], &layers)
+    rough(cutter, &*space.lead, &at, patches, &layers)
 }
 
 /// Follows an operation's paths past everything that its cutter must not touch.

@@ -70,14 +70,14 @@ impl RootSection {
             RootDepth::Straight(straight) => straight,
             RootDepth::Bottom(height) => (y_g - height - corner_radius * (1.0 - sin)) / cos,
         };
-        if !(straight >= 0.0) {
+        if straight.is_nan() || straight < 0.0 {
             return Err(MillingError::RootCorner { u, straight, corner_radius });
         }
         let fillet_start = [x_g - straight * side * sin, y_g - straight * cos];
         let fillet_centre =
             [fillet_start[0] - corner_radius * side * cos, fillet_start[1] + corner_radius * sin];
         let lowest = [fillet_centre[0], fillet_centre[1] - corner_radius];
-        if !(side * lowest[0] >= 0.0) {
+        if side * lowest[0] < 0.0 {
             return Err(MillingError::RootOverlap { u, overlap: -side * lowest[0], corner_radius });
         }
         let contact_height = straight + corner_radius;

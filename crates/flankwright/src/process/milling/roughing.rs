@@ -30,8 +30,11 @@ pub struct RoughingLayer {
     pub passes: Vec<CutterPath>,
 }
 
-/// Halvings in search of how far the cutter can go aside: of some 10 mm that leaves 5 um, on the safe side.
-const HALVINGS: usize = 11;
+/// How far the cutter may stay short of its limit aside, mm: more stays on the flank, never less.
+const SHORT: f64 = 0.03;
+
+/// Steps aside at most; each covers a good third of the way that is left.
+const STEPS: usize = 60;
 
 /// Layers of a space between two flanks over the planes at the given lead parameters.
 ///
@@ -50,8 +53,9 @@ pub fn rough(
     let heights: Vec<f64> =
         (1..=layers).map(|n| options.top + (lowest - options.top) * n as f64 / layers as f64).collect();
     let layer = |&height: &f64| {
-        let room: Vec<Option<[f64; 2]>> =
+        let mut room: Vec<Option<[f64; 2]>> =
             leads.par_iter().map(|lead| room(cutter, lead, &flanks, height, options.allowance)).collect();
+        as_beside(&mut room);
         let widest = room.iter().flatten().map(|[from, to]| to - from).fold(0.0, f64::max);
         let beside = (widest / options.step_over).ceil() as usize + 1;
         let shares = (0..beside).map(|n| if beside == 1 { 0.5 } else { n as f64 / (beside - 1) as f64 });
@@ -70,7 +74,24 @@ fn upright(lead: &LeadPoint, aside: f64, height: f64) -> CutterPlace {
     CutterPlace { tip, axis: lead.base_normal, contact: None }
 }
 
-/// How far aside the upright cutter can stand at a height, both ways, from a place in the middle at which it fits.
+/// Where no flank stands beside the cutter (beyond the face), it goes no further aside than at the nearest place with one.
+fn as_beside(room: &mut [Option<[f64; 2]>]) {
+    for side in 0..2 {
+        let limits: Vec<Option<f64>> =
+            room.iter().map(|room| room.map(|room| room[side]).filter(|limit| limit.is_finite())).collect();
+        for (n, room) in room.iter_mut().enumerate() {
+            let Some(ends) = room.as_mut().filter(|ends| !ends[side].is_finite()) else { continue };
+            let nearest = (0..limits.len()).filter(|k| limits[*k].is_some()).min_by_key(|k| k.abs_diff(n));
+            match nearest.and_then(|k| limits[k]) {
+                Some(limit) => ends[side] = limit,
+                None => *room = None,
+            }
+        }
+    }
+}
+
+/// How far aside the upright cutter can stand at a height, both ways, from a place in the middle at which it fits; infinite where
+/// nothing limits it.
 fn room(
     cutter: &Cutter,
     lead: &LeadPoint,
@@ -78,29 +99,38 @@ fn room(
     height: f64,
     allowance: f64,
 ) -> Option<[f64; 2]> {
-    let fits = |aside: f64| {
+    // What is kept beyond the allowance is free to go: a body that moves by x comes nearer by x at the most.
+    let free = |aside: f64| {
         let place = upright(lead, aside, height);
-        flanks.iter().all(|flank| flank.keeps(cutter, &place.tip, &place.axis, allowance).is_ok())
+        let free = flanks
+            .iter()
+            .map(|flank| flank.lower_bound(cutter, &place.tip, &place.axis, allowance, SHORT) - allowance);
+        free.fold(f64::INFINITY, f64::min)
     };
-    if !fits(0.0) {
+    let from_middle = free(0.0);
+    if from_middle < 0.0 {
         return None;
     }
+    let beyond = distance_of_middles(flanks);
     let limit = |sense: f64| {
-        let mut step = cutter_scale(flanks);
-        let mut reached = 0.0;
-        for _ in 0..HALVINGS {
-            step *= 0.5;
-            if fits(reached + sense * step) {
-                reached += sense * step;
+        let (mut reached, mut step) = (0.0, from_middle);
+        for _ in 0..STEPS {
+            if step < 0.5 * SHORT {
+                break;
             }
+            reached += step;
+            if reached > beyond {
+                return sense * f64::INFINITY;
+            }
+            step = free(sense * reached);
         }
-        reached
+        sense * reached
     };
     Some([limit(-1.0), limit(1.0)])
 }
 
-/// A length that is beyond both flanks: the distance between their middles.
-fn cutter_scale(flanks: &[Patch; 2]) -> f64 {
+/// A distance aside at which every cutter stands beyond both flanks: that of their middles.
+fn distance_of_middles(flanks: &[Patch; 2]) -> f64 {
     let middle = |flank: &Patch| {
         let [a, b] = [flank.heights, flank.lengths].map(|[from, to]| 0.5 * (from + to));
         flank.surface.point(a, b)

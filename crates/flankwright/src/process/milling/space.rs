@@ -39,7 +39,7 @@ pub struct Space {
 
 /// How deep the search on the flank that the cutter touches may find it: what curvature and blocks do there is less and judged by
 /// rays; what digs in elsewhere is more. mm.
-const OWN_FLANK: f64 = 0.02;
+const OWN_FLANK: f64 = 0.05;
 
 impl SpaceFlank {
     /// The flank within its face as something to keep away from, turned about the axis.

@@ -49,7 +49,7 @@ impl HeightRule {
         }
         let height = |(row, window): (usize, &HeightWindow)| {
             let HeightWindow { least, greatest } = *window;
-            if !(greatest >= least) {
+            if greatest < least {
                 return Err(MillingError::WearWindow { row, least, greatest });
             }
             let height = self.wanted(row, rows).unwrap_or(least);

@@ -4,7 +4,7 @@ use super::of_grinding::follow_on_grinding;
 use super::of_tangential::follow_on_tangential;
 use super::result::{CheckedAxis, CheckedProgram};
 use crate::exchange::machine::LoadedMachine;
-use crate::exchange::{AnyJob, Diagnostic, GearboxJob};
+use crate::exchange::{AnyJob, Diagnostic, GearboxJob, MillingJob};
 use crate::machine::{Positions, Role};
 use crate::motion::{AxisWords, MotionError, Tracked, axis_words, track};
 use crate::nc::{Dialect, ReadError, ReadProgram, Word, read, read_with_netlist};
@@ -65,6 +65,7 @@ pub fn check_program(
             AnyJob::Grinding(loaded) => follow_on_grinding(loaded, &machine.machine, &tracked, progress)?,
             AnyJob::Tangential(loaded) => follow_on_tangential(loaded, &machine.machine, &tracked, progress)?,
             AnyJob::Gearbox(_) => return Err(RunFailure::bad_input(GearboxJob::refused_by("program check"))),
+            AnyJob::Milling(_) => return Err(RunFailure::bad_input(MillingJob::refused_by("program check"))),
         };
         checked.kind = Some(followed.kind);
         checked.strokes = followed.strokes;
