@@ -6,7 +6,8 @@ use super::ledger::Ledger;
 use super::reference::Reference;
 use super::{
     areas, contact, decompositions, dressing, equal_ratio, gearbox, gears, ground_flank,
-    ground_modifications, least_squares, machines, milling, modifications, planning, tangential, variable_ratio,
+    ground_modifications, least_squares, machines, milling, modifications, planning, tangential,
+    variable_ratio,
 };
 use serde::Serialize;
 use serde_json::Value;
@@ -198,14 +199,14 @@ impl Schema {
                     &[
                         Block::checked("cases", milling::cases),
                         Block::checked("spur_exact_stock", milling::spur_exact_stock),
-                        Block::to_come("helical_zero_eps_lead_radius"),
+                        Block::checked("helical_zero_eps_lead_radius", milling::helical_zero_eps_lead_radius),
                         Block::checked("tool_too_big", milling::tool_too_big),
                         Block::checked("root", milling::root),
-                        Block::to_come("wear"),
-                        Block::to_come("inverse_kinematics"),
-                        Block::to_come("linear_axes"),
+                        Block::checked("wear", milling::wear),
+                        Block::checked("inverse_kinematics", milling::inverse_kinematics),
+                        Block::checked("linear_axes", milling::linear_axes),
                         Block::to_come("orientation_comparison"),
-                        Block::to_come("pole"),
+                        Block::checked("pole", milling::pole),
                         Block::checked("density", milling::density),
                         Block::to_come("output"),
                         Block::to_come("screw_row"),

@@ -6,7 +6,9 @@ use super::case::{Body, MilledCase, located};
 use super::given::{
     Checked, MOST, check_items, check_object, compare_vector, compare_vectors, number, text, tolerance, whole,
 };
-use crate::process::milling::{Column, CutterLocation, FlankGrid, MillingError, NeighbourDistances, RowSpacing};
+use crate::process::milling::{
+    Column, CutterLocation, FlankGrid, GridPlace, MillingError, NeighbourDistances, RowSpacing,
+};
 use nalgebra::Vector3;
 use serde_json::Value;
 
@@ -47,7 +49,7 @@ fn one_column(
         Body::Blade => [unit, unit],
     };
     let places = &column.places;
-    let of = |value: fn(&crate::process::milling::GridPlace) -> f64| places.iter().map(value).collect::<Vec<_>>();
+    let of = |value: fn(&GridPlace) -> f64| places.iter().map(value).collect::<Vec<_>>();
     expected.list("a", &of(|place| place.height), height, ledger);
     expected.list("b", &of(|place| place.length), length, ledger);
     let points: Vec<Vector3<f64>> = places.iter().map(|place| place.jet.point).collect();

@@ -42,11 +42,9 @@ impl Tool {
         let shape = match *self {
             Self::End { radius, corner } => CutterShape::end_mill(radius, corner),
             Self::Ball { radius } => CutterShape::ball(radius),
-            Self::Cone { radius, half_angle, corner } => CutterShape::Conical {
-                radius,
-                half_angle: half_angle.to_radians(),
-                corner_radius: corner,
-            },
+            Self::Cone { radius, half_angle, corner } => {
+                CutterShape::Conical { radius, half_angle: half_angle.to_radians(), corner_radius: corner }
+            }
         };
         of_shape(shape, EDGES)
     }

@@ -99,11 +99,7 @@ pub(super) fn array<const N: usize>(
 }
 
 /// A vector given as input.
-pub(super) fn vector(
-    expected: &mut Expected<'_>,
-    key: &str,
-    ledger: &mut Ledger,
-) -> Checked<Vector3<f64>> {
+pub(super) fn vector(expected: &mut Expected<'_>, key: &str, ledger: &mut Ledger) -> Checked<Vector3<f64>> {
     array::<3>(expected, key, ledger).map(Vector3::from)
 }
 
@@ -123,11 +119,7 @@ pub(super) fn whole(name: &str, value: Option<&Value>, allowed: RangeInclusive<u
 }
 
 /// A whole number given as input.
-pub(super) fn count(
-    expected: &mut Expected<'_>,
-    key: &str,
-    allowed: RangeInclusive<u64>,
-) -> Checked<usize> {
+pub(super) fn count(expected: &mut Expected<'_>, key: &str, allowed: RangeInclusive<u64>) -> Checked<usize> {
     let value = expected.take(key);
     whole(key, value, allowed)
 }

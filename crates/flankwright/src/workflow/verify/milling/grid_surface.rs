@@ -4,9 +4,7 @@ use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::case::MilledCase;
 use super::columns::row_law;
-use super::given::{
-    MOST, check_block, check_items, check_object, counts, number, requires, text, tolerance,
-};
+use super::given::{MOST, check_block, check_items, check_object, counts, number, requires, text, tolerance};
 use super::near_foot::foot;
 use crate::geometry::{GridSurface, NormalSide, Surface};
 use crate::numerics::equidistant;

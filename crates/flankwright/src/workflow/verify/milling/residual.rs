@@ -6,7 +6,7 @@ use super::case::{MilledCase, located};
 use super::given::{Checked, MOST, check_items, count, number, tolerance};
 use super::referee::{extremes, left_um, rays, row_paths};
 use crate::numerics::equidistant;
-use crate::process::milling::{ColumnPlane, FlankGrid, LocalContact, RowSpacing, row_distance};
+use crate::process::milling::{ColumnPlane, FlankGrid, GridPlace, LocalContact, RowSpacing, row_distance};
 
 /// Compares predictions and rays of some gaps between rows.
 pub(super) fn residual(case: &MilledCase, expected: &mut Expected<'_>, ledger: &mut Ledger) -> Checked {
@@ -31,12 +31,12 @@ pub(super) fn residual(case: &MilledCase, expected: &mut Expected<'_>, ledger: &
         let lead = grid.columns[m].lead;
         let section =
             ColumnPlane::new(&case.flank, lead).section(0.5 * (low.height + high.height), low.length)?;
-        let between = crate::process::milling::GridPlace { jet: section.jet, ..*low };
+        let between = GridPlace { jet: section.jet, ..*low };
         let location = located(&between, &lead, &case.cutter, case.contact_height, tilt)?;
         let local = LocalContact::new(&section.jet, &location, case.cutter.shape());
         let feed = section.jet.by_length;
-        // The rows' own direction at the lower one, as the grid has it.
-        let row_feed = place(row, m + 1).jet.point - place(row, m - 1).jet.point;
+        // The direction of the rows between both is taken at the length of the lower one.
+        let row_feed = case.flank.surface.jet(section.height, low.length).by_length;
         let distance = row_distance(&row_feed, &(high.jet.point - low.jet.point));
         let block = (place(row, m + 1).jet.point - low.jet.point).norm();
         let curvatures = [local.flank.m11, local.flank.m12, local.flank.m22];

@@ -49,8 +49,7 @@ pub(super) fn swept_um(
     let out = [(o[0] - q[0]) / corner_radius, (o[1] - q[1]) / corner_radius];
     let shares = equidistant([0.0, 1.0], RAYS);
     let between = |share: f64, k: usize| g[k] + share * (q[k] - g[k]);
-    let straight: Vec<NormalRay> =
-        shares.iter().map(|&t| ray([between(t, 0), between(t, 1)], out)).collect();
+    let straight: Vec<NormalRay> = shares.iter().map(|&t| ray([between(t, 0), between(t, 1)], out)).collect();
     // From the direction of the begin to straight upwards.
     let (begin, end) = (out[1].atan2(out[0]), std::f64::consts::FRAC_PI_2);
     let fillet: Vec<NormalRay> = shares
