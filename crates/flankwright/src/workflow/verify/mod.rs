@@ -26,6 +26,7 @@ mod ground_modifications;
 mod least_squares;
 mod ledger;
 mod machines;
+mod milling;
 mod modifications;
 mod planning;
 mod reference;

@@ -6,7 +6,8 @@ use super::ledger::Ledger;
 use super::reference::Reference;
 use super::{
     areas, contact, decompositions, dressing, equal_ratio, gearbox, gears, ground_flank,
-    ground_modifications, least_squares, machines, modifications, planning, tangential, variable_ratio,
+    ground_modifications, least_squares, machines, milling, modifications, planning, tangential,
+    variable_ratio,
 };
 use serde::Serialize;
 use serde_json::Value;
@@ -195,30 +196,30 @@ impl Schema {
             }
             Self::Milling => {
                 const {
-                    to_come![
-                        "cases",
-                        "spur_exact_stock",
-                        "helical_zero_eps_lead_radius",
-                        "tool_too_big",
-                        "root",
-                        "wear",
-                        "inverse_kinematics",
-                        "linear_axes",
-                        "orientation_comparison",
-                        "pole",
-                        "density",
-                        "output",
-                        "screw_row",
-                        "feed",
-                        "octoid",
-                        "herringbone",
-                        "full_flank",
-                        "shift_invariance",
-                        "equal_scallop",
-                        "grid_surface",
-                        "internal_cylinder",
-                        "blade_limits",
-                        "shear_scan",
+                    &[
+                        Block::checked("cases", milling::cases),
+                        Block::checked("spur_exact_stock", milling::spur_exact_stock),
+                        Block::checked("helical_zero_eps_lead_radius", milling::helical_zero_eps_lead_radius),
+                        Block::checked("tool_too_big", milling::tool_too_big),
+                        Block::checked("root", milling::root),
+                        Block::checked("wear", milling::wear),
+                        Block::checked("inverse_kinematics", milling::inverse_kinematics),
+                        Block::checked("linear_axes", milling::linear_axes),
+                        Block::to_come("orientation_comparison"),
+                        Block::checked("pole", milling::pole),
+                        Block::checked("density", milling::density),
+                        Block::to_come("output"),
+                        Block::to_come("screw_row"),
+                        Block::to_come("feed"),
+                        Block::checked("octoid", milling::octoid),
+                        Block::to_come("herringbone"),
+                        Block::checked("full_flank", milling::full_flank),
+                        Block::checked("shift_invariance", milling::shift_invariance),
+                        Block::checked("equal_scallop", milling::equal_scallop),
+                        Block::checked("grid_surface", milling::grid_surface),
+                        Block::checked("internal_cylinder", milling::internal_cylinder),
+                        Block::checked("blade_limits", milling::blade_limits),
+                        Block::to_come("shear_scan"),
                     ]
                 }
             }
