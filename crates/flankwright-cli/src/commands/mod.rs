@@ -5,6 +5,7 @@ pub mod check;
 mod derived;
 pub mod explore;
 pub mod gearbox;
+mod milling;
 pub mod new;
 mod outcome;
 pub mod plan;

@@ -6,7 +6,7 @@ use clap::Args;
 use flankwright::exchange::AnyJob;
 use flankwright::workflow::plan_job;
 
-use super::{catalogue, outcome, tangential};
+use super::{catalogue, milling, outcome, tangential};
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
@@ -36,7 +36,7 @@ pub fn run(arguments: &PlanArguments) -> Result<Exit, Failure> {
         AnyJob::Grinding(loaded) => loaded,
         AnyJob::Tangential(loaded) => return tangential::plan(&loaded, &arguments.common),
         AnyJob::Gearbox(loaded) => return Err(output::gearbox_only(&loaded, "plan")),
-        AnyJob::Milling(loaded) => return Err(output::not_milling(&loaded, "plan")),
+        AnyJob::Milling(loaded) => return milling::plan(&loaded, &arguments.common),
     };
     if let Some(catalogue) = catalogue::of_job(&loaded)? {
         return catalogue::plan(&loaded, &catalogue, &arguments.common);

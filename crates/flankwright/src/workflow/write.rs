@@ -4,6 +4,7 @@ use super::programs::RunPrograms;
 use super::run::Outcome;
 use super::{page, tables};
 use crate::exchange::job::{Job, JobInfo, Machine, OneOrSides};
+use crate::exchange::mesh::MeshError;
 use crate::exchange::{CsvError, Diagnostic, write_atomically};
 use crate::geometry::{Flank, Sides};
 use crate::machine::Station;
@@ -28,6 +29,9 @@ pub enum WriteError {
     /// A chart cannot be drawn.
     #[error("the report cannot be drawn: {0}")]
     Chart(#[from] ChartError),
+    /// A body cannot be written as a mesh.
+    #[error("the mesh cannot be written: {0}")]
+    Mesh(#[from] MeshError),
     /// The result cannot be written as JSON.
     #[error("the result cannot be written as JSON: {0}")]
     Json(#[from] serde_json::Error),

@@ -1,10 +1,12 @@
 //! Cutter locations as text in the words of APT (spec 50 section 12): what postprocessors of other systems read. One record a line;
 //! lengths in mm with five decimals, directions with seven.
 //!
-//!     PARTNO/NAME                     UNITS/MM                    TOOL/MILL,diameter,corner radius,cutting length
-//!     LOADTL/number,OSETNO,offset     SPINDL/RPM,speed,CLW        SPINDL/OFF      DELAY/seconds   STOP   PPRINT/text
-//!     MULTAX/ON   MULTAX/OFF          FEDRAT/speed,MMPM           FEDRAT/feed,INVERS (of the next GOTO, 1/min)
-//!     RAPID (the next GOTO)           GOTO/x,y,z,i,j,k            FINI
+//! ```text
+//! PARTNO/NAME                     UNITS/MM                    TOOL/MILL,diameter,corner radius,cutting length
+//! LOADTL/number,OSETNO,offset     SPINDL/RPM,speed,CLW        SPINDL/OFF      DELAY/seconds   STOP   PPRINT/text
+//! MULTAX/ON   MULTAX/OFF          FEDRAT/speed,MMPM           FEDRAT/feed,INVERS (of the next GOTO, 1/min)
+//! RAPID (the next GOTO)           GOTO/x,y,z,i,j,k            FINI
+//! ```
 
 use super::lines::per_minute;
 use super::number::push_fixed;

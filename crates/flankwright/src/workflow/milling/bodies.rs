@@ -39,8 +39,8 @@ pub struct MillingBodies {
     pub spaces: usize,
     /// How many of them are milled.
     pub milled: usize,
-    /// Section of the body before milling, (radius, position) round it, mm: the blank of the mesh.
-    pub blank: Vec<[f64; 2]>,
+    /// Section of the body before milling as (radius, position), mm: tip at both ends, bore or rim at the last and the first end.
+    pub blank: [[f64; 2]; 4],
 }
 
 /// What the cutter stays away from the workpiece while it is moved from one path to another, mm.
@@ -57,7 +57,7 @@ struct Body {
     spaces: usize,
     lands: Vec<Land>,
     retraction: Retraction,
-    blank: Vec<[f64; 2]>,
+    blank: [[f64; 2]; 4],
 }
 
 /// Bodies and options of a job.
@@ -270,7 +270,7 @@ fn cylindrical(loaded: &LoadedMillingJob, given: &job::MillingGear) -> Result<Bo
         spaces,
         lands,
         retraction,
-        blank: vec![[tip, -half], [tip, half], [other, half], [other, -half]],
+        blank: [[tip, -half], [tip, half], [other, half], [other, -half]],
     })
 }
 
@@ -334,7 +334,7 @@ fn conical(job: &MillingJob, given: &job::BevelGear) -> Result<Body, RunFailure>
         spaces: given.teeth as usize,
         lands,
         retraction: Retraction::OutsideCone { half_angle: gear.tip_angle(), distance: CLEARANCE },
-        blank: vec![[inner * sin, inner * cos], [outer * sin, outer * cos], hub(outer), hub(inner)],
+        blank: [[inner * sin, inner * cos], [outer * sin, outer * cos], hub(outer), hub(inner)],
     })
 }
 
@@ -373,7 +373,7 @@ fn bladed(loaded: &LoadedMillingJob, given: &job::Blade) -> Result<Body, RunFail
         spaces: given.count as usize,
         lands: Vec::new(),
         retraction: Retraction::Outside(blade.tip + CLEARANCE),
-        blank: vec![[blade.tip, start], [blade.tip, end], [0.5 * to, end], [0.5 * from, start]],
+        blank: [[blade.tip, start], [blade.tip, end], [0.5 * to, end], [0.5 * from, start]],
     })
 }
 

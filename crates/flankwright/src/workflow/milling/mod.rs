@@ -3,10 +3,14 @@
 
 mod bodies;
 mod finding;
+mod meshes;
 mod offset;
+mod page;
 mod referee;
 mod result;
 mod run;
+mod tables;
+mod write;
 
 pub use bodies::{MillingBodies, prepare_milling};
 pub use referee::{RefereedFlank, referee};
@@ -15,3 +19,4 @@ pub use result::{
     WearResult,
 };
 pub use run::{MillingOutcome, run_milling};
+pub use write::write_milling;

@@ -1,0 +1,67 @@
+//! `plan` of five-axis milling: runs the job, writes its files, prints a summary.
+
+use std::fmt::Write;
+use std::path::PathBuf;
+
+use flankwright::exchange::LoadedMillingJob;
+use flankwright::workflow::Status;
+use flankwright::workflow::milling::{MillingResult, run_milling, write_milling};
+
+use super::outcome::{Verdict, closing, conclude, refuse, unwritten};
+use crate::arguments::CommonArguments;
+use crate::exit::Exit;
+use crate::failure::Failure;
+use crate::output;
+use crate::progress::Bars;
+
+/// Plans the job, writes its files and prints a summary.
+///
+/// # Errors
+/// Everything that is wrong with the job, a flank that these cutters cannot make, files that cannot be written.
+pub fn plan(loaded: &LoadedMillingJob, common: &CommonArguments) -> Result<Exit, Failure> {
+    let job = &loaded.job;
+    let bars = Bars::new(common.quiet);
+    let planned = run_milling(loaded, &bars);
+    bars.finish();
+    let directory = output::directory(common, loaded, &job.job);
+    let outcome =
+        planned.map_err(|failure| refuse(loaded, &job.job, job.target.tolerance_um, failure, &directory))?;
+    let written = write_milling(job, &outcome, &directory).map_err(unwritten)?;
+    let result = &outcome.result;
+    let verdict = Verdict { job: &result.job, status: result.status, reason: result.reason.as_ref() };
+    conclude(common, result, verdict, || summary(result, &written))
+}
+
+fn summary(result: &MillingResult, written: &[PathBuf]) -> String {
+    let mut text = String::new();
+    let worst = result.flanks.values().map(|flank| flank.max_deviation_um).fold(0.0, f64::max);
+    let verdict = match result.status {
+        Status::Met => "target met".to_owned(),
+        Status::Missed => format!("target MISSED, largest deviation {worst:.3} um"),
+    };
+    // Writing to a text cannot fail.
+    let _ = writeln!(text, "{}: {verdict} (tolerance {} um)", result.job, result.tolerance_um);
+    if let Some(reason) = &result.reason {
+        let _ = writeln!(text, "  {}", reason.text);
+        let _ = writeln!(text, "  way out: {}", reason.way_out);
+    }
+    for (name, flank) in &result.flanks {
+        let [lowest, highest] = flank.stock_um;
+        let _ = writeln!(
+            text,
+            "  {name}: {} rows, {lowest:.3} to {highest:.3} um, rms {:.3} um; prediction within {:.4} um of the referee",
+            flank.rows.len(),
+            flank.rms_deviation_um,
+            flank.model_difference_um
+        );
+    }
+    for operation in &result.operations {
+        let _ = writeln!(
+            text,
+            "  {}: {} paths, {} places, {:.0} mm",
+            operation.name, operation.paths, operation.places, operation.way_mm
+        );
+    }
+    closing(&mut text, &result.warnings, &result.timing_s, written);
+    text
+}

@@ -1,0 +1,33 @@
+//! Writes what a milling run produced. Every file appears whole or not at all.
+
+use super::run::MillingOutcome;
+use super::{meshes, page, tables};
+use crate::exchange::milling_job::MillingJob;
+use crate::workflow::write::{NamedFile, WriteError, json, write_with_report};
+use std::path::{Path, PathBuf};
+
+/// Writes all files of a run into `directory` (made if missing); returns the paths in the order written, the report last.
+///
+/// # Errors
+/// [`WriteError`]; files written before the error stay.
+pub fn write_milling(
+    job: &MillingJob,
+    outcome: &MillingOutcome,
+    directory: &Path,
+) -> Result<Vec<PathBuf>, WriteError> {
+    let mut files: Vec<NamedFile> = vec![
+        ("result.json".into(), "result with rows and flanks", json(&outcome.result)?),
+        (
+            "topography.csv".into(),
+            "prediction and deviation at every ray",
+            tables::topography(&outcome.result)?.text().into(),
+        ),
+        (
+            "motions/places.csv".into(),
+            "places of the cutter in one space",
+            tables::places(&outcome.plan)?.text().into(),
+        ),
+    ];
+    files.extend(meshes::files(outcome, &job.output.meshes)?);
+    write_with_report(files, directory, |named| page::html_page(outcome, named))
+}
