@@ -2,7 +2,7 @@
 
 use super::axes::{Frame, TICK_SIZE};
 use super::contours::{Line, isolines, region_above};
-use super::error::{ChartError, check_count};
+use super::error::{ChartError, check_count, check_values};
 use super::hatch::{Lean, hatch_lines};
 use super::palette::{INK, MUTED, signed_color};
 use super::scale::{Axis, LevelScale};
@@ -23,6 +23,24 @@ pub struct ContourMap {
     pub scale: Option<LevelScale>,
 }
 
+/// What the axes of maps are called, and what is marked in them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MapFrame {
+    /// Quantity and unit to the right and upwards.
+    pub titles: [String; 2],
+    /// Marks of each panel, in the order of the panels; panels beyond have none.
+    pub marks: Vec<Vec<MapMark>>,
+}
+
+/// A place in a map.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MapMark {
+    /// Coordinates to the right and upwards.
+    pub at: [f64; 2],
+    /// What stands beside its circle; without a text the place is crossed out.
+    pub text: String,
+}
+
 const WIDTH: f64 = 880.0;
 const TOP: f64 = 64.0;
 const PLOT_HEIGHT: f64 = 200.0;
@@ -36,6 +54,18 @@ const GAP: f64 = 56.0;
 /// # Errors
 /// [`ChartError::TooFewValues`] without any panel.
 pub fn contour_map(map: &ContourMap) -> Result<Svg, ChartError> {
+    let frame = MapFrame { titles: ["z [mm]".into(), "w [mm]".into()], marks: Vec::new() };
+    contour_map_in(map, &frame)
+}
+
+/// As [`contour_map`], over coordinates of other names and with places marked.
+///
+/// # Errors
+/// As [`contour_map`]; [`ChartError::InvalidNumber`] for a mark that is nowhere.
+pub fn contour_map_in(map: &ContourMap, around: &MapFrame) -> Result<Svg, ChartError> {
+    for mark in around.marks.iter().flatten() {
+        check_values("mark in a contour map", &mark.at)?;
+    }
     check_count("contour map panels", map.panels.len(), 1)?;
     let scale =
         map.scale.unwrap_or_else(|| LevelScale::covering(map.panels.iter().map(|panel| &panel.topography)));
@@ -47,7 +77,8 @@ pub fn contour_map(map: &ContourMap) -> Result<Svg, ChartError> {
     for (k, panel) in map.panels.iter().enumerate() {
         let left = LEFT + k as f64 * (width + GAP);
         let frame = Frame { left, top: TOP, width, height: PLOT_HEIGHT };
-        draw_panel(&mut canvas, frame, panel, &scale);
+        let marks = around.marks.get(k).map_or(&[][..], Vec::as_slice);
+        draw_panel(&mut canvas, frame, panel, &scale, (&around.titles, marks));
     }
     let end = LEFT + map.panels.len().max(2) as f64 * (width + GAP) - GAP;
     let bar = Frame { left: end + 18.0, top: TOP, width: 16.0, height: PLOT_HEIGHT };
@@ -55,7 +86,13 @@ pub fn contour_map(map: &ContourMap) -> Result<Svg, ChartError> {
     Ok(canvas.finish())
 }
 
-fn draw_panel(canvas: &mut Canvas, frame: Frame, panel: &NamedTopography, scale: &LevelScale) {
+fn draw_panel(
+    canvas: &mut Canvas,
+    frame: Frame,
+    panel: &NamedTopography,
+    scale: &LevelScale,
+    ([right, up], marks): (&[String; 2], &[MapMark]),
+) {
     let field = &panel.topography;
     let (z, w) = (field.z_mm(), field.w_mm());
     let x_axis = Axis::tight(z[0], z[z.len() - 1], 7);
@@ -72,14 +109,34 @@ fn draw_panel(canvas: &mut Canvas, frame: Frame, panel: &NamedTopography, scale:
         canvas.text(centre, "0 everywhere", TextStyle::new(13.0, Anchor::Middle));
     }
     draw_isolines(canvas, frame, field, scale, &place);
+    for mark in marks {
+        draw_mark(canvas, frame, frame.at(x_axis.share(mark.at[0]), y_axis.share(mark.at[1])), &mark.text);
+    }
     frame.outline(canvas);
-    frame.abscissa(canvas, &x_axis, "z [mm]");
+    frame.abscissa(canvas, &x_axis, right);
     frame.ordinate(canvas, &y_axis);
-    frame.ordinate_title(canvas, &y_axis, "w [mm]", 36.0);
+    frame.ordinate_title(canvas, &y_axis, up, 36.0);
     let (lo, hi) = field.range_um();
     let text = format!("min {} µm · max {} µm", scale.precise_label(lo), scale.precise_label(hi));
     let at = [frame.left + 0.5 * frame.width, frame.bottom() + 52.0];
     canvas.text(at, &text, TextStyle::new(TICK_SIZE, Anchor::Middle).muted());
+}
+
+/// A circle with its text on the side that has room, or a cross.
+fn draw_mark(canvas: &mut Canvas, frame: Frame, [x, y]: [f64; 2], text: &str) {
+    let stroke = Stroke::solid(INK, 1.4);
+    if text.is_empty() {
+        let r = 2.2;
+        canvas.polylines(&[vec![[x - r, y - r], [x + r, y + r]], vec![[x - r, y + r], [x + r, y - r]]], stroke);
+        return;
+    }
+    canvas.disc([x, y], 4.2, "none", Stroke::solid("#ffffff", 3.4));
+    canvas.disc([x, y], 4.2, "none", stroke);
+    let width = text_width(text, 11.0);
+    let before = x + 9.0 + width > frame.right();
+    let (at, anchor) = if before { (x - 9.0, Anchor::End) } else { (x + 9.0, Anchor::Start) };
+    let y = (y + 4.0).clamp(frame.top + 12.0, frame.bottom() - 4.0);
+    canvas.text([at, y], text, TextStyle::new(11.0, anchor).bold().halo());
 }
 
 /// From the lowest band upwards, each region painted over the ones below it: no seams between bands.

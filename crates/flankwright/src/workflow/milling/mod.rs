@@ -4,9 +4,11 @@
 mod bodies;
 mod finding;
 mod offset;
+mod page;
 mod referee;
 mod result;
 mod run;
+mod wear;
 
 pub use bodies::{MillingBodies, prepare_milling};
 pub use referee::{RefereedFlank, referee};
