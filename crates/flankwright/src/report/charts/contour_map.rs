@@ -127,7 +127,8 @@ fn draw_mark(canvas: &mut Canvas, frame: Frame, [x, y]: [f64; 2], text: &str) {
     let stroke = Stroke::solid(INK, 1.4);
     if text.is_empty() {
         let r = 2.2;
-        canvas.polylines(&[vec![[x - r, y - r], [x + r, y + r]], vec![[x - r, y + r], [x + r, y - r]]], stroke);
+        canvas
+            .polylines(&[vec![[x - r, y - r], [x + r, y + r]], vec![[x - r, y + r], [x + r, y - r]]], stroke);
         return;
     }
     canvas.disc([x, y], 4.2, "none", Stroke::solid("#ffffff", 3.4));

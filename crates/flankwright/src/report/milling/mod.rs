@@ -8,7 +8,5 @@ mod programs;
 mod rows;
 mod tables;
 
-pub use data::{
-    DensityRow, FlankFigures, FlankView, MillingReport, OperationRow, RowView, Titled, WearView,
-};
+pub use data::{DensityRow, FlankFigures, FlankView, MillingReport, OperationRow, RowView, Titled, WearView};
 pub use programs::{AxisCourse, CourseLine, ProgramsView};

@@ -52,7 +52,11 @@ fn heights(flanks: &[FlankView]) -> Result<Svg, ChartError> {
             over_rows("least allowed", &flank.rows, |row| row.allowed_mm.map(|window| window[0])),
             over_rows("greatest allowed", &flank.rows, |row| row.allowed_mm.map(|window| window[1])),
         ];
-        Panel::linear(format!("{}: above the tip [mm]", flank.name), LEAST_SPAN, lines.into_iter().flatten().collect())
+        Panel::linear(
+            format!("{}: above the tip [mm]", flank.name),
+            LEAST_SPAN,
+            lines.into_iter().flatten().collect(),
+        )
     };
     line_chart(&LineChart {
         title: "Contact height of rows".into(),
@@ -106,10 +110,12 @@ pub(super) fn wear(flanks: &[FlankView]) -> Result<Vec<Block>, ChartError> {
     let figures: Vec<String> = worn
         .iter()
         .map(|(flank, wear)| {
-            let [peak, spread] = [format_significant(wear.peak_over_fixed, 3), format_fixed(wear.spread_mm, 1)];
+            let [peak, spread] =
+                [format_significant(wear.peak_over_fixed, 3), format_fixed(wear.spread_mm, 1)];
             format!("{}: {peak} times the peak of one height, over {spread} mm of the edge.", flank.name)
         })
         .collect();
-    let caption = format!("{} Bins of {} mm, one space.", figures.join(" "), format_significant(worn[0].1.bin_mm, 3));
+    let caption =
+        format!("{} Bins of {} mm, one space.", figures.join(" "), format_significant(worn[0].1.bin_mm, 3));
     Ok(vec![Block::Figure(Figure { svg, caption })])
 }

@@ -99,7 +99,8 @@ pub(super) fn operations(rows: &[OperationRow]) -> Table {
             Column::number("Way", "mm"),
         ],
         rows: rows.iter().map(row).collect(),
-        note: "In one space; the way is that of the cutter's tip along the paths, without coming and going.".into(),
+        note: "In one space; the way is that of the cutter's tip along the paths, without coming and going."
+            .into(),
     }
 }
 

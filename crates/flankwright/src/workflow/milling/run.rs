@@ -11,9 +11,7 @@ use super::wear::histograms;
 use crate::exchange::LoadedMillingJob;
 use crate::exchange::milling_job::MilledBody;
 use crate::numerics::{Progress, extremes};
-use crate::process::milling::{
-    FlankPlan, MillingPlan, NeighbourDistances, Operation, plan,
-};
+use crate::process::milling::{FlankPlan, MillingPlan, NeighbourDistances, Operation, plan};
 use crate::workflow::finding::{Remark, RunFailure};
 use crate::workflow::result::Status;
 use std::collections::BTreeMap;

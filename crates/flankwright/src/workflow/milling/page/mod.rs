@@ -59,7 +59,11 @@ fn headline(result: &MillingResult) -> String {
     }
     let [spaces, milled] = result.spaces;
     let flanks: Vec<&str> = result.flanks.keys().copied().collect();
-    let of = if milled == spaces { format!("all {spaces} spaces") } else { format!("{milled} of {spaces} spaces") };
+    let of = if milled == spaces {
+        format!("all {spaces} spaces")
+    } else {
+        format!("{milled} of {spaces} spaces")
+    };
     format!(
         "The rays find at most {} µm on {} in {of}, {} µm are allowed.",
         format_significant(largest(result, |flank| flank.max_deviation_um), 4),

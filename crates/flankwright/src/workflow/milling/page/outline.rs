@@ -1,8 +1,8 @@
 //! A cutter as it is drawn: the section of its cutting part, its outline in a plane through the axis, its silhouette in a view.
 
 use crate::geometry::{Cutter, CutterShape};
-use crate::process::milling::CutterPlace;
 use crate::numerics::equidistant;
+use crate::process::milling::CutterPlace;
 use nalgebra::Vector3;
 
 /// Points of an arc, and of a circle about the axis.
@@ -18,9 +18,9 @@ pub(super) fn section(shape: &CutterShape, height: f64) -> Vec<[f64; 2]> {
             let (sin, cos) = half_angle.sin_cos();
             let centre = radius + (sin - 1.0) * corner_radius / cos;
             // From the lowest point of the corner to where it meets the side.
-            let corner = equidistant([-std::f64::consts::FRAC_PI_2, -half_angle], ARC).into_iter().map(|angle| {
-                [centre + corner_radius * angle.cos(), corner_radius * (1.0 + angle.sin())]
-            });
+            let corner = equidistant([-std::f64::consts::FRAC_PI_2, -half_angle], ARC)
+                .into_iter()
+                .map(|angle| [centre + corner_radius * angle.cos(), corner_radius * (1.0 + angle.sin())]);
             let mut line = vec![[0.0, 0.0]];
             line.extend(corner.filter(|p| p[1] <= height));
             let [rho, z] = line[line.len() - 1];
@@ -83,8 +83,9 @@ pub(super) fn silhouettes(
 /// Convex hull, counter-clockwise (monotone chain).
 fn convex_hull(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
-    let turns_left =
-        |a: [f64; 2], b: [f64; 2], c: [f64; 2]| (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) > 0.0;
+    let turns_left = |a: [f64; 2], b: [f64; 2], c: [f64; 2]| {
+        (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) > 0.0
+    };
     let chain = |points: &mut dyn Iterator<Item = &[f64; 2]>| {
         let mut hull: Vec<[f64; 2]> = Vec::new();
         for &point in points {

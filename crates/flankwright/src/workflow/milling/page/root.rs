@@ -110,7 +110,12 @@ fn add(lines: &mut Lines, bodies: &MillingBodies, flank: &FlankPlan, with_bottom
         let aside = pass.half_travel.copysign(section.lowest[0]);
         let height = (top - pass.height).min(second.cutting_length());
         lines.upright.push(outline(second.shape(), height, [aside, pass.height], [0.0, 1.0]));
-        lines.quantities.push(Quantity::number(&name("half travel of the bottom pass"), "x_c", pass.half_travel, "mm"));
+        lines.quantities.push(Quantity::number(
+            &name("half travel of the bottom pass"),
+            "x_c",
+            pass.half_travel,
+            "mm",
+        ));
     }
 }
 

@@ -77,7 +77,11 @@ fn draw(view: &View, bodies: &MillingBodies, plan: &MillingPlan) -> Drawing {
         lines_mm: cutters(view, bodies, plan),
     }];
     let [seen, hidden] = nets(view, bodies);
-    layers.push(DrawingLayer { name: "flank from behind".into(), look: DrawingLook::HiddenNet, lines_mm: hidden });
+    layers.push(DrawingLayer {
+        name: "flank from behind".into(),
+        look: DrawingLook::HiddenNet,
+        lines_mm: hidden,
+    });
     layers.push(DrawingLayer { name: "flank".into(), look: DrawingLook::Net, lines_mm: seen });
     for (kind, operation) in plan.operations.iter().enumerate() {
         let of_place = |place: &CutterPlace| view.of(&place.contact.unwrap_or(place.tip));
