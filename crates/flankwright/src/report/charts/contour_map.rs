@@ -30,6 +30,8 @@ pub struct MapFrame {
     pub titles: [String; 2],
     /// Marks of each panel, in the order of the panels; panels beyond have none.
     pub marks: Vec<Vec<MapMark>>,
+    /// Grounds without isolines, hatched below zero: for values that rise and fall many times, between which lines have no room.
+    pub grounds_only: bool,
 }
 
 /// A place in a map.
@@ -54,7 +56,8 @@ const GAP: f64 = 56.0;
 /// # Errors
 /// [`ChartError::TooFewValues`] without any panel.
 pub fn contour_map(map: &ContourMap) -> Result<Svg, ChartError> {
-    let frame = MapFrame { titles: ["z [mm]".into(), "w [mm]".into()], marks: Vec::new() };
+    let titles = ["z [mm]".into(), "w [mm]".into()];
+    let frame = MapFrame { titles, marks: Vec::new(), grounds_only: false };
     contour_map_in(map, &frame)
 }
 
@@ -70,7 +73,11 @@ pub fn contour_map_in(map: &ContourMap, around: &MapFrame) -> Result<Svg, ChartE
     let scale =
         map.scale.unwrap_or_else(|| LevelScale::covering(map.panels.iter().map(|panel| &panel.topography)));
     let mut canvas = Canvas::new(WIDTH, TOP + PLOT_HEIGHT + 64.0, &map.title);
-    canvas.heading("isolines: solid > 0, dashed < 0, thick = 0; hatched: material left standing");
+    canvas.heading(if around.grounds_only {
+        "dark: far from the wanted flank; hatched: below it (gouge)"
+    } else {
+        "isolines: solid > 0, dashed < 0, thick = 0; hatched: material left standing"
+    });
     // Two places even for one panel, so that maps on one page have one size.
     let places = map.panels.len().max(2) as f64;
     let width = (WIDTH - LEFT - BAR_SPACE - GAP * (places - 1.0)) / places;
@@ -78,11 +85,11 @@ pub fn contour_map_in(map: &ContourMap, around: &MapFrame) -> Result<Svg, ChartE
         let left = LEFT + k as f64 * (width + GAP);
         let frame = Frame { left, top: TOP, width, height: PLOT_HEIGHT };
         let marks = around.marks.get(k).map_or(&[][..], Vec::as_slice);
-        draw_panel(&mut canvas, frame, panel, &scale, (&around.titles, marks));
+        draw_panel(&mut canvas, frame, panel, &scale, (around, marks));
     }
     let end = LEFT + map.panels.len().max(2) as f64 * (width + GAP) - GAP;
     let bar = Frame { left: end + 18.0, top: TOP, width: 16.0, height: PLOT_HEIGHT };
-    draw_colour_bar(&mut canvas, bar, &scale, &map.quantity);
+    draw_colour_bar(&mut canvas, bar, &scale, &map.quantity, around.grounds_only);
     Ok(canvas.finish())
 }
 
@@ -91,7 +98,7 @@ fn draw_panel(
     frame: Frame,
     panel: &NamedTopography,
     scale: &LevelScale,
-    ([right, up], marks): (&[String; 2], &[MapMark]),
+    (around, marks): (&MapFrame, &[MapMark]),
 ) {
     let field = &panel.topography;
     let (z, w) = (field.z_mm(), field.w_mm());
@@ -103,12 +110,15 @@ fn draw_panel(
     };
     let heading = TextStyle::new(13.0, Anchor::Start).bold();
     canvas.text([frame.left, frame.top - 8.0], &panel.name, heading);
-    draw_bands(canvas, frame, field, scale, &place);
+    draw_bands(canvas, frame, field, scale, (around.grounds_only, &place));
     if scale.is_flat() {
         let centre = [frame.left + 0.5 * frame.width, frame.top + 0.5 * frame.height];
         canvas.text(centre, "0 everywhere", TextStyle::new(13.0, Anchor::Middle));
     }
-    draw_isolines(canvas, frame, field, scale, &place);
+    if !around.grounds_only {
+        draw_isolines(canvas, frame, field, scale, &place);
+    }
+    let [right, up] = &around.titles;
     for mark in marks {
         draw_mark(canvas, frame, frame.at(x_axis.share(mark.at[0]), y_axis.share(mark.at[1])), &mark.text);
     }
@@ -146,7 +156,7 @@ fn draw_bands(
     frame: Frame,
     field: &Topography,
     scale: &LevelScale,
-    place: &impl Fn(Vec<Line>) -> Vec<Line>,
+    (grounds_only, place): (bool, &impl Fn(Vec<Line>) -> Vec<Line>),
 ) {
     let edges = scale.edges_um();
     canvas.rect([frame.left, frame.top], [frame.width, frame.height], &signed_color(0.0), None);
@@ -159,7 +169,14 @@ fn draw_bands(
         }
     }
     // A region that exceeds zero by rounding only is not material left standing.
-    if field.range_um().1 > 0.02 * scale.step_um() {
+    let (lo, hi) = field.range_um();
+    let least = 0.02 * scale.step_um();
+    if grounds_only {
+        if lo < -least {
+            let hatch = hatch_lines(&place(region_above(&field.negated(), least)), 5.0, Lean::Backward);
+            canvas.polylines(&hatch, Stroke::solid(INK, 0.7));
+        }
+    } else if hi > least {
         let hatch = hatch_lines(&place(region_above(field, 0.0)), 7.0, Lean::Forward);
         canvas.polylines(&hatch, Stroke::solid(MUTED, 0.5));
     }
@@ -265,7 +282,7 @@ fn along(line: &[[f64; 2]], lengths: &[f64], at: f64) -> [f64; 2] {
     line[line.len() - 1]
 }
 
-fn draw_colour_bar(canvas: &mut Canvas, bar: Frame, scale: &LevelScale, quantity: &str) {
+fn draw_colour_bar(canvas: &mut Canvas, bar: Frame, scale: &LevelScale, quantity: &str, grounds_only: bool) {
     let edges = scale.edges_um();
     canvas.text([bar.left - 4.0, bar.top - 14.0], quantity, TextStyle::new(TICK_SIZE, Anchor::Start));
     let label = TextStyle::new(11.0, Anchor::Start);
@@ -280,10 +297,15 @@ fn draw_colour_bar(canvas: &mut Canvas, bar: Frame, scale: &LevelScale, quantity
         let middle = 0.5 * (band[0] + band[1]);
         let top = bar.bottom() - (k + 1) as f64 * height;
         canvas.rect([bar.left, top], [bar.width, height], &signed_color(middle / scale.size()), None);
-        if middle > 0.0 {
+        if (middle > 0.0) != grounds_only {
             let (l, r, t, b) = (bar.left, bar.right(), top, top + height);
             let corners = vec![[l, t], [r, t], [r, b], [l, b], [l, t]];
-            canvas.polylines(&hatch_lines(&[corners], 7.0, Lean::Forward), Stroke::solid(MUTED, 0.5));
+            let (pitch, lean, stroke) = if grounds_only {
+                (5.0, Lean::Backward, Stroke::solid(INK, 0.7))
+            } else {
+                (7.0, Lean::Forward, Stroke::solid(MUTED, 0.5))
+            };
+            canvas.polylines(&hatch_lines(&[corners], pitch, lean), stroke);
         }
     }
     bar.outline(canvas);

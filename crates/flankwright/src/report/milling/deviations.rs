@@ -104,6 +104,7 @@ impl FlankView {
         let frame = MapFrame {
             titles: [self.length_title.clone(), self.height_title.clone()],
             marks: vec![found, self.holes(&self.planned_um)],
+            grounds_only: true,
         };
         contour_map_in(&map, &frame)
     }

@@ -9,7 +9,7 @@ use crate::report::{Block, Figure};
 /// Angles below this are rounding, deg.
 const NO_ANGLE: f64 = 1e-9;
 /// Smallest span of an ordinate: below it a line is flat. um, deg and mm.
-const LEAST_SPAN: f64 = 1e-6;
+const LEAST_SPAN: f64 = 1e-3;
 
 /// What is drawn of a row, with the title of its panel.
 type Quantity = (&'static str, fn(&RowView) -> Option<f64>);
@@ -70,8 +70,8 @@ pub(super) fn blocks(flanks: &[FlankView]) -> Result<Vec<Block>, ChartError> {
     if flanks.iter().all(|flank| flank.rows.is_empty()) {
         return Ok(Vec::new());
     }
-    let heights_caption = "Between the limits neither the corner reaches the bottom nor the shank's end of the edge the flank, and the \
-                           opposite flank keeps its distance.";
+    let heights_caption = "Least: where the straight side of the cutter begins. Greatest: the end of its edge, or where the corner comes too \
+                           near to the bottom or the cutter to the opposite flank.";
     Ok(vec![
         Block::Figure(Figure {
             svg: per_row(flanks)?,

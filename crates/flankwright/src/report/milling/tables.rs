@@ -4,9 +4,16 @@ use super::{FlankView, MillingReport, OperationRow};
 use crate::report::charts::{format_fixed, format_significant};
 use crate::report::{Column, Table};
 
+/// Deviations below this are told as such: nothing in metrology is as small, um.
+const ROUNDING_UM: f64 = 1e-4;
+
 /// Figures of all flanks beside each other.
 pub(super) fn deviations(report: &MillingReport) -> Table {
-    let um = |x: f64| format_significant(x, 4);
+    let um = |x: f64| match x {
+        x if x == 0.0 || x.abs() >= ROUNDING_UM => format_significant(x, 4),
+        x if x > 0.0 => format!("< {ROUNDING_UM}"),
+        _ => format!("> −{ROUNDING_UM}"),
+    };
     let row = |flank: &FlankView| {
         let f = &flank.figures;
         let unmilled: Vec<String> =
