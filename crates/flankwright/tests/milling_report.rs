@@ -307,7 +307,10 @@ fn a_mark_that_is_nowhere_is_refused() {
     };
     let marked = |at| {
         let marks = vec![vec![MapMark { at, text: "worst".into() }]];
-        contour_map_in(&map, &MapFrame { titles: ["z [mm]".into(), "roll angle [rad]".into()], marks, grounds_only: false })
+        contour_map_in(
+            &map,
+            &MapFrame { titles: ["z [mm]".into(), "roll angle [rad]".into()], marks, grounds_only: false },
+        )
     };
     let svg = marked([0.5, 0.5]).unwrap();
     assert!(svg.as_str().contains("worst") && svg.as_str().contains("roll angle [rad]"));

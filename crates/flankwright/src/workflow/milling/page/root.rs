@@ -47,7 +47,7 @@ pub(super) fn root(bodies: &MillingBodies, plan: &MillingPlan) -> Option<Titled>
         axes: Some(["across the lead curve [mm]".into(), "above the lead curve [mm]".into()]),
         layers: vec![
             layer("tool, bottom pass, at both ends of its travel", DrawingLook::OtherBody, lines.upright),
-            layer("tool, fillet pass", DrawingLook::Body, lines.tool),
+            layer("tool, fillet pass of the first flank", DrawingLook::Body, lines.tool),
             layer("active flank", DrawingLook::Edge, lines.flank),
             layer("straight piece", DrawingLook::OtherEdge, lines.straight),
             layer("fillet", DrawingLook::DottedEdge, lines.fillet),
@@ -55,10 +55,10 @@ pub(super) fn root(bodies: &MillingBodies, plan: &MillingPlan) -> Option<Titled>
         ],
         notes: lines.notes,
     };
-    let caption = "The side of the tool goes on below the lowest active place, its corner leaves the fillet; the second pass, axis upright, \
-                   joins both fillets.";
-    let caption = if with_bottom { caption } else { caption.split(';').next().unwrap_or(caption) };
-    Some(Titled { drawing, caption: caption.into(), quantities: lines.quantities })
+    let flank_pass = "The side of the tool goes on below the lowest active place, its corner leaves the fillet from q about o.";
+    let bottom_pass = " The second pass, axis upright, joins both fillets.";
+    let caption = format!("{flank_pass}{}", if with_bottom { bottom_pass } else { "" });
+    Some(Titled { drawing, caption, quantities: lines.quantities })
 }
 
 fn add(lines: &mut Lines, bodies: &MillingBodies, flank: &FlankPlan, with_bottom: bool) {
@@ -75,7 +75,10 @@ fn add(lines: &mut Lines, bodies: &MillingBodies, flank: &FlankPlan, with_bottom
     let tip = lead.in_plane(&location.tip);
     let cutter = bodies.options.cutter_of(OperationKind::Fillet(flank.side));
     let height = ((top - tip[1]) / along[1]).clamp(section.contact_height, cutter.cutting_length());
-    lines.tool.push(outline(cutter.shape(), height, tip, along));
+    // The tools of both flanks would hide each other.
+    if lines.tool.is_empty() {
+        lines.tool.push(outline(cutter.shape(), height, tip, along));
+    }
     lines.flank.push(active);
     lines.straight.push(vec![section.lowest_active, section.fillet_start]);
     lines.fillet.push(fillet(section));
@@ -83,8 +86,8 @@ fn add(lines: &mut Lines, bodies: &MillingBodies, flank: &FlankPlan, with_bottom
     if lines.notes.is_empty() {
         for (at_mm, text) in [
             (section.lowest_active, "lowest active place"),
-            (section.fillet_start, "q: fillet begins"),
-            (section.fillet_centre, "o: its centre"),
+            (section.fillet_start, "q"),
+            (section.fillet_centre, "o"),
             (section.lowest, "lowest place"),
         ] {
             lines.notes.push(DrawingNote { at_mm, text: text.into() });

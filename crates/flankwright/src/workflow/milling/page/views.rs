@@ -42,7 +42,7 @@ pub(super) fn views(bodies: &MillingBodies, plan: &MillingPlan) -> Vec<Drawing> 
     let opening = opening.unwrap_or_else(Vector3::y);
     let sense = if opening.y < 0.0 { -1.0 } else { 1.0 };
     let (x, y, z) = (Vector3::x(), Vector3::y(), Vector3::z());
-    let towards = Vector3::new(0.55, 0.62 * sense, 0.56).normalize();
+    let towards = Vector3::new(0.35, 0.72 * sense, -0.6).normalize();
     let right = (y * sense).cross(&towards).normalize();
     let all = [
         View {
