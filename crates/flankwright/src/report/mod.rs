@@ -5,7 +5,7 @@
 //! (a banner and an ordered list of sections, the same for every process), [`html`] writes it, and
 //! [`generating`] composes the page of diagonal generating grinding; [`tangential`] adds the sections of tangential dressing,
 //! [`programs`] the one on NC programs, [`control`] the one on gearbox and servo; [`gearbox`] composes the page of the electronic
-//! gearbox.
+//! gearbox, [`milling`] that of five-axis milling.
 //!
 //! ```
 //! use flankwright::report::{Banner, Block, PlanReport, Section, Status, html};
@@ -26,6 +26,7 @@ pub mod control;
 pub mod gearbox;
 pub mod generating;
 pub mod html;
+pub mod milling;
 pub mod programs;
 pub mod tangential;
 

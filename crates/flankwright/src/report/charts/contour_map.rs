@@ -2,7 +2,7 @@
 
 use super::axes::{Frame, TICK_SIZE};
 use super::contours::{Line, isolines, region_above};
-use super::error::{ChartError, check_count};
+use super::error::{ChartError, check_count, check_values};
 use super::hatch::{Lean, hatch_lines};
 use super::palette::{INK, MUTED, signed_color};
 use super::scale::{Axis, LevelScale};
@@ -23,6 +23,26 @@ pub struct ContourMap {
     pub scale: Option<LevelScale>,
 }
 
+/// What the axes of maps are called, and what is marked in them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MapFrame {
+    /// Quantity and unit to the right and upwards.
+    pub titles: [String; 2],
+    /// Marks of each panel, in the order of the panels; panels beyond have none.
+    pub marks: Vec<Vec<MapMark>>,
+    /// Grounds without isolines, hatched below zero: for values that rise and fall many times, between which lines have no room.
+    pub grounds_only: bool,
+}
+
+/// A place in a map.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MapMark {
+    /// Coordinates to the right and upwards.
+    pub at: [f64; 2],
+    /// What stands beside its circle; without a text the place is crossed out.
+    pub text: String,
+}
+
 const WIDTH: f64 = 880.0;
 const TOP: f64 = 64.0;
 const PLOT_HEIGHT: f64 = 200.0;
@@ -36,26 +56,50 @@ const GAP: f64 = 56.0;
 /// # Errors
 /// [`ChartError::TooFewValues`] without any panel.
 pub fn contour_map(map: &ContourMap) -> Result<Svg, ChartError> {
+    let titles = ["z [mm]".into(), "w [mm]".into()];
+    let frame = MapFrame { titles, marks: Vec::new(), grounds_only: false };
+    contour_map_in(map, &frame)
+}
+
+/// As [`contour_map`], over coordinates of other names and with places marked.
+///
+/// # Errors
+/// As [`contour_map`]; [`ChartError::InvalidNumber`] for a mark that is nowhere.
+pub fn contour_map_in(map: &ContourMap, around: &MapFrame) -> Result<Svg, ChartError> {
+    for mark in around.marks.iter().flatten() {
+        check_values("mark in a contour map", &mark.at)?;
+    }
     check_count("contour map panels", map.panels.len(), 1)?;
     let scale =
         map.scale.unwrap_or_else(|| LevelScale::covering(map.panels.iter().map(|panel| &panel.topography)));
     let mut canvas = Canvas::new(WIDTH, TOP + PLOT_HEIGHT + 64.0, &map.title);
-    canvas.heading("isolines: solid > 0, dashed < 0, thick = 0; hatched: material left standing");
+    canvas.heading(if around.grounds_only {
+        "dark: far from the wanted flank; hatched: below it (gouge)"
+    } else {
+        "isolines: solid > 0, dashed < 0, thick = 0; hatched: material left standing"
+    });
     // Two places even for one panel, so that maps on one page have one size.
     let places = map.panels.len().max(2) as f64;
     let width = (WIDTH - LEFT - BAR_SPACE - GAP * (places - 1.0)) / places;
     for (k, panel) in map.panels.iter().enumerate() {
         let left = LEFT + k as f64 * (width + GAP);
         let frame = Frame { left, top: TOP, width, height: PLOT_HEIGHT };
-        draw_panel(&mut canvas, frame, panel, &scale);
+        let marks = around.marks.get(k).map_or(&[][..], Vec::as_slice);
+        draw_panel(&mut canvas, frame, panel, &scale, (around, marks));
     }
     let end = LEFT + map.panels.len().max(2) as f64 * (width + GAP) - GAP;
     let bar = Frame { left: end + 18.0, top: TOP, width: 16.0, height: PLOT_HEIGHT };
-    draw_colour_bar(&mut canvas, bar, &scale, &map.quantity);
+    draw_colour_bar(&mut canvas, bar, &scale, &map.quantity, around.grounds_only);
     Ok(canvas.finish())
 }
 
-fn draw_panel(canvas: &mut Canvas, frame: Frame, panel: &NamedTopography, scale: &LevelScale) {
+fn draw_panel(
+    canvas: &mut Canvas,
+    frame: Frame,
+    panel: &NamedTopography,
+    scale: &LevelScale,
+    (around, marks): (&MapFrame, &[MapMark]),
+) {
     let field = &panel.topography;
     let (z, w) = (field.z_mm(), field.w_mm());
     let x_axis = Axis::tight(z[0], z[z.len() - 1], 7);
@@ -66,20 +110,44 @@ fn draw_panel(canvas: &mut Canvas, frame: Frame, panel: &NamedTopography, scale:
     };
     let heading = TextStyle::new(13.0, Anchor::Start).bold();
     canvas.text([frame.left, frame.top - 8.0], &panel.name, heading);
-    draw_bands(canvas, frame, field, scale, &place);
+    draw_bands(canvas, frame, field, scale, (around.grounds_only, &place));
     if scale.is_flat() {
         let centre = [frame.left + 0.5 * frame.width, frame.top + 0.5 * frame.height];
         canvas.text(centre, "0 everywhere", TextStyle::new(13.0, Anchor::Middle));
     }
-    draw_isolines(canvas, frame, field, scale, &place);
+    if !around.grounds_only {
+        draw_isolines(canvas, frame, field, scale, &place);
+    }
+    let [right, up] = &around.titles;
+    for mark in marks {
+        draw_mark(canvas, frame, frame.at(x_axis.share(mark.at[0]), y_axis.share(mark.at[1])), &mark.text);
+    }
     frame.outline(canvas);
-    frame.abscissa(canvas, &x_axis, "z [mm]");
+    frame.abscissa(canvas, &x_axis, right);
     frame.ordinate(canvas, &y_axis);
-    frame.ordinate_title(canvas, &y_axis, "w [mm]", 36.0);
+    frame.ordinate_title(canvas, &y_axis, up, 36.0);
     let (lo, hi) = field.range_um();
     let text = format!("min {} µm · max {} µm", scale.precise_label(lo), scale.precise_label(hi));
     let at = [frame.left + 0.5 * frame.width, frame.bottom() + 52.0];
     canvas.text(at, &text, TextStyle::new(TICK_SIZE, Anchor::Middle).muted());
+}
+
+/// A circle with its text on the side that has room, or a cross.
+fn draw_mark(canvas: &mut Canvas, frame: Frame, [x, y]: [f64; 2], text: &str) {
+    let stroke = Stroke::solid(INK, 1.4);
+    if text.is_empty() {
+        let r = 2.2;
+        canvas
+            .polylines(&[vec![[x - r, y - r], [x + r, y + r]], vec![[x - r, y + r], [x + r, y - r]]], stroke);
+        return;
+    }
+    canvas.disc([x, y], 4.2, "none", Stroke::solid("#ffffff", 3.4));
+    canvas.disc([x, y], 4.2, "none", stroke);
+    let width = text_width(text, 11.0);
+    let before = x + 9.0 + width > frame.right();
+    let (at, anchor) = if before { (x - 9.0, Anchor::End) } else { (x + 9.0, Anchor::Start) };
+    let y = (y + 4.0).clamp(frame.top + 12.0, frame.bottom() - 4.0);
+    canvas.text([at, y], text, TextStyle::new(11.0, anchor).bold().halo());
 }
 
 /// From the lowest band upwards, each region painted over the ones below it: no seams between bands.
@@ -88,7 +156,7 @@ fn draw_bands(
     frame: Frame,
     field: &Topography,
     scale: &LevelScale,
-    place: &impl Fn(Vec<Line>) -> Vec<Line>,
+    (grounds_only, place): (bool, &impl Fn(Vec<Line>) -> Vec<Line>),
 ) {
     let edges = scale.edges_um();
     canvas.rect([frame.left, frame.top], [frame.width, frame.height], &signed_color(0.0), None);
@@ -101,7 +169,14 @@ fn draw_bands(
         }
     }
     // A region that exceeds zero by rounding only is not material left standing.
-    if field.range_um().1 > 0.02 * scale.step_um() {
+    let (lo, hi) = field.range_um();
+    let least = 0.02 * scale.step_um();
+    if grounds_only {
+        if lo < -least {
+            let hatch = hatch_lines(&place(region_above(&field.negated(), least)), 5.0, Lean::Backward);
+            canvas.polylines(&hatch, Stroke::solid(INK, 0.7));
+        }
+    } else if hi > least {
         let hatch = hatch_lines(&place(region_above(field, 0.0)), 7.0, Lean::Forward);
         canvas.polylines(&hatch, Stroke::solid(MUTED, 0.5));
     }
@@ -207,7 +282,7 @@ fn along(line: &[[f64; 2]], lengths: &[f64], at: f64) -> [f64; 2] {
     line[line.len() - 1]
 }
 
-fn draw_colour_bar(canvas: &mut Canvas, bar: Frame, scale: &LevelScale, quantity: &str) {
+fn draw_colour_bar(canvas: &mut Canvas, bar: Frame, scale: &LevelScale, quantity: &str, grounds_only: bool) {
     let edges = scale.edges_um();
     canvas.text([bar.left - 4.0, bar.top - 14.0], quantity, TextStyle::new(TICK_SIZE, Anchor::Start));
     let label = TextStyle::new(11.0, Anchor::Start);
@@ -222,10 +297,15 @@ fn draw_colour_bar(canvas: &mut Canvas, bar: Frame, scale: &LevelScale, quantity
         let middle = 0.5 * (band[0] + band[1]);
         let top = bar.bottom() - (k + 1) as f64 * height;
         canvas.rect([bar.left, top], [bar.width, height], &signed_color(middle / scale.size()), None);
-        if middle > 0.0 {
+        if (middle > 0.0) != grounds_only {
             let (l, r, t, b) = (bar.left, bar.right(), top, top + height);
             let corners = vec![[l, t], [r, t], [r, b], [l, b], [l, t]];
-            canvas.polylines(&hatch_lines(&[corners], 7.0, Lean::Forward), Stroke::solid(MUTED, 0.5));
+            let (pitch, lean, stroke) = if grounds_only {
+                (5.0, Lean::Backward, Stroke::solid(INK, 0.7))
+            } else {
+                (7.0, Lean::Forward, Stroke::solid(MUTED, 0.5))
+            };
+            canvas.polylines(&hatch_lines(&[corners], pitch, lean), stroke);
         }
     }
     bar.outline(canvas);

@@ -10,6 +10,7 @@ mod axes;
 mod axis_chart;
 mod contour_map;
 mod contours;
+mod drawing;
 mod dressing_section;
 mod error;
 mod hatch;
@@ -26,7 +27,8 @@ mod topography_net;
 mod worm_occupation;
 
 pub use axis_chart::{AxisChart, AxisChartLimits, axis_chart};
-pub use contour_map::{ContourMap, contour_map};
+pub use contour_map::{ContourMap, MapFrame, MapMark, contour_map, contour_map_in};
+pub use drawing::{Drawing, DrawingLayer, DrawingLook, DrawingNote, drawing};
 pub use dressing_section::{
     DressingSectionChart, MarkedClearance, SectionKind, SectionStretch, SpaceFlank, dressing_section_chart,
 };

@@ -64,6 +64,12 @@ impl Topography {
         &self.f_um
     }
 
+    /// The same with the other sign.
+    pub(crate) fn negated(&self) -> Self {
+        let f_um = self.f_um.iter().map(|row| row.iter().map(|f| -f).collect()).collect();
+        Self { w_mm: self.w_mm.clone(), z_mm: self.z_mm.clone(), f_um }
+    }
+
     /// Smallest and largest value, um.
     pub fn range_um(&self) -> (f64, f64) {
         self.f_um

@@ -10,6 +10,7 @@ mod referee;
 mod result;
 mod run;
 mod tables;
+mod wear;
 mod write;
 
 pub use bodies::{MillingBodies, prepare_milling};

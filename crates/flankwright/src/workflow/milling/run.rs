@@ -7,13 +7,11 @@ use super::result::{
     CutterResult, DistancesResult, FlankResult, MillingResult, OperationResult, RootResult, RowResult,
     WearResult,
 };
+use super::wear::histograms;
 use crate::exchange::LoadedMillingJob;
 use crate::exchange::milling_job::MilledBody;
-use crate::geometry::CutterShape;
 use crate::numerics::{Progress, extremes};
-use crate::process::milling::{
-    FlankPlan, MillingPlan, NeighbourDistances, Operation, RowLoad, WearHistogram, plan,
-};
+use crate::process::milling::{FlankPlan, MillingPlan, NeighbourDistances, Operation, plan};
 use crate::workflow::finding::{Remark, RunFailure};
 use crate::workflow::result::Status;
 use std::collections::BTreeMap;
@@ -30,9 +28,6 @@ pub struct MillingOutcome {
     /// The flanks under the referee.
     pub flanks: Vec<RefereedFlank>,
 }
-
-/// Bin of the wear's histogram, mm (spec 50 section 10).
-const BIN: f64 = 0.5;
 
 /// Plans a job, has the referee judge it, and says whether the target is met.
 ///
@@ -222,28 +217,9 @@ fn flank_result(
 
 /// Wear along the edge, beside that of one height for all rows.
 fn wear(bodies: &MillingBodies, plan: &FlankPlan) -> Option<WearResult> {
-    let cutter = &bodies.options.cutter;
-    if !matches!(cutter.shape(), CutterShape::Conical { .. }) || plan.rows.first()?.window.is_none() {
-        return None;
-    }
-    let band = plan.lines.dense.along_columns.greatest_mean;
-    let columns = &plan.lines.dense.grid.columns;
-    let length = |row: usize| {
-        columns
-            .windows(2)
-            .map(|pair| (pair[1].places[row].jet.point - pair[0].places[row].jet.point).norm())
-            .sum::<f64>()
-    };
-    let histogram = |height: &dyn Fn(usize) -> f64| {
-        let rows: Vec<RowLoad> = (0..plan.rows.len())
-            .map(|row| RowLoad { height: height(row), band, length: length(row) })
-            .collect();
-        WearHistogram::new(&rows, cutter.cutting_length(), BIN)
-    };
-    let made = histogram(&|row| plan.rows[row].contact_height);
-    let fixed = histogram(&|_| plan.rows[0].contact_height);
+    let [made, fixed] = histograms(bodies, plan)?;
     Some(WearResult {
-        bin_mm: BIN,
+        bin_mm: made.bin,
         peak_over_fixed: made.peak() / fixed.peak(),
         spread_mm: made.spread(),
         load_m_per_mm: made.load,

@@ -1,0 +1,68 @@
+//! Arranges the page of five-axis milling.
+
+use super::{MillingReport, Titled, deviations, rows, tables};
+use crate::report::charts::{ChartError, drawing};
+use crate::report::{Banner, Block, Fact, Figure, PlanReport, Section, Table};
+
+impl MillingReport {
+    /// The page.
+    ///
+    /// # Errors
+    /// A number that is not finite.
+    pub fn to_page(&self) -> Result<PlanReport, ChartError> {
+        let mut sections = Vec::new();
+        if !self.warnings.is_empty() {
+            sections.push(Section::new("Warnings", vec![Block::Warnings(self.warnings.clone())]));
+        }
+        sections.push(Section::new("Flanks", vec![Block::Table(tables::deviations(self))]));
+        sections.push(Section::new("Workpiece, cutter and paths", self.view_blocks()?));
+        sections.push(Section::new("Deviations", deviations::blocks(&self.flanks)?));
+        sections.push(Section::new("Rows", rows::blocks(&self.flanks)?));
+        sections.push(Section::new("Wear of the edge", rows::wear(&self.flanks)?));
+        sections.push(Section::new("Density", vec![Block::Table(tables::density(&self.flanks))]));
+        if let Some(root) = &self.root {
+            sections.push(Section::new("Root", root.blocks()?));
+        }
+        let operations = Block::Table(tables::operations(&self.operations));
+        sections.push(Section::new("Operations", vec![operations]));
+        if let Some(programs) = &self.programs {
+            sections.push(Section::new("Programs", programs.blocks()?));
+        }
+        sections.push(Section::new("Files", vec![Block::Table(tables::files(&self.files))]));
+        let headline = if self.way_out.is_empty() {
+            self.headline.clone()
+        } else {
+            format!("{} Way out: {}.", self.headline, self.way_out)
+        };
+        Ok(PlanReport {
+            title: self.job_name.clone(),
+            subtitle: self.description.clone(),
+            facts: vec![
+                Fact::new("Process", "Five-axis milling"),
+                Fact::new("Version", self.version.clone()),
+            ],
+            banner: Banner {
+                status: self.status,
+                headline,
+                figures: self.figures.iter().map(|(label, text)| Fact::new(label, text)).collect(),
+            },
+            sections,
+        })
+    }
+
+    fn view_blocks(&self) -> Result<Vec<Block>, ChartError> {
+        let mut blocks = Vec::new();
+        for view in &self.views {
+            blocks.push(Block::Figure(Figure { svg: drawing(view)?, caption: String::new() }));
+        }
+        blocks.push(Block::Table(Table::of_quantities("", &self.bodies)));
+        Ok(blocks)
+    }
+}
+
+impl Titled {
+    fn blocks(&self) -> Result<Vec<Block>, ChartError> {
+        let figure = Figure { svg: drawing(&self.drawing)?, caption: self.caption.clone() };
+        Ok(vec![Block::Figure(figure), Block::Table(Table::of_quantities("", &self.quantities))])
+    }
+}

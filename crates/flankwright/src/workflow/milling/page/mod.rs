@@ -1,0 +1,133 @@
+//! Fills the page of five-axis milling. Timing stays out of it, so that the same job gives the same bytes.
+
+mod flanks;
+mod outline;
+mod root;
+mod views;
+
+use super::result::{CutterResult, MillingResult};
+use super::run::MillingOutcome;
+use crate::exchange::MillingJob;
+use crate::process::milling::OperationKind;
+use crate::report::charts::{ChartError, format_significant};
+use crate::report::milling::{MillingReport, OperationRow, ProgramsView};
+use crate::report::{Quantity, Status as Banner, Warning, html};
+use crate::workflow::result::Status;
+
+/// The report of a run as a self-contained HTML page; `programs` if the job has a machine.
+///
+/// # Errors
+/// A number that is not finite.
+pub fn html_page(
+    job: &MillingJob,
+    outcome: &MillingOutcome,
+    programs: Option<ProgramsView>,
+    files: &[(String, &'static str)],
+) -> Result<String, ChartError> {
+    let result = &outcome.result;
+    let report = MillingReport {
+        job_name: result.job.clone(),
+        description: job.job.description.clone(),
+        version: result.version.into(),
+        status: match result.status {
+            Status::Met => Banner::Met,
+            Status::Missed => Banner::Missed,
+        },
+        headline: headline(result),
+        way_out: result.reason.as_ref().map_or_else(String::new, |reason| reason.way_out.clone()),
+        figures: figures(result),
+        warnings: result
+            .warnings
+            .iter()
+            .map(|w| Warning { text: w.text.clone(), way_out: w.way_out.clone() })
+            .collect(),
+        tolerance_um: result.tolerance_um,
+        bodies: bodies(result),
+        views: views::views(&outcome.bodies, &outcome.plan),
+        flanks: flanks::flanks(outcome),
+        root: root::root(&outcome.bodies, &outcome.plan),
+        operations: operations(outcome),
+        programs,
+        files: files.iter().map(|(path, content)| (path.clone(), (*content).into())).collect(),
+    };
+    Ok(html::render(&report.to_page()?))
+}
+
+fn headline(result: &MillingResult) -> String {
+    if let Some(reason) = &result.reason {
+        return format!("{}.", reason.text);
+    }
+    let [spaces, milled] = result.spaces;
+    let flanks: Vec<&str> = result.flanks.keys().copied().collect();
+    let of = if milled == spaces {
+        format!("all {spaces} spaces")
+    } else {
+        format!("{milled} of {spaces} spaces")
+    };
+    format!(
+        "The rays find at most {} µm on {} in {of}, {} µm are allowed.",
+        format_significant(largest(result, |flank| flank.max_deviation_um), 4),
+        if flanks.len() > 1 { "both flanks".to_owned() } else { format!("the {} flank", flanks.join("")) },
+        format_significant(result.tolerance_um, 4),
+    )
+}
+
+fn largest(result: &MillingResult, value: impl Fn(&super::result::FlankResult) -> f64) -> f64 {
+    result.flanks.values().map(value).fold(0.0, f64::max)
+}
+
+fn figures(result: &MillingResult) -> Vec<(String, String)> {
+    let um = |x: f64| format!("{} µm", format_significant(x, 4));
+    vec![
+        ("largest deviation".into(), um(largest(result, |flank| flank.max_deviation_um))),
+        ("tolerance".into(), um(result.tolerance_um)),
+        ("rms".into(), um(largest(result, |flank| flank.rms_deviation_um))),
+        ("prediction off by".into(), um(largest(result, |flank| flank.model_difference_um))),
+        ("warnings".into(), result.warnings.len().to_string()),
+    ]
+}
+
+fn cutter_words(cutter: &CutterResult) -> String {
+    let mm = |x: f64| format_significant(x, 4);
+    let diameter = mm(cutter.diameter);
+    match cutter.profile {
+        "barrel" => format!("barrel {diameter} mm, profile radius {} mm", mm(cutter.profile_radius)),
+        _ if cutter.half_angle_deg > 0.0 => format!(
+            "cone {diameter} mm, {} deg, corner radius {} mm",
+            mm(cutter.half_angle_deg),
+            mm(cutter.profile_radius)
+        ),
+        _ if 2.0 * cutter.profile_radius >= cutter.diameter => format!("ball {diameter} mm"),
+        _ => format!("end mill {diameter} mm, corner radius {} mm", mm(cutter.profile_radius)),
+    }
+}
+
+fn bodies(result: &MillingResult) -> Vec<Quantity> {
+    let [spaces, milled] = result.spaces.map(|count| count as i64);
+    let mut list = vec![
+        Quantity::count("spaces", "z", spaces),
+        Quantity::count("of them milled", "", milled),
+        Quantity::text("cutter of the flanks", cutter_words(&result.cutter)),
+        Quantity::number("its cutting length", "l_c", result.cutter.cutting_length, "mm"),
+    ];
+    for (name, flank) in &result.flanks {
+        list.push(Quantity::count(&format!("rows, {name} flank"), "", flank.rows.len() as i64));
+    }
+    list
+}
+
+fn operations(outcome: &MillingOutcome) -> Vec<OperationRow> {
+    let options = &outcome.bodies.options;
+    let row = |(operation, kind): (&super::result::OperationResult, OperationKind)| {
+        let cutter = options.cutter_of(kind);
+        OperationRow {
+            name: operation.name.clone(),
+            cutter: cutter_words(&CutterResult::new(cutter.shape(), cutter.cutting_length())),
+            paths: operation.paths,
+            places: operation.places,
+            way_mm: operation.way_mm,
+        }
+    };
+    let kinds = outcome.plan.operations.iter().map(|operation| operation.kind);
+    outcome.result.operations.iter().zip(kinds).map(row).collect()
+}

@@ -1,0 +1,318 @@
+//! The page of five-axis milling: every section present, well-formed, and nothing drawn from numbers that are none.
+
+use flankwright::report::charts::{
+    ChartError, ContourMap, Drawing, DrawingLayer, DrawingLook, DrawingNote, MapFrame, MapMark,
+    NamedTopography, Svg, Topography, contour_map_in, drawing,
+};
+use flankwright::report::milling::{
+    AxisCourse, CourseLine, DensityRow, FlankFigures, FlankView, MillingReport, OperationRow, ProgramsView,
+    RowView, Titled, WearView,
+};
+use flankwright::report::{Column, PlanReport, Quantity, Status, Table, Warning, html};
+
+const HEIGHTS: usize = 13;
+const LENGTHS: usize = 9;
+
+fn spread(from: f64, to: f64, count: usize) -> Vec<f64> {
+    (0..count).map(|k| from + (to - from) * k as f64 / (count - 1) as f64).collect()
+}
+
+/// Scallops of four rows, and a place that no cutter comes by.
+fn flank(name: &str, heights: [f64; 2]) -> FlankView {
+    let height = spread(heights[0], heights[1], HEIGHTS);
+    let um = |k: usize| 2.0 * (0.25 * std::f64::consts::PI * (k / LENGTHS) as f64).sin().abs();
+    let planned_um: Vec<Option<f64>> = (0..HEIGHTS * LENGTHS).map(|k| Some(um(k))).collect();
+    let mut simulated_um: Vec<Option<f64>> = planned_um.iter().map(|um| um.map(|um| um + 0.01)).collect();
+    simulated_um[4] = None;
+    let row = |k: usize| RowView {
+        scallop_um: (k < 3).then_some(2.0),
+        chord_um: -0.1 * k as f64,
+        out_of_plane_deg: 0.2 * k as f64,
+        axis_out_of_plane_deg: 0.0,
+        contact_height_mm: 4.0 + k as f64,
+        allowed_mm: Some([2.0, 9.0]),
+    };
+    FlankView {
+        name: name.into(),
+        height_title: "length of roll w [mm]".into(),
+        length_title: "z [mm]".into(),
+        height,
+        length: spread(-10.0, 10.0, LENGTHS),
+        planned_um,
+        simulated_um,
+        figures: FlankFigures {
+            max_um: 2.01,
+            rms_um: 1.2,
+            least_um: 0.01,
+            greatest_um: 2.01,
+            model_difference_um: 0.01,
+            referee_error_um: 0.001,
+        },
+        unmilled: vec![("no cutter comes by".into(), 1)],
+        rows: (0..4).map(row).collect(),
+        wear: Some(WearView {
+            bin_mm: 0.5,
+            load_m_per_mm: vec![0.0, 0.1, 0.1],
+            fixed_m_per_mm: vec![0.0, 0.2, 0.0],
+            peak_over_fixed: 0.5,
+            spread_mm: 1.0,
+        }),
+        density: vec![
+            DensityRow {
+                name: "along rows, least".into(),
+                measured_mm: 0.7,
+                limit_mm: Some(0.8),
+                violated: true,
+            },
+            DensityRow {
+                name: "along rows, greatest".into(),
+                measured_mm: 1.5,
+                limit_mm: Some(2.0),
+                violated: false,
+            },
+        ],
+    }
+}
+
+fn view(title: &str) -> Drawing {
+    let layer = |name: &str, look, lines_mm| DrawingLayer { name: name.into(), look, lines_mm };
+    Drawing {
+        title: title.into(),
+        subtitle: "one space".into(),
+        axes: Some(["x [mm]".into(), "y [mm]".into()]),
+        layers: vec![
+            layer(
+                "cutter",
+                DrawingLook::Body,
+                vec![vec![[0.0, 0.0], [10.0, 0.0], [10.0, 20.0], [0.0, 20.0]]],
+            ),
+            layer("flank", DrawingLook::Net, vec![vec![[0.0, 5.0], [4.0, 15.0]]]),
+            layer("left flank", DrawingLook::Path(1), vec![vec![[2.0, 5.0], [2.0, 9.0]], vec![]]),
+        ],
+        notes: vec![DrawingNote { at_mm: [5.0, 5.0], text: "lowest place".into() }],
+    }
+}
+
+fn report() -> MillingReport {
+    let time: Vec<f64> = spread(0.0, 60.0, 5001);
+    let mut angle: Vec<f64> = time.iter().map(|t| t.sin()).collect();
+    angle[777] = 7.5;
+    MillingReport {
+        job_name: "spur".into(),
+        description: Some("a spur gear".into()),
+        version: "0.1.0".into(),
+        status: Status::Missed,
+        headline: "the flank deviates by 2.01 um.".into(),
+        way_out: "lay more rows".into(),
+        figures: vec![("largest deviation".into(), "2.01 µm".into())],
+        warnings: vec![Warning { text: "row_min cannot be kept".into(), way_out: "relax it".into() }],
+        tolerance_um: 1.0,
+        bodies: vec![Quantity::count("spaces", "z", 20)],
+        views: vec![view("The space along the axis"), Drawing { axes: None, ..view("The space askew") }],
+        flanks: vec![flank("Left flank", [10.0, 30.0]), flank("Right flank", [10.0, 30.0])],
+        root: Some(Titled {
+            drawing: view("Root in the column plane"),
+            caption: "fillet".into(),
+            quantities: vec![Quantity::number("straight piece", "h_b", 4.76, "mm")],
+        }),
+        operations: vec![OperationRow {
+            name: "left flank".into(),
+            cutter: "end mill 6 mm".into(),
+            paths: 14,
+            places: 350,
+            way_mm: 840.0,
+        }],
+        programs: Some(ProgramsView {
+            axes: vec![AxisCourse {
+                name: "A".into(),
+                unit: "deg".into(),
+                lines: vec![CourseLine { name: "program".into(), time_s: time, value: angle }],
+            }],
+            cycle_times: Table {
+                caption: "Cycle times".into(),
+                columns: vec![Column::text("Operation"), Column::number("Time", "s")],
+                rows: vec![vec!["left flank".into(), "60".into()]],
+                note: String::new(),
+            },
+            proof: vec!["The texts were read back.".into()],
+        }),
+        files: vec![("result.json".into(), "result".into())],
+    }
+}
+
+fn page(report: &MillingReport) -> String {
+    html::render(&report.to_page().unwrap())
+}
+
+/// Every chart of a page is XML that holds numbers only.
+fn assert_well_formed(page: &str) -> usize {
+    let mut charts = 0;
+    let mut rest = page;
+    while let Some(from) = rest.find("<svg ") {
+        let to = from + rest[from..].find("</svg>").unwrap() + "</svg>".len();
+        let tree = roxmltree::Document::parse(&rest[from..to]).expect("well-formed");
+        for attribute in tree.descendants().flat_map(|node| node.attributes()) {
+            for wrong in ["NaN", "inf"] {
+                assert!(!attribute.value().contains(wrong), "{wrong} in {}", attribute.name());
+            }
+        }
+        charts += 1;
+        rest = &rest[to..];
+    }
+    charts
+}
+
+#[test]
+fn the_page_is_complete() {
+    let text = page(&report());
+    for heading in [
+        "Warnings",
+        "Flanks",
+        "Workpiece, cutter and paths",
+        "Deviations",
+        "Rows",
+        "Wear of the edge",
+        "Density",
+        "Root",
+        "Operations",
+        "Programs",
+        "Files",
+    ] {
+        assert!(text.contains(&format!("<h2>{heading}</h2>")), "{heading}");
+    }
+    for part in [
+        "Way out: lay more rows.",
+        "Way out: relax it",
+        "no cutter comes by",
+        "Tolerance 1 µm",
+        "greatest allowed",
+        "one height for all rows",
+        "<td>NO</td>",
+        "The texts were read back.",
+    ] {
+        assert!(text.contains(part), "{part}");
+    }
+    // Two views, two maps, two sections, two charts of rows, wear, root, axes.
+    assert_eq!(assert_well_formed(&text), 11);
+    assert_eq!(text, page(&report()));
+}
+
+#[test]
+fn absent_data_leave_no_section() {
+    let mut report = report();
+    (report.root, report.programs, report.warnings) = (None, None, vec![]);
+    for flank in &mut report.flanks {
+        (flank.wear, flank.density) = (None, vec![]);
+        for row in &mut flank.rows {
+            row.allowed_mm = None;
+        }
+    }
+    report.flanks.pop();
+    let text = page(&report);
+    for absent in [
+        "<h2>Root",
+        "<h2>Programs",
+        "<h2>Warnings",
+        "<h2>Wear",
+        "<h2>Density",
+        "least allowed",
+        "Right flank",
+    ] {
+        assert!(!text.contains(absent), "{absent}");
+    }
+    assert_eq!(assert_well_formed(&text), 7);
+}
+
+/// Heights of internal gears fall from root to tip: the map is the same, its coordinate ascends.
+#[test]
+fn falling_heights_are_turned_over() {
+    let mut report = report();
+    report.flanks = vec![flank("Left flank", [30.0, 10.0])];
+    assert_eq!(assert_well_formed(&page(&report)), 10);
+}
+
+#[test]
+fn the_worst_place_is_marked_and_a_hole_crossed_out() {
+    let mut report = report();
+    report.flanks.truncate(1);
+    report.flanks[0].simulated_um[60] = Some(-4.567);
+    let text = page(&report);
+    assert!(text.contains(">−4.57</text>"));
+    let at = report.flanks[0].length[60 % LENGTHS];
+    assert!(text.contains(&format!("at z [mm] = {}", format!("{at}").replace('-', "−"))), "{at}");
+}
+
+/// Thinning of long lines keeps their peaks.
+#[test]
+fn a_peak_of_an_axis_stays_in_its_chart() {
+    let axis = |text: &str| {
+        let from = text.find("Axes over time").unwrap();
+        text[from..].split("</svg>").next().unwrap().to_owned()
+    };
+    let mut low = report();
+    low.programs.as_mut().unwrap().axes[0].lines[0].value[777] = 0.0;
+    assert!(axis(&page(&report())).contains(">8</text>"));
+    assert!(!axis(&page(&low)).contains(">8</text>"));
+}
+
+#[test]
+fn numbers_that_are_none_are_refused() {
+    let refused = |change: &dyn Fn(&mut MillingReport)| {
+        let mut report = report();
+        change(&mut report);
+        let made: Result<PlanReport, ChartError> = report.to_page();
+        made.expect_err("refused").code()
+    };
+    assert_eq!(refused(&|report| report.flanks[0].simulated_um[7] = Some(f64::NAN)), "invalid-number");
+    assert_eq!(refused(&|report| report.flanks[1].rows[2].chord_um = f64::INFINITY), "invalid-number");
+    assert_eq!(refused(&|report| report.views[0].layers[1].lines_mm[0][0][1] = f64::NAN), "invalid-number");
+    assert_eq!(refused(&|report| report.views[0].notes[0].at_mm[0] = f64::NAN), "invalid-number");
+    assert_eq!(refused(&|report| report.views[0].layers.clear()), "too-few-values");
+    assert_eq!(refused(&|report| report.flanks[0].height[3] = 0.0), "not-ascending");
+}
+
+/// Width and height of the body in a drawing that has one.
+fn rectangle(svg: &Svg) -> [f64; 2] {
+    let document = svg.to_document();
+    let tree = roxmltree::Document::parse(&document).unwrap();
+    let bodies: Vec<_> = tree.descendants().filter(|n| n.attribute("fill") == Some("#e8edf2")).collect();
+    assert_eq!(bodies.len(), 2, "one in the legend, one in the drawing");
+    let path = bodies[1].attribute("d").unwrap();
+    let numbers: Vec<f64> =
+        path.split(['M', 'L', 'Z', ' ']).filter(|t| !t.is_empty()).map(|t| t.parse().unwrap()).collect();
+    let span = |k: usize| {
+        let of = || numbers.iter().skip(k).step_by(2).copied();
+        of().fold(f64::NEG_INFINITY, f64::max) - of().fold(f64::INFINITY, f64::min)
+    };
+    [span(0), span(1)]
+}
+
+/// The cutter of 10 mm by 20 mm is twice as high as it is wide, with and without axes.
+#[test]
+fn both_directions_of_a_drawing_have_the_same_scale() {
+    for axes in [None, Some(["x [mm]".to_owned(), "y [mm]".to_owned()])] {
+        let [width, height] = rectangle(&drawing(&Drawing { axes, ..view("view") }).unwrap());
+        assert!((height - 2.0 * width).abs() < 0.02 && width > 50.0, "{width} by {height}");
+    }
+}
+
+#[test]
+fn a_mark_that_is_nowhere_is_refused() {
+    let field = Topography::new(vec![0.0, 1.0], vec![0.0, 1.0], vec![vec![0.0, 1.0]; 2]).unwrap();
+    let map = ContourMap {
+        title: "map".into(),
+        quantity: "f_n [µm]".into(),
+        panels: vec![NamedTopography::new("flank", field)],
+        scale: None,
+    };
+    let marked = |at| {
+        let marks = vec![vec![MapMark { at, text: "worst".into() }]];
+        contour_map_in(
+            &map,
+            &MapFrame { titles: ["z [mm]".into(), "roll angle [rad]".into()], marks, grounds_only: false },
+        )
+    };
+    let svg = marked([0.5, 0.5]).unwrap();
+    assert!(svg.as_str().contains("worst") && svg.as_str().contains("roll angle [rad]"));
+    assert_eq!(marked([f64::NAN, 0.5]).unwrap_err().code(), "invalid-number");
+}
