@@ -2,7 +2,9 @@
 
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
-use super::given::{Checked, check_block, compare_pairs, compare_texts, compare_vectors, requires, tolerance};
+use super::given::{
+    Checked, check_block, compare_pairs, compare_texts, compare_vectors, requires, tolerance,
+};
 use super::rotary::degrees;
 use super::row::{RowInput, course};
 use crate::machine::Positions;
@@ -29,9 +31,7 @@ pub(in super::super::super) fn feed(reference: &Reference<'_>, block: &Value, le
         compare_vectors(expected, "XYZ_mm", &slides, mm, ledger);
         let times = block_times(&setup, &course.places, &course.nodes, row.contact_feed_mm_per_min)?;
         let share = |value: f64| relative * value.abs();
-        let of = |value: fn(&BlockTime) -> f64| -> Vec<f64> {
-            times.iter().map(value).collect()
-        };
+        let of = |value: fn(&BlockTime) -> f64| -> Vec<f64> { times.iter().map(value).collect() };
         expected.list_to("block_time_s", &of(|time| time.seconds), share, ledger);
         expected.list_to("tip_feed_mm_per_min", &of(|time| time.tip_feed), share, ledger);
         expected.list_to("g93_per_min", &of(|time| time.inverse_time), share, ledger);

@@ -7,14 +7,18 @@ use super::cutter::{EDGES, of_shape};
 use super::cylinder_cases::side;
 use super::given::{Checked, check_block, check_items, number, text, tolerance};
 use crate::geometry::{Cutter, CutterShape, Mirrored};
+use crate::numerics::brent;
 use crate::process::milling::{ActiveFlank, Column, ColumnPlane, LeadCurve, Patch, lead_range};
 use serde_json::Value;
 
 /// What follows the name of the case.
 const HALVES: &str = ", half z < 0; other half mirrored in z = 0";
 
-/// Halvings of the way from the end of the face to the middle: 1e-12 of it.
-const HALVINGS: usize = 40;
+/// A share of the way to the middle: what is free there is free everywhere before the middle.
+const NEAR: f64 = 1e-6;
+
+/// Width of the last bracket of the lead parameter, mm.
+const ACCURACY: f64 = 1e-9;
 
 /// One row of the half z < 0.
 struct HalfRow<'a> {
@@ -26,12 +30,20 @@ struct HalfRow<'a> {
 }
 
 impl HalfRow<'_> {
-    /// z of the contact in the column at u, and how far the cutter stays away from the same flank of the other half.
-    fn at(&self, u: f64) -> Checked<[f64; 2]> {
+    fn column(&self, u: f64) -> Checked<Column> {
         let plane = ColumnPlane::new(self.flank, self.lead.at(u)?);
-        let column = Column::at_heights(self.flank, &plane, &[self.row])?;
-        let place = &column.places[0];
-        let location = located(place, &column.lead, self.cutter, self.contact_height, 0.0)?;
+        Ok(Column::at_heights(self.flank, &plane, &[self.row])?)
+    }
+
+    /// z of the contact in the column at u.
+    fn position(&self, u: f64) -> Checked<f64> {
+        Ok(self.column(u)?.places[0].length)
+    }
+
+    /// How far the cutter in the column at u stays away from the same flank of the other half.
+    fn clearance(&self, u: f64) -> Checked<f64> {
+        let column = self.column(u)?;
+        let location = located(&column.places[0], &column.lead, self.cutter, self.contact_height, 0.0)?;
         let other = Mirrored::new(self.flank.surface.clone(), 0.0);
         let [root, tip] = self.flank.height_span();
         let patch = Patch {
@@ -40,26 +52,25 @@ impl HalfRow<'_> {
             lengths: [0.0, self.flank.face[1]],
             turn: 0.0,
         };
-        let clearance = patch.clearance(self.cutter, &location.tip, &location.axis);
-        Ok([place.length, clearance.value])
+        Ok(patch.clearance(self.cutter, &location.tip, &location.axis).value)
     }
 
     /// z of the contact where the cutter meets the other half; 0 if it does not before the middle.
     fn limit(&self) -> Checked<f64> {
-        let free = |[z, clearance]: [f64; 2]| z < 0.0 && clearance >= 0.0;
-        let [mut far, mut near] = lead_range(self.flank, self.lead)?;
-        if !free(self.at(far)?) || free(self.at(near)?) {
-            return Err("the cutter has to pass the middle between the ends of the face".into());
+        let [from, to] = lead_range(self.flank, self.lead)?;
+        let ends = [self.position(from)?, self.position(to)?];
+        let middle = brent([from, to], ends, ACCURACY, |u| self.position(u).ok());
+        let middle = middle.ok_or("the row does not cross the middle")?;
+        let near = middle - NEAR * (middle - from);
+        let ends = [self.clearance(from)?, self.clearance(near)?];
+        if ends[0] < 0.0 {
+            return Err("the cutter meets the other half from the end of the face on".into());
         }
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (far + near);
-            if free(self.at(middle)?) {
-                far = middle;
-            } else {
-                near = middle;
-            }
+        if ends[1] >= 0.0 {
+            return Ok(0.0);
         }
-        Ok(self.at(far)?[0])
+        let limit = brent([from, near], ends, ACCURACY, |u| self.clearance(u).ok());
+        self.position(limit.ok_or("no place where the cutter meets the other half")?)
     }
 }
 
@@ -67,7 +78,8 @@ impl HalfRow<'_> {
 pub(in super::super::super) fn herringbone(reference: &Reference<'_>, block: &Value, ledger: &mut Ledger) {
     check_block("herringbone", block, ledger, |expected, ledger| {
         let halves = text(expected, "case", ledger)?;
-        let name = halves.strip_suffix(HALVES).ok_or_else(|| format!("case: <name>{HALVES} is needed here"))?;
+        let name =
+            halves.strip_suffix(HALVES).ok_or_else(|| format!("case: <name>{HALVES} is needed here"))?;
         let case = MilledCase::named(reference, name)?;
         let own = side(reference.root["cases"][name]["input"]["flank"].as_str().unwrap_or_default())?;
         let (Body::Cylinder { helicoid, .. }, Some(opposite)) = (&case.body, &case.opposite) else {

@@ -11,9 +11,7 @@ use super::rotary::degrees;
 use crate::geometry::SurfaceJet;
 use crate::kinematics::{Direction, Point, Pose};
 use crate::machine::Positions;
-use crate::motion::milling::{
-    CutterPlace, MillingSetup, PoleStrategy, RowSmoothness, choose, smoothness,
-};
+use crate::motion::milling::{CutterPlace, MillingSetup, PoleStrategy, RowSmoothness, choose, smoothness};
 use crate::numerics::{equidistant, extremes};
 use crate::process::milling::{AxisChoice, Column, ColumnPlane, other_axis};
 use nalgebra::Vector3;
@@ -159,12 +157,7 @@ fn figures(expected: &mut Expected<'_>, course: &Course, [deg, relative]: [f64; 
     expected.list("travel_deg", &travels(figures), deg, ledger);
     let share = |nothing: f64| move |rate: f64| (relative * rate.abs()).max(nothing);
     expected.list_to("max_rate_deg_per_mm", &rates, share(deg / path), ledger);
-    expected.list_to(
-        "max_acc_deg_per_mm2",
-        &accelerations(figures),
-        share(deg / (path * path)),
-        ledger,
-    );
+    expected.list_to("max_acc_deg_per_mm2", &accelerations(figures), share(deg / (path * path)), ledger);
     expected.whole("reversals", reversals as i64, ledger);
     expected.number("path_mm", path, relative * path, ledger);
     expected.list("lean_min_max_deg", &figures.lean.map(f64::to_degrees), deg, ledger);

@@ -1,5 +1,6 @@
 //! The row of block `feed`, which `screw_row` and `output` speak of as well.
 
+use super::super::reference::Reference;
 use super::case::{MilledCase, located};
 use super::chain::{Places, chain};
 use super::cutter::{EDGES, of_shape};
@@ -9,7 +10,6 @@ use crate::kinematics::{Direction, Point, Pose};
 use crate::machine::{Machine, Positions};
 use crate::motion::milling::{AxisCourse, CutterPlace, MillingSetup, PoleStrategy, choose};
 use crate::process::milling::{Column, RowSpacing};
-use super::super::reference::Reference;
 use nalgebra::Vector3;
 use serde::Deserialize;
 
@@ -76,9 +76,10 @@ impl RowInput {
                 axis: Direction::from_vector(location.axis),
             })
         };
-        let steps = self.u_mm.windows(2).flat_map(|ends| {
-            (0..between).map(|k| ends[0] + (ends[1] - ends[0]) * k as f64 / between as f64)
-        });
+        let steps = self
+            .u_mm
+            .windows(2)
+            .flat_map(|ends| (0..between).map(|k| ends[0] + (ends[1] - ends[0]) * k as f64 / between as f64));
         steps.chain(self.u_mm.last().copied()).map(place).collect()
     }
 }
