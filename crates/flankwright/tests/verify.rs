@@ -87,71 +87,9 @@ fn gearbox_passes_whole() {
 }
 
 #[test]
-fn milling_passes() {
-    let report = passes("50-milling.json", 2600);
-    assert_eq!(report.schema, Schema::Milling);
-    let to_come = ["feed", "herringbone", "orientation_comparison", "output", "screw_row", "shear_scan"];
-    assert_eq!(uncovered(&report), to_come);
-}
-
-/// A number moved by more than its tolerance, an unknown quantity and a changed input, block by block.
-#[test]
-fn a_changed_milling_quantity_is_noticed() {
-    let root = content("50-milling.json");
-    for (pointer, step) in [
-        ("/cases/spur/derived/rb", 1e-8),
-        ("/cases/helical/lead_range/u_min", 1e-7),
-        ("/cases/spiral_bevel/flank_points/P_mm/2/1", 1e-8),
-        ("/cases/blade/columns/columns/1/tip_mm/3/0", 1e-6),
-        ("/cases/straight_bevel/grid_13x9_arc/density/column/max_mm", 1e-5),
-        ("/cases/internal/residual/result/1/measured_max_um", 0.05),
-        ("/cases/blade/residual/result/2/row_distance_mm", 2e-5),
-        ("/spur_exact_stock/stock_um/10", 1e-5),
-        ("/helical_zero_eps_lead_radius/r0_mm", 1e-7),
-        ("/tool_too_big/clearance_opposite_mm", 1e-4),
-        ("/root/items/6/swept_fillet_max_dev_um", 0.2),
-        ("/root/items/0/clearance_opposite_lower_bound_mm", 0.01),
-        ("/wear/h_limit_opposite_mm/11", 1e-3),
-        ("/wear/hist_ramp_m_per_mm/5", 1e-8),
-        ("/inverse_kinematics/items/3/solutions_deg/1/0", 1e-7),
-        ("/linear_axes/items/2/XYZ_mm/1", 1e-8),
-        ("/pole/near_pole/CA_deg/5/0", 1e-5),
-        ("/density/items/0/columns", 1.0),
-        ("/octoid/items/0/normal_difference_um", 0.05),
-        ("/full_flank/items/1/result/rms_um", 0.05),
-        ("/shift_invariance/items/1/largest_change_um", 0.05),
-        ("/equal_scallop/stock_max_um/3", 0.02),
-        ("/grid_surface/items/2/max_normal_error_um", 0.02),
-        ("/internal_cylinder/min_stock_um", 0.1),
-        ("/blade_limits/items/4/R_ball_max_mm", 0.01),
-    ] {
-        let mut changed = root.clone();
-        let value = changed.pointer_mut(pointer).unwrap();
-        *value = match value.as_u64() {
-            Some(n) => json!(n + step as u64),
-            None => json!(value.as_f64().unwrap() + step),
-        };
-        assert_eq!(check(&changed).failed, 1, "{pointer}");
-    }
-    for block in [
-        "/cases/spur",
-        "/cases/blade/residual/result/0",
-        "/root/items/1",
-        "/wear",
-        "/density/items/2/measured",
-    ] {
-        let mut changed = root.clone();
-        changed.pointer_mut(block).unwrap()["colour"] = json!(1.0);
-        let report = check(&changed);
-        assert_eq!(report.failed, 1, "{block}");
-        assert!(report.failures[0].quantity.contains("unknown quantity"), "{:?}", report.failures[0]);
-    }
-    let mut changed = root.clone();
-    changed["cases"]["helical"]["input"]["beta_deg"] = json!(25.01);
-    assert!(check(&changed).failed > 100);
-    let mut changed = root;
-    changed["tool_too_big"]["expected_error"] = json!("E_TOOL_SHORT");
-    assert_eq!(check(&changed).failed, 1);
+fn milling_passes_whole() {
+    let report = passes("50-milling.json", 2900);
+    assert_eq!((report.schema, report.not_covered.len()), (Schema::Milling, 0));
 }
 
 #[test]
@@ -163,7 +101,6 @@ fn files_to_come_are_recognised_and_listed() {
         (json!({"gears": {}}), Schema::Modifications),
         (json!({"machines": {}, "inverse": []}), Schema::MachineChains),
         (json!({"dresser_profile": {}, "left": {}, "right": {}}), Schema::TangentialDressing),
-        (json!({"topic": "", "cases": {}, "herringbone": {}}), Schema::Milling),
         (json!({"calibration": [], "examples": {}}), Schema::Skiving),
         (json!({"pulse_trains": [], "servo": {}}), Schema::Gearbox),
         (json!({"reader": [], "traces": []}), Schema::Inspection),

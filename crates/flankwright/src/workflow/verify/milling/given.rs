@@ -168,3 +168,17 @@ pub(super) fn compare_pairs(
 ) {
     expected.table(key, (actual.as_flattened(), 2), tolerance, ledger);
 }
+
+/// Compares a list of texts.
+pub(super) fn compare_texts(expected: &mut Expected<'_>, key: &str, actual: &[&str], ledger: &mut Ledger) {
+    let Some(value) = expected.take(key) else { return };
+    let name = expected.name(key);
+    match value.as_array().filter(|list| list.len() == actual.len()) {
+        Some(list) => {
+            for (k, (wanted, found)) in list.iter().zip(actual).enumerate() {
+                ledger.equal(expected.case(), &format!("{name}[{k}]"), wanted.clone(), (*found).into());
+            }
+        }
+        None => ledger.fail(expected.case(), &name, value.clone(), Value::from(actual)),
+    }
+}
