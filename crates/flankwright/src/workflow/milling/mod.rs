@@ -1,0 +1,3 @@
+//! Jobs of five-axis milling.
+
+pub mod programs;
