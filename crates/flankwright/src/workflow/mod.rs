@@ -12,6 +12,7 @@ mod finding;
 mod gear_root;
 pub mod gearbox;
 mod line_dressing;
+pub mod milling;
 mod occupation;
 mod page;
 mod partition;
