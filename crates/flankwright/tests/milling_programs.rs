@@ -226,7 +226,7 @@ fn machining<'a>(machine: &'a LoadedMachine, case: &Case, rtcp: Rtcp) -> Milling
     MillingMachining {
         machine,
         mount: case.mount,
-        tool_length: 150.0,
+        tool_length: 100.0,
         rtcp,
         tip_control: TipControl::Directions,
         position_tolerance: 0.5e-3,
@@ -413,7 +413,7 @@ fn what_a_machine_cannot_do_names_a_key_of_the_job() {
     still.tools[0].feed = 0.0;
     assert_eq!(field(&finding(&machining(&ac, &case, Rtcp::On), &still)), "milling.feed_mm_per_min");
 
-    // The axis of the spur's cutter lies across the gear: nothing leads it out of a cylinder around another line.
+    // No way along the axis leads out of a cylinder without end.
     let mut closed = work.clone();
     closed.retraction = Retraction::Outside(f64::INFINITY);
     assert_eq!(field(&finding(&machining(&ac, &case, Rtcp::On), &closed)), "milling");

@@ -27,6 +27,8 @@ pub struct CutterLocationText {
 
 /// Ways shorter than this (mm) with an axis turned by less than this (rad) are none.
 const NOWHERE: f64 = 1e-9;
+/// A program has to have a tolerance; a text of cutter locations does not say it. mm.
+const NO_TOLERANCE: f64 = 1e-3;
 /// Speeds that the text may have, mm/s.
 const SPEEDS: [f64; 2] = [0.1 / 60.0, 1e6 / 60.0];
 
@@ -49,7 +51,7 @@ impl MillingWork<'_> {
         let header = Header {
             name: super::build::program_name(self.job),
             axes: axes.map(|(name, letter)| AxisWord::letter(name, AxisMotion::Linear, letter)).collect(),
-            chord_tolerance: 0.0,
+            chord_tolerance: NO_TOLERANCE,
         };
         let refused = |error: NcError| of_writer(&error, None);
         let program = Program::new(header, text.blocks).map_err(refused)?;
