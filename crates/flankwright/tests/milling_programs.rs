@@ -256,10 +256,6 @@ fn check(machine: &LoadedMachine, case: &Case, work: &MillingWork<'_>, made: &Mi
         let time = program.first_space();
         assert!(time.windows(2).all(|pair| pair[0].0 <= pair[1].0));
         assert!(program.read_difference[0] <= program.rounding.distance + 1e-9);
-        assert!(
-            motion.straight.tip <= 0.5e-3
-                || motion.tools.iter().any(|run| run.steps.iter().any(|s| !s.guided))
-        );
 
         let paths = program.first_space_rapid_paths();
         let rapid = Milling { cutters: &cutters, paths: &paths, stock: case.clear - 0.01, depth: DEPTH };
