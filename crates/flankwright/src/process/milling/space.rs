@@ -20,6 +20,8 @@ pub struct Land {
     pub surface: Frustum,
     /// From and to, rad.
     pub azimuths: [f64; 2],
+    /// The flank of the space whose tip edge it begins at.
+    pub side: Flank,
 }
 
 /// A tooth space, or the passage beside a blade.
@@ -78,7 +80,12 @@ impl Space {
         for land in &self.lands {
             let patch =
                 Patch { surface: &land.surface, heights: land.azimuths, lengths: [0.0, 1.0], turn: 0.0 };
-            all.push(keep("tip of a tooth", patch));
+            // The last row touches the edge that flank and land share.
+            if on == Some(land.side) {
+                all.push(Obstacle { name: "tip of a tooth", patch, wanted: -OWN_FLANK, between: false });
+            } else {
+                all.push(keep("tip of a tooth", patch));
+            }
         }
         all.extend(self.other_half.iter().map(|flank| keep("other half", flank.patch(0.0))));
         all

@@ -446,8 +446,9 @@ fn lands(
         let edges = [&flanks[0], &flanks[1]].map(|flank| within(azimuth(flank, middle)));
         let [low, high] = extremes(edges);
         let pitch = TAU / spaces as f64;
-        lands.push(Land { surface, azimuths: [high, low + pitch] });
-        lands.push(Land { surface, azimuths: [high - pitch, low] });
+        let [above, below] = if edges[0] > edges[1] { [0, 1] } else { [1, 0] };
+        lands.push(Land { surface, azimuths: [high, low + pitch], side: flanks[above].side });
+        lands.push(Land { surface, azimuths: [high - pitch, low], side: flanks[below].side });
     }
     lands
 }

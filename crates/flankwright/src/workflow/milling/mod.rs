@@ -6,6 +6,7 @@ mod finding;
 mod meshes;
 mod offset;
 mod page;
+pub mod programs;
 mod referee;
 mod result;
 mod run;

@@ -29,5 +29,5 @@ pub fn write_milling(
         ),
     ];
     files.extend(meshes::files(outcome, &job.output.meshes)?);
-    write_with_report(files, directory, |named| page::html_page(outcome, named))
+    write_with_report(files, directory, |named| page::html_page(job, outcome, None, named))
 }
