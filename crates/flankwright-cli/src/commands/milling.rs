@@ -62,6 +62,17 @@ fn summary(result: &MillingResult, written: &[PathBuf]) -> String {
             operation.name, operation.paths, operation.places, operation.way_mm
         );
     }
+    for program in &result.programs {
+        let _ = writeln!(
+            text,
+            "  {}: {} blocks, {:.0} s, read back within {:.3} um (explained: {:.3} um)",
+            program.file,
+            program.blocks,
+            program.duration_s,
+            program.proof_difference_um,
+            program.proof_allowed_um
+        );
+    }
     closing(&mut text, &result.warnings, &result.timing_s, written);
     text
 }

@@ -4,6 +4,7 @@
 mod bodies;
 mod finding;
 mod meshes;
+mod of_job;
 mod offset;
 mod page;
 pub mod programs;
@@ -15,10 +16,11 @@ mod wear;
 mod write;
 
 pub use bodies::{MillingBodies, prepare_milling};
+pub use of_job::MillingTexts;
 pub use referee::{RefereedFlank, referee};
 pub use result::{
-    CutterResult, DistancesResult, FlankResult, MillingResult, OperationResult, RootResult, RowResult,
-    WearResult,
+    CutterResult, DistancesResult, FlankResult, MillingResult, OperationResult, ProgramResult, RootResult,
+    RowResult, WearResult,
 };
 pub use run::{MillingOutcome, run_milling};
 pub use write::write_milling;

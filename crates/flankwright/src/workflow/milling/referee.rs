@@ -31,8 +31,8 @@ pub struct RefereedFlank {
 }
 
 /// How far outside the flank material is assumed, and how deep below it gouges are looked for, mm.
-const STOCK: f64 = 5.0;
-const DEPTH: f64 = 1.0;
+pub(super) const STOCK: f64 = 5.0;
+pub(super) const DEPTH: f64 = 1.0;
 
 /// Cutters and paths of a plan for the referee.
 pub(super) fn mill_paths(bodies: &MillingBodies, plan: &MillingPlan) -> (Vec<Cutter>, Vec<MillPath>) {

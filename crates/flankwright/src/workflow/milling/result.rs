@@ -32,8 +32,31 @@ pub struct MillingResult {
     pub operations: Vec<OperationResult>,
     /// Flanks that are milled.
     pub flanks: BTreeMap<&'static str, FlankResult>,
+    /// NC programs, every one read back and proven; empty without a machine.
+    pub programs: Vec<ProgramResult>,
     /// Seconds per stage; the only part that differs between two runs.
     pub timing_s: BTreeMap<&'static str, f64>,
+}
+
+/// One program.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ProgramResult {
+    /// Path below the directory of the run.
+    pub file: String,
+    /// Control.
+    pub control: &'static str,
+    /// Blocks that move.
+    pub blocks: usize,
+    /// Time of the whole program.
+    pub duration_s: f64,
+    /// What rounding of the numbers does at most.
+    pub rounding_um: f64,
+    /// What straight blocks of the axes do to the tip at most.
+    pub straight_blocks_um: f64,
+    /// Largest difference of a ray milled as the text says from the planned one.
+    pub proof_difference_um: f64,
+    /// What rounding and straight blocks explain of it.
+    pub proof_allowed_um: f64,
 }
 
 /// A cutter. Lengths in mm.

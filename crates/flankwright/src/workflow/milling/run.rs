@@ -2,6 +2,7 @@
 
 use super::bodies::{MillingBodies, prepare_milling};
 use super::finding::failure;
+use super::of_job::{MillingTexts, texts};
 use super::referee::{RefereedFlank, referee};
 use super::result::{
     CutterResult, DistancesResult, FlankResult, MillingResult, OperationResult, RootResult, RowResult,
@@ -27,6 +28,8 @@ pub struct MillingOutcome {
     pub plan: MillingPlan,
     /// The flanks under the referee.
     pub flanks: Vec<RefereedFlank>,
+    /// Programs and cutter locations.
+    pub texts: MillingTexts,
 }
 
 /// Plans a job, has the referee judge it, and says whether the target is met.
@@ -51,6 +54,10 @@ pub fn run_milling(loaded: &LoadedMillingJob, progress: &dyn Progress) -> Result
     let counts = [job.simulation.rays_profile, job.simulation.rays_length];
     let flanks = referee(&bodies, &made, counts, progress)?;
     timing.insert("referee", begun.elapsed().as_secs_f64());
+
+    let begun = Instant::now();
+    let texts = texts(loaded, &bodies, &made, &flanks, progress)?;
+    timing.insert("programs", begun.elapsed().as_secs_f64());
 
     let units = match job.body() {
         Some(MilledBody::Bevel(_)) => ["rad", "mm"],
@@ -81,9 +88,10 @@ pub fn run_milling(loaded: &LoadedMillingJob, progress: &dyn Progress) -> Result
         cutter: CutterResult::new(bodies.options.cutter.shape(), bodies.options.cutter.cutting_length()),
         operations: made.operations.iter().map(operation_result).collect(),
         flanks: results,
+        programs: texts.results(),
         timing_s: timing,
     };
-    Ok(MillingOutcome { result, bodies, plan: made, flanks })
+    Ok(MillingOutcome { result, bodies, plan: made, flanks, texts })
 }
 
 fn reason(results: &BTreeMap<&'static str, FlankResult>, worst: f64, tolerance_um: f64) -> Remark {

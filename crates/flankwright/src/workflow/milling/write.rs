@@ -28,6 +28,14 @@ pub fn write_milling(
             tables::places(&outcome.plan)?.text().into(),
         ),
     ];
+    for program in outcome.texts.programs.iter().flat_map(|programs| &programs.programs) {
+        let text = program.written.text.clone().into_bytes();
+        files.push((program.file.clone(), "NC program: milling all spaces", text));
+    }
+    if let Some(locations) = &outcome.texts.locations {
+        let text = locations.text.clone().into_bytes();
+        files.push((locations.file.clone(), "cutter locations of all spaces", text));
+    }
     files.extend(meshes::files(outcome, &job.output.meshes)?);
     write_with_report(files, directory, |named| page::html_page(job, outcome, None, named))
 }

@@ -24,4 +24,5 @@ pub use result::{
 };
 pub use run_programs::RunPrograms;
 pub use task::{DressingWork, GrindingWork, ProgramTask};
+pub(in crate::workflow) use task::machine_of_job;
 pub(super) use technology::Technology;

@@ -83,7 +83,7 @@ pub(in crate::workflow) fn programs_of_grinding(
     roughing_shift: Vec<MotionLaw>,
 ) -> Result<Option<RunPrograms>, RunFailure> {
     let Some(job_machine) = &loaded.job.machine else { return Ok(None) };
-    let machine = machine_of_job(loaded, job_machine)?;
+    let machine = machine_of_job(loaded, &job_machine.file)?;
     let mut strokes = Strokes::new(&loaded.job, job_machine, prepared, execution);
     strokes.technology.roughing_shift = roughing_shift;
     let task = ProgramTask {
@@ -318,7 +318,7 @@ mod tests {
         let mut loaded = read_job(&root.join("examples/twist-free-crowning.toml")).unwrap();
         let job_machine = loaded.job.machine.take().unwrap();
         (loaded.job.grid.profile_points, loaded.job.grid.helix_points) = (5, 5);
-        let machine = machine_of_job(&loaded, &job_machine).unwrap();
+        let machine = machine_of_job(&loaded, &job_machine.file).unwrap();
         let run = plan_job(&loaded, &Silent).unwrap();
         let strokes = Strokes::new(&loaded.job, &job_machine, &run.prepared, &run.execution);
         let task = ProgramTask {

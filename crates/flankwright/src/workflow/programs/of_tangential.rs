@@ -34,7 +34,7 @@ pub(in crate::workflow) fn programs_of_tangential(
 ) -> Result<Option<RunPrograms>, RunFailure> {
     let job = &loaded.job;
     let Some(job_machine) = &job.machine else { return Ok(None) };
-    let machine = machine_of_job(loaded, job_machine)?;
+    let machine = machine_of_job(loaded, &job_machine.file)?;
     let strokes = Strokes::new(job, job_machine, ready, runs)?;
     let pair = &ready.model.pair;
     let gear = pair.work.data();

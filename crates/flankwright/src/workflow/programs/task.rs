@@ -1,7 +1,7 @@
 //! What programs are made from: a machine, its controls, the motions of a run. Knows no text.
 
 use super::technology::Technology;
-use crate::exchange::job::{Machine as JobMachine, Program as DialectName};
+use crate::exchange::job::Program as DialectName;
 use crate::exchange::machine::{LoadedMachine, read_machine};
 use crate::exchange::{Diagnostic, Loaded, Problem};
 use crate::kinematics::{DressingMotion, GeneratingMotion};
@@ -66,9 +66,9 @@ pub struct ProgramTask<'a> {
 /// A finding on `machine.file` with what is wrong in that file.
 pub(in crate::workflow) fn machine_of_job<J>(
     loaded: &Loaded<J>,
-    machine: &JobMachine,
+    file: &str,
 ) -> Result<LoadedMachine, RunFailure> {
-    let path = loaded.beside(&machine.file);
+    let path = loaded.beside(file);
     read_machine(&path).map_err(|error| {
         let first = error.diagnostics.first();
         let place = first.and_then(|d| d.span.as_ref()).map(|span| error.source.line_column(span.start));
@@ -76,9 +76,9 @@ pub(in crate::workflow) fn machine_of_job<J>(
         let message = first.map_or_else(|| error.to_string(), |d| d.message.to_string());
         let code = first.map_or(Problem::InvalidMachine.code(), |d| d.code);
         let mut finding =
-            Diagnostic::with_code(code, format!("the machine description {}{at}: {message}", machine.file))
+            Diagnostic::with_code(code, format!("the machine description {file}{at}: {message}"))
                 .field("machine.file")
-                .value(format!("{:?}", machine.file));
+                .value(format!("{file:?}"));
         if let Some(allowed) = first.and_then(|d| d.allowed.clone()) {
             finding = finding.allowed(allowed);
         }
