@@ -10,7 +10,9 @@ use serde::Serialize;
 use serde_json::json;
 
 use super::catalogue;
-use super::derived::{DerivedGeometry, derived_gearbox, derived_geometry, derived_tangential};
+use super::derived::{
+    DerivedGeometry, derived_gearbox, derived_geometry, derived_milling, derived_tangential,
+};
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
@@ -48,7 +50,10 @@ pub fn run(arguments: &CheckArguments) -> Result<Exit, Failure> {
             let derived = derived_gearbox(&loaded)?;
             show(&arguments.common, &loaded, &loaded.job.job, Ok((derived, Vec::new())))
         }
-        AnyJob::Milling(loaded) => Err(output::not_milling(&loaded, "check")),
+        AnyJob::Milling(loaded) => {
+            let derived = derived_milling(&loaded).map(|derived| (derived, Vec::new()));
+            show(&arguments.common, &loaded, &loaded.job.job, derived)
+        }
     }
 }
 

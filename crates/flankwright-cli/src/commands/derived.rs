@@ -5,10 +5,11 @@ use std::fmt::Write;
 
 use flankwright::exchange::catalogue::LoadedCatalogue;
 use flankwright::exchange::job::Gear as JobGear;
-use flankwright::exchange::{LoadedGearboxJob, LoadedJob, LoadedTangentialJob};
+use flankwright::exchange::{LoadedGearboxJob, LoadedJob, LoadedMillingJob, LoadedTangentialJob};
 use flankwright::geometry::{Blank, Flank, Gear, Span};
 use flankwright::process::generating::GrindingSetup;
 use flankwright::workflow::gearbox::coupling_of_job;
+use flankwright::workflow::milling::prepare_milling;
 use flankwright::workflow::tangential::prepare_tangential;
 use flankwright::workflow::{Remark, RunFailure, blank_of_job, gear_of_job, prepare, wanted_of_catalogue};
 use serde_json::{Map, Value};
@@ -175,6 +176,32 @@ pub fn derived_tangential(loaded: &LoadedTangentialJob) -> Result<DerivedGeometr
     derived.quantity("dressing_centre_distance_mm", "centre distance", model.chain.centre_distance, "mm");
     let crossing = model.chain.crossing_angle.to_degrees();
     derived.quantity("dressing_crossing_angle_deg", "crossing angle", crossing, "deg");
+    Ok(derived)
+}
+
+/// The same of a job of five-axis milling: what the lead curve has to cover, where the active flank lies.
+///
+/// # Errors
+/// Bodies that do not fit, column planes that do not meet the flank.
+pub fn derived_milling(loaded: &LoadedMillingJob) -> Result<DerivedGeometry, RunFailure> {
+    let bodies = prepare_milling(loaded)?;
+    let mut derived = DerivedGeometry::default();
+    derived.section("workpiece");
+    derived.quantity("spaces", "tooth spaces", bodies.spaces as u64, "");
+    derived.quantity("milled_spaces", "of these milled", bodies.milled as u64, "");
+    for flank in bodies.ranges()? {
+        derived.section(match flank.side {
+            Flank::Left => "left flank",
+            Flank::Right => "right flank",
+        });
+        let [[root, tip], [low, high], [from, to]] = [flank.heights, flank.radii, flank.lead];
+        derived.quantity("height_at_root", "height parameter at the root", root, "");
+        derived.quantity("height_at_tip", "height parameter at the tip", tip, "");
+        derived.quantity("least_radius_mm", "least radius of the active flank", low, "mm");
+        derived.quantity("greatest_radius_mm", "greatest radius of the active flank", high, "mm");
+        derived.quantity("lead_from", "lead curve from", from, "");
+        derived.quantity("lead_to", "lead curve to", to, "");
+    }
     Ok(derived)
 }
 

@@ -18,7 +18,7 @@ use crate::numerics::{equidistant, extremes};
 use crate::process::milling::{
     ActiveFlank, CurveOnCone, CutDirection, DensityLimits, DistanceLimits, FootOnHub, HeightLimits,
     HeightRule, HelixOnCylinder, Land, LeadCurve, Lines, Orientation, PlanOptions, Retraction, RootDepth,
-    RowOrder, SkewPlanes, Space, SpaceFlank, SpacingLaw, Traverse, lead_through_row,
+    RowOrder, SkewPlanes, Space, SpaceFlank, SpacingLaw, Traverse, lead_range, lead_through_row,
 };
 use crate::workflow::finding::{RunFailure, geometry_finding, modification_finding};
 use crate::workflow::prepare::{blank_of_job, gear_of_job, specs_of_flank};
@@ -41,6 +41,41 @@ pub struct MillingBodies {
     pub milled: usize,
     /// Section of the body before milling as (radius, position), mm: tip at both ends, bore or rim at the last and the first end.
     pub blank: [[f64; 2]; 4],
+}
+
+/// Where a flank lies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FlankRange {
+    /// Which.
+    pub side: Flank,
+    /// Height parameters at root and tip.
+    pub heights: [f64; 2],
+    /// Least and greatest radius, mm.
+    pub radii: [f64; 2],
+    /// Lead parameters between which column planes meet it.
+    pub lead: [f64; 2],
+}
+
+impl MillingBodies {
+    /// Where the flanks that are milled lie.
+    ///
+    /// # Errors
+    /// [`RunFailure`] where no column plane holds an end of the face.
+    pub fn ranges(&self) -> Result<Vec<FlankRange>, RunFailure> {
+        let milled = self.space.flanks.iter().filter(|flank| self.options.sides.contains(&flank.side));
+        let of_flank = |flank: &SpaceFlank| {
+            let active = &flank.active;
+            let heights = active.height_span();
+            let corners = heights.into_iter().flat_map(|a| active.face.map(|b| (a, b)));
+            Ok(FlankRange {
+                side: flank.side,
+                heights,
+                radii: extremes(corners.map(|(a, b)| active.surface.point(a, b).xy().norm())),
+                lead: lead_range(active, &*self.space.lead).map_err(|error| failure(&error))?,
+            })
+        };
+        milled.map(of_flank).collect()
+    }
 }
 
 /// What the cutter stays away from the workpiece while it is moved from one path to another, mm.

@@ -15,7 +15,7 @@ mod tables;
 mod wear;
 mod write;
 
-pub use bodies::{MillingBodies, prepare_milling};
+pub use bodies::{FlankRange, MillingBodies, prepare_milling};
 pub use of_job::MillingTexts;
 pub use referee::{RefereedFlank, referee};
 pub use result::{

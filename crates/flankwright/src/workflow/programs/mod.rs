@@ -23,6 +23,6 @@ pub use result::{
     ProgramsResult, ProofResult,
 };
 pub use run_programs::RunPrograms;
-pub use task::{DressingWork, GrindingWork, ProgramTask};
 pub(in crate::workflow) use task::machine_of_job;
+pub use task::{DressingWork, GrindingWork, ProgramTask};
 pub(super) use technology::Technology;
