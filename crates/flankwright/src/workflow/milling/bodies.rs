@@ -101,6 +101,13 @@ struct Body {
 /// [`RunFailure`] with a finding on the key concerned.
 pub fn prepare_milling(loaded: &LoadedMillingJob) -> Result<MillingBodies, RunFailure> {
     let job = &loaded.job;
+    if let Some(radius) = job.milling.approach_radius {
+        let finding = Diagnostic::with_code("not-available", "rows are not approached on arcs")
+            .field("milling.approach_radius")
+            .value(radius.to_string())
+            .way_out("leave it out: the cutter comes in over the overrun, beside the face");
+        return Err(RunFailure::bad_input(finding));
+    }
     let cutter = |cutter: &MillingCutter, table: &str| {
         cutter.body().map_err(|error| RunFailure::bad_input(geometry_finding(&error, table)))
     };
