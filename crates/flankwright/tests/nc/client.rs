@@ -60,7 +60,15 @@ impl Client {
         let table = directory.join("tools.tbl");
         std::fs::write(&table, tools).expect("a tool table");
         let mut command = self.command(&self.root.join("usr/bin/rs274"));
-        command.arg("-t").arg(&table).arg("-v").arg(directory.join("run.var")).arg("-g").arg(file);
+        // The interpreter keeps its tools in a file of the home directory, which runs beside it would share.
+        command
+            .env("HOME", directory)
+            .arg("-t")
+            .arg(&table)
+            .arg("-v")
+            .arg(directory.join("run.var"))
+            .arg("-g")
+            .arg(file);
         run_alone(&mut command).expect("rs274 starts")
     }
 

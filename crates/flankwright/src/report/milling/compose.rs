@@ -19,7 +19,9 @@ impl MillingReport {
         sections.push(Section::new("Deviations", deviations::blocks(&self.flanks)?));
         sections.push(Section::new("Rows", rows::blocks(&self.flanks)?));
         sections.push(Section::new("Wear of the edge", rows::wear(&self.flanks)?));
-        sections.push(Section::new("Density", vec![Block::Table(tables::density(&self.flanks))]));
+        if self.flanks.iter().any(|flank| !flank.density.is_empty()) {
+            sections.push(Section::new("Density", vec![Block::Table(tables::density(&self.flanks))]));
+        }
         if let Some(root) = &self.root {
             sections.push(Section::new("Root", root.blocks()?));
         }
