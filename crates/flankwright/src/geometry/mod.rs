@@ -1,4 +1,4 @@
-//! Shapes: involute flanks, gears, worms, racks, surfaces of revolution, milled flanks and cutters. Knows no motion and no process.
+//! Shapes: involute flanks, gears, worms, racks, surfaces of revolution, milled flanks and cutters, skiving tools. Knows no motion and no process.
 
 mod bevel;
 mod blank;
@@ -9,6 +9,7 @@ mod involute;
 mod rack;
 mod revolution;
 mod sides;
+mod skiving_tool;
 mod surface;
 mod thickness;
 mod worm;
@@ -22,6 +23,7 @@ pub use involute::{FlankDeviation, FlankFrame, InvoluteFlank};
 pub use rack::Rack;
 pub use revolution::{MeridianPoint, ProfileOffset, Revolution};
 pub use sides::{Flank, Sides};
+pub use skiving_tool::{ConeRake, EdgeRounding, PlaneRake, RakeFace, SkivingTool, SphericalRake};
 pub use surface::{
     BladeCurve, BladeData, CylindricalCurve, EaseOff, EaseOffAmounts, Frustum, GridSurface, Helicoid,
     Mirrored, Modified, NormalOffset, NormalSide, OffsetBase, OffsetBounds, RuledBlade, SecondOrder,

@@ -12,6 +12,7 @@ mod law;
 mod machine_error;
 mod piecewise;
 mod pose;
+mod skiving;
 
 pub use axis_twist::AxisTwist;
 pub use dressing::{DressingChain, DressingCorrection, DressingMotion, DressingPosition};
@@ -26,3 +27,4 @@ pub use law::MotionLaw;
 pub use machine_error::MachineError;
 pub use piecewise::PiecewisePolynomial;
 pub use pose::{Direction, Dresser, Point, Pose, Room, Workpiece, Worm};
+pub use skiving::SkivingMotion;

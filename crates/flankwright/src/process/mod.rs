@@ -3,4 +3,5 @@
 pub mod dressing;
 pub mod generating;
 pub mod milling;
+pub mod skiving;
 pub mod tangential_dressing;

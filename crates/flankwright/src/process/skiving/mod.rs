@@ -1,0 +1,21 @@
+//! Power skiving and its tool: the virtual edge that makes a workpiece, the places of it that touch, what errors of the tool and of the
+//! machine's setting do to the flank (spec 60). Knows no referee and no file.
+
+mod contact;
+mod edge;
+mod edge_place;
+mod error;
+mod flank;
+pub mod measuring;
+mod pair;
+mod sensitivity;
+mod track;
+
+pub use contact::{Conjugate, conjugate};
+pub use edge::VirtualEdge;
+pub use edge_place::{ContactPlace, EdgeSection};
+pub use error::SkivingError;
+pub use flank::{ProfilePlace, SkivedFlank};
+pub use pair::{PairData, SkivingPair};
+pub use sensitivity::setting_sensitivity;
+pub use track::{MeasuringTrack, default_track_places};
