@@ -1,5 +1,6 @@
 //! Numerical tools: the scalar trait, series, splines, polynomials and roots. Knows no gears.
 
+mod angle;
 mod bernstein;
 mod bspline;
 mod chebyshev;
@@ -9,6 +10,7 @@ mod jet;
 mod knots;
 mod monotone_root;
 mod polynomial;
+mod powers;
 mod progress;
 mod roots;
 mod scalar;
@@ -16,6 +18,7 @@ mod spline;
 mod spline_fit;
 mod tensor_spline;
 
+pub use angle::wrapped_angle;
 pub use bspline::{BSpline, BSplineBasis};
 pub use chebyshev::Chebyshev;
 pub use equidistant::equidistant;
@@ -24,6 +27,7 @@ pub use jet::Jet2;
 pub use knots::SplineError;
 pub use monotone_root::monotone_root;
 pub use polynomial::Polynomial2;
+pub use powers::power_series;
 pub use progress::{Progress, Silent};
 pub use roots::{bisect, brent, golden_section};
 pub use scalar::{Scalar, gradient_of, value_of, variables};

@@ -1,8 +1,9 @@
 //! The moment at which a tooth switches the light barrier: the turn at which the rounding of its edge is as far from the beam's axis as
 //! both radii together (spec 60 section 7).
 
-use super::pose::{swivelled, turned, wrapped};
+use super::pose::{swivelled, turned};
 use super::{Beam, MeasuringPose, RealTool, nominal_angle};
+use crate::numerics::wrapped_angle;
 use crate::process::skiving::{MeasuringTrack, SkivingError, VirtualEdge};
 use nalgebra::Vector3;
 
@@ -143,6 +144,6 @@ struct Gap {
 impl Touch {
     /// B in -pi..pi.
     pub fn wrapped_turn(&self) -> f64 {
-        wrapped(self.turn)
+        wrapped_angle(self.turn)
     }
 }

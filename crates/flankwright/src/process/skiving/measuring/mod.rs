@@ -13,6 +13,7 @@ pub use barrier::{Barrier, Touch};
 pub use beam::Beam;
 pub use noise::Noise;
 pub use pose::{MeasuringPose, PoseKind, measuring_poses, nearest_clamped, nominal_angle};
+pub(super) use pose::turned;
 pub use readings::{BarrierData, FlankTracks, Reading, Sense, Switches, readings, switches};
 pub use real_tool::{EdgeErrors, RealTool};
 pub use shadow::{NearestFlank, OTHER_FLANK_GAP, nearest_other_flank};

@@ -2,6 +2,7 @@
 
 use super::Beam;
 use crate::geometry::Flank;
+use crate::numerics::wrapped_angle;
 use crate::process::skiving::{MeasuringTrack, SkivingError};
 use nalgebra::Vector3;
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -50,7 +51,7 @@ impl MeasuringPose {
         );
         let beam_in_tool = turned(-turn, &swivelled(-swivel, &l.normalize()));
         let off_flank = angle_between(&beam_in_tool, &track.contact.flank_direction);
-        Self { swivel, turn: wrapped(turn), position, off_flank, beam_in_tool }
+        Self { swivel, turn: wrapped_angle(turn), position, off_flank, beam_in_tool }
     }
 
     /// A point of the tool at a turn B, in machine coordinates.
@@ -120,7 +121,7 @@ pub fn nearest_clamped(track: &MeasuringTrack, beam: &Beam, swivel: f64) -> Opti
 
 /// Of two orientations the one nearer to the flank's helix.
 fn nearest(track: &MeasuringTrack, beam: &Beam, of: [(f64, f64); 2]) -> Option<MeasuringPose> {
-    let poses = of.map(|(swivel, turn)| MeasuringPose::at(track, beam, wrapped(swivel), turn));
+    let poses = of.map(|(swivel, turn)| MeasuringPose::at(track, beam, wrapped_angle(swivel), turn));
     poses.into_iter().min_by(|a, b| a.off_flank.total_cmp(&b.off_flank))
 }
 
@@ -135,7 +136,7 @@ fn along_flank(track: &MeasuringTrack, beam: &Beam) -> Vec<MeasuringPose> {
         let mut poses = [1.0, -1.0].map(|sense| {
             let angle = sense * reach;
             let turn = (across * angle.sin()).atan2(l.x) - g.y.atan2(g.x);
-            MeasuringPose::at(track, beam, wrapped(angle - lean), turn)
+            MeasuringPose::at(track, beam, wrapped_angle(angle - lean), turn)
         });
         if poses[1].swivel.abs() < poses[0].swivel.abs() {
             poses.swap(0, 1);
@@ -153,7 +154,7 @@ fn along_flank(track: &MeasuringTrack, beam: &Beam) -> Vec<MeasuringPose> {
 }
 
 /// Rz(angle) v.
-pub(super) fn turned(angle: f64, v: &Vector3<f64>) -> Vector3<f64> {
+pub(in crate::process::skiving) fn turned(angle: f64, v: &Vector3<f64>) -> Vector3<f64> {
     let (sin, cos) = angle.sin_cos();
     Vector3::new(cos * v.x - sin * v.y, sin * v.x + cos * v.y, v.z)
 }
@@ -162,11 +163,6 @@ pub(super) fn turned(angle: f64, v: &Vector3<f64>) -> Vector3<f64> {
 pub(super) fn swivelled(angle: f64, v: &Vector3<f64>) -> Vector3<f64> {
     let (sin, cos) = angle.sin_cos();
     Vector3::new(v.x, cos * v.y - sin * v.z, sin * v.y + cos * v.z)
-}
-
-/// The angle brought into -pi..pi.
-pub(super) fn wrapped(angle: f64) -> f64 {
-    angle - TAU * (angle / TAU).round()
 }
 
 /// Angle between two unit directions, exact for small ones.

@@ -1,6 +1,7 @@
 //! A tool as it is: every tooth with its own pitch, profile and rounding, the whole mounted off its axis (spec 60 section 7).
 
 use crate::geometry::Sides;
+use crate::numerics::power_series;
 use crate::process::skiving::{SkivingError, VirtualEdge};
 use nalgebra::{Rotation3, Vector3};
 use std::f64::consts::TAU;
@@ -35,12 +36,12 @@ pub(super) type RollJet = [Vector3<f64>; 3];
 impl EdgeErrors {
     /// Material beyond the nominal edge at x, mm.
     pub fn profile_at(&self, x: f64) -> f64 {
-        power_jet(&self.profile, x)[0]
+        power_series(&self.profile, x)[0]
     }
 
     /// Growth of the rounding at x, mm.
     pub fn growth_at(&self, x: f64) -> f64 {
-        power_jet(&self.growth, x)[0]
+        power_series(&self.growth, x)[0]
     }
 }
 
@@ -91,7 +92,7 @@ impl RealTool {
         let errors = &self.edges[edge.side()][tooth];
         let x = flank.edge_coordinate(w);
         let by_roll = |jet: [f64; 3]| [jet[0], jet[1] * slope, jet[2] * slope * slope];
-        let (profile, growth) = (by_roll(power_jet(&errors.profile, x)), by_roll(power_jet(&errors.growth, x)));
+        let (profile, growth) = (by_roll(power_series(&errors.profile, x)), by_roll(power_series(&errors.growth, x)));
         let [c, n, v] = [edge.centre_series(), edge.normal_series(), edge.growth_series()]
             .map(|series| series.each_ref().map(|s| s.jet(w)));
         let moved = |k: usize, order: usize| {
@@ -132,9 +133,4 @@ impl RealTool {
     fn wobble_vector(&self) -> Vector3<f64> {
         Vector3::new(self.wobble[0], self.wobble[1], 0.0)
     }
-}
-
-/// Value and two derivatives of a polynomial in powers.
-fn power_jet(coefficients: &[f64], x: f64) -> [f64; 3] {
-    coefficients.iter().rev().fold([0.0; 3], |[f, d, dd], c| [f * x + c, d * x + f, dd * x + 2.0 * d])
 }
