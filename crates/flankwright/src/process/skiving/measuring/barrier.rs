@@ -29,9 +29,10 @@ pub struct Barrier<'a> {
     pub pose: &'a MeasuringPose,
 }
 
-/// Steps of Newton's iteration, and the last of them, rad.
+/// Steps of Newton's iteration, and the last of them, rad and mm; the length of roll is told by how the gap bends, less sharply.
 const STEPS: usize = 40;
 const LAST: f64 = 1e-14;
+const LAST_ROLL: f64 = 1e-9;
 /// The longest step along the edge, in shares of its length, and about the tool, in shares of a pitch: far starts must not be thrown
 /// to another tooth.
 const LONGEST_WAY: f64 = 0.25;
@@ -93,7 +94,7 @@ impl Barrier<'_> {
             }
             w -= step[0].clamp(-longest, longest);
             turn -= step[1].clamp(-LONGEST_TURN * pitch, LONGEST_TURN * pitch);
-            if step[1].abs() < LAST * turn.abs().max(1.0) {
+            if step[1].abs() < LAST * turn.abs().max(1.0) && step[0].abs() < LAST_ROLL {
                 let at = self.gap(edge, tool, tooth, [w, turn]);
                 let residual = (at.distance - radius).abs().max(at.by_roll.abs());
                 let angle = edge.section(w).angle_of(&tool.direction_in_tooth(tooth, &at.towards_beam));

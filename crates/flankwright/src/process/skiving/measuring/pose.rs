@@ -36,10 +36,15 @@ pub struct MeasuringPose {
 const ALONG_AXIS: f64 = 1e-9;
 
 impl MeasuringPose {
-    /// The pose with the beam tangential at a track, for a given orientation.
-    fn at(track: &MeasuringTrack, beam: &Beam, swivel: f64, turn: f64) -> Self {
+    /// The pose in which the beam touches a track's point across a normal, for a given orientation.
+    pub(super) fn laid(
+        track: &MeasuringTrack,
+        normal: &Vector3<f64>,
+        beam: &Beam,
+        [swivel, turn]: [f64; 2],
+    ) -> Self {
         let to_machine = |v: &Vector3<f64>| swivelled(swivel, &turned(turn, v));
-        let (m, n) = (to_machine(&track.contact.point), to_machine(&track.contact.normal));
+        let (m, n) = (to_machine(&track.contact.point), to_machine(normal));
         let (l, at, radius) = (&beam.direction, &beam.point, beam.radius);
         // The height of the contact is that of the beam's point; the axis of the beam passes it at the radius along the normal.
         let unit = beam.unit();
@@ -52,6 +57,11 @@ impl MeasuringPose {
         let beam_in_tool = turned(-turn, &swivelled(-swivel, &l.normalize()));
         let off_flank = angle_between(&beam_in_tool, &track.contact.flank_direction);
         Self { swivel, turn: wrapped_angle(turn), position, off_flank, beam_in_tool }
+    }
+
+    /// The pose with the beam tangential at a track, for a given orientation.
+    fn at(track: &MeasuringTrack, beam: &Beam, swivel: f64, turn: f64) -> Self {
+        Self::laid(track, &track.contact.normal, beam, [swivel, turn])
     }
 
     /// A point of the tool at a turn B, in machine coordinates.
@@ -94,7 +104,7 @@ pub fn nominal_angle(pose: &MeasuringPose, tooth: usize, teeth: usize) -> f64 {
 }
 
 /// TANGENT: the turn given, the swivel that brings the normal across the beam.
-fn tangent(track: &MeasuringTrack, beam: &Beam, turn: f64) -> Option<MeasuringPose> {
+pub(super) fn tangent(track: &MeasuringTrack, beam: &Beam, turn: f64) -> Option<MeasuringPose> {
     let n = turned(turn, &track.contact.normal);
     let l = &beam.direction;
     let (a, b) = (l.y * n.y + l.z * n.z, l.z * n.y - l.y * n.z);
