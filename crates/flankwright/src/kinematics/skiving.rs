@@ -73,7 +73,8 @@ impl SkivingMotion {
 
     /// Velocity of the tool's material against the workpiece's at a point of that room, mm per radian of the tool.
     pub fn velocity(&self, q: &Vector3<f64>) -> Vector3<f64> {
-        self.tool_axis().cross(&(q + Vector3::y() * self.centre_distance)) - Vector3::z().cross(q) * self.ratio
+        self.tool_axis().cross(&(q + Vector3::y() * self.centre_distance))
+            - Vector3::z().cross(q) * self.ratio
     }
 
     /// Ry(gamma) v.

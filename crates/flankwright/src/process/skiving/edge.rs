@@ -1,7 +1,9 @@
 //! The virtual edge: the rounding whose points make the finished flank, found so that its centres lie where the rake face wants them
 //! (spec 60 section 4).
 
-use super::{Conjugate, ContactPlace, EdgeSection, ProfilePlace, SkivedFlank, SkivingError, SkivingPair, conjugate};
+use super::{
+    Conjugate, ContactPlace, EdgeSection, ProfilePlace, SkivedFlank, SkivingError, SkivingPair, conjugate,
+};
 use crate::geometry::Flank;
 use crate::numerics::{Chebyshev, brent};
 use nalgebra::Vector3;
@@ -60,7 +62,8 @@ impl VirtualEdge {
         let (centre, normal) = (series(&|place| place.centre), series(&|place| place.normal));
         let growth = centre.clone();
         let mut edge = Self { pair: pair.clone(), nodes, centre, normal, growth, cutting: 0.0, flank };
-        let sections = edge.nodes.iter().map(|place| edge.checked_section(place)).collect::<Result<Vec<_>, _>>()?;
+        let sections =
+            edge.nodes.iter().map(|place| edge.checked_section(place)).collect::<Result<Vec<_>, _>>()?;
         let growths: Vec<Vector3<f64>> = sections.iter().map(EdgeSection::growth).collect();
         edge.growth = std::array::from_fn(|k| {
             let values: Vec<f64> = growths.iter().map(|v| v[k]).collect();
@@ -112,7 +115,8 @@ impl VirtualEdge {
     pub fn contact(&self, w: f64) -> Result<ContactPlace, SkivingError> {
         let nearest = self.nodes.iter().min_by(|a, b| (a.w - w).abs().total_cmp(&(b.w - w).abs()));
         let near = nearest.map(|place| {
-            place.turn + rest_turn(&self.pair, &self.flank.at(w)) - rest_turn(&self.pair, &self.flank.at(place.w))
+            place.turn + rest_turn(&self.pair, &self.flank.at(w))
+                - rest_turn(&self.pair, &self.flank.at(place.w))
         });
         contact_place(&self.pair, &self.flank, w, near)
     }
@@ -171,7 +175,8 @@ impl VirtualEdge {
         if radius * curvature >= 1.0 {
             return Err(SkivingError::RoundingTooLarge { w, radius, curvature_radius: 1.0 / curvature });
         }
-        let off = section.tangent.dot(&place.normal).abs().max(section.tangent.dot(&section.rake_normal).abs());
+        let off =
+            section.tangent.dot(&place.normal).abs().max(section.tangent.dot(&section.rake_normal).abs());
         if !(off <= IDENTITY) {
             return Err(SkivingError::NoContact { w });
         }

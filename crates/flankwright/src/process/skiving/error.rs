@@ -83,7 +83,9 @@ pub enum SkivingError {
         curvature_radius: f64,
     },
     /// The edge does not cut in one direction.
-    #[error("at length of roll {w} mm the cutting speed is {speed} mm/rad along the rake normal, elsewhere the other way")]
+    #[error(
+        "at length of roll {w} mm the cutting speed is {speed} mm/rad along the rake normal, elsewhere the other way"
+    )]
     CuttingDirectionAmbiguous {
         /// Length of roll, mm.
         w: f64,
@@ -161,7 +163,9 @@ pub enum SkivingError {
         greatest: f64,
     },
     /// The beam meets the end of the edge.
-    #[error("tooth {tooth}: the beam touches the edge at length of roll {w} mm, it goes from {from} to {to} mm")]
+    #[error(
+        "tooth {tooth}: the beam touches the edge at length of roll {w} mm, it goes from {from} to {to} mm"
+    )]
     EdgeEndTouched {
         /// Tooth.
         tooth: usize,
@@ -256,24 +260,36 @@ impl SkivingError {
             Self::Geometry(error) => error.way_out(),
             Self::InvalidNumber { .. } => "give a value in the allowed range",
             Self::BelowBaseCircle { .. } => "begin the flank above the base circle",
-            Self::AxesParallel { .. } => "choose another helix angle of the tool, or give the crossed-axes angle",
-            Self::InvalidCentreDistance { .. } => "give d > 0 for external and d < 0 for internal gears, or leave it out",
+            Self::AxesParallel { .. } => {
+                "choose another helix angle of the tool, or give the crossed-axes angle"
+            }
+            Self::InvalidCentreDistance { .. } => {
+                "give d > 0 for external and d < 0 for internal gears, or leave it out"
+            }
             Self::LeadModificationNotSupported { .. } => {
                 "give modifications of the profile only: those along the tooth are made by the machine's motion"
             }
             Self::NoContact { .. } => "check the rake angle, the tool shift and the range of the flank",
-            Self::ContactOffRounding { .. } => "check the chamfers and the clearance angle, or turn the step angle",
+            Self::ContactOffRounding { .. } => {
+                "check the chamfers and the clearance angle, or turn the step angle"
+            }
             Self::RoundingTooLarge { .. } => "take a smaller rounding radius",
-            Self::CuttingDirectionAmbiguous { .. } => "choose a larger crossed-axes angle or another rake face",
+            Self::CuttingDirectionAmbiguous { .. } => {
+                "choose a larger crossed-axes angle or another rake face"
+            }
             Self::LeverTooSmall { .. } => "measure this flank at other tracks",
-            Self::PoseNotReachable { .. } => "allow a larger deviation from the flank direction, or tilt the beam",
+            Self::PoseNotReachable { .. } => {
+                "allow a larger deviation from the flank direction, or tilt the beam"
+            }
             Self::DegenerateFlankDirection { .. } => "measure with tangent poses",
             Self::AxisLimit { .. } => "move the light barrier, or choose another kind of pose",
             Self::Shadowed { .. } => "take a thinner beam, or another kind of pose",
             Self::BodyTouched { .. } => "lay the beam along the flank direction",
             Self::EdgeEndTouched { .. } => "move the track away from the end of the edge",
             Self::NoTrigger { .. } => "check the tooth: it may be broken off",
-            Self::TriggerCountMismatch { .. } => "check the tool for broken teeth and chips, then measure again",
+            Self::TriggerCountMismatch { .. } => {
+                "check the tool for broken teeth and chips, then measure again"
+            }
             Self::AmbiguousTooth { .. } => "check the clocking of the tool and the number of teeth",
             Self::TooFewTracks { .. } => "measure more tracks, or ask for a lower degree",
             Self::CalibrationSingular { .. } => "approach the mandrel at two heights, from both sides in Y",

@@ -88,7 +88,11 @@ impl SkivingPair {
     pub fn with_tool(&self, tool: SkivingTool) -> Result<Self, SkivingError> {
         if tool.teeth() != self.tool.teeth() {
             let (field, value) = ("tool.teeth", f64::from(tool.teeth()));
-            return Err(SkivingError::InvalidNumber { field, value, allowed: "that of the tool it replaces" });
+            return Err(SkivingError::InvalidNumber {
+                field,
+                value,
+                allowed: "that of the tool it replaces",
+            });
         }
         Ok(Self { tool, ..self.clone() })
     }
@@ -99,9 +103,7 @@ impl SkivingPair {
     /// [`SkivingError::Geometry`] below the base circle, [`SkivingError::InvalidNumber`].
     pub fn flank_between(&self, flank: Flank, radii: [f64; 2]) -> Result<SkivedFlank, SkivingError> {
         let helicoid = Helicoid::new(&self.gear, flank);
-        let roll = |radius: f64| {
-            helicoid.length_of_roll(radius).map_err(SkivingError::Geometry)
-        };
+        let roll = |radius: f64| helicoid.length_of_roll(radius).map_err(SkivingError::Geometry);
         let [a, b] = [roll(radii[0])?, roll(radii[1])?];
         SkivedFlank::new(helicoid, [a.min(b), a.max(b)])
     }
@@ -123,7 +125,11 @@ fn check_gear(gear: &Gear) -> Result<(), SkivingError> {
         return wrong("helix_angle_deg", data.helix_angle.to_degrees(), "between -60 and 60 deg");
     }
     if data.cone_angle != 0.0 {
-        return wrong("cone_angle_deg", data.cone_angle.to_degrees(), "0: only cylindrical gears are skived here");
+        return wrong(
+            "cone_angle_deg",
+            data.cone_angle.to_degrees(),
+            "0: only cylindrical gears are skived here",
+        );
     }
     Ok(())
 }

@@ -104,7 +104,9 @@ pub fn fit_setting(
             change[k] = *x;
         }
         let excess = |k: usize| change[k].abs() / limits.of[k];
-        let Some(worst) = open.iter().copied().max_by(|&a, &b| excess(a).total_cmp(&excess(b))) else { break };
+        let Some(worst) = open.iter().copied().max_by(|&a, &b| excess(a).total_cmp(&excess(b))) else {
+            break;
+        };
         if excess(worst) <= 1.0 {
             break;
         }

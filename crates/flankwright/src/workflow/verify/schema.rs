@@ -6,7 +6,7 @@ use super::ledger::Ledger;
 use super::reference::Reference;
 use super::{
     areas, contact, decompositions, dressing, equal_ratio, gearbox, gears, ground_flank,
-    ground_modifications, least_squares, machines, milling, modifications, planning, tangential,
+    ground_modifications, least_squares, machines, milling, modifications, planning, skiving, tangential,
     variable_ratio,
 };
 use serde::Serialize;
@@ -225,13 +225,14 @@ impl Schema {
             }
             Self::Skiving => {
                 const {
-                    to_come![
-                        "examples",
-                        "measurement",
-                        "mounting_only",
-                        "conventional_axis_parallel_beam",
-                        "calibration",
-                        "scan_fixed_Y_vertical_stylus",
+                    &[
+                        Block::checked("random", skiving::random),
+                        Block::checked("examples", skiving::examples),
+                        Block::checked("measurement", skiving::measurement),
+                        Block::checked("mounting_only", skiving::mounting_only),
+                        Block::checked("conventional_axis_parallel_beam", skiving::conventional),
+                        Block::checked("calibration", skiving::calibration),
+                        Block::checked("scan_fixed_Y_vertical_stylus", skiving::scan),
                     ]
                 }
             }

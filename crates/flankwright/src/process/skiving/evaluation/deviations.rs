@@ -76,7 +76,10 @@ pub fn measured_tool(
             return Err(SkivingError::InvalidNumber { field, value, allowed: "a finite angle" });
         }
         let flank = usize::from(reading.flank == Flank::Right);
-        turns.entry((flank, reading.track, reading.sense, reading.revolution)).or_default().push(reading.angle);
+        turns
+            .entry((flank, reading.track, reading.sense, reading.revolution))
+            .or_default()
+            .push(reading.angle);
     }
     let mut fewest = usize::MAX;
     let mut both = true;

@@ -35,7 +35,8 @@ pub fn pitch(flanks: &Sides<FlankTracks>, angles: &Deviations) -> Pitch {
         let (a, b) = (&angles.of[plus][track], &angles.of[plus.other()][track]);
         a.iter().zip(b).map(|(a, b)| of(*a, *b)).collect()
     };
-    let centres: Vec<Vec<f64>> = (0..tracks.len()).map(|track| of_track(track, |a, b| 0.5 * (a + b))).collect();
+    let centres: Vec<Vec<f64>> =
+        (0..tracks.len()).map(|track| of_track(track, |a, b| 0.5 * (a + b))).collect();
     let at = &centres[middle];
     let count = at.len();
     let single: Vec<f64> = (0..count).map(|k| radius * (at[(k + 1) % count] - at[k])).collect();

@@ -62,7 +62,8 @@ pub fn profile_verdict(
                 (teeth[tooth] - power_series(&curve[flank], track.place)[0]).abs() > 0.5 * options.band
             })
         };
-        out_of_band.extend((0..remaining.teeth()).filter(|&tooth| outside(tooth)).map(|tooth| (flank, tooth)));
+        out_of_band
+            .extend((0..remaining.teeth()).filter(|&tooth| outside(tooth)).map(|tooth| (flank, tooth)));
     }
     let worn = track_means.map(|_, means| means.iter().any(|mean| *mean < -options.wear_limit));
     let workpiece = track_means.map(|_, means| means.iter().map(|mean| -mean).collect());

@@ -54,7 +54,7 @@ impl Barrier<'_> {
         radius: f64,
     ) -> Result<Touch, SkivingError> {
         let start = nominal_angle(self.pose, tooth, tool.teeth());
-        let touch = self.solve(edge, tool, tooth, radius, [track.contact.w, start])?;
+        let touch = self.anywhere(edge, tool, tooth, radius, [track.contact.w, start])?;
         let [from, to] = edge.flank().range();
         if !(from..=to).contains(&touch.w) {
             return Err(SkivingError::EdgeEndTouched { tooth, w: touch.w, from, to });
@@ -66,8 +66,24 @@ impl Barrier<'_> {
         Ok(touch)
     }
 
-    /// The touch of the rounding as if it went all around, wherever it lies; from a place and a turn on.
-    pub(super) fn solve(
+    /// Distance of a tooth's rounding, as if it went all around, from the beam's axis at a length of roll and a turn B, mm, and the angle
+    /// on the rounding that is nearest to it, rad.
+    pub fn distance(
+        &self,
+        edge: &VirtualEdge,
+        tool: &RealTool,
+        tooth: usize,
+        [w, turn]: [f64; 2],
+    ) -> (f64, f64) {
+        let at = self.gap(edge, tool, tooth, [w, turn]);
+        (at.distance, edge.section(w).angle_of(&tool.direction_in_tooth(tooth, &at.towards_beam)))
+    }
+
+    /// The touch of the rounding as if it went all around, wherever it lies; from a length of roll and a turn on.
+    ///
+    /// # Errors
+    /// [`SkivingError::NoTrigger`].
+    pub fn anywhere(
         &self,
         edge: &VirtualEdge,
         tool: &RealTool,

@@ -37,12 +37,16 @@ pub fn conventional_reading(
 ) -> Result<ConventionalReading, SkivingError> {
     if beam.direction.xy().norm() != 0.0 {
         let (field, value) = ("beam.tilt", beam.direction.xy().norm().atan().to_degrees());
-        return Err(SkivingError::InvalidNumber { field, value, allowed: "0: the usual way has an upright beam" });
+        return Err(SkivingError::InvalidNumber {
+            field,
+            value,
+            allowed: "0: the usual way has an upright beam",
+        });
     }
     let pose = conventional_pose(track, beam);
     let barrier = Barrier { beam, pose: &pose };
     let nominal = nominal_angle(&pose, tooth, tool.teeth());
-    let touch = barrier.solve(edge, tool, tooth, beam.radius, [track.contact.w, nominal])?;
+    let touch = barrier.anywhere(edge, tool, tooth, beam.radius, [track.contact.w, nominal])?;
     let [least, greatest] = edge.section(touch.w).range;
     if !(least..=greatest).contains(&touch.angle) {
         return Err(SkivingError::BodyTouched { tooth, angle: touch.angle, least, greatest });

@@ -6,7 +6,12 @@ use nalgebra::Vector3;
 use std::f64::consts::TAU;
 
 /// Deviation normal to the flank at the contact point of a track, mm: profile, growth of the rounding, pitch and mounting.
-pub fn first_order_deviation(edge: &VirtualEdge, tool: &RealTool, track: &MeasuringTrack, tooth: usize) -> f64 {
+pub fn first_order_deviation(
+    edge: &VirtualEdge,
+    tool: &RealTool,
+    track: &MeasuringTrack,
+    tooth: usize,
+) -> f64 {
     let errors = &tool.edges[edge.side()][tooth];
     let growth = errors.growth_at(track.place) * track.section.growth_at(track.section.contact_angle);
     let turn = TAU * tooth as f64 / tool.teeth() as f64;

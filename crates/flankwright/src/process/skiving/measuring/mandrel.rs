@@ -113,8 +113,8 @@ impl Mandrel {
             let (a, b) = (u.dot(&tau), v.dot(&tau));
             let root = (1.0 + a * a).sqrt();
             let slope = v.dot(&pulled) - line.radius * a * b / root;
-            let bend =
-                -u.dot(&pulled) - line.radius * ((b * b - a * a) / root - a * a * b * b / (root * root * root));
+            let bend = -u.dot(&pulled)
+                - line.radius * ((b * b - a * a) / root - a * a * b * b / (root * root * root));
             let step = slope / bend;
             angle -= step;
             if step.abs() < LAST * 4.0 {
@@ -126,14 +126,7 @@ impl Mandrel {
     }
 
     /// What a plane across u leaves between the bodies; at the greatest the direction's own change does not matter.
-    fn parted(
-        &self,
-        line: &BeamLine,
-        off: &Vector2<f64>,
-        middle: f64,
-        u: &Vector2<f64>,
-        sense: f64,
-    ) -> Gap {
+    fn parted(&self, line: &BeamLine, off: &Vector2<f64>, middle: f64, u: &Vector2<f64>, sense: f64) -> Gap {
         let a = u.dot(&line.slope);
         let root = (1.0 + a * a).sqrt();
         let value = u.dot(off) - self.radius - 0.5 * self.height * sense * a - line.radius * root;

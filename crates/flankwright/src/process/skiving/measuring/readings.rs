@@ -80,7 +80,14 @@ impl BarrierData {
     /// A barrier that reads without delay, noise and steps.
     pub fn ideal() -> Self {
         let zero = 0.0;
-        Self { speed: 1.0, latency: zero, jitter: zero, beam_noise: zero, hysteresis: zero, encoder_step: zero }
+        Self {
+            speed: 1.0,
+            latency: zero,
+            jitter: zero,
+            beam_noise: zero,
+            hysteresis: zero,
+            encoder_step: zero,
+        }
     }
 
     /// Radius at which a flank with a lever switches: deeper where it runs into the beam.
@@ -123,7 +130,9 @@ pub fn switches(
             (0..tool.teeth())
                 .map(|tooth| match tool.broken[tooth] {
                     true => Ok(None),
-                    false => barrier.touch(&of.edge, tool, track, tooth, radius).map(|t| Some(t.wrapped_turn())),
+                    false => {
+                        barrier.touch(&of.edge, tool, track, tooth, radius).map(|t| Some(t.wrapped_turn()))
+                    }
                 })
                 .collect::<Result<Vec<_>, SkivingError>>()
         };
@@ -132,8 +141,9 @@ pub fn switches(
         let second = if data.hysteresis == 0.0 { first.clone() } else { of_sense(Sense::Negative)? };
         Ok([first, second])
     };
-    let of_flank =
-        |of: &FlankTracks| of.tracks.par_iter().map(|at| of_track(of, at)).collect::<Result<Vec<_>, SkivingError>>();
+    let of_flank = |of: &FlankTracks| {
+        of.tracks.par_iter().map(|at| of_track(of, at)).collect::<Result<Vec<_>, SkivingError>>()
+    };
     Ok(Sides { left: of_flank(&flanks.left)?, right: of_flank(&flanks.right)? })
 }
 

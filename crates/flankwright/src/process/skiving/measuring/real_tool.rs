@@ -92,7 +92,8 @@ impl RealTool {
         let errors = &self.edges[edge.side()][tooth];
         let x = flank.edge_coordinate(w);
         let by_roll = |jet: [f64; 3]| [jet[0], jet[1] * slope, jet[2] * slope * slope];
-        let (profile, growth) = (by_roll(power_series(&errors.profile, x)), by_roll(power_series(&errors.growth, x)));
+        let (profile, growth) =
+            (by_roll(power_series(&errors.profile, x)), by_roll(power_series(&errors.growth, x)));
         let [c, n, v] = [edge.centre_series(), edge.normal_series(), edge.growth_series()]
             .map(|series| series.each_ref().map(|s| s.jet(w)));
         let moved = |k: usize, order: usize| {

@@ -63,7 +63,9 @@ fn points(edge: &VirtualEdge, depth: f64) -> Vec<(Vector3<f64>, f64)> {
         let section = edge.section(w);
         points.push((section.centre, radius));
         let from = section.centre + section.clearance_normal * radius;
-        points.extend(equidistant([0.0, depth], BODY_PLACES).into_iter().map(|t| (from + section.ruling * t, 0.0)));
+        points.extend(
+            equidistant([0.0, depth], BODY_PLACES).into_iter().map(|t| (from + section.ruling * t, 0.0)),
+        );
     }
     points
 }

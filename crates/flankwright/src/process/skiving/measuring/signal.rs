@@ -45,7 +45,7 @@ pub fn dark_band(
     let azimuth = |track: &MeasuringTrack| track.contact.point.y.atan2(track.contact.point.x);
     let lever = middle.contact.lever;
     let start = measured.turn + azimuth(track) - azimuth(&middle) - BESIDE * radius / lever;
-    let opposite = barrier.solve(other, tool, tooth, radius, [middle.contact.w, start])?;
+    let opposite = barrier.anywhere(other, tool, tooth, radius, [middle.contact.w, start])?;
     Ok(Some(DarkBand {
         measured: measured.turn,
         opposite: opposite.turn,

@@ -47,7 +47,8 @@ pub fn scan_curve(
     }
     let flank = edge.side();
     let at = |track: &MeasuringTrack, turn: f64, number: usize| {
-        tangent(track, stylus, turn).ok_or_else(|| unreachable(flank, number, "the stylus is tilted too much"))
+        tangent(track, stylus, turn)
+            .ok_or_else(|| unreachable(flank, number, "the stylus is tilted too much"))
     };
     let middle = MeasuringTrack::new(edge, 0.0)?;
     let held = at(&middle, middle.contact.tool_angle + FRAC_PI_2, 0)?.position.y;

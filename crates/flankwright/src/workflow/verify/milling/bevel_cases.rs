@@ -1,8 +1,8 @@
 //! Bevel gears, straight and spiral, with ease-off (spec 50 sections 1.2 and 1.3).
 
+use super::super::given::Checked;
 use super::case::Body;
 use super::cylinder_cases::side;
-use super::given::Checked;
 use crate::geometry::{
     BevelData, BevelGear, EaseOff, EaseOffAmounts, Flank, Hand, Modified, SphericalInvolute, Spiral, Surface,
 };

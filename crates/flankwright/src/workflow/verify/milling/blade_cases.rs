@@ -1,6 +1,6 @@
 //! Ruled blades on a conical hub (spec 50 section 1.6).
 
-use super::given::Checked;
+use super::super::given::Checked;
 use crate::geometry::{BladeData, NormalSide, RuledBlade};
 use crate::process::milling::{ActiveFlank, FootOnHub, HeightLimits};
 use serde::Deserialize;

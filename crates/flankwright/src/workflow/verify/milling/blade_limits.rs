@@ -1,9 +1,9 @@
 //! Block `blade_limits`: curvatures of a twisted blade and the cutters that they allow (spec 50 section 6).
 
+use super::super::given::{check_block, check_items, number, tolerance};
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::case::{MilledCase, located};
-use super::given::{check_block, check_items, number, tolerance};
 use crate::geometry::CutterShape;
 use crate::process::milling::{Column, ColumnPlane, LocalContact};
 use serde_json::Value;

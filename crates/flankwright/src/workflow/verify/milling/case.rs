@@ -1,13 +1,13 @@
 //! The cases: named flanks with a cutter, and every quantity that a case expects.
 
 use super::super::expected::Expected;
+use super::super::given::{Checked, check_object, number};
 use super::super::ledger::Ledger;
 use super::super::reference::{Reference, read};
 use super::bevel_cases::BevelInput;
 use super::blade_cases::BladeInput;
 use super::cutter::Tool;
 use super::cylinder_cases::CylinderInput;
-use super::given::{Checked, check_object, number};
 use super::{columns, flank, residual};
 use crate::geometry::{BevelGear, Cutter, Helicoid};
 use crate::numerics::equidistant;
@@ -89,7 +89,7 @@ impl MilledCase {
         expected: &mut Expected<'_>,
         ledger: &mut Ledger,
     ) -> Checked<Self> {
-        Self::named(reference, super::given::text(expected, "case", ledger)?)
+        Self::named(reference, super::super::given::text(expected, "case", ledger)?)
     }
 
     /// [u_min, u_max] without overrun.

@@ -1,6 +1,6 @@
 //! Machines of the file: chains of two rotary axes and three slides (spec 50 section 11).
 
-use super::given::Checked;
+use super::super::given::Checked;
 use crate::machine::{Axis, AxisLimits, Joint, Limb, Machine, MachineParts};
 use nalgebra::Vector3;
 use std::f64::consts::{FRAC_1_SQRT_2, PI, TAU};

@@ -1,11 +1,11 @@
 //! Columns with the cutter at their points, and the distances of whole grids.
 
 use super::super::expected::Expected;
-use super::super::ledger::Ledger;
-use super::case::{Body, MilledCase, located};
-use super::given::{
+use super::super::given::{
     Checked, MOST, check_items, check_object, compare_vector, compare_vectors, number, text, tolerance, whole,
 };
+use super::super::ledger::Ledger;
+use super::case::{Body, MilledCase, located};
 use crate::process::milling::{
     Column, CutterLocation, FlankGrid, GridPlace, MillingError, NeighbourDistances, RowSpacing,
 };

@@ -1,8 +1,8 @@
 //! The cutters of the file.
 
 use super::super::expected::Expected;
+use super::super::given::{Checked, number};
 use super::super::ledger::Ledger;
-use super::given::{Checked, number};
 use crate::geometry::{Cutter, CutterShape};
 use serde::Deserialize;
 

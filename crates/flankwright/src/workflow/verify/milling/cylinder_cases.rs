@@ -1,7 +1,7 @@
 //! Spur and helical gears, external and internal (spec 50 section 1.1).
 
+use super::super::given::Checked;
 use super::case::Body;
-use super::given::Checked;
 use crate::geometry::{Flank, Gear, GearData, Helicoid, Sides};
 use crate::process::milling::{ActiveFlank, HeightLimits, HelixOnCylinder};
 use serde::Deserialize;

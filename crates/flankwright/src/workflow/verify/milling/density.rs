@@ -1,10 +1,10 @@
 //! Block `density`: the smallest grids within limits.
 
+use super::super::given::{check_block, check_items, check_object, requires, tolerance};
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::case::MilledCase;
 use super::columns::distances;
-use super::given::{check_block, check_items, check_object, requires, tolerance};
 use crate::process::milling::{DensityLimits, DistanceLimits, RowSpacing, dense_grid};
 use serde_json::Value;
 

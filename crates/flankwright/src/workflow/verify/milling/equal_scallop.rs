@@ -1,9 +1,9 @@
 //! Block `equal_scallop`: rows that leave the same height between them.
 
+use super::super::given::{Checked, MOST, check_block, number, tolerance};
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::case::{MilledCase, located};
-use super::given::{Checked, MOST, check_block, number, tolerance};
 use super::referee::extremes;
 use super::spur_stock::stock_um;
 use crate::numerics::equidistant;

@@ -1,10 +1,10 @@
 //! Blocks `feed` and `screw_row`: times of the blocks of a row, and what straight blocks of the axes do without RTCP.
 
-use super::super::ledger::Ledger;
-use super::super::reference::Reference;
-use super::given::{
+use super::super::given::{
     Checked, check_block, compare_pairs, compare_texts, compare_vectors, requires, tolerance,
 };
+use super::super::ledger::Ledger;
+use super::super::reference::Reference;
 use super::rotary::degrees;
 use super::row::{RowInput, course};
 use crate::machine::Positions;

@@ -1,9 +1,9 @@
 //! Of a case: what follows from its drawing, points and normals of the flank, the range of its column planes.
 
 use super::super::expected::Expected;
+use super::super::given::{Checked, check_object, compare_vectors, list, tolerance};
 use super::super::ledger::Ledger;
 use super::case::{Body, MilledCase};
-use super::given::{Checked, check_object, compare_vectors, list, tolerance};
 use crate::geometry::FlankLine;
 
 /// Limits in height and the quantities of section 1; `mm` and `unit` are the tolerances of lengths and of angles.

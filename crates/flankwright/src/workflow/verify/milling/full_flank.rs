@@ -1,9 +1,9 @@
 //! Block `full_flank`: rays over whole flanks.
 
+use super::super::given::{MOST, check_block, check_items, check_object, count, counts, number, tolerance};
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::case::MilledCase;
-use super::given::{MOST, check_block, check_items, check_object, count, counts, number, tolerance};
 use super::referee::{extremes, left_um, rays, row_paths};
 use crate::numerics::equidistant;
 use crate::process::milling::{FlankGrid, RowSpacing};

@@ -1,10 +1,12 @@
 //! Block `grid_surface`: splines through points of a flank, against that flank.
 
+use super::super::given::{
+    MOST, check_block, check_items, check_object, counts, number, requires, text, tolerance,
+};
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::case::MilledCase;
 use super::columns::row_law;
-use super::given::{MOST, check_block, check_items, check_object, counts, number, requires, text, tolerance};
 use super::near_foot::foot;
 use crate::geometry::{GridSurface, NormalSide, Surface};
 use crate::numerics::equidistant;

@@ -1,11 +1,11 @@
 //! Block `herringbone`: how near to the middle of a double helical gear a cutter gets (spec 50 section 1.5).
 
+use super::super::given::{Checked, check_block, check_items, number, text, tolerance};
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::case::{Body, MilledCase, located};
 use super::cutter::{EDGES, of_shape};
 use super::cylinder_cases::side;
-use super::given::{Checked, check_block, check_items, number, text, tolerance};
 use crate::geometry::{Cutter, CutterShape, Mirrored};
 use crate::numerics::brent;
 use crate::process::milling::{ActiveFlank, Column, ColumnPlane, LeadCurve, Patch, lead_range};

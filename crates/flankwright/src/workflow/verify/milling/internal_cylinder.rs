@@ -1,10 +1,10 @@
 //! Block `internal_cylinder`: a straight cutter on a hollow profile, the wrong tool.
 
+use super::super::given::{MOST, check_block, count, number, tolerance};
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::case::{MilledCase, located};
 use super::cutter::end_mill;
-use super::given::{MOST, check_block, count, number, tolerance};
 use super::referee::{extremes, left_um, rays, row_paths};
 use crate::numerics::equidistant;
 use crate::process::milling::{Column, ColumnPlane, FlankGrid, LocalContact, RowSpacing};

@@ -1,9 +1,9 @@
 //! Block `helical_zero_eps_lead_radius`: the lead curve whose planes hold the normals of one row.
 
+use super::super::given::{check_block, number, tolerance};
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::case::{Body, MilledCase};
-use super::given::{check_block, number, tolerance};
 use crate::numerics::brent;
 use crate::process::milling::{ColumnPlane, HelixOnCylinder, LeadCurve};
 use serde_json::Value;

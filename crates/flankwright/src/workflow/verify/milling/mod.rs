@@ -15,7 +15,6 @@ mod equal_scallop;
 mod feed;
 mod flank;
 mod full_flank;
-mod given;
 mod grid_surface;
 mod herringbone;
 mod internal_cylinder;

@@ -1,6 +1,6 @@
 //! The foot of a point near a surface.
 
-use super::given::Checked;
+use super::super::given::Checked;
 use crate::geometry::{Surface, SurfaceJet};
 use nalgebra::{Matrix2, Vector2, Vector3};
 

@@ -1,9 +1,9 @@
 //! Block `octoid`: the flank that plane crown-gear flanks cut, against the spherical involute.
 
+use super::super::given::{check_block, check_items, compare_vector, number, text, tolerance};
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::case::{Body, MilledCase};
-use super::given::{check_block, check_items, compare_vector, number, text, tolerance};
 use super::near_foot::foot;
 use crate::geometry::{Octoid, SphericalInvolute, Surface};
 use serde_json::Value;

@@ -2,11 +2,13 @@
 //! along parameter lines, and along lines that irregular patches have sheared (spec 50 section 14).
 
 use super::super::expected::Expected;
+use super::super::given::{
+    Checked, MOST, check_block, check_items, count, number, requires, text, tolerance,
+};
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::case::{MilledCase, located};
 use super::chain::{Places, chain};
-use super::given::{Checked, MOST, check_block, check_items, count, number, requires, text, tolerance};
 use super::rotary::degrees;
 use crate::geometry::SurfaceJet;
 use crate::kinematics::{Direction, Point, Pose};

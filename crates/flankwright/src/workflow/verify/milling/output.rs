@@ -1,8 +1,8 @@
 //! Block `output`: the first lines of the row of block `feed` as cutter locations, under tip control and without.
 
+use super::super::given::{Checked, check_block, compare_texts, requires};
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
-use super::given::{Checked, check_block, compare_texts, requires};
 use super::row::{RowInput, course};
 use crate::motion::milling::{AxisCourse, BlockTime, block_times};
 use crate::nc::{

@@ -1,9 +1,9 @@
 //! Block `pole`: paths across the pole and past it.
 
+use super::super::given::{check_block, check_object, compare_pairs, text, tolerance, vectors};
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::chain::{Places, chain};
-use super::given::{check_block, check_object, compare_pairs, text, tolerance, vectors};
 use super::rotary::{degrees, place};
 use crate::kinematics::Pose;
 use crate::machine::Positions;

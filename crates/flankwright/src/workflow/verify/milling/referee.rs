@@ -1,7 +1,7 @@
 //! The referee's rays on a flank that rows of a cutter have milled (spec 50 section 13).
 
+use super::super::given::Checked;
 use super::case::{MilledCase, located};
-use super::given::Checked;
 use crate::geometry::Cutter;
 use crate::numerics::Silent;
 use crate::process::milling::FlankGrid;

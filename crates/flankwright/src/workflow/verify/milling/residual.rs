@@ -1,9 +1,9 @@
 //! Block `residual` of a case: what stays between two rows, by curvatures and by the referee's rays.
 
 use super::super::expected::Expected;
+use super::super::given::{Checked, MOST, check_items, count, number, tolerance};
 use super::super::ledger::Ledger;
 use super::case::{MilledCase, located};
-use super::given::{Checked, MOST, check_items, count, number, tolerance};
 use super::referee::{extremes, left_um, rays, row_paths};
 use crate::numerics::equidistant;
 use crate::process::milling::{ColumnPlane, FlankGrid, GridPlace, LocalContact, RowSpacing, row_distance};

@@ -1,11 +1,11 @@
 //! Blocks `root` and `tool_too_big`: sections of the root, and what the cutter keeps from the opposite flank there.
 
 use super::super::expected::Expected;
+use super::super::given::{Checked, check_block, check_items, number, requires, tolerance};
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::case::{MilledCase, located};
 use super::cutter::{EDGES, end_mill};
-use super::given::{Checked, check_block, check_items, number, requires, tolerance};
 use super::swept_root::swept_um;
 use crate::geometry::{Cutter, CutterShape};
 use crate::process::milling::{Clearance, Column, HIDDEN, Patch, RootDepth, RootSection, RowSpacing};

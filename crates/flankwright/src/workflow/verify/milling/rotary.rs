@@ -1,9 +1,9 @@
 //! Blocks `inverse_kinematics` and `linear_axes`: both solutions of the rotary axes, and the slides for given angles.
 
+use super::super::given::{array, check_block, check_items, compare_vector, number, text, tolerance, vector};
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::chain::{Places, chain};
-use super::given::{array, check_block, check_items, compare_vector, number, text, tolerance, vector};
 use crate::kinematics::{Direction, Point, Pose};
 use crate::machine::{AxisSolutions, MachineError, Positions};
 use crate::motion::milling::{CutterPlace, MillingSetup};
@@ -27,7 +27,12 @@ pub(super) fn degrees(setup: &MillingSetup<'_>, at: &Positions) -> [f64; 2] {
 /// Block `inverse_kinematics`.
 pub(in super::super::super) fn inverse_kinematics(_: &Reference<'_>, block: &Value, ledger: &mut Ledger) {
     check_block("inverse_kinematics", block, ledger, |expected, ledger| {
-        super::given::requires(expected, "order", &["[first rotary (C), second rotary (tilt)]"], ledger)?;
+        super::super::given::requires(
+            expected,
+            "order",
+            &["[first rotary (C), second rotary (tilt)]"],
+            ledger,
+        )?;
         let deg = tolerance(expected, "tolerance_deg", ledger);
         check_items(expected, "items", ledger, |item, ledger| {
             let machine = chain(text(item, "chain", ledger)?, &Places::default())?;

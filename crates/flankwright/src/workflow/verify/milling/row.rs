@@ -1,10 +1,10 @@
 //! The row of block `feed`, which `screw_row` and `output` speak of as well.
 
+use super::super::given::{Checked, MOST, whole};
 use super::super::reference::Reference;
 use super::case::{MilledCase, located};
 use super::chain::{Places, chain};
 use super::cutter::{EDGES, of_shape};
-use super::given::{Checked, MOST, whole};
 use crate::geometry::CutterShape;
 use crate::kinematics::{Direction, Point, Pose};
 use crate::machine::{Machine, Positions};

@@ -1,11 +1,13 @@
 //! Block `shift_invariance`: contact heights that differ from row to row leave the flank what it is.
 
+use super::super::given::{
+    MOST, check_block, check_items, check_object, count, list, requires, text, tolerance,
+};
 use super::super::ledger::Ledger;
 use super::super::reference::{Reference, read};
 use super::case::MilledCase;
 use super::columns::row_law;
 use super::cutter::Tool;
-use super::given::{MOST, check_block, check_items, check_object, count, list, requires, text, tolerance};
 use super::referee::{extremes, left_um, rays, row_paths};
 use crate::numerics::equidistant;
 use crate::process::milling::FlankGrid;

@@ -1,9 +1,9 @@
 //! Block `spur_exact_stock`: what rows leave between them on a spur flank, in closed form in the file, by rays here.
 
+use super::super::given::{Checked, check_block, list, tolerance};
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::case::{MilledCase, located};
-use super::given::{Checked, check_block, list, tolerance};
 use super::referee::{left_um, rays};
 use crate::geometry::Cutter;
 use crate::process::milling::{Column, ColumnPlane};

@@ -1,7 +1,7 @@
 //! How far the root that the cutter sweeps is off the drawn section (end of spec 50 section 7).
 
+use super::super::given::Checked;
 use super::case::{MilledCase, located};
-use super::given::Checked;
 use super::referee::left_um;
 use crate::geometry::{Cutter, CutterShape};
 use crate::numerics::equidistant;

@@ -1,10 +1,10 @@
 //! Block `wear`: contact heights that root and opposite flank allow, and the load along the edge.
 
+use super::super::given::{Checked, MOST, array, check_block, count, number, tolerance};
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::case::MilledCase;
 use super::cutter::of_shape;
-use super::given::{Checked, MOST, array, check_block, count, number, tolerance};
 use crate::geometry::CutterShape;
 use crate::process::milling::{
     FinishOptions, FinishedRow, FlankGrid, HeightRule, Orientation, Patch, RowLoad, RowSpacing,

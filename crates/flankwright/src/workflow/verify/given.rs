@@ -1,7 +1,7 @@
 //! What stands among the expected quantities as input, and vectors: read with a refusal instead of an absence.
 
-use super::super::expected::{Expected, numbers};
-use super::super::ledger::Ledger;
+use super::expected::{Expected, numbers};
+use super::ledger::Ledger;
 use nalgebra::Vector3;
 use serde_json::Value;
 use std::error::Error;
