@@ -1,7 +1,7 @@
 //! The grinding worm for a given gear: which rack both share and which body that makes (spec 10 section 7).
 
 use super::{Gear, GearData, GeometryError, Rack, Sides};
-use std::f64::consts::PI;
+use crate::numerics::wrapped_angle;
 
 /// What is chosen of a worm; the rest follows from the gear. mm, rad.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -98,7 +98,7 @@ pub fn worm_for_gear(gear: &Gear, choice: &WormChoice) -> Result<WormForGear, Ge
     Ok(WormForGear {
         worm,
         rack,
-        crossed_axes_angle: wrapped(-(helix_angle + rack.helix_angle)),
+        crossed_axes_angle: wrapped_angle(-(helix_angle + rack.helix_angle)),
         tip_radius: tip_diameter / 2.0,
     })
 }
@@ -115,8 +115,4 @@ pub fn check_mating(worm: &Gear, gear: &Gear) -> Result<(), GeometryError> {
         }
     }
     Ok(())
-}
-
-fn wrapped(angle: f64) -> f64 {
-    angle - 2.0 * PI * (angle / (2.0 * PI)).round()
 }

@@ -2,7 +2,8 @@
 //!
 //! Stage one shortens rays of the worm by the dresser ([`dress`], [`dress_in_strokes`]), stage two rays of the workpiece by the worm that
 //! stage one left ([`grind`]). Five-axis milling has one stage: rays of the workpiece shortened by cutters that follow
-//! blocks ([`mill`]). The room knows shapes, poses and motions. It must not know how `contact` or `process`
+//! blocks ([`mill`]). Power skiving holds the balls of a rounded edge
+//! against the flank ([`Skiving`]). The room knows shapes, poses and motions. It must not know how `contact` or `process`
 //! find a contact: every length here comes from a ray that meets a body in a pose of the real motion, so that an error
 //! in a closed form shows as a difference instead of cancelling out.
 
@@ -21,6 +22,7 @@ mod line_dress;
 mod meridian;
 mod mill;
 mod root;
+mod skive;
 mod statistics;
 mod strokes;
 mod sweep;
@@ -42,6 +44,7 @@ pub use mill::{
     mill,
 };
 pub use root::{RootGrinding, RootRay};
+pub use skive::{SkivedPlace, Skiving};
 pub use statistics::Statistics;
 pub use strokes::dress_in_strokes;
 pub use worm_surface::{Unmodified, WormArea, WormModification};

@@ -177,7 +177,7 @@ impl VirtualEdge {
         }
         let off =
             section.tangent.dot(&place.normal).abs().max(section.tangent.dot(&section.rake_normal).abs());
-        if !(off <= IDENTITY) {
+        if off.is_nan() || off > IDENTITY {
             return Err(SkivingError::NoContact { w });
         }
         let (angle, [least, greatest]) = (section.contact_angle, section.range);
@@ -195,7 +195,7 @@ impl VirtualEdge {
         let mut sense = 0.0;
         for place in &self.nodes {
             let speed = self.cutting_speed(place);
-            if !(speed.abs() >= SLOW) || speed * sense < 0.0 {
+            if speed.is_nan() || speed.abs() < SLOW || speed * sense < 0.0 {
                 return Err(SkivingError::CuttingDirectionAmbiguous { w: place.w, speed });
             }
             sense = speed.signum();

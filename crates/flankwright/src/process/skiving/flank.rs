@@ -60,7 +60,7 @@ impl SkivedFlank {
             let middle = offset.jet(w, 0.5 * (lengths[0] + lengths[1])).f;
             for z in equidistant(lengths, PLACES) {
                 let difference = offset.jet(w, z).f - middle;
-                if !(difference.abs() <= SAME) {
+                if difference.is_nan() || difference.abs() > SAME {
                     return Err(SkivingError::LeadModificationNotSupported { w, z, difference });
                 }
             }

@@ -121,7 +121,7 @@ fn check_gear(gear: &Gear) -> Result<(), SkivingError> {
             return wrong("normal_pressure_angle_deg", angle.to_degrees(), "between 0 and 45 deg");
         }
     }
-    if !(data.helix_angle.to_degrees().abs() < 60.0) {
+    if data.helix_angle.to_degrees().abs() >= 60.0 {
         return wrong("helix_angle_deg", data.helix_angle.to_degrees(), "between -60 and 60 deg");
     }
     if data.cone_angle != 0.0 {

@@ -24,7 +24,7 @@ pub(super) fn assigned(
         let number = ((pose_turn - angle) / pitch).round();
         let off = wrapped_angle(angle - (pose_turn - number * pitch));
         let tooth = number.rem_euclid(teeth as f64) as usize % teeth;
-        if !(off.abs() <= PI / (2.0 * teeth as f64)) || of_tooth[tooth].is_some() {
+        if off.abs() > PI / (2.0 * teeth as f64) || of_tooth[tooth].is_some() {
             return Err(SkivingError::AmbiguousTooth { flank, track, angle, off });
         }
         of_tooth[tooth] = Some(off);

@@ -109,7 +109,7 @@ pub(super) fn tangent(track: &MeasuringTrack, beam: &Beam, turn: f64) -> Option<
     let l = &beam.direction;
     let (a, b) = (l.y * n.y + l.z * n.z, l.z * n.y - l.y * n.z);
     let cosine = -l.x * n.x / a.hypot(b);
-    if !(cosine.abs() <= 1.0) {
+    if cosine.is_nan() || cosine.abs() > 1.0 {
         return None;
     }
     let (middle, half) = (b.atan2(a), cosine.acos());
@@ -122,7 +122,7 @@ pub fn nearest_clamped(track: &MeasuringTrack, beam: &Beam, swivel: f64) -> Opti
     let l = swivelled(-swivel, &beam.direction);
     let (p, q) = (l.x * n.x + l.y * n.y, l.y * n.x - l.x * n.y);
     let cosine = -l.z * n.z / p.hypot(q);
-    if !(cosine.abs() <= 1.0) {
+    if cosine.is_nan() || cosine.abs() > 1.0 {
         return None;
     }
     let (middle, half) = (q.atan2(p), cosine.acos());

@@ -52,7 +52,8 @@ struct BeamInput {
     point: [f64; 3],
     delta_deg: f64,
     eps_deg: f64,
-    r_L: f64,
+    #[serde(rename = "r_L")]
+    radius: f64,
 }
 
 /// f_n = -C x^2 over the range of the edge, mm.
@@ -90,7 +91,7 @@ pub(super) struct SkivingExample {
 pub(super) fn beam(value: &Value) -> Checked<Beam> {
     let input = BeamInput::deserialize(value)?;
     let tilts = [input.delta_deg.to_radians(), input.eps_deg.to_radians()];
-    Ok(Beam::new(Vector3::from(input.point), tilts, input.r_L)?)
+    Ok(Beam::new(Vector3::from(input.point), tilts, input.radius)?)
 }
 
 impl ExampleInput {

@@ -102,7 +102,7 @@ fn check_item(reference: &Reference<'_>, expected: &mut Expected<'_>, ledger: &m
         .deviations
         .map(|flank, track, tooth, _| switched[flank][track][0][tooth].unwrap_or(f64::NAN));
     check_sides(expected, "trigger_angle_rad", &angles, radians, ledger);
-    let um = |deviations: &Deviations| deviations.map(|.., f| 1e3 * f);
+    let um = |deviations: &Deviations| deviations.map(|_, _, _, f| 1e3 * f);
     check_sides(
         expected,
         "deviation_f_um",
