@@ -44,6 +44,7 @@ pub struct Cutter {
     shape: CutterShape,
     cutting_length: f64,
     steps: Vec<ShankStep>,
+    overhang: Option<f64>,
 }
 
 /// How far a corner may be larger than the radius before a ball is no ball: rounding of numbers in files.
@@ -132,7 +133,7 @@ impl Cutter {
             need("cutter shank radius", step.radius, step.radius > 0.0, "> 0 mm")?;
             need("cutter shank from", step.from, step.from > 0.0, "> 0 mm above the tip")?;
         }
-        Ok(Self { shape, cutting_length, steps })
+        Ok(Self { shape, cutting_length, steps, overhang: None })
     }
 
     /// The cutting part.
@@ -148,6 +149,26 @@ impl Cutter {
     /// Neck, shank and holder.
     pub fn steps(&self) -> &[ShankStep] {
         &self.steps
+    }
+
+    /// The cutter in a spindle whose nose stands at this height above the tip, mm.
+    ///
+    /// # Errors
+    /// [`GeometryError::InvalidNumber`] for a height that is not above the tip.
+    pub fn in_spindle(mut self, overhang: f64) -> Result<Self, GeometryError> {
+        if !(overhang > 0.0 && overhang.is_finite()) {
+            let (field, allowed) = ("tool_length", "> 0 mm");
+            return Err(GeometryError::InvalidNumber { field, value: overhang, allowed });
+        }
+        self.overhang = Some(overhang);
+        Ok(self)
+    }
+
+    /// Height above the tip up to which the tool is known to go, mm: to the nose of the spindle, else to the begin of its last step, at
+    /// least to the end of its edges.
+    pub fn length(&self) -> f64 {
+        let steps = self.steps.iter().map(|step| step.from);
+        steps.chain(self.overhang).fold(self.cutting_length, f64::max)
     }
 
     /// Distance of a point in tool coordinates from the whole tool, mm, as [`CutterShape::distance`] has it; the cutting part is

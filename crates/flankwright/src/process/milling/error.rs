@@ -3,7 +3,7 @@
 use super::location::TouchFault;
 use super::plan::OperationKind;
 use super::{Collision, LimitBody};
-use crate::geometry::GeometryError;
+use crate::geometry::{Flank, GeometryError};
 use thiserror::Error;
 
 /// Errors of milling. mm, rad inside; degrees in messages.
@@ -202,8 +202,17 @@ pub enum MillingError {
         axis: [f64; 3],
     },
     /// The spindle does not fit into an internal gear.
-    #[error("the tool is free for {free:.3} mm from its tip, its holder needs {needed:.3} mm")]
+    #[error(
+        "{side} flank, row {row}, column {column}: from its tip the tool is free for {free:.3} mm up to the teeth on the other side, \
+         tool and holder need {needed:.3} mm"
+    )]
     InternalAccess {
+        /// The flank.
+        side: Flank,
+        /// Row, 0 at the root.
+        row: usize,
+        /// Column of the path.
+        column: usize,
         /// Free length along the axis, mm.
         free: f64,
         /// Length of tool and holder, mm.
@@ -346,7 +355,9 @@ impl MillingError {
             }
             Self::Approach { .. } => "take a smaller radius, or let the tool come in beside the face",
             Self::NoRetraction { .. } => "give a clearance body that the tool's axis crosses",
-            Self::InternalAccess { .. } => "lean the axis by a lead angle, or take a longer and thinner tool",
+            Self::InternalAccess { .. } => {
+                "lean the axis out of the gear by a lead angle, or take a shorter tool and holder"
+            }
             Self::RoughingNowhere { .. } => "take a thinner cutter or a smaller allowance",
             Self::NotMet { .. } => "lay the rows closer",
             Self::NoSuchLead { .. } => {

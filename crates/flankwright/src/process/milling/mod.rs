@@ -2,12 +2,14 @@
 //!
 //! A lead curve runs along the bottom of the space; planes perpendicular to it cut the flank in columns; the cutter's axis stays in
 //! its column's plane and perpendicular to the flank's normal. Knows no machine and no file; what is left on the flank is predicted
-//! here from curvatures and judged elsewhere by rays.
+//! here from the cutter's surface on its way and judged elsewhere by rays.
 
+mod access;
 mod clearance;
 mod collision;
 mod column;
 mod density;
+mod drawn_root;
 mod error;
 mod finish;
 mod flank;
@@ -17,6 +19,7 @@ mod lead_through;
 mod lines;
 mod local;
 mod location;
+mod meeting;
 mod orientation;
 mod path;
 mod plan;
@@ -26,12 +29,15 @@ mod root_pass;
 mod roughing;
 mod space;
 mod spacing;
+mod sweep;
 mod wear;
 
+pub use access::check_access;
 pub use clearance::{Clearance, HIDDEN, Patch};
 pub use collision::{Collision, Obstacle, check_path};
 pub use column::{ColumnPlane, Section};
 pub use density::{DenseGrid, DensityLimits, DistanceLimits, MOST_LINES, Violated, dense_grid};
+pub use drawn_root::{RootModel, RootPart, RootPoint, drawn_root, drawn_section};
 pub use error::MillingError;
 pub use finish::{FinishOptions, FinishedRow, finish};
 pub use flank::{ActiveFlank, HeightLimits, LimitBody};
@@ -46,7 +52,7 @@ pub use path::{
     CutDirection, CutterPath, CutterPlace, Retraction, RowOrder, Traverse, approach_arc, retracted, row_path,
 };
 pub use plan::{FlankPlan, MillingPlan, Operation, OperationKind, PlanOptions, RowFigures, plan};
-pub use predict::{Prediction, RowModel};
+pub use predict::{FlankModel, Prediction};
 pub use range::{lead_range, plane_through};
 pub use root_pass::{BottomPass, RootDepth, RootSection, greatest_contact_height};
 pub use roughing::{RoughingLayer, RoughingOptions, rough};

@@ -7,7 +7,7 @@ use super::root_pass::{RootDepth, RootSection};
 use super::space::{Space, SpaceFlank};
 use super::{
     CutterLocation, FlankGrid, HeightRule, LocalContact, MillingError, Orientation, Patch, RoughingLayer,
-    RoughingOptions, check_path, rough, row_distance, row_path,
+    RoughingOptions, check_access, check_path, drawn_section, rough, row_distance, row_path,
 };
 use crate::geometry::{Cutter, Flank};
 use crate::numerics::{equidistant, extremes};
@@ -155,6 +155,7 @@ pub fn plan(space: &Space, options: &PlanOptions) -> Result<MillingPlan, Milling
         let paths = bottom(options, &flanks)?;
         operations.push(Operation { kind: OperationKind::Bottom, paths });
     }
+    check_access(space, options, &flanks)?;
     for operation in &operations {
         check(space, options, operation)?;
     }
@@ -174,7 +175,7 @@ fn plan_flank(space: &Space, flank: &SpaceFlank, options: &PlanOptions) -> Resul
     let rows = finish(&lines.path, &finishing)?;
     let figures = figures(&lines.path, &rows, options);
     let root = match options.root {
-        Some((depth, _)) => root(&lines.path, &rows, options, depth)?,
+        Some((depth, _)) => root(&lines.path, options, depth)?,
         None => Vec::new(),
     };
     Ok(FlankPlan { side: flank.side, lines, rows, figures, root })
@@ -211,39 +212,18 @@ fn figures(grid: &FlankGrid, rows: &[FinishedRow], options: &PlanOptions) -> Vec
 /// The pass below the lowest row, column by column.
 fn root(
     grid: &FlankGrid,
-    rows: &[FinishedRow],
     options: &PlanOptions,
     depth: RootDepth,
 ) -> Result<Vec<(RootSection, CutterLocation)>, MillingError> {
-    let cutter = &options.cutter;
-    let corner_radius = match cutter.shape() {
-        crate::geometry::CutterShape::Conical { corner_radius, half_angle, .. } if *half_angle == 0.0 => {
-            *corner_radius
-        }
-        _ => return Err(MillingError::RootTool),
-    };
-    let of_column = |(column, location): (&super::Column, &CutterLocation)| {
+    let of_column = |column: &super::Column| {
         let lowest = &column.places[0].jet;
-        let section = RootSection::new(
-            &column.lead,
-            &lowest.point,
-            &lowest.normal,
-            &location.axis,
-            corner_radius,
-            cutter.cutting_length(),
-            depth,
-        )?;
-        let location = CutterLocation::new(
-            lowest,
-            &column.lead,
-            cutter.shape(),
-            cutter.cutting_length(),
-            section.contact_height,
-            options.orientation,
-        )?;
+        let section = drawn_section(&column.lead, lowest, options, depth)?;
+        let (shape, length) = (options.cutter.shape(), options.cutter.cutting_length());
+        let (height, orientation) = (section.contact_height, options.orientation);
+        let location = CutterLocation::new(lowest, &column.lead, shape, length, height, orientation)?;
         Ok((section, location))
     };
-    grid.columns.iter().zip(&rows[0].locations).map(of_column).collect()
+    grid.columns.iter().map(of_column).collect()
 }
 
 /// Rows in the order and the senses that are asked for.

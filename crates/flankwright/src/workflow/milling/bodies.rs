@@ -108,8 +108,13 @@ pub fn prepare_milling(loaded: &LoadedMillingJob) -> Result<MillingBodies, RunFa
             .way_out("leave it out: the cutter comes in over the overrun, beside the face");
         return Err(RunFailure::bad_input(finding));
     }
+    let spindle = job.machine.as_ref().map(|machine| machine.tool_length);
     let cutter = |cutter: &MillingCutter, table: &str| {
-        cutter.body().map_err(|error| RunFailure::bad_input(geometry_finding(&error, table)))
+        let body = cutter.body().and_then(|body| match spindle {
+            Some(tool_length) => body.in_spindle(tool_length),
+            None => Ok(body),
+        });
+        body.map_err(|error| RunFailure::bad_input(geometry_finding(&error, table)))
     };
     let finishing = cutter(&job.cutter, "cutter")?;
     let other =

@@ -10,6 +10,7 @@ mod page;
 pub mod programs;
 mod referee;
 mod result;
+mod root;
 mod run;
 mod tables;
 mod wear;
@@ -19,8 +20,9 @@ pub use bodies::{FlankRange, MillingBodies, prepare_milling};
 pub use of_job::MillingTexts;
 pub use referee::{RefereedFlank, referee};
 pub use result::{
-    CutterResult, DistancesResult, FlankResult, MillingResult, OperationResult, ProgramResult, RootResult,
-    RowResult, WearResult,
+    CutterResult, DistancesResult, FlankResult, MillingResult, OperationResult, ProgramResult,
+    RootDeviationResult, RootResult, RowResult, WearResult,
 };
+pub use root::{RefereedRoot, referee_root};
 pub use run::{MillingOutcome, run_milling};
 pub use write::write_milling;

@@ -4,8 +4,8 @@ use super::bodies::MillingBodies;
 use super::finding::failure;
 use crate::geometry::{Cutter, Flank};
 use crate::numerics::{Progress, equidistant};
-use crate::process::milling::{FlankPlan, MillingError, MillingPlan, OperationKind, RowModel, plane_through};
-use crate::removal::{CutterPlace, MillPath, MillStatistics, Milling, NormalRay, Unmilled, mill};
+use crate::process::milling::{FlankModel, FlankPlan, MillingPlan, OperationKind};
+use crate::removal::{CutterPlace, MillPath, MillStatistics, MilledRay, Milling, NormalRay, Unmilled, mill};
 use crate::workflow::finding::RunFailure;
 use rayon::prelude::*;
 
@@ -72,6 +72,19 @@ pub(super) struct Rays {
     pub rays: Vec<NormalRay>,
 }
 
+/// Why rays were not milled, with their number.
+pub(super) fn unmilled(rays: &[Result<MilledRay, Unmilled>]) -> Vec<(Unmilled, usize)> {
+    let mut counts: Vec<(Unmilled, usize)> = Vec::new();
+    for reason in rays.iter().filter_map(|ray| ray.as_ref().err()) {
+        let same = |known: &Unmilled| std::mem::discriminant(known) == std::mem::discriminant(reason);
+        match counts.iter_mut().find(|(known, _)| same(known)) {
+            Some((_, count)) => *count += 1,
+            None => counts.push((*reason, 1)),
+        }
+    }
+    counts
+}
+
 /// All milled flanks under their rays.
 ///
 /// # Errors
@@ -88,16 +101,6 @@ pub fn referee(
         let Some(Rays { heights, lengths, rays }) = rays(flank, bodies, counts) else { return Ok(None) };
         let milled =
             mill(&setup, &rays, progress).map_err(|error| RunFailure::of_removal(&error, "milling"))?;
-        let mut unmilled: Vec<(Unmilled, usize)> = Vec::new();
-        for reason in milled.rays.iter().filter_map(|ray| ray.as_ref().err()) {
-            match unmilled
-                .iter_mut()
-                .find(|(known, _)| std::mem::discriminant(known) == std::mem::discriminant(reason))
-            {
-                Some((_, count)) => *count += 1,
-                None => unmilled.push((*reason, 1)),
-            }
-        }
         let simulated = milled.rays.iter().map(|ray| ray.as_ref().ok().map(|ray| ray.length)).collect();
         let predicted = predict(bodies, flank, &heights, &lengths)?;
         Ok(Some(RefereedFlank {
@@ -106,7 +109,7 @@ pub fn referee(
             lengths,
             simulated,
             predicted,
-            unmilled,
+            unmilled: unmilled(&milled.rays),
             statistics: milled.statistics,
             error_um: milled.error_um,
         }))
@@ -114,7 +117,7 @@ pub fn referee(
     plan.flanks.iter().filter_map(|flank| of_flank(flank).transpose()).collect()
 }
 
-/// What the two rows beside every ray leave there.
+/// What the rows leave at every ray.
 fn predict(
     bodies: &MillingBodies,
     flank: &FlankPlan,
@@ -126,39 +129,12 @@ fn predict(
     };
     let (active, lead) = (&space_flank.active, &*bodies.space.lead);
     let cutter = bodies.options.cutter_of(OperationKind::Flank(flank.side));
-    let grid = &flank.lines.path;
-    let models = flank.rows.iter().enumerate().map(|(row, finished)| {
-        let tool = (cutter.shape(), cutter.cutting_length());
-        RowModel::new(active, lead, grid, row, tool, finished.contact_height, bodies.options.orientation)
-    });
     // With fewer than four columns there is no spline through them and nothing is predicted between.
-    let Ok(models) = models.collect::<Result<Vec<_>, _>>() else {
+    let Ok(model) = FlankModel::new(active, lead, flank, cutter, bodies.options.orientation) else {
         return Ok(vec![None; heights.len() * lengths.len()]);
-    };
-    // Row distance over the speed of the lead curve: how far along a row its cutter can do something beside it.
-    let reach = {
-        let columns = &grid.columns;
-        let step = columns[1].lead.u - columns[0].lead.u;
-        let speed = (columns[1].lead.point - columns[0].lead.point).norm() / step;
-        flank.lines.dense.along_columns.greatest / speed
     };
     let places: Vec<(f64, f64)> =
         heights.iter().flat_map(|&a| lengths.iter().map(move |&b| (a, b))).collect();
-    let of_place = |&(a, b): &(f64, f64)| -> Result<Option<[f64; 2]>, MillingError> {
-        let u = plane_through(active, lead, a, b)?;
-        let jet = active.surface.jet(a, b);
-        // Heights of the rows there, ascending or (internal gears) descending.
-        let sense = (heights[heights.len() - 1] - heights[0]).signum();
-        let above = models.partition_point(|model| sense * (model.height(u) - a) < 0.0);
-        let beside = [above.checked_sub(1), (above < models.len()).then_some(above)];
-        let mut best: Option<[f64; 2]> = None;
-        for row in beside.into_iter().flatten() {
-            let stock = models[row].stock(&jet, u, reach)?;
-            if best.is_none_or(|[scallop, chord]| stock.stock() < scallop + chord) {
-                best = Some([stock.scallop, stock.chord]);
-            }
-        }
-        Ok(best)
-    };
+    let of_place = |&(a, b): &(f64, f64)| model.at(a, b).map(|left| Some([left.scallop, left.chord]));
     places.par_iter().map(of_place).collect::<Result<_, _>>().map_err(|error| failure(&error))
 }

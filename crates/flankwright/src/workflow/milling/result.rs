@@ -32,6 +32,10 @@ pub struct MillingResult {
     pub operations: Vec<OperationResult>,
     /// Flanks that are milled.
     pub flanks: BTreeMap<&'static str, FlankResult>,
+    /// Deviations of the root from its drawn section, part by part (`left_fillet`, `right_fillet`, `bottom`); absent without a pass of the
+    /// root.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub root: BTreeMap<String, RootDeviationResult>,
     /// NC programs, every one read back and proven; empty without a machine.
     pub programs: Vec<ProgramResult>,
     /// Seconds per stage; the only part that differs between two runs.
@@ -214,4 +218,23 @@ pub struct RootResult {
     pub contact_height_mm: f64,
     /// Half distance of the lowest points of both fillets.
     pub half_width_mm: f64,
+}
+
+/// A part of the root under rays on its drawn section; > 0 stock, null where no ray is met.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct RootDeviationResult {
+    /// Rays.
+    pub rays: usize,
+    /// Deepest place below the drawn section (or least stock).
+    pub min_um: Option<f64>,
+    /// Highest stock: the roof between passes.
+    pub max_um: Option<f64>,
+    /// Root mean square.
+    pub rms_um: Option<f64>,
+    /// Least and greatest prediction: what the passes of the root sweep beside the drawn section.
+    pub planned_um: Option<[f64; 2]>,
+    /// Largest difference of prediction and rays.
+    pub model_difference_um: Option<f64>,
+    /// Rays that no cutter meets, by reason.
+    pub unmilled: BTreeMap<String, usize>,
 }

@@ -8,6 +8,7 @@ use super::result::{
     CutterResult, DistancesResult, FlankResult, MillingResult, OperationResult, RootResult, RowResult,
     WearResult,
 };
+use super::root::{RefereedRoot, referee_root};
 use super::wear::histograms;
 use crate::exchange::LoadedMillingJob;
 use crate::exchange::milling_job::MilledBody;
@@ -28,6 +29,8 @@ pub struct MillingOutcome {
     pub plan: MillingPlan,
     /// The flanks under the referee.
     pub flanks: Vec<RefereedFlank>,
+    /// The root under the referee, part by part; empty without a pass of the root.
+    pub root: Vec<RefereedRoot>,
     /// Programs and cutter locations.
     pub texts: MillingTexts,
 }
@@ -53,6 +56,7 @@ pub fn run_milling(loaded: &LoadedMillingJob, progress: &dyn Progress) -> Result
     let begun = Instant::now();
     let counts = [job.simulation.rays_profile, job.simulation.rays_length];
     let flanks = referee(&bodies, &made, counts, progress)?;
+    let root = referee_root(&bodies, &made, counts[1], progress)?;
     timing.insert("referee", begun.elapsed().as_secs_f64());
 
     let begun = Instant::now();
@@ -83,15 +87,16 @@ pub fn run_milling(loaded: &LoadedMillingJob, progress: &dyn Progress) -> Result
         status: if missed { Status::Missed } else { Status::Met },
         tolerance_um,
         reason,
-        warnings: warnings(&made),
+        warnings: warnings(&made, &root),
         spaces: [bodies.spaces, bodies.milled],
         cutter: CutterResult::new(bodies.options.cutter.shape(), bodies.options.cutter.cutting_length()),
         operations: made.operations.iter().map(operation_result).collect(),
         flanks: results,
+        root: root.iter().map(|part| (part.name(), part.result())).collect(),
         programs: texts.results(),
         timing_s: timing,
     };
-    Ok(MillingOutcome { result, bodies, plan: made, flanks, texts })
+    Ok(MillingOutcome { result, bodies, plan: made, flanks, root, texts })
 }
 
 fn reason(results: &BTreeMap<&'static str, FlankResult>, worst: f64, tolerance_um: f64) -> Remark {
@@ -110,8 +115,16 @@ fn reason(results: &BTreeMap<&'static str, FlankResult>, worst: f64, tolerance_u
     }
 }
 
-fn warnings(plan: &MillingPlan) -> Vec<Remark> {
+fn warnings(plan: &MillingPlan, root: &[RefereedRoot]) -> Vec<Remark> {
     let mut warnings = Vec::new();
+    let unmilled: usize = root.iter().flat_map(|part| &part.unmilled).map(|(_, count)| count).sum();
+    if unmilled > 0 {
+        warnings.push(Remark {
+            code: "root-not-milled",
+            text: format!("{unmilled} places of the drawn root are not reached by the cutters"),
+            way_out: "lengthen the overrun, or give another cutter for the bottom".into(),
+        });
+    }
     for flank in &plan.flanks {
         for limit in &flank.lines.dense.violated {
             warnings.push(Remark {

@@ -45,7 +45,7 @@ pub fn html_page(
         bodies: bodies(result),
         views: views::views(&outcome.bodies, &outcome.plan),
         flanks: flanks::flanks(outcome),
-        root: root::root(&outcome.bodies, &outcome.plan),
+        root: root::root(outcome),
         operations: operations(outcome),
         programs,
         files: files.iter().map(|(path, content)| (path.clone(), (*content).into())).collect(),
