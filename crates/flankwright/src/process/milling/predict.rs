@@ -2,13 +2,13 @@
 //! over the ways of all rows that can reach it, as straight blocks and as the continuous motion that they stand for.
 
 use super::meeting::{Line, Profile};
-use super::sweep::{Lowest, Sweep};
+use super::sweep::{ALONG, Lowest, Sweep};
 use super::{
     ActiveFlank, ColumnPlane, CutterLocation, FlankGrid, FlankPlan, LeadCurve, MillingError, Orientation,
     plane_through,
 };
 use crate::geometry::{Cutter, SurfaceJet};
-use crate::numerics::{CubicSpline, SplineError, golden_section};
+use crate::numerics::{CubicSpline, SplineError, least_value};
 
 /// The rows of a flank and the pass below them.
 #[derive(Clone, Debug)]
@@ -21,6 +21,8 @@ pub struct FlankModel<'a> {
     fillet: Option<Sweep>,
     /// How far along a row its cutter can do something beside it, as a difference of lead parameters.
     reach: f64,
+    /// The same of what makes no difference to the stock.
+    along: f64,
 }
 
 /// A row that the cutter runs along without any gap between its places, and in blocks from column to column.
@@ -48,9 +50,6 @@ impl Prediction {
         self.scallop + self.chord
     }
 }
-
-/// Evaluations along the row: 0.618^22 of some millimetres is 1e-4 mm, of the stock, which is flat there, less than 1e-8 mm.
-const ALONG: usize = 22;
 
 impl<'a> FlankModel<'a> {
     /// The model of a flank's plan; its path has at least four columns.
@@ -85,6 +84,7 @@ impl<'a> FlankModel<'a> {
             rows,
             fillet: (!plan.root.is_empty()).then(|| sweep(&mut plan.root.iter().map(|(_, at)| at))),
             reach: plan.lines.dense.along_columns.greatest / speed,
+            along: ALONG / speed,
         })
     }
 
@@ -113,22 +113,21 @@ impl<'a> FlankModel<'a> {
         // Heights of the rows ascend or, on internal gears, descend.
         let sense = (tip - root).signum();
         let above = self.rows.partition_point(|row| sense * (row.heights.value(u) - height) < 0.0);
-        let mut best: Option<(usize, Lowest)> = None;
-        let below: Vec<usize> = (0..above).rev().collect();
-        for side in [below, (above..self.rows.len()).collect()] {
-            for (away, row) in side.into_iter().enumerate() {
-                let found = self.rows[row].blocks.lowest(line, u, self.reach);
-                match found {
-                    Some(found) if best.is_none_or(|(_, best)| found.length < best.length) => {
-                        best = Some((row, found));
-                    }
-                    // The row beside the point may be one that ends above it, as a corner does.
-                    _ if away > 0 => break,
-                    _ => {}
-                }
+        let found = |row: usize| {
+            let lowest = self.rows.get(row)?.blocks.lowest(line, u, self.reach)?;
+            Some((row, lowest))
+        };
+        let lower = |a: (usize, Lowest), b: (usize, Lowest)| if b.1.length < a.1.length { b } else { a };
+        let beside = [above.checked_sub(1).and_then(found), found(above)];
+        let mut best = beside.into_iter().flatten().reduce(lower)?;
+        // On the side of the better one the next row may cut even lower.
+        while let Some(next) = if best.0 < above { best.0.checked_sub(1) } else { Some(best.0 + 1) } {
+            match found(next) {
+                Some(next) if next.1.length < best.1.length => best = next,
+                _ => break,
             }
         }
-        best
+        Some(best)
     }
 
     /// What the continuous motion along a row leaves, around the place where its blocks cut lowest.
@@ -146,8 +145,7 @@ impl<'a> FlankModel<'a> {
                 f64::INFINITY
             }
         };
-        let u = golden_section(from, to, ALONG, &mut met);
-        let scallop = met(u);
+        let (_, scallop) = least_value([from, to], self.along, &mut met);
         match failed {
             _ if scallop.is_finite() => Ok(scallop),
             Some(error) => Err(error),

@@ -3,7 +3,7 @@
 
 use super::meeting::{Line, Profile};
 use crate::geometry::CutterShape;
-use crate::numerics::golden_section;
+use crate::numerics::least_value;
 use nalgebra::Vector3;
 
 /// A path along the columns.
@@ -26,10 +26,7 @@ pub(super) struct Lowest {
 }
 
 /// How exactly the lowest place is found along the path, mm: a cutter of radius R there is higher by the square of that over 2 R.
-const ALONG: f64 = 1e-4;
-/// Evaluations of a search at least and at most.
-const LEAST: usize = 6;
-const MOST: usize = 40;
+pub(super) const ALONG: f64 = 1e-4;
 
 impl Sweep {
     /// A path of a cutter.
@@ -81,13 +78,9 @@ impl Sweep {
     fn within(&self, line: &Line, block: usize, window: [f64; 2]) -> Option<Lowest> {
         let [low, high] = self.shares(block, window);
         let way = (self.places[block + 1].1 - self.places[block].1).norm() * (high - low);
-        let steps = ((way / ALONG).max(1.0).ln() / 1.618_f64.ln()).ceil() as usize + 1;
-        let inside = golden_section(low, high, steps.clamp(LEAST, MOST), |share| self.at(line, block, share));
-        // Where blocks meet in a corner towards the material, the lowest place is an end.
-        let ends = [inside, low, high].map(|share| (self.at(line, block, share), share));
-        let (length, share) = ends
-            .into_iter()
-            .fold((f64::INFINITY, inside), |best, end| if end.0 < best.0 { end } else { best });
+        // A path that stands still is the same everywhere.
+        let tolerance = (ALONG / way).min(0.5) * (high - low);
+        let (share, length) = least_value([low, high], tolerance, |share| self.at(line, block, share));
         let [from, to] = [self.places[block].0, self.places[block + 1].0];
         length.is_finite().then_some(Lowest { length, u: from + (to - from) * share, block: [from, to] })
     }
