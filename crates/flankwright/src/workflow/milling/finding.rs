@@ -22,9 +22,10 @@ pub(super) fn failure(error: &MillingError) -> RunFailure {
         MillingError::ToolShort { .. } => ("cutter.cutting_length", false),
         MillingError::RoughingNowhere { .. } => ("milling.roughing", false),
         MillingError::ColumnNoSection { .. } => ("milling.overrun", false),
-        MillingError::AxisNone { .. } | MillingError::GougeLocal { .. } | MillingError::ToolGap { .. } => {
-            ("cutter", false)
-        }
+        MillingError::AxisNone { .. }
+        | MillingError::GougeLocal { .. }
+        | MillingError::ToolGap { .. }
+        | MillingError::InternalAccess { .. } => ("cutter", false),
         _ => ("milling", false),
     };
     let finding =

@@ -4,7 +4,7 @@ use super::bodies::MillingBodies;
 use super::finding::failure;
 use crate::geometry::{Cutter, Flank};
 use crate::numerics::{Progress, equidistant};
-use crate::process::milling::{FlankModel, FlankPlan, MillingPlan, OperationKind};
+use crate::process::milling::{FlankModel, FlankPlan, MillingPlan, OperationKind, Prediction};
 use crate::removal::{CutterPlace, MillPath, MillStatistics, MilledRay, Milling, NormalRay, Unmilled, mill};
 use crate::workflow::finding::RunFailure;
 use rayon::prelude::*;
@@ -20,8 +20,8 @@ pub struct RefereedFlank {
     pub lengths: Vec<f64>,
     /// What the rays found, > 0 stock; `None` where no cutter comes by.
     pub simulated: Vec<Option<f64>>,
-    /// What was predicted: scallop and chord.
-    pub predicted: Vec<Option<[f64; 2]>>,
+    /// What was predicted.
+    pub predicted: Vec<Option<Prediction>>,
     /// Why rays were not milled, with their number.
     pub unmilled: Vec<(Unmilled, usize)>,
     /// How much the referee looked at.
@@ -123,7 +123,7 @@ fn predict(
     flank: &FlankPlan,
     heights: &[f64],
     lengths: &[f64],
-) -> Result<Vec<Option<[f64; 2]>>, RunFailure> {
+) -> Result<Vec<Option<Prediction>>, RunFailure> {
     let Some(space_flank) = bodies.space.flanks.iter().find(|other| other.side == flank.side) else {
         return Ok(Vec::new());
     };
@@ -135,6 +135,6 @@ fn predict(
     };
     let places: Vec<(f64, f64)> =
         heights.iter().flat_map(|&a| lengths.iter().map(move |&b| (a, b))).collect();
-    let of_place = |&(a, b): &(f64, f64)| model.at(a, b).map(|left| Some([left.scallop, left.chord]));
+    let of_place = |&(a, b): &(f64, f64)| model.at(a, b).map(Some);
     places.par_iter().map(of_place).collect::<Result<_, _>>().map_err(|error| failure(&error))
 }

@@ -188,7 +188,7 @@ fn flank_result(
     let um = |value: &Option<f64>| value.map(|mm| 1e3 * mm);
     let simulated: Vec<Option<f64>> = refereed.simulated.iter().map(um).collect();
     let planned: Vec<Option<f64>> =
-        refereed.predicted.iter().map(|p| p.map(|[scallop, chord]| 1e3 * (scallop + chord))).collect();
+        refereed.predicted.iter().map(|p| p.map(|left| 1e3 * left.stock())).collect();
     let found: Vec<f64> = simulated.iter().flatten().copied().collect();
     let [lowest, highest] = extremes(found.iter().copied());
     let differences =
