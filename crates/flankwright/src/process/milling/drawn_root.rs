@@ -7,7 +7,7 @@ use super::{
     ActiveFlank, ColumnPlane, CutterLocation, LeadPoint, MillingError, MillingPlan, OperationKind,
     PlanOptions, RootDepth, RootSection, Space,
 };
-use crate::geometry::{CutterShape, Flank, SurfaceJet};
+use crate::geometry::{Cutter, CutterShape, Flank, SurfaceJet};
 use crate::numerics::equidistant;
 use nalgebra::Vector3;
 
@@ -39,8 +39,6 @@ pub struct RootPoint {
 #[derive(Clone, Debug)]
 pub struct RootModel {
     passes: Vec<Sweep>,
-    /// How far along the tooth a pass can do something beside its tip, as a difference of lead parameters.
-    reach: f64,
 }
 
 /// The section of the root in the column plane of a lead point, below the lowest active point of a flank there.
@@ -118,32 +116,33 @@ impl RootModel {
     pub fn new(plan: &MillingPlan, options: &PlanOptions) -> Option<Self> {
         let columns = &plan.flanks.iter().find(|flank| !flank.root.is_empty())?.lines.path.columns;
         let mut passes = Vec::new();
+        let mut run =
+            |cutter: &Cutter, places: &mut dyn Iterator<Item = (f64, Vector3<f64>, Vector3<f64>)>| {
+                // The end face reaches as far along the tooth as it is wide.
+                let (CutterShape::Conical { radius, .. } | CutterShape::Barrel { radius, .. }) =
+                    *cutter.shape();
+                passes.extend(Sweep::new(cutter.shape(), places, radius));
+            };
         for flank in &plan.flanks {
             let at = flank.lines.path.columns.iter().map(|column| column.lead.u);
-            let places = at.zip(&flank.root).map(|(u, (_, location))| (u, location.tip, location.axis));
-            passes.push(Sweep::new(options.cutter.shape(), places));
+            let mut places = at.zip(&flank.root).map(|(u, (_, location))| (u, location.tip, location.axis));
+            run(options.cutter_of(OperationKind::Fillet(flank.side)), &mut places);
         }
-        let bottom = options.cutter_of(OperationKind::Bottom);
         for operation in plan.operations.iter().filter(|operation| operation.kind == OperationKind::Bottom) {
             for path in &operation.paths {
                 // Bottom passes stand at the columns of the first flank, in their order.
                 let at = columns.iter().map(|column| column.lead.u);
-                let places = at.zip(&path.places).map(|(u, place)| (u, place.tip, place.axis));
-                passes.push(Sweep::new(bottom.shape(), places));
+                let mut places = at.zip(&path.places).map(|(u, place)| (u, place.tip, place.axis));
+                run(options.cutter_of(operation.kind), &mut places);
             }
         }
-        let radius = |shape: &CutterShape| match *shape {
-            CutterShape::Conical { radius, .. } | CutterShape::Barrel { radius, .. } => radius,
-        };
-        let [first, second, ..] = columns.as_slice() else { return None };
-        let speed = (second.lead.point - first.lead.point).norm() / (second.lead.u - first.lead.u);
-        Some(Self { passes, reach: radius(options.cutter.shape()).max(radius(bottom.shape())) / speed })
+        Some(Self { passes })
     }
 
     /// What the passes leave on the normal of a point, mm, > 0 stock; `None` where none of them comes by.
     pub fn stock(&self, at: &RootPoint) -> Option<f64> {
         let line = Line { point: at.point, direction: at.normal };
-        let lowest = self.passes.iter().filter_map(|pass| pass.lowest(&line, at.u, self.reach));
+        let lowest = self.passes.iter().filter_map(|pass| pass.lowest(&line, at.u));
         lowest.map(|lowest| lowest.length).reduce(f64::min)
     }
 }

@@ -2,7 +2,7 @@
 //! over the ways of all rows that can reach it, as straight blocks and as the continuous motion that they stand for.
 
 use super::meeting::{Line, Profile};
-use super::sweep::{ALONG, Lowest, Sweep};
+use super::sweep::{Lowest, Sweep};
 use super::{
     ActiveFlank, ColumnPlane, CutterLocation, FlankGrid, FlankPlan, LeadCurve, MillingError, Orientation,
     plane_through,
@@ -19,10 +19,6 @@ pub struct FlankModel<'a> {
     orientation: Orientation,
     rows: Vec<RowModel>,
     fillet: Option<Sweep>,
-    /// How far along a row its cutter can do something beside it, as a difference of lead parameters.
-    reach: f64,
-    /// The same of what makes no difference to the stock.
-    along: f64,
 }
 
 /// A row that the cutter runs along without any gap between its places, and in blocks from column to column.
@@ -64,28 +60,19 @@ impl<'a> FlankModel<'a> {
         orientation: Orientation,
     ) -> Result<Self, SplineError> {
         let grid = &plan.lines.path;
+        // As far along a row as the next row is away its cutter can do something beside it.
+        let reach = plan.lines.dense.along_columns.greatest;
         let sweep = |locations: &mut dyn Iterator<Item = &CutterLocation>| {
             let columns = grid.columns.iter().map(|column| column.lead.u);
-            Sweep::new(cutter.shape(), columns.zip(locations).map(|(u, at)| (u, at.tip, at.axis)))
+            Sweep::new(cutter.shape(), columns.zip(locations).map(|(u, at)| (u, at.tip, at.axis)), reach)
         };
-        let rows = plan.rows.iter().enumerate().map(|(row, finished)| {
-            let blocks = sweep(&mut finished.locations.iter());
-            RowModel::new(grid, row, finished.contact_height, blocks)
+        let rows = plan.rows.iter().enumerate().filter_map(|(row, finished)| {
+            let blocks = sweep(&mut finished.locations.iter())?;
+            Some(RowModel::new(grid, row, finished.contact_height, blocks))
         });
         let rows = rows.collect::<Result<Vec<_>, _>>()?;
-        let columns = &grid.columns;
-        let speed =
-            (columns[1].lead.point - columns[0].lead.point).norm() / (columns[1].lead.u - columns[0].lead.u);
-        Ok(Self {
-            flank,
-            lead,
-            cutter,
-            orientation,
-            rows,
-            fillet: (!plan.root.is_empty()).then(|| sweep(&mut plan.root.iter().map(|(_, at)| at))),
-            reach: plan.lines.dense.along_columns.greatest / speed,
-            along: ALONG / speed,
-        })
+        let fillet = sweep(&mut plan.root.iter().map(|(_, at)| at));
+        Ok(Self { flank, lead, cutter, orientation, rows, fillet })
     }
 
     /// What all rows together leave on the normal of the flank's point at these parameters.
@@ -97,9 +84,9 @@ impl<'a> FlankModel<'a> {
         let jet = self.flank.surface.jet(height, length);
         let line = Line { point: jet.point, direction: jet.normal };
         let (row, mut lowest) = self.lowest(&line, height, u).ok_or_else(|| not_met(&jet))?;
-        let scallop = self.scallop(&self.rows[row], &line, &lowest, u)?;
+        let scallop = self.scallop(&self.rows[row], &line, &lowest)?;
         if row == 0
-            && let Some(fillet) = self.fillet.as_ref().and_then(|sweep| sweep.lowest(&line, u, self.reach))
+            && let Some(fillet) = self.fillet.as_ref().and_then(|sweep| sweep.lowest(&line, u))
             && fillet.length < lowest.length
         {
             lowest = fillet;
@@ -114,7 +101,7 @@ impl<'a> FlankModel<'a> {
         let sense = (tip - root).signum();
         let above = self.rows.partition_point(|row| sense * (row.heights.value(u) - height) < 0.0);
         let found = |row: usize| {
-            let lowest = self.rows.get(row)?.blocks.lowest(line, u, self.reach)?;
+            let lowest = self.rows.get(row)?.blocks.lowest(line, u)?;
             Some((row, lowest))
         };
         let lower = |a: (usize, Lowest), b: (usize, Lowest)| if b.1.length < a.1.length { b } else { a };
@@ -131,11 +118,10 @@ impl<'a> FlankModel<'a> {
     }
 
     /// What the continuous motion along a row leaves, around the place where its blocks cut lowest.
-    fn scallop(&self, row: &RowModel, line: &Line, lowest: &Lowest, near: f64) -> Result<f64, MillingError> {
+    fn scallop(&self, row: &RowModel, line: &Line, lowest: &Lowest) -> Result<f64, MillingError> {
         let [first, last] = row.heights.domain();
-        let block = lowest.block[1] - lowest.block[0];
-        let from = (lowest.u - block).max(near - self.reach).max(first);
-        let to = (lowest.u + block).min(near + self.reach).min(last);
+        let [step, along] = row.blocks.steps();
+        let (from, to) = ((lowest.u - step).max(first), (lowest.u + step).min(last));
         let profile = Profile::new(self.cutter.shape());
         let mut failed = None;
         let mut met = |u: f64| match self.location(row, u) {
@@ -145,7 +131,7 @@ impl<'a> FlankModel<'a> {
                 f64::INFINITY
             }
         };
-        let (_, scallop) = least_value([from, to], self.along, &mut met);
+        let (_, scallop) = least_value([from, to], along, &mut met);
         match failed {
             _ if scallop.is_finite() => Ok(scallop),
             Some(error) => Err(error),

@@ -10,8 +10,13 @@ use nalgebra::Vector3;
 #[derive(Clone, Debug)]
 pub(super) struct Sweep {
     profile: Profile,
-    /// Lead parameter, ascending, with tip and axis there.
+    /// Lead parameter, ascending, with tip and axis there; at least two.
     places: Vec<(f64, Vector3<f64>, Vector3<f64>)>,
+    /// How far to both sides of a line's column plane the lowest place is looked for, as a difference of lead parameters.
+    reach: f64,
+    /// Steps of that search, and what makes no difference to the length.
+    step: f64,
+    along: f64,
 }
 
 /// The lowest place on a line that a cutter on its way leaves.
@@ -21,27 +26,39 @@ pub(super) struct Lowest {
     pub length: f64,
     /// Lead parameter, linear within its block.
     pub u: f64,
-    /// Lead parameters at the ends of the block.
-    pub block: [f64; 2],
 }
 
 /// How exactly the lowest place is found along the path, mm: a cutter of radius R there is higher by the square of that over 2 R.
-pub(super) const ALONG: f64 = 1e-4;
+const ALONG: f64 = 1e-4;
+/// Steps of the search per radius of the cutter: farther than a radius away it does not meet the line at all.
+const STEPS: f64 = 4.0;
 
 impl Sweep {
-    /// A path of a cutter.
-    pub fn new(shape: &CutterShape, places: impl Iterator<Item = (f64, Vector3<f64>, Vector3<f64>)>) -> Self {
-        Self { profile: Profile::new(shape), places: places.collect() }
+    /// A path of a cutter; its lowest places are looked for `reach` mm along the path. `None` for fewer than two places.
+    pub fn new(
+        shape: &CutterShape,
+        places: impl Iterator<Item = (f64, Vector3<f64>, Vector3<f64>)>,
+        reach: f64,
+    ) -> Option<Self> {
+        let places: Vec<_> = places.collect();
+        let [first, .., last] = places.as_slice() else { return None };
+        let speed = (last.1 - first.1).norm() / (last.0 - first.0);
+        let (CutterShape::Conical { radius, .. } | CutterShape::Barrel { radius, .. }) = *shape;
+        Some(Self {
+            profile: Profile::new(shape),
+            reach: reach / speed,
+            step: reach.min(radius) / STEPS / speed,
+            along: ALONG / speed,
+            places,
+        })
     }
 
-    /// The lowest place of a line that the path leaves, looked for `reach` to both sides of a lead parameter; `None` if the cutter
-    /// does not come by.
-    pub fn lowest(&self, line: &Line, near: f64, reach: f64) -> Option<Lowest> {
-        let last = self.places.len().checked_sub(2)?;
-        let block_of = |u: f64| self.places.partition_point(|place| place.0 <= u).saturating_sub(1).min(last);
-        let window = [near - reach, near + reach];
-        let [from, to] = window.map(block_of);
-        let mut start = block_of(near);
+    /// The lowest place of a line that the path leaves around the column plane at a lead parameter; `None` if the cutter does not come
+    /// by.
+    pub fn lowest(&self, line: &Line, near: f64) -> Option<Lowest> {
+        let window = self.around(line, near)?;
+        let [from, to] = window.map(|u| self.block_of(u));
+        let mut start = self.block_of(0.5 * (window[0] + window[1]));
         let middle = |block: usize| {
             let [low, high] = self.shares(block, window);
             self.at(line, block, 0.5 * (low + high))
@@ -69,6 +86,41 @@ impl Sweep {
         best
     }
 
+    /// A step to both sides of a lead parameter, and within that what makes no difference.
+    pub fn steps(&self) -> [f64; 2] {
+        [self.step, self.along]
+    }
+
+    /// Lead parameters between which the lowest place lies: a step to both sides of the lowest of places a step apart, going down from
+    /// the column plane.
+    fn around(&self, line: &Line, near: f64) -> Option<[f64; 2]> {
+        let value = |k: i32| {
+            let u = near + f64::from(k) * self.step;
+            let block = self.block_of(u);
+            let [share, _] = self.shares(block, [u, u]);
+            self.at(line, block, share)
+        };
+        let most = (self.reach / self.step).ceil() as i32;
+        let mut place = (0..=most).flat_map(|k| [k, -k]).find(|&k| value(k).is_finite())?;
+        let mut least = value(place);
+        for sense in [1, -1] {
+            while place.abs() < most {
+                let next = value(place + sense);
+                if next >= least {
+                    break;
+                }
+                (place, least) = (place + sense, next);
+            }
+        }
+        let [from, to] = [place - 1, place + 1].map(|k| near + f64::from(k) * self.step);
+        Some([from, to])
+    }
+
+    /// The block that holds a lead parameter; the first or last one for those beyond the ends.
+    fn block_of(&self, u: f64) -> usize {
+        self.places.partition_point(|place| place.0 <= u).saturating_sub(1).min(self.places.len() - 2)
+    }
+
     /// The part of a block that lies in a window of the lead parameter, as shares.
     fn shares(&self, block: usize, window: [f64; 2]) -> [f64; 2] {
         let [from, to] = [self.places[block].0, self.places[block + 1].0];
@@ -77,12 +129,10 @@ impl Sweep {
 
     fn within(&self, line: &Line, block: usize, window: [f64; 2]) -> Option<Lowest> {
         let [low, high] = self.shares(block, window);
-        let way = (self.places[block + 1].1 - self.places[block].1).norm() * (high - low);
-        // A path that stands still is the same everywhere.
-        let tolerance = (ALONG / way).min(0.5) * (high - low);
-        let (share, length) = least_value([low, high], tolerance, |share| self.at(line, block, share));
         let [from, to] = [self.places[block].0, self.places[block + 1].0];
-        length.is_finite().then_some(Lowest { length, u: from + (to - from) * share, block: [from, to] })
+        let tolerance = self.along / (to - from);
+        let (share, length) = least_value([low, high], tolerance, |share| self.at(line, block, share));
+        length.is_finite().then_some(Lowest { length, u: from + (to - from) * share })
     }
 
     /// Where the cutter at a share of a block meets the line; infinity if it does not.
