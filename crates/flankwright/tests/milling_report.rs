@@ -115,6 +115,7 @@ fn report() -> MillingReport {
             caption: "fillet".into(),
             quantities: vec![Quantity::number("straight piece", "h_b", 4.76, "mm")],
         }),
+        mate: Some(mate()),
         operations: vec![OperationRow {
             name: "left flank".into(),
             cutter: "end mill 6 mm".into(),

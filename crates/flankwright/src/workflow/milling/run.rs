@@ -2,6 +2,7 @@
 
 use super::bodies::{MillingBodies, prepare_milling};
 use super::finding::failure;
+use super::mate::{self, MateOutcome};
 use super::of_job::{MillingTexts, texts};
 use super::referee::{RefereedFlank, referee};
 use super::result::{
@@ -28,6 +29,8 @@ pub struct MillingOutcome {
     pub plan: MillingPlan,
     /// The flanks under the referee.
     pub flanks: Vec<RefereedFlank>,
+    /// Contact with the mate, if the job has one.
+    pub mate: Option<MateOutcome>,
     /// Programs and cutter locations.
     pub texts: MillingTexts,
 }
@@ -42,6 +45,12 @@ pub fn run_milling(loaded: &LoadedMillingJob, progress: &dyn Progress) -> Result
     let begun = Instant::now();
     let bodies = prepare_milling(loaded)?;
     timing.insert("prepare", begun.elapsed().as_secs_f64());
+
+    let begun = Instant::now();
+    let mate = mate::roll(job, &bodies)?;
+    if mate.is_some() {
+        timing.insert("mate", begun.elapsed().as_secs_f64());
+    }
 
     let begun = Instant::now();
     progress.start("plan", 1);
@@ -88,10 +97,11 @@ pub fn run_milling(loaded: &LoadedMillingJob, progress: &dyn Progress) -> Result
         cutter: CutterResult::new(bodies.options.cutter.shape(), bodies.options.cutter.cutting_length()),
         operations: made.operations.iter().map(operation_result).collect(),
         flanks: results,
+        mate: mate.as_ref().map(|mate| mate.result.clone()),
         programs: texts.results(),
         timing_s: timing,
     };
-    Ok(MillingOutcome { result, bodies, plan: made, flanks, texts })
+    Ok(MillingOutcome { result, bodies, plan: made, flanks, mate, texts })
 }
 
 fn reason(results: &BTreeMap<&'static str, FlankResult>, worst: f64, tolerance_um: f64) -> Remark {
