@@ -163,9 +163,9 @@ const CASES: [(&str, Pair, [Ease; 2]); 8] = [
     ("spiral gear, shifted to the toe", TURNED, [([20.0, 10.0, 0.0], [0.0, -0.2]), NONE]),
 ];
 
-/// Both patterns cover the same area but for places where the ease-off alone says too little:
+/// Both patterns are the same but for what the ease-off alone does not say:
 /// - Beyond the edge of the mate its flank still passes at a distance d with the gap d^2/(2 rho), rho some 4 mm: 6 um of marking show
-///   a band of 0.2 mm there, which no contact line reaches. Where the pattern ends at that edge it is 4 % of it.
+///   a band of 0.2 mm there, which no contact line reaches. It is up to 5 % of a pattern that ends at that edge.
 /// - The slope f' of an ease-off moves the contact by f' rho and the gap by f'^2 rho/2, 0.05 to 0.3 um at the ends of the profile.
 #[test]
 fn the_rolled_pattern_is_that_of_the_ease_off() {
@@ -176,26 +176,26 @@ fn the_rolled_pattern_is_that_of_the_ease_off() {
             let (said, told) = rolled.said();
             let areas = rolled.places.areas(&*rolled.pair.first().surface);
             let common = overlap([&field, &told], MARKING, &areas);
+            let reached = |(gap, told): (&f64, &f64)| if told.is_finite() { *gap } else { f64::INFINITY };
+            let reached = GapField { gaps: field.gaps.iter().zip(&told.gaps).map(reached).collect() };
+            let on_lines = overlap([&reached, &told], MARKING, &areas);
             let pattern = |field| ContactPattern::of(field, MARKING, &rolled.places, &areas).unwrap();
-            let (by_roll, by_ease) = (pattern(&field), pattern(&told));
-            let about = format!("{name} {flank:?}: overlap {common:.4}\n{by_roll:?}\n{by_ease:?}");
-            assert!(common >= 0.95, "{about}");
-            assert!((by_roll.area / by_ease.area - 1.0).abs() < 0.05, "{about}");
+            let (by_roll, by_ease) = (pattern(&reached), pattern(&told));
+            let about = format!(
+                "{name} {flank:?}: overlap {common:.4}, where lines reach {on_lines:.4}\n{by_roll:?}\n{by_ease:?}"
+            );
+            assert!(common >= 0.94 && on_lines >= 0.98, "{about}");
             for axis in 0..2 {
-                assert!((by_roll.centre[axis] - by_ease.centre[axis]).abs() < 0.012, "{about}");
+                assert!((by_roll.centre[axis] - by_ease.centre[axis]).abs() < 0.005, "{about}");
                 for end in 0..2 {
-                    // The band beyond the mate's edge lies over the height.
-                    let allowed = if axis == 0 { 0.05 } else { 0.02 };
-                    assert!((by_roll.ends[axis][end] - by_ease.ends[axis][end]).abs() < allowed, "{about}");
+                    assert!((by_roll.ends[axis][end] - by_ease.ends[axis][end]).abs() < 0.01, "{about}");
                 }
             }
-            for (place, (gap, other)) in rolled.places.iter().zip(field.gaps.iter().zip(&told.gaps)) {
-                if *other <= MARKING {
-                    assert!((gap - other).abs() < 4e-4, "{about}\n{place:?}: {gap} and {other}");
-                }
+            for (gap, other) in reached.gaps.iter().zip(&told.gaps).filter(|(_, other)| **other <= MARKING) {
+                assert!((gap - other).abs() < 3.5e-4, "{about}\n{gap} and {other}");
             }
             let [is, wanted] = [found.peak_to_peak(), said.peak_to_peak()];
-            assert!((is / wanted - 1.0).abs() < 0.08 && wanted > 1e-5, "{about}\n{is:e} and {wanted:e}");
+            assert!((is / wanted - 1.0).abs() < 0.05 && wanted > 1e-5, "{about}\n{is:e} and {wanted:e}");
         }
     }
 }

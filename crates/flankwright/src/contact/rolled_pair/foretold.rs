@@ -28,7 +28,9 @@ enum Nominal {
 }
 
 /// Places of a contact line.
-const PLACES: usize = 161;
+const PLACES: usize = 81;
+/// Steps between two roll positions: a line ends with the flank, not with a position, and up to there it holds the gears apart.
+const BETWEEN: usize = 16;
 
 impl ConjugateFlanks {
     /// Flanks on the spherical involute: both cones roll off one plane of action.
@@ -122,13 +124,14 @@ impl ConjugateFlanks {
         Some([-left / arm, arm])
     }
 
-    /// The least turn over the contact lines of all rolls.
+    /// The least turn over the contact lines of all rolls, `positions` and what lies between them for each pitch of the first gear.
     pub fn course(&self, ease: [&dyn NormalOffset; 2], positions: usize) -> RollCourse {
         let sign = self.flank.sign();
         let lengths = equidistant(self.gears[0].face(), PLACES);
         let ends = lengths.iter().flat_map(|b| self.heights[0].map(|a| self.roll([a, *b])));
         let [from, to] = extremes(ends);
-        let step = std::f64::consts::TAU / f64::from(self.gears[0].data().teeth) / positions.max(1) as f64;
+        let positions = BETWEEN * positions.max(1);
+        let step = std::f64::consts::TAU / f64::from(self.gears[0].data().teeth) / positions as f64;
         let count = ((to - from) / step).ceil() as usize + 1;
         let least = |position: usize| {
             let roll = from + position as f64 * step;
@@ -138,7 +141,7 @@ impl ConjugateFlanks {
             });
             on_line.fold(f64::INFINITY, f64::min)
         };
-        RollCourse::new(from, step, positions.max(1), (0..count).map(least).collect())
+        RollCourse::new(from, step, positions, (0..count).map(least).collect())
     }
 
     /// The gap left at every place when its contact line comes by, mm.
