@@ -1,8 +1,8 @@
 //! Every error of spec 50 section 15: what provokes it, its code, what it says and its way out. Where a job can provoke it a job does,
 //! and its exit status is looked at.
 
-use flankwright::exchange::{AnyJob, LoadedMillingJob, Source, job_template, parse_any_job};
 use flankwright::exchange::job::Process;
+use flankwright::exchange::{AnyJob, LoadedMillingJob, Source, job_template, parse_any_job};
 use flankwright::geometry::CutterShape;
 use flankwright::numerics::Silent;
 use flankwright::process::milling::{
@@ -235,8 +235,11 @@ fn density_that_contradicts_itself() -> Case {
 }
 
 fn density_without_end() -> Case {
-    let told = of_job(&spur(), &[("rows = 14\ncolumns = 21", "density = { row_max = 0.001, column_max = 2.0 }")]
-        .map(|(_, to)| (GRID, to)));
+    let told = of_job(
+        &spur(),
+        &[("rows = 14\ncolumns = 21", "density = { row_max = 0.001, column_max = 2.0 }")]
+            .map(|(_, to)| (GRID, to)),
+    );
     Case { told, code: "density-size", exit: Some(2), says: &["columns", "20000"] }
 }
 
@@ -322,7 +325,10 @@ fn ball_as_wide_as_the_gap() -> Case {
 fn edge_too_short_for_the_root() -> Case {
     let told = of_job(
         &spur(),
-        &[("cutting_length = 22.0", "cutting_length = 6.2"), ("contact_height = 6.16", "contact_height = 5.0")],
+        &[
+            ("cutting_length = 22.0", "cutting_length = 6.2"),
+            ("contact_height = 6.16", "contact_height = 5.0"),
+        ],
     );
     Case { told, code: "tool-short", exit: Some(4), says: &["6.26", "6.2 mm"] }
 }
@@ -340,12 +346,18 @@ fn root_too_deep() -> Case {
 fn bottom_cutter_too_wide() -> Case {
     let cutter = "[bottom_cutter]\nshape = \"end-mill\"\ndiameter = 9.0\ncorner_radius = 1.5\ncutting_length = 15.0\n\n[milling]\n";
     let told = of_job(&spur(), &[("[milling]\n", cutter)]);
-    Case { told, code: "root-bottom", exit: Some(4), says: &["half width 2.44", "tool radius 4.5 mm", "12.15"] }
+    Case {
+        told,
+        code: "root-bottom",
+        exit: Some(4),
+        says: &["half width 2.44", "tool radius 4.5 mm", "12.15"],
+    }
 }
 
 fn arc_wider_than_the_gap() -> Case {
     let place = CutterPlace { tip: Vector3::zeros(), axis: Vector3::y(), contact: None };
-    let arc = |radius: f64, clearance: f64| approach_arc(&place, &Vector3::z(), &Vector3::x(), radius, clearance);
+    let arc =
+        |radius: f64, clearance: f64| approach_arc(&place, &Vector3::z(), &Vector3::x(), radius, clearance);
     assert!(arc(0.5, 1.25).is_ok());
     assert_eq!(arc(f64::NAN, 1.25).unwrap_err().code(), "approach");
     Case { told: of_room(arc(2.5, 1.25)), code: "approach", exit: None, says: &["2.5 mm", "1.2500 mm"] }

@@ -42,12 +42,11 @@ fn gears((teeth, face, spiral): Pair) -> [BevelGear; 2] {
 
 fn ease_off((um, shift): Ease, gear: &BevelGear) -> Arc<dyn NormalOffset> {
     let shifted = |[from, to]: [f64; 2], share: f64| [from, to].map(|x| x + share * (to - from));
-    let amounts = EaseOffAmounts {
-        length_crowning: 1e-3 * um[0],
-        profile_crowning: 1e-3 * um[1],
-        bias: 1e-3 * um[2],
-    };
-    Arc::new(EaseOff::new(amounts, shifted(gear.heights(), shift[0]), shifted(gear.face(), shift[1])).unwrap())
+    let amounts =
+        EaseOffAmounts { length_crowning: 1e-3 * um[0], profile_crowning: 1e-3 * um[1], bias: 1e-3 * um[2] };
+    Arc::new(
+        EaseOff::new(amounts, shifted(gear.heights(), shift[0]), shifted(gear.face(), shift[1])).unwrap(),
+    )
 }
 
 /// Both gears with their ease-offs.
@@ -211,7 +210,10 @@ fn the_pattern_follows_the_ease_off() {
     };
     let along = |share: f64| centre([([30.0, 10.0, 0.0], [0.0, share]), NONE])[1];
     let [toe, middle, heel] = [-0.2, 0.0, 0.2].map(along);
-    assert!((middle - 0.5).abs() < 0.03 && (heel - 0.7).abs() < 0.03 && (toe - 0.3).abs() < 0.03, "{toe} {middle} {heel}");
+    assert!(
+        (middle - 0.5).abs() < 0.03 && (heel - 0.7).abs() < 0.03 && (toe - 0.3).abs() < 0.03,
+        "{toe} {middle} {heel}"
+    );
     let mate = centre([NONE, ([30.0, 10.0, 0.0], [0.0, 0.2])])[1];
     assert!((mate - heel).abs() < 0.02, "the mate's ease-off counts as the gear's: {mate} {heel}");
 }

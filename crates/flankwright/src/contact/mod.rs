@@ -20,7 +20,8 @@ pub use exact::{ContactSolution, ExactContact, Measure, Sensitivities};
 pub use pair::{FlankPair, Pair};
 pub use relative_curvature::RelativeCurvature;
 pub use rolled_pair::{
-    ConjugateFlanks, ContactPattern, FlankPlaces, GapField, PairGap, RollCourse, RolledGear, RolledPair, overlap,
+    ConjugateFlanks, ContactPattern, FlankPlaces, GapField, PairGap, RollCourse, RolledGear, RolledPair,
+    overlap,
 };
 pub use surface::{SurfaceJet, ToolSurface};
 pub use thread::{ModifiedThread, ThreadFunction, Unmodified};

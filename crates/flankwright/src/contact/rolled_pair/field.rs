@@ -29,9 +29,8 @@ impl FlankPlaces {
 
     /// The area that each place stands for, mm², row-major.
     pub fn areas(&self, surface: &dyn Surface) -> Vec<f64> {
-        let width = |of: &[f64], k: usize| {
-            0.5 * (of[(k + 1).min(of.len() - 1)] - of[k.saturating_sub(1)]).abs()
-        };
+        let width =
+            |of: &[f64], k: usize| 0.5 * (of[(k + 1).min(of.len() - 1)] - of[k.saturating_sub(1)]).abs();
         let of_place = |(k, [a, b]): (usize, [f64; 2])| {
             let (row, column) = (k / self.lengths.len(), k % self.lengths.len());
             let jet = surface.jet(a, b);
@@ -65,8 +64,7 @@ impl RolledPair {
             start = Some(gap.partner);
             gap.arm * (gap.angle - course.at(roll))
         };
-        let found: Vec<(f64, f64)> =
-            rolls.iter().map(|roll| (*roll, normal(*roll))).collect();
+        let found: Vec<(f64, f64)> = rolls.iter().map(|roll| (*roll, normal(*roll))).collect();
         let nearest = (0..found.len()).min_by(|i, j| found[*i].1.total_cmp(&found[*j].1));
         let Some(best) = nearest.filter(|k| found[*k].1.is_finite()) else { return f64::INFINITY };
         let bracket = [found[best.saturating_sub(1)].0, found[(best + 1).min(found.len() - 1)].0];

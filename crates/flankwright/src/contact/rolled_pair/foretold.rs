@@ -145,12 +145,7 @@ impl ConjugateFlanks {
     }
 
     /// The gap left at every place when its contact line comes by, mm.
-    pub fn field(
-        &self,
-        places: &FlankPlaces,
-        ease: [&dyn NormalOffset; 2],
-        course: &RollCourse,
-    ) -> GapField {
+    pub fn field(&self, places: &FlankPlaces, ease: [&dyn NormalOffset; 2], course: &RollCourse) -> GapField {
         let gap = |place: [f64; 2]| {
             let left = self.turn(place, ease).map(|[turn, arm]| (turn - course.at(self.roll(place))) * arm);
             left.unwrap_or(f64::INFINITY)

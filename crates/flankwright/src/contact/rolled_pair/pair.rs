@@ -165,8 +165,8 @@ impl RolledPair {
                 return None;
             }
             // A first step from the middle of a flank overshoots where the polar angle stands still, at the base cone.
-            let (least, most) = (domain[0][0], domain[0][1]);
-            at = [(at[0] + step[0]).clamp(0.5 * (at[0] + least).max(least), most), at[1] + step[1]];
+            let [least, most] = domain[0];
+            at = [(at[0] + step[0]).max(0.5 * (at[0] + least)).min(most), at[1] + step[1]];
             if at[1] < domain[1][0] || at[1] > domain[1][1] {
                 return None;
             }

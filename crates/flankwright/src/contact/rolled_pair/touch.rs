@@ -35,8 +35,7 @@ impl RolledPair {
         // A position before and one after, where only edges come near.
         let count = ((to - from) / step).ceil() as usize + 3;
         let start = from - step;
-        let own: Vec<f64> =
-            (0..count).into_par_iter().map(|k| self.least(start + k as f64 * step)).collect();
+        let own: Vec<f64> = (0..count).into_par_iter().map(|k| self.least(start + k as f64 * step)).collect();
         if own.iter().all(|angle| angle.is_infinite()) {
             return Err(ContactError::FlanksDoNotMesh { flank: self.flank() });
         }

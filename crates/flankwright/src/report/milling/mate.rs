@@ -164,7 +164,10 @@ impl MateFlankView {
         Ok(Drawing {
             title: format!("{}: contact pattern", self.name),
             subtitle: "the flank of a space, developed, seen from outside the material".into(),
-            axes: Some(["along the tooth, toe to heel [mm]".into(), "up the profile, root to tip [mm]".into()]),
+            axes: Some([
+                "along the tooth, toe to heel [mm]".into(),
+                "up the profile, root to tip [mm]".into(),
+            ]),
             layers: vec![
                 layer("active flank", DrawingLook::Body, vec![outline]),
                 layer("rolled", DrawingLook::Material, self.loops(&self.rolled_um, marking_um)?),

@@ -152,7 +152,8 @@ impl MateFlank {
     fn figures(&self, marking: f64, radius: f64) -> MateFlankResult {
         let areas = self.places.areas(&*self.surface);
         let [rolled, ease_off] = self.gaps.each_ref().map(|gaps| {
-            ContactPattern::of(gaps, marking, &self.places, &areas).map(|pattern| PatternResult::new(&pattern))
+            ContactPattern::of(gaps, marking, &self.places, &areas)
+                .map(|pattern| PatternResult::new(&pattern))
         });
         let error = self.courses.each_ref().map(RollCourse::peak_to_peak);
         MateFlankResult {

@@ -60,7 +60,11 @@ fn a_mate_belongs_to_a_bevel_gear_and_has_usual_defaults() {
     for line in ["shaft_angle_deg", "marking_um", "roll_positions"] {
         let line = text.lines().find(|given| given.starts_with(line)).unwrap();
         let other = sound(&text.replace(line, "")).mate.unwrap();
-        assert_eq!((other.marking_um, other.roll_positions), (mate.marking_um, mate.roll_positions), "{line}");
+        assert_eq!(
+            (other.marking_um, other.roll_positions),
+            (mate.marking_um, mate.roll_positions),
+            "{line}"
+        );
     }
     let angle = mate.conjugate_angle_deg(&job.bevel.unwrap()).unwrap();
     assert!((angle - 66.8014).abs() < 1e-3, "{angle}");
@@ -479,8 +483,20 @@ const MATE_CASES: &[Case] = &[
     ("teeth = 35", "teeth = 2", "invalid-number", "mate.teeth", &[">= 3"]),
     ("teeth = 35", "teeth = 39", "invalid-job", "mate.teeth", &["39", "< 38.0"]),
     ("teeth = 35\nshaft_angle_deg = 90.0", "teeth = 34", "invalid-job", "mate.teeth", &["90", "86.4"]),
-    ("shaft_angle_deg = 90.0", "shaft_angle_deg = 89.0", "invalid-job", "mate.shaft_angle_deg", &["89", "90.0"]),
-    ("shaft_angle_deg = 90.0", "pitch_cone_angle_deg = 60.0", "invalid-job", "mate.pitch_cone_angle_deg", &["60", "66.80"]),
+    (
+        "shaft_angle_deg = 90.0",
+        "shaft_angle_deg = 89.0",
+        "invalid-job",
+        "mate.shaft_angle_deg",
+        &["89", "90.0"],
+    ),
+    (
+        "shaft_angle_deg = 90.0",
+        "pitch_cone_angle_deg = 60.0",
+        "invalid-job",
+        "mate.pitch_cone_angle_deg",
+        &["60", "66.80"],
+    ),
     (
         "shaft_angle_deg = 90.0",
         "shaft_angle_deg = 90.0\npitch_cone_angle_deg = 66.8014",

@@ -36,9 +36,8 @@ fn view(flank: &MateFlank, result: &MateResult, figures: &MateFlankResult) -> Ma
     let [found, said] = &flank.courses;
     let pitch = found.step() * found.per_pitch() as f64;
     let count = PERIODS * found.per_pitch() + 1;
-    let rolls: Vec<f64> = (0..count)
-        .map(|k| (k as f64 / found.per_pitch() as f64 - 0.5 * PERIODS as f64) * pitch)
-        .collect();
+    let rolls: Vec<f64> =
+        (0..count).map(|k| (k as f64 / found.per_pitch() as f64 - 0.5 * PERIODS as f64) * pitch).collect();
     let error = |course: &crate::contact::RollCourse| {
         rolls.iter().map(|roll| -1e3 * result.mean_pitch_radius_mm * course.at(*roll)).collect()
     };
@@ -78,7 +77,8 @@ fn developed(flank: &MateFlank) -> Vec<Vec<[f64; 2]>> {
 }
 
 fn centre(places_mm: &[Vec<[f64; 2]>], pattern: &PatternResult) -> [f64; 2] {
-    let nearest = |percent: f64, count: usize| ((0.01 * percent * (count - 1) as f64).round() as usize).min(count - 1);
+    let nearest =
+        |percent: f64, count: usize| ((0.01 * percent * (count - 1) as f64).round() as usize).min(count - 1);
     let row = &places_mm[nearest(pattern.centre_height_percent, places_mm.len())];
     row[nearest(pattern.centre_length_percent, row.len())]
 }
