@@ -42,9 +42,9 @@ impl FlankPlaces {
 }
 
 /// Roll positions for each pitch among which the nearest is looked for, place by place: the gap has one valley over the roll.
-const COARSE: f64 = 12.0;
-/// Evaluations of the golden section that follows: the roll to 1e-6 of a pitch, the gap to 1e-9 mm.
-const EVALUATIONS: usize = 30;
+const COARSE: f64 = 6.0;
+/// Evaluations of the golden section that follows: the roll to 1e-5 of a pitch, the gap to 1e-8 mm.
+const EVALUATIONS: usize = 22;
 
 impl RolledPair {
     /// The least gap at every place, mm, with the gears held apart as the roll has it.

@@ -43,8 +43,9 @@ pub struct PairGap {
 
 /// Steps of the search for the partner; from the middle of a flank it takes five.
 const STEPS: usize = 30;
-/// Where it ends, as a share of the distance from the apex.
-const ENOUGH: f64 = 1e-14;
+/// Where it ends, as a share of the distance from the apex: what the last step leaves is of second order, 1e-14 of it, and is not
+/// looked at again.
+const ENOUGH: f64 = 1e-7;
 /// By how much of its size a partner may lie beside the flank: ease-offs move places along the tooth by micrometres, and so the ends
 /// of both faces would miss each other.
 const BESIDE: f64 = 1e-3;
@@ -148,9 +149,6 @@ impl RolledPair {
             let (p, radius) = (&jet.point, jet.point.xy().norm());
             let distance = p.norm();
             let miss = [wanted[0] - distance, wanted[1] - radius.atan2(p.z)];
-            if miss[0].abs().max(distance * miss[1].abs()) <= ENOUGH * distance {
-                return gear.holds(at).then_some((at, jet.point));
-            }
             let rates = |v: &Vector3<f64>| {
                 let outwards = (p.x * v.x + p.y * v.y) / radius;
                 [p.dot(v) / distance, (p.z * outwards - radius * v.z) / (distance * distance)]
@@ -163,6 +161,11 @@ impl RolledPair {
             ];
             if !step.iter().all(|x| x.is_finite()) {
                 return None;
+            }
+            if miss[0].abs().max(distance * miss[1].abs()) <= ENOUGH * distance {
+                let at = [at[0] + step[0], at[1] + step[1]];
+                let point = p + jet.by_height * step[0] + jet.by_length * step[1];
+                return gear.holds(at).then_some((at, point));
             }
             // A first step from the middle of a flank overshoots where the polar angle stands still, at the base cone.
             let [least, most] = domain[0];

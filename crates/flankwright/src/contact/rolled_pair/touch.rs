@@ -7,10 +7,11 @@ use crate::numerics::{equidistant, extremes, golden_section};
 use rayon::prelude::*;
 
 /// Places of the search over height and length.
-const HEIGHTS: usize = 13;
-const LENGTHS: usize = 13;
-/// Evaluations of a golden section: the bracket shrinks to 1e-8 of the flank, at which a gap is known to 1e-15 of its radius.
-const EVALUATIONS: usize = 36;
+const HEIGHTS: usize = 9;
+const LENGTHS: usize = 9;
+/// Evaluations of the golden sections over height and length: brackets shrink to 1e-6 and 1e-3 of the flank. Across the contact line
+/// the gap grows with the square of the distance over some 8 mm, along it with that of a thousandth: 1e-11 mm and 1e-7 mm.
+const EVALUATIONS: [usize; 2] = [26, 12];
 
 impl RolledPair {
     /// The least gap over the roll, `positions` for each pitch of the first gear.
@@ -55,7 +56,7 @@ impl RolledPair {
             return f64::INFINITY;
         }
         let bracket = [lengths[best.saturating_sub(1)], lengths[(best + 1).min(LENGTHS - 1)]];
-        let length = golden_section(bracket[0], bracket[1], EVALUATIONS / 2, along);
+        let length = golden_section(bracket[0], bracket[1], EVALUATIONS[1], along);
         along(length).min(found[best])
     }
 
@@ -76,7 +77,7 @@ impl RolledPair {
             return f64::INFINITY;
         }
         let bracket = [heights[best.saturating_sub(1)], heights[(best + 1).min(HEIGHTS - 1)]];
-        let height = golden_section(bracket[0], bracket[1], EVALUATIONS, &mut angle);
+        let height = golden_section(bracket[0], bracket[1], EVALUATIONS[0], &mut angle);
         angle(height).min(found[best])
     }
 }

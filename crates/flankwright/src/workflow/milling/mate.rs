@@ -40,7 +40,7 @@ pub struct MateFlank {
 }
 
 /// Places over height and length.
-const PLACES: [usize; 2] = [41, 61];
+const PLACES: [usize; 2] = [33, 49];
 
 /// Contact with the mate, if the job has one.
 ///
