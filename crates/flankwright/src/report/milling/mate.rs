@@ -64,7 +64,8 @@ impl MateView {
         for flank in &self.flanks {
             let caption = format!(
                 "Places where the gap to the mate is {} µm or less at some roll position, without load, neighbouring pairs of teeth \
-                 included. Hatched: found by rolling both wanted flanks. Dashed: what both ease-offs say. {} % are common.",
+                 included. Hatched: found by rolling both wanted flanks. Dashed: what both ease-offs say. {} % are common. \
+                 Beyond an edge of the mate a narrow band is marked that no contact line reaches.",
                 format_significant(self.marking_um, 3),
                 format_fixed(flank.overlap_percent, 1)
             );

@@ -9,10 +9,12 @@ use crate::contact::{
 use crate::exchange::Diagnostic;
 use crate::exchange::milling_job::{self as job, BevelFlank, MillingJob};
 use crate::geometry::{
-    BevelGear, EaseOff, EaseOffAmounts, Flank, Modified, NormalOffset, Octoid, SphericalInvolute, Surface,
+    BevelGear, EaseOff, EaseOffAmounts, Flank, Modified, NormalOffset, Octoid, OffsetBase, SphericalInvolute,
+    Surface,
 };
 use crate::numerics::equidistant;
 use crate::workflow::finding::{RunFailure, geometry_finding};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// What rolling a gear against its mate gave.
@@ -58,7 +60,7 @@ pub(super) fn roll(job: &MillingJob, bodies: &MillingBodies) -> Result<Option<Ma
     let shaft_angle = gears[0].data().pitch_angle + gears[1].data().pitch_angle;
     let radius = gears[1].mean_distance() * gears[1].data().pitch_angle.sin();
     let mut flanks = Vec::new();
-    let mut results = std::collections::BTreeMap::new();
+    let mut results = BTreeMap::new();
     for flank in bodies.space.flanks.iter().filter(|flank| bodies.options.sides.contains(&flank.side)) {
         let side = flank.side;
         let conjugate = match bevel.flank {
@@ -116,10 +118,7 @@ fn ease_off(
     Ok(Arc::new(ease))
 }
 
-fn modified<S: crate::geometry::OffsetBase + 'static>(
-    base: S,
-    ease: &Arc<dyn NormalOffset>,
-) -> Arc<dyn Surface> {
+fn modified<S: OffsetBase + 'static>(base: S, ease: &Arc<dyn NormalOffset>) -> Arc<dyn Surface> {
     Arc::new(Modified::new(base, ease.clone()))
 }
 

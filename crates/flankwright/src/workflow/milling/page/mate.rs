@@ -1,13 +1,14 @@
 //! Contact with the mate as the page takes it.
 
-use crate::contact::GapField;
+use crate::contact::{GapField, RollCourse};
 use crate::report::Quantity;
 use crate::report::milling::{MateFlankView, MateView, PatternFigures};
 use crate::workflow::milling::result::{MateFlankResult, MateResult, PatternResult};
 use crate::workflow::milling::{MateFlank, MateOutcome};
 
-/// Mesh periods in the chart.
+/// Mesh periods in the chart, and points between two roll positions: the corner where a pair hands over lies between them.
 const PERIODS: usize = 3;
+const BETWEEN: usize = 4;
 
 pub(super) fn mate(outcome: &MateOutcome) -> MateView {
     let result = &outcome.result;
@@ -35,10 +36,11 @@ fn view(flank: &MateFlank, result: &MateResult, figures: &MateFlankResult) -> Ma
     };
     let [found, said] = &flank.courses;
     let pitch = found.step() * found.per_pitch() as f64;
-    let count = PERIODS * found.per_pitch() + 1;
+    let per_pitch = BETWEEN * found.per_pitch();
+    let count = PERIODS * per_pitch + 1;
     let rolls: Vec<f64> =
-        (0..count).map(|k| (k as f64 / found.per_pitch() as f64 - 0.5 * PERIODS as f64) * pitch).collect();
-    let error = |course: &crate::contact::RollCourse| {
+        (0..count).map(|k| (k as f64 / per_pitch as f64 - 0.5 * PERIODS as f64) * pitch).collect();
+    let error = |course: &RollCourse| {
         rolls.iter().map(|roll| -1e3 * result.mean_pitch_radius_mm * course.at(*roll)).collect()
     };
     MateFlankView {
