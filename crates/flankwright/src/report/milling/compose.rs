@@ -25,6 +25,9 @@ impl MillingReport {
         if let Some(root) = &self.root {
             sections.push(Section::new("Root", root.blocks()?));
         }
+        if let Some(mate) = &self.mate {
+            sections.push(Section::new("Contact with the mate", mate.blocks()?));
+        }
         let operations = Block::Table(tables::operations(&self.operations));
         sections.push(Section::new("Operations", vec![operations]));
         if let Some(programs) = &self.programs {

@@ -1,6 +1,6 @@
 //! What the page of five-axis milling shows, as data.
 
-use super::ProgramsView;
+use super::{MateView, ProgramsView};
 use crate::report::charts::Drawing;
 use crate::report::{Quantity, Status, Warning};
 
@@ -33,6 +33,8 @@ pub struct MillingReport {
     pub flanks: Vec<FlankView>,
     /// The root in a column plane.
     pub root: Option<Titled>,
+    /// Contact of a bevel gear with its mate.
+    pub mate: Option<MateView>,
     /// Operations in their order, for one space.
     pub operations: Vec<OperationRow>,
     /// Programs and the motion of the axes.

@@ -3,6 +3,7 @@
 
 mod bodies;
 mod finding;
+mod mate;
 mod meshes;
 mod of_job;
 mod offset;
@@ -17,11 +18,12 @@ mod wear;
 mod write;
 
 pub use bodies::{FlankRange, MillingBodies, prepare_milling};
+pub use mate::{MateFlank, MateOutcome};
 pub use of_job::MillingTexts;
 pub use referee::{RefereedFlank, referee};
 pub use result::{
-    CutterResult, DistancesResult, FlankResult, MillingResult, OperationResult, ProgramResult,
-    RootDeviationResult, RootResult, RowResult, WearResult,
+    CutterResult, DistancesResult, FlankResult, MateFlankResult, MateResult, MillingResult, OperationResult,
+    PatternResult, ProgramResult, RootDeviationResult, RootResult, RowResult, WearResult,
 };
 pub use root::{RefereedRoot, referee_root};
 pub use run::{MillingOutcome, run_milling};

@@ -1,5 +1,6 @@
 //! The document of a milling job's `result.json`, with units in the key names.
 
+use crate::contact::ContactPattern;
 use crate::geometry::CutterShape;
 use crate::workflow::finding::Remark;
 use crate::workflow::result::Status;
@@ -36,6 +37,9 @@ pub struct MillingResult {
     /// root.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub root: BTreeMap<String, RootDeviationResult>,
+    /// Contact with the mate; absent without one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mate: Option<MateResult>,
     /// NC programs, every one read back and proven; empty without a machine.
     pub programs: Vec<ProgramResult>,
     /// Seconds per stage; the only part that differs between two runs.
@@ -237,4 +241,69 @@ pub struct RootDeviationResult {
     pub model_difference_um: Option<f64>,
     /// Rays that no cutter meets, by reason.
     pub unmilled: BTreeMap<String, usize>,
+}
+
+/// A bevel gear rolled against its conjugate mate, both with the flanks that are wanted.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MateResult {
+    /// Teeth of the mate.
+    pub teeth: u32,
+    /// Its pitch cone angle.
+    pub pitch_cone_angle_deg: f64,
+    /// Angle between both axes.
+    pub shaft_angle_deg: f64,
+    /// Radius of its pitch cone in the middle of the face; transmission errors in um are ways there.
+    pub mean_pitch_radius_mm: f64,
+    /// Gaps up to here show contact.
+    pub marking_um: f64,
+    /// Flanks that are milled.
+    pub flanks: BTreeMap<&'static str, MateFlankResult>,
+}
+
+/// Contact on one flank of the gear, without load.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MateFlankResult {
+    /// Pattern that rolling leaves; absent if nothing is marked.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rolled: Option<PatternResult>,
+    /// Pattern that both ease-offs say.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ease_off: Option<PatternResult>,
+    /// Common area of both patterns over the area that either covers.
+    pub overlap_percent: f64,
+    /// Peak to peak of a mesh period, as turn of the mate.
+    pub transmission_error_arcsec: f64,
+    /// The same at the mate's mean pitch radius.
+    pub transmission_error_um: f64,
+    /// What both ease-offs say for it.
+    pub transmission_error_ease_off_um: f64,
+}
+
+/// A contact pattern on the active flank: 0 % at root and toe, 100 % at tip and heel.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct PatternResult {
+    /// Covered share of the flank.
+    pub area_percent: f64,
+    /// Centre along the tooth.
+    pub centre_length_percent: f64,
+    /// Centre over the height.
+    pub centre_height_percent: f64,
+    /// From where to where along the tooth.
+    pub length_percent: [f64; 2],
+    /// From where to where over the height.
+    pub height_percent: [f64; 2],
+}
+
+impl PatternResult {
+    /// In percent.
+    pub fn new(pattern: &ContactPattern) -> Self {
+        let [height, length] = pattern.ends.map(|ends| ends.map(|share| 100.0 * share));
+        Self {
+            area_percent: 100.0 * pattern.area,
+            centre_length_percent: 100.0 * pattern.centre[1],
+            centre_height_percent: 100.0 * pattern.centre[0],
+            length_percent: length,
+            height_percent: height,
+        }
+    }
 }

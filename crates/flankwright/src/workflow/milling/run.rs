@@ -2,6 +2,7 @@
 
 use super::bodies::{MillingBodies, prepare_milling};
 use super::finding::failure;
+use super::mate::{self, MateOutcome};
 use super::of_job::{MillingTexts, texts};
 use super::referee::{RefereedFlank, referee};
 use super::result::{
@@ -31,6 +32,8 @@ pub struct MillingOutcome {
     pub flanks: Vec<RefereedFlank>,
     /// The root under the referee, part by part; empty without a pass of the root.
     pub root: Vec<RefereedRoot>,
+    /// Contact with the mate, if the job has one.
+    pub mate: Option<MateOutcome>,
     /// Programs and cutter locations.
     pub texts: MillingTexts,
 }
@@ -45,6 +48,12 @@ pub fn run_milling(loaded: &LoadedMillingJob, progress: &dyn Progress) -> Result
     let begun = Instant::now();
     let bodies = prepare_milling(loaded)?;
     timing.insert("prepare", begun.elapsed().as_secs_f64());
+
+    let begun = Instant::now();
+    let mate = mate::roll(job, &bodies)?;
+    if mate.is_some() {
+        timing.insert("mate", begun.elapsed().as_secs_f64());
+    }
 
     let begun = Instant::now();
     progress.start("plan", 1);
@@ -93,10 +102,11 @@ pub fn run_milling(loaded: &LoadedMillingJob, progress: &dyn Progress) -> Result
         operations: made.operations.iter().map(operation_result).collect(),
         flanks: results,
         root: root.iter().map(|part| (part.name(), part.result())).collect(),
+        mate: mate.as_ref().map(|mate| mate.result.clone()),
         programs: texts.results(),
         timing_s: timing,
     };
-    Ok(MillingOutcome { result, bodies, plan: made, flanks, root, texts })
+    Ok(MillingOutcome { result, bodies, plan: made, flanks, root, mate, texts })
 }
 
 fn reason(results: &BTreeMap<&'static str, FlankResult>, worst: f64, tolerance_um: f64) -> Remark {

@@ -1,6 +1,7 @@
 //! Fills the page of five-axis milling. Timing stays out of it, so that the same job gives the same bytes.
 
 mod flanks;
+mod mate;
 mod outline;
 mod root;
 mod views;
@@ -46,6 +47,7 @@ pub fn html_page(
         views: views::views(&outcome.bodies, &outcome.plan),
         flanks: flanks::flanks(outcome),
         root: root::root(outcome),
+        mate: outcome.mate.as_ref().map(mate::mate),
         operations: operations(outcome),
         programs,
         files: files.iter().map(|(path, content)| (path.clone(), (*content).into())).collect(),
