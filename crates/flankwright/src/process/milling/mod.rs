@@ -24,6 +24,7 @@ mod orientation;
 mod path;
 mod plan;
 mod predict;
+mod probe;
 mod range;
 mod root_pass;
 mod roughing;
