@@ -9,6 +9,7 @@ mod examples;
 mod explore;
 mod gearbox;
 mod line_dressing;
+mod milling;
 mod planning;
 mod programs;
 mod robustness;

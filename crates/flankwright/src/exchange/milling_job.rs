@@ -27,7 +27,7 @@ pub use contact_height::{ContactHeight, HeightRamp};
 pub use cutter::{CutterForm, CutterShank, MillingCutter};
 pub use density::{Density, GridChoice};
 pub use gear::{DoubleHelical, MillingGear};
-pub use machine::{MillingMachine, MillingMount, Rtcp};
+pub use machine::{MillingMachine, MillingMount, PoleWay, Rtcp};
 pub use milling::{CutSense, Milling, RowDistances, RowSequence, Spaces, Traversal};
 pub use output::MillingOutput;
 pub use point_grid::{PointGrid, read_point_grid};

@@ -1,6 +1,6 @@
 //! What the page of five-axis milling shows, as data.
 
-use super::ProgramsView;
+use super::{OrientationView, ProgramsView};
 use crate::report::charts::Drawing;
 use crate::report::{Quantity, Status, Warning};
 
@@ -35,6 +35,8 @@ pub struct MillingReport {
     pub root: Option<Titled>,
     /// Operations in their order, for one space.
     pub operations: Vec<OperationRow>,
+    /// The rotary motion beside that of other systems, flank by flank.
+    pub orientations: Vec<OrientationView>,
     /// Programs and the motion of the axes.
     pub programs: Option<ProgramsView>,
     /// Files: path and content.

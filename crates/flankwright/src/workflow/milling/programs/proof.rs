@@ -1,8 +1,8 @@
 //! The proof by rays: the cutter moves as the text says, and what it leaves is compared with what was planned (spec 50 section 13).
 
 use super::build::{MillingProgram, MillingPrograms};
-use super::drive::StepKind;
 use super::failure::{not_proven, of_removal};
+use super::steps::StepKind;
 use super::task::MillingWork;
 use crate::geometry::Cutter;
 use crate::nc::Dialect;
