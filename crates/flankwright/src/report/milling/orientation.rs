@@ -50,9 +50,9 @@ const LEAST_SPAN: f64 = 0.01;
 
 /// What may be said of column planes in general (spec 50 section 14).
 const HONEST: &str = "Against clean parameter lines the column plane does not generally save rotary motion: none on spur, helical and \
-                      straight bevel gears, some is lost on spiral bevels, some is gained on twisted blades. Against irregular patches \
-                      it removes the oscillation. What it always gives is a steady lean into the feed, mostly a small one; straight \
-                      bevels are the exception.";
+                      straight bevel gears, more or less of it on the flanks of spiral bevels, and it saves some on twisted blades. \
+                      Against irregular patches it removes the oscillation. Otherwise it gives a steady lean into the feed, mostly a \
+                      smaller one; straight bevels are the exception.";
 
 impl OrientationView {
     /// Sentences, table and chart of a flank.

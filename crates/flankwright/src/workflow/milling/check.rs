@@ -12,7 +12,7 @@ use crate::geometry::Cutter;
 use crate::nc::Dialect;
 use crate::numerics::Progress;
 use crate::process::milling::plan;
-use crate::removal::{Milling, mill};
+use crate::removal::{Milling, Unmilled, mill};
 use crate::workflow::finding::{Remark, RunFailure};
 use crate::workflow::programs::{CheckedFlank, CheckedProgram, Moved, figures};
 use std::collections::BTreeMap;
@@ -58,29 +58,27 @@ pub(in crate::workflow) fn check_milling(
         let Some(rays) = milled_rays(flank, &bodies) else { continue };
         let milled =
             mill(&setup, &rays, progress).map_err(|error| RunFailure::of_removal(&error, "milling"))?;
-        let (mut max_deviation_um, mut difference_um, mut missed, mut lone) = (0.0f64, 0.0f64, 0, 0);
+        let (mut max_deviation_um, mut difference_um) = (0.0f64, 0.0f64);
+        let mut unmilled: Vec<Unmilled> = Vec::new();
         for (ray, wanted) in milled.rays.iter().zip(&flank.simulated) {
-            match (ray.as_ref().ok().map(|ray| ray.length), wanted) {
-                (Some(length), Some(wanted)) => {
-                    max_deviation_um = max_deviation_um.max(1e3 * length.abs());
-                    difference_um = difference_um.max(1e3 * (length - wanted).abs());
+            match ray {
+                Ok(ray) => {
+                    max_deviation_um = max_deviation_um.max(1e3 * ray.length.abs());
+                    let difference = wanted.map_or(0.0, |wanted| 1e3 * (ray.length - wanted).abs());
+                    difference_um = difference_um.max(difference);
                 }
-                (Some(length), None) => {
-                    max_deviation_um = max_deviation_um.max(1e3 * length.abs());
-                    lone += 1;
-                }
-                (None, wanted) => {
-                    missed += 1;
-                    lone += usize::from(wanted.is_some());
-                }
+                // A side that slides along itself while the cutter is drawn back: the ray tells nothing.
+                Err(Unmilled::NotSettled) => {}
+                Err(reason) => unmilled.push(*reason),
             }
         }
-        if missed > 0 || lone > 0 {
+        if let Some(reason) = unmilled.first() {
             checked.remarks.push(Remark {
                 code: "flank-not-milled",
                 text: format!(
-                    "{} flank: {missed} of {} rays are not milled by the program, {lone} differently from the job's own paths",
+                    "{} flank: {} of {} rays are not milled by the program: {reason}",
                     flank.side,
+                    unmilled.len(),
                     rays.len()
                 ),
                 way_out: "see that the program mills the space about +y with the tools of the job".into(),

@@ -34,14 +34,16 @@ pub(super) fn view(outcome: &MillingOutcome) -> Option<ProgramsView> {
     }
     let motions: Vec<Shown<'_>> = motions.into_iter().map(|(_, shown)| shown).collect();
     let first = motions.first()?;
-    let one = motions.len() == 1;
-    let remarks = motions.iter().flat_map(|shown| {
-        let of = if one { String::new() } else { format!("{}: ", shown.controls) };
-        shown.result.remarks.iter().map(move |remark| format!("{of}{remark}"))
-    });
+    // What holds for all of them is told once, without names.
+    let common = |remark: &&String| motions.iter().all(|shown| shown.result.remarks.contains(remark));
+    let mut remarks: Vec<String> = first.result.remarks.iter().filter(common).cloned().collect();
+    for shown in &motions {
+        let own = shown.result.remarks.iter().filter(|remark| !common(remark));
+        remarks.extend(own.map(|remark| format!("{}: {remark}", shown.controls)));
+    }
     Some(ProgramsView {
         proof: proof(results),
-        remarks: remarks.collect(),
+        remarks,
         courses: charts(machine, first),
         cycle_times: motions.iter().map(cycle_times).collect(),
     })
