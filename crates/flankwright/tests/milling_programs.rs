@@ -443,7 +443,7 @@ fn each_way_past_the_pole_has_its_effect() {
     let rays = rays_near_the_pole();
     let planned = planned_lengths(&work, &rays);
     assert!(planned.iter().all(Option::is_some));
-    let cap = 3f64.to_radians();
+    let cap = 6f64.to_radians();
     for rtcp in [Rtcp::On, Rtcp::Off] {
         let [slow, hold, mount] =
             [AtPole::Slow { cap }, AtPole::Hold { cap }, AtPole::Mount { cap }].map(|way| built(way, rtcp));
