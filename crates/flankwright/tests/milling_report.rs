@@ -243,8 +243,8 @@ fn the_page_is_complete() {
     ] {
         assert!(text.contains(part), "{part}");
     }
-    // Two views, two maps, two sections, two charts of rows, wear, root, axes.
-    assert_eq!(assert_well_formed(&text), 11);
+    // Two views, two maps, two sections, two charts of rows, wear, root, orientation, axes.
+    assert_eq!(assert_well_formed(&text), 12);
     assert_eq!(text, page(&report()));
 }
 
@@ -252,6 +252,7 @@ fn the_page_is_complete() {
 fn absent_data_leave_no_section() {
     let mut report = report();
     (report.root, report.programs, report.warnings) = (None, None, vec![]);
+    report.orientations.clear();
     for flank in &mut report.flanks {
         (flank.wear, flank.density) = (None, vec![]);
         for row in &mut flank.rows {
@@ -262,6 +263,7 @@ fn absent_data_leave_no_section() {
     let text = page(&report);
     for absent in [
         "<h2>Root",
+        "<h2>Orientation",
         "<h2>Programs",
         "<h2>Warnings",
         "<h2>Wear",
@@ -279,7 +281,7 @@ fn absent_data_leave_no_section() {
 fn falling_heights_are_turned_over() {
     let mut report = report();
     report.flanks = vec![flank("Left flank", [30.0, 10.0])];
-    assert_eq!(assert_well_formed(&page(&report)), 10);
+    assert_eq!(assert_well_formed(&page(&report)), 11);
 }
 
 #[test]

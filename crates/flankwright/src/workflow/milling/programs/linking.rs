@@ -18,6 +18,9 @@ const JUMP: f64 = std::f64::consts::PI;
 /// Largest turn of an axis on one block that turns it back, rad.
 const UNWIND_STEP: f64 = 2.5;
 
+/// Blocks shorter than this (s) go nowhere; no control takes them.
+const NO_TIME: f64 = 1e-7;
+
 impl Driver<'_> {
     /// The position for a place that is nearest to where the axes stand.
     fn near(&self, place: &Place, from: &Positions) -> Option<Positions> {
@@ -61,7 +64,7 @@ impl Driver<'_> {
                     let seconds = rapid_seconds(self.setup, &nodes[k - 1], &nodes[k]);
                     step(pass, kind(k), (way.places[k], nodes[k]), seconds, guided)
                 });
-                return Ok(made.filter(|step| step.seconds > 0.0).collect());
+                return Ok(made.filter(|step| step.seconds > NO_TIME).collect());
             }
         }
         self.unwound(pass, room, [from, to], guided)
@@ -120,7 +123,7 @@ impl Driver<'_> {
             for (kind, place, at, guided) in nodes {
                 let seconds = rapid_seconds(self.setup, &last, &at);
                 last = at;
-                if seconds > 0.0 {
+                if seconds > NO_TIME {
                     steps.push(step(pass, kind, (place, at), seconds, guided));
                 }
             }
