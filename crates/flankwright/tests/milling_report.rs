@@ -5,8 +5,9 @@ use flankwright::report::charts::{
     NamedTopography, Svg, Topography, contour_map_in, drawing,
 };
 use flankwright::report::milling::{
-    AxisCourse, CourseLine, DensityRow, FlankFigures, FlankView, MateFlankView, MateView, MillingReport,
-    OperationRow, PatternFigures, ProgramsView, RowView, Titled, WearView,
+    AxisCourse, CourseChart, CourseLine, DensityRow, FlankFigures, FlankView, MateFlankView, MateView,
+    MillingReport, OperationRow, OrientationView, OrientedRowView, PatternFigures, ProgramsView, RotaryView,
+    RowView, Titled, WearView,
 };
 use flankwright::report::{Column, PlanReport, Quantity, Status, Table, Warning, html};
 
@@ -123,19 +124,25 @@ fn report() -> MillingReport {
             places: 350,
             way_mm: 840.0,
         }],
+        orientations: vec![orientation()],
         programs: Some(ProgramsView {
-            axes: vec![AxisCourse {
-                name: "A".into(),
-                unit: "deg".into(),
-                lines: vec![CourseLine { name: "program".into(), time_s: time, value: angle }],
+            proof: vec!["The texts were read back.".into()],
+            remarks: vec!["C is turned back twice.".into()],
+            courses: vec![CourseChart {
+                title: "Axes over time".into(),
+                caption: String::new(),
+                axes: vec![AxisCourse {
+                    name: "A".into(),
+                    unit: "deg".into(),
+                    lines: vec![CourseLine { name: "program".into(), time_s: time, value: angle }],
+                }],
             }],
-            cycle_times: Table {
+            cycle_times: vec![Table {
                 caption: "Cycle times".into(),
                 columns: vec![Column::text("Operation"), Column::number("Time", "s")],
                 rows: vec![vec!["left flank".into(), "60".into()]],
                 note: String::new(),
-            },
-            proof: vec!["The texts were read back.".into()],
+            }],
         }),
         files: vec![("result.json".into(), "result".into())],
     }
@@ -170,6 +177,51 @@ fn mate() -> MateView {
             peak_to_peak: [12.3, 4.56],
         }],
     }
+}
+
+/// A row on which the column plane saves 26 degrees, and one that the machine does not reach.
+fn orientation() -> OrientationView {
+    let figures = |travel: [f64; 2], lean: f64| RotaryView {
+        travel_deg: travel,
+        second: [0.02, 0.0],
+        reversals: [0, 1],
+        lean_deg: [-lean, 0.5 * lean],
+    };
+    let row = |name: &str, figures: Result<RotaryView, String>| OrientedRowView {
+        name: name.into(),
+        figures,
+        arc_mm: vec![0.0, 10.0, 20.0],
+        angles_deg: [vec![0.0, 20.0, 40.0], vec![80.0, 81.0, 80.0]],
+    };
+    OrientationView {
+        flank: "Left flank".into(),
+        machine: "the machine mill".into(),
+        axes: ["C".into(), "A".into()],
+        rows: vec![
+            row("in the column planes", Ok(figures([40.0, 2.0], 4.0))),
+            row("along the parameter lines", Ok(figures([67.0, 1.0], 16.0))),
+            row("along lines sheared by 2 % of the face", Err("beyond the travel of A".into())),
+        ],
+    }
+}
+
+#[test]
+fn orientations_are_told_side_by_side() {
+    let told = page(&report());
+    let section = told.split("<h2>Orientation of the cutter").nth(1).unwrap().split("<h2>").next().unwrap();
+    assert!(section.contains("42.00 deg along the row, 26.00 deg less than"), "{section}");
+    assert!(section.contains("at most 4.00 deg instead of 16.00 deg"), "{section}");
+    assert!(section.contains("does not generally save rotary motion"));
+    assert!(section.contains("beyond the travel of A"));
+    // What the machine does not reach has no line.
+    let chart = section.split("<svg").nth(1).unwrap();
+    assert!(chart.contains("along the parameter lines") && !chart.contains("sheared"));
+    let mut alike = report();
+    alike.orientations[0].rows[1] = alike.orientations[0].rows[0].clone();
+    assert!(page(&alike).contains("as much as with the axis along the parameter lines"));
+    let mut out_of_reach = report();
+    out_of_reach.orientations[0].rows[0].figures = Err("beyond".into());
+    assert!(page(&out_of_reach).contains("not all orientations are within reach of the machine mill"));
 }
 
 fn page(report: &MillingReport) -> String {
@@ -228,8 +280,8 @@ fn the_page_is_complete() {
     ] {
         assert!(text.contains(part), "{part}");
     }
-    // Two views, two maps, two sections, two charts of rows, wear, root, pattern, transmission error, axes.
-    assert_eq!(assert_well_formed(&text), 13);
+    // Two views, two maps, two sections, two charts of rows, wear, root, pattern, transmission error, orientation, axes.
+    assert_eq!(assert_well_formed(&text), 14);
     assert_eq!(text, page(&report()));
 }
 
@@ -237,6 +289,7 @@ fn the_page_is_complete() {
 fn absent_data_leave_no_section() {
     let mut report = report();
     (report.root, report.mate, report.programs, report.warnings) = (None, None, None, vec![]);
+    report.orientations.clear();
     for flank in &mut report.flanks {
         (flank.wear, flank.density) = (None, vec![]);
         for row in &mut flank.rows {
@@ -248,6 +301,7 @@ fn absent_data_leave_no_section() {
     for absent in [
         "<h2>Root",
         "<h2>Contact with the mate",
+        "<h2>Orientation",
         "<h2>Programs",
         "<h2>Warnings",
         "<h2>Wear",
@@ -265,7 +319,7 @@ fn absent_data_leave_no_section() {
 fn falling_heights_are_turned_over() {
     let mut report = report();
     report.flanks = vec![flank("Left flank", [30.0, 10.0])];
-    assert_eq!(assert_well_formed(&page(&report)), 12);
+    assert_eq!(assert_well_formed(&page(&report)), 13);
 }
 
 /// The pattern is a closed ring of 2 mm about its centre, in the scale of the drawing, and ends where the mate ends.
@@ -307,7 +361,7 @@ fn a_peak_of_an_axis_stays_in_its_chart() {
         text[from..].split("</svg>").next().unwrap().to_owned()
     };
     let mut low = report();
-    low.programs.as_mut().unwrap().axes[0].lines[0].value[777] = 0.0;
+    low.programs.as_mut().unwrap().courses[0].axes[0].lines[0].value[777] = 0.0;
     assert!(axis(&page(&report())).contains(">8</text>"));
     assert!(!axis(&page(&low)).contains(">8</text>"));
 }

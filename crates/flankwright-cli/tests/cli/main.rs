@@ -10,6 +10,7 @@ mod explore;
 mod gearbox;
 mod line_dressing;
 mod milling;
+mod milling_refusals;
 mod planning;
 mod programs;
 mod robustness;

@@ -28,7 +28,7 @@ pub use contact_height::{ContactHeight, HeightRamp};
 pub use cutter::{CutterForm, CutterShank, MillingCutter};
 pub use density::{Density, GridChoice};
 pub use gear::{DoubleHelical, MillingGear};
-pub use machine::{MillingMachine, MillingMount, Rtcp};
+pub use machine::{MillingMachine, MillingMount, PoleWay, Rtcp};
 pub use mate::Mate;
 pub use milling::{CutSense, Milling, RowDistances, RowSequence, Spaces, Traversal};
 pub use output::MillingOutput;

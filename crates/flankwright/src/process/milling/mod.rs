@@ -48,7 +48,7 @@ pub use lead_through::{lead_through_height, lead_through_row};
 pub use lines::{LaidLines, Lines, SpacingLaw, lay_lines};
 pub use local::{LocalContact, row_distance};
 pub use location::{ContactZone, CutterLocation, Orientation, TouchFault};
-pub use orientation::{AxisChoice, other_axis};
+pub use orientation::{AxisChoice, OrientedPlace, OrientedRow, RowCutter, other_axis};
 pub use path::{
     CutDirection, CutterPath, CutterPlace, Retraction, RowOrder, Traverse, approach_arc, retracted, row_path,
 };

@@ -1,6 +1,6 @@
 //! What the page of five-axis milling shows, as data.
 
-use super::{MateView, ProgramsView};
+use super::{MateView, OrientationView, ProgramsView};
 use crate::report::charts::Drawing;
 use crate::report::{Quantity, Status, Warning};
 
@@ -37,6 +37,8 @@ pub struct MillingReport {
     pub mate: Option<MateView>,
     /// Operations in their order, for one space.
     pub operations: Vec<OperationRow>,
+    /// The rotary motion beside that of other systems, flank by flank.
+    pub orientations: Vec<OrientationView>,
     /// Programs and the motion of the axes.
     pub programs: Option<ProgramsView>,
     /// Files: path and content.

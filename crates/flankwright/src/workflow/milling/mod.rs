@@ -2,12 +2,18 @@
 //! them, and the files of a run.
 
 mod bodies;
+pub(in crate::workflow) mod chain;
+mod check;
 mod finding;
+mod machine_remarks;
 mod mate;
 mod meshes;
 mod of_job;
 mod offset;
+pub(in crate::workflow) mod orientation;
+mod orientation_result;
 mod page;
+mod program_result;
 pub mod programs;
 mod referee;
 mod result;
@@ -18,12 +24,16 @@ mod wear;
 mod write;
 
 pub use bodies::{FlankRange, MillingBodies, prepare_milling};
+pub(in crate::workflow) use check::check_milling;
 pub use mate::{MateFlank, MateOutcome};
 pub use of_job::MillingTexts;
+pub use orientation::{ComparedOrientations, OrientationCurve};
+pub use orientation_result::{OrientationFigures, OrientationResult, RotaryFigures};
+pub use program_result::{MountTilt, ProgramOperation, ProgramResult};
 pub use referee::{RefereedFlank, referee};
 pub use result::{
     CutterResult, DistancesResult, FlankResult, MateFlankResult, MateResult, MillingResult, OperationResult,
-    PatternResult, ProgramResult, RootDeviationResult, RootResult, RowResult, WearResult,
+    PatternResult, RootDeviationResult, RootResult, RowResult, WearResult,
 };
 pub use root::{RefereedRoot, referee_root};
 pub use run::{MillingOutcome, run_milling};

@@ -85,6 +85,17 @@ pub(super) fn unmilled(rays: &[Result<MilledRay, Unmilled>]) -> Vec<(Unmilled, u
     counts
 }
 
+/// The rays of a refereed flank.
+pub(super) fn milled_rays(flank: &RefereedFlank, bodies: &MillingBodies) -> Option<Vec<NormalRay>> {
+    let surface = &bodies.space.flanks.iter().find(|other| other.side == flank.side)?.active.surface;
+    let places = flank.heights.iter().flat_map(|a| flank.lengths.iter().map(move |b| (*a, *b)));
+    let ray = |(a, b)| {
+        let jet = surface.jet(a, b);
+        NormalRay { point: jet.point, normal: jet.normal }
+    };
+    Some(places.map(ray).collect())
+}
+
 /// All milled flanks under their rays.
 ///
 /// # Errors

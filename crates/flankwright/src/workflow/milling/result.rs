@@ -1,5 +1,7 @@
 //! The document of a milling job's `result.json`, with units in the key names.
 
+use super::orientation_result::OrientationResult;
+use super::program_result::ProgramResult;
 use crate::contact::ContactPattern;
 use crate::geometry::CutterShape;
 use crate::workflow::finding::Remark;
@@ -44,27 +46,6 @@ pub struct MillingResult {
     pub programs: Vec<ProgramResult>,
     /// Seconds per stage; the only part that differs between two runs.
     pub timing_s: BTreeMap<&'static str, f64>,
-}
-
-/// One program.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct ProgramResult {
-    /// Path below the directory of the run.
-    pub file: String,
-    /// Control.
-    pub control: &'static str,
-    /// Blocks that move.
-    pub blocks: usize,
-    /// Time of the whole program.
-    pub duration_s: f64,
-    /// What rounding of the numbers does at most.
-    pub rounding_um: f64,
-    /// What straight blocks of the axes do to the tip at most.
-    pub straight_blocks_um: f64,
-    /// Largest difference of a ray milled as the text says from the planned one.
-    pub proof_difference_um: f64,
-    /// What rounding and straight blocks explain of it.
-    pub proof_allowed_um: f64,
 }
 
 /// A cutter. Lengths in mm.
@@ -160,6 +141,9 @@ pub struct FlankResult {
     /// The root below the flank, at its middle column.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub root: Option<RootResult>,
+    /// The rotary motion beside that of other systems, where the job wants it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub orientation: Option<OrientationResult>,
 }
 
 /// Distances of neighbours, mm; a mean is that of one line.

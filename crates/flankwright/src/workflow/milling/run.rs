@@ -4,6 +4,7 @@ use super::bodies::{MillingBodies, prepare_milling};
 use super::finding::failure;
 use super::mate::{self, MateOutcome};
 use super::of_job::{MillingTexts, texts};
+use super::orientation::{ComparedOrientations, orientations};
 use super::referee::{RefereedFlank, referee};
 use super::result::{
     CutterResult, DistancesResult, FlankResult, MillingResult, OperationResult, RootResult, RowResult,
@@ -12,11 +13,13 @@ use super::result::{
 use super::root::{RefereedRoot, referee_root};
 use super::wear::histograms;
 use crate::exchange::LoadedMillingJob;
-use crate::exchange::milling_job::MilledBody;
+use crate::exchange::milling_job::{MilledBody, MillingJob};
 use crate::numerics::{Progress, extremes};
 use crate::process::milling::{FlankPlan, MillingPlan, NeighbourDistances, Operation, plan};
 use crate::workflow::finding::{Remark, RunFailure};
+use crate::workflow::programs::machine_of_job;
 use crate::workflow::result::Status;
+use crate::workflow::run::parquet_warning;
 use std::collections::BTreeMap;
 use std::time::Instant;
 
@@ -34,6 +37,8 @@ pub struct MillingOutcome {
     pub root: Vec<RefereedRoot>,
     /// Contact with the mate, if the job has one.
     pub mate: Option<MateOutcome>,
+    /// The rotary motion beside that of other systems, flank by flank; empty where the job does not want it.
+    pub orientations: Vec<ComparedOrientations>,
     /// Programs and cutter locations.
     pub texts: MillingTexts,
 }
@@ -69,7 +74,12 @@ pub fn run_milling(loaded: &LoadedMillingJob, progress: &dyn Progress) -> Result
     timing.insert("referee", begun.elapsed().as_secs_f64());
 
     let begun = Instant::now();
-    let texts = texts(loaded, &bodies, &made, &flanks, progress)?;
+    let machine = job.machine.as_ref().map(|given| machine_of_job(loaded, &given.file)).transpose()?;
+    let orientations = orientations(job, machine.as_ref(), &bodies, &made)?;
+    timing.insert("orientations", begun.elapsed().as_secs_f64());
+
+    let begun = Instant::now();
+    let texts = texts(job, machine, &bodies, &made, &flanks, progress)?;
     timing.insert("programs", begun.elapsed().as_secs_f64());
 
     let units = match job.body() {
@@ -77,12 +87,17 @@ pub fn run_milling(loaded: &LoadedMillingJob, progress: &dyn Progress) -> Result
         Some(MilledBody::Blade(_)) => ["1", "1"],
         _ => ["mm", "mm"],
     };
-    let results: BTreeMap<&'static str, FlankResult> = made
+    let mut results: BTreeMap<&'static str, FlankResult> = made
         .flanks
         .iter()
         .zip(&flanks)
         .map(|(plan, refereed)| (plan.side.name(), flank_result(&bodies, plan, refereed, units)))
         .collect();
+    for compared in &orientations {
+        if let Some(flank) = results.get_mut(compared.side.name()) {
+            flank.orientation = Some(compared.result.clone());
+        }
+    }
     let tolerance_um = job.target.tolerance_um;
     let missed = results.values().any(|flank| {
         flank.max_deviation_um.is_nan() || flank.max_deviation_um > tolerance_um || !flank.unmilled.is_empty()
@@ -96,7 +111,7 @@ pub fn run_milling(loaded: &LoadedMillingJob, progress: &dyn Progress) -> Result
         status: if missed { Status::Missed } else { Status::Met },
         tolerance_um,
         reason,
-        warnings: warnings(&made, &root),
+        warnings: warnings(job, &made, &root),
         spaces: [bodies.spaces, bodies.milled],
         cutter: CutterResult::new(bodies.options.cutter.shape(), bodies.options.cutter.cutting_length()),
         operations: made.operations.iter().map(operation_result).collect(),
@@ -106,7 +121,7 @@ pub fn run_milling(loaded: &LoadedMillingJob, progress: &dyn Progress) -> Result
         programs: texts.results(),
         timing_s: timing,
     };
-    Ok(MillingOutcome { result, bodies, plan: made, flanks, root, mate, texts })
+    Ok(MillingOutcome { result, bodies, plan: made, flanks, root, mate, orientations, texts })
 }
 
 fn reason(results: &BTreeMap<&'static str, FlankResult>, worst: f64, tolerance_um: f64) -> Remark {
@@ -125,8 +140,8 @@ fn reason(results: &BTreeMap<&'static str, FlankResult>, worst: f64, tolerance_u
     }
 }
 
-fn warnings(plan: &MillingPlan, root: &[RefereedRoot]) -> Vec<Remark> {
-    let mut warnings = Vec::new();
+fn warnings(job: &MillingJob, plan: &MillingPlan, root: &[RefereedRoot]) -> Vec<Remark> {
+    let mut warnings: Vec<Remark> = parquet_warning(&job.output.tables).into_iter().collect();
     let unmilled: usize = root.iter().flat_map(|part| &part.unmilled).map(|(_, count)| count).sum();
     if unmilled > 0 {
         warnings.push(Remark {
@@ -243,6 +258,7 @@ fn flank_result(
         rows: rows.collect(),
         wear: wear(bodies, plan),
         root,
+        orientation: None,
     }
 }
 

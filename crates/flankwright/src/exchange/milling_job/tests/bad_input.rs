@@ -377,6 +377,27 @@ const GEAR_CASES: &[Case] = &[
     ),
     ("tool_length = 120.0\n", "", "missing-key", "machine.tool_length", &["spindle nose"]),
     (
+        "tool_length = 120.0\n",
+        "tool_length = 120.0\npole = \"around\"\n",
+        "unknown-value",
+        "machine.pole",
+        &["around", "mount"],
+    ),
+    (
+        "tool_length = 120.0\n",
+        "tool_length = 120.0\npole = \"hold\"\n",
+        "invalid-job",
+        "machine.pole",
+        &["ball"],
+    ),
+    (
+        "tool_length = 120.0\n",
+        "tool_length = 120.0\npole_cap_deg = 21.0\n",
+        "invalid-number",
+        "machine.pole_cap_deg",
+        &["2 is the default"],
+    ),
+    (
         "tool_length = 120.0",
         "tool_length = 120.0\nrtcp = \"auto\"",
         "unknown-value",

@@ -2,7 +2,9 @@
 
 mod flanks;
 mod mate;
+mod orientation;
 mod outline;
+mod programs;
 mod root;
 mod views;
 
@@ -11,18 +13,17 @@ use super::run::MillingOutcome;
 use crate::exchange::MillingJob;
 use crate::process::milling::OperationKind;
 use crate::report::charts::{ChartError, format_significant};
-use crate::report::milling::{MillingReport, OperationRow, ProgramsView};
+use crate::report::milling::{MillingReport, OperationRow};
 use crate::report::{Quantity, Status as Banner, Warning, html};
 use crate::workflow::result::Status;
 
-/// The report of a run as a self-contained HTML page; `programs` if the job has a machine.
+/// The report of a run as a self-contained HTML page.
 ///
 /// # Errors
 /// A number that is not finite.
 pub fn html_page(
     job: &MillingJob,
     outcome: &MillingOutcome,
-    programs: Option<ProgramsView>,
     files: &[(String, &'static str)],
 ) -> Result<String, ChartError> {
     let result = &outcome.result;
@@ -49,7 +50,8 @@ pub fn html_page(
         root: root::root(outcome),
         mate: outcome.mate.as_ref().map(mate::mate),
         operations: operations(outcome),
-        programs,
+        orientations: orientation::views(outcome),
+        programs: programs::view(outcome),
         files: files.iter().map(|(path, content)| (path.clone(), (*content).into())).collect(),
     };
     Ok(html::render(&report.to_page()?))
