@@ -19,6 +19,7 @@ const PLANS: &[(&str, i32)] = &[
     ("line-dressing.toml", 0),
     ("milling/automotive-gear.toml", 0),
     ("milling/blisk-blade.toml", 0),
+    ("milling/double-helical.toml", 0),
     ("milling/helical-module-6.toml", 0),
     ("milling/internal-ring.toml", 0),
     ("milling/spiral-bevel-15.toml", 0),

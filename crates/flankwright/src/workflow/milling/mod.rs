@@ -2,11 +2,14 @@
 //! them, and the files of a run.
 
 mod bodies;
+mod cylindrical;
 mod finding;
+mod lands;
 mod meshes;
 mod of_job;
 mod offset;
 mod page;
+mod part_mesh;
 pub mod programs;
 mod referee;
 mod result;
@@ -19,8 +22,8 @@ pub use bodies::{FlankRange, MillingBodies, prepare_milling};
 pub use of_job::MillingTexts;
 pub use referee::{RefereedFlank, referee};
 pub use result::{
-    CutterResult, DistancesResult, FlankResult, MillingResult, OperationResult, ProgramResult, RootResult,
-    RowResult, WearResult,
+    CutterResult, DistancesResult, FlankResult, MillingResult, OperationResult, OutOfReachResult,
+    ProgramResult, RootResult, RowResult, WearResult,
 };
 pub use run::{MillingOutcome, run_milling};
 pub use write::write_milling;

@@ -59,11 +59,11 @@ pub(super) fn texts(
     };
     let programs = machining.build(&work)?;
     let (mut rays, mut planned) = (Vec::new(), Vec::new());
-    for flank in flanks {
-        let Some(space) = bodies.space.flanks.iter().find(|other| other.side == flank.side) else { continue };
+    for (made, flank) in plan.flanks.iter().zip(flanks) {
         let places = flank.heights.iter().flat_map(|a| flank.lengths.iter().map(move |b| (*a, *b)));
-        for ((a, b), length) in places.zip(&flank.simulated).step_by(PROVEN) {
-            let jet = space.active.surface.jet(a, b);
+        let judged = places.zip(&flank.simulated).zip(&flank.judged).filter(|(_, judged)| **judged);
+        for (((a, b), length), _) in judged.step_by(PROVEN) {
+            let jet = made.active.surface.jet(a, b);
             rays.push(NormalRay { point: jet.point, normal: jet.normal });
             planned.push(*length);
         }
@@ -96,7 +96,7 @@ fn work<'a>(job: &'a MillingJob, bodies: &MillingBodies, plan: &MillingPlan) -> 
         job: &job.job.name,
         tools: tools.collect(),
         spaces: bodies.milled,
-        pitch: bodies.space.pitch,
+        pitch: bodies.pitch,
         retraction: bodies.retraction,
     }
 }

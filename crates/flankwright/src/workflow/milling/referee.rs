@@ -2,10 +2,12 @@
 
 use super::bodies::MillingBodies;
 use super::finding::failure;
-use crate::geometry::{Cutter, Flank};
+use crate::geometry::Cutter;
 use crate::numerics::{Progress, equidistant};
-use crate::process::milling::{FlankPlan, MillingError, MillingPlan, OperationKind, RowModel, plane_through};
-use crate::removal::{CutterPlace, MillPath, MillStatistics, Milling, NormalRay, Unmilled, mill};
+use crate::process::milling::{
+    FlankPlan, MilledSide, MillingError, MillingPlan, OperationKind, RowModel, plane_through,
+};
+use crate::removal::{CutterPlace, MillPath, MillStatistics, MilledRay, Milling, NormalRay, Unmilled, mill};
 use crate::workflow::finding::RunFailure;
 use rayon::prelude::*;
 
@@ -13,7 +15,7 @@ use rayon::prelude::*;
 #[derive(Clone, Debug)]
 pub struct RefereedFlank {
     /// Which.
-    pub side: Flank,
+    pub side: MilledSide,
     /// Height parameters of the rays, root to tip.
     pub heights: Vec<f64>,
     /// Length parameters.
@@ -22,6 +24,9 @@ pub struct RefereedFlank {
     pub simulated: Vec<Option<f64>>,
     /// What was predicted: scallop and chord.
     pub predicted: Vec<Option<[f64; 2]>>,
+    /// Whether each ray is judged. In the middle of a double-helical gear rows end where the other half is in the way; what they leave
+    /// there is counted, not simulated nor predicted, unless it is gouged.
+    pub judged: Vec<bool>,
     /// Why rays were not milled, with their number.
     pub unmilled: Vec<(Unmilled, usize)>,
     /// How much the referee looked at.
@@ -49,9 +54,8 @@ pub(super) fn mill_paths(bodies: &MillingBodies, plan: &MillingPlan) -> (Vec<Cut
 }
 
 /// Rays on a flank: equal steps of both parameters over the face.
-pub(super) fn rays(flank: &FlankPlan, bodies: &MillingBodies, counts: [usize; 2]) -> Option<Rays> {
-    let space_flank = bodies.space.flanks.iter().find(|other| other.side == flank.side)?;
-    let active = &space_flank.active;
+pub(super) fn rays(flank: &FlankPlan, counts: [usize; 2]) -> Rays {
+    let active = &flank.active;
     let heights = equidistant(active.height_span(), counts[0]);
     let lengths = equidistant(active.face, counts[1]);
     let rays = heights
@@ -62,7 +66,7 @@ pub(super) fn rays(flank: &FlankPlan, bodies: &MillingBodies, counts: [usize; 2]
             NormalRay { point: jet.point, normal: jet.normal }
         })
         .collect();
-    Some(Rays { heights, lengths, rays })
+    Rays { heights, lengths, rays }
 }
 
 /// Rays of one flank, row-major.
@@ -85,11 +89,13 @@ pub fn referee(
     let (cutters, paths) = mill_paths(bodies, plan);
     let setup = Milling { cutters: &cutters, paths: &paths, stock: STOCK, depth: DEPTH };
     let of_flank = |flank: &FlankPlan| {
-        let Some(Rays { heights, lengths, rays }) = rays(flank, bodies, counts) else { return Ok(None) };
+        let Rays { heights, lengths, rays } = rays(flank, counts);
         let milled =
             mill(&setup, &rays, progress).map_err(|error| RunFailure::of_removal(&error, "milling"))?;
+        let judged = judged(flank, &heights, &lengths, &milled.rays)?;
         let mut unmilled: Vec<(Unmilled, usize)> = Vec::new();
-        for reason in milled.rays.iter().filter_map(|ray| ray.as_ref().err()) {
+        let found = || milled.rays.iter().zip(&judged).filter_map(|(ray, judged)| judged.then_some(ray));
+        for reason in found().filter_map(|ray| ray.as_ref().err()) {
             match unmilled
                 .iter_mut()
                 .find(|(known, _)| std::mem::discriminant(known) == std::mem::discriminant(reason))
@@ -98,20 +104,43 @@ pub fn referee(
                 None => unmilled.push((*reason, 1)),
             }
         }
-        let simulated = milled.rays.iter().map(|ray| ray.as_ref().ok().map(|ray| ray.length)).collect();
+        let length = |(ray, judged): (&Result<MilledRay, Unmilled>, &bool)| match ray {
+            Ok(ray) if *judged => Some(ray.length),
+            _ => None,
+        };
+        let simulated = milled.rays.iter().zip(&judged).map(length).collect();
         let predicted = predict(bodies, flank, &heights, &lengths)?;
-        Ok(Some(RefereedFlank {
+        Ok(RefereedFlank {
             side: flank.side,
             heights,
             lengths,
             simulated,
             predicted,
+            judged,
             unmilled,
             statistics: milled.statistics,
             error_um: milled.error_um,
-        }))
+        })
     };
-    plan.flanks.iter().filter_map(|flank| of_flank(flank).transpose()).collect()
+    plan.flanks.iter().map(of_flank).collect()
+}
+
+/// Which rays of a flank are judged: those that rows come by, and any other one that is gouged all the same.
+fn judged(
+    flank: &FlankPlan,
+    heights: &[f64],
+    lengths: &[f64],
+    milled: &[Result<MilledRay, Unmilled>],
+) -> Result<Vec<bool>, RunFailure> {
+    let places = heights.iter().flat_map(|a| lengths.iter().map(move |b| (*a, *b)));
+    let judged = places.zip(milled).map(|((a, b), ray)| {
+        let gouged = match ray {
+            Ok(ray) => ray.length < 0.0,
+            Err(reason) => matches!(reason, Unmilled::TooDeep { .. }),
+        };
+        Ok(gouged || flank.reaches(a, b)?)
+    });
+    judged.collect::<Result<_, _>>().map_err(|error: MillingError| failure(&error))
 }
 
 /// What the two rows beside every ray leave there.
@@ -121,15 +150,12 @@ fn predict(
     heights: &[f64],
     lengths: &[f64],
 ) -> Result<Vec<Option<[f64; 2]>>, RunFailure> {
-    let Some(space_flank) = bodies.space.flanks.iter().find(|other| other.side == flank.side) else {
-        return Ok(Vec::new());
-    };
-    let (active, lead) = (&space_flank.active, &*bodies.space.lead);
+    let (active, lead) = (&flank.active, &*flank.lead);
     let cutter = bodies.options.cutter_of(OperationKind::Flank(flank.side));
     let grid = &flank.lines.path;
     let models = flank.rows.iter().enumerate().map(|(row, finished)| {
         let tool = (cutter.shape(), cutter.cutting_length());
-        RowModel::new(active, lead, grid, row, tool, finished.contact_height, bodies.options.orientation)
+        RowModel::new(active, lead, grid, row, tool, finished.contact_height, flank.orientation)
     });
     // With fewer than four columns there is no spline through them and nothing is predicted between.
     let Ok(models) = models.collect::<Result<Vec<_>, _>>() else {
@@ -145,6 +171,9 @@ fn predict(
     let places: Vec<(f64, f64)> =
         heights.iter().flat_map(|&a| lengths.iter().map(move |&b| (a, b))).collect();
     let of_place = |&(a, b): &(f64, f64)| -> Result<Option<[f64; 2]>, MillingError> {
+        if !flank.reaches(a, b)? {
+            return Ok(None);
+        }
         let u = plane_through(active, lead, a, b)?;
         let jet = active.surface.jet(a, b);
         // Heights of the rows there, ascending or (internal gears) descending.
