@@ -24,7 +24,6 @@ struct Teeth<'a> {
     gear: Gear,
     /// Tip radius, mm.
     tip: f64,
-    spaces: usize,
 }
 
 /// Where the teeth of a half lie.
@@ -56,7 +55,7 @@ pub(super) fn cylindrical(loaded: &LoadedMillingJob, given: &MillingGear) -> Res
     let spaces = drawing.teeth.unsigned_abs() as usize;
     let base = Helicoid::new(&gear, Flank::Left);
     let (sign, twist) = (base.external_sign(), base.twist());
-    let teeth = Teeth { loaded, drawing, gear, tip, spaces };
+    let teeth = Teeth { loaded, drawing, gear, tip };
     let extents: Vec<Extent> = match given.double_helical {
         None => vec![Extent { face: [-half, half], kink: None }],
         Some(halves) => {

@@ -14,6 +14,10 @@ const ALONG_LENGTH: usize = 33;
 const AROUND: usize = 180;
 /// How much deeper than the root the gap of a double-helical gear is drawn, as a share of the depth of the teeth.
 const GROOVE: f64 = 0.1;
+/// What is left of the teeth on its floor, and how far its walls lean as a share of its width: points of a section that lie on one radius
+/// would otherwise make faces without an area.
+const PRESSED: f64 = 0.01;
+const WALL: f64 = 0.01;
 
 /// The body.
 ///
@@ -32,7 +36,8 @@ pub(super) fn part(bodies: &MillingBodies) -> Result<TriangleMesh, MeshError> {
             let gap = stretch.left.active.face[0] - first.left.active.face[1];
             if gap > 0.0 {
                 let behind = stretch.section(lengths[0], ends);
-                let grooves = [before, &behind].map(|section| stretch.groove(section));
+                let wall = WALL * gap;
+                let grooves = [stretch.groove(before, wall), stretch.groove(&behind, -wall)];
                 sections.extend(grooves);
             } else {
                 // The halves have this section in common.
@@ -125,18 +130,22 @@ impl<'a> Stretch<'a> {
         start > tip
     }
 
-    /// The same section without teeth: the floor of the gap.
-    fn groove(&self, section: &Section) -> Section {
+    /// The floor of the gap beside a section, moved along the axis: its teeth pressed flat.
+    fn groove(&self, section: &Section, along: f64) -> Section {
         let teeth = if self.is_internal() { &section.holes[0] } else { &section.outline };
-        let radii = || teeth.iter().map(|point| point.xy().norm());
-        let [least, greatest] = extremes(radii());
-        let deeper = GROOVE * (greatest - least);
-        let radius = if self.is_internal() { greatest + deeper } else { least - deeper };
-        let floor = teeth.iter().map(|point| at_radius(point, radius)).collect();
-        if self.is_internal() {
-            Section { outline: section.outline.clone(), holes: vec![floor] }
-        } else {
-            Section { outline: floor, holes: section.holes.clone() }
+        let [least, greatest] = extremes(teeth.iter().map(|point| point.xy().norm()));
+        let depth = greatest - least;
+        let pressed = |radius: f64| match self.is_internal() {
+            true => greatest + GROOVE * depth - PRESSED * (greatest - radius),
+            false => least - GROOVE * depth + PRESSED * (radius - least),
+        };
+        let moved = |point: &Vector3<f64>| Vector3::new(point.x, point.y, point.z + along);
+        let flat = |point: &Vector3<f64>| moved(&at_radius(point, pressed(point.xy().norm())));
+        let [of_teeth, of_circle] = [&flat as &dyn Fn(&Vector3<f64>) -> Vector3<f64>, &moved];
+        let (outer, inner) = if self.is_internal() { (of_circle, of_teeth) } else { (of_teeth, of_circle) };
+        Section {
+            outline: section.outline.iter().map(outer).collect(),
+            holes: section.holes.iter().map(|hole| hole.iter().map(inner).collect()).collect(),
         }
     }
 }
