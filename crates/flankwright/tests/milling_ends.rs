@@ -30,8 +30,7 @@ fn planned(bodies: &MillingBodies) -> MillingPlan {
     plan_all(&bodies.parts, &bodies.options).unwrap()
 }
 
-/// Two rows, a sharp cutter of radius 2.5 mm that touches 4 mm above its
-/// tip; the half towards -z has the helix of the reference.
+/// Two rows, a sharp cutter of radius 2.5 mm that touches 4 mm above its tip; the half towards -z has the helix of the reference.
 const REFERENCE: [(&str, &str); 7] = [
     ("helix_angle_deg = 25.0", "helix_angle_deg = -25.0"),
     ("corner_radius = 1.0\ncutting_length = 16.0", "corner_radius = 0.0\ncutting_length = 30.0"),
