@@ -86,7 +86,7 @@ impl Limits<'_> {
                 continue;
             }
             let Some(before) = number.checked_sub(1) else {
-                return Err(self.from_the_begin(place, &met, row));
+                return Err(self.refused_at_begin(place, &met, row));
             };
             let block = [&places[before], place];
             let room = |share: f64| {
@@ -117,7 +117,7 @@ impl Limits<'_> {
         Ok(Ended { path: CutterPath { places }, at })
     }
 
-    fn from_the_begin(
+    fn refused_at_begin(
         &self,
         place: &CutterPlace,
         met: &[(&Obstacle<'_>, Clearance)],
