@@ -93,6 +93,7 @@ fn options(shape: CutterShape, [rows, columns]: [usize; 2], height: f64, rough: 
         root: Some((RootDepth::Bottom(0.0), true)),
         bottom: Some(0.0),
         roughing: None,
+        approach_radius: None,
         sides: vec![Flank::Left, Flank::Right],
     }
 }

@@ -20,6 +20,7 @@ const PLANS: &[(&str, i32)] = &[
     ("milling/automotive-gear.toml", 0),
     ("milling/blade-on-head-head.toml", 0),
     ("milling/blisk-blade.toml", 0),
+    ("milling/double-helical.toml", 0),
     ("milling/helical-module-6.toml", 0),
     ("milling/helical-on-bc-table.toml", 0),
     ("milling/internal-ring.toml", 0),

@@ -4,10 +4,10 @@ use super::finish::least_height;
 use super::meeting::Line;
 use super::sweep::Sweep;
 use super::{
-    ActiveFlank, ColumnPlane, CutterLocation, LeadPoint, MillingError, MillingPlan, OperationKind,
-    PlanOptions, RootDepth, RootSection, Space,
+    ActiveFlank, ColumnPlane, CutterLocation, LeadPoint, MilledSide, MillingError, MillingPlan, OperationKind,
+    Orientation, PlanOptions, RootDepth, RootSection, Space,
 };
-use crate::geometry::{Cutter, CutterShape, Flank, SurfaceJet};
+use crate::geometry::{Cutter, CutterShape, SurfaceJet};
 use crate::numerics::equidistant;
 use nalgebra::Vector3;
 
@@ -15,7 +15,7 @@ use nalgebra::Vector3;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RootPart {
     /// The fillet below a flank.
-    Fillet(Flank),
+    Fillet(MilledSide),
     /// Between both fillets.
     Bottom,
 }
@@ -49,6 +49,7 @@ pub fn drawn_section(
     lead: &LeadPoint,
     lowest: &SurfaceJet,
     options: &PlanOptions,
+    orientation: Orientation,
     depth: RootDepth,
 ) -> Result<RootSection, MillingError> {
     let shape = options.cutter.shape();
@@ -58,7 +59,7 @@ pub fn drawn_section(
     let length = options.cutter.cutting_length();
     // The axis is the same at every contact height.
     let axis =
-        CutterLocation::new(lowest, lead, shape, length, least_height(shape), options.orientation)?.axis;
+        CutterLocation::new(lowest, lead, shape, length, least_height(shape), orientation)?.axis;
     RootSection::new(lead, &lowest.point, &lowest.normal, &axis, corner_radius, length, depth)
 }
 
@@ -85,9 +86,10 @@ pub fn drawn_root(
     };
     let (mut points, mut ends) = (Vec::new(), Vec::new());
     for flank in space.flanks.iter().filter(|flank| options.sides.contains(&flank.side)) {
-        let section = drawn_section(&lead, &lowest_active(&flank.active, &lead)?, options, depth)?;
+        let lowest = lowest_active(&flank.active, &lead)?;
+        let section = drawn_section(&lead, &lowest, options, options.orientation_on(flank.side()), depth)?;
         points
-            .extend(section.fillet(counts[0]).into_iter().map(|at| place(RootPart::Fillet(flank.side), at)));
+            .extend(section.fillet(counts[0]).into_iter().map(|at| place(RootPart::Fillet(flank.side()), at)));
         ends.push(section.lowest);
     }
     if let (true, Some(&first)) = (with_bottom, ends.first()) {

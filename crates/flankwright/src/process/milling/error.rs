@@ -40,11 +40,9 @@ pub enum MillingError {
         /// The body.
         body: LimitBody,
     },
-    /// A column of one half of a double-helical gear runs into the other half.
-    #[error("the column at u = {u} reaches length {length}, beyond the middle of the gear at {kink}")]
+    /// A column or path of one half of a double-helical gear runs into the other half.
+    #[error("length {length} lies beyond the middle of the gear at {kink}")]
     ColumnKink {
-        /// Parameter of the lead curve.
-        u: f64,
         /// Length reached, mm.
         length: f64,
         /// Where the halves meet, mm.
@@ -182,13 +180,13 @@ pub enum MillingError {
     },
     /// An approach on an arc does not fit into the gap.
     #[error(
-        "an approach on a radius of {radius} mm does not fit: the opposite flank is {clearance:.4} mm away"
+        "an approach on a radius of {radius} mm does not fit: the cutter is free to move {room:.4} mm before it comes too near to the opposite flank"
     )]
     Approach {
         /// Radius of the arc, mm.
         radius: f64,
-        /// Clearance to the opposite flank, mm.
-        clearance: f64,
+        /// Clearance to the opposite flank without what is to be kept from it, mm.
+        room: f64,
     },
     /// The axis of the cutter does not lead out of the workpiece.
     #[error(
@@ -208,7 +206,7 @@ pub enum MillingError {
     )]
     InternalAccess {
         /// The flank.
-        side: Flank,
+        side: MilledSide,
         /// Row, 0 at the root.
         row: usize,
         /// Column of the path.

@@ -5,13 +5,13 @@ use super::bodies::prepare_milling;
 use super::finding::failure;
 use super::of_job::{machining, work};
 use super::programs::CheckedMotion;
-use super::referee::{DEPTH, STOCK, milled_rays, referee};
+use super::referee::{DEPTH, STOCK, rays, referee};
 use crate::exchange::machine::LoadedMachine;
 use crate::exchange::{Diagnostic, LoadedMillingJob, Problem};
 use crate::geometry::Cutter;
 use crate::nc::Dialect;
 use crate::numerics::Progress;
-use crate::process::milling::plan;
+use crate::process::milling::plan_all;
 use crate::removal::{Milling, Unmilled, mill};
 use crate::workflow::finding::{Remark, RunFailure};
 use crate::workflow::programs::{CheckedFlank, CheckedProgram, Moved, figures};
@@ -40,7 +40,7 @@ pub(in crate::workflow) fn check_milling(
         return Err(RunFailure::bad_input(finding.way_out("give the table [machine] in the job")));
     };
     let bodies = prepare_milling(loaded)?;
-    let made = plan(&bodies.space, &bodies.options).map_err(|error| failure(&error))?;
+    let made = plan_all(&bodies.parts, &bodies.options).map_err(|error| failure(&error))?;
     let work = work(job, &bodies, &made);
     let found = machining(given, machine, &[]).follow_text(&work, text, dialect)?;
     let counts = [job.simulation.rays_profile, job.simulation.rays_length];
@@ -54,8 +54,8 @@ pub(in crate::workflow) fn check_milling(
     let cutters: Vec<Cutter> = work.tools.iter().map(|tool| tool.cutter.clone()).collect();
     let setup = Milling { cutters: &cutters, paths: &paths, stock: STOCK, depth: DEPTH };
     let mut flanks = BTreeMap::new();
-    for flank in &own {
-        let Some(rays) = milled_rays(flank, &bodies) else { continue };
+    for (plan, flank) in made.flanks.iter().zip(&own) {
+        let rays = rays(plan, &flank.heights, &flank.lengths);
         let milled =
             mill(&setup, &rays, progress).map_err(|error| RunFailure::of_removal(&error, "milling"))?;
         let (mut max_deviation_um, mut difference_um) = (0.0f64, 0.0f64);

@@ -61,7 +61,7 @@ pub(super) fn roll(job: &MillingJob, bodies: &MillingBodies) -> Result<Option<Ma
     let radius = gears[1].mean_distance() * gears[1].data().pitch_angle.sin();
     let mut flanks = Vec::new();
     let mut results = BTreeMap::new();
-    for flank in bodies.space.flanks.iter().filter(|flank| bodies.options.sides.contains(&flank.side)) {
+    for flank in bodies.flanks().filter(|flank| bodies.options.sides.contains(&flank.side)) {
         let side = flank.side;
         let conjugate = match bevel.flank {
             BevelFlank::SphericalInvolute => ConjugateFlanks::involute(gears.clone(), side),

@@ -4,7 +4,9 @@
 mod bodies;
 pub(in crate::workflow) mod chain;
 mod check;
+mod cylindrical;
 mod finding;
+mod lands;
 mod machine_remarks;
 mod mate;
 mod meshes;
@@ -13,6 +15,7 @@ mod offset;
 pub(in crate::workflow) mod orientation;
 mod orientation_result;
 mod page;
+mod part_mesh;
 mod program_result;
 pub mod programs;
 mod referee;
@@ -33,7 +36,7 @@ pub use program_result::{MountTilt, ProgramOperation, ProgramResult};
 pub use referee::{RefereedFlank, referee};
 pub use result::{
     CutterResult, DistancesResult, FlankResult, MateFlankResult, MateResult, MillingResult, OperationResult,
-    PatternResult, RootDeviationResult, RootResult, RowResult, WearResult,
+    OutOfReachResult, PatternResult, RootDeviationResult, RootResult, RowResult, WearResult,
 };
 pub use root::{RefereedRoot, referee_root};
 pub use run::{MillingOutcome, run_milling};

@@ -8,7 +8,7 @@ use super::programs::{
     AtPole, CutterLocationText, MillingMachining, MillingProgram, MillingPrograms, MillingWork, RayProof,
     ToolWork,
 };
-use super::referee::{DEPTH, RefereedFlank, STOCK, milled_rays};
+use super::referee::{DEPTH, RefereedFlank, STOCK, rays as rays_of};
 use crate::exchange::job::Program as DialectName;
 use crate::exchange::machine::LoadedMachine;
 use crate::exchange::milling_job::{CutterUse, MillingJob, MillingMachine, PoleWay};
@@ -77,9 +77,9 @@ pub(super) fn texts(
     let dialects = dialects(&job.output.programs, &machine);
     let programs = machining(given, &machine, &dialects).build(&work)?;
     let (mut rays, mut planned) = (Vec::new(), Vec::new());
-    for flank in flanks {
-        let Some(all) = milled_rays(flank, bodies) else { continue };
-        for (ray, length) in all.into_iter().zip(&flank.simulated).step_by(PROVEN) {
+    for (made, flank) in plan.flanks.iter().zip(flanks) {
+        let all = rays_of(made, &flank.heights, &flank.lengths).into_iter().zip(&flank.simulated).zip(&flank.judged);
+        for ((ray, length), _) in all.filter(|(_, judged)| **judged).step_by(PROVEN) {
             rays.push(ray);
             planned.push(*length);
         }
@@ -112,7 +112,7 @@ pub(super) fn work<'a>(job: &'a MillingJob, bodies: &MillingBodies, plan: &Milli
         job: &job.job.name,
         tools: tools.collect(),
         spaces: bodies.milled,
-        pitch: bodies.space.pitch,
+        pitch: bodies.pitch,
         retraction: bodies.retraction,
     }
 }

@@ -121,11 +121,11 @@ fn compare(
     bodies: &MillingBodies,
     plan: &FlankPlan,
 ) -> Option<ComparedOrientations> {
-    let active = &bodies.space.flanks.iter().find(|flank| flank.side == plan.side)?.active;
+    let active = &plan.active;
     let cutter = RowCutter {
         cutter: &bodies.options.cutter,
         contact_height: plan.rows.get(plan.rows.len() / 2)?.contact_height,
-        orientation: bodies.options.orientation,
+        orientation: plan.orientation,
     };
     let [root, tip] = active.height_span();
     let height = 0.5 * (root + tip);
@@ -142,7 +142,7 @@ fn compare(
             Err(reason) => OrientationFigures::not_reached(reason),
         }
     };
-    let row = OrientedRow::new(active, &*bodies.space.lead, cutter, height, POINTS);
+    let row = OrientedRow::new(active, &*plan.lead, cutter, height, POINTS);
     let with = |choice: &dyn Fn(&OrientedRow<'_>) -> Result<Vec<OrientedPlace>, MillingError>| {
         row.as_ref().map_err(Clone::clone).and_then(choice)
     };

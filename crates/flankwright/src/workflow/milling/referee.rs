@@ -2,9 +2,11 @@
 
 use super::bodies::MillingBodies;
 use super::finding::failure;
-use crate::geometry::{Cutter, Flank};
+use crate::geometry::Cutter;
 use crate::numerics::{Progress, equidistant};
-use crate::process::milling::{FlankModel, FlankPlan, MillingPlan, OperationKind, Prediction};
+use crate::process::milling::{
+    FlankModel, FlankPlan, MilledSide, MillingError, MillingPlan, OperationKind, Prediction,
+};
 use crate::removal::{CutterPlace, MillPath, MillStatistics, MilledRay, Milling, NormalRay, Unmilled, mill};
 use crate::workflow::finding::RunFailure;
 use rayon::prelude::*;
@@ -13,7 +15,7 @@ use rayon::prelude::*;
 #[derive(Clone, Debug)]
 pub struct RefereedFlank {
     /// Which.
-    pub side: Flank,
+    pub side: MilledSide,
     /// Height parameters of the rays, root to tip.
     pub heights: Vec<f64>,
     /// Length parameters.
@@ -22,6 +24,9 @@ pub struct RefereedFlank {
     pub simulated: Vec<Option<f64>>,
     /// What was predicted.
     pub predicted: Vec<Option<Prediction>>,
+    /// Whether each ray is judged. In the middle of a double-helical gear rows end where the other half is in the way; what they leave
+    /// there is counted, not simulated nor predicted, unless it is gouged.
+    pub judged: Vec<bool>,
     /// Why rays were not milled, with their number.
     pub unmilled: Vec<(Unmilled, usize)>,
     /// How much the referee looked at.
@@ -48,34 +53,12 @@ pub(super) fn mill_paths(bodies: &MillingBodies, plan: &MillingPlan) -> (Vec<Cut
     (cutters, paths)
 }
 
-/// Rays on a flank: equal steps of both parameters over the face.
-pub(super) fn rays(flank: &FlankPlan, bodies: &MillingBodies, counts: [usize; 2]) -> Option<Rays> {
-    let space_flank = bodies.space.flanks.iter().find(|other| other.side == flank.side)?;
-    let active = &space_flank.active;
-    let heights = equidistant(active.height_span(), counts[0]);
-    let lengths = equidistant(active.face, counts[1]);
-    let rays = heights
-        .iter()
-        .flat_map(|&a| lengths.iter().map(move |&b| (a, b)))
-        .map(|(a, b)| {
-            let jet = active.surface.jet(a, b);
-            NormalRay { point: jet.point, normal: jet.normal }
-        })
-        .collect();
-    Some(Rays { heights, lengths, rays })
-}
-
-/// Rays of one flank, row-major.
-pub(super) struct Rays {
-    pub heights: Vec<f64>,
-    pub lengths: Vec<f64>,
-    pub rays: Vec<NormalRay>,
-}
-
 /// Why rays were not milled, with their number.
-pub(super) fn unmilled(rays: &[Result<MilledRay, Unmilled>]) -> Vec<(Unmilled, usize)> {
+pub(super) fn unmilled<'a>(
+    rays: impl IntoIterator<Item = &'a Result<MilledRay, Unmilled>>,
+) -> Vec<(Unmilled, usize)> {
     let mut counts: Vec<(Unmilled, usize)> = Vec::new();
-    for reason in rays.iter().filter_map(|ray| ray.as_ref().err()) {
+    for reason in rays.into_iter().filter_map(|ray| ray.as_ref().err()) {
         let same = |known: &Unmilled| std::mem::discriminant(known) == std::mem::discriminant(reason);
         match counts.iter_mut().find(|(known, _)| same(known)) {
             Some((_, count)) => *count += 1,
@@ -85,15 +68,14 @@ pub(super) fn unmilled(rays: &[Result<MilledRay, Unmilled>]) -> Vec<(Unmilled, u
     counts
 }
 
-/// The rays of a refereed flank.
-pub(super) fn milled_rays(flank: &RefereedFlank, bodies: &MillingBodies) -> Option<Vec<NormalRay>> {
-    let surface = &bodies.space.flanks.iter().find(|other| other.side == flank.side)?.active.surface;
-    let places = flank.heights.iter().flat_map(|a| flank.lengths.iter().map(move |b| (*a, *b)));
+/// Rays at all places of a flank, row-major [height][length].
+pub(super) fn rays(flank: &FlankPlan, heights: &[f64], lengths: &[f64]) -> Vec<NormalRay> {
+    let places = heights.iter().flat_map(|a| lengths.iter().map(move |b| (*a, *b)));
     let ray = |(a, b)| {
-        let jet = surface.jet(a, b);
+        let jet = flank.active.surface.jet(a, b);
         NormalRay { point: jet.point, normal: jet.normal }
     };
-    Some(places.map(ray).collect())
+    places.map(ray).collect()
 }
 
 /// All milled flanks under their rays.
@@ -109,23 +91,51 @@ pub fn referee(
     let (cutters, paths) = mill_paths(bodies, plan);
     let setup = Milling { cutters: &cutters, paths: &paths, stock: STOCK, depth: DEPTH };
     let of_flank = |flank: &FlankPlan| {
-        let Some(Rays { heights, lengths, rays }) = rays(flank, bodies, counts) else { return Ok(None) };
+        let heights = equidistant(flank.active.height_span(), counts[0]);
+        let lengths = equidistant(flank.active.face, counts[1]);
+        let rays = rays(flank, &heights, &lengths);
         let milled =
             mill(&setup, &rays, progress).map_err(|error| RunFailure::of_removal(&error, "milling"))?;
-        let simulated = milled.rays.iter().map(|ray| ray.as_ref().ok().map(|ray| ray.length)).collect();
+        let judged = judged(flank, &heights, &lengths, &milled.rays)?;
+        let length = |(ray, judged): (&Result<MilledRay, Unmilled>, &bool)| match ray {
+            Ok(ray) if *judged => Some(ray.length),
+            _ => None,
+        };
+        let simulated = milled.rays.iter().zip(&judged).map(length).collect();
+        let found = milled.rays.iter().zip(&judged).filter_map(|(ray, judged)| judged.then_some(ray));
+        let unmilled = unmilled(found);
         let predicted = predict(bodies, flank, &heights, &lengths)?;
-        Ok(Some(RefereedFlank {
+        Ok(RefereedFlank {
             side: flank.side,
             heights,
             lengths,
             simulated,
             predicted,
-            unmilled: unmilled(&milled.rays),
+            judged,
+            unmilled,
             statistics: milled.statistics,
             error_um: milled.error_um,
-        }))
+        })
     };
-    plan.flanks.iter().filter_map(|flank| of_flank(flank).transpose()).collect()
+    plan.flanks.iter().map(of_flank).collect()
+}
+
+/// Which rays of a flank are judged: those that rows come by, and any other one that is gouged all the same.
+fn judged(
+    flank: &FlankPlan,
+    heights: &[f64],
+    lengths: &[f64],
+    milled: &[Result<MilledRay, Unmilled>],
+) -> Result<Vec<bool>, RunFailure> {
+    let places = heights.iter().flat_map(|a| lengths.iter().map(move |b| (*a, *b)));
+    let judged = places.zip(milled).map(|((a, b), ray)| {
+        let gouged = match ray {
+            Ok(ray) => ray.length < 0.0,
+            Err(reason) => matches!(reason, Unmilled::TooDeep { .. }),
+        };
+        Ok(gouged || flank.reaches(a, b)?)
+    });
+    judged.collect::<Result<_, _>>().map_err(|error: MillingError| failure(&error))
 }
 
 /// What the rows leave at every ray.
@@ -135,17 +145,16 @@ fn predict(
     heights: &[f64],
     lengths: &[f64],
 ) -> Result<Vec<Option<Prediction>>, RunFailure> {
-    let Some(space_flank) = bodies.space.flanks.iter().find(|other| other.side == flank.side) else {
-        return Ok(Vec::new());
-    };
-    let (active, lead) = (&space_flank.active, &*bodies.space.lead);
+    let (active, lead) = (&flank.active, &*flank.lead);
     let cutter = bodies.options.cutter_of(OperationKind::Flank(flank.side));
     // With fewer than four columns there is no spline through them and nothing is predicted between.
-    let Ok(model) = FlankModel::new(active, lead, flank, cutter, bodies.options.orientation) else {
+    let Ok(model) = FlankModel::new(active, lead, flank, cutter, flank.orientation) else {
         return Ok(vec![None; heights.len() * lengths.len()]);
     };
     let places: Vec<(f64, f64)> =
         heights.iter().flat_map(|&a| lengths.iter().map(move |&b| (a, b))).collect();
-    let of_place = |&(a, b): &(f64, f64)| model.at(a, b).map(Some);
+    let of_place = |&(a, b): &(f64, f64)| -> Result<Option<Prediction>, MillingError> {
+        if flank.reaches(a, b)? { model.at(a, b).map(Some) } else { Ok(None) }
+    };
     places.par_iter().map(of_place).collect::<Result<_, _>>().map_err(|error| failure(&error))
 }

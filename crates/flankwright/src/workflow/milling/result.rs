@@ -111,10 +111,13 @@ pub struct FlankResult {
     pub length: Vec<f64>,
     /// Prediction for the deviation: scallop and straight blocks; null where no row lies beside.
     pub planned_um: Vec<Option<f64>>,
-    /// Deviation that the referee's rays found, > 0 stock; null where no cutter comes by.
+    /// Deviation that the referee's rays found, > 0 stock; null where no cutter comes by or the flank is out of reach.
     pub simulated_um: Vec<Option<f64>>,
     /// Rays that no cutter meets, by reason.
     pub unmilled: BTreeMap<String, usize>,
+    /// What the other half of a double-helical gear keeps the cutter from; absent where there is nothing.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub out_of_reach: Option<OutOfReachResult>,
     /// Largest absolute deviation of the rays.
     pub max_deviation_um: f64,
     /// Highest and lowest of them.
@@ -144,6 +147,17 @@ pub struct FlankResult {
     /// The rotary motion beside that of other systems, where the job wants it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub orientation: Option<OrientationResult>,
+}
+
+/// The part of a flank towards the middle of a double-helical gear that the cutter does not reach.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct OutOfReachResult {
+    /// Its greatest length along the axis.
+    pub length_mm: f64,
+    /// The row that it is found on.
+    pub row: usize,
+    /// Rays in it; they are not judged.
+    pub rays: usize,
 }
 
 /// Distances of neighbours, mm; a mean is that of one line.
@@ -180,6 +194,9 @@ pub struct RowResult {
     pub axis_out_of_plane_deg: f64,
     /// Least curvature of the gap between cutter and flank.
     pub opening_per_mm: f64,
+    /// What the row leaves along the axis because of the other half of a double-helical gear; absent where it leaves nothing.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unmilled_mm: Option<f64>,
 }
 
 /// Load along the cutting edge.

@@ -6,7 +6,7 @@ use super::finding::failure;
 use super::referee::{DEPTH, STOCK, mill_paths, unmilled};
 use super::result::RootDeviationResult;
 use crate::numerics::{Progress, equidistant, extremes};
-use crate::process::milling::{MillingPlan, RootModel, RootPart, RootPoint, drawn_root};
+use crate::process::milling::{FlankPlan, MillingPlan, RootModel, RootPart, RootPoint, drawn_root};
 use crate::removal::{Milling, NormalRay, Unmilled, mill};
 use crate::workflow::finding::RunFailure;
 use rayon::prelude::*;
@@ -39,13 +39,21 @@ pub fn referee_root(
     sections: usize,
     progress: &dyn Progress,
 ) -> Result<Vec<RefereedRoot>, RunFailure> {
-    let (Some(model), Some(flank)) = (RootModel::new(plan, &bodies.options), bodies.space.flanks.first())
-    else {
-        return Ok(Vec::new());
-    };
-    let section = |u| drawn_root(&bodies.space, &bodies.options, u, RAYS).map_err(|error| failure(&error));
-    let all = equidistant(flank.active.face, sections).into_iter().map(section);
-    let all: Vec<RootPoint> = all.collect::<Result<Vec<_>, _>>()?.concat();
+    let mut all: Vec<RootPoint> = Vec::new();
+    for space in &bodies.parts {
+        let Some(flank) = space.flanks.first() else { continue };
+        let milled = plan.flanks.iter().filter(|made| made.side.half == flank.side().half);
+        for u in equidistant(flank.active.face, sections) {
+            // Where rows end in the middle of a double-helical gear, nothing of the root is milled either.
+            let comes_by = |made: &FlankPlan| made.reaches(made.active.height_span()[0], u);
+            let all_come = milled.clone().map(comes_by).collect::<Result<Vec<_>, _>>();
+            if all_come.map_err(|error| failure(&error))?.into_iter().all(|comes| comes) {
+                all.extend(drawn_root(space, &bodies.options, u, RAYS).map_err(|error| failure(&error))?);
+            }
+        }
+    }
+    // Passes of halves end short of the face; what their last places leave is not predicted.
+    let model = RootModel::new(plan, &bodies.options).filter(|_| bodies.parts.len() == 1);
     let (cutters, paths) = mill_paths(bodies, plan);
     let setup = Milling { cutters: &cutters, paths: &paths, stock: STOCK, depth: DEPTH };
     let mut parts: Vec<RefereedRoot> = Vec::new();
@@ -61,7 +69,7 @@ pub fn referee_root(
         parts.push(RefereedRoot {
             part: point.part,
             simulated: milled.rays.iter().map(|ray| ray.as_ref().ok().map(|ray| ray.length)).collect(),
-            predicted: points.par_iter().map(|at| model.stock(at)).collect(),
+            predicted: points.par_iter().map(|at| model.as_ref()?.stock(at)).collect(),
             unmilled: unmilled(&milled.rays),
             points,
         });
@@ -73,7 +81,7 @@ impl RefereedRoot {
     /// Name of the part in results: `left_fillet`, `bottom`.
     pub fn name(&self) -> String {
         match self.part {
-            RootPart::Fillet(side) => format!("{}_fillet", side.name()),
+            RootPart::Fillet(side) => format!("{}_fillet", side.name().replace('-', "_")),
             RootPart::Bottom => "bottom".into(),
         }
     }

@@ -7,15 +7,15 @@ use super::of_job::{MillingTexts, texts};
 use super::orientation::{ComparedOrientations, orientations};
 use super::referee::{RefereedFlank, referee};
 use super::result::{
-    CutterResult, DistancesResult, FlankResult, MillingResult, OperationResult, RootResult, RowResult,
-    WearResult,
+    CutterResult, DistancesResult, FlankResult, MillingResult, OperationResult, OutOfReachResult, RootResult,
+    RowResult, WearResult,
 };
 use super::root::{RefereedRoot, referee_root};
 use super::wear::histograms;
 use crate::exchange::LoadedMillingJob;
 use crate::exchange::milling_job::{MilledBody, MillingJob};
 use crate::numerics::{Progress, extremes};
-use crate::process::milling::{FlankPlan, MillingPlan, NeighbourDistances, Operation, plan};
+use crate::process::milling::{FlankPlan, MillingPlan, NeighbourDistances, Operation, plan_all};
 use crate::workflow::finding::{Remark, RunFailure};
 use crate::workflow::programs::machine_of_job;
 use crate::workflow::result::Status;
@@ -62,7 +62,7 @@ pub fn run_milling(loaded: &LoadedMillingJob, progress: &dyn Progress) -> Result
 
     let begun = Instant::now();
     progress.start("plan", 1);
-    let made = plan(&bodies.space, &bodies.options).map_err(|error| failure(&error))?;
+    let made = plan_all(&bodies.parts, &bodies.options).map_err(|error| failure(&error))?;
     progress.advance(1);
     progress.finish();
     timing.insert("plan", begun.elapsed().as_secs_f64());
@@ -111,7 +111,7 @@ pub fn run_milling(loaded: &LoadedMillingJob, progress: &dyn Progress) -> Result
         status: if missed { Status::Missed } else { Status::Met },
         tolerance_um,
         reason,
-        warnings: warnings(job, &made, &root),
+        warnings: warnings(job, &made, &flanks, &root),
         spaces: [bodies.spaces, bodies.milled],
         cutter: CutterResult::new(bodies.options.cutter.shape(), bodies.options.cutter.cutting_length()),
         operations: made.operations.iter().map(operation_result).collect(),
@@ -140,7 +140,7 @@ fn reason(results: &BTreeMap<&'static str, FlankResult>, worst: f64, tolerance_u
     }
 }
 
-fn warnings(job: &MillingJob, plan: &MillingPlan, root: &[RefereedRoot]) -> Vec<Remark> {
+fn warnings(job: &MillingJob, plan: &MillingPlan, refereed: &[RefereedFlank], root: &[RefereedRoot]) -> Vec<Remark> {
     let mut warnings: Vec<Remark> = parquet_warning(&job.output.tables).into_iter().collect();
     let unmilled: usize = root.iter().flat_map(|part| &part.unmilled).map(|(_, count)| count).sum();
     if unmilled > 0 {
@@ -150,7 +150,22 @@ fn warnings(job: &MillingJob, plan: &MillingPlan, root: &[RefereedRoot]) -> Vec<
             way_out: "lengthen the overrun, or give another cutter for the bottom".into(),
         });
     }
-    for flank in &plan.flanks {
+    for (flank, rays) in plan.flanks.iter().zip(refereed) {
+        if let Some(left) = out_of_reach(flank, rays) {
+            warnings.push(Remark {
+                code: "middle-out-of-reach",
+                text: format!(
+                    "{} flank: up to {:.3} mm towards the middle of the gear stay unmilled (row {}), and the root below, because the \
+                     cutter meets the other half there; {} of {} rays lie there and are not judged",
+                    flank.side,
+                    left.length_mm,
+                    left.row,
+                    left.rays,
+                    rays.judged.len()
+                ),
+                way_out: "give the halves a wider gap, or take a thinner cutter".into(),
+            });
+        }
         for limit in &flank.lines.dense.violated {
             warnings.push(Remark {
                 code: "density-infeasible",
@@ -195,6 +210,14 @@ fn operation_result(operation: &Operation) -> OperationResult {
     }
 }
 
+/// What the other half of a double-helical gear keeps the cutter from.
+fn out_of_reach(plan: &FlankPlan, refereed: &RefereedFlank) -> Option<OutOfReachResult> {
+    let lengths = (0..plan.rows.len()).map(|row| (row, plan.unmilled_length(row)));
+    let (row, length_mm) = lengths.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, length)| *length > 0.0)?;
+    let rays = refereed.judged.iter().filter(|judged| !**judged).count();
+    Some(OutOfReachResult { length_mm, row, rays })
+}
+
 fn distances(of: &NeighbourDistances) -> DistancesResult {
     DistancesResult {
         min_mm: of.least,
@@ -231,6 +254,7 @@ fn flank_result(
         out_of_plane_deg: figures.out_of_plane.to_degrees(),
         axis_out_of_plane_deg: figures.axis_off.to_degrees(),
         opening_per_mm: figures.opening,
+        unmilled_mm: plan.ends[row].map(|_| plan.unmilled_length(row)),
     });
     let root = plan.root.get(plan.root.len() / 2).map(|(section, _)| RootResult {
         lean_deg: section.lean.to_degrees(),
@@ -251,6 +275,7 @@ fn flank_result(
         referee_error_um: refereed.error_um,
         simulated_um: simulated,
         unmilled,
+        out_of_reach: out_of_reach(plan, refereed),
         lead_range: plan.lines.range,
         overrun_columns: plan.lines.first,
         along_rows: distances(&plan.lines.dense.along_rows),

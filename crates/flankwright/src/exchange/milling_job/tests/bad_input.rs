@@ -127,6 +127,20 @@ const GEAR_CASES: &[Case] = &[
         "gear.double_helical.gap",
         &[">= 0"],
     ),
+    (
+        "helix_angle_deg = 0.0",
+        "helix_angle_deg = 30.0\ndouble_helical = { gap = 4.0, apex = 28.0 }",
+        "invalid-geometry",
+        "gear.double_helical.apex",
+        &["28", "between -28 and 28"],
+    ),
+    (
+        "helix_angle_deg = 0.0",
+        "helix_angle_deg = 30.0\ndouble_helical = { gap = 0.0, apex = -31.5 }",
+        "invalid-geometry",
+        "gear.double_helical.apex",
+        &["-31.5", "between -30 and 30"],
+    ),
     ("tolerance_um = 10.0", "tolerance_um = inf", "invalid-number", "target.tolerance_um", &["inf", "> 0"]),
     (
         "tolerance_um = 10.0",

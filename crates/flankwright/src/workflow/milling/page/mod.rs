@@ -68,10 +68,22 @@ fn headline(result: &MillingResult) -> String {
     } else {
         format!("{milled} of {spaces} spaces")
     };
+    let out_of_reach =
+        |flank: &super::result::FlankResult| flank.out_of_reach.map_or(0.0, |left| left.length_mm);
+    let left = largest(result, out_of_reach);
+    let left = if left > 0.0 {
+        format!(" Up to {} mm in the middle of the gear stay unmilled.", format_significant(left, 4))
+    } else {
+        String::new()
+    };
     format!(
-        "The rays find at most {} µm on {} in {of}, {} µm are allowed.",
+        "The rays find at most {} µm on {} in {of}, {} µm are allowed.{left}",
         format_significant(largest(result, |flank| flank.max_deviation_um), 4),
-        if flanks.len() > 1 { "both flanks".to_owned() } else { format!("the {} flank", flanks.join("")) },
+        match flanks[..] {
+            [one] => format!("the {one} flank"),
+            [_, _] => "both flanks".to_owned(),
+            _ => "all flanks".to_owned(),
+        },
         format_significant(result.tolerance_um, 4),
     )
 }
