@@ -4,8 +4,8 @@ use super::finish::least_height;
 use super::meeting::Line;
 use super::sweep::Sweep;
 use super::{
-    ActiveFlank, ColumnPlane, CutterLocation, LeadPoint, MilledSide, MillingError, MillingPlan, OperationKind,
-    Orientation, PlanOptions, RootDepth, RootSection, Space,
+    ActiveFlank, ColumnPlane, CutterLocation, LeadPoint, MilledSide, MillingError, MillingPlan,
+    OperationKind, Orientation, PlanOptions, RootDepth, RootSection, Space,
 };
 use crate::geometry::{Cutter, CutterShape, SurfaceJet};
 use crate::numerics::equidistant;
@@ -58,8 +58,7 @@ pub fn drawn_section(
     };
     let length = options.cutter.cutting_length();
     // The axis is the same at every contact height.
-    let axis =
-        CutterLocation::new(lowest, lead, shape, length, least_height(shape), orientation)?.axis;
+    let axis = CutterLocation::new(lowest, lead, shape, length, least_height(shape), orientation)?.axis;
     RootSection::new(lead, &lowest.point, &lowest.normal, &axis, corner_radius, length, depth)
 }
 
@@ -88,8 +87,9 @@ pub fn drawn_root(
     for flank in space.flanks.iter().filter(|flank| options.sides.contains(&flank.side)) {
         let lowest = lowest_active(&flank.active, &lead)?;
         let section = drawn_section(&lead, &lowest, options, options.orientation_on(flank.side()), depth)?;
-        points
-            .extend(section.fillet(counts[0]).into_iter().map(|at| place(RootPart::Fillet(flank.side()), at)));
+        points.extend(
+            section.fillet(counts[0]).into_iter().map(|at| place(RootPart::Fillet(flank.side()), at)),
+        );
         ends.push(section.lowest);
     }
     if let (true, Some(&first)) = (with_bottom, ends.first()) {

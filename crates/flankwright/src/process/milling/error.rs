@@ -2,8 +2,8 @@
 
 use super::location::TouchFault;
 use super::plan::OperationKind;
-use super::{Collision, LimitBody};
-use crate::geometry::{Flank, GeometryError};
+use super::{Collision, LimitBody, MilledSide};
+use crate::geometry::GeometryError;
 use thiserror::Error;
 
 /// Errors of milling. mm, rad inside; degrees in messages.

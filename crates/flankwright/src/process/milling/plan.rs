@@ -1,7 +1,7 @@
 //! One space from blank to finished: roughing, both flanks row by row, the root, in the order in which they are cut.
 
 use super::bottom::bottom;
-use super::finish::{FinishOptions, FinishedRow, finish};
+use super::finish::{FinishOptions, finish};
 use super::flank_plan::{FlankPlan, figures};
 use super::lines::{Lines, SpacingLaw, lay_lines};
 use super::middle::{Ended, Limits};
@@ -10,10 +10,10 @@ use super::root_pass::{RootDepth, RootSection};
 use super::row_paths::RowPaths;
 use super::space::{Half, MilledSide, Space, SpaceFlank};
 use super::{
-    CutterLocation, FlankGrid, HeightRule, MillingError, Orientation, Patch, RoughingLayer, RoughingOptions,
-    check_access, check_path, drawn_section, rough,
+    Column, CutterLocation, FlankGrid, HeightRule, MillingError, Orientation, Patch, RoughingLayer,
+    RoughingOptions, check_access, check_path, drawn_section, rough,
 };
-use crate::geometry::{Cutter, CutterShape, Flank};
+use crate::geometry::{Cutter, Flank};
 use crate::numerics::extremes;
 
 /// What a space is milled with and how.
@@ -221,7 +221,7 @@ fn root(
     orientation: Orientation,
     depth: RootDepth,
 ) -> Result<Vec<(RootSection, CutterLocation)>, MillingError> {
-    let of_column = |column: &super::Column| {
+    let of_column = |column: &Column| {
         let lowest = &column.places[0].jet;
         let section = drawn_section(&column.lead, lowest, options, orientation, depth)?;
         let (shape, length) = (options.cutter.shape(), options.cutter.cutting_length());

@@ -78,7 +78,10 @@ pub(super) fn texts(
     let programs = machining(given, &machine, &dialects).build(&work)?;
     let (mut rays, mut planned) = (Vec::new(), Vec::new());
     for (made, flank) in plan.flanks.iter().zip(flanks) {
-        let all = rays_of(made, &flank.heights, &flank.lengths).into_iter().zip(&flank.simulated).zip(&flank.judged);
+        let all = rays_of(made, &flank.heights, &flank.lengths)
+            .into_iter()
+            .zip(&flank.simulated)
+            .zip(&flank.judged);
         for ((ray, length), _) in all.filter(|(_, judged)| **judged).step_by(PROVEN) {
             rays.push(ray);
             planned.push(*length);

@@ -8,7 +8,6 @@ use super::programs::clamping;
 use crate::exchange::machine::LoadedMachine;
 use crate::exchange::milling_job::{MilledBody, MillingJob, MillingMount};
 use crate::exchange::{Diagnostic, Problem};
-use crate::geometry::Flank;
 use crate::kinematics::{Direction, Point};
 use crate::machine::{Machine, Positions};
 use crate::motion::MotionError;
@@ -16,7 +15,7 @@ use crate::motion::milling::{
     CutterPlace, MillingSetup, PoleStrategy, RowSmoothness, choose, contact_arcs, smoothness_along,
 };
 use crate::process::milling::{
-    AxisChoice, FlankPlan, MillingError, MillingPlan, OrientedPlace, OrientedRow, RowCutter,
+    AxisChoice, FlankPlan, MilledSide, MillingError, MillingPlan, OrientedPlace, OrientedRow, RowCutter,
 };
 use crate::workflow::finding::RunFailure;
 
@@ -69,7 +68,7 @@ pub struct OrientationCurve {
 #[derive(Clone, Debug, PartialEq)]
 pub struct ComparedOrientations {
     /// Which flank.
-    pub side: Flank,
+    pub side: MilledSide,
     /// For the result.
     pub result: OrientationResult,
     /// Curves of those that the machine reaches.

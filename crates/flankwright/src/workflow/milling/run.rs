@@ -140,7 +140,12 @@ fn reason(results: &BTreeMap<&'static str, FlankResult>, worst: f64, tolerance_u
     }
 }
 
-fn warnings(job: &MillingJob, plan: &MillingPlan, refereed: &[RefereedFlank], root: &[RefereedRoot]) -> Vec<Remark> {
+fn warnings(
+    job: &MillingJob,
+    plan: &MillingPlan,
+    refereed: &[RefereedFlank],
+    root: &[RefereedRoot],
+) -> Vec<Remark> {
     let mut warnings: Vec<Remark> = parquet_warning(&job.output.tables).into_iter().collect();
     let unmilled: usize = root.iter().flat_map(|part| &part.unmilled).map(|(_, count)| count).sum();
     if unmilled > 0 {

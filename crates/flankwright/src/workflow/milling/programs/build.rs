@@ -102,7 +102,7 @@ impl MillingMachining<'_> {
             let reach = self.farthest(&setup, &motion, lever).map_err(|error| of_motion(&error, ""))?;
             let lever = [reach, lever];
             let made =
-                self.program(work, &setup, dialect_of(name), control, motion, lever, tilt.is_some())?;
+                self.program(work, &setup, (dialect_of(name), control), motion, lever, tilt.is_some())?;
             programs.push(made);
         }
         Ok(MillingPrograms { programs, tilt, lever })
@@ -166,8 +166,7 @@ impl MillingMachining<'_> {
         &self,
         work: &MillingWork<'_>,
         setup: &MillingSetup<'_>,
-        dialect: Dialect,
-        control: &Control,
+        (dialect, control): (Dialect, &Control),
         motion: Arc<DrivenMotion>,
         [from_axes, from_tip]: [f64; 2],
         tilted: bool,
