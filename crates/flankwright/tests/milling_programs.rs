@@ -15,8 +15,9 @@ use flankwright::machine::Station;
 use flankwright::nc::{Dialect, TipControl, read_cl};
 use flankwright::numerics::Silent;
 use flankwright::process::milling::{
-    ActiveFlank, CurveOnCone, CutDirection, HeightLimits, HeightRule, HelixOnCylinder, Lines, OperationKind,
-    Orientation, PlanOptions, Retraction, RootDepth, RowOrder, Space, SpaceFlank, SpacingLaw, Traverse, plan,
+    ActiveFlank, CurveOnCone, CutDirection, HeightLimits, HeightRule, HelixOnCylinder, Lines, MilledSide,
+    OperationKind, Orientation, PlanOptions, Retraction, RootDepth, RowOrder, Space, SpaceFlank, SpacingLaw,
+    Traverse, plan,
 };
 use flankwright::removal::{self, MillPath, Milling, NormalRay, Unmilled, mill};
 use flankwright::workflow::RunFailure;
@@ -400,7 +401,7 @@ fn near_the_pole(shape: CutterShape) -> MillingWork<'static> {
     MillingWork {
         job: "pole",
         tools: vec![ToolWork {
-            kind: OperationKind::Flank(Flank::Left),
+            kind: OperationKind::Flank(MilledSide { flank: Flank::Left, half: None }),
             cutter,
             number: 1,
             spindle_rpm: 8000.0,

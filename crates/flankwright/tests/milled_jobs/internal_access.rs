@@ -14,14 +14,15 @@ fn planned(holder_from: f64) -> Result<(), MillingError> {
     let text = text.replace("cutting_length = 12.0", &shank);
     let text = text.replace("rows = 30", "rows = 4").replace("columns = 11", "columns = 4");
     let bodies = prepare_milling(&job(&text)).unwrap();
-    plan(&bodies.space, &bodies.options).map(|_| ())
+    plan(&bodies.parts[0], &bodies.options).map(|_| ())
 }
 
 #[test]
 fn a_holder_must_end_before_the_teeth_on_the_other_side() {
     planned(200.0).unwrap();
     match planned(250.0) {
-        Err(MillingError::InternalAccess { side: Flank::Left, row: 0, column: 0, free, needed }) => {
+        Err(MillingError::InternalAccess { side, row: 0, column: 0, free, needed }) => {
+            assert_eq!(side.flank, Flank::Left);
             // From a tip at a radius of some 122 mm across a tip circle of 116 mm.
             assert!(free > 225.0 && free < 240.0, "{free}");
             assert_eq!(needed, 250.0);

@@ -37,7 +37,7 @@ fn bevel() -> String {
 fn rays_find_the_drawn_root() {
     for (name, text, um) in [("spur", spur(), 1e-6), ("helical", helical(), 3.0), ("bevel", bevel(), 6.7)] {
         let bodies = prepare_milling(&job(&text)).unwrap();
-        let made = plan(&bodies.space, &bodies.options).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let made = plan(&bodies.parts[0], &bodies.options).unwrap_or_else(|error| panic!("{name}: {error}"));
         let root = referee_root(&bodies, &made, SECTIONS, &Silent).unwrap();
         let names: Vec<String> = root.iter().map(|part| part.name()).collect();
         assert_eq!(names, ["left_fillet", "right_fillet", "bottom"], "{name}");
@@ -60,7 +60,7 @@ fn rays_find_the_drawn_root() {
 #[test]
 fn what_no_cutter_meets_is_counted() {
     let bodies = prepare_milling(&job(&spur())).unwrap();
-    let mut made = plan(&bodies.space, &bodies.options).unwrap();
+    let mut made = plan(&bodies.parts[0], &bodies.options).unwrap();
     made.operations.retain(|operation| matches!(operation.kind, OperationKind::Flank(_)));
     made.operations.truncate(1);
     made.operations[0].paths.truncate(1);
