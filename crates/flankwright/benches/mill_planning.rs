@@ -9,7 +9,7 @@ use flankwright::geometry::CutterShape;
 use flankwright::numerics::equidistant;
 use flankwright::process::milling::{
     Column, ColumnPlane, CutterLocation, HeightRule, LocalContact, MillingPlan, OperationKind, check_path,
-    plan,
+    plan, plan_all,
 };
 use flankwright::workflow::milling::{MillingBodies, prepare_milling};
 use nalgebra::{Rotation3, Vector3};
@@ -35,7 +35,7 @@ const COLUMNS: usize = 50;
 /// Locations at the sections of columns with a flank: the section, the axis in its plane, the tip, and whether the cutter digs in
 /// around the contact. The sum of their heights keeps all of them.
 fn locations(bodies: &MillingBodies, planes: &[ColumnPlane], heights: &[f64]) -> f64 {
-    let flank = &bodies.space.flanks[0].active;
+    let flank = &bodies.parts[0].flanks[0].active;
     let cutter = &bodies.options.cutter;
     let HeightRule::Fixed(height) = bodies.options.heights else { panic!("one contact height") };
     let mut sum = 0.0;
@@ -63,9 +63,9 @@ fn kernel(criterion: &mut Criterion) {
     group.throughput(Throughput::Elements((ROWS * COLUMNS) as u64));
     for name in ["helical-module-6", "spiral-bevel-15", "automotive-gear"] {
         let bodies = example(name);
-        let flank = &bodies.space.flanks[0].active;
+        let flank = &bodies.parts[0].flanks[0].active;
         let range = bodies.ranges().expect("a range")[0].lead;
-        let plane = |u| ColumnPlane::new(flank, bodies.space.lead.at(u).expect("a lead point"));
+        let plane = |u| ColumnPlane::new(flank, bodies.parts[0].lead.at(u).expect("a lead point"));
         let planes: Vec<ColumnPlane> = equidistant(range, COLUMNS).into_iter().map(plane).collect();
         let heights = equidistant(flank.height_span(), ROWS);
         group.bench_function(name, |b| b.iter(|| locations(black_box(&bodies), &planes, &heights)));
@@ -115,7 +115,7 @@ fn beside_opencamlib(bodies: &MillingBodies, own: impl Fn() -> f64) {
 
 /// A flank with two triangles for every location, with +y of the workpiece upwards.
 fn mesh(bodies: &MillingBodies) -> Vec<u8> {
-    let flank = &bodies.space.flanks[0].active;
+    let flank = &bodies.parts[0].flanks[0].active;
     let upwards = Rotation3::from_axis_angle(&Vector3::x_axis(), std::f64::consts::FRAC_PI_2);
     let points: Vec<Vector3<f64>> = equidistant(flank.height_span(), ROWS + 1)
         .into_iter()
@@ -130,9 +130,13 @@ fn mesh(bodies: &MillingBodies) -> Vec<u8> {
 /// heights that keep root and opposite flank are the plan's.
 fn clear(bodies: &MillingBodies, plan: &MillingPlan) -> usize {
     let side = bodies.options.sides[0];
-    let obstacles = bodies.space.obstacles(Some(side), bodies.options.safety);
+    let obstacles = bodies.parts[0].obstacles(Some(side), bodies.options.safety);
     let mut places = 0;
-    for operation in plan.operations.iter().filter(|made| made.kind == OperationKind::Flank(side)) {
+    for operation in plan
+        .operations
+        .iter()
+        .filter(|made| matches!(made.kind, OperationKind::Flank(on) if on.flank == side))
+    {
         for path in &operation.paths {
             check_path(bodies.options.cutter_of(operation.kind), &path.places, &obstacles).expect("clear");
             places += path.places.len();
@@ -146,7 +150,7 @@ fn gap(criterion: &mut Criterion) {
     group.sample_size(10);
     for name in ["spur-module-8", "helical-module-6"] {
         let bodies = example(name);
-        let made = plan(&bodies.space, &bodies.options).expect("a plan");
+        let made = plan(&bodies.parts[0], &bodies.options).expect("a plan");
         group.throughput(Throughput::Elements(clear(&bodies, &made) as u64));
         group.bench_function(name, |b| b.iter(|| clear(black_box(&bodies), &made)));
     }
@@ -159,6 +163,7 @@ fn plans(criterion: &mut Criterion) {
     for name in [
         "automotive-gear",
         "blisk-blade",
+        "double-helical",
         "helical-module-6",
         "internal-ring",
         "spiral-bevel-15",
@@ -169,7 +174,7 @@ fn plans(criterion: &mut Criterion) {
     ] {
         let bodies = example(name);
         group.bench_function(name, |b| {
-            b.iter(|| plan(black_box(&bodies.space), &bodies.options).expect("a plan"));
+            b.iter(|| plan_all(black_box(&bodies.parts), &bodies.options).expect("a plan"));
         });
     }
     group.finish();
