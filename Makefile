@@ -3,7 +3,7 @@
 CARGO ?= cargo
 DEMO ?= examples/twist-free-crowning.toml
 
-.PHONY: demo test setup format check instructions clean
+.PHONY: demo test setup format check instructions milling-speed clean
 
 setup:
 	@scripts/setup
@@ -28,6 +28,11 @@ check:
 # Instructions of one update of the electronic gearbox, each with its limit.
 instructions: setup
 	@scripts/instruction-counts
+
+# Cutter locations per second beside those of OpenCAMLib's drop cutter, and how long plans of milling take.
+milling-speed: setup
+	@scripts/opencamlib-peer
+	$(CARGO) bench --package flankwright --bench mill_planning
 
 clean:
 	$(CARGO) clean

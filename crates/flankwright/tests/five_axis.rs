@@ -598,7 +598,7 @@ fn the_mount_is_tilted_by_as_little_as_it_takes() {
     for machine in shipped() {
         let setup = setup(&machine, 100.0);
         let places = fan(THROUGH_POLE.iter().map(|(axis, _)| vector(*axis)));
-        let tilted = tilt_mount(&setup, &places, clearance, 0.5).expect("a tilt");
+        let tilted = tilt_mount(&setup, &[&places], clearance, 0.5).expect("a tilt");
         assert!((tilted.angle - clearance).abs() < 1e-6, "{}: {}", machine.name(), tilted.angle);
         assert!(tilted.least >= clearance - 1e-9, "{}", tilted.least.to_degrees());
         let again = setup.clamped(tilted.clamping);
@@ -614,7 +614,7 @@ fn the_mount_is_tilted_by_as_little_as_it_takes() {
         Vector3::new(cos, sin, 1.0) * (0.364 * f64::from(k) / 400.0)
             + Vector3::z() * (1.0 - 0.364 * f64::from(k) / 400.0)
     }));
-    let refused = tilt_mount(&setup, &all_around, clearance, 10f64.to_radians()).expect_err("no way out");
+    let refused = tilt_mount(&setup, &[&all_around], clearance, 10f64.to_radians()).expect_err("no way out");
     assert_eq!(refused.code(), "no-tilt");
 }
 

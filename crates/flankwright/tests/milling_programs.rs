@@ -15,13 +15,14 @@ use flankwright::machine::Station;
 use flankwright::nc::{Dialect, TipControl, read_cl};
 use flankwright::numerics::Silent;
 use flankwright::process::milling::{
-    ActiveFlank, CurveOnCone, CutDirection, HeightLimits, HeightRule, HelixOnCylinder, Lines, OperationKind,
-    Orientation, PlanOptions, Retraction, RootDepth, RowOrder, Space, SpaceFlank, SpacingLaw, Traverse, plan,
+    ActiveFlank, CurveOnCone, CutDirection, HeightLimits, HeightRule, HelixOnCylinder, Lines, MilledSide,
+    OperationKind, Orientation, PlanOptions, Retraction, RootDepth, RowOrder, Space, SpaceFlank, SpacingLaw,
+    Traverse, plan,
 };
 use flankwright::removal::{self, MillPath, Milling, NormalRay, Unmilled, mill};
 use flankwright::workflow::RunFailure;
 use flankwright::workflow::milling::programs::{
-    MillingMachining, MillingPrograms, MillingWork, StepKind, ToolWork,
+    AtPole, MillingMachining, MillingPrograms, MillingWork, StepKind, ToolWork,
 };
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
@@ -93,6 +94,7 @@ fn options(shape: CutterShape, [rows, columns]: [usize; 2], height: f64, rough: 
         root: Some((RootDepth::Bottom(0.0), true)),
         bottom: Some(0.0),
         roughing: None,
+        approach_radius: None,
         sides: vec![Flank::Left, Flank::Right],
     }
 }
@@ -230,6 +232,7 @@ fn machining<'a>(machine: &'a LoadedMachine, case: &Case, rtcp: Rtcp) -> Milling
         rtcp,
         tip_control: TipControl::Directions,
         position_tolerance: 0.5e-3,
+        at_pole: AtPole::default(),
         dialects: &ALL,
     }
 }
@@ -376,6 +379,117 @@ fn a_table_with_an_end_is_turned_back_outside() {
             assert!(unwinds.count() >= 2);
         }
     }
+}
+
+/// A path of a ball on a nearly flat workpiece: its axis passes the pole of a table A-C, clamped upside down, at 0.02 of the height,
+/// as the path of spec 50 section 11 does.
+fn near_the_pole(shape: CutterShape) -> MillingWork<'static> {
+    let cutter = Cutter::new(shape, 30.0, vec![]).unwrap();
+    let radius = if let CutterShape::Conical { radius, .. } = shape { radius } else { 0.0 };
+    let place = |k: u32| {
+        let along = f64::from(k) / 12.0 - 0.5;
+        let axis = Vector3::new(0.02, 0.6 * along, -1.0).normalize();
+        let contact = Vector3::new(0.0, 60.0 + 20.0 * along, 1.0);
+        // The centre of the ball stands above the contact, whichever way the axis points.
+        let centre = contact - Vector3::z() * radius;
+        flankwright::process::milling::CutterPlace {
+            tip: centre - axis * radius,
+            axis,
+            contact: Some(contact),
+        }
+    };
+    MillingWork {
+        job: "pole",
+        tools: vec![ToolWork {
+            kind: OperationKind::Flank(MilledSide { flank: Flank::Left, half: None }),
+            cutter,
+            number: 1,
+            spindle_rpm: 8000.0,
+            feed: 1200.0,
+            plunge_feed: 400.0,
+            paths: vec![flankwright::process::milling::CutterPath { places: (0..=12).map(place).collect() }],
+        }],
+        spaces: 2,
+        pitch: TAU / 40.0,
+        retraction: Retraction::OutsideCone { half_angle: 80f64.to_radians(), distance: 15.0 },
+    }
+}
+
+/// Rays below the path, up to its sides.
+fn rays_near_the_pole() -> Vec<NormalRay> {
+    let ray = |k: usize| NormalRay {
+        point: Vector3::new(0.1 * (k % 5) as f64 - 0.2, 51.0 + 18.0 * (k as f64) / 40.0, 1.0),
+        normal: -Vector3::z(),
+    };
+    (0..=40).map(ray).collect()
+}
+
+#[test]
+fn each_way_past_the_pole_has_its_effect() {
+    let work = near_the_pole(CutterShape::ball(3.0));
+    let machine = machine("five-axis-ac-table");
+    let mount = MillingMount { turned_over: true, height: 40.0, ..MillingMount::default() };
+    let built = |at_pole: AtPole, rtcp: Rtcp| {
+        let machining = MillingMachining {
+            machine: &machine,
+            mount,
+            tool_length: 100.0,
+            rtcp,
+            tip_control: TipControl::Directions,
+            position_tolerance: 0.5e-3,
+            at_pole,
+            dialects: &ALL,
+        };
+        machining.build(&work).unwrap_or_else(|failure| panic!("{at_pole:?}: {failure:?}"))
+    };
+    let rays = rays_near_the_pole();
+    let planned = planned_lengths(&work, &rays);
+    assert!(planned.iter().all(Option::is_some));
+    let cap = 6f64.to_radians();
+    for rtcp in [Rtcp::On, Rtcp::Off] {
+        let [slow, hold, mount] =
+            [AtPole::Slow { cap }, AtPole::Hold { cap }, AtPole::Mount { cap }].map(|way| built(way, rtcp));
+        for made in [&slow, &hold, &mount] {
+            let proven = made.prove(&work, &rays, &planned, [STOCK, DEPTH], &Silent);
+            let proofs = proven.unwrap_or_else(|failure| panic!("{failure:?}"));
+            println!(
+                "{rtcp:?}: {:?}",
+                proofs.iter().map(|p| [p.difference_um, p.allowed_um]).collect::<Vec<_>>()
+            );
+        }
+        let figures = |made: &MillingPrograms| made.programs[1].motion.operations[0].clone();
+        let turn = |made: &MillingPrograms| figures(made).rows[0].smoothness.rotary[0].travel.to_degrees();
+        println!("{rtcp:?}: C turns {} {} {} deg", turn(&slow), turn(&hold), turn(&mount));
+        // The geometry stays, C swings around, and the whole part has the feed of its slowest block.
+        assert!((turn(&slow) - 172.4).abs() < 0.1);
+        let (_, section) = &figures(&slow).passages[0];
+        assert!(section.feed < 600.0 && section.limit.name() != "feed", "{section:?}");
+        // C stands still near the pole; the axis is off by the cap at most.
+        let (places, off) = figures(&hold).held;
+        assert!(places >= 2 && off > 0.0 && off <= cap + 1e-12, "{places} {off}");
+        assert!(turn(&hold) < turn(&slow));
+        assert!(figures(&hold).cutting < figures(&slow).cutting);
+        // Nothing comes near the pole, and the workpiece is tilted by less than the cap and what the path misses the pole by.
+        let tilt = mount.tilt.expect("a tilt");
+        assert!(figures(&mount).passages.is_empty());
+        assert!(tilt.angle < 2.0 * cap && tilt.least >= cap - 1e-9, "{tilt:?}");
+        assert!(mount.programs.iter().all(|program| program.written.text.contains("WORKPIECE TILTED")));
+        assert!(slow.tilt.is_none() && hold.tilt.is_none());
+    }
+    // An end mill would cut otherwise while its axis is held.
+    let sharp = near_the_pole(CutterShape::end_mill(3.0, 1.0));
+    let machining = MillingMachining {
+        machine: &machine,
+        mount,
+        tool_length: 100.0,
+        rtcp: Rtcp::On,
+        tip_control: TipControl::Directions,
+        position_tolerance: 0.5e-3,
+        at_pole: AtPole::Hold { cap },
+        dialects: &ALL,
+    };
+    let Err(RunFailure::BadInput(finding)) = machining.build(&sharp) else { panic!("an end mill is held") };
+    assert_eq!((finding.code, finding.field.as_deref()), ("hold-needs-ball", Some("machine.pole")));
 }
 
 #[test]

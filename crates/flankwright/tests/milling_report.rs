@@ -5,7 +5,8 @@ use flankwright::report::charts::{
     NamedTopography, Svg, Topography, contour_map_in, drawing,
 };
 use flankwright::report::milling::{
-    AxisCourse, CourseLine, DensityRow, FlankFigures, FlankView, MillingReport, OperationRow, ProgramsView,
+    AxisCourse, CourseChart, CourseLine, DensityRow, FlankFigures, FlankView, MateFlankView, MateView,
+    MillingReport, OperationRow, OrientationView, OrientedRowView, PatternFigures, ProgramsView, RotaryView,
     RowView, Titled, WearView,
 };
 use flankwright::report::{Column, PlanReport, Quantity, Status, Table, Warning, html};
@@ -115,6 +116,7 @@ fn report() -> MillingReport {
             caption: "fillet".into(),
             quantities: vec![Quantity::number("straight piece", "h_b", 4.76, "mm")],
         }),
+        mate: Some(mate()),
         operations: vec![OperationRow {
             name: "left flank".into(),
             cutter: "end mill 6 mm".into(),
@@ -122,22 +124,104 @@ fn report() -> MillingReport {
             places: 350,
             way_mm: 840.0,
         }],
+        orientations: vec![orientation()],
         programs: Some(ProgramsView {
-            axes: vec![AxisCourse {
-                name: "A".into(),
-                unit: "deg".into(),
-                lines: vec![CourseLine { name: "program".into(), time_s: time, value: angle }],
+            proof: vec!["The texts were read back.".into()],
+            remarks: vec!["C is turned back twice.".into()],
+            courses: vec![CourseChart {
+                title: "Axes over time".into(),
+                caption: String::new(),
+                axes: vec![AxisCourse {
+                    name: "A".into(),
+                    unit: "deg".into(),
+                    lines: vec![CourseLine { name: "program".into(), time_s: time, value: angle }],
+                }],
             }],
-            cycle_times: Table {
+            cycle_times: vec![Table {
                 caption: "Cycle times".into(),
                 columns: vec![Column::text("Operation"), Column::number("Time", "s")],
                 rows: vec![vec!["left flank".into(), "60".into()]],
                 note: String::new(),
-            },
-            proof: vec!["The texts were read back.".into()],
+            }],
         }),
         files: vec![("result.json".into(), "result".into())],
     }
+}
+
+/// A pattern of 2 mm round the middle of a flank of 10 mm by 6 mm; at one end the mate never comes by.
+fn mate() -> MateView {
+    let place = |i: usize, j: usize| [j as f64, i as f64];
+    let gap = |i: usize, j: usize| {
+        let [x, y] = place(i, j);
+        (j < 10).then(|| 1.5 * ((x - 5.0).powi(2) + (y - 3.0).powi(2)))
+    };
+    let rows = |value: &dyn Fn(usize, usize) -> Option<f64>| -> Vec<Vec<Option<f64>>> {
+        (0..7).map(|i| (0..11).map(|j| value(i, j)).collect()).collect()
+    };
+    let pattern =
+        PatternFigures { area: 20.9, centre: [50.0, 50.0], length: [30.0, 70.0], height: [16.7, 83.3] };
+    MateView {
+        quantities: vec![Quantity::count("teeth of the mate", "z_2", 24)],
+        marking_um: 6.0,
+        flanks: vec![MateFlankView {
+            name: "Left flank".into(),
+            places_mm: (0..7).map(|i| (0..11).map(|j| place(i, j)).collect()).collect(),
+            rolled_um: rows(&gap),
+            ease_off_um: rows(&|i, j| gap(i, j).map(|um| 1.1 * um)),
+            centre_mm: Some([5.0, 3.0]),
+            roll_deg: spread(-30.0, 30.0, 61),
+            transmission_um: (0..61).map(|k| -0.05 * f64::from(k % 20 - 10).powi(2)).collect(),
+            transmission_ease_off_um: vec![-1.0; 61],
+            patterns: [Some(pattern), None],
+            overlap_percent: 90.9,
+            peak_to_peak: [12.3, 4.56],
+        }],
+    }
+}
+
+/// A row on which the column plane saves 26 degrees, and one that the machine does not reach.
+fn orientation() -> OrientationView {
+    let figures = |travel: [f64; 2], lean: f64| RotaryView {
+        travel_deg: travel,
+        second: [0.02, 0.0],
+        reversals: [0, 1],
+        lean_deg: [-lean, 0.5 * lean],
+    };
+    let row = |name: &str, figures: Result<RotaryView, String>| OrientedRowView {
+        name: name.into(),
+        figures,
+        arc_mm: vec![0.0, 10.0, 20.0],
+        angles_deg: [vec![0.0, 20.0, 40.0], vec![80.0, 81.0, 80.0]],
+    };
+    OrientationView {
+        flank: "Left flank".into(),
+        machine: "the machine mill".into(),
+        axes: ["C".into(), "A".into()],
+        rows: vec![
+            row("in the column planes", Ok(figures([40.0, 2.0], 4.0))),
+            row("along the parameter lines", Ok(figures([67.0, 1.0], 16.0))),
+            row("along lines sheared by 2 % of the face", Err("beyond the travel of A".into())),
+        ],
+    }
+}
+
+#[test]
+fn orientations_are_told_side_by_side() {
+    let told = page(&report());
+    let section = told.split("<h2>Orientation of the cutter").nth(1).unwrap().split("<h2>").next().unwrap();
+    assert!(section.contains("42.00 deg along the row, 26.00 deg less than"), "{section}");
+    assert!(section.contains("at most 4.00 deg instead of 16.00 deg"), "{section}");
+    assert!(section.contains("does not generally save rotary motion"));
+    assert!(section.contains("beyond the travel of A"));
+    // What the machine does not reach has no line.
+    let chart = section.split("<svg").nth(1).unwrap();
+    assert!(chart.contains("along the parameter lines") && !chart.contains("sheared"));
+    let mut alike = report();
+    alike.orientations[0].rows[1] = alike.orientations[0].rows[0].clone();
+    assert!(page(&alike).contains("as much as with the axis along the parameter lines"));
+    let mut out_of_reach = report();
+    out_of_reach.orientations[0].rows[0].figures = Err("beyond".into());
+    assert!(page(&out_of_reach).contains("not all orientations are within reach of the machine mill"));
 }
 
 fn page(report: &MillingReport) -> String {
@@ -174,6 +258,7 @@ fn the_page_is_complete() {
         "Wear of the edge",
         "Density",
         "Root",
+        "Contact with the mate",
         "Operations",
         "Programs",
         "Files",
@@ -189,18 +274,22 @@ fn the_page_is_complete() {
         "one height for all rows",
         "<td>NO</td>",
         "The texts were read back.",
+        "90.9 % are common",
+        "30.0 to 70.0",
+        "12.3",
     ] {
         assert!(text.contains(part), "{part}");
     }
-    // Two views, two maps, two sections, two charts of rows, wear, root, axes.
-    assert_eq!(assert_well_formed(&text), 11);
+    // Two views, two maps, two sections, two charts of rows, wear, root, pattern, transmission error, orientation, axes.
+    assert_eq!(assert_well_formed(&text), 14);
     assert_eq!(text, page(&report()));
 }
 
 #[test]
 fn absent_data_leave_no_section() {
     let mut report = report();
-    (report.root, report.programs, report.warnings) = (None, None, vec![]);
+    (report.root, report.mate, report.programs, report.warnings) = (None, None, None, vec![]);
+    report.orientations.clear();
     for flank in &mut report.flanks {
         (flank.wear, flank.density) = (None, vec![]);
         for row in &mut flank.rows {
@@ -211,6 +300,8 @@ fn absent_data_leave_no_section() {
     let text = page(&report);
     for absent in [
         "<h2>Root",
+        "<h2>Contact with the mate",
+        "<h2>Orientation",
         "<h2>Programs",
         "<h2>Warnings",
         "<h2>Wear",
@@ -228,7 +319,27 @@ fn absent_data_leave_no_section() {
 fn falling_heights_are_turned_over() {
     let mut report = report();
     report.flanks = vec![flank("Left flank", [30.0, 10.0])];
-    assert_eq!(assert_well_formed(&page(&report)), 10);
+    assert_eq!(assert_well_formed(&page(&report)), 13);
+}
+
+/// The pattern is a closed ring of 2 mm about its centre, in the scale of the drawing, and ends where the mate ends.
+#[test]
+fn the_contact_pattern_is_drawn_where_the_gap_is_small() {
+    let ring = |report: &MillingReport| {
+        let text = page(report);
+        let from = text.find("contact pattern").unwrap();
+        let svg = text[..from].rfind("<svg ").unwrap();
+        text[svg..].split("</svg>").next().unwrap().to_owned()
+    };
+    let mut other = report();
+    let whole = ring(&other);
+    for word in ["root", "tip", "toe", "heel", "centre", "rolled", "by the ease-offs", "[mm]"] {
+        assert!(whole.contains(word), "{word}");
+    }
+    other.mate.as_mut().unwrap().flanks[0].rolled_um.iter_mut().flatten().for_each(|gap| *gap = None);
+    assert!(ring(&other).len() < whole.len());
+    other.mate.as_mut().unwrap().flanks[0].transmission_um[7] = f64::NAN;
+    assert_eq!(other.to_page().unwrap_err().code(), "invalid-number");
 }
 
 #[test]
@@ -250,7 +361,7 @@ fn a_peak_of_an_axis_stays_in_its_chart() {
         text[from..].split("</svg>").next().unwrap().to_owned()
     };
     let mut low = report();
-    low.programs.as_mut().unwrap().axes[0].lines[0].value[777] = 0.0;
+    low.programs.as_mut().unwrap().courses[0].axes[0].lines[0].value[777] = 0.0;
     assert!(axis(&page(&report())).contains(">8</text>"));
     assert!(!axis(&page(&low)).contains(">8</text>"));
 }

@@ -8,6 +8,7 @@ use flankwright::exchange::job::Gear as JobGear;
 use flankwright::exchange::{LoadedGearboxJob, LoadedJob, LoadedMillingJob, LoadedTangentialJob};
 use flankwright::geometry::{Blank, Flank, Gear, Span};
 use flankwright::process::generating::GrindingSetup;
+use flankwright::process::milling::Half;
 use flankwright::workflow::gearbox::coupling_of_job;
 use flankwright::workflow::milling::prepare_milling;
 use flankwright::workflow::tangential::prepare_tangential;
@@ -190,9 +191,13 @@ pub fn derived_milling(loaded: &LoadedMillingJob) -> Result<DerivedGeometry, Run
     derived.quantity("spaces", "tooth spaces", bodies.spaces as u64, "");
     derived.quantity("milled_spaces", "of these milled", bodies.milled as u64, "");
     for flank in bodies.ranges()? {
-        derived.section(match flank.side {
-            Flank::Left => "left flank",
-            Flank::Right => "right flank",
+        derived.section(match (flank.side.half, flank.side.flank) {
+            (None, Flank::Left) => "left flank",
+            (None, Flank::Right) => "right flank",
+            (Some(Half::Upper), Flank::Left) => "left flank of the upper half",
+            (Some(Half::Upper), Flank::Right) => "right flank of the upper half",
+            (Some(Half::Lower), Flank::Left) => "left flank of the lower half",
+            (Some(Half::Lower), Flank::Right) => "right flank of the lower half",
         });
         let [[root, tip], [low, high], [from, to]] = [flank.heights, flank.radii, flank.lead];
         derived.quantity("height_at_root", "height parameter at the root", root, "");

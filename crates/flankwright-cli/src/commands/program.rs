@@ -101,9 +101,6 @@ fn check(arguments: &ProgramArguments) -> Result<Exit, Failure> {
     if let Some(AnyJob::Gearbox(loaded)) = &job {
         return Err(output::gearbox_only(loaded, "program check"));
     }
-    if let Some(AnyJob::Milling(loaded)) = &job {
-        return Err(output::not_milling(loaded, "program check"));
-    }
     let text = BufReader::new(File::open(&arguments.file).map_err(failed)?);
     // The gears of a LinuxCNC program stand in a netlist beside it.
     let netlist = match dialect {
@@ -119,6 +116,7 @@ fn check(arguments: &ProgramArguments) -> Result<Exit, Failure> {
         (failure, Some(AnyJob::Tangential(loaded))) if names_key(&failure) => {
             Failure::of_run(loaded, failure)
         }
+        (failure, Some(AnyJob::Milling(loaded))) if names_key(&failure) => Failure::of_run(loaded, failure),
         (RunFailure::BadInput(finding), _) => Failure::new(Exit::BadInput, in_file(&name, *finding)),
         (RunFailure::NotProducible(finding), _) => {
             Failure::new(Exit::NotProducible, in_file(&name, *finding))
@@ -132,7 +130,8 @@ fn check(arguments: &ProgramArguments) -> Result<Exit, Failure> {
     let tolerance = match &job {
         Some(AnyJob::Grinding(loaded)) => loaded.job.target.tolerance_um,
         Some(AnyJob::Tangential(loaded)) => loaded.job.target.tolerance_um,
-        Some(AnyJob::Gearbox(_) | AnyJob::Milling(_)) | None => f64::INFINITY,
+        Some(AnyJob::Milling(loaded)) => loaded.job.target.tolerance_um,
+        Some(AnyJob::Gearbox(_)) | None => f64::INFINITY,
     };
     let flanks = checked.flanks.iter().flatten();
     let met = flanks.map(|(_, f)| f.max_deviation_um).all(|um| um <= tolerance);

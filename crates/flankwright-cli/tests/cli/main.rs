@@ -9,6 +9,8 @@ mod examples;
 mod explore;
 mod gearbox;
 mod line_dressing;
+mod milling;
+mod milling_refusals;
 mod planning;
 mod programs;
 mod robustness;

@@ -137,6 +137,12 @@ pub enum ContactError {
         /// Axial position on the gear.
         z: f64,
     },
+    /// Two gears that are rolled against each other never face each other with these flanks.
+    #[error("the {flank} flanks of both gears never come together")]
+    FlanksDoNotMesh {
+        /// Flank concerned.
+        flank: Flank,
+    },
     /// A number that is not usable.
     #[error("{field} = {value} is not usable; allowed: {allowed}")]
     InvalidNumber {
@@ -170,6 +176,7 @@ impl ContactError {
             Self::NotSmooth { .. } => "not-smooth",
             Self::CornerTooLarge { .. } => "corner-radius-too-large",
             Self::NoRootFillet { .. } => "no-root-fillet",
+            Self::FlanksDoNotMesh { .. } => "flanks-do-not-mesh",
             Self::InvalidNumber { .. } => "invalid-number",
         }
     }
@@ -205,6 +212,7 @@ impl ContactError {
             Self::CornerTooLarge { .. } | Self::NoRootFillet { .. } => {
                 "give a smaller corner radius, or a larger root diameter of the gear"
             }
+            Self::FlanksDoNotMesh { .. } => "compare teeth, cone angles and shaft angle of both gears",
             Self::InvalidNumber { .. } => "give a value inside the allowed range",
         }
     }

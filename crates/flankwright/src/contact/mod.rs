@@ -1,5 +1,6 @@
 //! Where worm and workpiece touch: closed forms for involute flanks (spec 20 sections 2-8) and one exact solver for any
-//! worm surface given by point, normal and derivatives (section 14). Knows no dresser and no plan.
+//! worm surface given by point, normal and derivatives (section 14); and where two gears touch that are rolled against each other
+//! (`rolled_pair`). Knows no dresser and no plan.
 
 mod diagonal;
 mod error;
@@ -7,6 +8,7 @@ mod exact;
 mod kernel;
 mod pair;
 mod relative_curvature;
+mod rolled_pair;
 mod surface;
 mod thread;
 mod tip_corner;
@@ -17,6 +19,10 @@ pub use error::ContactError;
 pub use exact::{ContactSolution, ExactContact, Measure, Sensitivities};
 pub use pair::{FlankPair, Pair};
 pub use relative_curvature::RelativeCurvature;
+pub use rolled_pair::{
+    ConjugateFlanks, ContactPattern, FlankPlaces, GapField, PairGap, RollCourse, RolledGear, RolledPair,
+    overlap,
+};
 pub use surface::{SurfaceJet, ToolSurface};
 pub use thread::{ModifiedThread, ThreadFunction, Unmodified};
 pub use tip_corner::{RootFillet, TipCorner};

@@ -10,6 +10,7 @@ mod cutter;
 mod density;
 mod gear;
 mod machine;
+mod mate;
 mod milling;
 mod output;
 mod point_grid;
@@ -27,7 +28,8 @@ pub use contact_height::{ContactHeight, HeightRamp};
 pub use cutter::{CutterForm, CutterShank, MillingCutter};
 pub use density::{Density, GridChoice};
 pub use gear::{DoubleHelical, MillingGear};
-pub use machine::{MillingMachine, MillingMount, Rtcp};
+pub use machine::{MillingMachine, MillingMount, PoleWay, Rtcp};
+pub use mate::Mate;
 pub use milling::{CutSense, Milling, RowDistances, RowSequence, Spaces, Traversal};
 pub use output::MillingOutput;
 pub use point_grid::{PointGrid, read_point_grid};
@@ -63,6 +65,9 @@ pub struct MillingJob {
     /// The workpiece, if it has blades.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub blade: Option<Blade>,
+    /// The gear that a bevel gear is rolled against.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mate: Option<Mate>,
     /// The wanted flank.
     #[serde(default)]
     pub target: MillingTarget,

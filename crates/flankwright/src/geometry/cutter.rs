@@ -44,6 +44,7 @@ pub struct Cutter {
     shape: CutterShape,
     cutting_length: f64,
     steps: Vec<ShankStep>,
+    overhang: Option<f64>,
 }
 
 /// How far a corner may be larger than the radius before a ball is no ball: rounding of numbers in files.
@@ -70,6 +71,13 @@ impl CutterShape {
     /// distance inside; nowhere does it change faster than the point moves.
     #[inline]
     pub fn distance(&self, rho: f64, z: f64) -> f64 {
+        self.support(rho, z).distance
+    }
+
+    /// The distance with its slope. It is a convex function of the point: over (rho, z) it is the distance from a convex region, signed
+    /// or not, and it does not fall with rho, which is a convex function itself.
+    #[inline(always)]
+    pub fn support(&self, rho: f64, z: f64) -> Support {
         match *self {
             Self::Conical { radius, half_angle, corner_radius } => {
                 // The convex core, all of its boundary moved inwards by the corner radius; its corner lies at (rho_c, r_c).
@@ -77,24 +85,58 @@ impl CutterShape {
                 let rho_c = radius + (sin - 1.0) * corner_radius / cos;
                 let (x, y) = (rho - rho_c, z - corner_radius);
                 let (off_side, up_side) = (cos * x - sin * y, sin * x + cos * y);
-                let core = if off_side <= 0.0 && y >= 0.0 {
-                    off_side.max(-y)
-                } else if off_side > 0.0 && up_side >= 0.0 {
-                    off_side
-                } else if y < 0.0 && x <= 0.0 {
-                    -y
+                let inside = off_side <= 0.0 && y >= 0.0;
+                let (core, slope) = if inside && off_side >= -y || off_side > 0.0 && up_side >= 0.0 {
+                    (off_side, [cos, -sin])
+                } else if inside || y < 0.0 && x <= 0.0 {
+                    (-y, [0.0, -1.0])
                 } else {
-                    x.hypot(y)
+                    let core = x.hypot(y);
+                    (core, [x / core, y / core])
                 };
-                core - corner_radius
+                Support { distance: core - corner_radius, slope }
             }
             Self::Barrel { radius, height, profile_radius } => {
                 // Of a drum, the arc's centre lies off the axis and what is inside of it is full.
                 let middle = radius - profile_radius;
                 let off = if middle > 0.0 { (rho - middle).max(0.0) } else { rho - middle };
-                off.hypot(z - height) - profile_radius
+                Support::from_core(off, z - height, profile_radius)
             }
         }
+    }
+}
+
+/// Distance of a point from a convex part of a tool, and how it changes with the point's radius and height: at every other point the
+/// distance is at least what goes on from here with this slope.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Support {
+    /// The distance, mm, as [`CutterShape::distance`] has it.
+    pub distance: f64,
+    /// By the radius (>= 0) and by the height; no longer than 1.
+    pub slope: [f64; 2],
+}
+
+impl Support {
+    /// Off a circle of this radius by x and y from its middle.
+    #[inline(always)]
+    fn from_core(x: f64, y: f64, radius: f64) -> Self {
+        let off = x.hypot(y);
+        // At the middle the distance is least: no slope at all goes on below it.
+        let slope = if off > 0.0 { [x / off, y / off] } else { [0.0; 2] };
+        Self { distance: off - radius, slope }
+    }
+}
+
+impl ShankStep {
+    /// A cylinder that begins at a height: exact outside, and convex as the cutting part is.
+    #[inline(always)]
+    fn support(&self, rho: f64, z: f64) -> Support {
+        let (x, y) = (rho - self.radius, self.from - z);
+        if x <= 0.0 && y <= 0.0 {
+            let (distance, slope) = if x >= y { (x, [1.0, 0.0]) } else { (y, [0.0, -1.0]) };
+            return Support { distance, slope };
+        }
+        Support::from_core(x.max(0.0), -y.max(0.0), 0.0)
     }
 }
 
@@ -132,7 +174,7 @@ impl Cutter {
             need("cutter shank radius", step.radius, step.radius > 0.0, "> 0 mm")?;
             need("cutter shank from", step.from, step.from > 0.0, "> 0 mm above the tip")?;
         }
-        Ok(Self { shape, cutting_length, steps })
+        Ok(Self { shape, cutting_length, steps, overhang: None })
     }
 
     /// The cutting part.
@@ -150,15 +192,37 @@ impl Cutter {
         &self.steps
     }
 
+    /// The cutter in a spindle whose nose stands at this height above the tip, mm.
+    ///
+    /// # Errors
+    /// [`GeometryError::InvalidNumber`] for a height that is not above the tip.
+    pub fn in_spindle(mut self, overhang: f64) -> Result<Self, GeometryError> {
+        if !(overhang > 0.0 && overhang.is_finite()) {
+            let (field, allowed) = ("tool_length", "> 0 mm");
+            return Err(GeometryError::InvalidNumber { field, value: overhang, allowed });
+        }
+        self.overhang = Some(overhang);
+        Ok(self)
+    }
+
+    /// Height above the tip up to which the tool is known to go, mm: to the nose of the spindle, else to the begin of its last step, at
+    /// least to the end of its edges.
+    pub fn length(&self) -> f64 {
+        let steps = self.steps.iter().map(|step| step.from);
+        steps.chain(self.overhang).fold(self.cutting_length, f64::max)
+    }
+
     /// Distance of a point in tool coordinates from the whole tool, mm, as [`CutterShape::distance`] has it; the cutting part is
     /// taken to go on upwards.
     pub fn distance(&self, rho: f64, z: f64) -> f64 {
-        self.steps.iter().fold(self.shape.distance(rho, z), |least, step| {
-            // A cylinder that begins at a height: exact outside.
-            let (x, y) = (rho - step.radius, step.from - z);
-            let outside = x.max(0.0).hypot(y.max(0.0));
-            least.min(if outside > 0.0 { outside } else { x.max(y) })
-        })
+        let shape = self.shape.distance(rho, z);
+        self.steps.iter().fold(shape, |least, step| least.min(step.support(rho, z).distance))
+    }
+
+    /// Distances and slopes of its convex parts: cutting part, neck, shank and holder.
+    #[inline]
+    pub fn supports(&self, rho: f64, z: f64) -> impl Iterator<Item = Support> {
+        std::iter::once(self.shape.support(rho, z)).chain(self.steps.iter().map(move |s| s.support(rho, z)))
     }
 }
 
@@ -169,4 +233,54 @@ pub fn in_tool(point: &Vector3<f64>, tip: &Vector3<f64>, axis: &Vector3<f64>) ->
     let z = from_tip.dot(axis);
     // Not from the squares' difference: that loses half of the digits near the axis.
     [(from_tip - axis * z).norm(), z]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Shapes of every kind, balls and sharp corners among them.
+    fn shapes() -> Vec<CutterShape> {
+        let conical =
+            |half_angle, corner_radius| CutterShape::Conical { radius: 3.0, half_angle, corner_radius };
+        let barrel = |profile_radius| CutterShape::Barrel { radius: 3.0, height: 4.0, profile_radius };
+        vec![
+            conical(0.0, 0.0),
+            conical(0.0, 1.0),
+            conical(0.0, 3.0),
+            conical(0.4, 0.0),
+            conical(0.4, 1.0),
+            barrel(40.0),
+            barrel(3.0),
+            barrel(1.0),
+        ]
+    }
+
+    #[test]
+    fn distances_lie_above_their_tangents() {
+        let step = ShankStep { radius: 2.0, from: 5.0 };
+        let places = || {
+            let along = |n: usize| (0..n).map(move |k| k as f64 / n as f64);
+            along(13).flat_map(move |u| along(17).map(move |v| (8.0 * u, 14.0 * v - 4.0)))
+        };
+        for shape in shapes() {
+            let cutter = Cutter::new(shape, 10.0, vec![step]).unwrap();
+            for (rho, z) in places() {
+                let parts: Vec<Support> = cutter.supports(rho, z).collect();
+                let least = parts.iter().map(|part| part.distance).fold(f64::INFINITY, f64::min);
+                assert_eq!(least, cutter.distance(rho, z));
+                for part in &parts {
+                    let [by_rho, by_z] = part.slope;
+                    assert!(by_rho >= 0.0 && by_rho.hypot(by_z) <= 1.0 + 1e-15, "{shape:?} {part:?}");
+                }
+                for (other_rho, other_z) in places() {
+                    for (other, part) in cutter.supports(other_rho, other_z).zip(&parts) {
+                        let [by_rho, by_z] = part.slope;
+                        let tangent = part.distance + by_rho * (other_rho - rho) + by_z * (other_z - z);
+                        assert!(other.distance >= tangent - 1e-13, "{shape:?} {part:?} {other:?}");
+                    }
+                }
+            }
+        }
+    }
 }

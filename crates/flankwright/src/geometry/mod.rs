@@ -16,7 +16,7 @@ mod worm;
 
 pub use bevel::{BevelData, BevelGear, CircularLine, FlankLine, Hand, Octoid, SphericalInvolute, Spiral};
 pub use blank::{Blank, BlankWarning, EvaluationLimits};
-pub use cutter::{Cutter, CutterShape, ShankStep, in_tool};
+pub use cutter::{Cutter, CutterShape, ShankStep, Support, in_tool};
 pub use error::GeometryError;
 pub use gear::{Gear, GearData, involute_function};
 pub use involute::{FlankDeviation, FlankFrame, InvoluteFlank};

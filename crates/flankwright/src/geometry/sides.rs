@@ -34,7 +34,7 @@ impl Flank {
     }
 
     /// `"left"` or `"right"`, as job files spell it.
-    pub fn name(self) -> &'static str {
+    pub const fn name(self) -> &'static str {
         match self {
             Flank::Left => "left",
             Flank::Right => "right",

@@ -13,7 +13,7 @@ use super::referee::{self, Cutting, Verdict};
 use super::result::{CandidateResult, CharacteristicsUm, FlankResult, JobResult, SettingsResult, Status};
 use super::tip_land::TipLands;
 use crate::exchange::LoadedJob;
-use crate::exchange::job::{DiagonalRatio, Job, Output};
+use crate::exchange::job::{DiagonalRatio, Job, Output, Table};
 use crate::geometry::{Flank, Sides};
 use crate::metrology::Topography;
 use crate::numerics::Progress;
@@ -267,22 +267,27 @@ pub fn ratio_reason(reason: RatioReason) -> &'static str {
     }
 }
 
+/// Parquet tables, which come with a later version.
+pub(super) fn parquet_warning(tables: &[Table]) -> Option<Remark> {
+    let wanted = tables.contains(&Table::Parquet);
+    wanted.then(|| not_written("parquet-not-written", "Parquet tables", "\"parquet\" in output.tables"))
+}
+
+fn not_written(code: &'static str, what: &str, key: &str) -> Remark {
+    Remark {
+        code,
+        text: format!("{what} are not written by this version"),
+        way_out: format!("take the tables in motions/*.csv, or leave {key} out"),
+    }
+}
+
 /// Formats and machines that the job asks for and that come with later versions.
 pub(super) fn output_warnings(output: &Output, machine: bool) -> Vec<Remark> {
     let mut warnings = Vec::new();
-    let mut later = |code, what: &str, key: &str| {
-        warnings.push(Remark {
-            code,
-            text: format!("{what} are not written by this version"),
-            way_out: format!("take the tables in motions/*.csv, or leave {key} out"),
-        });
-    };
     if !output.meshes.is_empty() {
-        later("meshes-not-written", "meshes", "output.meshes");
+        warnings.push(not_written("meshes-not-written", "meshes", "output.meshes"));
     }
-    if output.tables.contains(&crate::exchange::job::Table::Parquet) {
-        later("parquet-not-written", "Parquet tables", "\"parquet\" in output.tables");
-    }
+    warnings.extend(parquet_warning(&output.tables));
     if !output.programs.is_empty() && !machine {
         warnings.push(Remark {
             code: "programs-without-machine",

@@ -4,6 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::exchange::job::Hand;
+use crate::geometry::{self, BevelData, Spiral};
 
 /// Drawing data of a bevel gear whose cones have one apex. Lengths in mm.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -77,6 +78,26 @@ pub struct BevelSpiral {
 }
 
 impl BevelGear {
+    /// The drawing as geometry takes it: rad.
+    pub fn data(&self) -> BevelData {
+        let spiral = |spiral: &BevelSpiral| Spiral {
+            mean_angle: spiral.mean_spiral_angle_deg.to_radians(),
+            cutter_radius: spiral.cutter_radius,
+            hand: if spiral.hand.sign() > 0.0 { geometry::Hand::Right } else { geometry::Hand::Left },
+        };
+        BevelData {
+            outer_transverse_module: self.outer_transverse_module,
+            teeth: self.teeth,
+            pitch_angle: self.pitch_cone_angle_deg.to_radians(),
+            pressure_angle: self.pressure_angle_deg.to_radians(),
+            face_width: self.face_width,
+            addendum_factor: self.addendum_factor,
+            dedendum_factor: self.dedendum_factor,
+            spiral: self.spiral.as_ref().map(spiral),
+            form_angle: self.start_polar_angle_deg.map(f64::to_radians),
+        }
+    }
+
     /// R_e: outer cone distance, mm.
     pub fn outer_cone_distance(&self) -> f64 {
         let sine = self.pitch_cone_angle_deg.to_radians().sin();

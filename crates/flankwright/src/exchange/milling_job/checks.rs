@@ -5,6 +5,7 @@ mod bodies;
 mod contact;
 mod cutters;
 mod grid;
+mod mate;
 
 use super::MillingJob;
 use crate::exchange::checks::{contradiction, name};
@@ -18,6 +19,7 @@ pub(in crate::exchange) fn check(job: &MillingJob) -> Vec<Diagnostic> {
     cutters::check(job, &mut findings);
     grid::check(job, &mut findings);
     contact::check(job, &mut findings);
+    mate::check(job, &mut findings);
     rays(job, &mut findings);
     if !job.output.programs.is_empty() && job.machine.is_none() {
         findings.push(contradiction(

@@ -25,6 +25,13 @@ pub struct MillingMachine {
     #[serde(default = "default_position_tolerance")]
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 100, "x-way-out" = "give the tolerance in micrometres; 0.5 is the default"))]
     pub position_tolerance_um: f64,
+    /// What is done where a path comes near the pole, the direction in which the first rotary axis does not move the cutter's axis.
+    #[serde(default)]
+    pub pole: PoleWay,
+    /// How near to the pole that is, degrees.
+    #[serde(default = "default_pole_cap")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 20, "x-way-out" = "give the angle in degrees; 2 is the default"))]
+    pub pole_cap_deg: f64,
 }
 
 /// How the workpiece sits on the table.
@@ -52,6 +59,23 @@ pub enum Rtcp {
     Off,
     /// The program where a row is one screw block, exactly; else the control.
     Rows,
+}
+
+/// What is done near the pole.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum PoleWay {
+    /// The geometry stays, the feed is what the axes allow.
+    #[default]
+    Slow,
+    /// The first rotary axis keeps its angle; for ball cutters.
+    Hold,
+    /// The workpiece is tilted on the table.
+    Mount,
+}
+
+fn default_pole_cap() -> f64 {
+    2.0
 }
 
 fn default_position_tolerance() -> f64 {

@@ -171,7 +171,7 @@ fn bevels_and_blades_are_read() {
 fn double_helical_gears_and_cutters_of_all_shapes_are_read() {
     let halves =
         template().replace("helix_angle_deg = 0.0", "helix_angle_deg = 30.0\ndouble_helical = { gap = 4.0 }");
-    assert_eq!(sound(&halves).gear.unwrap().double_helical, Some(DoubleHelical { gap: 4.0 }));
+    assert_eq!(sound(&halves).gear.unwrap().double_helical, Some(DoubleHelical { apex: 0.0, gap: 4.0 }));
     let begin = "shape = \"end-mill\"\ndiameter = 6.0\ncorner_radius = 1.5\n";
     let without_root = template().replace("[milling.root]\nbottom = 0.0\n", "");
     let without_height = without_root.replace("contact_height = 6.16\n", "");

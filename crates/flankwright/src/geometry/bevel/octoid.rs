@@ -4,6 +4,7 @@
 //! the apex, mm. The rotation gives the flank in closed form; the polar angle grows with it on the whole regular branch.
 
 use super::BevelGear;
+use crate::geometry::surface::bounds::{largest, remainder};
 use crate::geometry::{Flank, GeometryError, OffsetBase, SecondOrder, Surface, SurfaceJet};
 use crate::numerics::brent;
 use nalgebra::Vector3;
@@ -108,6 +109,13 @@ impl Octoid {
         (sine < 1.0).then(|| sine.asin() / self.sin_pitch)
     }
 
+    /// d(mu)/dq at a height.
+    fn rate_over_sine(&self, height: f64) -> f64 {
+        let q = self.cos_pressure * (-height * self.sin_pitch).sin();
+        let square = 1.0 - q * q;
+        2.0 * q * self.sin_pitch * self.sin_pressure / (square * square) - self.cos_pitch
+    }
+
     #[inline]
     fn frame(&self, height: f64) -> Frame {
         let s = self.flank.sign();
@@ -131,10 +139,7 @@ impl Octoid {
             ray,
             normal,
             across: in_gear(s * sin_a / h, 0.0, cos_a * cos_chi / h),
-            ray_rate: [
-                sin_d * sin_a / square - q * cos_d,
-                q_rate * (2.0 * q * sin_d * sin_a / (square * square) - cos_d),
-            ],
+            ray_rate: [sin_d * sin_a / square - q * cos_d, q_rate * self.rate_over_sine(height)],
             normal_rate: [cos_d * h, -cos_d * q * q_rate / h],
         }
     }
@@ -168,7 +173,18 @@ impl Surface for Octoid {
     /// Exact: mu is a convex function of q, and q is monotone in the height.
     fn speed_bounds(&self, heights: [f64; 2], distances: [f64; 2]) -> [f64; 2] {
         let [low, high] = heights.map(|height| self.frame(height).ray_rate[0].abs());
-        [distances[0].abs().max(distances[1].abs()) * low.max(high), 1.0]
+        [largest(distances) * low.max(high), 1.0]
+    }
+
+    /// |S_aa| = R hypot(mu', mu hypot(mu, lambda)) and |S_ab| = mu. mu' is q' times the derivative of the convex mu(q): |q'| is
+    /// largest at the pitch cone, the derivative at an end of q.
+    fn off_tangent(&self, heights: [f64; 2], distances: [f64; 2]) -> f64 {
+        let ends = heights.map(|height| self.frame(height));
+        let mu = largest(ends.each_ref().map(|frame| frame.ray_rate[0]));
+        let lambda = self.normal_speed_bounds(heights, distances)[0];
+        let steepest = largest(heights.map(|height| self.rate_over_sine(height)));
+        let mu_rate = self.sin_pitch * self.cos_pressure * steepest;
+        remainder([largest(distances) * mu_rate.hypot(mu * mu.hypot(lambda)), mu, 0.0], heights, distances)
     }
 }
 

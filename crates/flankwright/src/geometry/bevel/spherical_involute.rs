@@ -3,7 +3,7 @@
 //! Height = roll angle omega in rad, length = distance R from the apex in mm.
 
 use super::{BevelGear, FlankLine};
-use crate::geometry::surface::bounds::{largest, largest_cosine, largest_sine, smallest};
+use crate::geometry::surface::bounds::{largest, largest_cosine, largest_sine, remainder, smallest};
 use crate::geometry::surface::turned;
 use crate::geometry::{Flank, GeometryError, OffsetBase, SecondOrder, Surface, SurfaceJet};
 use nalgebra::Vector3;
@@ -61,6 +61,13 @@ impl SphericalInvolute {
     /// Its flank line.
     pub fn line(&self) -> &FlankLine {
         &self.line
+    }
+
+    /// Largest sin(theta) over ascending xi.
+    fn largest_polar_sine(&self, xi: [f64; 2]) -> f64 {
+        // cos(theta) = cos(delta_b) cos(xi), falling: the sine is largest where the cosine is smallest.
+        let cos_polar = self.cos_base * smallest([xi[1].cos(), xi[0].cos()]);
+        ((1.0 - cos_polar) * (1.0 + cos_polar)).sqrt()
     }
 
     #[inline]
@@ -133,10 +140,27 @@ impl Surface for SphericalInvolute {
     fn speed_bounds(&self, heights: [f64; 2], distances: [f64; 2]) -> [f64; 2] {
         let xi = heights.map(|omega| omega * self.sin_base);
         let turn = largest(self.line.bounds(distances).turn);
-        // cos(theta) = cos(delta_b) cos(xi), falling: the sine is largest where the cosine is smallest.
-        let cos_polar = self.cos_base * smallest([xi[1].cos(), xi[0].cos()]);
-        let sin_polar = ((1.0 - cos_polar) * (1.0 + cos_polar)).sqrt();
-        [largest(distances) * largest_sine(xi) * self.cos_base, (turn * sin_polar).hypot(1.0)]
+        [
+            largest(distances) * largest_sine(xi) * self.cos_base,
+            (turn * self.largest_polar_sine(xi)).hypot(1.0),
+        ]
+    }
+
+    /// |S_omega_omega| = R hypot(sin(delta_b) lambda, mu cos(delta_b)), |S_omega_R| = mu hypot(1, cos(delta_b) R Theta'); S_RR is
+    /// sin(theta) times (R Theta')' + Theta' across and R Theta'^2 towards the axis.
+    fn off_tangent(&self, heights: [f64; 2], distances: [f64; 2]) -> f64 {
+        let xi = heights.map(|omega| omega * self.sin_base);
+        let (mu, lambda) = (self.cos_base * largest_sine(xi), self.cos_base * largest_cosine(xi));
+        let line = self.line.bounds(distances);
+        let turn = largest(line.turn);
+        // A line that does not turn may go to the apex.
+        let slope = if turn == 0.0 { 0.0 } else { turn / smallest(distances) };
+        let second = [
+            largest(distances) * (self.sin_base * lambda).hypot(self.cos_base * mu),
+            mu * (self.cos_base * turn).hypot(1.0),
+            self.largest_polar_sine(xi) * (line.turn_rate + slope).hypot(turn * slope),
+        ];
+        remainder(second, heights, distances)
     }
 }
 

@@ -14,6 +14,13 @@ pub(crate) fn smallest(range: [f64; 2]) -> f64 {
     if range[0] <= 0.0 && range[1] >= 0.0 { 0.0 } else { range[0].abs().min(range[1].abs()) }
 }
 
+/// How far a smooth vector is off its linear part at the middle of a box at most, from upper bounds of its second derivatives there
+/// (by height twice, by both, by length twice): Taylor's remainder.
+pub(crate) fn remainder([aa, ab, bb]: [f64; 3], heights: [f64; 2], lengths: [f64; 2]) -> f64 {
+    let [a, b] = [heights, lengths].map(|[from, to]| 0.5 * (to - from).abs());
+    0.5 * (aa * a * a + bb * b * b) + ab * a * b
+}
+
 /// Largest |sin| over an interval of angles.
 pub(crate) fn largest_sine([from, to]: [f64; 2]) -> f64 {
     // The first peak of |sin| at or above the lower end.

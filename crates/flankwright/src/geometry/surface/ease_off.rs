@@ -76,16 +76,17 @@ impl NormalOffset for EaseOff {
         }
     }
 
-    /// The gradient is linear, so that its bounds are exact.
+    /// The gradient is linear, so that its bounds are exact; the second derivatives are the same everywhere.
     fn bounds(&self, heights: [f64; 2], lengths: [f64; 2]) -> OffsetBounds {
         let EaseOffAmounts { length_crowning: along, profile_crowning: across, bias } = self.amounts;
-        let mut bounds = OffsetBounds { value: 0.0, by_height: 0.0, by_length: 0.0 };
+        let mut bounds = OffsetBounds { value: 0.0, by_height: 0.0, by_length: 0.0, second: [0.0; 3] };
         let (mut far_x, mut far_y) = ([0.0; 2], [0.0; 2]);
         for i in 0..2 {
             for j in 0..2 {
                 let jet = self.jet(heights[i], lengths[j]);
                 bounds.by_height = bounds.by_height.max(jet.fu.abs());
                 bounds.by_length = bounds.by_length.max(jet.fv.abs());
+                bounds.second = [jet.fuu, jet.fuv, jet.fvv].map(f64::abs);
                 [far_x[j], far_y[i]] = self.place(heights[i], lengths[j]);
             }
         }

@@ -1,5 +1,6 @@
 //! A piece of a cylinder or cone about the workpiece's axis: root body, tip land, hub.
 
+use super::bounds::{largest, remainder};
 use super::{Surface, SurfaceJet};
 use nalgebra::Vector3;
 
@@ -46,9 +47,17 @@ impl Surface for Frustum {
     }
 
     fn speed_bounds(&self, _: [f64; 2], shares: [f64; 2]) -> [f64; 2] {
-        let radius = shares.map(|share| self.at(share)[0].abs()).into_iter().fold(0.0, f64::max);
+        let radius = self.largest_radius(shares);
         let [widens, rises, turns] = self.slopes();
         [radius, widens.hypot(rises).hypot(radius * turns)]
+    }
+
+    fn off_tangent(&self, azimuths: [f64; 2], shares: [f64; 2]) -> f64 {
+        let radius = self.largest_radius(shares);
+        let [widens, _, turns] = self.slopes();
+        let turned = radius * turns;
+        let second = [radius, widens.hypot(turned), (2.0 * widens * turns).hypot(turned * turns)];
+        remainder(second, azimuths, shares)
     }
 }
 
@@ -56,6 +65,11 @@ impl Frustum {
     /// Radius, position and turn.
     fn at(&self, share: f64) -> [f64; 3] {
         [self.radii, self.positions, self.turns].map(|[from, to]| from + (to - from) * share)
+    }
+
+    /// It is linear over the share.
+    fn largest_radius(&self, shares: [f64; 2]) -> f64 {
+        largest(shares.map(|share| self.at(share)[0]))
     }
 
     /// Their slopes over the share.

@@ -2,6 +2,7 @@
 //!
 //! Height = 0 at the first row (root) to 1 at the last (tip), length = 0 at the first point of the rows to 1 at the last.
 
+use super::bounds::remainder;
 use super::second_order::{cross_product_bounds, jet_of_derivatives, second_order_of};
 use super::{NormalSide, OffsetBase, SecondOrder, Surface, SurfaceJet};
 use crate::geometry::GeometryError;
@@ -174,6 +175,10 @@ impl Surface for GridSurface {
 
     fn speed_bounds(&self, heights: [f64; 2], lengths: [f64; 2]) -> [f64; 2] {
         self.bounds(heights, lengths, [[1, 0], [0, 1]])
+    }
+
+    fn off_tangent(&self, heights: [f64; 2], lengths: [f64; 2]) -> f64 {
+        remainder(self.bounds(heights, lengths, [[2, 0], [1, 1], [0, 2]]), heights, lengths)
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! Height = length of roll w, length = axial position z, both mm. The space stays centred on +y, also of an internal gear.
 
-use super::bounds::largest;
+use super::bounds::{largest, remainder};
 use super::{OffsetBase, SecondOrder, Surface, SurfaceJet};
 use crate::geometry::{Flank, Gear, GeometryError, InvoluteFlank, involute_function};
 use nalgebra::Vector3;
@@ -180,6 +180,14 @@ impl Surface for Helicoid {
         let r_b = self.base_radius();
         [w / r_b, (self.twist * r_b.hypot(w)).hypot(1.0)]
     }
+
+    /// |S_ww| = hypot(1, w/r_b)/r_b, |S_wz| = k w/r_b, |S_zz| = k^2 r: all grow with w alone.
+    fn off_tangent(&self, heights: [f64; 2], lengths: [f64; 2]) -> f64 {
+        let (r_b, k) = (self.base_radius(), self.twist.abs());
+        let roll = largest(heights) / r_b;
+        let radius = r_b * roll.hypot(1.0);
+        remainder([roll.hypot(1.0) / r_b, k * roll, k * k * radius], heights, lengths)
+    }
 }
 
 impl OffsetBase for Helicoid {
@@ -209,5 +217,12 @@ impl OffsetBase for Helicoid {
     /// Exact: both are the same everywhere.
     fn normal_speed_bounds(&self, _: [f64; 2], _: [f64; 2]) -> [f64; 2] {
         [self.cos_base_helix / self.base_radius(), self.twist.abs() * self.cos_base_helix]
+    }
+
+    /// The normal turns with u: its second derivatives are as long everywhere.
+    fn normal_off_tangent(&self, heights: [f64; 2], lengths: [f64; 2]) -> f64 {
+        let (by_roll, by_length) = (1.0 / self.base_radius(), self.twist.abs());
+        let second = [by_roll * by_roll, by_roll * by_length, by_length * by_length];
+        self.cos_base_helix * remainder(second, heights, lengths)
     }
 }

@@ -73,6 +73,10 @@ impl<S: Surface> Surface for Mirrored<S> {
     fn speed_bounds(&self, heights: [f64; 2], lengths: [f64; 2]) -> [f64; 2] {
         self.base.speed_bounds(heights, self.lengths(lengths))
     }
+
+    fn off_tangent(&self, heights: [f64; 2], lengths: [f64; 2]) -> f64 {
+        self.base.off_tangent(heights, self.lengths(lengths))
+    }
 }
 
 impl<S: OffsetBase> OffsetBase for Mirrored<S> {
@@ -84,5 +88,9 @@ impl<S: OffsetBase> OffsetBase for Mirrored<S> {
 
     fn normal_speed_bounds(&self, heights: [f64; 2], lengths: [f64; 2]) -> [f64; 2] {
         self.base.normal_speed_bounds(heights, self.lengths(lengths))
+    }
+
+    fn normal_off_tangent(&self, heights: [f64; 2], lengths: [f64; 2]) -> f64 {
+        self.base.normal_off_tangent(heights, self.lengths(lengths))
     }
 }

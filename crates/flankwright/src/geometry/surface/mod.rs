@@ -58,6 +58,12 @@ pub trait Surface: Send + Sync + Debug {
 
     /// Upper bounds of |S_a| and |S_b| over a box of parameters inside the domain: true everywhere in it, not sampled.
     fn speed_bounds(&self, heights: [f64; 2], lengths: [f64; 2]) -> [f64; 2];
+
+    /// Upper bound of how far the surface is off its tangent plane at a box's middle m, mm: of |S(a, b) - S(m) - S_a(m) da -
+    /// S_b(m) db| over the box; infinite where nothing is known.
+    fn off_tangent(&self, _heights: [f64; 2], _lengths: [f64; 2]) -> f64 {
+        f64::INFINITY
+    }
 }
 
 impl SurfaceJet {

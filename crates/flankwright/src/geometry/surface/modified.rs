@@ -1,5 +1,6 @@
 //! A flank moved along its normal by a function of its parameters, and its own exact normal: spec 50 section 1.3.
 
+use super::bounds::remainder;
 use super::second_order::jet_of_derivatives;
 use super::{OffsetBase, Surface, SurfaceJet};
 use crate::numerics::Jet2;
@@ -16,6 +17,8 @@ pub struct OffsetBounds {
     pub by_height: f64,
     /// Of |f_b|, mm per unit of the length.
     pub by_length: f64,
+    /// Of |f_aa|, |f_ab| and |f_bb|; infinite where f has a kink.
+    pub second: [f64; 3],
 }
 
 /// An offset f(a, b) of a surface along its normal, mm; > 0 leaves material.
@@ -92,11 +95,29 @@ impl<S: OffsetBase> Surface for Modified<S> {
         let speeds = self.base.speed_bounds(heights, lengths);
         let turns = self.base.normal_speed_bounds(heights, lengths);
         let offset = self.offset.bounds(heights, lengths);
-        // Without an offset a turn without bound does no harm: 0 times infinity would be no number.
-        let moved = |turn: f64| if offset.value == 0.0 { 0.0 } else { offset.value * turn };
         [
-            (speeds[0] + moved(turns[0])).hypot(offset.by_height),
-            (speeds[1] + moved(turns[1])).hypot(offset.by_length),
+            (speeds[0] + moved(offset.value, turns[0])).hypot(offset.by_height),
+            (speeds[1] + moved(offset.value, turns[1])).hypot(offset.by_length),
         ]
     }
+
+    /// With f = f_0 + f_1 + f_r and n = n_0 + n_1 + n_r (value, linear part and remainder at the middle), f n differs from its own
+    /// linear part by f_r n_0 + f_0 n_r + (f - f_0)(n - n_0).
+    fn off_tangent(&self, heights: [f64; 2], lengths: [f64; 2]) -> f64 {
+        let offset = self.offset.bounds(heights, lengths);
+        let turns = self.base.normal_speed_bounds(heights, lengths);
+        let [a, b] = [heights, lengths].map(|[from, to]| 0.5 * (to - from).abs());
+        let change = offset.by_height * a + offset.by_length * b;
+        // Also where f has kinks it does not leave its linear part faster than both can change.
+        self.base.off_tangent(heights, lengths)
+            + remainder(offset.second, heights, lengths).min(2.0 * change)
+            + moved(offset.value, self.base.normal_off_tangent(heights, lengths))
+            + moved(change, turns[0] * a + turns[1] * b)
+    }
+}
+
+/// How far an offset of at most `amount` moves by a turn of the normal. Without an offset a turn without bound does no harm: 0 times
+/// infinity would be no number.
+fn moved(amount: f64, turn: f64) -> f64 {
+    if amount == 0.0 { 0.0 } else { amount * turn }
 }

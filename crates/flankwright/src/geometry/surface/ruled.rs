@@ -2,6 +2,7 @@
 //!
 //! Height v = share of the way from hub to tip, length u = the curves' parameter.
 
+use super::bounds::remainder;
 use super::second_order::{cross_product_bounds, jet_of_derivatives, second_order_of};
 use super::{BladeCurve, CylindricalCurve, NormalSide, OffsetBase, SecondOrder, Surface, SurfaceJet};
 use crate::geometry::GeometryError;
@@ -164,6 +165,11 @@ impl Surface for RuledBlade {
     fn speed_bounds(&self, heights: [f64; 2], lengths: [f64; 2]) -> [f64; 2] {
         let bounds = self.derivative_bounds(heights, lengths);
         [bounds.by_height, bounds.by_length]
+    }
+
+    fn off_tangent(&self, heights: [f64; 2], lengths: [f64; 2]) -> f64 {
+        let bounds = self.derivative_bounds(heights, lengths);
+        remainder([0.0, bounds.mixed, bounds.by_length_twice], heights, lengths)
     }
 }
 

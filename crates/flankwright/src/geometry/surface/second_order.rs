@@ -24,6 +24,13 @@ pub trait OffsetBase: Surface {
     /// Upper bounds of |n_a| and |n_b| over a box of parameters inside the domain, as [`Surface::speed_bounds`] has them for the
     /// point; infinite where a box is too large for a statement.
     fn normal_speed_bounds(&self, heights: [f64; 2], lengths: [f64; 2]) -> [f64; 2];
+
+    /// Upper bound of how far the normal is off its linear part at a box's middle, as [`Surface::off_tangent`] has it for the point.
+    fn normal_off_tangent(&self, heights: [f64; 2], lengths: [f64; 2]) -> f64 {
+        // It cannot leave its linear part faster than both can move.
+        let [a, b] = self.normal_speed_bounds(heights, lengths);
+        a * (heights[1] - heights[0]).abs() + b * (lengths[1] - lengths[0]).abs()
+    }
 }
 
 /// To which side of S_a x S_b the normal points.
@@ -135,6 +142,10 @@ impl<S: Surface + ?Sized> Surface for Arc<S> {
     fn speed_bounds(&self, heights: [f64; 2], lengths: [f64; 2]) -> [f64; 2] {
         (**self).speed_bounds(heights, lengths)
     }
+
+    fn off_tangent(&self, heights: [f64; 2], lengths: [f64; 2]) -> f64 {
+        (**self).off_tangent(heights, lengths)
+    }
 }
 
 impl<S: OffsetBase + ?Sized> OffsetBase for Arc<S> {
@@ -144,5 +155,9 @@ impl<S: OffsetBase + ?Sized> OffsetBase for Arc<S> {
 
     fn normal_speed_bounds(&self, heights: [f64; 2], lengths: [f64; 2]) -> [f64; 2] {
         (**self).normal_speed_bounds(heights, lengths)
+    }
+
+    fn normal_off_tangent(&self, heights: [f64; 2], lengths: [f64; 2]) -> f64 {
+        (**self).normal_off_tangent(heights, lengths)
     }
 }

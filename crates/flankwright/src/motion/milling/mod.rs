@@ -14,6 +14,6 @@ pub use choice::{AxisCourse, PoleStrategy, choose};
 pub use feed::{BlockLimit, BlockTime, SectionFeed, block_time, block_times, section_feeds};
 pub use place::{CutterPlace, MillingSetup};
 pub use pole::{DEFAULT_CAP, PolePassage, pole_passages};
-pub use smoothness::{Change, RowSmoothness, contact_arcs, leans, smoothness};
+pub use smoothness::{Change, RowSmoothness, contact_arcs, leans, smoothness, smoothness_along};
 pub use straight::{Refined, StraightError, StraightRun, refine, straight_error, straight_runs};
 pub use tilt::{TiltedMount, tilt_mount};

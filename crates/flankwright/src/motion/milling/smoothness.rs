@@ -87,9 +87,31 @@ pub fn leans(places: &[CutterPlace]) -> Vec<f64> {
 
 /// The figures of a row from its places and the positions of the axes there.
 pub fn smoothness(setup: &MillingSetup, places: &[CutterPlace], nodes: &[Positions]) -> RowSmoothness {
+    figures(setup, places, nodes, &leans(places))
+}
+
+/// The same for a row whose feed directions (units, as many as places) are known: a surface knows them better than places beside
+/// each other do.
+pub fn smoothness_along(
+    setup: &MillingSetup,
+    places: &[CutterPlace],
+    nodes: &[Positions],
+    feeds: &[Vector3<f64>],
+) -> RowSmoothness {
+    let lean =
+        |(feed, place): (&Vector3<f64>, &CutterPlace)| feed.dot(&place.axis.xyz).clamp(-1.0, 1.0).asin();
+    let leans: Vec<f64> = feeds.iter().zip(places).map(lean).collect();
+    figures(setup, places, nodes, &leans)
+}
+
+fn figures(
+    setup: &MillingSetup,
+    places: &[CutterPlace],
+    nodes: &[Positions],
+    leans: &[f64],
+) -> RowSmoothness {
     let arcs = contact_arcs(places);
     let angles = |axis: usize| nodes.iter().map(|at| at[axis]).collect::<Vec<f64>>();
-    let leans = leans(places);
     let [low, high] = match leans.first() {
         Some(&first) => leans.iter().fold([first; 2], |[low, high], &x| [low.min(x), high.max(x)]),
         None => [0.0; 2],

@@ -29,18 +29,20 @@ const STEPS: f64 = 4.0;
 /// Halvings of the last step.
 const HALVINGS: usize = 30;
 
-/// The mount with the least tilt up to `greatest` (rad), among 72 directions, that keeps a path at least `clearance` (rad) away
-/// from the pole. Whether the axes reach the path then is told by [`choose`](super::choose).
+/// The mount with the least tilt up to `greatest` (rad), among 72 directions, that keeps paths at least `clearance` (rad) away
+/// from the pole. Whether the axes reach the paths then is told by [`choose`](super::choose).
 ///
 /// # Errors
 /// [`MotionError::NoTilt`]; [`MotionError::InvalidNumber`]; [`MotionError::Place`] for numbers that are not usable.
 pub fn tilt_mount(
     setup: &MillingSetup,
-    places: &[CutterPlace],
+    paths: &[&[CutterPlace]],
     clearance: f64,
     greatest: f64,
 ) -> Result<TiltedMount, MotionError> {
-    CutterPlace::check(places)?;
+    for places in paths {
+        CutterPlace::check(places)?;
+    }
     let in_range = |x: f64| x > 0.0 && x < std::f64::consts::FRAC_PI_2;
     for (field, value) in [("pole_cap_deg", clearance), ("greatest tilt", greatest)] {
         if !in_range(value) {
@@ -57,8 +59,8 @@ pub fn tilt_mount(
         pole * tilt.cos() + (across * cos + other * sin) * tilt.sin()
     };
     let least = |pole: &Vector3<f64>| {
-        let alone = places.iter().map(|place| [place, place]);
-        let blocks = places.windows(2).map(|pair| [&pair[0], &pair[1]]);
+        let alone = paths.iter().copied().flatten().map(|place| [place, place]);
+        let blocks = paths.iter().flat_map(|places| places.windows(2)).map(|pair| [&pair[0], &pair[1]]);
         alone
             .chain(blocks)
             .map(|pair| least_angle(pole, pair.map(|place| &place.axis.xyz)))

@@ -55,7 +55,7 @@ impl<'a> ColumnPlane<'a> {
         let section = section.ok_or(MillingError::ColumnNoSection { u: self.lead.u, height, start })?;
         match self.flank.kink {
             Some((kink, side)) if (section.length - kink) * side < 0.0 => {
-                Err(MillingError::ColumnKink { u: self.lead.u, length: section.length, kink })
+                Err(MillingError::ColumnKink { length: section.length, kink })
             }
             _ => Ok(section),
         }

@@ -2,7 +2,7 @@
 
 use super::location::TouchFault;
 use super::plan::OperationKind;
-use super::{Collision, LimitBody};
+use super::{Collision, LimitBody, MilledSide};
 use crate::geometry::GeometryError;
 use thiserror::Error;
 
@@ -40,11 +40,9 @@ pub enum MillingError {
         /// The body.
         body: LimitBody,
     },
-    /// A column of one half of a double-helical gear runs into the other half.
-    #[error("the column at u = {u} reaches length {length}, beyond the middle of the gear at {kink}")]
+    /// A column or path of one half of a double-helical gear runs into the other half.
+    #[error("length {length} lies beyond the middle of the gear at {kink}")]
     ColumnKink {
-        /// Parameter of the lead curve.
-        u: f64,
         /// Length reached, mm.
         length: f64,
         /// Where the halves meet, mm.
@@ -182,13 +180,13 @@ pub enum MillingError {
     },
     /// An approach on an arc does not fit into the gap.
     #[error(
-        "an approach on a radius of {radius} mm does not fit: the opposite flank is {clearance:.4} mm away"
+        "an approach on a radius of {radius} mm does not fit: the cutter is free to move {room:.4} mm before it comes too near to the opposite flank"
     )]
     Approach {
         /// Radius of the arc, mm.
         radius: f64,
-        /// Clearance to the opposite flank, mm.
-        clearance: f64,
+        /// Clearance to the opposite flank without what is to be kept from it, mm.
+        room: f64,
     },
     /// The axis of the cutter does not lead out of the workpiece.
     #[error(
@@ -202,8 +200,17 @@ pub enum MillingError {
         axis: [f64; 3],
     },
     /// The spindle does not fit into an internal gear.
-    #[error("the tool is free for {free:.3} mm from its tip, its holder needs {needed:.3} mm")]
+    #[error(
+        "{side} flank, row {row}, column {column}: from its tip the tool is free for {free:.3} mm up to the teeth on the other side, \
+         tool and holder need {needed:.3} mm"
+    )]
     InternalAccess {
+        /// The flank.
+        side: MilledSide,
+        /// Row, 0 at the root.
+        row: usize,
+        /// Column of the path.
+        column: usize,
         /// Free length along the axis, mm.
         free: f64,
         /// Length of tool and holder, mm.
@@ -346,7 +353,9 @@ impl MillingError {
             }
             Self::Approach { .. } => "take a smaller radius, or let the tool come in beside the face",
             Self::NoRetraction { .. } => "give a clearance body that the tool's axis crosses",
-            Self::InternalAccess { .. } => "lean the axis by a lead angle, or take a longer and thinner tool",
+            Self::InternalAccess { .. } => {
+                "lean the axis out of the gear by a lead angle, or take a shorter tool and holder"
+            }
             Self::RoughingNowhere { .. } => "take a thinner cutter or a smaller allowance",
             Self::NotMet { .. } => "lay the rows closer",
             Self::NoSuchLead { .. } => {

@@ -153,29 +153,36 @@ fn window(grid: &FlankGrid, row: usize, options: &FinishOptions) -> Result<Heigh
     }
     let mut reached = asked.clamp(least, greatest);
     let mut limited = false;
-    for (number, column) in grid.columns.iter().enumerate() {
-        let place = &column.places[row];
-        let tool = |height: f64| locate(place, &column.lead, options, height);
-        let location = tool(reached)?;
-        if opposite.keeps(options.cutter, &location.tip, &location.axis, *wanted).is_ok() {
-            continue;
+    let tool = |column: usize, height: f64| {
+        let column = &grid.columns[column];
+        locate(&column.places[row], &column.lead, options, height)
+    };
+    // The deeper tool contains the other one: what it keeps falls with the height.
+    let beyond = |column: usize, height: f64| {
+        let location = tool(column, height)?;
+        let kept = opposite.clearance(options.cutter, &location.tip, &location.axis);
+        Ok::<_, MillingError>(kept.value - wanted)
+    };
+    let mut narrow = Vec::new();
+    for column in 0..grid.columns.len() {
+        let location = tool(column, reached)?;
+        if opposite.keeps(options.cutter, &location.tip, &location.axis, *wanted).is_err() {
+            narrow.push((column, beyond(column, reached)?));
         }
-        // The deeper tool contains the other one: what it keeps falls with the height.
-        let beyond = |height: f64| {
-            let location = tool(height)?;
-            let kept = opposite.clearance(options.cutter, &location.tip, &location.axis);
-            Ok::<_, MillingError>(kept.value - wanted)
-        };
-        let deepest = beyond(reached)?;
+    }
+    // The narrowest column first: the height that it allows is as a rule that of the row.
+    narrow.sort_by(|a, b| a.1.total_cmp(&b.1));
+    for (column, kept) in narrow {
+        let deepest = if limited { beyond(column, reached)? } else { kept };
         if deepest >= -SAME {
             continue;
         }
-        let highest = beyond(least)?;
+        let highest = beyond(column, least)?;
         if highest < 0.0 {
             let (from, clearance) = ("opposite flank", highest + wanted);
-            return Err(MillingError::ToolGap { row, column: number, from, clearance, wanted: *wanted });
+            return Err(MillingError::ToolGap { row, column, from, clearance, wanted: *wanted });
         }
-        let limit = brent([least, reached], [highest, deepest], HEIGHT_STEP, |h| beyond(h).ok());
+        let limit = brent([least, reached], [highest, deepest], HEIGHT_STEP, |h| beyond(column, h).ok());
         reached = limit.unwrap_or(least);
         limited = true;
     }

@@ -55,8 +55,8 @@ pub struct ActiveFlank {
     pub heights: HeightLimits,
     /// Both ends of the face in the length parameter, ascending.
     pub face: [f64; 2],
-    /// A length that no column may cross, with the side (+1 or -1) on which this flank lies: where two helices of a double-helical
-    /// gear meet.
+    /// A length that nothing that is milled may cross, with the side (+1 or -1) on which this flank lies: where two helices of a
+    /// double-helical gear meet.
     pub kink: Option<(f64, f64)>,
 }
 
@@ -67,6 +67,12 @@ impl ActiveFlank {
             HeightLimits::Constant(heights) => heights,
             HeightLimits::Bodies { between, .. } => between,
         }
+    }
+
+    /// The flank as if it went on beyond the middle of a double-helical gear, as all flanks do beyond the ends of their faces: columns
+    /// that meet it there hold virtual points.
+    pub fn extended(&self) -> Self {
+        Self { kink: None, ..self.clone() }
     }
 
     /// Whether a length lies beyond the ends of the face, where the points are virtual.

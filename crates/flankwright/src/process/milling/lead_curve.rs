@@ -140,3 +140,43 @@ impl LeadCurve for SkewPlanes {
         Ok(LeadPoint { direction: upright.direction * cos + upright.abscissa() * sin, ..upright })
     }
 }
+
+/// The mirror image z -> 2 z_0 - z of a lead curve that runs towards +z, run towards +z as well: that of the other half of a
+/// double-helical gear (spec 50 section 1.5). u is mirrored with it.
+#[derive(Clone, Debug)]
+pub struct MirroredLead {
+    /// The lead curve of the half towards +z.
+    pub curve: Arc<dyn LeadCurve>,
+    /// z_0, mm.
+    pub plane: f64,
+}
+
+impl LeadCurve for MirroredLead {
+    fn at(&self, u: f64) -> Result<LeadPoint, MillingError> {
+        let image = |v: Vector3<f64>| Vector3::new(v.x, v.y, -v.z);
+        let of = self.curve.at(2.0 * self.plane - u)?;
+        let point = image(of.point) + Vector3::z() * (2.0 * self.plane);
+        Ok(LeadPoint { u, point, direction: -image(of.direction), base_normal: image(of.base_normal) })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_lead_curve_of_the_other_half_is_a_helix_of_the_other_hand() {
+        let curve = Arc::new(HelixOnCylinder { radius: 60.0, turn_per_length: 0.01, external_sign: 1.0 });
+        let mirrored = MirroredLead { curve, plane: 4.0 };
+        // Turned, because both meet at z = 4 and not at z = 0.
+        let other = HelixOnCylinder { radius: 60.0, turn_per_length: -0.01, external_sign: 1.0 };
+        let turn = nalgebra::Rotation3::from_axis_angle(&Vector3::z_axis(), 2.0 * 4.0 * 0.01);
+        for u in [-9.0, 4.0, 17.0] {
+            let (found, plain) = (mirrored.at(u).unwrap(), other.at(u).unwrap());
+            assert!((found.point - turn * plain.point).norm() < 1e-12);
+            assert!((found.direction - turn * plain.direction).norm() < 1e-14);
+            assert!((found.base_normal - turn * plain.base_normal).norm() < 1e-14);
+            assert_eq!(found.u, u);
+        }
+    }
+}

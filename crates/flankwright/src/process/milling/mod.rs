@@ -2,54 +2,69 @@
 //!
 //! A lead curve runs along the bottom of the space; planes perpendicular to it cut the flank in columns; the cutter's axis stays in
 //! its column's plane and perpendicular to the flank's normal. Knows no machine and no file; what is left on the flank is predicted
-//! here from curvatures and judged elsewhere by rays.
+//! here from the cutter's surface on its way and judged elsewhere by rays.
 
+mod access;
+mod approach;
+mod bottom;
 mod clearance;
 mod collision;
 mod column;
 mod density;
+mod drawn_root;
 mod error;
 mod finish;
 mod flank;
+mod flank_plan;
 mod grid;
 mod lead_curve;
 mod lead_through;
 mod lines;
 mod local;
 mod location;
+mod meeting;
+mod middle;
 mod orientation;
 mod path;
 mod plan;
 mod predict;
+mod probe;
 mod range;
 mod root_pass;
 mod roughing;
+mod row_paths;
 mod space;
 mod spacing;
+mod sweep;
 mod wear;
 
+pub use access::check_access;
+pub use approach::approach_arc;
 pub use clearance::{Clearance, HIDDEN, Patch};
 pub use collision::{Collision, Obstacle, check_path};
 pub use column::{ColumnPlane, Section};
 pub use density::{DenseGrid, DensityLimits, DistanceLimits, MOST_LINES, Violated, dense_grid};
+pub use drawn_root::{RootModel, RootPart, RootPoint, drawn_root, drawn_section};
 pub use error::MillingError;
 pub use finish::{FinishOptions, FinishedRow, finish};
 pub use flank::{ActiveFlank, HeightLimits, LimitBody};
+pub use flank_plan::{FlankPlan, RowFigures};
 pub use grid::{Column, FlankGrid, GridPlace, NeighbourDistances};
-pub use lead_curve::{CurveOnCone, FootOnHub, HelixOnCylinder, LeadCurve, LeadPoint, SkewPlanes};
+pub use lead_curve::{
+    CurveOnCone, FootOnHub, HelixOnCylinder, LeadCurve, LeadPoint, MirroredLead, SkewPlanes,
+};
 pub use lead_through::{lead_through_height, lead_through_row};
 pub use lines::{LaidLines, Lines, SpacingLaw, lay_lines};
 pub use local::{LocalContact, row_distance};
 pub use location::{ContactZone, CutterLocation, Orientation, TouchFault};
-pub use orientation::{AxisChoice, other_axis};
-pub use path::{
-    CutDirection, CutterPath, CutterPlace, Retraction, RowOrder, Traverse, approach_arc, retracted, row_path,
-};
-pub use plan::{FlankPlan, MillingPlan, Operation, OperationKind, PlanOptions, RowFigures, plan};
-pub use predict::{Prediction, RowModel};
+pub use orientation::{AxisChoice, OrientedPlace, OrientedRow, RowCutter, other_axis};
+pub use path::{CutDirection, CutterPath, CutterPlace, Retraction, RowOrder, Traverse, retracted, row_path};
+pub use plan::{MillingPlan, Operation, OperationKind, PlanOptions, plan, plan_all};
+pub use predict::{FlankModel, Prediction};
 pub use range::{lead_range, plane_through};
 pub use root_pass::{BottomPass, RootDepth, RootSection, greatest_contact_height};
 pub use roughing::{RoughingLayer, RoughingOptions, rough};
-pub use space::{Land, Space, SpaceFlank};
+pub use row_paths::RowEnd;
+pub use space::{Half, Land, MilledSide, Space, SpaceFlank};
 pub use spacing::{RowSpacing, row_heights};
 pub use wear::{HeightRule, HeightWindow, RowLoad, WearHistogram};

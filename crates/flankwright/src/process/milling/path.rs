@@ -10,7 +10,7 @@ pub struct CutterPlace {
     pub tip: Vector3<f64>,
     /// Unit axis towards the shank.
     pub axis: Vector3<f64>,
-    /// The point that it touches, if any.
+    /// The point that it touches, if any; on an arc of approach the point of the cutter that will touch.
     pub contact: Option<Vector3<f64>>,
 }
 
@@ -64,18 +64,14 @@ pub enum Retraction {
     },
 }
 
-/// A row's path from its cutter locations and contact points, in the order of the columns or against it.
-pub fn row_path(locations: &[(CutterLocation, Vector3<f64>)], backwards: bool) -> CutterPath {
-    let place = |(location, contact): &(CutterLocation, Vector3<f64>)| CutterPlace {
+/// A row's path from its cutter locations and contact points.
+pub fn row_path(locations: impl IntoIterator<Item = (CutterLocation, Vector3<f64>)>) -> CutterPath {
+    let place = |(location, contact): (CutterLocation, Vector3<f64>)| CutterPlace {
         tip: location.tip,
         axis: location.axis,
-        contact: Some(*contact),
+        contact: Some(contact),
     };
-    let mut places: Vec<CutterPlace> = locations.iter().map(place).collect();
-    if backwards {
-        places.reverse();
-    }
-    CutterPath { places }
+    CutterPath { places: locations.into_iter().map(place).collect() }
 }
 
 impl CutDirection {
@@ -107,33 +103,6 @@ impl Traverse {
             }
         }
     }
-}
-
-/// Steps of an approach over its quarter circle.
-const ARC_STEPS: usize = 9;
-
-/// A quarter circle on which the cutter comes to the first place of a path, its axis as there; reversed travel gives the departure
-/// from the last one. `travel` is the feed there, `normal` the flank's, both units.
-///
-/// # Errors
-/// [`MillingError::Approach`] if the circle does not fit into the clearance to the opposite flank.
-pub fn approach_arc(
-    place: &CutterPlace,
-    travel: &Vector3<f64>,
-    normal: &Vector3<f64>,
-    radius: f64,
-    clearance: f64,
-) -> Result<Vec<CutterPlace>, MillingError> {
-    if radius.is_nan() || radius >= clearance {
-        return Err(MillingError::Approach { radius, clearance });
-    }
-    let at = |step: usize| {
-        let angle = std::f64::consts::FRAC_PI_2 * (1.0 - step as f64 / (ARC_STEPS - 1) as f64);
-        let (sin, cos) = angle.sin_cos();
-        let tip = place.tip + normal * (radius * (1.0 - cos)) - travel * (radius * sin);
-        CutterPlace { tip, contact: None, ..*place }
-    };
-    Ok((0..ARC_STEPS - 1).map(at).collect())
 }
 
 /// The place that a cutter reaches when it is drawn back along its axis until its tip is out of the workpiece.

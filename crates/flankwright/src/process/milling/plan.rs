@@ -1,16 +1,20 @@
 //! One space from blank to finished: roughing, both flanks row by row, the root, in the order in which they are cut.
 
-use super::finish::{FinishOptions, FinishedRow, finish};
-use super::lines::{LaidLines, Lines, SpacingLaw, lay_lines};
-use super::path::{CutDirection, CutterPath, CutterPlace, RowOrder, Traverse};
+use super::bottom::bottom;
+use super::finish::{FinishOptions, finish};
+use super::flank_plan::{FlankPlan, figures};
+use super::lines::{Lines, SpacingLaw, lay_lines};
+use super::middle::{Ended, Limits};
+use super::path::{CutterPath, RowOrder, Traverse};
 use super::root_pass::{RootDepth, RootSection};
-use super::space::{Space, SpaceFlank};
+use super::row_paths::RowPaths;
+use super::space::{Half, MilledSide, Space, SpaceFlank};
 use super::{
-    CutterLocation, FlankGrid, HeightRule, LocalContact, MillingError, Orientation, Patch, RoughingLayer,
-    RoughingOptions, check_path, rough, row_distance, row_path,
+    Column, CutterLocation, FlankGrid, HeightRule, MillingError, Orientation, Patch, RoughingLayer,
+    RoughingOptions, check_access, check_path, drawn_section, rough,
 };
 use crate::geometry::{Cutter, Flank};
-use crate::numerics::{equidistant, extremes};
+use crate::numerics::extremes;
 
 /// What a space is milled with and how.
 #[derive(Clone, Debug)]
@@ -43,38 +47,10 @@ pub struct PlanOptions {
     pub bottom: Option<f64>,
     /// Clearing: allowance, greatest depth of a layer and greatest distance of passes, mm.
     pub roughing: Option<[f64; 3]>,
+    /// Radius of the quarter circles on which the cutter comes to rows and leaves them, mm; without it there are none.
+    pub approach_radius: Option<f64>,
     /// The flanks that are milled.
     pub sides: Vec<Flank>,
-}
-
-/// What a row leaves, by curvatures at its middle column. mm.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RowFigures {
-    /// Scallop to the next row towards the tip; none above the last row.
-    pub scallop: Option<f64>,
-    /// Error of the straight blocks.
-    pub chord: f64,
-    /// Greatest angle of the normals out of their column planes, rad.
-    pub out_of_plane: f64,
-    /// Greatest angle of the axis out of its column plane, rad; 0 without a lead angle.
-    pub axis_off: f64,
-    /// Least curvature of the gap between cutter and flank, 1/mm.
-    pub opening: f64,
-}
-
-/// The plan of one flank.
-#[derive(Clone, Debug)]
-pub struct FlankPlan {
-    /// Which.
-    pub side: Flank,
-    /// Its rows and columns.
-    pub lines: LaidLines,
-    /// The cutter at all points of the path's grid.
-    pub rows: Vec<FinishedRow>,
-    /// What the rows leave.
-    pub figures: Vec<RowFigures>,
-    /// The root below the flank, column by column of the path.
-    pub root: Vec<(RootSection, CutterLocation)>,
 }
 
 /// What an operation does.
@@ -83,9 +59,9 @@ pub enum OperationKind {
     /// Clears the space.
     Roughing,
     /// Finishes the rows of a flank.
-    Flank(Flank),
+    Flank(MilledSide),
     /// Goes on below a flank with the fillet.
-    Fillet(Flank),
+    Fillet(MilledSide),
     /// Joins both fillets.
     Bottom,
 }
@@ -97,6 +73,18 @@ pub struct Operation {
     pub kind: OperationKind,
     /// Its paths.
     pub paths: Vec<CutterPath>,
+}
+
+impl OperationKind {
+    /// Place of the operation in the order of cutting.
+    const fn stage(self) -> usize {
+        match self {
+            Self::Roughing => 0,
+            Self::Flank(_) => 1,
+            Self::Fillet(_) => 2,
+            Self::Bottom => 3,
+        }
+    }
 }
 
 /// A space from blank to finished.
@@ -120,6 +108,34 @@ impl PlanOptions {
         };
         own.as_ref().unwrap_or(&self.cutter)
     }
+
+    /// How the axis is turned on a flank: halves are mirror images of each other, and so is the axis that is turned about the normal.
+    pub(super) fn orientation_on(&self, side: MilledSide) -> Orientation {
+        let sense = if side.half == Some(Half::Lower) { -1.0 } else { 1.0 };
+        Orientation { lead_angle: sense * self.orientation.lead_angle, ..self.orientation }
+    }
+}
+
+/// Plans a space that has several parts, the halves of a double-helical gear, one after the other in every stage of cutting: no cutter is
+/// changed more often than for one part.
+///
+/// # Errors
+/// As those of [`plan`].
+pub fn plan_all(parts: &[Space], options: &PlanOptions) -> Result<MillingPlan, MillingError> {
+    let mut whole = MillingPlan { flanks: Vec::new(), layers: Vec::new(), operations: Vec::new() };
+    for part in parts {
+        let MillingPlan { flanks, layers, operations } = plan(part, options)?;
+        whole.flanks.extend(flanks);
+        whole.layers.extend(layers);
+        for operation in operations {
+            match whole.operations.iter_mut().find(|known| known.kind == operation.kind) {
+                Some(known) => known.paths.extend(operation.paths),
+                None => whole.operations.push(operation),
+            }
+        }
+    }
+    whole.operations.sort_by_key(|operation| operation.kind.stage());
+    Ok(whole)
 }
 
 /// Plans a space.
@@ -128,208 +144,92 @@ impl PlanOptions {
 /// [`MillingError`], with [`MillingError::Collides`] where the cutter comes too near to something on its way.
 pub fn plan(space: &Space, options: &PlanOptions) -> Result<MillingPlan, MillingError> {
     let milled = space.flanks.iter().filter(|flank| options.sides.contains(&flank.side));
-    let flanks = milled.map(|flank| plan_flank(space, flank, options)).collect::<Result<Vec<_>, _>>()?;
+    let planned = milled.map(|flank| plan_flank(space, flank, options)).collect::<Result<Vec<_>, _>>()?;
+    let (flanks, paths): (Vec<_>, Vec<_>) = planned.into_iter().unzip();
     let layers = roughing(space, options, &flanks)?;
     let mut operations = Vec::new();
     if !layers.is_empty() {
         let paths = layers.iter().flat_map(|layer| layer.passes.iter().cloned()).collect();
         operations.push(Operation { kind: OperationKind::Roughing, paths });
     }
-    for flank in &flanks {
-        operations
-            .push(Operation { kind: OperationKind::Flank(flank.side), paths: rows_in_order(flank, options) });
-    }
-    for flank in flanks.iter().filter(|flank| !flank.root.is_empty()) {
-        let locations: Vec<_> = flank
-            .root
-            .iter()
-            .zip(&flank.lines.path.columns)
-            .map(|((_, location), column)| (*location, column.places[0].jet.point))
-            .collect();
-        operations.push(Operation {
-            kind: OperationKind::Fillet(flank.side),
-            paths: vec![directed(&locations, flank, 0, options.traverse.of_row(0))],
-        });
-    }
+    operations.extend(paths.into_iter().flatten());
     if let Some((_, true)) = options.root {
-        let paths = bottom(options, &flanks)?;
+        let cutter = options.cutter_of(OperationKind::Bottom);
+        let mut paths = bottom(options, &flanks)?;
+        if let Some(limits) = Limits::of(space, cutter, None, 0.0) {
+            let ended = paths.into_iter().map(|path| limits.end(path, 0));
+            paths = ended.map(|ended| Ok(ended?.path)).collect::<Result<_, MillingError>>()?;
+        }
         operations.push(Operation { kind: OperationKind::Bottom, paths });
     }
+    check_access(space, options, &flanks)?;
+    operations.sort_by_key(|operation| operation.kind.stage());
     for operation in &operations {
         check(space, options, operation)?;
     }
     Ok(MillingPlan { flanks, layers, operations })
 }
 
-fn plan_flank(space: &Space, flank: &SpaceFlank, options: &PlanOptions) -> Result<FlankPlan, MillingError> {
+/// The plan of a flank, and the operations on it.
+fn plan_flank(
+    space: &Space,
+    flank: &SpaceFlank,
+    options: &PlanOptions,
+) -> Result<(FlankPlan, Vec<Operation>), MillingError> {
+    let side = flank.side();
+    let orientation = options.orientation_on(side);
     let finishing = FinishOptions {
         cutter: &options.cutter,
-        orientation: options.orientation,
+        orientation,
         heights: &options.heights,
         bottom: options.bottom.map(|bottom| bottom + options.safety),
         opposite: space.opposite(flank.side).map(|opposite| (opposite.patch(0.0), options.safety)),
     };
-    let (active, lead) = (&flank.active, &*space.lead);
-    let lines = lay_lines(active, lead, None, &options.lines, options.spacing, &finishing, options.overrun)?;
+    let (active, lead) = (flank.active.extended(), space.lead.clone());
+    let lines =
+        lay_lines(&active, &*lead, None, &options.lines, options.spacing, &finishing, options.overrun)?;
     let rows = finish(&lines.path, &finishing)?;
     let figures = figures(&lines.path, &rows, options);
     let root = match options.root {
-        Some((depth, _)) => root(&lines.path, &rows, options, depth)?,
+        Some((depth, _)) => root(&lines.path, options, orientation, depth)?,
         None => Vec::new(),
     };
-    Ok(FlankPlan { side: flank.side, lines, rows, figures, root })
-}
-
-/// What the rows leave at the middle column.
-fn figures(grid: &FlankGrid, rows: &[FinishedRow], options: &PlanOptions) -> Vec<RowFigures> {
-    let middle = grid.columns.len() / 2;
-    let neighbour = if middle + 1 < grid.columns.len() { middle + 1 } else { middle - 1 };
-    let place = |row: usize, column: usize| &grid.columns[column].places[row];
-    let of_row = |(row, finished): (usize, &FinishedRow)| {
-        let here = place(row, middle);
-        let local = LocalContact::new(&here.jet, &finished.locations[middle], options.cutter.shape());
-        let block = (place(row, neighbour).jet.point - here.jet.point).norm();
-        let feed = &here.jet.by_length;
-        let scallop = (row + 1 < rows.len()).then(|| {
-            let between = place(row + 1, middle).jet.point - here.jet.point;
-            local.scallop(feed, row_distance(feed, &between))
-        });
-        let greatest = |value: &dyn Fn(usize) -> f64| {
-            (0..grid.columns.len()).map(|column| value(column).abs()).fold(0.0, f64::max)
-        };
-        RowFigures {
-            scallop,
-            chord: local.chord(feed, block),
-            out_of_plane: greatest(&|column| place(row, column).out_of_plane),
-            axis_off: greatest(&|column| finished.locations[column].out_of_plane),
-            opening: local.least_opening(),
-        }
-    };
-    rows.iter().enumerate().map(of_row).collect()
+    let paths = RowPaths { space, flank, options, columns: &lines.path.columns };
+    let mut order: Vec<usize> = (0..rows.len()).collect();
+    if options.order == RowOrder::TipToRoot {
+        order.reverse();
+    }
+    let (mut milled, mut ends) = (Vec::new(), vec![None; rows.len()]);
+    for (number, row) in order.into_iter().enumerate() {
+        let made = paths.of_row(row, &rows[row], options.traverse.of_row(number))?;
+        ends[row] = made.end;
+        milled.push(made.path);
+    }
+    let mut operations = vec![Operation { kind: OperationKind::Flank(side), paths: milled }];
+    if !root.is_empty() {
+        let locations: Vec<CutterLocation> = root.iter().map(|(_, location)| *location).collect();
+        let fillet = paths.of_fillet(&locations, options.traverse.of_row(0))?;
+        operations.push(Operation { kind: OperationKind::Fillet(side), paths: vec![fillet] });
+    }
+    Ok((FlankPlan { side, active, lead, orientation, lines, rows, ends, figures, root }, operations))
 }
 
 /// The pass below the lowest row, column by column.
 fn root(
     grid: &FlankGrid,
-    rows: &[FinishedRow],
     options: &PlanOptions,
+    orientation: Orientation,
     depth: RootDepth,
 ) -> Result<Vec<(RootSection, CutterLocation)>, MillingError> {
-    let cutter = &options.cutter;
-    let corner_radius = match cutter.shape() {
-        crate::geometry::CutterShape::Conical { corner_radius, half_angle, .. } if *half_angle == 0.0 => {
-            *corner_radius
-        }
-        _ => return Err(MillingError::RootTool),
-    };
-    let of_column = |(column, location): (&super::Column, &CutterLocation)| {
+    let of_column = |column: &Column| {
         let lowest = &column.places[0].jet;
-        let section = RootSection::new(
-            &column.lead,
-            &lowest.point,
-            &lowest.normal,
-            &location.axis,
-            corner_radius,
-            cutter.cutting_length(),
-            depth,
-        )?;
-        let location = CutterLocation::new(
-            lowest,
-            &column.lead,
-            cutter.shape(),
-            cutter.cutting_length(),
-            section.contact_height,
-            options.orientation,
-        )?;
+        let section = drawn_section(&column.lead, lowest, options, orientation, depth)?;
+        let (shape, length) = (options.cutter.shape(), options.cutter.cutting_length());
+        let height = section.contact_height;
+        let location = CutterLocation::new(lowest, &column.lead, shape, length, height, orientation)?;
         Ok((section, location))
     };
-    grid.columns.iter().zip(&rows[0].locations).map(of_column).collect()
-}
-
-/// Rows in the order and the senses that are asked for.
-fn rows_in_order(flank: &FlankPlan, options: &PlanOptions) -> Vec<CutterPath> {
-    let mut order: Vec<usize> = (0..flank.rows.len()).collect();
-    if options.order == RowOrder::TipToRoot {
-        order.reverse();
-    }
-    let of_row = |(number, row): (usize, usize)| {
-        let contacts = flank.lines.path.columns.iter().map(|column| column.places[row].jet.point);
-        let locations: Vec<_> = flank.rows[row].locations.iter().copied().zip(contacts).collect();
-        directed(&locations, flank, row, options.traverse.of_row(number))
-    };
-    order.into_iter().enumerate().map(of_row).collect()
-}
-
-/// A row's path in the wanted sense of cutting.
-fn directed(
-    locations: &[(CutterLocation, nalgebra::Vector3<f64>)],
-    flank: &FlankPlan,
-    row: usize,
-    wanted: CutDirection,
-) -> CutterPath {
-    let middle = locations.len() / 2;
-    let travel = locations[middle].1 - locations[middle - 1].1;
-    let normal = &flank.lines.path.columns[middle].places[row].jet.normal;
-    let forwards = CutDirection::of(&travel, &locations[middle].0.axis, normal);
-    row_path(locations, forwards != wanted)
-}
-
-/// The passes between both fillets, axis upright.
-fn bottom(options: &PlanOptions, flanks: &[FlankPlan]) -> Result<Vec<CutterPath>, MillingError> {
-    let cutter = options.cutter_of(OperationKind::Bottom);
-    let radius = match cutter.shape() {
-        crate::geometry::CutterShape::Conical { radius, half_angle, .. } if *half_angle == 0.0 => *radius,
-        _ => return Err(MillingError::RootTool),
-    };
-    // Each flank tells one end of the travel across; with one flank only, both ends are its own, mirrored.
-    let mut ends: Vec<Vec<(super::LeadPoint, f64, f64)>> = Vec::new();
-    for flank in flanks {
-        let of_column = |(column, (section, _)): (&super::Column, &(RootSection, CutterLocation))| {
-            let pass = section.bottom_pass(column.lead.u, radius)?;
-            Ok::<_, MillingError>((column.lead, pass.half_travel.copysign(section.lowest[0]), pass.height))
-        };
-        ends.push(flank.lines.path.columns.iter().zip(&flank.root).map(of_column).collect::<Result<_, _>>()?);
-    }
-    let [first, .., last] = ends.as_slice() else {
-        let Some(only) = ends.first() else { return Ok(Vec::new()) };
-        let mirrored: Vec<_> = only.iter().map(|(lead, aside, height)| (*lead, -aside, *height)).collect();
-        return Ok(across(only, &mirrored, radius));
-    };
-    // Both flanks have their own columns; the travel of the second one is read at the columns of the first one.
-    let at: Vec<f64> = last.iter().map(|(lead, ..)| lead.u).collect();
-    let read = |u: f64, value: &dyn Fn(usize) -> f64| {
-        let k = at.partition_point(|x| *x <= u).clamp(1, at.len() - 1);
-        let share = ((u - at[k - 1]) / (at[k] - at[k - 1])).clamp(0.0, 1.0);
-        value(k - 1) + (value(k) - value(k - 1)) * share
-    };
-    let other: Vec<_> = first
-        .iter()
-        .map(|(lead, ..)| (*lead, read(lead.u, &|k| last[k].1), read(lead.u, &|k| last[k].2)))
-        .collect();
-    Ok(across(first, &other, radius))
-}
-
-/// Passes side by side from one end of the travel to the other, at most half a tool apart.
-fn across(
-    first: &[(super::LeadPoint, f64, f64)],
-    last: &[(super::LeadPoint, f64, f64)],
-    radius: f64,
-) -> Vec<CutterPath> {
-    let widest = first.iter().zip(last).map(|(a, b)| (a.1 - b.1).abs()).fold(0.0, f64::max);
-    let passes = (widest / radius).ceil() as usize + 1;
-    let pass = |share: f64| {
-        let place = |(a, b): (&(super::LeadPoint, f64, f64), &(super::LeadPoint, f64, f64))| {
-            let lead = &a.0;
-            let [aside, height] = [[a.1, b.1], [a.2, b.2]].map(|[from, to]| from + (to - from) * share);
-            let tip = lead.point + lead.abscissa() * aside + lead.base_normal * height;
-            CutterPlace { tip, axis: lead.base_normal, contact: None }
-        };
-        CutterPath { places: first.iter().zip(last).map(place).collect() }
-    };
-    if passes == 1 {
-        return vec![pass(0.5)];
-    }
-    equidistant([0.0, 1.0], passes).into_iter().map(pass).collect()
+    grid.columns.iter().map(of_column).collect()
 }
 
 /// The layers over all columns of the first flank.
@@ -345,7 +245,7 @@ fn roughing(
     };
     let columns = &plan.lines.path.columns;
     let at: Vec<f64> = columns.iter().map(|column| column.lead.u).collect();
-    let height = |column: &super::Column, row: usize| column.lead.in_plane(&column.places[row].jet.point)[1];
+    let height = |column: &Column, row: usize| column.lead.in_plane(&column.places[row].jet.point)[1];
     let last = plan.rows.len() - 1;
     let top = columns.iter().map(|column| height(column, last)).fold(f64::NEG_INFINITY, f64::max);
     let lowest = columns.iter().map(|column| height(column, 0)).fold(f64::INFINITY, f64::min);
@@ -360,13 +260,22 @@ fn roughing(
     };
     let patches = [first, second].map(|flank| Patch { lengths: extended(flank), ..flank.patch(0.0) });
     let cutter = options.cutter_of(OperationKind::Roughing);
-    rough(cutter, &*space.lead, &at, patches, &layers)
+    let mut layers = rough(cutter, &*space.lead, &at, patches, &layers)?;
+    if let Some(limits) = Limits::of(space, cutter, None, allowance) {
+        for layer in &mut layers {
+            // A piece that lies wholly in the way of the other half is left out.
+            let ended = std::mem::take(&mut layer.passes).into_iter().map(|pass| limits.end(pass, 0));
+            layer.passes.extend(ended.flatten().map(|Ended { path, .. }| path));
+            layer.passes.retain(|pass| pass.places.len() > 1);
+        }
+    }
+    Ok(layers)
 }
 
 /// Follows an operation's paths past everything that its cutter must not touch.
 fn check(space: &Space, options: &PlanOptions, operation: &Operation) -> Result<(), MillingError> {
     let (on, safety) = match operation.kind {
-        OperationKind::Flank(side) | OperationKind::Fillet(side) => (Some(side), options.safety),
+        OperationKind::Flank(side) | OperationKind::Fillet(side) => (Some(side.flank), options.safety),
         OperationKind::Bottom => (None, 0.0),
         // Roughing keeps its allowance from the flanks of the space; to a hundredth of a millimetre, as it was laid.
         OperationKind::Roughing => (None, 0.0),

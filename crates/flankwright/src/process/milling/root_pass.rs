@@ -2,7 +2,9 @@
 //! pass with an upright axis joins both fillets by the bottom.
 
 use super::{LeadPoint, MillingError};
+use crate::numerics::equidistant;
 use nalgebra::Vector3;
+use std::f64::consts::FRAC_PI_2;
 
 /// What is known of the bottom. mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -91,7 +93,7 @@ impl RootSection {
             fillet_start,
             fillet_centre,
             lowest,
-            fillet_angle: std::f64::consts::FRAC_PI_2 - lean,
+            fillet_angle: FRAC_PI_2 - lean,
             contact_height,
             half_width: lowest[0].abs(),
             corner_radius,
@@ -108,6 +110,17 @@ impl RootSection {
             return Err(MillingError::RootBottom { u, half_width: self.half_width, radius, lean: self.lean });
         }
         Ok(BottomPass { half_travel, height: self.lowest[1] })
+    }
+
+    /// Points of the fillet from the straight piece to the lowest point, each with its normal out of the material, in the column plane.
+    pub fn fillet(&self, count: usize) -> Vec<[[f64; 2]; 2]> {
+        let (from, [x, y]) = (self.fillet_start, self.fillet_centre);
+        let begin = (y - from[1]).atan2(x - from[0]);
+        let at = |angle: f64| {
+            let (sin, cos) = angle.sin_cos();
+            [[x - self.corner_radius * cos, y - self.corner_radius * sin], [cos, sin]]
+        };
+        equidistant([begin, FRAC_PI_2], count).into_iter().map(at).collect()
     }
 
     /// Height of the roof that the flank passes alone leave over the lowest points in the middle, mm, if the end face of the tool

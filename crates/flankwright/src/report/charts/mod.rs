@@ -28,6 +28,7 @@ mod worm_occupation;
 
 pub use axis_chart::{AxisChart, AxisChartLimits, axis_chart};
 pub use contour_map::{ContourMap, MapFrame, MapMark, contour_map, contour_map_in};
+pub(crate) use contours::region_above;
 pub use drawing::{Drawing, DrawingLayer, DrawingLook, DrawingNote, drawing};
 pub use dressing_section::{
     DressingSectionChart, MarkedClearance, SectionKind, SectionStretch, SpaceFlank, dressing_section_chart,

@@ -1,6 +1,6 @@
 //! Arranges the page of five-axis milling.
 
-use super::{MillingReport, Titled, deviations, rows, tables};
+use super::{MillingReport, Titled, deviations, orientation, rows, tables};
 use crate::report::charts::{ChartError, drawing};
 use crate::report::{Banner, Block, Fact, Figure, PlanReport, Section, Table};
 
@@ -25,8 +25,15 @@ impl MillingReport {
         if let Some(root) = &self.root {
             sections.push(Section::new("Root", root.blocks()?));
         }
+        if let Some(mate) = &self.mate {
+            sections.push(Section::new("Contact with the mate", mate.blocks()?));
+        }
         let operations = Block::Table(tables::operations(&self.operations));
         sections.push(Section::new("Operations", vec![operations]));
+        if !self.orientations.is_empty() {
+            sections
+                .push(Section::new("Orientation of the cutter", orientation::blocks(&self.orientations)?));
+        }
         if let Some(programs) = &self.programs {
             sections.push(Section::new("Programs", programs.blocks()?));
         }

@@ -1,6 +1,6 @@
 //! What the page of five-axis milling shows, as data.
 
-use super::ProgramsView;
+use super::{MateView, OrientationView, ProgramsView};
 use crate::report::charts::Drawing;
 use crate::report::{Quantity, Status, Warning};
 
@@ -33,8 +33,12 @@ pub struct MillingReport {
     pub flanks: Vec<FlankView>,
     /// The root in a column plane.
     pub root: Option<Titled>,
+    /// Contact of a bevel gear with its mate.
+    pub mate: Option<MateView>,
     /// Operations in their order, for one space.
     pub operations: Vec<OperationRow>,
+    /// The rotary motion beside that of other systems, flank by flank.
+    pub orientations: Vec<OrientationView>,
     /// Programs and the motion of the axes.
     pub programs: Option<ProgramsView>,
     /// Files: path and content.

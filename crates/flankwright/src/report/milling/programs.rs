@@ -6,12 +6,25 @@ use crate::report::{Block, Figure, Table};
 /// Programs and what the axes do in them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ProgramsView {
-    /// Axes to be shown over time, one panel each.
-    pub axes: Vec<AxisCourse>,
-    /// Times of operations and of the whole.
-    pub cycle_times: Table,
     /// What was proven from the texts of the programs, paragraph by paragraph.
     pub proof: Vec<String>,
+    /// What the axes do, paragraph by paragraph: solutions, turning back, the pole.
+    pub remarks: Vec<String>,
+    /// Charts of the axes.
+    pub courses: Vec<CourseChart>,
+    /// Times of operations and of the whole, a table for every way of leading the tip.
+    pub cycle_times: Vec<Table>,
+}
+
+/// Axes over time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CourseChart {
+    /// What they do.
+    pub title: String,
+    /// What else is to be known.
+    pub caption: String,
+    /// One panel each.
+    pub axes: Vec<AxisCourse>,
 }
 
 /// An axis over time.
@@ -38,25 +51,27 @@ pub struct CourseLine {
 
 /// Parts of the time in each of which a line keeps its least and its greatest value: finer ones cannot be seen on the page.
 const PARTS: usize = 400;
+/// Smallest span of an axis, mm or deg: below it a line is flat.
+const LEAST_SPAN: f64 = 0.001;
 
 impl ProgramsView {
-    /// Chart of the axes, table of times, proof.
+    /// Proof, remarks, tables of times, charts of the axes.
     pub(super) fn blocks(&self) -> Result<Vec<Block>, ChartError> {
-        let mut blocks: Vec<Block> = self.proof.iter().cloned().map(Block::Paragraph).collect();
-        if !self.axes.is_empty() {
+        let paragraphs = self.proof.iter().chain(&self.remarks).cloned();
+        let mut blocks: Vec<Block> = paragraphs.map(Block::Paragraph).collect();
+        let times = self.cycle_times.iter().filter(|table| !table.rows.is_empty());
+        blocks.extend(times.cloned().map(Block::Table));
+        for course in &self.courses {
             let panel = |axis: &AxisCourse| {
                 let lines = axis.lines.iter().map(CourseLine::thinned).collect();
-                Panel::linear(format!("{} [{}]", axis.name, axis.unit), 0.0, lines)
+                Panel::linear(format!("{} [{}]", axis.name, axis.unit), LEAST_SPAN, lines)
             };
             let svg = line_chart(&LineChart {
-                title: "Axes over time".into(),
+                title: course.title.clone(),
                 x_title: "time [s]".into(),
-                panels: self.axes.iter().map(panel).collect(),
+                panels: course.axes.iter().map(panel).collect(),
             })?;
-            blocks.push(Block::Figure(Figure { svg, caption: String::new() }));
-        }
-        if !self.cycle_times.rows.is_empty() {
-            blocks.push(Block::Table(self.cycle_times.clone()));
+            blocks.push(Block::Figure(Figure { svg, caption: course.caption.clone() }));
         }
         Ok(blocks)
     }

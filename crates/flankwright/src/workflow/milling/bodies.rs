@@ -1,27 +1,26 @@
 //! From a checked job of five-axis milling to the space that is milled, what it is milled with, and how. Every finding names the
 //! job's key.
 
+use super::cylindrical::cylindrical;
 use super::finding::failure;
-use super::offset::ModifiedFlank;
+use super::lands::lands;
 use crate::exchange::milling_job::{
     self as job, BevelFlank, ContactHeight, GridChoice, MilledBody, MillingCutter, MillingJob, RootBottom,
     RowDistances, RowSequence, Spaces, Traversal, read_point_grid,
 };
 use crate::exchange::{Diagnostic, LoadedMillingJob, Problem};
 use crate::geometry::{
-    BevelData, BevelGear, BladeData, Cutter, EaseOff, EaseOffAmounts, Flank, Frustum, GridSurface, Hand,
-    Helicoid, Modified, NormalOffset, NormalSide, Octoid, OffsetBase, RuledBlade, SphericalInvolute, Spiral,
-    SplineCurve, Surface,
+    BevelData, BevelGear, BladeData, Cutter, EaseOff, EaseOffAmounts, Flank, GridSurface, Hand, Modified,
+    NormalOffset, NormalSide, Octoid, OffsetBase, RuledBlade, SphericalInvolute, Spiral, SplineCurve,
+    Surface,
 };
-use crate::modification::EvaluationField;
 use crate::numerics::{equidistant, extremes};
 use crate::process::milling::{
     ActiveFlank, CurveOnCone, CutDirection, DensityLimits, DistanceLimits, FootOnHub, HeightLimits,
-    HeightRule, HelixOnCylinder, Land, LeadCurve, Lines, Orientation, PlanOptions, Retraction, RootDepth,
-    RowOrder, SkewPlanes, Space, SpaceFlank, SpacingLaw, Traverse, lead_range, lead_through_row,
+    HeightRule, Land, LeadCurve, Lines, MilledSide, Orientation, PlanOptions, Retraction, RootDepth,
+    RowOrder, SkewPlanes, Space, SpaceFlank, SpacingLaw, Traverse, lead_range,
 };
-use crate::workflow::finding::{RunFailure, geometry_finding, modification_finding};
-use crate::workflow::prepare::{blank_of_job, gear_of_job, specs_of_flank};
+use crate::workflow::finding::{RunFailure, geometry_finding};
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -29,8 +28,10 @@ use std::sync::Arc;
 /// A job made ready for planning.
 #[derive(Clone, Debug)]
 pub struct MillingBodies {
-    /// The space about +y.
-    pub space: Space,
+    /// The space about +y; of a double-helical gear its halves, that towards +z first.
+    pub parts: Vec<Space>,
+    /// Turn from one space to the next, rad.
+    pub pitch: f64,
     /// What it is milled with and how.
     pub options: PlanOptions,
     /// Where the cutter is out of the workpiece.
@@ -47,7 +48,7 @@ pub struct MillingBodies {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FlankRange {
     /// Which.
-    pub side: Flank,
+    pub side: MilledSide,
     /// Height parameters at root and tip.
     pub heights: [f64; 2],
     /// Least and greatest radius, mm.
@@ -62,37 +63,41 @@ impl MillingBodies {
     /// # Errors
     /// [`RunFailure`] where no column plane holds an end of the face.
     pub fn ranges(&self) -> Result<Vec<FlankRange>, RunFailure> {
-        let milled = self.space.flanks.iter().filter(|flank| self.options.sides.contains(&flank.side));
-        let of_flank = |flank: &SpaceFlank| {
+        let of_flank = |(part, flank): (&Space, &SpaceFlank)| {
             let active = &flank.active;
             let heights = active.height_span();
             let corners = heights.into_iter().flat_map(|a| active.face.map(|b| (a, b)));
             Ok(FlankRange {
-                side: flank.side,
+                side: flank.side(),
                 heights,
                 radii: extremes(corners.map(|(a, b)| active.surface.point(a, b).xy().norm())),
-                lead: lead_range(active, &*self.space.lead).map_err(|error| failure(&error))?,
+                lead: lead_range(active, &*part.lead).map_err(|error| failure(&error))?,
             })
         };
-        milled.map(of_flank).collect()
+        let all = self.parts.iter().flat_map(|part| part.flanks.iter().map(move |flank| (part, flank)));
+        all.filter(|(_, flank)| self.options.sides.contains(&flank.side)).map(of_flank).collect()
+    }
+
+    /// All flanks of the space.
+    pub fn flanks(&self) -> impl Iterator<Item = &SpaceFlank> {
+        self.parts.iter().flat_map(|part| &part.flanks)
     }
 }
 
 /// What the cutter stays away from the workpiece while it is moved from one path to another, mm.
-const CLEARANCE: f64 = 2.0;
+pub(super) const CLEARANCE: f64 = 2.0;
 /// What the default overrun adds to the cutter's radius, mm (spec 50 section 3).
 const BESIDE: f64 = 1.0;
 /// Pieces of a bevel gear's land, between which the turn of the teeth is linear.
 const LAND_PIECES: usize = 8;
 
 /// A body with its flanks.
-struct Body {
-    flanks: Vec<SpaceFlank>,
-    lead: Arc<dyn LeadCurve>,
-    spaces: usize,
-    lands: Vec<Land>,
-    retraction: Retraction,
-    blank: [[f64; 2]; 4],
+pub(super) struct Body {
+    /// The space, or its halves.
+    pub parts: Vec<Space>,
+    pub spaces: usize,
+    pub retraction: Retraction,
+    pub blank: [[f64; 2]; 4],
 }
 
 /// Bodies and options of a job.
@@ -101,15 +106,13 @@ struct Body {
 /// [`RunFailure`] with a finding on the key concerned.
 pub fn prepare_milling(loaded: &LoadedMillingJob) -> Result<MillingBodies, RunFailure> {
     let job = &loaded.job;
-    if let Some(radius) = job.milling.approach_radius {
-        let finding = Diagnostic::with_code("not-available", "rows are not approached on arcs")
-            .field("milling.approach_radius")
-            .value(radius.to_string())
-            .way_out("leave it out: the cutter comes in over the overrun, beside the face");
-        return Err(RunFailure::bad_input(finding));
-    }
+    let spindle = job.machine.as_ref().map(|machine| machine.tool_length);
     let cutter = |cutter: &MillingCutter, table: &str| {
-        cutter.body().map_err(|error| RunFailure::bad_input(geometry_finding(&error, table)))
+        let body = cutter.body().and_then(|body| match spindle {
+            Some(tool_length) => body.in_spindle(tool_length),
+            None => Ok(body),
+        });
+        body.map_err(|error| RunFailure::bad_input(geometry_finding(&error, table)))
     };
     let finishing = cutter(&job.cutter, "cutter")?;
     let other =
@@ -127,23 +130,13 @@ pub fn prepare_milling(loaded: &LoadedMillingJob) -> Result<MillingBodies, RunFa
             return Err(RunFailure::bad_input(finding));
         }
     };
-    let mut lead = body.lead;
-    let skew = job.milling.skew_deg;
-    if skew != 0.0 {
-        lead = Arc::new(SkewPlanes { curve: lead, angle: skew.to_radians() });
-    }
     let milled = match job.milling.teeth {
         Spaces::All => body.spaces,
         Spaces::One => 1,
     };
     Ok(MillingBodies {
-        space: Space {
-            flanks: body.flanks,
-            lead,
-            pitch: TAU / body.spaces as f64,
-            lands: body.lands,
-            other_half: Vec::new(),
-        },
+        parts: body.parts,
+        pitch: TAU / body.spaces as f64,
         options: options(job, finishing, bottom_cutter, roughing_cutter),
         retraction: body.retraction,
         spaces: body.spaces,
@@ -225,95 +218,34 @@ fn options(
             RootBottom::Straight(_) => None,
         }),
         roughing: milling.roughing.as_ref().map(|r| [r.allowance, r.step_down, r.step_over]),
+        approach_radius: milling.approach_radius,
         sides: job.flanks(),
     }
 }
 
 /// A surface with or without an offset.
-fn with_offset<S: OffsetBase + 'static>(base: S, offset: Option<Arc<dyn NormalOffset>>) -> Arc<dyn Surface> {
+pub(super) fn with_offset<S: OffsetBase + 'static>(
+    base: S,
+    offset: Option<Arc<dyn NormalOffset>>,
+) -> Arc<dyn Surface> {
     match offset {
         Some(offset) => Arc::new(Modified::new(base, offset)),
         None => Arc::new(base),
     }
 }
 
-fn cylindrical(loaded: &LoadedMillingJob, given: &job::MillingGear) -> Result<Body, RunFailure> {
-    let job = &loaded.job;
-    if given.double_helical.is_some() {
-        let finding =
-            Diagnostic::with_code("not-available", "double-helical gears are not planned as a whole")
-                .field("gear.double_helical")
-                .way_out(
-                    "give each half as a gear of its own, with an overrun that ends before the other half",
-                );
-        return Err(RunFailure::bad_input(finding));
-    }
-    let drawing = &given.drawing;
-    let gear = gear_of_job(drawing).map_err(RunFailure::bad_input)?;
-    let on_gear = |error: &_| RunFailure::bad_input(geometry_finding(error, "gear"));
-    let blank = blank_of_job(drawing);
-    blank.check(&gear).map_err(|error| on_gear(&error))?;
-    let half = 0.5 * drawing.face_width;
-    let [tip, root] = [drawing.tip_diameter, drawing.root_diameter].map(|diameter| 0.5 * diameter);
-    let range = drawing.evaluation_range();
-    let mut flanks = Vec::new();
-    for side in Flank::BOTH {
-        let base = Helicoid::new(&gear, side);
-        base.check_tip(tip).map_err(|error| on_gear(&error))?;
-        let heights = [
-            base.length_of_roll(0.5 * drawing.root_form_diameter()).map_err(|error| on_gear(&error))?,
-            base.length_of_roll(tip).map_err(|error| on_gear(&error))?,
-        ];
-        let offset = match &job.target.modifications {
-            Some(specs) if !specs.is_empty() => {
-                let rolls = [range.start_diameter, range.end_diameter]
-                    .map(|diameter| base.length_of_roll(0.5 * diameter));
-                let [start, end] = rolls;
-                let rolls = [start.map_err(|e| on_gear(&e))?, end.map_err(|e| on_gear(&e))?];
-                let rolls = [rolls[0].min(rolls[1]), rolls[0].max(rolls[1])];
-                let field = EvaluationField::new(
-                    rolls,
-                    [range.z_start, range.z_end],
-                    base.base_radius(),
-                    base.base_helix_angle(),
-                )
-                .map_err(|error| RunFailure::bad_input(modification_finding(&error, "gear")))?;
-                let modification =
-                    specs_of_flank(loaded, specs, side, &field).map_err(RunFailure::bad_input)?;
-                let offset: Arc<dyn NormalOffset> = Arc::new(ModifiedFlank::new(modification));
-                Some(offset)
-            }
-            _ => None,
-        };
-        let active = ActiveFlank {
-            surface: with_offset(base, offset),
-            heights: HeightLimits::Constant(heights),
-            face: [-half, half],
-            kink: None,
-        };
-        flanks.push(SpaceFlank { side, active });
-    }
-    let base = Helicoid::new(&gear, Flank::Left);
-    let (sign, twist) = (base.external_sign(), base.twist());
-    let spaces = drawing.teeth.unsigned_abs() as usize;
-    let mut radius = root;
-    if let Some(row) = job.milling.lead_through_row {
-        let rows = job.milling.rows.unwrap_or(row + 1);
-        let on_root = HelixOnCylinder { radius: root, turn_per_length: twist, external_sign: sign };
-        radius = lead_through_row(&flanks[0].active, &on_root, row, rows).map_err(|error| failure(&error))?;
-    }
-    let lands = lands(&flanks, spaces, &[-half, half], |z| [tip, z, -twist * z], sign);
-    let retraction =
-        if sign > 0.0 { Retraction::Outside(tip + CLEARANCE) } else { Retraction::Inside(tip - CLEARANCE) };
-    let other = if sign > 0.0 { 0.3 * root } else { root + 4.0 * drawing.normal_module };
-    Ok(Body {
-        flanks,
-        lead: Arc::new(HelixOnCylinder { radius, turn_per_length: twist, external_sign: sign }),
-        spaces,
-        lands,
-        retraction,
-        blank: [[tip, -half], [tip, half], [other, half], [other, -half]],
-    })
+/// A space with its column planes as the job sets them.
+pub(super) fn part(
+    job: &MillingJob,
+    flanks: Vec<SpaceFlank>,
+    lead: Arc<dyn LeadCurve>,
+    spaces: usize,
+    lands: Vec<Land>,
+) -> Space {
+    let skew = job.milling.skew_deg;
+    let lead =
+        if skew == 0.0 { lead } else { Arc::new(SkewPlanes { curve: lead, angle: skew.to_radians() }) };
+    Space { flanks, lead, pitch: TAU / spaces as f64, lands, other_half: Vec::new() }
 }
 
 fn conical(job: &MillingJob, given: &job::BevelGear) -> Result<Body, RunFailure> {
@@ -365,16 +297,15 @@ fn conical(job: &MillingJob, given: &job::BevelGear) -> Result<Body, RunFailure>
     let [inner, outer] = gear.face();
     let (sin, cos) = gear.tip_angle().sin_cos();
     let ends: Vec<f64> = equidistant([inner, outer], LAND_PIECES + 1);
-    let lands =
-        lands(&flanks, given.teeth as usize, &ends, |r| [r * sin, r * cos, -gear.line().angle(r)], 1.0);
+    let spaces = given.teeth as usize;
+    let lands = lands(&flanks, spaces, &ends, |r| [r * sin, r * cos, -gear.line().angle(r)], 1.0);
     // The blank: tip cone, and a hub a little below the root cone.
     let (root_sin, root_cos) = gear.root_angle().sin_cos();
     let hub = |r: f64| [0.5 * r * root_sin, r * root_cos];
+    let lead = Arc::new(CurveOnCone { cone_angle: gear.root_angle(), line: gear.line().clone() });
     Ok(Body {
-        flanks,
-        lead: Arc::new(CurveOnCone { cone_angle: gear.root_angle(), line: gear.line().clone() }),
-        spaces: given.teeth as usize,
-        lands,
+        parts: vec![part(job, flanks, lead, spaces, lands)],
+        spaces,
         retraction: Retraction::OutsideCone { half_angle: gear.tip_angle(), distance: CLEARANCE },
         blank: [[inner * sin, inner * cos], [outer * sin, outer * cos], hub(outer), hub(inner)],
     })
@@ -409,11 +340,11 @@ fn bladed(loaded: &LoadedMillingJob, given: &job::Blade) -> Result<Body, RunFail
     };
     let side = given.side().map_or(Flank::Left, job::BladeSide::flank);
     let ([from, to], [start, end]) = (given.hub_radius, blade.ends);
+    let spaces = given.count as usize;
+    let flanks = vec![SpaceFlank { side, active }];
     Ok(Body {
-        flanks: vec![SpaceFlank { side, active }],
-        lead: blade.foot,
-        spaces: given.count as usize,
-        lands: Vec::new(),
+        parts: vec![part(&loaded.job, flanks, blade.foot, spaces, Vec::new())],
+        spaces,
         retraction: Retraction::Outside(blade.tip + CLEARANCE),
         blank: [[blade.tip, start], [blade.tip, end], [0.5 * to, end], [0.5 * from, start]],
     })
@@ -462,35 +393,4 @@ fn point_side(loaded: &LoadedMillingJob, points: &job::BladePoints) -> Result<Bl
         tip: extremes(all.clone().map(|p| p.xy().norm()))[1],
         ends: extremes(all.map(|p| p.z)),
     })
-}
-
-/// The lands of both teeth beside the space: frusta between the ends of pieces of the face, from the tip edge of one flank to that
-/// of the other flank of the next space. `place` gives radius, position and turn of the teeth at a length.
-fn lands(
-    flanks: &[SpaceFlank],
-    spaces: usize,
-    ends: &[f64],
-    place: impl Fn(f64) -> [f64; 3],
-    outward: f64,
-) -> Vec<Land> {
-    let azimuth = |flank: &SpaceFlank, length: f64| {
-        let [_, tip] = flank.active.height_span();
-        let point = flank.active.surface.point(tip, length);
-        point.x.atan2(point.y) - place(length)[2]
-    };
-    let mut lands = Vec::new();
-    for pair in ends.windows(2) {
-        let at = [place(pair[0]), place(pair[1])];
-        let of = |k: usize| [at[0][k], at[1][k]];
-        let surface = Frustum { radii: of(0), positions: of(1), turns: of(2), outward };
-        let middle = 0.5 * (pair[0] + pair[1]);
-        let within = |angle: f64| angle - TAU * (angle / TAU).round();
-        let edges = [&flanks[0], &flanks[1]].map(|flank| within(azimuth(flank, middle)));
-        let [low, high] = extremes(edges);
-        let pitch = TAU / spaces as f64;
-        let [above, below] = if edges[0] > edges[1] { [0, 1] } else { [1, 0] };
-        lands.push(Land { surface, azimuths: [high, low + pitch], side: flanks[above].side });
-        lands.push(Land { surface, azimuths: [high - pitch, low], side: flanks[below].side });
-    }
-    lands
 }

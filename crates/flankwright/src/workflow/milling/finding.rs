@@ -19,12 +19,15 @@ pub(super) fn failure(error: &MillingError) -> RunFailure {
         MillingError::RootCorner { .. }
         | MillingError::RootOverlap { .. }
         | MillingError::RootBottom { .. } => ("milling.root", false),
+        MillingError::Approach { .. } => ("milling.approach_radius", false),
+        MillingError::ColumnKink { .. } => ("gear.double_helical", false),
         MillingError::ToolShort { .. } => ("cutter.cutting_length", false),
         MillingError::RoughingNowhere { .. } => ("milling.roughing", false),
         MillingError::ColumnNoSection { .. } => ("milling.overrun", false),
-        MillingError::AxisNone { .. } | MillingError::GougeLocal { .. } | MillingError::ToolGap { .. } => {
-            ("cutter", false)
-        }
+        MillingError::AxisNone { .. }
+        | MillingError::GougeLocal { .. }
+        | MillingError::ToolGap { .. }
+        | MillingError::InternalAccess { .. } => ("cutter", false),
         _ => ("milling", false),
     };
     let finding =

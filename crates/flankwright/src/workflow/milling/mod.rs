@@ -2,25 +2,42 @@
 //! them, and the files of a run.
 
 mod bodies;
+pub(in crate::workflow) mod chain;
+mod check;
+mod cylindrical;
 mod finding;
+mod lands;
+mod machine_remarks;
+mod mate;
 mod meshes;
 mod of_job;
 mod offset;
+pub(in crate::workflow) mod orientation;
+mod orientation_result;
 mod page;
+mod part_mesh;
+mod program_result;
 pub mod programs;
 mod referee;
 mod result;
+mod root;
 mod run;
 mod tables;
 mod wear;
 mod write;
 
 pub use bodies::{FlankRange, MillingBodies, prepare_milling};
+pub(in crate::workflow) use check::check_milling;
+pub use mate::{MateFlank, MateOutcome};
 pub use of_job::MillingTexts;
+pub use orientation::{ComparedOrientations, OrientationCurve};
+pub use orientation_result::{OrientationFigures, OrientationResult, RotaryFigures};
+pub use program_result::{MountTilt, ProgramOperation, ProgramResult};
 pub use referee::{RefereedFlank, referee};
 pub use result::{
-    CutterResult, DistancesResult, FlankResult, MillingResult, OperationResult, ProgramResult, RootResult,
-    RowResult, WearResult,
+    CutterResult, DistancesResult, FlankResult, MateFlankResult, MateResult, MillingResult, OperationResult,
+    OutOfReachResult, PatternResult, RootDeviationResult, RootResult, RowResult, WearResult,
 };
+pub use root::{RefereedRoot, referee_root};
 pub use run::{MillingOutcome, run_milling};
 pub use write::write_milling;

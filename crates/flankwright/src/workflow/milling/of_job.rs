@@ -2,25 +2,29 @@
 //! referee's rays.
 
 use super::bodies::MillingBodies;
+use super::machine_remarks::remarks;
+use super::program_result::{MountTilt, ProgramOperation, ProgramResult};
 use super::programs::{
-    CutterLocationText, MillingMachining, MillingPrograms, MillingWork, RayProof, ToolWork,
+    AtPole, CutterLocationText, MillingMachining, MillingProgram, MillingPrograms, MillingWork, RayProof,
+    ToolWork,
 };
-use super::referee::{DEPTH, RefereedFlank, STOCK};
-use super::result::ProgramResult;
-use crate::exchange::LoadedMillingJob;
-use crate::exchange::milling_job::{CutterUse, MillingJob};
+use super::referee::{DEPTH, RefereedFlank, STOCK, rays as rays_of};
+use crate::exchange::job::Program as DialectName;
+use crate::exchange::machine::LoadedMachine;
+use crate::exchange::milling_job::{CutterUse, MillingJob, MillingMachine, PoleWay};
 use crate::nc::TipControl;
 use crate::numerics::Progress;
 use crate::process::milling::{MillingPlan, OperationKind};
-use crate::removal::NormalRay;
 use crate::workflow::finding::RunFailure;
-use crate::workflow::programs::machine_of_job;
+use crate::workflow::programs::dialects;
 
 /// Texts of a run.
 #[derive(Clone, Debug, Default)]
 pub struct MillingTexts {
     /// Programs, where the job has a machine and names controls.
     pub programs: Option<MillingPrograms>,
+    /// The machine that they are for.
+    pub machine: Option<LoadedMachine>,
     /// What was proven of each.
     pub proofs: Vec<RayProof>,
     /// Cutter locations, where the job wants them.
@@ -30,50 +34,65 @@ pub struct MillingTexts {
 /// Of the referee's rays every so many are milled again as the texts say; a prime, so that all rows and columns come by.
 const PROVEN: usize = 7;
 
-/// The texts of a plan, proven.
+/// The machine of a job and how it is told.
+pub(super) fn machining<'a>(
+    given: &MillingMachine,
+    machine: &'a LoadedMachine,
+    dialects: &'a [DialectName],
+) -> MillingMachining<'a> {
+    let cap = given.pole_cap_deg.to_radians();
+    MillingMachining {
+        machine,
+        mount: given.mount,
+        tool_length: given.tool_length,
+        rtcp: given.rtcp,
+        tip_control: TipControl::Directions,
+        position_tolerance: 1e-3 * given.position_tolerance_um,
+        at_pole: match given.pole {
+            PoleWay::Slow => AtPole::Slow { cap },
+            PoleWay::Hold => AtPole::Hold { cap },
+            PoleWay::Mount => AtPole::Mount { cap },
+        },
+        dialects,
+    }
+}
+
+/// The texts of a plan, proven; programs for the dialects that the job names, else for all controls of its machine.
 ///
 /// # Errors
 /// [`RunFailure`]: a machine or control that cannot do it, a text that leaves another flank.
 pub(super) fn texts(
-    loaded: &LoadedMillingJob,
+    job: &MillingJob,
+    machine: Option<LoadedMachine>,
     bodies: &MillingBodies,
     plan: &MillingPlan,
     flanks: &[RefereedFlank],
     progress: &dyn Progress,
 ) -> Result<MillingTexts, RunFailure> {
-    let job = &loaded.job;
     let work = work(job, bodies, plan);
     let locations = job.output.cl.then(|| work.cutter_locations()).transpose()?;
-    let Some(machine) = job.machine.as_ref().filter(|_| !job.output.programs.is_empty()) else {
+    let (Some(given), Some(machine)) = (&job.machine, machine) else {
         return Ok(MillingTexts { locations, ..MillingTexts::default() });
     };
-    let description = machine_of_job(loaded, &machine.file)?;
-    let machining = MillingMachining {
-        machine: &description,
-        mount: machine.mount,
-        tool_length: machine.tool_length,
-        rtcp: machine.rtcp,
-        tip_control: TipControl::Directions,
-        position_tolerance: 1e-3 * machine.position_tolerance_um,
-        dialects: &job.output.programs,
-    };
-    let programs = machining.build(&work)?;
+    let dialects = dialects(&job.output.programs, &machine);
+    let programs = machining(given, &machine, &dialects).build(&work)?;
     let (mut rays, mut planned) = (Vec::new(), Vec::new());
-    for flank in flanks {
-        let Some(space) = bodies.space.flanks.iter().find(|other| other.side == flank.side) else { continue };
-        let places = flank.heights.iter().flat_map(|a| flank.lengths.iter().map(move |b| (*a, *b)));
-        for ((a, b), length) in places.zip(&flank.simulated).step_by(PROVEN) {
-            let jet = space.active.surface.jet(a, b);
-            rays.push(NormalRay { point: jet.point, normal: jet.normal });
+    for (made, flank) in plan.flanks.iter().zip(flanks) {
+        let all = rays_of(made, &flank.heights, &flank.lengths)
+            .into_iter()
+            .zip(&flank.simulated)
+            .zip(&flank.judged);
+        for ((ray, length), _) in all.filter(|(_, judged)| **judged).step_by(PROVEN) {
+            rays.push(ray);
             planned.push(*length);
         }
     }
     let proofs = programs.prove(&work, &rays, &planned, [STOCK, DEPTH], progress)?;
-    Ok(MillingTexts { programs: Some(programs), proofs, locations })
+    Ok(MillingTexts { programs: Some(programs), machine: Some(machine), proofs, locations })
 }
 
 /// The plan as work for tools.
-fn work<'a>(job: &'a MillingJob, bodies: &MillingBodies, plan: &MillingPlan) -> MillingWork<'a> {
+pub(super) fn work<'a>(job: &'a MillingJob, bodies: &MillingBodies, plan: &MillingPlan) -> MillingWork<'a> {
     let milling = &job.milling;
     let roughing_feed = milling.roughing.as_ref().and_then(|roughing| roughing.feed_mm_per_min);
     let tools = plan.operations.iter().map(|operation| {
@@ -96,7 +115,7 @@ fn work<'a>(job: &'a MillingJob, bodies: &MillingBodies, plan: &MillingPlan) -> 
         job: &job.job.name,
         tools: tools.collect(),
         spaces: bodies.milled,
-        pitch: bodies.space.pitch,
+        pitch: bodies.pitch,
         retraction: bodies.retraction,
     }
 }
@@ -104,16 +123,40 @@ fn work<'a>(job: &'a MillingJob, bodies: &MillingBodies, plan: &MillingPlan) -> 
 impl MillingTexts {
     /// What the result says of the programs.
     pub(super) fn results(&self) -> Vec<ProgramResult> {
-        let Some(programs) = &self.programs else { return Vec::new() };
-        let of = |(program, proof): (&super::programs::MillingProgram, &RayProof)| ProgramResult {
-            file: program.file.clone(),
-            control: program.dialect.name(),
-            blocks: program.blocks,
-            duration_s: program.motion.cycle_time,
-            rounding_um: 1e3 * program.rounding.distance,
-            straight_blocks_um: 1e3 * program.motion.straight.tip,
-            proof_difference_um: proof.difference_um,
-            proof_allowed_um: proof.allowed_um,
+        let (Some(programs), Some(machine)) = (&self.programs, &self.machine) else { return Vec::new() };
+        let of = |(program, proof): (&MillingProgram, &RayProof)| {
+            let motion = &*program.motion;
+            let operations = motion.operations.iter().enumerate();
+            ProgramResult {
+                file: program.file.clone(),
+                control: program.dialect.name(),
+                blocks: program.blocks,
+                duration_s: motion.cycle_time,
+                one_space_s: motion.first_space_seconds(None),
+                operations: operations
+                    .map(|(number, figures)| ProgramOperation {
+                        name: figures.kind.to_string(),
+                        tool: figures.tool,
+                        blocks: figures.blocks,
+                        cutting_s: figures.cutting,
+                        rapid_s: figures.rapid,
+                        one_space_s: motion.first_space_seconds(Some(number)),
+                        limited_by: figures.limits.clone(),
+                        rotary_travel_deg: figures.rotary_travel.map(f64::to_degrees),
+                        turned_back: figures.rewinds,
+                    })
+                    .collect(),
+                mount_tilt: programs.tilt.map(|tilt| MountTilt {
+                    axis: tilt.axis.xyz.into(),
+                    angle_deg: tilt.angle.to_degrees(),
+                    pole_distance_deg: tilt.least.to_degrees(),
+                }),
+                remarks: remarks(&machine.machine, programs, motion),
+                rounding_um: 1e3 * program.rounding.distance,
+                straight_blocks_um: 1e3 * motion.straight.tip,
+                proof_difference_um: proof.difference_um,
+                proof_allowed_um: proof.allowed_um,
+            }
         };
         programs.programs.iter().zip(&self.proofs).map(of).collect()
     }

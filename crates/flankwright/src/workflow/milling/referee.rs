@@ -2,10 +2,12 @@
 
 use super::bodies::MillingBodies;
 use super::finding::failure;
-use crate::geometry::{Cutter, Flank};
+use crate::geometry::Cutter;
 use crate::numerics::{Progress, equidistant};
-use crate::process::milling::{FlankPlan, MillingError, MillingPlan, OperationKind, RowModel, plane_through};
-use crate::removal::{CutterPlace, MillPath, MillStatistics, Milling, NormalRay, Unmilled, mill};
+use crate::process::milling::{
+    FlankModel, FlankPlan, MilledSide, MillingError, MillingPlan, OperationKind, Prediction,
+};
+use crate::removal::{CutterPlace, MillPath, MillStatistics, MilledRay, Milling, NormalRay, Unmilled, mill};
 use crate::workflow::finding::RunFailure;
 use rayon::prelude::*;
 
@@ -13,15 +15,18 @@ use rayon::prelude::*;
 #[derive(Clone, Debug)]
 pub struct RefereedFlank {
     /// Which.
-    pub side: Flank,
+    pub side: MilledSide,
     /// Height parameters of the rays, root to tip.
     pub heights: Vec<f64>,
     /// Length parameters.
     pub lengths: Vec<f64>,
     /// What the rays found, > 0 stock; `None` where no cutter comes by.
     pub simulated: Vec<Option<f64>>,
-    /// What was predicted: scallop and chord.
-    pub predicted: Vec<Option<[f64; 2]>>,
+    /// What was predicted.
+    pub predicted: Vec<Option<Prediction>>,
+    /// Whether each ray is judged. In the middle of a double-helical gear rows end where the other half is in the way; what they leave
+    /// there is counted, not simulated nor predicted, unless it is gouged.
+    pub judged: Vec<bool>,
     /// Why rays were not milled, with their number.
     pub unmilled: Vec<(Unmilled, usize)>,
     /// How much the referee looked at.
@@ -48,28 +53,29 @@ pub(super) fn mill_paths(bodies: &MillingBodies, plan: &MillingPlan) -> (Vec<Cut
     (cutters, paths)
 }
 
-/// Rays on a flank: equal steps of both parameters over the face.
-pub(super) fn rays(flank: &FlankPlan, bodies: &MillingBodies, counts: [usize; 2]) -> Option<Rays> {
-    let space_flank = bodies.space.flanks.iter().find(|other| other.side == flank.side)?;
-    let active = &space_flank.active;
-    let heights = equidistant(active.height_span(), counts[0]);
-    let lengths = equidistant(active.face, counts[1]);
-    let rays = heights
-        .iter()
-        .flat_map(|&a| lengths.iter().map(move |&b| (a, b)))
-        .map(|(a, b)| {
-            let jet = active.surface.jet(a, b);
-            NormalRay { point: jet.point, normal: jet.normal }
-        })
-        .collect();
-    Some(Rays { heights, lengths, rays })
+/// Why rays were not milled, with their number.
+pub(super) fn unmilled<'a>(
+    rays: impl IntoIterator<Item = &'a Result<MilledRay, Unmilled>>,
+) -> Vec<(Unmilled, usize)> {
+    let mut counts: Vec<(Unmilled, usize)> = Vec::new();
+    for reason in rays.into_iter().filter_map(|ray| ray.as_ref().err()) {
+        let same = |known: &Unmilled| std::mem::discriminant(known) == std::mem::discriminant(reason);
+        match counts.iter_mut().find(|(known, _)| same(known)) {
+            Some((_, count)) => *count += 1,
+            None => counts.push((*reason, 1)),
+        }
+    }
+    counts
 }
 
-/// Rays of one flank, row-major.
-pub(super) struct Rays {
-    pub heights: Vec<f64>,
-    pub lengths: Vec<f64>,
-    pub rays: Vec<NormalRay>,
+/// Rays at all places of a flank, row-major [height][length].
+pub(super) fn rays(flank: &FlankPlan, heights: &[f64], lengths: &[f64]) -> Vec<NormalRay> {
+    let places = heights.iter().flat_map(|a| lengths.iter().map(move |b| (*a, *b)));
+    let ray = |(a, b)| {
+        let jet = flank.active.surface.jet(a, b);
+        NormalRay { point: jet.point, normal: jet.normal }
+    };
+    places.map(ray).collect()
 }
 
 /// All milled flanks under their rays.
@@ -85,80 +91,70 @@ pub fn referee(
     let (cutters, paths) = mill_paths(bodies, plan);
     let setup = Milling { cutters: &cutters, paths: &paths, stock: STOCK, depth: DEPTH };
     let of_flank = |flank: &FlankPlan| {
-        let Some(Rays { heights, lengths, rays }) = rays(flank, bodies, counts) else { return Ok(None) };
+        let heights = equidistant(flank.active.height_span(), counts[0]);
+        let lengths = equidistant(flank.active.face, counts[1]);
+        let rays = rays(flank, &heights, &lengths);
         let milled =
             mill(&setup, &rays, progress).map_err(|error| RunFailure::of_removal(&error, "milling"))?;
-        let mut unmilled: Vec<(Unmilled, usize)> = Vec::new();
-        for reason in milled.rays.iter().filter_map(|ray| ray.as_ref().err()) {
-            match unmilled
-                .iter_mut()
-                .find(|(known, _)| std::mem::discriminant(known) == std::mem::discriminant(reason))
-            {
-                Some((_, count)) => *count += 1,
-                None => unmilled.push((*reason, 1)),
-            }
-        }
-        let simulated = milled.rays.iter().map(|ray| ray.as_ref().ok().map(|ray| ray.length)).collect();
+        let judged = judged(flank, &heights, &lengths, &milled.rays)?;
+        let length = |(ray, judged): (&Result<MilledRay, Unmilled>, &bool)| match ray {
+            Ok(ray) if *judged => Some(ray.length),
+            _ => None,
+        };
+        let simulated = milled.rays.iter().zip(&judged).map(length).collect();
+        let found = milled.rays.iter().zip(&judged).filter_map(|(ray, judged)| judged.then_some(ray));
+        let unmilled = unmilled(found);
         let predicted = predict(bodies, flank, &heights, &lengths)?;
-        Ok(Some(RefereedFlank {
+        Ok(RefereedFlank {
             side: flank.side,
             heights,
             lengths,
             simulated,
             predicted,
+            judged,
             unmilled,
             statistics: milled.statistics,
             error_um: milled.error_um,
-        }))
+        })
     };
-    plan.flanks.iter().filter_map(|flank| of_flank(flank).transpose()).collect()
+    plan.flanks.iter().map(of_flank).collect()
 }
 
-/// What the two rows beside every ray leave there.
+/// Which rays of a flank are judged: those that rows come by, and any other one that is gouged all the same.
+fn judged(
+    flank: &FlankPlan,
+    heights: &[f64],
+    lengths: &[f64],
+    milled: &[Result<MilledRay, Unmilled>],
+) -> Result<Vec<bool>, RunFailure> {
+    let places = heights.iter().flat_map(|a| lengths.iter().map(move |b| (*a, *b)));
+    let judged = places.zip(milled).map(|((a, b), ray)| {
+        let gouged = match ray {
+            Ok(ray) => ray.length < 0.0,
+            Err(reason) => matches!(reason, Unmilled::TooDeep { .. }),
+        };
+        Ok(gouged || flank.reaches(a, b)?)
+    });
+    judged.collect::<Result<_, _>>().map_err(|error: MillingError| failure(&error))
+}
+
+/// What the rows leave at every ray.
 fn predict(
     bodies: &MillingBodies,
     flank: &FlankPlan,
     heights: &[f64],
     lengths: &[f64],
-) -> Result<Vec<Option<[f64; 2]>>, RunFailure> {
-    let Some(space_flank) = bodies.space.flanks.iter().find(|other| other.side == flank.side) else {
-        return Ok(Vec::new());
-    };
-    let (active, lead) = (&space_flank.active, &*bodies.space.lead);
+) -> Result<Vec<Option<Prediction>>, RunFailure> {
+    let (active, lead) = (&flank.active, &*flank.lead);
     let cutter = bodies.options.cutter_of(OperationKind::Flank(flank.side));
-    let grid = &flank.lines.path;
-    let models = flank.rows.iter().enumerate().map(|(row, finished)| {
-        let tool = (cutter.shape(), cutter.cutting_length());
-        RowModel::new(active, lead, grid, row, tool, finished.contact_height, bodies.options.orientation)
-    });
     // With fewer than four columns there is no spline through them and nothing is predicted between.
-    let Ok(models) = models.collect::<Result<Vec<_>, _>>() else {
+    let Ok(model) = FlankModel::new(active, lead, flank, cutter, flank.orientation) else {
         return Ok(vec![None; heights.len() * lengths.len()]);
-    };
-    // Row distance over the speed of the lead curve: how far along a row its cutter can do something beside it.
-    let reach = {
-        let columns = &grid.columns;
-        let step = columns[1].lead.u - columns[0].lead.u;
-        let speed = (columns[1].lead.point - columns[0].lead.point).norm() / step;
-        flank.lines.dense.along_columns.greatest / speed
     };
     let places: Vec<(f64, f64)> =
         heights.iter().flat_map(|&a| lengths.iter().map(move |&b| (a, b))).collect();
-    let of_place = |&(a, b): &(f64, f64)| -> Result<Option<[f64; 2]>, MillingError> {
-        let u = plane_through(active, lead, a, b)?;
-        let jet = active.surface.jet(a, b);
-        // Heights of the rows there, ascending or (internal gears) descending.
-        let sense = (heights[heights.len() - 1] - heights[0]).signum();
-        let above = models.partition_point(|model| sense * (model.height(u) - a) < 0.0);
-        let beside = [above.checked_sub(1), (above < models.len()).then_some(above)];
-        let mut best: Option<[f64; 2]> = None;
-        for row in beside.into_iter().flatten() {
-            let stock = models[row].stock(&jet, u, reach)?;
-            if best.is_none_or(|[scallop, chord]| stock.stock() < scallop + chord) {
-                best = Some([stock.scallop, stock.chord]);
-            }
-        }
-        Ok(best)
+    let of_place = |&(a, b): &(f64, f64)| -> Result<Option<Prediction>, MillingError> {
+        if flank.reaches(a, b)? { model.at(a, b).map(Some) } else { Ok(None) }
     };
     places.par_iter().map(of_place).collect::<Result<_, _>>().map_err(|error| failure(&error))
 }

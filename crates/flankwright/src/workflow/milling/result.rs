@@ -1,5 +1,8 @@
 //! The document of a milling job's `result.json`, with units in the key names.
 
+use super::orientation_result::OrientationResult;
+use super::program_result::ProgramResult;
+use crate::contact::ContactPattern;
 use crate::geometry::CutterShape;
 use crate::workflow::finding::Remark;
 use crate::workflow::result::Status;
@@ -32,31 +35,17 @@ pub struct MillingResult {
     pub operations: Vec<OperationResult>,
     /// Flanks that are milled.
     pub flanks: BTreeMap<&'static str, FlankResult>,
+    /// Deviations of the root from its drawn section, part by part (`left_fillet`, `right_fillet`, `bottom`); absent without a pass of the
+    /// root.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub root: BTreeMap<String, RootDeviationResult>,
+    /// Contact with the mate; absent without one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mate: Option<MateResult>,
     /// NC programs, every one read back and proven; empty without a machine.
     pub programs: Vec<ProgramResult>,
     /// Seconds per stage; the only part that differs between two runs.
     pub timing_s: BTreeMap<&'static str, f64>,
-}
-
-/// One program.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct ProgramResult {
-    /// Path below the directory of the run.
-    pub file: String,
-    /// Control.
-    pub control: &'static str,
-    /// Blocks that move.
-    pub blocks: usize,
-    /// Time of the whole program.
-    pub duration_s: f64,
-    /// What rounding of the numbers does at most.
-    pub rounding_um: f64,
-    /// What straight blocks of the axes do to the tip at most.
-    pub straight_blocks_um: f64,
-    /// Largest difference of a ray milled as the text says from the planned one.
-    pub proof_difference_um: f64,
-    /// What rounding and straight blocks explain of it.
-    pub proof_allowed_um: f64,
 }
 
 /// A cutter. Lengths in mm.
@@ -122,10 +111,13 @@ pub struct FlankResult {
     pub length: Vec<f64>,
     /// Prediction for the deviation: scallop and straight blocks; null where no row lies beside.
     pub planned_um: Vec<Option<f64>>,
-    /// Deviation that the referee's rays found, > 0 stock; null where no cutter comes by.
+    /// Deviation that the referee's rays found, > 0 stock; null where no cutter comes by or the flank is out of reach.
     pub simulated_um: Vec<Option<f64>>,
     /// Rays that no cutter meets, by reason.
     pub unmilled: BTreeMap<String, usize>,
+    /// What the other half of a double-helical gear keeps the cutter from; absent where there is nothing.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub out_of_reach: Option<OutOfReachResult>,
     /// Largest absolute deviation of the rays.
     pub max_deviation_um: f64,
     /// Highest and lowest of them.
@@ -152,6 +144,20 @@ pub struct FlankResult {
     /// The root below the flank, at its middle column.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub root: Option<RootResult>,
+    /// The rotary motion beside that of other systems, where the job wants it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub orientation: Option<OrientationResult>,
+}
+
+/// The part of a flank towards the middle of a double-helical gear that the cutter does not reach.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct OutOfReachResult {
+    /// Its greatest length along the axis.
+    pub length_mm: f64,
+    /// The row that it is found on.
+    pub row: usize,
+    /// Rays in it; they are not judged.
+    pub rays: usize,
 }
 
 /// Distances of neighbours, mm; a mean is that of one line.
@@ -188,6 +194,9 @@ pub struct RowResult {
     pub axis_out_of_plane_deg: f64,
     /// Least curvature of the gap between cutter and flank.
     pub opening_per_mm: f64,
+    /// What the row leaves along the axis because of the other half of a double-helical gear; absent where it leaves nothing.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unmilled_mm: Option<f64>,
 }
 
 /// Load along the cutting edge.
@@ -214,4 +223,88 @@ pub struct RootResult {
     pub contact_height_mm: f64,
     /// Half distance of the lowest points of both fillets.
     pub half_width_mm: f64,
+}
+
+/// A part of the root under rays on its drawn section; > 0 stock, null where no ray is met.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct RootDeviationResult {
+    /// Rays.
+    pub rays: usize,
+    /// Deepest place below the drawn section (or least stock).
+    pub min_um: Option<f64>,
+    /// Highest stock: the roof between passes.
+    pub max_um: Option<f64>,
+    /// Root mean square.
+    pub rms_um: Option<f64>,
+    /// Least and greatest prediction: what the passes of the root sweep beside the drawn section.
+    pub planned_um: Option<[f64; 2]>,
+    /// Largest difference of prediction and rays.
+    pub model_difference_um: Option<f64>,
+    /// Rays that no cutter meets, by reason.
+    pub unmilled: BTreeMap<String, usize>,
+}
+
+/// A bevel gear rolled against its conjugate mate, both with the flanks that are wanted.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MateResult {
+    /// Teeth of the mate.
+    pub teeth: u32,
+    /// Its pitch cone angle.
+    pub pitch_cone_angle_deg: f64,
+    /// Angle between both axes.
+    pub shaft_angle_deg: f64,
+    /// Radius of its pitch cone in the middle of the face; transmission errors in um are ways there.
+    pub mean_pitch_radius_mm: f64,
+    /// Gaps up to here show contact.
+    pub marking_um: f64,
+    /// Flanks that are milled.
+    pub flanks: BTreeMap<&'static str, MateFlankResult>,
+}
+
+/// Contact on one flank of the gear, without load.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MateFlankResult {
+    /// Pattern that rolling leaves; absent if nothing is marked.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rolled: Option<PatternResult>,
+    /// Pattern that both ease-offs say.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ease_off: Option<PatternResult>,
+    /// Common area of both patterns over the area that either covers.
+    pub overlap_percent: f64,
+    /// Peak to peak of a mesh period, as turn of the mate.
+    pub transmission_error_arcsec: f64,
+    /// The same at the mate's mean pitch radius.
+    pub transmission_error_um: f64,
+    /// What both ease-offs say for it.
+    pub transmission_error_ease_off_um: f64,
+}
+
+/// A contact pattern on the active flank: 0 % at root and toe, 100 % at tip and heel.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct PatternResult {
+    /// Covered share of the flank.
+    pub area_percent: f64,
+    /// Centre along the tooth.
+    pub centre_length_percent: f64,
+    /// Centre over the height.
+    pub centre_height_percent: f64,
+    /// From where to where along the tooth.
+    pub length_percent: [f64; 2],
+    /// From where to where over the height.
+    pub height_percent: [f64; 2],
+}
+
+impl PatternResult {
+    /// In percent.
+    pub fn new(pattern: &ContactPattern) -> Self {
+        let [height, length] = pattern.ends.map(|ends| ends.map(|share| 100.0 * share));
+        Self {
+            area_percent: 100.0 * pattern.area,
+            centre_length_percent: 100.0 * pattern.centre[1],
+            centre_height_percent: 100.0 * pattern.centre[0],
+            length_percent: length,
+            height_percent: height,
+        }
+    }
 }

@@ -2,19 +2,24 @@
 
 use super::bodies::{MillingBodies, prepare_milling};
 use super::finding::failure;
+use super::mate::{self, MateOutcome};
 use super::of_job::{MillingTexts, texts};
+use super::orientation::{ComparedOrientations, orientations};
 use super::referee::{RefereedFlank, referee};
 use super::result::{
-    CutterResult, DistancesResult, FlankResult, MillingResult, OperationResult, RootResult, RowResult,
-    WearResult,
+    CutterResult, DistancesResult, FlankResult, MillingResult, OperationResult, OutOfReachResult, RootResult,
+    RowResult, WearResult,
 };
+use super::root::{RefereedRoot, referee_root};
 use super::wear::histograms;
 use crate::exchange::LoadedMillingJob;
-use crate::exchange::milling_job::MilledBody;
+use crate::exchange::milling_job::{MilledBody, MillingJob};
 use crate::numerics::{Progress, extremes};
-use crate::process::milling::{FlankPlan, MillingPlan, NeighbourDistances, Operation, plan};
+use crate::process::milling::{FlankPlan, MillingPlan, NeighbourDistances, Operation, plan_all};
 use crate::workflow::finding::{Remark, RunFailure};
+use crate::workflow::programs::machine_of_job;
 use crate::workflow::result::Status;
+use crate::workflow::run::parquet_warning;
 use std::collections::BTreeMap;
 use std::time::Instant;
 
@@ -28,6 +33,12 @@ pub struct MillingOutcome {
     pub plan: MillingPlan,
     /// The flanks under the referee.
     pub flanks: Vec<RefereedFlank>,
+    /// The root under the referee, part by part; empty without a pass of the root.
+    pub root: Vec<RefereedRoot>,
+    /// Contact with the mate, if the job has one.
+    pub mate: Option<MateOutcome>,
+    /// The rotary motion beside that of other systems, flank by flank; empty where the job does not want it.
+    pub orientations: Vec<ComparedOrientations>,
     /// Programs and cutter locations.
     pub texts: MillingTexts,
 }
@@ -44,8 +55,14 @@ pub fn run_milling(loaded: &LoadedMillingJob, progress: &dyn Progress) -> Result
     timing.insert("prepare", begun.elapsed().as_secs_f64());
 
     let begun = Instant::now();
+    let mate = mate::roll(job, &bodies)?;
+    if mate.is_some() {
+        timing.insert("mate", begun.elapsed().as_secs_f64());
+    }
+
+    let begun = Instant::now();
     progress.start("plan", 1);
-    let made = plan(&bodies.space, &bodies.options).map_err(|error| failure(&error))?;
+    let made = plan_all(&bodies.parts, &bodies.options).map_err(|error| failure(&error))?;
     progress.advance(1);
     progress.finish();
     timing.insert("plan", begun.elapsed().as_secs_f64());
@@ -53,10 +70,16 @@ pub fn run_milling(loaded: &LoadedMillingJob, progress: &dyn Progress) -> Result
     let begun = Instant::now();
     let counts = [job.simulation.rays_profile, job.simulation.rays_length];
     let flanks = referee(&bodies, &made, counts, progress)?;
+    let root = referee_root(&bodies, &made, counts[1], progress)?;
     timing.insert("referee", begun.elapsed().as_secs_f64());
 
     let begun = Instant::now();
-    let texts = texts(loaded, &bodies, &made, &flanks, progress)?;
+    let machine = job.machine.as_ref().map(|given| machine_of_job(loaded, &given.file)).transpose()?;
+    let orientations = orientations(job, machine.as_ref(), &bodies, &made)?;
+    timing.insert("orientations", begun.elapsed().as_secs_f64());
+
+    let begun = Instant::now();
+    let texts = texts(job, machine, &bodies, &made, &flanks, progress)?;
     timing.insert("programs", begun.elapsed().as_secs_f64());
 
     let units = match job.body() {
@@ -64,12 +87,17 @@ pub fn run_milling(loaded: &LoadedMillingJob, progress: &dyn Progress) -> Result
         Some(MilledBody::Blade(_)) => ["1", "1"],
         _ => ["mm", "mm"],
     };
-    let results: BTreeMap<&'static str, FlankResult> = made
+    let mut results: BTreeMap<&'static str, FlankResult> = made
         .flanks
         .iter()
         .zip(&flanks)
         .map(|(plan, refereed)| (plan.side.name(), flank_result(&bodies, plan, refereed, units)))
         .collect();
+    for compared in &orientations {
+        if let Some(flank) = results.get_mut(compared.side.name()) {
+            flank.orientation = Some(compared.result.clone());
+        }
+    }
     let tolerance_um = job.target.tolerance_um;
     let missed = results.values().any(|flank| {
         flank.max_deviation_um.is_nan() || flank.max_deviation_um > tolerance_um || !flank.unmilled.is_empty()
@@ -83,15 +111,17 @@ pub fn run_milling(loaded: &LoadedMillingJob, progress: &dyn Progress) -> Result
         status: if missed { Status::Missed } else { Status::Met },
         tolerance_um,
         reason,
-        warnings: warnings(&made),
+        warnings: warnings(job, &made, &flanks, &root),
         spaces: [bodies.spaces, bodies.milled],
         cutter: CutterResult::new(bodies.options.cutter.shape(), bodies.options.cutter.cutting_length()),
         operations: made.operations.iter().map(operation_result).collect(),
         flanks: results,
+        root: root.iter().map(|part| (part.name(), part.result())).collect(),
+        mate: mate.as_ref().map(|mate| mate.result.clone()),
         programs: texts.results(),
         timing_s: timing,
     };
-    Ok(MillingOutcome { result, bodies, plan: made, flanks, texts })
+    Ok(MillingOutcome { result, bodies, plan: made, flanks, root, mate, orientations, texts })
 }
 
 fn reason(results: &BTreeMap<&'static str, FlankResult>, worst: f64, tolerance_um: f64) -> Remark {
@@ -110,9 +140,37 @@ fn reason(results: &BTreeMap<&'static str, FlankResult>, worst: f64, tolerance_u
     }
 }
 
-fn warnings(plan: &MillingPlan) -> Vec<Remark> {
-    let mut warnings = Vec::new();
-    for flank in &plan.flanks {
+fn warnings(
+    job: &MillingJob,
+    plan: &MillingPlan,
+    refereed: &[RefereedFlank],
+    root: &[RefereedRoot],
+) -> Vec<Remark> {
+    let mut warnings: Vec<Remark> = parquet_warning(&job.output.tables).into_iter().collect();
+    let unmilled: usize = root.iter().flat_map(|part| &part.unmilled).map(|(_, count)| count).sum();
+    if unmilled > 0 {
+        warnings.push(Remark {
+            code: "root-not-milled",
+            text: format!("{unmilled} places of the drawn root are not reached by the cutters"),
+            way_out: "lengthen the overrun, or give another cutter for the bottom".into(),
+        });
+    }
+    for (flank, rays) in plan.flanks.iter().zip(refereed) {
+        if let Some(left) = out_of_reach(flank, rays) {
+            warnings.push(Remark {
+                code: "middle-out-of-reach",
+                text: format!(
+                    "{} flank: up to {:.3} mm towards the middle of the gear stay unmilled (row {}), and the root below, because the \
+                     cutter meets the other half there; {} of {} rays lie there and are not judged",
+                    flank.side,
+                    left.length_mm,
+                    left.row,
+                    left.rays,
+                    rays.judged.len()
+                ),
+                way_out: "give the halves a wider gap, or take a thinner cutter".into(),
+            });
+        }
         for limit in &flank.lines.dense.violated {
             warnings.push(Remark {
                 code: "density-infeasible",
@@ -157,6 +215,14 @@ fn operation_result(operation: &Operation) -> OperationResult {
     }
 }
 
+/// What the other half of a double-helical gear keeps the cutter from.
+fn out_of_reach(plan: &FlankPlan, refereed: &RefereedFlank) -> Option<OutOfReachResult> {
+    let lengths = (0..plan.rows.len()).map(|row| (row, plan.unmilled_length(row)));
+    let (row, length_mm) = lengths.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, length)| *length > 0.0)?;
+    let rays = refereed.judged.iter().filter(|judged| !**judged).count();
+    Some(OutOfReachResult { length_mm, row, rays })
+}
+
 fn distances(of: &NeighbourDistances) -> DistancesResult {
     DistancesResult {
         min_mm: of.least,
@@ -175,7 +241,7 @@ fn flank_result(
     let um = |value: &Option<f64>| value.map(|mm| 1e3 * mm);
     let simulated: Vec<Option<f64>> = refereed.simulated.iter().map(um).collect();
     let planned: Vec<Option<f64>> =
-        refereed.predicted.iter().map(|p| p.map(|[scallop, chord]| 1e3 * (scallop + chord))).collect();
+        refereed.predicted.iter().map(|p| p.map(|left| 1e3 * left.stock())).collect();
     let found: Vec<f64> = simulated.iter().flatten().copied().collect();
     let [lowest, highest] = extremes(found.iter().copied());
     let differences =
@@ -193,6 +259,7 @@ fn flank_result(
         out_of_plane_deg: figures.out_of_plane.to_degrees(),
         axis_out_of_plane_deg: figures.axis_off.to_degrees(),
         opening_per_mm: figures.opening,
+        unmilled_mm: plan.ends[row].map(|_| plan.unmilled_length(row)),
     });
     let root = plan.root.get(plan.root.len() / 2).map(|(section, _)| RootResult {
         lean_deg: section.lean.to_degrees(),
@@ -213,6 +280,7 @@ fn flank_result(
         referee_error_um: refereed.error_um,
         simulated_um: simulated,
         unmilled,
+        out_of_reach: out_of_reach(plan, refereed),
         lead_range: plan.lines.range,
         overrun_columns: plan.lines.first,
         along_rows: distances(&plan.lines.dense.along_rows),
@@ -220,6 +288,7 @@ fn flank_result(
         rows: rows.collect(),
         wear: wear(bodies, plan),
         root,
+        orientation: None,
     }
 }
 

@@ -37,5 +37,5 @@ pub fn write_milling(
         files.push((locations.file.clone(), "cutter locations of all spaces", text));
     }
     files.extend(meshes::files(outcome, &job.output.meshes)?);
-    write_with_report(files, directory, |named| page::html_page(job, outcome, None, named))
+    write_with_report(files, directory, |named| page::html_page(job, outcome, named))
 }

@@ -4,12 +4,13 @@ use super::of_grinding::follow_on_grinding;
 use super::of_tangential::follow_on_tangential;
 use super::result::{CheckedAxis, CheckedProgram};
 use crate::exchange::machine::LoadedMachine;
-use crate::exchange::{AnyJob, Diagnostic, GearboxJob, MillingJob};
+use crate::exchange::{AnyJob, Diagnostic, GearboxJob};
 use crate::machine::{Positions, Role};
 use crate::motion::{AxisWords, MotionError, Tracked, axis_words, track};
 use crate::nc::{Dialect, ReadError, ReadProgram, Word, read, read_with_netlist};
 use crate::numerics::Progress;
 use crate::workflow::finding::{Remark, RunFailure};
+use crate::workflow::milling::check_milling;
 use std::io::BufRead;
 
 /// A program that cannot be read, as a finding with its place in the message.
@@ -51,6 +52,10 @@ pub fn check_program(
     job: Option<&AnyJob>,
     progress: &dyn Progress,
 ) -> Result<CheckedProgram, RunFailure> {
+    if let Some(AnyJob::Milling(loaded)) = job {
+        // Under tip control the blocks say where the tool stands, which takes the job's mount and tools.
+        return check_milling(text, dialect, machine, loaded, progress);
+    }
     let words = words_of(machine, dialect).map_err(|e| refused(&e))?;
     let found = match netlist.filter(|_| dialect == Dialect::LinuxCnc) {
         Some(netlist) => read_with_netlist(text, netlist, &words.words),
@@ -59,13 +64,13 @@ pub fn check_program(
     let found = found.map_err(|e| unreadable(&e, dialect))?;
     let tracked =
         track(&found.blocks, &machine.machine, &words, &Positions::default()).map_err(|e| refused(&e))?;
-    let mut checked = figures(&found, dialect, machine, &words, &tracked);
+    let mut checked = figures(&found, dialect, machine, &words, &Moved::of(&tracked));
     if let Some(job) = job {
         let followed = match job {
             AnyJob::Grinding(loaded) => follow_on_grinding(loaded, &machine.machine, &tracked, progress)?,
             AnyJob::Tangential(loaded) => follow_on_tangential(loaded, &machine.machine, &tracked, progress)?,
             AnyJob::Gearbox(_) => return Err(RunFailure::bad_input(GearboxJob::refused_by("program check"))),
-            AnyJob::Milling(_) => return Err(RunFailure::bad_input(MillingJob::refused_by("program check"))),
+            AnyJob::Milling(_) => return Ok(checked),
         };
         checked.kind = Some(followed.kind);
         checked.strokes = followed.strokes;
@@ -74,21 +79,43 @@ pub fn check_program(
     Ok(checked)
 }
 
-fn figures(
+/// What the axes of a machine do, by their numbers: mm or rad, s.
+pub(in crate::workflow) struct Moved<'a> {
+    /// Range of each; `None` for one that is not named.
+    pub ranges: &'a [Option<[f64; 2]>],
+    /// Whole way of each.
+    pub ways: &'a [f64],
+    /// Greatest speed of each.
+    pub speeds: &'a [f64],
+    /// Time of all blocks.
+    pub duration: f64,
+    /// By which share a speed may be above the limit because its block is rounded.
+    pub rounding: f64,
+}
+
+impl<'a> Moved<'a> {
+    fn of(tracked: &'a Tracked) -> Self {
+        let Tracked { ranges, ways, speeds, duration, .. } = tracked;
+        Self { ranges, ways, speeds, duration: *duration, rounding: 1e-9 }
+    }
+}
+
+/// The figures of a program without a job: axes, times, and what does not fit the machine.
+pub(in crate::workflow) fn figures(
     found: &ReadProgram,
     dialect: Dialect,
     machine: &LoadedMachine,
     words: &AxisWords,
-    tracked: &Tracked,
+    moved: &Moved<'_>,
 ) -> CheckedProgram {
     let mut remarks = Vec::new();
     let mut axes = Vec::new();
     for (number, axis) in machine.machine.axes().iter().enumerate() {
-        let Some([from, to]) = tracked.ranges[number] else { continue };
-        let speed = tracked.speeds[number];
-        let moved = to > from || speed > 0.0;
+        let Some([from, to]) = moved.ranges[number] else { continue };
+        let speed = moved.speeds[number];
+        let stands = to <= from && speed <= 0.0;
         let named = words.place(number).map(|k| &words.words[k].word);
-        if !moved && matches!(named, Some(Word::Spindle(_))) {
+        if stands && matches!(named, Some(Word::Spindle(_))) {
             continue;
         }
         let shown = |x: f64| axis.joint.shown(x);
@@ -102,7 +129,7 @@ fn figures(
                 break;
             }
         }
-        if let Some(most) = axis.limits.velocity.filter(|most| speed > most * (1.0 + 1e-9)) {
+        if let Some(most) = axis.limits.velocity.filter(|most| speed > most * (1.0 + moved.rounding)) {
             remarks.push(Remark {
                 code: "axis-too-fast",
                 text: format!(
@@ -121,14 +148,14 @@ fn figures(
             unit: axis.joint.unit(),
             from: shown(from),
             to: shown(to),
-            way: shown(tracked.ways[number]),
+            way: shown(moved.ways[number]),
             velocity: shown(speed),
             min: axis.travel.map(|[min, _]| shown(min)),
             max: axis.travel.map(|[_, max]| shown(max)),
             max_velocity: axis.limits.velocity.map(shown),
         });
     }
-    let turning = machine.machine.role(Role::Work).and_then(|axis| tracked.ranges[axis]);
+    let turning = machine.machine.role(Role::Work).and_then(|axis| moved.ranges[axis]);
     let kind = match turning {
         Some([from, to]) if to > from => Some("grinding"),
         _ if machine.machine.role(Role::Worm).is_some() => Some("dressing"),
@@ -140,7 +167,7 @@ fn figures(
         name: found.name.clone(),
         kind,
         blocks: found.blocks.len(),
-        duration_s: tracked.duration,
+        duration_s: moved.duration,
         axes,
         strokes: Vec::new(),
         flanks: None,

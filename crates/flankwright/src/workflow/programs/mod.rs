@@ -15,6 +15,7 @@ mod technology;
 
 pub use build::{Built, BuiltProgram};
 pub use check::check_program;
+pub(in crate::workflow) use check::{Moved, figures};
 pub(super) use of_grinding::programs_of_grinding;
 pub(super) use of_tangential::programs_of_tangential;
 pub(super) use page::programs_report;
@@ -23,6 +24,7 @@ pub use result::{
     ProgramsResult, ProofResult,
 };
 pub use run_programs::RunPrograms;
+pub(in crate::workflow) use run_programs::dialects;
 pub(in crate::workflow) use task::machine_of_job;
 pub use task::{DressingWork, GrindingWork, ProgramTask};
 pub(super) use technology::Technology;

@@ -26,7 +26,7 @@ pub struct RunPrograms {
 }
 
 /// The dialects that a job asks for; without a wish, those of the machine.
-pub(super) fn dialects(asked: &[DialectName], machine: &LoadedMachine) -> Vec<DialectName> {
+pub(in crate::workflow) fn dialects(asked: &[DialectName], machine: &LoadedMachine) -> Vec<DialectName> {
     if !asked.is_empty() {
         return asked.to_vec();
     }

@@ -66,6 +66,7 @@ fn gear(gear: &MillingGear, findings: &mut Vec<Diagnostic>) {
         ));
     }
     let face = gear.drawing.face_width;
+    let nothing_left = |[from, to]: [f64; 2]| from >= to;
     if halves.gap >= face {
         impossible(
             format!("the gap of {} leaves nothing of the face width {face}", halves.gap),
@@ -73,6 +74,16 @@ fn gear(gear: &MillingGear, findings: &mut Vec<Diagnostic>) {
             halves.gap,
             format!("< face_width = {}", shown_number(face)),
             "`face_width` is that of both halves with the gap",
+            findings,
+        );
+    } else if halves.faces(face).into_iter().any(nothing_left) {
+        let most = 0.5 * (face - halves.gap);
+        impossible(
+            format!("with the apex at {} one of the halves has no teeth", halves.apex),
+            "gear.double_helical.apex",
+            halves.apex,
+            format!("between {} and {}", shown_number(-most), shown_number(most)),
+            "count from the middle of the face towards +z; both halves and the gap lie within `face_width`",
             findings,
         );
     }

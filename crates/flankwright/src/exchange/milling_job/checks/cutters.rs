@@ -2,7 +2,7 @@
 
 use crate::exchange::checks::contradiction;
 use crate::exchange::diagnostic::{Diagnostic, Problem};
-use crate::exchange::milling_job::{CutterForm, CutterUse, MillingCutter, MillingJob};
+use crate::exchange::milling_job::{CutterForm, CutterUse, MillingCutter, MillingJob, PoleWay};
 use crate::exchange::node::shown_number;
 
 pub(super) fn check(job: &MillingJob, findings: &mut Vec<Diagnostic>) {
@@ -21,6 +21,22 @@ pub(super) fn check(job: &MillingJob, findings: &mut Vec<Diagnostic>) {
         }
     }
     numbers(job, findings);
+    held(job, findings);
+}
+
+/// Only a ball cuts alike whichever way its axis points.
+fn held(job: &MillingJob, findings: &mut Vec<Diagnostic>) {
+    let cutters = [Some(&job.cutter), job.bottom_cutter.as_ref(), job.roughing_cutter.as_ref()];
+    let all_balls = cutters.into_iter().flatten().all(|cutter| cutter.shape == CutterForm::Ball);
+    if job.machine.as_ref().is_some_and(|machine| machine.pole == PoleWay::Hold) && !all_balls {
+        findings.push(contradiction(
+            "a rotary axis can only be held near the pole while a ball cuts",
+            "machine.pole",
+            "\"hold\"".into(),
+            "\"slow\" or \"mount\", or cutters with shape = \"ball\"",
+            "take pole = \"slow\"",
+        ));
+    }
 }
 
 fn unused(table: &str, what: &str, needs: &str, findings: &mut Vec<Diagnostic>) {

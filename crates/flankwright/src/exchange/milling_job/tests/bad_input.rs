@@ -40,7 +40,38 @@ fn every_case_is_told_in_full() {
     );
     told_in_full(&limits, LIMIT_CASES);
     told_in_full(&with_body("bevel"), BEVEL_CASES);
+    told_in_full(&with_mate(), MATE_CASES);
     told_in_full(&ruled(), BLADE_CASES);
+}
+
+/// A bevel gear with its mate.
+fn with_mate() -> String {
+    let bevel = with_body("bevel");
+    let mate = with_body("mate");
+    let (from, to) = (mate.find("[mate]").unwrap(), mate.find("[target]").unwrap());
+    bevel.replace("[target]", &format!("{}[target]", &mate[from..to]))
+}
+
+#[test]
+fn a_mate_belongs_to_a_bevel_gear_and_has_usual_defaults() {
+    let job = sound(&with_mate());
+    let mate = job.mate.unwrap();
+    let text = with_mate();
+    for line in ["shaft_angle_deg", "marking_um", "roll_positions"] {
+        let line = text.lines().find(|given| given.starts_with(line)).unwrap();
+        let other = sound(&text.replace(line, "")).mate.unwrap();
+        assert_eq!(
+            (other.marking_um, other.roll_positions),
+            (mate.marking_um, mate.roll_positions),
+            "{line}"
+        );
+    }
+    let angle = mate.conjugate_angle_deg(&job.bevel.unwrap()).unwrap();
+    assert!((angle - 66.8014).abs() < 1e-3, "{angle}");
+    let spur = template().replace("[target]", "[mate]\nteeth = 35\n[target]");
+    let error = read(&spur).expect_err("a mate of a spur gear");
+    let finding = &error.diagnostics[0];
+    assert_eq!((finding.code, finding.field.as_deref()), ("invalid-job", Some("mate")), "{error}");
 }
 
 #[test]
@@ -95,6 +126,20 @@ const GEAR_CASES: &[Case] = &[
         "invalid-number",
         "gear.double_helical.gap",
         &[">= 0"],
+    ),
+    (
+        "helix_angle_deg = 0.0",
+        "helix_angle_deg = 30.0\ndouble_helical = { gap = 4.0, apex = 28.0 }",
+        "invalid-geometry",
+        "gear.double_helical.apex",
+        &["28", "between -28 and 28"],
+    ),
+    (
+        "helix_angle_deg = 0.0",
+        "helix_angle_deg = 30.0\ndouble_helical = { gap = 0.0, apex = -31.5 }",
+        "invalid-geometry",
+        "gear.double_helical.apex",
+        &["-31.5", "between -30 and 30"],
     ),
     ("tolerance_um = 10.0", "tolerance_um = inf", "invalid-number", "target.tolerance_um", &["inf", "> 0"]),
     (
@@ -346,6 +391,27 @@ const GEAR_CASES: &[Case] = &[
     ),
     ("tool_length = 120.0\n", "", "missing-key", "machine.tool_length", &["spindle nose"]),
     (
+        "tool_length = 120.0\n",
+        "tool_length = 120.0\npole = \"around\"\n",
+        "unknown-value",
+        "machine.pole",
+        &["around", "mount"],
+    ),
+    (
+        "tool_length = 120.0\n",
+        "tool_length = 120.0\npole = \"hold\"\n",
+        "invalid-job",
+        "machine.pole",
+        &["ball"],
+    ),
+    (
+        "tool_length = 120.0\n",
+        "tool_length = 120.0\npole_cap_deg = 21.0\n",
+        "invalid-number",
+        "machine.pole_cap_deg",
+        &["2 is the default"],
+    ),
+    (
         "tool_length = 120.0",
         "tool_length = 120.0\nrtcp = \"auto\"",
         "unknown-value",
@@ -446,6 +512,35 @@ const BEVEL_CASES: &[Case] = &[
     ),
     ("tolerance_um = 10.0", "modifications = []", "invalid-job", "target.modifications", &["ease_off"]),
     ("rows = 14", "rows = 14\nlead_through_row = 2", "invalid-job", "milling.lead_through_row", &["[gear]"]),
+];
+
+const MATE_CASES: &[Case] = &[
+    ("teeth = 35", "teeth = 2", "invalid-number", "mate.teeth", &[">= 3"]),
+    ("teeth = 35", "teeth = 39", "invalid-job", "mate.teeth", &["39", "< 38.0"]),
+    ("teeth = 35\nshaft_angle_deg = 90.0", "teeth = 34", "invalid-job", "mate.teeth", &["90", "86.4"]),
+    (
+        "shaft_angle_deg = 90.0",
+        "shaft_angle_deg = 89.0",
+        "invalid-job",
+        "mate.shaft_angle_deg",
+        &["89", "90.0"],
+    ),
+    (
+        "shaft_angle_deg = 90.0",
+        "pitch_cone_angle_deg = 60.0",
+        "invalid-job",
+        "mate.pitch_cone_angle_deg",
+        &["60", "66.80"],
+    ),
+    (
+        "shaft_angle_deg = 90.0",
+        "shaft_angle_deg = 90.0\npitch_cone_angle_deg = 66.8014",
+        "invalid-job",
+        "mate.shaft_angle_deg",
+        &["at most one"],
+    ),
+    ("marking_um = 6.0", "marking_um = 0", "invalid-number", "mate.marking_um", &["> 0"]),
+    ("roll_positions = 24", "roll_positions = 4", "invalid-number", "mate.roll_positions", &[">= 8"]),
 ];
 
 const BLADE_CASES: &[Case] = &[

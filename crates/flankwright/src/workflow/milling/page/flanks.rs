@@ -47,11 +47,18 @@ fn flank(bodies: &MillingBodies, plan: &FlankPlan, result: &FlankResult) -> Flan
             model_difference_um: result.model_difference_um,
             referee_error_um: result.referee_error_um,
         },
-        unmilled: result.unmilled.iter().map(|(reason, count)| (reason.clone(), *count)).collect(),
+        unmilled: unmilled(result),
         rows: result.rows.iter().map(row).collect(),
         wear: result.wear.as_ref().and_then(|wear| self::wear(bodies, plan, wear)),
         density: density(&plan.lines.dense, &bodies.options.lines),
     }
+}
+
+/// Rays that are not milled, by reason; among them those that the other half of a double-helical gear keeps the cutter from.
+fn unmilled(result: &FlankResult) -> Vec<(String, usize)> {
+    let out_of_reach = result.out_of_reach.map(|left| ("the other half is in the way".to_owned(), left.rays));
+    let reasons = result.unmilled.iter().map(|(reason, count)| (reason.clone(), *count));
+    reasons.chain(out_of_reach).collect()
 }
 
 fn row(row: &RowResult) -> RowView {

@@ -1,7 +1,10 @@
 //! Fills the page of five-axis milling. Timing stays out of it, so that the same job gives the same bytes.
 
 mod flanks;
+mod mate;
+mod orientation;
 mod outline;
+mod programs;
 mod root;
 mod views;
 
@@ -10,18 +13,17 @@ use super::run::MillingOutcome;
 use crate::exchange::MillingJob;
 use crate::process::milling::OperationKind;
 use crate::report::charts::{ChartError, format_significant};
-use crate::report::milling::{MillingReport, OperationRow, ProgramsView};
+use crate::report::milling::{MillingReport, OperationRow};
 use crate::report::{Quantity, Status as Banner, Warning, html};
 use crate::workflow::result::Status;
 
-/// The report of a run as a self-contained HTML page; `programs` if the job has a machine.
+/// The report of a run as a self-contained HTML page.
 ///
 /// # Errors
 /// A number that is not finite.
 pub fn html_page(
     job: &MillingJob,
     outcome: &MillingOutcome,
-    programs: Option<ProgramsView>,
     files: &[(String, &'static str)],
 ) -> Result<String, ChartError> {
     let result = &outcome.result;
@@ -45,9 +47,11 @@ pub fn html_page(
         bodies: bodies(result),
         views: views::views(&outcome.bodies, &outcome.plan),
         flanks: flanks::flanks(outcome),
-        root: root::root(&outcome.bodies, &outcome.plan),
+        root: root::root(outcome),
+        mate: outcome.mate.as_ref().map(mate::mate),
         operations: operations(outcome),
-        programs,
+        orientations: orientation::views(outcome),
+        programs: programs::view(outcome),
         files: files.iter().map(|(path, content)| (path.clone(), (*content).into())).collect(),
     };
     Ok(html::render(&report.to_page()?))
@@ -64,10 +68,22 @@ fn headline(result: &MillingResult) -> String {
     } else {
         format!("{milled} of {spaces} spaces")
     };
+    let out_of_reach =
+        |flank: &super::result::FlankResult| flank.out_of_reach.map_or(0.0, |left| left.length_mm);
+    let left = largest(result, out_of_reach);
+    let left = if left > 0.0 {
+        format!(" Up to {} mm in the middle of the gear stay unmilled.", format_significant(left, 4))
+    } else {
+        String::new()
+    };
     format!(
-        "The rays find at most {} µm on {} in {of}, {} µm are allowed.",
+        "The rays find at most {} µm on {} in {of}, {} µm are allowed.{left}",
         format_significant(largest(result, |flank| flank.max_deviation_um), 4),
-        if flanks.len() > 1 { "both flanks".to_owned() } else { format!("the {} flank", flanks.join("")) },
+        match flanks[..] {
+            [one] => format!("the {one} flank"),
+            [_, _] => "both flanks".to_owned(),
+            _ => "all flanks".to_owned(),
+        },
         format_significant(result.tolerance_um, 4),
     )
 }

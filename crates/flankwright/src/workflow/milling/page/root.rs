@@ -1,12 +1,13 @@
-//! The root in the column plane in the middle of the tooth: flank, straight piece, fillet, bottom, and the tool in both passes.
+//! The root in the column plane in the middle of the tooth: flank, straight piece, fillet, bottom, the tool in both passes, and what the
+//! rays found there.
 
 use super::outline::outline;
-use crate::numerics::equidistant;
-use crate::process::milling::{FlankPlan, MillingPlan, OperationKind, RootSection};
+use crate::process::milling::{FlankPlan, OperationKind};
 use crate::report::Quantity;
 use crate::report::charts::{Drawing, DrawingLayer, DrawingLook, DrawingNote};
 use crate::report::milling::Titled;
-use crate::workflow::milling::MillingBodies;
+use crate::workflow::milling::run::MillingOutcome;
+use crate::workflow::milling::{MillingBodies, RefereedRoot};
 
 /// Points of the fillet.
 const ARC: usize = 17;
@@ -24,8 +25,12 @@ struct Lines {
     lowest: Vec<[f64; 2]>,
 }
 
+/// Greatest height of the deviations in the drawing, mm.
+const DRAWN: f64 = 0.5;
+
 /// The drawing, if the root is milled.
-pub(super) fn root(bodies: &MillingBodies, plan: &MillingPlan) -> Option<Titled> {
+pub(super) fn root(outcome: &MillingOutcome) -> Option<Titled> {
+    let (bodies, plan) = (&outcome.bodies, &outcome.plan);
     let (_, with_bottom) = bodies.options.root?;
     let mut lines = Lines::default();
     for flank in &plan.flanks {
@@ -40,6 +45,9 @@ pub(super) fn root(bodies: &MillingBodies, plan: &MillingPlan) -> Option<Titled>
         [[x, y]] => vec![vec![[x, y], [-x, y]]],
         [] => Vec::new(),
     };
+    let enlarged = enlargement(&outcome.root);
+    let rays = format!("what the rays found, deviation {enlarged} times enlarged");
+    lines.quantities.extend(outcome.root.iter().flat_map(figures));
     let layer = |name: &str, look, lines_mm| DrawingLayer { name: name.into(), look, lines_mm };
     let drawing = Drawing {
         title: "Root in the column plane in the middle of the tooth".into(),
@@ -52,6 +60,7 @@ pub(super) fn root(bodies: &MillingBodies, plan: &MillingPlan) -> Option<Titled>
             layer("straight piece", DrawingLook::OtherEdge, lines.straight),
             layer("fillet", DrawingLook::DottedEdge, lines.fillet),
             layer("bottom", DrawingLook::Path(1), bottom),
+            layer(&rays, DrawingLook::Path(2), deviations(&outcome.root, f64::from(enlarged))),
         ],
         notes: lines.notes,
     };
@@ -81,7 +90,7 @@ fn add(lines: &mut Lines, bodies: &MillingBodies, flank: &FlankPlan, with_bottom
     }
     lines.flank.push(active);
     lines.straight.push(vec![section.lowest_active, section.fillet_start]);
-    lines.fillet.push(fillet(section));
+    lines.fillet.push(section.fillet(ARC).into_iter().map(|[at, _]| at).collect());
     lines.lowest.push(section.lowest);
     if lines.notes.is_empty() {
         for (at_mm, text) in [
@@ -122,17 +131,48 @@ fn add(lines: &mut Lines, bodies: &MillingBodies, flank: &FlankPlan, with_bottom
     }
 }
 
-/// The arc from the straight piece to the lowest place.
-fn fillet(section: &RootSection) -> Vec<[f64; 2]> {
-    let [x, y] = section.fillet_centre;
-    let from = [section.fillet_start[0] - x, section.fillet_start[1] - y];
-    let radius = from[0].hypot(from[1]);
-    let begin = from[1].atan2(from[0]);
-    // To straight below, on the shorter way.
-    let mut end = -std::f64::consts::FRAC_PI_2;
-    if begin - end > std::f64::consts::PI {
-        end += std::f64::consts::TAU;
+/// Every part in the section in the middle, its points moved along their normals by the enlarged deviations; rays that no cutter meets
+/// part the line.
+fn deviations(root: &[RefereedRoot], enlarged: f64) -> Vec<Vec<[f64; 2]>> {
+    let mut lines = Vec::new();
+    for part in root {
+        let middle = part.points[part.points.len() / 2].u;
+        let mut line = Vec::new();
+        for (point, found) in part.points.iter().zip(&part.simulated).filter(|(point, _)| point.u == middle) {
+            let [at, normal] = point.in_plane;
+            match found {
+                Some(mm) => line.push([at[0] + normal[0] * mm * enlarged, at[1] + normal[1] * mm * enlarged]),
+                None => lines.push(std::mem::take(&mut line)),
+            }
+        }
+        lines.push(line);
     }
-    let place = |angle: f64| [x + radius * angle.cos(), y + radius * angle.sin()];
-    equidistant([begin, end], ARC).into_iter().map(place).collect()
+    lines.retain(|line| line.len() > 1);
+    lines
+}
+
+/// A power of ten by which the largest deviation of the root stays drawable.
+fn enlargement(root: &[RefereedRoot]) -> u32 {
+    let found = root.iter().flat_map(|part| part.simulated.iter().flatten());
+    let most = found.fold(0.0, |most: f64, mm| most.max(mm.abs()));
+    [1000, 100, 10].into_iter().find(|enlarged| f64::from(*enlarged) * most <= DRAWN).unwrap_or(1)
+}
+
+/// What the rays found on a part.
+fn figures(part: &RefereedRoot) -> Vec<Quantity> {
+    let result = part.result();
+    let name = |what: &str| format!("{}, {what}", part.name().replace('_', " "));
+    let mut list = vec![Quantity::count(&name("rays"), "", result.rays as i64)];
+    let um = [
+        ("highest stock", result.max_um),
+        ("deepest place (or least stock)", result.min_um),
+        ("rms", result.rms_um),
+        ("prediction off by", result.model_difference_um),
+    ];
+    list.extend(um.into_iter().filter_map(|(what, um)| Some(Quantity::number(&name(what), "", um?, "µm"))));
+    let unmilled: usize = result.unmilled.values().sum();
+    if unmilled > 0 {
+        list.push(Quantity::count(&name("rays that no cutter meets"), "", unmilled as i64));
+    }
+    list
 }

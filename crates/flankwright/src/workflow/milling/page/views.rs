@@ -126,7 +126,7 @@ fn places(flank: &FlankPlan) -> Vec<CutterPlace> {
 /// Lines on the flanks where they face the viewer, and where they are seen from behind.
 fn nets(view: &View, bodies: &MillingBodies) -> [Vec<Vec<[f64; 2]>>; 2] {
     let mut lines = [Vec::new(), Vec::new()];
-    for flank in &bodies.space.flanks {
+    for flank in bodies.flanks() {
         let active = &flank.active;
         let (heights, face) = (active.height_span(), active.face);
         let mut add = |places: Vec<[f64; 2]>| {

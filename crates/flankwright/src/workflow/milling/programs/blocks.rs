@@ -1,6 +1,6 @@
 //! From the steps of a motion to the blocks of a neutral program, and which place every block of it leads to.
 
-use super::drive::{DrivenMotion, Step, StepKind};
+use super::steps::{DrivenMotion, Step, StepKind};
 use crate::kinematics::{Direction, Point};
 use crate::machine::Positions;
 use crate::motion::AxisWords;

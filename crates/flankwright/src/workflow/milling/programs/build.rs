@@ -2,10 +2,11 @@
 //! what was planned.
 
 use super::blocks::{Blocks, Expected};
-use super::drive::{DrivenMotion, Driver, Lead, Step};
+use super::drive::{Driver, Lead};
 use super::failure::{invalid, not_proven, of_motion, of_writer};
 use super::follow::{FollowedMove, Follower};
 use super::passes::{ToolPasses, all_passes};
+use super::steps::{DrivenMotion, Step};
 use super::task::{MillingMachining, MillingWork, clamping};
 use crate::exchange::job::Program as DialectName;
 use crate::exchange::machine::Control;
@@ -13,7 +14,7 @@ use crate::exchange::milling_job::Rtcp;
 use crate::exchange::{Diagnostic, Problem};
 use crate::kinematics::{Direction, Point};
 use crate::machine::{Positions, Station};
-use crate::motion::milling::MillingSetup;
+use crate::motion::milling::{MillingSetup, TiltedMount};
 use crate::motion::{AxisWords, MotionError, axis_words};
 use crate::nc::{
     Block, Decimals, Dialect, FanucOptions, FeedWords, Header, NcError, Program, RoundingBound, WriteOptions,
@@ -57,6 +58,8 @@ pub struct MillingProgram {
 pub struct MillingPrograms {
     /// In the order of the job's dialects.
     pub programs: Vec<MillingProgram>,
+    /// How the workpiece is tilted, where the pole asks for it.
+    pub tilt: Option<TiltedMount>,
     /// Distance of a cutting point from the tip of its tool at most, mm.
     pub(super) lever: f64,
 }
@@ -75,13 +78,11 @@ impl MillingMachining<'_> {
         if !(self.position_tolerance.is_finite() && self.position_tolerance > 0.0) {
             return Err(invalid("machine.position_tolerance_um", self.position_tolerance * 1e3, "above 0"));
         }
-        let machine = &self.machine.machine;
-        let setup = MillingSetup::new(machine, clamping(&self.mount), self.tool_length)
-            .map_err(|error| of_motion(&error, ""))?;
         let passes = all_passes(work)?;
         if passes.is_empty() {
             return Err(invalid("milling", 0.0, "one path or more"));
         }
+        let (setup, tilt) = self.setup(&passes)?;
         let lever = lever(&passes, work);
         let mut driven: Vec<(Lead, Arc<DrivenMotion>)> = Vec::new();
         let mut programs = Vec::new();
@@ -91,16 +92,31 @@ impl MillingMachining<'_> {
             let motion = match driven.iter().find(|(known, _)| *known == lead) {
                 Some((_, motion)) => motion.clone(),
                 None => {
-                    let driver = Driver { setup: &setup, work, lead, tip_tolerance: self.position_tolerance };
+                    let (tip_tolerance, at_pole) = (self.position_tolerance, self.at_pole);
+                    let driver = Driver { setup: &setup, work, lead, tip_tolerance, at_pole };
                     let motion = Arc::new(driver.drive(&passes)?);
                     driven.push((lead, motion.clone()));
                     motion
                 }
             };
             let reach = self.farthest(&setup, &motion, lever).map_err(|error| of_motion(&error, ""))?;
-            programs.push(self.program(work, &setup, dialect_of(name), control, motion, [reach, lever])?);
+            let lever = [reach, lever];
+            let made =
+                self.program(work, &setup, (dialect_of(name), control), motion, lever, tilt.is_some())?;
+            programs.push(made);
         }
-        Ok(MillingPrograms { programs, lever })
+        Ok(MillingPrograms { programs, tilt, lever })
+    }
+
+    /// The workpiece on the machine, tilted where the pole asks for it.
+    pub(super) fn setup(
+        &self,
+        passes: &[ToolPasses],
+    ) -> Result<(MillingSetup<'_>, Option<TiltedMount>), RunFailure> {
+        let setup = MillingSetup::new(&self.machine.machine, clamping(&self.mount), self.tool_length)
+            .map_err(|error| of_motion(&error, ""))?;
+        let tilt = self.at_pole.tilt(&setup, passes)?;
+        Ok((tilt.map_or_else(|| setup.clone(), |tilt| setup.clamped(tilt.clamping)), tilt))
     }
 
     fn lead(&self, name: DialectName) -> Lead {
@@ -108,7 +124,7 @@ impl MillingMachining<'_> {
         Lead { by_control: can && self.rtcp != Rtcp::Off, screw_rows: self.rtcp == Rtcp::Rows }
     }
 
-    fn control(&self, name: DialectName) -> Result<&Control, RunFailure> {
+    pub(super) fn control(&self, name: DialectName) -> Result<&Control, RunFailure> {
         let file = &self.machine.file;
         file.controls.of(name).ok_or_else(|| {
             let dialect = dialect_of(name).name();
@@ -124,7 +140,7 @@ impl MillingMachining<'_> {
     }
 
     /// The words of the five axes on a control.
-    fn words(&self, setup: &MillingSetup<'_>, control: &Control) -> Result<AxisWords, RunFailure> {
+    pub(super) fn words(&self, setup: &MillingSetup<'_>, control: &Control) -> Result<AxisWords, RunFailure> {
         let (machine, file) = (&self.machine.machine, &self.machine.file);
         let word = |name: &str| {
             let own = control.words.get(name).map(String::as_str);
@@ -150,15 +166,18 @@ impl MillingMachining<'_> {
         &self,
         work: &MillingWork<'_>,
         setup: &MillingSetup<'_>,
-        dialect: Dialect,
-        control: &Control,
+        (dialect, control): (Dialect, &Control),
         motion: Arc<DrivenMotion>,
         [from_axes, from_tip]: [f64; 2],
+        tilted: bool,
     ) -> Result<MillingProgram, RunFailure> {
         let refused = |error: NcError| of_writer(&error, Some(dialect));
         let words = self.words(setup, control)?;
         let mut blocks = Blocks::new(setup, &words, self.tip_control);
-        let lines = comments(work.job, Some(self));
+        let mut lines = comments(work.job, Some(self));
+        if tilted {
+            lines.push("WORKPIECE TILTED ON THE TABLE AS RESULT AND REPORT SAY".into());
+        }
         blocks.blocks.extend(lines.into_iter().map(|line| Block::Comment(line.into())));
         blocks.motion(&motion);
         let Blocks { blocks, expected, .. } = blocks;

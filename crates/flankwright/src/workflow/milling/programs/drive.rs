@@ -2,96 +2,27 @@
 
 use super::failure::{in_pass, of_milling, of_motion};
 use super::figures::{Figures, OperationFigures, StraightKept};
-use super::links::{SAMPLES, is_outside, lifted_pairs, straight_is_outside, ways};
+use super::links::DIP;
 use super::passes::{BEFORE, BEHIND, CutterPass, ToolPasses, name_of};
+use super::pole::{AtPole, bulge};
 use super::safe_room::SafeRoom;
+use super::steps::{DrivenMotion, Step, StepKind, ToolRun};
 use super::task::MillingWork;
 use crate::exchange::Diagnostic;
+use crate::geometry::CutterShape;
 use crate::machine::Positions;
 use crate::motion::MotionError;
 use crate::motion::milling::{
-    AxisCourse, BlockLimit, BlockTime, CutterPlace as Place, DEFAULT_CAP, MillingSetup, PoleStrategy,
-    block_time, choose, pole_passages, refine, section_feeds, straight_error, straight_runs,
+    AxisCourse, BlockLimit, BlockTime, CutterPlace as Place, MillingSetup, block_time, choose, pole_passages,
+    refine, section_feeds, straight_error, straight_runs,
 };
 use crate::process::milling::CutterPlace;
 use crate::workflow::finding::RunFailure;
 
-/// What a block does.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum StepKind {
-    /// Rapid to the first place outside, from wherever the axes are.
-    Position,
-    /// Rapid outside of the workpiece.
-    Link,
-    /// Rapid outside of the workpiece that turns an axis back or brings it into its other solution.
-    Unwind,
-    /// Along the cutter's axis towards the workpiece, as fast as the axes may.
-    Approach,
-    /// Along the cutter's axis to the path, with the plunge feed.
-    Plunge,
-    /// Along the path, with the feed.
-    Cut,
-    /// Along the cutter's axis out of the workpiece, as fast as the axes may.
-    Retract,
-}
-
-/// One block: where it ends.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Step {
-    /// What it does.
-    pub kind: StepKind,
-    /// Which of the operations, from 0.
-    pub operation: usize,
-    /// Space, from 0.
-    pub space: usize,
-    /// Path of the operation, from 0.
-    pub path: usize,
-    /// The cutter at its end, workpiece coordinates.
-    pub place: Place,
-    /// The axes at its end.
-    pub at: Positions,
-    /// Its time, s.
-    pub seconds: f64,
-    /// What determines the time of a cut.
-    pub limit: Option<BlockLimit>,
-    /// Whether the control leads the tip.
-    pub guided: bool,
-}
-
-/// All blocks with one tool.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ToolRun {
-    /// Number of the tool.
-    pub number: u32,
-    /// Speed of its spindle, 1/min.
-    pub spindle_rpm: f64,
-    /// Its blocks.
-    pub steps: Vec<Step>,
-}
-
-/// The whole job on a machine.
-#[derive(Clone, Debug, PartialEq)]
-pub struct DrivenMotion {
-    /// Tool by tool.
-    pub tools: Vec<ToolRun>,
-    /// Figures of each operation.
-    pub operations: Vec<OperationFigures>,
-    /// Time of all blocks, s; changes of tools are not in it.
-    pub cycle_time: f64,
-    /// What straight blocks of the axes leave.
-    pub straight: StraightKept,
-}
-
 /// Speeds of axes that the machine's description does not limit: mm/s, rad/s.
 const RAPID_UNKNOWN: [f64; 2] = [150.0, std::f64::consts::FRAC_PI_2];
-/// A rotary axis that differs by less than this (rad) stands in the same turn.
-const SAME: f64 = 1e-6;
-/// A rotary axis that turns by more than this (rad) on a piece of a link has changed its turn.
-const JUMP: f64 = std::f64::consts::PI;
 /// Ways shorter than this (mm) are none.
-const NOWHERE: f64 = 1e-9;
-/// Largest turn of an axis on one block that turns it back, rad.
-const UNWIND_STEP: f64 = 2.5;
+pub(super) const NOWHERE: f64 = 1e-9;
 
 /// Who leads the tip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -108,10 +39,11 @@ pub(super) struct Driver<'a> {
     pub work: &'a MillingWork<'a>,
     pub lead: Lead,
     pub tip_tolerance: f64,
+    pub at_pole: AtPole,
 }
 
 /// A place, the axes there, and whether the block to it is guided.
-type Node = (Place, Positions);
+pub(super) type Node = (Place, Positions);
 
 impl Driver<'_> {
     /// Drives all passes.
@@ -131,7 +63,7 @@ impl Driver<'_> {
                     match steps.last() {
                         None => {
                             let seconds =
-                                if runs.is_empty() { 0.0 } else { self.rapid_seconds(&at, &begin.1) };
+                                if runs.is_empty() { 0.0 } else { rapid_seconds(self.setup, &at, &begin.1) };
                             steps.push(step(&piece, StepKind::Position, begin, seconds, false));
                         }
                         Some(last) => {
@@ -153,7 +85,7 @@ impl Driver<'_> {
         Ok(DrivenMotion { tools: runs, operations, cycle_time, straight })
     }
 
-    fn what(&self, pass: &CutterPass) -> String {
+    pub(super) fn what(&self, pass: &CutterPass) -> String {
         let name = self.work.tools.get(pass.operation).map_or_else(String::new, |tool| name_of(tool.kind));
         in_pass(&name, pass.space, pass.path)
     }
@@ -164,7 +96,8 @@ impl Driver<'_> {
     }
 
     fn chosen(&self, pass: &CutterPass, from: &Positions) -> Result<AxisCourse, RunFailure> {
-        choose(self.setup, &pass.places, from, PoleStrategy::Slow).map_err(self.failed(pass))
+        let cutter = self.work.tools.get(pass.operation).map(|tool| &tool.cutter);
+        choose(self.setup, &pass.places, from, self.at_pole.strategy(cutter)).map_err(self.failed(pass))
     }
 
     /// A pass in as many pieces as its axes have to be turned back, between which the cutter is outside; commonly one.
@@ -197,7 +130,7 @@ impl Driver<'_> {
             let stop = rest.places[place - 1];
             let out = CutterPlace { tip: stop.tip.xyz, axis: stop.axis.xyz, contact: None };
             let [edge, outside] = room
-                .drawn_back(&out, super::links::DIP)
+                .drawn_back(&out, DIP)
                 .map_err(|error| of_milling(&error, &self.what(pass)))?
                 .map(|at| outside_place(&at));
             let tail = rest.places.split_off(place);
@@ -240,6 +173,10 @@ impl Driver<'_> {
         };
         if let Some(kept) = screw {
             figures.keep(kept);
+        }
+        if let AtPole::Hold { .. } = self.at_pole {
+            figures.keep(StraightKept { tip: bulge(course, self.radius(pass.operation)), axis: 0.0 });
+            figures.held(pass, course);
         }
         for k in 1..course.places.len() {
             let kind = match k {
@@ -306,6 +243,13 @@ impl Driver<'_> {
         Ok(Some(kept))
     }
 
+    fn radius(&self, operation: usize) -> f64 {
+        match self.work.tools.get(operation).map(|tool| tool.cutter.shape()) {
+            Some(CutterShape::Conical { radius, .. }) => *radius,
+            _ => 0.0,
+        }
+    }
+
     /// Axis error that moves the cutter's upper end by the tolerance of the tip, rad.
     fn axis_tolerance(&self, operation: usize) -> f64 {
         let length = self.work.tools.get(operation).map_or(1.0, |tool| tool.cutter.cutting_length());
@@ -325,7 +269,7 @@ impl Driver<'_> {
         feeds[..=BEFORE].fill(tool.plunge_feed);
         let (places, nodes) = (&course.places[cut.clone()], &course.nodes[cut.clone()]);
         figures.row(pass, places, nodes);
-        let passages = pole_passages(self.setup, places, DEFAULT_CAP)?;
+        let passages = pole_passages(self.setup, places, self.at_pole.cap())?;
         if passages.is_empty() {
             return Ok(feeds);
         }
@@ -367,7 +311,7 @@ impl Driver<'_> {
             return Ok(None);
         }
         if matches!(kind, StepKind::Approach | StepKind::Retract) {
-            let seconds = self.rapid_seconds(&from.1, &to.1);
+            let seconds = rapid_seconds(self.setup, &from.1, &to.1);
             let limit = BlockLimit::Feed;
             let tip_feed = 60.0 * tip / seconds;
             return Ok(Some(BlockTime {
@@ -388,139 +332,23 @@ impl Driver<'_> {
         }
         block_time(self.setup, [(&from.0, &from.1), (&to.0, &to.1)], way, feed)
     }
-
-    /// Time that the axes need at their greatest speeds, s.
-    fn rapid_seconds(&self, from: &Positions, to: &Positions) -> f64 {
-        let axes = self.setup.axes();
-        let needed = |axis: usize, unknown: f64| {
-            let most = self.setup.machine().axes()[axis].limits.velocity.unwrap_or(unknown);
-            (to[axis] - from[axis]).abs() / most
-        };
-        let linear = axes.linear.iter().map(|&axis| needed(axis, RAPID_UNKNOWN[0]));
-        let rotary = axes.rotary.iter().map(|&axis| needed(axis, RAPID_UNKNOWN[1]));
-        linear.chain(rotary).fold(0.0, f64::max)
-    }
-
-    /// The position for a place that is nearest to where the axes stand.
-    fn near(&self, place: &Place, from: &Positions) -> Option<Positions> {
-        let course = choose(self.setup, std::slice::from_ref(place), from, PoleStrategy::Slow).ok()?;
-        course.nodes.first().copied()
-    }
-
-    fn rotary_step(&self, from: &Positions, to: &Positions) -> f64 {
-        self.setup.axes().rotary.iter().map(|&axis| (to[axis] - from[axis]).abs()).fold(0.0, f64::max)
-    }
-
-    /// The blocks from the end of one pass to the begin of the next, which is included.
-    fn link(
-        &self,
-        pass: &CutterPass,
-        room: &SafeRoom,
-        [from, to]: [&Node; 2],
-        guided: bool,
-    ) -> Result<Vec<Step>, RunFailure> {
-        if (from.0.tip.xyz - to.0.tip.xyz).norm() <= NOWHERE && self.rotary_step(&from.1, &to.1) <= SAME {
-            return Ok(Vec::new());
-        }
-        for way in ways(&from.0, &to.0) {
-            let Some(nodes) = self.along(&way.places, &from.1) else { continue };
-            if nodes.last().is_none_or(|last| self.rotary_step(last, &to.1) > SAME) {
-                continue;
-            }
-            let inner = usize::from(way.lifted)..way.places.len() - 1 - usize::from(way.lifted);
-            let outside = inner.clone().all(|k| {
-                let straight = || straight_is_outside(room, &way.places[k], &way.places[k + 1]);
-                let axes = || self.axes_stay_outside(room, [&nodes[k], &nodes[k + 1]], SAMPLES);
-                if guided { straight() } else { axes() }
-            });
-            if outside {
-                let kind = |k: usize| match k {
-                    _ if inner.contains(&(k - 1)) => StepKind::Link,
-                    1 => StepKind::Retract,
-                    _ => StepKind::Approach,
-                };
-                let made = (1..nodes.len()).map(|k| {
-                    let seconds = self.rapid_seconds(&nodes[k - 1], &nodes[k]);
-                    step(pass, kind(k), (way.places[k], nodes[k]), seconds, guided)
-                });
-                return Ok(made.filter(|step| step.seconds > 0.0).collect());
-            }
-        }
-        self.unwound(pass, room, [from, to], guided)
-    }
-
-    /// Positions along a link, each nearest to the one before; `None` where an axis has to change its turn or a travel ends.
-    fn along(&self, places: &[Place], from: &Positions) -> Option<Vec<Positions>> {
-        let mut nodes = vec![*from];
-        for (k, place) in places.iter().enumerate().skip(1) {
-            let at = self.near(place, &nodes[k - 1])?;
-            if self.rotary_step(&nodes[k - 1], &at) > JUMP {
-                return None;
-            }
-            nodes.push(at);
-        }
-        Some(nodes)
-    }
-
-    /// Whether the cutter stays outside while the axes go straight.
-    fn axes_stay_outside(&self, room: &SafeRoom, [from, to]: [&Positions; 2], samples: usize) -> bool {
-        (0..=samples).all(|k| {
-            let at = between(self.setup, from, to, k as f64 / samples as f64);
-            let stands = self.setup.stands(&at);
-            stands.is_ok_and(|(tip, axis)| is_outside(room, &tip.xyz, &axis.xyz))
-        })
-    }
-
-    /// A link on which the axes go straight into another turn or their other solution.
-    fn unwound(
-        &self,
-        pass: &CutterPass,
-        room: &SafeRoom,
-        [from, to]: [&Node; 2],
-        guided: bool,
-    ) -> Result<Vec<Step>, RunFailure> {
-        for [begin, end] in lifted_pairs(&from.0, &to.0) {
-            let (Some(start), Some(stop)) = (self.near(&begin, &from.1), self.near(&end, &to.1)) else {
-                continue;
-            };
-            let pieces = (self.rotary_step(&start, &stop) / UNWIND_STEP).ceil().max(1.0) as usize;
-            if !self.axes_stay_outside(room, [&start, &stop], pieces * 4 * SAMPLES) {
-                continue;
-            }
-            let mut nodes = vec![(StepKind::Retract, begin, start, guided)];
-            for k in 1..=pieces {
-                let at = between(self.setup, &start, &stop, k as f64 / pieces as f64);
-                let place = match self.setup.stands(&at) {
-                    Ok((tip, axis)) if k < pieces => Place { contact: tip, tip, axis },
-                    _ => end,
-                };
-                nodes.push((StepKind::Unwind, place, at, false));
-            }
-            nodes.push((StepKind::Approach, to.0, to.1, guided));
-            let mut steps = Vec::new();
-            let mut last = from.1;
-            for (kind, place, at, guided) in nodes {
-                let seconds = self.rapid_seconds(&last, &at);
-                last = at;
-                if seconds > 0.0 {
-                    steps.push(step(pass, kind, (place, at), seconds, guided));
-                }
-            }
-            return Ok(steps);
-        }
-        let text = format!(
-            "{}: no rapid way from the path before stays out of the workpiece within the travels of the axes",
-            self.what(pass)
-        );
-        let finding = Diagnostic::with_code("link-blocked", text).field("machine.mount");
-        let way_out = "mount the workpiece with more room around it, or take a machine with more travel";
-        Err(RunFailure::not_producible(finding.way_out(way_out)))
-    }
 }
 
-fn step(pass: &CutterPass, kind: StepKind, (place, at): Node, seconds: f64, guided: bool) -> Step {
+pub(super) fn step(pass: &CutterPass, kind: StepKind, (place, at): Node, seconds: f64, guided: bool) -> Step {
     let CutterPass { operation, space, path, .. } = *pass;
     Step { kind, operation, space, path, place, at, seconds, limit: None, guided }
+}
+
+/// Time that the axes need at their greatest speeds, s.
+pub(super) fn rapid_seconds(setup: &MillingSetup<'_>, from: &Positions, to: &Positions) -> f64 {
+    let axes = setup.axes();
+    let needed = |axis: usize, unknown: f64| {
+        let most = setup.machine().axes()[axis].limits.velocity.unwrap_or(unknown);
+        (to[axis] - from[axis]).abs() / most
+    };
+    let linear = axes.linear.iter().map(|&axis| needed(axis, RAPID_UNKNOWN[0]));
+    let rotary = axes.rotary.iter().map(|&axis| needed(axis, RAPID_UNKNOWN[1]));
+    linear.chain(rotary).fold(0.0, f64::max)
 }
 
 /// A place outside as the motion takes it.

@@ -13,7 +13,7 @@ pub(super) fn in_pass(what: &str, space: usize, path: usize) -> String {
 }
 
 /// An error of the motion. What the travels or the reach of the machine forbid belongs to how the workpiece sits on it.
-pub(super) fn of_motion(error: &MotionError, place: &str) -> RunFailure {
+pub(in crate::workflow) fn of_motion(error: &MotionError, place: &str) -> RunFailure {
     let finding = |field: &str| {
         let text = if place.is_empty() { error.to_string() } else { format!("{place}: {error}") };
         Diagnostic::with_code(error.code(), text).field(field).way_out(error.way_out())
@@ -23,7 +23,12 @@ pub(super) fn of_motion(error: &MotionError, place: &str) -> RunFailure {
         MotionError::CutterMissed { .. } => {
             RunFailure::not_producible(finding("machine.position_tolerance_um"))
         }
+        MotionError::HoldNeedsBall => RunFailure::bad_input(finding("machine.pole")),
+        MotionError::NoTilt { .. } => RunFailure::not_producible(finding("machine.pole")),
         MotionError::NoMotion { .. } => RunFailure::not_producible(finding("milling")),
+        MotionError::InvalidNumber { field: "pole_cap_deg", .. } => {
+            RunFailure::bad_input(finding("machine.pole_cap_deg"))
+        }
         MotionError::InvalidNumber { field, .. } if field.contains("tolerance") => {
             RunFailure::bad_input(finding("machine.position_tolerance_um"))
         }

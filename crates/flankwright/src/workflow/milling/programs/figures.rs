@@ -1,11 +1,13 @@
 //! Figures of the motion: times, what limits the feed, travel and smoothness of the rotary axes, passages near the pole, turning back
 //! (spec 50 section 11).
 
-use super::drive::{Step, StepKind, ToolRun};
 use super::passes::CutterPass;
+use super::steps::{Step, StepKind, ToolRun};
 use super::task::MillingWork;
 use crate::machine::Positions;
-use crate::motion::milling::{CutterPlace as Place, MillingSetup, RowSmoothness, SectionFeed, smoothness};
+use crate::motion::milling::{
+    AxisCourse, CutterPlace as Place, MillingSetup, RowSmoothness, SectionFeed, smoothness,
+};
 use crate::process::milling::OperationKind;
 use std::collections::BTreeMap;
 
@@ -48,6 +50,8 @@ pub struct OperationFigures {
     pub rows: Vec<RowFigures>,
     /// Parts of paths of the first space near the pole: path and feed there, mm/min.
     pub passages: Vec<(usize, SectionFeed)>,
+    /// Places of the first space at which an axis is held near the pole, and by how much the cutter's axis is off there at most, rad.
+    pub held: (usize, f64),
     /// Links on which an axis is turned back or changes its solution.
     pub rewinds: usize,
 }
@@ -85,6 +89,7 @@ impl<'a> Figures<'a> {
             rotary_travel: [0.0; 2],
             rows: Vec::new(),
             passages: Vec::new(),
+            held: (0, 0.0),
             rewinds: 0,
         });
         Self { setup, operations: empty.collect(), straight: StraightKept::default() }
@@ -104,6 +109,14 @@ impl<'a> Figures<'a> {
     pub fn passage(&mut self, pass: &CutterPass, section: &SectionFeed) {
         if let (0, Some(operation)) = (pass.space, self.operations.get_mut(pass.operation)) {
             operation.passages.push((pass.path, section.clone()));
+        }
+    }
+
+    pub fn held(&mut self, pass: &CutterPass, course: &AxisCourse) {
+        if let (0, Some(operation)) = (pass.space, self.operations.get_mut(pass.operation)) {
+            let off = course.axis_errors.iter().filter(|off| **off > 0.0);
+            let (places, most) = operation.held;
+            operation.held = (places + off.clone().count(), off.copied().fold(most, f64::max));
         }
     }
 

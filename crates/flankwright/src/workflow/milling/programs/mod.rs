@@ -4,21 +4,29 @@
 
 mod blocks;
 mod build;
+mod check;
 mod cutter_locations;
 mod drive;
 mod failure;
 mod figures;
 mod follow;
+mod linking;
 mod links;
 mod passes;
+mod pole;
 mod proof;
 mod safe_room;
+mod steps;
 mod task;
 
 pub use build::{MillingProgram, MillingPrograms};
+pub use check::CheckedMotion;
 pub use cutter_locations::CutterLocationText;
-pub use drive::{DrivenMotion, Step, StepKind, ToolRun};
+pub(in crate::workflow) use failure::of_motion;
 pub use figures::{OperationFigures, RowFigures, StraightKept};
 pub use follow::FollowedMove;
+pub use pole::AtPole;
 pub use proof::RayProof;
+pub use steps::{DrivenMotion, Step, StepKind, ToolRun};
+pub(in crate::workflow) use task::clamping;
 pub use task::{MillingMachining, MillingWork, ToolWork};

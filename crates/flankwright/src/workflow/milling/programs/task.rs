@@ -1,5 +1,6 @@
 //! What milling programs are made from: paths of cutters in one space, how often the space is repeated, the machine. Knows no text.
 
+use super::pole::AtPole;
 use crate::exchange::job::Program as DialectName;
 use crate::exchange::machine::LoadedMachine;
 use crate::exchange::milling_job::{MillingMount, Rtcp};
@@ -59,12 +60,14 @@ pub struct MillingMachining<'a> {
     pub tip_control: TipControl,
     /// Largest distance of the cutter from its path that straight blocks of the axes may leave, mm.
     pub position_tolerance: f64,
+    /// What is done near the pole.
+    pub at_pole: AtPole,
     /// Dialects in the order of the job.
     pub dialects: &'a [DialectName],
 }
 
 /// How the workpiece is clamped: turned over about the table's x, then put to its place.
-pub(super) fn clamping(mount: &MillingMount) -> Pose<StationSpindle, Workpiece> {
+pub(in crate::workflow) fn clamping(mount: &MillingMount) -> Pose<StationSpindle, Workpiece> {
     let sense = if mount.turned_over { -1.0 } else { 1.0 };
     let turn = Matrix3::from_diagonal(&Vector3::new(1.0, sense, sense));
     let [x, y] = mount.offset;

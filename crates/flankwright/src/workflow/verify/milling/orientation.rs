@@ -7,101 +7,27 @@ use super::super::given::{
 };
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
-use super::case::{MilledCase, located};
+use super::case::MilledCase;
 use super::chain::{Places, chain};
 use super::rotary::degrees;
-use crate::geometry::SurfaceJet;
-use crate::kinematics::{Direction, Point, Pose};
-use crate::machine::Positions;
-use crate::motion::milling::{CutterPlace, MillingSetup, PoleStrategy, RowSmoothness, choose, smoothness};
-use crate::numerics::{equidistant, extremes};
-use crate::process::milling::{AxisChoice, Column, ColumnPlane, other_axis};
-use nalgebra::Vector3;
+use crate::kinematics::Pose;
+use crate::motion::milling::{MillingSetup, RowSmoothness};
+use crate::process::milling::{AxisChoice, Orientation, OrientedRow, RowCutter};
+use crate::workflow::milling::orientation::{RotaryCourse, rotary_course};
 use serde_json::Value;
 use std::f64::consts::PI;
 
 /// The row and the machine that a scan of shears does not name.
 const SCANNED: (&str, f64, usize) = ("AC_table_table", 0.5, 121);
 
-/// A row of constant height.
-struct Row<'c> {
-    case: &'c MilledCase,
-    height: f64,
-    points: usize,
-}
-
-/// A course of the rotary axes along a row.
-struct Course {
-    figures: RowSmoothness,
-    /// C and tilt at the first and at the last place, deg.
-    ends: [[f64; 2]; 2],
-}
-
-/// A contact with an axis and the direction in which the row goes on.
-struct Contact {
-    place: CutterPlace,
-    feed: Vector3<f64>,
-}
-
-impl Contact {
-    fn new(jet: &SurfaceJet, axis: Vector3<f64>, tip: Vector3<f64>) -> Self {
-        let place = CutterPlace {
-            contact: Point::from_vector(jet.point),
-            tip: Point::from_vector(tip),
-            axis: Direction::from_vector(axis),
-        };
-        Self { place, feed: jet.by_length.normalize() }
-    }
-}
-
-impl Row<'_> {
-    /// With the axis in the column planes, equal steps of the lead parameter over its range; the lengths at both ends.
-    fn column(&self) -> Checked<(Vec<Contact>, [f64; 2])> {
-        let mut contacts = Vec::new();
-        let mut lengths = Vec::new();
-        for u in self.case.lead_parameters(self.points)? {
-            let plane = ColumnPlane::new(&self.case.flank, self.case.lead.at(u)?);
-            let column = Column::at_heights(&self.case.flank, &plane, &[self.height])?;
-            let at = &column.places[0];
-            let location = located(at, &column.lead, &self.case.cutter, self.case.contact_height, 0.0)?;
-            lengths.push(at.length);
-            contacts.push(Contact::new(&at.jet, location.axis, location.tip));
-        }
-        Ok((contacts, [lengths[0], lengths[self.points - 1]]))
-    }
-
-    /// With another choice of the axis, equal steps of the length parameter between two lengths.
-    fn other(&self, choice: AxisChoice, ends: [f64; 2]) -> Checked<Vec<Contact>> {
-        let mut contacts = Vec::new();
-        for (k, length) in equidistant(ends, self.points).into_iter().enumerate() {
-            let jet = self.case.flank.surface.jet(self.height, length);
-            let along = k as f64 / (self.points - 1) as f64;
-            // The lead curve says where the shank stands; that far, both parameters are one.
-            let axis = other_axis(choice, &jet, &self.case.lead.at(length)?, along);
-            // Only the axis matters here.
-            contacts.push(Contact::new(&jet, axis, jet.point));
-        }
-        Ok(contacts)
-    }
-
-    fn sheared(&self, shear: f64) -> AxisChoice {
-        let ([from, to], [root, tip]) = (self.case.flank.face, self.case.heights());
-        AxisChoice::ShearedLines { shear, face: to - from, height: tip - root }
-    }
-}
-
-/// The rotary axes along a row.
-fn course(setup: &MillingSetup<'_>, contacts: &[Contact]) -> Checked<Course> {
-    let places: Vec<CutterPlace> = contacts.iter().map(|contact| contact.place).collect();
-    let course = choose(setup, &places, &Positions::default(), PoleStrategy::Slow)?;
-    let mut figures = smoothness(setup, &course.places, &course.nodes);
-    // The surface knows the feed direction better than places beside each other do.
-    let lean = |contact: &Contact| contact.feed.dot(&contact.place.axis.xyz).asin();
-    figures.lean = extremes(contacts.iter().map(lean));
-    let (Some(first), Some(last)) = (course.nodes.first(), course.nodes.last()) else {
-        return Err("the row has no places".into());
+/// A row at a share of the height of a case.
+fn row(case: &MilledCase, share: f64, points: usize) -> Checked<OrientedRow<'_>> {
+    let cutter = RowCutter {
+        cutter: &case.cutter,
+        contact_height: case.contact_height,
+        orientation: Orientation::default(),
     };
-    Ok(Course { figures, ends: [first, last].map(|at| degrees(setup, at)) })
+    Ok(OrientedRow::new(&case.flank, &*case.lead, cutter, case.height_at(share), points)?)
 }
 
 /// Largest second differences of both axes, deg/mm^2.
@@ -128,20 +54,19 @@ pub(in super::super::super) fn orientation_comparison(
             let turned = requires(item, "mount", &["as modelled", "turned over about x"], ledger)? == 1;
             let mount = if turned { Pose::rx(PI) } else { Pose::identity() };
             let setup = MillingSetup::new(&machine, mount, 0.0)?;
-            let height = case.height_at(number(item, "row_fraction", ledger)?);
-            let row = Row { case: &case, height, points: count(item, "points", 3..=MOST)? };
+            let fraction = number(item, "row_fraction", ledger)?;
+            let row = row(&case, fraction, count(item, "points", 3..=MOST)?)?;
             let sheared = row.sheared(number(item, "cad_shear_fraction", ledger)?);
-            let (own, ends) = row.column()?;
             let rows = [
-                ("column", own),
-                ("iso", row.other(AxisChoice::ParameterLines, ends)?),
-                ("cad", row.other(sheared, ends)?),
+                ("column", row.in_columns().to_vec()),
+                ("iso", row.with(AxisChoice::ParameterLines)?),
+                ("cad", row.with(sheared)?),
             ];
             let Some(mut result) = item.object("result", ledger) else { return Ok(()) };
-            for (key, contacts) in rows {
-                let course = course(&setup, &contacts)?;
+            for (key, places) in rows {
+                let course = rotary_course(&setup, &places)?;
                 let Some(mut object) = result.object(key, ledger) else { continue };
-                figures(&mut object, &course, [deg, relative], ledger);
+                figures(&mut object, &setup, &course, [deg, relative], ledger);
                 object.finish(ledger);
             }
             result.finish(ledger);
@@ -151,8 +76,13 @@ pub(in super::super::super) fn orientation_comparison(
 }
 
 /// The figures of one row; rates that are nothing are held against the tolerance of angles over the length of the row.
-fn figures(expected: &mut Expected<'_>, course: &Course, [deg, relative]: [f64; 2], ledger: &mut Ledger) {
-    let Course { figures, ends: [first, last] } = course;
+fn figures(
+    expected: &mut Expected<'_>,
+    setup: &MillingSetup<'_>,
+    RotaryCourse { figures, nodes, .. }: &RotaryCourse,
+    [deg, relative]: [f64; 2],
+    ledger: &mut Ledger,
+) {
     let path = figures.path;
     let rates = figures.rotary.map(|change| change.rate.to_degrees());
     let reversals: usize = figures.rotary.iter().map(|change| change.reversals).sum();
@@ -163,8 +93,11 @@ fn figures(expected: &mut Expected<'_>, course: &Course, [deg, relative]: [f64; 
     expected.whole("reversals", reversals as i64, ledger);
     expected.number("path_mm", path, relative * path, ledger);
     expected.list("lean_min_max_deg", &figures.lean.map(f64::to_degrees), deg, ledger);
-    expected.list("first_deg", first, deg, ledger);
-    expected.list("last_deg", last, deg, ledger);
+    for (key, at) in [("first_deg", nodes.first()), ("last_deg", nodes.last())] {
+        if let Some(at) = at {
+            expected.list(key, &degrees(setup, at), deg, ledger);
+        }
+    }
 }
 
 /// Block `shear_scan`.
@@ -175,11 +108,10 @@ pub(in super::super::super) fn shear_scan(reference: &Reference<'_>, block: &Val
         let (name, fraction, points) = SCANNED;
         let machine = chain(name, &Places::default())?;
         let setup = MillingSetup::new(&machine, Pose::identity(), 0.0)?;
-        let row = Row { case: &case, height: case.height_at(fraction), points };
-        let (_, ends) = row.column()?;
+        let row = row(&case, fraction, points)?;
         check_items(expected, "items", ledger, |item, ledger| {
             let choice = row.sheared(number(item, "shear", ledger)?);
-            let course = course(&setup, &row.other(choice, ends)?)?;
+            let course = rotary_course(&setup, &row.with(choice)?)?;
             item.list("travel_deg", &travels(&course.figures), deg, ledger);
             item.list("max_acc_deg_per_mm2", &accelerations(&course.figures), deg, ledger);
             Ok(())

@@ -50,15 +50,7 @@ pub(super) fn swept_um(
     let shares = equidistant([0.0, 1.0], RAYS);
     let between = |share: f64, k: usize| g[k] + share * (q[k] - g[k]);
     let straight: Vec<NormalRay> = shares.iter().map(|&t| ray([between(t, 0), between(t, 1)], out)).collect();
-    // From the direction of the begin to straight upwards.
-    let (begin, end) = (out[1].atan2(out[0]), std::f64::consts::FRAC_PI_2);
-    let fillet: Vec<NormalRay> = shares
-        .iter()
-        .map(|t| {
-            let (sin, cos) = (begin + t * (end - begin)).sin_cos();
-            ray([o[0] - corner_radius * cos, o[1] - corner_radius * sin], [cos, sin])
-        })
-        .collect();
+    let fillet: Vec<NormalRay> = section.fillet(RAYS).into_iter().map(|[at, out]| ray(at, out)).collect();
     let off = |rays: &[NormalRay]| -> Checked<f64> {
         Ok(left_um(cutter, &paths, rays)?.iter().fold(0.0, |most: f64, x| most.max(x.abs())))
     };

@@ -1,0 +1,171 @@
+//! Any program of a control on the machine of a job: what it does to the axes, and the paths of the cutters on the workpiece.
+
+use super::drive::rapid_seconds;
+use super::failure::of_motion;
+use super::follow::Follower;
+use super::passes::all_passes;
+use super::task::{MillingMachining, MillingWork};
+use crate::exchange::Diagnostic;
+use crate::exchange::job::Program as DialectName;
+use crate::kinematics::{Direction, Point};
+use crate::machine::Positions;
+use crate::motion::milling::{CutterPlace as Place, MillingSetup, PoleStrategy, choose};
+use crate::motion::{AxisWords, MotionError};
+use crate::nc::{Dialect, ReadProgram, read};
+use crate::removal::{CutterPlace, MillPath};
+use crate::workflow::finding::{Remark, RunFailure};
+use std::io::BufRead;
+
+/// What a program does. Values by the number of the machine's axis, mm or rad.
+#[derive(Clone, Debug)]
+pub struct CheckedMotion {
+    /// The text as a reader found it.
+    pub read: ReadProgram,
+    /// Paths of the cutters on the workpiece, index of an operation with that tool as index of the cutter.
+    pub paths: Vec<MillPath>,
+    /// Range of every axis; `None` for one that does not move with the others.
+    pub ranges: Vec<Option<[f64; 2]>>,
+    /// Whole way of every axis.
+    pub ways: Vec<f64>,
+    /// Greatest speed of every axis in blocks with a feed, per second.
+    pub speeds: Vec<f64>,
+    /// Time of all blocks, rapid ones at the greatest speeds of the axes, s.
+    pub duration: f64,
+    /// Words of the axes.
+    pub words: AxisWords,
+    /// Places under tip control that the axes do not reach.
+    pub remarks: Vec<Remark>,
+}
+
+impl MillingMachining<'_> {
+    /// Reads a text and follows it; what the control does with led tips is the nearest of all positions.
+    ///
+    /// # Errors
+    /// [`RunFailure`]: a text that is no program, blocks that no milling program has, a tool that the work does not have.
+    pub fn follow_text(
+        &self,
+        work: &MillingWork<'_>,
+        text: impl BufRead,
+        dialect: Dialect,
+    ) -> Result<CheckedMotion, RunFailure> {
+        let name = match dialect {
+            Dialect::LinuxCnc => DialectName::Linuxcnc,
+            Dialect::Siemens => DialectName::Siemens,
+            Dialect::Fanuc => DialectName::Fanuc,
+        };
+        let (setup, _) = self.setup(&all_passes(work)?)?;
+        let words = self.words(&setup, self.control(name)?)?;
+        let found = read(text, dialect, &words.words).map_err(|error| {
+            let text = format!("no program for {}: {error}", dialect.name());
+            let finding = Diagnostic::with_code(error.code(), text).allowed(error.allowed);
+            RunFailure::bad_input(finding.way_out(error.way_out()))
+        })?;
+        let follower = Follower { setup: &setup, words: &words, tool_length: self.tool_length };
+        let refused = |error: MotionError| -> RunFailure {
+            let finding = Diagnostic::with_code(error.code(), error.to_string());
+            RunFailure::bad_input(finding.way_out(error.way_out()))
+        };
+        let moves = follower.follow(&found.blocks).map_err(refused)?;
+        if moves.is_empty() {
+            return Err(refused(MotionError::NotFollowed { block: 1, reason: "it moves no tool".into() }));
+        }
+        let mut walk = Walk::new(&setup);
+        let mut paths: Vec<MillPath> = Vec::new();
+        for made in &moves {
+            let cutter = work.tools.iter().position(|tool| tool.number == made.tool).ok_or_else(|| {
+                let numbers: Vec<String> = work.tools.iter().map(|tool| tool.number.to_string()).collect();
+                let text = format!("the program takes tool {}, which the job does not have", made.tool);
+                let finding = Diagnostic::with_code("unknown-tool", text).allowed(numbers.join(", "));
+                RunFailure::bad_input(finding.way_out("call the tools by the numbers of the job's cutters"))
+            })?;
+            let (Some(first), Some(last)) = (made.places.first(), made.places.last()) else { continue };
+            walk.go(last, made.at, made.seconds)?;
+            let goes_on = |path: &&mut MillPath| {
+                path.cutter == cutter
+                    && path.places.last().is_some_and(|end| end.tip == first.tip && end.axis == first.axis)
+            };
+            match paths.last_mut().filter(goes_on) {
+                Some(path) => path.places.extend(made.places.iter().skip(1)),
+                None => paths.push(MillPath { cutter, places: made.places.clone() }),
+            }
+        }
+        let Walk { ranges, ways, speeds, duration, remarks, .. } = walk;
+        Ok(CheckedMotion { read: found, paths, ranges, ways, speeds, duration, words, remarks })
+    }
+}
+
+/// The axes along the motions of a text.
+struct Walk<'a> {
+    setup: &'a MillingSetup<'a>,
+    at: Option<Positions>,
+    ranges: Vec<Option<[f64; 2]>>,
+    ways: Vec<f64>,
+    speeds: Vec<f64>,
+    duration: f64,
+    remarks: Vec<Remark>,
+}
+
+impl<'a> Walk<'a> {
+    fn new(setup: &'a MillingSetup<'a>) -> Self {
+        let count = setup.machine().axes().len();
+        Self {
+            setup,
+            at: None,
+            ranges: vec![None; count],
+            ways: vec![0.0; count],
+            speeds: vec![0.0; count],
+            duration: 0.0,
+            remarks: Vec::new(),
+        }
+    }
+
+    /// To the end of a motion; `at` where the block says it.
+    fn go(
+        &mut self,
+        end: &CutterPlace,
+        at: Option<Positions>,
+        seconds: Option<f64>,
+    ) -> Result<(), RunFailure> {
+        let from = self.at;
+        let to = match at {
+            Some(at) => at,
+            None => {
+                let tip = Point::from_vector(end.tip);
+                let place = Place { contact: tip, tip, axis: Direction::from_vector(end.axis.normalize()) };
+                match choose(self.setup, &[place], &from.unwrap_or_default(), PoleStrategy::Slow) {
+                    Ok(course) => course.nodes[0],
+                    Err(MotionError::Place { error, .. }) => {
+                        // One remark says it; the next hundred places would say the same.
+                        if self.remarks.is_empty() {
+                            self.remarks.push(Remark {
+                                code: error.code(),
+                                text: format!("under tip control: {error}"),
+                                way_out: error.way_out(),
+                            });
+                        }
+                        return Ok(());
+                    }
+                    Err(error) => return Err(of_motion(&error, "")),
+                }
+            }
+        };
+        let taken = match (seconds, &from) {
+            (Some(seconds), _) => seconds,
+            (None, Some(from)) => rapid_seconds(self.setup, from, &to),
+            (None, None) => 0.0,
+        };
+        self.duration += taken;
+        let axes = self.setup.axes();
+        for axis in axes.rotary.into_iter().chain(axes.linear) {
+            let [low, high] = self.ranges[axis].unwrap_or([to[axis]; 2]);
+            self.ranges[axis] = Some([low.min(to[axis]), high.max(to[axis])]);
+            let way = from.map_or(0.0, |from| (to[axis] - from[axis]).abs());
+            self.ways[axis] += way;
+            if let Some(seconds) = seconds.filter(|seconds| *seconds > 0.0) {
+                self.speeds[axis] = self.speeds[axis].max(way / seconds);
+            }
+        }
+        self.at = Some(to);
+        Ok(())
+    }
+}

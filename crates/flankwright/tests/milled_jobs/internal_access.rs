@@ -1,0 +1,32 @@
+//! Tools that have room in an internal gear, and tools that do not.
+
+use super::job;
+use flankwright::geometry::Flank;
+use flankwright::process::milling::{MillingError, plan};
+use flankwright::workflow::milling::prepare_milling;
+
+/// The internal ring of the examples with few rows and columns and a holder that begins at this height.
+fn planned(holder_from: f64) -> Result<(), MillingError> {
+    let text = include_str!("../../../../examples/milling/internal-ring.toml");
+    let shank = format!(
+        "cutting_length = 12.0\nshank = [{{ diameter = 2.0, from = 12.0 }}, {{ diameter = 20.0, from = {holder_from:?} }}]"
+    );
+    let text = text.replace("cutting_length = 12.0", &shank);
+    let text = text.replace("rows = 30", "rows = 4").replace("columns = 11", "columns = 4");
+    let bodies = prepare_milling(&job(&text)).unwrap();
+    plan(&bodies.parts[0], &bodies.options).map(|_| ())
+}
+
+#[test]
+fn a_holder_must_end_before_the_teeth_on_the_other_side() {
+    planned(200.0).unwrap();
+    match planned(250.0) {
+        Err(MillingError::InternalAccess { side, row: 0, column: 0, free, needed }) => {
+            assert_eq!(side.flank, Flank::Left);
+            // From a tip at a radius of some 122 mm across a tip circle of 116 mm.
+            assert!(free > 225.0 && free < 240.0, "{free}");
+            assert_eq!(needed, 250.0);
+        }
+        other => panic!("{other:?}"),
+    }
+}
