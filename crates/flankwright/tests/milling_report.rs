@@ -9,7 +9,7 @@ use flankwright::report::milling::{
     MillingReport, OperationRow, OrientationView, OrientedRowView, PatternFigures, ProgramsView, RotaryView,
     RowView, Titled, WearView,
 };
-use flankwright::report::{Column, PlanReport, Quantity, Status, Table, Warning, html};
+use flankwright::report::{Column, PlanReport, Quantity, ReportHead, Status, Table, Warning, html};
 
 const HEIGHTS: usize = 13;
 const LENGTHS: usize = 9;
@@ -99,14 +99,18 @@ fn report() -> MillingReport {
     let mut angle: Vec<f64> = time.iter().map(|t| t.sin()).collect();
     angle[777] = 7.5;
     MillingReport {
-        job_name: "spur".into(),
-        description: Some("a spur gear".into()),
-        version: "0.1.0".into(),
-        status: Status::Missed,
-        headline: "the flank deviates by 2.01 um.".into(),
-        way_out: "lay more rows".into(),
-        figures: vec![("largest deviation".into(), "2.01 µm".into())],
-        warnings: vec![Warning { text: "row_min cannot be kept".into(), way_out: "relax it".into() }],
+        head: ReportHead {
+            job_name: "spur".into(),
+            description: Some("a spur gear".into()),
+            process: "Five-axis milling",
+            version: "0.1.0".into(),
+            status: Status::Missed,
+            headline: "the flank deviates by 2.01 um.".into(),
+            way_out: "lay more rows".into(),
+            figures: vec![("largest deviation".into(), "2.01 µm".into())],
+            warnings: vec![Warning { text: "row_min cannot be kept".into(), way_out: "relax it".into() }],
+            files: vec![("result.json".into(), "result".into())],
+        },
         tolerance_um: 1.0,
         bodies: vec![Quantity::count("spaces", "z", 20)],
         views: vec![view("The space along the axis"), Drawing { axes: None, ..view("The space askew") }],
@@ -144,7 +148,6 @@ fn report() -> MillingReport {
                 note: String::new(),
             }],
         }),
-        files: vec![("result.json".into(), "result".into())],
     }
 }
 
@@ -288,7 +291,7 @@ fn the_page_is_complete() {
 #[test]
 fn absent_data_leave_no_section() {
     let mut report = report();
-    (report.root, report.mate, report.programs, report.warnings) = (None, None, None, vec![]);
+    (report.root, report.mate, report.programs, report.head.warnings) = (None, None, None, vec![]);
     report.orientations.clear();
     for flank in &mut report.flanks {
         (flank.wear, flank.density) = (None, vec![]);

@@ -1,22 +1,12 @@
 //! The reference files against the library, and the check itself against manipulated files.
 
+mod reference_files;
+
 use flankwright::workflow::verify::{
     FileReport, Schema, VerifyError, VerifyOptions, VerifySummary, verify_file, verify_value,
 };
+use reference_files::{check, content, moved, path};
 use serde_json::{Value, json};
-use std::path::PathBuf;
-
-fn path(name: &str) -> PathBuf {
-    PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/reference")).join(name)
-}
-
-fn content(name: &str) -> Value {
-    serde_json::from_str(&std::fs::read_to_string(path(name)).unwrap()).unwrap()
-}
-
-fn check(root: &Value) -> FileReport {
-    verify_value("test", root, &VerifyOptions::default()).unwrap()
-}
 
 /// Passes without failure and with at least `floor` comparisons, so that an empty check cannot pass.
 fn passes(name: &str, floor: usize) -> FileReport {
@@ -281,10 +271,7 @@ fn every_changed_number_of_a_dressing_case_is_noticed() {
         ("/cases/0/axis_deviation/recovered/d_gamma_deg", 1e-7),
         ("/cases/0/axis_deviation/sigma_for_noise_0p1um/d_d_mm", 1e-7),
     ] {
-        let mut changed = root.clone();
-        let value = changed.pointer_mut(pointer).unwrap();
-        *value = json!(value.as_f64().unwrap() + step);
-        assert_eq!(check(&changed).failed, 1, "{pointer}");
+        assert_eq!(check(&moved(&root, pointer, step)).failed, 1, "{pointer}");
     }
     // All planes of one flank feel the crowning.
     let mut changed = root.clone();
@@ -319,10 +306,11 @@ fn changed_ranges_and_compensations_are_noticed() {
         ("min/with_tip_land_1mm_c_um", 0.04),
         ("max/with_tip_land_1mm_c_um", 0.05),
     ] {
-        let mut changed = limits.clone();
-        let value = changed.pointer_mut(&format!("/cases/0/limits/{quantity}")).unwrap();
-        *value = json!(value.as_f64().unwrap() + step);
-        assert_eq!(check(&changed).failed, 1, "{quantity}");
+        assert_eq!(
+            check(&moved(&limits, &format!("/cases/0/limits/{quantity}"), step)).failed,
+            1,
+            "{quantity}"
+        );
     }
     let mut changed = limits;
     for (end, key) in [("min", "reason"), ("max", "reason"), ("max", "with_tip_reason")] {
@@ -470,10 +458,7 @@ fn a_changed_plan_is_noticed() {
         ("/right/v_zS_mm/0", 0.5),
         ("/z_V2_mm/0", 0.5),
     ] {
-        let mut changed = root.clone();
-        let value = changed.pointer_mut(&format!("{expected}{pointer}")).unwrap();
-        *value = json!(value.as_f64().unwrap() + step);
-        assert!(check(&changed).failed > 0, "{pointer}");
+        assert!(check(&moved(&root, &format!("{expected}{pointer}"), step)).failed > 0, "{pointer}");
     }
     for (key, value) in [("d_mm", json!(136.3)), ("gamma_deg", json!(121.9)), ("d_A0_mm", json!(153.0))] {
         let mut changed = root.clone();
@@ -521,10 +506,7 @@ fn a_changed_decomposition_is_noticed() {
         ("/figure_29_31/worm_part_f_t_um/40", 1e-6),
         ("/figure_29_31/X_F2_start_of_relief_mm", 1e-6),
     ] {
-        let mut changed = root.clone();
-        let value = changed.pointer_mut(pointer).unwrap();
-        *value = json!(value.as_f64().unwrap() + step);
-        assert_eq!(check(&changed).failed, 1, "{pointer}");
+        assert_eq!(check(&moved(&root, pointer, step)).failed, 1, "{pointer}");
     }
 }
 
@@ -558,15 +540,7 @@ fn a_changed_area_figure_or_stroke_is_noticed() {
         ("/left_out_threads/7/expected/index_pitches/1", 1.0, 1),
         ("/left_out_threads/5/expected/feed_factor", 1e-9, 1),
     ] {
-        let mut changed = root.clone();
-        let value = changed.pointer_mut(pointer).unwrap();
-        let step: f64 = step;
-        let whole = value.is_u64() && step.fract() == 0.0;
-        *value = match value.as_u64().filter(|_| whole) {
-            Some(n) => json!(n + step as u64),
-            None => json!(value.as_f64().unwrap() + step),
-        };
-        assert_eq!(check(&changed).failed, failures, "{pointer}");
+        assert_eq!(check(&moved(&root, pointer, step)).failed, failures, "{pointer}");
     }
     // A refusal that did not happen, one that did and is not expected, an area too few.
     let mut changed = root.clone();

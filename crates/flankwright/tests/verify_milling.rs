@@ -1,16 +1,9 @@
 //! The check of the milling file against manipulated files: every number moved, every place damaged, quantities that nobody knows.
 
-use flankwright::workflow::verify::{FileReport, VerifyOptions, verify_value};
+mod reference_files;
+
+use reference_files::{check, content, moved};
 use serde_json::{Value, json};
-
-fn content() -> Value {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/reference/50-milling.json");
-    serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
-}
-
-fn check(root: &Value) -> FileReport {
-    verify_value("test", root, &VerifyOptions::default()).unwrap()
-}
 
 /// What a case is made of.
 const INPUT: [&str; 3] = ["input", "tool", "contact_height_mm"];
@@ -106,7 +99,7 @@ fn chosen(root: &Value, wanted: impl Fn(&str) -> bool) -> Vec<String> {
 
 #[test]
 fn every_changed_number_is_noticed() {
-    let root = content();
+    let root = content("50-milling.json");
     let numbers = chosen(&root, |place| root.pointer(place).unwrap().is_number() && has_weight(place));
     assert!(numbers.len() > 2500, "{}", numbers.len());
     for place in numbers {
@@ -123,7 +116,7 @@ fn every_changed_number_is_noticed() {
 /// A number moved by little more than its tolerance.
 #[test]
 fn a_small_change_is_noticed_once() {
-    let root = content();
+    let root = content("50-milling.json");
     for (place, step) in [
         ("/cases/spur/derived/rb", 1e-8),
         ("/cases/helical/lead_range/u_min", 1e-7),
@@ -162,19 +155,13 @@ fn a_small_change_is_noticed_once() {
         ("/blade_limits/items/4/R_ball_max_mm", 0.01),
         ("/shear_scan/items/2/travel_deg/1", 2e-6),
     ] {
-        let mut changed = part(&root, place);
-        let value = changed.pointer_mut(place).unwrap();
-        *value = match value.as_u64() {
-            Some(n) => json!(n + step as u64),
-            None => json!(value.as_f64().unwrap() + step),
-        };
-        assert_eq!(check(&changed).failed, 1, "{place}");
+        assert_eq!(check(&moved(&part(&root, place), place, step)).failed, 1, "{place}");
     }
 }
 
 #[test]
 fn changed_words_and_unknown_quantities_are_noticed() {
-    let root = content();
+    let root = content("50-milling.json");
     for (place, word) in [
         ("/tool_too_big/expected_error", "E_TOOL_SHORT"),
         ("/feed/limited_by/4", "C"),
@@ -229,7 +216,7 @@ fn damaged_files_end_in_a_report_or_an_error() {
         json!({}),
         json!([[1e9]]),
     ];
-    let root = content();
+    let root = content("50-milling.json");
     // Of lists the first two: the others are what these are.
     let early = |place: &str| {
         place.split('/').all(|key| key.parse::<usize>().is_err() || key.len() == 1 && key < "2")

@@ -61,6 +61,12 @@ impl CutterShape {
         Self::end_mill(radius, radius)
     }
 
+    /// R, the radius at the tip plane of a cone, the largest one of a barrel, mm.
+    pub const fn radius(&self) -> f64 {
+        let (Self::Conical { radius, .. } | Self::Barrel { radius, .. }) = *self;
+        radius
+    }
+
     /// Whether the cutting part is one ball (with a neck or a shank above its middle).
     pub fn is_ball(&self) -> bool {
         matches!(self, Self::Conical { radius, half_angle, corner_radius }

@@ -31,8 +31,10 @@ pub mod programs;
 pub mod tangential;
 
 mod data;
+mod head;
 
 pub use data::{
     Banner, Block, Column, ColumnKind, Fact, Figure, PlanReport, Quantity, QuantityValue, Section, Status,
     Table, Warning,
 };
+pub use head::ReportHead;

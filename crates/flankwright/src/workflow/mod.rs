@@ -19,6 +19,7 @@ mod partition;
 mod prepare;
 mod programs;
 mod referee;
+mod report_head;
 mod result;
 mod run;
 mod shift;

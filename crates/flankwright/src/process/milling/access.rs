@@ -2,7 +2,7 @@
 //! circle of tooth tips.
 
 use super::{CutterLocation, FlankPlan, MillingError, PlanOptions, Space};
-use crate::geometry::{Cutter, CutterShape};
+use crate::geometry::Cutter;
 
 /// The ring of an internal gear: the cylinder of its tooth tips between the ends of its face. mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,8 +41,7 @@ impl Ring {
 
 /// Largest radius of a tool, mm.
 fn widest(cutter: &Cutter) -> f64 {
-    let (CutterShape::Conical { radius, .. } | CutterShape::Barrel { radius, .. }) = *cutter.shape();
-    cutter.steps().iter().fold(radius, |most, step| most.max(step.radius))
+    cutter.steps().iter().fold(cutter.shape().radius(), |most, step| most.max(step.radius))
 }
 
 /// Refuses places of the flanks' and fillets' passes from which the tool would reach the teeth on the other side of an internal gear.

@@ -121,9 +121,7 @@ impl RootModel {
         let mut run =
             |cutter: &Cutter, places: &mut dyn Iterator<Item = (f64, Vector3<f64>, Vector3<f64>)>| {
                 // The end face reaches as far along the tooth as it is wide.
-                let (CutterShape::Conical { radius, .. } | CutterShape::Barrel { radius, .. }) =
-                    *cutter.shape();
-                passes.extend(Sweep::new(cutter.shape(), places, radius));
+                passes.extend(Sweep::new(cutter.shape(), places, cutter.shape().radius()));
             };
         for flank in &plan.flanks {
             let at = flank.lines.path.columns.iter().map(|column| column.lead.u);

@@ -43,11 +43,10 @@ impl Sweep {
         let places: Vec<_> = places.collect();
         let [first, .., last] = places.as_slice() else { return None };
         let speed = (last.1 - first.1).norm() / (last.0 - first.0);
-        let (CutterShape::Conical { radius, .. } | CutterShape::Barrel { radius, .. }) = *shape;
         Some(Self {
             profile: Profile::new(shape),
             reach: reach / speed,
-            step: reach.min(radius) / STEPS / speed,
+            step: reach.min(shape.radius()) / STEPS / speed,
             along: ALONG / speed,
             places,
         })

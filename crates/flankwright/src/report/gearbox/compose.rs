@@ -4,7 +4,7 @@ use super::data::{BandPanel, BudgetRow, GearboxReport, ServoReport, SetUpPoint, 
 use crate::report::charts::{
     ChartError, LineChart, Panel, Series, Svg, YScale, format_fixed, format_significant, line_chart,
 };
-use crate::report::{Banner, Block, Column, Fact, Figure, PlanReport, Section, Table};
+use crate::report::{Block, Column, Figure, PlanReport, Section, Table};
 
 /// Stretches of a band that are drawn as one: more than two hundred do not fit on the page.
 const JOINED: usize = 2;
@@ -16,9 +16,6 @@ impl GearboxReport {
     /// A number that is not finite.
     pub fn to_page(&self) -> Result<PlanReport, ChartError> {
         let mut sections = Vec::new();
-        if !self.warnings.is_empty() {
-            sections.push(Section::new("Warnings", vec![Block::Warnings(self.warnings.clone())]));
-        }
         if let Some(set_ups) = &self.set_ups {
             sections.push(Section::new("Set-ups to choose from", set_ups.blocks()?));
         }
@@ -36,26 +33,7 @@ impl GearboxReport {
         ];
         let tables = sheets.map(|(caption, quantities)| Table::of_quantities(caption, quantities));
         sections.push(Section::new("Counters and settings", vec![Block::Tables(tables.to_vec())]));
-        sections.push(Section::new("Files", vec![Block::Table(self.files_table())]));
-        let headline = if self.way_out.is_empty() {
-            self.headline.clone()
-        } else {
-            format!("{} Way out: {}.", self.headline, self.way_out)
-        };
-        Ok(PlanReport {
-            title: self.job_name.clone(),
-            subtitle: self.description.clone(),
-            facts: vec![
-                Fact::new("Process", "Electronic gearbox"),
-                Fact::new("Version", self.version.clone()),
-            ],
-            banner: Banner {
-                status: self.status,
-                headline,
-                figures: self.figures.iter().map(|(label, text)| Fact::new(label, text)).collect(),
-            },
-            sections,
-        })
+        Ok(self.head.page(sections))
     }
 
     fn error_blocks(&self) -> Result<Vec<Block>, ChartError> {
@@ -70,15 +48,6 @@ impl GearboxReport {
             Block::Figure(Figure { svg, caption: caption.into() }),
             Block::Table(Table::of_quantities("", &self.errors)),
         ])
-    }
-
-    fn files_table(&self) -> Table {
-        Table {
-            caption: String::new(),
-            columns: vec![Column::text("File"), Column::text("Content")],
-            rows: self.files.iter().map(|(path, content)| vec![path.clone(), content.clone()]).collect(),
-            note: String::new(),
-        }
     }
 }
 

@@ -1,26 +1,12 @@
 //! What the page of the electronic gearbox shows, as data.
 
-use crate::report::{Quantity, Status, Table, Warning};
+use crate::report::{Quantity, ReportHead, Table};
 
 /// The whole page.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GearboxReport {
-    /// Name of the job.
-    pub job_name: String,
-    /// Its description.
-    pub description: Option<String>,
-    /// Version of flankwright.
-    pub version: String,
-    /// How it ended.
-    pub status: Status,
-    /// The answer in one sentence.
-    pub headline: String,
-    /// What to do if it is missed; empty for nothing.
-    pub way_out: String,
-    /// Figures of the banner: label and text.
-    pub figures: Vec<(String, String)>,
-    /// Warnings and alarms.
-    pub warnings: Vec<Warning>,
+    /// The answer, warnings and files.
+    pub head: ReportHead,
     /// Scale, interpolator, encoder.
     pub settings: Vec<Quantity>,
     /// Lead and coefficient.
@@ -37,8 +23,6 @@ pub struct GearboxReport {
     pub servo: Option<ServoReport>,
     /// Set-ups.
     pub set_ups: Option<SetUpReport>,
-    /// Files: path and content.
-    pub files: Vec<(String, String)>,
 }
 
 /// Least and greatest of a quantity over time.

@@ -2,7 +2,7 @@
 
 use super::{MillingReport, Titled, deviations, orientation, rows, tables};
 use crate::report::charts::{ChartError, drawing};
-use crate::report::{Banner, Block, Fact, Figure, PlanReport, Section, Table};
+use crate::report::{Block, Figure, PlanReport, Section, Table};
 
 impl MillingReport {
     /// The page.
@@ -11,9 +11,6 @@ impl MillingReport {
     /// A number that is not finite.
     pub fn to_page(&self) -> Result<PlanReport, ChartError> {
         let mut sections = Vec::new();
-        if !self.warnings.is_empty() {
-            sections.push(Section::new("Warnings", vec![Block::Warnings(self.warnings.clone())]));
-        }
         sections.push(Section::new("Flanks", vec![Block::Table(tables::deviations(self))]));
         sections.push(Section::new("Workpiece, cutter and paths", self.view_blocks()?));
         sections.push(Section::new("Deviations", deviations::blocks(&self.flanks)?));
@@ -37,26 +34,7 @@ impl MillingReport {
         if let Some(programs) = &self.programs {
             sections.push(Section::new("Programs", programs.blocks()?));
         }
-        sections.push(Section::new("Files", vec![Block::Table(tables::files(&self.files))]));
-        let headline = if self.way_out.is_empty() {
-            self.headline.clone()
-        } else {
-            format!("{} Way out: {}.", self.headline, self.way_out)
-        };
-        Ok(PlanReport {
-            title: self.job_name.clone(),
-            subtitle: self.description.clone(),
-            facts: vec![
-                Fact::new("Process", "Five-axis milling"),
-                Fact::new("Version", self.version.clone()),
-            ],
-            banner: Banner {
-                status: self.status,
-                headline,
-                figures: self.figures.iter().map(|(label, text)| Fact::new(label, text)).collect(),
-            },
-            sections,
-        })
+        Ok(self.head.page(sections))
     }
 
     fn view_blocks(&self) -> Result<Vec<Block>, ChartError> {

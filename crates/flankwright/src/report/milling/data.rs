@@ -2,27 +2,13 @@
 
 use super::{MateView, OrientationView, ProgramsView};
 use crate::report::charts::Drawing;
-use crate::report::{Quantity, Status, Warning};
+use crate::report::{Quantity, ReportHead};
 
 /// The whole page.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MillingReport {
-    /// Name of the job.
-    pub job_name: String,
-    /// Its description.
-    pub description: Option<String>,
-    /// Version of flankwright.
-    pub version: String,
-    /// How it ended.
-    pub status: Status,
-    /// The answer in one sentence.
-    pub headline: String,
-    /// What to do if it is missed; empty for nothing.
-    pub way_out: String,
-    /// Figures of the banner: label and text.
-    pub figures: Vec<(String, String)>,
-    /// Warnings.
-    pub warnings: Vec<Warning>,
+    /// The answer, warnings and files.
+    pub head: ReportHead,
     /// Largest deviation allowed, um.
     pub tolerance_um: f64,
     /// Workpiece and cutter.
@@ -41,8 +27,6 @@ pub struct MillingReport {
     pub orientations: Vec<OrientationView>,
     /// Programs and the motion of the axes.
     pub programs: Option<ProgramsView>,
-    /// Files: path and content.
-    pub files: Vec<(String, String)>,
 }
 
 /// A drawing with its figures.

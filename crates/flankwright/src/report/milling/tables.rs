@@ -1,4 +1,4 @@
-//! Tables of the page: figures of the flanks, density, operations, files.
+//! Tables of the page: figures of the flanks, density, operations.
 
 use super::{FlankView, MillingReport, OperationRow};
 use crate::report::charts::{format_fixed, format_significant};
@@ -108,15 +108,5 @@ pub(super) fn operations(rows: &[OperationRow]) -> Table {
         rows: rows.iter().map(row).collect(),
         note: "In one space; the way is that of the cutter's tip along the paths, without coming and going."
             .into(),
-    }
-}
-
-/// Files of the run.
-pub(super) fn files(files: &[(String, String)]) -> Table {
-    Table {
-        caption: String::new(),
-        columns: vec![Column::text("File"), Column::text("Content")],
-        rows: files.iter().map(|(path, content)| vec![path.clone(), content.clone()]).collect(),
-        note: String::new(),
     }
 }

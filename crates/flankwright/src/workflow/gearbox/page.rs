@@ -9,7 +9,8 @@ use crate::report::charts::{ChartError, format_significant};
 use crate::report::gearbox::{
     Band, BandPanel, BudgetRow, GearboxReport, ServoReport, SetUpPoint, SetUpReport,
 };
-use crate::report::{Column, Quantity, Status as Banner, Table, Warning, html};
+use crate::report::{Column, Quantity, Table, html};
+use crate::workflow::report_head::{Answer, report_head};
 use crate::workflow::result::Status;
 
 /// Rows of the table of set-ups; all of them stand in `set-ups.csv`.
@@ -27,22 +28,16 @@ pub fn html_page(
     files: &[(String, &'static str)],
 ) -> Result<String, ChartError> {
     let result = &outcome.result;
-    let report = GearboxReport {
-        job_name: result.job.clone(),
-        description: job.job.description.clone(),
-        version: result.version.into(),
-        status: match result.status {
-            Status::Met => Banner::Met,
-            Status::Missed => Banner::Missed,
-        },
+    let answer = Answer {
+        process: "Electronic gearbox",
+        status: result.status,
+        reason: result.reason.as_ref(),
+        warnings: &result.warnings,
         headline: headline(result),
-        way_out: result.reason.as_ref().map_or_else(String::new, |reason| reason.way_out.clone()),
         figures: figures(result),
-        warnings: result
-            .warnings
-            .iter()
-            .map(|w| Warning { text: w.text.clone(), way_out: w.way_out.clone() })
-            .collect(),
+    };
+    let report = GearboxReport {
+        head: report_head(&job.job, answer, files),
         settings: settings(result),
         coupling: coupling(result),
         counters: counters(result),
@@ -55,7 +50,6 @@ pub fn html_page(
             .zip(outcome.servo.as_ref())
             .map(|(s, record)| servo(s, record, result.coupling.flank_um_per_rad)),
         set_ups: result.explore.as_ref().map(set_ups),
-        files: files.iter().map(|(path, content)| (path.clone(), (*content).into())).collect(),
     };
     Ok(html::render(&report.to_page()?))
 }

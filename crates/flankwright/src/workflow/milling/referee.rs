@@ -5,7 +5,7 @@ use super::finding::failure;
 use crate::geometry::Cutter;
 use crate::numerics::{Progress, equidistant};
 use crate::process::milling::{
-    FlankModel, FlankPlan, MilledSide, MillingError, MillingPlan, OperationKind, Prediction,
+    FlankModel, FlankPlan, Half, MilledSide, MillingError, MillingPlan, OperationKind, Prediction,
 };
 use crate::removal::{CutterPlace, MillPath, MillStatistics, MilledRay, Milling, NormalRay, Unmilled, mill};
 use crate::workflow::finding::RunFailure;
@@ -153,8 +153,18 @@ fn predict(
     };
     let places: Vec<(f64, f64)> =
         heights.iter().flat_map(|&a| lengths.iter().map(move |&b| (a, b))).collect();
+    // As far as a tool is wide beside the end of a row the cutter of the other half takes some of what is left.
+    let beyond = 2.0
+        * cutter.shape().radius()
+        * match flank.side.half {
+            Some(Half::Upper) => -1.0,
+            Some(Half::Lower) => 1.0,
+            None => 0.0,
+        };
+    let face = active.face;
     let of_place = |&(a, b): &(f64, f64)| -> Result<Option<Prediction>, MillingError> {
-        if flank.reaches(a, b)? { model.at(a, b).map(Some) } else { Ok(None) }
+        let alone = flank.reaches(a, b)? && flank.reaches(a, (b + beyond).clamp(face[0], face[1]))?;
+        if alone { model.at(a, b).map(Some) } else { Ok(None) }
     };
     places.par_iter().map(of_place).collect::<Result<_, _>>().map_err(|error| failure(&error))
 }

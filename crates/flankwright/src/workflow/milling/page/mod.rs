@@ -14,7 +14,8 @@ use crate::exchange::MillingJob;
 use crate::process::milling::OperationKind;
 use crate::report::charts::{ChartError, format_significant};
 use crate::report::milling::{MillingReport, OperationRow};
-use crate::report::{Quantity, Status as Banner, Warning, html};
+use crate::report::{Quantity, html};
+use crate::workflow::report_head::{Answer, report_head};
 use crate::workflow::result::Status;
 
 /// The report of a run as a self-contained HTML page.
@@ -27,22 +28,16 @@ pub fn html_page(
     files: &[(String, &'static str)],
 ) -> Result<String, ChartError> {
     let result = &outcome.result;
-    let report = MillingReport {
-        job_name: result.job.clone(),
-        description: job.job.description.clone(),
-        version: result.version.into(),
-        status: match result.status {
-            Status::Met => Banner::Met,
-            Status::Missed => Banner::Missed,
-        },
+    let answer = Answer {
+        process: "Five-axis milling",
+        status: result.status,
+        reason: result.reason.as_ref(),
+        warnings: &result.warnings,
         headline: headline(result),
-        way_out: result.reason.as_ref().map_or_else(String::new, |reason| reason.way_out.clone()),
         figures: figures(result),
-        warnings: result
-            .warnings
-            .iter()
-            .map(|w| Warning { text: w.text.clone(), way_out: w.way_out.clone() })
-            .collect(),
+    };
+    let report = MillingReport {
+        head: report_head(&job.job, answer, files),
         tolerance_um: result.tolerance_um,
         bodies: bodies(result),
         views: views::views(&outcome.bodies, &outcome.plan),
@@ -52,7 +47,6 @@ pub fn html_page(
         operations: operations(outcome),
         orientations: orientation::views(outcome),
         programs: programs::view(outcome),
-        files: files.iter().map(|(path, content)| (path.clone(), (*content).into())).collect(),
     };
     Ok(html::render(&report.to_page()?))
 }

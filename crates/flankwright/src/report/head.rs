@@ -1,0 +1,62 @@
+//! What the pages of all jobs begin and end with: the answer in one sentence, its figures, warnings, files.
+
+use super::data::{Banner, Block, Column, Fact, PlanReport, Section, Status, Table, Warning};
+
+/// The job and its answer.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ReportHead {
+    /// Name of the job.
+    pub job_name: String,
+    /// Its description.
+    pub description: Option<String>,
+    /// The process in words.
+    pub process: &'static str,
+    /// Version of flankwright.
+    pub version: String,
+    /// How it ended.
+    pub status: Status,
+    /// The answer in one sentence.
+    pub headline: String,
+    /// What to do if it is missed; empty for nothing.
+    pub way_out: String,
+    /// Figures of the banner: label and text.
+    pub figures: Vec<(String, String)>,
+    /// Warnings.
+    pub warnings: Vec<Warning>,
+    /// Files: path and content.
+    pub files: Vec<(String, String)>,
+}
+
+impl ReportHead {
+    /// The page: warnings, the sections of the process, files.
+    pub(super) fn page(&self, sections: Vec<Section>) -> PlanReport {
+        let headline = if self.way_out.is_empty() {
+            self.headline.clone()
+        } else {
+            format!("{} Way out: {}.", self.headline, self.way_out)
+        };
+        let warnings = (!self.warnings.is_empty())
+            .then(|| Section::new("Warnings", vec![Block::Warnings(self.warnings.clone())]));
+        let files = Section::new("Files", vec![Block::Table(self.files_table())]);
+        PlanReport {
+            title: self.job_name.clone(),
+            subtitle: self.description.clone(),
+            facts: vec![Fact::new("Process", self.process), Fact::new("Version", self.version.clone())],
+            banner: Banner {
+                status: self.status,
+                headline,
+                figures: self.figures.iter().map(|(label, text)| Fact::new(label, text)).collect(),
+            },
+            sections: warnings.into_iter().chain(sections).chain([files]).collect(),
+        }
+    }
+
+    fn files_table(&self) -> Table {
+        Table {
+            caption: String::new(),
+            columns: vec![Column::text("File"), Column::text("Content")],
+            rows: self.files.iter().map(|(path, content)| vec![path.clone(), content.clone()]).collect(),
+            note: String::new(),
+        }
+    }
+}

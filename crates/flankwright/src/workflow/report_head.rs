@@ -1,0 +1,42 @@
+//! How the page of a job begins and ends, from its result.
+
+use super::finding::Remark;
+use super::result::Status;
+use crate::exchange::job::JobInfo;
+use crate::report::{ReportHead, Status as Banner, Warning};
+
+/// What a job came to.
+pub(super) struct Answer<'a> {
+    /// The process in words.
+    pub process: &'static str,
+    /// Whether the target is met.
+    pub status: Status,
+    /// Why it is not.
+    pub reason: Option<&'a Remark>,
+    /// What else is to be known.
+    pub warnings: &'a [Remark],
+    /// The answer in one sentence.
+    pub headline: String,
+    /// Figures of the banner: label and text.
+    pub figures: Vec<(String, String)>,
+}
+
+/// The head of a job's page.
+pub(super) fn report_head(job: &JobInfo, answer: Answer<'_>, files: &[(String, &'static str)]) -> ReportHead {
+    let warning = |w: &Remark| Warning { text: w.text.clone(), way_out: w.way_out.clone() };
+    ReportHead {
+        job_name: job.name.clone(),
+        description: job.description.clone(),
+        process: answer.process,
+        version: env!("CARGO_PKG_VERSION").into(),
+        status: match answer.status {
+            Status::Met => Banner::Met,
+            Status::Missed => Banner::Missed,
+        },
+        headline: answer.headline,
+        way_out: answer.reason.map_or_else(String::new, |reason| reason.way_out.clone()),
+        figures: answer.figures,
+        warnings: answer.warnings.iter().map(warning).collect(),
+        files: files.iter().map(|(path, content)| (path.clone(), (*content).into())).collect(),
+    }
+}
