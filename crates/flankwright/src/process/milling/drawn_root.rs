@@ -85,7 +85,7 @@ pub fn drawn_root(
     };
     let (mut points, mut ends) = (Vec::new(), Vec::new());
     for flank in space.flanks.iter().filter(|flank| options.sides.contains(&flank.side)) {
-        let lowest = lowest_active(&flank.active, &lead)?;
+        let lowest = lowest_active(&flank.active.extended(), &lead)?;
         let section = drawn_section(&lead, &lowest, options, options.orientation_on(flank.side()), depth)?;
         points.extend(
             section.fillet(counts[0]).into_iter().map(|at| place(RootPart::Fillet(flank.side()), at)),

@@ -91,7 +91,7 @@ impl Sweep {
     }
 
     /// Lead parameters between which the lowest place lies: a step to both sides of the lowest of places a step apart, going down from
-    /// the column plane.
+    /// the column plane to both sides.
     fn around(&self, line: &Line, near: f64) -> Option<[f64; 2]> {
         let value = |k: i32| {
             let u = near + f64::from(k) * self.step;
@@ -100,9 +100,10 @@ impl Sweep {
             self.at(line, block, share)
         };
         let most = (self.reach / self.step).ceil() as i32;
-        let mut place = (0..=most).flat_map(|k| [k, -k]).find(|&k| value(k).is_finite())?;
-        let mut least = value(place);
-        for sense in [1, -1] {
+        let start = (0..=most).flat_map(|k| [k, -k]).find(|&k| value(k).is_finite())?;
+        // A flat end face goes deepest at one of its edges, before or behind the plane.
+        let down = |sense: i32| {
+            let (mut place, mut least) = (start, value(start));
             while place.abs() < most {
                 let next = value(place + sense);
                 if next >= least {
@@ -110,7 +111,10 @@ impl Sweep {
                 }
                 (place, least) = (place + sense, next);
             }
-        }
+            (place, least)
+        };
+        let [ahead, behind] = [down(1), down(-1)];
+        let place = if behind.1 < ahead.1 { behind.0 } else { ahead.0 };
         let [from, to] = [place - 1, place + 1].map(|k| near + f64::from(k) * self.step);
         Some([from, to])
     }
