@@ -2,6 +2,8 @@
 
 mod reference_files;
 
+use flankwright::workflow::verify::{VerifyOptions, verify_value};
+
 use reference_files::{check, content, moved};
 use serde_json::{Value, json};
 

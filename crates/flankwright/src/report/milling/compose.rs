@@ -10,12 +10,13 @@ impl MillingReport {
     /// # Errors
     /// A number that is not finite.
     pub fn to_page(&self) -> Result<PlanReport, ChartError> {
-        let mut sections = Vec::new();
-        sections.push(Section::new("Flanks", vec![Block::Table(tables::deviations(self))]));
-        sections.push(Section::new("Workpiece, cutter and paths", self.view_blocks()?));
-        sections.push(Section::new("Deviations", deviations::blocks(&self.flanks)?));
-        sections.push(Section::new("Rows", rows::blocks(&self.flanks)?));
-        sections.push(Section::new("Wear of the edge", rows::wear(&self.flanks)?));
+        let mut sections = vec![
+            Section::new("Flanks", vec![Block::Table(tables::deviations(self))]),
+            Section::new("Workpiece, cutter and paths", self.view_blocks()?),
+            Section::new("Deviations", deviations::blocks(&self.flanks)?),
+            Section::new("Rows", rows::blocks(&self.flanks)?),
+            Section::new("Wear of the edge", rows::wear(&self.flanks)?),
+        ];
         if self.flanks.iter().any(|flank| !flank.density.is_empty()) {
             sections.push(Section::new("Density", vec![Block::Table(tables::density(&self.flanks))]));
         }

@@ -11,7 +11,6 @@ use crate::report::gearbox::{
 };
 use crate::report::{Column, Quantity, Table, html};
 use crate::workflow::report_head::{Answer, report_head};
-use crate::workflow::result::Status;
 
 /// Rows of the table of set-ups; all of them stand in `set-ups.csv`.
 const ROWS: usize = 200;

@@ -16,7 +16,6 @@ use crate::report::charts::{ChartError, format_significant};
 use crate::report::milling::{MillingReport, OperationRow};
 use crate::report::{Quantity, html};
 use crate::workflow::report_head::{Answer, report_head};
-use crate::workflow::result::Status;
 
 /// The report of a run as a self-contained HTML page.
 ///

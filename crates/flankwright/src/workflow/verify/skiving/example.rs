@@ -77,7 +77,13 @@ impl NormalOffset for Crown {
 
     fn bounds(&self, _: [f64; 2], _: [f64; 2]) -> OffsetBounds {
         let slope = 2.0 / (self.range[1] - self.range[0]);
-        OffsetBounds { value: self.amount.abs(), by_height: 2.0 * self.amount.abs() * slope, by_length: 0.0 }
+        let amount = self.amount.abs();
+        OffsetBounds {
+            value: amount,
+            by_height: 2.0 * amount * slope,
+            by_length: 0.0,
+            second: [2.0 * amount * slope * slope, 0.0, 0.0],
+        }
     }
 }
 
