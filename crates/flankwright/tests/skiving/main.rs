@@ -1,0 +1,6 @@
+//! Skiving tools: virtual edges under the referee, injected errors found again, every refusal.
+
+mod errors;
+mod recovery;
+mod referee;
+mod samples;
