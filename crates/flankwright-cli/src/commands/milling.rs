@@ -4,10 +4,9 @@ use std::fmt::Write;
 use std::path::PathBuf;
 
 use flankwright::exchange::LoadedMillingJob;
-use flankwright::workflow::Status;
 use flankwright::workflow::milling::{MillingResult, run_milling, write_milling};
 
-use super::outcome::{Verdict, closing, conclude, refuse, unwritten};
+use super::outcome::{Verdict, closing, conclude, opening, refuse, unwritten};
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
@@ -33,18 +32,9 @@ pub fn plan(loaded: &LoadedMillingJob, common: &CommonArguments) -> Result<Exit,
 }
 
 fn summary(result: &MillingResult, written: &[PathBuf]) -> String {
-    let mut text = String::new();
     let worst = result.flanks.values().map(|flank| flank.max_deviation_um).fold(0.0, f64::max);
-    let verdict = match result.status {
-        Status::Met => "target met".to_owned(),
-        Status::Missed => format!("target MISSED, largest deviation {worst:.3} um"),
-    };
-    // Writing to a text cannot fail.
-    let _ = writeln!(text, "{}: {verdict} (tolerance {} um)", result.job, result.tolerance_um);
-    if let Some(reason) = &result.reason {
-        let _ = writeln!(text, "  {}", reason.text);
-        let _ = writeln!(text, "  way out: {}", reason.way_out);
-    }
+    let verdict = Verdict { job: &result.job, status: result.status, reason: result.reason.as_ref() };
+    let mut text = opening(&verdict, worst, result.tolerance_um);
     for (name, flank) in &result.flanks {
         let [lowest, highest] = flank.stock_um;
         let _ = writeln!(

@@ -88,6 +88,21 @@ pub(super) fn unwritten(error: WriteError) -> Failure {
     }
 }
 
+/// The beginning of a summary: whether the target is met, and why not.
+pub(super) fn opening(verdict: &Verdict<'_>, worst_um: f64, tolerance_um: f64) -> String {
+    let met = match verdict.status {
+        Status::Met => "target met".to_owned(),
+        Status::Missed => format!("target MISSED, largest deviation {worst_um:.3} um"),
+    };
+    let mut text = format!("{}: {met} (tolerance {tolerance_um} um)\n", verdict.job);
+    if let Some(reason) = verdict.reason {
+        // Writing to a text cannot fail.
+        let _ = writeln!(text, "  {}: {}", reason.code, reason.text);
+        let _ = writeln!(text, "  way out: {}", reason.way_out);
+    }
+    text
+}
+
 /// The end of a summary: warnings, time, where the report is.
 pub(super) fn closing(
     text: &mut String,
@@ -124,18 +139,9 @@ pub(super) fn proven(programs: Option<&ProgramsResult>) -> String {
 }
 
 fn summary(result: &JobResult, written: &[PathBuf]) -> String {
-    let mut text = String::new();
     let worst = result.flanks.values().map(|f| f.max_deviation_um).fold(0.0, f64::max);
-    let verdict = match result.status {
-        Status::Met => "target met".to_owned(),
-        Status::Missed => format!("target MISSED, largest deviation {worst:.3} um"),
-    };
-    // Writing to a text cannot fail.
-    let _ = writeln!(text, "{}: {verdict} (tolerance {} um)", result.job, result.tolerance_um);
-    if let Some(reason) = &result.reason {
-        let _ = writeln!(text, "  {}: {}", reason.code, reason.text);
-        let _ = writeln!(text, "  way out: {}", reason.way_out);
-    }
+    let verdict = Verdict { job: &result.job, status: result.status, reason: result.reason.as_ref() };
+    let mut text = opening(&verdict, worst, result.tolerance_um);
     let settings = &result.settings;
     let why = settings.diagonal_ratio_reason.as_deref().unwrap_or("as set");
     let _ = writeln!(text, "  diagonal ratio {:.6} ({why})", settings.settings.diagonal_ratio);

@@ -4,12 +4,12 @@ use std::fmt::Write;
 use std::path::PathBuf;
 
 use flankwright::exchange::LoadedTangentialJob;
+use flankwright::workflow::RunFailure;
 use flankwright::workflow::tangential::{
     TangentialOutcome, TangentialResult, plan_tangential, simulate_tangential, write_tangential,
 };
-use flankwright::workflow::{RunFailure, Status};
 
-use super::outcome::{Verdict, closing, conclude, fixed, proven, refuse, unwritten};
+use super::outcome::{Verdict, closing, conclude, fixed, opening, proven, refuse, unwritten};
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
@@ -54,18 +54,9 @@ fn deliver(
 }
 
 fn summary(result: &TangentialResult, written: &[PathBuf]) -> String {
-    let mut text = String::new();
     let worst = result.flanks.values().map(|f| f.flank.max_deviation_um).fold(0.0, f64::max);
-    let verdict = match result.status {
-        Status::Met => "target met".to_owned(),
-        Status::Missed => format!("target MISSED, largest deviation {worst:.3} um"),
-    };
-    // Writing to a text cannot fail.
-    let _ = writeln!(text, "{}: {verdict} (tolerance {} um)", result.job, result.tolerance_um);
-    if let Some(reason) = &result.reason {
-        let _ = writeln!(text, "  {}", reason.text);
-        let _ = writeln!(text, "  way out: {}", reason.way_out);
-    }
+    let verdict = Verdict { job: &result.job, status: result.status, reason: result.reason.as_ref() };
+    let mut text = opening(&verdict, worst, result.tolerance_um);
     for pass in &result.passes {
         let names: Vec<String> =
             pass.variables.iter().map(|v| format!("{} {}", v.name, fixed(v.value, 5))).collect();

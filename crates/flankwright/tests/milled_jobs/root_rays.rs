@@ -56,6 +56,28 @@ fn rays_find_the_drawn_root() {
     }
 }
 
+/// The cutter that clears the space keeps its allowance from the fillets and the straight pieces above them.
+#[test]
+fn clearing_leaves_the_fillets_alone() {
+    let text = spur() + "\n[milling.roughing]\nallowance = 0.3\nstep_down = 3.0\nstep_over = 2.0\n";
+    let bodies = prepare_milling(&job(&text)).unwrap();
+    let made = plan(&bodies.parts[0], &bodies.options).unwrap();
+    assert!(made.layers.iter().any(|layer| !layer.passes.is_empty()));
+    for part in referee_root(&bodies, &made, SECTIONS, &Silent).unwrap().iter().take(2) {
+        for found in part.simulated.iter().flatten() {
+            assert!(found.abs() < 1e-9, "{}: {found}", part.name());
+        }
+    }
+    // The clearing alone: nothing of its allowance is missing.
+    let mut cleared = made;
+    cleared.operations.truncate(1);
+    for part in referee_root(&bodies, &cleared, SECTIONS, &Silent).unwrap().iter().take(2) {
+        for found in part.simulated.iter().flatten() {
+            assert!(*found > 0.299, "{}: {found}", part.name());
+        }
+    }
+}
+
 /// With one row of one flank only, most of the root is not reached; no ray is forgotten.
 #[test]
 fn what_no_cutter_meets_is_counted() {

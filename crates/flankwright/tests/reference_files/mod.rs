@@ -23,8 +23,8 @@ pub fn check(root: &Value) -> FileReport {
 pub fn moved(root: &Value, place: &str, step: f64) -> Value {
     let mut changed = root.clone();
     let value = changed.pointer_mut(place).unwrap();
-    *value = match value.as_u64().filter(|_| step.fract() == 0.0) {
-        Some(n) => json!(n + step as u64),
+    *value = match value.as_i64().filter(|_| step.fract() == 0.0) {
+        Some(n) => json!(n + step as i64),
         None => json!(value.as_f64().unwrap() + step),
     };
     changed

@@ -11,6 +11,10 @@ use crate::geometry::{Cutter, CutterShape, SurfaceJet};
 use crate::numerics::equidistant;
 use nalgebra::Vector3;
 
+/// Points of a straight piece or a fillet that limit roughing: a cutter between two of them comes nearer by hundredths of the distance of
+/// a tenth of a millimetre that they have.
+const LIMITS: usize = 41;
+
 /// A part of the drawn root.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RootPart {
@@ -102,6 +106,28 @@ pub fn drawn_root(
         let at = |share: f64| [from[0] + way[0] * share, from[1] + way[1] * share];
         let shares = equidistant([0.0, 1.0], counts[1]);
         points.extend(shares.into_iter().map(|share| place(RootPart::Bottom, [at(share), normal])));
+    }
+    Ok(points)
+}
+
+/// Points of the drawn root in the column plane at a lead parameter, below both flanks of the space: the straight pieces and the fillets,
+/// for cutters that have to keep away from them. Empty without a pass of the root.
+///
+/// # Errors
+/// Those of [`drawn_root`].
+pub fn root_limits(space: &Space, options: &PlanOptions, u: f64) -> Result<Vec<Vector3<f64>>, MillingError> {
+    let Some((depth, _)) = options.root else { return Ok(Vec::new()) };
+    let lead = space.lead.at(u)?;
+    let mut points = Vec::new();
+    for flank in &space.flanks {
+        let lowest = lowest_active(&flank.active.extended(), &lead)?;
+        let section = drawn_section(&lead, &lowest, options, options.orientation_on(flank.side()), depth)?;
+        let [from, to] = [section.lowest_active, section.fillet_start];
+        let straight = equidistant([0.0, 1.0], LIMITS).into_iter();
+        let straight = straight.map(|share| [0, 1].map(|k| from[k] + (to[k] - from[k]) * share));
+        let fillet = section.fillet(LIMITS).into_iter().map(|[point, _]| point);
+        let in_space = |[x, y]: [f64; 2]| lead.point + lead.abscissa() * x + lead.base_normal * y;
+        points.extend(straight.chain(fillet).map(in_space));
     }
     Ok(points)
 }

@@ -44,7 +44,7 @@ pub use clearance::{Clearance, HIDDEN, Patch};
 pub use collision::{Collision, Obstacle, check_path};
 pub use column::{ColumnPlane, Section};
 pub use density::{DenseGrid, DensityLimits, DistanceLimits, MOST_LINES, Violated, dense_grid};
-pub use drawn_root::{RootModel, RootPart, RootPoint, drawn_root, drawn_section};
+pub use drawn_root::{RootModel, RootPart, RootPoint, drawn_root, drawn_section, root_limits};
 pub use error::MillingError;
 pub use finish::{FinishOptions, FinishedRow, finish};
 pub use flank::{ActiveFlank, HeightLimits, LimitBody};

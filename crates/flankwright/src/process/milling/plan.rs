@@ -11,7 +11,7 @@ use super::row_paths::RowPaths;
 use super::space::{Half, MilledSide, Space, SpaceFlank};
 use super::{
     Column, CutterLocation, FlankGrid, HeightRule, MillingError, Orientation, Patch, RoughingLayer,
-    RoughingOptions, check_access, check_path, drawn_section, rough,
+    RoughingOptions, check_access, check_path, drawn_section, root_limits, rough,
 };
 use crate::geometry::{Cutter, Flank};
 use crate::numerics::extremes;
@@ -260,7 +260,8 @@ fn roughing(
     };
     let patches = [first, second].map(|flank| Patch { lengths: extended(flank), ..flank.patch(0.0) });
     let cutter = options.cutter_of(OperationKind::Roughing);
-    let mut layers = rough(cutter, &*space.lead, &at, patches, &layers)?;
+    let roots = at.iter().map(|&u| root_limits(space, options, u)).collect::<Result<Vec<_>, _>>()?;
+    let mut layers = rough(cutter, &*space.lead, &at, patches, &roots, &layers)?;
     if let Some(limits) = Limits::of(space, cutter, None, allowance) {
         for layer in &mut layers {
             // A piece that lies wholly in the way of the other half is left out.

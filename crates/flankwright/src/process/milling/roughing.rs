@@ -2,7 +2,7 @@
 //! in the column's plane, an allowance kept from both flanks and the bottom.
 
 use super::{CutterPath, CutterPlace, LeadCurve, LeadPoint, MillingError, Patch};
-use crate::geometry::Cutter;
+use crate::geometry::{Cutter, in_tool};
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
@@ -36,7 +36,8 @@ const SHORT: f64 = 0.03;
 /// Steps aside at most; each covers a good third of the way that is left.
 const STEPS: usize = 60;
 
-/// Layers of a space between two flanks over the planes at the given lead parameters.
+/// Layers of a space between two flanks over the planes at the given lead parameters; `roots` are points of the drawn root in each of these
+/// planes, which the allowance is kept from as well.
 ///
 /// # Errors
 /// Those of the lead curve; [`MillingError::RoughingNowhere`] if the cutter finds no room in any layer.
@@ -45,6 +46,7 @@ pub fn rough(
     lead: &dyn LeadCurve,
     at: &[f64],
     flanks: [Patch; 2],
+    roots: &[Vec<Vector3<f64>>],
     options: &RoughingOptions,
 ) -> Result<Vec<RoughingLayer>, MillingError> {
     let leads = at.iter().map(|&u| lead.at(u)).collect::<Result<Vec<_>, _>>()?;
@@ -53,8 +55,10 @@ pub fn rough(
     let heights: Vec<f64> =
         (1..=layers).map(|n| options.top + (lowest - options.top) * n as f64 / layers as f64).collect();
     let layer = |&height: &f64| {
-        let mut room: Vec<Option<[f64; 2]>> =
-            leads.par_iter().map(|lead| room(cutter, lead, &flanks, height, options.allowance)).collect();
+        let of_plane = |(lead, root): (&LeadPoint, &Vec<Vector3<f64>>)| {
+            room(cutter, lead, (&flanks, root), height, options.allowance)
+        };
+        let mut room: Vec<Option<[f64; 2]>> = leads.par_iter().zip(roots).map(of_plane).collect();
         as_beside(&mut room);
         let widest = room.iter().flatten().map(|[from, to]| to - from).fold(0.0, f64::max);
         let beside = (widest / options.step_over).ceil() as usize + 1;
@@ -95,7 +99,7 @@ fn as_beside(room: &mut [Option<[f64; 2]>]) {
 fn room(
     cutter: &Cutter,
     lead: &LeadPoint,
-    flanks: &[Patch; 2],
+    (flanks, root): (&[Patch; 2], &[Vector3<f64>]),
     height: f64,
     allowance: f64,
 ) -> Option<[f64; 2]> {
@@ -105,7 +109,11 @@ fn room(
         let free = flanks
             .iter()
             .map(|flank| flank.lower_bound(cutter, &place.tip, &place.axis, allowance, SHORT) - allowance);
-        free.fold(f64::INFINITY, f64::min)
+        let above_root = root.iter().map(|point| {
+            let [rho, z] = in_tool(point, &place.tip, &place.axis);
+            cutter.distance(rho, z) - allowance
+        });
+        free.chain(above_root).fold(f64::INFINITY, f64::min)
     };
     let from_middle = free(0.0);
     if from_middle < 0.0 {
