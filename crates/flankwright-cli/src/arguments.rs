@@ -7,6 +7,7 @@ use clap::{Args, Parser, Subcommand};
 use crate::commands::check::CheckArguments;
 use crate::commands::explore::ExploreArguments;
 use crate::commands::gearbox::GearboxArguments;
+use crate::commands::inspect::InspectArguments;
 use crate::commands::new::NewArguments;
 use crate::commands::plan::PlanArguments;
 use crate::commands::program::ProgramArguments;
@@ -42,6 +43,8 @@ pub enum Command {
     Simulate(SimulateArguments),
     /// Vary diagonal ratio, cone angle and crossing angle: a ranked table and the residual over the ratio
     Explore(ExploreArguments),
+    /// Read a measurement and evaluate it: deviations, verdict, correction
+    Inspect(InspectArguments),
     /// Run the electronic gearbox on a stimulus: pulses, additional rotation, errors, servo, set-ups
     Gearbox(GearboxArguments),
     /// Read an NC program and tell what it does on a machine
@@ -60,6 +63,7 @@ impl Command {
             Command::Plan(arguments) => &arguments.common,
             Command::Simulate(arguments) => &arguments.common,
             Command::Explore(arguments) => &arguments.common,
+            Command::Inspect(arguments) => &arguments.common,
             Command::Gearbox(arguments) => &arguments.common,
             Command::Program(arguments) => &arguments.common,
             Command::Verify(arguments) => &arguments.common,

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::io::{self, IsTerminal, Write as _};
 
 use flankwright::exchange::{Diagnostic, JobError, Loaded, Source};
-use flankwright::workflow::RunFailure;
+use flankwright::workflow::{JobFailure, RunFailure};
 use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteDiagnostic, NamedSource, Report};
 use serde_json::{Value, json};
 
@@ -54,6 +54,14 @@ impl Failure {
         match failure {
             RunFailure::BadInput(finding) => Self::of_job(Exit::BadInput, loaded, *finding),
             RunFailure::NotProducible(finding) => Self::of_job(Exit::NotProducible, loaded, *finding),
+        }
+    }
+
+    /// A job of which an entry or a file that it names is at fault.
+    pub fn of_job_or_file<J>(loaded: &Loaded<J>, failure: JobFailure) -> Self {
+        match failure {
+            JobFailure::File(error) => Self::from(*error),
+            JobFailure::Job(failure) => Self::of_run(loaded, failure),
         }
     }
 

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 
 use flankwright::exchange::job::{JobInfo, Process};
 use flankwright::exchange::{
-    AnyJob, Diagnostic, GearboxJob, Loaded, LoadedGearboxJob, LoadedJob, LoadedMillingJob, MillingJob,
-    Problem, Source, parse_any_job, read_any_job, write_atomically,
+    AnyJob, Diagnostic, GearboxJob, Loaded, LoadedGearboxJob, LoadedJob, Problem, Source, parse_any_job,
+    read_any_job, write_atomically,
 };
 use serde::Serialize;
 
@@ -88,7 +88,8 @@ pub fn load_grinding_job(path: &Path, command: &str) -> Result<LoadedJob, Failur
             Err(loaded.error(finding).into())
         }
         AnyJob::Gearbox(loaded) => Err(gearbox_only(&loaded, command)),
-        AnyJob::Milling(loaded) => Err(not_milling(&loaded, command)),
+        AnyJob::Milling(loaded) => Err(refused(&loaded, Process::FiveAxisMilling, command)),
+        AnyJob::Skiving(loaded) => Err(refused(&loaded, Process::SkivingToolMeasuring, command)),
     }
 }
 
@@ -97,9 +98,9 @@ pub fn gearbox_only(loaded: &LoadedGearboxJob, command: &str) -> Failure {
     loaded.error(GearboxJob::refused_by(command)).into()
 }
 
-/// What a command answers to a job of five-axis milling that it does not take.
-pub fn not_milling(loaded: &LoadedMillingJob, command: &str) -> Failure {
-    loaded.error(MillingJob::refused_by(command)).into()
+/// What a command answers to a job of a process that it does not take.
+pub fn refused<J>(loaded: &Loaded<J>, process: Process, command: &str) -> Failure {
+    loaded.error(process.refused_by(command)).into()
 }
 
 /// Where the files of a job go: as told, else `<job name>.out/` beside the job.

@@ -11,7 +11,7 @@ use serde_json::json;
 
 use super::catalogue;
 use super::derived::{
-    DerivedGeometry, derived_gearbox, derived_geometry, derived_milling, derived_tangential,
+    DerivedGeometry, derived_gearbox, derived_geometry, derived_milling, derived_skiving, derived_tangential,
 };
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;
@@ -52,6 +52,10 @@ pub fn run(arguments: &CheckArguments) -> Result<Exit, Failure> {
         }
         AnyJob::Milling(loaded) => {
             let derived = derived_milling(&loaded).map(|derived| (derived, Vec::new()));
+            show(&arguments.common, &loaded, &loaded.job.job, derived)
+        }
+        AnyJob::Skiving(loaded) => {
+            let derived = derived_skiving(&loaded).map(|derived| (derived, Vec::new()));
             show(&arguments.common, &loaded, &loaded.job.job, derived)
         }
     }

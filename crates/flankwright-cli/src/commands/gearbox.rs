@@ -7,7 +7,7 @@ use clap::Args;
 use flankwright::exchange::job::{JobInfo, Process};
 use flankwright::exchange::{AnyJob, Diagnostic, Loaded, Problem};
 use flankwright::workflow::gearbox::{
-    ExploreResult, GearboxFailure, GearboxResult, RangeUm, ServoResult, run_gearbox, write_gearbox,
+    ExploreResult, GearboxResult, RangeUm, ServoResult, run_gearbox, write_gearbox,
 };
 
 use super::outcome::{Verdict, closing, conclude, fixed, unwritten};
@@ -45,14 +45,12 @@ pub fn run(arguments: &GearboxArguments) -> Result<Exit, Failure> {
         AnyJob::Grinding(loaded) => return Err(other_process(&loaded, &loaded.job.job)),
         AnyJob::Tangential(loaded) => return Err(other_process(&loaded, &loaded.job.job)),
         AnyJob::Milling(loaded) => return Err(other_process(&loaded, &loaded.job.job)),
+        AnyJob::Skiving(loaded) => return Err(other_process(&loaded, &loaded.job.job)),
     };
     let bars = Bars::new(common.quiet);
     let outcome = run_gearbox(&loaded, &bars);
     bars.finish();
-    let outcome = outcome.map_err(|failure| match failure {
-        GearboxFailure::Train(error) => Failure::from(*error),
-        GearboxFailure::Job(failure) => Failure::of_run(&loaded, failure),
-    })?;
+    let outcome = outcome.map_err(|failure| Failure::of_job_or_file(&loaded, failure))?;
     let directory = output::directory(common, &loaded, &loaded.job.job);
     let written = write_gearbox(&loaded.job, &outcome, &directory).map_err(unwritten)?;
     let result = &outcome.result;

@@ -44,6 +44,7 @@ pub fn run(arguments: &NewArguments) -> Result<Exit, Failure> {
             AnyJob::Tangential(loaded) => output::json_text(&loaded.job)?,
             AnyJob::Gearbox(loaded) => output::json_text(&loaded.job)?,
             AnyJob::Milling(loaded) => output::json_text(&loaded.job)?,
+            AnyJob::Skiving(loaded) => output::json_text(&loaded.job)?,
         };
         (text, "json")
     } else {

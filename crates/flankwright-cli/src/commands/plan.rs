@@ -6,7 +6,7 @@ use clap::Args;
 use flankwright::exchange::AnyJob;
 use flankwright::workflow::plan_job;
 
-use super::{catalogue, milling, outcome, tangential};
+use super::{catalogue, milling, outcome, skiving, tangential};
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
@@ -37,6 +37,7 @@ pub fn run(arguments: &PlanArguments) -> Result<Exit, Failure> {
         AnyJob::Tangential(loaded) => return tangential::plan(&loaded, &arguments.common),
         AnyJob::Gearbox(loaded) => return Err(output::gearbox_only(&loaded, "plan")),
         AnyJob::Milling(loaded) => return milling::plan(&loaded, &arguments.common),
+        AnyJob::Skiving(loaded) => return skiving::plan(&loaded, &arguments.common),
     };
     if let Some(catalogue) = catalogue::of_job(&loaded)? {
         return catalogue::plan(&loaded, &catalogue, &arguments.common);

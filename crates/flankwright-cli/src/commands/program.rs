@@ -6,6 +6,7 @@ use std::io::{BufReader, Read};
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
+use flankwright::exchange::job::Process;
 use flankwright::exchange::machine::read_machine;
 use flankwright::exchange::{AnyJob, Diagnostic};
 use flankwright::nc::{Dialect, detect_dialect};
@@ -101,6 +102,9 @@ fn check(arguments: &ProgramArguments) -> Result<Exit, Failure> {
     if let Some(AnyJob::Gearbox(loaded)) = &job {
         return Err(output::gearbox_only(loaded, "program check"));
     }
+    if let Some(AnyJob::Skiving(loaded)) = &job {
+        return Err(output::refused(loaded, Process::SkivingToolMeasuring, "program check"));
+    }
     let text = BufReader::new(File::open(&arguments.file).map_err(failed)?);
     // The gears of a LinuxCNC program stand in a netlist beside it.
     let netlist = match dialect {
@@ -131,7 +135,7 @@ fn check(arguments: &ProgramArguments) -> Result<Exit, Failure> {
         Some(AnyJob::Grinding(loaded)) => loaded.job.target.tolerance_um,
         Some(AnyJob::Tangential(loaded)) => loaded.job.target.tolerance_um,
         Some(AnyJob::Milling(loaded)) => loaded.job.target.tolerance_um,
-        Some(AnyJob::Gearbox(_)) | None => f64::INFINITY,
+        Some(AnyJob::Gearbox(_) | AnyJob::Skiving(_)) | None => f64::INFINITY,
     };
     let flanks = checked.flanks.iter().flatten();
     let met = flanks.map(|(_, f)| f.max_deviation_um).all(|um| um <= tolerance);

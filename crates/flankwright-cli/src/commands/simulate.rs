@@ -4,9 +4,10 @@ use std::path::PathBuf;
 
 use clap::Args;
 use flankwright::exchange::AnyJob;
+use flankwright::exchange::job::Process;
 use flankwright::workflow::simulate_job;
 
-use super::{outcome, tangential};
+use super::{outcome, skiving, tangential};
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
@@ -37,7 +38,10 @@ pub fn run(arguments: &SimulateArguments) -> Result<Exit, Failure> {
         AnyJob::Grinding(loaded) => loaded,
         AnyJob::Tangential(loaded) => return tangential::simulate(&loaded, &arguments.common),
         AnyJob::Gearbox(loaded) => return Err(output::gearbox_only(&loaded, "simulate")),
-        AnyJob::Milling(loaded) => return Err(output::not_milling(&loaded, "simulate")),
+        AnyJob::Milling(loaded) => {
+            return Err(output::refused(&loaded, Process::FiveAxisMilling, "simulate"));
+        }
+        AnyJob::Skiving(loaded) => return skiving::simulate(&loaded, &arguments.common),
     };
     let bars = Bars::new(arguments.common.quiet);
     let simulated = simulate_job(&loaded, &bars);

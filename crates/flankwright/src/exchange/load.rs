@@ -11,6 +11,7 @@ use super::gearbox_job::{self, GearboxJob};
 use super::job::{Job, JobInfo, Process};
 use super::milling_job::{self, MillingJob};
 use super::node::Kind;
+use super::skiving_job::{self, SkivingJob};
 use super::source::Source;
 use super::tangential_job::{self, TangentialJob};
 use super::{checks, schema, shape};
@@ -35,6 +36,9 @@ pub type LoadedGearboxJob = Loaded<GearboxJob>;
 
 /// A checked job of five-axis milling.
 pub type LoadedMillingJob = Loaded<MillingJob>;
+
+/// A checked job of measuring a skiving tool.
+pub type LoadedSkivingJob = Loaded<SkivingJob>;
 
 impl<J> Loaded<J> {
     /// The path of a file that the job names: beside the job file unless absolute.
@@ -61,6 +65,8 @@ pub enum AnyJob {
     Gearbox(LoadedGearboxJob),
     /// Five-axis milling.
     Milling(LoadedMillingJob),
+    /// Measuring a skiving tool.
+    Skiving(LoadedSkivingJob),
 }
 
 impl AnyJob {
@@ -71,6 +77,7 @@ impl AnyJob {
             Self::Tangential(loaded) => &loaded.job.job,
             Self::Gearbox(loaded) => &loaded.job.job,
             Self::Milling(loaded) => &loaded.job.job,
+            Self::Skiving(loaded) => &loaded.job.job,
         }
     }
 }
@@ -89,11 +96,12 @@ pub fn read_any_job(path: &Path) -> Result<AnyJob, JobError> {
 /// As [`read_any_job`].
 pub fn parse_any_job(source: Source) -> Result<AnyJob, JobError> {
     let document = Document::parse(source)?;
-    match process_of(&document)? {
+    match process_of(&document) {
         Process::GeneratingGrinding => typed(document).map(AnyJob::Grinding),
         Process::TangentialDressing => typed(document).map(AnyJob::Tangential),
         Process::ElectronicGearbox => typed(document).map(AnyJob::Gearbox),
         Process::FiveAxisMilling => typed(document).map(AnyJob::Milling),
+        Process::SkivingToolMeasuring => typed(document).map(AnyJob::Skiving),
     }
 }
 
@@ -111,7 +119,7 @@ pub fn read_job(path: &Path) -> Result<LoadedJob, JobError> {
 /// As [`read_job`].
 pub fn parse_job(source: Source) -> Result<LoadedJob, JobError> {
     let document = Document::parse(source)?;
-    match process_of(&document)? {
+    match process_of(&document) {
         Process::GeneratingGrinding => typed(document),
         other => Err(not_available(
             &document,
@@ -180,6 +188,18 @@ impl ProcessJob for MillingJob {
     }
 }
 
+impl ProcessJob for SkivingJob {
+    const PROCESS: Process = Process::SkivingToolMeasuring;
+
+    fn shape(_: &Document) -> Vec<Diagnostic> {
+        Vec::new()
+    }
+
+    fn contradictions(&self) -> Vec<Diagnostic> {
+        skiving_job::check(self)
+    }
+}
+
 /// What messages call a job of the process, and where an example is.
 fn subject(process: Process) -> shape::Subject {
     let example = match process {
@@ -187,6 +207,7 @@ fn subject(process: Process) -> shape::Subject {
         Process::TangentialDressing => "`flankwright new tangential-dressing` prints a complete example",
         Process::ElectronicGearbox => "`flankwright new electronic-gearbox` prints a complete example",
         Process::FiveAxisMilling => "`flankwright new five-axis-milling` prints a complete example",
+        Process::SkivingToolMeasuring => "`flankwright new skiving-tool-measuring` prints a complete example",
     };
     shape::Subject { document: "the job", example }
 }
@@ -239,21 +260,13 @@ fn no_tool(document: &Document) -> Option<Diagnostic> {
 
 /// The process of a job decides which tables it has. A word that is none is left to the check of the shape, by the
 /// tables of the process that is most likely meant.
-///
-/// # Errors
-/// `process-not-available`: jobs of the other processes have other tables; one message about the process says more than
-/// many about them.
-fn process_of(document: &Document) -> Result<Process, JobError> {
+fn process_of(document: &Document) -> Process {
     let Some(Kind::Text(name)) = document.root().follow("job.process").map(|(node, _)| &node.kind) else {
-        return Ok(Process::GeneratingGrinding);
+        return Process::GeneratingGrinding;
     };
-    if Process::NOT_AVAILABLE.contains(&name.as_str()) {
-        let message = format!("the process \"{name}\" is not available yet");
-        return Err(not_available(document, message, &Process::ALL));
-    }
     let meant = shape::nearest(name, Process::ALL.map(Process::name));
     let process = Process::ALL.into_iter().find(|process| Some(process.name()) == meant);
-    Ok(process.unwrap_or(Process::GeneratingGrinding))
+    process.unwrap_or(Process::GeneratingGrinding)
 }
 
 fn not_available(document: &Document, message: String, available: &[Process]) -> JobError {

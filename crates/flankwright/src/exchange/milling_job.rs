@@ -41,8 +41,7 @@ pub use target::{EaseOffAmounts, MillingTarget};
 use schemars::{JsonSchema, Schema, json_schema};
 use serde::{Deserialize, Serialize};
 
-use super::diagnostic::{Diagnostic, Problem};
-use super::job::{JobInfo, Process};
+use super::job::JobInfo;
 use crate::geometry::Flank;
 
 /// A job of five-axis milling: a cutter finishes the flanks of a gear, a bevel gear or a blade row by row.
@@ -141,22 +140,6 @@ impl MillingJob {
         };
         let (cutter, usual) = own.unwrap_or((&self.cutter, 1));
         (cutter, cutter.number.unwrap_or(usual))
-    }
-
-    /// What a command answers to such a job that does not take it; on the key `job.process`.
-    pub fn refused_by(command: &str) -> Diagnostic {
-        let name = Process::FiveAxisMilling.name();
-        let others: Vec<String> = Process::ALL
-            .into_iter()
-            .filter(|process| *process != Process::FiveAxisMilling)
-            .map(|process| format!("\"{}\"", process.name()))
-            .collect();
-        let message = format!("`{command}` does not take a job of the process \"{name}\"");
-        Diagnostic::new(Problem::ProcessNotAvailable, message)
-            .field("job.process")
-            .value(format!("\"{name}\""))
-            .allowed(others.join(", "))
-            .way_out("give a job of another process")
     }
 }
 

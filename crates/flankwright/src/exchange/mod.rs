@@ -22,6 +22,8 @@ mod node;
 mod reference_train;
 mod schema;
 mod shape;
+pub mod skiving_job;
+mod skiving_readings;
 mod source;
 pub mod tangential_job;
 mod template;
@@ -37,12 +39,14 @@ pub use grid_file::{
 };
 pub use job::Job;
 pub use load::{
-    AnyJob, Loaded, LoadedGearboxJob, LoadedJob, LoadedMillingJob, LoadedTangentialJob, parse_any_job,
-    parse_job, read_any_job, read_job,
+    AnyJob, Loaded, LoadedGearboxJob, LoadedJob, LoadedMillingJob, LoadedSkivingJob, LoadedTangentialJob,
+    parse_any_job, parse_job, read_any_job, read_job,
 };
 pub use milling_job::MillingJob;
 pub use reference_train::{ReferenceTrain, read_reference_train};
 pub use schema::job_schema;
+pub use skiving_job::SkivingJob;
+pub use skiving_readings::read_trigger_file;
 pub use source::{MAXIMUM_BYTES, Source};
 pub use tangential_job::TangentialJob;
 pub use template::job_template;

@@ -10,6 +10,7 @@ use serde_json::{Value, json};
 use super::gearbox_job::GearboxJob;
 use super::job::{Job, JobInfo, Process};
 use super::milling_job::MillingJob;
+use super::skiving_job::SkivingJob;
 use super::tangential_job::TangentialJob;
 
 static SCHEMA: LazyLock<Value> = LazyLock::new(schema_of_jobs);
@@ -79,6 +80,7 @@ fn tables(process: Process, generator: &mut SchemaGenerator) -> Schema {
         Process::TangentialDressing => generator.subschema_for::<TangentialJob>(),
         Process::ElectronicGearbox => generator.subschema_for::<GearboxJob>(),
         Process::FiveAxisMilling => generator.subschema_for::<MillingJob>(),
+        Process::SkivingToolMeasuring => generator.subschema_for::<SkivingJob>(),
     }
 }
 

@@ -9,6 +9,7 @@ pub fn job_template(process: Process) -> &'static str {
         Process::TangentialDressing => include_str!("template/tangential-dressing.toml"),
         Process::ElectronicGearbox => include_str!("template/electronic-gearbox.toml"),
         Process::FiveAxisMilling => include_str!("template/five-axis-milling.toml"),
+        Process::SkivingToolMeasuring => include_str!("template/skiving-tool-measuring.toml"),
     }
 }
 

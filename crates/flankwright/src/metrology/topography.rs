@@ -1,5 +1,7 @@
 //! A flank topography: normal deviations on a grid of length of roll and face width.
 
+use crate::numerics::root_mean_square;
+
 /// f_n over `w` x `z`, row-major `[w][z]`, mm; > 0 material left.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Topography {
@@ -34,7 +36,7 @@ impl Topography {
 
     /// Root mean square, mm.
     pub fn rms(&self) -> f64 {
-        (self.f.iter().map(|f| f * f).sum::<f64>() / self.f.len() as f64).sqrt()
+        root_mean_square(&self.f)
     }
 
     /// Values in micrometres as rows over the profile.

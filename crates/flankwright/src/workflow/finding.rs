@@ -1,7 +1,7 @@
 //! What is said about a job: remarks, failures, and how errors of the layers below become findings on keys of the job. Knows
 //! no file and no body.
 
-use crate::exchange::{Diagnostic, Problem};
+use crate::exchange::{Diagnostic, JobError, Problem};
 use crate::geometry::GeometryError;
 use crate::kinematics::LawError;
 use crate::modification::ModificationError;
@@ -28,6 +28,27 @@ pub enum RunFailure {
     BadInput(Box<Diagnostic>),
     /// Each part is possible, but these bodies cannot make the target (exit 4).
     NotProducible(Box<Diagnostic>),
+}
+
+/// Why a job that names files of its own has no result.
+#[derive(Clone, Debug)]
+pub enum JobFailure {
+    /// A file that it names is at fault.
+    File(Box<JobError>),
+    /// An entry of the job is, or the bodies are.
+    Job(RunFailure),
+}
+
+impl From<JobError> for JobFailure {
+    fn from(error: JobError) -> Self {
+        Self::File(Box::new(error))
+    }
+}
+
+impl From<RunFailure> for JobFailure {
+    fn from(failure: RunFailure) -> Self {
+        Self::Job(failure)
+    }
 }
 
 impl RunFailure {

@@ -13,6 +13,7 @@ mod gear_root;
 pub mod gearbox;
 mod line_dressing;
 pub mod milling;
+mod modified_flank;
 mod occupation;
 mod page;
 mod partition;
@@ -23,6 +24,7 @@ mod report_head;
 mod result;
 mod run;
 mod shift;
+pub mod skiving;
 mod strokes;
 mod tables;
 pub mod tangential;
@@ -47,7 +49,7 @@ pub use explore::{
     ExploreCandidate, ExploreOutcome, FlankFigures, MOST_COMBINATIONS, RANKING, Refused, explore_job,
     write_exploration,
 };
-pub use finding::{Remark, RunFailure};
+pub use finding::{JobFailure, Remark, RunFailure};
 pub use gear_root::{FilletResult, FilletSection, GearRootResult};
 pub use line_dressing::{LineDressingResult, WrittenFlank};
 pub use occupation::occupation_chart;

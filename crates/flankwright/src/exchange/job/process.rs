@@ -3,6 +3,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::exchange::diagnostic::{Diagnostic, Problem};
+
 /// Name, process and description of a job.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -29,19 +31,19 @@ pub enum Process {
     ElectronicGearbox,
     /// Five-axis milling of gears and blades.
     FiveAxisMilling,
+    /// Measuring a skiving tool in the machine, and correcting the setting by it.
+    SkivingToolMeasuring,
 }
 
 impl Process {
     /// All processes that have jobs.
-    pub const ALL: [Process; 4] = [
+    pub const ALL: [Process; 5] = [
         Process::GeneratingGrinding,
         Process::TangentialDressing,
         Process::ElectronicGearbox,
         Process::FiveAxisMilling,
+        Process::SkivingToolMeasuring,
     ];
-
-    /// Processes that the job format knows and this version does not plan.
-    pub const NOT_AVAILABLE: [&str; 1] = ["skiving-tool-measuring"];
 
     /// The name in job files.
     pub fn name(self) -> &'static str {
@@ -50,6 +52,23 @@ impl Process {
             Process::TangentialDressing => "tangential-dressing",
             Process::ElectronicGearbox => "electronic-gearbox",
             Process::FiveAxisMilling => "five-axis-milling",
+            Process::SkivingToolMeasuring => "skiving-tool-measuring",
         }
+    }
+
+    /// What a command answers to a job of this process if it does not take it; on the key `job.process`.
+    pub fn refused_by(self, command: &str) -> Diagnostic {
+        let name = self.name();
+        let others: Vec<String> = Process::ALL
+            .into_iter()
+            .filter(|process| *process != self)
+            .map(|process| format!("\"{}\"", process.name()))
+            .collect();
+        let message = format!("`{command}` does not take a job of the process \"{name}\"");
+        Diagnostic::new(Problem::ProcessNotAvailable, message)
+            .field("job.process")
+            .value(format!("\"{name}\""))
+            .allowed(others.join(", "))
+            .way_out("give a job of another process")
     }
 }

@@ -237,7 +237,7 @@ fn other_processes_do_not_know_double_helical_teeth() {
 
 #[test]
 fn a_command_that_does_not_take_such_a_job_says_so() {
-    let finding = MillingJob::refused_by("gearbox");
+    let finding = Process::FiveAxisMilling.refused_by("gearbox");
     assert_eq!((finding.code, finding.field.as_deref()), ("process-not-available", Some("job.process")));
     assert!(!finding.allowed.unwrap().contains("five-axis-milling"));
 }

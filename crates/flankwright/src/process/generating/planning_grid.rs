@@ -5,7 +5,7 @@ use super::{FlankTarget, GeneratingError, GrindingSetup};
 use crate::contact::{ContactSolution, ExactContact, ToolSurface};
 use crate::geometry::{Flank, Sides};
 use crate::kinematics::{GeneratingMotion, MotionLaw};
-use crate::numerics::{Polynomial2, equidistant};
+use crate::numerics::{Polynomial2, equidistant, root_mean_square};
 
 /// Points on the flanks on which a plan is judged, row-major `[w][z]`.
 #[derive(Clone, Debug)]
@@ -138,7 +138,7 @@ impl GroundError {
     /// Root mean square of the error of one flank, mm.
     pub fn rms(&self, flank: Flank) -> Option<f64> {
         let errors = self.error[flank].as_ref()?;
-        Some((errors.iter().map(|x| x * x).sum::<f64>() / errors.len() as f64).sqrt())
+        Some(root_mean_square(errors))
     }
 
     /// Largest |error| of all flanks, mm.

@@ -2,6 +2,7 @@
 
 use super::{ContactPlace, SkivingError};
 use crate::kinematics::SkivingMotion;
+use crate::numerics::root_mean_square;
 use nalgebra::{DMatrix, DVector, Vector3};
 
 /// A quantity that is set at the machine.
@@ -132,8 +133,4 @@ fn least_squares(rows: &[[f64; 4]], deviations: &[f64], open: &[usize]) -> (DVec
     let right = -DVector::from_column_slice(deviations);
     let solved = svd.solve(&right, SMALLEST).unwrap_or_else(|_| DVector::zeros(open.len()));
     (solved.component_mul(&scale), values)
-}
-
-fn root_mean_square(values: &[f64]) -> f64 {
-    (values.iter().map(|x| x * x).sum::<f64>() / values.len().max(1) as f64).sqrt()
 }

@@ -9,6 +9,7 @@ use super::target::{FitGrid, Wanted, Weights};
 use crate::contact::Measure;
 use crate::geometry::Flank;
 use crate::inverse::{GaussNewton, SvdLoop, SvdLoopError, SvdRound, gauss_newton, svd_loop};
+use crate::numerics::root_mean_square;
 use nalgebra::{DMatrix, DVector};
 
 /// How far a fit goes.
@@ -136,7 +137,7 @@ impl Judged {
 
     /// Root mean square of m - f.
     pub fn rms(&self) -> f64 {
-        (self.error.iter().map(|e| e * e).sum::<f64>() / self.error.len().max(1) as f64).sqrt()
+        root_mean_square(&self.error)
     }
 
     /// Range of x_D that dresses it: the worm length needed.

@@ -19,5 +19,5 @@ pub use result::{
     FlankResponseResult, GearboxResult, GearboxSettingsResult, PulseFigures, RangeUm, ServoErrorResult,
     ServoResult, SetUpResult,
 };
-pub use run::{GearboxFailure, GearboxOutcome, MOST_TRACED_PULSES, coupling_of_job, run_gearbox};
+pub use run::{GearboxOutcome, MOST_TRACED_PULSES, coupling_of_job, run_gearbox};
 pub use write::write_gearbox;

@@ -6,10 +6,10 @@ use super::result::{CouplingResult, GearboxResult};
 use super::stimulus::{Driven, driven};
 use super::{figures, following, remarks};
 use crate::control::{FollowingRecord, Interpolation, InterpolationRun, Rotation};
-use crate::exchange::{Diagnostic, GearboxJob, JobError, LoadedGearboxJob};
+use crate::exchange::{Diagnostic, GearboxJob, LoadedGearboxJob};
 use crate::numerics::Progress;
-use crate::workflow::RunFailure;
 use crate::workflow::control::{interpolation, interpolator_alarms, on_field, rotation_refused};
+use crate::workflow::finding::{JobFailure, RunFailure};
 use crate::workflow::result::Status;
 use electronic_gearbox::coefficient::GearGeometry;
 use electronic_gearbox::pulse::TimedPulse;
@@ -31,36 +31,12 @@ pub struct GearboxOutcome {
     pub trace: Option<Vec<(TimedPulse, i64)>>,
 }
 
-/// Why a job has no result.
-#[derive(Clone, Debug)]
-pub enum GearboxFailure {
-    /// Its train of reference pulses is at fault, perhaps in a file of its own.
-    Train(Box<JobError>),
-    /// An entry of the job is.
-    Job(RunFailure),
-}
-
-impl From<JobError> for GearboxFailure {
-    fn from(error: JobError) -> Self {
-        Self::Train(Box::new(error))
-    }
-}
-
-impl From<RunFailure> for GearboxFailure {
-    fn from(failure: RunFailure) -> Self {
-        Self::Job(failure)
-    }
-}
-
 /// Runs the gearbox on the stimulus of a job.
 ///
 /// # Errors
-/// [`GearboxFailure`], bad input always. Alarms of the interpolator and set-ups that are not accurate enough are none: warnings and
+/// [`JobFailure`], bad input always. Alarms of the interpolator and set-ups that are not accurate enough are none: warnings and
 /// the status tell them.
-pub fn run_gearbox(
-    loaded: &LoadedGearboxJob,
-    progress: &dyn Progress,
-) -> Result<GearboxOutcome, GearboxFailure> {
+pub fn run_gearbox(loaded: &LoadedGearboxJob, progress: &dyn Progress) -> Result<GearboxOutcome, JobFailure> {
     let job = &loaded.job;
     let mut timing = BTreeMap::new();
     let begun = Instant::now();

@@ -1,9 +1,9 @@
 //! Reference pulses of a job, from the motion of its slide or from its train, and what the gearbox says of a train that cannot be.
 
 use super::couple::{of_feed, slide_motion};
-use super::run::GearboxFailure;
 use crate::control::{Interpolation, SlideMotion};
 use crate::exchange::{Diagnostic, LoadedGearboxJob, ReferenceTrain};
+use crate::workflow::finding::JobFailure;
 use electronic_gearbox::pulse::EventInterpolator;
 use electronic_gearbox::{Error as GearboxError, TrainFault};
 
@@ -39,10 +39,7 @@ impl Driven {
 ///
 /// # Errors
 /// What is wrong with the motion, its scale or the train, at its place.
-pub(super) fn driven(
-    loaded: &LoadedGearboxJob,
-    interpolation: &Interpolation,
-) -> Result<Driven, GearboxFailure> {
+pub(super) fn driven(loaded: &LoadedGearboxJob, interpolation: &Interpolation) -> Result<Driven, JobFailure> {
     let stimulus = &loaded.job.stimulus;
     if let Some(motion) = slide_motion(stimulus)? {
         return Ok(of_motion(motion, stimulus.rest_or_default(), interpolation)?);
@@ -76,7 +73,7 @@ fn checked(
     loaded: &LoadedGearboxJob,
     train: &ReferenceTrain,
     interpolation: &Interpolation,
-) -> Result<(), GearboxFailure> {
+) -> Result<(), JobFailure> {
     let mut machine = EventInterpolator::new(interpolation.settings);
     for &(tick, sign) in train.references() {
         machine.reference(tick, sign, |_| {}).map_err(|error| refused(loaded, train, &error))?;
@@ -84,7 +81,7 @@ fn checked(
     Ok(())
 }
 
-fn refused(loaded: &LoadedGearboxJob, train: &ReferenceTrain, error: &GearboxError) -> GearboxFailure {
+fn refused(loaded: &LoadedGearboxJob, train: &ReferenceTrain, error: &GearboxError) -> JobFailure {
     let finding = Diagnostic::with_code(error.code(), error.to_string()).way_out(error.way_out());
     let GearboxError::BadReferenceTrain { index, fault } = *error else {
         return crate::workflow::control::on_field(error, "stimulus").into();

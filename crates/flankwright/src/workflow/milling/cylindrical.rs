@@ -3,7 +3,6 @@
 use super::bodies::{Body, CLEARANCE, part, with_offset};
 use super::finding::failure;
 use super::lands::lands;
-use super::offset::ModifiedFlank;
 use crate::exchange::LoadedMillingJob;
 use crate::exchange::job::Gear as Drawing;
 use crate::exchange::milling_job::MillingGear;
@@ -14,6 +13,7 @@ use crate::process::milling::{
     lead_through_row,
 };
 use crate::workflow::finding::{RunFailure, geometry_finding, modification_finding};
+use crate::workflow::modified_flank::ModifiedFlank;
 use crate::workflow::prepare::{blank_of_job, gear_of_job, specs_of_flank};
 use std::sync::Arc;
 

@@ -11,7 +11,7 @@ mod machine_remarks;
 mod mate;
 mod meshes;
 mod of_job;
-mod offset;
+
 pub(in crate::workflow) mod orientation;
 mod orientation_result;
 mod page;

@@ -5,7 +5,7 @@ use super::bodies::MillingBodies;
 use super::finding::failure;
 use super::referee::{DEPTH, STOCK, mill_paths, unmilled};
 use super::result::RootDeviationResult;
-use crate::numerics::{Progress, equidistant, extremes};
+use crate::numerics::{Progress, equidistant, extremes, root_mean_square};
 use crate::process::milling::{FlankPlan, MillingPlan, RootModel, RootPart, RootPoint, drawn_root};
 use crate::removal::{Milling, NormalRay, Unmilled, mill};
 use crate::workflow::finding::RunFailure;
@@ -101,8 +101,7 @@ impl RefereedRoot {
             rays: self.points.len(),
             min_um: ends(&found).map(|[least, _]| least),
             max_um: ends(&found).map(|[_, most]| most),
-            rms_um: (!found.is_empty())
-                .then(|| (found.iter().map(|x| x * x).sum::<f64>() / found.len() as f64).sqrt()),
+            rms_um: (!found.is_empty()).then(|| root_mean_square(&found)),
             planned_um: ends(&planned),
             model_difference_um: differences.reduce(f64::max),
             unmilled: self.unmilled.iter().map(|(reason, count)| (reason.to_string(), *count)).collect(),

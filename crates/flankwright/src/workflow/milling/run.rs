@@ -14,7 +14,7 @@ use super::root::{RefereedRoot, referee_root};
 use super::wear::histograms;
 use crate::exchange::LoadedMillingJob;
 use crate::exchange::milling_job::{MilledBody, MillingJob};
-use crate::numerics::{Progress, extremes};
+use crate::numerics::{Progress, extremes, root_mean_square};
 use crate::process::milling::{FlankPlan, MillingPlan, NeighbourDistances, Operation, plan_all};
 use crate::workflow::finding::{Remark, RunFailure};
 use crate::workflow::programs::machine_of_job;
@@ -275,7 +275,7 @@ fn flank_result(
         planned_um: planned.clone(),
         max_deviation_um: lowest.abs().max(highest.abs()),
         stock_um: [lowest, highest],
-        rms_deviation_um: (found.iter().map(|x| x * x).sum::<f64>() / found.len().max(1) as f64).sqrt(),
+        rms_deviation_um: root_mean_square(&found),
         model_difference_um: extremes(differences)[1].max(0.0),
         referee_error_um: refereed.error_um,
         simulated_um: simulated,

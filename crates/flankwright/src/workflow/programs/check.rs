@@ -71,6 +71,9 @@ pub fn check_program(
             AnyJob::Tangential(loaded) => follow_on_tangential(loaded, &machine.machine, &tracked, progress)?,
             AnyJob::Gearbox(_) => return Err(RunFailure::bad_input(GearboxJob::refused_by("program check"))),
             AnyJob::Milling(_) => return Ok(checked),
+            AnyJob::Skiving(loaded) => {
+                return Err(RunFailure::bad_input(loaded.job.job.process.refused_by("program check")));
+            }
         };
         checked.kind = Some(followed.kind);
         checked.strokes = followed.strokes;

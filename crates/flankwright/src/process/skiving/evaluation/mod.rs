@@ -2,12 +2,16 @@
 //! section 8).
 
 mod assignment;
+mod correction;
 mod deviations;
+mod monte_carlo;
 mod mounting;
 mod pitch;
 mod profile;
 
+pub use correction::correction;
 pub use deviations::{Deviations, MeasuredTool, measured_tool};
+pub use monte_carlo::{Quantity, Repeated, Scatter, repeat};
 pub use mounting::{Mounting, mounting};
 pub use pitch::{Pitch, pitch};
 pub use profile::{ProfileOptions, ProfileVerdict, profile_verdict};

@@ -114,6 +114,14 @@ impl RealTool {
         (jet, [radius + growth[0], growth[1], growth[2]])
     }
 
+    /// A ball of a tooth's edge at a length of roll, the tooth turned by its nominal pitch to where tooth 0 stands: centre in tool
+    /// coordinates and radius, mm.
+    pub fn ball(&self, edge: &VirtualEdge, tooth: usize, w: f64) -> (Vector3<f64>, f64) {
+        let ([centre, ..], [radius, ..]) = self.centre(edge, tooth, w);
+        let back = -TAU * tooth as f64 / self.teeth() as f64;
+        (Rotation3::from_axis_angle(&Vector3::z_axis(), back) * centre, radius)
+    }
+
     /// A direction of the spindle in coordinates of a tooth, turned to tooth 0.
     pub(super) fn direction_in_tooth(&self, tooth: usize, direction: &Vector3<f64>) -> Vector3<f64> {
         // The inverse of 1 + [om]x for a direction, up to its length.

@@ -6,7 +6,7 @@ use super::super::reference::Tolerances;
 use super::{UM, spans};
 use crate::contact::{ContactSolution, ExactContact, ModifiedThread, ThreadFunction, ToolSurface};
 use crate::geometry::Flank;
-use crate::numerics::Chebyshev;
+use crate::numerics::{Chebyshev, root_mean_square};
 use crate::process::generating::{
     DressedFlank, FlankTarget, GeneratingError, GrindingPlan, GrindingSetup, IdealWorm, PlannedTool,
 };
@@ -88,7 +88,7 @@ impl PlannedFlank<'_> {
         side.list_relative_to_largest("target_f_n_um", &target, tolerances.get("K_star_relative"), ledger);
         side.list("simulated_f_n_um", &simulated, allowed, ledger);
         let errors: Vec<f64> = target.iter().zip(&simulated).map(|(t, s)| (t - s).abs()).collect();
-        let rms = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64).sqrt();
+        let rms = root_mean_square(&errors);
         side.at_most("max_error_um", errors.iter().copied().fold(0.0, f64::max), allowed, ledger);
         side.at_most("rms_error_um", rms, allowed, ledger);
         // How well the dressing motion follows the ideal worm: what it misses is part of the error.

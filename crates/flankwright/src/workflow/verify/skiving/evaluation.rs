@@ -6,8 +6,8 @@ use super::super::ledger::Ledger;
 use super::super::reference::Tolerances;
 use super::measurement::Measured;
 use crate::geometry::{Flank, Sides};
-use crate::process::skiving::evaluation::{Evaluation, ProfileOptions, evaluate};
-use crate::process::skiving::{Setting, SettingLimits, fit_setting, setting_sensitivity};
+use crate::process::skiving::evaluation::{Evaluation, ProfileOptions, correction, evaluate};
+use crate::process::skiving::{Setting, SettingLimits};
 use serde_json::{Value, json};
 
 /// Degree of the compensation curve (spec 60 section 8).
@@ -78,15 +78,7 @@ pub(super) fn check_corrections(
     let Some(expected) = outer.object("corrections", ledger) else { return Ok(()) };
     check_object(expected, ledger, |expected, ledger| {
         requires(expected, "parameters", &["d, gamma, phi_1 (z_V1 held)"], ledger)?;
-        let mut rows = Vec::new();
-        let mut deviations = Vec::new();
-        for flank in Flank::BOTH {
-            let of = &measured.flanks[flank];
-            let motion = of.edge.pair().motion();
-            rows.extend(of.tracks.iter().map(|(track, _)| setting_sensitivity(motion, &track.contact)));
-            deviations.extend(&evaluation.profile.workpiece[flank]);
-        }
-        let fit = fit_setting(&rows, &deviations, &Setting::USUAL, &SettingLimits::default())?;
+        let fit = correction(&measured.flanks, evaluation, (&Setting::USUAL, &SettingLimits::default()))?;
         let um = tolerances.get("evaluation_um");
         check_flanks(expected, "predicted_f2_um", &evaluation.profile.workpiece, um, ledger);
         expected.number("delta_d_mm", fit.change[0], tolerances.get("length_mm"), ledger);

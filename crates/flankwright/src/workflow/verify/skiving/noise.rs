@@ -6,7 +6,7 @@ use super::super::ledger::Ledger;
 use super::super::reference::Tolerances;
 use super::measurement::Measured;
 use crate::geometry::Flank;
-use crate::numerics::extremes;
+use crate::numerics::{extremes, root_mean_square};
 use crate::process::skiving::evaluation::measured_tool;
 use crate::process::skiving::measuring::{BarrierData, Noise, Sense, readings, switches};
 use serde::Deserialize;
@@ -59,7 +59,7 @@ pub(super) fn check_noise(
             .zip(measured.first_order.iter())
             .map(|(a, b)| 1e3 * (a.3 - b.3))
             .collect();
-        let rms = (errors.iter().map(|x| x * x).sum::<f64>() / errors.len() as f64).sqrt();
+        let rms = root_mean_square(&errors);
         let um = tolerances.get("noise_rms_um");
         expected.number("rms_error_um", rms, um, ledger);
         expected.number("max_error_um", extremes(errors.iter().map(|x| x.abs()))[1], um, ledger);

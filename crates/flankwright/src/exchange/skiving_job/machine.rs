@@ -1,0 +1,37 @@
+//! `[machine]` of measuring a skiving tool: which machine, how the tool sits in its spindle, what triggers the recorder.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// The machine. Lengths in mm.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SkivingMachine {
+    /// Machine description (TOML or JSON), beside the job file.
+    #[schemars(extend("minLength" = 1))]
+    pub file: String,
+    /// From the spindle's origin to the tool's datum face, along the spindle axis.
+    #[serde(default)]
+    #[schemars(extend("minimum" = -2000, "maximum" = 2000, "x-way-out" = "give the distance from the spindle's origin to the datum face in mm"))]
+    pub tool_length: f64,
+    /// Angle at which tooth 0 stands in the spindle, degrees.
+    #[serde(default)]
+    #[schemars(extend("minimum" = -360, "maximum" = 360, "x-way-out" = "give the angle in degrees, or leave it out"))]
+    pub tooth_angle_deg: f64,
+    /// How far the tool goes back from the beam between poses.
+    #[serde(default = "default_retreat")]
+    #[schemars(extend("minimum" = 1, "maximum" = 1000, "x-way-out" = "give the distance in mm; 20 is the default"))]
+    pub retreat: f64,
+    /// Number of the digital output that tells the recorder to take readings.
+    #[serde(default = "default_output")]
+    #[schemars(extend("minimum" = 1, "maximum" = 15, "x-way-out" = "give the number of a digital output, 1 to 15"))]
+    pub output: u8,
+}
+
+fn default_retreat() -> f64 {
+    20.0
+}
+
+fn default_output() -> u8 {
+    1
+}

@@ -1,0 +1,132 @@
+//! A measured tool: readings of a simulated one or from a file, their evaluation, the correction that answers them.
+
+use super::finding::{failure, of_readings};
+use super::prepare::SkivingBodies;
+use crate::exchange::skiving_job::SkivingJob;
+use crate::geometry::Sides;
+use crate::process::skiving::evaluation::{
+    Evaluation, MeasuredTool, Repeated, correction, evaluate, measured_tool,
+};
+use crate::process::skiving::measuring::{
+    Noise, Reading, RealTool, Sense, Switches, nominal_angle, readings, switches,
+};
+use crate::process::skiving::{MeasuringTrack, SettingFit, SkivingError};
+use crate::workflow::finding::RunFailure;
+
+/// A measured tool with all that follows from it.
+#[derive(Clone, Debug)]
+pub struct Measurement {
+    /// What the control wrote down.
+    pub readings: Vec<Reading>,
+    /// Deviations.
+    pub measured: MeasuredTool,
+    /// Pitch, mounting, profile, wear.
+    pub evaluation: Evaluation,
+    /// Change of the machine's setting.
+    pub correction: SettingFit,
+    /// Where the tool switches without noise; of a real tool as its deviations tell.
+    pub switches: Switches,
+    /// The tool, if it is simulated.
+    pub tool: Option<RealTool>,
+}
+
+/// Measures a tool with known errors.
+///
+/// # Errors
+/// [`RunFailure`]: a tooth that cannot be measured, or is missing.
+pub(super) fn simulated(
+    job: &SkivingJob,
+    bodies: &SkivingBodies,
+    tool: RealTool,
+) -> Result<Measurement, RunFailure> {
+    let on = |error: SkivingError| failure(&error);
+    tool.check(bodies.teeth()).map_err(on)?;
+    let measuring = &job.measuring;
+    let switched = switches(&bodies.flanks, &bodies.beam, &bodies.barrier, &tool).map_err(on)?;
+    let mut noise = Noise::new(measuring.seed);
+    let seen = readings(
+        &bodies.flanks,
+        &switched,
+        &bodies.barrier,
+        measuring.senses.list(),
+        measuring.revolutions,
+        &mut noise,
+    );
+    let measured = measured_tool(&bodies.flanks, &seen, bodies.radius_offset).map_err(on)?;
+    Measurement::of(bodies, seen, measured, switched, Some(tool))
+}
+
+/// Evaluates readings of a real tool; `field` is where the job or the command names them.
+///
+/// # Errors
+/// [`RunFailure`]: too many or too few switches, switches between teeth.
+pub(super) fn evaluated(
+    bodies: &SkivingBodies,
+    seen: Vec<Reading>,
+    field: &str,
+) -> Result<Measurement, RunFailure> {
+    let measured = measured_tool(&bodies.flanks, &seen, bodies.radius_offset)
+        .map_err(|error| of_readings(&error, field))?;
+    let switched = switches_of(bodies, &measured);
+    Measurement::of(bodies, seen, measured, switched, None)
+}
+
+/// Where a tool with these deviations switches.
+fn switches_of(bodies: &SkivingBodies, measured: &MeasuredTool) -> Switches {
+    let teeth = bodies.teeth();
+    bodies.flanks.map(|flank, of| {
+        let of_track = |(number, (track, pose)): (usize, &(MeasuringTrack, _))| {
+            let lever = track.contact.lever;
+            Sense::BOTH.map(|sense| {
+                let offset = bodies.radius_offset * (lever * sense.sign()).signum();
+                let turn = |tooth: usize| {
+                    let f = measured.deviations.of[flank][number][tooth];
+                    Some(nominal_angle(pose, tooth, teeth) + (offset - f) / lever)
+                };
+                (0..teeth).map(turn).collect()
+            })
+        };
+        of.tracks.iter().enumerate().map(of_track).collect()
+    })
+}
+
+impl Measurement {
+    fn of(
+        bodies: &SkivingBodies,
+        readings: Vec<Reading>,
+        measured: MeasuredTool,
+        switches: Switches,
+        tool: Option<RealTool>,
+    ) -> Result<Self, RunFailure> {
+        let on = |error: SkivingError| failure(&error);
+        let evaluation = evaluate(&bodies.flanks, &measured.deviations, &bodies.options).map_err(on)?;
+        let correction =
+            correction(&bodies.flanks, &evaluation, (&bodies.free, &bodies.setting_limits)).map_err(on)?;
+        Ok(Self { readings, measured, evaluation, correction, switches, tool })
+    }
+
+    /// Standard deviation of the deviations of every track, mm.
+    pub fn deviations(&self, bodies: &SkivingBodies) -> Sides<Vec<f64>> {
+        let count = (self.measured.readings_each as f64).sqrt();
+        bodies.flanks.map(|_, of| {
+            let of_track = |(track, _): &(MeasuringTrack, _)| {
+                bodies.barrier.single_deviation(track.contact.lever) / count
+            };
+            of.tracks.iter().map(of_track).collect()
+        })
+    }
+
+    /// The measurement as one that can be repeated.
+    pub(super) fn repeated<'a>(&'a self, job: &'a SkivingJob, bodies: &'a SkivingBodies) -> Repeated<'a> {
+        Repeated {
+            flanks: &bodies.flanks,
+            switches: &self.switches,
+            data: &bodies.barrier,
+            senses: job.measuring.senses.list(),
+            revolutions: job.measuring.revolutions,
+            radius_offset: bodies.radius_offset,
+            options: &bodies.options,
+            settings: (&bodies.free, &bodies.setting_limits),
+        }
+    }
+}

@@ -1,0 +1,26 @@
+//! Measuring a skiving tool in the machine, from job to result: tracks and poses, readings simulated or read, what they say of the tool
+//! and of the workpiece to come, correction of the setting, calibration, scan, history, files.
+
+mod calibration;
+mod conventional;
+mod finding;
+mod history;
+mod measurement;
+mod monte_carlo;
+mod outcome;
+mod page;
+mod prepare;
+mod real_tool;
+mod referee;
+mod remarks;
+mod result;
+mod run;
+mod scan;
+mod tables;
+mod write;
+
+pub use measurement::Measurement;
+pub use prepare::{SkivingBodies, prepare_skiving};
+pub use result::*;
+pub use run::{SkivingOutcome, inspect_skiving, run_skiving, simulate_skiving};
+pub use write::write_skiving;

@@ -1,0 +1,242 @@
+//! From numbers of the process to those of the result: um and degrees, by flank.
+
+use super::measurement::Measurement;
+use super::prepare::SkivingBodies;
+use super::referee::Left;
+use super::result::{
+    CorrectionResult, MeasurementResult, MountingResult, PitchResult, ProfileResult, SkivedFlankResult,
+    SkivingSettings, ToothOnFlank, TrackResult,
+};
+use crate::geometry::{Flank, Sides};
+use crate::numerics::{extremes, power_series, root_mean_square};
+use crate::process::skiving::evaluation::{Deviations, Evaluation};
+use crate::process::skiving::{MeasuringTrack, Setting, SettingFit};
+use std::collections::BTreeMap;
+
+/// How tool and workpiece stand.
+pub(super) fn settings(bodies: &SkivingBodies) -> SkivingSettings {
+    let motion = bodies.pair.motion();
+    let tool = bodies.pair.tool();
+    SkivingSettings {
+        centre_distance_mm: motion.centre_distance,
+        crossed_axes_angle_deg: motion.crossed_axes_angle.to_degrees(),
+        tool_shift_mm: motion.tool_shift,
+        ratio: motion.ratio,
+        tool_pitch_radius_mm: tool.pitch_radius(),
+        rounding_depth_mm: tool.rounding().depth(),
+        cutting_sense: bodies.edges.left.cutting_direction(),
+    }
+}
+
+/// Tracks with their poses.
+pub(super) fn track_results(bodies: &SkivingBodies) -> BTreeMap<&'static str, Vec<TrackResult>> {
+    let of_flank = |flank: Flank| {
+        let all = bodies.flanks[flank].tracks.iter().zip(&bodies.nearest[flank]).enumerate();
+        let rows = all.map(|(number, ((track, pose), nearest))| {
+            let (contact, section) = (&track.contact, &track.section);
+            TrackResult {
+                track: number + 1,
+                place: track.place,
+                w_mm: contact.w,
+                tool_angle_deg: contact.tool_angle.to_degrees(),
+                point_mm: contact.point.into(),
+                normal: contact.normal.into(),
+                radius_mm: track.radius(),
+                height_mm: track.height(),
+                contact_angle_deg: section.contact_angle.to_degrees(),
+                rounding_deg: section.range.map(f64::to_degrees),
+                lever_mm_per_rad: contact.lever,
+                a_deg: pose.swivel.to_degrees(),
+                b_deg: pose.turn.to_degrees(),
+                position_mm: pose.position.into(),
+                off_flank_deg: pose.off_flank.to_degrees(),
+                other_flank_gap_mm: nearest.gap,
+                single_sigma_um: 1e3 * bodies.barrier.single_deviation(contact.lever),
+            }
+        });
+        (flank.name(), rows.collect())
+    };
+    Flank::BOTH.into_iter().map(of_flank).collect()
+}
+
+/// The workpiece to come: predicted, under the referee, after the correction.
+pub(super) fn flank_results(
+    bodies: &SkivingBodies,
+    measurement: Option<&Measurement>,
+    left: &[Option<Left>; 2],
+) -> BTreeMap<&'static str, SkivedFlankResult> {
+    let of_flank = |flank: Flank| (flank.name(), flank_result(bodies, measurement, left, flank));
+    Flank::BOTH.into_iter().map(of_flank).collect()
+}
+
+fn flank_result(
+    bodies: &SkivingBodies,
+    measurement: Option<&Measurement>,
+    left: &[Option<Left>; 2],
+    flank: Flank,
+) -> SkivedFlankResult {
+    let tracks = &bodies.flanks[flank].tracks;
+    let target: Vec<f64> = tracks.iter().map(|(track, _)| 1e3 * track.contact.modification).collect();
+    let zero = || vec![0.0; tracks.len()];
+    // What the mean tooth leaves beyond the target, um; of every tooth what it leaves with its own mounting.
+    let mean = measurement.map_or_else(zero, |m| um(&m.evaluation.profile.workpiece[flank]));
+    let of_teeth: Vec<Vec<f64>> = match measurement {
+        Some(m) => {
+            m.evaluation.clocked.of[flank].iter().map(|f| f.iter().map(|f| -1e3 * f).collect()).collect()
+        }
+        None => vec![vec![0.0]; tracks.len()],
+    };
+    let corrected = measurement.map_or_else(zero, |m| {
+        // Left first, as the rows of the fit stand.
+        let from = if flank == Flank::Left { 0 } else { bodies.flanks.left.tracks.len() };
+        um(&m.correction.residual[from..from + tracks.len()])
+    });
+    let plus = |values: &[f64]| -> Vec<f64> { values.iter().zip(&target).map(|(f, t)| f + t).collect() };
+    let means = |of: &Option<Left>| {
+        of.as_ref().map(|left| {
+            let mean = |teeth: &Vec<f64>| 1e3 * teeth.iter().sum::<f64>() / teeth.len() as f64;
+            left[flank].iter().map(mean).collect::<Vec<f64>>()
+        })
+    };
+    let (simulated, after) = (means(&left[0]), means(&left[1]));
+    let planned = plus(&mean);
+    let model_difference_um = left[0].as_ref().zip(simulated.as_ref()).map(|(left, simulated)| {
+        let of_mean = extremes(simulated.iter().zip(&planned).map(|(a, b)| (a - b).abs()))[1];
+        let each = left[flank].iter().zip(&of_teeth).zip(&target).flat_map(|((found, told), target)| {
+            let told = told.iter().cycle();
+            found.iter().zip(told).map(move |(found, told)| (1e3 * found - told - target).abs())
+        });
+        [of_mean, extremes(each)[1]]
+    });
+    let judged = simulated.as_ref().unwrap_or(&planned);
+    let deviations: Vec<f64> = judged.iter().zip(&target).map(|(f, t)| f - t).collect();
+    let column = |values: &[f64]| -> Vec<Vec<f64>> { values.iter().map(|v| vec![*v]).collect() };
+    SkivedFlankResult {
+        w_mm: tracks.iter().map(|(track, _)| track.contact.w).collect(),
+        z_mm: vec![0.0],
+        planned_um: column(&planned),
+        simulated_um: simulated.as_deref().map(column),
+        teeth_um: of_teeth.iter().zip(&target).map(|(t, at)| extremes(t.iter().map(|f| f + at))).collect(),
+        corrected_um: plus(&corrected),
+        corrected_simulated_um: after,
+        max_deviation_um: extremes(deviations.iter().map(|f| f.abs()))[1],
+        rms_deviation_um: root_mean_square(&deviations),
+        model_difference_um,
+        target_um: column(&target),
+    }
+}
+
+/// Figures of a measured tool.
+pub(super) fn measurement_result(bodies: &SkivingBodies, m: &Measurement) -> MeasurementResult {
+    let by_flank = |of: &Sides<Vec<f64>>| Flank::BOTH.into_iter().map(|f| (f.name(), um(&of[f]))).collect();
+    let evaluation = &m.evaluation;
+    let sigma = m.deviations(bodies);
+    MeasurementResult {
+        readings: m.readings.len(),
+        readings_each: m.measured.readings_each,
+        deviation_um: of_teeth(&m.measured.deviations),
+        remaining_um: of_teeth(&evaluation.remaining),
+        sense_difference_um: m.measured.sense_difference.as_ref().map(by_flank),
+        clocking_deg: evaluation.clocking.to_degrees(),
+        pitch: pitch(bodies, evaluation),
+        mounting: mounting(evaluation, &sigma),
+        profile: profile(bodies, evaluation),
+        correction: correction(&m.correction, &evaluation.profile.workpiece),
+        sigma_um: by_flank(&sigma),
+    }
+}
+
+fn um(values: &[f64]) -> Vec<f64> {
+    values.iter().map(|mm| 1e3 * mm).collect()
+}
+
+fn of_teeth(deviations: &Deviations) -> BTreeMap<&'static str, Vec<Vec<f64>>> {
+    let of_flank =
+        |flank: Flank| (flank.name(), deviations.of[flank].iter().map(|teeth| um(teeth)).collect());
+    Flank::BOTH.into_iter().map(of_flank).collect()
+}
+
+fn pitch(bodies: &SkivingBodies, evaluation: &Evaluation) -> PitchResult {
+    let p = &evaluation.pitch;
+    let middle = bodies.flanks.left.tracks.len() / 2;
+    let radius = |flank: Flank| bodies.flanks[flank].tracks[middle].0.radius();
+    let radius = 0.5 * (radius(Flank::Left) + radius(Flank::Right));
+    let [cos, sin] = p.first_harmonic;
+    PitchResult {
+        single_um: um(&p.single),
+        cumulative_um: um(&p.cumulative),
+        largest_single_um: 1e3 * p.largest_single,
+        total_um: 1e3 * p.total,
+        first_harmonic_um: 1e3 * radius * cos.hypot(sin),
+        first_harmonic_deg: sin.atan2(cos).to_degrees(),
+        thickness_um: um(&p.thickness),
+        centre_deg: p.centres[middle].iter().map(|angle| angle.to_degrees()).collect(),
+    }
+}
+
+fn mounting(evaluation: &Evaluation, sigma: &Sides<Vec<f64>>) -> MountingResult {
+    let m = &evaluation.mounting;
+    let all: Vec<f64> = sigma.iter().flat_map(|(_, of)| of.iter().copied()).collect();
+    let noise = root_mean_square(&all);
+    let [x, y, about_x, about_y] = m.deviation_per_noise.map(|d| d * noise);
+    let told = |values: [f64; 2], scale: f64| {
+        values.iter().all(|v| v.is_finite()).then(|| values.map(|v| scale * v))
+    };
+    MountingResult {
+        eccentricity_um: m.eccentricity.map(|mm| 1e3 * mm),
+        eccentricity_sigma_um: told([x, y], 1e3),
+        wobble_urad: m.wobble.map(|rad| 1e6 * rad),
+        wobble_sigma_urad: told([about_x, about_y], 1e6),
+        left_out: m.left_out.clone(),
+    }
+}
+
+fn profile(bodies: &SkivingBodies, evaluation: &Evaluation) -> ProfileResult {
+    let p = &evaluation.profile;
+    let by_flank = |of: &Sides<Vec<f64>>| Flank::BOTH.into_iter().map(|f| (f.name(), um(&of[f]))).collect();
+    let off = |flank: Flank, tooth: usize| {
+        let of_track = |(number, (track, _)): (usize, &(MeasuringTrack, _))| {
+            let f = evaluation.remaining.of[flank][number][tooth];
+            (f - power_series(&p.curve[flank], track.place)[0]).abs()
+        };
+        1e3 * extremes(bodies.flanks[flank].tracks.iter().enumerate().map(of_track))[1]
+    };
+    let tooth = |(flank, tooth): &(Flank, usize)| ToothOnFlank {
+        flank: flank.name(),
+        tooth: *tooth,
+        off_um: off(*flank, *tooth),
+    };
+    ProfileResult {
+        track_mean_um: by_flank(&p.track_means),
+        curve_um: by_flank(&p.curve),
+        band_um: 1e3 * bodies.options.band,
+        out_of_band: p.out_of_band.iter().map(tooth).collect(),
+        wear_limit_um: 1e3 * bodies.options.wear_limit,
+        worn: Flank::BOTH.into_iter().map(|flank| (flank.name(), p.worn[flank])).collect(),
+    }
+}
+
+fn correction(fit: &SettingFit, before: &Sides<Vec<f64>>) -> CorrectionResult {
+    let [distance, angle, shift, turn] = fit.change;
+    let largest = |values: &mut dyn Iterator<Item = f64>| values.map(f64::abs).fold(0.0, f64::max);
+    let mut before = before.iter().flat_map(|(_, of)| of.iter().copied());
+    CorrectionResult {
+        centre_distance_um: 1e3 * distance,
+        crossed_axes_angle_deg: angle.to_degrees(),
+        tool_shift_um: 1e3 * shift,
+        tool_angle_deg: turn.to_degrees(),
+        at_limit: fit.limited.iter().map(|setting| setting_name(*setting)).collect(),
+        rms_um: fit.rms.map(|mm| 1e3 * mm),
+        largest_um: [1e3 * largest(&mut before), 1e3 * largest(&mut fit.residual.iter().copied())],
+    }
+}
+
+/// A setting in words.
+fn setting_name(setting: Setting) -> &'static str {
+    match setting {
+        Setting::CentreDistance => "centre distance",
+        Setting::CrossedAxesAngle => "crossed-axes angle",
+        Setting::ToolShift => "tool shift",
+        Setting::ToolAngle => "tool angle",
+    }
+}

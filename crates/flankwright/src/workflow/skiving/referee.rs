@@ -1,0 +1,102 @@
+//! The workpiece that a tool will leave, under the referee: the rounding of every tooth, with its own errors, rolls through the space.
+
+use super::measurement::Measurement;
+use super::prepare::SkivingBodies;
+use crate::geometry::{Flank, Sides};
+use crate::kinematics::SkivingMotion;
+use crate::numerics::Progress;
+use crate::process::skiving::measuring::RealTool;
+use crate::process::skiving::{MeasuringTrack, VirtualEdge};
+use crate::removal::Skiving;
+use crate::workflow::finding::RunFailure;
+use nalgebra::{Rotation3, Vector3};
+use std::f64::consts::TAU;
+
+/// f_n against the involute that every tooth leaves, [track][tooth] of each flank, mm; NaN where no part of the edge comes by.
+pub(super) type Left = Sides<Vec<Vec<f64>>>;
+
+/// The tool passes the space within this turn to both sides, rad: at least 8 deg (spec 60 section 15), of a tool with few teeth more
+/// than a pitch.
+const LEAST_PASSING: f64 = 8.0 * std::f64::consts::PI / 180.0;
+const PITCHES: f64 = 1.25;
+
+/// What a tool leaves with a motion, clocked by an angle.
+///
+/// # Errors
+/// [`RunFailure`] for a motion that makes no rays.
+pub(super) fn skived(
+    bodies: &SkivingBodies,
+    tool: &RealTool,
+    clocking: f64,
+    motion: &SkivingMotion,
+    progress: &dyn Progress,
+) -> Result<Left, RunFailure> {
+    let teeth = tool.teeth();
+    progress.start("referee", 2 * teeth as u64);
+    let passing = LEAST_PASSING.max(PITCHES * TAU / teeth as f64);
+    let left = Sides::try_from_fn(|flank| {
+        let edge = &bodies.edges[flank];
+        let lengths = lengths(bodies, flank);
+        let mut of_tracks = vec![Vec::with_capacity(teeth); lengths.len()];
+        for tooth in 0..teeth {
+            let ball = |w: f64| ball(edge, tool, tooth, clocking, w);
+            let skiving = Skiving {
+                flank: edge.flank().helicoid().flank(),
+                motion,
+                edge: &ball,
+                places: edge.flank().range(),
+                tool_angles: [motion.tool_angle - passing, motion.tool_angle + passing],
+            };
+            let found =
+                skiving.profile(&lengths).map_err(|error| RunFailure::of_removal(&error, "skiving"))?;
+            for (of_track, place) in of_tracks.iter_mut().zip(found) {
+                of_track.push(place.map_or(f64::NAN, |place| place.left));
+            }
+            progress.advance(1);
+        }
+        Ok::<_, RunFailure>(of_tracks)
+    })?;
+    progress.finish();
+    Ok(left)
+}
+
+/// What the measured tool, or the ideal one, leaves with the present setting and after the correction.
+pub(super) fn of_measurement(
+    bodies: &SkivingBodies,
+    measurement: Option<&Measurement>,
+    progress: &dyn Progress,
+) -> Result<[Option<Left>; 2], RunFailure> {
+    let motion = bodies.pair.motion();
+    let Some(measurement) = measurement else {
+        let ideal = skived(bodies, &RealTool::ideal(bodies.teeth()), 0.0, motion, progress)?;
+        return Ok([Some(ideal), None]);
+    };
+    let Some(tool) = &measurement.tool else { return Ok([None, None]) };
+    let clocking = measurement.evaluation.clocking;
+    let now = skived(bodies, tool, clocking, motion, progress)?;
+    let corrected = corrected(motion, &measurement.correction.change);
+    let then = skived(bodies, tool, clocking, &corrected, progress)?;
+    Ok([Some(now), Some(then)])
+}
+
+/// The motion after a change of [d, gamma, z_V1, phi_1]; the coupling stays where it was, the tool is turned against it.
+fn corrected(motion: &SkivingMotion, change: &[f64; 4]) -> SkivingMotion {
+    let [distance, angle, shift, turn] = *change;
+    SkivingMotion {
+        centre_distance: motion.centre_distance + distance,
+        crossed_axes_angle: motion.crossed_axes_angle + angle,
+        tool_shift: motion.tool_shift + shift,
+        work_angle: motion.work_angle - motion.ratio * turn,
+        ..*motion
+    }
+}
+
+fn ball(edge: &VirtualEdge, tool: &RealTool, tooth: usize, clocking: f64, w: f64) -> (Vector3<f64>, f64) {
+    let (centre, radius) = tool.ball(edge, tooth, w);
+    (Rotation3::from_axis_angle(&Vector3::z_axis(), -clocking) * centre, radius)
+}
+
+fn lengths(bodies: &SkivingBodies, flank: Flank) -> Vec<f64> {
+    let of_track = |(track, _): &(MeasuringTrack, _)| track.contact.w;
+    bodies.flanks[flank].tracks.iter().map(of_track).collect()
+}

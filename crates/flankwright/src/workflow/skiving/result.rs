@@ -1,0 +1,363 @@
+//! `result.json` of measuring a skiving tool, with units in the key names. Teeth count from 0, tracks from 1.
+
+use crate::workflow::finding::Remark;
+use crate::workflow::result::Status;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// The whole document.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SkivingResult {
+    /// Name of the job.
+    pub job: String,
+    /// Process.
+    pub process: &'static str,
+    /// Version of flankwright.
+    pub version: &'static str,
+    /// Missed if the tool is worn, teeth leave their band, or the workpiece's profile its tolerance.
+    pub status: Status,
+    /// Tolerance of the workpiece's profile.
+    pub tolerance_um: f64,
+    /// Why it is missed, if so.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reason: Option<Remark>,
+    /// Warnings.
+    pub warnings: Vec<Remark>,
+    /// How tool and workpiece stand while they skive.
+    pub settings: SkivingSettings,
+    /// The workpiece to come, by flank.
+    pub flanks: BTreeMap<&'static str, SkivedFlankResult>,
+    /// Tracks and poses, by flank.
+    pub tracks: BTreeMap<&'static str, Vec<TrackResult>>,
+    /// Time of the measurement, s.
+    pub measuring_time_s: f64,
+    /// The measured tool; absent where nothing was measured.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub measurement: Option<MeasurementResult>,
+    /// The usual way beside it.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub conventional: Vec<ConventionalResult>,
+    /// The scan of a stylus.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub scan: Option<ScanResult>,
+    /// The beam by a mandrel.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub calibration: Option<CalibrationResult>,
+    /// How results scatter.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub monte_carlo: Option<MonteCarloResult>,
+    /// Seconds per stage; the only part that differs between two runs.
+    pub timing_s: BTreeMap<&'static str, f64>,
+}
+
+/// The setting of the machine and what follows from it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct SkivingSettings {
+    /// d, < 0 for an internal gear.
+    pub centre_distance_mm: f64,
+    /// gamma.
+    pub crossed_axes_angle_deg: f64,
+    /// z_V1.
+    pub tool_shift_mm: f64,
+    /// i_21.
+    pub ratio: f64,
+    /// r_1.
+    pub tool_pitch_radius_mm: f64,
+    /// h_c: depth of the rounding's centres below the rake face.
+    pub rounding_depth_mm: f64,
+    /// Sense in which the tool must turn to cut, +1 or -1.
+    pub cutting_sense: f64,
+}
+
+/// A flank of the workpiece at the tracks' lengths of roll; [profile][helix] with one place along the tooth, since every section is the
+/// same.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SkivedFlankResult {
+    /// Lengths of roll.
+    pub w_mm: Vec<f64>,
+    /// Face positions: 0.
+    pub z_mm: Vec<f64>,
+    /// Wanted, normal.
+    pub target_um: Vec<Vec<f64>>,
+    /// Predicted from the measurement, for the mean tooth.
+    pub planned_um: Vec<Vec<f64>>,
+    /// Under the referee, for the mean tooth; absent for a real tool, whose edges are known by their deviations only.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub simulated_um: Option<Vec<Vec<f64>>>,
+    /// Least and greatest over the teeth of what is predicted.
+    pub teeth_um: Vec<[f64; 2]>,
+    /// Predicted after the correction of the setting.
+    pub corrected_um: Vec<f64>,
+    /// The same under the referee.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub corrected_simulated_um: Option<Vec<f64>>,
+    /// Largest deviation from the target, of the referee's flank where there is one.
+    pub max_deviation_um: f64,
+    /// Root mean square of the same.
+    pub rms_deviation_um: f64,
+    /// Largest difference between prediction and referee, of the mean tooth and of any tooth.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub model_difference_um: Option<[f64; 2]>,
+}
+
+/// A track with its pose.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct TrackResult {
+    /// Number, from 1.
+    pub track: usize,
+    /// x along the edge.
+    pub place: f64,
+    /// Length of roll that it makes.
+    pub w_mm: f64,
+    /// phi_1 of the contact.
+    pub tool_angle_deg: f64,
+    /// m: contact point in tool coordinates.
+    pub point_mm: [f64; 3],
+    /// n_m: its normal.
+    pub normal: [f64; 3],
+    /// R.
+    pub radius_mm: f64,
+    /// Z.
+    pub height_mm: f64,
+    /// theta: where on the rounding it touches.
+    pub contact_angle_deg: f64,
+    /// Where the rounding begins and ends.
+    pub rounding_deg: [f64; 2],
+    /// L: way of the normal per turn.
+    pub lever_mm_per_rad: f64,
+    /// A.
+    pub a_deg: f64,
+    /// B: nominal angle of tooth 0.
+    pub b_deg: f64,
+    /// X, Y, Z.
+    pub position_mm: [f64; 3],
+    /// eta: angle between beam and helix of the flank.
+    pub off_flank_deg: f64,
+    /// What comes nearest to the beam besides the edge.
+    pub other_flank_gap_mm: f64,
+    /// Standard deviation of one reading.
+    pub single_sigma_um: f64,
+}
+
+/// The measured tool.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MeasurementResult {
+    /// Readings in all.
+    pub readings: usize,
+    /// Of which each deviation is the mean.
+    pub readings_each: usize,
+    /// Standard deviation of a deviation, by flank and track.
+    pub sigma_um: BTreeMap<&'static str, Vec<f64>>,
+    /// f: deviations normal to the flank, [track][tooth], > 0 = material beyond the nominal edge.
+    pub deviation_um: BTreeMap<&'static str, Vec<Vec<f64>>>,
+    /// f_r: the same without clocking and mounting.
+    pub remaining_um: BTreeMap<&'static str, Vec<Vec<f64>>>,
+    /// f(-) - f(+) of every track, where both senses were measured: delay and hysteresis of the barrier.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sense_difference_um: Option<BTreeMap<&'static str, Vec<f64>>>,
+    /// Clocking of the tool.
+    pub clocking_deg: f64,
+    /// Pitch at the middle track.
+    pub pitch: PitchResult,
+    /// Mounting error.
+    pub mounting: MountingResult,
+    /// Profile, bands, wear.
+    pub profile: ProfileResult,
+    /// Correction of the setting.
+    pub correction: CorrectionResult,
+}
+
+/// Pitch, thickness, tooth centres.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PitchResult {
+    /// f_p,k of every tooth.
+    pub single_um: Vec<f64>,
+    /// F_p,k of every tooth.
+    pub cumulative_um: Vec<f64>,
+    /// f_p,max.
+    pub largest_single_um: f64,
+    /// F_p.
+    pub total_um: f64,
+    /// First harmonic of the tooth centres: amplitude.
+    pub first_harmonic_um: f64,
+    /// And where it is greatest.
+    pub first_harmonic_deg: f64,
+    /// Deviation of every tooth's thickness.
+    pub thickness_um: Vec<f64>,
+    /// Centre of every tooth at the middle track.
+    pub centre_deg: Vec<f64>,
+}
+
+/// Eccentricity and wobble, with standard deviations.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MountingResult {
+    /// e_x, e_y.
+    pub eccentricity_um: [f64; 2],
+    /// Their standard deviations; absent where the measurement does not tell.
+    pub eccentricity_sigma_um: Option<[f64; 2]>,
+    /// om_x, om_y.
+    pub wobble_urad: [f64; 2],
+    /// Their standard deviations; absent where the measurement does not tell.
+    pub wobble_sigma_urad: Option<[f64; 2]>,
+    /// Teeth that were left out.
+    pub left_out: Vec<usize>,
+}
+
+/// Profile of the edges.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ProfileResult {
+    /// Mean of every track over the teeth, by flank.
+    pub track_mean_um: BTreeMap<&'static str, Vec<f64>>,
+    /// Compensation curve: coefficients of 1, x, x^2, ...
+    pub curve_um: BTreeMap<&'static str, Vec<f64>>,
+    /// D.
+    pub band_um: f64,
+    /// Teeth outside the band.
+    pub out_of_band: Vec<ToothOnFlank>,
+    /// Limit of wear.
+    pub wear_limit_um: f64,
+    /// Whether a flank is worn.
+    pub worn: BTreeMap<&'static str, bool>,
+}
+
+/// A tooth's flank.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ToothOnFlank {
+    /// Flank.
+    pub flank: &'static str,
+    /// Tooth.
+    pub tooth: usize,
+    /// Largest distance from the compensation curve.
+    pub off_um: f64,
+}
+
+/// Change of the machine's setting.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CorrectionResult {
+    /// Of d; negative makes |d| of an internal gear larger.
+    pub centre_distance_um: f64,
+    /// Of gamma.
+    pub crossed_axes_angle_deg: f64,
+    /// Of z_V1.
+    pub tool_shift_um: f64,
+    /// Of phi_1 against the coupling.
+    pub tool_angle_deg: f64,
+    /// Settings that ended at their limits.
+    pub at_limit: Vec<&'static str>,
+    /// Root mean square of the profile's deviation before and after.
+    pub rms_um: [f64; 2],
+    /// Largest deviation before and after.
+    pub largest_um: [f64; 2],
+}
+
+/// A track measured the usual way.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ConventionalResult {
+    /// Flank.
+    pub flank: &'static str,
+    /// Track.
+    pub track: usize,
+    /// What it would report of an ideal tool: its own error.
+    pub ideal_um: Option<f64>,
+    /// Why it reports nothing: the code of the error.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rests_on: Option<&'static str>,
+    /// What it would report of this tool, mean over the teeth.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reported_um: Option<f64>,
+    /// What the measurement on contact points found, mean over the teeth.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub measured_um: Option<f64>,
+}
+
+/// The scan of a stylus.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ScanResult {
+    /// Teeth that are scanned.
+    pub teeth: Vec<usize>,
+    /// Places.
+    pub places: Vec<ScanPlaceResult>,
+}
+
+/// A place of a scan.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ScanPlaceResult {
+    /// Flank.
+    pub flank: &'static str,
+    /// x along the edge.
+    pub place: f64,
+    /// Length of roll.
+    pub w_mm: f64,
+    /// A.
+    pub a_deg: f64,
+    /// B.
+    pub b_deg: f64,
+    /// X, Y, Z.
+    pub position_mm: [f64; 3],
+    /// Angle between stylus and helix of the flank.
+    pub off_flank_deg: f64,
+    /// What it finds on each tooth; empty without a simulated tool.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub deviation_um: Vec<f64>,
+}
+
+/// The beam by a mandrel.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CalibrationResult {
+    /// Whether switches were given; otherwise they are those to be expected.
+    pub measured: bool,
+    /// The beam's point at the height of `light_barrier.point`.
+    pub point_mm: [f64; 3],
+    /// delta.
+    pub tilt_x_deg: f64,
+    /// eps.
+    pub tilt_y_deg: f64,
+    /// r_L.
+    pub radius_mm: f64,
+    /// Standard deviations of x and y there.
+    pub point_sigma_um: [f64; 2],
+    /// Of delta and eps.
+    pub tilt_sigma_deg: [f64; 2],
+    /// Of r_L.
+    pub radius_sigma_um: f64,
+    /// What is left at the switches.
+    pub residual_um: f64,
+    /// Places of the mandrel at which the beam switches.
+    pub switches: Vec<MandrelSwitchResult>,
+}
+
+/// A switch of the mandrel.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct MandrelSwitchResult {
+    /// Axis along which it moves.
+    pub along: &'static str,
+    /// X and Y of its axis, Z of its lower face.
+    pub place_mm: [f64; 3],
+}
+
+/// How results scatter over repeated measurements.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MonteCarloResult {
+    /// Repetitions.
+    pub measurements: usize,
+    /// Every result.
+    pub results: Vec<ScatterResult>,
+}
+
+/// A result that scatters.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ScatterResult {
+    /// What.
+    pub name: String,
+    /// Unit.
+    pub unit: &'static str,
+    /// Mean.
+    pub mean: f64,
+    /// Standard deviation.
+    pub sigma: f64,
+    /// What was told before, from the readings' own standard deviation; absent where nothing is told.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stated_sigma: Option<f64>,
+    /// 95 % of the repetitions lie between these.
+    pub interval: [f64; 2],
+}

@@ -1,0 +1,150 @@
+//! From a checked job to the measured tool, the workpiece under the referee, and the verdict.
+
+use super::measurement::{Measurement, evaluated, simulated};
+use super::outcome::{flank_results, measurement_result, settings, track_results};
+use super::prepare::{SkivingBodies, prepare_skiving};
+use super::real_tool::real_tool;
+use super::result::SkivingResult;
+use super::scan::{Scan, scan};
+use super::{conventional, history, monte_carlo, referee, remarks};
+use crate::exchange::skiving_job::SkivingJob;
+use crate::exchange::{Diagnostic, LoadedSkivingJob, Problem, read_trigger_file};
+use crate::numerics::Progress;
+use crate::workflow::finding::{JobFailure, RunFailure};
+use crate::workflow::result::Status;
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::time::Instant;
+
+/// Everything that a run produces.
+pub struct SkivingOutcome {
+    /// The document of `result.json`.
+    pub result: SkivingResult,
+    /// Edges, tracks, poses.
+    pub bodies: SkivingBodies,
+    /// The measured tool.
+    pub measurement: Option<Measurement>,
+    /// The scan of a stylus.
+    pub scan: Option<Scan>,
+    /// The measurement as a line of the tool's history, and what is known since.
+    pub history: Option<history::Noted>,
+}
+
+/// Runs a job: its readings if it names some, else the tool with its errors, else the poses alone.
+///
+/// # Errors
+/// [`JobFailure`]: bad input, or a tool that cannot be measured.
+pub fn run_skiving(loaded: &LoadedSkivingJob, progress: &dyn Progress) -> Result<SkivingOutcome, JobFailure> {
+    let readings = loaded.job.readings.as_ref().map(|given| loaded.beside(&given.file));
+    run(loaded, readings.as_deref().map(|path| (path, "readings.file")), progress)
+}
+
+/// Measures the tool of `[tool_errors]`.
+///
+/// # Errors
+/// As [`run_skiving`]; a job without such a tool.
+pub fn simulate_skiving(
+    loaded: &LoadedSkivingJob,
+    progress: &dyn Progress,
+) -> Result<SkivingOutcome, JobFailure> {
+    if loaded.job.tool_errors.is_none() {
+        let finding =
+            Diagnostic::new(Problem::MissingKey, "the job has no tool whose measurement could be simulated")
+                .field("tool_errors")
+                .way_out("add `[tool_errors]`; an empty table is a tool without errors");
+        return Err(RunFailure::bad_input(finding).into());
+    }
+    run(loaded, None, progress)
+}
+
+/// Evaluates a file of switching angles as measured on the tool of a job.
+///
+/// # Errors
+/// As [`run_skiving`].
+pub fn inspect_skiving(
+    loaded: &LoadedSkivingJob,
+    file: &Path,
+    progress: &dyn Progress,
+) -> Result<SkivingOutcome, JobFailure> {
+    run(loaded, Some((file, "light_barrier")), progress)
+}
+
+fn run(
+    loaded: &LoadedSkivingJob,
+    readings: Option<(&Path, &str)>,
+    progress: &dyn Progress,
+) -> Result<SkivingOutcome, JobFailure> {
+    let job = &loaded.job;
+    let mut timing = BTreeMap::new();
+    let begun = Instant::now();
+    let bodies = prepare_skiving(loaded)?;
+    timing.insert("edges and poses", begun.elapsed().as_secs_f64());
+
+    let begun = Instant::now();
+    let measurement = match (readings, &job.tool_errors) {
+        (Some((path, field)), _) => {
+            let seen = read_trigger_file(path, job.measuring.tracks.len())?;
+            Some(evaluated(&bodies, seen, field)?)
+        }
+        (None, Some(errors)) => Some(simulated(job, &bodies, real_tool(&bodies, errors)?)?),
+        (None, None) => None,
+    };
+    timing.insert("measurement", begun.elapsed().as_secs_f64());
+
+    let begun = Instant::now();
+    let left = referee::of_measurement(&bodies, measurement.as_ref(), progress)?;
+    timing.insert("referee", begun.elapsed().as_secs_f64());
+
+    let begun = Instant::now();
+    let conventional = conventional::conventional(&bodies, measurement.as_ref());
+    let scan = job.stylus.as_ref().map(|given| scan(&bodies, given, measurement.as_ref())).transpose()?;
+    timing.insert("comparison", begun.elapsed().as_secs_f64());
+
+    let begun = Instant::now();
+    let monte_carlo = match (&job.monte_carlo, &measurement) {
+        (Some(given), Some(measurement)) => {
+            Some(monte_carlo::monte_carlo(job, given, &bodies, measurement, progress)?)
+        }
+        _ => None,
+    };
+    if monte_carlo.is_some() {
+        timing.insert("Monte Carlo", begun.elapsed().as_secs_f64());
+    }
+
+    let flanks = flank_results(&bodies, measurement.as_ref(), &left);
+    let measured = measurement.as_ref().map(|m| measurement_result(&bodies, m));
+    let tolerance_um = job.target.tolerance_um;
+    let reason = measured.as_ref().and_then(|m| remarks::reason(m, &flanks, tolerance_um));
+    let history = history::noted(loaded, &bodies, measured.as_ref(), measurement.as_ref())?;
+    let at_limit = measured.as_ref().map_or(&[][..], |m| &m.correction.at_limit);
+    let mut warnings = remarks::warnings(job, &bodies, measurement.as_ref(), at_limit);
+    warnings.extend(history.iter().flat_map(|noted| noted.remarks.clone()));
+    let result = SkivingResult {
+        job: job.job.name.clone(),
+        process: "skiving-tool-measuring",
+        version: env!("CARGO_PKG_VERSION"),
+        status: if reason.is_some() { Status::Missed } else { Status::Met },
+        tolerance_um,
+        reason,
+        warnings,
+        settings: settings(&bodies),
+        flanks,
+        tracks: track_results(&bodies),
+        measuring_time_s: measuring_time(job),
+        measurement: measured,
+        conventional,
+        scan: scan.as_ref().map(|scan| scan.result.clone()),
+        calibration: bodies.calibration.as_ref().map(|calibration| calibration.result.clone()),
+        monte_carlo,
+        timing_s: timing,
+    };
+    Ok(SkivingOutcome { result, bodies, measurement, scan, history })
+}
+
+/// flanks x tracks x (revolutions x 60/rpm x senses + time of a move), spec 60 section 7.
+fn measuring_time(job: &SkivingJob) -> f64 {
+    let measuring = &job.measuring;
+    let poses = 2.0 * measuring.tracks.len() as f64;
+    let turns = (measuring.revolutions * measuring.senses.list().len()) as f64;
+    poses * (turns * 60.0 / measuring.speed_rpm + measuring.move_time_s)
+}

@@ -1,0 +1,47 @@
+//! Writes what a run produced. Every file appears whole or not at all.
+
+use super::run::SkivingOutcome;
+use super::{page, tables};
+use crate::exchange::skiving_job::SkivingJob;
+use crate::workflow::write::{NamedFile, WriteError, json, write_with_report};
+use std::path::{Path, PathBuf};
+
+/// Writes all files of a run into `directory` (made if missing); returns the paths in the order written, the report last.
+///
+/// # Errors
+/// [`WriteError`]; files written before the error stay.
+pub fn write_skiving(
+    job: &SkivingJob,
+    outcome: &SkivingOutcome,
+    directory: &Path,
+) -> Result<Vec<PathBuf>, WriteError> {
+    let result = &outcome.result;
+    let mut files: Vec<NamedFile> = vec![
+        ("result.json".into(), "result with tracks, deviations, verdict", json(result)?),
+        (
+            "topography.csv".into(),
+            "profile of the workpiece: target, planned, simulated, corrected",
+            tables::profile(result)?.text().into(),
+        ),
+        ("motions/poses.csv".into(), "tracks and poses", tables::poses(result)?.text().into()),
+    ];
+    if let Some(measured) = &result.measurement {
+        files.push((
+            "deviations.csv".into(),
+            "deviation of every tooth on every track",
+            tables::deviations(measured)?.text().into(),
+        ));
+        files.push(("pitch.csv".into(), "pitch and thickness", tables::pitch(measured)?.text().into()));
+    }
+    if let Some(scan) = &result.scan {
+        files.push(("motions/scan.csv".into(), "scan of a stylus", tables::scan(scan)?.text().into()));
+    }
+    if let Some(found) = &result.monte_carlo {
+        files.push((
+            "monte-carlo.csv".into(),
+            "scatter of every result over repeated measurements",
+            tables::monte_carlo(found)?.text().into(),
+        ));
+    }
+    write_with_report(files, directory, |named| page::html_page(job, outcome, named))
+}
