@@ -5,7 +5,7 @@
 //! (a banner and an ordered list of sections, the same for every process), [`html`] writes it, and
 //! [`generating`] composes the page of diagonal generating grinding; [`tangential`] adds the sections of tangential dressing,
 //! [`programs`] the one on NC programs, [`control`] the one on gearbox and servo; [`gearbox`] composes the page of the electronic
-//! gearbox, [`milling`] that of five-axis milling.
+//! gearbox, [`milling`] that of five-axis milling, [`skiving`] that of measuring a power-skiving tool.
 //!
 //! ```
 //! use flankwright::report::{Banner, Block, PlanReport, Section, Status, html};
@@ -28,6 +28,7 @@ pub mod generating;
 pub mod html;
 pub mod milling;
 pub mod programs;
+pub mod skiving;
 pub mod tangential;
 
 mod data;

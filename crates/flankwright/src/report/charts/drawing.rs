@@ -235,8 +235,9 @@ impl Window {
             points().fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], p| [a.min(p[k]), b.max(p[k])])
         };
         let ([from, to], [low, high]) = (span(0), span(1));
-        // A single point is drawn in the middle of a millimetre.
-        let beside = (BESIDE * (to - from).max(high - low)).max(0.5);
+        // A single point is drawn in the middle of a millimetre; what is smaller than that fills the frame.
+        let size = (to - from).max(high - low);
+        let beside = if size > 0.0 && size < 1.0 { BESIDE * size } else { (BESIDE * size).max(0.5) };
         let (from, to, low, high) = (from - beside, to + beside, low - beside, high + beside);
         let width = WIDTH - LEFT - RIGHT;
         let scale = (width / (to - from)).min(TALLEST / (high - low));

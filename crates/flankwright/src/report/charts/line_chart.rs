@@ -2,10 +2,10 @@
 
 use super::axes::{Frame, TICK_SIZE, with_factor};
 use super::error::{ChartError, check_count, check_length, check_values};
-use super::palette::{INK, Marker, SeriesStyle, series_style};
+use super::line_legend::{self, Entry};
+use super::line_marks::{draw_bars, draw_marker, draw_rings, draw_texts, marked};
 use super::scale::Axis;
-use super::svg::{Anchor, Canvas, Stroke, Svg, TextStyle};
-use super::text::text_width;
+use super::svg::{Anchor, Canvas, Svg, TextStyle};
 
 /// A chart of lines.
 #[derive(Clone, Debug, PartialEq)]
@@ -69,8 +69,18 @@ pub enum Marks {
     Each(Vec<bool>),
     /// A marker at each, and no line between them.
     Points,
+    /// None, though the line has a style of its own.
+    Bare,
     /// None: the line is a level that others are compared with, thin and solid.
     Level,
+    /// None: the line is a limit of others, thin and dashed.
+    Limit,
+    /// A bar from zero to each, and no line between them.
+    Bars,
+    /// A text at each, no line between them and no place in the legend; as many as points.
+    Texts(Vec<String>),
+    /// A ring about each and a text beside it, and no line between them; as many as points. Texts that find no room are left out.
+    Rings(Vec<String>),
 }
 
 impl Series {
@@ -84,6 +94,11 @@ impl Series {
         Self { marks: Marks::Each(filled), ..self }
     }
 
+    /// Without markers.
+    pub fn bare(self) -> Self {
+        Self { marks: Marks::Bare, ..self }
+    }
+
     /// Points (x, y) that nothing joins.
     pub fn points(name: impl Into<String>, x: Vec<f64>, y: Vec<f64>) -> Self {
         Self { name: name.into(), x, y, marks: Marks::Points }
@@ -93,6 +108,39 @@ impl Series {
     pub fn level(name: impl Into<String>, x: [f64; 2], y: f64) -> Self {
         Self { name: name.into(), x: x.to_vec(), y: vec![y; 2], marks: Marks::Level }
     }
+
+    /// A limit that others keep to or leave, through the points (x, y).
+    pub fn limit(name: impl Into<String>, x: Vec<f64>, y: Vec<f64>) -> Self {
+        Self { name: name.into(), x, y, marks: Marks::Limit }
+    }
+
+    /// Bars from zero to the points (x, y).
+    pub fn bars(name: impl Into<String>, x: Vec<f64>, y: Vec<f64>) -> Self {
+        Self { name: name.into(), x, y, marks: Marks::Bars }
+    }
+
+    /// Rings about points [x, y] of other lines, each with its text.
+    pub fn rings(name: impl Into<String>, points: Vec<([f64; 2], String)>) -> Self {
+        let (at, texts): (Vec<[f64; 2]>, Vec<String>) = points.into_iter().unzip();
+        let [x, y] = [0, 1].map(|k| at.iter().map(|at| at[k]).collect());
+        Self { name: name.into(), x, y, marks: Marks::Rings(texts) }
+    }
+
+    /// Texts centred at points [x, y]; the name is for errors only.
+    pub fn texts(name: impl Into<String>, points: Vec<([f64; 2], String)>) -> Self {
+        let Self { name, x, y, marks } = Self::rings(name, points);
+        let marks = if let Marks::Rings(texts) = marks { Marks::Texts(texts) } else { marks };
+        Self { name, x, y, marks }
+    }
+}
+
+/// How the panels of a line chart are laid out where the usual way does not serve.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LineFrame {
+    /// Height of a panel, points; the usual one depends on the number of panels.
+    pub panel_height: Option<f64>,
+    /// Room beside the first and the last abscissa, in units of the abscissa.
+    pub beside: f64,
 }
 
 const WIDTH: f64 = 880.0;
@@ -100,6 +148,8 @@ const LEFT: f64 = 66.0;
 const RIGHT: f64 = 16.0;
 /// Room above a panel for its title.
 const PANEL_HEAD: f64 = 22.0;
+/// Least distance of a limit from the frame, as a share of the values' range.
+const LIMIT_ROOM: f64 = 0.04;
 
 /// Draws the panels of a line chart one below the other.
 ///
@@ -107,19 +157,30 @@ const PANEL_HEAD: f64 = 22.0;
 /// [`ChartError`] without panels or series, for a series without points, x and y of different length, or a value
 /// that is not finite; the error names the series.
 pub fn line_chart(chart: &LineChart) -> Result<Svg, ChartError> {
+    line_chart_in(chart, &LineFrame::default())
+}
+
+/// As [`line_chart`], in a layout of its own.
+///
+/// # Errors
+/// Those of [`line_chart`]; [`ChartError::InvalidNumber`] for a layout that is not finite.
+pub fn line_chart_in(chart: &LineChart, layout: &LineFrame) -> Result<Svg, ChartError> {
     check(chart)?;
-    let legend = legend(chart);
-    let panel_height = if chart.panels.len() == 1 { 220.0 } else { 104.0 };
-    let places = legend_places(&legend);
+    check_values("layout of the line chart", &[layout.panel_height.unwrap_or(0.0), layout.beside])?;
+    let legend = line_legend::entries(chart);
+    let usual = if chart.panels.len() == 1 { 220.0 } else { 104.0 };
+    let panel_height = layout.panel_height.unwrap_or(usual);
+    let places = line_legend::places(&legend);
     let rows = places.last().map_or(0.0, |at| at[1]);
     let top = 50.0 + rows;
     let height = top + chart.panels.len() as f64 * (PANEL_HEAD + panel_height + 10.0) + 36.0;
     let mut canvas = Canvas::new(WIDTH, height, &chart.title);
     canvas.heading("");
-    draw_legend(&mut canvas, &legend, &places);
+    line_legend::draw(&mut canvas, &legend, &places);
     let (lo, hi) = range(chart.panels.iter().flat_map(|p| &p.series).flat_map(|s| &s.x));
     let mut abscissae = chart.panels.iter().flat_map(|p| &p.series).flat_map(|s| &s.x);
     let whole = abscissae.all(|x| x.fract() == 0.0);
+    let (lo, hi) = (lo - layout.beside, hi + layout.beside);
     let x_axis = if whole { Axis::counts(lo, hi, 10) } else { Axis::tight(lo, hi, 10) };
     for (k, panel) in chart.panels.iter().enumerate() {
         let frame = Frame {
@@ -147,90 +208,42 @@ fn check(chart: &LineChart) -> Result<(), ChartError> {
             check_length(&quantity, series.x.len(), series.y.len())?;
             check_values(&format!("{quantity}, abscissa"), &series.x)?;
             check_values(&quantity, &series.y)?;
-            if let Marks::Each(filled) = &series.marks {
-                check_length(&format!("{quantity}, markers"), series.x.len(), filled.len())?;
-            }
+            let marks = match &series.marks {
+                Marks::Each(filled) => filled.len(),
+                Marks::Rings(texts) | Marks::Texts(texts) => texts.len(),
+                _ => series.x.len(),
+            };
+            check_length(&format!("{quantity}, markers"), series.x.len(), marks)?;
         }
     }
     Ok(())
-}
-
-/// Name and style of the lines in order of appearance; levels have a style of their own and take none of the others.
-fn legend(chart: &LineChart) -> Vec<(&str, Option<SeriesStyle>)> {
-    let mut entries: Vec<(&str, Option<SeriesStyle>)> = Vec::new();
-    let mut styles = 0;
-    for series in chart.panels.iter().flat_map(|panel| &panel.series) {
-        if entries.iter().any(|(name, _)| *name == series.name.as_str()) {
-            continue;
-        }
-        let style = (series.marks != Marks::Level).then(|| series_style(styles));
-        styles += usize::from(style.is_some());
-        entries.push((&series.name, style));
-    }
-    entries
 }
 
 fn range<'a>(values: impl Iterator<Item = &'a f64>) -> (f64, f64) {
     values.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), &v| (lo.min(v), hi.max(v)))
 }
 
-/// How a line is drawn.
-fn stroke(style: Option<&SeriesStyle>) -> Stroke<'static> {
-    match style {
-        Some(style) => Stroke { color: style.color, width: 1.8, dash: style.dash },
-        None => Stroke::solid(INK, 1.0),
-    }
-}
-
-/// Line and gap of a legend entry before its name, and the gap behind it.
-const LEGEND_LINE: f64 = 40.0;
-const LEGEND_GAP: f64 = 22.0;
-const LEGEND_ROW: f64 = 16.0;
-
-/// Where the entries of the legend begin, relative to the first; a full row is followed by another.
-fn legend_places(entries: &[(&str, Option<SeriesStyle>)]) -> Vec<[f64; 2]> {
-    let (mut x, mut y) = (0.0, 0.0);
-    let mut places = Vec::with_capacity(entries.len());
-    for (name, _) in entries {
-        let width = LEGEND_LINE + text_width(name, TICK_SIZE);
-        if x > 0.0 && x + width > WIDTH {
-            (x, y) = (0.0, y + LEGEND_ROW);
-        }
-        places.push([x, y]);
-        x += width + LEGEND_GAP;
-    }
-    places
-}
-
-fn draw_legend(canvas: &mut Canvas, entries: &[(&str, Option<SeriesStyle>)], places: &[[f64; 2]]) {
-    for ((name, style), [x, row]) in entries.iter().zip(places) {
-        let y = 38.0 + row;
-        canvas.line([*x, y], [x + 34.0, y], stroke(style.as_ref()));
-        if let Some(style) = style {
-            draw_marker(canvas, [x + 17.0, y], style, None);
-        }
-        canvas.text([x + LEGEND_LINE, y + 4.2], name, TextStyle::new(TICK_SIZE, Anchor::Start));
-    }
-}
-
-fn draw_panel(
-    canvas: &mut Canvas,
-    frame: Frame,
-    panel: &Panel,
-    x_axis: &Axis,
-    legend: &[(&str, Option<SeriesStyle>)],
-) {
-    let values = || panel.series.iter().flat_map(|series| &series.y);
-    let count = if frame.height < 150.0 { 5 } else { 7 };
+fn draw_panel(canvas: &mut Canvas, frame: Frame, panel: &Panel, x_axis: &Axis, legend: &[Entry<'_>]) {
+    let zero = panel.series.iter().any(|series| series.marks == Marks::Bars).then_some(&0.0);
+    let values = || panel.series.iter().flat_map(|series| &series.y).chain(zero);
+    let count = match frame.height {
+        low if low < 150.0 => 5,
+        usual if usual < 300.0 => 7,
+        _ => 12,
+    };
     // A level keeps clear of the edges of a logarithmic panel, where the frame would hide it.
-    let levels = panel.series.iter().filter(|s| s.marks == Marks::Level).flat_map(|s| &s.y);
-    let beside: Vec<f64> = levels.flat_map(|y| [0.5 * y, 2.0 * y]).collect();
+    let levels = panel.series.iter().filter(|s| matches!(s.marks, Marks::Level | Marks::Limit));
+    let beside: Vec<f64> = levels.flat_map(|s| &s.y).flat_map(|y| [0.5 * y, 2.0 * y]).collect();
     let positive = range(values().chain(&beside).filter(|v| **v > 0.0));
     let y_axis = match panel.scale {
         YScale::Logarithmic if positive.1 > 0.0 => Axis::decades(positive.0, positive.1),
         _ => {
             let (lo, hi) = range(values());
-            Axis::rounded(lo, hi, count, panel.least_span)
+            // A limit keeps clear of the frame, which would hide it.
+            let room = LIMIT_ROOM * (hi - lo);
+            let limits = panel.series.iter().filter(|s| s.marks == Marks::Limit).flat_map(|s| &s.y);
+            let (least, greatest) = range(limits);
+            Axis::rounded(lo.min(least - room), hi.max(greatest + room), count, panel.least_span)
         }
     };
     frame.grid(canvas, x_axis, &y_axis);
@@ -241,71 +254,48 @@ fn draw_panel(
     canvas.text([frame.left, frame.top - 7.0], &title, TextStyle::new(TICK_SIZE, Anchor::Start).bold());
     frame.ordinate(canvas, &y_axis);
     frame.outline(canvas);
+    let foot = frame.at(0.0, y_axis.share(0.0))[1];
     for series in &panel.series {
-        let place = legend.iter().position(|(name, _)| *name == series.name).unwrap_or(0);
-        let style = legend.get(place).and_then(|(_, style)| style.as_ref());
         let points: Vec<[f64; 2]> = series
             .x
             .iter()
             .zip(&series.y)
             .map(|(&x, &y)| frame.at(x_axis.share(x), y_axis.share(y)))
             .collect();
-        if series.marks != Marks::Points {
-            canvas.polylines(std::slice::from_ref(&points), stroke(style));
+        if let Marks::Texts(texts) = &series.marks {
+            draw_texts(canvas, &points, texts);
+            continue;
         }
-        match (style, &series.marks) {
-            (Some(style), Marks::Few) => {
-                for k in marked(points.len(), place) {
-                    draw_marker(canvas, points[k], style, None);
-                }
-            }
-            (Some(style), Marks::Each(filled)) => {
-                for (at, filled) in points.iter().zip(filled) {
-                    draw_marker(canvas, *at, style, Some(*filled));
-                }
-            }
-            (Some(style), Marks::Points) => {
-                for at in &points {
-                    draw_marker(canvas, *at, style, None);
-                }
-            }
-            (_, Marks::Level) | (None, _) => {}
+        let place = legend.iter().position(|entry| entry.name == series.name).unwrap_or(0);
+        if let Some(entry) = legend.get(place) {
+            draw_series(canvas, &frame, foot, (series, &points), (entry, place));
         }
     }
 }
 
-/// Few points carry a marker, so that the line stays visible: at most nine, evenly spread. Neighbouring series mark
-/// different points, so that coinciding lines show both markers.
-fn marked(count: usize, series: usize) -> Vec<usize> {
-    if count <= 9 {
-        return (0..count).collect();
+/// Draws the `place`-th series of the legend; `foot` is where bars stand.
+fn draw_series(
+    canvas: &mut Canvas,
+    frame: &Frame,
+    foot: f64,
+    (series, points): (&Series, &[[f64; 2]]),
+    (entry, place): (&Entry<'_>, usize),
+) {
+    match &series.marks {
+        Marks::Points => {}
+        Marks::Bars => draw_bars(canvas, points, foot, frame.width, entry.stroke().color),
+        Marks::Rings(texts) => draw_rings(canvas, frame, points, texts),
+        _ => canvas.polylines(&[points.to_vec()], entry.stroke()),
     }
-    let shift = (series % 2) * (count - 1) / 16;
-    (0..9).map(|k| k * (count - 1) / 8 + shift).filter(|k| *k < count).collect()
-}
-
-/// A marker; `filled` overrides what its shape has by itself.
-fn draw_marker(canvas: &mut Canvas, at: [f64; 2], style: &SeriesStyle, filled: Option<bool>) {
-    let stroke = Stroke::solid(style.color, 1.4);
-    let [x, y] = at;
-    let r = 3.4;
-    let own = matches!(style.marker, Marker::Disc | Marker::Diamond);
-    let fill = if filled.unwrap_or(own) { style.color } else { "#ffffff" };
-    match style.marker {
-        Marker::Disc => canvas.disc(at, r, fill, stroke),
-        Marker::Square => canvas.rect([x - r, y - r], [2.0 * r, 2.0 * r], fill, Some(stroke)),
-        Marker::Bar => canvas.rect([x - 0.5 * r, y - 1.3 * r], [r, 2.6 * r], fill, Some(stroke)),
-        Marker::Triangle => {
-            let corners = vec![[x, y - 1.2 * r], [x + 1.1 * r, y + 0.8 * r], [x - 1.1 * r, y + 0.8 * r]];
-            canvas.loops(&[corners], fill, Some(stroke));
-        }
-        Marker::TriangleDown => {
-            let corners = vec![[x, y + 1.2 * r], [x + 1.1 * r, y - 0.8 * r], [x - 1.1 * r, y - 0.8 * r]];
-            canvas.loops(&[corners], fill, Some(stroke));
-        }
-        Marker::Diamond => {
-            let corners = vec![[x, y - 1.3 * r], [x + 1.3 * r, y], [x, y + 1.3 * r], [x - 1.3 * r, y]];
-            canvas.loops(&[corners], fill, Some(stroke));
-        }
+    let Some(style) = &entry.style else { return };
+    match &series.marks {
+        Marks::Few => marked(points.len(), place).into_iter().for_each(|k| {
+            draw_marker(canvas, points[k], style, None);
+        }),
+        Marks::Each(filled) => points.iter().zip(filled).for_each(|(at, filled)| {
+            draw_marker(canvas, *at, style, Some(*filled));
+        }),
+        Marks::Points => points.iter().for_each(|at| draw_marker(canvas, *at, style, None)),
+        Marks::Bare | Marks::Level | Marks::Limit | Marks::Bars | Marks::Texts(_) | Marks::Rings(_) => {}
     }
 }

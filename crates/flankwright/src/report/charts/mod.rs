@@ -15,10 +15,14 @@ mod dressing_section;
 mod error;
 mod hatch;
 mod line_chart;
+mod line_legend;
+mod line_marks;
 mod numbers;
 mod palette;
+mod polar_chart;
 mod profile_helix;
 mod scale;
+mod signal_strip;
 mod svg;
 mod text;
 mod thinning;
@@ -34,10 +38,12 @@ pub use dressing_section::{
     DressingSectionChart, MarkedClearance, SectionKind, SectionStretch, SpaceFlank, dressing_section_chart,
 };
 pub use error::ChartError;
-pub use line_chart::{LineChart, Marks, Panel, Series, YScale, line_chart};
+pub use line_chart::{LineChart, LineFrame, Marks, Panel, Series, YScale, line_chart, line_chart_in};
 pub use numbers::{format_fixed, format_significant};
+pub use polar_chart::{PolarChart, PolarCurve, polar_chart};
 pub use profile_helix::{FlankSections, ProfileHelixDiagram, SectionTrace, profile_helix_diagram};
 pub use scale::LevelScale;
+pub use signal_strip::{SignalStrip, StripCell, signal_strip};
 pub use svg::Svg;
 pub use topography::{NamedTopography, Topography};
 pub use topography_net::{TopographyNet, topography_net};
@@ -46,5 +52,7 @@ pub use worm_occupation::{
 };
 
 pub(crate) use axis_chart::share_of_limit;
+pub(crate) use error::{check_length, check_values};
+pub(crate) use scale::round_below;
 pub(crate) use svg::escape;
 pub(crate) use text::indices;
