@@ -31,13 +31,24 @@ pub(super) fn conventional(
                 flank: flank.name(),
                 track: number + 1,
                 rests_on: of_ideal.as_ref().err().map(|error| error.code()),
-                ideal_um: of_ideal.ok().map(|mm| 1e3 * mm),
+                ideal_um: of_ideal.as_ref().ok().map(|mm| 1e3 * mm),
+                touch_deg: touch(bodies, &of.edge, &ideal, track),
                 reported_um: of_tool.and_then(Result::ok).map(|mm| 1e3 * mm),
                 measured_um: measurement.map(|m| 1e3 * teeth(m)),
             });
         }
     }
     rows
+}
+
+/// Where its beam touches the ideal tool, deg.
+fn touch(
+    bodies: &SkivingBodies,
+    edge: &VirtualEdge,
+    ideal: &RealTool,
+    track: &MeasuringTrack,
+) -> Option<f64> {
+    conventional_reading(edge, ideal, track, &bodies.beam, 0).ok().map(|found| found.angle.to_degrees())
 }
 
 /// Mean over the teeth of what it reports; an ideal tool has but one kind of tooth.

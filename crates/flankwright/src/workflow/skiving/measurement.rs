@@ -5,10 +5,10 @@ use super::prepare::SkivingBodies;
 use crate::exchange::skiving_job::SkivingJob;
 use crate::geometry::Sides;
 use crate::process::skiving::evaluation::{
-    Evaluation, MeasuredTool, Repeated, correction, evaluate, measured_tool,
+    Deviations, Evaluation, MeasuredTool, Repeated, correction, evaluate, measured_tool,
 };
 use crate::process::skiving::measuring::{
-    Noise, Reading, RealTool, Sense, Switches, nominal_angle, readings, switches,
+    BarrierData, Noise, Reading, RealTool, Sense, Switches, nominal_angle, readings, switches,
 };
 use crate::process::skiving::{MeasuringTrack, SettingFit, SkivingError};
 use crate::workflow::finding::RunFailure;
@@ -28,6 +28,8 @@ pub struct Measurement {
     pub switches: Switches,
     /// The tool, if it is simulated.
     pub tool: Option<RealTool>,
+    /// f of the simulated tool without noise, delay and hysteresis: what prediction and referee are compared by.
+    pub noiseless: Option<Deviations>,
 }
 
 /// Measures a tool with known errors.
@@ -53,7 +55,9 @@ pub(super) fn simulated(
         &mut noise,
     );
     let measured = measured_tool(&bodies.flanks, &seen, bodies.radius_offset).map_err(on)?;
-    Measurement::of(bodies, seen, measured, switched, Some(tool))
+    let noiseless = noiseless(bodies, &tool).map_err(on)?;
+    let measurement = Measurement::of(bodies, seen, measured, switched)?;
+    Ok(Measurement { tool: Some(tool), noiseless: Some(noiseless), ..measurement })
 }
 
 /// Evaluates readings of a real tool; `field` is where the job or the command names them.
@@ -68,7 +72,15 @@ pub(super) fn evaluated(
     let measured = measured_tool(&bodies.flanks, &seen, bodies.radius_offset)
         .map_err(|error| of_readings(&error, field))?;
     let switched = switches_of(bodies, &measured);
-    Measurement::of(bodies, seen, measured, switched, None)
+    Measurement::of(bodies, seen, measured, switched)
+}
+
+/// What an ideal barrier would find.
+fn noiseless(bodies: &SkivingBodies, tool: &RealTool) -> Result<Deviations, SkivingError> {
+    let ideal = BarrierData::ideal();
+    let switched = switches(&bodies.flanks, &bodies.beam, &ideal, tool)?;
+    let seen = readings(&bodies.flanks, &switched, &ideal, &[Sense::Positive], 1, &mut Noise::new(0));
+    Ok(measured_tool(&bodies.flanks, &seen, 0.0)?.deviations)
 }
 
 /// Where a tool with these deviations switches.
@@ -96,13 +108,12 @@ impl Measurement {
         readings: Vec<Reading>,
         measured: MeasuredTool,
         switches: Switches,
-        tool: Option<RealTool>,
     ) -> Result<Self, RunFailure> {
         let on = |error: SkivingError| failure(&error);
         let evaluation = evaluate(&bodies.flanks, &measured.deviations, &bodies.options).map_err(on)?;
         let correction =
             correction(&bodies.flanks, &evaluation, (&bodies.free, &bodies.setting_limits)).map_err(on)?;
-        Ok(Self { readings, measured, evaluation, correction, switches, tool })
+        Ok(Self { readings, measured, evaluation, correction, switches, tool: None, noiseless: None })
     }
 
     /// Standard deviation of the deviations of every track, mm.

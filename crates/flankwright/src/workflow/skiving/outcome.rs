@@ -100,14 +100,7 @@ fn flank_result(
     };
     let (simulated, after) = (means(&left[0]), means(&left[1]));
     let planned = plus(&mean);
-    let model_difference_um = left[0].as_ref().zip(simulated.as_ref()).map(|(left, simulated)| {
-        let of_mean = extremes(simulated.iter().zip(&planned).map(|(a, b)| (a - b).abs()))[1];
-        let each = left[flank].iter().zip(&of_teeth).zip(&target).flat_map(|((found, told), target)| {
-            let told = told.iter().cycle();
-            found.iter().zip(told).map(move |(found, told)| (1e3 * found - told - target).abs())
-        });
-        [of_mean, extremes(each)[1]]
-    });
+    let model_difference_um = left[0].as_ref().map(|left| model_difference(bodies, measurement, left, flank));
     let judged = simulated.as_ref().unwrap_or(&planned);
     let deviations: Vec<f64> = judged.iter().zip(&target).map(|(f, t)| f - t).collect();
     let column = |values: &[f64]| -> Vec<Vec<f64>> { values.iter().map(|v| vec![*v]).collect() };
@@ -124,6 +117,29 @@ fn flank_result(
         model_difference_um,
         target_um: column(&target),
     }
+}
+
+/// Largest difference between referee and prediction without noise: of the mean tooth, and of any tooth, um.
+fn model_difference(
+    bodies: &SkivingBodies,
+    measurement: Option<&Measurement>,
+    left: &Left,
+    flank: Flank,
+) -> [f64; 2] {
+    let (mut of_mean, mut each) = (0.0f64, 0.0f64);
+    for (number, (track, _)) in bodies.flanks[flank].tracks.iter().enumerate() {
+        let contact = &track.contact;
+        let told = |tooth: usize| {
+            let beyond = measurement.and_then(|m| Some((m.noiseless.as_ref()?, m.evaluation.clocking)));
+            let f = beyond.map_or(0.0, |(f, clocking)| f.of[flank][number][tooth] - contact.lever * clocking);
+            contact.modification - f
+        };
+        let teeth = left[flank][number].iter().enumerate();
+        let differences: Vec<f64> = teeth.map(|(tooth, found)| 1e3 * (found - told(tooth))).collect();
+        each = each.max(extremes(differences.iter().map(|d| d.abs()))[1]);
+        of_mean = of_mean.max((differences.iter().sum::<f64>() / differences.len() as f64).abs());
+    }
+    [of_mean, each]
 }
 
 /// Figures of a measured tool.

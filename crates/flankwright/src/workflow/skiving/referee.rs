@@ -2,6 +2,7 @@
 
 use super::measurement::Measurement;
 use super::prepare::SkivingBodies;
+use crate::exchange::Diagnostic;
 use crate::geometry::{Flank, Sides};
 use crate::kinematics::SkivingMotion;
 use crate::numerics::Progress;
@@ -12,7 +13,7 @@ use crate::workflow::finding::RunFailure;
 use nalgebra::{Rotation3, Vector3};
 use std::f64::consts::TAU;
 
-/// f_n against the involute that every tooth leaves, [track][tooth] of each flank, mm; NaN where no part of the edge comes by.
+/// f_n against the involute that every tooth leaves, [track][tooth] of each flank, mm.
 pub(super) type Left = Sides<Vec<Vec<f64>>>;
 
 /// The tool passes the space within this turn to both sides, rad: at least 8 deg (spec 60 section 15), of a tool with few teeth more
@@ -23,7 +24,7 @@ const PITCHES: f64 = 1.25;
 /// What a tool leaves with a motion, clocked by an angle.
 ///
 /// # Errors
-/// [`RunFailure`] for a motion that makes no rays.
+/// [`RunFailure`] where no part of an edge comes by.
 pub(super) fn skived(
     bodies: &SkivingBodies,
     tool: &RealTool,
@@ -49,8 +50,8 @@ pub(super) fn skived(
             };
             let found =
                 skiving.profile(&lengths).map_err(|error| RunFailure::of_removal(&error, "skiving"))?;
-            for (of_track, place) in of_tracks.iter_mut().zip(found) {
-                of_track.push(place.map_or(f64::NAN, |place| place.left));
+            for ((of_track, place), w) in of_tracks.iter_mut().zip(found).zip(&lengths) {
+                of_track.push(place.ok_or_else(|| not_cut(flank, tooth, *w))?.left);
             }
             progress.advance(1);
         }
@@ -58,6 +59,15 @@ pub(super) fn skived(
     })?;
     progress.finish();
     Ok(left)
+}
+
+fn not_cut(flank: Flank, tooth: usize, w: f64) -> RunFailure {
+    let message =
+        format!("tooth {tooth} does not pass the {flank} flank of its space at length of roll {w} mm");
+    let finding = Diagnostic::with_code("flank-not-cut", message)
+        .field("skiving")
+        .way_out("check centre distance, crossed-axes angle and tool shift");
+    RunFailure::not_producible(finding)
 }
 
 /// What the measured tool, or the ideal one, leaves with the present setting and after the correction.

@@ -110,7 +110,9 @@ pub(super) fn warnings(
         warnings.push(Remark {
             code: "correction-at-limit",
             text: format!("the correction ends at the limit of {}", corrected_at_limit.join(", ")),
-            way_out: "check why the machine is so far off before the limit is widened".into(),
+            way_out:
+                "leave out of `evaluation.settings` what gains little there, or widen `evaluation.limits`"
+                    .into(),
         });
     }
     warnings

@@ -95,7 +95,7 @@ pub struct SkivedFlankResult {
     pub max_deviation_um: f64,
     /// Root mean square of the same.
     pub rms_deviation_um: f64,
-    /// Largest difference between prediction and referee, of the mean tooth and of any tooth.
+    /// Largest difference between the prediction without noise and the referee, of the mean tooth and of any tooth.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub model_difference_um: Option<[f64; 2]>,
 }
@@ -259,6 +259,8 @@ pub struct ConventionalResult {
     pub track: usize,
     /// What it would report of an ideal tool: its own error.
     pub ideal_um: Option<f64>,
+    /// Angle on the rounding at which its beam touches the ideal tool.
+    pub touch_deg: Option<f64>,
     /// Why it reports nothing: the code of the error.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rests_on: Option<&'static str>,

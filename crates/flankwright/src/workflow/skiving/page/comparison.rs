@@ -1,0 +1,160 @@
+//! The workpiece to come, corrections, the usual way, history, scatter and programs for the page.
+
+use crate::exchange::SkivingJob;
+use crate::geometry::{Flank, Sides};
+use crate::report::Quantity;
+use crate::report::skiving::{
+    ConventionalRow, CorrectionsView, FlankProfile, HistoryView, MonteCarloRow, MonteCarloView, ProfileView,
+    ProgramsView, SettingChange, WearRow,
+};
+use crate::workflow::skiving::prepare::SkivingBodies;
+use crate::workflow::skiving::result::SkivingResult;
+use crate::workflow::skiving::run::SkivingOutcome;
+
+/// Profiles as deviations from the target.
+pub(super) fn profile(result: &SkivingResult) -> ProfileView {
+    let of_flank = |flank: Flank| {
+        let f = &result.flanks[flank.name()];
+        let target: Vec<f64> = f.target_um.iter().flatten().copied().collect();
+        let beyond = |values: &mut dyn Iterator<Item = f64>| -> Vec<f64> {
+            values.zip(&target).map(|(value, target)| value - target).collect()
+        };
+        let measured = result.measurement.is_some();
+        let ends = |k: usize| beyond(&mut f.teeth_um.iter().map(|ends| ends[k]));
+        let simulated = f.simulated_um.iter().flatten().flatten().copied();
+        FlankProfile {
+            roll_mm: f.w_mm.clone(),
+            mean_um: beyond(&mut f.planned_um.iter().flatten().copied()),
+            least_um: if measured { ends(0) } else { Vec::new() },
+            greatest_um: if measured { ends(1) } else { Vec::new() },
+            corrected_um: if measured { beyond(&mut f.corrected_um.iter().copied()) } else { Vec::new() },
+            simulated: f
+                .w_mm
+                .iter()
+                .zip(simulated.zip(&target))
+                .map(|(w, (found, target))| [*w, found - target])
+                .collect(),
+            tolerance_um: Some([-result.tolerance_um, result.tolerance_um]),
+        }
+    };
+    ProfileView { flanks: Sides::from_fn(of_flank) }
+}
+
+/// Changes of the setting, wear, when to grind again.
+pub(super) fn corrections(job: &SkivingJob, outcome: &SkivingOutcome) -> Option<CorrectionsView> {
+    let measured = outcome.result.measurement.as_ref()?;
+    let (correction, limits) = (&measured.correction, &job.evaluation.limits);
+    let spread = |name: &str| {
+        let found = outcome.result.monte_carlo.as_ref()?.results.iter().find(|r| r.name == name)?;
+        Some(found.sigma)
+    };
+    let free = |setting| outcome.bodies.free.contains(&setting);
+    use crate::process::skiving::Setting;
+    let all = [
+        (
+            Setting::CentreDistance,
+            "centre distance",
+            "Δd",
+            correction.centre_distance_um,
+            "µm",
+            1e3 * limits.centre_distance,
+        ),
+        (
+            Setting::CrossedAxesAngle,
+            "crossed-axes angle",
+            "Δγ",
+            correction.crossed_axes_angle_deg,
+            "deg",
+            limits.crossed_axes_angle_deg,
+        ),
+        (Setting::ToolShift, "tool shift", "Δz_V1", correction.tool_shift_um, "µm", 1e3 * limits.tool_shift),
+        (Setting::ToolAngle, "tool angle", "Δφ_1", correction.tool_angle_deg, "deg", limits.tool_angle_deg),
+    ];
+    let changes = all.into_iter().filter(|(setting, ..)| free(*setting)).map(
+        |(_, name, symbol, change, unit, limit)| SettingChange {
+            name: name.into(),
+            symbol: symbol.into(),
+            change,
+            unit: unit.into(),
+            limit: Some(limit),
+            at_limit: correction.at_limit.contains(&name),
+            deviation: spread(&format!("correction {name}")),
+        },
+    );
+    let wear = Flank::BOTH.into_iter().filter_map(|flank| {
+        let means = measured.profile.track_mean_um.get(flank.name())?;
+        let (track, mean) = means.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1))?;
+        Some(WearRow {
+            flank,
+            track: track + 1,
+            mean_um: *mean,
+            limit_um: measured.profile.wear_limit_um,
+            worn: measured.profile.worn[flank.name()],
+        })
+    });
+    Some(CorrectionsView {
+        changes: changes.collect(),
+        rms_um: Some(correction.rms_um),
+        wear: wear.collect(),
+        regrind: regrind(outcome),
+    })
+}
+
+fn regrind(_: &SkivingOutcome) -> Vec<Quantity> {
+    Vec::new()
+}
+
+/// The usual way beside the contact points: of the simulated tool, else of the ideal one.
+pub(super) fn conventional(bodies: &SkivingBodies, result: &SkivingResult) -> Vec<ConventionalRow> {
+    let row = |found: &crate::workflow::skiving::result::ConventionalResult| {
+        let flank = Flank::BOTH.into_iter().find(|flank| flank.name() == found.flank)?;
+        let section = &bodies.flanks[flank].tracks.get(found.track - 1)?.0.section;
+        let of_tool = found.measured_um.zip(found.reported_um);
+        Some(ConventionalRow {
+            flank,
+            track: found.track,
+            virtual_um: of_tool.map_or(0.0, |(measured, _)| measured),
+            conventional_um: of_tool.map(|(_, reported)| reported).or(found.ideal_um),
+            contact_deg: section.contact_angle.to_degrees(),
+            touch_deg: found.touch_deg,
+            end_deg: section.range[1].to_degrees(),
+        })
+    };
+    result.conventional.iter().filter_map(row).collect()
+}
+
+/// Earlier measurements and the trend.
+pub(super) fn history(_: &SkivingOutcome) -> Option<HistoryView> {
+    None
+}
+
+/// The scatter of what counts for the whole tool; the rest stands in its table.
+pub(super) fn monte_carlo(result: &SkivingResult) -> Option<MonteCarloView> {
+    let found = result.monte_carlo.as_ref()?;
+    let rows = found.results.iter().filter(|r| !r.name.contains("tooth")).map(|r| MonteCarloRow {
+        name: r.name.clone(),
+        symbol: String::new(),
+        unit: if r.unit == "um" {
+            "µm"
+        } else if r.unit == "urad" {
+            "µrad"
+        } else {
+            r.unit
+        }
+        .into(),
+        mean: r.mean,
+        deviation: r.sigma,
+        stated_deviation: r.stated_sigma,
+        interval: r.interval,
+    });
+    Some(MonteCarloView {
+        runs: found.measurements,
+        noise: "delay, edge of the beam, steps of the encoder".into(),
+        rows: rows.collect(),
+    })
+}
+
+/// Programs and their proof.
+pub(super) fn programs(_: &SkivingOutcome) -> Option<ProgramsView> {
+    None
+}
