@@ -4,3 +4,4 @@ mod errors;
 mod recovery;
 mod referee;
 mod samples;
+mod wear;

@@ -11,6 +11,7 @@ pub mod measuring;
 mod pair;
 mod setting;
 mod track;
+pub mod wear;
 
 pub use contact::{Conjugate, conjugate};
 pub use edge::VirtualEdge;

@@ -2,16 +2,25 @@
 
 use super::finding::{failure, of_readings};
 use super::prepare::SkivingBodies;
+use super::resharpening::Resharpening;
+use crate::exchange::Diagnostic;
 use crate::exchange::skiving_job::SkivingJob;
 use crate::geometry::Sides;
+use crate::numerics::root_mean_square;
 use crate::process::skiving::evaluation::{
     Deviations, Evaluation, MeasuredTool, Repeated, correction, evaluate, measured_tool,
 };
 use crate::process::skiving::measuring::{
     BarrierData, Noise, Reading, RealTool, Sense, Switches, nominal_angle, readings, switches,
 };
+use crate::process::skiving::wear::{GrowthOptions, ToothPositions, WearError, edge_growths, regrind};
 use crate::process::skiving::{MeasuringTrack, SettingFit, SkivingError};
 use crate::workflow::finding::RunFailure;
+
+/// Standard deviation of a growth up to which it is told from a shift of the edge, mm.
+const GROWTH_RESOLUTION: f64 = 2e-3;
+/// What a linear evaluation is off where nothing scatters (spec 60 section 15), mm.
+const LEAST_SIGMA: f64 = 3e-5;
 
 /// A measured tool with all that follows from it.
 #[derive(Clone, Debug)]
@@ -24,6 +33,8 @@ pub struct Measurement {
     pub evaluation: Evaluation,
     /// Change of the machine's setting.
     pub correction: SettingFit,
+    /// What grinding the tool again has to take off.
+    pub resharpening: Resharpening,
     /// Where the tool switches without noise; of a real tool as its deviations tell.
     pub switches: Switches,
     /// The tool, if it is simulated.
@@ -102,6 +113,38 @@ fn switches_of(bodies: &SkivingBodies, measured: &MeasuredTool) -> Switches {
     })
 }
 
+/// What the remaining deviations say of the roundings, and what has to be ground off for it.
+fn resharpening(
+    bodies: &SkivingBodies,
+    measured: &MeasuredTool,
+    evaluation: &Evaluation,
+) -> Result<Resharpening, RunFailure> {
+    let on = |error: WearError| {
+        let finding = Diagnostic::with_code(error.code(), error.to_string()).field("readings");
+        RunFailure::not_producible(finding.way_out(error.way_out()))
+    };
+    let sigma = track_deviations(bodies, measured.readings_each);
+    let all: Vec<f64> = sigma.iter().flat_map(|(_, of)| of.iter().copied()).collect();
+    let options = GrowthOptions {
+        positions: ToothPositions::Pitch,
+        sigma: root_mean_square(&all).max(LEAST_SIGMA),
+        resolution: GROWTH_RESOLUTION,
+    };
+    let growths = edge_growths(&bodies.flanks, &evaluation.remaining, &options).map_err(on)?;
+    let depth = regrind(&bodies.flanks, &growths.growth).map_err(on)?;
+    Ok(Resharpening::new(evaluation, &growths, &depth))
+}
+
+/// Standard deviation of a mean deviation on every track, mm.
+fn track_deviations(bodies: &SkivingBodies, readings_each: usize) -> Sides<Vec<f64>> {
+    let count = (readings_each as f64).sqrt();
+    bodies.flanks.map(|_, of| {
+        let of_track =
+            |(track, _): &(MeasuringTrack, _)| bodies.barrier.single_deviation(track.contact.lever) / count;
+        of.tracks.iter().map(of_track).collect()
+    })
+}
+
 impl Measurement {
     fn of(
         bodies: &SkivingBodies,
@@ -113,18 +156,22 @@ impl Measurement {
         let evaluation = evaluate(&bodies.flanks, &measured.deviations, &bodies.options).map_err(on)?;
         let correction =
             correction(&bodies.flanks, &evaluation, (&bodies.free, &bodies.setting_limits)).map_err(on)?;
-        Ok(Self { readings, measured, evaluation, correction, switches, tool: None, noiseless: None })
+        let resharpening = resharpening(bodies, &measured, &evaluation)?;
+        Ok(Self {
+            readings,
+            measured,
+            evaluation,
+            correction,
+            resharpening,
+            switches,
+            tool: None,
+            noiseless: None,
+        })
     }
 
     /// Standard deviation of the deviations of every track, mm.
     pub fn deviations(&self, bodies: &SkivingBodies) -> Sides<Vec<f64>> {
-        let count = (self.measured.readings_each as f64).sqrt();
-        bodies.flanks.map(|_, of| {
-            let of_track = |(track, _): &(MeasuringTrack, _)| {
-                bodies.barrier.single_deviation(track.contact.lever) / count
-            };
-            of.tracks.iter().map(of_track).collect()
-        })
+        track_deviations(bodies, self.measured.readings_each)
     }
 
     /// The measurement as one that can be repeated.

@@ -13,6 +13,7 @@ mod prepare;
 mod real_tool;
 mod referee;
 mod remarks;
+mod resharpening;
 mod result;
 mod run;
 mod scan;
@@ -21,6 +22,7 @@ mod write;
 
 pub use measurement::Measurement;
 pub use prepare::{SkivingBodies, prepare_skiving};
+pub use resharpening::{DecidingEdge, EdgeResharpening, Resharpening, ToothResharpening};
 pub use result::*;
 pub use run::{SkivingOutcome, inspect_skiving, run_skiving, simulate_skiving};
 pub use write::write_skiving;

@@ -4,8 +4,8 @@ use super::measurement::Measurement;
 use super::prepare::SkivingBodies;
 use super::referee::Left;
 use super::result::{
-    CorrectionResult, MeasurementResult, MountingResult, PitchResult, ProfileResult, SkivedFlankResult,
-    SkivingSettings, ToothOnFlank, TrackResult,
+    CorrectionResult, MeasurementResult, MountingResult, PitchResult, ProfileResult, ResharpeningResult,
+    SkivedFlankResult, SkivingSettings, ToothOnFlank, TrackResult,
 };
 use crate::geometry::{Flank, Sides};
 use crate::numerics::{extremes, power_series, root_mean_square};
@@ -158,6 +158,10 @@ pub(super) fn measurement_result(bodies: &SkivingBodies, m: &Measurement) -> Mea
         mounting: mounting(evaluation, &sigma),
         profile: profile(bodies, evaluation),
         correction: correction(&m.correction, &evaluation.profile.workpiece),
+        resharpening: ResharpeningResult {
+            depth_mm: m.resharpening.depth_mm,
+            axial_depth_mm: m.resharpening.axial_depth_mm,
+        },
         sigma_um: by_flank(&sigma),
     }
 }

@@ -1,5 +1,6 @@
 //! `result.json` of measuring a skiving tool, with units in the key names. Teeth count from 0, tracks from 1.
 
+use crate::process::skiving::wear::WearTrend;
 use crate::workflow::finding::Remark;
 use crate::workflow::result::Status;
 use serde::Serialize;
@@ -43,6 +44,9 @@ pub struct SkivingResult {
     /// The beam by a mandrel.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub calibration: Option<CalibrationResult>,
+    /// Measurements of the tool since it was ground.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub history: Option<HistoryResult>,
     /// How results scatter.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub monte_carlo: Option<MonteCarloResult>,
@@ -165,6 +169,8 @@ pub struct MeasurementResult {
     pub profile: ProfileResult,
     /// Correction of the setting.
     pub correction: CorrectionResult,
+    /// What grinding it again has to take off; every tooth stands in resharpening.json.
+    pub resharpening: ResharpeningResult,
 }
 
 /// Pitch, thickness, tooth centres.
@@ -218,6 +224,15 @@ pub struct ProfileResult {
     pub wear_limit_um: f64,
     /// Whether a flank is worn.
     pub worn: BTreeMap<&'static str, bool>,
+}
+
+/// What grinding the tool again has to take off.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ResharpeningResult {
+    /// Depth off the rake faces along their normal.
+    pub depth_mm: f64,
+    /// The same along the tool's axis.
+    pub axial_depth_mm: f64,
 }
 
 /// A tooth's flank.
@@ -362,4 +377,72 @@ pub struct ScatterResult {
     pub stated_sigma: Option<f64>,
     /// 95 % of the repetitions lie between these.
     pub interval: [f64; 2],
+}
+
+/// Measurements of the tool since it was ground.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct HistoryResult {
+    /// The tool.
+    pub tool: String,
+    /// Measurements since it was ground.
+    pub measurements: usize,
+    /// Workpieces cut until now.
+    pub parts: f64,
+    /// How often it has been ground again.
+    pub resharpened: u32,
+    /// Wear by flank.
+    pub flanks: BTreeMap<&'static str, FlankTrendResult>,
+}
+
+/// Wear of a flank over the workpieces.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FlankTrendResult {
+    /// Wear now: what is missing on the deepest track in the mean.
+    pub wear_um: f64,
+    /// Wear per thousand workpieces; absent with measurements at one count only.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rate_um_per_1000: Option<f64>,
+    /// Its standard deviation.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rate_sigma_um_per_1000: Option<f64>,
+    /// Workpieces at which the limit of wear is reached.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub limit_at_parts: Option<f64>,
+    /// Between these with a probability of 95 %; the upper end is absent where the rate may be 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub limit_interval: Option<[Option<f64>; 2]>,
+    /// Workpieces that are left; negative beyond the limit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub remaining_parts: Option<f64>,
+    /// Why there is no forecast.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub no_forecast: Option<String>,
+}
+
+impl FlankTrendResult {
+    pub(super) fn new(wear_um: f64, trend: Option<&WearTrend>) -> Self {
+        let Some(trend) = trend else {
+            return Self {
+                wear_um,
+                rate_um_per_1000: None,
+                rate_sigma_um_per_1000: None,
+                limit_at_parts: None,
+                limit_interval: None,
+                remaining_parts: None,
+                no_forecast: Some("a trend needs measurements at two counts of workpieces".into()),
+            };
+        };
+        let forecast = trend.forecast.as_ref();
+        // mm per workpiece, um per thousand.
+        const PER_THOUSAND: f64 = 1e6;
+        Self {
+            wear_um,
+            rate_um_per_1000: Some(PER_THOUSAND * trend.rate),
+            rate_sigma_um_per_1000: Some(PER_THOUSAND * trend.covariance[1][1].sqrt()),
+            limit_at_parts: forecast.ok().map(|f| f.parts),
+            limit_interval: forecast.ok().map(|f| f.interval.map(|end| Some(end).filter(|x| x.is_finite()))),
+            remaining_parts: forecast.ok().map(|f| f.remaining),
+            no_forecast: forecast.err().map(ToString::to_string),
+        }
+    }
 }

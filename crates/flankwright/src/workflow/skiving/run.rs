@@ -8,7 +8,7 @@ use super::result::SkivingResult;
 use super::scan::{Scan, scan};
 use super::{conventional, history, monte_carlo, referee, remarks};
 use crate::exchange::skiving_job::SkivingJob;
-use crate::exchange::{Diagnostic, LoadedSkivingJob, Problem, read_trigger_file};
+use crate::exchange::{Diagnostic, LoadedSkivingJob, Problem, read_skiving_readings};
 use crate::numerics::Progress;
 use crate::workflow::finding::{JobFailure, RunFailure};
 use crate::workflow::result::Status;
@@ -83,7 +83,7 @@ fn run(
     let begun = Instant::now();
     let measurement = match (readings, &job.tool_errors) {
         (Some((path, field)), _) => {
-            let seen = read_trigger_file(path, job.measuring.tracks.len())?;
+            let seen = read_skiving_readings(path, job.measuring.tracks.len())?;
             Some(evaluated(&bodies, seen, field)?)
         }
         (None, Some(errors)) => Some(simulated(job, &bodies, real_tool(&bodies, errors)?)?),
@@ -135,6 +135,7 @@ fn run(
         conventional,
         scan: scan.as_ref().map(|scan| scan.result.clone()),
         calibration: bodies.calibration.as_ref().map(|calibration| calibration.result.clone()),
+        history: history.as_ref().map(|noted| noted.result.clone()),
         monte_carlo,
         timing_s: timing,
     };

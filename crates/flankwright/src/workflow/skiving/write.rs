@@ -2,6 +2,7 @@
 
 use super::run::SkivingOutcome;
 use super::{page, tables};
+use crate::exchange::readings_table;
 use crate::exchange::skiving_job::SkivingJob;
 use crate::workflow::write::{NamedFile, WriteError, json, write_with_report};
 use std::path::{Path, PathBuf};
@@ -31,6 +32,19 @@ pub fn write_skiving(
             "deviation of every tooth on every track",
             tables::deviations(measured)?.text().into(),
         ));
+        if let Some(measurement) = &outcome.measurement {
+            let data = &measurement.resharpening;
+            files.push((
+                "resharpening.json".into(),
+                "what grinding the tool again has to take off, tooth by tooth",
+                json(data)?,
+            ));
+            files.push(("resharpening.csv".into(), "the same as a table", data.table()?.text().into()));
+            if measurement.tool.is_some() {
+                let readings = readings_table(&measurement.readings)?;
+                files.push(("readings.csv".into(), "switching angles", readings.text().into()));
+            }
+        }
         files.push(("pitch.csv".into(), "pitch and thickness", tables::pitch(measured)?.text().into()));
     }
     if let Some(scan) = &result.scan {

@@ -1,11 +1,12 @@
 //! The workpiece to come, corrections, the usual way, history, scatter and programs for the page.
 
 use crate::exchange::SkivingJob;
+use crate::exchange::skiving_history::HistoryRecord;
 use crate::geometry::{Flank, Sides};
 use crate::report::Quantity;
 use crate::report::skiving::{
-    ConventionalRow, CorrectionsView, FlankProfile, HistoryView, MonteCarloRow, MonteCarloView, ProfileView,
-    ProgramsView, SettingChange, WearRow,
+    ConventionalRow, CorrectionsView, FlankProfile, HistoryRow, HistoryView, MonteCarloRow, MonteCarloView,
+    ProfileView, ProgramsView, SettingChange, WearRow, WearTrend,
 };
 use crate::workflow::skiving::prepare::SkivingBodies;
 use crate::workflow::skiving::result::SkivingResult;
@@ -100,8 +101,30 @@ pub(super) fn corrections(job: &SkivingJob, outcome: &SkivingOutcome) -> Option<
     })
 }
 
-fn regrind(_: &SkivingOutcome) -> Vec<Quantity> {
-    Vec::new()
+/// Depth of the next grinding, and when it is due.
+fn regrind(outcome: &SkivingOutcome) -> Vec<Quantity> {
+    let Some(measured) = &outcome.result.measurement else { return Vec::new() };
+    let depth = &measured.resharpening;
+    let mut rows = vec![
+        Quantity::number("off the rake faces, along their normal", "", 1e3 * depth.depth_mm, "µm"),
+        Quantity::number("the same along the tool's axis", "", 1e3 * depth.axial_depth_mm, "µm"),
+    ];
+    let Some(history) = &outcome.result.history else { return rows };
+    for (flank, trend) in &history.flanks {
+        match (trend.limit_at_parts, trend.remaining_parts, &trend.no_forecast) {
+            (Some(at), Some(left), _) => {
+                let due = if left > 0.0 {
+                    format!("at {at:.0} workpieces: {left:.0} are left")
+                } else {
+                    format!("since {at:.0} workpieces: {:.0} too many", -left)
+                };
+                rows.push(Quantity::text(&format!("{flank} flank reaches its limit of wear"), due));
+            }
+            (.., Some(why)) => rows.push(Quantity::text(&format!("{flank} flank"), why.clone())),
+            _ => {}
+        }
+    }
+    rows
 }
 
 /// The usual way beside the contact points: of the simulated tool, else of the ideal one.
@@ -124,8 +147,35 @@ pub(super) fn conventional(bodies: &SkivingBodies, result: &SkivingResult) -> Ve
 }
 
 /// Earlier measurements and the trend.
-pub(super) fn history(_: &SkivingOutcome) -> Option<HistoryView> {
-    None
+pub(super) fn history(outcome: &SkivingOutcome) -> Option<HistoryView> {
+    let noted = outcome.history.as_ref()?;
+    let row = |record: &HistoryRecord| HistoryRow {
+        name: record.time.clone(),
+        parts: record.parts,
+        wear_um: Sides::from_fn(|flank| Some(1e3 * record.wear_point(flank).wear)),
+        remark: match record.out_of_band.len() {
+            0 => String::new(),
+            count => format!("{count} edges out of their band"),
+        },
+    };
+    let trend = |flank: Flank| {
+        let none = WearTrend { line: Vec::new(), forecast: None, forecast_deviation: None };
+        let Some(found) = &noted.trends[flank] else { return none };
+        let forecast = found.forecast.as_ref().ok();
+        // Beyond twice the workpieces so far a line says nothing.
+        let shown = forecast.filter(|f| f.parts > 0.0 && f.parts <= 2.0 * found.last_parts);
+        let last = shown.map_or(found.last_parts, |f| f.parts.max(found.last_parts));
+        WearTrend {
+            line: [0.0, last].map(|parts| [parts, 1e3 * found.wear_at(parts)]).to_vec(),
+            forecast: shown.map(|f| [f.parts, 1e3 * found.limit]),
+            forecast_deviation: shown.map(|f| f.deviation),
+        }
+    };
+    Some(HistoryView {
+        measurements: noted.cycle.iter().map(row).collect(),
+        trends: Sides::from_fn(trend),
+        limit_um: Some(1e3 * outcome.bodies.options.wear_limit),
+    })
 }
 
 /// The scatter of what counts for the whole tool; the rest stands in its table.
