@@ -127,13 +127,6 @@ const CASES: &[Case] = &[
         "job.process",
         &["did you mean \"generating-grinding\""],
     ),
-    case(
-        "\"generating-grinding\"",
-        "\"skiving-tool-measuring\"",
-        "process-not-available",
-        "job.process",
-        &["generating-grinding"],
-    ),
     // numbers
     case(
         "normal_module = 3.5",

@@ -15,6 +15,7 @@ mod planning;
 mod programs;
 mod robustness;
 mod shifts;
+mod skiving;
 mod strokes;
 mod tangential;
 mod trends;

@@ -29,6 +29,8 @@ mod skiving_readings;
 mod source;
 pub mod tangential_job;
 mod template;
+#[cfg(test)]
+mod told;
 mod toml_tree;
 
 pub use csv::{Cell, Column, CsvError, CsvTable};

@@ -14,6 +14,8 @@ mod skiving;
 mod skiving_tool;
 mod stylus;
 mod target;
+#[cfg(test)]
+mod tests;
 mod tool_errors;
 
 pub use calibration::{CalibrationMove, MandrelCalibration, MandrelSwitch};

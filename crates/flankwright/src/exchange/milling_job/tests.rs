@@ -3,6 +3,7 @@
 mod bad_input;
 
 use super::*;
+use crate::exchange::job::Process;
 use crate::exchange::{AnyJob, JobError, Source, job_template, parse_any_job};
 use crate::geometry::CutterShape;
 
