@@ -23,6 +23,7 @@ mod report_head;
 mod result;
 mod run;
 mod shift;
+pub mod skiving;
 mod strokes;
 mod tables;
 pub mod tangential;

@@ -1,0 +1,3 @@
+//! Power skiving: what command, server and Python call for it.
+
+pub mod programs;
