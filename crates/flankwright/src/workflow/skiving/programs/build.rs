@@ -1,23 +1,19 @@
 //! From work to texts: laid out for every control, written, read back, proven.
 
 use super::course::Course;
-use super::failure::{invalid, of_motion, of_writer};
+use super::failure::{invalid, of_motion};
 use super::measuring::{MeasuringCourse, Recording, measuring_course};
 use super::proof::{OWN_ROUNDING, Proof, prove};
-use super::replay::{Move, recorded};
 use super::scan::{ScanCourse, Scanned, scan_course};
 use super::scan_proof::prove_scans;
+use super::target::{Target, bound, plain, planned};
 use super::task::{MeasuringWork, ScanWork, ToolMachining};
 use crate::exchange::job::Program as DialectName;
-use crate::exchange::machine::Control;
 use crate::machine::Positions;
 use crate::motion::{AxisWords, track};
-use crate::nc::{
-    Block, Dialect, FanucOptions, Header, NcError, Program, ReadProgram, RoundingBound, WriteOptions,
-    Written, read, rounding_bound, split_turns, write_checked,
-};
+use crate::nc::{Block, Dialect, Program, RoundingBound, Written, write_checked};
 use crate::workflow::finding::RunFailure;
-use crate::workflow::programs::{control_of, decimals_of, dialect_of, ending_of, words_of};
+use crate::workflow::programs::{dialect_of, ending_of};
 
 /// One program.
 #[derive(Clone, Debug)]
@@ -48,17 +44,6 @@ pub struct ToolProgram {
     pub proof: Proof,
     /// Angles of the axis that turns the tool as the control counts them: this times those of the machine.
     pub(super) nc_sign: f64,
-}
-
-/// Tolerance of paths where the control gives none, mm.
-const CHORD_TOLERANCE: f64 = 5e-5;
-
-/// A control of the machine with its words and options.
-struct Target<'a> {
-    dialect: Dialect,
-    control: &'a Control,
-    words: AxisWords,
-    options: WriteOptions,
 }
 
 /// Programs that measure all tracks at the light barrier, one for each dialect.
@@ -182,70 +167,6 @@ fn scanned(
     prove_scans(laid, work, &moves, bound.distance + OWN_ROUNDING)
 }
 
-impl<'a> Target<'a> {
-    fn new(machining: &ToolMachining<'a>, dialect: Dialect, course: &Course<'_>) -> Result<Self, RunFailure> {
-        let name = crate::workflow::programs::name_of(dialect);
-        let control = control_of(machining.machine, name)?;
-        let axes = &machining.machine.machine.tool().axes;
-        let words = words_of(machining.machine, control, axes).map_err(|error| of_motion(&error))?;
-        course.moved(&words)?;
-        let mut options = WriteOptions {
-            decimals: decimals_of(control).unwrap_or_default(),
-            incremental_rotary: control.modulo,
-            ..WriteOptions::default()
-        };
-        options.fanuc = FanucOptions {
-            program_number: control.program_number.unwrap_or(1),
-            contour_mode: control.contour_mode,
-        };
-        Ok(Self { dialect, control, words, options })
-    }
-
-    fn refused(&self, error: &NcError) -> RunFailure {
-        of_writer(error, self.dialect)
-    }
-
-    /// Half a unit of the last digit of angles, rad.
-    fn half_angle(&self) -> f64 {
-        0.5 * 10f64.powi(-i32::from(self.options.decimals.deg)).to_radians()
-    }
-
-    fn read(&self, text: &str) -> Result<ReadProgram, RunFailure> {
-        read(text.as_bytes(), self.dialect, &self.words.words)
-            .map_err(|error| self.refused(&NcError::NotReadBack(error.to_string().into())))
-    }
-
-    fn moves(&self, machining: &ToolMachining<'_>, blocks: &[Block]) -> Result<Vec<Vec<Move>>, RunFailure> {
-        recorded(blocks, &machining.machine.machine, &self.words, machining.output)
-    }
-}
-
-/// The neutral program of a course.
-fn planned(
-    course: &Course<'_>,
-    target: &Target<'_>,
-    machining: &ToolMachining<'_>,
-    (job, heading): (&str, &str),
-) -> Result<Program, RunFailure> {
-    let mut blocks: Vec<Block> = Vec::new();
-    if !heading.is_empty() {
-        blocks.push(Block::Comment(heading.into()));
-        let machine = plain(&machining.machine.file.name);
-        blocks.push(Block::Comment(format!("MACHINE {machine}").trim_end().into()));
-    }
-    blocks.extend(course.blocks(&target.words, machining.output));
-    let header = Header {
-        name: program_name(job),
-        axes: target.words.words.clone(),
-        chord_tolerance: target.control.chord_tolerance_um.map_or(CHORD_TOLERANCE, |um| um * 1e-3),
-    };
-    let program = Program::new(header, blocks).map_err(|error| target.refused(&error))?;
-    if !target.control.modulo {
-        return Ok(program);
-    }
-    split_turns(&program).map_err(|error| target.refused(&error))
-}
-
 /// Text and read-back of a course; what its kind proves is left open.
 fn written(
     course: &Course<'_>,
@@ -282,22 +203,4 @@ fn written(
         proof: Proof::new(0.0),
         nc_sign: machine.axes()[turning].nc_sign,
     })
-}
-
-fn bound(program: &Program, target: &Target<'_>, lever: f64) -> Result<RoundingBound, RunFailure> {
-    rounding_bound(program, &target.options, lever, 0.0).map_err(|error| target.refused(&error))
-}
-
-/// Capitals, digits and single blanks, as every control takes them.
-fn plain(text: &str) -> String {
-    let capital = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_uppercase() } else { ' ' };
-    let letters: String = text.chars().map(capital).take(60).collect();
-    letters.split_whitespace().collect::<Vec<_>>().join(" ")
-}
-
-/// [A-Z0-9_]{1,24} of the job's name and T.
-fn program_name(job: &str) -> String {
-    let letter = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_uppercase() } else { '_' };
-    let word: String = job.chars().map(letter).take(22).collect();
-    format!("{word}_T")
 }

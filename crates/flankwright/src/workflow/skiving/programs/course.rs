@@ -1,6 +1,6 @@
-//! The neutral steps of a measuring program, from place to place, with the room that the beam needs between them. Knows no dialect.
+//! The neutral steps of a measuring program, from place to place. Knows no dialect.
 
-use super::failure::{invalid, of_skiving};
+use super::room::Room;
 use super::stand::Stander;
 use super::task::{Retreat, ToolMachining};
 use crate::exchange::Diagnostic;
@@ -32,15 +32,11 @@ pub(super) struct Course<'m> {
     pub at: Option<Positions>,
     /// Where the tool stands drawn back.
     back: Option<Positions>,
-    beam: Beam,
-    /// Distance of beam and tool axis at which the tool is out of the beam, mm.
-    clear: f64,
+    room: Room,
 }
 
 /// An axis that would go less, mm or rad, stands: that is what inverse kinematics leave of an axis that does not move.
 const SAME: f64 = 1e-10;
-/// Places at which the way between two poses is looked at.
-const PLACES: usize = 32;
 
 impl<'m> Course<'m> {
     /// An empty course of a tool with these edges before a beam.
@@ -52,23 +48,13 @@ impl<'m> Course<'m> {
         edges: &Sides<&VirtualEdge>,
         beam: &Beam,
     ) -> Result<Self, RunFailure> {
-        let mut outside = 0.0f64;
-        for (_, edge) in edges.iter() {
-            for w in edge.flank().range() {
-                let contact = edge.contact(w).map_err(|error| of_skiving(&error))?;
-                outside = outside.max(contact.point.x.hypot(contact.point.y));
-            }
-        }
-        // Beyond the flank there is the tip's own rounding: it takes less than a module.
-        let module = edges.left.pair().gear().data().normal_module;
         Ok(Self {
             stander: Stander::new(machining)?,
             retreat: machining.retreat,
             steps: Vec::new(),
             at: None,
             back: None,
-            beam: *beam,
-            clear: outside + module + beam.radius,
+            room: Room::new(machining.retreat.direction, edges, beam)?,
         })
     }
 
@@ -96,7 +82,7 @@ impl<'m> Course<'m> {
         turned: bool,
         place: &str,
     ) -> Result<Positions, RunFailure> {
-        let direction = self.direction(pose)?;
+        let direction = self.room.direction(pose)?;
         let drawn = MeasuringPose { position: pose.position + direction * self.retreat.distance, ..*pose };
         let near = self.at;
         let stand = self.stander.stand(pose, near.as_ref(), place)?;
@@ -106,7 +92,7 @@ impl<'m> Course<'m> {
         if let (false, Some(now)) = (turned, near) {
             (back[turning], into[turning]) = (now[turning], now[turning]);
         }
-        self.free(&back, place)?;
+        self.room.free(&self.stander, [self.back.as_ref().unwrap_or(&back), &back], place)?;
         self.steps.push(Step::Rapid(back));
         self.back = Some(back);
         self.straight(into, self.retreat.distance / self.retreat.speed);
@@ -118,12 +104,12 @@ impl<'m> Course<'m> {
     /// # Errors
     /// As [`Course::approach`].
     pub fn draw_back(&mut self, pose: &MeasuringPose, place: &str) -> Result<(), RunFailure> {
-        let direction = self.direction(pose)?;
+        let direction = self.room.direction(pose)?;
         let drawn = MeasuringPose { position: pose.position + direction * self.retreat.distance, ..*pose };
         let near = self.at;
         let found = self.stander.stand(&drawn, near.as_ref(), &format!("{place}, drawn back"))?;
         let back = near.map_or(found, |now| self.slid(&now, &found));
-        self.free(&back, place)?;
+        self.room.free(&self.stander, [self.back.as_ref().unwrap_or(&back), &back], place)?;
         self.back = Some(back);
         self.straight(back, self.retreat.distance / self.retreat.speed);
         Ok(())
@@ -136,48 +122,6 @@ impl<'m> Course<'m> {
         let linear = machine.tool().axes.iter().filter(|&&axis| machine.axes()[axis].joint == Joint::Linear);
         linear.for_each(|&axis| at[axis] = found[axis]);
         at
-    }
-
-    /// The direction in which the tool is drawn back from a pose.
-    fn direction(&self, pose: &MeasuringPose) -> Result<Vector3<f64>, RunFailure> {
-        if let Some(direction) = self.retreat.direction {
-            return Ok(direction);
-        }
-        let axis = Vector3::new(0.0, -pose.swivel.sin(), pose.swivel.cos());
-        let to_beam = self.beam.point - pose.position;
-        let away = axis * axis.dot(&to_beam) - to_beam;
-        let length = away.norm();
-        if length > 0.0 {
-            Ok(away / length)
-        } else {
-            Err(invalid("retreat.direction", length, "a unit vector"))
-        }
-    }
-
-    /// Whether the tool stays out of the beam from the place drawn back before to this one; looked at in the plane of its rake face.
-    fn free(&self, to: &Positions, place: &str) -> Result<(), RunFailure> {
-        let from = self.back.unwrap_or(*to);
-        let unit = self.beam.unit();
-        for k in 0..=PLACES {
-            let share = k as f64 / PLACES as f64;
-            let mut at = from;
-            for &axis in &self.stander.machine.tool().axes {
-                at[axis] += share * (to[axis] - from[axis]);
-            }
-            let origin = self.stander.tool(&at)?.position - self.beam.point;
-            let distance = unit.cross(&origin).norm();
-            if distance < self.clear {
-                let text = format!(
-                    "{place}: on its way the tool's axis comes as near as {distance:.3} mm to the beam, {:.3} mm leave it free",
-                    self.clear
-                );
-                let finding = Diagnostic::with_code("beam-not-free", text).field("retreat.distance");
-                let way_out =
-                    "draw the tool back farther, or give one direction of the retreat for all tracks";
-                return Err(RunFailure::not_producible(finding.way_out(way_out)));
-            }
-        }
-        Ok(())
     }
 
     /// The blocks on a control: every block names the axes that go elsewhere.

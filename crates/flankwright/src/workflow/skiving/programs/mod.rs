@@ -9,9 +9,11 @@ mod measuring;
 mod proof;
 mod replay;
 mod result;
+mod room;
 mod scan;
 mod scan_proof;
 mod stand;
+mod target;
 mod task;
 
 pub use build::{ToolProgram, measuring_programs, prove_measuring, prove_scan, scan_programs};
