@@ -358,7 +358,7 @@ pub(super) fn within_turn(angle: f64) -> f64 {
 }
 
 /// A rotation that is one, numbers that are finite.
-pub(super) fn check_pose(pose: &Pose<ToolSpindle, StationSpindle>) -> Result<(), MachineError> {
+pub(super) fn check_pose<To, From>(pose: &Pose<To, From>) -> Result<(), MachineError> {
     let rotation = pose.rotation();
     if let Some(&value) = rotation.iter().chain(pose.translation().iter()).find(|x| !x.is_finite()) {
         return Err(MachineError::InvalidNumber { field: "pose".into(), value });

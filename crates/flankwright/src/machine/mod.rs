@@ -15,6 +15,7 @@ mod inverse;
 mod mount;
 mod numeric;
 mod orient;
+mod placed;
 mod rotations;
 mod rule;
 mod straight;

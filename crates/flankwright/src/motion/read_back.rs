@@ -212,7 +212,7 @@ impl Walk<'_> {
                     "tool centre point control, which moves the axes in ways that no block says".into();
                 return Err(MotionError::NotFollowed { block: number, reason });
             }
-            Block::Comment(_) | Block::Stop | Block::End | Block::Tool { .. } => {}
+            Block::Comment(_) | Block::Stop | Block::End | Block::Tool { .. } | Block::Output { .. } => {}
         }
         Ok(())
     }

@@ -257,6 +257,11 @@ impl Comparison<'_> {
                 // Fanuc takes whole numbers that are not further away than this.
                 self.number("spindle speed", s, t, 2.0 * PLAIN + CONVERSION * s.abs())?;
             }
+            (Block::Output { number: a, on: to }, Block::Output { number: b, on: found_to }) => {
+                if (a, to) != (b, found_to) {
+                    return Err(self.mismatch("digital output", f64::from(*b) - f64::from(*a)));
+                }
+            }
             (Block::Comment(a), Block::Comment(b)) if a == b => {}
             (Block::Stop, Block::Stop) | (Block::End, Block::End) => {}
             (

@@ -24,6 +24,12 @@ impl Dialect {
         }
     }
 
+    /// Whether the axes stand while a digital output is switched ([`super::Block::Output`]), because the control carries out its
+    /// statement between motions only.
+    pub fn stands_to_switch(self) -> bool {
+        self == Self::Fanuc
+    }
+
     /// The dialect of a name.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|dialect| dialect.name() == name)

@@ -167,6 +167,14 @@ pub enum NcError {
         /// What is wrong.
         reason: &'static str,
     },
+    /// A digital output that is switched where no motion carries it out.
+    #[error("block {block}: an output {reason}")]
+    OutputState {
+        /// Block.
+        block: usize,
+        /// What is wrong.
+        reason: &'static str,
+    },
     /// A control that cannot guide the tip of the tool.
     #[error("block {block}: this control has no tool centre point control in its standard kinematics")]
     TipControlNotAvailable {
@@ -238,6 +246,7 @@ impl NcError {
             Self::BlockNotAvailable { .. } => "nc-block-not-available",
             Self::GearState { .. } => "nc-gear-state",
             Self::TipControlState { .. } => "nc-tip-control-state",
+            Self::OutputState { .. } => "nc-output-state",
             Self::TipControlNotAvailable { .. } => "nc-tip-control-not-available",
             Self::BadText { .. } => "nc-bad-text",
             Self::EndMisplaced { .. } => "nc-end-misplaced",
@@ -278,6 +287,7 @@ impl NcError {
             Self::TipControlState { .. } => {
                 "call a tool with its offset, switch tip control on, give directions, places and speeds, switch it off"
             }
+            Self::OutputState { .. } => "let a motion follow after each switch of an output",
             Self::TipControlNotAvailable { .. } => {
                 "transform the tip to axis values and give each block its time (G93), or take another control"
             }

@@ -146,6 +146,10 @@ pub fn random(dialect: Dialect, seed: u64, count: usize, stand_alone: bool) -> P
             3 => blocks.push(Block::Comment("STROKE 1 OF 7".into())),
             4 => blocks.push(Block::Stop),
             5 if !stand_alone && dialect != Dialect::LinuxCnc => gear(&mut draw, dialect, table, &mut blocks),
+            6 => {
+                blocks.push(Block::Output { number: 1 + draw.below(15) as u8, on: draw.below(2) == 0 });
+                blocks.push(Block::Linear { target: draw.targets(6), duration: draw.duration() });
+            }
             16 | 17 => {
                 let spans = (0..6).filter(|_| draw.below(2) == 0).collect::<Vec<_>>();
                 let spans = spans.into_iter().map(|axis| {

@@ -27,6 +27,14 @@ pub enum Block {
         /// rad/s, above 0 clockwise as the control names it, 0 stops.
         speed: f64,
     },
+    /// A digital output is switched when the motion before it has ended; a motion must follow. At a light barrier it tells the
+    /// recorder to take down where the tool spindle stands at every switch.
+    Output {
+        /// The output, 1 to 15: what all controls have.
+        number: u8,
+        /// Whether it is on from here.
+        on: bool,
+    },
     /// Text for people: printable ASCII without brackets and semicolons.
     Comment(Box<str>),
     /// The control waits for its operator.
@@ -64,6 +72,16 @@ pub enum Block {
     Tip(TipMotion),
     /// Speed of the blocks under tip control that keep theirs, mm/s: 0.1 to 1e6 mm/min.
     TipSpeed(f64),
+}
+
+impl Block {
+    /// Whether axes or the tip of the tool move.
+    pub fn moves(&self) -> bool {
+        matches!(
+            self,
+            Self::Rapid(_) | Self::Linear { .. } | Self::Cubic(_) | Self::BSpline(_) | Self::Tip(_)
+        )
+    }
 }
 
 /// A cubic of u in 0..1 that starts where its axis stands.

@@ -33,6 +33,7 @@ pub(super) fn check(header: &Header, blocks: &[Block]) -> Result<(), NcError> {
         gears: [const { GearPlace::Absent }; MAXIMUM_AXES],
         tables: BTreeMap::new(),
         speeds: [0.0; SPINDLES],
+        switched: 0,
         tip: TipState::default(),
         block: 0,
     };
@@ -42,6 +43,9 @@ pub(super) fn check(header: &Header, blocks: &[Block]) -> Result<(), NcError> {
     }
     if blocks.is_empty() { Err(NcError::EndMisplaced { block: 1 }) } else { Ok(()) }
 }
+
+/// Outputs that all controls have: Siemens counts from 1, Fanuc has #1100 to #1115.
+const OUTPUTS: std::ops::RangeInclusive<u8> = 1..=15;
 
 /// Spindles that can be numbered.
 const SPINDLES: usize = 8;
@@ -123,6 +127,8 @@ pub(super) struct State<'a> {
     /// Follower and leader of each table.
     tables: BTreeMap<u32, [usize; 2]>,
     pub(super) speeds: [f64; SPINDLES],
+    /// Bit mask of the outputs that are switched with the next motion.
+    switched: u16,
     pub(super) tip: TipState,
     pub(super) block: usize,
 }
@@ -134,6 +140,9 @@ impl State<'_> {
             return Err(NcError::EndMisplaced { block: here });
         }
         self.fits_tip_control(block)?;
+        if block.moves() {
+            self.switched = 0;
+        }
         match block {
             Block::Rapid(target) => {
                 self.targets(target)?;
@@ -166,7 +175,13 @@ impl State<'_> {
                 }
             }
             Block::Stop => {}
+            Block::Output { number, .. } => self.output(*number)?,
             Block::End => {
+                if self.switched != 0 {
+                    return Err(
+                        self.output_state("is switched after the last motion, and waits for another one")
+                    );
+                }
                 if let Some(axis) = self.gears.iter().position(|gear| matches!(gear, GearPlace::On(_))) {
                     return Err(self.gear_state(axis, "is still on at the end"));
                 }
@@ -191,6 +206,22 @@ impl State<'_> {
             | Block::TipSpeed(_) => self.tip_block(block)?,
         }
         Ok(())
+    }
+
+    fn output(&mut self, number: u8) -> Result<(), NcError> {
+        if !OUTPUTS.contains(&number) {
+            let (axis, value) = ("number of the output".into(), number.into());
+            return Err(NcError::NumberRange { block: self.block, axis, value, allowed: "outputs 1 to 15" });
+        }
+        if self.switched >> number & 1 == 1 {
+            return Err(self.output_state("is switched twice with the same motion"));
+        }
+        self.switched |= 1 << number;
+        Ok(())
+    }
+
+    fn output_state(&self, reason: &'static str) -> NcError {
+        NcError::OutputState { block: self.block, reason }
     }
 
     /// Whether a gear is on.

@@ -34,6 +34,7 @@ impl State<'_> {
             block,
             Block::Dwell(_)
                 | Block::Spindle { .. }
+                | Block::Output { .. }
                 | Block::Comment(_)
                 | Block::Stop
                 | Block::TipControlOn(_)

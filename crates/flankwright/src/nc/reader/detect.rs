@@ -17,6 +17,9 @@ pub fn detect_dialect(text: &[u8]) -> Option<Dialect> {
             "TRAORI", "TRAFOOF",
         ];
         let holds = |pattern: &str| code.windows(pattern.len()).any(|window| window == pattern.as_bytes());
+        if code.starts_with(b"#") {
+            return Some(Dialect::Fanuc);
+        }
         if !code.starts_with(b"(") && (siemens.iter().any(|pattern| holds(pattern)) || code.contains(&b'=')) {
             return Some(Dialect::Siemens);
         }
@@ -38,7 +41,9 @@ mod tests {
 
     #[test]
     fn each_dialect_is_known_by_what_only_it_has() {
-        let cases: [(&[u8], Option<Dialect>); 10] = [
+        let cases: [(&[u8], Option<Dialect>); 12] = [
+            (b"G53\n#1101=1\nG1 X1. F1.\n", Some(Dialect::Fanuc)),
+            (b"WHEN TRUE DO $A_OUT[1]=1\n", Some(Dialect::Siemens)),
             (b"N10 TRAORI\nG1 X1 Y2 Z3 F100\n", Some(Dialect::Siemens)),
             (b"G21 G90\nG43.5 H1\n", Some(Dialect::Fanuc)),
             (b"(G43.4 AND TRAORI)\nG21 G90\nM2\n", Some(Dialect::LinuxCnc)),

@@ -26,6 +26,8 @@ pub(super) struct Iso<'a> {
     percent: bool,
     /// Follower of the gear that is on.
     coupled: Option<usize>,
+    /// Whether the line before was G53, which keeps a Fanuc from reading ahead.
+    waits: bool,
 }
 
 impl<'a> Iso<'a> {
@@ -48,6 +50,7 @@ impl<'a> Iso<'a> {
             begun: false,
             percent: false,
             coupled: None,
+            waits: false,
         }
     }
 
@@ -74,6 +77,21 @@ impl<'a> Iso<'a> {
 
     /// Carries a line out in the order that controls do.
     fn carry_out(&mut self, codes: &Codes) -> Result<(), Fault> {
+        let alone = codes.g.list().len() + codes.m.list().len() == usize::from(codes.output.is_none())
+            && self.words.present == 0;
+        let waited = std::mem::replace(&mut self.waits, codes.g.has(530));
+        match codes.output {
+            Some(_) if !alone => return Err((ReadProblem::Conflict, "# alone in its line")),
+            Some(_) if !waited => {
+                return Err((
+                    ReadProblem::Missing,
+                    "G53 in the line before: macro statements are read ahead",
+                ));
+            }
+            Some((number, on)) => return self.machine.output(number, on),
+            None if self.waits && !alone => return Err((ReadProblem::Conflict, "G53 alone in its line")),
+            None => {}
+        }
         let dwell = codes.g.has(40);
         let axis_bits = self.letters.iter().enumerate().filter(|(_, axis)| axis.is_some());
         let axis_bits = axis_bits.fold(0u32, |mask, (k, _)| mask | 1 << k);
@@ -129,6 +147,12 @@ impl<'a> Iso<'a> {
                     }
                 }
                 _ => {}
+            }
+        }
+        for (code, on) in [(62, true), (63, false)] {
+            if codes.m.has(code) {
+                let number = self.words.get(b'P').and_then(Decimal::count);
+                self.machine.output(number, on)?;
             }
         }
         for (code, on) in [(64, true), (65, false)] {
@@ -311,7 +335,8 @@ impl Grammar for Iso<'_> {
         let empty = codes.g.list().is_empty()
             && codes.m.list().is_empty()
             && self.words.present == 0
-            && codes.spindle.is_none();
+            && codes.spindle.is_none()
+            && codes.output.is_none();
         if before {
             self.machine.blocks.truncate(blocks);
             if !empty {

@@ -271,6 +271,15 @@ impl<'a> Machine<'a> {
         self.spindles[0].1 = 0.0;
     }
 
+    /// A digital output.
+    pub fn output(&mut self, number: Option<u32>, on: bool) -> Result<(), Fault> {
+        let number = number.and_then(|number| u8::try_from(number).ok());
+        let number = number.filter(|number| (1..=15).contains(number));
+        let number = number.ok_or((ReadProblem::OutOfRange, "outputs 1 to 15"))?;
+        self.blocks.push(Block::Output { number, on });
+        Ok(())
+    }
+
     /// A dwell of so many seconds.
     pub fn dwell(&mut self, seconds: f64) -> Result<(), Fault> {
         if !(0.0..=1e6).contains(&seconds) {

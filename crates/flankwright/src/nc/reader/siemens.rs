@@ -33,6 +33,8 @@ struct Line {
     interval: Option<Decimal>,
     degree: Option<Decimal>,
     tip: TipWords,
+    /// Number and state of the output that an action of the line switches.
+    output: Option<(Option<u32>, bool)>,
 }
 
 /// What a line says of the tool and its tip.
@@ -74,6 +76,7 @@ impl Line {
             interval: None,
             degree: None,
             tip: TipWords::default(),
+            output: None,
         }
     }
 
@@ -214,6 +217,9 @@ impl<'a> Siemens<'a> {
         }
         if !line.spline {
             self.end_spline();
+        }
+        if let Some((number, on)) = self.line.output {
+            return self.machine.output(number, on);
         }
         let line = &self.line;
         for code in [93, 94] {

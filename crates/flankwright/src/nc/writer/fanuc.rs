@@ -3,8 +3,8 @@
 
 use super::lines::{Lines, PLAIN_DECIMALS, per_minute};
 use super::unconfirmed::{
-    FANUC_CONTOUR_OFF, FANUC_CONTOUR_ON, FANUC_DWELL, FANUC_LINE, FANUC_PREAMBLE, FANUC_SPINDLE_WORD,
-    FANUC_TOOL_CHANGE, is_fanuc_comment,
+    FANUC_CONTOUR_OFF, FANUC_CONTOUR_ON, FANUC_DWELL, FANUC_FIRST_OUTPUT, FANUC_LINE, FANUC_PREAMBLE,
+    FANUC_READ_NO_FURTHER, FANUC_SPINDLE_WORD, FANUC_TOOL_CHANGE, is_fanuc_comment,
 };
 use super::{WriteOptions, Written};
 use crate::nc::{Block, Coupling, Gear, MAXIMUM_AXES, NcError, Program, TipControl, ToothData, Word};
@@ -61,6 +61,12 @@ pub(super) fn write(program: &Program, options: &WriteOptions) -> Result<Written
             Block::Spindle { spindle, speed } => {
                 spindles |= 1 << spindle;
                 turn(&mut out, *spindle, *speed)?;
+            }
+            Block::Output { number, on } => {
+                out.push_line(FANUC_READ_NO_FURTHER)?;
+                let (variable, value) = (FANUC_FIRST_OUTPUT + u16::from(*number), u8::from(*on));
+                out.push_format(format_args!("#{variable}={value}"));
+                out.end_line()?;
             }
             Block::Comment(text) => {
                 if !text.bytes().all(is_fanuc_comment) {

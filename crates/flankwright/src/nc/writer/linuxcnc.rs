@@ -71,6 +71,11 @@ pub(super) fn write(program: &Program, options: &WriteOptions) -> Result<Written
                 which_spindle(&mut out, *spindle);
                 out.end_line()?;
             }
+            Block::Output { number, on } => {
+                // With the next motion, so that the path goes on; M64 and M65 switch gears.
+                out.push_format(format_args!("M{} P{number}", if *on { 62 } else { 63 }));
+                out.end_line()?;
+            }
             Block::Comment(text) => {
                 // (MSG, ..), (DEBUG, ..), (LOGOPEN, ..): a word before a comma is a command.
                 let active = text

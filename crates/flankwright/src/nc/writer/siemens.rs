@@ -4,8 +4,8 @@
 use super::lines::{Lines, PLAIN_DECIMALS, per_minute};
 use super::number::push_significant;
 use super::unconfirmed::{
-    SIEMENS_BLOCK_CHANGE, SIEMENS_LEADER_TYPE, SIEMENS_LINE, SIEMENS_PREAMBLE, SIEMENS_SPLINE_END,
-    SIEMENS_TABLE_FEED, SIEMENS_TOOL_CHANGE,
+    SIEMENS_BLOCK_CHANGE, SIEMENS_LEADER_TYPE, SIEMENS_LINE, SIEMENS_OUTPUT, SIEMENS_PREAMBLE,
+    SIEMENS_SPLINE_END, SIEMENS_TABLE_FEED, SIEMENS_TOOL_CHANGE,
 };
 use super::{WriteOptions, Written};
 use crate::nc::{
@@ -77,6 +77,11 @@ impl Siemens<'_> {
                     self.out.end_line()?;
                 }
                 Block::Spindle { spindle, speed } => self.spindle(*spindle, *speed)?,
+                Block::Output { number, on } => {
+                    let value = u8::from(*on);
+                    self.out.push_format(format_args!("{SIEMENS_OUTPUT}$A_OUT[{number}]={value}"));
+                    self.out.end_line()?;
+                }
                 Block::Comment(text) => {
                     self.out.push_format(format_args!("; {text}"));
                     self.out.end_line()?;

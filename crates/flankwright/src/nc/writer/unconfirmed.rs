@@ -14,6 +14,10 @@ pub(super) const SIEMENS_TABLE_FEED: &str = " F60.000000";
 /// Siemens: a spline ends with the next motion command, also without axes.
 pub(super) const SIEMENS_SPLINE_END: &str = "G1";
 
+/// Siemens: what makes the assignment to an output an action of the next motion block, in the interpolator and without a stop; by
+/// itself the assignment would need STOPRE before it, which ends the motion.
+pub(super) const SIEMENS_OUTPUT: &str = "WHEN TRUE DO ";
+
 /// Siemens: what changes the tool that T has named, after D with its offset.
 pub(super) const SIEMENS_TOOL_CHANGE: &str = " M6";
 
@@ -31,6 +35,10 @@ pub(super) fn is_fanuc_comment(byte: u8) -> bool {
 }
 /// Fanuc: a dwell in seconds takes X with a point.
 pub(super) const FANUC_DWELL: &str = "G4 X";
+/// Fanuc: keeps the control from reading ahead, so that the macro statement after it waits until the axes stand.
+pub(super) const FANUC_READ_NO_FURTHER: &str = "G53";
+/// Fanuc: system variable of output 0; that of output n follows n places later.
+pub(super) const FANUC_FIRST_OUTPUT: u16 = 1100;
 /// Fanuc: the word that picks a spindle other than the first; its number counts from 1.
 pub(super) const FANUC_SPINDLE_WORD: char = 'P';
 /// Fanuc: what changes the tool that T has named; its offset stands beside G43.4 and G43.5.

@@ -31,7 +31,7 @@ pub(crate) enum Marker {
     Bar,
 }
 
-/// The style of the k-th series; after six the cycle starts again.
+/// The style of the k-th series. After six the colours start again with other dashes and markers: 36 differ.
 pub(crate) fn series_style(k: usize) -> SeriesStyle {
     let styles = [
         (BLUE, "", Marker::Disc),
@@ -41,7 +41,9 @@ pub(crate) fn series_style(k: usize) -> SeriesStyle {
         ("#8a6d00", "11 3", Marker::TriangleDown),
         ("#2a7f8e", "10 3 2 3 2 3", Marker::Bar),
     ];
-    let (color, dash, marker) = styles[k % styles.len()];
+    let (round, place) = (k / styles.len(), k % styles.len());
+    let (color, ..) = styles[place];
+    let (_, dash, marker) = styles[(place + round) % styles.len()];
     SeriesStyle { color, dash, marker }
 }
 
@@ -72,6 +74,13 @@ mod tests {
     fn luminance(color: &str) -> f64 {
         let channel = |k: usize| f64::from(u8::from_str_radix(&color[k..k + 2], 16).unwrap());
         0.2126 * channel(1) + 0.7152 * channel(3) + 0.0722 * channel(5)
+    }
+
+    #[test]
+    fn no_two_of_36_series_look_alike() {
+        let looks: std::collections::BTreeSet<(&str, &str)> =
+            (0..36).map(series_style).map(|style| (style.color, style.dash)).collect();
+        assert_eq!(looks.len(), 36);
     }
 
     #[test]

@@ -39,7 +39,7 @@ const RAKE: f64 = 4.0;
 const FACES: f64 = 2.2;
 /// How far from the centre of the rounding its names stand, in its radii: where it begins and ends, conventional touch, contact.
 const ENDS: [f64; 2] = [1.45, 2.8];
-const CONVENTIONAL: f64 = 1.8;
+const CONVENTIONAL: f64 = 3.6;
 const CONTACT: f64 = 2.4;
 /// Points of an arc.
 const ARC: usize = 60;

@@ -1,19 +1,19 @@
 //! From the motions of a run to programs: the passes, laid out for every control, written and read back.
 
+use super::control::{control_of, decimals_of, dialect_of, ending_of, words_of};
 use super::task::{DressingWork, GrindingWork, ProgramTask};
 use super::technology::Technology;
-use crate::exchange::job::Program as DialectName;
+use crate::exchange::Diagnostic;
 use crate::exchange::machine::{Control, ControlCoupling};
-use crate::exchange::{Diagnostic, Problem};
 use crate::kinematics::MotionLaw;
 use crate::machine::{Positions, Station};
 use crate::motion::{
     AxisWords, Coupling, Course, DressingCourse, GrindingCourse, Layout, LayoutOptions, MotionError, Pass,
-    WorkGear, axis_words, in_words, lay_out,
+    WorkGear, in_words, lay_out,
 };
 use crate::nc::{
-    Block, Decimals, Dialect, FanucOptions, HalOptions, NcError, WriteOptions, Written, read,
-    read_with_netlist, split_turns, write_checked,
+    Block, Dialect, FanucOptions, HalOptions, NcError, WriteOptions, Written, read, read_with_netlist,
+    split_turns, write_checked,
 };
 use crate::workflow::finding::{Remark, RunFailure};
 use std::f64::consts::TAU;
@@ -55,23 +55,6 @@ const CHORD_TOLERANCE_UM: f64 = 0.05;
 /// Following error at which the guard of a LinuxCNC gear opens, deg.
 const FOLLOWING_ERROR_DEG: f64 = 0.5;
 
-pub(super) fn dialect_of(name: DialectName) -> Dialect {
-    match name {
-        DialectName::Linuxcnc => Dialect::LinuxCnc,
-        DialectName::Siemens => Dialect::Siemens,
-        DialectName::Fanuc => Dialect::Fanuc,
-    }
-}
-
-/// The key of a dialect in files.
-pub(super) fn name_of(dialect: Dialect) -> DialectName {
-    match dialect {
-        Dialect::LinuxCnc => DialectName::Linuxcnc,
-        Dialect::Siemens => DialectName::Siemens,
-        Dialect::Fanuc => DialectName::Fanuc,
-    }
-}
-
 /// An error of the motion as a finding of the job: bad input if the machine or its controls lack something.
 fn failure(error: &MotionError) -> RunFailure {
     let finding =
@@ -101,22 +84,7 @@ impl ProgramTask<'_> {
         let mut programs = Vec::new();
         let mut warnings = Vec::new();
         for &name in self.dialects {
-            let Some(control) = self.machine.file.controls.of(name) else {
-                let dialect = dialect_of(name).name();
-                let known: Vec<&str> = self.machine.file.controls.present().map(|(key, _)| key).collect();
-                let finding = Diagnostic::new(
-                    Problem::InvalidMachine,
-                    format!("the machine {} has no control {dialect:?}", self.machine.file.name),
-                )
-                .field("output.programs")
-                .value(format!("{dialect:?}"))
-                .allowed(if known.is_empty() { "none".to_owned() } else { known.join(", ") })
-                .way_out(format!(
-                    "describe [controls.{dialect}] in {}, or leave it out",
-                    self.machine.file.name
-                ));
-                return Err(RunFailure::bad_input(finding));
-            };
+            let control = control_of(self.machine, name)?;
             let stations =
                 [(Station::Dresser, !self.dressing.is_empty()), (Station::Work, !self.grinding.is_empty())];
             for (station, _) in stations.into_iter().filter(|(_, wanted)| *wanted) {
@@ -136,17 +104,8 @@ impl ProgramTask<'_> {
     ) -> Result<BuiltProgram, RunFailure> {
         let machine = &self.machine.machine;
         let axes = machine.axes_at(station).map_err(|e| failure(&e.into()))?;
-        let file = &self.machine.file;
-        let word = |name: &str| {
-            let own = control.words.get(name).map(String::as_str);
-            own.or_else(|| file.axes.get(name).and_then(|axis| axis.letter.as_deref()))
-        };
-        let words = axis_words(machine, &axes, word).map_err(|e| failure(&e))?;
-        let decimals = control.decimals.map_or_else(Decimals::default, |d| Decimals {
-            mm: d.mm,
-            deg: d.deg,
-            feed: d.feed,
-        });
+        let words = words_of(self.machine, control, &axes).map_err(|e| failure(&e))?;
+        let decimals = decimals_of(control).unwrap_or_default();
         let half = |digits: u8| 0.5 * 10f64.powi(-i32::from(digits));
         let (what, passes, finishing) = match station {
             Station::Dresser => {
@@ -195,11 +154,6 @@ impl ProgramTask<'_> {
             None => read(written.text.as_bytes(), dialect, &words.words),
         };
         let read = read.map_err(|e| refused(&NcError::NotReadBack(e.to_string().into()), dialect))?;
-        let ending = match dialect {
-            Dialect::LinuxCnc => "ngc",
-            Dialect::Siemens => "mpf",
-            Dialect::Fanuc => "nc",
-        };
         let mut start = Positions::default();
         for &(axis, value) in &layout.at_rest {
             start[axis] = value;
@@ -207,7 +161,7 @@ impl ProgramTask<'_> {
         Ok(BuiltProgram {
             dialect,
             station,
-            file: format!("programs/{what}-{}.{ending}", dialect.name()),
+            file: format!("programs/{what}-{}.{}", dialect.name(), ending_of(dialect)),
             written,
             read: read.blocks,
             words,

@@ -32,7 +32,7 @@ fn refused(error: &MotionError) -> RunFailure {
 /// [`MotionError::InvalidWord`].
 pub(super) fn words_of(machine: &LoadedMachine, dialect: Dialect) -> Result<AxisWords, MotionError> {
     let file = &machine.file;
-    let control = file.controls.of(super::build::name_of(dialect));
+    let control = file.controls.of(super::control::name_of(dialect));
     let all: Vec<usize> = (0..machine.machine.axes().len()).collect();
     axis_words(&machine.machine, &all, |name| {
         let own = control.and_then(|control| control.words.get(name)).map(String::as_str);

@@ -3,6 +3,7 @@
 
 mod build;
 mod check;
+mod control;
 mod follow;
 mod of_grinding;
 mod of_tangential;
@@ -16,6 +17,7 @@ mod technology;
 pub use build::{Built, BuiltProgram};
 pub use check::check_program;
 pub(in crate::workflow) use check::{Moved, figures};
+pub(in crate::workflow) use control::{control_of, decimals_of, dialect_of, ending_of, name_of, words_of};
 pub(super) use of_grinding::programs_of_grinding;
 pub(super) use of_tangential::programs_of_tangential;
 pub(super) use page::programs_report;

@@ -10,6 +10,8 @@ mod monte_carlo;
 mod outcome;
 mod page;
 mod prepare;
+mod program_work;
+pub mod programs;
 mod real_tool;
 mod referee;
 mod remarks;

@@ -10,11 +10,11 @@ use crate::nc::reader::scan::{Decimal, Scan};
 const CODES: usize = 16;
 
 const LINUXCNC_CODES: &str =
-    "G0 G1 G4 G17 G20 G21 G40 G49 G61 G64 G80 G90 G91 G93 G94, M0 M1 M2 M3 M4 M5 M6 M30 M64 M65";
+    "G0 G1 G4 G17 G20 G21 G40 G49 G61 G64 G80 G90 G91 G93 G94, M0 M1 M2 M3 M4 M5 M6 M30 M62 M63 M64 M65";
 const FANUC_CODES: &str =
-    "G0 G1 G4 G5.1 G17 G20 G21 G40 G43.4 G43.5 G49 G64 G80 G81 G90 G91 G93 G94, M0 M1 M2 M3 M4 M5 M6 M30";
+    "G0 G1 G4 G5.1 G17 G20 G21 G40 G43.4 G43.5 G49 G53 G64 G80 G81 G90 G91 G93 G94, M0 M1 M2 M3 M4 M5 M6 M30";
 const LINUXCNC_WORDS: &str = "G M N F S P T $, letters of the axis map, comments ( ) and ;";
-const FANUC_WORDS: &str = "G M N O F S P Q T L H, letters of the axis map, X Y Z I J K under G43.4 and G43.5, comments ( ), capital letters only";
+const FANUC_WORDS: &str = "G M N O F S P Q T L H, letters of the axis map, X Y Z I J K under G43.4 and G43.5, #1101= to #1115=, comments ( ), capital letters only";
 
 /// Codes of G in tenths, and the group that allows one of them in a line.
 fn group(dialect: Dialect, tenths: u32) -> Option<u32> {
@@ -30,6 +30,7 @@ fn group(dialect: Dialect, tenths: u32) -> Option<u32> {
         900 | 910 => 7,
         930 | 940 => 8,
         51 if dialect == Dialect::Fanuc => 9,
+        530 if dialect == Dialect::Fanuc => 10,
         810 if dialect == Dialect::Fanuc => 0,
         _ => return None,
     };
@@ -65,6 +66,8 @@ pub(super) struct Codes {
     pub m: CodeList,
     groups: u32,
     pub spindle: Option<u32>,
+    /// Number and state of the output that a macro statement switches.
+    pub output: Option<(Option<u32>, bool)>,
 }
 
 #[derive(Default)]
@@ -93,7 +96,25 @@ impl CodeList {
     }
 }
 
+/// Variable of the output 0.
+const OUTPUTS: u32 = 1100;
+
 impl Iso<'_> {
+    /// `#1101=1` after its sign: the output and whether it goes on.
+    fn statement(scan: &mut Scan<'_>, start: usize) -> Result<(Option<u32>, bool), ReadError> {
+        let allowed = "#1101= to #1115= with 0 or 1";
+        let variable = scan.number()?;
+        if !scan.take(b'=') {
+            return Err(scan.fault(ReadProblem::Missing, start, allowed));
+        }
+        let value = scan.number()?;
+        let on = match value.count() {
+            Some(value @ (0 | 1)) => value == 1,
+            _ => return Err(scan.fault(ReadProblem::OutOfRange, start, allowed)),
+        };
+        Ok((variable.count().and_then(|variable| variable.checked_sub(OUTPUTS)), on))
+    }
+
     /// Letters and numbers of the line into `words`, codes into the two lists.
     pub(super) fn words(&mut self, scan: &mut Scan<'_>) -> Result<Codes, ReadError> {
         let mut codes = Codes::default();
@@ -124,6 +145,10 @@ impl Iso<'_> {
                     let text = &scan.bytes[scan.at..];
                     scan.at = scan.bytes.len();
                     self.comment(text, scan, start)?;
+                    continue;
+                }
+                b'#' if self.is_fanuc() && codes.output.is_none() => {
+                    codes.output = Some(Self::statement(scan, start)?);
                     continue;
                 }
                 b'$' if !self.is_fanuc() => {
@@ -168,7 +193,7 @@ impl Iso<'_> {
                 }
                 b'M' => {
                     let code = number.count().filter(|code| {
-                        matches!(code, 0..=6 | 30) || (!self.is_fanuc() && matches!(code, 64 | 65))
+                        matches!(code, 0..=6 | 30) || (!self.is_fanuc() && matches!(code, 62..=65))
                     });
                     let Some(code) = code else {
                         let allowed = if self.is_fanuc() { FANUC_CODES } else { LINUXCNC_CODES };

@@ -6,7 +6,7 @@ use crate::nc::reader::machine::{Fault, Meaning, Motion};
 use crate::nc::reader::scan::{Decimal, Scan};
 use crate::nc::{Block, TipControl, Word};
 
-const WORDS: &str = "G M N F S, axes of the axis map, X1=.. IC() AC(), S1= M1=, T D M6, TRAORI ORIWKS ORIMKS A3= B3= C3= TRAFOOF, POLY PO[] PL=, BSPLINE SD=, comments ;";
+const WORDS: &str = "G M N F S, axes of the axis map, X1=.. IC() AC(), S1= M1=, T D M6, TRAORI ORIWKS ORIMKS A3= B3= C3= TRAFOOF, POLY PO[] PL=, BSPLINE SD=, WHEN TRUE DO $A_OUT[]=, comments ;";
 
 /// Longest word of letters and digits.
 const NAME: usize = 16;
@@ -144,6 +144,18 @@ impl Siemens<'_> {
                     }
                     self.line.tip.switch = Some(switch);
                 }
+                b"WHEN" => {
+                    let switch = Self::output(scan, start)?;
+                    let alone = !before && self.table.is_none() && matches!(scan.peek(), None | Some(b';'));
+                    if !alone {
+                        return Err(scan.fault(
+                            ReadProblem::Conflict,
+                            start,
+                            "this action alone in its line",
+                        ));
+                    }
+                    self.line.output = Some(switch);
+                }
                 b"T" | b"D" => {
                     scan.take(b'=');
                     let number = scan.number()?;
@@ -257,6 +269,30 @@ impl Siemens<'_> {
                 }
             }
         }
+    }
+
+    /// `TRUE DO $A_OUT[1]=1`, what follows WHEN: the output and whether it goes on.
+    fn output(scan: &mut Scan<'_>, start: usize) -> Result<(Option<u32>, bool), ReadError> {
+        let grammar = "WHEN TRUE DO $A_OUT[1 to 15]= with 0 or 1";
+        for word in [&b"TRUE"[..], b"DO", b"$A_OUT"] {
+            scan.skip_blanks();
+            let text = scan.bytes.get(scan.at..scan.at + word.len());
+            if !text.is_some_and(|text| text.eq_ignore_ascii_case(word)) {
+                return Err(scan.fault(ReadProblem::UnknownWord, start, grammar));
+            }
+            scan.at += word.len();
+        }
+        let opened = scan.take(b'[');
+        let number = scan.number()?;
+        if !opened || !scan.take(b']') || !scan.take(b'=') {
+            return Err(scan.fault(ReadProblem::Missing, start, grammar));
+        }
+        let on = match scan.number()?.count() {
+            Some(value @ (0 | 1)) => value == 1,
+            _ => return Err(scan.fault(ReadProblem::OutOfRange, start, grammar)),
+        };
+        scan.skip_blanks();
+        Ok((number.count(), on))
     }
 
     /// Whether a word is of a direction or else of the tip, and which part of it.

@@ -8,19 +8,20 @@ use super::follow::{FollowedMove, Follower};
 use super::passes::{ToolPasses, all_passes};
 use super::steps::{DrivenMotion, Step};
 use super::task::{MillingMachining, MillingWork, clamping};
+use crate::exchange::Diagnostic;
 use crate::exchange::job::Program as DialectName;
 use crate::exchange::machine::Control;
 use crate::exchange::milling_job::Rtcp;
-use crate::exchange::{Diagnostic, Problem};
 use crate::kinematics::{Direction, Point};
 use crate::machine::{Positions, Station};
 use crate::motion::milling::{MillingSetup, TiltedMount};
-use crate::motion::{AxisWords, MotionError, axis_words};
+use crate::motion::{AxisWords, MotionError};
 use crate::nc::{
     Block, Decimals, Dialect, FanucOptions, FeedWords, Header, NcError, Program, RoundingBound, WriteOptions,
     Written, read, rounding_bound, write_checked,
 };
 use crate::workflow::finding::RunFailure;
+use crate::workflow::programs::{control_of, decimals_of, dialect_of, ending_of, words_of};
 use nalgebra::Vector3;
 use std::sync::Arc;
 
@@ -87,7 +88,7 @@ impl MillingMachining<'_> {
         let mut driven: Vec<(Lead, Arc<DrivenMotion>)> = Vec::new();
         let mut programs = Vec::new();
         for &name in self.dialects {
-            let control = self.control(name)?;
+            let control = control_of(self.machine, name)?;
             let lead = self.lead(name);
             let motion = match driven.iter().find(|(known, _)| *known == lead) {
                 Some((_, motion)) => motion.clone(),
@@ -124,30 +125,11 @@ impl MillingMachining<'_> {
         Lead { by_control: can && self.rtcp != Rtcp::Off, screw_rows: self.rtcp == Rtcp::Rows }
     }
 
-    pub(super) fn control(&self, name: DialectName) -> Result<&Control, RunFailure> {
-        let file = &self.machine.file;
-        file.controls.of(name).ok_or_else(|| {
-            let dialect = dialect_of(name).name();
-            let known: Vec<&str> = file.controls.present().map(|(key, _)| key).collect();
-            let text = format!("the machine {} has no control {dialect:?}", file.name);
-            let finding = Diagnostic::new(Problem::InvalidMachine, text)
-                .field("output.programs")
-                .value(format!("{dialect:?}"))
-                .allowed(if known.is_empty() { "none".to_owned() } else { known.join(", ") })
-                .way_out(format!("describe [controls.{dialect}] in {}, or leave it out", file.name));
-            RunFailure::bad_input(finding)
-        })
-    }
-
     /// The words of the five axes on a control.
     pub(super) fn words(&self, setup: &MillingSetup<'_>, control: &Control) -> Result<AxisWords, RunFailure> {
-        let (machine, file) = (&self.machine.machine, &self.machine.file);
-        let word = |name: &str| {
-            let own = control.words.get(name).map(String::as_str);
-            own.or_else(|| file.axes.get(name).and_then(|axis| axis.letter.as_deref()))
-        };
+        let machine = &self.machine.machine;
         let axes = machine.axes_at(Station::Work).map_err(|error| of_motion(&error.into(), ""))?;
-        let words = axis_words(machine, &axes, word).map_err(|error| of_motion(&error, ""))?;
+        let words = words_of(self.machine, control, &axes).map_err(|error| of_motion(&error, ""))?;
         let five = setup.axes().rotary.into_iter().chain(setup.axes().linear);
         match five.into_iter().find(|&axis| !words.is_moved(axis)) {
             None => Ok(words),
@@ -187,8 +169,7 @@ impl MillingMachining<'_> {
             chord_tolerance: self.position_tolerance,
         };
         let program = Program::new(header, blocks).map_err(refused)?;
-        let decimals =
-            control.decimals.map_or(Decimals::MILLING, |d| Decimals { mm: d.mm, deg: d.deg, feed: d.feed });
+        let decimals = decimals_of(control).unwrap_or(Decimals::MILLING);
         let mut options = WriteOptions {
             decimals,
             feed_words: FeedWords::AxisBlocks,
@@ -213,14 +194,9 @@ impl MillingMachining<'_> {
         let angles = 2.0 * half(decimals.deg).to_radians();
         let allowed = [rounding.distance + OWN_ROUNDING, direction.max(angles) + OWN_ROUNDING];
         let read_difference = compared(dialect, &motion, &expected, &moves, allowed)?;
-        let ending = match dialect {
-            Dialect::LinuxCnc => "ngc",
-            Dialect::Siemens => "mpf",
-            Dialect::Fanuc => "nc",
-        };
         Ok(MillingProgram {
             dialect,
-            file: format!("programs/milling-{}.{ending}", dialect.name()),
+            file: format!("programs/milling-{}.{}", dialect.name(), ending_of(dialect)),
             blocks: expected.len(),
             program,
             written,
@@ -325,14 +301,6 @@ fn lever(tools: &[ToolPasses], work: &MillingWork<'_>) -> f64 {
         lever = lever.max(if touched > 0.0 { touched } else { length });
     }
     lever
-}
-
-pub(super) fn dialect_of(name: DialectName) -> Dialect {
-    match name {
-        DialectName::Linuxcnc => Dialect::LinuxCnc,
-        DialectName::Siemens => Dialect::Siemens,
-        DialectName::Fanuc => Dialect::Fanuc,
-    }
 }
 
 /// [A-Z0-9_]{1,24} of the job's name and M.

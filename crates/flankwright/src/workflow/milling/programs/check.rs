@@ -14,6 +14,7 @@ use crate::motion::{AxisWords, MotionError};
 use crate::nc::{Dialect, ReadProgram, read};
 use crate::removal::{CutterPlace, MillPath};
 use crate::workflow::finding::{Remark, RunFailure};
+use crate::workflow::programs::control_of;
 use std::io::BufRead;
 
 /// What a program does. Values by the number of the machine's axis, mm or rad.
@@ -54,7 +55,7 @@ impl MillingMachining<'_> {
             Dialect::Fanuc => DialectName::Fanuc,
         };
         let (setup, _) = self.setup(&all_passes(work)?)?;
-        let words = self.words(&setup, self.control(name)?)?;
+        let words = self.words(&setup, control_of(self.machine, name)?)?;
         let found = read(text, dialect, &words.words).map_err(|error| {
             let text = format!("no program for {}: {error}", dialect.name());
             let finding = Diagnostic::with_code(error.code(), text).allowed(error.allowed);

@@ -29,18 +29,18 @@ fn view(outcome: &SkivingOutcome, tooth: usize) -> AngleView {
             let lever = track.contact.lever;
             Some(AngleStation {
                 radius_mm: track.radius(),
-                nominal_deg: azimuth(&track).to_degrees(),
+                nominal_deg: switch(&track).to_degrees(),
                 curve_deg: evaluation
-                    .map(|e| (power_series(&e.profile.curve[flank], x)[0] / lever).to_degrees()),
+                    .map(|e| (-power_series(&e.profile.curve[flank], x)[0] / lever).to_degrees()),
                 half_band_deg: Some((0.5 * band / lever.abs()).to_degrees()),
             })
         };
         let of_track = |(number, (track, _)): (usize, &(MeasuringTrack, _))| AngleTrack {
             radius_mm: track.radius(),
-            nominal_deg: azimuth(track).to_degrees(),
+            nominal_deg: switch(track).to_degrees(),
             measured_deg: evaluation.map(|e| {
                 let angle = e.remaining.of[flank][number][tooth] / track.contact.lever;
-                (azimuth(track) + angle).to_degrees()
+                (switch(track) - angle).to_degrees()
             }),
         };
         AngleEdge {
@@ -51,8 +51,8 @@ fn view(outcome: &SkivingOutcome, tooth: usize) -> AngleView {
     AngleView { tooth, band_um: Some(1e3 * band), edges: Sides::from_fn(edge) }
 }
 
-/// Angle of the contact point about the tool's axis from the middle of the tooth, counter-clockwise, rad.
-fn azimuth(track: &MeasuringTrack) -> f64 {
+/// Turn of the spindle at which the contact point passes where the middle of the tooth stands at 0: the negative of its own angle, rad.
+fn switch(track: &MeasuringTrack) -> f64 {
     let m = &track.contact.point;
-    (-m.x).atan2(m.y)
+    m.x.atan2(m.y)
 }

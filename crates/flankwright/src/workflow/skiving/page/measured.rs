@@ -112,7 +112,7 @@ pub(super) fn pitch(outcome: &SkivingOutcome) -> Option<PitchView> {
             figure("total cumulative pitch deviation", "F_p", result.pitch.total_um, "µm", spread("F_p")),
             figure(
                 "largest single pitch deviation",
-                "f_p,max",
+                "f_pmax",
                 result.pitch.largest_single_um,
                 "µm",
                 spread("f_p,max"),

@@ -55,7 +55,9 @@ pub fn html_page(
 
 fn headline(result: &SkivingResult) -> String {
     if let Some(reason) = &result.reason {
-        return format!("{}.", reason.text);
+        let mut letters = reason.text.chars();
+        let first = letters.next().map(|letter| letter.to_uppercase().to_string()).unwrap_or_default();
+        return format!("{first}{}.", letters.as_str().replace(" um", " µm"));
     }
     let worst = result.flanks.values().map(|flank| flank.max_deviation_um).fold(0.0, f64::max);
     match &result.measurement {

@@ -1,0 +1,96 @@
+//! The room about the beam: where a tool is drawn back to, and whether it is out of the beam on its way. Knows no steps.
+
+use super::failure::{invalid, of_skiving};
+use super::stand::Stander;
+use crate::exchange::Diagnostic;
+use crate::geometry::Sides;
+use crate::machine::Positions;
+use crate::process::skiving::VirtualEdge;
+use crate::process::skiving::measuring::{Beam, MeasuringPose};
+use crate::workflow::finding::RunFailure;
+use nalgebra::Vector3;
+
+/// A beam and a tool that has to get out of it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Room {
+    beam: Beam,
+    /// Where it is to be drawn back to, if that is given.
+    wanted: Option<Vector3<f64>>,
+    /// Distance of beam and tool axis at which the tool is out of the beam, mm.
+    clear: f64,
+}
+
+/// Places at which the way between two poses is looked at.
+const PLACES: usize = 32;
+
+impl Room {
+    /// The room of a tool with these edges before a beam.
+    ///
+    /// # Errors
+    /// An edge without contact at its ends.
+    pub fn new(
+        wanted: Option<Vector3<f64>>,
+        edges: &Sides<&VirtualEdge>,
+        beam: &Beam,
+    ) -> Result<Self, RunFailure> {
+        let mut outside = 0.0f64;
+        for (_, edge) in edges.iter() {
+            for w in edge.flank().range() {
+                let contact = edge.contact(w).map_err(|error| of_skiving(&error))?;
+                outside = outside.max(contact.point.x.hypot(contact.point.y));
+            }
+        }
+        // Beyond the flank there is the tip's own rounding: it takes less than a module.
+        let module = edges.left.pair().gear().data().normal_module;
+        Ok(Self { beam: *beam, wanted, clear: outside + module + beam.radius })
+    }
+
+    /// The direction in which the tool is drawn back from a pose.
+    pub fn direction(&self, pose: &MeasuringPose) -> Result<Vector3<f64>, RunFailure> {
+        if let Some(direction) = self.wanted {
+            return Ok(direction);
+        }
+        let axis = Vector3::new(0.0, -pose.swivel.sin(), pose.swivel.cos());
+        let to_beam = self.beam.point - pose.position;
+        let away = axis * axis.dot(&to_beam) - to_beam;
+        let length = away.norm();
+        if length > 0.0 {
+            Ok(away / length)
+        } else {
+            Err(invalid("retreat.direction", length, "a unit vector"))
+        }
+    }
+
+    /// Whether the tool stays out of the beam from one place drawn back to the next; looked at in the plane of its rake face.
+    ///
+    /// # Errors
+    /// A way that leads the tool into the beam.
+    pub fn free(
+        &self,
+        stander: &Stander<'_>,
+        [from, to]: [&Positions; 2],
+        place: &str,
+    ) -> Result<(), RunFailure> {
+        let unit = self.beam.unit();
+        for k in 0..=PLACES {
+            let share = k as f64 / PLACES as f64;
+            let mut at = *from;
+            for &axis in &stander.machine.tool().axes {
+                at[axis] += share * (to[axis] - from[axis]);
+            }
+            let origin = stander.tool(&at)?.position - self.beam.point;
+            let distance = unit.cross(&origin).norm();
+            if distance < self.clear {
+                let text = format!(
+                    "{place}: on its way the tool's axis comes as near as {distance:.3} mm to the beam, {:.3} mm leave it free",
+                    self.clear
+                );
+                let finding = Diagnostic::with_code("beam-not-free", text).field("retreat.distance");
+                let way_out =
+                    "draw the tool back farther, or give one direction of the retreat for all tracks";
+                return Err(RunFailure::not_producible(finding.way_out(way_out)));
+            }
+        }
+        Ok(())
+    }
+}
