@@ -45,14 +45,19 @@ fn skiving(criterion: &mut Criterion) {
     });
     let tool = worn(bodies.teeth());
     let ideal = BarrierData::ideal();
-    criterion.bench_function("75 teeth on 10 tracks of both flanks, switches to verdict [10 ms]", |bencher| {
-        bencher.iter(|| {
-            let switched = switches(&bodies.flanks, &bodies.beam, &ideal, black_box(&tool)).expect("switches");
-            let seen = readings(&bodies.flanks, &switched, &ideal, &[Sense::Positive], 1, &mut Noise::new(1));
-            let measured = measured_tool(&bodies.flanks, &seen, 0.0).expect("a tool");
-            evaluate(&bodies.flanks, &measured.deviations, &bodies.options).expect("an evaluation")
-        });
-    });
+    criterion.bench_function(
+        "75 teeth on 10 tracks of both flanks, switches to verdict [10 ms]",
+        |bencher| {
+            bencher.iter(|| {
+                let switched =
+                    switches(&bodies.flanks, &bodies.beam, &ideal, black_box(&tool)).expect("switches");
+                let seen =
+                    readings(&bodies.flanks, &switched, &ideal, &[Sense::Positive], 1, &mut Noise::new(1));
+                let measured = measured_tool(&bodies.flanks, &seen, 0.0).expect("a tool");
+                evaluate(&bodies.flanks, &measured.deviations, &bodies.options).expect("an evaluation")
+            });
+        },
+    );
     let switched = switches(&bodies.flanks, &bodies.beam, &bodies.barrier, &tool).expect("switches");
     let repeated = Repeated {
         flanks: &bodies.flanks,

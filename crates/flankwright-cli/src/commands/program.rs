@@ -6,7 +6,6 @@ use std::io::{BufReader, Read};
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use flankwright::exchange::job::Process;
 use flankwright::exchange::machine::read_machine;
 use flankwright::exchange::{AnyJob, Diagnostic};
 use flankwright::nc::{Dialect, detect_dialect};
@@ -102,9 +101,6 @@ fn check(arguments: &ProgramArguments) -> Result<Exit, Failure> {
     if let Some(AnyJob::Gearbox(loaded)) = &job {
         return Err(output::gearbox_only(loaded, "program check"));
     }
-    if let Some(AnyJob::Skiving(loaded)) = &job {
-        return Err(output::refused(loaded, Process::SkivingToolMeasuring, "program check"));
-    }
     let text = BufReader::new(File::open(&arguments.file).map_err(failed)?);
     // The gears of a LinuxCNC program stand in a netlist beside it.
     let netlist = match dialect {
@@ -121,6 +117,7 @@ fn check(arguments: &ProgramArguments) -> Result<Exit, Failure> {
             Failure::of_run(loaded, failure)
         }
         (failure, Some(AnyJob::Milling(loaded))) if names_key(&failure) => Failure::of_run(loaded, failure),
+        (failure, Some(AnyJob::Skiving(loaded))) if names_key(&failure) => Failure::of_run(loaded, failure),
         (RunFailure::BadInput(finding), _) => Failure::new(Exit::BadInput, in_file(&name, *finding)),
         (RunFailure::NotProducible(finding), _) => {
             Failure::new(Exit::NotProducible, in_file(&name, *finding))

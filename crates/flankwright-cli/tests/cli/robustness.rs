@@ -45,6 +45,12 @@ fn job(process: Process) -> (String, String) {
             let heights = "contact_height = { from = 6.0, to = 15.0 }\ntraverse = \"zigzag\"\n";
             job_template(process).replacen("contact_height = 6.16", heights, 1)
         }
+        // With a stylus and a mandrel, which the template has in comments only.
+        Process::SkivingToolMeasuring => {
+            let stylus = "[stylus]\npoint = [300.0, 20.0, 150.0]\nradius = 0.5\nteeth = [0, 14, 28]\n";
+            let mandrel = "[calibration]\nradius = 10.0\nheight = 5.0\nheights = [140.0, 240.0]\n";
+            job_template(process).to_owned() + stylus + mandrel
+        }
         Process::GeneratingGrinding => crate::command::example("automotive-bias.toml"),
     };
     let json = match parse_any_job(Source::new("job.toml", &toml)).expect("a valid example") {
@@ -52,6 +58,7 @@ fn job(process: Process) -> (String, String) {
         AnyJob::Tangential(loaded) => serde_json::to_string_pretty(&loaded.job),
         AnyJob::Gearbox(loaded) => serde_json::to_string_pretty(&loaded.job),
         AnyJob::Milling(loaded) => serde_json::to_string_pretty(&loaded.job),
+        AnyJob::Skiving(loaded) => serde_json::to_string_pretty(&loaded.job),
     };
     (toml, json.expect("JSON"))
 }

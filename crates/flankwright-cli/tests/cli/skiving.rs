@@ -1,6 +1,6 @@
 //! Measuring a skiving tool as a user meets it: a measurement simulated and read back, what is refused and how, the history.
 
-use crate::command::{Run, example, repository, replaced, run};
+use crate::command::{Run, example, replaced, repository, run};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
@@ -41,7 +41,9 @@ fn a_simulated_measurement_is_read_back_as_it_was() {
     assert_eq!(rows, 2 * 5 * 2 * 8 * 41);
     // Of a real tool nothing but its deviations is known: no referee, no usual way.
     assert!(a["flanks"]["left"]["simulated_um"].is_array() && b["flanks"]["left"]["simulated_um"].is_null());
-    for file in ["report.html", "result.json", "deviations.csv", "pitch.csv", "resharpening.csv", "motions/poses.csv"] {
+    for file in
+        ["report.html", "result.json", "deviations.csv", "pitch.csv", "resharpening.csv", "motions/poses.csv"]
+    {
         assert!(first.join(file).is_file() && second.join(file).is_file(), "{file}");
     }
     assert!(!second.join("readings.csv").exists());
@@ -52,11 +54,15 @@ fn a_simulated_measurement_is_read_back_as_it_was() {
     }
     // A reading that is gone is a tooth that is gone.
     let text = std::fs::read_to_string(&readings).unwrap();
-    let shorter: String = text.lines().take(60).chain(text.lines().skip(61)).map(|l| l.to_owned() + "\n").collect();
+    let shorter: String =
+        text.lines().take(60).chain(text.lines().skip(61)).map(|l| l.to_owned() + "\n").collect();
     let path = directory.path().join("shorter.csv");
     std::fs::write(&path, shorter).unwrap();
     let refused = ran("inspect", &path.display().to_string(), &second, &["--job", &job]);
-    assert_eq!((refused.exit, &refused.json()["error"]["code"]), (Some(4), &Value::from("trigger-count-mismatch")));
+    assert_eq!(
+        (refused.exit, &refused.json()["error"]["code"]),
+        (Some(4), &Value::from("trigger-count-mismatch"))
+    );
     let nonsense = text.replacen("left", "middle", 1);
     std::fs::write(&path, nonsense).unwrap();
     let refused = ran("inspect", &path.display().to_string(), &second, &["--job", &job]);
@@ -73,26 +79,60 @@ const REFUSALS: &[Refusal] = &[
         "axes-parallel",
         "skiving.crossed_axes_angle_deg",
     ),
-    (&[("[light_barrier]", "[skiving]\ncentre_distance = 49.0\n\n[light_barrier]")], 2, "invalid-centre-distance", "skiving.centre_distance"),
     (
-        &[("start_diameter = 184.8, end_diameter = 177.4", "start_diameter = 184.8, end_diameter = 160.0"), ("tip_diameter = 177.2", "tip_diameter = 159.0")],
+        &[("[light_barrier]", "[skiving]\ncentre_distance = 49.0\n\n[light_barrier]")],
+        2,
+        "invalid-centre-distance",
+        "skiving.centre_distance",
+    ),
+    (
+        &[
+            ("start_diameter = 184.8, end_diameter = 177.4", "start_diameter = 184.8, end_diameter = 160.0"),
+            ("tip_diameter = 177.2", "tip_diameter = 159.0"),
+        ],
         2,
         "radius-below-base-circle",
         "gear.form_diameter",
     ),
     (
-        &[("tolerance_um = 5.0", "tolerance_um = 5.0\nmodifications = [ { kind = \"helix_crowning\", amount_um = 8 } ]")],
+        &[(
+            "tolerance_um = 5.0",
+            "tolerance_um = 5.0\nmodifications = [ { kind = \"helix_crowning\", amount_um = 8 } ]",
+        )],
         2,
         "lead-modification-not-supported",
         "target.modifications",
     ),
     (&[("angle_deg = 5.0 }", "angle_deg = 45.0 }")], 4, "contact-off-rounding", "skiving_tool.edge_radius"),
     (&[("edge_radius = 0.03", "edge_radius = 5.0")], 4, "rounding-too-large", "skiving_tool.edge_radius"),
-    (&[("revolutions = 8", "revolutions = 8\nposes = \"along-flank\"\nmost_off_flank_deg = 0.0001\ntravel = { a_deg = [1.0, 2.0] }")], 4, "axis-limit", "measuring.travel"),
-    (&[("revolutions = 8", "revolutions = 8\nmost_off_flank_deg = 0.01")], 4, "pose-not-reachable", "measuring.poses"),
+    (
+        &[(
+            "revolutions = 8",
+            "revolutions = 8\nposes = \"along-flank\"\nmost_off_flank_deg = 0.0001\ntravel = { a_deg = [1.0, 2.0] }",
+        )],
+        4,
+        "axis-limit",
+        "measuring.travel",
+    ),
+    (
+        &[("revolutions = 8", "revolutions = 8\nmost_off_flank_deg = 0.01")],
+        4,
+        "pose-not-reachable",
+        "measuring.poses",
+    ),
     (&[("radius = 0.05", "radius = 1.5")], 4, "shadowed", "light_barrier.radius"),
-    (&[("revolutions = 8", "revolutions = 8\ntracks = [-1.0, 0.0, 1.0]")], 4, "edge-end-touched", "measuring.tracks"),
-    (&[("revolutions = 8", "revolutions = 8\ntracks = [0.0, 0.5]")], 2, "too-few-tracks", "evaluation.curve_degree"),
+    (
+        &[("revolutions = 8", "revolutions = 8\ntracks = [-1.0, 0.0, 1.0]")],
+        4,
+        "edge-end-touched",
+        "measuring.tracks",
+    ),
+    (
+        &[("revolutions = 8", "revolutions = 8\ntracks = [0.0, 0.5]")],
+        2,
+        "too-few-tracks",
+        "evaluation.curve_degree",
+    ),
     (
         &[("random = {", "teeth = [ { tooth = 3, broken = true } ]\nrandom = {")],
         4,
@@ -100,9 +140,17 @@ const REFUSALS: &[Refusal] = &[
         "tool_errors",
     ),
     (&[("random = { pitch_um = 0.8", "random = { pitch_um = 1000.0")], 4, "ambiguous-tooth", "tool_errors"),
-    (&[("edge_growth_um = [1.5, 0.5]", "edge_growth_um = [-40.0]")], 2, "invalid-number", "tool_errors.edge_growth_um"),
     (
-        &[("[tool_errors]", "[calibration]\nradius = 10.0\nheight = 5.0\nheights = [140.0, 240.0]\nswitches = [\n  { along = \"Y\", place = [300.0, 9.95, 140.0] }, { along = \"Y\", place = [300.0, 30.05, 140.0] }, { along = \"X\", place = [289.95, 20.0, 140.0] },\n  { along = \"Y\", place = [300.0, 9.95, 140.0] }, { along = \"Y\", place = [300.0, 30.05, 140.0] }\n]\n\n[tool_errors]")],
+        &[("edge_growth_um = [1.5, 0.5]", "edge_growth_um = [-40.0]")],
+        2,
+        "invalid-number",
+        "tool_errors.edge_growth_um",
+    ),
+    (
+        &[(
+            "[tool_errors]",
+            "[calibration]\nradius = 10.0\nheight = 5.0\nheights = [140.0, 240.0]\nswitches = [\n  { along = \"Y\", place = [300.0, 9.95, 140.0] }, { along = \"Y\", place = [300.0, 30.05, 140.0] }, { along = \"X\", place = [289.95, 20.0, 140.0] },\n  { along = \"Y\", place = [300.0, 9.95, 140.0] }, { along = \"Y\", place = [300.0, 30.05, 140.0] }\n]\n\n[tool_errors]",
+        )],
         4,
         "calibration-singular",
         "calibration",
@@ -118,7 +166,11 @@ fn what_cannot_be_measured_is_refused_by_its_key() {
         let run = ran("plan", &job, &out, &[]);
         assert_eq!(run.exit, Some(*exit), "{changes:?}: {run:?}");
         let error = &run.json()["error"];
-        assert_eq!((error["code"].as_str(), error["field"].as_str()), (Some(*code), Some(*field)), "{changes:?}: {error}");
+        assert_eq!(
+            (error["code"].as_str(), error["field"].as_str()),
+            (Some(*code), Some(*field)),
+            "{changes:?}: {error}"
+        );
         for key in ["message", "way_out"] {
             assert!(error[key].as_str().is_some_and(|text| !text.is_empty()), "{code} has no {key}: {error}");
         }
@@ -151,7 +203,11 @@ fn a_history_is_kept_once_and_tells_when_to_grind() {
     let other = text.replace("parts = 1800.0", "parts = 1900.0");
     std::fs::write(directory.path().join("job.toml"), &other).unwrap();
     let refused = ran("plan", &job, &out, &[]);
-    assert_eq!((refused.exit, &refused.json()["error"]["code"]), (Some(2), &Value::from("invalid-history")), "{refused:?}");
+    assert_eq!(
+        (refused.exit, &refused.json()["error"]["code"]),
+        (Some(2), &Value::from("invalid-history")),
+        "{refused:?}"
+    );
     assert_eq!(std::fs::read_to_string(&history).unwrap(), before);
     let later = other.replace("2026-03-20", "2026-03-21");
     std::fs::write(directory.path().join("job.toml"), later).unwrap();
@@ -168,7 +224,11 @@ fn commands_for_other_jobs_say_so() {
     let ring = path.display().to_string();
     for (command, more) in [("explore", vec![]), ("gearbox", vec![])] {
         let run = run(&[vec![command, &ring, "--json"], more].concat());
-        assert_eq!((run.exit, &run.json()["error"]["code"]), (Some(2), &Value::from("process-not-available")), "{command}");
+        assert_eq!(
+            (run.exit, &run.json()["error"]["code"]),
+            (Some(2), &Value::from("process-not-available")),
+            "{command}"
+        );
     }
     let run = run(&["inspect", "readings.csv", "--job", "examples/twist-free-crowning.toml", "--json"]);
     assert_eq!((run.exit, &run.json()["error"]["field"]), (Some(2), &Value::from("job.process")));

@@ -3,8 +3,7 @@
 use super::{Source, parse_any_job};
 
 /// A change to a job, the code and the key that it is answered with, and parts of what is said.
-pub(super) type Case =
-    (&'static str, &'static str, &'static str, &'static str, &'static [&'static str]);
+pub(super) type Case = (&'static str, &'static str, &'static str, &'static str, &'static [&'static str]);
 
 /// Changes a job by every case and looks at the answer.
 pub(super) fn told_in_full(job: &str, cases: &[Case]) {

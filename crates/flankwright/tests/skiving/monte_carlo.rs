@@ -55,7 +55,8 @@ fn scattered(threads: usize, seed: u64, count: usize) -> (Vec<Scatter>, Switches
 fn results_scatter_as_told_and_hold_the_truth() {
     let (found, switched) = scattered(2, 1, 400);
     let flanks = STEPPED.flanks();
-    let still = readings(&flanks, &switched, &BarrierData::ideal(), &[Sense::Positive], 1, &mut Noise::new(0));
+    let still =
+        readings(&flanks, &switched, &BarrierData::ideal(), &[Sense::Positive], 1, &mut Noise::new(0));
     let still = measured_tool(&flanks, &still, 0.0).unwrap();
     let truth = evaluate(&flanks, &still.deviations, &OPTIONS).unwrap();
     let sigma = |flank: Flank, track: usize| {

@@ -28,6 +28,18 @@ pub struct SkivingMachine {
     pub output: u8,
 }
 
+impl Default for SkivingMachine {
+    fn default() -> Self {
+        Self {
+            file: String::new(),
+            tool_length: 0.0,
+            tooth_angle_deg: 0.0,
+            retreat: default_retreat(),
+            output: default_output(),
+        }
+    }
+}
+
 fn default_retreat() -> f64 {
     20.0
 }

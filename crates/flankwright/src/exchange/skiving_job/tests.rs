@@ -70,9 +70,21 @@ const CASES: &[Case] = &[
     ("teeth = 41", "teeth = 2", "out-of-range", "skiving_tool.teeth", &["3 or more"]),
     ("teeth = -85", "teeth = -2", "invalid-geometry", "gear.teeth", &["3 or more"]),
     ("# cone_angle_deg = 0.0", "cone_angle_deg = 2.0", "not-yet-supported", "gear.cone_angle_deg", &["0"]),
-    ("helix_angle_deg = 0.0 ", "helix_angle_deg = 61.0 ", "out-of-range", "skiving_tool.helix_angle_deg", &["60"]),
+    (
+        "helix_angle_deg = 0.0 ",
+        "helix_angle_deg = 61.0 ",
+        "out-of-range",
+        "skiving_tool.helix_angle_deg",
+        &["60"],
+    ),
     ("edge_radius = 0.03", "edge_radius = nan", "invalid-number", "skiving_tool.edge_radius", &["NaN"]),
-    ("form = \"plane\"", "form = \"flat\"", "unknown-value", "skiving_tool.rake.form", &["did you mean \"plane\""]),
+    (
+        "form = \"plane\"",
+        "form = \"flat\"",
+        "unknown-value",
+        "skiving_tool.rake.form",
+        &["did you mean \"plane\""],
+    ),
     (
         "form = \"plane\", angle_deg = 5.0, step_angle_deg = 0.0",
         "form = \"cone\", angle_deg = 5.0, step_angle_deg = 1.0",
@@ -94,7 +106,13 @@ const CASES: &[Case] = &[
         "light_barrier.radius",
         &["> 0"],
     ),
-    ("# tilt_x_deg = 0.0                    #", "tilt_x_deg = 46.0 #", "out-of-range", "light_barrier.tilt_x_deg", &["45"]),
+    (
+        "# tilt_x_deg = 0.0                    #",
+        "tilt_x_deg = 46.0 #",
+        "out-of-range",
+        "light_barrier.tilt_x_deg",
+        &["45"],
+    ),
     ("-0.8, -0.4, 0.0", "-0.8, -0.4, -0.4", "invalid-job", "measuring.tracks[2]", &["ascend", "> -0.4"]),
     ("-0.8, -0.4, 0.0", "-1.8, -0.4, 0.0", "out-of-range", "measuring.tracks[0]", &["-1"]),
     (
@@ -111,8 +129,20 @@ const CASES: &[Case] = &[
         "evaluation.switching_radius",
         &["both senses"],
     ),
-    ("\"tool-angle\"]", "\"tool-angel\"]", "unknown-value", "evaluation.settings[2]", &["did you mean \"tool-angle\""]),
-    ("# pitch_um = []                       #", "pitch_um = [1.0, 2.0] #", "invalid-job", "tool_errors.pitch_um", &["41 entries"]),
+    (
+        "\"tool-angle\"]",
+        "\"tool-angel\"]",
+        "unknown-value",
+        "evaluation.settings[2]",
+        &["did you mean \"tool-angle\""],
+    ),
+    (
+        "# pitch_um = []                       #",
+        "pitch_um = [1.0, 2.0] #",
+        "invalid-job",
+        "tool_errors.pitch_um",
+        &["41 entries"],
+    ),
     (
         "# teeth = [ { tooth = 17",
         "teeth = [ { tooth = 41",
@@ -150,7 +180,13 @@ fn tables_that_need_something_else_say_so() {
     told_in_full(
         &all,
         &[
-            ("heights = [140.0, 240.0]", "heights = [140.0, 140.0]", "invalid-job", "calibration.heights", &["tilt"]),
+            (
+                "heights = [140.0, 240.0]",
+                "heights = [140.0, 140.0]",
+                "invalid-job",
+                "calibration.heights",
+                &["tilt"],
+            ),
             (
                 "switches = []",
                 "switches = [ { along = \"X\", place = [1.0, 2.0, 3.0] } ]",

@@ -4,13 +4,14 @@ use super::of_grinding::follow_on_grinding;
 use super::of_tangential::follow_on_tangential;
 use super::result::{CheckedAxis, CheckedProgram};
 use crate::exchange::machine::LoadedMachine;
-use crate::exchange::{AnyJob, Diagnostic, GearboxJob};
+use crate::exchange::{AnyJob, Diagnostic, GearboxJob, LoadedSkivingJob};
 use crate::machine::{Positions, Role};
 use crate::motion::{AxisWords, MotionError, Tracked, axis_words, track};
 use crate::nc::{Dialect, ReadError, ReadProgram, Word, read, read_with_netlist};
 use crate::numerics::Progress;
 use crate::workflow::finding::{Remark, RunFailure};
 use crate::workflow::milling::check_milling;
+use crate::workflow::skiving::prove_text;
 use std::io::BufRead;
 
 /// A program that cannot be read, as a finding with its place in the message.
@@ -56,6 +57,9 @@ pub fn check_program(
         // Under tip control the blocks say where the tool stands, which takes the job's mount and tools.
         return check_milling(text, dialect, machine, loaded, progress);
     }
+    if let Some(AnyJob::Skiving(loaded)) = job {
+        return check_measuring(text, dialect, machine, loaded, progress);
+    }
     let words = words_of(machine, dialect).map_err(|e| refused(&e))?;
     let found = match netlist.filter(|_| dialect == Dialect::LinuxCnc) {
         Some(netlist) => read_with_netlist(text, netlist, &words.words),
@@ -71,14 +75,32 @@ pub fn check_program(
             AnyJob::Tangential(loaded) => follow_on_tangential(loaded, &machine.machine, &tracked, progress)?,
             AnyJob::Gearbox(_) => return Err(RunFailure::bad_input(GearboxJob::refused_by("program check"))),
             AnyJob::Milling(_) => return Ok(checked),
-            AnyJob::Skiving(loaded) => {
-                return Err(RunFailure::bad_input(loaded.job.job.process.refused_by("program check")));
-            }
+            AnyJob::Skiving(_) => return Ok(checked),
         };
         checked.kind = Some(followed.kind);
         checked.strokes = followed.strokes;
         checked.flanks = Some(followed.flanks);
     }
+    Ok(checked)
+}
+
+/// The same of a program that measures a skiving tool, and whether it measures that of the job.
+fn check_measuring(
+    mut text: impl BufRead,
+    dialect: Dialect,
+    machine: &LoadedMachine,
+    loaded: &LoadedSkivingJob,
+    progress: &dyn Progress,
+) -> Result<CheckedProgram, RunFailure> {
+    let mut whole = String::new();
+    text.read_to_string(&mut whole).map_err(|error| {
+        let finding =
+            Diagnostic::with_code("unreadable-file", format!("the program cannot be read: {error}"));
+        RunFailure::bad_input(finding.way_out("give a text file"))
+    })?;
+    let mut checked = check_program((whole.as_bytes(), None), dialect, machine, None, progress)?;
+    let (kind, _) = prove_text(loaded, machine, dialect, &whole)?;
+    checked.kind = Some(kind);
     Ok(checked)
 }
 

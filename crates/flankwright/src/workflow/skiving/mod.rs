@@ -24,6 +24,7 @@ mod write;
 
 pub use measurement::Measurement;
 pub use prepare::{SkivingBodies, prepare_skiving};
+pub(in crate::workflow) use program_work::prove_text;
 pub use resharpening::{DecidingEdge, EdgeResharpening, Resharpening, ToothResharpening};
 pub use result::*;
 pub use run::{SkivingOutcome, inspect_skiving, run_skiving, simulate_skiving};

@@ -155,7 +155,7 @@ pub(super) fn measurement_result(bodies: &SkivingBodies, m: &Measurement) -> Mea
         sense_difference_um: m.measured.sense_difference.as_ref().map(by_flank),
         clocking_deg: evaluation.clocking.to_degrees(),
         pitch: pitch(bodies, evaluation),
-        mounting: mounting(evaluation, &sigma),
+        mounting: mounting(evaluation),
         profile: profile(bodies, evaluation),
         correction: correction(&m.correction, &evaluation.profile.workpiece),
         resharpening: ResharpeningResult {
@@ -194,11 +194,9 @@ fn pitch(bodies: &SkivingBodies, evaluation: &Evaluation) -> PitchResult {
     }
 }
 
-fn mounting(evaluation: &Evaluation, sigma: &Sides<Vec<f64>>) -> MountingResult {
+fn mounting(evaluation: &Evaluation) -> MountingResult {
     let m = &evaluation.mounting;
-    let all: Vec<f64> = sigma.iter().flat_map(|(_, of)| of.iter().copied()).collect();
-    let noise = root_mean_square(&all);
-    let [x, y, about_x, about_y] = m.deviation_per_noise.map(|d| d * noise);
+    let [x, y, about_x, about_y] = m.deviation;
     let told = |values: [f64; 2], scale: f64| {
         values.iter().all(|v| v.is_finite()).then(|| values.map(|v| scale * v))
     };

@@ -190,6 +190,7 @@ mod tests {
                 eccentricity: [6e-3, -4e-3],
                 wobble: [1.5e-4, -8e-5],
                 deviation_per_noise: [1.0; 4],
+                deviation: [1.0; 4],
                 left_out: Vec::new(),
             },
             remaining: deviations(-2e-3),

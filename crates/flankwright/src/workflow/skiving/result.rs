@@ -1,5 +1,6 @@
 //! `result.json` of measuring a skiving tool, with units in the key names. Teeth count from 0, tracks from 1.
 
+use super::programs::ToolProgramResult;
 use crate::process::skiving::wear::WearTrend;
 use crate::workflow::finding::Remark;
 use crate::workflow::result::Status;
@@ -50,6 +51,9 @@ pub struct SkivingResult {
     /// How results scatter.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub monte_carlo: Option<MonteCarloResult>,
+    /// Measuring programs and what was proven of them.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub programs: Vec<ToolProgramResult>,
     /// Seconds per stage; the only part that differs between two runs.
     pub timing_s: BTreeMap<&'static str, f64>,
 }
@@ -199,7 +203,7 @@ pub struct PitchResult {
 pub struct MountingResult {
     /// e_x, e_y.
     pub eccentricity_um: [f64; 2],
-    /// Their standard deviations; absent where the measurement does not tell.
+    /// Their standard deviations from how the teeth scatter; absent where the measurement does not tell.
     pub eccentricity_sigma_um: Option<[f64; 2]>,
     /// om_x, om_y.
     pub wobble_urad: [f64; 2],

@@ -3,6 +3,8 @@
 use super::measurement::{Measurement, evaluated, simulated};
 use super::outcome::{flank_results, measurement_result, settings, track_results};
 use super::prepare::{SkivingBodies, prepare_skiving};
+use super::program_work::programs;
+use super::programs::ToolProgram;
 use super::real_tool::real_tool;
 use super::result::SkivingResult;
 use super::scan::{Scan, scan};
@@ -26,6 +28,8 @@ pub struct SkivingOutcome {
     pub measurement: Option<Measurement>,
     /// The scan of a stylus.
     pub scan: Option<Scan>,
+    /// Measuring programs.
+    pub programs: Vec<ToolProgram>,
     /// The measurement as a line of the tool's history, and what is known since.
     pub history: Option<history::Noted>,
 }
@@ -111,6 +115,12 @@ fn run(
         timing.insert("Monte Carlo", begun.elapsed().as_secs_f64());
     }
 
+    let begun = Instant::now();
+    let programs = programs(loaded, &bodies, scan.as_ref(), progress)?;
+    if !programs.is_empty() {
+        timing.insert("programs", begun.elapsed().as_secs_f64());
+    }
+
     let flanks = flank_results(&bodies, measurement.as_ref(), &left);
     let measured = measurement.as_ref().map(|m| measurement_result(&bodies, m));
     let tolerance_um = job.target.tolerance_um;
@@ -137,9 +147,10 @@ fn run(
         calibration: bodies.calibration.as_ref().map(|calibration| calibration.result.clone()),
         history: history.as_ref().map(|noted| noted.result.clone()),
         monte_carlo,
+        programs: programs.iter().map(ToolProgram::result).collect(),
         timing_s: timing,
     };
-    Ok(SkivingOutcome { result, bodies, measurement, scan, history })
+    Ok(SkivingOutcome { result, bodies, measurement, scan, programs, history })
 }
 
 /// flanks x tracks x (revolutions x 60/rpm x senses + time of a move), spec 60 section 7.

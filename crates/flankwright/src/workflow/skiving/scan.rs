@@ -19,6 +19,10 @@ use nalgebra::Vector3;
 pub struct Scan {
     /// The stylus.
     pub stylus: Beam,
+    /// Axes that follow.
+    pub axes: ScanAxes,
+    /// From where to where along the edge, x.
+    pub range: [f64; 2],
     /// Places of the edges.
     pub places: Sides<Vec<ScanPlace>>,
     /// Figures.
@@ -76,7 +80,7 @@ pub(super) fn scan(
         }
     }
     let result = ScanResult { teeth: given.teeth.clone(), places: rows };
-    Ok(Scan { stylus, places, result })
+    Ok(Scan { stylus, axes, range: ends, places, result })
 }
 
 /// f = -L dB with the stylus held on the edge by B (spec 60 section 11).

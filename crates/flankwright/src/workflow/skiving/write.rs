@@ -50,6 +50,10 @@ pub fn write_skiving(
     if let Some(scan) = &result.scan {
         files.push(("motions/scan.csv".into(), "scan of a stylus", tables::scan(scan)?.text().into()));
     }
+    for program in &outcome.programs {
+        let text = program.written.text.clone().into_bytes();
+        files.push((program.file.clone(), "NC program: measuring the tool", text));
+    }
     if let Some(found) = &result.monte_carlo {
         files.push((
             "monte-carlo.csv".into(),

@@ -18,6 +18,9 @@ pub struct Mounting {
     /// Standard deviations of [e_x, e_y, om_x, om_y] for a standard deviation of 1 mm of every f, mm/mm and rad/mm; infinite where the
     /// measurement does not tell.
     pub deviation_per_noise: [f64; 4],
+    /// Standard deviations of the same from what the fit leaves, tooth by tooth, mm and rad: teeth scatter more than readings. Infinite
+    /// where the measurement does not tell.
+    pub deviation: [f64; 4],
     /// Teeth that were left out of the fit.
     pub left_out: Vec<usize>,
 }
@@ -63,6 +66,7 @@ pub fn mounting(flanks: &Sides<FlankTracks>, clocked: &Deviations) -> Mounting {
 struct Fit {
     values: Vector4<f64>,
     deviations: [f64; 4],
+    of_teeth: [f64; 4],
     constants: Sides<Vec<f64>>,
 }
 
@@ -84,6 +88,7 @@ impl Fit {
             eccentricity: [v[0], v[1]],
             wobble: [v[2], v[3]],
             deviation_per_noise: self.deviations,
+            deviation: self.of_teeth,
             left_out,
         }
     }
@@ -116,7 +121,7 @@ fn fit(flanks: &Sides<FlankTracks>, clocked: &Deviations, used: &[bool]) -> Fit 
                 normal += row.transpose() * row;
                 right += row.transpose() * (f - mean);
             }
-            means.push((flank, mean_row, mean));
+            means.push((flank, number, mean_row, mean));
         }
     }
     // Scaled, so that lengths and angles count alike.
@@ -129,12 +134,25 @@ fn fit(flanks: &Sides<FlankTracks>, clocked: &Deviations, used: &[bool]) -> Fit 
     let vectors = eigen.eigenvectors;
     let covariance = scaling * vectors * Matrix4::from_diagonal(&inverse) * vectors.transpose() * scaling;
     let values = covariance * right;
-    let deviations = std::array::from_fn(|k| if lost { f64::INFINITY } else { covariance[(k, k)].sqrt() });
+    let told = |deviation: f64| if lost { f64::INFINITY } else { deviation };
+    let deviations = std::array::from_fn(|k| told(covariance[(k, k)].sqrt()));
     let mut constants = Sides { left: Vec::new(), right: Vec::new() };
-    for (flank, mean_row, mean) in means {
+    // What is left of a tooth comes from one cause on all its tracks: the sums of each tooth scatter, not single numbers.
+    let mut sums = vec![Vector4::zeros(); teeth];
+    for (flank, number, mean_row, mean) in means {
+        let track = &flanks[flank].tracks[number].0;
+        for tooth in (0..teeth).filter(|&tooth| used[tooth]) {
+            let row = row(track, tooth, teeth) - mean_row;
+            let left = clocked.of[flank][number][tooth] - mean - (row * values).x;
+            sums[tooth] += row.transpose() * left;
+        }
         constants[flank].push(mean - (mean_row * values).x);
     }
-    Fit { values, deviations, constants }
+    let scattered = sums.iter().map(|sum| sum * sum.transpose()).sum::<Matrix4<f64>>();
+    // Four unknowns are taken from as many teeth as there are.
+    let scattered = covariance * scattered * covariance * (count / (count - 4.0).max(1.0));
+    let of_teeth = std::array::from_fn(|k| told(scattered[(k, k)].max(0.0).sqrt()));
+    Fit { values, deviations, of_teeth, constants }
 }
 
 fn median(values: &mut [f64]) -> f64 {

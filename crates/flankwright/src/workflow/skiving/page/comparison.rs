@@ -6,9 +6,10 @@ use crate::geometry::{Flank, Sides};
 use crate::report::Quantity;
 use crate::report::skiving::{
     ConventionalRow, CorrectionsView, FlankProfile, HistoryRow, HistoryView, MonteCarloRow, MonteCarloView,
-    ProfileView, ProgramsView, SettingChange, WearRow, WearTrend,
+    ProfileView, ProgramRow, ProgramsView, SettingChange, WearRow, WearTrend,
 };
 use crate::workflow::skiving::prepare::SkivingBodies;
+use crate::workflow::skiving::programs::ToolProgramResult;
 use crate::workflow::skiving::result::SkivingResult;
 use crate::workflow::skiving::run::SkivingOutcome;
 
@@ -205,6 +206,34 @@ pub(super) fn monte_carlo(result: &SkivingResult) -> Option<MonteCarloView> {
 }
 
 /// Programs and their proof.
-pub(super) fn programs(_: &SkivingOutcome) -> Option<ProgramsView> {
-    None
+pub(super) fn programs(outcome: &SkivingOutcome) -> Option<ProgramsView> {
+    let programs = &outcome.result.programs;
+    let worst = |of: fn(&ToolProgramResult) -> f64| programs.iter().map(of).fold(0.0, f64::max);
+    let row = |program: &ToolProgramResult| ProgramRow {
+        file: program.file.clone(),
+        control: program.control.into(),
+        blocks: program.blocks,
+        duration_s: program.duration_s,
+    };
+    let proof = "Every text was read by a reader that shares nothing with the writer, its axes were taken through the kinematics of the \
+                 machine to the tool, and the ideal tool was measured there: it switches where it should, as far as numbers are rounded.";
+    let mut figures = vec![
+        Quantity::number(
+            "touch of the ideal tool off its nominal place",
+            "",
+            worst(|p| p.proof_difference_um),
+            "µm",
+        ),
+        Quantity::number("beam off its place at the contact", "", worst(|p| p.proof_axis_distance_um), "µm"),
+        Quantity::number("explained by rounded numbers", "", worst(|p| p.proof_allowed_um), "µm"),
+    ];
+    let between = programs.iter().filter_map(|p| p.between_places_um).reduce(f64::max);
+    figures.extend(
+        between.map(|um| Quantity::number("left by straight blocks between places of a scan", "", um, "µm")),
+    );
+    (!programs.is_empty()).then(|| ProgramsView {
+        proof: vec![proof.into()],
+        programs: programs.iter().map(row).collect(),
+        figures,
+    })
 }

@@ -1,0 +1,114 @@
+//! From a job to its measuring programs, and any text held against the job.
+
+use super::prepare::{SkivingBodies, prepare_skiving};
+use super::programs::{
+    MeasuringWork, Proof, Retreat, ScanWork, ToolMachining, ToolProgram, measuring_programs, prove_measuring,
+    prove_scan, scan_programs,
+};
+use super::scan::Scan;
+use crate::exchange::LoadedSkivingJob;
+use crate::exchange::machine::LoadedMachine;
+use crate::exchange::skiving_job::{SkivingJob, SkivingMachine, Stylus};
+use crate::machine::Mount;
+use crate::nc::Dialect;
+use crate::numerics::Progress;
+use crate::workflow::finding::RunFailure;
+use crate::workflow::programs::machine_of_job;
+
+/// Speed at which the tool goes to the beam and back, mm/s.
+const RETREAT_SPEED: f64 = 50.0;
+
+/// Programs at the light barrier, then those of the stylus; none without `[machine]`.
+///
+/// # Errors
+/// [`RunFailure`]: a machine that does not reach a pose, a text that is not proven.
+pub(super) fn programs(
+    loaded: &LoadedSkivingJob,
+    bodies: &SkivingBodies,
+    scan: Option<&Scan>,
+    progress: &dyn Progress,
+) -> Result<Vec<ToolProgram>, RunFailure> {
+    let job = &loaded.job;
+    let Some(given) = job.machine.as_ref().filter(|_| !job.output.programs.is_empty()) else {
+        return Ok(Vec::new());
+    };
+    progress.start("programs", 1);
+    let machine = machine_of_job(loaded, &given.file)?;
+    let machining = machining(job, given, &machine);
+    let mut programs = measuring_programs(&measuring_work(job, bodies), &machining)?;
+    if let (Some(given), Some(scan)) = (&job.stylus, scan) {
+        programs.extend(scan_programs(&scan_work(job, bodies, given, scan), &machining)?);
+    }
+    progress.advance(1);
+    progress.finish();
+    Ok(programs)
+}
+
+/// Holds any text against the measurement of a job, or against its scan.
+///
+/// # Errors
+/// [`RunFailure`]: a text that measures something else, a job without `[machine]`.
+pub(in crate::workflow) fn prove_text(
+    loaded: &LoadedSkivingJob,
+    machine: &LoadedMachine,
+    dialect: Dialect,
+    text: &str,
+) -> Result<(&'static str, Proof), RunFailure> {
+    let job = &loaded.job;
+    let bodies = prepare_skiving(loaded)?;
+    let none = SkivingMachine::default();
+    let machining = machining(job, job.machine.as_ref().unwrap_or(&none), machine);
+    let measured = prove_measuring(&measuring_work(job, &bodies), &machining, dialect, text);
+    match (measured, &job.stylus) {
+        (Ok(proof), _) => Ok(("measuring", proof)),
+        (Err(failure), None) => Err(failure),
+        (Err(failure), Some(given)) => {
+            let scan = super::scan::scan(&bodies, given, None)?;
+            let work = scan_work(job, &bodies, given, &scan);
+            prove_scan(&work, &machining, dialect, text).map(|proof| ("scan", proof)).map_err(|_| failure)
+        }
+    }
+}
+
+fn machining<'a>(
+    job: &'a SkivingJob,
+    given: &SkivingMachine,
+    machine: &'a LoadedMachine,
+) -> ToolMachining<'a> {
+    ToolMachining {
+        machine,
+        mount: Mount { reversed: false, axial: given.tool_length, angle: given.tooth_angle_deg.to_radians() },
+        retreat: Retreat { distance: given.retreat, direction: None, speed: RETREAT_SPEED },
+        output: given.output,
+        dialects: &job.output.programs,
+    }
+}
+
+fn measuring_work<'a>(job: &'a SkivingJob, bodies: &'a SkivingBodies) -> MeasuringWork<'a> {
+    MeasuringWork {
+        job: &job.job.name,
+        flanks: &bodies.flanks,
+        beam: &bodies.beam,
+        senses: job.measuring.senses.list(),
+        revolutions: job.measuring.revolutions,
+        speed: bodies.barrier.speed,
+    }
+}
+
+fn scan_work<'a>(
+    job: &'a SkivingJob,
+    bodies: &'a SkivingBodies,
+    given: &'a Stylus,
+    scan: &'a Scan,
+) -> ScanWork<'a> {
+    ScanWork {
+        job: &job.job.name,
+        edges: &bodies.edges,
+        stylus: &scan.stylus,
+        axes: scan.axes,
+        range: scan.range,
+        places: given.places,
+        teeth: &given.teeth,
+        speed: given.speed_mm_per_min / 60.0,
+    }
+}
