@@ -88,7 +88,7 @@ fn summary(result: &SkivingResult, written: &[PathBuf]) -> String {
         of_measurement(&mut text, measured);
     }
     for (name, flank) in &result.flanks {
-        let Some([mean, each]) = flank.model_difference_um else { continue };
+        let [mean, each] = flank.model_difference_um;
         let _ = writeln!(
             text,
             "  {name} flank of the workpiece: prediction within {mean:.4} um of the referee, tooth by tooth within {each:.4} um"

@@ -235,6 +235,9 @@ fn calibrations() {
     let only_y: Vec<_> =
         [at(148.0), at(178.0), at(208.0)].concat().into_iter().filter(|o| o.along == Approach::Y).collect();
     assert!(fit(&only_y).is_err() || fit(&only_y).unwrap().deviations_at(150.0)[0] > 5.0);
+    // An upright beam in line with the mandrel: every direction parts them alike.
+    let upright = BeamLine::from_numbers([268.0, 19.4, 0.0, 0.0, 0.05]);
+    assert_eq!(mandrel.gap(&upright, &Vector3::new(268.0, 19.4, 100.0)).value, -10.05);
     let mut wrong = all;
     wrong[0].place.x = f64::NAN;
     assert_eq!(code(fit(&wrong)), "invalid-number");

@@ -117,3 +117,40 @@ fn a_damaged_tooth_does_not_bend_the_mounting() {
     assert!((all.mounting.eccentricity[0] - 6e-3).abs() < 0.2e-3, "{:?}", all.mounting);
     assert!(all.profile.out_of_band.iter().any(|(_, tooth)| *tooth == 17));
 }
+
+/// Teeth differ more than readings scatter: what a fit of the mounting states is how far it lies off for such teeth.
+#[test]
+fn the_mounting_states_what_teeth_that_differ_do_to_it() {
+    for sample in [RING, STEPPED] {
+        let flanks = sample.flanks();
+        let teeth = sample.teeth[0] as usize;
+        let (mut squares, runs) = ([0.0; 4], 80);
+        for start in 0..runs {
+            let mut noise = Noise::new(start);
+            let mut tool = RealTool::ideal(teeth);
+            tool.eccentricity = [6e-3, -4e-3];
+            tool.wobble = [8e-5, -5e-5];
+            for tooth in 0..teeth {
+                tool.pitch[tooth] = 2e-5 * noise.normal();
+                tool.edges.left[tooth].profile = vec![4e-4 * noise.normal()];
+                tool.edges.right[tooth].profile = vec![4e-4 * noise.normal()];
+            }
+            let found = measure(&sample, &flanks, &tool, &BarrierData::ideal(), (&[Sense::Positive], 1, 0));
+            let mounting = evaluate(&flanks, &found.deviations, &OPTIONS).unwrap().mounting;
+            let off = [
+                mounting.eccentricity[0] - 6e-3,
+                mounting.eccentricity[1] + 4e-3,
+                mounting.wobble[0] - 8e-5,
+                mounting.wobble[1] + 5e-5,
+            ];
+            for k in 0..4 {
+                squares[k] += (off[k] / mounting.deviation[k]).powi(2);
+            }
+        }
+        for square in squares {
+            // 80 tools tell a standard deviation to 8 per cent, and every tool states it from its own teeth.
+            let ratio: f64 = (square / runs as f64).sqrt();
+            assert!((0.75..1.3).contains(&ratio), "{ratio}");
+        }
+    }
+}

@@ -8,7 +8,7 @@ use crate::exchange::skiving_job::SkivingJob;
 use crate::geometry::Sides;
 use crate::numerics::root_mean_square;
 use crate::process::skiving::evaluation::{
-    Deviations, Evaluation, MeasuredTool, Repeated, correction, evaluate, measured_tool,
+    Deviations, Evaluation, MeasuredTool, Repeated, correction, evaluate, measured_tool, tool_as_measured,
 };
 use crate::process::skiving::measuring::{
     BarrierData, Noise, Reading, RealTool, Sense, Switches, nominal_angle, readings, switches,
@@ -39,6 +39,8 @@ pub struct Measurement {
     pub switches: Switches,
     /// The tool, if it is simulated.
     pub tool: Option<RealTool>,
+    /// The tool as its deviations tell it: what the referee takes where nothing else is known.
+    pub as_measured: RealTool,
     /// f of the simulated tool without noise, delay and hysteresis: what prediction and referee are compared by.
     pub noiseless: Option<Deviations>,
 }
@@ -157,6 +159,7 @@ impl Measurement {
         let correction =
             correction(&bodies.flanks, &evaluation, (&bodies.free, &bodies.setting_limits)).map_err(on)?;
         let resharpening = resharpening(bodies, &measured, &evaluation)?;
+        let as_measured = tool_as_measured(&bodies.flanks, &measured.deviations).map_err(on)?;
         Ok(Self {
             readings,
             measured,
@@ -165,6 +168,7 @@ impl Measurement {
             resharpening,
             switches,
             tool: None,
+            as_measured,
             noiseless: None,
         })
     }

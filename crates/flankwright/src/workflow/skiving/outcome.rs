@@ -2,7 +2,7 @@
 
 use super::measurement::Measurement;
 use super::prepare::SkivingBodies;
-use super::referee::Left;
+use super::referee::{Left, UnderReferee};
 use super::result::{
     CorrectionResult, MeasurementResult, MountingResult, PitchResult, ProfileResult, ResharpeningResult,
     SkivedFlankResult, SkivingSettings, ToothOnFlank, TrackResult,
@@ -63,7 +63,7 @@ pub(super) fn track_results(bodies: &SkivingBodies) -> BTreeMap<&'static str, Ve
 pub(super) fn flank_results(
     bodies: &SkivingBodies,
     measurement: Option<&Measurement>,
-    left: &[Option<Left>; 2],
+    left: &UnderReferee,
 ) -> BTreeMap<&'static str, SkivedFlankResult> {
     let of_flank = |flank: Flank| (flank.name(), flank_result(bodies, measurement, left, flank));
     Flank::BOTH.into_iter().map(of_flank).collect()
@@ -72,7 +72,7 @@ pub(super) fn flank_results(
 fn flank_result(
     bodies: &SkivingBodies,
     measurement: Option<&Measurement>,
-    left: &[Option<Left>; 2],
+    left: &UnderReferee,
     flank: Flank,
 ) -> SkivedFlankResult {
     let tracks = &bodies.flanks[flank].tracks;
@@ -92,29 +92,25 @@ fn flank_result(
         um(&m.correction.residual[from..from + tracks.len()])
     });
     let plus = |values: &[f64]| -> Vec<f64> { values.iter().zip(&target).map(|(f, t)| f + t).collect() };
-    let means = |of: &Option<Left>| {
-        of.as_ref().map(|left| {
-            let mean = |teeth: &Vec<f64>| 1e3 * teeth.iter().sum::<f64>() / teeth.len() as f64;
-            left[flank].iter().map(mean).collect::<Vec<f64>>()
-        })
+    let means = |left: &Left| -> Vec<f64> {
+        let mean = |teeth: &Vec<f64>| 1e3 * teeth.iter().sum::<f64>() / teeth.len() as f64;
+        left[flank].iter().map(mean).collect()
     };
-    let (simulated, after) = (means(&left[0]), means(&left[1]));
+    let simulated = means(&left.now);
     let planned = plus(&mean);
-    let model_difference_um = left[0].as_ref().map(|left| model_difference(bodies, measurement, left, flank));
-    let judged = simulated.as_ref().unwrap_or(&planned);
-    let deviations: Vec<f64> = judged.iter().zip(&target).map(|(f, t)| f - t).collect();
+    let deviations: Vec<f64> = simulated.iter().zip(&target).map(|(f, t)| f - t).collect();
     let column = |values: &[f64]| -> Vec<Vec<f64>> { values.iter().map(|v| vec![*v]).collect() };
     SkivedFlankResult {
         w_mm: tracks.iter().map(|(track, _)| track.contact.w).collect(),
         z_mm: vec![0.0],
         planned_um: column(&planned),
-        simulated_um: simulated.as_deref().map(column),
+        simulated_um: column(&simulated),
         teeth_um: of_teeth.iter().zip(&target).map(|(t, at)| extremes(t.iter().map(|f| f + at))).collect(),
         corrected_um: plus(&corrected),
-        corrected_simulated_um: after,
+        corrected_simulated_um: left.corrected.as_ref().map(means),
         max_deviation_um: extremes(deviations.iter().map(|f| f.abs()))[1],
         rms_deviation_um: root_mean_square(&deviations),
-        model_difference_um,
+        model_difference_um: model_difference(bodies, measurement, &left.now, flank),
         target_um: column(&target),
     }
 }
@@ -130,8 +126,10 @@ fn model_difference(
     for (number, (track, _)) in bodies.flanks[flank].tracks.iter().enumerate() {
         let contact = &track.contact;
         let told = |tooth: usize| {
-            let beyond = measurement.and_then(|m| Some((m.noiseless.as_ref()?, m.evaluation.clocking)));
-            let f = beyond.map_or(0.0, |(f, clocking)| f.of[flank][number][tooth] - contact.lever * clocking);
+            let f = measurement.map_or(0.0, |m| {
+                let found = m.noiseless.as_ref().unwrap_or(&m.measured.deviations);
+                found.of[flank][number][tooth] - contact.lever * m.evaluation.clocking
+            });
             contact.modification - f
         };
         let teeth = left[flank][number].iter().enumerate();

@@ -70,23 +70,33 @@ fn not_cut(flank: Flank, tooth: usize, w: f64) -> RunFailure {
     RunFailure::not_producible(finding)
 }
 
-/// What the measured tool, or the ideal one, leaves with the present setting and after the correction.
+/// What a tool leaves with the present setting, and after the correction where there is one.
+pub(super) struct UnderReferee {
+    pub now: Left,
+    pub corrected: Option<Left>,
+}
+
+/// What the measured tool leaves, or the ideal one before anything is measured. Of a real tool its edges are those that its deviations
+/// tell.
+///
+/// # Errors
+/// As [`skived`].
 pub(super) fn of_measurement(
     bodies: &SkivingBodies,
     measurement: Option<&Measurement>,
     progress: &dyn Progress,
-) -> Result<[Option<Left>; 2], RunFailure> {
+) -> Result<UnderReferee, RunFailure> {
     let motion = bodies.pair.motion();
     let Some(measurement) = measurement else {
-        let ideal = skived(bodies, &RealTool::ideal(bodies.teeth()), 0.0, motion, progress)?;
-        return Ok([Some(ideal), None]);
+        let now = skived(bodies, &RealTool::ideal(bodies.teeth()), 0.0, motion, progress)?;
+        return Ok(UnderReferee { now, corrected: None });
     };
-    let Some(tool) = &measurement.tool else { return Ok([None, None]) };
+    let tool = measurement.tool.as_ref().unwrap_or(&measurement.as_measured);
     let clocking = measurement.evaluation.clocking;
     let now = skived(bodies, tool, clocking, motion, progress)?;
-    let corrected = corrected(motion, &measurement.correction.change);
-    let then = skived(bodies, tool, clocking, &corrected, progress)?;
-    Ok([Some(now), Some(then)])
+    let other = corrected(motion, &measurement.correction.change);
+    let corrected = Some(skived(bodies, tool, clocking, &other, progress)?);
+    Ok(UnderReferee { now, corrected })
 }
 
 /// The motion after a change of [d, gamma, z_V1, phi_1]; the coupling stays where it was, the tool is turned against it.

@@ -89,9 +89,8 @@ pub struct SkivedFlankResult {
     pub target_um: Vec<Vec<f64>>,
     /// Predicted from the measurement, for the mean tooth.
     pub planned_um: Vec<Vec<f64>>,
-    /// Under the referee, for the mean tooth; absent for a real tool, whose edges are known by their deviations only.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub simulated_um: Option<Vec<Vec<f64>>>,
+    /// Under the referee, for the mean tooth; of a real tool the edges are those that its deviations tell.
+    pub simulated_um: Vec<Vec<f64>>,
     /// Least and greatest over the teeth of what is predicted.
     pub teeth_um: Vec<[f64; 2]>,
     /// Predicted after the correction of the setting.
@@ -99,13 +98,13 @@ pub struct SkivedFlankResult {
     /// The same under the referee.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub corrected_simulated_um: Option<Vec<f64>>,
-    /// Largest deviation from the target, of the referee's flank where there is one.
+    /// Largest deviation of the referee's flank from the target.
     pub max_deviation_um: f64,
     /// Root mean square of the same.
     pub rms_deviation_um: f64,
-    /// Largest difference between the prediction without noise and the referee, of the mean tooth and of any tooth.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub model_difference_um: Option<[f64; 2]>,
+    /// Largest difference between prediction and referee, of the mean tooth and of any tooth; of a simulated tool without the noise of
+    /// its readings.
+    pub model_difference_um: [f64; 2],
 }
 
 /// A track with its pose.

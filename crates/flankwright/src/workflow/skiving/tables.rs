@@ -71,13 +71,12 @@ pub fn profile(result: &SkivingResult) -> Result<CsvTable, CsvError> {
     ]);
     for (name, f) in &result.flanks {
         for (i, w) in f.w_mm.iter().enumerate() {
-            let simulated = f.simulated_um.as_ref().map_or(Cell::Empty, |s| Cell::Number(s[i][0]));
             table.push_cells(&[
                 Cell::Word(name),
                 Cell::Number(*w),
                 Cell::Number(f.target_um[i][0]),
                 Cell::Number(f.planned_um[i][0]),
-                simulated,
+                Cell::Number(f.simulated_um[i][0]),
                 Cell::Number(f.corrected_um[i]),
             ])?;
         }

@@ -1,6 +1,7 @@
 //! From angles at which a light barrier switched to what is wrong with a skiving tool, and to what its workpiece will be (spec 60
 //! section 8).
 
+mod as_measured;
 mod assignment;
 mod correction;
 mod deviations;
@@ -9,6 +10,7 @@ mod mounting;
 mod pitch;
 mod profile;
 
+pub use as_measured::tool_as_measured;
 pub use correction::correction;
 pub use deviations::{Deviations, MeasuredTool, measured_tool};
 pub use monte_carlo::{Quantity, Repeated, Scatter, repeat};

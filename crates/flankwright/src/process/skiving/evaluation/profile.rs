@@ -70,7 +70,8 @@ pub fn profile_verdict(
     Ok(ProfileVerdict { track_means, curve, out_of_band, worn, workpiece })
 }
 
-fn polynomial(places: &[f64], values: &[f64], degree: usize) -> Result<Vec<f64>, SkivingError> {
+/// Coefficients of the polynomial over x that fits values at places best.
+pub(super) fn polynomial(places: &[f64], values: &[f64], degree: usize) -> Result<Vec<f64>, SkivingError> {
     let too_few = SkivingError::TooFewTracks { tracks: places.len(), degree };
     if degree >= places.len() {
         return Err(too_few);

@@ -62,7 +62,8 @@ impl Mandrel {
         let off = place.xy() - line.at(middle);
         let tau = line.slope;
         if tau.norm() == 0.0 {
-            let u = off.normalize();
+            // With both axes in one line every direction parts them alike.
+            let u = if off.norm() > 0.0 { off.normalize() } else { Vector2::x() };
             return self.parted(line, &off, middle, &u, 0.0);
         }
         let mut best: Option<Gap> = None;

@@ -23,7 +23,7 @@ pub(super) fn profile(result: &SkivingResult) -> ProfileView {
         };
         let measured = result.measurement.is_some();
         let ends = |k: usize| beyond(&mut f.teeth_um.iter().map(|ends| ends[k]));
-        let simulated = f.simulated_um.iter().flatten().flatten().copied();
+        let simulated = f.simulated_um.iter().flatten().copied();
         FlankProfile {
             roll_mm: f.w_mm.clone(),
             mean_um: beyond(&mut f.planned_um.iter().flatten().copied()),
