@@ -64,6 +64,14 @@ fn a_simulated_measurement_is_read_back_as_it_was() {
         (refused.exit, &refused.json()["error"]["code"]),
         (Some(4), &Value::from("trigger-count-mismatch"))
     );
+    // One that is half a pitch off belongs to no tooth.
+    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+    let (begin, angle) =
+        lines[1].rsplit_once(',').map(|(b, a)| (b.to_owned(), a.parse::<f64>().unwrap())).unwrap();
+    lines[1] = format!("{begin},{}", angle + 180.0 / 41.0);
+    std::fs::write(&path, lines.join("\n") + "\n").unwrap();
+    let refused = ran("inspect", &path.display().to_string(), &second, &["--job", &job]);
+    assert_eq!((refused.exit, &refused.json()["error"]["code"]), (Some(4), &Value::from("ambiguous-tooth")));
     let nonsense = text.replacen("left", "middle", 1);
     std::fs::write(&path, nonsense).unwrap();
     let refused = ran("inspect", &path.display().to_string(), &second, &["--job", &job]);
@@ -104,13 +112,15 @@ const REFUSALS: &[Refusal] = &[
         "lead-modification-not-supported",
         "target.modifications",
     ),
-    (&[("angle_deg = 5.0 }", "angle_deg = 45.0 }")], 4, "contact-off-rounding", "skiving_tool.edge_radius"),
+    (
+        &[("clearance_angle_deg = 8.0", "clearance_angle_deg = 8.0\nclearance_chamfer_angle_deg = 10.0")],
+        4,
+        "contact-off-rounding",
+        "skiving_tool.edge_radius",
+    ),
     (&[("edge_radius = 0.03", "edge_radius = 5.0")], 4, "rounding-too-large", "skiving_tool.edge_radius"),
     (
-        &[(
-            "revolutions = 8",
-            "revolutions = 8\nposes = \"along-flank\"\nmost_off_flank_deg = 0.0001\ntravel = { a_deg = [1.0, 2.0] }",
-        )],
+        &[("revolutions = 8", "revolutions = 8\ntravel = { x = [0.0, 100.0] }")],
         4,
         "axis-limit",
         "measuring.travel",
@@ -140,7 +150,6 @@ const REFUSALS: &[Refusal] = &[
         "trigger-count-mismatch",
         "tool_errors",
     ),
-    (&[("random = { pitch_um = 0.8", "random = { pitch_um = 1000.0")], 4, "ambiguous-tooth", "tool_errors"),
     (
         &[("edge_growth_um = [1.5, 0.5]", "edge_growth_um = [-40.0]")],
         2,

@@ -101,7 +101,7 @@ pub enum SkivingError {
         lever: f64,
     },
     /// No pose lays the beam on the edge as asked for.
-    #[error("{flank} flank, track {track}: the beam cannot be laid along the edge ({reason})")]
+    #[error("{flank} flank, track {}: the beam cannot be laid along the edge ({reason})", track + 1)]
     PoseNotReachable {
         /// Flank.
         flank: Flank,
@@ -111,7 +111,7 @@ pub enum SkivingError {
         reason: String,
     },
     /// The flank direction stands along the tool's axis: every turn of the tool is as good.
-    #[error("{flank} flank, track {track}: the flank direction stands along the tool's axis")]
+    #[error("{flank} flank, track {}: the flank direction stands along the tool's axis", track + 1)]
     DegenerateFlankDirection {
         /// Flank.
         flank: Flank,
@@ -119,7 +119,7 @@ pub enum SkivingError {
         track: usize,
     },
     /// An axis would have to leave its range.
-    #[error("{flank} flank, track {track}: axis {axis} = {value} is outside of {least} to {greatest}")]
+    #[error("{flank} flank, track {}: axis {axis} = {value} is outside of {least} to {greatest}", track + 1)]
     AxisLimit {
         /// Flank.
         flank: Flank,
@@ -136,7 +136,7 @@ pub enum SkivingError {
     },
     /// Something else of the tool is in the beam.
     #[error(
-        "{flank} flank, track {track}: the {other} flank of tooth {tooth} comes as near as {gap:.4} mm to the beam"
+        "{flank} flank, track {}: the {other} flank of tooth {tooth} comes as near as {gap:.4} mm to the beam", track + 1
     )]
     Shadowed {
         /// Flank that is measured.
@@ -183,7 +183,7 @@ pub enum SkivingError {
         tooth: usize,
     },
     /// There are not as many signals as teeth.
-    #[error("{flank} flank, track {track}: {found} signals a revolution, the tool has {teeth} teeth")]
+    #[error("{flank} flank, track {}: {found} signals a revolution, the tool has {teeth} teeth", track + 1)]
     TriggerCountMismatch {
         /// Flank.
         flank: Flank,
@@ -196,8 +196,8 @@ pub enum SkivingError {
     },
     /// A signal lies between two teeth.
     #[error(
-        "{flank} flank, track {track}: the signal at {:.5} deg is {:.5} deg away from the nearest tooth",
-        angle.to_degrees(), off.to_degrees()
+        "{flank} flank, track {}: the signal at {:.5} deg is {:.5} deg away from the nearest tooth",
+        track + 1, angle.to_degrees(), off.to_degrees()
     )]
     AmbiguousTooth {
         /// Flank.
