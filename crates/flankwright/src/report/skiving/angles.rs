@@ -22,9 +22,9 @@ pub struct AngleView {
 /// Switching angles of an edge.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AngleEdge {
-    /// The nominal edge, closely from root to tip.
+    /// The nominal edge, closely, ascending in x.
     pub stations: Vec<AngleStation>,
-    /// Its tracks, root to tip.
+    /// Its tracks, ascending in x.
     pub tracks: Vec<AngleTrack>,
 }
 

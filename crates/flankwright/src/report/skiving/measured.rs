@@ -21,7 +21,7 @@ pub struct MeasuredView {
 /// Deviations of a flank.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlankDeviations {
-    /// Its tracks, root to tip.
+    /// Its tracks, ascending in x.
     pub tracks: Vec<TrackDeviations>,
 }
 
@@ -78,7 +78,7 @@ impl MeasuredView {
             ),
             figure(
                 self.over_edge()?,
-                "The same over the edge, root at −1, tip at 1: mean, least and greatest of all teeth at every track.",
+                "The same over the edge, from the smaller to the larger length of roll of the workpiece: mean, least and greatest of all teeth at every track.",
             ),
         ];
         if !self.worst.is_empty() {

@@ -7,9 +7,9 @@ use crate::report::{Block, Figure};
 /// Tooth 0 along the tool's axis; places [x, y] in mm, the tooth about +y.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ToothView {
-    /// Edges that cut each flank, root to tip.
+    /// Edges that cut each flank, ascending in x.
     pub edges_mm: Sides<Vec<[f64; 2]>>,
-    /// Contact points of the tracks, root to tip.
+    /// Contact points of the tracks, ascending in x.
     pub contacts_mm: Sides<Vec<[f64; 2]>>,
 }
 

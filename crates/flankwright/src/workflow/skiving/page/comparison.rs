@@ -200,7 +200,9 @@ pub(super) fn monte_carlo(result: &SkivingResult) -> Option<MonteCarloView> {
     });
     Some(MonteCarloView {
         runs: found.measurements,
-        noise: "delay, edge of the beam, steps of the encoder".into(),
+        noise:
+            "Delay of the barrier and edge of the beam scatter; angles are rounded to steps of the encoder."
+                .into(),
         rows: rows.collect(),
     })
 }
