@@ -119,11 +119,16 @@ fn of_measurement(text: &mut String, measured: &MeasurementResult) {
     }
     let correction = &measured.correction;
     let [before, after] = correction.rms_um;
-    let _ = writeln!(
-        text,
-        "  correction: centre distance {} um, crossed-axes angle {} deg, tool angle {} deg: rms {before:.2} -> {after:.2} um",
-        fixed(correction.centre_distance_um, 2),
-        fixed(correction.crossed_axes_angle_deg, 5),
-        fixed(correction.tool_angle_deg, 5)
-    );
+    let changes = [
+        ("centre distance", correction.centre_distance_um, 2, "um"),
+        ("crossed-axes angle", correction.crossed_axes_angle_deg, 5, "deg"),
+        ("tool shift", correction.tool_shift_um, 2, "um"),
+        ("tool angle", correction.tool_angle_deg, 5, "deg"),
+    ];
+    let told: Vec<String> = changes
+        .into_iter()
+        .filter(|(name, ..)| correction.settings.contains(name))
+        .map(|(name, change, decimals, unit)| format!("{name} {} {unit}", fixed(change, decimals)))
+        .collect();
+    let _ = writeln!(text, "  correction: {}: rms {before:.2} -> {after:.2} um", told.join(", "));
 }

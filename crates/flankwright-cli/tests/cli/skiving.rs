@@ -139,6 +139,15 @@ const REFUSALS: &[Refusal] = &[
         "measuring.tracks",
     ),
     (
+        &[(
+            "[tool_errors]",
+            "[stylus]\npoint = [300.0, 20.0, 150.0]\nradius = 3.0\nteeth = [0, 14, 28]\n\n[tool_errors]",
+        )],
+        4,
+        "shadowed",
+        "stylus.radius",
+    ),
+    (
         &[("revolutions = 8", "revolutions = 8\ntracks = [0.0, 0.5]")],
         2,
         "too-few-tracks",
@@ -159,13 +168,77 @@ const REFUSALS: &[Refusal] = &[
     (
         &[(
             "[tool_errors]",
-            "[calibration]\nradius = 10.0\nheight = 5.0\nheights = [140.0, 240.0]\nswitches = [\n  { along = \"Y\", place = [300.0, 9.95, 140.0] }, { along = \"Y\", place = [300.0, 30.05, 140.0] }, { along = \"X\", place = [289.95, 20.0, 140.0] },\n  { along = \"Y\", place = [300.0, 9.95, 140.0] }, { along = \"Y\", place = [300.0, 30.05, 140.0] }\n]\n\n[tool_errors]",
+            "[calibration]\nradius = 10.0\nheight = 5.0\nswitches = [\n  { along = \"Y\", place = [300.0, 9.95, 140.0] }, { along = \"Y\", place = [300.0, 30.05, 140.0] }, { along = \"X\", place = [289.95, 20.0, 140.0] },\n  { along = \"Y\", place = [300.0, 9.95, 140.0] }, { along = \"Y\", place = [300.0, 30.05, 140.0] }\n]\n\n[tool_errors]",
         )],
         4,
         "calibration-singular",
         "calibration",
     ),
 ];
+
+/// What delay, hysteresis and clocking do to a measurement does not pass for what the tool is: neither in the verdict nor under the referee.
+#[test]
+fn the_clocking_of_a_tool_does_not_matter() {
+    let directory = tempfile::tempdir().unwrap();
+    let out = directory.path().join("out");
+    let one_sense = job(
+        directory.path(),
+        "internal-ring",
+        &[("revolutions = 8", "revolutions = 8\nsenses = \"positive\"")],
+    );
+    let run = ran("plan", &one_sense, &out, &[]);
+    assert_eq!(run.exit, Some(0), "{}", run.stderr);
+    let result = run.json();
+    assert_eq!(result["warnings"][0]["code"], "latency-not-removed");
+    for flank in ["left", "right"] {
+        let [mean, each] = numbers(&result["flanks"][flank]["model_difference_um"])[..] else { panic!() };
+        assert!(mean < 0.01 && each < 0.05, "{mean} {each}");
+        assert!(result["flanks"][flank]["max_deviation_um"].as_f64().unwrap() < 2.0);
+    }
+    // A constant turn of all angles, far below a quarter of a pitch and near it, is taken off.
+    let both = job(directory.path(), "internal-ring", &[]);
+    let simulated = ran("simulate", &both, &out, &[]);
+    let text = std::fs::read_to_string(out.join("readings.csv")).unwrap();
+    let turned = |degrees: f64| {
+        let line = |line: &str| match line
+            .rsplit_once(',')
+            .and_then(|(begin, angle)| Some((begin, angle.parse::<f64>().ok()?)))
+        {
+            Some((begin, angle)) => format!("{begin},{}\n", angle + degrees),
+            None => format!("{line}\n"),
+        };
+        text.lines().map(line).collect::<String>()
+    };
+    let path = directory.path().join("turned.csv");
+    for degrees in [0.3, 2.0] {
+        std::fs::write(&path, turned(degrees)).unwrap();
+        let run =
+            ran("inspect", &path.display().to_string(), &directory.path().join("turned"), &["--job", &both]);
+        assert_eq!(run.exit, Some(0), "{degrees}: {}", run.stderr);
+        let found = run.json();
+        let [e, true_e] =
+            [&found, &simulated.json()].map(|r| numbers(&r["measurement"]["mounting"]["eccentricity_um"]));
+        assert!((e[0] - true_e[0]).abs() < 1e-6 && (e[1] - true_e[1]).abs() < 1e-6, "{e:?} {true_e:?}");
+        for flank in ["left", "right"] {
+            let [mean, each] = numbers(&found["flanks"][flank]["model_difference_um"])[..] else { panic!() };
+            assert!(mean < 0.05 && each < 0.12, "{degrees}: {mean} {each}");
+        }
+    }
+    // Tracks in different senses would keep the delay in some and lose it in others.
+    let mixed: String =
+        text.lines().filter(|l| !l.starts_with("right,3,-1")).map(|l| l.to_owned() + "\n").collect();
+    std::fs::write(&path, mixed).unwrap();
+    let refused = ran("inspect", &path.display().to_string(), &out, &["--job", &both]);
+    assert_eq!((refused.exit, &refused.json()["error"]["code"]), (Some(2), &Value::from("senses-differ")));
+    // Readings that were taken otherwise than the job says are told.
+    let first: String = text.lines().filter(|l| !l.contains(",-1,")).map(|l| l.to_owned() + "\n").collect();
+    std::fs::write(&path, first).unwrap();
+    let told = ran("inspect", &path.display().to_string(), &out, &["--job", &both]).json();
+    let codes: Vec<&str> =
+        told["warnings"].as_array().unwrap().iter().filter_map(|w| w["code"].as_str()).collect();
+    assert_eq!(codes, ["latency-not-removed", "readings-differ"]);
+    assert_eq!(told["measuring_time_s"], 10.0 * (8.0 * 0.5 + 2.0));
+}
 
 #[test]
 fn what_cannot_be_measured_is_refused_by_its_key() {
@@ -226,6 +299,32 @@ fn a_history_is_kept_once_and_tells_when_to_grind() {
     let after = std::fs::read_to_string(&history).unwrap();
     assert_eq!(after.lines().count(), before.lines().count() + 1);
     assert!(after.starts_with(&before));
+}
+
+#[test]
+fn poses_alone_are_a_job_as_well() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = job(directory.path(), "internal-ring", &[]);
+    let text = std::fs::read_to_string(&path).unwrap();
+    let poses = &text[..text.find("[tool_errors]").unwrap()];
+    std::fs::write(&path, poses).unwrap();
+    let out = directory.path().join("out");
+    let run = ran("plan", &path, &out, &[]);
+    assert_eq!(run.exit, Some(0), "{}", run.stderr);
+    assert!(run.json()["measurement"].is_null() && out.join("motions/poses.csv").is_file());
+    assert_eq!(ran("simulate", &path, &out, &[]).json()["error"]["field"], "tool_errors");
+    std::fs::write(&path, poses.to_owned() + "[monte_carlo]\nmeasurements = 10\n").unwrap();
+    let refused = ran("plan", &path, &out, &[]);
+    assert_eq!((refused.exit, &refused.json()["error"]["field"]), (Some(2), &Value::from("monte_carlo")));
+    // A tool that does not go with the workpiece is not met because nothing was measured.
+    std::fs::write(&path, poses.replace("teeth = 41", "teeth = 12")).unwrap();
+    let run = ran("plan", &path, &out, &[]);
+    assert_eq!(
+        (run.exit, &run.json()["reason"]["code"]),
+        (Some(3), &Value::from("above-tolerance")),
+        "{run:?}"
+    );
+    assert_eq!(run.json()["warnings"][0]["code"], "prediction-unproven");
 }
 
 #[test]

@@ -7,7 +7,8 @@ mod read;
 mod time;
 
 pub use append::append_history;
-pub use read::{History, history_schema, parse_history, read_history};
+pub use read::{History, parse_history, read_history};
+pub(in crate::exchange) use time::{FORM as MOMENT, is_moment};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

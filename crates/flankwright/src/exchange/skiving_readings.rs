@@ -23,7 +23,13 @@ const MOST_REVOLUTIONS: usize = 1_000_000;
 /// Those of [`Source::read`], among them `file-too-large` above [`super::MAXIMUM_BYTES`]; `invalid-table`, `unknown-value`,
 /// `invalid-number` with line, column and value.
 pub fn read_skiving_readings(path: &Path, tracks: usize) -> Result<Vec<Reading>, JobError> {
-    parse(Source::read(path)?, tracks)
+    let source = Source::read(path).map_err(|mut error| {
+        for finding in error.diagnostics.iter_mut().filter(|_| !path.exists()) {
+            finding.way_out = Some("check the path; `flankwright simulate` writes such a table".into());
+        }
+        error
+    })?;
+    parse(source, tracks)
 }
 
 /// The table of readings, as [`read_skiving_readings`] reads it back bit for bit.

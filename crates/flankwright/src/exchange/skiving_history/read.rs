@@ -27,11 +27,6 @@ const SUBJECT: Subject = Subject {
 const WAY_OUT: &str =
     "every line is one complete JSON object; correct this line, or delete it if a program left it unfinished";
 
-/// The schema of a line, JSON Schema draft 2020-12.
-pub fn history_schema() -> Value {
-    SCHEMA.clone()
-}
-
 /// All measurements of a file, in its order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct History {

@@ -218,10 +218,3 @@ fn files_at_their_limits() {
     assert_eq!(told(&error), ("file-too-large", ""));
     assert_eq!(fs::read_to_string(&path).unwrap().len(), full.len());
 }
-
-#[test]
-fn the_schema_is_closed_and_told() {
-    let schema = history_schema();
-    assert_eq!(schema["additionalProperties"], false);
-    assert_eq!(schema["$defs"]["RecordedFlank"]["properties"]["places"]["items"]["maximum"], 1.0);
-}

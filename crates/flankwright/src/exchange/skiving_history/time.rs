@@ -8,7 +8,7 @@ pub(super) struct Moment {
 }
 
 /// What a time has to look like, in words.
-pub(super) const FORM: &str = "date and time with zone (RFC 3339), e.g. 2026-03-14T09:30:00Z";
+pub(in crate::exchange) const FORM: &str = "date and time with zone (RFC 3339), e.g. 2026-03-14T09:30:00Z";
 
 impl Moment {
     /// The moment of a text; `None` if it is none, or finer than nanoseconds.
@@ -74,6 +74,11 @@ fn days(year: i64, month: i64, day: i64) -> i64 {
     let years = |year: i64| 365 * year + year.div_euclid(4) - year.div_euclid(100) + year.div_euclid(400);
     let before: i64 = (1..month).map(|month| days_of(year, month)).sum();
     years(year - 1) - years(1969) + before + day - 1
+}
+
+/// Whether a text is a date and time with its zone.
+pub(in crate::exchange) fn is_moment(text: &str) -> bool {
+    Moment::parse(text).is_some()
 }
 
 #[cfg(test)]

@@ -17,9 +17,10 @@ pub struct MandrelCalibration {
     /// h: its height.
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 500, "x-way-out" = "give the height of the mandrel in mm; a low one tells most"))]
     pub height: f64,
-    /// Positions Z of its lower face at which the beam is approached.
+    /// Positions Z of its lower face at which the beam is to be approached, where there are no switches yet.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(schema_with = "heights_schema")]
-    pub heights: [f64; 2],
+    pub heights: Option<[f64; 2]>,
     /// Standard deviation of a switch, um.
     #[serde(default)]
     #[schemars(extend("minimum" = 0, "maximum" = 1000, "x-way-out" = "give the standard deviation in micrometres"))]

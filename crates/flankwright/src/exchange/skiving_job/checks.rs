@@ -5,6 +5,7 @@ use super::{RakeForm, Senses, SkivingJob};
 use crate::exchange::checks::{contradiction, drawing, name, not_yet};
 use crate::exchange::diagnostic::{Diagnostic, Problem};
 use crate::exchange::node::shown_number;
+use crate::exchange::skiving_history::{MOMENT, is_moment};
 
 /// All contradictions in a job; without places, which the caller knows.
 pub(in crate::exchange) fn check(job: &SkivingJob) -> Vec<Diagnostic> {
@@ -13,6 +14,7 @@ pub(in crate::exchange) fn check(job: &SkivingJob) -> Vec<Diagnostic> {
     drawing(&job.gear, &mut findings);
     workpiece(job, &mut findings);
     rake(job, &mut findings);
+    edge(job, &mut findings);
     measuring(job, &mut findings);
     tool_errors(job, &mut findings);
     calibration(job, &mut findings);
@@ -39,6 +41,20 @@ fn workpiece(job: &SkivingJob, findings: &mut Vec<Diagnostic>) {
                 .allowed("3 or more, -3 or less for an internal gear")
                 .way_out("give the number of teeth of the drawing"),
         );
+    }
+}
+
+fn edge(job: &SkivingJob, findings: &mut Vec<Diagnostic>) {
+    let tool = &job.skiving_tool;
+    let chamfered = tool.rake_chamfer.is_some() || tool.clearance_chamfer_angle_deg != 0.0;
+    if tool.edge_radius == 0.0 && chamfered {
+        findings.push(contradiction(
+            "a sharp edge has no chamfers beside its rounding",
+            "skiving_tool.edge_radius",
+            shown_number(0.0),
+            "> 0 beside chamfers",
+            "give the radius of the rounding, or leave the chamfers out",
+        ));
     }
 }
 
@@ -82,6 +98,21 @@ fn measuring(job: &SkivingJob, findings: &mut Vec<Diagnostic>) {
             format!("[{}, {}]", shown_number(least), shown_number(greatest)),
             "the least position before the greatest",
             "give both ends of travel, the smaller first",
+        ));
+    }
+    let beam = job.light_barrier.radius;
+    if let Some(radius) = job.evaluation.switching_radius.filter(|radius| (radius - beam).abs() > 0.5 * beam)
+    {
+        findings.push(contradiction(
+            "the beam switches far from its radius",
+            "evaluation.switching_radius",
+            shown_number(radius),
+            &format!(
+                "{} to {}, half as much as the radius of the beam about it",
+                shown_number(0.5 * beam),
+                shown_number(1.5 * beam)
+            ),
+            "give the radius at which the calibrated beam switches, in mm",
         ));
     }
     if job.measuring.senses == Senses::Both
@@ -147,16 +178,33 @@ fn no_such_tooth(field: String, tooth: usize, teeth: usize) -> Diagnostic {
 
 fn calibration(job: &SkivingJob, findings: &mut Vec<Diagnostic>) {
     let Some(given) = &job.calibration else { return };
-    if given.heights[0] == given.heights[1] {
-        findings.push(contradiction(
+    let switches = given.switches.len();
+    match given.heights {
+        Some([low, high]) if low == high => findings.push(contradiction(
             "at one height the tilt of the beam cannot be told",
             "calibration.heights",
-            format!("[{0}, {0}]", shown_number(given.heights[0])),
+            format!("[{0}, {0}]", shown_number(low)),
             "two positions Z",
             "approach the beam at two heights",
-        ));
+        )),
+        Some([low, high]) if switches > 0 => findings.push(contradiction(
+            "the switches have heights of their own",
+            "calibration.heights",
+            format!("[{}, {}]", shown_number(low), shown_number(high)),
+            "no key beside `switches`",
+            "leave `heights` out",
+        )),
+        None if switches == 0 => findings.push(
+            Diagnostic::new(
+                Problem::MissingKey,
+                "`calibration` does not say at which heights the beam is approached",
+            )
+            .field("calibration.heights")
+            .allowed("two positions Z, or `switches`")
+            .way_out("add e.g. heights = [140.0, 240.0], or the switches of a calibration"),
+        ),
+        _ => {}
     }
-    let switches = given.switches.len();
     if (1..5).contains(&switches) {
         findings.push(contradiction(
             "a beam has five unknowns",
@@ -179,17 +227,14 @@ fn uses(job: &SkivingJob, findings: &mut Vec<Diagnostic>) {
             "leave one of the tables out",
         ));
     }
-    if let Some(history) = &job.history
-        && job.tool_errors.is_none()
-        && job.readings.is_none()
-    {
-        findings.push(contradiction(
-            "nothing is measured that could be noted",
-            "history.file",
-            format!("{:?}", history.file),
-            "[history] beside [readings] or [tool_errors]",
-            "add `[readings]`, or leave `[history]` out",
-        ));
+    if let Some(history) = job.history.as_ref().filter(|history| !is_moment(&history.time)) {
+        findings.push(
+            Diagnostic::new(Problem::InvalidJob, "the time of the measurement is no date and time")
+                .field("history.time")
+                .value(format!("{:?}", history.time))
+                .allowed(MOMENT)
+                .way_out("give the time with its zone"),
+        );
     }
     if !job.output.programs.is_empty() && job.machine.is_none() {
         findings.push(contradiction(

@@ -194,12 +194,22 @@ fn tables_that_need_something_else_say_so() {
                 "calibration.switches",
                 &["five unknowns"],
             ),
+            (
+                "edge_radius = 0.03",
+                "edge_radius = 0.0",
+                "invalid-job",
+                "skiving_tool.edge_radius",
+                &["chamfers"],
+            ),
             ("teeth = [0, 14, 28]", "teeth = [0, 14, 50]", "invalid-job", "stylus.teeth[2]", &["0 to 40"]),
             ("teeth = [0, 14, 28]", "teeth = [0, 14]", "invalid-list", "stylus.teeth", &["3"]),
         ],
     );
-    let [from, to] = ["\n[tool_errors]", "\n# [readings]"].map(|table| all.find(table).unwrap());
-    let nothing = all[..from].to_owned() + &all[to..];
-    let error = parse_any_job(Source::new("job.toml", &nothing)).unwrap_err();
-    assert_eq!(error.diagnostics[0].field.as_deref(), Some("history.file"), "{error}");
+    told_in_full(
+        &all,
+        &[
+            ("2026-03-01T09:30:00Z", "yesterday", "invalid-job", "history.time", &["RFC 3339"]),
+            ("radius = 10.0", "radius = -10.0", "invalid-number", "calibration.radius", &["> 0"]),
+        ],
+    );
 }

@@ -50,14 +50,14 @@ pub enum SkivingError {
         difference: f64,
     },
     /// No roll position brings the edge to this place of the flank.
-    #[error("no edge on this rake face makes the flank at length of roll {w} mm")]
+    #[error("no edge on this rake face makes the flank at length of roll {w:.4} mm")]
     NoContact {
         /// Length of roll, mm.
         w: f64,
     },
     /// The place that touches is off the rounding.
     #[error(
-        "at length of roll {w} mm the contact lies at {:.3} deg, off the rounding between {:.3} and {:.3} deg",
+        "at length of roll {w:.4} mm the contact lies at {:.3} deg, off the rounding between {:.3} and {:.3} deg",
         angle.to_degrees(), least.to_degrees(), greatest.to_degrees()
     )]
     ContactOffRounding {
@@ -72,7 +72,7 @@ pub enum SkivingError {
     },
     /// The edge is bent more than it is round.
     #[error(
-        "at length of roll {w} mm the edge is curved with {curvature_radius} mm, its rounding has {radius} mm"
+        "at length of roll {w:.4} mm the edge is curved with {curvature_radius:.4} mm, its rounding has {radius} mm"
     )]
     RoundingTooLarge {
         /// Length of roll, mm.
@@ -84,7 +84,7 @@ pub enum SkivingError {
     },
     /// The edge does not cut in one direction.
     #[error(
-        "at length of roll {w} mm the cutting speed is {speed} mm/rad along the rake normal, elsewhere the other way"
+        "at length of roll {w:.4} mm the cutting speed is {speed} mm/rad along the rake normal, elsewhere the other way"
     )]
     CuttingDirectionAmbiguous {
         /// Length of roll, mm.
@@ -93,7 +93,7 @@ pub enum SkivingError {
         speed: f64,
     },
     /// A turn of the tool hardly moves the flank.
-    #[error("at length of roll {w} mm a turn of the tool moves the edge by {lever} mm/rad only")]
+    #[error("at length of roll {w:.4} mm a turn of the tool moves the edge by {lever} mm/rad only")]
     LeverTooSmall {
         /// Length of roll, mm.
         w: f64,
@@ -164,7 +164,7 @@ pub enum SkivingError {
     },
     /// The beam meets the end of the edge.
     #[error(
-        "tooth {tooth}: the beam touches the edge at length of roll {w} mm, it goes from {from} to {to} mm"
+        "tooth {tooth}: the beam touches the edge at length of roll {w:.4} mm, it goes from {from:.4} to {to:.4} mm"
     )]
     EdgeEndTouched {
         /// Tooth.
@@ -183,7 +183,7 @@ pub enum SkivingError {
         tooth: usize,
     },
     /// There are not as many signals as teeth.
-    #[error("{flank} flank, track {}: {found} signals a revolution, the tool has {teeth} teeth", track + 1)]
+    #[error("{flank} flank, track {}: {}, the tool has {teeth} teeth", track + 1, signals(*found))]
     TriggerCountMismatch {
         /// Flank.
         flank: Flank,
@@ -287,6 +287,9 @@ impl SkivingError {
             Self::BodyTouched { .. } => "lay the beam along the flank direction",
             Self::EdgeEndTouched { .. } => "move the track away from the end of the edge",
             Self::NoTrigger { .. } => "check the tooth: it may be broken off",
+            Self::TriggerCountMismatch { found: 0, .. } => {
+                "measure this track, or give the job the tracks that were measured"
+            }
             Self::TriggerCountMismatch { .. } => {
                 "check the tool for broken teeth and chips, then measure again"
             }
@@ -323,4 +326,8 @@ impl SkivingError {
             | Self::CalibrationSingular { .. } => false,
         }
     }
+}
+
+fn signals(found: usize) -> String {
+    if found == 0 { "there are no readings".into() } else { format!("{found} signals a revolution") }
 }

@@ -90,7 +90,7 @@ fn expected(
     given: &MandrelCalibration,
 ) -> Result<Vec<Observation>, SkivingError> {
     let mut seen = Vec::new();
-    for z in given.heights {
+    for z in given.heights.into_iter().flatten() {
         let centre: Vector2<f64> = line.at(z + 0.5 * mandrel.height);
         let far = mandrel.radius
             + line.radius * line.slope.norm().hypot(1.0)

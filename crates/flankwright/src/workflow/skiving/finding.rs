@@ -1,5 +1,6 @@
 //! Errors of skiving as findings on keys of the job.
 
+use super::measurement::ReadingsFile;
 use crate::exchange::Diagnostic;
 use crate::geometry::GeometryError;
 use crate::process::skiving::SkivingError;
@@ -33,13 +34,10 @@ pub(super) fn failure(error: &SkivingError) -> RunFailure {
 }
 
 /// The same where the readings come from a file.
-pub(super) fn of_readings(error: &SkivingError, field: &str) -> RunFailure {
-    match (failure(error), error) {
-        (
-            RunFailure::NotProducible(finding),
-            SkivingError::TriggerCountMismatch { .. } | SkivingError::AmbiguousTooth { .. },
-        ) => RunFailure::NotProducible(Box::new(finding.field(field.to_owned()))),
-        (failure, _) => failure,
+pub(super) fn of_readings(error: &SkivingError, file: &ReadingsFile<'_>) -> RunFailure {
+    match failure(error) {
+        RunFailure::NotProducible(finding) => RunFailure::not_producible(file.named(*finding)),
+        RunFailure::BadInput(finding) => RunFailure::bad_input(file.named(*finding)),
     }
 }
 

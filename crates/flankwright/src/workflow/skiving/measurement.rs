@@ -16,17 +16,29 @@ use crate::process::skiving::measuring::{
 use crate::process::skiving::wear::{GrowthOptions, ToothPositions, WearError, edge_growths, regrind};
 use crate::process::skiving::{MeasuringTrack, SettingFit, SkivingError};
 use crate::workflow::finding::RunFailure;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Standard deviation of a growth up to which it is told from a shift of the edge, mm.
 const GROWTH_RESOLUTION: f64 = 2e-3;
 /// What a linear evaluation is off where nothing scatters (spec 60 section 15), mm.
 const LEAST_SIGMA: f64 = 3e-5;
 
+/// In which senses, and how often in each, a tool was measured.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Taken {
+    /// Senses in their order.
+    pub senses: Vec<Sense>,
+    /// Revolutions in each, on the track that has the fewest.
+    pub revolutions: usize,
+}
+
 /// A measured tool with all that follows from it.
 #[derive(Clone, Debug)]
 pub struct Measurement {
     /// What the control wrote down.
     pub readings: Vec<Reading>,
+    /// Senses and revolutions of the readings.
+    pub taken: Taken,
     /// Deviations.
     pub measured: MeasuredTool,
     /// Pitch, mounting, profile, wear.
@@ -39,10 +51,12 @@ pub struct Measurement {
     pub switches: Switches,
     /// The tool, if it is simulated.
     pub tool: Option<RealTool>,
-    /// The tool as its deviations tell it: what the referee takes where nothing else is known.
-    pub as_measured: RealTool,
-    /// f of the simulated tool without noise, delay and hysteresis: what prediction and referee are compared by.
-    pub noiseless: Option<Deviations>,
+    /// What the referee takes: the simulated tool, else the one that the deviations tell.
+    pub cutting: RealTool,
+    /// The clocking that is taken off it, rad: 0 where the deviations are without it already.
+    pub cutting_clocking: f64,
+    /// f_z of that tool, for a simulated one without noise, delay and hysteresis: what prediction and referee are compared by.
+    pub told: Deviations,
 }
 
 /// Measures a tool with known errors.
@@ -68,20 +82,43 @@ pub(super) fn simulated(
         &mut noise,
     );
     let measured = measured_tool(&bodies.flanks, &seen, bodies.radius_offset).map_err(on)?;
-    let noiseless = noiseless(bodies, &tool).map_err(on)?;
+    let still = noiseless(bodies, &tool).map_err(on)?;
     let measurement = Measurement::of(bodies, seen, measured, switched)?;
-    Ok(Measurement { tool: Some(tool), noiseless: Some(noiseless), ..measurement })
+    Ok(Measurement {
+        cutting: tool.clone(),
+        cutting_clocking: still.clocking,
+        told: still.clocked,
+        tool: Some(tool),
+        ..measurement
+    })
 }
 
-/// Evaluates readings of a real tool; `field` is where the job or the command names them.
+/// A file of readings, for what is wrong with them.
+pub(super) struct ReadingsFile<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// The key of the job that names it; none where the command does.
+    pub key: Option<&'static str>,
+}
+
+impl ReadingsFile<'_> {
+    /// A finding with the file's name in front, on its key.
+    pub fn named(&self, finding: Diagnostic) -> Diagnostic {
+        let message = format!("{}: {}", self.name, finding.message);
+        Diagnostic { message: message.into(), field: self.key.map(Into::into), ..finding }
+    }
+}
+
+/// Evaluates readings of a real tool.
 ///
 /// # Errors
 /// [`RunFailure`]: too many or too few switches, switches between teeth.
 pub(super) fn evaluated(
     bodies: &SkivingBodies,
     seen: Vec<Reading>,
-    field: &str,
+    field: &ReadingsFile<'_>,
 ) -> Result<Measurement, RunFailure> {
+    same_senses(&seen, field)?;
     let measured = measured_tool(&bodies.flanks, &seen, bodies.radius_offset)
         .map_err(|error| of_readings(&error, field))?;
     let switched = switches_of(bodies, &measured);
@@ -89,11 +126,40 @@ pub(super) fn evaluated(
 }
 
 /// What an ideal barrier would find.
-fn noiseless(bodies: &SkivingBodies, tool: &RealTool) -> Result<Deviations, SkivingError> {
+fn noiseless(bodies: &SkivingBodies, tool: &RealTool) -> Result<Evaluation, SkivingError> {
     let ideal = BarrierData::ideal();
     let switched = switches(&bodies.flanks, &bodies.beam, &ideal, tool)?;
     let seen = readings(&bodies.flanks, &switched, &ideal, &[Sense::Positive], 1, &mut Noise::new(0));
-    Ok(measured_tool(&bodies.flanks, &seen, 0.0)?.deviations)
+    let found = measured_tool(&bodies.flanks, &seen, 0.0)?;
+    evaluate(&bodies.flanks, &found.deviations, &bodies.options)
+}
+
+/// Delay and hysteresis drop out of tracks that were measured in both senses: such tracks do not go with others.
+fn same_senses(seen: &[Reading], file: &ReadingsFile<'_>) -> Result<(), RunFailure> {
+    let mut senses: BTreeMap<(&str, usize), BTreeSet<Sense>> = BTreeMap::new();
+    for reading in seen {
+        senses.entry((reading.flank.name(), reading.track)).or_default().insert(reading.sense);
+    }
+    let Some((_, first)) = senses.first_key_value() else { return Ok(()) };
+    let Some(((flank, track), _)) = senses.iter().find(|(_, found)| *found != first) else { return Ok(()) };
+    let message =
+        format!("{flank} flank, track {}: not measured in the same senses as the first track", track + 1);
+    let finding =
+        Diagnostic::with_code("senses-differ", message).way_out("measure all tracks in the same senses");
+    Err(RunFailure::bad_input(file.named(finding)))
+}
+
+impl Taken {
+    fn of(readings: &[Reading]) -> Self {
+        let mut turns: BTreeMap<(&str, usize, Sense), BTreeSet<usize>> = BTreeMap::new();
+        for reading in readings {
+            let place = (reading.flank.name(), reading.track, reading.sense);
+            turns.entry(place).or_default().insert(reading.revolution);
+        }
+        let senses: BTreeSet<Sense> = turns.keys().map(|(.., sense)| *sense).collect();
+        let revolutions = turns.values().map(BTreeSet::len).min().unwrap_or(0);
+        Self { senses: senses.into_iter().collect(), revolutions }
+    }
 }
 
 /// Where a tool with these deviations switches.
@@ -139,10 +205,10 @@ fn resharpening(
 
 /// Standard deviation of a mean deviation on every track, mm.
 fn track_deviations(bodies: &SkivingBodies, readings_each: usize) -> Sides<Vec<f64>> {
-    let count = (readings_each as f64).sqrt();
     bodies.flanks.map(|_, of| {
-        let of_track =
-            |(track, _): &(MeasuringTrack, _)| bodies.barrier.single_deviation(track.contact.lever) / count;
+        let of_track = |(track, _): &(MeasuringTrack, _)| {
+            bodies.barrier.mean_deviation(track.contact.lever, readings_each)
+        };
         of.tracks.iter().map(of_track).collect()
     })
 }
@@ -159,8 +225,10 @@ impl Measurement {
         let correction =
             correction(&bodies.flanks, &evaluation, (&bodies.free, &bodies.setting_limits)).map_err(on)?;
         let resharpening = resharpening(bodies, &measured, &evaluation)?;
-        let as_measured = tool_as_measured(&bodies.flanks, &measured.deviations).map_err(on)?;
+        let cutting = tool_as_measured(&bodies.flanks, &evaluation.clocked).map_err(on)?;
+        let told = evaluation.clocked.clone();
         Ok(Self {
+            taken: Taken::of(&readings),
             readings,
             measured,
             evaluation,
@@ -168,8 +236,9 @@ impl Measurement {
             resharpening,
             switches,
             tool: None,
-            as_measured,
-            noiseless: None,
+            cutting,
+            cutting_clocking: 0.0,
+            told,
         })
     }
 
@@ -179,13 +248,13 @@ impl Measurement {
     }
 
     /// The measurement as one that can be repeated.
-    pub(super) fn repeated<'a>(&'a self, job: &'a SkivingJob, bodies: &'a SkivingBodies) -> Repeated<'a> {
+    pub(super) fn repeated<'a>(&'a self, bodies: &'a SkivingBodies) -> Repeated<'a> {
         Repeated {
             flanks: &bodies.flanks,
             switches: &self.switches,
             data: &bodies.barrier,
-            senses: job.measuring.senses.list(),
-            revolutions: job.measuring.revolutions,
+            senses: &self.taken.senses,
+            revolutions: self.taken.revolutions,
             radius_offset: bodies.radius_offset,
             options: &bodies.options,
             settings: (&bodies.free, &bodies.setting_limits),

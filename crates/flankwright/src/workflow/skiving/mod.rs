@@ -20,9 +20,10 @@ mod result;
 mod run;
 mod scan;
 mod tables;
+mod verdict;
 mod write;
 
-pub use measurement::Measurement;
+pub use measurement::{Measurement, Taken};
 pub use prepare::{SkivingBodies, prepare_skiving};
 pub(in crate::workflow) use program_work::prove_text;
 pub use resharpening::{DecidingEdge, EdgeResharpening, Resharpening, ToothResharpening};

@@ -4,7 +4,7 @@ use super::finding::failure;
 use super::measurement::Measurement;
 use super::prepare::SkivingBodies;
 use super::result::{MonteCarloResult, ScatterResult};
-use crate::exchange::skiving_job::{MonteCarlo, SkivingJob};
+use crate::exchange::skiving_job::MonteCarlo;
 use crate::numerics::Progress;
 use crate::process::skiving::Setting;
 use crate::process::skiving::evaluation::{Quantity, Scatter, repeat};
@@ -15,13 +15,12 @@ use crate::workflow::finding::RunFailure;
 /// # Errors
 /// [`RunFailure`] where noise takes a switch to another tooth.
 pub(super) fn monte_carlo(
-    job: &SkivingJob,
     given: &MonteCarlo,
     bodies: &SkivingBodies,
     measurement: &Measurement,
     progress: &dyn Progress,
 ) -> Result<MonteCarloResult, RunFailure> {
-    let repeated = measurement.repeated(job, bodies);
+    let repeated = measurement.repeated(bodies);
     let found =
         repeat(&repeated, given.measurements, given.seed, progress).map_err(|error| failure(&error))?;
     let results = found.iter().map(|scatter| result(bodies, measurement, scatter)).collect();

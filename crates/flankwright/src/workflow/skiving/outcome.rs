@@ -126,10 +126,7 @@ fn model_difference(
     for (number, (track, _)) in bodies.flanks[flank].tracks.iter().enumerate() {
         let contact = &track.contact;
         let told = |tooth: usize| {
-            let f = measurement.map_or(0.0, |m| {
-                let found = m.noiseless.as_ref().unwrap_or(&m.measured.deviations);
-                found.of[flank][number][tooth] - contact.lever * m.evaluation.clocking
-            });
+            let f = measurement.map_or(0.0, |m| m.told.of[flank][number][tooth]);
             contact.modification - f
         };
         let teeth = left[flank][number].iter().enumerate();
@@ -155,7 +152,7 @@ pub(super) fn measurement_result(bodies: &SkivingBodies, m: &Measurement) -> Mea
         pitch: pitch(bodies, evaluation),
         mounting: mounting(evaluation),
         profile: profile(bodies, evaluation),
-        correction: correction(&m.correction, &evaluation.profile.workpiece),
+        correction: correction(bodies, &m.correction, &evaluation.profile.workpiece),
         resharpening: ResharpeningResult {
             depth_mm: m.resharpening.depth_mm,
             axial_depth_mm: m.resharpening.axial_depth_mm,
@@ -232,7 +229,7 @@ fn profile(bodies: &SkivingBodies, evaluation: &Evaluation) -> ProfileResult {
     }
 }
 
-fn correction(fit: &SettingFit, before: &Sides<Vec<f64>>) -> CorrectionResult {
+fn correction(bodies: &SkivingBodies, fit: &SettingFit, before: &Sides<Vec<f64>>) -> CorrectionResult {
     let [distance, angle, shift, turn] = fit.change;
     let largest = |values: &mut dyn Iterator<Item = f64>| values.map(f64::abs).fold(0.0, f64::max);
     let mut before = before.iter().flat_map(|(_, of)| of.iter().copied());
@@ -241,6 +238,7 @@ fn correction(fit: &SettingFit, before: &Sides<Vec<f64>>) -> CorrectionResult {
         crossed_axes_angle_deg: angle.to_degrees(),
         tool_shift_um: 1e3 * shift,
         tool_angle_deg: turn.to_degrees(),
+        settings: bodies.free.iter().map(|setting| setting_name(*setting)).collect(),
         at_limit: fit.limited.iter().map(|setting| setting_name(*setting)).collect(),
         rms_um: fit.rms.map(|mm| 1e3 * mm),
         largest_um: [1e3 * largest(&mut before), 1e3 * largest(&mut fit.residual.iter().copied())],

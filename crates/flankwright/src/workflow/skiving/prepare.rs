@@ -39,6 +39,8 @@ pub struct SkivingBodies {
     pub nearest: Sides<Vec<NearestFlank>>,
     /// Light barrier, spindle, encoder.
     pub barrier: BarrierData,
+    /// What the machine and the user allow of poses.
+    pub limits: PoseLimits,
     /// What the tool is judged by.
     pub options: ProfileOptions,
     /// Settings that the correction may change.
@@ -107,6 +109,7 @@ pub fn prepare_skiving(loaded: &LoadedSkivingJob) -> Result<SkivingBodies, RunFa
         flanks,
         nearest,
         barrier: barrier(job),
+        limits,
         options: ProfileOptions {
             degree,
             band: 1e-3 * job.evaluation.band_um,

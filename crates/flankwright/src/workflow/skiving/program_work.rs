@@ -29,11 +29,12 @@ pub(super) fn programs(
     progress: &dyn Progress,
 ) -> Result<Vec<ToolProgram>, RunFailure> {
     let job = &loaded.job;
-    let Some(given) = job.machine.as_ref().filter(|_| !job.output.programs.is_empty()) else {
-        return Ok(Vec::new());
-    };
-    progress.start("programs", 1);
+    let Some(given) = &job.machine else { return Ok(Vec::new()) };
     let machine = machine_of_job(loaded, &given.file)?;
+    if job.output.programs.is_empty() {
+        return Ok(Vec::new());
+    }
+    progress.start("programs", 1);
     let machining = machining(job, given, &machine);
     let mut programs = measuring_programs(&measuring_work(job, bodies), &machining)?;
     if let (Some(given), Some(scan)) = (&job.stylus, scan) {

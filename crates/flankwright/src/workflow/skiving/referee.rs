@@ -91,8 +91,7 @@ pub(super) fn of_measurement(
         let now = skived(bodies, &RealTool::ideal(bodies.teeth()), 0.0, motion, progress)?;
         return Ok(UnderReferee { now, corrected: None });
     };
-    let tool = measurement.tool.as_ref().unwrap_or(&measurement.as_measured);
-    let clocking = measurement.evaluation.clocking;
+    let (tool, clocking) = (&measurement.cutting, measurement.cutting_clocking);
     let now = skived(bodies, tool, clocking, motion, progress)?;
     let other = corrected(motion, &measurement.correction.change);
     let corrected = Some(skived(bodies, tool, clocking, &other, progress)?);

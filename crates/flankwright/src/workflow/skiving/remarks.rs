@@ -1,119 +1,132 @@
-//! What is to be said of a measured tool: the verdict, and warnings.
+//! Warnings about the poses, readings and results of a measured tool.
 
 use super::measurement::Measurement;
 use super::prepare::SkivingBodies;
-use super::result::{MeasurementResult, SkivedFlankResult};
+use super::result::{CalibrationResult, CorrectionResult, SkivedFlankResult};
 use crate::exchange::skiving_job::SkivingJob;
+use crate::process::skiving::measuring::Sense;
 use crate::workflow::finding::Remark;
 use crate::workflow::run::parquet_warning;
 use std::collections::BTreeMap;
 
-/// Why the target is missed, the gravest first.
-pub(super) fn reason(
-    measurement: &MeasurementResult,
-    flanks: &BTreeMap<&'static str, SkivedFlankResult>,
-    tolerance_um: f64,
-) -> Option<Remark> {
-    let profile = &measurement.profile;
-    let worn: Vec<&str> = profile.worn.iter().filter(|(_, worn)| **worn).map(|(flank, _)| *flank).collect();
-    if !worn.is_empty() {
-        let deepest = profile.track_mean_um.values().flatten().copied().fold(0.0, f64::min);
-        return Some(Remark {
-            code: "tool-worn",
-            text: format!(
-                "the tool is worn ({} flank): {:.2} um are missing on a track in the mean, {} um are allowed",
-                worn.join(" and "),
-                -deepest,
-                profile.wear_limit_um
-            ),
-            way_out: "grind the tool again; resharpening.csv tells how deep".into(),
-        });
-    }
-    if let Some(first) = profile.out_of_band.first() {
-        return Some(Remark {
-            code: "teeth-out-of-band",
-            text: format!(
-                "{} edges leave the band of {} um, the first on tooth {} ({} flank, {:.2} um off the curve)",
-                profile.out_of_band.len(),
-                profile.band_um,
-                first.tooth,
-                first.flank,
-                first.off_um
-            ),
-            way_out: "look at these teeth for chips and built-up edges, and measure again".into(),
-        });
-    }
-    let worst = flanks.values().map(|flank| flank.max_deviation_um).fold(0.0, f64::max);
-    (worst > tolerance_um).then(|| {
-        let after = measurement.correction.largest_um[1];
-        let way_out = if after <= tolerance_um {
-            format!("correct the setting as told: {after:.2} um remain")
-        } else {
-            format!("correct the setting as told ({after:.2} um remain), or grind the tool again")
-        };
-        Remark {
-            code: "above-tolerance",
-            text: format!("the profile will deviate by {worst:.2} um, the tolerance is {tolerance_um} um"),
-            way_out,
-        }
-    })
+/// Referee and prediction that differ by more are no matter of second order, um.
+const UNPROVEN_UM: f64 = 0.5;
+/// Standard deviation of a wobble, rad, above which it is not known: a tool that wobbles more is seen without a light barrier.
+const UNKNOWN_WOBBLE: f64 = 1e-3;
+/// A calibrated beam this far from the given one, mm and deg, is another beam (spec 60 section 10).
+const FAR: [f64; 2] = [1.0, 0.3];
+/// Residuals of a calibration, in standard deviations of a switch, that do not come from noise.
+const RESIDUAL: f64 = 4.0;
+
+/// What a run has found.
+pub(super) struct Findings<'a> {
+    pub job: &'a SkivingJob,
+    pub bodies: &'a SkivingBodies,
+    pub measurement: Option<&'a Measurement>,
+    pub flanks: &'a BTreeMap<&'static str, SkivedFlankResult>,
+    pub correction: Option<&'a CorrectionResult>,
 }
 
-/// Warnings about poses, readings and results.
-pub(super) fn warnings(
-    job: &SkivingJob,
-    bodies: &SkivingBodies,
-    measurement: Option<&Measurement>,
-    corrected_at_limit: &[&'static str],
-) -> Vec<Remark> {
-    let mut warnings: Vec<Remark> = parquet_warning(&job.output.tables).into_iter().collect();
-    let one_sense = job.measuring.senses.list().len() == 1;
-    if one_sense && bodies.barrier.latency > 0.0 {
-        let lever = bodies.flanks.left.tracks[0].0.contact.lever.abs();
-        warnings.push(Remark {
-            code: "latency-not-removed",
-            text: format!(
-                "in one sense the delay of the barrier shifts every deviation by {:.2} um",
-                1e3 * lever * bodies.barrier.speed * bodies.barrier.latency
-            ),
-            way_out: "measure in both senses, or more slowly".into(),
-        });
+/// All warnings.
+pub(super) fn warnings(found: &Findings<'_>) -> Vec<Remark> {
+    let mut warnings: Vec<Remark> = parquet_warning(&found.job.output.tables).into_iter().collect();
+    let mut warn = |code: &'static str, text: String, way_out: &str| {
+        warnings.push(Remark { code, text, way_out: way_out.into() });
+    };
+    let (job, bodies) = (found.job, found.bodies);
+    if let Some(calibration) = bodies.calibration.as_ref().filter(|c| c.result.measured) {
+        of_calibration(job, &calibration.result, &mut warn);
     }
-    if job.measuring.tracks.len() < 5 {
-        warnings.push(Remark {
-            code: "few-tracks",
-            text: format!(
-                "{} tracks tell pitch and mounting, but little of the profile",
-                job.measuring.tracks.len()
-            ),
-            way_out: "measure five tracks or more".into(),
-        });
+    let tracks = job.measuring.tracks.len();
+    if tracks < 5 {
+        let tracks = if tracks == 1 { "one track tells".into() } else { format!("{tracks} tracks tell") };
+        let text = format!("{tracks} pitch and eccentricity, but little of the profile");
+        warn("few-tracks", text, "measure five tracks or more");
     }
-    let Some(measurement) = measurement else { return warnings };
+    let off = found.flanks.values().map(|flank| flank.model_difference_um[0]).fold(0.0, f64::max);
+    if off > UNPROVEN_UM {
+        let text = format!("the referee finds {off:.2} um of the workpiece's profile that are not predicted");
+        warn(
+            "prediction-unproven",
+            text,
+            "check the tool against the workpiece: another part of its edge may cut the flank",
+        );
+    }
+    let Some(measurement) = found.measurement else { return warnings };
+    of_readings(job, bodies, measurement, &mut warn);
     let mounting = &measurement.evaluation.mounting;
-    if mounting.deviation_per_noise.iter().any(|d| !d.is_finite()) {
-        warnings.push(Remark {
-            code: "wobble-not-observed",
-            text: "the tracks do not tell the wobble of this tool from its eccentricity".into(),
-            way_out: "take the wobble as unknown, or measure it at the shank".into(),
-        });
+    if mounting.deviation[2].max(mounting.deviation[3]) > UNKNOWN_WOBBLE {
+        let text = "the tracks do not tell the wobble of this tool from its eccentricity";
+        warn("wobble-not-observed", text.into(), "take the wobble as unknown, or measure it at the shank");
     }
     if !mounting.left_out.is_empty() {
         let teeth: Vec<String> = mounting.left_out.iter().map(ToString::to_string).collect();
-        warnings.push(Remark {
-            code: "teeth-left-out",
-            text: format!("teeth {} stand out and do not count for the mounting", teeth.join(", ")),
-            way_out: "look at these teeth".into(),
-        });
+        let (which, verb) = if teeth.len() == 1 { ("tooth", "stands") } else { ("teeth", "stand") };
+        let text = format!("{which} {} {verb} out and does not count for the mounting", teeth.join(", "));
+        let text = if teeth.len() == 1 { text } else { text.replace("does not", "do not") };
+        warn("teeth-left-out", text, "look there for chips and built-up edges");
     }
-    if !corrected_at_limit.is_empty() {
-        warnings.push(Remark {
-            code: "correction-at-limit",
-            text: format!("the correction ends at the limit of {}", corrected_at_limit.join(", ")),
-            way_out:
-                "leave out of `evaluation.settings` what gains little there, or widen `evaluation.limits`"
-                    .into(),
-        });
+    if let Some(correction) = found.correction.filter(|correction| !correction.at_limit.is_empty()) {
+        let text = format!("the correction ends at the limit of {}", correction.at_limit.join(", "));
+        let way_out =
+            "leave out of `evaluation.settings` what gains little there, or widen `evaluation.limits`";
+        warn("correction-at-limit", text, way_out);
     }
     warnings
+}
+
+fn of_calibration(
+    job: &SkivingJob,
+    found: &CalibrationResult,
+    warn: &mut impl FnMut(&'static str, String, &str),
+) {
+    let given = &job.light_barrier;
+    let away = (found.point_mm[0] - given.point[0]).hypot(found.point_mm[1] - given.point[1]);
+    let turned = (found.tilt_x_deg - given.tilt_x_deg).abs().max((found.tilt_y_deg - given.tilt_y_deg).abs());
+    if away > FAR[0] || turned > FAR[1] {
+        let text = format!(
+            "the calibrated beam lies {away:.3} mm and {turned:.3} deg from the one of [light_barrier]"
+        );
+        warn("calibration-far", text, "check the switches of the mandrel, or correct [light_barrier]");
+    }
+    let noise = job.calibration.as_ref().map_or(0.0, |given| given.noise_um);
+    if noise > 0.0 && found.residual_um > RESIDUAL * noise {
+        let text =
+            format!("a switch of the mandrel lies {:.2} um off the calibrated beam", found.residual_um);
+        warn("calibration-residual", text, "check the switches, or measure the mandrel again");
+    }
+}
+
+fn of_readings(
+    job: &SkivingJob,
+    bodies: &SkivingBodies,
+    measurement: &Measurement,
+    warn: &mut impl FnMut(&'static str, String, &str),
+) {
+    let taken = &measurement.taken;
+    let delay = bodies.barrier.speed * bodies.barrier.latency;
+    if taken.senses.len() == 1 && delay > 0.0 {
+        let text = format!(
+            "in one sense the delay of the barrier shifts the clocking of the tool by {:.5} deg",
+            delay.to_degrees()
+        );
+        warn("latency-not-removed", text, "measure in both senses, or do not use the clocking");
+    }
+    let wanted = (job.measuring.senses.list(), job.measuring.revolutions);
+    if (taken.senses.as_slice(), taken.revolutions) != wanted {
+        let words = |senses: &[Sense], revolutions: usize| {
+            let senses = if senses.len() == 2 { "both senses" } else { "one sense" };
+            format!("{senses}, {revolutions} revolutions in each")
+        };
+        let text = format!(
+            "the readings were taken in {}; [measuring] says {}",
+            words(&taken.senses, taken.revolutions),
+            words(wanted.0, wanted.1)
+        );
+        warn(
+            "readings-differ",
+            text,
+            "correct [measuring]: what is told of time and scatter is that of the readings",
+        );
+    }
 }

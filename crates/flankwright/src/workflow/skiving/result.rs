@@ -260,6 +260,8 @@ pub struct CorrectionResult {
     pub tool_shift_um: f64,
     /// Of phi_1 against the coupling.
     pub tool_angle_deg: f64,
+    /// Settings that it may change.
+    pub settings: Vec<&'static str>,
     /// Settings that ended at their limits.
     pub at_limit: Vec<&'static str>,
     /// Root mean square of the profile's deviation before and after.

@@ -1,14 +1,16 @@
 //! From a checked job to the measured tool, the workpiece under the referee, and the verdict.
 
-use super::measurement::{Measurement, evaluated, simulated};
+use super::measurement::{Measurement, ReadingsFile, evaluated, simulated};
 use super::outcome::{flank_results, measurement_result, settings, track_results};
 use super::prepare::{SkivingBodies, prepare_skiving};
 use super::program_work::programs;
 use super::programs::ToolProgram;
 use super::real_tool::real_tool;
+use super::remarks::{Findings, warnings};
 use super::result::SkivingResult;
 use super::scan::{Scan, scan};
-use super::{conventional, history, monte_carlo, referee, remarks};
+use super::verdict::reason;
+use super::{conventional, history, monte_carlo, referee};
 use crate::exchange::skiving_job::SkivingJob;
 use crate::exchange::{Diagnostic, LoadedSkivingJob, Problem, read_skiving_readings};
 use crate::numerics::Progress;
@@ -40,7 +42,7 @@ pub struct SkivingOutcome {
 /// [`JobFailure`]: bad input, or a tool that cannot be measured.
 pub fn run_skiving(loaded: &LoadedSkivingJob, progress: &dyn Progress) -> Result<SkivingOutcome, JobFailure> {
     let readings = loaded.job.readings.as_ref().map(|given| loaded.beside(&given.file));
-    run(loaded, readings.as_deref().map(|path| (path, "readings.file")), progress)
+    run(loaded, readings.as_deref().map(|path| (path, Some("readings.file"))), progress)
 }
 
 /// Measures the tool of `[tool_errors]`.
@@ -70,15 +72,32 @@ pub fn inspect_skiving(
     file: &Path,
     progress: &dyn Progress,
 ) -> Result<SkivingOutcome, JobFailure> {
-    run(loaded, Some((file, "light_barrier")), progress)
+    run(loaded, Some((file, None)), progress)
+}
+
+/// Tables that need something measured: a job may leave that to the file that `inspect` is given.
+fn needs_measurement(job: &SkivingJob, measured: bool) -> Result<(), RunFailure> {
+    let tables = [("history", job.history.is_some()), ("monte_carlo", job.monte_carlo.is_some())];
+    match tables.into_iter().find(|(_, given)| *given && !measured) {
+        None => Ok(()),
+        Some((table, _)) => {
+            let message = format!("[{table}] needs a measured tool, and nothing is measured");
+            let finding = Diagnostic::new(Problem::MissingKey, message)
+                .field(table)
+                .allowed("a table [readings] or [tool_errors], or a file given to `flankwright inspect`")
+                .way_out(format!("add `[readings]`, or leave `[{table}]` out"));
+            Err(RunFailure::bad_input(finding))
+        }
+    }
 }
 
 fn run(
     loaded: &LoadedSkivingJob,
-    readings: Option<(&Path, &str)>,
+    readings: Option<(&Path, Option<&'static str>)>,
     progress: &dyn Progress,
 ) -> Result<SkivingOutcome, JobFailure> {
     let job = &loaded.job;
+    needs_measurement(job, readings.is_some() || job.tool_errors.is_some())?;
     let mut timing = BTreeMap::new();
     let begun = Instant::now();
     let bodies = prepare_skiving(loaded)?;
@@ -86,9 +105,10 @@ fn run(
 
     let begun = Instant::now();
     let measurement = match (readings, &job.tool_errors) {
-        (Some((path, field)), _) => {
+        (Some((path, key)), _) => {
             let seen = read_skiving_readings(path, job.measuring.tracks.len())?;
-            Some(evaluated(&bodies, seen, field)?)
+            let name = path.display().to_string();
+            Some(evaluated(&bodies, seen, &ReadingsFile { name: &name, key })?)
         }
         (None, Some(errors)) => Some(simulated(job, &bodies, real_tool(&bodies, errors)?)?),
         (None, None) => None,
@@ -107,7 +127,7 @@ fn run(
     let begun = Instant::now();
     let monte_carlo = match (&job.monte_carlo, &measurement) {
         (Some(given), Some(measurement)) => {
-            Some(monte_carlo::monte_carlo(job, given, &bodies, measurement, progress)?)
+            Some(monte_carlo::monte_carlo(given, &bodies, measurement, progress)?)
         }
         _ => None,
     };
@@ -124,10 +144,12 @@ fn run(
     let flanks = flank_results(&bodies, measurement.as_ref(), &left);
     let measured = measurement.as_ref().map(|m| measurement_result(&bodies, m));
     let tolerance_um = job.target.tolerance_um;
-    let reason = measured.as_ref().and_then(|m| remarks::reason(m, &flanks, tolerance_um));
+    let reason = reason(&bodies, measurement.as_ref().zip(measured.as_ref()), &flanks, tolerance_um);
     let history = history::noted(loaded, &bodies, measured.as_ref(), measurement.as_ref())?;
-    let at_limit = measured.as_ref().map_or(&[][..], |m| &m.correction.at_limit);
-    let mut warnings = remarks::warnings(job, &bodies, measurement.as_ref(), at_limit);
+    let correction = measured.as_ref().map(|m| &m.correction);
+    let found =
+        Findings { job, bodies: &bodies, measurement: measurement.as_ref(), flanks: &flanks, correction };
+    let mut warnings = warnings(&found);
     warnings.extend(history.iter().flat_map(|noted| noted.remarks.clone()));
     let result = SkivingResult {
         job: job.job.name.clone(),
@@ -140,7 +162,7 @@ fn run(
         settings: settings(&bodies),
         flanks,
         tracks: track_results(&bodies),
-        measuring_time_s: measuring_time(job),
+        measuring_time_s: measuring_time(job, measurement.as_ref()),
         measurement: measured,
         conventional,
         scan: scan.as_ref().map(|scan| scan.result.clone()),
@@ -154,9 +176,12 @@ fn run(
 }
 
 /// flanks x tracks x (revolutions x 60/rpm x senses + time of a move), spec 60 section 7.
-fn measuring_time(job: &SkivingJob) -> f64 {
+fn measuring_time(job: &SkivingJob, measurement: Option<&Measurement>) -> f64 {
     let measuring = &job.measuring;
     let poses = 2.0 * measuring.tracks.len() as f64;
-    let turns = (measuring.revolutions * measuring.senses.list().len()) as f64;
+    let turns = match measurement {
+        Some(m) => (m.taken.revolutions * m.taken.senses.len()) as f64,
+        None => (measuring.revolutions * measuring.senses.list().len()) as f64,
+    };
     poses * (turns * 60.0 / measuring.speed_rpm + measuring.move_time_s)
 }

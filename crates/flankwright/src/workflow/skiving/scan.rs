@@ -8,7 +8,7 @@ use crate::exchange::skiving_job::{ScanMotion, Stylus};
 use crate::geometry::Sides;
 use crate::numerics::wrapped_angle;
 use crate::process::skiving::measuring::{
-    Barrier, Beam, RealTool, ScanAxes, ScanPlace, nominal_angle, scan_curve,
+    Barrier, Beam, RealTool, ScanAxes, ScanPlace, check_pose, nominal_angle, scan_curve,
 };
 use crate::process::skiving::{SkivingError, VirtualEdge};
 use crate::workflow::finding::RunFailure;
@@ -42,10 +42,14 @@ pub(super) fn scan(
     measurement: Option<&Measurement>,
 ) -> Result<Scan, RunFailure> {
     let on = |error: SkivingError| {
-        let failed = failure(&error);
-        match failed {
-            RunFailure::BadInput(finding) => RunFailure::bad_input(finding.field("stylus")),
-            RunFailure::NotProducible(finding) => RunFailure::not_producible(finding.field("stylus")),
+        let field = match &error {
+            SkivingError::AxisLimit { .. } => "measuring.travel",
+            SkivingError::Shadowed { .. } | SkivingError::BodyTouched { .. } => "stylus.radius",
+            _ => "stylus",
+        };
+        match failure(&error) {
+            RunFailure::BadInput(finding) => RunFailure::bad_input(finding.field(field)),
+            RunFailure::NotProducible(finding) => RunFailure::not_producible(finding.field(field)),
         }
     };
     let tilts = [given.tilt_x_deg, given.tilt_y_deg].map(f64::to_radians);
@@ -58,6 +62,12 @@ pub(super) fn scan(
     let places =
         Sides::try_from_fn(|flank| scan_curve(&bodies.edges[flank], &stylus, axes, ends, given.places))
             .map_err(on)?;
+    for (flank, curve) in places.iter() {
+        for (number, place) in curve.iter().enumerate() {
+            check_pose(&bodies.edges, &place.track, &place.pose, &stylus, &bodies.limits, (flank, number))
+                .map_err(on)?;
+        }
+    }
     let tool = measurement.and_then(|m| m.tool.as_ref());
     let mut rows = Vec::new();
     for (flank, curve) in places.iter() {

@@ -3,6 +3,7 @@
 
 use super::{
     Beam, MeasuringPose, OTHER_FLANK_GAP, PoseKind, measuring_poses, nearest_clamped, nearest_other_flank,
+    own_edge_gap,
 };
 use crate::geometry::{Flank, Sides};
 use crate::process::skiving::{MeasuringTrack, SkivingError, VirtualEdge};
@@ -28,6 +29,9 @@ impl Default for PoseLimits {
     }
 }
 
+/// How far the own edge may reach into the beam: the touch itself, and numbers.
+const OWN_EDGE: f64 = -1e-6;
+
 /// The first pose of a track that the machine reaches, that lies on the flank closely enough and in which nothing else shades the beam.
 /// Where the swivel would have to go beyond its range it stays at the end of it and the tool turns.
 ///
@@ -48,7 +52,7 @@ pub fn reached_pose(
         let clamped = pose.swivel.clamp(least, greatest);
         let held = (clamped != pose.swivel).then(|| nearest_clamped(track, beam, clamped)).flatten();
         for candidate in [Some(pose), held].into_iter().flatten() {
-            match check(edges, &candidate, beam, limits, (flank, number)) {
+            match check_pose(edges, track, &candidate, beam, limits, (flank, number)) {
                 Ok(()) => return Ok(candidate),
                 Err(error) => refused = Some(error),
             }
@@ -61,8 +65,13 @@ pub fn reached_pose(
     }))
 }
 
-fn check(
+/// Whether a pose lies within the limits, and the beam or stylus touches nothing but the place that it is laid on.
+///
+/// # Errors
+/// [`SkivingError::AxisLimit`], [`SkivingError::PoseNotReachable`], [`SkivingError::Shadowed`], [`SkivingError::BodyTouched`].
+pub fn check_pose(
     edges: &Sides<VirtualEdge>,
+    at: &MeasuringTrack,
     pose: &MeasuringPose,
     beam: &Beam,
     limits: &PoseLimits,
@@ -86,6 +95,11 @@ fn check(
     if nearest.gap < OTHER_FLANK_GAP {
         let (other, tooth, gap) = (nearest.flank, nearest.tooth, nearest.gap);
         return Err(SkivingError::Shadowed { flank, track, other, tooth, gap });
+    }
+    // The own edge is touched at one place, which the rounding has; everything else of it must stay away (spec 60 section 6).
+    if own_edge_gap(&edges[flank], pose, beam, limits.body_depth) < OWN_EDGE {
+        let (angle, [least, greatest]) = (at.section.contact_angle, at.section.range);
+        return Err(SkivingError::BodyTouched { tooth: 0, angle, least, greatest });
     }
     Ok(())
 }

@@ -102,6 +102,17 @@ impl BarrierData {
         (time * time + self.beam_noise * self.beam_noise + step * step / 12.0).sqrt()
     }
 
+    /// Standard deviation of the mean of so many deviations, mm. Steps of the encoder average only as far as noise moves the readings over
+    /// them: with less than half a step of it every revolution is rounded alike.
+    pub fn mean_deviation(&self, lever: f64, count: usize) -> f64 {
+        let time = lever * self.speed * self.jitter;
+        let noise = time.hypot(self.beam_noise);
+        let step = (lever * self.encoder_step).abs();
+        let count = count.max(1) as f64;
+        let steps = step / 12f64.sqrt() / if noise < 0.5 * step { 1.0 } else { count.sqrt() };
+        (noise / count.sqrt()).hypot(steps)
+    }
+
     /// What the control reads of a switch at a turn.
     fn read(&self, turn: f64, lever: f64, sense: Sense, noise: &mut Noise) -> f64 {
         let delay = self.latency + self.jitter * noise.normal();

@@ -55,6 +55,17 @@ pub fn nearest_other_flank(
     nearest
 }
 
+/// Gap between the beam and the own edge with its clearance face as deep as `depth`, mm: 0 where the beam is laid on it, below 0 where it
+/// cuts into it elsewhere.
+pub(super) fn own_edge_gap(edge: &VirtualEdge, pose: &MeasuringPose, beam: &Beam, depth: f64) -> f64 {
+    let unit = beam.unit();
+    let gap = |(point, radius): &(Vector3<f64>, f64)| {
+        let off = pose.to_machine(pose.turn, point) - beam.point;
+        (off - unit * off.dot(&unit)).norm() - radius - beam.radius
+    };
+    points(edge, depth).iter().map(gap).fold(f64::INFINITY, f64::min)
+}
+
 /// Centres of the rounding with its radius, and places of the clearance face.
 fn points(edge: &VirtualEdge, depth: f64) -> Vec<(Vector3<f64>, f64)> {
     let radius = edge.pair().tool().rounding().radius;

@@ -11,10 +11,10 @@ use std::f64::consts::FRAC_PI_2;
 /// Which axes follow the edge.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ScanAxes {
-    /// A, B, X, Y; and Z where the stylus is tilted.
+    /// A, B, X, Y; and Z where the stylus is tilted, else it stays that of the middle.
     #[default]
     All,
-    /// A, B, X: Y stays where it is at the middle of the edge.
+    /// A, B, X: Y stays where it is at the middle of the edge, and so does Z along an upright stylus.
     WithoutY,
 }
 
@@ -67,6 +67,11 @@ pub fn scan_curve(
             }
         };
         scan.push(ScanPlace { pose: at(&track, turn, number)?, track });
+    }
+    // Along an upright stylus the height is free: it stays that of the middle.
+    if stylus.direction.xy().norm() == 0.0 {
+        let height = at(&middle, middle.contact.tool_angle + FRAC_PI_2, 0)?.position.z;
+        scan.iter_mut().for_each(|place| place.pose.position.z = height);
     }
     Ok(scan)
 }

@@ -201,7 +201,7 @@ pub(super) fn monte_carlo(result: &SkivingResult) -> Option<MonteCarloView> {
     Some(MonteCarloView {
         runs: found.measurements,
         noise:
-            "Delay of the barrier and edge of the beam scatter; angles are rounded to steps of the encoder."
+            "Jitter of the barrier and edge of the beam scatter; angles are rounded to steps of the encoder."
                 .into(),
         rows: rows.collect(),
     })

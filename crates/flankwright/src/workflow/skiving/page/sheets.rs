@@ -1,6 +1,7 @@
 //! Tool, workpiece, setting, light barrier and calibration in figures.
 
 use crate::exchange::SkivingJob;
+use crate::exchange::skiving_job::RakeForm;
 use crate::report::Quantity;
 use crate::report::skiving::DataSheet;
 use crate::workflow::skiving::result::{CalibrationResult, SkivingResult};
@@ -9,6 +10,7 @@ use crate::workflow::skiving::result::{CalibrationResult, SkivingResult};
 pub(super) fn sheets(job: &SkivingJob, result: &SkivingResult) -> Vec<DataSheet> {
     let number = Quantity::number;
     let (tool, gear, settings) = (&job.skiving_tool, &job.gear, &result.settings);
+    let chamfer = tool.rake_chamfer;
     let pressure = gear.normal_pressure_angle_deg.sides();
     let mut sheets = vec![
         DataSheet {
@@ -17,10 +19,14 @@ pub(super) fn sheets(job: &SkivingJob, result: &SkivingResult) -> Vec<DataSheet>
                 Quantity::count("teeth", "z_1", i64::from(tool.teeth)),
                 number("helix angle", "β_1", tool.helix_angle_deg, "deg"),
                 number("pitch radius", "r_1", settings.tool_pitch_radius_mm, "mm"),
+                Quantity::text("rake face", rake_form(tool.rake.form)),
                 number("rake angle", "γ_r", tool.rake.angle_deg, "deg"),
                 number("step angle", "σ", tool.rake.step_angle_deg, "deg"),
                 number("radius of the edge", "ρ_e", 1e3 * tool.edge_radius, "µm"),
                 number("clearance angle", "α_c", tool.clearance_angle_deg, "deg"),
+                number("chamfer on the rake face", "b_r", chamfer.map_or(0.0, |c| 1e3 * c.width), "µm"),
+                number("its angle", "κ_r", chamfer.map_or(0.0, |c| c.angle_deg), "deg"),
+                number("chamfer on the clearance face", "κ_c", tool.clearance_chamfer_angle_deg, "deg"),
             ],
         },
         DataSheet {
@@ -45,6 +51,14 @@ pub(super) fn sheets(job: &SkivingJob, result: &SkivingResult) -> Vec<DataSheet>
     ];
     sheets.extend(result.calibration.as_ref().map(calibration));
     sheets
+}
+
+fn rake_form(form: RakeForm) -> &'static str {
+    match form {
+        RakeForm::Plane => "a plane for every tooth",
+        RakeForm::Cone => "one cone",
+        RakeForm::Sphere => "one hollow sphere",
+    }
 }
 
 fn light_barrier(job: &SkivingJob) -> DataSheet {

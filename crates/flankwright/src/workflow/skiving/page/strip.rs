@@ -28,10 +28,8 @@ pub(super) fn strip(outcome: &SkivingOutcome) -> Option<StripView> {
     for place in 0..teeth {
         // The spindle turns on, the teeth follow each other the other way round.
         let tooth = (teeth - place) % teeth;
-        let mut ends = match band(simulated.unwrap_or(&ideal), tooth).ok()? {
-            Some(found) => Some([found.measured, found.opposite]),
-            None => None,
-        };
+        let found = band(simulated.unwrap_or(&ideal), tooth).ok()?;
+        let mut ends = found.map(|found| [found.measured, found.opposite]);
         if let (Some(ends), Some(measurement), None) = (&mut ends, &outcome.measurement, simulated) {
             for (end, flank) in ends.iter_mut().zip([FLANK, FLANK.other()]) {
                 let lever = bodies.flanks[flank].tracks[middle].0.contact.lever;

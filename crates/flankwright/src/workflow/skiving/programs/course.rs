@@ -169,7 +169,7 @@ impl<'m> Course<'m> {
                 shown(limit),
                 unit = described.joint.unit()
             );
-            let finding = Diagnostic::with_code("axis-too-fast", text).field("measuring.speed");
+            let finding = Diagnostic::with_code("axis-too-fast", text).field("measuring.speed_rpm");
             return Err(RunFailure::not_producible(finding.way_out("turn the tool more slowly")));
         }
         Ok(described.limits.acceleration.map_or(0.0, |most| speed * speed / (2.0 * most)))

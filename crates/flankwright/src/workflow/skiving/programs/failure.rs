@@ -9,7 +9,7 @@ use crate::workflow::finding::RunFailure;
 
 /// An error of the machine at a place of the program, in words. What travel or reach forbid is no fault of the input.
 pub(super) fn of_machine(error: &MachineError, place: &str) -> RunFailure {
-    let finding = Diagnostic::with_code(error.code(), format!("{place}: {error}")).field("machine.mount");
+    let finding = Diagnostic::with_code(error.code(), format!("{place}: {error}")).field("machine");
     let finding = finding.way_out(error.way_out());
     match error {
         MachineError::AxisLimit { .. } | MachineError::Unreachable { .. } => {

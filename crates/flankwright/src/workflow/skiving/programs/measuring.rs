@@ -55,7 +55,11 @@ pub(super) fn measuring_course<'m>(
     let run_up = laid.course.run_up(laid.course.stander.turning, work.speed)?;
     // The run-up is half a turn, less what brings it to the middle between two nominal places.
     if run_up > PI - pitch {
-        return Err(invalid("measuring.speed", work.speed, "a speed that the spindle has after half a turn"));
+        return Err(invalid(
+            "measuring.speed_rpm",
+            work.speed,
+            "a speed that the spindle has after half a turn",
+        ));
     }
     let turning = Turning { pitch, brake: run_up.max(pitch), stands_to_switch };
     for flank in [Flank::Left, Flank::Right] {

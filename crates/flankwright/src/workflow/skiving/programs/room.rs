@@ -85,9 +85,8 @@ impl Room {
                     "{place}: on its way the tool's axis comes as near as {distance:.3} mm to the beam, {:.3} mm leave it free",
                     self.clear
                 );
-                let finding = Diagnostic::with_code("beam-not-free", text).field("retreat.distance");
-                let way_out =
-                    "draw the tool back farther, or give one direction of the retreat for all tracks";
+                let finding = Diagnostic::with_code("beam-not-free", text).field("machine.retreat");
+                let way_out = "draw the tool back farther, or move the light barrier";
                 return Err(RunFailure::not_producible(finding.way_out(way_out)));
             }
         }

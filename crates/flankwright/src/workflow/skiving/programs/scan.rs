@@ -7,7 +7,7 @@ use super::task::{ScanWork, ToolMachining};
 use crate::geometry::{Flank, Sides};
 use crate::machine::Positions;
 use crate::numerics::wrapped_angle;
-use crate::process::skiving::measuring::{Beam, MeasuringPose, ScanPlace, nominal_angle, scan_curve};
+use crate::process::skiving::measuring::{MeasuringPose, ScanPlace, nominal_angle, scan_curve};
 use crate::workflow::finding::RunFailure;
 
 /// One edge that is scanned.
@@ -47,7 +47,6 @@ pub(super) fn scan_course<'m>(
     for flank in [Flank::Left, Flank::Right] {
         let curve = scan_curve(&work.edges[flank], work.stylus, work.axes, work.range, work.places)
             .map_err(|error| of_skiving(&error))?;
-        let curve = held(curve, work.stylus);
         for &tooth in work.teeth {
             let turned = |place: &ScanPlace| {
                 let turn = wrapped_angle(nominal_angle(&place.pose, tooth, work.count()));
@@ -59,15 +58,6 @@ pub(super) fn scan_course<'m>(
         }
     }
     Ok(laid)
-}
-
-/// Along an upright stylus the height is free: it stays that of the middle.
-fn held(mut curve: Vec<ScanPlace>, stylus: &Beam) -> Vec<ScanPlace> {
-    let height = curve.get(curve.len() / 2).map(|place| place.pose.position.z);
-    if let (Some(height), true) = (height, stylus.direction.x == 0.0 && stylus.direction.y == 0.0) {
-        curve.iter_mut().for_each(|place| place.pose.position.z = height);
-    }
-    curve
 }
 
 impl ScanCourse<'_> {

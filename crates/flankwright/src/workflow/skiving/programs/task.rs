@@ -83,7 +83,7 @@ const UNIT: f64 = 1e-9;
 impl ToolMachining<'_> {
     pub(super) fn check(&self) -> Result<(), RunFailure> {
         let Retreat { distance, direction, speed } = self.retreat;
-        positive("retreat.distance", distance)?;
+        positive("machine.retreat", distance)?;
         positive("retreat.speed", speed)?;
         if let Some(length) = direction.map(|direction| direction.norm()) {
             // Written so that NaN fails.
@@ -92,7 +92,9 @@ impl ToolMachining<'_> {
                 return Err(invalid("retreat.direction", length, "a unit vector"));
             }
         }
-        for (field, value) in [("mount.axial", self.mount.axial), ("mount.angle", self.mount.angle)] {
+        for (field, value) in
+            [("machine.tool_length", self.mount.axial), ("machine.tooth_angle_deg", self.mount.angle)]
+        {
             if !value.is_finite() {
                 return Err(invalid(field, value, "a finite number"));
             }
@@ -103,7 +105,7 @@ impl ToolMachining<'_> {
 
 impl MeasuringWork<'_> {
     pub(super) fn check(&self) -> Result<(), RunFailure> {
-        positive("measuring.speed", self.speed)?;
+        positive("measuring.speed_rpm", self.speed)?;
         let counts = [
             ("measuring.revolutions", self.revolutions),
             ("measuring.senses", self.senses.len()),
@@ -123,12 +125,12 @@ impl MeasuringWork<'_> {
 
 impl ScanWork<'_> {
     pub(super) fn check(&self) -> Result<(), RunFailure> {
-        positive("scan.speed", self.speed)?;
+        positive("stylus.speed_mm_per_min", self.speed)?;
         if self.teeth.len() < LEAST_TEETH {
-            return Err(invalid("scan.teeth", self.teeth.len() as f64, "at least 3 teeth"));
+            return Err(invalid("stylus.teeth", self.teeth.len() as f64, "at least 3 teeth"));
         }
         match self.teeth.iter().find(|&&tooth| tooth >= self.count()) {
-            Some(&tooth) => Err(invalid("scan.teeth", tooth as f64, "teeth of the tool, counted from 0")),
+            Some(&tooth) => Err(invalid("stylus.teeth", tooth as f64, "teeth of the tool, counted from 0")),
             None => Ok(()),
         }
     }
