@@ -4,6 +4,9 @@ use crate::metrology::inspection::InspectionError;
 use crate::metrology::inspection::error::usable;
 use crate::numerics::normal_upper_tail;
 
+/// A standard normal number lies below this with a probability of 95 percent (1.645 in tables).
+const NORMAL_95: f64 = 1.644_853_626_951_472_7;
+
 /// Limits of a characteristic, in its unit; form and total deviations have an upper one only.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SpecificationLimits {
@@ -67,7 +70,7 @@ impl Capability {
             cp: limits.lower.zip(limits.upper).map(|(lower, upper)| (upper - lower) / (6.0 * s)),
             cpk,
             cpk_lower_95: cpk
-                .map(|cpk| cpk - 1.645 * (1.0 / (9.0 * n) + cpk * cpk / (2.0 * (n - 1.0))).sqrt()),
+                .map(|cpk| cpk - NORMAL_95 * (1.0 / (9.0 * n) + cpk * cpk / (2.0 * (n - 1.0))).sqrt()),
             outside_share: cpk.map(|_| inside.map(|distance| normal_upper_tail(*distance)).sum()),
         }
     }
@@ -87,7 +90,9 @@ mod tests {
         assert_eq!((low.cp, low.cpk, high.cpk), (None, Some(2.0), Some(4.0 / 3.0)));
         let share = low.outside_share.unwrap() + high.outside_share.unwrap();
         assert!((both.outside_share.unwrap() - share).abs() < 1e-18 && share > 3e-5);
-        assert!(both.cpk_lower_95.unwrap() < 4.0 / 3.0 && both.cpk_lower_95.unwrap() > 1.0);
+        // 4/3 - 1.645 sqrt(1/450 + 16/9/98)
+        assert!((both.cpk_lower_95.unwrap() - 1.098_615_5).abs() < 1e-6, "{both:?}");
+        assert!((normal_upper_tail(NORMAL_95) - 0.05).abs() < 1e-16);
         assert_eq!(of(None, None), Capability::default());
     }
 
