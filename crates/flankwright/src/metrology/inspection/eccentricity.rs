@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 /// What an eccentricity acts on. rad.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FlankAngles {
-    /// alpha_t: transverse pressure angle at the reference circle, rad.
+    /// alpha_t: transverse pressure angle at the reference circle, rad; < 0 for an internal gear, whose flanks lean the other way.
     pub pressure_angle: f64,
     /// sigma: half angle of a tooth at the reference circle, rad.
     pub half_tooth_angle: f64,
@@ -33,7 +33,7 @@ impl FlankAngles {
     /// Of a cylindrical gear with equal profile angles.
     pub fn of(gear: &Gear) -> Self {
         Self {
-            pressure_angle: gear.transverse_pressure_angle(Flank::Left),
+            pressure_angle: gear.external_sign() * gear.transverse_pressure_angle(Flank::Left),
             half_tooth_angle: PI / gear.tooth_count() - gear.pitch_space_half_angle(Flank::Left),
         }
     }
@@ -105,9 +105,9 @@ mod tests {
 
     const TEETH: u32 = 24;
 
-    fn gear() -> Gear {
+    fn gear(sign: i32) -> Gear {
         Gear::new(GearData {
-            teeth: TEETH as i32,
+            teeth: sign * TEETH as i32,
             normal_module: 3.0,
             pressure_angle: Sides::both(20f64.to_radians()),
             helix_angle: 20f64.to_radians(),
@@ -141,22 +141,28 @@ mod tests {
 
     #[test]
     fn a_shifted_gear_shows_its_eccentricity() {
-        let gear = gear();
-        let flanks = FlankAngles::of(&gear);
-        let cumulative = shifted(&gear, [4e-3, -7e-3]);
-        let found = eccentricity(&cumulative, &flanks).unwrap();
-        assert!((found.x - 4e-3).abs() < 1e-8 && (found.y + 7e-3).abs() < 1e-8, "{} {}", found.x, found.y);
-        assert!((found.amount() - 65f64.sqrt() * 1e-3).abs() < 1e-8);
-        assert!((found.direction() + 7f64.atan2(4.0)).abs() < 1e-5);
-        for (_, total) in found.total_without().iter() {
-            // What stays is of second order.
-            assert!(*total < 4e-6, "{total}");
+        for gear in [gear(1), gear(-1)] {
+            let flanks = FlankAngles::of(&gear);
+            let cumulative = shifted(&gear, [4e-3, -7e-3]);
+            let found = eccentricity(&cumulative, &flanks).unwrap();
+            assert!(
+                (found.x - 4e-3).abs() < 1e-8 && (found.y + 7e-3).abs() < 1e-8,
+                "{} {}",
+                found.x,
+                found.y
+            );
+            assert!((found.amount() - 65f64.sqrt() * 1e-3).abs() < 1e-8);
+            assert!((found.direction() + 7f64.atan2(4.0)).abs() < 1e-5);
+            for (_, total) in found.total_without().iter() {
+                // What stays is of second order.
+                assert!(*total < 4e-6, "{total}");
+            }
         }
     }
 
     #[test]
     fn a_ball_runs_out_by_twice_the_eccentricity() {
-        let gear = gear();
+        let gear = gear(1);
         let cumulative = shifted(&gear, [0.0, 6e-3]);
         let of = |ball| run_out_from_pitch(&cumulative, &BallContact::of(&gear, ball).unwrap()).unwrap();
         // Nearly: the pitch was measured on the reference circle, the ball touches farther out.
@@ -175,7 +181,7 @@ mod tests {
         let flanks = FlankAngles { pressure_angle: 0.4, half_tooth_angle: 0.1 };
         let table = Sides { left: vec![0.0; 8], right: vec![0.0; 7] };
         assert_eq!(eccentricity(&table, &flanks).unwrap_err().code(), "pitch-incomplete");
-        let ball = BallContact::of(&gear(), 5.25).unwrap();
+        let ball = BallContact::of(&gear(1), 5.25).unwrap();
         assert_eq!(run_out_from_pitch(&table, &ball).unwrap_err().code(), "pitch-incomplete");
         let few = Sides::both(vec![0.0; 4]);
         assert_eq!(run_out_from_pitch(&few, &ball).unwrap_err().code(), "too-few-teeth");

@@ -58,17 +58,15 @@ fn cumulative(
         let angle = tooth_angle(position, gear)? - TAU * j as f64 / teeth as f64;
         let error = wrapped_angle(angle - *first.get_or_insert(angle));
         // Tooth (2 - number) modulo z, of which tooth z is the last.
-        let tooth = (1 + teeth * position.number - position.number % teeth) % teeth;
+        let tooth = (teeth + 1 - position.number % teeth) % teeth;
         of_tooth[tooth] = -diameter / 2.0 * error;
     }
-    if positions.len() == teeth {
-        complete(&of_tooth, teeth)?;
-        let last = of_tooth[teeth - 1];
-        Ok(of_tooth.iter().map(|f| f - last).collect())
-    } else {
-        complete(&vec![0.0; positions.len()], teeth)?;
-        Err(InspectionError::PitchIncomplete { found: positions.len(), teeth })
+    if positions.len() > teeth {
+        return Err(InspectionError::PitchIncomplete { found: positions.len(), teeth });
     }
+    complete(&of_tooth, teeth)?;
+    let last = of_tooth[teeth - 1];
+    Ok(of_tooth.iter().map(|f| f - last).collect())
 }
 
 /// Angle of the involute's origin in the gear, clockwise, rad; that of the ball's offset curve differs by the same for all teeth.

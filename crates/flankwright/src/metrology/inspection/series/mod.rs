@@ -104,7 +104,7 @@ mod tests {
         let series = of(&[1.0, 3.0, 2.0, 6.0]);
         assert_eq!((series.mean, series.least, series.greatest), (3.0, 1.0, 6.0));
         assert!((series.deviation - (14f64 / 3.0).sqrt()).abs() < 1e-15);
-        assert!((series.moving_range_deviation - 7.0 / 3.0 / 1.128379).abs() < 1e-6);
+        assert!((series.moving_range_deviation - 2.067_863).abs() < 1e-6);
         assert_eq!(series.warnings, [InspectionWarning::FewParts { parts: 4 }]);
     }
 
