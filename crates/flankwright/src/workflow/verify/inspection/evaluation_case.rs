@@ -49,7 +49,7 @@ pub(super) fn check_refusals<Input: DeserializeOwned>(
     });
 }
 
-/// Every case of the list with its name; a list without cases checks nothing and fails.
+/// Every case of the list with its name; anything else than a list fails.
 fn each_case<'a>(
     block: &str,
     list: &'a Value,
