@@ -1,4 +1,4 @@
-//! Numerical tools: the scalar trait, series, splines, polynomials and roots. Knows no gears.
+//! Numerical tools: the scalar trait, series, splines, polynomials, roots and tail probabilities. Knows no gears.
 
 mod angle;
 mod bernstein;
@@ -12,6 +12,7 @@ mod minimum;
 mod monotone_root;
 mod polynomial;
 mod powers;
+mod probability;
 mod progress;
 mod root_mean_square;
 mod roots;
@@ -31,6 +32,7 @@ pub use minimum::least_value;
 pub use monotone_root::monotone_root;
 pub use polynomial::Polynomial2;
 pub use powers::power_series;
+pub use probability::{incomplete_beta, normal_upper_tail, student_two_sided};
 pub use progress::{Progress, Silent};
 pub use root_mean_square::root_mean_square;
 pub use roots::{bisect, brent, golden_section};
