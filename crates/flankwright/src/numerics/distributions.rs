@@ -51,7 +51,7 @@ fn beta_fraction(x: f64, a: f64, b: f64) -> f64 {
 
 /// The regularised incomplete beta function I_x(a, b) for 0 <= x <= 1 and a, b > 0; NaN elsewhere.
 pub fn incomplete_beta(x: f64, a: f64, b: f64) -> f64 {
-    if !(0.0..=1.0).contains(&x) || !(a > 0.0 && b > 0.0) {
+    if !((0.0..=1.0).contains(&x) && a > 0.0 && b > 0.0) {
         return f64::NAN;
     }
     if x == 0.0 || x == 1.0 {

@@ -15,7 +15,7 @@ pub fn offset_of_gearing(pair: &Pair, delta_d: f64, delta_gamma: f64) -> Result<
     let mut chain = pair.chain;
     chain.centre_distance += delta_d;
     chain.crossed_axes_angle += delta_gamma;
-    let moved = Pair::new(pair.worm.clone(), pair.work.clone(), chain).map_err(GeneratingError::from)?;
+    let moved = Pair::new(pair.worm, pair.work, chain).map_err(GeneratingError::from)?;
     Ok(pair.flanks.map(|flank, before| {
         // Angles of the workpiece at which the flanks touch without shift and feed.
         let turned = (moved.flanks[flank].phase - before.phase) / pair.work.tooth_count();
