@@ -31,7 +31,7 @@ fn bodies() -> (DresserTool, FlankLines, GeometricRange) {
         cone_angle: 0.0,
     };
     let made = worm_for_gear(&gear, &choice).unwrap();
-    let pair = Pair::without_backlash(made.worm.clone(), gear.clone(), made.crossed_axes_angle).unwrap();
+    let pair = Pair::without_backlash(made.worm, gear, made.crossed_axes_angle).unwrap();
     let f = gear.flank(Flank::Left);
     let rolls = [76.6, 88.0].map(|d: f64| f.length_of_roll(d / 2.0).unwrap());
     let own = &pair.flanks.left;

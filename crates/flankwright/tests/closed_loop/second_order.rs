@@ -47,6 +47,22 @@ fn columns_are_the_first_order_of_grinding_one_setting_at_a_time() {
 }
 
 #[test]
+fn a_free_form_over_the_feed_is_the_sum_of_its_powers() {
+    let ground = Ground::asymmetric();
+    let influence = SettingInfluence::new(&ground.lines, RATIO, ground.width).unwrap();
+    let points = ground.points([5, 7]);
+    let carried = |of: fn(u8) -> Setting| {
+        let powers = influence.columns(&[of(0), of(1), of(2)], &points).unwrap();
+        let form = influence.free_form("form", of(0), &points, |q| 1.0 - 2.0 * q + 0.5 * q * q).unwrap();
+        let sum = |i: usize| powers[0].values[i] - 2.0 * powers[1].values[i] + 0.5 * powers[2].values[i];
+        largest(&form.values, &(0..points.len()).map(sum).collect::<Vec<_>>())
+    };
+    assert!(carried(Setting::RadialFeed) < 1e-14 && carried(Setting::WorkAngle) < 1e-12);
+    let of_worm = influence.free_form("form", Setting::ProfileSlope(Flank::Left), &points, |q| q);
+    assert_eq!(of_worm.unwrap_err().code(), "setting-without-effect");
+}
+
+#[test]
 fn the_local_envelope_is_near_the_exact_flank_of_many_errors() {
     for ground in [Ground::helical(), Ground::asymmetric()] {
         let influence = SettingInfluence::new(&ground.lines, RATIO, ground.width).unwrap();

@@ -119,6 +119,27 @@ impl<'a> SettingInfluence<'a> {
         worm[at.flank].jet(w_1, z_1).map_or(f64::NAN, |f| f.fv)
     }
 
+    /// Column of a free form over the feed: `shape(q)` mm or rad more per unit, carried by the radial feed or by the angle of the
+    /// workpiece (any order of them says which). It acts along the contact path, as everything of the motion does.
+    ///
+    /// # Errors
+    /// As [`SettingInfluence::columns`]; [`CorrectionError::SettingWithoutEffect`] also for settings that do not run over the feed.
+    pub fn free_form(
+        &self,
+        name: &str,
+        carrier: Setting,
+        points: &[FlankPoint],
+        shape: impl Fn(f64) -> f64,
+    ) -> Result<Column, CorrectionError> {
+        let unit = match carrier {
+            Setting::RadialFeed(_) => Setting::RadialFeed(0),
+            Setting::WorkAngle(_) => Setting::WorkAngle(0),
+            _ => return Err(CorrectionError::SettingWithoutEffect { setting: name.into() }),
+        };
+        let value = |p: &FlankPoint| self.effect(unit, p) * shape(self.q(p.flank, p.w, p.z));
+        checked(name.into(), None, points.iter().map(value).collect())
+    }
+
     /// The columns of some settings.
     ///
     /// # Errors
@@ -130,16 +151,21 @@ impl<'a> SettingInfluence<'a> {
         points: &[FlankPoint],
     ) -> Result<Vec<Column>, CorrectionError> {
         let column = |&setting: &Setting| {
-            let values: Vec<f64> = points.iter().map(|p| self.effect(setting, p)).collect();
-            if let Some(&value) = values.iter().find(|x| !x.is_finite()) {
-                let (name, allowed) = ("effect of a setting", "finite numbers");
-                return Err(CorrectionError::InvalidNumber { name, value, allowed });
-            }
-            if values.iter().all(|x| *x == 0.0) {
-                return Err(CorrectionError::SettingWithoutEffect { setting: setting.name() });
-            }
-            Ok(Column { name: setting.name(), setting: Some(setting), values })
+            let values = points.iter().map(|p| self.effect(setting, p)).collect();
+            checked(setting.name(), Some(setting), values)
         };
         settings.iter().map(column).collect()
     }
+}
+
+/// A column of finite numbers that are not all zero.
+fn checked(name: String, setting: Option<Setting>, values: Vec<f64>) -> Result<Column, CorrectionError> {
+    if let Some(&value) = values.iter().find(|x| !x.is_finite()) {
+        let (name, allowed) = ("effect of a setting", "finite numbers");
+        return Err(CorrectionError::InvalidNumber { name, value, allowed });
+    }
+    if values.iter().all(|x| *x == 0.0) {
+        return Err(CorrectionError::SettingWithoutEffect { setting: name });
+    }
+    Ok(Column { name, setting, values })
 }

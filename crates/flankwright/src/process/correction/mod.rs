@@ -12,6 +12,7 @@ mod setting;
 mod settings_worm;
 mod solve;
 mod task;
+mod thinning;
 
 pub use closed_loop::{ClosedLoop, LoopEnd, gain_is_stable};
 pub use column::{Column, FlankPoint, worm_column};
@@ -24,3 +25,4 @@ pub use setting::{Setting, SettingUnit, Stage};
 pub use settings_worm::SettingsWorm;
 pub use solve::{CorrectedSetting, Correction};
 pub use task::{CorrectionTask, Weighting};
+pub use thinning::thinned;
