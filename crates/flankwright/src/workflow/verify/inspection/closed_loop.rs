@@ -6,7 +6,8 @@ use super::super::given::{Checked, list, number, requires};
 use super::super::ledger::Ledger;
 use super::super::reference::{Reference, Tolerances};
 use super::each_case::each_case;
-use super::grinding::{Grinding, UM, key, setting, unit};
+use super::grinding::{Grinding, UM, key, unit};
+use super::loop_input::{Hidden, bounds, settings_used};
 use crate::geometry::Flank;
 use crate::kinematics::MotionLaw;
 use crate::numerics::root_mean_square;
@@ -40,49 +41,6 @@ pub(in super::super::super) fn closed_loop(_: &Reference<'_>, block: &Value, led
         expected.finish(ledger);
         Ok(())
     });
-}
-
-/// What was wrong with the machine.
-struct Hidden {
-    settings: Vec<(Setting, f64)>,
-    delta_gamma: f64,
-    wave: f64,
-}
-
-impl Hidden {
-    fn read(input: &mut Expected<'_>, ledger: &mut Ledger) -> Checked<Self> {
-        let settings = input.take("hidden_machine_errors").and_then(Value::as_object);
-        let settings = settings.ok_or("hidden_machine_errors: an object is needed here")?;
-        let settings = settings.iter().map(|(name, value)| {
-            let setting = setting(name)?;
-            let value = value.as_f64().ok_or("hidden_machine_errors: numbers are needed here")?;
-            Ok((setting, value * unit(setting)))
-        });
-        Ok(Self {
-            settings: settings.collect::<Checked<_>>()?,
-            delta_gamma: number(input, "hidden_crossing_angle_error_deg", ledger)?.to_radians(),
-            wave: number(input, "hidden_worm_wave_um", ledger)?,
-        })
-    }
-}
-
-fn settings_used(input: &mut Expected<'_>) -> Checked<Vec<Setting>> {
-    let names = input.take("settings_used").and_then(Value::as_array);
-    let names = names.ok_or("settings_used: a list of names is needed here")?;
-    names.iter().map(|name| setting(name.as_str().unwrap_or_default())).collect()
-}
-
-/// Bounds of the settings used, in units of the library.
-fn bounds(input: &mut Expected<'_>, used: &[Setting]) -> Checked<Vec<[f64; 2]>> {
-    let mut bounds = vec![[f64::NEG_INFINITY, f64::INFINITY]; used.len()];
-    let Some(table) = input.take("bounds").filter(|value| !value.is_null()) else { return Ok(bounds) };
-    for (name, pair) in table.as_object().ok_or("bounds: an object is needed here")? {
-        let setting = setting(name)?;
-        let place = used.iter().position(|s| *s == setting).ok_or_else(|| format!("{name} is not used"))?;
-        let pair = super::super::expected::numbers(pair).and_then(|pair| <[f64; 2]>::try_from(pair).ok());
-        bounds[place] = pair.ok_or("bounds: two numbers are needed here")?.map(|x| x * unit(setting));
-    }
-    Ok(bounds)
 }
 
 /// Geometry behind the columns and their first and last rows.

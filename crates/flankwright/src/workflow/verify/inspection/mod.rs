@@ -6,6 +6,7 @@ mod closed_loop;
 mod dressing_influence;
 mod each_case;
 mod grinding;
+mod loop_input;
 mod reconstruction;
 mod systematic_test;
 
