@@ -1,6 +1,7 @@
-//! Inversion: damped Newton, continuation along a parameter, weighted Gauss-Newton and least squares with a rank report. Exact derivatives only; knows no gears.
+//! Inversion: damped Newton, continuation along a parameter, weighted Gauss-Newton and least squares with a rank report, also with bounds. Exact derivatives only; knows no gears.
 
 mod banded_reduction;
+mod bounded_least_squares;
 mod constrained;
 mod continuation;
 mod gauss_newton;
@@ -12,6 +13,7 @@ mod row_reduction;
 mod svd_loop;
 
 pub use banded_reduction::BandedReduction;
+pub use bounded_least_squares::{BoundedLeastSquares, bounded_least_squares};
 pub use constrained::{ConstrainedReport, Rows, constrained_gauss_newton};
 pub use continuation::{ContinuationOptions, ParameterLinearised, Path, PathEnd, PathPoint, Watch, follow};
 pub use gauss_newton::{GaussNewton, GaussNewtonReport, gauss_newton};

@@ -32,7 +32,9 @@ pub use minimum::least_value;
 pub use monotone_root::monotone_root;
 pub use polynomial::Polynomial2;
 pub use powers::power_series;
-pub use probability::{incomplete_beta, normal_upper_tail, student_two_sided};
+pub use probability::{
+    fisher_upper, incomplete_beta, normal_upper_tail, student_quantile, student_two_sided,
+};
 pub use progress::{Progress, Silent};
 pub use root_mean_square::root_mean_square;
 pub use roots::{bisect, brent, golden_section};

@@ -1,5 +1,6 @@
-//! Tail probabilities of the normal and of Student's law, by the regularised incomplete beta function.
+//! Tail probabilities and quantiles of the normal, Student's and Fisher's law, by the regularised incomplete beta function.
 
+use super::bisect;
 use std::f64::consts::SQRT_2;
 
 /// Rounds of the continued fraction; it needs about sqrt(max(a, b)) of them.
@@ -74,6 +75,28 @@ pub fn normal_upper_tail(x: f64) -> f64 {
     0.5 * libm::erfc(x / SQRT_2)
 }
 
+/// The t that |t| of Student's distribution with `freedom` > 0 degrees of freedom stays below with probability `level`, 0 < level < 1
+/// (two-sided quantile); NaN elsewhere.
+pub fn student_quantile(level: f64, freedom: f64) -> f64 {
+    if !(level > 0.0 && level < 1.0 && freedom > 0.0) {
+        return f64::NAN;
+    }
+    let beyond = |t: f64| student_two_sided(t, freedom) - (1.0 - level);
+    let mut high = 1.0;
+    while beyond(high) > 0.0 && high < f64::MAX / 2.0 {
+        high *= 2.0;
+    }
+    bisect(0.0, high, beyond).unwrap_or(f64::NAN)
+}
+
+/// Probability that F of Fisher's distribution with `above` and `below` > 0 degrees of freedom exceeds `f` >= 0.
+pub fn fisher_upper(f: f64, above: f64, below: f64) -> f64 {
+    if f.is_infinite() {
+        return 0.0;
+    }
+    incomplete_beta(0.5 * below, 0.5 * above, below / (below + above * f))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -128,5 +151,30 @@ mod tests {
         let x = 12.0_f64;
         let mills = (1.0 - 1.0 / 144.0 + 3.0 / 144f64.powi(2) - 15.0 / 144f64.powi(3)) / x;
         close(normal_upper_tail(x), (-0.5 * x * x).exp() / (2.0 * PI).sqrt() * mills, 3e-7);
+    }
+
+    #[test]
+    fn fishers_law_has_its_closed_forms() {
+        for t in [0.1_f64, 1.0, 3.0, 40.0] {
+            // F with 2 degrees above: (1 + 2 f/n)^(-n/2).
+            close(fisher_upper(t, 2.0, 7.0), (1.0 + 2.0 * t / 7.0).powf(-3.5), 1e-13);
+            // t^2 with n is F with 1 and n.
+            close(student_two_sided(t, 9.0), fisher_upper(t * t, 1.0, 9.0), 1e-13);
+        }
+        assert_eq!((fisher_upper(0.0, 2.0, 3.0), fisher_upper(f64::INFINITY, 2.0, 3.0)), (1.0, 0.0));
+    }
+
+    #[test]
+    fn quantiles_are_those_of_the_tables() {
+        for (level, freedom, table) in
+            [(0.95, 1.0, 12.7062047364), (0.95, 10.0, 2.2281388520), (0.99, 30.0, 2.7499956536)]
+        {
+            let t = student_quantile(level, freedom);
+            assert!((t - table).abs() < 1e-9, "{t} {table}");
+            assert!((student_two_sided(t, freedom) - (1.0 - level)).abs() < 1e-12);
+        }
+        // Many degrees of freedom: the normal distribution.
+        assert!((student_quantile(0.95, 1e7) - 1.959963985).abs() < 1e-6);
+        assert!(student_quantile(1.0, 3.0).is_nan() && student_quantile(0.95, 0.0).is_nan());
     }
 }

@@ -1,5 +1,6 @@
 //! Processes: each maps settings to a flank and inverts that map. Knows the layers below, never the referee.
 
+pub mod correction;
 pub mod dressing;
 pub mod generating;
 pub mod milling;

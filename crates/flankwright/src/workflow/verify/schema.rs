@@ -6,7 +6,7 @@ use super::ledger::Ledger;
 use super::reference::Reference;
 use super::{
     areas, contact, decompositions, dressing, equal_ratio, gearbox, gears, ground_flank,
-    ground_modifications, least_squares, machines, milling, modifications, planning, skiving, tangential,
+    ground_modifications, inspection, least_squares, machines, milling, modifications, planning, skiving, tangential,
     variable_ratio,
 };
 use serde::Serialize;
@@ -85,10 +85,6 @@ const HEADERS: [&str; 13] = [
     "random",
     "schema",
 ];
-
-macro_rules! to_come {
-    ($($key:literal),* $(,)?) => { &[$(Block::to_come($key)),*] };
-}
 
 impl Schema {
     const ALL: [Schema; 11] = [
@@ -257,28 +253,28 @@ impl Schema {
             }
             Self::Inspection => {
                 const {
-                    to_come![
-                        "reader",
-                        "real_parts",
-                        "traces",
-                        "trace_errors",
-                        "k_band",
-                        "pitch",
-                        "thickness",
-                        "eccentricity",
-                        "tolerances",
-                        "tolerance_errors",
-                        "classes",
-                        "areal",
-                        "reconstruction",
-                        "twist_from_traces",
-                        "closed_loop",
-                        "axis_recovery",
-                        "dressing_influence",
-                        "trace_layouts",
-                        "systematic_test",
-                        "series",
-                        "rexs",
+                    &[
+                        Block::to_come("reader"),
+                        Block::to_come("real_parts"),
+                        Block::checked("traces", inspection::traces),
+                        Block::checked("trace_errors", inspection::trace_errors),
+                        Block::checked("k_band", inspection::k_band),
+                        Block::checked("pitch", inspection::pitch),
+                        Block::checked("thickness", inspection::thickness),
+                        Block::checked("eccentricity", inspection::eccentricity_and_run_out),
+                        Block::checked("tolerances", inspection::tolerances),
+                        Block::checked("tolerance_errors", inspection::tolerance_errors),
+                        Block::checked("classes", inspection::classes),
+                        Block::checked("areal", inspection::areal),
+                        Block::checked("reconstruction", inspection::reconstruction),
+                        Block::checked("twist_from_traces", inspection::twist_from_traces),
+                        Block::checked("closed_loop", inspection::closed_loop),
+                        Block::checked("axis_recovery", inspection::axis_recovery),
+                        Block::checked("dressing_influence", inspection::dressing_influence),
+                        Block::checked("trace_layouts", inspection::trace_layouts),
+                        Block::checked("systematic_test", inspection::systematic_test),
+                        Block::checked("series", inspection::series),
+                        Block::to_come("rexs"),
                     ]
                 }
             }

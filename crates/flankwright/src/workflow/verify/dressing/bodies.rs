@@ -21,7 +21,7 @@ const REACH: f64 = 0.7;
 const CLEARANCE: f64 = 0.25;
 
 /// Bodies and what the files list of them.
-pub(super) struct Bodies {
+pub(in crate::workflow::verify) struct Bodies {
     pub gear: Gear,
     pub worm: Gear,
     /// Dresser with head part.
@@ -48,7 +48,7 @@ struct Numbers {
 
 /// What differs on another worm for the same gear. mm, rad.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct OtherWorm {
+pub(in crate::workflow::verify) struct OtherWorm {
     pub threads: i32,
     pub diameter: f64,
     pub angle: f64,

@@ -1,6 +1,6 @@
 //! 30-dressing: worm, dresser, dressed profiles, conditions and motions of dressing. A case carries its blocks beside its input.
 
-mod bodies;
+pub(super) mod bodies;
 mod compensation;
 mod conditions;
 mod corrections;
