@@ -13,6 +13,7 @@ mod files;
 mod form;
 pub mod gearbox_job;
 mod grid_file;
+pub mod inspection;
 pub mod job;
 mod json_tree;
 mod load;
