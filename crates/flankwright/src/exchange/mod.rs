@@ -22,6 +22,7 @@ pub mod mesh;
 pub mod milling_job;
 mod node;
 mod reference_train;
+pub mod rexs;
 mod schema;
 mod shape;
 pub mod skiving_history;
