@@ -134,7 +134,7 @@ fn drawing(
     };
     let teeth = of.integer("number_of_teeth")?;
     let face_width_mm = of.number("face_width")?;
-    if !(face_width_mm > 0.0) {
+    if face_width_mm.is_nan() || face_width_mm <= 0.0 {
         return bad("face_width", face_width_mm.to_string(), "more than 0");
     }
     let datum_face = match of.word("datum_face_orientation")? {

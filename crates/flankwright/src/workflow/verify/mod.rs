@@ -24,6 +24,7 @@ mod gears;
 mod given;
 mod ground_flank;
 mod ground_modifications;
+mod inspection;
 mod least_squares;
 mod ledger;
 mod machines;

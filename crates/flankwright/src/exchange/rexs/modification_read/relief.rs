@@ -62,7 +62,7 @@ impl Reader<'_> {
             "root_relief" => self.place.roll(self.part, ids.extent, stated)? - w_f,
             _ => stated,
         };
-        if !(length > 0.0) {
+        if length.is_nan() || length <= 0.0 {
             return Err(RexsError::BadValue {
                 component: title(self.part),
                 attribute: ids.extent.into(),
