@@ -14,7 +14,7 @@ mod triangle_mesh;
 mod vtk_document;
 mod vtp;
 mod weld;
-mod xml;
+pub(super) mod xml;
 
 pub use error::MeshError;
 pub use patch::{PatchSide, patch};

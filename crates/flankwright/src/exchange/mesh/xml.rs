@@ -1,7 +1,7 @@
 //! Text inside XML.
 
 /// Text for content and quoted attributes. Control characters, which XML forbids or changes, become blanks.
-pub(super) fn escape(text: &str) -> String {
+pub(in crate::exchange) fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {

@@ -24,6 +24,11 @@ impl<'a> Reference<'a> {
         self.options.data_directories.iter().map(|dir| dir.join(name)).find(|path| path.is_file())
     }
 
+    /// The paths on which a data file is looked for, in their order.
+    pub fn data_paths(&self, name: &str) -> Vec<String> {
+        self.options.data_directories.iter().map(|dir| dir.join(name).display().to_string()).collect()
+    }
+
     /// The file's common tolerances.
     pub fn tolerances(&self) -> Tolerances<'a> {
         Tolerances::of(self.root)

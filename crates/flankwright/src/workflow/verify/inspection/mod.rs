@@ -1,4 +1,5 @@
-//! 85-inspection: evaluation of traces and pitch, tolerances and classes, series of parts, surfaces, what is systematic, the closed loop.
+//! 85-inspection: readers and real parts, evaluation of traces and pitch, tolerances and classes, series of parts, surfaces, what is
+//! systematic, the closed loop, REXS.
 
 mod areal;
 mod axis_recovery;
@@ -11,7 +12,10 @@ mod grinding;
 mod k_band;
 mod loop_input;
 mod pitch;
+mod reader;
+mod real_parts;
 mod reconstruction;
+mod rexs;
 mod series;
 mod systematic_test;
 mod thickness;
@@ -26,7 +30,10 @@ pub(in super::super) use dressing_influence::dressing_influence;
 pub(in super::super) use eccentricity::eccentricity_and_run_out;
 pub(in super::super) use k_band::k_band;
 pub(in super::super) use pitch::pitch;
+pub(in super::super) use reader::reader;
+pub(in super::super) use real_parts::real_parts;
 pub(in super::super) use reconstruction::reconstruction;
+pub(in super::super) use rexs::rexs;
 pub(in super::super) use series::series;
 pub(in super::super) use systematic_test::systematic_test;
 pub(in super::super) use thickness::thickness;

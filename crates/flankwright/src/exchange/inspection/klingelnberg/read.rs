@@ -1,0 +1,98 @@
+//! From bytes to what they say: size, encoding, first line, then line by line.
+
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+use super::reader::Reader;
+use super::{FileKind, KlingelnbergFile};
+use crate::exchange::inspection::InspectionError;
+use crate::exchange::inspection::encoding::decode;
+use crate::geometry::Sides;
+
+/// Largest file that is read: 16 MiB.
+pub const MAXIMUM_FILE_BYTES: usize = 16 << 20;
+/// Most curves of a file.
+pub const MAXIMUM_TRACES: usize = 2000;
+/// Most samples of a curve.
+pub const MAXIMUM_SAMPLES: usize = 20_000;
+/// Most lines that are passed over; with more of them the file is refused.
+pub const MAXIMUM_UNKNOWN_LINES: usize = 200;
+/// What is kept of a line that was not understood, characters.
+const SHOWN: usize = 80;
+
+/// Reads a file.
+///
+/// # Errors
+/// [`InspectionError::Unreadable`] and those of [`parse_klingelnberg`]. No more than [`MAXIMUM_FILE_BYTES`] are read of any file.
+pub fn read_klingelnberg(path: &Path) -> Result<KlingelnbergFile, InspectionError> {
+    let unreadable = |error: std::io::Error| InspectionError::Unreadable {
+        file: path.display().to_string(),
+        cause: error.to_string(),
+    };
+    let mut bytes = Vec::new();
+    let file = File::open(path).map_err(unreadable)?;
+    file.take(MAXIMUM_FILE_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(unreadable)?;
+    parse_klingelnberg(&bytes)
+}
+
+/// Reads the content of a file (spec 85 section 2).
+///
+/// # Errors
+/// [`InspectionError::FileTooLarge`], [`InspectionError::UnsupportedEncoding`], [`InspectionError::NotKlingelnberg`],
+/// [`InspectionError::TooManyUnknownLines`]. Everything else that is wrong is told in `warnings` and `unknown_lines`.
+pub fn parse_klingelnberg(bytes: &[u8]) -> Result<KlingelnbergFile, InspectionError> {
+    too_large("bytes of the file", bytes.len(), MAXIMUM_FILE_BYTES)?;
+    let (text, encoding) = decode(bytes)?;
+    let mut lines = lines(&text).filter(|(_, line)| !line.trim().is_empty());
+    let (at, first) = lines.next().unwrap_or((0, ""));
+    let kind = match first.split_whitespace().collect::<Vec<_>>()[..] {
+        ["HEADER", "KS.MK.FILE"] => FileKind::Curves,
+        ["HEADER", "KS.MW.FILE"] => FileKind::Values,
+        _ => return Err(InspectionError::NotKlingelnberg { line: at, found: shown(first) }),
+    };
+    let mut reader = Reader::new(KlingelnbergFile {
+        kind,
+        encoding,
+        preamble: Vec::new(),
+        header: Default::default(),
+        curves: Vec::new(),
+        circles: Vec::new(),
+        pitch: Sides::default(),
+        positions: Vec::new(),
+        results: Default::default(),
+        warnings: Vec::new(),
+        unknown_lines: Vec::new(),
+    });
+    for (number, line) in lines {
+        reader.line(number, line.trim())?;
+    }
+    Ok(reader.finish())
+}
+
+/// The limit of a file, as an error.
+pub(super) fn too_large(what: &str, found: usize, most: usize) -> Result<(), InspectionError> {
+    if found > most { Err(InspectionError::FileTooLarge { what: what.into(), found, most }) } else { Ok(()) }
+}
+
+/// Lines with their numbers, from 1; they end with CRLF, LF or CR.
+fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    let mut rest = Some(text);
+    let next = move || {
+        let text = rest?;
+        let end = text.find(['\r', '\n']);
+        let Some(end) = end else {
+            rest = None;
+            return Some(text);
+        };
+        let width = if text[end..].starts_with("\r\n") { 2 } else { 1 };
+        rest = Some(&text[end + width..]);
+        Some(&text[..end])
+    };
+    std::iter::from_fn(next).enumerate().map(|(k, line)| (k + 1, line))
+}
+
+/// The beginning of a line, for messages.
+pub(super) fn shown(line: &str) -> String {
+    line.trim().chars().take(SHOWN).collect()
+}

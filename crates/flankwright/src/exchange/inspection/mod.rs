@@ -1,0 +1,43 @@
+//! Measurements of gears as files bring them: one data model, the Klingelnberg formats .mka and .mew, tables of traces. Says exactly what
+//! it did not understand. Knows neither evaluation nor tolerances.
+//!
+//! Deviations are stored with the sign of the material, f > 0 standing, in the section of the file; positions along the face count from its
+//! middle towards +z, positions along the profile are lengths of roll.
+
+mod conditions;
+mod encoding;
+mod error;
+mod field_table;
+mod gear;
+#[expect(clippy::module_inception, reason = "the inspection is the model that this room is about")]
+mod inspection;
+mod klingelnberg;
+mod result;
+mod tables;
+mod trace;
+mod trace_table;
+mod undefined;
+mod warning;
+
+pub use conditions::{
+    Conditions, CountingDirection, DatumFace, FlankConditions, LeadPositions, ProfilePositions, Section,
+    SlopeReference,
+};
+pub use encoding::Encoding;
+pub use error::InspectionError;
+pub use field_table::read_topography;
+pub use gear::InspectedGear;
+pub use inspection::Inspection;
+pub use klingelnberg::{
+    Circles as CircleTable, Curve, FileKind, HeaderEntry, KlingelnbergFile, MAXIMUM_FILE_BYTES,
+    MAXIMUM_SAMPLES, MAXIMUM_TRACES, MAXIMUM_UNKNOWN_LINES, PitchRow, PreambleEntry, ProbePosition,
+    UnknownLine, inspection_of, parse_klingelnberg, read_klingelnberg,
+};
+pub use result::{Characteristic, Position, Quantity, ResultCode, Statistic, Unit};
+pub use tables::{Circle, Circles, FlankPitch, Pitch, RunOut, Size, Thickness};
+pub use trace::{Topography, Trace, TraceKind, Zero};
+pub use trace_table::{read_trace_table, trace_table};
+pub use warning::{InspectionWarning, WarningKind};
+
+#[cfg(test)]
+mod tests;

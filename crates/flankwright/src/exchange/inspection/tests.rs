@@ -1,0 +1,8 @@
+//! Files made for the purpose in the grammar of spec 85, real ones where they lie beside the repository, and damaged ones.
+
+mod damaged;
+mod made;
+mod model;
+mod real;
+mod recovery;
+mod traces;
