@@ -254,8 +254,8 @@ impl Schema {
             Self::Inspection => {
                 const {
                     &[
-                        Block::to_come("reader"),
-                        Block::to_come("real_parts"),
+                        Block::checked("reader", inspection::reader),
+                        Block::checked("real_parts", inspection::real_parts),
                         Block::checked("traces", inspection::traces),
                         Block::checked("trace_errors", inspection::trace_errors),
                         Block::checked("k_band", inspection::k_band),
@@ -274,7 +274,7 @@ impl Schema {
                         Block::checked("trace_layouts", inspection::trace_layouts),
                         Block::checked("systematic_test", inspection::systematic_test),
                         Block::checked("series", inspection::series),
-                        Block::to_come("rexs"),
+                        Block::checked("rexs", inspection::rexs),
                     ]
                 }
             }
