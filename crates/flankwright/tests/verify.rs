@@ -83,6 +83,12 @@ fn milling_passes_whole() {
 }
 
 #[test]
+fn inspection_passes_but_for_real_parts() {
+    let report = passes("85-inspection.json", 3800);
+    assert_eq!((report.schema, uncovered(&report)), (Schema::Inspection, vec!["real_parts"]));
+}
+
+#[test]
 fn files_to_come_are_recognised_and_listed() {
     let shapes = [
         (json!({"errors": content("10-gears.json")["errors"]}), Schema::Gears),

@@ -6,8 +6,8 @@ use super::ledger::Ledger;
 use super::reference::Reference;
 use super::{
     areas, contact, decompositions, dressing, equal_ratio, gearbox, gears, ground_flank,
-    ground_modifications, inspection, least_squares, machines, milling, modifications, planning, skiving, tangential,
-    variable_ratio,
+    ground_modifications, inspection, least_squares, machines, milling, modifications, planning, skiving,
+    tangential, variable_ratio,
 };
 use serde::Serialize;
 use serde_json::Value;
@@ -255,7 +255,7 @@ impl Schema {
                 const {
                     &[
                         Block::checked("reader", inspection::reader),
-                        Block::checked("real_parts", inspection::real_parts),
+                        Block::to_come("real_parts"),
                         Block::checked("traces", inspection::traces),
                         Block::checked("trace_errors", inspection::trace_errors),
                         Block::checked("k_band", inspection::k_band),
@@ -338,7 +338,8 @@ fn to_come(schema: Schema, reference: &Reference<'_>, key: &str, value: &Value, 
         let name = [&item["name"], &item["input"]["name"]].into_iter().find_map(Value::as_str);
         let name = name.map_or_else(|| format!("{key}[{k}]"), str::to_owned);
         for file in data_files(item).filter(|file| reference.data_file(file).is_none()) {
-            ledger.not_run(&name, &format!("data file {file} is absent"));
+            let tried = reference.data_paths(file).join(", ");
+            ledger.not_run(&name, &format!("data file {file} is absent; tried: {tried}"));
         }
         if key == "cases" {
             let blocks = item.get("expected").unwrap_or(item).as_object();
