@@ -1,10 +1,13 @@
 //! Block `eccentricity`: eccentricity and run-out from the pitch of both flanks.
 
+use super::super::expected::Expected;
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::evaluation_case::{check_each, mm};
 use crate::geometry::Sides;
-use crate::metrology::inspection::{BallContact, FlankAngles, eccentricity, run_out_from_pitch};
+use crate::metrology::inspection::{
+    BallContact, Eccentricity, FlankAngles, eccentricity, run_out_from_pitch,
+};
 use serde::Deserialize;
 use serde_json::Value;
 
@@ -39,18 +42,8 @@ pub(in super::super::super) fn eccentricity_and_run_out(
             half_tooth_angle: input.half_tooth_angle_deg.to_radians(),
         };
         let found = eccentricity(&cumulative, &flanks)?;
-        let without = found.total_without();
         if let Some(mut expected) = expected.object("eccentricity", ledger) {
-            for (key, actual) in [
-                ("e_x_um", found.x),
-                ("e_y_um", found.y),
-                ("e_um", found.amount()),
-                ("Fp_left_without_um", without.left),
-                ("Fp_right_without_um", without.right),
-            ] {
-                expected.number(key, actual * 1e3, um, ledger);
-            }
-            expected.periodic("e_angle_deg", found.direction().to_degrees(), 360.0, um, ledger);
+            compare_eccentricity(&found, &mut expected, [um, um], ledger);
             expected.finish(ledger);
         }
         let ball = BallContact {
@@ -65,4 +58,24 @@ pub(in super::super::super) fn eccentricity_and_run_out(
         expected.number("Fr_um", run_out.total * 1e3, um, ledger);
         Ok(())
     });
+}
+
+/// Every quantity of an eccentricity, to tolerances in um and for its direction in degree.
+pub(super) fn compare_eccentricity(
+    found: &Eccentricity,
+    expected: &mut Expected<'_>,
+    [um, direction_deg]: [f64; 2],
+    ledger: &mut Ledger,
+) {
+    let without = found.total_without();
+    for (key, actual) in [
+        ("e_x_um", found.x),
+        ("e_y_um", found.y),
+        ("e_um", found.amount()),
+        ("Fp_left_without_um", without.left),
+        ("Fp_right_without_um", without.right),
+    ] {
+        expected.number(key, actual * 1e3, um, ledger);
+    }
+    expected.periodic("e_angle_deg", found.direction().to_degrees(), 360.0, direction_deg, ledger);
 }

@@ -1,11 +1,12 @@
 //! Blocks `traces` and `trace_errors`: one trace in its range.
 
+use super::super::expected::Expected;
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::evaluation_case::{check_each, check_refusals, deviations_mm, flag};
 use crate::geometry::Flank;
 use crate::metrology::inspection::{
-    EvaluationRange, InspectionError, SlopeReference, SlopeRule, TraceEvaluation, TraceSamples,
+    EvaluationRange, InspectionError, Relief, SlopeReference, SlopeRule, TraceEvaluation, TraceSamples,
     evaluate_trace,
 };
 use serde::Deserialize;
@@ -44,31 +45,51 @@ pub(in super::super::super) fn traces(_: &Reference<'_>, block: &Value, ledger: 
     check_each("traces", block, ledger, |input: &Input, tolerances, expected, ledger| {
         let (trace, found) = input.evaluate()?;
         let um = tolerances.get("um");
-        expected.whole("n", found.samples as i64, ledger);
-        expected.whole("undefined", found.undefined as i64, ledger);
-        for (key, actual) in [
-            ("F_um", found.total),
-            ("ff_um", found.form),
-            ("fH_um", found.slope.printed()),
-            ("line_at_lo_um", found.line.at(found.range.from())),
-            ("line_at_hi_um", found.line.at(found.range.to())),
-            ("crowning_um", found.crowning.height),
-            ("crowning_slope_um", found.crowning.slope.printed()),
-            ("form_parabola_um", found.crowning.form),
-        ] {
-            expected.number(key, actual * 1e3, um, ledger);
-        }
+        compare_trace(&found, expected, um, ledger);
         let factor = found.slope_uncertainty_factor();
         expected.number("u_slope_factor", factor, tolerances.get("relative") * factor, ledger);
         flag(expected, "range_check_ff_above_F", found.form > found.total, ledger);
         if let Some(zone) = input.relief_zone_mm {
             let relief = found.relief(&trace, zone)?;
-            expected.number("relief_um", relief.amount * 1e3, um, ledger);
-            expected.optional("start_mm", relief.start, tolerances.get("start_mm"), ledger);
-            expected.number("zone_slope_um_per_mm", relief.line.gradient * 1e3, um, ledger);
+            compare_relief(&relief, expected, [um, tolerances.get("start_mm")], ledger);
         }
         Ok(())
     });
+}
+
+/// Numbers of samples and deviations of a trace; slopes are those of material.
+pub(super) fn compare_trace(
+    found: &TraceEvaluation,
+    expected: &mut Expected<'_>,
+    um: f64,
+    ledger: &mut Ledger,
+) {
+    expected.whole("n", found.samples as i64, ledger);
+    expected.whole("undefined", found.undefined as i64, ledger);
+    for (key, actual) in [
+        ("F_um", found.total),
+        ("ff_um", found.form),
+        ("fH_um", found.slope.material()),
+        ("line_at_lo_um", found.line.at(found.range.from())),
+        ("line_at_hi_um", found.line.at(found.range.to())),
+        ("crowning_um", found.crowning.height),
+        ("crowning_slope_um", found.crowning.slope.material()),
+        ("form_parabola_um", found.crowning.form),
+    ] {
+        expected.number(key, actual * 1e3, um, ledger);
+    }
+}
+
+/// A relief, to tolerances in um and for its start in mm.
+pub(super) fn compare_relief(
+    found: &Relief,
+    expected: &mut Expected<'_>,
+    [um, start_mm]: [f64; 2],
+    ledger: &mut Ledger,
+) {
+    expected.number("relief_um", found.amount * 1e3, um, ledger);
+    expected.optional("start_mm", found.start, start_mm, ledger);
+    expected.number("zone_slope_um_per_mm", found.line.gradient * 1e3, um, ledger);
 }
 
 /// Block `trace_errors`.
