@@ -5,6 +5,7 @@ mod evaluate;
 mod printed;
 mod result;
 mod run;
+mod sheet;
 mod tables;
 mod write;
 
@@ -14,4 +15,5 @@ pub use result::{
     ThicknessResult, TraceInspectionResult,
 };
 pub use run::{GearInspection, inspect_gear};
+pub use sheet::{SheetOptions, sheet_data, sheet_pages};
 pub use write::write_gear_inspection;
