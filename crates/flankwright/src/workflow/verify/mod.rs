@@ -41,7 +41,7 @@ mod terms;
 mod variable_ratio;
 
 pub use error::VerifyError;
-pub use ledger::{Failure, NotCovered, NotRun, Worst};
+pub use ledger::{Failure, NotRun, Worst};
 pub use report::{FileReport, VerifySummary};
 pub use schema::Schema;
 

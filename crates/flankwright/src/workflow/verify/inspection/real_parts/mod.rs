@@ -44,9 +44,12 @@ fn opened(
     expected: &mut Expected<'_>,
     ledger: &mut Ledger,
 ) -> Checked<Option<Inspection>> {
-    let names = [text(expected, "file", ledger)?, text(expected, "values_file", ledger)?];
+    let mut names = vec![text(expected, "file", ledger)?];
+    if expected.peek("values_file").is_some() {
+        names.push(text(expected, "values_file", ledger)?);
+    }
     let mut files: Vec<KlingelnbergFile> = Vec::new();
-    for name in names {
+    for name in &names {
         let Some(path) = reference.data_file(name) else {
             let tried = reference.data_paths(name).join(", ");
             ledger.not_run(expected.case(), &format!("{name} is absent; tried: {tried}"));
@@ -55,10 +58,15 @@ fn opened(
         files.push(read_klingelnberg(&path)?);
     }
     expected.text("encoding", files[0].encoding.name(), ledger);
-    expected.whole("number_of_results", files[1].results.len() as i64, ledger);
+    expected.whole(
+        "number_of_results",
+        files.iter().map(|file| file.results.len()).sum::<usize>() as i64,
+        ledger,
+    );
     let unknown = files.iter().map(|file| file.unknown_lines.len()).sum::<usize>();
     ledger.equal(expected.case(), "lines not understood", 0.into(), unknown.into());
-    Ok(Some(inspection_of(&[(names[0], &files[0]), (names[1], &files[1])])?))
+    let named: Vec<(&str, &KlingelnbergFile)> = names.into_iter().zip(&files).collect();
+    Ok(Some(inspection_of(&named)?))
 }
 
 /// Compares what is evaluated from the files with what is expected and with what the machine printed.
