@@ -11,6 +11,7 @@ mod explore;
 mod finding;
 mod gear_root;
 pub mod gearbox;
+pub mod inspection;
 mod line_dressing;
 pub mod milling;
 mod modified_flank;

@@ -1,0 +1,188 @@
+//! `result.json` of a measured gear, with units in the key names. Deviations in the transverse section, um; slopes with the sign and the
+//! reference length that stand beside them.
+
+use crate::workflow::finding::Remark;
+use crate::workflow::result::Status;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// The whole document.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct GearInspectionResult {
+    /// Name of the part, or of its file.
+    pub job: String,
+    /// Process.
+    pub process: &'static str,
+    /// Version of flankwright.
+    pub version: &'static str,
+    /// Met: a measurement by itself has no tolerance to miss.
+    pub status: Status,
+    /// Files that were read.
+    pub files: Vec<String>,
+    /// Number of the part, its drawing, date and machine, as far as the files tell.
+    pub head: BTreeMap<&'static str, String>,
+    /// Doubts of reading and evaluation.
+    pub warnings: Vec<Remark>,
+    /// Lines that were not understood, by file.
+    pub not_understood: Vec<LinesResult>,
+    /// Section in which the file counts deviations.
+    pub section: &'static str,
+    /// Traces.
+    pub traces: Vec<TraceInspectionResult>,
+    /// Mean and range over the teeth: characteristic, flank, line.
+    pub summary: Vec<SummaryResult>,
+    /// Pitches by flank.
+    pub pitch: BTreeMap<&'static str, PitchInspectionResult>,
+    /// R_s.
+    #[serde(rename = "Rs_um", skip_serializing_if = "Option::is_none")]
+    pub thickness_variation_um: Option<f64>,
+    /// F_r from the pitches.
+    #[serde(rename = "Fr_um", skip_serializing_if = "Option::is_none")]
+    pub run_out_um: Option<f64>,
+    /// e and its direction.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub eccentricity: Option<[f64; 2]>,
+    /// F_p without the eccentricity, left and right.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pitch_without_eccentricity_um: Option<[f64; 2]>,
+    /// Profile shift by span and balls.
+    pub thickness: ThicknessResult,
+    /// Classes of ISO 1328-1:2013 that the values reach.
+    pub classes: Vec<ClassResult>,
+    /// The class of the part; absent where a value is worse than class 11, or nothing was judged.
+    pub class: Option<i32>,
+    /// What the measuring machine printed, beside what was evaluated here.
+    pub printed: Vec<PrintedResult>,
+    /// Largest difference of the two; 0 without printed values.
+    pub printed_difference_um: f64,
+    /// Seconds per stage; the only part that differs between two runs.
+    pub timing_s: BTreeMap<&'static str, f64>,
+}
+
+/// Lines of a file that were not understood.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LinesResult {
+    /// File.
+    pub file: String,
+    /// Line, from 1.
+    pub line: usize,
+    /// Its beginning.
+    pub text: String,
+}
+
+/// A trace.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TraceInspectionResult {
+    /// profile or helix.
+    pub kind: &'static str,
+    /// Tooth as the machine counts.
+    pub tooth: u32,
+    /// Flank.
+    pub flank: &'static str,
+    /// Mark of the line.
+    pub tag: String,
+    /// z of a profile, length of roll of a helix.
+    pub position_mm: f64,
+    /// Evaluated from and to.
+    pub range_mm: [f64; 2],
+    /// Samples that count, and those in the range that were not measured.
+    pub samples: [usize; 2],
+    /// f_H as printed.
+    #[serde(rename = "fH_um")]
+    pub slope_um: f64,
+    /// f_H of material rising along the trace.
+    #[serde(rename = "fH_material_um")]
+    pub slope_material_um: f64,
+    /// Length that the slope refers to.
+    pub slope_length_mm: f64,
+    /// Sign of the printed slope in words.
+    pub slope_sign: &'static str,
+    /// F.
+    #[serde(rename = "F_um")]
+    pub total_um: f64,
+    /// f_f.
+    #[serde(rename = "ff_um")]
+    pub form_um: f64,
+    /// C: > 0 convex.
+    #[serde(rename = "C_um")]
+    pub crowning_um: f64,
+    /// Relief at the tip, < 0 relieved.
+    #[serde(rename = "fKo_um", skip_serializing_if = "Option::is_none")]
+    pub tip_relief_um: Option<f64>,
+}
+
+/// A characteristic over the teeth.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SummaryResult {
+    /// profile or helix.
+    pub kind: &'static str,
+    /// Flank.
+    pub flank: &'static str,
+    /// Mark of the line.
+    pub tag: String,
+    /// fH, F, ff, C or fKo.
+    pub characteristic: &'static str,
+    /// Teeth.
+    pub teeth: usize,
+    /// Mean.
+    pub mean_um: f64,
+    /// Greatest less least.
+    pub range_um: f64,
+}
+
+/// Pitches of a flank.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PitchInspectionResult {
+    /// f_p.
+    #[serde(rename = "fp_um")]
+    pub single_um: f64,
+    /// f_u.
+    #[serde(rename = "fu_um")]
+    pub neighbours_um: f64,
+    /// R_p.
+    #[serde(rename = "Rp_um")]
+    pub range_um: f64,
+    /// F_p.
+    #[serde(rename = "Fp_um")]
+    pub total_um: f64,
+    /// F_pk and its k.
+    #[serde(rename = "Fpk_um")]
+    pub sector_um: f64,
+    /// k.
+    pub sector_pitches: usize,
+    /// F_p of every tooth against the last.
+    pub cumulative_um: Vec<f64>,
+}
+
+/// Profile shift coefficients that the sizes mean.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ThicknessResult {
+    /// By the span.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub x_from_span: Option<f64>,
+    /// By the balls.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub x_from_balls: Option<f64>,
+}
+
+/// The class of a value.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ClassResult {
+    /// Symbol.
+    pub quantity: &'static str,
+    /// Value; slopes with their sign.
+    pub value_um: f64,
+    /// Class; absent if worse than 11.
+    pub class: Option<i32>,
+}
+
+/// A printed value.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PrintedResult {
+    /// Which.
+    pub name: String,
+    /// As printed.
+    pub printed_um: f64,
+    /// As evaluated.
+    pub evaluated_um: f64,
+}
