@@ -6,7 +6,7 @@
 //!
 //! let report = verify_file("tests/reference/10-gears.json".as_ref(), &VerifyOptions::default())?;
 //! let summary = VerifySummary::new(vec![report]);
-//! assert_eq!(summary.exit_code(false), 0);
+//! assert_eq!(summary.exit_code(), 0);
 //! # Ok::<(), flankwright::workflow::verify::VerifyError>(())
 //! ```
 

@@ -2,7 +2,6 @@
 //! and what the measuring machine printed beside it. A case whose files are absent is noted as not run.
 
 mod allowed;
-mod evaluated;
 mod gear;
 mod printed;
 mod traces;
@@ -12,8 +11,8 @@ use super::super::given::{Checked, text};
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use crate::exchange::inspection::{Inspection, KlingelnbergFile, inspection_of, read_klingelnberg};
+use crate::workflow::inspection::{EvaluatedGear, evaluate_inspection};
 use allowed::Allowed;
-use evaluated::EvaluatedGear;
 use serde_json::Value;
 
 /// Block `real_parts`; an empty list is allowed.
@@ -72,14 +71,17 @@ fn opened(
 /// Compares what is evaluated from the files with what is expected and with what the machine printed.
 fn compare(inspection: &Inspection, expected: &mut Expected<'_>, ledger: &mut Ledger) -> Checked {
     let allowed = Allowed::take(expected, ledger)?;
-    let found = EvaluatedGear::of(inspection)?;
+    let found = evaluate_inspection(inspection, None)?;
+    if let Some((what, error)) = found.left_out.0.first() {
+        return Err(format!("{what}: {error}").into());
+    }
     gear::compare(inspection, &found, &allowed, expected, ledger);
     if let Some(mut printed) = expected.object("printed", ledger) {
         printed::of_gear(inspection, &found, &allowed, &mut printed, ledger);
         printed.finish(ledger);
     }
     for mut item in expected.objects("traces", ledger) {
-        if let Err(error) = traces::compare(inspection, &allowed, &mut item, ledger) {
+        if let Err(error) = traces::compare(inspection, &found, &allowed, &mut item, ledger) {
             item.refused(&error, ledger);
         }
         item.finish(ledger);
