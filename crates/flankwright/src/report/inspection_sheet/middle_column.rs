@@ -39,8 +39,9 @@ pub(super) fn draw(book: &mut Book, row: &PlacedRow) {
         for ((y, line), label) in lines.iter().zip(places) {
             let [at, bend] = [-0.1, -1.3].map(|d| place.outward(d));
             book.page().line([at, *y], [bend, label], GRID);
-            let text = format_fixed(line.value, 3);
-            book.fitted([place.outward(-1.5), label + FIGURE], 7.2, &text, style);
+            // Room for five figures on either side of the names.
+            let text = format_fixed(line.value, if line.value.abs() < 100.0 { 3 } else { 2 });
+            book.fitted([place.outward(-1.5), label + FIGURE], 6.5, &text, style);
             // Both fields share a name where their labels do.
             let known = |(y, name): &(f64, &str)| *name == line.name && (y - label).abs() < APART;
             if !names.iter().any(known) {
@@ -53,7 +54,7 @@ pub(super) fn draw(book: &mut Book, row: &PlacedRow) {
     for (y, name) in names {
         let y = y.max(free + 0.8 * APART);
         free = y;
-        book.fitted([middle, y + FIGURE], 4.2, name, centred(0.9 * LABEL).muted());
+        book.fitted([middle, y + FIGURE], 3.8, name, centred(0.9 * LABEL).muted());
     }
     teeth(book, row, middle, width);
 }
@@ -62,10 +63,10 @@ pub(super) fn draw(book: &mut Book, row: &PlacedRow) {
 fn teeth(book: &mut Book, row: &PlacedRow, middle: f64, width: f64) {
     let data = row.laid.row;
     let text = format!("{} – {}", data.bottom, data.scale);
-    book.fitted([middle, row.top + 50.4], width - 0.6, &text, centred(LABEL).muted());
+    book.fitted([middle, row.top + 50.9], width - 0.6, &text, centred(LABEL).muted());
     let teeth: Vec<String> = row.lanes.iter().map(|lane| lane.tooth.to_string()).collect();
     let word = if teeth.len() == 1 { "tooth" } else { "teeth outwards" };
-    book.fitted([middle, row.top + 52.9], width - 0.6, word, centred(LABEL).muted());
+    book.fitted([middle, row.top + 53.1], width - 0.6, word, centred(LABEL).muted());
     book.fitted([middle, row.top + 55.3], width - 0.6, &teeth.join("  "), centred(LABEL));
 }
 

@@ -57,7 +57,11 @@ impl Filling<'_> {
             None => format!("worst class {reached}"),
             Some(wanted) => {
                 let kept = classes.overall.is_some_and(|class| class <= wanted);
-                let verdict = if kept { "kept" } else { "EXCEEDED" };
+                let verdict = match (kept, self.gear.left_out.0.is_empty()) {
+                    (true, true) => "kept",
+                    (true, false) => "kept as far as evaluated",
+                    (false, _) => "EXCEEDED",
+                };
                 format!("class {wanted} {verdict}, worst class {reached}")
             }
         }
@@ -69,7 +73,7 @@ impl Filling<'_> {
             line + &warning.message
         });
         let left_out =
-            self.gear.left_out.iter().map(|(what, error)| format!("{what}: not evaluated, {error}"));
+            self.gear.left_out.0.iter().map(|(what, error)| format!("{what}: not evaluated, {error}"));
         let doubts = [
             self.gear.thickness.warning.as_ref(),
             self.gear.pitch.as_ref().and_then(|pitch| pitch.run_out.as_ref()?.warning.as_ref()),

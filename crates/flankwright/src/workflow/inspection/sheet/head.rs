@@ -5,7 +5,7 @@ use crate::exchange::inspection::{CountingDirection, Inspection, Section, TraceK
 use crate::geometry::{Flank, Sides};
 use crate::metrology::inspection::SlopeSign;
 use crate::report::Fact;
-use crate::report::charts::format_significant;
+use crate::report::charts::{format_fixed, format_significant};
 use crate::report::inspection_sheet::SheetHead;
 use std::path::Path;
 
@@ -29,8 +29,12 @@ impl Filling<'_> {
         let files: Vec<String> = of.sources.iter().map(|path| file_name(path)).collect();
         let files = (!files.is_empty()).then(|| files.join(", "));
         let not_stated = || "not stated".to_owned();
+        let date = of.date.as_ref().map(|date| match &of.time {
+            Some(time) => format!("{date}, {}", time.split_whitespace().collect::<Vec<_>>().join(" ")),
+            None => date.clone(),
+        });
         let stated =
-            [("part", &of.part), ("drawing", &of.drawing), ("date", &of.date), ("machine", &of.machine)];
+            [("part", &of.part), ("drawing", &of.drawing), ("date", &date), ("machine", &of.machine)];
         let stated = stated.map(|(label, text)| Fact::new(label, text.clone().unwrap_or_else(not_stated)));
         let further = [("name", of.name.clone()), ("inspector", of.operator.clone()), ("files", files)];
         let further = further.into_iter().filter_map(|(label, text)| Some(Fact::new(label, text?)));
@@ -56,19 +60,23 @@ impl Filling<'_> {
         if let Some(x) = gear.profile_shift {
             facts.push(Fact::new("x of the file", format_significant(x, 5)));
         }
-        let measured = [self.gear.thickness.by_span, self.gear.thickness.by_balls];
-        for (label, x) in ["x by span", "x by balls"].into_iter().zip(measured) {
-            if let Some(x) = x {
-                facts.push(Fact::new(label, format!("{x:.4}").replace('-', "−")));
-            }
+        let measured = [("span", self.gear.thickness.by_span), ("balls", self.gear.thickness.by_balls)];
+        let (by, x): (Vec<&str>, Vec<String>) =
+            measured.into_iter().filter_map(|(by, x)| Some((by, format_fixed(x?, 4)))).unzip();
+        if !x.is_empty() {
+            facts.push(Fact::new(format!("x by {}", by.join(" / ")), x.join(" / ")));
         }
-        for (label, value) in [
-            ("face width b", gear.face_width_mm),
-            ("tip diameter da", gear.tip_diameter_mm),
-            ("root diameter df", gear.root_diameter_mm),
-        ] {
-            if let Some(value) = value {
-                facts.push(Fact::new(label, mm(value)));
+        if let Some(width) = gear.face_width_mm {
+            facts.push(Fact::new("face width b", mm(width)));
+        }
+        match (gear.tip_diameter_mm, gear.root_diameter_mm) {
+            (Some(tip), Some(root)) => {
+                let both = format!("{} / {}", format_significant(tip, 7), mm(root));
+                facts.push(Fact::new("da / df", both));
+            }
+            (tip, root) => {
+                let known = [("tip diameter da", tip), ("root diameter df", root)];
+                facts.extend(known.into_iter().filter_map(|(label, d)| Some(Fact::new(label, mm(d?)))));
             }
         }
         facts

@@ -8,6 +8,7 @@ mod topography;
 mod traces;
 
 use super::evaluate::EvaluatedGear;
+use super::run::GearInspection;
 use crate::exchange::inspection::{DatumFace, Inspection, TraceKind};
 use crate::geometry::Sides;
 use crate::metrology::inspection::{KBand, ToleranceQuantity, reached_class};
@@ -46,6 +47,17 @@ pub fn sheet_pages(
     options: &SheetOptions,
 ) -> Result<Vec<SheetPage>, ChartError> {
     inspection_sheet::sheet_pages(&sheet_data(inspection, gear, options))
+}
+
+/// The sheet of a measured gear as an HTML file of its own, one page of paper each.
+///
+/// # Errors
+/// [`ChartError`] for numbers that cannot be drawn.
+pub fn inspection_sheet(found: &GearInspection, options: &SheetOptions) -> Result<String, ChartError> {
+    let pages = sheet_pages(&found.inspection, &found.gear, options)?;
+    let title = head::title(&found.inspection);
+    let title = if title.is_empty() { &found.result.job } else { &title };
+    Ok(inspection_sheet::sheet_html(&format!("Inspection sheet {title}"), &pages))
 }
 
 /// What stands on the sheet of a measured gear.

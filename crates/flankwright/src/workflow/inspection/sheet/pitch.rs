@@ -16,7 +16,7 @@ impl Filling<'_> {
             measured
                 .and_then(|pitch| pitch.counting)
                 .map(|counting| format!("teeth {}", direction(counting))),
-            measured.map(|_| "F_p against the last tooth; dashed: eccentricity".to_owned()),
+            measured.map(|_| "Fp against the last tooth; dashed: eccentricity".to_owned()),
         ];
         SheetPitch {
             words: words.into_iter().flatten().collect::<Vec<String>>().join("; "),
