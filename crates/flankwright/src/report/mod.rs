@@ -6,7 +6,7 @@
 //! [`generating`] composes the page of diagonal generating grinding; [`tangential`] adds the sections of tangential dressing,
 //! [`programs`] the one on NC programs, [`control`] the one on gearbox and servo; [`gearbox`] composes the page of the electronic
 //! gearbox, [`milling`] that of five-axis milling, [`skiving`] that of measuring a power-skiving tool; [`inspection_sheet`] draws the
-//! sheets of measured gears.
+//! sheets of measured gears, [`inspection_series`] composes the page of a series of them.
 //!
 //! ```
 //! use flankwright::report::{Banner, Block, PlanReport, Section, Status, html};
@@ -27,6 +27,7 @@ pub mod control;
 pub mod gearbox;
 pub mod generating;
 pub mod html;
+pub mod inspection_series;
 pub mod inspection_sheet;
 pub mod milling;
 pub mod programs;

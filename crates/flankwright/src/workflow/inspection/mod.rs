@@ -10,6 +10,7 @@ mod files;
 mod printed;
 mod result;
 mod run;
+pub mod series;
 mod sheet;
 mod tables;
 mod write;
