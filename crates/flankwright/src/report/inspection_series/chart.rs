@@ -9,6 +9,8 @@ use crate::report::charts::{
 const PANEL: f64 = 120.0;
 /// Room for texts behind the last part, as a share of the parts.
 const BESIDE: f64 = 0.085;
+/// Distance of the name of a limit from it, as a share of the chart.
+const ROOM: f64 = 0.09;
 /// More parts than this have no marker each.
 const MARKED: usize = 150;
 
@@ -62,12 +64,30 @@ impl CharacteristicRow {
             lines.push(Series::new("trend", ends.to_vec(), y).bare());
         }
         lines.push(self.rings(figures));
-        let label = |word: &str, y: f64| ([beside, y], format!("{word} {}", format_fixed(y, self.decimals)));
-        let mut labels = vec![label("mean", figures.mean[0])];
-        labels.extend(self.limits.iter().flatten().map(|y| label("limit", *y)));
+        let label = |word: &str, y: f64, at: f64| {
+            ([beside, at], format!("{word} {}", format_fixed(y, self.decimals)))
+        };
+        let mut labels = vec![label("mean", figures.mean[0], figures.mean[0])];
+        // Names of limits stand outside of them, which keeps the lines clear of the frame.
+        let room = ROOM * (self.top(figures) - self.bottom(figures));
+        let [lower, upper] = self.limits;
+        labels.extend(lower.map(|y| label("limit", y, y - room)));
+        labels.extend(upper.map(|y| label("limit", y, y + room)));
         lines.push(Series::texts("values of the lines", labels));
         lines.retain(|series| !series.x.is_empty());
         lines
+    }
+
+    /// The lowest of what the chart of values shows.
+    fn bottom(&self, figures: &CharacteristicFigures) -> f64 {
+        let lowest = figures.extremes[0].min(figures.control[0]);
+        self.limits.iter().flatten().copied().fold(lowest, f64::min)
+    }
+
+    /// The highest of it.
+    fn top(&self, figures: &CharacteristicFigures) -> f64 {
+        let highest = figures.extremes[1].max(figures.control[1]);
+        self.limits.iter().flatten().copied().fold(highest, f64::max)
     }
 
     /// The last part of every stretch that a rule has found; the marks of one part together.

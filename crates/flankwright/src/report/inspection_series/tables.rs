@@ -4,6 +4,9 @@ use super::data::{CharacteristicFigures, CharacteristicRow, SeriesGroup};
 use crate::report::charts::{format_fixed, format_significant};
 use crate::report::{Column, ColumnKind, Table};
 
+/// Digits of slopes.
+const DIGITS: usize = 3;
+
 impl SeriesGroup {
     fn known(&self) -> impl Iterator<Item = (&CharacteristicRow, &CharacteristicFigures)> {
         self.characteristics.iter().filter_map(|row| Some((row, row.figures.as_ref()?)))
@@ -71,7 +74,7 @@ impl SeriesGroup {
                     interval,
                     index(of.and_then(|of| of.short_term[0])),
                     index(of.and_then(|of| of.short_term[1])),
-                    outside.map_or_else(|| "–".into(), |ppm| format_significant(ppm, 2)),
+                    outside.map_or_else(|| "–".into(), share),
                 ]
             })
             .collect();
@@ -99,9 +102,8 @@ impl SeriesGroup {
     /// Slopes and special causes.
     pub(super) fn trends(&self) -> Table {
         let row = |(row, figures): (&CharacteristicRow, &CharacteristicFigures)| {
-            let digits = row.decimals + 1;
             let trend = figures.trend;
-            let interval = trend.map(|trend| trend.interval.map(|end| format_fixed(end, digits)));
+            let interval = trend.map(|trend| trend.interval.map(|end| format_significant(end, DIGITS)));
             let found: Vec<String> = figures
                 .marked
                 .iter()
@@ -112,7 +114,7 @@ impl SeriesGroup {
                 .collect();
             vec![
                 row.key.clone(),
-                trend.map_or_else(|| "–".into(), |trend| format_fixed(trend.slope, digits)),
+                trend.map_or_else(|| "–".into(), |trend| format_significant(trend.slope, DIGITS)),
                 interval.map_or_else(|| "–".into(), |[low, high]| format!("{low} to {high}")),
                 trend.and_then(|trend| trend.probability).map_or_else(
                     || "–".into(),
@@ -185,6 +187,11 @@ fn shortened(list: &[String]) -> String {
         n if n <= MOST => list.join("; "),
         n => format!("{}; and {} more", list[..MOST].join("; "), n - MOST),
     }
+}
+
+/// A share in ppm; what no number of parts would show is only told to be small.
+fn share(ppm: f64) -> String {
+    if ppm < 0.01 { "< 0.01".into() } else { format_significant(ppm, 2) }
 }
 
 fn unit(row: &CharacteristicRow) -> String {

@@ -74,7 +74,9 @@ mod tests {
 
     #[test]
     fn bars_are_round_and_of_a_length_that_is_seen() {
-        for (per_unit, want) in [(0.5, 10.0), (2.0, 10.0), (0.1, 100.0), (25.0, 1.0), (1e-9, 1e10)] {
+        for (per_unit, want) in
+            [(0.5, 10.0), (2.0, 10.0), (0.1, 100.0), (25.0, 0.1), (24.0, 1.0), (1e-9, 1e10)]
+        {
             let (length, drawn) = bar(10.0, per_unit, 2.5);
             assert!((length / want - 1.0).abs() < 1e-12 && (2.5..25.0).contains(&drawn), "{per_unit}");
         }

@@ -64,7 +64,11 @@ pub(super) fn findings(values: &[f64], limits: &ControlLimits) -> Vec<RuleFindin
         return Vec::new();
     }
     let mut found = Vec::new();
-    let mut add = |rule, from, to| found.push(RuleFinding { rule, parts: [from, to] });
+    // Stretches of one rule that overlap are one.
+    let mut add = |rule, from, to| match found.last_mut() {
+        Some(RuleFinding { rule: known, parts }) if *known == rule && parts[1] >= from => parts[1] = to,
+        _ => found.push(RuleFinding { rule, parts: [from, to] }),
+    };
     let distance: Vec<f64> = values.iter().map(|value| (value - limits.centre) / limits.sigma).collect();
     for (part, d) in distance.iter().enumerate() {
         if d.abs() > 3.0 {
@@ -73,7 +77,7 @@ pub(super) fn findings(values: &[f64], limits: &ControlLimits) -> Vec<RuleFindin
     }
     for (from, three) in distance.windows(3).enumerate() {
         let beyond = |sign: f64| three.iter().filter(|d| sign * **d > 2.0).count();
-        // The third part closes the pair: otherwise the same pair would be found twice.
+        // The third part closes the pair: a stretch ends with a part beyond.
         if three[2].abs() > 2.0 && beyond(three[2].signum()) >= 2 {
             add(RunRule::TwoOfThreeBeyondTwoSigma, from, from + 2);
         }
@@ -131,6 +135,7 @@ mod tests {
         assert_eq!(rise(5), []);
         assert_eq!(rise(6), [(RunRule::SteadyRun, [0, 5])]);
         assert_eq!(of(&[2.1, 0.0, 2.2]), [(RunRule::TwoOfThreeBeyondTwoSigma, [0, 2])]);
+        assert_eq!(of(&[2.1, 0.0, 2.2, 2.3, 0.0]), [(RunRule::TwoOfThreeBeyondTwoSigma, [0, 3])]);
         assert_eq!(of(&[2.1, 0.0, -2.2]), []);
         assert_eq!(of(&[2.1, 0.0, 0.0, 2.2]), []);
     }

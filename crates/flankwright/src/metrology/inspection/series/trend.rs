@@ -24,6 +24,16 @@ impl Trend {
         if values.len() < 3 || parts.len() != values.len() {
             return None;
         }
+        if values.iter().all(|value| *value == values[0]) {
+            let (slope_interval_95, start) = ([0.0; 2], values[0]);
+            return Some(Self {
+                slope: 0.0,
+                standard_error: 0.0,
+                slope_interval_95,
+                start,
+                probability: None,
+            });
+        }
         let freedom = (values.len() - 2) as f64;
         let line = Line::through(parts, values);
         let squares: f64 =

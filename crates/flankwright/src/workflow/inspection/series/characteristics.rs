@@ -82,7 +82,8 @@ fn symbol(kind: &str, figure: &str, tag: &str) -> String {
 fn limits(found: &GearInspection, class: Option<i32>) -> Vec<(&'static str, SpecificationLimits)> {
     let Some((tolerances, class)) = found.gear.tolerances.as_ref().zip(class) else { return Vec::new() };
     let of = |quantity: ToleranceQuantity| {
-        let upper = 1e3 * tolerances.rounded(quantity, class).ok()?;
+        // Whole nm, so that the limit in um is the number of the tables.
+        let upper = (1e6 * tolerances.rounded(quantity, class).ok()?).round() / 1e3;
         // Slopes have a sign; everything else is a range or a largest amount.
         let slope = matches!(quantity, ToleranceQuantity::ProfileSlope | ToleranceQuantity::HelixSlope);
         let limits = SpecificationLimits::new(slope.then_some(-upper), Some(upper)).ok()?;

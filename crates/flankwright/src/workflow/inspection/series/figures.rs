@@ -1,7 +1,8 @@
 //! From an evaluated characteristic to its entry in the document.
 
 use super::result::{SeriesCapability, SeriesCharacteristic, SeriesFigures, SeriesFinding, SeriesTrend};
-use crate::metrology::inspection::{CharacteristicSeries, RuleFinding, SeriesEvaluation};
+use crate::metrology::inspection::{CharacteristicSeries, InspectionWarning, RuleFinding, SeriesEvaluation};
+use crate::report::charts::format_significant;
 
 /// The entry of a characteristic.
 pub(super) fn characteristic(series: &CharacteristicSeries) -> SeriesCharacteristic {
@@ -19,7 +20,8 @@ pub(super) fn characteristic(series: &CharacteristicSeries) -> SeriesCharacteris
             remarks.push("no capability: all parts are equal".into());
         }
         // Without limits there is no capability that could be doubtful.
-        remarks.extend(found.warnings.iter().filter(|_| limited).map(ToString::to_string));
+        let told = found.warnings.iter().filter(|_| limited);
+        remarks.extend(told.map(|warning| told_in(&series.unit, warning)));
         let jumped = found.findings.iter().any(|finding| finding.parts[0] < finding.parts[1]);
         if limited && jumped && found.capability.cpk.is_some() {
             remarks.push(
@@ -39,6 +41,18 @@ pub(super) fn characteristic(series: &CharacteristicSeries) -> SeriesCharacteris
         figures,
         remarks,
     }
+}
+
+/// A warning with the unit that the statistics do not know.
+fn told_in(unit: &str, warning: &InspectionWarning) -> String {
+    let InspectionWarning::TrendSignificant { slope, probability } = warning else {
+        return warning.to_string();
+    };
+    format!(
+        "the values drift by {} {unit} a part (probability by chance {}): capability means nothing then",
+        format_significant(*slope, 3),
+        format_significant(*probability, 2)
+    )
 }
 
 fn figures(series: &CharacteristicSeries, found: &SeriesEvaluation) -> SeriesFigures {

@@ -28,7 +28,7 @@ fn head(series: &InspectionSeries) -> ReportHead {
     let judged = match result.tolerance_class {
         None => "Nothing is judged: no class of ISO 1328-1:2013 is given.".to_owned(),
         Some(class) if beyond == 0 => format!("All keep the limits of ISO 1328-1:2013 class {class}."),
-        Some(class) => format!("{beyond} of them exceed limits of ISO 1328-1:2013 class {class}."),
+        Some(class) => format!("Parts beyond the limits of ISO 1328-1:2013 class {class}: {beyond}."),
     };
     let mut files = vec![
         ("series.json".to_owned(), "all figures".to_owned()),
@@ -124,9 +124,9 @@ fn figures(of: &SeriesFigures) -> CharacteristicFigures {
 fn marked(of: &SeriesFinding) -> MarkedStretch {
     let mark = match of.rule {
         "beyond-three-sigma" => "3σ",
-        "two-of-three-beyond-two-sigma" => "2σ",
-        "one-side" => "9",
-        _ => "6",
+        "two-of-three-beyond-two-sigma" => "2 of 3",
+        "one-side" => "run of 9",
+        _ => "steady 6",
     };
     MarkedStretch { parts: [of.first, of.last], mark, meaning: of.meaning }
 }

@@ -32,7 +32,7 @@ pub(super) fn read_part(path: &Path, options: &SeriesOptions) -> Result<ReadPart
         .file_name()
         .map_or_else(|| path.to_string_lossy(), std::ffi::OsStr::to_string_lossy)
         .into_owned();
-    let found = inspect_gear(path).map_err(|failure| refused(&file, &failure))?;
+    let found = inspect_gear(path).map_err(|failure| refused(path, &file, &failure))?;
     let sheet = match options.without_sheets {
         true => None,
         false => Some(inspection_sheet(&found, &options.sheet).map_err(|error| RefusedFile {
@@ -65,11 +65,13 @@ fn group(found: &GearInspection) -> String {
     of("drawing").or_else(|| of("name")).map_or_else(body, str::to_owned)
 }
 
-fn refused(file: &str, failure: &JobFailure) -> RefusedFile {
+fn refused(path: &Path, file: &str, failure: &JobFailure) -> RefusedFile {
+    // The file is named beside its message.
+    let named = format!("{}: ", path.display());
     let of = |finding: &Diagnostic| RefusedFile {
         file: file.into(),
         code: finding.code.into(),
-        message: finding.message.to_string(),
+        message: finding.message.strip_prefix(&named).unwrap_or(&finding.message).into(),
         way_out: finding.way_out.as_deref().unwrap_or_default().into(),
     };
     match failure {
