@@ -6,6 +6,7 @@ mod derived;
 pub mod explore;
 pub mod gearbox;
 pub mod inspect;
+mod measured_gear;
 mod milling;
 pub mod new;
 mod outcome;

@@ -4,6 +4,7 @@
 mod catalogue;
 mod control;
 mod dressing_study;
+mod elsewhere;
 mod equal_ratio_offers;
 mod executed_strokes;
 mod execution;
