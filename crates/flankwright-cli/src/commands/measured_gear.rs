@@ -141,7 +141,7 @@ fn evaluated(text: &mut String, result: &GearInspectionResult) {
 fn of_round(text: &mut String, round: &RoundResult, of: usize) {
     let number = if of > 1 { format!("round {}: ", round.round) } else { String::new() };
     for (flank, found) in &round.flanks {
-        let explained = if found.explained { "" } else { "; the process model does not explain the part" };
+        let explained = if found.explained { ", as the plan says" } else { "" };
         let _ = writeln!(
             text,
             "  {number}{flank} flank, measured less target: rms {:.3} um, largest {:.3} um{explained}",

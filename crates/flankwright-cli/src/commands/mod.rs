@@ -2,6 +2,7 @@
 
 mod catalogue;
 pub mod check;
+pub mod convert;
 mod derived;
 pub mod explore;
 pub mod gearbox;

@@ -13,6 +13,8 @@ pub struct CorrectionView {
     pub settings: Vec<SettingRow>,
     /// Deviation of the measured lines: before, as the model predicts, and what these settings cannot remove; root mean squares.
     pub rms_um: [f64; 3],
+    /// Settings that could be turned and would change by less than it is worth.
+    pub left_alone: Vec<String>,
     /// Settings that the lines do not tell apart, in words.
     pub not_told_apart: Vec<String>,
     /// What the corrected job leaves.
@@ -89,10 +91,15 @@ impl CorrectionView {
             ],
             rows: self.settings.iter().map(row).collect::<Result<_, ChartError>>()?,
             note: format!(
-                "Measured lines, root mean square: {} µm now, {} µm expected, of which these settings cannot remove {} µm.",
+                "Measured lines, root mean square: {} µm now, {} µm expected, of which these settings cannot remove {} µm. The plan of the \
+                 corrected job decides which axes make it.{}",
                 fixed("rms", before, 3)?,
                 fixed("rms", predicted, 3)?,
-                fixed("rms", unremovable, 3)?
+                fixed("rms", unremovable, 3)?,
+                match &self.left_alone[..] {
+                    [] => String::new(),
+                    names => format!(" Too small to be turned: {}.", names.join(", ")),
+                }
             ),
         })
     }

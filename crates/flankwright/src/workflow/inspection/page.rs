@@ -99,12 +99,14 @@ fn figures(result: &GearInspectionResult) -> Vec<(String, String)> {
 }
 
 fn round(of: &RoundResult) -> Result<RoundView, ChartError> {
+    let ends = of.flanks.values().flat_map(|flank| &flank.z_mm);
+    let half_mm = ends.fold(0.0, |most: f64, z| most.max(z.abs()));
     let flanks = Sides::try_from_fn(|side| of.flanks.get(side.name()).map(flank).transpose())?;
     Ok(RoundView {
         number: of.round,
         flanks,
         tests: of.characteristics.iter().filter_map(test).collect(),
-        correction: of.correction.as_ref().map(correction),
+        correction: of.correction.as_ref().map(|found| correction(found, half_mm)),
         no_correction: of.no_correction.clone(),
     })
 }
@@ -174,7 +176,7 @@ fn test(of: &CharacteristicResult) -> Option<TestRow> {
     })
 }
 
-fn correction(of: &CorrectionResult) -> CorrectionView {
+fn correction(of: &CorrectionResult, half_mm: f64) -> CorrectionView {
     let proof = Flank::BOTH.into_iter().filter_map(|flank| {
         let proof = of.proof.get(flank.name())?;
         Some(ProofRow {
@@ -185,48 +187,68 @@ fn correction(of: &CorrectionResult) -> CorrectionView {
         })
     });
     CorrectionView {
-        settings: of.settings.iter().map(setting).collect(),
+        settings: of.settings.iter().filter(|setting| !setting.dropped).map(setting).collect(),
+        left_alone: of.settings.iter().filter(|setting| setting.dropped).map(|s| words(&s.name)).collect(),
         rms_um: [of.rms_before_um, of.rms_predicted_um, of.rms_unremovable_um],
         not_told_apart: of
             .not_told_apart
             .iter()
             .map(|group| {
-                let named: Vec<&str> = group.iter().map(|(name, _)| name.as_str()).collect();
-                format!("The measured lines do not tell these settings apart: {}.", named.join(", "))
+                let named: Vec<String> = group.iter().map(|(name, _)| words(&format!("{name}_"))).collect();
+                format!("The measured lines do not tell these settings apart: {}.", named.join("; "))
             })
             .collect(),
         proof: proof.collect(),
-        machine: machine(of),
+        machine: machine(of, half_mm),
     }
 }
 
 fn setting(of: &CorrectedSettingResult) -> SettingRow {
-    let (name, unit) = match of.name.rsplit_once('_') {
-        Some((name, unit)) => (name.replace(['_', '-'], " "), unit.to_owned()),
-        None => (of.name.clone(), String::new()),
-    };
+    let unit = of.name.rsplit_once('_').map_or("", |(_, unit)| unit);
     SettingRow {
-        name,
-        unit: if unit == "um" { "µm".into() } else { unit },
+        name: words(&of.name),
+        unit: if unit == "um" { "µm".into() } else { unit.into() },
         change: of.change,
         deviation: of.deviation,
         total: of.total,
-        remark: match (of.dropped, of.at_bound) {
-            (true, _) => "too small to be turned".into(),
-            (_, true) => "held by its bound".into(),
-            _ => String::new(),
-        },
+        remark: if of.at_bound { "held by its bound".into() } else { String::new() },
     }
 }
 
-fn machine(of: &CorrectionResult) -> Vec<Quantity> {
+/// A setting in words.
+fn words(name: &str) -> String {
+    match name.rsplit_once('_').map_or(name, |(name, _)| name) {
+        "d0" => "centre distance".into(),
+        "d1" => "centre distance, linear over the feed".into(),
+        "d2" => "centre distance, quadratic over the feed".into(),
+        "phi0" => "angle of the workpiece".into(),
+        "phi1" => "angle of the workpiece, linear over the feed".into(),
+        "phi2" => "angle of the workpiece, quadratic over the feed".into(),
+        other => other.replace('_', " ") + " of the worm",
+    }
+}
+
+/// Changes of feed coefficients that move no point by as much are not shown, um.
+const SHOWN_UM: f64 = 1e-3;
+
+/// Half a face, mm, turns coefficients into what they move at its ends.
+fn machine(of: &CorrectionResult, half_mm: f64) -> Vec<Quantity> {
     let mut rows = Vec::new();
     for (symbol, unit, coefficients) in
         [("Δd", "µm", &of.machine.delta_d_um), ("Δφ_2", "µrad", &of.machine.delta_phi_2_urad)]
     {
-        for (k, value) in coefficients.iter().enumerate().filter(|(_, value)| **value != 0.0) {
+        for (k, value) in coefficients.iter().enumerate() {
+            let shown = (value * half_mm.powi(i32::try_from(k).unwrap_or(0))).abs() > SHOWN_UM;
+            if !shown {
+                continue;
+            }
             let power = if k == 0 { unit.to_owned() } else { format!("{unit}/mm^{k}") };
-            rows.push(Quantity::number(&format!("coefficient of z_V2^{k}"), symbol, *value, &power));
+            rows.push(Quantity::number(
+                &format!("coefficient of z_V2 to the power {k}"),
+                symbol,
+                *value,
+                &power,
+            ));
         }
     }
     for (flank, axes) in &of.machine.dressing {
