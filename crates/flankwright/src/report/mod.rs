@@ -5,8 +5,8 @@
 //! (a banner and an ordered list of sections, the same for every process), [`html`] writes it, and
 //! [`generating`] composes the page of diagonal generating grinding; [`tangential`] adds the sections of tangential dressing,
 //! [`programs`] the one on NC programs, [`control`] the one on gearbox and servo; [`gearbox`] composes the page of the electronic
-//! gearbox, [`milling`] that of five-axis milling, [`skiving`] that of measuring a power-skiving tool; [`inspection_sheet`] draws the
-//! sheets of measured gears, [`inspection_series`] composes the page of a series of them.
+//! gearbox, [`milling`] that of five-axis milling, [`skiving`] that of measuring a power-skiving tool, [`measured_gear`] that of an
+//! inspected gear, [`inspection_series`] that of a series of them; [`inspection_sheet`] draws the sheets of measured gears.
 //!
 //! ```
 //! use flankwright::report::{Banner, Block, PlanReport, Section, Status, html};
@@ -29,11 +29,13 @@ pub mod generating;
 pub mod html;
 pub mod inspection_series;
 pub mod inspection_sheet;
+pub mod measured_gear;
 pub mod milling;
 pub mod programs;
 pub mod skiving;
 pub mod tangential;
 
+mod cells;
 mod data;
 mod head;
 
