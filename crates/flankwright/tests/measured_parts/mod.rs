@@ -196,8 +196,11 @@ impl MadePart {
         let z = self.teeth as usize;
         let cumulative = |k: usize| {
             let wave = self.eccentricity * (TAU * k as f64 / z as f64 + 0.3 * flank.sign()).sin();
-            let rough =
-                if k % z == 0 { 0.0 } else { 0.4 * noise(self.seed, 500 * (k + 1) as u64 + flank as u64) };
+            let rough = if k.is_multiple_of(z) {
+                0.0
+            } else {
+                0.4 * noise(self.seed, 500 * (k + 1) as u64 + flank as u64)
+            };
             (1e3 * (wave + rough)).round()
         };
         let last = cumulative(z) - cumulative(0);
