@@ -1,0 +1,5 @@
+//! Measured parts: in by whole sets, out by series.
+
+mod import;
+mod read;
+mod values;
