@@ -29,6 +29,9 @@ pub(crate) enum Place {
 }
 
 impl StoreAddress {
+    /// The environment variable that names a store, so that a password need not stand in a command line.
+    pub const VARIABLE: &str = "FLANKWRIGHT_STORE";
+
     /// A file of SQLite.
     pub fn file(path: impl Into<PathBuf>) -> Self {
         Self(Place::Sqlite(path.into()))
@@ -41,9 +44,24 @@ impl StoreAddress {
     pub fn of_user() -> Result<Self, StoreError> {
         let absolute =
             |name: &str| std::env::var_os(name).map(PathBuf::from).filter(|path| path.is_absolute());
-        let data = absolute("XDG_DATA_HOME").or_else(|| absolute("HOME").map(|home| home.join(".local/share")));
+        let data =
+            absolute("XDG_DATA_HOME").or_else(|| absolute("HOME").map(|home| home.join(".local/share")));
         let data = data.ok_or(StoreError::NoDataDirectory)?;
         Ok(Self::file(data.join("flankwright/store.sqlite")))
+    }
+
+    /// The store that a program uses: the given address, else that in the environment variable [`StoreAddress::VARIABLE`], else the user's
+    /// own.
+    ///
+    /// # Errors
+    /// `invalid-store-address`, `no-data-directory`.
+    pub fn chosen(given: Option<&str>) -> Result<Self, StoreError> {
+        match (given, std::env::var(Self::VARIABLE)) {
+            (Some(text), _) => text.parse(),
+            (None, Ok(text)) if !text.is_empty() => text.parse(),
+            (None, Err(std::env::VarError::NotUnicode(path))) => Ok(Self::file(path)),
+            _ => Self::of_user(),
+        }
     }
 
     /// The file of SQLite; `None` for a server.
@@ -112,7 +130,9 @@ impl fmt::Debug for StoreAddress {
 fn without_secrets(text: &str) -> String {
     let Some((scheme, rest)) = text.split_once("://") else { return text.to_owned() };
     let (user, rest) = match rest.rsplit_once('@') {
-        Some((secret, rest)) => (secret.split([':', '/', '?', '#']).next().map(|user| format!("{user}@")), rest),
+        Some((secret, rest)) => {
+            (secret.split([':', '/', '?', '#']).next().map(|user| format!("{user}@")), rest)
+        }
         None => (None, rest),
     };
     let rest = rest.split(['?', '#']).next().unwrap_or_default();
@@ -143,7 +163,16 @@ mod tests {
 
     #[test]
     fn what_is_no_address_is_refused() {
-        for text in ["", "sqlite:", "sqlite://", "sqlite::memory:", ":memory:", "mysql://h/d", "a\0b", "postgres://h:port/d"] {
+        for text in [
+            "",
+            "sqlite:",
+            "sqlite://",
+            "sqlite::memory:",
+            ":memory:",
+            "mysql://h/d",
+            "a\0b",
+            "postgres://h:port/d",
+        ] {
             let error = text.parse::<StoreAddress>().unwrap_err();
             assert_eq!(error.code(), "invalid-store-address", "{text:?}: {error}");
         }

@@ -6,9 +6,10 @@ use tokio::runtime::{Builder, Handle, Runtime};
 
 use crate::address::StoreAddress;
 use crate::error::StoreError;
+use crate::filter::{CharacteristicFilter, PartFilter};
 use crate::records::{
-    CatalogueReport, Characteristic, HistoryReport, ImportReport, PartRecord, PartSummary, PlanRecord, PlanSummary,
-    SeriesSummary, SeriesValue, ToolSummary,
+    CatalogueReport, HistoryReport, ImportReport, MeasuredCharacteristic, PartRecord, PartSummary,
+    PlanRecord, PlanSummary, SeriesSummary, StoreHealth, ToolSummary,
 };
 use crate::store::Store as AsyncStore;
 
@@ -83,10 +84,10 @@ waiting! {
     import_parts(parts: &[PartRecord]) -> ImportReport;
     remove_part(digest: &str) -> bool;
     series() -> Vec<SeriesSummary>;
-    parts(series: &str) -> Vec<PartSummary>;
+    parts(filter: &PartFilter) -> Vec<PartSummary>;
     part(digest: &str) -> Option<PartRecord>;
-    characteristics(series: &str) -> Vec<(Characteristic, u64)>;
-    values(series: &str, characteristic: &Characteristic) -> Vec<SeriesValue>;
+    has_part(digest: &str) -> bool;
+    characteristics(filter: &CharacteristicFilter) -> Vec<MeasuredCharacteristic>;
     import_catalogue(catalogue: &Catalogue, replace: bool) -> CatalogueReport;
     catalogue() -> Catalogue;
     add_plan(plan: &PlanRecord) -> bool;
@@ -95,4 +96,5 @@ waiting! {
     import_history(history: &History) -> HistoryReport;
     history(tool: Option<&str>) -> Vec<HistoryRecord>;
     tools() -> Vec<ToolSummary>;
+    health() -> StoreHealth;
 }

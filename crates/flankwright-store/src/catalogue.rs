@@ -18,6 +18,9 @@ use crate::store::Store;
 const WORM: &str = "worm";
 const DRESSER: &str = "dresser";
 
+/// Bodies of both kinds.
+pub(crate) const COUNT: &str = "SELECT count(*) FROM body";
+
 /// A body as it stands in the table: kind, name, entry.
 type Body = (&'static str, String, Value);
 
@@ -27,7 +30,11 @@ impl Store {
     ///
     /// # Errors
     /// What a catalogue file with these entries would be refused for; those of the database.
-    pub async fn import_catalogue(&self, catalogue: &Catalogue, replace: bool) -> Result<CatalogueReport, StoreError> {
+    pub async fn import_catalogue(
+        &self,
+        catalogue: &Catalogue,
+        replace: bool,
+    ) -> Result<CatalogueReport, StoreError> {
         let bodies = checked(catalogue)?;
         self.done(self.put_bodies(&bodies, replace).await)
     }
@@ -40,15 +47,19 @@ impl Store {
         let mut report = CatalogueReport::default();
         let mut end = rows.iter().map(|row| row.2 + 1).max().unwrap_or(0);
         if replace {
-            let named: HashSet<(&str, &str)> = bodies.iter().map(|(kind, name, _)| (*kind, name.as_str())).collect();
-            report.removed = rows.iter().filter(|row| !named.contains(&(row.0.as_str(), row.1.as_str()))).count();
+            let named: HashSet<(&str, &str)> =
+                bodies.iter().map(|(kind, name, _)| (*kind, name.as_str())).collect();
+            report.removed =
+                rows.iter().filter(|row| !named.contains(&(row.0.as_str(), row.1.as_str()))).count();
             on_writing!(&mut writing, connection => {
                 sqlx::query("DELETE FROM body").execute(connection).await?;
             });
             end = 0;
         }
-        let there: HashMap<(&str, &str), (i64, &Value)> =
-            rows.iter().map(|(kind, name, place, Json(entry))| ((kind.as_str(), name.as_str()), (*place, entry))).collect();
+        let there: HashMap<(&str, &str), (i64, &Value)> = rows
+            .iter()
+            .map(|(kind, name, place, Json(entry))| ((kind.as_str(), name.as_str()), (*place, entry)))
+            .collect();
         for (kind, name, entry) in bodies {
             let old = there.get(&(*kind, name.as_str()));
             match old {
@@ -74,14 +85,19 @@ impl Store {
     /// # Errors
     /// `damaged-store`; those of the database.
     pub async fn catalogue(&self) -> Result<Catalogue, StoreError> {
-        Ok(Catalogue { worm: self.bodies::<WormEntry>(WORM).await?, dresser: self.bodies::<DresserEntry>(DRESSER).await? })
+        Ok(Catalogue {
+            worm: self.bodies::<WormEntry>(WORM).await?,
+            dresser: self.bodies::<DresserEntry>(DRESSER).await?,
+        })
     }
 
     async fn bodies<T: DeserializeOwned>(&self, kind: &'static str) -> Result<Vec<T>, StoreError> {
         let rows: Result<Vec<(Json<Value>,)>, _> = on_pool!(&self.pool, pool => {
             sqlx::query_as("SELECT entry FROM body WHERE kind = $1 ORDER BY place").bind(kind).fetch_all(pool).await
         });
-        let entry = |(Json(entry),): (Json<Value>,)| T::deserialize(entry).map_err(|error| self.damaged(kind, &error));
+        let entry = |(Json(entry),): (Json<Value>,)| {
+            T::deserialize(entry).map_err(|error| self.damaged(kind, &error))
+        };
         self.done(rows)?.into_iter().map(entry).collect()
     }
 
@@ -91,7 +107,13 @@ impl Store {
     }
 }
 
-async fn put(writing: &mut Writing, kind: &str, name: &str, place: i64, entry: &Value) -> Result<(), sqlx::Error> {
+async fn put(
+    writing: &mut Writing,
+    kind: &str,
+    name: &str,
+    place: i64,
+    entry: &Value,
+) -> Result<(), sqlx::Error> {
     on_writing!(writing, connection => {
         sqlx::query(
             "INSERT INTO body (kind, name, place, entry) VALUES ($1, $2, $3, $4) \

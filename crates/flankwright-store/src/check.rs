@@ -3,6 +3,7 @@
 use std::collections::HashSet;
 
 use flankwright::exchange::Diagnostic;
+use serde_json::Value;
 
 use crate::date;
 use crate::records::{CharacteristicValue, PartRecord, PlanRecord};
@@ -41,6 +42,7 @@ pub(crate) fn part(place: usize, part: &PartRecord) -> Result<(), Diagnostic> {
             .allowed(format!("at most {CHARACTERISTICS}"))
             .way_out("keep the characteristics that a series is evaluated from"));
     }
+    document(&at("document"), &part.document)?;
     let mut seen = HashSet::with_capacity(count);
     for (i, entry) in part.characteristics.iter().enumerate() {
         let at = format!("{}[{i}]", at("characteristics"));
@@ -59,8 +61,11 @@ fn characteristic(at: &str, entry: &CharacteristicValue) -> Result<(), Diagnosti
     text(&format!("{at}.name"), &entry.name, SHORT)?;
     text(&format!("{at}.statistic"), &entry.statistic, SHORT)?;
     text(&format!("{at}.unit"), &entry.unit, SHORT)?;
-    let numbers =
-        [("value", Some(entry.value)), ("lower_limit", entry.lower_limit), ("upper_limit", entry.upper_limit)];
+    let numbers = [
+        ("value", Some(entry.value)),
+        ("lower_limit", entry.lower_limit),
+        ("upper_limit", entry.upper_limit),
+    ];
     for (key, number) in numbers {
         if let Some(number) = number.filter(|number| !number.is_finite()) {
             return Err(invalid(&format!("{at}.{key}"), "is not finite")
@@ -85,7 +90,28 @@ pub(crate) fn plan(plan: &PlanRecord) -> Result<(), Diagnostic> {
     text("job", &plan.job, SHORT)?;
     digest("digest", &plan.digest)?;
     text("status", &plan.status, SHORT)?;
-    text("version", &plan.version, SHORT)
+    text("version", &plan.version, SHORT)?;
+    document("document", &plan.document)
+}
+
+/// Without the character NUL, which PostgreSQL does not take: a store has to move from one database to the other.
+fn document(field: &str, value: &Value) -> Result<(), Diagnostic> {
+    let has_nul = match value {
+        Value::String(text) => text.contains('\0'),
+        Value::Array(entries) => return entries.iter().try_for_each(|entry| document(field, entry)),
+        Value::Object(entries) => {
+            entries.values().try_for_each(|entry| document(field, entry))?;
+            entries.keys().any(|key| key.contains('\0'))
+        }
+        _ => false,
+    };
+    if has_nul {
+        return Err(invalid(field, "has a character NUL")
+            .value("\\u0000")
+            .allowed("texts without it")
+            .way_out("take the character out of the file"));
+    }
+    Ok(())
 }
 
 fn invalid(field: &str, what: &str) -> Diagnostic {

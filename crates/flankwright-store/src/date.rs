@@ -60,7 +60,11 @@ pub(crate) fn is_sortable(text: &str) -> bool {
         }
         let second = lengths[0] + 1;
         let third = second + lengths[1] + 1;
-        Some([number(text.get(..lengths[0])?)?, number(text.get(second..third - 1)?)?, number(text.get(third..)?)?])
+        Some([
+            number(text.get(..lengths[0])?)?,
+            number(text.get(second..third - 1)?)?,
+            number(text.get(third..)?)?,
+        ])
     };
     let Some([year, month, day]) = fields(day, b'-', [4, 2, 2]) else { return false };
     let leap = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
@@ -72,7 +76,8 @@ pub(crate) fn is_sortable(text: &str) -> bool {
     };
     (1..=days).contains(&day)
         && time.is_none_or(|time| {
-            fields(time, b':', [2, 2, 2]).is_some_and(|[hour, minute, second]| hour < 24 && minute < 60 && second < 60)
+            fields(time, b':', [2, 2, 2])
+                .is_some_and(|[hour, minute, second]| hour < 24 && minute < 60 && second < 60)
         })
 }
 
@@ -112,7 +117,16 @@ mod tests {
         for text in ["2025-10-13", "0000-01-01", "2000-02-29", "2025-10-13T00:00:59"] {
             assert!(is_sortable(text), "{text}");
         }
-        for text in ["2025-10-13 08:21:31", "2025-1-13", "2025-10-1300", "1900-02-29", "2025-10-13T", "2025-00-10", "2025_10_13", "20µ-10-13"] {
+        for text in [
+            "2025-10-13 08:21:31",
+            "2025-1-13",
+            "2025-10-1300",
+            "1900-02-29",
+            "2025-10-13T",
+            "2025-00-10",
+            "2025_10_13",
+            "20µ-10-13",
+        ] {
             assert!(!is_sortable(text), "{text}");
         }
     }

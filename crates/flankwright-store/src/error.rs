@@ -40,7 +40,9 @@ pub enum StoreError {
         cause: String,
     },
     /// A newer version made or changed the tables.
-    #[error("the store `{address}` has the tables of version {found}; this program knows them up to version {known}")]
+    #[error(
+        "the store `{address}` has the tables of version {found}; this program knows them up to version {known}"
+    )]
     NewerStore {
         /// The store.
         address: String,
@@ -97,7 +99,9 @@ impl StoreError {
             Self::Failed { .. } => "store-failed",
             Self::Damaged { .. } => "damaged-store",
             Self::InvalidRecord(finding) => finding.code,
-            Self::Contradiction(error) => error.diagnostics.first().map_or("invalid-record", |first| first.code),
+            Self::Contradiction(error) => {
+                error.diagnostics.first().map_or("invalid-record", |first| first.code)
+            }
         }
     }
 
@@ -107,7 +111,7 @@ impl StoreError {
             Self::InvalidAddress { .. } => {
                 "give `sqlite:PATH`, a path, or `postgres://USER:PASSWORD@HOST:PORT/DATABASE`"
             }
-            Self::NoDataDirectory => "name the store, e.g. `--db store.sqlite`",
+            Self::NoDataDirectory => "name the store, e.g. `--store store.sqlite`",
             Self::Missing { .. } => "check the address; what is stored first makes the store",
             Self::CannotOpen { .. } => {
                 "check path and permissions of the file, or address, user and password of the server and that it runs"
@@ -116,12 +120,44 @@ impl StoreError {
             Self::NewerStore { .. } => "take the newer version of flankwright; tables are never changed back",
             Self::Busy { .. } => "try again when the others have finished",
             Self::Failed { .. } => "check free space, permissions and the connection, then do the same again",
-            Self::Damaged { .. } => "bring back a copy of the store, or report this if nobody changed it by hand",
+            Self::Damaged { .. } => {
+                "bring back a copy of the store, or report this if nobody changed it by hand"
+            }
             Self::InvalidRecord(finding) => finding.way_out.as_deref().unwrap_or("correct the record"),
             Self::Contradiction(error) => {
                 let first = error.diagnostics.first();
                 first.and_then(|finding| finding.way_out.as_deref()).unwrap_or("correct the file")
             }
+        }
+    }
+}
+
+impl StoreError {
+    /// The error as a finding with code, field, value and way out; fields of a store are its address.
+    pub fn finding(&self) -> Diagnostic {
+        let address = match self {
+            Self::InvalidRecord(finding) => return Diagnostic::clone(finding),
+            Self::Contradiction(error) if !error.diagnostics.is_empty() => {
+                return error.diagnostics[0].clone();
+            }
+            Self::Contradiction(_) | Self::NoDataDirectory => None,
+            Self::InvalidAddress { address, .. }
+            | Self::Missing { address }
+            | Self::CannotOpen { address, .. }
+            | Self::NotAStore { address, .. }
+            | Self::NewerStore { address, .. }
+            | Self::Busy { address, .. }
+            | Self::Failed { address, .. }
+            | Self::Damaged { address, .. } => Some(address),
+        };
+        let finding =
+            Diagnostic::with_code(self.code(), self.to_string()).field("store").way_out(self.way_out());
+        match (address, self) {
+            (Some(address), Self::NewerStore { known, .. }) => {
+                finding.value(address).allowed(format!("tables up to version {known}"))
+            }
+            (Some(address), _) => finding.value(address),
+            (None, _) => finding,
         }
     }
 }

@@ -79,7 +79,8 @@ impl Store {
 
     fn decoded(&self, rows: Vec<(Json<Value>,)>) -> Result<Vec<HistoryRecord>, StoreError> {
         let record = |(Json(record),): (Json<Value>,)| {
-            HistoryRecord::deserialize(record).map_err(|error| self.damaged("a measurement of a tool", &error))
+            HistoryRecord::deserialize(record)
+                .map_err(|error| self.damaged("a measurement of a tool", &error))
         };
         rows.into_iter().map(record).collect()
     }

@@ -2,7 +2,7 @@
 //! of SQLite, or on a PostgreSQL server that several stations share. Computes nothing about gears.
 //!
 //! ```
-//! use flankwright_store::{CharacteristicValue, PartRecord, StoreAddress, blocking::Store, digest_of};
+//! use flankwright_store::{CharacteristicFilter, CharacteristicValue, PartRecord, StoreAddress, blocking::Store, digest_of};
 //!
 //! # let directory = tempfile::tempdir()?;
 //! # let path = directory.path().join("store.sqlite");
@@ -31,8 +31,9 @@
 //! assert_eq!(store.import_parts(std::slice::from_ref(&part))?.added, 1);
 //! // The same file again is no second part.
 //! assert_eq!(store.import_parts(&[part.clone()])?.known, [0]);
-//! let values = store.values("pinion 95911", &part.characteristics[0].characteristic())?;
-//! assert_eq!(values[0].value, 12.5);
+//! let filter = CharacteristicFilter { name: Some("Fp".into()), ..CharacteristicFilter::default() };
+//! let values = store.characteristics(&filter)?;
+//! assert_eq!((values[0].characteristic.key().as_str(), values[0].value), ("Fp.single", 12.5));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -46,7 +47,10 @@ mod check;
 mod date;
 mod digest;
 mod error;
+mod filter;
+mod health;
 mod history;
+mod measured;
 mod migrations;
 mod parts;
 mod plans;
@@ -59,8 +63,11 @@ pub use address::StoreAddress;
 pub use date::sortable_date;
 pub use digest::digest_of;
 pub use error::StoreError;
+pub use filter::{CharacteristicFilter, PartFilter};
+pub use measured::{ImportSettings, KnownPart, MeasurementReport, RefusedFile};
 pub use records::{
-    CatalogueReport, Characteristic, CharacteristicValue, HistoryReport, ImportReport, PartRecord, PartSummary, PlanRecord,
-    PlanSummary, SeriesSummary, SeriesValue, ToolSummary,
+    CatalogueReport, Characteristic, CharacteristicValue, HistoryReport, ImportReport,
+    MeasuredCharacteristic, PartRecord, PartSummary, PlanRecord, PlanSummary, SeriesSummary, StoreHealth,
+    ToolSummary,
 };
 pub use store::Store;

@@ -87,7 +87,7 @@ pub(crate) async fn bring_up(pool: &Pool) -> Result<(), Unfit> {
 }
 
 /// The version of the tables that are there, without taking anybody's turn; `None` where it has to be looked at closer.
-async fn version(pool: &Pool) -> Result<Option<i64>, Unfit> {
+pub(crate) async fn version(pool: &Pool) -> Result<Option<i64>, Unfit> {
     let there: bool = match pool {
         Pool::Sqlite(pool) => {
             sqlx::query_scalar("SELECT count(*) > 0 FROM sqlite_master WHERE name = '_sqlx_migrations'")
@@ -123,9 +123,10 @@ async fn prepared(writing: &mut Writing) -> Result<i64, Unfit> {
                     sqlx::query(sqlx::AssertSqlSafe(mark)).execute(connection).await?;
                     Ok(0)
                 }
-                Holds::Store => {
-                    Ok(sqlx::query_scalar::<_, Option<i64>>(HIGHEST).fetch_one(connection).await?.unwrap_or(0))
-                }
+                Holds::Store => Ok(sqlx::query_scalar::<_, Option<i64>>(HIGHEST)
+                    .fetch_one(connection)
+                    .await?
+                    .unwrap_or(0)),
                 Holds::OtherThings => Err(Unfit::Foreign(FOREIGN_FILE.to_owned())),
             }
         }

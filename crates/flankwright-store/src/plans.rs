@@ -13,7 +13,7 @@ use crate::records::{PlanRecord, PlanSummary};
 use crate::store::Store;
 
 /// The only part of a result that differs between two runs of the same job.
-const TIMING: &str = "timing_s";
+pub(crate) const TIMING: &str = "timing_s";
 
 impl PlanRecord {
     /// A plan from the document of its `result.json` and the bytes of its job.
@@ -21,16 +21,19 @@ impl PlanRecord {
     /// # Errors
     /// `invalid-record` for a document without job, status or version.
     pub fn of_result(document: Value, job: &[u8]) -> Result<Self, StoreError> {
-        let text = |key: &str| {
-            let value = document.get(key);
-            value.and_then(Value::as_str).map(str::to_owned).ok_or_else(|| {
-                Diagnostic::with_code("invalid-record", format!("the document has no text `{key}`"))
-                    .field(key)
-                    .value(value.map_or("nothing".to_owned(), |value| value.to_string().chars().take(60).collect()))
-                    .allowed("a `result.json` with job, status and version")
-                    .way_out("give the result.json that `flankwright plan` wrote")
-            })
-        };
+        let text =
+            |key: &str| {
+                let value = document.get(key);
+                value.and_then(Value::as_str).map(str::to_owned).ok_or_else(|| {
+                    Diagnostic::with_code("invalid-record", format!("the document has no text `{key}`"))
+                        .field(key)
+                        .value(value.map_or("nothing".to_owned(), |value| {
+                            value.to_string().chars().take(60).collect()
+                        }))
+                        .allowed("a `result.json` with job, status and version")
+                        .way_out("give the result.json that `flankwright plan` wrote")
+                })
+            };
         let (name, status, version) = (text("job")?, text("status")?, text("version")?);
         Ok(Self { job: name, digest: digest_of(job), status, version, document })
     }
@@ -90,7 +93,13 @@ impl Store {
                 .fetch_optional(pool)
                 .await
         });
-        let record = |(job, digest, status, version, Json(document))| PlanRecord { job, digest, status, version, document };
+        let record = |(job, digest, status, version, Json(document))| PlanRecord {
+            job,
+            digest,
+            status,
+            version,
+            document,
+        };
         Ok(self.done(row)?.map(record))
     }
 }

@@ -14,6 +14,9 @@ use crate::address::Place;
 /// How long a writer waits for others. An import of a batch takes well below a second.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(60);
 
+/// How long a server may take to answer whoever opens a store.
+pub(crate) const CONNECT_PATIENCE: Duration = Duration::from_secs(5);
+
 /// Connections at a time: few stations and a server that reads beside them.
 const CONNECTIONS: u32 = 8;
 

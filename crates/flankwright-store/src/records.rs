@@ -32,11 +32,19 @@ pub struct PartRecord {
     pub characteristics: Vec<CharacteristicValue>,
 }
 
+impl PartRecord {
+    /// The part without document and characteristics.
+    pub fn into_summary(self) -> PartSummary {
+        let Self { series, part, drawing, date, machine, source, digest, .. } = self;
+        PartSummary { series, part, drawing, date, machine, source, digest }
+    }
+}
+
 /// One characteristic of a part.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct CharacteristicValue {
-    /// Symbol, e.g. `fHa`, `Fp`.
+    /// Symbol, e.g. `fHa`, `Fp`; of a line beside the middle one with its mark behind a point, e.g. `fHa.o`.
     pub name: String,
     /// Flank, where it is one of a flank.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -72,7 +80,7 @@ impl CharacteristicValue {
 }
 
 /// What is measured: the same on all parts of a series.
-#[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub struct Characteristic {
     /// Symbol.
     pub name: String,
@@ -84,6 +92,16 @@ pub struct Characteristic {
     pub statistic: String,
     /// Unit.
     pub unit: String,
+}
+
+impl Characteristic {
+    /// One word for all of it, e.g. `fHa.left.mean`, `ffb.right.tooth-18.single`, `Fr.single`: the same in every version.
+    pub fn key(&self) -> String {
+        let flank = self.flank.map(|flank| flank.name().to_owned());
+        let tooth = self.tooth.map(|tooth| format!("tooth-{tooth}"));
+        let words = [Some(self.name.clone()), flank, tooth, Some(self.statistic.clone())];
+        words.into_iter().flatten().collect::<Vec<_>>().join(".")
+    }
 }
 
 /// What an import did.
@@ -111,6 +129,8 @@ pub struct SeriesSummary {
 /// A part without document and characteristics.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct PartSummary {
+    /// The series.
+    pub series: String,
     /// Number or name of the part.
     pub part: String,
     /// Number of the drawing.
@@ -125,20 +145,23 @@ pub struct PartSummary {
     pub digest: String,
 }
 
-/// The value of one characteristic on a part.
+/// A value of one characteristic on a part.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct SeriesValue {
-    /// Digest of the part's file.
+pub struct MeasuredCharacteristic {
+    /// Digest of the part's file: its identity.
     pub digest: String,
     /// Number or name of the part.
     pub part: String,
     /// When it was measured.
     pub date: Option<String>,
+    /// What was measured.
+    #[serde(flatten)]
+    pub characteristic: Characteristic,
     /// The value.
     pub value: f64,
-    /// Lower limit.
+    /// Lower limit, in the same unit.
     pub lower_limit: Option<f64>,
-    /// Upper limit.
+    /// Upper limit, in the same unit.
     pub upper_limit: Option<f64>,
 }
 
@@ -202,4 +225,27 @@ pub struct ToolSummary {
     pub tool: String,
     /// Number of measurements.
     pub measurements: u64,
+}
+
+/// What a check of a store found.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct StoreHealth {
+    /// Where it is.
+    pub store: String,
+    /// `sqlite` or `postgresql`.
+    pub kind: &'static str,
+    /// Version of its tables.
+    pub tables: i64,
+    /// Parts.
+    pub parts: u64,
+    /// Values of characteristics.
+    pub values: u64,
+    /// Worms and dressers.
+    pub bodies: u64,
+    /// Plans.
+    pub plans: u64,
+    /// Measurements of skiving tools.
+    pub tool_measurements: u64,
+    /// What is wrong with it; empty for a sound store.
+    pub faults: Vec<String>,
 }

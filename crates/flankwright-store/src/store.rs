@@ -9,7 +9,7 @@ use sqlx::{ConnectOptions, Connection};
 use crate::address::{Place, StoreAddress};
 use crate::error::StoreError;
 use crate::migrations::{self, FOREIGN_FILE, Holds, Unfit};
-use crate::pool::{PATIENCE, Pool, sqlite_options};
+use crate::pool::{CONNECT_PATIENCE, PATIENCE, Pool, sqlite_options};
 
 /// A store that is open. Cheap to clone; clones share their connections.
 #[derive(Clone, Debug)]
@@ -58,15 +58,20 @@ impl Store {
         };
         let Err(unfit) = brought_up else { return Ok(store) };
         store.pool.close().await;
-        let address = address.to_string();
-        Err(match unfit {
-            Unfit::Database(error) => match store.error(error) {
+        Err(store.unfit(unfit))
+    }
+
+    /// Why there are no tables that can be used.
+    pub(crate) fn unfit(&self, unfit: Unfit) -> StoreError {
+        let address = self.address.to_string();
+        match unfit {
+            Unfit::Database(error) => match self.error(error) {
                 StoreError::Failed { address, cause } => StoreError::CannotOpen { address, cause },
                 other => other,
             },
             Unfit::Foreign(cause) => StoreError::NotAStore { address, cause },
             Unfit::Newer { found, known } => StoreError::NewerStore { address, found, known },
-        })
+        }
     }
 
     /// Where it is.
@@ -98,7 +103,9 @@ impl Store {
             Pool::Postgres(_) => None,
         });
         match (kind, code.as_deref(), &error) {
-            (Some(5 | 6), ..) | (None, Some("55P03" | "40P01" | "57014"), _) => StoreError::Busy { address, cause },
+            (Some(5 | 6), ..) | (None, Some("55P03" | "40P01" | "57014"), _) => {
+                StoreError::Busy { address, cause }
+            }
             (_, _, sqlx::Error::PoolTimedOut) => StoreError::Busy { address, cause },
             (Some(26), ..) => StoreError::NotAStore { address, cause },
             (Some(11), ..) => StoreError::Damaged { address, what: "pages", cause },
@@ -119,7 +126,8 @@ async fn reach(place: &Place, create: bool) -> Result<(), Unfit> {
             if path.is_dir() {
                 return Err(Unfit::Database(io::Error::from(ErrorKind::IsADirectory).into()));
             }
-            let plain = SqliteConnectOptions::new().filename(path).create_if_missing(create).busy_timeout(PATIENCE);
+            let plain =
+                SqliteConnectOptions::new().filename(path).create_if_missing(create).busy_timeout(PATIENCE);
             let mut connection = plain.disable_statement_logging().connect().await?;
             let holds = migrations::holds(&mut connection).await?;
             connection.close().await?;
@@ -131,7 +139,7 @@ async fn reach(place: &Place, create: bool) -> Result<(), Unfit> {
         Place::Postgres { options, .. } => {
             let connecting = async { options.connect().await?.close().await };
             let silent = |_| Err(io::Error::from(ErrorKind::TimedOut).into());
-            tokio::time::timeout(PATIENCE, connecting).await.unwrap_or_else(silent)?;
+            tokio::time::timeout(CONNECT_PATIENCE, connecting).await.unwrap_or_else(silent)?;
         }
     }
     Ok(())

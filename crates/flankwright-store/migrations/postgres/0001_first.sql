@@ -1,4 +1,4 @@
--- Measured parts. A part is its file: the same bytes are the same part.
+-- Measured parts. A part is its file: the same bytes are the same part. `characteristics` is the number of its measured values.
 CREATE TABLE part (
     id       BIGINT GENERATED ALWAYS AS IDENTITY PRIMARY KEY,
     digest   TEXT NOT NULL UNIQUE,
@@ -8,7 +8,8 @@ CREATE TABLE part (
     measured TEXT COLLATE "C",
     machine  TEXT,
     source   TEXT NOT NULL,
-    document JSON NOT NULL
+    document JSON NOT NULL,
+    characteristics BIGINT NOT NULL
 );
 CREATE INDEX part_by_series ON part (series, measured, id);
 

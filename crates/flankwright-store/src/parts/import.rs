@@ -75,8 +75,8 @@ impl Store {
 async fn insert(writing: &mut Writing, part: &PartRecord) -> Result<Option<i64>, sqlx::Error> {
     on_writing!(writing, connection => {
         sqlx::query_scalar(
-            "INSERT INTO part (digest, series, name, drawing, measured, machine, source, document) \
-             VALUES ($1, $2, $3, $4, $5, $6, $7, $8) ON CONFLICT (digest) DO NOTHING RETURNING id",
+            "INSERT INTO part (digest, series, name, drawing, measured, machine, source, document, characteristics) \
+             VALUES ($1, $2, $3, $4, $5, $6, $7, $8, $9) ON CONFLICT (digest) DO NOTHING RETURNING id",
         )
         .bind(&part.digest)
         .bind(&part.series)
@@ -86,6 +86,7 @@ async fn insert(writing: &mut Writing, part: &PartRecord) -> Result<Option<i64>,
         .bind(&part.machine)
         .bind(&part.source)
         .bind(Json(&part.document))
+        .bind(part.characteristics.len() as i64)
         .fetch_optional(connection)
         .await
     })

@@ -29,7 +29,8 @@ pub(super) fn characteristic(row: CharacteristicRow) -> Result<(Characteristic, 
     Ok((Characteristic { name, flank: flank.as_deref().map(flank_of), tooth, statistic, unit }, number))
 }
 
-const INSERT: &str = "INSERT INTO measured_value (part, characteristic, place, value, lower_limit, upper_limit) ";
+const INSERT: &str =
+    "INSERT INTO measured_value (part, characteristic, place, value, lower_limit, upper_limit) ";
 
 /// Rows of one statement of SQLite: six parameters each, of 32 766 that a statement may have. More make it no faster.
 const SQLITE_ROWS: usize = 400;

@@ -75,7 +75,8 @@ pub fn extend_history<'a>(
             Ok(line) => text += &(line + "\n"),
             Err(error) => {
                 let message = format!("the record cannot be written as JSON: {error}");
-                let finding = Diagnostic::new(Problem::InvalidJson, message).way_out("report this with the job");
+                let finding =
+                    Diagnostic::new(Problem::InvalidJson, message).way_out("report this with the job");
                 return refuse(finding);
             }
         }
