@@ -16,6 +16,7 @@ mod programs;
 mod robustness;
 mod shifts;
 mod skiving;
+mod store;
 mod strokes;
 mod tangential;
 mod trends;
