@@ -31,14 +31,16 @@ fn main() {
 fn evaluated(name: &str, address: &StoreAddress, records: &[PartRecord], target_s: f64) {
     let store = Store::open(address).expect("a store");
     let begun = Instant::now();
-    let added: usize = records.chunks(Store::BATCH).map(|set| store.import_parts(set).expect("an import").added).sum();
+    let added: usize =
+        records.chunks(Store::BATCH).map(|set| store.import_parts(set).expect("an import").added).sum();
     let seconds = begun.elapsed().as_secs_f64();
     assert_eq!(added, records.len());
     let verdict = if seconds <= target_s { "met" } else { "MISSED" };
     let speed = added as f64 / seconds;
     println!("{name}: {seconds:.2} s, {speed:.0} parts/s (target for 10000: {target_s} s, {verdict})");
     let begun = Instant::now();
-    let known: usize = records.chunks(Store::BATCH).map(|set| store.import_parts(set).expect("an import").known.len()).sum();
+    let known: usize =
+        records.chunks(Store::BATCH).map(|set| store.import_parts(set).expect("an import").known.len()).sum();
     println!("{name}: the same again, all {known} known: {:.2} s", begun.elapsed().as_secs_f64());
     let filter = CharacteristicFilter {
         name: Some("fHa".into()),
@@ -60,9 +62,14 @@ fn files(folder: &std::path::Path, store: &std::path::Path, parts: u32) {
     }
     let store = Store::open(&StoreAddress::file(store)).expect("a store");
     let begun = Instant::now();
-    let report = store.import_measurements(&[folder.to_owned()], &ImportSettings::default(), &Silent).expect("an import");
+    let report = store
+        .import_measurements(&[folder.to_owned()], &ImportSettings::default(), &Silent)
+        .expect("an import");
     let seconds = begun.elapsed().as_secs_f64();
     assert_eq!(report.imported.len(), parts as usize, "{:?}", report.refused.first());
     let speed = f64::from(parts) / seconds;
-    println!("files into SQLite, evaluation included: {parts} of {} kB: {seconds:.2} s, {speed:.0} files/s", bytes / 1000);
+    println!(
+        "files into SQLite, evaluation included: {parts} of {} kB: {seconds:.2} s, {speed:.0} files/s",
+        bytes / 1000
+    );
 }
