@@ -8,9 +8,9 @@ use crate::address::StoreAddress;
 use crate::error::StoreError;
 use crate::filter::{CharacteristicFilter, PartFilter};
 use crate::records::{
-    CatalogueReport, HistoryReport, ImportReport, MeasuredCharacteristic, PartRecord, PartSummary,
-    PlanRecord, PlanSummary, SeriesSummary, StoreHealth, ToolSummary,
+    MeasuredCharacteristic, PartRecord, PartSummary, PlanRecord, PlanSummary, SeriesSummary, ToolSummary,
 };
+use crate::reports::{CatalogueReport, HistoryReport, ImportReport, StoreHealth};
 use crate::store::Store as AsyncStore;
 
 /// A store that is open; closed when it is dropped. Not to be used inside of a runtime: there [`crate::Store`] is at hand.

@@ -11,7 +11,7 @@ use sqlx::types::Json;
 
 use crate::error::StoreError;
 use crate::pool::{Writing, on_pool, on_writing};
-use crate::records::CatalogueReport;
+use crate::reports::CatalogueReport;
 use crate::store::Store;
 
 /// What the tables call the two kinds.

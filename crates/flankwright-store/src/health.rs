@@ -5,7 +5,7 @@ use crate::catalogue;
 use crate::error::StoreError;
 use crate::migrations;
 use crate::pool::{Pool, on_pool};
-use crate::records::StoreHealth;
+use crate::reports::StoreHealth;
 use crate::store::Store;
 
 /// Faults of one kind that are told; of a broken disk there may be thousands.

@@ -11,7 +11,8 @@ use sqlx::types::Json;
 use crate::catalogue::unwritable;
 use crate::error::StoreError;
 use crate::pool::{Writing, on_pool, on_writing};
-use crate::records::{HistoryReport, ToolSummary};
+use crate::records::ToolSummary;
+use crate::reports::HistoryReport;
 use crate::store::Store;
 
 impl Store {

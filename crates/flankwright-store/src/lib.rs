@@ -56,6 +56,7 @@ mod parts;
 mod plans;
 mod pool;
 mod records;
+mod reports;
 mod store;
 mod words;
 
@@ -66,8 +67,8 @@ pub use error::StoreError;
 pub use filter::{CharacteristicFilter, PartFilter};
 pub use measured::{ImportSettings, KnownPart, MeasurementReport, RefusedFile};
 pub use records::{
-    CatalogueReport, Characteristic, CharacteristicValue, HistoryReport, ImportReport,
-    MeasuredCharacteristic, PartRecord, PartSummary, PlanRecord, PlanSummary, SeriesSummary, StoreHealth,
-    ToolSummary,
+    Characteristic, CharacteristicValue, MeasuredCharacteristic, PartRecord, PartSummary, PlanRecord,
+    PlanSummary, SeriesSummary, ToolSummary,
 };
+pub use reports::{CatalogueReport, HistoryReport, ImportReport, StoreHealth};
 pub use store::Store;

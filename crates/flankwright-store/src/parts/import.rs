@@ -8,7 +8,8 @@ use super::values::{self, ValueRow};
 use crate::check;
 use crate::error::StoreError;
 use crate::pool::{Writing, on_writing};
-use crate::records::{Characteristic, ImportReport, PartRecord};
+use crate::records::{Characteristic, PartRecord};
+use crate::reports::ImportReport;
 use crate::store::Store;
 use crate::words::flank_word;
 
