@@ -82,7 +82,7 @@ fn measurements_are_imported_once_and_listed() {
 
     let listed = shop.store(&["parts", "--part", "3", "--characteristic", "Fa"]);
     assert!(
-        listed.stdout.starts_with("8 values\n") && listed.stdout.contains("Fa.right.tooth-12.single"),
+        listed.stdout.starts_with("10 values\n") && listed.stdout.contains("Fa.right.tooth-12.single"),
         "{listed:?}"
     );
     let listed = shop.store(&["parts"]);

@@ -89,6 +89,11 @@ fn largest(result: &GearInspectionResult) -> BTreeMap<(&'static str, &'static st
     found
 }
 
+/// Whether the standard judges it: slopes by their mean over the teeth, everything else value by value.
+fn is_judged(name: &str, statistic: &str) -> bool {
+    if name.starts_with("fH") { statistic == "mean" } else { matches!(statistic, SINGLE | "max") }
+}
+
 /// `fHa` from profile and fH; of a marked line with the mark, `fHa.o`.
 fn name(kind: &str, figure: &str, tag: &str) -> String {
     let index = match (kind, figure) {
@@ -124,8 +129,8 @@ impl List<'_> {
         *times += 1;
         // A line that was measured again is a value of its own.
         let word = if *times > 1 { format!("{statistic}-{times}") } else { statistic.to_owned() };
-        // A range over the teeth has no limit in the standard.
-        let [lower_limit, upper_limit] = if statistic == "range" { [None; 2] } else { self.limits.of(name) };
+        let [lower_limit, upper_limit] =
+            if is_judged(name, statistic) { self.limits.of(name) } else { [None; 2] };
         let name = name.to_owned();
         let unit = UM.to_owned();
         self.values.push(CharacteristicValue {

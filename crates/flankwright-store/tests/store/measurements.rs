@@ -108,7 +108,9 @@ fn a_class_gives_the_limits(place: &Place) {
     assert!(
         forms.len() == 4 && forms.iter().all(|one| one.lower_limit.is_none() && one.upper_limit.is_some())
     );
-    assert!(of("fHa", "range").iter().all(|one| one.upper_limit.is_none()));
+    for (name, statistic) in [("fHa", "range"), ("fHa", "single"), ("ffa", "mean"), ("Ca", "mean")] {
+        assert!(of(name, statistic).iter().all(|one| one.upper_limit.is_none()), "{name} {statistic}");
+    }
     assert_eq!(of("fHb", "single").len(), 8);
 }
 
