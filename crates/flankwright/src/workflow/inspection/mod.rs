@@ -20,7 +20,7 @@ pub use closed_loop::{
 };
 pub use drawn::DrawnGear;
 pub use evaluate::{Design, EvaluatedGear, EvaluatedPitch, EvaluatedTrace, LeftOut, evaluate_inspection};
-pub use files::{MeasuredFiles, is_measurement, read_measurement};
+pub use files::{MeasuredFiles, files_of_measurement, is_measurement, read_measurement};
 pub use result::{
     BandResult, ClassResult, GearInspectionResult, LinesResult, PitchInspectionResult, PrintedResult,
     SummaryResult, ThicknessResult, TraceInspectionResult,
