@@ -17,6 +17,7 @@ mod programs;
 mod robustness;
 mod shifts;
 mod skiving;
+mod store;
 mod strokes;
 mod tangential;
 mod trends;
