@@ -1,9 +1,12 @@
 //! What is known of measured parts: the list of series, parts by filter, one part with everything.
 
+use std::collections::HashSet;
+
 use serde_json::Value;
 use sqlx::AssertSqlSafe;
 use sqlx::types::Json;
 
+use super::rows;
 use crate::error::StoreError;
 use crate::filter::{Condition, PartFilter};
 use crate::pool::on_pool;
@@ -116,14 +119,11 @@ impl Store {
         }))
     }
 
-    /// Whether a part with this digest is there.
+    /// Which of the digests are those of parts that are there.
     ///
     /// # Errors
     /// Those of the database.
-    pub async fn has_part(&self, digest: &str) -> Result<bool, StoreError> {
-        let found: Result<Option<i64>, _> = on_pool!(&self.pool, pool => {
-            sqlx::query_scalar("SELECT id FROM part WHERE digest = $1").bind(digest).fetch_optional(pool).await
-        });
-        Ok(self.done(found)?.is_some())
+    pub async fn known_parts(&self, digests: &[&str]) -> Result<HashSet<String>, StoreError> {
+        self.done(rows::known(&self.pool, digests).await)
     }
 }
