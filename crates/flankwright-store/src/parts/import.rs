@@ -89,7 +89,7 @@ impl Characteristics {
                 .fetch_all(connection)
                 .await?
         });
-        rows.into_iter().map(|row| values::characteristic(row)).collect::<Result<_, _>>().map(Self)
+        rows.into_iter().map(values::characteristic).collect::<Result<_, _>>().map(Self)
     }
 
     async fn id(&mut self, writing: &mut Writing, wanted: Characteristic) -> Result<i64, sqlx::Error> {

@@ -20,12 +20,13 @@ impl Store {
     /// # Errors
     /// Those of the database.
     pub async fn series(&self) -> Result<Vec<SeriesSummary>, StoreError> {
-        let rows: Result<Vec<(String, i64, Option<String>, Option<String>)>, _> = on_pool!(&self.pool, pool => {
+        type Row = (String, i64, Option<String>, Option<String>);
+        let rows: Result<Vec<Row>, _> = on_pool!(&self.pool, pool => {
             sqlx::query_as("SELECT series, count(*), min(measured), max(measured) FROM part GROUP BY series ORDER BY series")
                 .fetch_all(pool)
                 .await
         });
-        let summary = |(series, parts, first, last): (String, i64, _, _)| SeriesSummary {
+        let summary = |(series, parts, first, last): Row| SeriesSummary {
             series,
             parts: parts.unsigned_abs(),
             first,
