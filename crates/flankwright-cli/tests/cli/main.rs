@@ -8,6 +8,7 @@ mod control;
 mod examples;
 mod explore;
 mod gearbox;
+mod inspection;
 mod line_dressing;
 mod milling;
 mod milling_refusals;

@@ -11,6 +11,8 @@ mod page;
 mod printed;
 mod result;
 mod run;
+pub mod series;
+mod sheet;
 mod tables;
 mod write;
 
@@ -26,4 +28,5 @@ pub use result::{
     SummaryResult, ThicknessResult, TraceInspectionResult,
 };
 pub use run::{GearInspection, inspect_for_job, inspect_gear, inspect_simulated};
+pub use sheet::{SheetOptions, inspection_sheet, sheet_data, sheet_pages};
 pub use write::write_gear_inspection;
