@@ -1,5 +1,7 @@
 //! The store for programs without a runtime of their own, such as the command: every method of [`crate::Store`], waiting until it is done.
 
+use std::collections::HashSet;
+
 use flankwright::exchange::catalogue::Catalogue;
 use flankwright::exchange::skiving_history::{History, HistoryRecord};
 use tokio::runtime::{Builder, Handle, Runtime};
@@ -86,7 +88,7 @@ waiting! {
     series() -> Vec<SeriesSummary>;
     parts(filter: &PartFilter) -> Vec<PartSummary>;
     part(digest: &str) -> Option<PartRecord>;
-    has_part(digest: &str) -> bool;
+    known_parts(digests: &[&str]) -> HashSet<String>;
     characteristics(filter: &CharacteristicFilter) -> Vec<MeasuredCharacteristic>;
     import_catalogue(catalogue: &Catalogue, replace: bool) -> CatalogueReport;
     catalogue() -> Catalogue;

@@ -75,7 +75,8 @@ impl Store {
     /// # Errors
     /// Those of the database.
     pub async fn plans(&self) -> Result<Vec<PlanSummary>, StoreError> {
-        let rows: Result<Vec<(i64, String, String, String, String)>, _> = on_pool!(&self.pool, pool => {
+        type Row = (i64, String, String, String, String);
+        let rows: Result<Vec<Row>, _> = on_pool!(&self.pool, pool => {
             sqlx::query_as("SELECT id, job, job_digest, status, version FROM plan ORDER BY id").fetch_all(pool).await
         });
         let summary = |(id, job, digest, status, version)| PlanSummary { id, job, digest, status, version };
@@ -87,7 +88,8 @@ impl Store {
     /// # Errors
     /// Those of the database.
     pub async fn plan(&self, id: i64) -> Result<Option<PlanRecord>, StoreError> {
-        let row: Result<Option<(String, String, String, String, Json<Value>)>, _> = on_pool!(&self.pool, pool => {
+        type Row = (String, String, String, String, Json<Value>);
+        let row: Result<Option<Row>, _> = on_pool!(&self.pool, pool => {
             sqlx::query_as("SELECT job, job_digest, status, version, document FROM plan WHERE id = $1")
                 .bind(id)
                 .fetch_optional(pool)

@@ -109,11 +109,14 @@ fn flank(word: &str) -> Option<Flank> {
     Flank::BOTH.into_iter().find(|flank| flank.name() == word)
 }
 
+/// Name, flank, tooth and statistic.
+type Line = (String, Option<Flank>, Option<u32>, &'static str);
+
 struct List<'a> {
     limits: &'a ClassLimits,
     values: Vec<CharacteristicValue>,
     /// How often a line of a tooth was measured.
-    repeated: HashMap<(String, Option<Flank>, Option<u32>, &'static str), u32>,
+    repeated: HashMap<Line, u32>,
 }
 
 impl List<'_> {

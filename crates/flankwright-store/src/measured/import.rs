@@ -98,10 +98,11 @@ impl Store {
         let mut unknown: Vec<(&Vec<PathBuf>, String)> = Vec::with_capacity(set.len());
         let digests: Vec<Result<String, Diagnostic>> =
             set.par_iter().map(|files| digest_of_files(files)).collect();
+        let there = self.known_parts(&digests.iter().flatten().map(String::as_str).collect::<Vec<_>>())?;
         for (files, digest) in set.iter().zip(digests) {
             match digest {
                 Err(finding) => report.refused.push(RefusedFile::new(&files[0], finding)),
-                Ok(digest) if self.has_part(&digest)? => report.known.push(known(files, digest)),
+                Ok(digest) if there.contains(&digest) => report.known.push(known(files, digest)),
                 Ok(digest) => unknown.push((files, digest)),
             }
         }

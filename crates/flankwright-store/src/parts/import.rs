@@ -2,8 +2,7 @@
 
 use std::collections::HashMap;
 
-use sqlx::types::Json;
-
+use super::rows;
 use super::values::{self, ValueRow};
 use crate::check;
 use crate::error::StoreError;
@@ -32,16 +31,24 @@ impl Store {
     async fn import_checked(&self, parts: &[PartRecord]) -> Result<ImportReport, sqlx::Error> {
         let mut writing = self.pool.write().await?;
         let mut characteristics = Characteristics::load(&mut writing).await?;
-        let (mut report, mut rows) = (ImportReport::default(), Vec::new());
+        let digests: Vec<&str> = parts.iter().map(|part| part.digest.as_str()).collect();
+        let mut known = rows::known_while_writing(&mut writing, &digests).await?;
+        let (mut report, mut new) = (ImportReport::default(), Vec::new());
         for (place, part) in parts.iter().enumerate() {
-            let Some(id) = insert(&mut writing, part).await? else {
+            if known.insert(part.digest.clone()) {
+                new.push(part);
+            } else {
                 report.known.push(place);
-                continue;
-            };
-            report.added += 1;
+            }
+        }
+        report.added = new.len();
+        let numbers = rows::insert(&mut writing, &new).await?;
+        let mut values = Vec::new();
+        for part in new {
+            let number = *numbers.get(&part.digest).ok_or(sqlx::Error::RowNotFound)?;
             for (place, entry) in part.characteristics.iter().enumerate() {
-                rows.push(ValueRow {
-                    part: id,
+                values.push(ValueRow {
+                    part: number,
                     characteristic: characteristics.id(&mut writing, entry.characteristic()).await?,
                     place: place as i64,
                     value: entry.value,
@@ -50,7 +57,7 @@ impl Store {
                 });
             }
         }
-        values::insert(&mut writing, &rows).await?;
+        values::insert(&mut writing, &values).await?;
         writing.commit().await?;
         Ok(report)
     }
@@ -72,27 +79,6 @@ impl Store {
     }
 }
 
-/// The number of a new part; `None` if its digest is there.
-async fn insert(writing: &mut Writing, part: &PartRecord) -> Result<Option<i64>, sqlx::Error> {
-    on_writing!(writing, connection => {
-        sqlx::query_scalar(
-            "INSERT INTO part (digest, series, name, drawing, measured, machine, source, document, characteristics) \
-             VALUES ($1, $2, $3, $4, $5, $6, $7, $8, $9) ON CONFLICT (digest) DO NOTHING RETURNING id",
-        )
-        .bind(&part.digest)
-        .bind(&part.series)
-        .bind(&part.part)
-        .bind(&part.drawing)
-        .bind(&part.date)
-        .bind(&part.machine)
-        .bind(&part.source)
-        .bind(Json(&part.document))
-        .bind(part.characteristics.len() as i64)
-        .fetch_optional(connection)
-        .await
-    })
-}
-
 /// Numbers of the characteristics that the store knows.
 struct Characteristics(HashMap<Characteristic, i64>);
 
@@ -103,7 +89,7 @@ impl Characteristics {
                 .fetch_all(connection)
                 .await?
         });
-        rows.into_iter().map(|row| values::characteristic(row)).collect::<Result<_, _>>().map(Self)
+        rows.into_iter().map(values::characteristic).collect::<Result<_, _>>().map(Self)
     }
 
     async fn id(&mut self, writing: &mut Writing, wanted: Characteristic) -> Result<i64, sqlx::Error> {

@@ -3,4 +3,5 @@
 mod characteristics;
 mod import;
 mod read;
+mod rows;
 mod values;

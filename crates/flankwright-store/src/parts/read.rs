@@ -1,9 +1,12 @@
 //! What is known of measured parts: the list of series, parts by filter, one part with everything.
 
+use std::collections::HashSet;
+
 use serde_json::Value;
 use sqlx::AssertSqlSafe;
 use sqlx::types::Json;
 
+use super::rows;
 use crate::error::StoreError;
 use crate::filter::{Condition, PartFilter};
 use crate::pool::on_pool;
@@ -17,12 +20,13 @@ impl Store {
     /// # Errors
     /// Those of the database.
     pub async fn series(&self) -> Result<Vec<SeriesSummary>, StoreError> {
-        let rows: Result<Vec<(String, i64, Option<String>, Option<String>)>, _> = on_pool!(&self.pool, pool => {
+        type Row = (String, i64, Option<String>, Option<String>);
+        let rows: Result<Vec<Row>, _> = on_pool!(&self.pool, pool => {
             sqlx::query_as("SELECT series, count(*), min(measured), max(measured) FROM part GROUP BY series ORDER BY series")
                 .fetch_all(pool)
                 .await
         });
-        let summary = |(series, parts, first, last): (String, i64, _, _)| SeriesSummary {
+        let summary = |(series, parts, first, last): Row| SeriesSummary {
             series,
             parts: parts.unsigned_abs(),
             first,
@@ -116,14 +120,11 @@ impl Store {
         }))
     }
 
-    /// Whether a part with this digest is there.
+    /// Which of the digests are those of parts that are there.
     ///
     /// # Errors
     /// Those of the database.
-    pub async fn has_part(&self, digest: &str) -> Result<bool, StoreError> {
-        let found: Result<Option<i64>, _> = on_pool!(&self.pool, pool => {
-            sqlx::query_scalar("SELECT id FROM part WHERE digest = $1").bind(digest).fetch_optional(pool).await
-        });
-        Ok(self.done(found)?.is_some())
+    pub async fn known_parts(&self, digests: &[&str]) -> Result<HashSet<String>, StoreError> {
+        self.done(rows::known(&self.pool, digests).await)
     }
 }

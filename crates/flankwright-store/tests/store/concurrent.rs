@@ -67,7 +67,7 @@ fn who_reads_is_not_kept_waiting_by_who_writes(place: &Place) {
     while !writer.is_finished() {
         let count = reader.parts(&PartFilter::default()).unwrap().len();
         // Sets of ten, whole or not there.
-        assert!(count >= before && count % 10 == 0, "{before} {count}");
+        assert!(count >= before && count.is_multiple_of(10), "{before} {count}");
         before = count;
     }
     writer.join().unwrap();

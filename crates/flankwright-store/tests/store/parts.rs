@@ -42,7 +42,9 @@ fn a_part_comes_out_as_it_went_in(place: &Place) {
             .zip(values)
             .all(|(entry, value)| entry.value.to_bits() == value.to_bits())
     );
-    assert!(store.has_part(&odd.digest).unwrap());
+    let (digest, other) = (odd.digest.clone(), digest_of(b"none"));
+    assert_eq!(store.known_parts(&[&other, &digest]).unwrap().into_iter().collect::<Vec<_>>(), [digest]);
+    assert!(store.known_parts(&[]).unwrap().is_empty());
     assert_eq!(store.part(&digest_of(b"none")).unwrap(), None);
 }
 
