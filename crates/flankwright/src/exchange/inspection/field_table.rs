@@ -4,16 +4,25 @@ use std::path::Path;
 
 use super::Topography;
 use crate::exchange::diagnostic::JobError;
-use crate::exchange::grid_file::read_points;
+use crate::exchange::grid_file::parse_points;
+use crate::exchange::source::Source;
 use crate::geometry::Flank;
 
 /// Reads a measured field of one flank, a grid or scattered points in the order of the file: w_mm length of roll, z_mm from the middle of
 /// the face width, f_um deviation, positive = material.
 ///
 /// # Errors
-/// Those of [`read_points`].
+/// Those of [`crate::exchange::read_points`].
 pub fn read_topography(path: &Path, tooth: u32, flank: Flank) -> Result<Topography, JobError> {
-    let rows = read_points(path)?;
+    parse_topography(Source::read(path)?, tooth, flank)
+}
+
+/// As [`read_topography`], from a text.
+///
+/// # Errors
+/// As [`read_topography`].
+pub fn parse_topography(source: Source, tooth: u32, flank: Flank) -> Result<Topography, JobError> {
+    let rows = parse_points(source)?;
     let points_mm = rows.iter().map(|[w, z, _]| [*w, *z]).collect();
     Ok(Topography { tooth, flank, points_mm, f_um: rows.iter().map(|[_, _, f]| *f).collect() })
 }

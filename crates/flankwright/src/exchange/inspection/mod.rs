@@ -25,7 +25,7 @@ pub use conditions::{
 };
 pub use encoding::Encoding;
 pub use error::InspectionError;
-pub use field_table::read_topography;
+pub use field_table::{parse_topography, read_topography};
 pub use gear::InspectedGear;
 pub use inspection::Inspection;
 pub use klingelnberg::{
@@ -36,7 +36,7 @@ pub use klingelnberg::{
 pub use result::{Characteristic, Position, Quantity, ResultCode, Statistic, Unit};
 pub use tables::{Circle, Circles, FlankPitch, Pitch, RunOut, Size, Thickness};
 pub use trace::{Topography, Trace, TraceKind, Zero};
-pub use trace_table::{read_trace_table, trace_table};
+pub use trace_table::{parse_trace_table, read_trace_table, trace_table};
 pub use warning::{InspectionWarning, WarningKind};
 
 #[cfg(test)]

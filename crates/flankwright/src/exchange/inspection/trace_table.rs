@@ -22,7 +22,15 @@ const SHOWN: usize = 60;
 /// # Errors
 /// Those of [`Source::read`]; `invalid-table`, `unknown-value`, `invalid-number` with line, column and value.
 pub fn read_trace_table(path: &Path) -> Result<Vec<Trace>, JobError> {
-    parse(Source::read(path)?)
+    parse_trace_table(Source::read(path)?)
+}
+
+/// As [`read_trace_table`], from a text.
+///
+/// # Errors
+/// As [`read_trace_table`].
+pub fn parse_trace_table(source: Source) -> Result<Vec<Trace>, JobError> {
+    rows(source.text()).map_err(|finding| JobError::single(source, finding))
 }
 
 /// The table of traces, as [`read_trace_table`] reads it back; tags of traces are not in it.
@@ -44,10 +52,6 @@ pub fn trace_table(traces: &[Trace]) -> Result<CsvTable, CsvError> {
         }
     }
     Ok(table)
-}
-
-pub(super) fn parse(source: Source) -> Result<Vec<Trace>, JobError> {
-    rows(source.text()).map_err(|finding| JobError::single(source, finding))
 }
 
 fn rows(text: &str) -> Result<Vec<Trace>, Diagnostic> {

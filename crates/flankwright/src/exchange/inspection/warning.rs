@@ -23,6 +23,8 @@ pub enum WarningKind {
     Unusable,
     /// Two files say different things.
     FilesDiffer,
+    /// The last line has no end: the file may be cut short.
+    FileCutShort,
 }
 
 impl WarningKind {
@@ -38,6 +40,7 @@ impl WarningKind {
             Self::PitchIncomplete => "pitch-incomplete",
             Self::Unusable => "unusable",
             Self::FilesDiffer => "files-differ",
+            Self::FileCutShort => "file-cut-short",
         }
     }
 
@@ -53,6 +56,7 @@ impl WarningKind {
             Self::PitchIncomplete => "PitchIncomplete",
             Self::Unusable => "Unusable",
             Self::FilesDiffer => "FilesDiffer",
+            Self::FileCutShort => "FileCutShort",
         }
     }
 }

@@ -43,9 +43,13 @@ impl Reader {
         Self { file, undefined: UNDEFINED, section: None, open: Open::Nothing, data: false }
     }
 
-    /// The end of the file.
-    pub fn finish(mut self) -> KlingelnbergFile {
+    /// The end of the file; `cut` is the last line if that has no end.
+    pub fn finish(mut self, cut: Option<usize>) -> KlingelnbergFile {
         self.close();
+        if let Some(line) = cut {
+            let message = "the last line has no end: the file may be cut short, and the last value with it";
+            self.warn(WarningKind::FileCutShort, line, message);
+        }
         self.file
     }
 

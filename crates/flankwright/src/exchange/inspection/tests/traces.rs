@@ -1,12 +1,11 @@
 //! Tables of traces: what is written comes back, what is wrong is told.
 
-use super::super::trace_table::parse;
 use super::super::*;
 use crate::exchange::Source;
 use crate::geometry::Flank;
 
 fn read(text: &str) -> Result<Vec<Trace>, crate::exchange::JobError> {
-    parse(Source::new("traces.csv", text))
+    parse_trace_table(Source::new("traces.csv", text))
 }
 
 fn trace(kind: TraceKind, tooth: u32, flank: Flank) -> Trace {
