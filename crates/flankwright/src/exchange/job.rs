@@ -4,6 +4,7 @@
 
 mod catalogue;
 mod choices;
+mod compensation;
 mod control;
 mod designed_for;
 mod diagonal_ratio;
@@ -16,7 +17,9 @@ mod gear;
 mod gear_root;
 mod grid;
 mod grinding;
+mod inspection;
 mod machine;
+mod measured_gear;
 mod one_or_sides;
 mod output;
 mod process;
@@ -28,6 +31,7 @@ mod worm;
 
 pub use catalogue::{CatalogueSource, FreeQuantity, FreeWorm};
 pub use choices::{Flanks, Hand};
+pub use compensation::Compensation;
 pub use control::Control;
 pub use designed_for::DesignedFor;
 pub use diagonal_ratio::{
@@ -42,7 +46,9 @@ pub use gear::{Evaluation, EvaluationRange, Gear, OverBalls, Span};
 pub use gear_root::{GearRoot, RootAlong};
 pub use grid::Grid;
 pub use grinding::{Grinding, Method};
+pub use inspection::{Band, CorrectionLimits, CorrectionSetting, Inspection};
 pub use machine::{Clamping, Machine};
+pub use measured_gear::{DressingDeviation, SimulatedMeasurement};
 pub use one_or_sides::OneOrSides;
 pub(in crate::exchange) use one_or_sides::{one_or_sides_schema, pressure_angle_schema};
 pub use output::{Mesh, Output, Program, Table};
@@ -106,6 +112,12 @@ pub struct Job {
     /// What to write beside result and report.
     #[serde(default)]
     pub output: Output,
+    /// How a measured gear is judged and corrected.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub inspection: Option<Inspection>,
+    /// What plans add to the target because of a measurement.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub compensation: Option<Compensation>,
     /// Settings that a study varies.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub explore: Option<Explore>,

@@ -170,6 +170,25 @@ fn executed(w: &[f64], z: &[f64], target: &[f64], planned: Vec<f64>) -> Option<(
 }
 
 impl Execution {
+    /// Lets the dressing axes be off by d_phi_S, d_gamma (rad), d_d, d_v_yA (mm) all along the worm; false, and nothing done, for a tool
+    /// that is not dressed in one stroke.
+    pub(super) fn shift_dressing(&mut self, by: [f64; 4]) -> bool {
+        let Some(dresser) = &self.dresser else { return false };
+        for flank in Flank::BOTH {
+            let Some(executed) = &mut self.flanks[flank] else { continue };
+            let ExecutedTool::Dressed(dressing) = &mut executed.tool else { return false };
+            let shifted = std::array::from_fn(|axis| {
+                let (from, to) = dressing.corrections[axis].interval();
+                let mut coefficients = dressing.corrections[axis].coefficients().to_vec();
+                coefficients[0] += by[axis];
+                Chebyshev::from_coefficients(from, to, coefficients)
+            });
+            let (profile, reliefs) = (dressing.profile.clone(), dressing.reliefs.clone());
+            **dressing = ExecutedDressing::new(dresser.flanks[flank].chain, shifted, profile, reliefs);
+        }
+        true
+    }
+
     /// From a finished plan.
     pub fn of_plan(job: &Job, prepared: &Prepared, plan: &GrindingPlan) -> Self {
         let dresser = plan.dresser.as_ref().map(DresserTool::unsettled);

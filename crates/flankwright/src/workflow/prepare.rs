@@ -339,12 +339,24 @@ fn target_of_flank(
     flank: Flank,
     field: &EvaluationField,
 ) -> Result<Modification, Diagnostic> {
-    match (file, &loaded.job.target.modifications) {
-        (Some(spec), _) => Modification::for_flank(std::slice::from_ref(spec), flank, field, &Beside(loaded))
-            .map_err(|e| modification_finding(&e, "target.file")),
-        (None, Some(specs)) => specs_of_flank(loaded, specs, flank, field),
-        (None, None) => Ok(Modification::none(field)),
+    let job = &loaded.job;
+    let more = job.compensation.as_ref().map_or(&[][..], |compensation| &compensation.modifications[..]);
+    let wanted = match (file, &job.target.modifications) {
+        (Some(spec), _) => std::slice::from_ref(spec),
+        (None, Some(specs)) => &specs[..],
+        (None, None) => &[],
+    };
+    let target = match file {
+        Some(_) => Modification::for_flank(wanted, flank, field, &Beside(loaded))
+            .map_err(|e| modification_finding(&e, "target.file"))?,
+        None => specs_of_flank(loaded, wanted, flank, field)?,
+    };
+    if more.is_empty() {
+        return Ok(target);
     }
+    let all: Vec<ModificationSpec> = wanted.iter().chain(more).cloned().collect();
+    Modification::for_flank(&all, flank, field, &Beside(loaded))
+        .map_err(|e| modification_finding(&e, "compensation.modifications"))
 }
 
 /// The wanted flanks of a job on given evaluation fields; `None` for a flank that is not ground.
@@ -473,6 +485,16 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
             .map(Some)
             .map_err(|e| RunFailure::bad_input(generating_finding(&e)))
     })?;
+    if let Some(compensation) = &job.compensation {
+        warnings.push(Remark {
+            code: "compensated",
+            text: format!(
+                "the flank that is planned is the target with the compensation of {} measurements",
+                compensation.rounds
+            ),
+            way_out: "leave [compensation] out to plan the target alone".into(),
+        });
+    }
     let free_dresser = given.is_none();
     let places = match job.dressing.profile_crowning_by {
         ProfileCrowningBy::Dresser => vec![ProfilePlace::Dresser],

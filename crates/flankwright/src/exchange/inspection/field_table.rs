@@ -1,43 +1,50 @@
-//! Measured fields as a table: CSV with the columns w_mm, z_mm, f_um, as targets have them.
+//! Measured fields as a table: CSV with the columns tooth, flank, w_mm, z_mm, f_um, one point a row.
 
-use std::path::Path;
+use std::collections::HashMap;
 
 use super::Topography;
-use crate::exchange::diagnostic::JobError;
-use crate::exchange::grid_file::parse_points;
-use crate::exchange::source::Source;
-use crate::geometry::Flank;
+use super::table_rows::TableForm;
+use crate::exchange::csv::{Cell, Column, CsvError, CsvTable};
+use crate::exchange::diagnostic::Diagnostic;
 
-/// Reads a measured field of one flank, a grid or scattered points in the order of the file: w_mm length of roll, z_mm from the middle of
-/// the face width, f_um deviation, positive = material.
+/// The columns of the table.
+pub(super) const FORM: TableForm<5> =
+    TableForm { columns: ["tooth", "flank", "w_mm", "z_mm", "f_um"], row: "each point" };
+
+/// The table of fields, as [`super::read_measured_table`] reads it back: w_mm length of roll, z_mm from the middle of the face width, f_um
+/// deviation, positive = material, empty where it is undefined.
 ///
 /// # Errors
-/// Those of [`crate::exchange::read_points`].
-pub fn read_topography(path: &Path, tooth: u32, flank: Flank) -> Result<Topography, JobError> {
-    parse_topography(Source::read(path)?, tooth, flank)
-}
-
-/// As [`read_topography`], from a text.
-///
-/// # Errors
-/// As [`read_topography`].
-pub fn parse_topography(source: Source, tooth: u32, flank: Flank) -> Result<Topography, JobError> {
-    let rows = parse_points(source)?;
-    let points_mm = rows.iter().map(|[w, z, _]| [*w, *z]).collect();
-    Ok(Topography { tooth, flank, points_mm, f_um: rows.iter().map(|[_, _, f]| *f).collect() })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn points_keep_their_order() {
-        let directory = tempfile::tempdir().unwrap();
-        let path = directory.path().join("field.csv");
-        std::fs::write(&path, "z_mm,w_mm,f_um\n-3,5,1.5\n3,5,-2\n").unwrap();
-        let found = read_topography(&path, 4, Flank::Right).unwrap();
-        assert_eq!((found.points_mm, found.f_um), (vec![[5.0, -3.0], [5.0, 3.0]], vec![1.5, -2.0]));
-        assert!(read_topography(&directory.path().join("none.csv"), 1, Flank::Left).is_err());
+/// [`CsvError`] for a place that is not finite.
+pub fn topography_table(fields: &[Topography]) -> Result<CsvTable, CsvError> {
+    let mut table = CsvTable::new(&FORM.columns.map(|name| Column::new(name, "")));
+    for field in fields {
+        for ([w, z], f) in field.points_mm.iter().zip(&field.f_um) {
+            table.push_cells(&[
+                Cell::Number(f64::from(field.tooth)),
+                Cell::Word(field.flank.name()),
+                Cell::Number(*w),
+                Cell::Number(*z),
+                if f.is_finite() { Cell::Number(*f) } else { Cell::Empty },
+            ])?;
+        }
     }
+    Ok(table)
+}
+
+/// Fields of all teeth and flanks in the order in which they begin.
+pub(super) fn fields(text: &str) -> Result<Vec<Topography>, Diagnostic> {
+    let mut fields: Vec<Topography> = Vec::new();
+    let mut known = HashMap::new();
+    for row in FORM.rows(text)? {
+        let (tooth, flank) = (row.tooth(0)?, row.flank(1)?);
+        let (point, f) = ([row.number(2)?, row.number(3)?], row.deviation(4)?);
+        let at = *known.entry((tooth, flank)).or_insert(fields.len());
+        if at == fields.len() {
+            fields.push(Topography { tooth, flank, points_mm: Vec::new(), f_um: Vec::new() });
+        }
+        fields[at].points_mm.push(point);
+        fields[at].f_um.push(f);
+    }
+    Ok(fields)
 }

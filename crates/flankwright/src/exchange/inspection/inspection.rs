@@ -45,3 +45,28 @@ pub struct Inspection {
     /// Values that the machine printed.
     pub results: Vec<Quantity>,
 }
+
+impl Inspection {
+    /// Of a gear of which nothing is measured yet.
+    pub fn of_gear(gear: InspectedGear) -> Self {
+        Self {
+            part: None,
+            name: None,
+            drawing: None,
+            date: None,
+            machine: None,
+            operator: None,
+            sources: Vec::new(),
+            warnings: Vec::new(),
+            gear,
+            conditions: Conditions::default(),
+            traces: Vec::new(),
+            topographies: Vec::new(),
+            pitch: None,
+            run_out: None,
+            thickness: Thickness::default(),
+            circles: Circles::default(),
+            results: Vec::new(),
+        }
+    }
+}

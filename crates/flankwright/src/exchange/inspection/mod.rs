@@ -12,7 +12,9 @@ mod gear;
 #[expect(clippy::module_inception, reason = "the inspection is the model that this room is about")]
 mod inspection;
 mod klingelnberg;
+mod measured_table;
 mod result;
+mod table_rows;
 mod tables;
 mod trace;
 mod trace_table;
@@ -25,7 +27,7 @@ pub use conditions::{
 };
 pub use encoding::Encoding;
 pub use error::InspectionError;
-pub use field_table::{parse_topography, read_topography};
+pub use field_table::topography_table;
 pub use gear::InspectedGear;
 pub use inspection::Inspection;
 pub use klingelnberg::{
@@ -33,10 +35,11 @@ pub use klingelnberg::{
     MAXIMUM_SAMPLES, MAXIMUM_TRACES, MAXIMUM_UNKNOWN_LINES, PitchRow, PreambleEntry, ProbePosition,
     UnknownLine, inspection_of, parse_klingelnberg, read_klingelnberg,
 };
+pub use measured_table::{MeasuredTable, parse_measured_table, read_measured_table};
 pub use result::{Characteristic, Position, Quantity, ResultCode, Statistic, Unit};
 pub use tables::{Circle, Circles, FlankPitch, Pitch, RunOut, Size, Thickness};
 pub use trace::{Topography, Trace, TraceKind, Zero};
-pub use trace_table::{parse_trace_table, read_trace_table, trace_table};
+pub use trace_table::trace_table;
 pub use warning::{InspectionWarning, WarningKind};
 
 #[cfg(test)]

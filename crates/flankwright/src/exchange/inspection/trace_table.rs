@@ -1,44 +1,20 @@
 //! Traces as a table: CSV with the columns kind, tooth, flank, position, abscissa, f_um, one sample a row.
 
-use std::ops::Range;
-use std::path::Path;
-
+use super::table_rows::{Row, TableForm};
 use super::{Trace, TraceKind, Zero};
 use crate::exchange::csv::{Cell, Column, CsvError, CsvTable};
-use crate::exchange::diagnostic::{Diagnostic, JobError, Problem};
-use crate::exchange::source::Source;
-use crate::geometry::Flank;
+use crate::exchange::diagnostic::{Diagnostic, Problem};
 
-const COLUMNS: [&str; 6] = ["kind", "tooth", "flank", "position", "abscissa", "f_um"];
-const HEADER: &str = "kind,tooth,flank,position,abscissa,f_um";
-/// Longest piece of a cell in a message, characters.
-const SHOWN: usize = 60;
+/// The columns of the table.
+const FORM: TableForm<6> =
+    TableForm { columns: ["kind", "tooth", "flank", "position", "abscissa", "f_um"], row: "each sample" };
 
-/// Reads a table of traces. The first line names the columns in any order; lines that begin with `#` are comments. `kind` is profile or
-/// helix, `flank` left or right; `position` is z of a profile and w of a helix, `abscissa` w of a profile and z of a helix, mm, z from the
-/// middle of the face width; `f_um` is the deviation, positive = material, empty or `nan` where it is undefined. Rows of one kind,
-/// tooth, flank and position are one trace, wherever they stand; its samples are put in the order of their abscissa.
-///
-/// # Errors
-/// Those of [`Source::read`]; `invalid-table`, `unknown-value`, `invalid-number` with line, column and value.
-pub fn read_trace_table(path: &Path) -> Result<Vec<Trace>, JobError> {
-    parse_trace_table(Source::read(path)?)
-}
-
-/// As [`read_trace_table`], from a text.
-///
-/// # Errors
-/// As [`read_trace_table`].
-pub fn parse_trace_table(source: Source) -> Result<Vec<Trace>, JobError> {
-    rows(source.text()).map_err(|finding| JobError::single(source, finding))
-}
-
-/// The table of traces, as [`read_trace_table`] reads it back; tags of traces are not in it.
+/// The table of traces, as [`super::read_measured_table`] reads it back; tags of traces are not in it.
 ///
 /// # Errors
 /// [`CsvError`] for a place that is not finite.
 pub fn trace_table(traces: &[Trace]) -> Result<CsvTable, CsvError> {
-    let mut table = CsvTable::new(&COLUMNS.map(|name| Column::new(name, "")));
+    let mut table = CsvTable::new(&FORM.columns.map(|name| Column::new(name, "")));
     for trace in traces {
         for (abscissa, f) in trace.abscissa_mm.iter().zip(&trace.f_um) {
             table.push_cells(&[
@@ -54,34 +30,13 @@ pub fn trace_table(traces: &[Trace]) -> Result<CsvTable, CsvError> {
     Ok(table)
 }
 
-fn rows(text: &str) -> Result<Vec<Trace>, Diagnostic> {
+/// Traces in the order in which they begin; the samples of each in the order of their abscissa. Positions and abscissae are w or z, mm.
+pub(super) fn traces(text: &str) -> Result<Vec<Trace>, Diagnostic> {
     let mut traces: Vec<Trace> = Vec::new();
     let mut known = std::collections::HashMap::new();
-    let mut order: Option<[usize; 6]> = None;
-    let mut offset = 0;
-    for line in text.split_inclusive('\n') {
-        let start = offset;
-        offset += line.len();
-        let line = line.trim_end();
-        if line.trim().is_empty() || line.starts_with('#') {
-            continue;
-        }
-        let span = start..start + line.len();
-        let cells: Vec<&str> = line.split(',').map(str::trim).collect();
-        let Some(places) = order else {
-            order = Some(columns(&cells, span)?);
-            continue;
-        };
-        if cells.len() != COLUMNS.len() {
-            return Err(malformed(format!("a row of {} values", cells.len()))
-                .value(shortened(line))
-                .way_out("give six values with a decimal point, separated by commas")
-                .span(Some(span)));
-        }
-        let row = Row { cells: places.map(|place| cells[place]), span };
-        let (kind, tooth, flank) = (row.kind()?, row.tooth()?, row.flank()?);
-        let [position, abscissa] = [3, 4].map(|column| row.number(column));
-        let (position, abscissa, f) = (position?, abscissa?, row.deviation()?);
+    for row in FORM.rows(text)? {
+        let (kind, tooth, flank) = (kind(&row)?, row.tooth(1)?, row.flank(2)?);
+        let (position, abscissa, f) = (row.number(3)?, row.number(4)?, row.deviation(5)?);
         // Adding zero makes one key of 0 and -0.
         let key = (kind, tooth, flank, (position + 0.0).to_bits());
         let at = *known.entry(key).or_insert(traces.len());
@@ -93,12 +48,12 @@ fn rows(text: &str) -> Result<Vec<Trace>, Diagnostic> {
         traces[at].abscissa_mm.push(abscissa);
         traces[at].f_um.push(f);
     }
-    if traces.is_empty() {
-        return Err(malformed("the table has no trace")
-            .value("an empty table")
-            .way_out(format!("begin it with the line `{HEADER}`, followed by one row for each sample")));
-    }
     traces.into_iter().map(sorted).collect()
+}
+
+fn kind(row: &Row<'_, 6>) -> Result<TraceKind, Diagnostic> {
+    let found = [TraceKind::Profile, TraceKind::Helix].into_iter().find(|k| k.name() == row.text(0));
+    found.ok_or_else(|| row.wrong(Problem::UnknownValue, 0, "profile or helix"))
 }
 
 /// The samples in ascending order; no place twice.
@@ -114,86 +69,9 @@ fn sorted(mut trace: Trace) -> Result<Trace, Diagnostic> {
             trace.position_mm,
             pair[0].0
         );
-        let finding = malformed(message).field(COLUMNS[4]).value(pair[0].0);
+        let finding = FORM.malformed(message).field(FORM.columns[4]).value(pair[0].0);
         return Err(finding.way_out("give repeated measurements other tooth numbers, or files of their own"));
     }
     (trace.abscissa_mm, trace.f_um) = samples.into_iter().unzip();
     Ok(trace)
-}
-
-/// A row in the order of [`COLUMNS`].
-struct Row<'a> {
-    cells: [&'a str; 6],
-    span: Range<usize>,
-}
-
-impl Row<'_> {
-    fn wrong(&self, problem: Problem, column: usize, allowed: &str) -> Diagnostic {
-        let cell = shortened(self.cells[column]);
-        Diagnostic::new(problem, format!("`{}` cannot be {cell}", COLUMNS[column]))
-            .field(COLUMNS[column])
-            .value(cell)
-            .allowed(allowed)
-            .way_out("correct the cell")
-            .span(Some(self.span.clone()))
-    }
-
-    fn kind(&self) -> Result<TraceKind, Diagnostic> {
-        let found = [TraceKind::Profile, TraceKind::Helix].into_iter().find(|k| k.name() == self.cells[0]);
-        found.ok_or_else(|| self.wrong(Problem::UnknownValue, 0, "profile or helix"))
-    }
-
-    fn tooth(&self) -> Result<u32, Diagnostic> {
-        let found = self.cells[1].parse().ok().filter(|tooth| *tooth <= 65_535);
-        found.ok_or_else(|| self.wrong(Problem::InvalidNumber, 1, "a whole number from 0 to 65535"))
-    }
-
-    fn flank(&self) -> Result<Flank, Diagnostic> {
-        let found = Flank::BOTH.into_iter().find(|flank| flank.name() == self.cells[2]);
-        found.ok_or_else(|| self.wrong(Problem::UnknownValue, 2, "left or right"))
-    }
-
-    fn number(&self, column: usize) -> Result<f64, Diagnostic> {
-        let found = self.cells[column].parse().ok().filter(|v: &f64| v.is_finite());
-        found
-            .ok_or_else(|| self.wrong(Problem::InvalidNumber, column, "a finite number with a decimal point"))
-    }
-
-    fn deviation(&self) -> Result<f64, Diagnostic> {
-        if self.cells[5].is_empty() || self.cells[5].eq_ignore_ascii_case("nan") {
-            return Ok(f64::NAN);
-        }
-        self.number(5)
-    }
-}
-
-/// Positions of the columns.
-fn columns(titles: &[&str], span: Range<usize>) -> Result<[usize; 6], Diagnostic> {
-    let mut order = [0; 6];
-    for (place, column) in order.iter_mut().zip(COLUMNS) {
-        *place = titles.iter().position(|title| *title == column).ok_or_else(|| {
-            malformed(format!("the table has no column `{column}`"))
-                .field(column)
-                .value(shortened(&titles.join(",")))
-                .way_out(format!("begin the table with the line `{HEADER}`"))
-                .span(Some(span.clone()))
-        })?;
-    }
-    if titles.len() != COLUMNS.len() {
-        return Err(malformed(format!("the table has {} columns", titles.len()))
-            .value(shortened(&titles.join(",")))
-            .way_out("remove the other columns")
-            .span(Some(span)));
-    }
-    Ok(order)
-}
-
-fn malformed(message: impl Into<Box<str>>) -> Diagnostic {
-    Diagnostic::new(Problem::InvalidTable, message)
-        .allowed(format!("the columns {HEADER}, one row for each sample"))
-}
-
-/// Cells come from the file and may be of any length.
-fn shortened(text: &str) -> String {
-    format!("`{}`", text.chars().take(SHOWN).collect::<String>())
 }

@@ -1,17 +1,28 @@
 //! Measured gears, from files to figures: what was read, evaluated after ISO 1328-1, judged by classes, beside what the measuring machine
-//! printed.
+//! printed; and for a job, what the process has to do with it.
 
+mod assemble;
+mod bands;
+mod closed_loop;
+mod drawn;
 mod evaluate;
+mod files;
 mod printed;
 mod result;
 mod run;
 mod tables;
 mod write;
 
-pub use evaluate::{EvaluatedGear, EvaluatedPitch, EvaluatedTrace, evaluate_inspection};
-pub use result::{
-    ClassResult, GearInspectionResult, LinesResult, PitchInspectionResult, PrintedResult, SummaryResult,
-    ThicknessResult, TraceInspectionResult,
+pub use closed_loop::{
+    CharacteristicResult, CorrectedSettingResult, CorrectionResult, DifferenceResult, MachineChange,
+    MeasuredFlankResult, ProofResult, Round, RoundResult,
 };
-pub use run::{GearInspection, inspect_gear};
+pub use drawn::DrawnGear;
+pub use evaluate::{Design, EvaluatedGear, EvaluatedPitch, EvaluatedTrace, LeftOut, evaluate_inspection};
+pub use files::{MeasuredFiles, is_measurement, read_measurement};
+pub use result::{
+    BandResult, ClassResult, GearInspectionResult, LinesResult, PitchInspectionResult, PrintedResult,
+    SummaryResult, ThicknessResult, TraceInspectionResult,
+};
+pub use run::{GearInspection, inspect_for_job, inspect_gear, inspect_simulated};
 pub use write::write_gear_inspection;

@@ -1,6 +1,7 @@
 //! `result.json` of a measured gear, with units in the key names. Deviations in the transverse section, um; slopes with the sign and the
 //! reference length that stand beside them.
 
+use super::closed_loop::RoundResult;
 use crate::workflow::finding::Remark;
 use crate::workflow::result::Status;
 use serde::Serialize;
@@ -15,7 +16,7 @@ pub struct GearInspectionResult {
     pub process: &'static str,
     /// Version of flankwright.
     pub version: &'static str,
-    /// Met: a measurement by itself has no tolerance to miss.
+    /// Whether the tolerance of the job is met; a measurement by itself has none to miss.
     pub status: Status,
     /// Files that were read.
     pub files: Vec<String>,
@@ -55,6 +56,9 @@ pub struct GearInspectionResult {
     pub printed: Vec<PrintedResult>,
     /// Largest difference of the two; 0 without printed values.
     pub printed_difference_um: f64,
+    /// Rounds against a job: comparison, tests, correction, proof.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub rounds: Vec<RoundResult>,
     /// Seconds per stage; the only part that differs between two runs.
     pub timing_s: BTreeMap<&'static str, f64>,
 }
@@ -109,6 +113,20 @@ pub struct TraceInspectionResult {
     /// Relief at the tip, < 0 relieved.
     #[serde(rename = "fKo_um", skip_serializing_if = "Option::is_none")]
     pub tip_relief_um: Option<f64>,
+    /// How it lies in the band of the job.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub band: Option<BandResult>,
+}
+
+/// How a trace lies in its band.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct BandResult {
+    /// Whether it lies in it.
+    pub passed: bool,
+    /// Least distance from a limit; below 0 by so much beyond.
+    pub margin_um: f64,
+    /// What was added to the trace to lie so.
+    pub shift_um: f64,
 }
 
 /// A characteristic over the teeth.

@@ -29,15 +29,6 @@ pub struct NotRun {
     pub reason: String,
 }
 
-/// A block that this version does not compute yet.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-pub struct NotCovered {
-    /// Case of the file.
-    pub case: String,
-    /// Block inside the case.
-    pub block: String,
-}
-
 /// The comparison that came closest to (or furthest over) its tolerance.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Worst {
@@ -55,7 +46,6 @@ pub(super) struct Ledger {
     pub checks: usize,
     pub failures: Vec<Failure>,
     pub not_run: Vec<NotRun>,
-    pub not_covered: Vec<NotCovered>,
     pub worst: Option<Worst>,
 }
 
@@ -140,14 +130,6 @@ impl Ledger {
     /// Notes a case that cannot be run here.
     pub fn not_run(&mut self, case: &str, reason: &str) {
         self.not_run.push(NotRun { case: case.into(), reason: reason.into() });
-    }
-
-    /// Notes a block that is not computed yet.
-    pub fn not_covered(&mut self, case: &str, block: &str) {
-        let entry = NotCovered { case: case.into(), block: block.into() };
-        if !self.not_covered.contains(&entry) {
-            self.not_covered.push(entry);
-        }
     }
 }
 

@@ -6,7 +6,7 @@
 //!
 //! let report = verify_file("tests/reference/10-gears.json".as_ref(), &VerifyOptions::default())?;
 //! let summary = VerifySummary::new(vec![report]);
-//! assert_eq!(summary.exit_code(false), 0);
+//! assert_eq!(summary.exit_code(), 0);
 //! # Ok::<(), flankwright::workflow::verify::VerifyError>(())
 //! ```
 
@@ -41,7 +41,7 @@ mod terms;
 mod variable_ratio;
 
 pub use error::VerifyError;
-pub use ledger::{Failure, NotCovered, NotRun, Worst};
+pub use ledger::{Failure, NotRun, Worst};
 pub use report::{FileReport, VerifySummary};
 pub use schema::Schema;
 

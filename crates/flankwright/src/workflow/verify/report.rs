@@ -1,7 +1,7 @@
 //! What is handed out: one report a file and their sum (JSON of spec 90 section 4).
 
 use super::Schema;
-use super::ledger::{Failure, Ledger, NotCovered, NotRun, Worst};
+use super::ledger::{Failure, Ledger, NotRun, Worst};
 use serde::Serialize;
 
 /// The outcome for one file.
@@ -19,8 +19,6 @@ pub struct FileReport {
     pub failures: Vec<Failure>,
     /// Cases left out because a data file is absent.
     pub not_run: Vec<NotRun>,
-    /// Blocks still to come.
-    pub not_covered: Vec<NotCovered>,
     /// The comparison closest to its tolerance; `null` without comparisons.
     pub worst: Option<Worst>,
 }
@@ -34,7 +32,6 @@ impl FileReport {
             failed: ledger.failures.len(),
             failures: ledger.failures,
             not_run: ledger.not_run,
-            not_covered: ledger.not_covered,
             worst: ledger.worst,
         }
     }
@@ -56,13 +53,8 @@ impl VerifySummary {
         Self { files, failed }
     }
 
-    /// Whether some block of some file is not computed yet.
-    pub fn has_uncovered(&self) -> bool {
-        self.files.iter().any(|f| !f.not_covered.is_empty())
-    }
-
-    /// Exit status: 0 if nothing failed and everything was covered (or `allow_uncovered`), else 1.
-    pub fn exit_code(&self, allow_uncovered: bool) -> u8 {
-        u8::from(self.failed > 0 || (self.has_uncovered() && !allow_uncovered))
+    /// Exit status: 0 if nothing failed, else 1.
+    pub fn exit_code(&self) -> u8 {
+        u8::from(self.failed > 0)
     }
 }

@@ -1,6 +1,6 @@
 //! The schemas of reference files: how each is recognised from its content and which blocks it consists of.
 //!
-//! A block that gains a check changes its line in [`Schema::blocks`] from [`Block::to_come`] to [`Block::checked`].
+//! A new block gets its line in [`Schema::blocks`].
 
 use super::ledger::Ledger;
 use super::reference::Reference;
@@ -56,16 +56,12 @@ type Check = fn(&Reference<'_>, &Value, &mut Ledger);
 /// One top-level entry of a schema.
 struct Block {
     key: &'static str,
-    check: Option<Check>,
+    check: Check,
 }
 
 impl Block {
     const fn checked(key: &'static str, check: Check) -> Self {
-        Self { key, check: Some(check) }
-    }
-
-    const fn to_come(key: &'static str) -> Self {
-        Self { key, check: None }
+        Self { key, check }
     }
 }
 
@@ -255,7 +251,7 @@ impl Schema {
                 const {
                     &[
                         Block::checked("reader", inspection::reader),
-                        Block::to_come("real_parts"),
+                        Block::checked("real_parts", inspection::real_parts),
                         Block::checked("traces", inspection::traces),
                         Block::checked("trace_errors", inspection::trace_errors),
                         Block::checked("k_band", inspection::k_band),
@@ -317,10 +313,7 @@ impl Schema {
         let Some(top) = reference.root.as_object() else { return };
         for block in self.blocks() {
             let Some(value) = top.get(block.key) else { continue };
-            match block.check {
-                Some(check) => check(reference, value, ledger),
-                None => to_come(self, reference, block.key, value, ledger),
-            }
+            (block.check)(reference, value, ledger);
         }
         for (key, value) in top {
             let known = HEADERS.contains(&key.as_str()) || self.blocks().iter().any(|b| b.key == key);
@@ -329,37 +322,6 @@ impl Schema {
             }
         }
     }
-}
-
-/// Lists a block that is not computed yet; of the block `cases` every block of every case.
-fn to_come(schema: Schema, reference: &Reference<'_>, key: &str, value: &Value, ledger: &mut Ledger) {
-    let items = value.as_array().map(Vec::as_slice).unwrap_or_default();
-    for (k, item) in items.iter().enumerate() {
-        let name = [&item["name"], &item["input"]["name"]].into_iter().find_map(Value::as_str);
-        let name = name.map_or_else(|| format!("{key}[{k}]"), str::to_owned);
-        for file in data_files(item).filter(|file| reference.data_file(file).is_none()) {
-            let tried = reference.data_paths(file).join(", ");
-            ledger.not_run(&name, &format!("data file {file} is absent; tried: {tried}"));
-        }
-        if key == "cases" {
-            let blocks = item.get("expected").unwrap_or(item).as_object();
-            let blocks = blocks.into_iter().flat_map(|m| m.keys()).map(String::as_str);
-            for block in blocks.filter(|block| !matches!(*block, "name" | "input")) {
-                ledger.not_covered(&name, block);
-            }
-        }
-    }
-    if key != "cases" || items.is_empty() {
-        ledger.not_covered(schema.name(), key);
-    }
-}
-
-/// Names of data files that a case gives under `file` or `..._file`.
-fn data_files(case: &Value) -> impl Iterator<Item = &str> {
-    let entries = case.as_object().into_iter().flatten();
-    entries
-        .filter(|(key, _)| *key == "file" || key.ends_with("_file"))
-        .filter_map(|(_, value)| value.as_str())
 }
 
 /// The keys of the top level, for messages.

@@ -5,7 +5,10 @@ use crate::exchange::Source;
 use crate::geometry::Flank;
 
 fn read(text: &str) -> Result<Vec<Trace>, crate::exchange::JobError> {
-    parse_trace_table(Source::new("traces.csv", text))
+    parse_measured_table(Source::new("traces.csv", text)).map(|found| match found {
+        MeasuredTable::Traces(traces) => traces,
+        MeasuredTable::Fields(fields) => panic!("{fields:?}"),
+    })
 }
 
 fn trace(kind: TraceKind, tooth: u32, flank: Flank) -> Trace {

@@ -22,8 +22,9 @@ pub(super) fn compare(
     from_positions(found, allowed, expected, ledger);
     run_out(inspection, found, allowed, expected, ledger);
     let x = allowed.mm() / inspection.gear.normal_module_mm;
+    let of_pitch = found.pitch.as_ref();
     for (key, actual, tolerance) in [
-        ("Rs_um", found.thickness_variation.map(|mm| mm * 1e3), allowed.um),
+        ("Rs_um", of_pitch.and_then(|pitch| pitch.thickness_variation).map(|mm| mm * 1e3), allowed.um),
         ("x_from_span", found.thickness.by_span, x),
         ("x_from_balls", found.thickness.by_balls, x),
         ("MdK_from_span_mm", found.over_balls_by_span, allowed.mm()),
@@ -31,7 +32,7 @@ pub(super) fn compare(
         expected.number(key, actual.unwrap_or(f64::NAN), tolerance, ledger);
     }
     if let Some(mut expected) = expected.object("eccentricity", ledger) {
-        match &found.eccentricity {
+        match of_pitch.and_then(|pitch| pitch.eccentricity.as_ref()) {
             Some(found) => {
                 let tolerances = [allowed.um, allowed.direction_deg(found.amount())];
                 compare_eccentricity(found, &mut expected, tolerances, ledger);
@@ -46,11 +47,11 @@ fn pitch(found: &EvaluatedGear, allowed: &Allowed, expected: &mut Expected<'_>, 
     let Some(mut expected) = expected.object("pitch", ledger) else { return };
     for flank in Flank::BOTH {
         let Some(mut expected) = expected.object(flank.name(), ledger) else { continue };
-        match &found.pitch[flank] {
+        match found.pitch.as_ref().and_then(|pitch| pitch.flanks[flank].as_ref()) {
             Some(found) => {
-                let amplitude = found.evaluation.first_harmonic.amplitude();
+                let amplitude = found.first_harmonic.amplitude();
                 let tolerances = [allowed.um, allowed.direction_deg(amplitude)];
-                compare_pitch(&found.evaluation, &mut expected, tolerances, ledger);
+                compare_pitch(found, &mut expected, tolerances, ledger);
             }
             None => expected.refused(&"the files do not give the pitch of this flank", ledger),
         }
@@ -69,18 +70,19 @@ fn from_positions(
     let Some(mut expected) = expected.object("from_positions", ledger) else { return };
     for flank in Flank::BOTH {
         let Some(mut expected) = expected.object(flank.name(), ledger) else { continue };
-        match (&found.from_positions, &found.pitch[flank]) {
-            (Some(sides), Some(table)) => {
+        let pitch = found.pitch.as_ref();
+        match pitch.and_then(|pitch| pitch.from_positions.as_ref().zip(pitch.flanks[flank].as_ref())) {
+            Some((sides, table)) => {
                 let cumulative = sides[flank].cumulative();
                 // Both lists are 0 at the last tooth: what they differ by there is in all others.
-                let apart = without_mean(&difference(&cumulative, &table.evaluation.cumulative));
+                let apart = without_mean(&difference(&cumulative, &table.cumulative));
                 for (key, actual) in
                     [("Fp_um", range(&cumulative)), ("max_difference_to_table_um", largest(&apart))]
                 {
                     expected.number(key, actual * 1e3, allowed.um, ledger);
                 }
             }
-            _ => expected.refused(&"the files do not give positions and table of this flank", ledger),
+            None => expected.refused(&"the files do not give positions and table of this flank", ledger),
         }
         expected.finish(ledger);
     }
@@ -96,7 +98,7 @@ fn run_out(
     ledger: &mut Ledger,
 ) {
     let listed = inspection.run_out.as_ref().map(|run_out| mm(&run_out.fr_um));
-    let by_pitch = found.run_out.as_ref();
+    let by_pitch = found.pitch.as_ref().and_then(|pitch| pitch.run_out.as_ref());
     let apart = by_pitch.zip(listed.as_ref());
     let apart = apart.map(|(found, listed)| largest(&difference(&found.of_space, listed)));
     for (key, actual) in [

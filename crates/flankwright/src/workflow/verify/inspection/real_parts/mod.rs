@@ -2,7 +2,6 @@
 //! and what the measuring machine printed beside it. A case whose files are absent is noted as not run.
 
 mod allowed;
-mod evaluated;
 mod gear;
 mod printed;
 mod traces;
@@ -12,8 +11,8 @@ use super::super::given::{Checked, text};
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use crate::exchange::inspection::{Inspection, KlingelnbergFile, inspection_of, read_klingelnberg};
+use crate::workflow::inspection::{EvaluatedGear, evaluate_inspection};
 use allowed::Allowed;
-use evaluated::EvaluatedGear;
 use serde_json::Value;
 
 /// Block `real_parts`; an empty list is allowed.
@@ -44,9 +43,12 @@ fn opened(
     expected: &mut Expected<'_>,
     ledger: &mut Ledger,
 ) -> Checked<Option<Inspection>> {
-    let names = [text(expected, "file", ledger)?, text(expected, "values_file", ledger)?];
+    let mut names = vec![text(expected, "file", ledger)?];
+    if expected.peek("values_file").is_some() {
+        names.push(text(expected, "values_file", ledger)?);
+    }
     let mut files: Vec<KlingelnbergFile> = Vec::new();
-    for name in names {
+    for name in &names {
         let Some(path) = reference.data_file(name) else {
             let tried = reference.data_paths(name).join(", ");
             ledger.not_run(expected.case(), &format!("{name} is absent; tried: {tried}"));
@@ -55,23 +57,31 @@ fn opened(
         files.push(read_klingelnberg(&path)?);
     }
     expected.text("encoding", files[0].encoding.name(), ledger);
-    expected.whole("number_of_results", files[1].results.len() as i64, ledger);
+    expected.whole(
+        "number_of_results",
+        files.iter().map(|file| file.results.len()).sum::<usize>() as i64,
+        ledger,
+    );
     let unknown = files.iter().map(|file| file.unknown_lines.len()).sum::<usize>();
     ledger.equal(expected.case(), "lines not understood", 0.into(), unknown.into());
-    Ok(Some(inspection_of(&[(names[0], &files[0]), (names[1], &files[1])])?))
+    let named: Vec<(&str, &KlingelnbergFile)> = names.into_iter().zip(&files).collect();
+    Ok(Some(inspection_of(&named)?))
 }
 
 /// Compares what is evaluated from the files with what is expected and with what the machine printed.
 fn compare(inspection: &Inspection, expected: &mut Expected<'_>, ledger: &mut Ledger) -> Checked {
     let allowed = Allowed::take(expected, ledger)?;
-    let found = EvaluatedGear::of(inspection)?;
+    let found = evaluate_inspection(inspection, None)?;
+    if let Some((what, error)) = found.left_out.0.first() {
+        return Err(format!("{what}: {error}").into());
+    }
     gear::compare(inspection, &found, &allowed, expected, ledger);
     if let Some(mut printed) = expected.object("printed", ledger) {
         printed::of_gear(inspection, &found, &allowed, &mut printed, ledger);
         printed.finish(ledger);
     }
     for mut item in expected.objects("traces", ledger) {
-        if let Err(error) = traces::compare(inspection, &allowed, &mut item, ledger) {
+        if let Err(error) = traces::compare(inspection, &found, &allowed, &mut item, ledger) {
             item.refused(&error, ledger);
         }
         item.finish(ledger);

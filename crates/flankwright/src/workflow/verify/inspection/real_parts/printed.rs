@@ -2,16 +2,13 @@
 
 use super::super::super::expected::Expected;
 use super::super::super::ledger::Ledger;
-use super::evaluated::FlankPitch;
-use super::{Allowed, EvaluatedGear};
+use super::Allowed;
 use crate::exchange::inspection::{Characteristic, Inspection, Statistic};
 use crate::geometry::Flank;
+use crate::workflow::inspection::{EvaluatedGear, EvaluatedPitch};
 
 /// Printed values are read as printed; this is the rounding of reading them.
 pub(super) const AS_PRINTED: f64 = 1e-9;
-
-/// The last digit of printed deviations, mm.
-const LAST_DIGIT: f64 = 1e-4;
 
 /// Adds to the name of a quantity that its evaluation is compared with what the machine printed.
 pub(super) fn compared(quantity: &str) -> String {
@@ -33,13 +30,14 @@ pub(super) fn of_gear(
         });
         found.and_then(|q| q.value).unwrap_or(f64::NAN)
     };
-    type OfFlank = fn(&FlankPitch) -> f64;
+    let pitch = found.pitch.as_ref();
+    type OfFlank = fn(&EvaluatedPitch, Flank) -> Option<f64>;
     let of_flanks: [(&str, Characteristic, OfFlank); 5] = [
-        ("fp", Characteristic::SinglePitch, |pitch| pitch.evaluation.single),
-        ("fu", Characteristic::AdjacentPitch, |pitch| pitch.evaluation.neighbours),
-        ("Rp", Characteristic::PitchRange, |pitch| pitch.deviations.printed_single_range(LAST_DIGIT)),
-        ("Fp", Characteristic::CumulativePitch, |pitch| pitch.evaluation.total),
-        ("Fpk", Characteristic::SectorPitch, |pitch| pitch.evaluation.sector),
+        ("fp", Characteristic::SinglePitch, |pitch, flank| Some(pitch.flanks[flank].as_ref()?.single)),
+        ("fu", Characteristic::AdjacentPitch, |pitch, flank| Some(pitch.flanks[flank].as_ref()?.neighbours)),
+        ("Rp", Characteristic::PitchRange, |pitch, flank| pitch.printed_range[flank]),
+        ("Fp", Characteristic::CumulativePitch, |pitch, flank| Some(pitch.flanks[flank].as_ref()?.total)),
+        ("Fpk", Characteristic::SectorPitch, |pitch, flank| Some(pitch.flanks[flank].as_ref()?.sector)),
     ];
     for (key, characteristic, evaluated) in of_flanks {
         if printed.peek(key).is_none() {
@@ -48,13 +46,13 @@ pub(super) fn of_gear(
         let both = Flank::BOTH.map(|flank| of(characteristic, Some(flank), Statistic::Gear));
         printed.list(key, &both, AS_PRINTED, ledger);
         for (flank, machine) in Flank::BOTH.into_iter().zip(both) {
-            let evaluated = found.pitch[flank].as_ref().map_or(f64::NAN, evaluated) * 1e3;
+            let evaluated = pitch.and_then(|pitch| evaluated(pitch, flank)).unwrap_or(f64::NAN) * 1e3;
             let quantity = compared(&printed.name(&format!("{key}.{flank}")));
             ledger.number(printed.case(), &quantity, machine, evaluated, allowed.printed_um);
         }
     }
-    let run_out = found.run_out.as_ref().map(|found| found.total * 1e3);
-    let variation = found.thickness_variation.map(|mm| mm * 1e3);
+    let run_out = pitch.and_then(|pitch| pitch.run_out.as_ref()).map(|found| found.total * 1e3);
+    let variation = pitch.and_then(|pitch| pitch.thickness_variation).map(|mm| mm * 1e3);
     for (key, characteristic, statistic, evaluated, tolerance) in [
         ("Fr", Characteristic::RunOut, Statistic::Gear, run_out, allowed.printed_um),
         ("Rs", Characteristic::ThicknessRange, Statistic::Gear, variation, allowed.printed_um),

@@ -1,0 +1,70 @@
+//! K-bands of a job: whether measured traces without the target lie within them.
+
+use super::evaluate::{Design, transverse_samples};
+use super::result::BandResult;
+use crate::exchange::inspection::{Inspection, TraceKind};
+use crate::exchange::job::{Band, Inspection as InspectionTable};
+use crate::exchange::{Diagnostic, Problem};
+use crate::geometry::Gear;
+use crate::metrology::inspection::{BandFit, KBand};
+use crate::workflow::finding::RunFailure;
+
+/// The bands of a job.
+pub(super) struct Bands {
+    profile: Option<(KBand, BandFit)>,
+    helix: Option<(KBand, BandFit)>,
+}
+
+impl Bands {
+    /// # Errors
+    /// [`RunFailure::BadInput`] for a band whose lists have other lengths, do not ascend, or cross.
+    pub fn of_table(table: &InspectionTable) -> Result<Self, RunFailure> {
+        Ok(Self {
+            profile: table.profile_band.as_ref().map(|b| band(b, "inspection.profile_band")).transpose()?,
+            helix: table.helix_band.as_ref().map(|b| band(b, "inspection.helix_band")).transpose()?,
+        })
+    }
+
+    /// What the band of its kind says of a trace, by its number in the inspection; `None` without a band, or where the trace cannot be
+    /// judged.
+    pub fn judge(
+        &self,
+        inspection: &Inspection,
+        gear: &Gear,
+        number: usize,
+        design: Option<Design<'_>>,
+    ) -> Option<BandResult> {
+        let trace = &inspection.traces[number];
+        let (band, fit) = match trace.kind {
+            TraceKind::Profile => self.profile.as_ref()?,
+            TraceKind::Helix => self.helix.as_ref()?,
+        };
+        let samples = transverse_samples(inspection, gear, trace, design).ok()?;
+        let found = band.judge(&samples, *fit).ok()?;
+        Some(BandResult {
+            passed: found.passed(),
+            margin_um: 1e3 * found.margin,
+            shift_um: 1e3 * found.shift,
+        })
+    }
+}
+
+fn band(of: &Band, field: &str) -> Result<(KBand, BandFit), RunFailure> {
+    let wrong = |message: String, allowed: &str| {
+        let finding =
+            Diagnostic::new(Problem::InvalidTable, message).field(field.to_owned()).allowed(allowed);
+        RunFailure::bad_input(finding.way_out("give one lower and one upper limit for every place"))
+    };
+    let count = of.at_mm.len();
+    if of.lower_um.len() != count || of.upper_um.len() != count {
+        let message =
+            format!("{count} places, {} lower and {} upper limits", of.lower_um.len(), of.upper_um.len());
+        return Err(wrong(message, "lists of one length"));
+    }
+    let mm = |um: &[f64]| um.iter().map(|um| 1e-3 * um).collect::<Vec<f64>>();
+    let made = KBand::new(&of.at_mm, &mm(&of.lower_um), &mm(&of.upper_um)).map_err(|error| {
+        let finding = Diagnostic::with_code(error.code(), error.to_string()).field(field.to_owned());
+        RunFailure::bad_input(finding.way_out(error.way_out()))
+    })?;
+    Ok((made, of.held_at_mm.map_or(BandFit::Free, BandFit::Fixed)))
+}

@@ -1,0 +1,175 @@
+//! Which part of every characteristic all teeth share: slopes, crownings and twist of each flank against the target, tooth by tooth, and the
+//! test of their means (spec 85 section 7.1). Normal to the flank, mm; slopes of material towards tip and upper face.
+
+use super::super::evaluate::EvaluatedGear;
+use crate::exchange::inspection::{Inspection, TraceKind};
+use crate::exchange::job::Inspection as InspectionTable;
+use crate::geometry::{Flank, Sides};
+use crate::metrology::areal::{ArealDegree, ArealField, ArealFit, ArealPoint};
+use crate::metrology::inspection::{PlacedSlope, twist_by_leads, twist_by_profiles};
+use crate::metrology::systematic::{SystematicError, SystematicOptions, SystematicTest, systematic_test};
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+
+/// A characteristic of a flank.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Characteristic {
+    /// f_Ha over the evaluated profile.
+    ProfileSlope,
+    /// C_alpha.
+    ProfileCrowning,
+    /// f_Hb over the evaluated face.
+    HelixSlope,
+    /// C_beta.
+    HelixCrowning,
+    /// S, bilinear.
+    Twist,
+}
+
+impl Characteristic {
+    /// All of them.
+    pub const ALL: [Self; 5] =
+        [Self::ProfileSlope, Self::ProfileCrowning, Self::HelixSlope, Self::HelixCrowning, Self::Twist];
+
+    /// Stable name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::ProfileSlope => "fHa",
+            Self::ProfileCrowning => "Ca",
+            Self::HelixSlope => "fHb",
+            Self::HelixCrowning => "Cb",
+            Self::Twist => "S",
+        }
+    }
+}
+
+/// One characteristic of one flank over the teeth.
+#[derive(Clone, Debug)]
+pub struct TestedCharacteristic {
+    /// Flank.
+    pub flank: Flank,
+    /// Which.
+    pub characteristic: Characteristic,
+    /// Teeth.
+    pub teeth: Vec<u32>,
+    /// Value of each, mm.
+    pub values: Vec<f64>,
+    /// What the test says.
+    pub test: Result<SystematicTest, SystematicError>,
+}
+
+/// Values of one tooth flank.
+type OfTooth = BTreeMap<Characteristic, f64>;
+
+/// Tests all characteristics that were measured.
+pub(super) fn tested(
+    inspection: &Inspection,
+    gear: &EvaluatedGear,
+    fields: &Sides<[[f64; 2]; 2]>,
+    table: &InspectionTable,
+    tolerance: f64,
+    field_points: impl Fn(&crate::exchange::inspection::Topography) -> Vec<(f64, f64, f64)>,
+) -> Vec<TestedCharacteristic> {
+    let mut found = Vec::new();
+    for flank in Flank::BOTH {
+        let mut teeth: BTreeMap<u32, OfTooth> = BTreeMap::new();
+        for trace in inspection.traces.iter().filter(|t| t.flank == flank) {
+            teeth
+                .entry(trace.tooth)
+                .or_insert_with(|| of_tooth(inspection, gear, flank, trace.tooth, fields[flank]));
+        }
+        for field in inspection.topographies.iter().filter(|t| t.flank == flank) {
+            teeth.insert(field.tooth, of_field(&field_points(field), fields[flank]));
+        }
+        for characteristic in Characteristic::ALL {
+            let values: Vec<(u32, f64)> =
+                teeth.iter().filter_map(|(tooth, of)| Some((*tooth, *of.get(&characteristic)?))).collect();
+            if values.is_empty() {
+                continue;
+            }
+            let readings: Vec<Vec<f64>> = values.iter().map(|(_, value)| vec![*value]).collect();
+            let pitch = TAU / f64::from(inspection.gear.teeth.unsigned_abs());
+            let angles: Vec<f64> = values.iter().map(|(tooth, _)| f64::from(*tooth) * pitch).collect();
+            let options = SystematicOptions {
+                tolerance,
+                calibration: 1e-3 * table.calibration_um,
+                dead_band: table.dead_band,
+                level: table.level,
+            };
+            found.push(TestedCharacteristic {
+                flank,
+                characteristic,
+                test: systematic_test(&readings, Some(&angles), &options),
+                teeth: values.iter().map(|(tooth, _)| *tooth).collect(),
+                values: values.into_iter().map(|(_, value)| value).collect(),
+            });
+        }
+    }
+    found
+}
+
+/// From the lines of a tooth: slopes and crownings of the middle ones, twist of the outer ones.
+fn of_tooth(
+    inspection: &Inspection,
+    gear: &EvaluatedGear,
+    flank: Flank,
+    tooth: u32,
+    [roll, face]: [[f64; 2]; 2],
+) -> OfTooth {
+    let cos = gear.gear.flank(flank).base_helix_angle.cos();
+    let lengths = [roll[1] - roll[0], face[1] - face[0]];
+    let mut found = OfTooth::new();
+    let mut twists = Vec::new();
+    for (kind, slope_of, crowning_of) in [
+        (TraceKind::Profile, Characteristic::ProfileSlope, Characteristic::ProfileCrowning),
+        (TraceKind::Helix, Characteristic::HelixSlope, Characteristic::HelixCrowning),
+    ] {
+        let mut lines: Vec<_> = gear
+            .traces
+            .iter()
+            .map(|one| (&inspection.traces[one.trace], &one.evaluation))
+            .filter(|(t, _)| t.kind == kind && t.flank == flank && t.tooth == tooth)
+            .collect();
+        lines.sort_by(|a, b| a.0.position_mm.total_cmp(&b.0.position_mm));
+        let along = lengths[usize::from(kind == TraceKind::Helix)];
+        if let Some((_, evaluation)) = lines.iter().find(|(t, _)| t.tag.is_empty()).or(lines.first()) {
+            found.insert(slope_of, cos * evaluation.crowning.slope.over(along));
+            found.insert(crowning_of, cos * evaluation.crowning.height);
+        }
+        if let (Some(first), Some(last)) = (lines.first(), lines.last()) {
+            let placed = |line: &(
+                &crate::exchange::inspection::Trace,
+                &crate::metrology::inspection::TraceEvaluation,
+            )| {
+                PlacedSlope { position: line.0.position_mm, slope: line.1.crowning.slope }
+            };
+            let pair = [placed(first), placed(last)];
+            let twist = match kind {
+                TraceKind::Profile => twist_by_profiles(pair, lengths),
+                TraceKind::Helix => twist_by_leads(pair, lengths),
+            };
+            twists.extend(twist.ok().map(|s| cos * s));
+        }
+    }
+    if !twists.is_empty() {
+        found.insert(Characteristic::Twist, twists.iter().sum::<f64>() / twists.len() as f64);
+    }
+    found
+}
+
+/// From the points of a field.
+fn of_field(points: &[(f64, f64, f64)], [roll, face]: [[f64; 2]; 2]) -> OfTooth {
+    let points: Vec<ArealPoint> =
+        points.iter().map(|&(w, z, f)| ArealPoint { w, z, f, weight: 1.0 }).collect();
+    let fit = ArealField::new(roll, face)
+        .and_then(|field| ArealFit::of_points(&points, &field, ArealDegree::Second));
+    let Ok(fit) = fit else { return OfTooth::new() };
+    let f = fit.features();
+    OfTooth::from([
+        (Characteristic::ProfileSlope, f.profile_slope),
+        (Characteristic::ProfileCrowning, f.profile_crowning),
+        (Characteristic::HelixSlope, f.helix_slope),
+        (Characteristic::HelixCrowning, f.helix_crowning),
+        (Characteristic::Twist, f.twist),
+    ])
+}

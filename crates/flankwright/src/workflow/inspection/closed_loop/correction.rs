@@ -1,0 +1,226 @@
+//! The correction that answers a measurement: which settings are worth turning, by how much, and what stays (spec 85 section 7).
+
+use super::characteristics::{Characteristic, TestedCharacteristic};
+use super::lines::{MeanLine, uncertainties};
+use crate::exchange::job::{Compensation, CorrectionSetting, Inspection as InspectionTable};
+use crate::geometry::Flank;
+use crate::metrology::systematic::Decision;
+use crate::modification::{FlankChoice, ModificationSpec, PolynomialSpec};
+use crate::process::correction::{
+    Correction, CorrectionError, CorrectionTask, FlankPoint, Setting, SettingInfluence, SettingUnit,
+    Weighting,
+};
+use std::collections::BTreeMap;
+
+/// A correction with the settings that it turns.
+#[derive(Clone, Debug)]
+pub struct FoundCorrection {
+    /// Settings in the order of the correction.
+    pub settings: Vec<Setting>,
+    /// What they are to be changed by.
+    pub correction: Correction,
+    /// Sum of this and all earlier corrections, mm or rad.
+    pub total: BTreeMap<String, (Setting, f64)>,
+}
+
+/// Smallest step that is worth a correction: mm, rad.
+const RESOLUTION: [f64; 2] = [5e-5, 5e-7];
+
+/// The unit of a setting in files, in that of the library, with its ending.
+pub(super) fn unit(setting: Setting) -> (f64, &'static str) {
+    match setting.unit() {
+        SettingUnit::Length => (1e-3, "_um"),
+        SettingUnit::Angle => ((1.0_f64 / 3600.0).to_radians(), "_arcsec"),
+        SettingUnit::Ratio => (1.0, ""),
+    }
+}
+
+/// Settings that may be turned and that cure something which all teeth share. Lines without common zeros say nothing of size and index;
+/// twist needs a shift.
+pub(super) fn worth_turning(
+    table: &InspectionTable,
+    tested: &[TestedCharacteristic],
+    influence: &SettingInfluence<'_>,
+) -> Vec<Setting> {
+    let systematic = |characteristic: Characteristic, flank: Option<Flank>| {
+        tested.iter().any(|t| {
+            t.characteristic == characteristic
+                && flank.is_none_or(|flank| flank == t.flank)
+                && t.test.as_ref().is_ok_and(|test| test.decision == Decision::Correct)
+        })
+    };
+    let measured = |flank: Flank| tested.iter().any(|t| t.flank == flank);
+    let twist = influence.ratio() != 0.0;
+    Setting::USUAL
+        .into_iter()
+        .filter(|setting| {
+            let (allowed, cured) = match setting {
+                Setting::RadialFeed(1) => (CorrectionSetting::Taper, Characteristic::HelixSlope),
+                Setting::WorkAngle(1) => (CorrectionSetting::HelixAngle, Characteristic::HelixSlope),
+                Setting::RadialFeed(2) => (CorrectionSetting::Crowning, Characteristic::HelixCrowning),
+                Setting::WorkAngle(2) => (CorrectionSetting::OppositeCrowning, Characteristic::HelixCrowning),
+                Setting::ProfileSlope(_) => (CorrectionSetting::ProfileSlope, Characteristic::ProfileSlope),
+                Setting::ProfileCrown(_) => {
+                    (CorrectionSetting::ProfileCrowning, Characteristic::ProfileCrowning)
+                }
+                Setting::Twist(_) => (CorrectionSetting::Twist, Characteristic::Twist),
+                _ => return false,
+            };
+            // What acts along the contact path brings slope, crowning and twist together: the worm takes out what is not wanted.
+            let partner = match setting {
+                Setting::ProfileSlope(flank) => {
+                    measured(*flank) && systematic(Characteristic::HelixSlope, None)
+                }
+                Setting::Twist(flank) | Setting::ProfileCrown(flank) => {
+                    measured(*flank) && systematic(Characteristic::HelixCrowning, None)
+                        || systematic(Characteristic::Twist, Some(*flank))
+                }
+                _ => false,
+            };
+            table.settings.contains(&allowed)
+                && (systematic(cured, setting.flank()) || partner)
+                && setting.flank().is_none_or(measured)
+                && (twist || !matches!(setting, Setting::Twist(_)))
+        })
+        .collect()
+}
+
+/// The correction of what was measured.
+///
+/// # Errors
+/// Those of [`CorrectionTask::solve`].
+pub(super) fn correct(
+    table: &InspectionTable,
+    settings: Vec<Setting>,
+    lines: &[MeanLine],
+    influence: &SettingInfluence<'_>,
+    earlier: Option<&Compensation>,
+) -> Result<FoundCorrection, CorrectionError> {
+    let spreads = uncertainties(lines);
+    let (mut points, mut deviations, mut zeros, mut known) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    for (number, (line, spread)) in lines.iter().zip(spreads).enumerate() {
+        for (point, deviation) in line.points() {
+            points.push(point);
+            deviations.push(deviation);
+            zeros.push(number);
+            known.push(spread);
+        }
+    }
+    let columns = influence.columns(&settings, &points)?;
+    let applied = applied(earlier);
+    let so_far = |setting: &Setting| applied.get(&setting.name()).map_or(0.0, |(_, value)| *value);
+    let limits = &table.limits;
+    let bound = |setting: &Setting| {
+        let limit = match setting {
+            Setting::WorkAngle(_) => limits.work_angle_arcsec,
+            Setting::ProfileSlope(_) | Setting::ProfileCrown(_) => limits.profile_um,
+            Setting::Twist(_) => limits.twist_um,
+            _ => limits.radial_feed_um,
+        };
+        let limit = limit * unit(*setting).0;
+        [-limit, limit]
+    };
+    let resolution = |setting: &Setting| RESOLUTION[usize::from(setting.unit() == SettingUnit::Angle)];
+    let task = CorrectionTask {
+        traces: Some(zeros),
+        weighting: Weighting::Uncertainties(known),
+        bounds: settings.iter().map(bound).collect(),
+        applied: settings.iter().map(so_far).collect(),
+        resolutions: Some(settings.iter().map(resolution).collect()),
+        allow_underdetermined: true,
+        ..CorrectionTask::new(deviations, columns)
+    };
+    let correction = task.solve()?;
+    let mut total = applied;
+    for (setting, found) in settings.iter().zip(&correction.settings) {
+        total.entry(setting.name()).or_insert((*setting, 0.0)).1 += found.value;
+    }
+    Ok(FoundCorrection { settings, correction, total })
+}
+
+/// Earlier corrections by the name of their setting, mm or rad.
+fn applied(earlier: Option<&Compensation>) -> BTreeMap<String, (Setting, f64)> {
+    let of = |key: &str, value: f64| {
+        let setting = Setting::USUAL.into_iter().find(|s| s.name() + unit(*s).1 == key)?;
+        Some((setting.name(), (setting, value * unit(setting).0)))
+    };
+    earlier.iter().flat_map(|c| &c.settings).filter_map(|(key, value)| of(key, *value)).collect()
+}
+
+/// The compensation of a job that makes a correction: what the settings do to the flanks, as polynomials.
+pub(super) fn compensation(
+    found: &FoundCorrection,
+    influence: &SettingInfluence<'_>,
+    ground: impl Fn(Flank) -> bool,
+    rounds: u32,
+) -> Compensation {
+    let modifications = Flank::BOTH
+        .into_iter()
+        .filter(|flank| ground(*flank))
+        .map(|flank| ModificationSpec::Polynomial(polynomial(found, influence, flank)))
+        .collect();
+    let settings = found
+        .total
+        .values()
+        .filter(|(_, value)| *value != 0.0)
+        .map(|(setting, value)| {
+            let (size, ending) = unit(*setting);
+            (setting.name() + ending, value / size)
+        })
+        .collect();
+    Compensation { modifications, settings, rounds }
+}
+
+/// Sum of the effects on a flank, transverse, > 0 material, um: all are polynomials of second degree, which six values tell. Their constant
+/// is left out, so that thickness and index stay what they are.
+fn polynomial(found: &FoundCorrection, influence: &SettingInfluence<'_>, flank: Flank) -> PolynomialSpec {
+    let lines = &influence.lines()[flank];
+    let at = |w: f64, z: f64| {
+        let point = FlankPoint { flank, w: lines.w_m + w, z: lines.z_m + z };
+        let each = found.total.values().map(|(setting, value)| match value {
+            0.0 => 0.0,
+            value => value * influence.effect(*setting, &point),
+        });
+        1e3 * each.sum::<f64>() / lines.cos_b2
+    };
+    // Differences over the whole field are exact for these polynomials.
+    let [a, b] = [0.5 * (lines.roll[1] - lines.roll[0]), 0.5 * (lines.face[1] - lines.face[0])];
+    let middle = at(0.0, 0.0);
+    let (w_plus, w_minus, z_plus, z_minus) = (at(a, 0.0), at(-a, 0.0), at(0.0, b), at(0.0, -b));
+    let mixed = at(a, b) - w_plus - z_plus + middle;
+    let terms = vec![
+        (1, 0, 0.5 * (w_plus - w_minus) / a),
+        (0, 1, 0.5 * (z_plus - z_minus) / b),
+        (2, 0, 0.5 * (w_plus + w_minus - 2.0 * middle) / (a * a)),
+        (0, 2, 0.5 * (z_plus + z_minus - 2.0 * middle) / (b * b)),
+        (1, 1, mixed / (a * b)),
+    ];
+    PolynomialSpec {
+        w0_mm: lines.w_m,
+        z0_mm: lines.z_m,
+        terms: terms.into_iter().filter(|(_, _, value)| *value != 0.0).collect(),
+        flank: match flank {
+            Flank::Left => FlankChoice::Left,
+            Flank::Right => FlankChoice::Right,
+        },
+        reference: crate::modification::Reference::default(),
+    }
+}
+
+/// What a correction changes on the places of a grid, first order, normal, mm.
+pub(super) fn first_order(
+    found: &FoundCorrection,
+    influence: &SettingInfluence<'_>,
+    flank: Flank,
+    [w, z]: [&[f64]; 2],
+) -> Vec<f64> {
+    let places = w.iter().flat_map(|&w| z.iter().map(move |&z| (w, z)));
+    let change = |(w, z): (f64, f64)| {
+        let point = FlankPoint { flank, w, z };
+        let each = found.settings.iter().zip(&found.correction.settings);
+        each.filter(|(_, found)| found.value != 0.0)
+            .map(|(setting, found)| found.value * influence.effect(*setting, &point))
+            .sum::<f64>()
+    };
+    places.map(change).collect()
+}

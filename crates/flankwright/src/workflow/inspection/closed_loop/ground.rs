@@ -1,0 +1,117 @@
+//! The flank that a job's plan leaves, by rays, on the machine as it should be or with its deviations. Knows no measurement.
+
+use crate::exchange::LoadedJob;
+use crate::exchange::job::SimulatedMeasurement;
+use crate::exchange::{Diagnostic, Problem};
+use crate::geometry::Sides;
+use crate::kinematics::MotionLaw;
+use crate::metrology::Topography;
+use crate::numerics::Progress;
+use crate::process::correction::{Setting, SettingInfluence, SettingsFlank};
+use crate::workflow::execution::Execution;
+use crate::workflow::finding::RunFailure;
+use crate::workflow::partition::StrokePlan;
+use crate::workflow::prepare::{Prepared, prepare};
+use crate::workflow::referee::{self, Cutting};
+
+/// A planned job.
+pub(super) struct Ground {
+    /// Bodies and targets.
+    pub prepared: Prepared,
+    /// Motions.
+    pub execution: Execution,
+    /// What the rays leave, normal, mm; `None` for a flank that is not ground.
+    pub simulated: Sides<Option<Topography>>,
+}
+
+/// Plans a job and lets the referee grind it.
+pub(super) fn ground(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Ground, RunFailure> {
+    let prepared = prepare(loaded)?;
+    let plan = prepared.task(&loaded.job).plan().map_err(|e| RunFailure::from(&e))?;
+    let execution = Execution::of_plan(&loaded.job, &prepared, &plan);
+    let simulated = by_rays(loaded, &prepared, &execution, progress)?;
+    Ok(Ground { prepared, execution, simulated })
+}
+
+impl Ground {
+    /// What the same settings leave on a machine with deviations, normal, mm.
+    pub fn with_deviations(
+        &self,
+        loaded: &LoadedJob,
+        of: &SimulatedMeasurement,
+        progress: &dyn Progress,
+    ) -> Result<Sides<Option<Topography>>, RunFailure> {
+        let mut execution = self.execution.clone();
+        execution.motion = self.motion(loaded, of)?;
+        let dressing = of.dressing.values();
+        if dressing != [0.0; 4] && !execution.shift_dressing(dressing) {
+            let finding = Diagnostic::new(Problem::InvalidJob, "this tool is not dressed in one stroke")
+                .field("inspection.simulated.dressing")
+                .value("deviations of the dressing axes")
+                .allowed("none")
+                .way_out("leave the table out");
+            return Err(RunFailure::bad_input(finding));
+        }
+        by_rays(loaded, &self.prepared, &execution, progress)
+    }
+
+    /// The grinding motion with its deviations.
+    fn motion(
+        &self,
+        loaded: &LoadedJob,
+        of: &SimulatedMeasurement,
+    ) -> Result<crate::kinematics::GeneratingMotion, RunFailure> {
+        let setup = &self.prepared.setup;
+        let influence = influence(&self.prepared, &self.execution, loaded)?;
+        let flank = SettingsFlank::new(&setup.pair, &influence, &self.execution.motion);
+        let orders = |values: &[f64], unit: f64, setting: fn(u8) -> Setting| {
+            let each = values.iter().zip(0u8..);
+            each.map(|(value, k)| (setting(k), value * unit)).collect::<Vec<(Setting, f64)>>()
+        };
+        let arcsec = (1.0_f64 / 3600.0).to_radians();
+        let mut settings = orders(&of.radial_feed_um, 1e-3, Setting::RadialFeed);
+        settings.extend(orders(&of.work_angle_arcsec, arcsec, Setting::WorkAngle));
+        Ok(flank.motion(&settings, of.crossing_angle_deg.to_radians()))
+    }
+}
+
+/// First-order effects of the settings of a planned job.
+///
+/// # Errors
+/// [`RunFailure::BadInput`] for jobs on which they are not known: cones, laws of the shift.
+pub(super) fn influence<'a>(
+    prepared: &'a Prepared,
+    execution: &Execution,
+    loaded: &LoadedJob,
+) -> Result<SettingInfluence<'a>, RunFailure> {
+    let setup = &prepared.setup;
+    let refused = |field: &'static str, value: String, allowed: &'static str| {
+        let message = "what settings do to the flank is known for cylinders and a constant diagonal ratio";
+        let finding =
+            Diagnostic::new(Problem::InvalidJob, message).field(field).value(value).allowed(allowed);
+        RunFailure::bad_input(finding.way_out("inspect the measurement without `--job`"))
+    };
+    if !setup.pair.work.is_cylindrical() || !setup.pair.worm.is_cylindrical() {
+        return Err(refused("gear.cone_angle_deg", loaded.job.gear.cone_angle_deg.to_string(), "0"));
+    }
+    let MotionLaw::Polynomial { .. } = execution.motion.shift else {
+        return Err(refused("grinding.diagonal_ratio", "a law of the feed".into(), "a constant ratio"));
+    };
+    SettingInfluence::new(&setup.lines, execution.ratio, loaded.job.gear.face_width).map_err(|e| {
+        let finding = Diagnostic::with_code(e.code(), e.to_string()).field("grinding.diagonal_ratio");
+        RunFailure::bad_input(finding.way_out(e.way_out()))
+    })
+}
+
+fn by_rays(
+    loaded: &LoadedJob,
+    prepared: &Prepared,
+    execution: &Execution,
+    progress: &dyn Progress,
+) -> Result<Sides<Option<Topography>>, RunFailure> {
+    let strokes = StrokePlan::of_job(&loaded.job)?;
+    let cutting = Cutting { feed_per_revolution: None, strokes: strokes.as_ref() };
+    let verdicts = referee::run(&prepared.setup, execution, cutting, progress)
+        .map_err(|e| RunFailure::of_removal(&e, "grinding"))?;
+    Ok(verdicts.map(|_, verdict| verdict.as_ref().map(|verdict| verdict.simulated.clone())))
+}

@@ -1,0 +1,119 @@
+//! The measured flank as a surface on the grid of the result: through the lines of every tooth, or through the points of a field, mean over
+//! the teeth about their means. Deviations from the design, normal, mm; NaN where nothing was measured.
+
+use super::super::evaluate::{Design, transverse_samples};
+use crate::exchange::inspection::{Inspection, Section, Topography as MeasuredField, Trace, TraceKind};
+use crate::geometry::{Flank, Gear};
+use crate::metrology::Topography;
+use crate::metrology::areal::{
+    ArealDegree, ArealField, ArealFit, ArealPoint, Reconstruction, Trace as ArealTrace, Zeros,
+};
+use crate::metrology::inspection::InspectionError;
+use std::collections::BTreeMap;
+
+/// A surface of one flank.
+#[derive(Clone, Debug)]
+pub(super) struct MeasuredSurface {
+    /// Deviation from the design on the grid.
+    pub deviation: Topography,
+    /// Teeth that it is the mean of.
+    pub teeth: usize,
+    /// How it came about.
+    pub how: String,
+}
+
+/// Points (w, z, deviation) of a measured field.
+pub(super) fn field_points(
+    inspection: &Inspection,
+    gear: &Gear,
+    field: &MeasuredField,
+    design: Design<'_>,
+) -> Result<Vec<(f64, f64, f64)>, InspectionError> {
+    let cos = gear.flank(field.flank).base_helix_angle.cos();
+    let to_normal = if inspection.conditions.section == Section::Transverse { cos } else { 1.0 };
+    let point =
+        |([w, z], um): (&[f64; 2], &f64)| (*w, *z, 1e-3 * um * to_normal - cos * design(field.flank, *w, *z));
+    Ok(field.points_mm.iter().zip(&field.f_um).filter(|(_, f)| f.is_finite()).map(point).collect())
+}
+
+/// The surface of a flank on the places (w, z); `None` if nothing of it was measured from which one could be made.
+pub(super) fn measured_surface(
+    inspection: &Inspection,
+    gear: &Gear,
+    flank: Flank,
+    [w, z]: [&[f64]; 2],
+    design: Design<'_>,
+) -> Result<Option<MeasuredSurface>, InspectionError> {
+    let mut surfaces = Vec::new();
+    let mut how = String::new();
+    let mut teeth: BTreeMap<u32, [Vec<&Trace>; 2]> = BTreeMap::new();
+    for trace in inspection.traces.iter().filter(|t| t.flank == flank) {
+        let place = usize::from(trace.kind == TraceKind::Helix);
+        teeth.entry(trace.tooth).or_default()[place].push(trace);
+    }
+    let cos = gear.flank(flank).base_helix_angle.cos();
+    for lines in teeth.values() {
+        let areal = |of: &[&Trace]| {
+            let one = |trace: &&Trace| {
+                let samples = transverse_samples(inspection, gear, trace, Some(design)).ok()?;
+                let f: Vec<f64> = samples.deviation().iter().map(|f| f * cos).collect();
+                ArealTrace::new(trace.position_mm, samples.abscissa(), &f).ok()
+            };
+            of.iter().filter_map(one).collect::<Vec<ArealTrace>>()
+        };
+        let (profiles, helices) = (areal(&lines[0]), areal(&lines[1]));
+        let text = format!("{} profiles and {} helix traces a tooth", profiles.len(), helices.len());
+        let found = Reconstruction::new(profiles, helices, Zeros::Free);
+        if let Some(surface) = found.ok().and_then(|r| r.on_grid(w.to_vec(), z.to_vec()).ok()) {
+            surfaces.push(surface);
+            how = text;
+        }
+    }
+    for field in inspection.topographies.iter().filter(|t| t.flank == flank) {
+        let points = field_points(inspection, gear, field, design)?;
+        if let Some(surface) = fitted(&points, w, z) {
+            surfaces.push(surface);
+            how = "third-degree fit of the points of a field".into();
+        }
+    }
+    let count = surfaces.len();
+    Ok(mean(surfaces).map(|deviation| MeasuredSurface { deviation, teeth: count, how }))
+}
+
+/// What a field's points share with a surface of third degree; NaN beyond them.
+fn fitted(points: &[(f64, f64, f64)], w: &[f64], z: &[f64]) -> Option<Topography> {
+    let ends = |of: fn(&(f64, f64, f64)) -> f64| crate::numerics::extremes(points.iter().map(of));
+    let (roll, face) = (ends(|p| p.0), ends(|p| p.1));
+    let field = ArealField::new(roll, face).ok()?;
+    let points: Vec<ArealPoint> =
+        points.iter().map(|&(w, z, f)| ArealPoint { w, z, f, weight: 1.0 }).collect();
+    let fit = ArealFit::of_points(&points, &field, ArealDegree::Third).ok()?;
+    let inside = |x: f64, [from, to]: [f64; 2]| (from - 1e-6..=to + 1e-6).contains(&x);
+    let value = |w: f64, z: f64| {
+        if inside(w, roll) && inside(z, face) { fit.value(w, z) } else { f64::NAN }
+    };
+    let f = w.iter().flat_map(|&w| z.iter().map(move |&z| (w, z))).map(|(w, z)| value(w, z)).collect();
+    Topography::new(w.to_vec(), z.to_vec(), f)
+}
+
+/// The mean of surfaces, each about its own mean over the places that all have.
+fn mean(surfaces: Vec<Topography>) -> Option<Topography> {
+    let first = surfaces.first()?;
+    let common: Vec<bool> = (0..first.f.len()).map(|k| surfaces.iter().all(|s| s.f[k].is_finite())).collect();
+    let places = common.iter().filter(|c| **c).count() as f64;
+    if places == 0.0 {
+        return None;
+    }
+    let levels: Vec<f64> = surfaces
+        .iter()
+        .map(|s| s.f.iter().zip(&common).filter(|(_, c)| **c).map(|(f, _)| f).sum::<f64>() / places)
+        .collect();
+    let count = surfaces.len() as f64;
+    let value = |k: usize| {
+        if !common[k] {
+            return f64::NAN;
+        }
+        surfaces.iter().zip(&levels).map(|(s, level)| s.f[k] - level).sum::<f64>() / count
+    };
+    Topography::new(first.w.clone(), first.z.clone(), (0..first.f.len()).map(value).collect())
+}

@@ -1,0 +1,67 @@
+//! Tolerances of ISO 1328-1 for a measured gear, and the values that are judged by them. mm
+
+use super::{EvaluatedPitch, EvaluatedTrace, LeftOut};
+use crate::exchange::inspection::{Inspection, TraceKind};
+use crate::geometry::{Flank, Gear};
+use crate::metrology::inspection::{ToleranceGear, ToleranceQuantity, Tolerances};
+
+/// Tolerances of the gear; none without a face width.
+pub(super) fn tolerances(inspection: &Inspection, gear: &Gear, left_out: &mut LeftOut) -> Option<Tolerances> {
+    let of = ToleranceGear {
+        teeth: inspection.gear.teeth.unsigned_abs(),
+        normal_module: inspection.gear.normal_module_mm,
+        reference_diameter: 2.0 * gear.pitch_radius(),
+        face_width: inspection.gear.face_width_mm?,
+        helix_angle: inspection.gear.helix_angle_deg.to_radians(),
+    };
+    left_out.take("tolerances", Tolerances::new(&of))
+}
+
+/// Values that are judged: mean slopes with their signs, single values of everything else.
+pub(super) fn judged(
+    inspection: &Inspection,
+    traces: &[EvaluatedTrace],
+    pitch: Option<&EvaluatedPitch>,
+) -> Vec<(ToleranceQuantity, f64)> {
+    let mut values = Vec::new();
+    for flank in Flank::BOTH {
+        for kind in [TraceKind::Profile, TraceKind::Helix] {
+            let of: Vec<&EvaluatedTrace> = traces
+                .iter()
+                .filter(|one| {
+                    let trace = &inspection.traces[one.trace];
+                    trace.kind == kind && trace.flank == flank && trace.tag.is_empty()
+                })
+                .collect();
+            if of.is_empty() {
+                continue;
+            }
+            let slope = of.iter().map(|one| one.evaluation.slope.printed()).sum::<f64>() / of.len() as f64;
+            let [slope_of, form_of, total_of] = match kind {
+                TraceKind::Profile => [
+                    ToleranceQuantity::ProfileSlope,
+                    ToleranceQuantity::ProfileForm,
+                    ToleranceQuantity::ProfileTotal,
+                ],
+                TraceKind::Helix => [
+                    ToleranceQuantity::HelixSlope,
+                    ToleranceQuantity::HelixForm,
+                    ToleranceQuantity::HelixTotal,
+                ],
+            };
+            values.push((slope_of, slope));
+            for one in of {
+                values.push((form_of, one.evaluation.form));
+                values.push((total_of, one.evaluation.total));
+            }
+        }
+        if let Some(found) = pitch.and_then(|pitch| pitch.flanks[flank].as_ref()) {
+            values.push((ToleranceQuantity::SinglePitch, found.single));
+            values.push((ToleranceQuantity::TotalPitch, found.total));
+        }
+    }
+    if let Some(run_out) = pitch.and_then(|pitch| pitch.run_out.as_ref()) {
+        values.push((ToleranceQuantity::RunOut, run_out.total));
+    }
+    values
+}

@@ -1,0 +1,166 @@
+//! What a measurement is read from: Klingelnberg files, REXS, tables. One inspection comes out, with everything that was not understood.
+
+mod rexs;
+
+use super::drawn::DrawnGear;
+use super::result::LinesResult;
+use crate::exchange::inspection::{
+    InspectedGear, Inspection, InspectionError, KlingelnbergFile, MeasuredTable, Trace, TraceKind,
+    inspection_of, read_klingelnberg, read_measured_table,
+};
+use crate::exchange::{Diagnostic, Problem};
+use crate::geometry::{Flank, Sides};
+use crate::modification::ModificationSpec;
+use crate::workflow::finding::{JobFailure, Remark, RunFailure};
+use std::path::{Path, PathBuf};
+
+/// A measurement as it was read.
+#[derive(Clone, Debug)]
+pub struct MeasuredFiles {
+    /// The measurement.
+    pub inspection: Inspection,
+    /// Lines that were not understood.
+    pub not_understood: Vec<LinesResult>,
+    /// What was assumed.
+    pub remarks: Vec<Remark>,
+    /// Modifications that the file states for the gear.
+    pub modifications: Sides<Vec<ModificationSpec>>,
+}
+
+/// Endings of curves and of values; the files of a part have one stem.
+const KLINGELNBERG: [&str; 2] = ["mka", "mew"];
+/// Endings of REXS files.
+const REXS: [&str; 3] = ["rexs", "rexsj", "rexsz"];
+/// Ending of tables.
+const TABLE: &str = "csv";
+
+/// Whether a file has the ending of a measurement.
+pub fn is_measurement(path: &Path) -> bool {
+    let ending = ending(path);
+    KLINGELNBERG.iter().chain(&REXS).chain([&TABLE]).any(|known| *known == ending)
+}
+
+/// Reads a measurement; of a Klingelnberg part also the file beside it that holds the curves to its values, or the values to its curves.
+///
+/// # Errors
+/// [`JobFailure`]: a file of no known form, what its reader refuses, a table without `drawn`.
+pub fn read_measurement(path: &Path, drawn: Option<&DrawnGear>) -> Result<MeasuredFiles, JobFailure> {
+    let ending = ending(path);
+    if KLINGELNBERG.contains(&ending.as_str()) {
+        return Ok(klingelnberg(path)?);
+    }
+    if REXS.contains(&ending.as_str()) {
+        return Ok(rexs::read(path)?);
+    }
+    if ending == TABLE {
+        return table(path, drawn);
+    }
+    let finding =
+        Diagnostic::new(Problem::UnknownValue, "the ending of the file tells no form of measurement")
+            .field("FILE")
+            .value(path.display())
+            .allowed(".mka, .mew, .rexs, .rexsj, .rexsz, .csv")
+            .way_out("give the file the ending of its form");
+    Err(RunFailure::bad_input(finding).into())
+}
+
+fn ending(path: &Path) -> String {
+    path.extension().and_then(|e| e.to_str()).unwrap_or_default().to_lowercase()
+}
+
+/// The file and the one of the same stem with the other ending, if it is there.
+fn parts_of(path: &Path) -> Vec<PathBuf> {
+    let own = path.extension().and_then(|e| e.to_str()).unwrap_or_default();
+    let other = KLINGELNBERG.into_iter().find(|other| !other.eq_ignore_ascii_case(own));
+    let spelled =
+        |other: &str| if own == own.to_uppercase() { other.to_uppercase() } else { other.to_owned() };
+    let beside = other.map(|other| path.with_extension(spelled(other))).filter(|path| path.is_file());
+    [Some(path.to_owned()), beside].into_iter().flatten().collect()
+}
+
+fn klingelnberg(path: &Path) -> Result<MeasuredFiles, RunFailure> {
+    let paths = parts_of(path);
+    let files = paths
+        .iter()
+        .map(|path| read_klingelnberg(path).map_err(|error| refused(path, &error)))
+        .collect::<Result<Vec<KlingelnbergFile>, RunFailure>>()?;
+    let names: Vec<String> = paths.iter().map(|path| file_name(path)).collect();
+    let named: Vec<(&str, &KlingelnbergFile)> = names.iter().map(String::as_str).zip(&files).collect();
+    let inspection = inspection_of(&named).map_err(|error| refused(path, &error))?;
+    let not_understood = named.iter().flat_map(|(name, file)| {
+        let line = |unknown: &crate::exchange::inspection::UnknownLine| LinesResult {
+            file: (*name).into(),
+            line: unknown.line,
+            text: unknown.text.clone(),
+        };
+        file.unknown_lines.iter().map(line).collect::<Vec<_>>()
+    });
+    let not_understood = not_understood.collect();
+    let modifications = Sides::default();
+    Ok(MeasuredFiles { inspection, not_understood, remarks: Vec::new(), modifications })
+}
+
+/// An error of a file of measurements.
+fn refused(path: &Path, error: &InspectionError) -> RunFailure {
+    let message = match error {
+        InspectionError::Unreadable { .. } => error.to_string(),
+        _ => format!("{}: {error}", path.display()),
+    };
+    RunFailure::bad_input(Diagnostic::with_code(error.code(), message).way_out(error.way_out()))
+}
+
+fn file_name(path: &Path) -> String {
+    path.file_name().map_or_else(|| "part".into(), |name| name.to_string_lossy().into_owned())
+}
+
+fn table(path: &Path, drawn: Option<&DrawnGear>) -> Result<MeasuredFiles, JobFailure> {
+    let found = read_measured_table(path)?;
+    let Some(drawn) = drawn else {
+        let finding = Diagnostic::new(Problem::MissingKey, "a table does not tell which gear was measured")
+            .field("--job")
+            .value("none")
+            .allowed("a job with the gear")
+            .way_out("add `--job JOB`");
+        return Err(RunFailure::bad_input(finding).into());
+    };
+    let mut inspection = empty(drawn.gear, path);
+    inspection.conditions = drawn.conditions.clone();
+    match found {
+        MeasuredTable::Traces(traces) => inspection.traces = traces,
+        MeasuredTable::Fields(fields) => inspection.topographies = fields,
+    }
+    tag(&mut inspection.traces);
+    let modifications = Sides::default();
+    Ok(MeasuredFiles { inspection, not_understood: Vec::new(), remarks: Vec::new(), modifications })
+}
+
+fn empty(gear: InspectedGear, path: &Path) -> Inspection {
+    Inspection { sources: vec![file_name(path)], ..Inspection::of_gear(gear) }
+}
+
+/// Marks the outer ones of several lines of one flank, as measuring machines do: the line nearest the middle of them stays without a mark.
+pub(super) fn tag(traces: &mut [Trace]) {
+    for kind in [TraceKind::Profile, TraceKind::Helix] {
+        for flank in Flank::BOTH {
+            let own = |t: &Trace| t.kind == kind && t.flank == flank && t.tag.is_empty();
+            let mut places: Vec<f64> = traces.iter().filter(|t| own(t)).map(|t| t.position_mm).collect();
+            places.sort_by(f64::total_cmp);
+            places.dedup();
+            let (Some(first), Some(last)) = (places.first(), places.last()) else { continue };
+            let half = 0.5 * (first + last);
+            let nearest = |a: &&f64, b: &&f64| (**a - half).abs().total_cmp(&(**b - half).abs());
+            let Some(&middle) = places.iter().min_by(nearest) else { continue };
+            let [below, above] = match kind {
+                TraceKind::Profile => ["u", "o"],
+                TraceKind::Helix => ["f", "k"],
+            };
+            for trace in traces.iter_mut().filter(|t| own(t)) {
+                if trace.position_mm < middle {
+                    trace.tag = below.into();
+                } else if trace.position_mm > middle {
+                    trace.tag = above.into();
+                }
+            }
+        }
+    }
+}
