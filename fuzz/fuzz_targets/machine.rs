@@ -1,4 +1,4 @@
-//! Machine descriptions, catalogues, histories of skiving tools.
+//! Descriptions of machines, TOML and JSON.
 #![no_main]
 
 libfuzzer_sys::fuzz_target!(|data: &[u8]| flankwright_fuzz::machine(data));

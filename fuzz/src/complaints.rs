@@ -11,7 +11,7 @@ pub fn told_in_full(code: &str, message: &str, way_out: &str) {
 }
 
 /// Findings about a text.
-pub fn of_text(error: &JobError) {
+fn of_text(error: &JobError) {
     assert!(!error.diagnostics.is_empty(), "an error without a finding");
     assert!(error.diagnostics.len() <= JobError::MAXIMUM_FINDINGS);
     let text = error.source.text();
@@ -24,4 +24,9 @@ pub fn of_text(error: &JobError) {
         }
     }
     assert!(!error.to_string().is_empty());
+}
+
+/// What was read, or the checked complaint about it.
+pub fn taken<T>(found: Result<T, JobError>) -> Option<T> {
+    found.inspect_err(of_text).ok()
 }

@@ -2,14 +2,11 @@
 
 use flankwright::exchange::{AnyJob, Source, parse_any_job};
 
-use crate::complaints::of_text;
+use crate::complaints::taken;
 
 /// The text decides between TOML and JSON.
 pub fn job(data: &[u8]) {
-    let job = match Source::from_bytes("job", data).and_then(parse_any_job) {
-        Ok(job) => job,
-        Err(error) => return of_text(&error),
-    };
+    let Some(job) = taken(Source::from_bytes("job", data).and_then(parse_any_job)) else { return };
     let text = json(&job);
     let back =
         parse_any_job(Source::new("job.json", &text)).unwrap_or_else(|error| panic!("{error}\n{text}"));

@@ -6,16 +6,18 @@ mod complaints;
 mod jobs;
 mod klingelnberg;
 mod machines;
+mod modifications;
 mod programs;
 mod rexs;
 mod tables;
 
 pub use jobs::job;
 pub use klingelnberg::klingelnberg;
-pub use machines::machine;
+pub use machines::{catalogue, history, machine};
+pub use modifications::modification;
 pub use programs::program;
 pub use rexs::{rexs_json, rexs_packed, rexs_xml};
-pub use tables::table;
+pub use tables::{measured_table, table};
 
 /// Separates the files of an input that stands for several; the control character "record separator" stands in no text file.
 const SEPARATOR: u8 = 0x1e;

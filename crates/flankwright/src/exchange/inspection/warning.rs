@@ -25,6 +25,8 @@ pub enum WarningKind {
     FilesDiffer,
     /// The last line has no end: the file may be cut short.
     FileCutShort,
+    /// There are more warnings than are kept.
+    MoreWarnings,
 }
 
 impl WarningKind {
@@ -41,6 +43,7 @@ impl WarningKind {
             Self::Unusable => "unusable",
             Self::FilesDiffer => "files-differ",
             Self::FileCutShort => "file-cut-short",
+            Self::MoreWarnings => "more-warnings",
         }
     }
 
@@ -57,6 +60,7 @@ impl WarningKind {
             Self::Unusable => "Unusable",
             Self::FilesDiffer => "FilesDiffer",
             Self::FileCutShort => "FileCutShort",
+            Self::MoreWarnings => "MoreWarnings",
         }
     }
 }
