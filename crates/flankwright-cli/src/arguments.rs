@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand};
 
 use crate::commands::check::CheckArguments;
+use crate::commands::convert::ConvertArguments;
 use crate::commands::explore::ExploreArguments;
 use crate::commands::gearbox::GearboxArguments;
 use crate::commands::inspect::InspectArguments;
@@ -45,6 +46,8 @@ pub enum Command {
     Explore(ExploreArguments),
     /// Read a measurement and evaluate it: deviations, verdict, correction
     Inspect(InspectArguments),
+    /// Pass a gear and its modifications between a job and a REXS model
+    Convert(ConvertArguments),
     /// Run the electronic gearbox on a stimulus: pulses, additional rotation, errors, servo, set-ups
     Gearbox(GearboxArguments),
     /// Read an NC program and tell what it does on a machine
@@ -64,6 +67,7 @@ impl Command {
             Command::Simulate(arguments) => &arguments.common,
             Command::Explore(arguments) => &arguments.common,
             Command::Inspect(arguments) => &arguments.common,
+            Command::Convert(arguments) => &arguments.common,
             Command::Gearbox(arguments) => &arguments.common,
             Command::Program(arguments) => &arguments.common,
             Command::Verify(arguments) => &arguments.common,

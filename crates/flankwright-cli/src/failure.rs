@@ -57,6 +57,14 @@ impl Failure {
         }
     }
 
+    /// A run without a job that was refused.
+    pub fn of_no_job(failure: RunFailure) -> Self {
+        match failure {
+            RunFailure::BadInput(finding) => Self::new(Exit::BadInput, *finding),
+            RunFailure::NotProducible(finding) => Self::new(Exit::NotProducible, *finding),
+        }
+    }
+
     /// A job of which an entry or a file that it names is at fault.
     pub fn of_job_or_file<J>(loaded: &Loaded<J>, failure: JobFailure) -> Self {
         match failure {

@@ -36,6 +36,7 @@ pub fn run() -> ExitCode {
         Command::Simulate(arguments) => commands::simulate::run(arguments),
         Command::Explore(arguments) => commands::explore::run(arguments),
         Command::Inspect(arguments) => commands::inspect::run(arguments),
+        Command::Convert(arguments) => commands::convert::run(arguments),
         Command::Gearbox(arguments) => commands::gearbox::run(arguments),
         Command::Program(arguments) => commands::program::run(arguments),
         Command::Verify(arguments) => commands::verify::run(arguments),

@@ -26,7 +26,7 @@ fn planned(directory: &Path) -> Outcome {
         Ok(outcome) => outcome,
         Err(RunFailure::BadInput(d) | RunFailure::NotProducible(d)) => panic!("{d:?}"),
     };
-    write_outcome(&loaded.job, &outcome, directory).unwrap();
+    write_outcome(&loaded, &outcome, directory).unwrap();
     outcome
 }
 

@@ -1,12 +1,12 @@
-//! `flankwright inspect`: reads a measurement and evaluates it for a job.
+//! `flankwright inspect`: reads measurements and evaluates them, by themselves or for a job.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use flankwright::exchange::job::Process;
-use flankwright::exchange::{AnyJob, Diagnostic, Loaded, Problem};
+use flankwright::exchange::{AnyJob, Diagnostic, Loaded, LoadedJob, LoadedSkivingJob, Problem};
 
-use super::skiving;
+use super::{measured_gear, skiving};
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
@@ -14,17 +14,25 @@ use crate::output;
 
 /// Arguments of `inspect`.
 #[derive(Args, Debug)]
-#[command(after_help = "Example:\n  flankwright simulate examples/skiving/internal-ring.toml -o results\n  \
-    flankwright inspect results/readings.csv --job examples/skiving/internal-ring.toml\n\n\
-    Takes switching angles of a skiving tool at a light barrier (columns flank, track, sense, revolution, angle_deg).\n\
-    Exit status 3: the tool is worn, teeth leave their band, or the workpiece's profile will leave its tolerance.")]
+#[command(after_help = "Examples:\n  flankwright inspect part.mka\n  \
+    flankwright inspect measured/ -o series\n  \
+    flankwright inspect examples/inspection/measured.csv --job examples/inspection/measured.toml\n  \
+    flankwright inspect --job examples/inspection/closed-loop.toml\n  \
+    flankwright inspect examples/skiving/readings.csv --job examples/skiving/measured-ring.toml\n\n\
+    A gear: .mka or .mew (each finds the other beside it), .rexs, .rexsj, .rexsz, or .csv with the columns kind, tooth, flank, position, \
+    abscissa, f_um (traces) or tooth, flank, w_mm, z_mm, f_um (fields). A folder: every measurement in it, with statistics, trends and \
+    capability. With a job of generating grinding: what is systematic, which settings correct it, and the corrected job; without a file, \
+    the measurement that its table [inspection.simulated] describes.\n\
+    A skiving tool: switching angles at a light barrier (columns flank, track, sense, revolution, angle_deg), always with its job.\n\n\
+    Exit status 3: the measured flank misses the tolerance of the job; the tool is worn, teeth leave their band, or the workpiece's \
+    profile will leave its tolerance.")]
 pub struct InspectArguments {
-    /// The measurement
-    #[arg(value_name = "FILE")]
-    pub file: PathBuf,
-    /// The job (TOML or JSON) that tells what was measured; `-` reads standard input
+    /// The measurement, or a folder of measurements
+    #[arg(value_name = "FILE", required_unless_present = "job")]
+    pub file: Option<PathBuf>,
+    /// The job (TOML or JSON) that tells what was made or measured; `-` reads standard input
     #[arg(long, value_name = "JOB")]
-    pub job: PathBuf,
+    pub job: Option<PathBuf>,
     /// Arguments that every command has.
     #[command(flatten)]
     pub common: CommonArguments,
@@ -35,13 +43,39 @@ pub struct InspectArguments {
 /// # Errors
 /// Everything that is wrong with job and measurement, files that cannot be written.
 pub fn run(arguments: &InspectArguments) -> Result<Exit, Failure> {
-    match output::load_any_job(&arguments.job)? {
-        AnyJob::Skiving(loaded) => skiving::inspect(&loaded, &arguments.file, &arguments.common),
-        AnyJob::Grinding(loaded) => Err(other_process(&loaded, loaded.job.job.process)),
-        AnyJob::Tangential(loaded) => Err(other_process(&loaded, loaded.job.job.process)),
-        AnyJob::Gearbox(loaded) => Err(other_process(&loaded, loaded.job.job.process)),
-        AnyJob::Milling(loaded) => Err(other_process(&loaded, loaded.job.job.process)),
+    let (file, common) = (arguments.file.as_deref(), &arguments.common);
+    match (file, &arguments.job) {
+        (Some(file), None) => measured_gear::alone(file, common),
+        (_, Some(job)) => match output::load_any_job(job)? {
+            AnyJob::Skiving(loaded) => of_tool(&loaded, file, common),
+            AnyJob::Grinding(loaded) => of_gear(&loaded, file, common),
+            AnyJob::Tangential(loaded) => Err(other_process(&loaded, loaded.job.job.process)),
+            AnyJob::Gearbox(loaded) => Err(other_process(&loaded, loaded.job.job.process)),
+            AnyJob::Milling(loaded) => Err(other_process(&loaded, loaded.job.job.process)),
+        },
+        (None, None) => Err(Failure::internal("neither a measurement nor a job".into())),
     }
+}
+
+fn of_gear(loaded: &LoadedJob, file: Option<&Path>, common: &CommonArguments) -> Result<Exit, Failure> {
+    match file {
+        Some(file) => measured_gear::for_job(file, loaded, common),
+        None => measured_gear::simulated(loaded, common),
+    }
+}
+
+fn of_tool(
+    loaded: &LoadedSkivingJob,
+    file: Option<&Path>,
+    common: &CommonArguments,
+) -> Result<Exit, Failure> {
+    let Some(file) = file else {
+        let finding = Diagnostic::new(Problem::MissingKey, "there is no measurement of the tool")
+            .field("FILE")
+            .way_out("name the file of switching angles; `flankwright simulate` writes one");
+        return Err(Failure::of_job(Exit::BadInput, loaded, finding));
+    };
+    skiving::inspect(loaded, file, common)
 }
 
 fn other_process<J>(loaded: &Loaded<J>, process: Process) -> Failure {
@@ -49,7 +83,11 @@ fn other_process<J>(loaded: &Loaded<J>, process: Process) -> Failure {
     let finding = Diagnostic::new(Problem::ProcessNotAvailable, message)
         .field("job.process")
         .value(format!("\"{}\"", process.name()))
-        .allowed(format!("\"{}\"", Process::SkivingToolMeasuring.name()))
-        .way_out("give the job for whose tool the angles were taken");
+        .allowed(format!(
+            "\"{}\", \"{}\"",
+            Process::GeneratingGrinding.name(),
+            Process::SkivingToolMeasuring.name()
+        ))
+        .way_out("give the job by which the gear was ground, or for whose tool the angles were taken");
     loaded.error(finding).into()
 }

@@ -2,10 +2,12 @@
 
 mod catalogue;
 pub mod check;
+pub mod convert;
 mod derived;
 pub mod explore;
 pub mod gearbox;
 pub mod inspect;
+mod measured_gear;
 mod milling;
 pub mod new;
 mod outcome;

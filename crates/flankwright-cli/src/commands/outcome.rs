@@ -29,7 +29,7 @@ pub fn deliver(
     let refused =
         |failure| refuse(loaded, &loaded.job.job, loaded.job.target.tolerance_um, failure, &directory);
     let outcome = run.map_err(refused)?;
-    let written = write_outcome(&loaded.job, &outcome, &directory).map_err(unwritten)?;
+    let written = write_outcome(loaded, &outcome, &directory).map_err(unwritten)?;
     let result = &outcome.result;
     let verdict = Verdict { job: &result.job, status: result.status, reason: result.reason.as_ref() };
     conclude(common, result, verdict, || summary(result, &written))

@@ -47,7 +47,7 @@ fn deliver(
     let directory = output::directory(common, loaded, &job.job);
     let outcome =
         run.map_err(|failure| refuse(loaded, &job.job, job.target.tolerance_um, failure, &directory))?;
-    let written = write_tangential(job, &outcome, &directory).map_err(unwritten)?;
+    let written = write_tangential(loaded, &outcome, &directory).map_err(unwritten)?;
     let result = &outcome.result;
     let verdict = Verdict { job: &result.job, status: result.status, reason: result.reason.as_ref() };
     conclude(common, result, verdict, || summary(result, &written))

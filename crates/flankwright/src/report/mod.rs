@@ -5,7 +5,8 @@
 //! (a banner and an ordered list of sections, the same for every process), [`html`] writes it, and
 //! [`generating`] composes the page of diagonal generating grinding; [`tangential`] adds the sections of tangential dressing,
 //! [`programs`] the one on NC programs, [`control`] the one on gearbox and servo; [`gearbox`] composes the page of the electronic
-//! gearbox, [`milling`] that of five-axis milling, [`skiving`] that of measuring a power-skiving tool.
+//! gearbox, [`milling`] that of five-axis milling, [`skiving`] that of measuring a power-skiving tool, [`measured_gear`] that of an
+//! inspected gear.
 //!
 //! ```
 //! use flankwright::report::{Banner, Block, PlanReport, Section, Status, html};
@@ -26,11 +27,13 @@ pub mod control;
 pub mod gearbox;
 pub mod generating;
 pub mod html;
+pub mod measured_gear;
 pub mod milling;
 pub mod programs;
 pub mod skiving;
 pub mod tangential;
 
+mod cells;
 mod data;
 mod head;
 

@@ -3,7 +3,9 @@
 
 mod catalogue;
 mod control;
+mod convert;
 mod dressing_study;
+mod elsewhere;
 mod equal_ratio_offers;
 mod executed_strokes;
 mod execution;
@@ -39,6 +41,7 @@ pub use catalogue::{
     rank_catalogue, study_free_worm, wanted_of_catalogue, write_catalogue, write_free_study,
 };
 pub use control::{ControlFlankResult, ControlResult, ErrorTrace, Trace};
+pub use convert::{GearOfRexs, gear_of_rexs, rexs_of_job};
 pub use dressing_study::{
     AxisInfluence, CrowningCurve, CrowningPoint, CurveEnd, DeviationCurve, DeviationQuantile,
     DressingStudyOutcome, ProfileCurve, StrokeCurve, StrokeFigures, StudyCurves, WormCurve, WormPoint,

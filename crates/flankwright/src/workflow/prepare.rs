@@ -68,6 +68,11 @@ impl<J> ModificationFiles for Beside<'_, J> {
     }
 }
 
+/// The tables that the modifications of a job lie in.
+pub(super) fn job_files<J>(loaded: &Loaded<J>) -> impl ModificationFiles + '_ {
+    Beside(loaded)
+}
+
 /// The gear of the table `[gear]` of a job, with its thickness measure turned into the profile shift.
 ///
 /// # Errors

@@ -1,11 +1,12 @@
 //! Writes what a run produced: result, tables, settings, report. Every file appears whole or not at all.
 
+use super::elsewhere::standing_elsewhere;
 use super::programs::RunPrograms;
 use super::run::Outcome;
 use super::{page, tables};
-use crate::exchange::job::{Job, JobInfo, Machine, OneOrSides};
+use crate::exchange::job::{Job, JobInfo, OneOrSides};
 use crate::exchange::mesh::MeshError;
-use crate::exchange::{CsvError, Diagnostic, write_atomically};
+use crate::exchange::{CsvError, Diagnostic, LoadedJob, write_atomically};
 use crate::geometry::{Flank, Sides};
 use crate::machine::Station;
 use crate::report::charts::ChartError;
@@ -64,13 +65,18 @@ pub(super) fn write_study(
 ///
 /// # Errors
 /// [`WriteError`]; files written before the error stay.
-pub fn write_outcome(job: &Job, outcome: &Outcome, directory: &Path) -> Result<Vec<PathBuf>, WriteError> {
+pub fn write_outcome(
+    loaded: &LoadedJob,
+    outcome: &Outcome,
+    directory: &Path,
+) -> Result<Vec<PathBuf>, WriteError> {
+    let job = &loaded.job;
     let mut files: Vec<NamedFile> = vec![
         ("result.json".into(), "result with settings and flanks", json(&outcome.result)?),
         (
             "settings.json".into(),
             "the job with its settings: input of `flankwright simulate`",
-            json(&with_settings(job, outcome))?,
+            json(&standing_elsewhere(loaded, &with_settings(job, outcome))?)?,
         ),
         (
             "topography.csv".into(),
@@ -151,8 +157,12 @@ pub(super) fn write_with_report(
 }
 
 /// Names that a run may write; what an earlier run left of them and this one does not write would contradict it.
-const NAMES: [&str; 27] = [
+const NAMES: [&str; 31] = [
     "result.json",
+    "corrected-job.json",
+    "traces.csv",
+    "pitch.csv",
+    "sheet.html",
     "settings.json",
     "topography.csv",
     "sensitivities.csv",
@@ -227,22 +237,12 @@ pub fn write_refusal(
 
 fn with_settings(job: &Job, outcome: &Outcome) -> Job {
     let mut job = Job { settings: Some(outcome.execution.settings()), ..job.clone() };
-    job.machine = job.machine.map(|machine| placed(machine, outcome.programs.as_ref()));
     if job.point_dresser().is_some() {
         // Laid by the plan from its target; the settings hold whatever the target becomes.
         let Sides { left, right } = outcome.prepared.setup.tool_direction.map(|_, t| t.atan().to_degrees());
         job.dressing.line_direction_deg = Some(OneOrSides::Each { left, right });
     }
     job
-}
-
-/// The machine of a job that is written elsewhere: its description stays where it is.
-pub(super) fn placed(machine: Machine, programs: Option<&RunPrograms>) -> Machine {
-    let read = programs.map(|programs| Path::new(programs.machine.document.source().name()));
-    match read.and_then(|path| std::path::absolute(path).ok()) {
-        Some(path) => Machine { file: path.display().to_string(), ..machine },
-        None => machine,
-    }
 }
 
 pub(super) fn json(value: &impl serde::Serialize) -> Result<Vec<u8>, serde_json::Error> {

@@ -162,19 +162,19 @@ pub struct FlankSettings {
     pub v_to_mm: f64,
     /// Chebyshev coefficients of d_phi_S, deg.
     #[serde(default, rename = "d_phi_S_deg")]
-    #[schemars(extend("maxItems" = 200))]
+    #[schemars(extend("maxItems" = 1000))]
     pub d_phi_s_deg: Vec<f64>,
     /// Chebyshev coefficients of d_gamma, deg.
     #[serde(default)]
-    #[schemars(extend("maxItems" = 200))]
+    #[schemars(extend("maxItems" = 1000))]
     pub d_gamma_deg: Vec<f64>,
     /// Chebyshev coefficients of d_d, mm.
     #[serde(default)]
-    #[schemars(extend("maxItems" = 200))]
+    #[schemars(extend("maxItems" = 1000))]
     pub d_d_mm: Vec<f64>,
     /// Chebyshev coefficients of d_v_yA, mm.
     #[serde(default, rename = "d_v_yA_mm")]
-    #[schemars(extend("maxItems" = 200))]
+    #[schemars(extend("maxItems" = 1000))]
     pub d_v_ya_mm: Vec<f64>,
     /// Profile that the dresser leaves on the gear: coefficients of (w - w_m)^k, um/mm^k, transverse, > 0 material left.
     #[serde(default)]

@@ -1,7 +1,7 @@
 //! Where both edges of a tooth switch the beam, over the radius of the tracks: nominal, measured, compensation curve, tolerance band.
 
-use super::cells::{fixed_or_none, flank_title};
 use crate::geometry::{Flank, Sides};
+use crate::report::cells::{fixed_or_none, flank_title};
 use crate::report::charts::{
     ChartError, LineChart, LineFrame, Panel, Series, Svg, check_values, format_fixed, format_significant,
     line_chart_in, round_below,

@@ -1,7 +1,7 @@
 //! The conventional method, with the beam parallel to the tool's axis in every pose, beside the virtual contact points.
 
-use super::cells::{NONE, fixed, fixed_or_none};
 use crate::geometry::Flank;
+use crate::report::cells::{NONE, fixed, fixed_or_none};
 use crate::report::charts::ChartError;
 use crate::report::{Block, Column, Table};
 

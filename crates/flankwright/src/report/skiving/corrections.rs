@@ -1,7 +1,7 @@
 //! What to change in the setting, whether the tool is worn, and when it must be reground.
 
-use super::cells::{fixed, significant, significant_or_none, yes_no};
 use crate::geometry::Flank;
+use crate::report::cells::{fixed, significant, significant_or_none, yes_no};
 use crate::report::charts::ChartError;
 use crate::report::{Block, Column, Quantity, Table};
 

@@ -1,7 +1,7 @@
 //! Wear of the tool over the parts that it has cut.
 
-use super::cells::{fixed, fixed_or_none, flank_title, significant};
 use crate::geometry::{Flank, Sides};
+use crate::report::cells::{fixed, fixed_or_none, flank_title, significant};
 use crate::report::charts::{ChartError, LineChart, LineFrame, Panel, Series, Svg, line_chart_in};
 use crate::report::{Block, Column, Figure, Table};
 

@@ -1,7 +1,7 @@
 //! Deviations of all teeth on all tracks, the band about the compensation curve, and the teeth that leave it.
 
-use super::cells::{NONE, fixed_or_none, flank_title};
 use crate::geometry::{Flank, Sides};
+use crate::report::cells::{NONE, fixed_or_none, flank_title};
 use crate::report::charts::{
     ChartError, LineChart, LineFrame, Panel, Series, Svg, check_length, format_significant, line_chart_in,
 };

@@ -3,7 +3,6 @@
 //! numbers in, a page out; teeth count from 0, tracks from 1.
 
 mod angles;
-mod cells;
 mod compose;
 mod conventional;
 mod corrections;

@@ -1,6 +1,6 @@
 //! How all results scatter when the measurement is repeated with random noise.
 
-use super::cells::{significant, significant_or_none};
+use crate::report::cells::{significant, significant_or_none};
 use crate::report::charts::ChartError;
 use crate::report::{Block, Column, Table};
 

@@ -1,7 +1,7 @@
 //! Concentricity around the tool and pitch over its teeth.
 
 use super::UncertainFigure;
-use super::cells::{fixed, significant, significant_or_none};
+use crate::report::cells::{fixed, significant, significant_or_none};
 use crate::report::charts::{
     ChartError, LineChart, LineFrame, Panel, PolarChart, PolarCurve, Series, Svg, check_length,
     format_significant, line_chart_in, polar_chart,

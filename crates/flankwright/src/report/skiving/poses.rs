@@ -1,7 +1,7 @@
 //! Tracks and the poses in which they are measured.
 
-use super::cells::{fixed, fixed_or_none};
 use crate::geometry::Flank;
+use crate::report::cells::{fixed, fixed_or_none};
 use crate::report::charts::ChartError;
 use crate::report::{Block, Column, Table};
 

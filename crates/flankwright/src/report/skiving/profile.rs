@@ -1,7 +1,7 @@
 //! The profile that the measured tool will leave on the workpiece.
 
-use super::cells::flank_title;
 use crate::geometry::{Flank, Sides};
+use crate::report::cells::flank_title;
 use crate::report::charts::{ChartError, LineChart, LineFrame, Panel, Series, line_chart_in};
 use crate::report::{Block, Figure};
 

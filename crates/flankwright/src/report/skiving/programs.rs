@@ -1,6 +1,6 @@
 //! Programs of the measurement and what was proven of them.
 
-use super::cells::fixed;
+use crate::report::cells::fixed;
 use crate::report::charts::ChartError;
 use crate::report::{Block, Column, Quantity, Table};
 

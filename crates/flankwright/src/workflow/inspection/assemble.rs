@@ -26,8 +26,10 @@ pub(super) struct InspectionContext {
     pub rounds: Vec<RoundResult>,
     /// What bands say of traces, by their number.
     pub bands: BTreeMap<usize, BandResult>,
-    /// Whether a job's tolerance is met.
-    pub status: Status,
+    /// Tolerance of the job.
+    pub tolerance_um: Option<f64>,
+    /// Why it is missed.
+    pub reason: Option<Remark>,
     /// Seconds per stage.
     pub timing: BTreeMap<&'static str, f64>,
 }
@@ -53,7 +55,9 @@ pub(super) fn gear_result(
         job: context.name,
         process: "inspection",
         version: env!("CARGO_PKG_VERSION"),
-        status: context.status,
+        status: if context.reason.is_some() { Status::Missed } else { Status::Met },
+        reason: context.reason,
+        tolerance_um: context.tolerance_um,
         files: inspection.sources.clone(),
         head: head.into_iter().filter_map(|(key, text)| Some((key, text.clone()?))).collect(),
         warnings: context.remarks.into_iter().chain(warnings(inspection, gear)).collect(),

@@ -7,6 +7,7 @@ mod closed_loop;
 mod drawn;
 mod evaluate;
 mod files;
+mod page;
 mod printed;
 mod result;
 mod run;

@@ -18,6 +18,12 @@ pub struct GearInspectionResult {
     pub version: &'static str,
     /// Whether the tolerance of the job is met; a measurement by itself has none to miss.
     pub status: Status,
+    /// Why the tolerance is missed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reason: Option<Remark>,
+    /// Tolerance of the job.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tolerance_um: Option<f64>,
     /// Files that were read.
     pub files: Vec<String>,
     /// Number of the part, its drawing, date and machine, as far as the files tell.
@@ -61,6 +67,14 @@ pub struct GearInspectionResult {
     pub rounds: Vec<RoundResult>,
     /// Seconds per stage; the only part that differs between two runs.
     pub timing_s: BTreeMap<&'static str, f64>,
+}
+
+impl GearInspectionResult {
+    /// Largest deviation of the last measured flanks from the target, um; 0 without a job.
+    pub fn largest_um(&self) -> f64 {
+        let last = self.rounds.last().into_iter().flat_map(|round| round.flanks.values());
+        last.map(|flank| flank.measured.largest_um).fold(0.0, f64::max)
+    }
 }
 
 /// Lines of a file that were not understood.

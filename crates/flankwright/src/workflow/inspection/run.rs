@@ -2,7 +2,7 @@
 
 use super::assemble::{InspectionContext, gear_result};
 use super::bands::Bands;
-use super::closed_loop::{Round, Wanted, of_file, simulated};
+use super::closed_loop::{Round, RoundResult, Wanted, of_file, simulated};
 use super::evaluate::{Design, EvaluatedGear, evaluate_inspection};
 use super::files::{MeasuredFiles, read_measurement};
 use super::result::{BandResult, GearInspectionResult, LinesResult};
@@ -12,7 +12,6 @@ use crate::geometry::{Flank, Sides};
 use crate::modification::{EvaluationField, Modification};
 use crate::numerics::Progress;
 use crate::workflow::finding::{JobFailure, Remark, RunFailure};
-use crate::workflow::result::Status;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::time::Instant;
@@ -54,7 +53,8 @@ pub fn inspect_gear(path: &Path) -> Result<GearInspection, JobFailure> {
         remarks: files.remarks,
         rounds: Vec::new(),
         bands: BTreeMap::new(),
-        status: Status::Met,
+        tolerance_um: None,
+        reason: None,
         timing,
     };
     let result = gear_result(&files.inspection, &gear, context);
@@ -110,8 +110,7 @@ fn of_rounds(
             way_out: "measure at least one profile and one helix trace of every tooth and flank".into(),
         });
     }
-    let within = last.result.flanks.values().all(|flank| flank.measured.largest_um <= tolerance);
-    let status = if within && bands.values().all(|b| b.passed) { Status::Met } else { Status::Missed };
+    let reason = missed(&last.result, &bands, tolerance);
     let (inspection, gear) = (last.inspection.clone(), last.gear.clone());
     let context = InspectionContext {
         name,
@@ -119,11 +118,40 @@ fn of_rounds(
         remarks,
         rounds: rounds.iter().map(|round| round.result.clone()).collect(),
         bands,
-        status,
+        tolerance_um: Some(tolerance),
+        reason,
         timing: BTreeMap::from([("all", begun.elapsed().as_secs_f64())]),
     };
     let result = gear_result(&inspection, &gear, context);
     Ok(GearInspection { result, inspection, gear, rounds })
+}
+
+/// Why a measured gear is not what the job asks for.
+fn missed(last: &RoundResult, bands: &BTreeMap<usize, BandResult>, tolerance_um: f64) -> Option<Remark> {
+    let far = last.flanks.iter().max_by(|a, b| a.1.measured.largest_um.total_cmp(&b.1.measured.largest_um));
+    let out = bands.values().filter(|band| !band.passed).count();
+    let way_out = match &last.correction {
+        Some(_) => "grind the next part by corrected-job.json",
+        None => {
+            "nothing that the settings could remove is systematic: look at clamping, machine and measurement"
+        }
+    };
+    match far {
+        Some((flank, of)) if of.measured.largest_um > tolerance_um => Some(Remark {
+            code: "tolerance-exceeded",
+            text: format!(
+                "the {flank} flank was measured {:.3} um off its target (tolerance {tolerance_um} um)",
+                of.measured.largest_um
+            ),
+            way_out: way_out.into(),
+        }),
+        _ if out > 0 => Some(Remark {
+            code: "outside-the-band",
+            text: format!("{out} of {} traces lie outside their band", bands.len()),
+            way_out: way_out.into(),
+        }),
+        _ => None,
+    }
 }
 
 fn stem(path: &Path) -> String {

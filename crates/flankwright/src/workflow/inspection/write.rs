@@ -1,27 +1,40 @@
 //! Writes what is known of a measured gear. Every file appears whole or not at all.
 
+use super::page;
 use super::run::GearInspection;
 use super::tables;
-use crate::exchange::write_atomically;
-use crate::workflow::write::{WriteError, json};
+use crate::exchange::inspection::{Inspection, trace_table};
+use crate::workflow::elsewhere::standing_elsewhere;
+use crate::workflow::write::{NamedFile, WriteError, json, write_with_report};
 use std::path::{Path, PathBuf};
 
-/// Writes result and tables into `directory` (made if missing); returns their paths.
+/// Writes result, tables, the corrected job and the report into `directory` (made if missing); returns their paths, the report last.
 ///
 /// # Errors
 /// [`WriteError`]; files written before the error stay.
 pub fn write_gear_inspection(found: &GearInspection, directory: &Path) -> Result<Vec<PathBuf>, WriteError> {
     let result = &found.result;
-    let files = [
-        ("result.json", json(result)?),
-        ("traces.csv", tables::traces(result)?.text().into()),
-        ("pitch.csv", tables::pitch(result)?.text().into()),
+    let mut files: Vec<NamedFile> = vec![
+        ("result.json".into(), "everything that is known of the gear", json(result)?),
+        ("traces.csv".into(), "characteristic values of every trace", tables::traces(result)?.text().into()),
     ];
-    let mut written = Vec::with_capacity(files.len());
-    for (name, bytes) in files {
-        let path = directory.join(name);
-        write_atomically(&path, &bytes).map_err(|source| WriteError::Io { path: path.clone(), source })?;
-        written.push(path);
+    if !result.pitch.is_empty() {
+        let what = "cumulative pitch of every tooth";
+        files.push(("pitch.csv".into(), what, tables::pitch(result)?.text().into()));
     }
-    Ok(written)
+    if let Some(job) = found.rounds.iter().rev().find_map(|round| round.corrected.as_ref()) {
+        let what = "the job with the compensation that answers the measurement: input of `flankwright plan`";
+        files.push(("corrected-job.json".into(), what, json(&standing_elsewhere(job, &job.job)?)?));
+    }
+    for round in found.rounds.iter().filter(|round| is_simulated(&round.inspection)) {
+        let path = format!("measured-{}.csv", round.result.round);
+        let table = trace_table(&round.inspection.traces)?;
+        files.push((path, "simulated measurement: input of `flankwright inspect`", table.text().into()));
+    }
+    write_with_report(files, directory, |named| page::html_page(found, named))
+}
+
+/// Whether no file holds the measurement.
+fn is_simulated(inspection: &Inspection) -> bool {
+    inspection.sources.is_empty()
 }

@@ -4,11 +4,13 @@ use super::page;
 use super::run::TangentialOutcome;
 use super::tables;
 use crate::contact::Measure;
+use crate::exchange::LoadedTangentialJob;
 use crate::exchange::TangentialJob;
 use crate::geometry::Flank;
 use crate::process::tangential_dressing::TangentialFlank;
+use crate::workflow::elsewhere::standing_elsewhere;
 use crate::workflow::tables::{grinding_motion, topography};
-use crate::workflow::write::{NamedFile, WriteError, json, placed, program_files, write_with_report};
+use crate::workflow::write::{NamedFile, WriteError, json, program_files, write_with_report};
 use std::path::{Path, PathBuf};
 
 /// Writes all files of a run into `directory` (made if missing); returns the paths in the order written, the report last.
@@ -16,20 +18,19 @@ use std::path::{Path, PathBuf};
 /// # Errors
 /// [`WriteError`]; files written before the error stay.
 pub fn write_tangential(
-    job: &TangentialJob,
+    loaded: &LoadedTangentialJob,
     outcome: &TangentialOutcome,
     directory: &Path,
 ) -> Result<Vec<PathBuf>, WriteError> {
-    let result = &outcome.result;
-    let mut with_settings = TangentialJob { settings: Some(result.settings.settings.clone()), ..job.clone() };
-    with_settings.machine = with_settings.machine.map(|machine| placed(machine, outcome.programs.as_ref()));
+    let (job, result) = (&loaded.job, &outcome.result);
+    let with_settings = TangentialJob { settings: Some(result.settings.settings.clone()), ..job.clone() };
     let flanks = result.flanks.iter().map(|(name, f)| (*name, &f.flank));
     let mut files: Vec<NamedFile> = vec![
         ("result.json".into(), "result with settings and flanks", json(result)?),
         (
             "settings.json".into(),
             "the job with its settings: input of `flankwright simulate`",
-            json(&with_settings)?,
+            json(&standing_elsewhere(loaded, &with_settings)?)?,
         ),
         (
             "topography.csv".into(),

@@ -6,18 +6,13 @@ use crate::exchange::inspection::InspectedGear;
 use crate::exchange::rexs::{RexsError, RexsGear, gear_ids, gear_of, read_rexs};
 use crate::exchange::{Diagnostic, Problem};
 use crate::geometry::{Flank, Gear, Sides};
+use crate::workflow::convert::of_rexs;
 use crate::workflow::finding::{Remark, RunFailure};
 use std::path::Path;
 
 /// Reads the first gear of a file.
 pub(super) fn read(path: &Path) -> Result<MeasuredFiles, RunFailure> {
-    let refused = |error: RexsError| {
-        let message = match error {
-            RexsError::Unreadable { .. } => error.to_string(),
-            _ => format!("{}: {error}", path.display()),
-        };
-        RunFailure::bad_input(Diagnostic::with_code(error.code(), message).way_out(error.way_out()))
-    };
+    let refused = |error: RexsError| of_rexs(&error, path);
     let document = read_rexs(path).map_err(refused)?;
     let ids = gear_ids(&document);
     let Some(&first) = ids.first() else {

@@ -4,27 +4,31 @@ use crate::geometry::Flank;
 use crate::report::charts::{ChartError, check_values, format_fixed, format_significant};
 
 /// What stands where there is no number.
-pub(super) const NONE: &str = "–";
+pub(in crate::report) const NONE: &str = "–";
 
 /// A number with fixed decimals; the error names `what`.
-pub(super) fn fixed(what: &str, value: f64, decimals: usize) -> Result<String, ChartError> {
+pub(in crate::report) fn fixed(what: &str, value: f64, decimals: usize) -> Result<String, ChartError> {
     check_values(what, &[value])?;
     Ok(format_fixed(value, decimals))
 }
 
 /// A number with significant digits.
-pub(super) fn significant(what: &str, value: f64, digits: usize) -> Result<String, ChartError> {
+pub(in crate::report) fn significant(what: &str, value: f64, digits: usize) -> Result<String, ChartError> {
     check_values(what, &[value])?;
     Ok(format_significant(value, digits))
 }
 
 /// As [`fixed`], a dash where there is no number.
-pub(super) fn fixed_or_none(what: &str, value: Option<f64>, decimals: usize) -> Result<String, ChartError> {
+pub(in crate::report) fn fixed_or_none(
+    what: &str,
+    value: Option<f64>,
+    decimals: usize,
+) -> Result<String, ChartError> {
     value.map_or_else(|| Ok(NONE.to_owned()), |value| fixed(what, value, decimals))
 }
 
 /// As [`significant`], a dash where there is no number.
-pub(super) fn significant_or_none(
+pub(in crate::report) fn significant_or_none(
     what: &str,
     value: Option<f64>,
     digits: usize,
@@ -33,12 +37,12 @@ pub(super) fn significant_or_none(
 }
 
 /// A word that stands out in black and white.
-pub(super) fn yes_no(yes: bool) -> String {
+pub(in crate::report) fn yes_no(yes: bool) -> String {
     if yes { "YES" } else { "no" }.to_owned()
 }
 
 /// "Left flank", "Right flank".
-pub(super) fn flank_title(flank: Flank) -> &'static str {
+pub(in crate::report) fn flank_title(flank: Flank) -> &'static str {
     match flank {
         Flank::Left => "Left flank",
         Flank::Right => "Right flank",

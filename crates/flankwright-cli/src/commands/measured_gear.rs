@@ -1,0 +1,176 @@
+//! `inspect` of a measured gear: evaluates it by itself or against a job, writes its files, prints a summary.
+
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+use flankwright::exchange::LoadedJob;
+use flankwright::workflow::inspection::{
+    GearInspection, GearInspectionResult, RoundResult, inspect_for_job, inspect_gear, inspect_simulated,
+    write_gear_inspection,
+};
+use flankwright::workflow::{JobFailure, Remark};
+
+use super::outcome::{Verdict, closing, conclude, fixed, opening, unwritten};
+use crate::arguments::CommonArguments;
+use crate::exit::Exit;
+use crate::failure::Failure;
+use crate::progress::Bars;
+
+/// Evaluates a measurement by itself.
+///
+/// # Errors
+/// A file that is no measurement, files that cannot be written.
+pub fn alone(file: &Path, common: &CommonArguments) -> Result<Exit, Failure> {
+    let found = inspect_gear(file).map_err(|failure| match failure {
+        JobFailure::File(error) => Failure::from(*error),
+        JobFailure::Job(failure) => Failure::of_no_job(failure),
+    })?;
+    deliver(&found, &beside(file), common)
+}
+
+/// Judges a measurement against a job.
+///
+/// # Errors
+/// As [`alone`]; everything that is wrong with the job, a measurement of another gear.
+pub fn for_job(file: &Path, loaded: &LoadedJob, common: &CommonArguments) -> Result<Exit, Failure> {
+    let bars = Bars::new(common.quiet);
+    let found = inspect_for_job(loaded, file, &bars);
+    bars.finish();
+    let found = found.map_err(|failure| Failure::of_job_or_file(loaded, failure))?;
+    deliver(&found, &beside(file), common)
+}
+
+/// Measures and corrects the simulated machine of a job.
+///
+/// # Errors
+/// Everything that is wrong with the job, files that cannot be written.
+pub fn simulated(loaded: &LoadedJob, common: &CommonArguments) -> Result<Exit, Failure> {
+    let bars = Bars::new(common.quiet);
+    let found = inspect_simulated(loaded, &bars);
+    bars.finish();
+    let found = found.map_err(|failure| Failure::of_run(loaded, failure))?;
+    let directory = loaded.beside(&format!("{}.inspected", loaded.job.job.name));
+    deliver(&found, &directory, common)
+}
+
+/// `part.inspected/` beside `part.mka`.
+pub fn beside(file: &Path) -> PathBuf {
+    file.with_extension("inspected")
+}
+
+fn deliver(found: &GearInspection, directory: &Path, common: &CommonArguments) -> Result<Exit, Failure> {
+    let directory = common.output.as_deref().unwrap_or(directory);
+    let written = write_gear_inspection(found, directory).map_err(unwritten)?;
+    let result = &found.result;
+    let verdict = verdict(result);
+    conclude(common, result, verdict, || summary(result, &written))
+}
+
+fn verdict(result: &GearInspectionResult) -> Verdict<'_> {
+    Verdict { job: &result.job, status: result.status, reason: result.reason.as_ref() }
+}
+
+fn summary(result: &GearInspectionResult, written: &[PathBuf]) -> String {
+    let mut text = match result.tolerance_um {
+        Some(tolerance) => opening(&verdict(result), result.largest_um(), tolerance),
+        None => format!("{}: {} traces evaluated\n", result.job, result.traces.len()),
+    };
+    evaluated(&mut text, result);
+    for round in &result.rounds {
+        of_round(&mut text, round, result.rounds.len());
+    }
+    if !result.not_understood.is_empty() {
+        // Writing to a text cannot fail.
+        let _ = writeln!(
+            text,
+            "  {} lines were not understood: they are listed in result.json",
+            result.not_understood.len()
+        );
+    }
+    let warnings: Vec<Remark> = result.warnings.iter().take(SHOWN).cloned().collect();
+    closing(&mut text, &warnings, &result.timing_s, written);
+    if result.warnings.len() > SHOWN {
+        let _ = writeln!(text, "  {} more warnings are in result.json", result.warnings.len() - SHOWN);
+    }
+    text
+}
+
+/// Warnings that are printed.
+const SHOWN: usize = 10;
+
+fn evaluated(text: &mut String, result: &GearInspectionResult) {
+    let one = |row: &flankwright::workflow::inspection::SummaryResult| {
+        let tag = if row.tag.is_empty() { String::new() } else { format!(" {}", row.tag) };
+        let range =
+            if row.teeth > 1 { format!(" (range {})", fixed(row.range_um, 2)) } else { String::new() };
+        format!("{}{tag} {}{range}", row.characteristic, fixed(row.mean_um, 2))
+    };
+    for kind in ["profile", "helix"] {
+        for flank in ["left", "right"] {
+            let rows = result.summary.iter().filter(|row| row.kind == kind && row.flank == flank);
+            let told: Vec<String> = rows.map(one).collect();
+            if !told.is_empty() {
+                let _ = writeln!(text, "  {kind:<7} {flank:<5} {} um", told.join(", "));
+            }
+        }
+    }
+    for (flank, pitch) in &result.pitch {
+        let _ = writeln!(
+            text,
+            "  pitch   {flank:<5} fp {:.2}, fu {:.2}, Fp {:.2} um",
+            pitch.single_um, pitch.neighbours_um, pitch.total_um
+        );
+    }
+    if let Some(run_out) = result.run_out_um {
+        let _ = writeln!(text, "  run-out {run_out:.2} um");
+    }
+    if !result.classes.is_empty() {
+        let class = result.class.map_or_else(|| "worse than 11".to_owned(), |class| class.to_string());
+        let _ = writeln!(text, "  class of ISO 1328-1:2013: {class}");
+    }
+    if !result.printed.is_empty() {
+        let _ = writeln!(
+            text,
+            "  {} values that the measuring machine printed: within {:.3} um of these",
+            result.printed.len(),
+            result.printed_difference_um
+        );
+    }
+}
+
+fn of_round(text: &mut String, round: &RoundResult, of: usize) {
+    let number = if of > 1 { format!("round {}: ", round.round) } else { String::new() };
+    for (flank, found) in &round.flanks {
+        let explained = if found.explained { ", as the plan says" } else { "" };
+        let _ = writeln!(
+            text,
+            "  {number}{flank} flank, measured less target: rms {:.3} um, largest {:.3} um{explained}",
+            found.measured.rms_um, found.measured.largest_um
+        );
+    }
+    for of in round.characteristics.iter().filter(|of| of.decision == "correct") {
+        let sure = of.uncertainty_um.map_or_else(String::new, |u| format!(" (uncertainty {u:.3})"));
+        let _ = writeln!(
+            text,
+            "    systematic: {} {} {} um{sure}",
+            of.flank,
+            of.characteristic,
+            fixed(of.common_um, 3)
+        );
+    }
+    if let Some(why) = &round.no_correction {
+        let _ = writeln!(text, "    no correction: {why}");
+    }
+    let Some(correction) = &round.correction else { return };
+    for setting in correction.settings.iter().filter(|setting| !setting.dropped) {
+        let bound = if setting.at_bound { ", held by its bound" } else { "" };
+        let _ = writeln!(text, "    turn {}: {}{bound}", setting.name, fixed(setting.change, 4));
+    }
+    for (flank, proof) in &correction.proof {
+        let _ = writeln!(
+            text,
+            "    the referee proves for the {flank} flank: rms {:.3} -> {:.3} um, largest {:.3} -> {:.3} um",
+            proof.before.rms_um, proof.after.rms_um, proof.before.largest_um, proof.after.largest_um
+        );
+    }
+}

@@ -1,0 +1,14 @@
+//! The page of a measured gear: its flank beside the target and the process, what all teeth share, the correction and its proof, and the
+//! evaluation after ISO 1328-1. Finished numbers in, a page out. The inspection sheet is another page.
+
+mod correction;
+mod data;
+mod evaluation;
+mod page;
+mod pictures;
+mod tests_table;
+
+pub use correction::{CorrectionView, ProofRow, SettingRow};
+pub use data::{DifferenceRow, FlankView, MeasuredGearReport, RoundView};
+pub use evaluation::{ClassRow, EvaluationView, LineRow, PitchRow};
+pub use tests_table::TestRow;

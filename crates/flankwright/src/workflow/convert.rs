@@ -1,0 +1,123 @@
+//! Jobs and REXS models: the gear and its modifications pass from one to the other. What has no place there is told.
+
+use super::elsewhere::standing_elsewhere;
+use super::finding::{JobFailure, Remark, RunFailure};
+use super::prepare::job_files;
+use crate::exchange::job::{Gear as JobGear, Job};
+use crate::exchange::rexs::{
+    Author, RexsError, RexsFormat, RexsGear, RexsWarning, document_of, gear_ids, gear_of, read_rexs,
+    rexs_bytes,
+};
+use crate::exchange::{Diagnostic, LoadedJob, Problem};
+use crate::modification::ModificationSpec;
+use serde::Serialize;
+use std::path::Path;
+
+/// What a REXS model says of a gear, as a job has it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct GearOfRexs {
+    /// The table `[gear]`.
+    pub gear: JobGear,
+    /// The entries of `target.modifications`.
+    pub modifications: Vec<ModificationSpec>,
+}
+
+impl GearOfRexs {
+    /// A job with this gear and these modifications in place of its own, as it can be written anywhere; its settings and compensation,
+    /// made for another gear, are left out.
+    ///
+    /// # Errors
+    /// A job that JSON cannot hold.
+    pub fn into_job(self, template: &LoadedJob) -> Result<serde_json::Value, serde_json::Error> {
+        let mut job = Job { gear: self.gear, settings: None, compensation: None, ..template.job.clone() };
+        job.target.modifications = Some(self.modifications);
+        job.target.file = None;
+        standing_elsewhere(template, &job)
+    }
+}
+
+/// Reads a gear of a REXS model: that numbered `id`, or the only one.
+///
+/// # Errors
+/// [`RunFailure`]: a file that is no model, no gear of this number, several without a number, what a job needs and the model does not say.
+pub fn gear_of_rexs(path: &Path, id: Option<i32>) -> Result<(GearOfRexs, Vec<Remark>), RunFailure> {
+    let refused = |error: RexsError| of_rexs(&error, path);
+    let document = read_rexs(path).map_err(refused)?;
+    let id = chosen(&gear_ids(&document), id, path)?;
+    let (found, read) = gear_of(&document, id).map_err(refused)?;
+    let (gear, lost) = found.job_gear().map_err(refused)?;
+    let remarks = read.iter().chain(&lost).map(|w| remark(w, "compare with the drawing")).collect();
+    Ok((GearOfRexs { gear, modifications: found.job_modifications() }, remarks))
+}
+
+fn chosen(ids: &[i32], wanted: Option<i32>, path: &Path) -> Result<i32, RunFailure> {
+    let listed = ids.iter().map(i32::to_string).collect::<Vec<_>>().join(", ");
+    let wrong = |message: String, value: String| {
+        let finding = Diagnostic::new(Problem::InvalidNumber, message).field("gear").value(value);
+        RunFailure::bad_input(
+            finding.allowed(format!("one of {listed}")).way_out("tell which with `--gear NUMBER`"),
+        )
+    };
+    match (ids, wanted) {
+        ([], _) => {
+            let message = format!("{} has no cylindrical gear", path.display());
+            let finding = Diagnostic::new(Problem::InvalidTable, message).field("components");
+            Err(RunFailure::bad_input(
+                finding
+                    .allowed("a component cylindrical_gear or ring_gear")
+                    .way_out("export the model with its gears"),
+            ))
+        }
+        ([only], None) => Ok(*only),
+        (_, None) => Err(wrong(format!("{} has {} gears", path.display(), ids.len()), "none chosen".into())),
+        (_, Some(id)) if ids.contains(&id) => Ok(id),
+        (_, Some(id)) => Err(wrong(format!("{} has no gear {id}", path.display()), id.to_string())),
+    }
+}
+
+/// The gear of a job and the modifications of its target as the bytes of a REXS file.
+///
+/// # Errors
+/// [`JobFailure`]: a gear or a modification that REXS has no place for, tables that cannot be read.
+pub fn rexs_of_job(
+    loaded: &LoadedJob,
+    format: RexsFormat,
+    packed: bool,
+    author: &Author,
+) -> Result<(Vec<u8>, Vec<Remark>), JobFailure> {
+    let job = &loaded.job;
+    let refused = |error: RexsError| {
+        let finding = Diagnostic::with_code(error.code(), error.to_string()).field("gear");
+        RunFailure::bad_input(finding.way_out(error.way_out()))
+    };
+    if job.target.file.is_some() {
+        let finding =
+            Diagnostic::new(Problem::InvalidTable, "the target is a table, which is no modification by name")
+                .field("target.file")
+                .way_out(
+                    "give it as an entry of `target.modifications`, e.g. { kind = \"grid\", file = \"..\" }",
+                );
+        return Err(RunFailure::bad_input(finding).into());
+    }
+    let modifications = job.target.modifications.as_deref().unwrap_or_default();
+    let mut gear = RexsGear::of_job(&job.gear, modifications).map_err(refused)?;
+    gear.name = Some(job.job.name.clone());
+    let (document, mut warnings) = document_of(&gear, &job_files(loaded), author).map_err(refused)?;
+    let (bytes, lost) = rexs_bytes(&document, format, packed).map_err(refused)?;
+    warnings.extend(lost);
+    let remarks = warnings.iter().map(|w| remark(w, "tell it to the reader of the file in another way"));
+    Ok((bytes, remarks.collect()))
+}
+
+fn remark(warning: &RexsWarning, way_out: &str) -> Remark {
+    Remark { code: warning.kind.code(), text: warning.message.clone(), way_out: way_out.into() }
+}
+
+/// An error of reading a model, with its file.
+pub(super) fn of_rexs(error: &RexsError, path: &Path) -> RunFailure {
+    let message = match error {
+        RexsError::Unreadable { .. } => error.to_string(),
+        _ => format!("{}: {error}", path.display()),
+    };
+    RunFailure::bad_input(Diagnostic::with_code(error.code(), message).way_out(error.way_out()))
+}
