@@ -87,7 +87,7 @@ fn klingelnberg(path: &Path) -> Answer {
     let file = read_klingelnberg(path)?;
     let whole = inspection_of(&[("part", &file)])?;
     let samples = whole.traces.iter().map(|trace| trace.f_um.len()).sum::<usize>();
-    Ok(samples + whole.warnings.len() + file.unknown_lines.len())
+    Ok(samples + whole.results.len() + whole.warnings.len() + file.unknown_lines.len())
 }
 
 fn measured(path: &Path) -> Answer {

@@ -66,7 +66,9 @@ fn binary_files_are_refused() {
     for reader in all() {
         for bytes in [&program[..], picture, package, document, b"", b"\n", &[0xff; 512]] {
             let found = reader.take(bytes);
-            assert!(found.is_err(), "{}: {found:?} for {}", reader.name, bytes.escape_ascii());
+            // The first measurement of a tool makes its history.
+            let none_yet = reader.name == "a history" && bytes.trim_ascii().is_empty();
+            assert_eq!(found.is_err(), !none_yet, "{}: {found:?} for {}", reader.name, bytes.escape_ascii());
         }
     }
 }
@@ -117,6 +119,7 @@ fn shuffled_lines_of_a_measurement_are_read_or_told() {
     let (head, rest) = text.split_once('\n').unwrap();
     let lines: Vec<&str> = rest.lines().collect();
     let whole = parse_klingelnberg(&reader.sample).unwrap();
+    assert_eq!(whole.curves.len(), 4);
     let (mut told, mut kept) = (0, 0);
     for step in [3, 5, 7, 11, 13] {
         // A step without common factor with the number of lines visits each once.
