@@ -126,7 +126,7 @@ fn texts_come_back_character_by_character() {
         parse_rexs(text.as_bytes())
     };
     // A reader of XML makes blanks of what is not written as a number.
-    for word in [r"a\u007fb\u0085c", r"a\tb\r\nc\nd", r"\u00b5<&>\"'"] {
+    for word in [r"a\u007fb\u0085c", r"a\tb\r\nc\nd", r#"\u00b5<&>\"'"#] {
         let document = of(word).unwrap();
         let (bytes, lost) = rexs_bytes(&document, RexsFormat::Xml, false).unwrap();
         assert!(lost.is_empty());
