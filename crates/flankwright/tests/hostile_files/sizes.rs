@@ -1,18 +1,20 @@
-//! Files of the largest size that is read, made to take time or memory: an answer soon.
+//! Large files, made to take time or memory: an answer soon.
 
 use std::time::{Duration, Instant};
 
 use super::readers::all;
-use flankwright::exchange::MAXIMUM_BYTES;
 
-/// Longest time of one file on a busy machine, without optimisation for speed; a way that grows with the square of the size takes hours.
+/// Bytes of a file: a way that grows with the square of their number takes minutes.
+const BYTES: usize = 1 << 20;
+
+/// Longest time of one file on a busy machine.
 const SOON: Duration = Duration::from_secs(30);
 
 fn filled(head: &str, piece: impl Fn(usize) -> String) -> Vec<u8> {
     let mut text = head.to_owned();
     for k in 0.. {
         let piece = piece(k);
-        if text.len() + piece.len() > MAXIMUM_BYTES {
+        if text.len() + piece.len() > BYTES {
             break;
         }
         text += &piece;
@@ -21,7 +23,7 @@ fn filled(head: &str, piece: impl Fn(usize) -> String) -> Vec<u8> {
 }
 
 #[test]
-fn the_largest_file_takes_no_longer_than_its_size() {
+fn no_way_through_a_file_grows_with_the_square_of_its_size() {
     let same = |piece: &'static str| move |_| piece.to_owned();
     let files = [
         ("opened lists", filled("x = ", same("["))),
