@@ -14,6 +14,7 @@ demo: setup
 	target/release/flankwright plan $(DEMO)
 
 test: setup
+	@scripts/postgresql install
 	$(CARGO) fmt --all -- --check
 	$(CARGO) fmt --manifest-path fuzz/Cargo.toml -- --check
 	$(CARGO) clippy --workspace --all-targets -- -D warnings

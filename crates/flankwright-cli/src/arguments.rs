@@ -14,6 +14,7 @@ use crate::commands::plan::PlanArguments;
 use crate::commands::program::ProgramArguments;
 use crate::commands::schema::SchemaArguments;
 use crate::commands::simulate::SimulateArguments;
+use crate::commands::store::StoreArguments;
 use crate::commands::verify::VerifyArguments;
 
 /// Plans, simulates and proves the manufacture of gear teeth.
@@ -52,6 +53,8 @@ pub enum Command {
     Gearbox(GearboxArguments),
     /// Read an NC program and tell what it does on a machine
     Program(ProgramArguments),
+    /// Keep measured parts, catalogue, plans and tool histories beyond one run
+    Store(StoreArguments),
     /// Recompute every expected value of reference files and compare
     Verify(VerifyArguments),
 }
@@ -70,6 +73,7 @@ impl Command {
             Command::Convert(arguments) => &arguments.common,
             Command::Gearbox(arguments) => &arguments.common,
             Command::Program(arguments) => &arguments.common,
+            Command::Store(arguments) => arguments.common(),
             Command::Verify(arguments) => &arguments.common,
         }
     }

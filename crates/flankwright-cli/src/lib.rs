@@ -39,6 +39,7 @@ pub fn run() -> ExitCode {
         Command::Convert(arguments) => commands::convert::run(arguments),
         Command::Gearbox(arguments) => commands::gearbox::run(arguments),
         Command::Program(arguments) => commands::program::run(arguments),
+        Command::Store(arguments) => commands::store::run(arguments),
         Command::Verify(arguments) => commands::verify::run(arguments),
     });
     match outcome {

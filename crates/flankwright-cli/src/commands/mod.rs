@@ -16,5 +16,6 @@ pub mod program;
 pub mod schema;
 pub mod simulate;
 mod skiving;
+pub mod store;
 mod tangential;
 pub mod verify;

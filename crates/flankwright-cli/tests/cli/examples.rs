@@ -80,13 +80,21 @@ const GEARBOXES: &[(&str, i32)] = &[
     ("gearbox/reference-train.toml", 0),
 ];
 
+/// Exit status of `inspect`, by the file of measurements; none where the job simulates them.
+const INSPECTIONS: &[(&str, Option<&str>, i32)] = &[
+    ("inspection/closed-loop.toml", None, 0),
+    ("inspection/measured.toml", Some("inspection/measured.csv"), 3),
+];
+
 /// Files that jobs name.
 const NO_JOBS: [&str; 1] = ["catalogue/bodies.toml"];
 
 #[test]
 fn examples_end_as_they_say() {
     let results = tempfile::tempdir().unwrap();
-    let checks = PLANS.iter().chain(STUDIES).chain(GEARBOXES).map(|&(name, _)| ("check", name, 0));
+    let inspected = INSPECTIONS.iter().map(|&(name, _, _)| ("check", name, 0));
+    let checks =
+        PLANS.iter().chain(STUDIES).chain(GEARBOXES).map(|&(name, _)| ("check", name, 0)).chain(inspected);
     let plans = PLANS.iter().map(|&(name, exit)| ("plan", name, exit));
     let studies = STUDIES.iter().map(|&(name, exit)| ("explore", name, exit));
     let gearboxes = GEARBOXES.iter().map(|&(name, exit)| ("gearbox", name, exit));
@@ -94,6 +102,15 @@ fn examples_end_as_they_say() {
         let output = results.path().join(command).join(name);
         let run = run(&[command, &format!("examples/{name}"), "-o", output.to_str().unwrap()]);
         assert_eq!(run.exit, Some(exit), "{command} {name}: {run:?}");
+    }
+    for (name, measured, exit) in INSPECTIONS {
+        let output = results.path().join("inspect").join(name);
+        let job = format!("examples/{name}");
+        let file = measured.map(|file| format!("examples/{file}"));
+        let mut arguments = vec!["inspect", "--job", &job, "-o", output.to_str().unwrap()];
+        arguments.extend(file.as_deref());
+        let run = run(&arguments);
+        assert_eq!(run.exit, Some(*exit), "inspect {name}: {run:?}");
     }
 }
 
@@ -124,6 +141,7 @@ fn every_example_has_its_expectation() {
     let mut expected: Vec<&str> =
         PLANS.iter().chain(STUDIES).chain(GEARBOXES).map(|(name, _)| *name).collect();
     expected.extend(NO_JOBS);
+    expected.extend(INSPECTIONS.iter().map(|(name, ..)| *name));
     expected.sort_unstable();
     // A job may be planned and studied.
     expected.dedup();

@@ -6,7 +6,7 @@ mod order;
 mod read;
 mod time;
 
-pub use append::append_history;
+pub use append::{append_history, extend_history};
 pub use read::{History, parse_history, read_history};
 pub(in crate::exchange) use time::{FORM as MOMENT, is_moment};
 

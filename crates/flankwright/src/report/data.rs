@@ -173,6 +173,8 @@ pub enum ColumnKind {
     Symbols,
     /// Numbers, aligned right.
     Number,
+    /// Paths of files beside the page, as links; empty cells stay empty.
+    Link,
 }
 
 /// Something to know, and what helps.

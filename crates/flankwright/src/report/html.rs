@@ -112,7 +112,13 @@ fn write_table(page: &mut String, table: &Table) {
         for k in 0..row.len().max(table.columns.len()) {
             let kind = table.columns.get(k).map_or(ColumnKind::Text, |column| column.kind);
             let text = row.get(k).map_or("", String::as_str);
-            let text = if kind == ColumnKind::Symbols { with_indices(text) } else { escape(text) };
+            let text = match kind {
+                ColumnKind::Symbols => with_indices(text),
+                ColumnKind::Link if !text.is_empty() => {
+                    format!("<a href=\"{}\">{}</a>", reference(text), escape(text))
+                }
+                _ => escape(text),
+            };
             let _ = write!(page, "<td{}>{text}</td>", class(kind));
         }
         page.push_str("</tr>\n");
@@ -126,10 +132,24 @@ fn write_table(page: &mut String, table: &Table) {
 
 fn class(kind: ColumnKind) -> &'static str {
     match kind {
-        ColumnKind::Text | ColumnKind::Symbols => "",
+        ColumnKind::Text | ColumnKind::Symbols | ColumnKind::Link => "",
         ColumnKind::Name => " class=\"name\"",
         ColumnKind::Number => " class=\"right\"",
     }
+}
+
+/// A relative path as a reference: everything but plain letters, digits and a few marks as bytes of its UTF-8.
+fn reference(path: &str) -> String {
+    let mut text = String::with_capacity(path.len());
+    for byte in path.bytes() {
+        if byte.is_ascii_alphanumeric() || b"-._~/".contains(&byte) {
+            text.push(char::from(byte));
+        } else {
+            let _ = write!(text, "%{byte:02X}");
+        }
+    }
+    // A colon before the first slash would be a scheme; it is escaped above.
+    text
 }
 
 /// Escaped text, indices of symbols as `<sub>`.

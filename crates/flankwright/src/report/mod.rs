@@ -6,7 +6,7 @@
 //! [`generating`] composes the page of diagonal generating grinding; [`tangential`] adds the sections of tangential dressing,
 //! [`programs`] the one on NC programs, [`control`] the one on gearbox and servo; [`gearbox`] composes the page of the electronic
 //! gearbox, [`milling`] that of five-axis milling, [`skiving`] that of measuring a power-skiving tool, [`measured_gear`] that of an
-//! inspected gear.
+//! inspected gear, [`inspection_series`] that of a series of them; [`inspection_sheet`] draws the sheets of measured gears.
 //!
 //! ```
 //! use flankwright::report::{Banner, Block, PlanReport, Section, Status, html};
@@ -27,6 +27,8 @@ pub mod control;
 pub mod gearbox;
 pub mod generating;
 pub mod html;
+pub mod inspection_series;
+pub mod inspection_sheet;
 pub mod measured_gear;
 pub mod milling;
 pub mod programs;

@@ -18,6 +18,8 @@ pub struct Inspection {
     pub drawing: Option<String>,
     /// Date of the measurement as the file writes it.
     pub date: Option<String>,
+    /// Time of day of the measurement, its beginning and perhaps its end, as the file writes it.
+    pub time: Option<String>,
     /// Measuring machine or its program.
     pub machine: Option<String>,
     /// Who measured.
@@ -54,6 +56,7 @@ impl Inspection {
             name: None,
             drawing: None,
             date: None,
+            time: None,
             machine: None,
             operator: None,
             sources: Vec::new(),

@@ -5,6 +5,7 @@
 //! middle towards +z, positions along the profile are lengths of roll.
 
 mod conditions;
+mod date;
 mod encoding;
 mod error;
 mod field_table;
@@ -25,6 +26,7 @@ pub use conditions::{
     Conditions, CountingDirection, DatumFace, FlankConditions, LeadPositions, ProfilePositions, Section,
     SlopeReference,
 };
+pub use date::{measured_at, sortable_date};
 pub use encoding::Encoding;
 pub use error::InspectionError;
 pub use field_table::topography_table;

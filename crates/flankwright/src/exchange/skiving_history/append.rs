@@ -1,6 +1,7 @@
 //! Adds a measurement to a history. The file is written anew and renamed, so that nobody sees half of it; two programs that add at the
 //! same time may lose one of the two lines.
 
+use std::collections::HashMap;
 use std::path::Path;
 
 use super::order::CODE;
@@ -21,59 +22,19 @@ pub fn append_history(path: &Path, record: &HistoryRecord) -> Result<History, Jo
     let name = path.display().to_string();
     let there = std::fs::symlink_metadata(path).is_ok();
     let history = if there { read_history(path)? } else { parse_history(Source::new(name.as_str(), ""))? };
-    let refuse = |finding| Err(JobError::single(history.source().clone(), finding));
-    if let Some(finding) = not_finite(record) {
-        return refuse(finding);
+    let (longer, added) = extend_history(&history, std::slice::from_ref(record))?;
+    if added.is_empty() {
+        return Ok(history);
     }
-    if let Some(old) = history.records().iter().find(|old| same_place(old, record)) {
-        return if same_measurement(old, record) {
-            Ok(history)
-        } else {
-            refuse(
-                Diagnostic::with_code(
-                    CODE,
-                    format!("the history has another measurement of the tool `{}` at this time", record.tool),
-                )
-                .field("time")
-                .value(&record.time)
-                .allowed("a time of its own for every measurement of a tool")
-                .way_out(
-                    "give the time of this measurement, or delete the line of the old one if it was wrong",
-                ),
-            )
-        };
-    }
-    let line = match serde_json::to_string(record) {
-        Ok(line) => line,
-        Err(error) => {
-            let message = format!("the record cannot be written as JSON: {error}");
-            return refuse(
-                Diagnostic::new(Problem::InvalidJson, message).way_out("report this with the job"),
-            );
-        }
-    };
-    let mut text = history.source().text().to_owned();
-    if !text.is_empty() && !text.ends_with('\n') {
-        text.push('\n');
-    }
-    let kept = text.len();
-    text += &line;
-    text.push('\n');
+    let text = longer.source().text();
     if text.len() > MAXIMUM_BYTES {
-        return refuse(
+        let finding =
             Diagnostic::new(Problem::FileTooLarge, format!("`{name}` would become too large for a history"))
                 .value(format!("{} bytes", text.len()))
                 .allowed(format!("at most {MAXIMUM_BYTES} bytes (4 MiB)"))
-                .way_out("begin a new history for further measurements, best when the tool is resharpened"),
-        );
+                .way_out("begin a new history for further measurements, best when the tool is resharpened");
+        return Err(JobError::single(history.source().clone(), finding));
     }
-    let longer = parse_history(Source::new(name.as_str(), &text)).map_err(|mut error| {
-        // The new line is not in the file: it has no place.
-        for finding in &mut error.diagnostics {
-            finding.span = finding.span.take().filter(|span| span.start < kept);
-        }
-        JobError { source: history.source().clone(), ..error }
-    })?;
     write_atomically(path, text.as_bytes()).map_err(|error| {
         let message = format!("the history `{name}` cannot be written: {error}");
         let finding = Diagnostic::with_code("unwritable-file", message)
@@ -83,8 +44,68 @@ pub fn append_history(path: &Path, record: &HistoryRecord) -> Result<History, Jo
     Ok(longer)
 }
 
-fn same_place(old: &HistoryRecord, new: &HistoryRecord) -> bool {
-    old.tool == new.tool && Moment::parse(&old.time) == Moment::parse(&new.time)
+/// A history with further measurements behind it, and those of them that are new: the others are there already, the same in all but
+/// the version of the program. Writes nothing.
+///
+/// # Errors
+/// `invalid-history` for another measurement of the same tool and time or one against the order, `invalid-number`.
+pub fn extend_history<'a>(
+    history: &History,
+    records: &'a [HistoryRecord],
+) -> Result<(History, Vec<&'a HistoryRecord>), JobError> {
+    let refuse = |finding| Err(JobError::single(history.source().clone(), finding));
+    let mut there: HashMap<(&str, Option<Moment>), &HistoryRecord> =
+        history.records().iter().map(|record| (place(record), record)).collect();
+    let mut text = history.source().text().to_owned();
+    if !text.is_empty() && !text.ends_with('\n') {
+        text.push('\n');
+    }
+    let kept = text.len();
+    let mut added = Vec::new();
+    for record in records {
+        if let Some(finding) = not_finite(record) {
+            return refuse(finding);
+        }
+        match there.get(&place(record)) {
+            Some(old) if same_measurement(old, record) => continue,
+            Some(_) => return refuse(taken(record)),
+            None => _ = there.insert(place(record), record),
+        }
+        match serde_json::to_string(record) {
+            Ok(line) => text += &(line + "\n"),
+            Err(error) => {
+                let message = format!("the record cannot be written as JSON: {error}");
+                let finding =
+                    Diagnostic::new(Problem::InvalidJson, message).way_out("report this with the job");
+                return refuse(finding);
+            }
+        }
+        added.push(record);
+    }
+    let longer = parse_history(Source::new(history.source().name(), &text)).map_err(|mut error| {
+        // The new lines are not in the file: they have no place.
+        for finding in &mut error.diagnostics {
+            finding.span = finding.span.take().filter(|span| span.start < kept);
+        }
+        JobError { source: history.source().clone(), ..error }
+    })?;
+    Ok((longer, added))
+}
+
+fn taken(record: &HistoryRecord) -> Diagnostic {
+    Diagnostic::with_code(
+        CODE,
+        format!("the history has another measurement of the tool `{}` at this time", record.tool),
+    )
+    .field("time")
+    .value(&record.time)
+    .allowed("a time of its own for every measurement of a tool")
+    .way_out("give the time of this measurement, or delete the line of the old one if it was wrong")
+}
+
+/// Of two measurements in one place, one is wrong or both are the same.
+fn place(record: &HistoryRecord) -> (&str, Option<Moment>) {
+    (&record.tool, Moment::parse(&record.time))
 }
 
 /// The same numbers; version and spelling of the time do not count.

@@ -1,7 +1,7 @@
 //! Date and time as RFC 3339 writes them, e.g. `2026-03-14T09:30:00.5+01:00`.
 
 /// A moment: seconds from 1970 and nanoseconds. A leap second counts as the one after it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) struct Moment {
     seconds: i64,
     nanoseconds: u32,

@@ -39,7 +39,7 @@ pub enum InspectionError {
         to: f64,
     },
     /// A line needs more samples than the range holds.
-    #[error("{found} samples between {from} and {to} mm; at least {needed} are needed")]
+    #[error("{found} samples between {from:.4} and {to:.4} mm; at least {needed} are needed")]
     TooFewSamples {
         /// Defined samples in the range.
         found: usize,
@@ -51,7 +51,7 @@ pub enum InspectionError {
         to: f64,
     },
     /// The trace does not cover the range.
-    #[error("the range from {from} to {to} mm has no samples between {gap_from} and {gap_to} mm")]
+    #[error("the range from {from:.4} to {to:.4} mm has no samples between {gap_from:.4} and {gap_to:.4} mm")]
     TraceIncomplete {
         /// Where the range begins, mm.
         from: f64,

@@ -15,13 +15,18 @@ pub struct Harmonic {
 
 impl Harmonic {
     /// Of the values of at least three teeth.
-    pub(super) fn of(values: &[f64]) -> Self {
+    pub fn of(values: &[f64]) -> Self {
         // Over whole revolutions the three functions are orthogonal.
         let share = 2.0 / values.len() as f64;
         let sum = |weight: fn(f64) -> f64| -> f64 {
             angles(values.len()).zip(values).map(|(angle, value)| weight(angle) * value).sum()
         };
         Self { mean: share / 2.0 * sum(|_| 1.0), cosine: share * sum(f64::cos), sine: share * sum(f64::sin) }
+    }
+
+    /// Its values at the teeth 1 .. z of a gear with so many.
+    pub fn values(&self, teeth: usize) -> Vec<f64> {
+        angles(teeth).map(|t| self.mean + self.cosine * t.cos() + self.sine * t.sin()).collect()
     }
 
     /// Its amplitude, in the unit of the values.

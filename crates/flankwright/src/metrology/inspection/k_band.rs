@@ -69,6 +69,11 @@ impl KBand {
         Ok(Self { corners })
     }
 
+    /// Corners [abscissa, lower, upper], mm.
+    pub fn corners(&self) -> &[[f64; 3]] {
+        &self.corners
+    }
+
     /// From the first corner to the last.
     fn range(&self) -> Result<EvaluationRange, InspectionError> {
         EvaluationRange::new(self.corners[0][0], self.corners[self.corners.len() - 1][0])

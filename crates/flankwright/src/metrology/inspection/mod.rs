@@ -39,7 +39,10 @@ pub use rounding::round_to;
 pub use run_out::{BallContact, RunOut, run_out_from_pitch};
 pub use samples::TraceSamples;
 pub use section::MeasuredSection;
-pub use series::{Capability, SeriesEvaluation, SpecificationLimits, Trend, evaluate_series};
+pub use series::{
+    Capability, CharacteristicSeries, ControlLimits, RuleFinding, RunRule, SeriesEvaluation, SeriesPart,
+    SeriesValue, SpecificationLimits, Trend, evaluate_parts, evaluate_series, ordered,
+};
 pub use signs::{Sign, Slope, SlopeReference, SlopeRule, SlopeSign};
 pub use teeth::TeethSummary;
 pub use thickness::{MeasuredThickness, ThicknessSizes, measured_thickness};

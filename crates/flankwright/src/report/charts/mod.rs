@@ -52,7 +52,8 @@ pub use worm_occupation::{
 };
 
 pub(crate) use axis_chart::share_of_limit;
-pub(crate) use error::{check_length, check_values};
+pub(crate) use error::{check_ascending, check_length, check_values};
+pub(crate) use palette::{FAINT, INK, MUTED};
 pub(crate) use scale::round_below;
-pub(crate) use svg::escape;
-pub(crate) use text::indices;
+pub(crate) use svg::{Anchor, Canvas, Stroke, TextStyle, escape};
+pub(crate) use text::{indices, text_width};

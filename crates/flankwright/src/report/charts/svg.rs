@@ -88,11 +88,13 @@ pub(crate) struct TextStyle {
     pub(crate) turn: f64,
     /// White outline for labels that lie on lines.
     pub(crate) halo: bool,
+    /// Underscores stay what they are: texts of files, not symbols with indices.
+    pub(crate) verbatim: bool,
 }
 
 impl TextStyle {
     pub(crate) const fn new(size: f64, anchor: Anchor) -> Self {
-        Self { size, anchor, bold: false, color: INK, turn: 0.0, halo: false }
+        Self { size, anchor, bold: false, color: INK, turn: 0.0, halo: false, verbatim: false }
     }
 
     pub(crate) const fn bold(self) -> Self {
@@ -110,19 +112,30 @@ impl TextStyle {
     pub(crate) const fn halo(self) -> Self {
         Self { halo: true, ..self }
     }
+
+    pub(crate) const fn verbatim(self) -> Self {
+        Self { verbatim: true, ..self }
+    }
 }
 
 /// A chart in the making.
 pub(crate) struct Canvas {
     width: f64,
     height: f64,
+    /// Unit of the size of the whole; empty for points.
+    unit: &'static str,
     title: String,
     body: String,
 }
 
 impl Canvas {
     pub(crate) fn new(width: f64, height: f64, title: &str) -> Self {
-        Self { width, height, title: title.to_owned(), body: String::new() }
+        Self { width, height, unit: "", title: title.to_owned(), body: String::new() }
+    }
+
+    /// A page whose unit is the millimetre.
+    pub(crate) fn millimetres(width: f64, height: f64, title: &str) -> Self {
+        Self { unit: "mm", body: String::with_capacity(1 << 16), ..Self::new(width, height, title) }
     }
 
     pub(crate) fn line(&mut self, a: [f64; 2], b: [f64; 2], stroke: Stroke) {
@@ -166,8 +179,10 @@ impl Canvas {
         self.body.push_str("<path d=\"");
         for line in lines {
             for (k, p) in line.iter().enumerate() {
-                let command = if k == 0 { 'M' } else { 'L' };
-                let _ = write!(self.body, "{command}{} {}", place(p[0]), place(p[1]));
+                self.body.push(if k == 0 { 'M' } else { 'L' });
+                push_place(&mut self.body, p[0]);
+                self.body.push(' ');
+                push_place(&mut self.body, p[1]);
             }
             if close && !line.is_empty() {
                 self.body.push('Z');
@@ -212,7 +227,7 @@ impl Canvas {
             "<text x=\"{x}\" y=\"{y}\" font-size=\"{}\" fill=\"{}\"{anchor}{weight}{turn}{halo}>{}</text>",
             place(style.size),
             style.color,
-            spans(text, style.size)
+            if style.verbatim { escape(text) } else { spans(text, style.size) }
         );
     }
 
@@ -226,11 +241,11 @@ impl Canvas {
     }
 
     pub(crate) fn finish(self) -> Svg {
-        let (width, height) = (place(self.width), place(self.height));
+        let (width, height, unit) = (place(self.width), place(self.height), self.unit);
         let title = escape(&self.title);
         Svg(format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" \
-             height=\"{height}\" role=\"img\" aria-label=\"{title}\" \
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" \
+             width=\"{width}{unit}\" height=\"{height}{unit}\" role=\"img\" aria-label=\"{title}\" \
              font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\">\n<title>{title}</title>\n\
              <rect width=\"{width}\" height=\"{height}\" fill=\"#ffffff\"/>\n{}</svg>",
             self.body
@@ -240,6 +255,9 @@ impl Canvas {
 
 /// Escaped text, indices of symbols smaller and below the line.
 fn spans(text: &str, size: f64) -> String {
+    if !text.contains('_') {
+        return escape(text);
+    }
     let drop = 0.22 * size;
     let mut out = String::new();
     let mut lowered = false;
@@ -262,7 +280,66 @@ fn spans(text: &str, size: f64) -> String {
 
 /// A coordinate with at most two decimals and no needless zeros.
 fn place(value: f64) -> String {
-    let text = format!("{value:.2}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+    let mut text = String::with_capacity(8);
+    push_place(&mut text, value);
+    text
+}
+
+/// Appends a coordinate. Long lines are mostly coordinates, hence not by the general formatter where that can be avoided.
+fn push_place(out: &mut String, value: f64) {
+    let hundredths = value * 100.0;
+    let whole = hundredths.round();
+    // Near a tie the product may be rounded to the wrong side, and beyond some size it has no such digits.
+    let certain = whole.abs() < 1e9 && (hundredths - whole).abs() < 0.499_999;
+    if !certain {
+        let text = format!("{value:.2}");
+        let text = text.trim_end_matches('0').trim_end_matches('.');
+        out.push_str(if text == "-0" { "0" } else { text });
+        return;
+    }
+    let number = whole as i64;
+    if number < 0 {
+        out.push('-');
+    }
+    let (units, rest) = (number.unsigned_abs() / 100, number.unsigned_abs() % 100);
+    let mut digits = [0_u8; 20];
+    let mut from = digits.len();
+    let mut left = units;
+    loop {
+        from -= 1;
+        digits[from] = b'0' + (left % 10) as u8;
+        left /= 10;
+        if left == 0 {
+            break;
+        }
+    }
+    out.extend(digits[from..].iter().map(|digit| char::from(*digit)));
+    if rest > 0 {
+        out.push('.');
+        out.push(char::from(b'0' + (rest / 10) as u8));
+        if rest % 10 > 0 {
+            out.push(char::from(b'0' + (rest % 10) as u8));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::place;
+
+    #[test]
+    fn coordinates_are_those_of_the_general_formatter() {
+        let general = |value: f64| {
+            let text = format!("{value:.2}");
+            let text = text.trim_end_matches('0').trim_end_matches('.');
+            if text == "-0" { "0".to_owned() } else { text.to_owned() }
+        };
+        let ties = [0.125, -0.125, 0.005, 1.005, -2.675, 0.375, 1e7 + 0.125, 0.115, 0.145];
+        let sizes =
+            [0.0, -0.0, -0.001, 0.1, -0.05, 100.0, 1e9, -1e12, 1e22, 9_999_999.994_999, 0.004_999_999];
+        let spread = (0..4000).map(|k| (f64::from(k) * 0.37).sin() * 10f64.powi(k % 9 - 3));
+        for value in ties.into_iter().chain(sizes).chain(spread) {
+            assert_eq!(place(value), general(value), "{value}");
+        }
+    }
 }

@@ -45,6 +45,7 @@ pub(super) fn gear_result(
         ("name", &inspection.name),
         ("drawing", &inspection.drawing),
         ("date", &inspection.date),
+        ("time", &inspection.time),
         ("machine", &inspection.machine),
     ];
     let printed = printed(inspection, gear);

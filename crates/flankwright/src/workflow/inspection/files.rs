@@ -68,9 +68,13 @@ fn ending(path: &Path) -> String {
     path.extension().and_then(|e| e.to_str()).unwrap_or_default().to_lowercase()
 }
 
-/// The file and the one of the same stem with the other ending, if it is there.
-fn parts_of(path: &Path) -> Vec<PathBuf> {
+/// The files that [`read_measurement`] reads for this one: itself, and of a Klingelnberg part the one of the same stem with the other
+/// ending, if it is there.
+pub fn files_of_measurement(path: &Path) -> Vec<PathBuf> {
     let own = path.extension().and_then(|e| e.to_str()).unwrap_or_default();
+    if !KLINGELNBERG.contains(&own.to_lowercase().as_str()) {
+        return vec![path.to_owned()];
+    }
     let other = KLINGELNBERG.into_iter().find(|other| !other.eq_ignore_ascii_case(own));
     let spelled =
         |other: &str| if own == own.to_uppercase() { other.to_uppercase() } else { other.to_owned() };
@@ -79,7 +83,7 @@ fn parts_of(path: &Path) -> Vec<PathBuf> {
 }
 
 fn klingelnberg(path: &Path) -> Result<MeasuredFiles, RunFailure> {
-    let paths = parts_of(path);
+    let paths = files_of_measurement(path);
     let files = paths
         .iter()
         .map(|path| read_klingelnberg(path).map_err(|error| refused(path, &error)))

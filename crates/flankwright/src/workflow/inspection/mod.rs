@@ -11,6 +11,8 @@ mod page;
 mod printed;
 mod result;
 mod run;
+pub mod series;
+mod sheet;
 mod tables;
 mod write;
 
@@ -20,10 +22,11 @@ pub use closed_loop::{
 };
 pub use drawn::DrawnGear;
 pub use evaluate::{Design, EvaluatedGear, EvaluatedPitch, EvaluatedTrace, LeftOut, evaluate_inspection};
-pub use files::{MeasuredFiles, is_measurement, read_measurement};
+pub use files::{MeasuredFiles, files_of_measurement, is_measurement, read_measurement};
 pub use result::{
     BandResult, ClassResult, GearInspectionResult, LinesResult, PitchInspectionResult, PrintedResult,
     SummaryResult, ThicknessResult, TraceInspectionResult,
 };
 pub use run::{GearInspection, inspect_for_job, inspect_gear, inspect_simulated};
+pub use sheet::{SheetOptions, inspection_sheet, sheet_data, sheet_pages};
 pub use write::write_gear_inspection;

@@ -1,20 +1,26 @@
 //! One characteristic over a series of parts: statistics, capability, trend (spec 85 section 10). The unit is that of the values.
 
 mod capability;
+mod control_chart;
+mod parts;
+mod run_rules;
 mod trend;
 
 pub use capability::{Capability, SpecificationLimits};
+pub use control_chart::ControlLimits;
+pub use parts::{CharacteristicSeries, SeriesPart, SeriesValue, evaluate_parts, ordered};
+pub use run_rules::{RuleFinding, RunRule};
 pub use trend::Trend;
 
 use super::error::usable;
 use super::{InspectionError, InspectionWarning};
-use crate::numerics::extremes;
+use crate::numerics::{chi_square_quantile, extremes, student_quantile};
 
 /// Parts below which a capability says little.
 const FEW: usize = 25;
 
-/// Mean of the distance of two normal numbers, in standard deviations (1.128379 in tables).
-const MEAN_MOVING_RANGE: f64 = std::f64::consts::FRAC_2_SQRT_PI;
+/// Larger numbers are no measurement, and their squares no numbers.
+const LARGEST: f64 = 1e12;
 
 /// Below this probability by chance a trend is taken to be one.
 const SIGNIFICANT: f64 = 0.01;
@@ -26,29 +32,54 @@ pub struct SeriesEvaluation {
     pub parts: usize,
     /// Mean.
     pub mean: f64,
+    /// With 95 percent certainty the mean of the process lies between these (t, n - 1).
+    pub mean_interval_95: [f64; 2],
     /// s: standard deviation, of n - 1.
     pub deviation: f64,
+    /// With 95 percent certainty the standard deviation of the process lies between these (chi-square, n - 1).
+    pub deviation_interval_95: [f64; 2],
     /// Least value.
     pub least: f64,
     /// Greatest value.
     pub greatest: f64,
-    /// sigma_MR: standard deviation by the distances of neighbouring parts, which a slow drift does not enlarge.
-    pub moving_range_deviation: f64,
+    /// Chart of individual values and moving ranges.
+    pub control: ControlLimits,
     /// Numbers from 0 of parts farther than 3 sigma_MR from the mean.
     pub outside: Vec<usize>,
-    /// Capability against the limits.
+    /// What the rules for special causes find, by rule, then by part.
+    pub findings: Vec<RuleFinding>,
+    /// Capability against the limits, by s of all parts.
     pub capability: Capability,
+    /// Capability by sigma_MR: what the process could do without drifts and jumps.
+    pub short_term: Capability,
     /// Trend; `None` for fewer than three parts.
     pub trend: Option<Trend>,
     /// What to know about the figures.
     pub warnings: Vec<InspectionWarning>,
 }
 
-/// Evaluates the values of the parts of a series.
+impl SeriesEvaluation {
+    /// Greatest less least.
+    pub fn range(&self) -> f64 {
+        self.greatest - self.least
+    }
+}
+
+/// Evaluates the values of all parts of a series in the order of their making.
 ///
 /// # Errors
 /// [`InspectionError::TooFewParts`] for fewer than two parts, [`InspectionError::InvalidNumber`].
 pub fn evaluate_series(
+    values: &[f64],
+    limits: &SpecificationLimits,
+) -> Result<SeriesEvaluation, InspectionError> {
+    let numbers: Vec<f64> = (1..=values.len()).map(|part| part as f64).collect();
+    evaluate_numbered(&numbers, values, limits)
+}
+
+/// As [`evaluate_series`], of parts with these numbers, ascending: others may lie between them.
+fn evaluate_numbered(
+    numbers: &[f64],
     values: &[f64],
     limits: &SpecificationLimits,
 ) -> Result<SeriesEvaluation, InspectionError> {
@@ -57,17 +88,18 @@ pub fn evaluate_series(
         return Err(InspectionError::TooFewParts { found: parts, needed: 2 });
     }
     for &value in values {
-        usable("value of a part", value, true, "a finite number")?;
+        usable("value of a part", value, value.abs() < LARGEST, "a number between -1e12 and 1e12")?;
     }
     let n = parts as f64;
-    let mean = values.iter().sum::<f64>() / n;
-    let deviation = (values.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / (n - 1.0)).sqrt();
-    let steps: f64 = values.windows(2).map(|pair| (pair[1] - pair[0]).abs()).sum();
-    let moving_range_deviation = steps / (n - 1.0) / MEAN_MOVING_RANGE;
-    let far = |value: f64| (value - mean).abs() > 3.0 * moving_range_deviation;
-    let outside = values.iter().enumerate().filter(|(_, value)| far(**value)).map(|(part, _)| part).collect();
     let [least, greatest] = extremes(values.iter().copied());
-    let trend = Trend::of(values);
+    // Equal values have no deviation, not even one of rounding.
+    let mean = if least == greatest { least } else { values.iter().sum::<f64>() / n };
+    let deviation = (values.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / (n - 1.0)).sqrt();
+    let beside = student_quantile(0.95, n - 1.0) * deviation / n.sqrt();
+    let control = ControlLimits::of(values, mean);
+    let far = |value: f64| (value - mean).abs() > 3.0 * control.sigma;
+    let outside = values.iter().enumerate().filter(|(_, value)| far(**value)).map(|(part, _)| part).collect();
+    let trend = Trend::of(numbers, values);
     let mut warnings = Vec::new();
     if parts < FEW {
         warnings.push(InspectionWarning::FewParts { parts });
@@ -80,12 +112,17 @@ pub fn evaluate_series(
     Ok(SeriesEvaluation {
         parts,
         mean,
+        mean_interval_95: [mean - beside, mean + beside],
         deviation,
+        deviation_interval_95: [0.975, 0.025]
+            .map(|probability| deviation * ((n - 1.0) / chi_square_quantile(probability, n - 1.0)).sqrt()),
         least,
         greatest,
-        moving_range_deviation,
+        control,
         outside,
+        findings: run_rules::findings(values, &control),
         capability: Capability::of(parts, [mean, deviation], limits),
+        short_term: Capability::of(parts, [mean, control.sigma], limits).without_bounds(),
         trend,
         warnings,
     })
@@ -104,7 +141,13 @@ mod tests {
         let series = of(&[1.0, 3.0, 2.0, 6.0]);
         assert_eq!((series.mean, series.least, series.greatest), (3.0, 1.0, 6.0));
         assert!((series.deviation - (14f64 / 3.0).sqrt()).abs() < 1e-15);
-        assert!((series.moving_range_deviation - 2.067_863).abs() < 1e-6);
+        assert!((series.control.sigma - 2.067_863).abs() < 1e-6);
+        // t of three degrees of freedom at 95 percent: 3.182446; chi-square: 0.215795 and 9.348404.
+        let half = 3.182_446_305 * (14f64 / 3.0).sqrt() / 2.0;
+        assert!((series.mean_interval_95[1] - 3.0 - half).abs() < 1e-8, "{series:?}");
+        for (found, chi) in series.deviation_interval_95.into_iter().zip([9.348_404, 0.215_795]) {
+            assert!((found / (14f64 / chi).sqrt() - 1.0).abs() < 3e-6, "{series:?}");
+        }
         assert_eq!(series.warnings, [InspectionWarning::FewParts { parts: 4 }]);
     }
 
@@ -124,10 +167,11 @@ mod tests {
 
     #[test]
     fn equal_parts_have_neither_capability_nor_trend() {
-        let series = of(&[0.5; 30]);
+        let series = of(&[0.1; 30]);
         assert_eq!((series.deviation, series.capability.cp, series.capability.cpk), (0.0, None, None));
         assert_eq!((series.trend.unwrap().slope, series.trend.unwrap().probability), (0.0, None));
-        assert!(series.outside.is_empty() && series.warnings.is_empty());
+        assert!(series.outside.is_empty() && series.warnings.is_empty() && series.findings.is_empty());
+        assert_eq!((series.mean_interval_95, series.deviation_interval_95), ([0.1; 2], [0.0; 2]));
     }
 
     #[test]
@@ -137,6 +181,7 @@ mod tests {
         assert_eq!(code(&[]), "too-few-parts");
         assert_eq!(code(&[1.0]), "too-few-parts");
         assert_eq!(code(&[1.0, f64::NAN]), "invalid-number");
+        assert_eq!(code(&[1.0, 1e300]), "invalid-number");
         assert!(of(&[1.0, 2.0]).trend.is_none());
     }
 }

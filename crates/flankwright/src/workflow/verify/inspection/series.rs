@@ -28,7 +28,7 @@ pub(in super::super::super) fn series(_: &Reference<'_>, block: &Value, ledger: 
             ("s", Some(found.deviation)),
             ("min", Some(found.least)),
             ("max", Some(found.greatest)),
-            ("sigma_moving_range", Some(found.moving_range_deviation)),
+            ("sigma_moving_range", Some(found.control.sigma)),
             ("Cp", capability.cp),
             ("Cpk", capability.cpk),
             ("Cpk_lower95", capability.cpk_lower_95),

@@ -1,0 +1,210 @@
+//! Measured gears as a user meets them: a part evaluated, judged against its job, corrected; and a loop with a simulated machine.
+
+use crate::command::{Run, example, replaced, repository, run};
+use serde_json::Value;
+use std::path::Path;
+
+fn inspected(arguments: &[&str], out: &Path) -> Run {
+    let out = out.display().to_string();
+    run(&[&["inspect"], arguments, &["-o", &out, "--json", "--quiet"]].concat())
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
+}
+
+/// The example of the loop with other things in it, in a directory of its own.
+fn loop_job(directory: &Path, changes: &[(&str, &str)]) -> String {
+    let path = directory.join("loop.toml");
+    std::fs::write(&path, replaced(example("inspection/closed-loop.toml"), changes)).expect("a written job");
+    path.display().to_string()
+}
+
+#[test]
+fn a_loop_ends_below_the_noise() {
+    let directory = tempfile::tempdir().unwrap();
+    let job = loop_job(directory.path(), &[]);
+    let out = directory.path().join("out");
+    let run = inspected(&["--job", &job], &out);
+    assert_eq!(run.exit, Some(0), "{}", run.stderr);
+    let result = run.json();
+    let rounds = result["rounds"].as_array().unwrap();
+    let rms = |round: &Value, flank: &str| number(&round["flanks"][flank]["measured"]["rms_um"]);
+    let (first, last) = (&rounds[0], rounds.last().unwrap());
+    assert!(rms(first, "right") > 1.5 && number(&first["flanks"]["right"]["measured"]["largest_um"]) > 4.0);
+    for flank in ["left", "right"] {
+        // A reading scatters by 0.3 um.
+        assert!(rms(last, flank) < 0.3, "{flank}: {}", rms(last, flank));
+        // What the referee said before the second part was ground is what was then measured, within the scatter of nine teeth: means of
+        // readings scatter by 0.1 um, and slopes of the teeth by as much.
+        let told = number(&first["correction"]["proof"][flank]["after"]["rms_um"]);
+        assert!((rms(last, flank) - told).abs() < 0.15, "{flank}: {told} {}", rms(last, flank));
+    }
+    // What was injected comes out with the other sign, within four standard deviations.
+    let settings = first["correction"]["settings"].as_array().unwrap();
+    for (name, injected) in [("d1_um", 6.0), ("d2_um", 4.0), ("phi1_arcsec", 8.0)] {
+        let found = settings.iter().find(|s| s["name"] == name).unwrap_or_else(|| panic!("{name}"));
+        let (change, deviation) = (number(&found["change"]), number(&found["deviation"]));
+        assert!((change + injected).abs() < 4.0 * deviation, "{name}: {change} of {injected}, {deviation}");
+    }
+    assert!(last["correction"].is_null() && last["no_correction"].is_string(), "{last}");
+    for file in
+        ["result.json", "traces.csv", "corrected-job.json", "measured-1.csv", "measured-2.csv", "report.html"]
+    {
+        assert!(out.join(file).is_file(), "{file}");
+    }
+    let page = std::fs::read_to_string(out.join("report.html")).unwrap();
+    for words in
+        ["Measured against the target", "What all teeth share", "What the corrected job leaves", "Round 2"]
+    {
+        assert!(page.contains(words), "{words}");
+    }
+}
+
+#[test]
+fn a_measured_file_says_what_the_simulated_machine_said() {
+    let directory = tempfile::tempdir().unwrap();
+    let job = loop_job(directory.path(), &[("rounds = 2", "rounds = 1")]);
+    let [simulated, read, next] = ["simulated", "read", "next"].map(|name| directory.path().join(name));
+    let first = inspected(&["--job", &job], &simulated);
+    assert_eq!(first.exit, Some(0), "{}", first.stderr);
+    let table = simulated.join("measured-1.csv").display().to_string();
+    let second = inspected(&[&table, "--job", &job], &read);
+    // The first part misses its tolerance.
+    assert_eq!(second.exit, Some(3), "{}", second.stderr);
+    let (a, b) = (first.json(), second.json());
+    assert_eq!(b["reason"]["code"], "tolerance-exceeded");
+    assert_eq!(a["rounds"][0], b["rounds"][0]);
+    // The corrected job stands by itself: it is planned anywhere, and the machine of the first job measures it to be good.
+    let corrected = read.join("corrected-job.json").display().to_string();
+    let planned = run(&["plan", &corrected, "--json", "--quiet", "-o", &next.display().to_string()]);
+    assert_eq!(planned.exit, Some(0), "{}", planned.stderr);
+    let warnings = planned.json()["warnings"].to_string();
+    assert!(warnings.contains("compensated"), "{warnings}");
+    let again = inspected(&["--job", &corrected], &next);
+    assert_eq!(again.exit, Some(0), "{}", again.stderr);
+    let round = &again.json()["rounds"][0];
+    assert!(round["correction"].is_null(), "{round}");
+    assert_eq!(
+        serde_json::from_str::<Value>(&std::fs::read_to_string(&corrected).unwrap()).unwrap()["compensation"]
+            ["rounds"],
+        1
+    );
+}
+
+#[test]
+fn files_of_measuring_machines_are_evaluated_by_themselves() {
+    let directory = tempfile::tempdir().unwrap();
+    let file = repository().join("examples/inspection/measured.csv").display().to_string();
+    let refused = inspected(&[&file], directory.path());
+    assert_eq!(refused.exit, Some(2));
+    let error = &refused.json()["error"];
+    assert!(error["way_out"].as_str().unwrap().contains("--job"), "{error}");
+    assert!(!directory.path().join("result.json").exists());
+}
+
+#[test]
+fn what_does_not_go_together_is_refused() {
+    let directory = tempfile::tempdir().unwrap();
+    let out = directory.path();
+    let measured = "examples/inspection/measured.csv";
+    for (arguments, code, told) in [
+        (&["--job", "examples/inspection/measured.toml"][..], "missing-key", "[inspection.simulated]"),
+        (&["--job", "examples/skiving/internal-ring.toml"], "missing-key", "switching angles"),
+        (
+            &[measured, "--job", "examples/milling/spur-module-8.toml"],
+            "process-not-available",
+            "generating-grinding",
+        ),
+        (&["none.mka"], "unreadable-file", "none.mka"),
+        (&["README.md"], "unknown-value", ".mka"),
+    ] {
+        let run = inspected(arguments, out);
+        assert_eq!(run.exit, Some(2), "{arguments:?}: {run:?}");
+        let error = &run.json()["error"];
+        assert_eq!(error["code"], code, "{arguments:?}: {error}");
+        assert!(error.to_string().contains(told), "{arguments:?}: {error}");
+    }
+    let run = run(&["inspect"]);
+    assert_eq!(run.exit, Some(2));
+    assert!(run.message().contains("<FILE>"), "{}", run.message());
+    assert_eq!(std::fs::read_dir(out).unwrap().count(), 0);
+}
+
+#[test]
+fn a_measurement_of_another_gear_is_refused() {
+    let directory = tempfile::tempdir().unwrap();
+    let job = loop_job(
+        directory.path(),
+        &[
+            ("teeth = 19", "teeth = 20"),
+            ("88.5315", "92.8"),
+            ("tip_diameter = 123.0", "tip_diameter = 123.0"),
+        ],
+    );
+    let model = directory.path().join("gear.rexs");
+    let converted = run(&[
+        "convert",
+        &job,
+        "--date",
+        "2026-03-14T09:30:00Z",
+        "-o",
+        &directory.path().display().to_string(),
+    ]);
+    assert_eq!(converted.exit, Some(0), "{}", converted.stderr);
+    std::fs::rename(directory.path().join("loop.rexs"), &model).unwrap();
+    let job = "examples/inspection/measured.toml";
+    let refused = inspected(&[&model.display().to_string(), "--job", job], &directory.path().join("out"));
+    assert_eq!(refused.exit, Some(2), "{}", refused.stderr);
+    assert!(refused.stdout.contains("20"), "{}", refused.stdout);
+}
+
+#[test]
+fn gears_pass_to_rexs_and_back() {
+    let directory = tempfile::tempdir().unwrap();
+    let out = directory.path().display().to_string();
+    let job = "examples/twist-free-crowning.toml";
+    for (form, ending) in [("rexs", "rexs"), ("rexsj", "rexsj"), ("rexsz", "rexsz")] {
+        let to =
+            |out: &str| run(&["convert", job, "--form", form, "--date", "2026-03-14T09:30:00Z", "-o", out]);
+        assert_eq!(to(&out).exit, Some(0));
+        let model = directory.path().join(format!("twist-free-crowning.{ending}"));
+        let first = std::fs::read(&model).unwrap();
+        let name = model.display().to_string();
+        let back = run(&["convert", &name, "--job", job]);
+        assert_eq!(back.exit, Some(0), "{}", back.stderr);
+        let original = run(&["check", job, "--json"]).json();
+        let path = directory.path().join("back.json");
+        std::fs::write(&path, &back.stdout).unwrap();
+        // The whole job is checked as before, and what goes out again is the same file but for the name of the job.
+        let checked = run(&["check", &path.display().to_string(), "--json"]);
+        assert_eq!(checked.exit, Some(0), "{}", checked.stderr);
+        let gear = |of: &Value| of["gear"].clone();
+        assert_eq!(gear(&original), gear(&checked.json()), "{form}");
+        std::fs::rename(&path, directory.path().join("twist-free-crowning.json")).unwrap();
+        let again = directory.path().join("twist-free-crowning.json").display().to_string();
+        let second = run(&["convert", &again, "--form", form, "--date", "2026-03-14T09:30:00Z", "-o", &out]);
+        assert_eq!(second.exit, Some(0), "{}", second.stderr);
+        assert!(first == std::fs::read(&model).unwrap(), "{form}");
+    }
+    let refused = run(&["convert", job, "--gear", "3", "--json"]);
+    assert_eq!((refused.exit, &refused.json()["error"]["field"]), (Some(2), &Value::from("--gear")));
+    let refused = run(&["convert", job, "--form", "rexsz", "--json"]);
+    assert_eq!((refused.exit, &refused.json()["error"]["field"]), (Some(2), &Value::from("-o")));
+    let refused = run(&["convert", job, "--date", "yesterday"]);
+    assert!(refused.exit == Some(2) && refused.message().contains("2026-03-14T09:30:00Z"), "{refused:?}");
+}
+
+#[test]
+fn settings_of_a_job_with_tables_are_run_elsewhere() {
+    let directory = tempfile::tempdir().unwrap();
+    let [planned, simulated] =
+        ["planned", "simulated"].map(|name| directory.path().join(name).display().to_string());
+    let plan = run(&["plan", "examples/variable-ratio.toml", "--json", "--quiet", "-o", &planned]);
+    assert_eq!(plan.exit, Some(0), "{}", plan.stderr);
+    let settings = format!("{planned}/settings.json");
+    let again = run(&["simulate", &settings, "--json", "--quiet", "-o", &simulated]);
+    assert_eq!(again.exit, Some(0), "{}", again.stdout);
+    let worst = |run: &Run| number(&run.json()["flanks"]["right"]["max_deviation_um"]);
+    assert!((worst(&plan) - worst(&again)).abs() < 1e-6);
+}

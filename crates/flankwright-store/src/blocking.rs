@@ -1,0 +1,100 @@
+//! The store for programs without a runtime of their own, such as the command: every method of [`crate::Store`], waiting until it is done.
+
+use flankwright::exchange::catalogue::Catalogue;
+use flankwright::exchange::skiving_history::{History, HistoryRecord};
+use tokio::runtime::{Builder, Handle, Runtime};
+
+use crate::address::StoreAddress;
+use crate::error::StoreError;
+use crate::filter::{CharacteristicFilter, PartFilter};
+use crate::records::{
+    MeasuredCharacteristic, PartRecord, PartSummary, PlanRecord, PlanSummary, SeriesSummary, ToolSummary,
+};
+use crate::reports::{CatalogueReport, HistoryReport, ImportReport, StoreHealth};
+use crate::store::Store as AsyncStore;
+
+/// A store that is open; closed when it is dropped. Not to be used inside of a runtime: there [`crate::Store`] is at hand.
+#[derive(Debug)]
+pub struct Store {
+    runtime: Runtime,
+    store: AsyncStore,
+}
+
+impl Store {
+    /// Parts of a set that large keep what is lost by an interruption, and what others wait for, below a second.
+    pub const BATCH: usize = AsyncStore::BATCH;
+
+    /// As [`crate::Store::open`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn open(address: &StoreAddress) -> Result<Self, StoreError> {
+        let runtime = runtime(address)?;
+        let store = runtime.block_on(AsyncStore::open(address))?;
+        Ok(Self { runtime, store })
+    }
+
+    /// As [`crate::Store::open_existing`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn open_existing(address: &StoreAddress) -> Result<Self, StoreError> {
+        let runtime = runtime(address)?;
+        let store = runtime.block_on(AsyncStore::open_existing(address))?;
+        Ok(Self { runtime, store })
+    }
+
+    /// Where it is.
+    pub fn address(&self) -> &StoreAddress {
+        self.store.address()
+    }
+}
+
+fn runtime(address: &StoreAddress) -> Result<Runtime, StoreError> {
+    Builder::new_current_thread().enable_all().build().map_err(|error| StoreError::CannotOpen {
+        address: address.to_string(),
+        cause: format!("no runtime can be had: {error}"),
+    })
+}
+
+impl Drop for Store {
+    fn drop(&mut self) {
+        // Where a runtime is running, waiting would stop it; the connections end by themselves then.
+        if Handle::try_current().is_err() {
+            self.runtime.block_on(self.store.close());
+        }
+    }
+}
+
+/// Methods that wait for those of the same name.
+macro_rules! waiting {
+    ($($name:ident($($argument:ident: $kind:ty),*) -> $result:ty;)*) => {
+        impl Store {
+            $(
+                #[doc = concat!("As [`crate::Store::", stringify!($name), "`].\n\n# Errors\nAs there.")]
+                pub fn $name(&self, $($argument: $kind),*) -> Result<$result, StoreError> {
+                    self.runtime.block_on(self.store.$name($($argument),*))
+                }
+            )*
+        }
+    };
+}
+
+waiting! {
+    import_parts(parts: &[PartRecord]) -> ImportReport;
+    remove_part(digest: &str) -> bool;
+    series() -> Vec<SeriesSummary>;
+    parts(filter: &PartFilter) -> Vec<PartSummary>;
+    part(digest: &str) -> Option<PartRecord>;
+    has_part(digest: &str) -> bool;
+    characteristics(filter: &CharacteristicFilter) -> Vec<MeasuredCharacteristic>;
+    import_catalogue(catalogue: &Catalogue, replace: bool) -> CatalogueReport;
+    catalogue() -> Catalogue;
+    add_plan(plan: &PlanRecord) -> bool;
+    plans() -> Vec<PlanSummary>;
+    plan(id: i64) -> Option<PlanRecord>;
+    import_history(history: &History) -> HistoryReport;
+    history(tool: Option<&str>) -> Vec<HistoryRecord>;
+    tools() -> Vec<ToolSummary>;
+    health() -> StoreHealth;
+}

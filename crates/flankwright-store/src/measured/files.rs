@@ -1,0 +1,73 @@
+//! Which files make one part, and the digest of their bytes.
+
+use std::collections::BTreeSet;
+use std::fs::File;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use flankwright::exchange::Diagnostic;
+use flankwright::workflow::inspection::{files_of_measurement, is_measurement};
+
+use super::import::RefusedFile;
+use crate::digest::{digest_of, digest_of_reader};
+
+/// Tables tell no gear: in a folder they are passed over.
+const TABLE: &str = "csv";
+
+/// The files of every part that the paths name, each part once: files, or folders with the measurements that lie in them, in the order of
+/// their names. What names nothing is refused.
+pub(super) fn parts_of(paths: &[PathBuf]) -> (Vec<Vec<PathBuf>>, Vec<RefusedFile>) {
+    let (mut parts, mut refused, mut seen) = (Vec::new(), Vec::new(), BTreeSet::new());
+    for path in paths {
+        let files = match path.is_dir().then(|| folder(path)) {
+            None => vec![path.clone()],
+            Some(Ok(files)) => files,
+            Some(Err(finding)) => {
+                refused.push(RefusedFile::new(path, finding));
+                continue;
+            }
+        };
+        for file in files {
+            let mut part = files_of_measurement(&file);
+            // Curves before values, whichever was named.
+            part.sort_by(|a, b| b.cmp(a));
+            if seen.insert(part.clone()) {
+                parts.push(part);
+            }
+        }
+    }
+    (parts, refused)
+}
+
+fn folder(path: &Path) -> Result<Vec<PathBuf>, Diagnostic> {
+    let entries = std::fs::read_dir(path).and_then(Iterator::collect::<io::Result<Vec<_>>>);
+    let entries = entries.map_err(|error| unreadable(path, &error))?;
+    let is_table = |path: &Path| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(TABLE));
+    let wanted = |path: &PathBuf| is_measurement(path) && !is_table(path) && path.is_file();
+    let mut files: Vec<PathBuf> = entries.into_iter().map(|entry| entry.path()).filter(wanted).collect();
+    files.sort();
+    if files.is_empty() {
+        return Err(Diagnostic::with_code("no-measurement", "the folder has no measurement")
+            .field("FILE")
+            .value(path.display())
+            .allowed("a folder with .mka, .mew, .rexs, .rexsj or .rexsz files")
+            .way_out("name the folder in which the files lie; folders inside of it are not searched"));
+    }
+    Ok(files)
+}
+
+fn unreadable(path: &Path, error: &io::Error) -> Diagnostic {
+    Diagnostic::with_code("unreadable-file", format!("{} cannot be read: {error}", path.display()))
+        .field("FILE")
+        .value(path.display())
+        .way_out("check the path and the permissions of the file")
+}
+
+/// The identity of a part: the digest of its file, of several that of their digests.
+pub(super) fn digest_of_files(files: &[PathBuf]) -> Result<String, Diagnostic> {
+    let digest = |path: &PathBuf| {
+        File::open(path).and_then(digest_of_reader).map_err(|error| unreadable(path, &error))
+    };
+    let digests = files.iter().map(digest).collect::<Result<Vec<String>, _>>()?;
+    Ok(if let [one] = &digests[..] { one.clone() } else { digest_of(digests.join("\n").as_bytes()) })
+}

@@ -1,0 +1,161 @@
+//! Imports the files of many measurements: evaluates them on all cores, stores them set by set, tells what became of each.
+
+use std::path::{Path, PathBuf};
+
+use flankwright::exchange::Diagnostic;
+use flankwright::numerics::Progress;
+use flankwright::workflow::inspection::inspect_gear;
+use flankwright::workflow::{JobFailure, RunFailure};
+use rayon::prelude::*;
+use serde::Serialize;
+
+use super::files::{digest_of_files, parts_of};
+use crate::blocking::Store;
+use crate::check;
+use crate::error::StoreError;
+use crate::records::{PartRecord, PartSummary};
+
+/// What holds for all files of an import.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct ImportSettings {
+    /// Series of the parts, instead of drawing, name or body of each.
+    pub series: Option<String>,
+    /// Class of ISO 1328-1 whose tolerances are the limits; none means no limits.
+    pub class: Option<i32>,
+}
+
+/// What became of the files.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct MeasurementReport {
+    /// New parts, in the order of the files.
+    pub imported: Vec<PartSummary>,
+    /// Parts whose files have the content of a part that is there, or of one before them.
+    pub known: Vec<KnownPart>,
+    /// What could not be imported, and why.
+    pub refused: Vec<RefusedFile>,
+}
+
+/// A part that was there already.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct KnownPart {
+    /// Its first file.
+    pub file: String,
+    /// The digest by which it is known.
+    pub digest: String,
+}
+
+/// A file that was not imported.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct RefusedFile {
+    /// The file.
+    pub file: String,
+    /// Why.
+    #[serde(flatten)]
+    pub finding: Diagnostic,
+}
+
+impl RefusedFile {
+    pub(super) fn new(path: &Path, finding: Diagnostic) -> Self {
+        Self { file: path.display().to_string(), finding }
+    }
+}
+
+/// What became of one part before it is stored.
+enum Looked {
+    Refused(RefusedFile),
+    New(Box<PartRecord>, String),
+}
+
+impl Store {
+    /// Imports measurements: files, or folders with files. A file that is refused does not keep the others out. What is known is not
+    /// evaluated again, so that an import that was interrupted is completed by doing the same once more.
+    ///
+    /// # Errors
+    /// Those of the database; the sets before are in the store.
+    pub fn import_measurements(
+        &self,
+        paths: &[PathBuf],
+        settings: &ImportSettings,
+        progress: &dyn Progress,
+    ) -> Result<MeasurementReport, StoreError> {
+        let (parts, refused) = parts_of(paths);
+        let mut report = MeasurementReport { refused, ..MeasurementReport::default() };
+        progress.start("measurements", parts.len() as u64);
+        for set in parts.chunks(Self::BATCH) {
+            self.import_set(set, settings, &mut report)?;
+            progress.advance(set.len() as u64);
+        }
+        progress.finish();
+        Ok(report)
+    }
+
+    fn import_set(
+        &self,
+        set: &[Vec<PathBuf>],
+        settings: &ImportSettings,
+        report: &mut MeasurementReport,
+    ) -> Result<(), StoreError> {
+        let mut unknown: Vec<(&Vec<PathBuf>, String)> = Vec::with_capacity(set.len());
+        let digests: Vec<Result<String, Diagnostic>> =
+            set.par_iter().map(|files| digest_of_files(files)).collect();
+        for (files, digest) in set.iter().zip(digests) {
+            match digest {
+                Err(finding) => report.refused.push(RefusedFile::new(&files[0], finding)),
+                Ok(digest) if self.has_part(&digest)? => report.known.push(known(files, digest)),
+                Ok(digest) => unknown.push((files, digest)),
+            }
+        }
+        let looked: Vec<Looked> =
+            unknown.into_par_iter().map(|(files, digest)| look(&files[0], digest, settings)).collect();
+        let (mut records, mut names) = (Vec::new(), Vec::new());
+        for one in looked {
+            match one {
+                Looked::Refused(file) => report.refused.push(file),
+                Looked::New(record, file) => {
+                    records.push(*record);
+                    names.push(file);
+                }
+            }
+        }
+        let stored = self.import_parts(&records)?;
+        for (place, (record, file)) in records.into_iter().zip(names).enumerate() {
+            if stored.known.contains(&place) {
+                // The same bytes twice in this set, or another program was faster.
+                report.known.push(KnownPart { file, digest: record.digest });
+            } else {
+                report.imported.push(record.into_summary());
+            }
+        }
+        Ok(())
+    }
+}
+
+fn known(files: &[PathBuf], digest: String) -> KnownPart {
+    KnownPart { file: files[0].display().to_string(), digest }
+}
+
+fn look(file: &Path, digest: String, settings: &ImportSettings) -> Looked {
+    let record = inspect_gear(file).map_err(first_finding).and_then(|found| {
+        let mut record =
+            PartRecord::of_inspection(&found, digest, settings.class).map_err(|error| error.finding())?;
+        if let Some(series) = &settings.series {
+            record.series.clone_from(series);
+        }
+        check::part(0, &record)?;
+        Ok(record)
+    });
+    match record {
+        Ok(record) => Looked::New(Box::new(record), file.display().to_string()),
+        Err(finding) => Looked::Refused(RefusedFile::new(file, finding)),
+    }
+}
+
+fn first_finding(failure: JobFailure) -> Diagnostic {
+    match failure {
+        JobFailure::Job(RunFailure::BadInput(finding) | RunFailure::NotProducible(finding)) => *finding,
+        JobFailure::File(error) => {
+            let told = error.to_string();
+            error.diagnostics.into_iter().next().unwrap_or_else(|| Diagnostic::with_code("bad-input", told))
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! Puts measured parts into the store, a set whole or not at all.
+
+use std::collections::HashMap;
+
+use sqlx::types::Json;
+
+use super::values::{self, ValueRow};
+use crate::check;
+use crate::error::StoreError;
+use crate::pool::{Writing, on_writing};
+use crate::records::{Characteristic, PartRecord};
+use crate::reports::ImportReport;
+use crate::store::Store;
+use crate::words::flank_word;
+
+impl Store {
+    /// Parts of a set that large keep what is lost by an interruption, and what others wait for, below a second.
+    pub const BATCH: usize = 250;
+
+    /// Imports a set of parts: all of them are there when this returns, or none was added. A part whose digest is there already is left as
+    /// it is. Many parts are imported in sets of [`Store::BATCH`].
+    ///
+    /// # Errors
+    /// `invalid-record` with the place of the part in the list; those of the database.
+    pub async fn import_parts(&self, parts: &[PartRecord]) -> Result<ImportReport, StoreError> {
+        for (place, part) in parts.iter().enumerate() {
+            check::part(place, part)?;
+        }
+        self.import_checked(parts).await.map_err(|error| self.error(error))
+    }
+
+    async fn import_checked(&self, parts: &[PartRecord]) -> Result<ImportReport, sqlx::Error> {
+        let mut writing = self.pool.write().await?;
+        let mut characteristics = Characteristics::load(&mut writing).await?;
+        let (mut report, mut rows) = (ImportReport::default(), Vec::new());
+        for (place, part) in parts.iter().enumerate() {
+            let Some(id) = insert(&mut writing, part).await? else {
+                report.known.push(place);
+                continue;
+            };
+            report.added += 1;
+            for (place, entry) in part.characteristics.iter().enumerate() {
+                rows.push(ValueRow {
+                    part: id,
+                    characteristic: characteristics.id(&mut writing, entry.characteristic()).await?,
+                    place: place as i64,
+                    value: entry.value,
+                    lower: entry.lower_limit,
+                    upper: entry.upper_limit,
+                });
+            }
+        }
+        values::insert(&mut writing, &rows).await?;
+        writing.commit().await?;
+        Ok(report)
+    }
+
+    /// Takes a part out, e.g. to import it again after another evaluation. `false` if there is none with this digest.
+    ///
+    /// # Errors
+    /// Those of the database.
+    pub async fn remove_part(&self, digest: &str) -> Result<bool, StoreError> {
+        let removed = async {
+            let mut writing = self.pool.write().await?;
+            let removed = on_writing!(&mut writing, connection => {
+                sqlx::query("DELETE FROM part WHERE digest = $1").bind(digest).execute(connection).await?.rows_affected()
+            });
+            writing.commit().await?;
+            Ok(removed > 0)
+        };
+        removed.await.map_err(|error| self.error(error))
+    }
+}
+
+/// The number of a new part; `None` if its digest is there.
+async fn insert(writing: &mut Writing, part: &PartRecord) -> Result<Option<i64>, sqlx::Error> {
+    on_writing!(writing, connection => {
+        sqlx::query_scalar(
+            "INSERT INTO part (digest, series, name, drawing, measured, machine, source, document, characteristics) \
+             VALUES ($1, $2, $3, $4, $5, $6, $7, $8, $9) ON CONFLICT (digest) DO NOTHING RETURNING id",
+        )
+        .bind(&part.digest)
+        .bind(&part.series)
+        .bind(&part.part)
+        .bind(&part.drawing)
+        .bind(&part.date)
+        .bind(&part.machine)
+        .bind(&part.source)
+        .bind(Json(&part.document))
+        .bind(part.characteristics.len() as i64)
+        .fetch_optional(connection)
+        .await
+    })
+}
+
+/// Numbers of the characteristics that the store knows.
+struct Characteristics(HashMap<Characteristic, i64>);
+
+impl Characteristics {
+    async fn load(writing: &mut Writing) -> Result<Self, sqlx::Error> {
+        let rows: Vec<values::CharacteristicRow> = on_writing!(writing, connection => {
+            sqlx::query_as("SELECT name, flank, tooth, statistic, unit, id FROM characteristic")
+                .fetch_all(connection)
+                .await?
+        });
+        rows.into_iter().map(|row| values::characteristic(row)).collect::<Result<_, _>>().map(Self)
+    }
+
+    async fn id(&mut self, writing: &mut Writing, wanted: Characteristic) -> Result<i64, sqlx::Error> {
+        if let Some(id) = self.0.get(&wanted) {
+            return Ok(*id);
+        }
+        let id: i64 = on_writing!(writing, connection => {
+            sqlx::query_scalar(
+                "INSERT INTO characteristic (name, flank, tooth, statistic, unit) VALUES ($1, $2, $3, $4, $5) RETURNING id",
+            )
+            .bind(&wanted.name)
+            .bind(wanted.flank.map(flank_word))
+            .bind(wanted.tooth.map(i64::from))
+            .bind(&wanted.statistic)
+            .bind(&wanted.unit)
+            .fetch_one(connection)
+            .await?
+        });
+        self.0.insert(wanted, id);
+        Ok(id)
+    }
+}

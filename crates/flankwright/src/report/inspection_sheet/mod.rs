@@ -1,0 +1,36 @@
+//! The inspection sheet of a measured gear: A4 pages as SVG in millimetres, profile and helix traces with their values, pitch, run-out,
+//! sizes, classes and topographies (spec 85 section 9). It draws finished numbers and must not know files, evaluation or tolerances.
+//!
+//! Pages are read without colour. No number is cut: what finds no room stands on a page of remarks.
+
+mod book;
+mod check;
+mod data;
+mod deviation_scale;
+mod flank_field;
+mod foot;
+mod head;
+mod html;
+mod lanes;
+mod middle_column;
+mod ordinate;
+mod pages;
+mod pitch_row;
+mod pitch_strip;
+mod remarks;
+mod text_fit;
+mod topography;
+mod topography_net;
+mod trace_row;
+mod traces_data;
+mod value_table;
+
+pub use data::{
+    RunOutStrip, SheetData, SheetFoot, SheetHead, SheetLimits, SheetPitch, SheetPitchFlank, SheetSize,
+    SheetTopography, SheetValue,
+};
+pub use html::sheet_html;
+pub use pages::{SheetPage, sheet_pages};
+pub use traces_data::{
+    JudgedBy, LineLook, ScaleLine, SheetBand, SheetCharacteristic, SheetTrace, TraceField, TraceRow,
+};

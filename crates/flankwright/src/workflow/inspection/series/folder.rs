@@ -1,0 +1,73 @@
+//! Which files of a folder are measurements that stand by themselves: one for each part.
+
+use super::super::files::{files_of_measurement, is_measurement};
+use crate::exchange::{Diagnostic, Problem};
+use crate::workflow::finding::RunFailure;
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+/// Measurements in a folder, by name, without those in folders below it. Curves and values of one part count once; tables are left out,
+/// since they do not tell which gear was measured.
+///
+/// # Errors
+/// [`RunFailure`] for a folder that cannot be read, or that holds none.
+pub fn measured_parts_in(directory: &Path) -> Result<Vec<PathBuf>, RunFailure> {
+    let unreadable = |error: std::io::Error| {
+        let message = format!("the folder {} cannot be read: {error}", directory.display());
+        let finding = Diagnostic::new(Problem::UnreadableFile, message)
+            .field("FOLDER")
+            .value(directory.display())
+            .way_out("name a folder that is there and may be read");
+        RunFailure::bad_input(finding)
+    };
+    let mut paths = BTreeSet::new();
+    for entry in std::fs::read_dir(directory).map_err(unreadable)? {
+        let path = entry.map_err(unreadable)?.path();
+        let table = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
+        if path.is_file() && is_measurement(&path) && !table {
+            paths.insert(path);
+        }
+    }
+    // The values of a part are read with its curves.
+    let beside = |path: &PathBuf| {
+        let first = files_of_measurement(path).into_iter().min();
+        first.is_some_and(|first| first < *path && paths.contains(&first))
+    };
+    let alone: Vec<PathBuf> = paths.iter().filter(|path| !beside(path)).cloned().collect();
+    if alone.is_empty() {
+        let message = format!("the folder {} holds no measurement", directory.display());
+        let finding = Diagnostic::with_code("no-measurements", message)
+            .field("FOLDER")
+            .value(directory.display())
+            .allowed("files ending in .mka, .mew, .rexs, .rexsj, .rexsz")
+            .way_out("name the folder with the files of the measuring machine");
+        return Err(RunFailure::bad_input(finding));
+    }
+    Ok(alone)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_part_counts_once_and_folders_below_not_at_all() {
+        let directory = tempfile::tempdir().unwrap();
+        for name in ["a.mka", "a.mew", "b.MEW", "c.rexs", "series.csv", "notes.txt", "below/d.mka"] {
+            crate::exchange::write_atomically(&directory.path().join(name), b"x").unwrap();
+        }
+        let found = measured_parts_in(directory.path()).unwrap();
+        let names: Vec<_> = found.iter().map(|path| path.file_name().unwrap().to_str().unwrap()).collect();
+        assert_eq!(names, ["a.mew", "b.MEW", "c.rexs"]);
+        for folder in ["below/none", "empty"] {
+            let path = directory.path().join(folder);
+            if folder == "empty" {
+                std::fs::create_dir(&path).unwrap();
+            }
+            let RunFailure::BadInput(finding) = measured_parts_in(&path).unwrap_err() else {
+                panic!("bad input")
+            };
+            assert!(finding.way_out.is_some() && finding.field.as_deref() == Some("FOLDER"));
+        }
+    }
+}

@@ -1,0 +1,73 @@
+//! A series of measured parts: many files at once, read and evaluated side by side, brought into order, statistics per characteristic,
+//! a sheet for each part. A file that is refused is told and keeps no other from being evaluated.
+
+mod characteristics;
+mod document;
+mod figures;
+mod folder;
+mod page;
+mod read;
+mod result;
+mod summary;
+mod tables;
+mod write;
+
+pub use characteristics::series_values;
+pub use folder::measured_parts_in;
+pub use result::{
+    InspectionSeriesResult, RefusedFile, SeriesCapability, SeriesCharacteristic, SeriesFigures,
+    SeriesFinding, SeriesGroupResult, SeriesPartResult, SeriesTrend,
+};
+pub use summary::series_summary;
+pub use write::write_inspection_series;
+
+use super::sheet::SheetOptions;
+use crate::exchange::Diagnostic;
+use crate::metrology::inspection::{CLASSES, CharacteristicSeries};
+use crate::workflow::finding::RunFailure;
+use rayon::prelude::*;
+use std::path::PathBuf;
+
+/// What the user decides about a series.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SeriesOptions {
+    /// Sheets of the parts; their class gives the limits of the series as well.
+    pub sheet: SheetOptions,
+    /// Statistics only: no sheet for each part.
+    pub without_sheets: bool,
+}
+
+/// A series with everything that is written of it.
+#[derive(Clone, Debug)]
+pub struct InspectionSeries {
+    /// The document of `series.json`.
+    pub result: InspectionSeriesResult,
+    /// Evaluated characteristics, in the order of the groups of the document.
+    pub groups: Vec<Vec<CharacteristicSeries>>,
+    /// Sheets: path below the directory of the series, text.
+    pub sheets: Vec<(String, String)>,
+}
+
+/// Reads and evaluates every part. The result does not depend on the number of threads, nor on the order of the paths beyond parts
+/// that are equal in time and name.
+///
+/// # Errors
+/// [`RunFailure`] for a class outside ISO 1328-1, or without any file. What is wrong with a file stands in the result.
+pub fn inspect_series(paths: &[PathBuf], options: &SeriesOptions) -> Result<InspectionSeries, RunFailure> {
+    if paths.is_empty() {
+        let finding = Diagnostic::with_code("no-measurements", "there is no measurement to evaluate")
+            .field("FOLDER")
+            .way_out("name a folder with .mka, .mew or REXS files");
+        return Err(RunFailure::bad_input(finding));
+    }
+    if let Some(class) = options.sheet.tolerance_class.filter(|class| !CLASSES.contains(class)) {
+        let finding = Diagnostic::with_code("out-of-standard-range", "ISO 1328-1 has no such class")
+            .field("class")
+            .value(class)
+            .allowed(format!("{} to {}", CLASSES.start(), CLASSES.end()))
+            .way_out("choose a class of the standard");
+        return Err(RunFailure::bad_input(finding));
+    }
+    let read: Vec<_> = paths.par_iter().map(|path| read::read_part(path, options)).collect();
+    Ok(document::series_of(read, options.sheet.tolerance_class))
+}

@@ -1,0 +1,89 @@
+//! One part of a series: read, evaluated, its characteristics, its sheet; or why not.
+
+use super::super::run::{GearInspection, inspect_gear};
+use super::super::sheet::inspection_sheet;
+use super::characteristics::series_values;
+use super::{RefusedFile, SeriesOptions};
+use crate::exchange::Diagnostic;
+use crate::exchange::inspection::measured_at;
+use crate::metrology::inspection::SeriesPart;
+use crate::workflow::finding::{JobFailure, Remark, RunFailure};
+use std::path::Path;
+
+/// A part that was evaluated.
+pub(super) struct ReadPart {
+    /// To which parts it belongs: those of one drawing, else of one name, else of one body.
+    pub group: String,
+    /// Its file.
+    pub file: String,
+    /// Label, time and values.
+    pub part: SeriesPart,
+    /// Class that it reaches.
+    pub class: Option<i32>,
+    /// Doubts of reading and evaluation.
+    pub warnings: Vec<Remark>,
+    /// Its sheet; none where none was asked for.
+    pub sheet: Option<String>,
+}
+
+/// Reads and evaluates a part.
+pub(super) fn read_part(path: &Path, options: &SeriesOptions) -> Result<ReadPart, RefusedFile> {
+    let file = path
+        .file_name()
+        .map_or_else(|| path.to_string_lossy(), std::ffi::OsStr::to_string_lossy)
+        .into_owned();
+    let found = inspect_gear(path).map_err(|failure| refused(path, &file, &failure))?;
+    let sheet = match options.without_sheets {
+        true => None,
+        false => Some(inspection_sheet(&found, &options.sheet).map_err(|error| RefusedFile {
+            file: file.clone(),
+            code: "sheet-not-drawn".into(),
+            message: format!("its sheet cannot be drawn: {error}"),
+            way_out: "look at the numbers of the file".into(),
+        })?),
+    };
+    let head = |key: &str| found.result.head.get(key).filter(|text| !text.trim().is_empty());
+    let time = found.inspection.date.as_ref();
+    Ok(ReadPart {
+        group: group(&found),
+        part: SeriesPart {
+            label: head("part").map_or_else(|| found.result.job.clone(), |text| text.trim().to_owned()),
+            time: time.and_then(|date| measured_at(date, found.inspection.time.as_deref())),
+            values: series_values(&found, options.sheet.tolerance_class),
+        },
+        class: found.result.class,
+        file,
+        sheet,
+        warnings: found.result.warnings,
+    })
+}
+
+fn group(found: &GearInspection) -> String {
+    let of = |key: &str| found.result.head.get(key).map(|text| text.trim()).filter(|text| !text.is_empty());
+    let gear = &found.inspection.gear;
+    let body = || format!("z {} mn {}", gear.teeth, gear.normal_module_mm);
+    of("drawing").or_else(|| of("name")).map_or_else(body, str::to_owned)
+}
+
+fn refused(path: &Path, file: &str, failure: &JobFailure) -> RefusedFile {
+    // The file is named beside its message.
+    let named = format!("{}: ", path.display());
+    let of = |finding: &Diagnostic| RefusedFile {
+        file: file.into(),
+        code: finding.code.into(),
+        message: finding.message.strip_prefix(&named).unwrap_or(&finding.message).into(),
+        way_out: finding.way_out.as_deref().unwrap_or_default().into(),
+    };
+    match failure {
+        JobFailure::Job(RunFailure::BadInput(finding) | RunFailure::NotProducible(finding)) => of(finding),
+        JobFailure::File(error) => error.diagnostics.first().map_or_else(
+            || RefusedFile {
+                file: file.into(),
+                code: "unreadable-file".into(),
+                message: "the file cannot be read".into(),
+                way_out: "look at the file".into(),
+            },
+            of,
+        ),
+    }
+}
