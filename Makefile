@@ -3,7 +3,7 @@
 CARGO ?= cargo
 DEMO ?= examples/twist-free-crowning.toml
 
-.PHONY: demo test setup format check instructions milling-speed clean
+.PHONY: demo test fuzz setup format check instructions milling-speed clean
 
 setup:
 	@scripts/setup
@@ -16,11 +16,18 @@ demo: setup
 test: setup
 	@scripts/postgresql install
 	$(CARGO) fmt --all -- --check
+	$(CARGO) fmt --manifest-path fuzz/Cargo.toml -- --check
 	$(CARGO) clippy --workspace --all-targets -- -D warnings
 	$(CARGO) test --workspace --no-fail-fast
+	@scripts/fuzz 60
+
+# Ten minutes for each reader of files, as many at once as there are processors.
+fuzz: setup
+	@scripts/fuzz 600
 
 format:
 	$(CARGO) fmt --all
+	$(CARGO) fmt --manifest-path fuzz/Cargo.toml
 
 # Quick look while writing.
 check:

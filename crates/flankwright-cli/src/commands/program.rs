@@ -1,14 +1,13 @@
 //! `flankwright program check`: what an NC program does on a machine, and with a job the flank that it leaves.
 
 use std::fmt::Write;
-use std::fs::File;
 use std::io::{BufReader, Read};
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use flankwright::exchange::machine::read_machine;
-use flankwright::exchange::{AnyJob, Diagnostic};
-use flankwright::nc::{Dialect, detect_dialect};
+use flankwright::exchange::{AnyJob, Diagnostic, Problem, Source, open_regular};
+use flankwright::nc::{Dialect, MAXIMUM_BYTES, detect_dialect};
 use flankwright::workflow::{CheckedProgram, RunFailure, check_program};
 
 use crate::arguments::CommonArguments;
@@ -85,7 +84,11 @@ fn check(arguments: &ProgramArguments) -> Result<Exit, Failure> {
         Some(DialectArgument::Fanuc) => Dialect::Fanuc,
         None => {
             let mut head = Vec::new();
-            File::open(&arguments.file).map_err(failed)?.take(HEAD).read_to_end(&mut head).map_err(failed)?;
+            open_regular(&arguments.file)
+                .map_err(failed)?
+                .take(HEAD)
+                .read_to_end(&mut head)
+                .map_err(failed)?;
             detect_dialect(&head).ok_or_else(|| {
                 let finding = Diagnostic::with_code(
                     "unknown-dialect",
@@ -101,14 +104,23 @@ fn check(arguments: &ProgramArguments) -> Result<Exit, Failure> {
     if let Some(AnyJob::Gearbox(loaded)) = &job {
         return Err(output::gearbox_only(loaded, "program check"));
     }
-    let text = BufReader::new(File::open(&arguments.file).map_err(failed)?);
+    let file = open_regular(&arguments.file).map_err(failed)?;
+    let size = file.metadata().map_err(failed)?.len();
+    if size > MAXIMUM_BYTES as u64 {
+        let finding = Diagnostic::new(Problem::FileTooLarge, format!("{name} is too large for a program"))
+            .value(format!("{size} bytes"))
+            .allowed(format!("at most {MAXIMUM_BYTES} bytes (256 MiB)"))
+            .way_out("check that this is the right file, or divide the program");
+        return Err(Failure::new(Exit::BadInput, finding));
+    }
+    let text = BufReader::new(file);
     // The gears of a LinuxCNC program stand in a netlist beside it.
-    let netlist = match dialect {
-        Dialect::LinuxCnc => std::fs::read_to_string(arguments.file.with_extension("hal")).ok(),
-        Dialect::Siemens | Dialect::Fanuc => None,
-    };
+    let netlist = arguments.file.with_extension("hal");
+    let netlist =
+        (dialect == Dialect::LinuxCnc && netlist.exists()).then(|| Source::read(&netlist)).transpose()?;
     let bars = Bars::new(arguments.common.quiet);
-    let checked = check_program((text, netlist.as_deref()), dialect, &machine, job.as_ref(), &bars);
+    let checked =
+        check_program((text, netlist.as_ref().map(Source::text)), dialect, &machine, job.as_ref(), &bars);
     bars.finish();
     let checked = checked.map_err(|failure| match (failure, &job) {
         // What names a key is about the job.

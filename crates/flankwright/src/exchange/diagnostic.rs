@@ -82,7 +82,7 @@ impl Problem {
 }
 
 /// One finding about an input.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Diagnostic {
     /// Stable kebab-case code, e.g. `unknown-key`.
     pub code: &'static str,

@@ -71,7 +71,15 @@ pub enum TableForm {
 /// # Errors
 /// Those of [`Source::read`]; `invalid-table`, `invalid-number` with line and value.
 pub fn read_grid_target(path: &Path) -> Result<GridTarget, JobError> {
-    read_grid(path, FLANK)
+    parse_grid_target(Source::read(path)?)
+}
+
+/// As [`read_grid_target`], from a text.
+///
+/// # Errors
+/// As [`read_grid_target`].
+pub fn parse_grid_target(source: Source) -> Result<GridTarget, JobError> {
+    parse_grid(source, FLANK)
 }
 
 /// Reads helix traces: the same columns, two or three values of w_mm.
@@ -79,7 +87,15 @@ pub fn read_grid_target(path: &Path) -> Result<GridTarget, JobError> {
 /// # Errors
 /// As [`read_grid_target`].
 pub fn read_traces(path: &Path) -> Result<GridTarget, JobError> {
-    read_grid(path, TRACES)
+    parse_traces(Source::read(path)?)
+}
+
+/// As [`read_traces`], from a text.
+///
+/// # Errors
+/// As [`read_grid_target`].
+pub fn parse_traces(source: Source) -> Result<GridTarget, JobError> {
+    parse_grid(source, TRACES)
 }
 
 /// Reads tolerances: columns w_mm, z_mm, tolerance_um on a grid of any size, each tolerance above 0. They are handed
@@ -88,7 +104,15 @@ pub fn read_traces(path: &Path) -> Result<GridTarget, JobError> {
 /// # Errors
 /// As [`read_grid_target`]; `invalid-number` for a tolerance that is not above 0.
 pub fn read_tolerances(path: &Path) -> Result<GridTarget, JobError> {
-    read_grid(path, TOLERANCES)
+    parse_tolerances(Source::read(path)?)
+}
+
+/// As [`read_tolerances`], from a text.
+///
+/// # Errors
+/// As [`read_tolerances`].
+pub fn parse_tolerances(source: Source) -> Result<GridTarget, JobError> {
+    parse_grid(source, TOLERANCES)
 }
 
 /// Reads the same table as scattered points `[w_mm, z_mm, f_um]` in the order of the file.
@@ -96,7 +120,14 @@ pub fn read_tolerances(path: &Path) -> Result<GridTarget, JobError> {
 /// # Errors
 /// Those of [`Source::read`]; `invalid-table`, `invalid-number` with line and value.
 pub fn read_points(path: &Path) -> Result<Vec<[f64; 3]>, JobError> {
-    let source = Source::read(path)?;
+    parse_points(Source::read(path)?)
+}
+
+/// As [`read_points`], from a text.
+///
+/// # Errors
+/// As [`read_points`].
+pub fn parse_points(source: Source) -> Result<Vec<[f64; 3]>, JobError> {
     let rows = parse_rows(source.text(), FLANK).map_err(|finding| JobError::single(source, finding))?;
     Ok(rows.into_iter().map(|(row, _)| row).collect())
 }
@@ -125,8 +156,7 @@ fn form(rows: &[Row]) -> TableForm {
     }
 }
 
-fn read_grid(path: &Path, layout: Layout) -> Result<GridTarget, JobError> {
-    let source = Source::read(path)?;
+fn parse_grid(source: Source, layout: Layout) -> Result<GridTarget, JobError> {
     parse(source.text(), layout).map_err(|finding| JobError::single(source, finding))
 }
 

@@ -32,7 +32,7 @@ pub use machine::{MillingMachine, MillingMount, PoleWay, Rtcp};
 pub use mate::Mate;
 pub use milling::{CutSense, Milling, RowDistances, RowSequence, Spaces, Traversal};
 pub use output::MillingOutput;
-pub use point_grid::{PointGrid, read_point_grid};
+pub use point_grid::{PointGrid, parse_point_grid, read_point_grid};
 pub use root::{MilledRoot, RootBottom};
 pub use roughing::Roughing;
 pub use simulation::MillingSimulation;

@@ -2,6 +2,7 @@
 //! JSON schema, tables, meshes. Reads and writes files; knows the shapes and targets that a job describes, but
 //! neither plans nor reports anything.
 
+mod bounded;
 pub mod catalogue;
 mod checks;
 pub mod control;
@@ -35,13 +36,15 @@ mod template;
 mod told;
 mod toml_tree;
 
+pub use bounded::open_regular;
 pub use csv::{Cell, Column, CsvError, CsvTable};
 pub use diagnostic::{Diagnostic, JobError, Problem};
 pub use document::Document;
 pub use files::write_atomically;
 pub use gearbox_job::GearboxJob;
 pub use grid_file::{
-    GridTarget, TableForm, read_grid_target, read_points, read_tolerances, read_traces, table_form,
+    GridTarget, TableForm, parse_grid_target, parse_points, parse_tolerances, parse_traces, read_grid_target,
+    read_points, read_tolerances, read_traces, table_form,
 };
 pub use job::Job;
 pub use load::{
@@ -49,10 +52,10 @@ pub use load::{
     parse_any_job, parse_job, read_any_job, read_job,
 };
 pub use milling_job::MillingJob;
-pub use reference_train::{ReferenceTrain, read_reference_train};
+pub use reference_train::{ReferenceTrain, parse_reference_train, read_reference_train};
 pub use schema::job_schema;
 pub use skiving_job::SkivingJob;
-pub use skiving_readings::{read_skiving_readings, readings_table};
+pub use skiving_readings::{parse_skiving_readings, read_skiving_readings, readings_table};
 pub use source::{MAXIMUM_BYTES, Source};
 pub use tangential_job::TangentialJob;
 pub use template::job_template;

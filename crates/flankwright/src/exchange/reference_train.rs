@@ -46,10 +46,14 @@ impl ReferenceTrain {
 /// Those of [`Source::read`], among them `file-too-large` above [`super::MAXIMUM_BYTES`]; `invalid-table`, `invalid-number` with
 /// line, column and value.
 pub fn read_reference_train(path: &Path) -> Result<ReferenceTrain, JobError> {
-    parse(Source::read(path)?)
+    parse_reference_train(Source::read(path)?)
 }
 
-fn parse(source: Source) -> Result<ReferenceTrain, JobError> {
+/// As [`read_reference_train`], from a text.
+///
+/// # Errors
+/// As [`read_reference_train`].
+pub fn parse_reference_train(source: Source) -> Result<ReferenceTrain, JobError> {
     match rows(source.text()) {
         Ok((references, places)) => Ok(ReferenceTrain::new(references, source, places)),
         Err(finding) => Err(JobError::single(source, finding)),
@@ -165,7 +169,7 @@ mod tests {
     use super::*;
 
     fn read(text: &str) -> Result<ReferenceTrain, JobError> {
-        parse(Source::new("train.csv", text))
+        parse_reference_train(Source::new("train.csv", text))
     }
 
     #[test]

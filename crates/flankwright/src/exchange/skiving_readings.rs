@@ -29,7 +29,15 @@ pub fn read_skiving_readings(path: &Path, tracks: usize) -> Result<Vec<Reading>,
         }
         error
     })?;
-    parse(source, tracks)
+    parse_skiving_readings(source, tracks)
+}
+
+/// As [`read_skiving_readings`], from a text.
+///
+/// # Errors
+/// As [`read_skiving_readings`].
+pub fn parse_skiving_readings(source: Source, tracks: usize) -> Result<Vec<Reading>, JobError> {
+    rows(source.text(), tracks).map_err(|finding| JobError::single(source, finding))
 }
 
 /// The table of readings, as [`read_skiving_readings`] reads it back bit for bit.
@@ -51,10 +59,6 @@ pub fn readings_table(readings: &[Reading]) -> Result<CsvTable, CsvError> {
         ])?;
     }
     Ok(table)
-}
-
-fn parse(source: Source, tracks: usize) -> Result<Vec<Reading>, JobError> {
-    rows(source.text(), tracks).map_err(|finding| JobError::single(source, finding))
 }
 
 fn rows(text: &str, tracks: usize) -> Result<Vec<Reading>, Diagnostic> {
@@ -207,7 +211,7 @@ mod tests {
     use crate::process::skiving::measuring::Noise;
 
     fn read(text: &str) -> Result<Vec<Reading>, JobError> {
-        parse(Source::new("readings.csv", text), 5)
+        parse_skiving_readings(Source::new("readings.csv", text), 5)
     }
 
     #[test]

@@ -1,10 +1,10 @@
 //! The text of an input file and its name, read within a size limit. Knows no format.
 
-use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 use std::sync::Arc;
 
+use super::bounded::{Unread, read_bounded};
 use super::diagnostic::{Diagnostic, JobError, Problem};
 
 /// Largest job or table that is read: 4 MiB. A job holds a few hundred numbers, a measured topography some
@@ -24,7 +24,7 @@ impl Source {
         Self { name: name.into(), text: text.strip_prefix('\u{feff}').unwrap_or(text).into() }
     }
 
-    /// Reads a file.
+    /// Reads a file: a regular one of at most [`MAXIMUM_BYTES`]. Pipes and devices are not opened, a larger file is not read.
     ///
     /// # Errors
     /// `unreadable-file`, `file-too-large`, `invalid-text`.
@@ -36,6 +36,7 @@ impl Source {
                     "check the path; `flankwright new generating-grinding` prints an example job"
                 }
                 io::ErrorKind::IsADirectory => "name a file in this directory",
+                io::ErrorKind::Unsupported => "save the text as a file; `-` reads a job from standard input",
                 _ => "check the path and the permissions of the file",
             };
             let message = match error.kind() {
@@ -46,11 +47,11 @@ impl Source {
             let finding = Diagnostic::new(Problem::UnreadableFile, message).way_out(way_out);
             JobError::single(Source::new(name.as_str(), ""), finding)
         };
-        let file = File::open(path).map_err(|e| unreadable(&e))?;
-        if file.metadata().is_ok_and(|data| data.is_dir()) {
-            return Err(unreadable(&io::ErrorKind::IsADirectory.into()));
+        match read_bounded(path, MAXIMUM_BYTES) {
+            Ok(bytes) => Self::from_bytes(&name, &bytes),
+            Err(Unread::System(error)) => Err(unreadable(&error)),
+            Err(Unread::TooLarge(size)) => Err(Self::too_large(&name, format!("{size} bytes"))),
         }
-        Self::read_from(&name, file).map_err(|e| unreadable(&e))?
     }
 
     /// Reads a stream, e.g. standard input; `name` is what messages call it.
@@ -70,12 +71,7 @@ impl Source {
     pub fn from_bytes(name: &str, bytes: &[u8]) -> Result<Self, JobError> {
         let refuse = |finding| Err(JobError::single(Source::new(name, ""), finding));
         if bytes.len() > MAXIMUM_BYTES {
-            return refuse(
-                Diagnostic::new(Problem::FileTooLarge, format!("`{name}` is too large for a job or a table"))
-                    .value(format!("more than {MAXIMUM_BYTES} bytes"))
-                    .allowed(format!("at most {MAXIMUM_BYTES} bytes (4 MiB)"))
-                    .way_out("check that this is the right file; thin out a measured topography"),
-            );
+            return Err(Self::too_large(name, format!("more than {MAXIMUM_BYTES} bytes")));
         }
         let not_text = |offset: usize, what: String| {
             let line = 1 + bytes[..offset].iter().filter(|&&b| b == b'\n').count();
@@ -97,6 +93,15 @@ impl Source {
             return refuse(not_text(offset, "a NUL byte".to_owned()));
         }
         Ok(Self::new(name, text))
+    }
+
+    fn too_large(name: &str, size: String) -> JobError {
+        let message = format!("`{name}` is too large for a job or a table");
+        let finding = Diagnostic::new(Problem::FileTooLarge, message)
+            .value(size)
+            .allowed(format!("at most {MAXIMUM_BYTES} bytes (4 MiB)"))
+            .way_out("check that this is the right file; thin out a measured topography");
+        JobError::single(Self::new(name, ""), finding)
     }
 
     /// What messages call the input: the path as given.

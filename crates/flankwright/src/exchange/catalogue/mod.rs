@@ -9,8 +9,8 @@ mod worm;
 
 pub use dresser::{DresserEntry, FlankDiameters};
 pub use read::{
-    LoadedCatalogue, catalogue_of_job, catalogue_schema, parse_catalogue, read_catalogue,
-    read_catalogue_tables,
+    LoadedCatalogue, catalogue_of_job, catalogue_schema, parse_catalogue, parse_catalogue_tables,
+    read_catalogue, read_catalogue_tables,
 };
 pub use worm::WormEntry;
 

@@ -59,6 +59,14 @@ pub fn parse_catalogue(source: Source) -> Result<LoadedCatalogue, JobError> {
 /// # Errors
 /// As [`read_catalogue`]; `invalid-table` for text that is no table.
 pub fn read_catalogue_tables(worms: &Path, dressers: &Path) -> Result<LoadedCatalogue, JobError> {
+    parse_catalogue_tables(Source::read(worms)?, Source::read(dressers)?)
+}
+
+/// As [`read_catalogue_tables`], from texts.
+///
+/// # Errors
+/// As [`read_catalogue_tables`].
+pub fn parse_catalogue_tables(worms: Source, dressers: Source) -> Result<LoadedCatalogue, JobError> {
     let worms = table_document(worms, "worm")?;
     let dressers = table_document(dressers, "dresser")?;
     let list = |document: &Document, key: &str| document.to_value()[key].clone();
@@ -88,8 +96,8 @@ pub fn catalogue_of_job(loaded: &LoadedJob) -> Result<Option<LoadedCatalogue>, J
 }
 
 /// One table, its cells checked.
-fn table_document(path: &Path, list: &str) -> Result<Document, JobError> {
-    let document = Document::parse_with(Source::read(path)?, |text| table::parse(text, list))?;
+fn table_document(source: Source, list: &str) -> Result<Document, JobError> {
+    let document = Document::parse_with(source, |text| table::parse(text, list))?;
     // The table holds one of the two lists.
     let mut schema = SCHEMA.clone();
     schema["required"] = json!([list]);

@@ -22,11 +22,14 @@ pub enum MeasuredTable {
 /// # Errors
 /// Those of [`Source::read`]; `invalid-table`, `unknown-value`, `invalid-number` with line, column and value.
 pub fn read_measured_table(path: &Path) -> Result<MeasuredTable, JobError> {
-    parse(Source::read(path)?)
+    parse_measured_table(Source::read(path)?)
 }
 
-/// The same from a text in memory.
-pub(super) fn parse(source: Source) -> Result<MeasuredTable, JobError> {
+/// As [`read_measured_table`], from a text.
+///
+/// # Errors
+/// As [`read_measured_table`], without those of the file system.
+pub fn parse_measured_table(source: Source) -> Result<MeasuredTable, JobError> {
     let head = source.text().lines().find(|line| !line.trim().is_empty() && !line.starts_with('#'));
     let titles: Vec<&str> = head.unwrap_or_default().split(',').map(str::trim).collect();
     // What only fields have decides: everything else is taken, and complained of, as traces.

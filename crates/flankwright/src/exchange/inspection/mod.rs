@@ -37,7 +37,7 @@ pub use klingelnberg::{
     MAXIMUM_SAMPLES, MAXIMUM_TRACES, MAXIMUM_UNKNOWN_LINES, PitchRow, PreambleEntry, ProbePosition,
     UnknownLine, inspection_of, parse_klingelnberg, read_klingelnberg,
 };
-pub use measured_table::{MeasuredTable, read_measured_table};
+pub use measured_table::{MeasuredTable, parse_measured_table, read_measured_table};
 pub use result::{Characteristic, Position, Quantity, ResultCode, Statistic, Unit};
 pub use tables::{Circle, Circles, FlankPitch, Pitch, RunOut, Size, Thickness};
 pub use trace::{Topography, Trace, TraceKind, Zero};

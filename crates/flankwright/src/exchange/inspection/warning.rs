@@ -23,6 +23,10 @@ pub enum WarningKind {
     Unusable,
     /// Two files say different things.
     FilesDiffer,
+    /// The last line has no end: the file may be cut short.
+    FileCutShort,
+    /// There are more warnings than are kept.
+    MoreWarnings,
 }
 
 impl WarningKind {
@@ -38,6 +42,8 @@ impl WarningKind {
             Self::PitchIncomplete => "pitch-incomplete",
             Self::Unusable => "unusable",
             Self::FilesDiffer => "files-differ",
+            Self::FileCutShort => "file-cut-short",
+            Self::MoreWarnings => "more-warnings",
         }
     }
 
@@ -53,6 +59,8 @@ impl WarningKind {
             Self::PitchIncomplete => "PitchIncomplete",
             Self::Unusable => "Unusable",
             Self::FilesDiffer => "FilesDiffer",
+            Self::FileCutShort => "FileCutShort",
+            Self::MoreWarnings => "MoreWarnings",
         }
     }
 }

@@ -22,7 +22,14 @@ const POINTS: Layout = Layout { columns: ["x_mm", "y_mm", "z_mm"], least: [4, 4]
 /// # Errors
 /// Those of [`Source::read`]; `invalid-table`, `invalid-number` with line and value.
 pub fn read_point_grid(path: &Path, wanted: &BladePoints) -> Result<PointGrid, JobError> {
-    let source = Source::read(path)?;
+    parse_point_grid(Source::read(path)?, wanted)
+}
+
+/// As [`read_point_grid`], from a text.
+///
+/// # Errors
+/// As [`read_point_grid`].
+pub fn parse_point_grid(source: Source, wanted: &BladePoints) -> Result<PointGrid, JobError> {
     parse(source.text(), [wanted.rows, wanted.columns]).map_err(|finding| JobError::single(source, finding))
 }
 

@@ -9,6 +9,7 @@ use super::document::{
 };
 use super::error::RexsError;
 use super::xml_read::allowed;
+use crate::exchange::mesh::xml::is_allowed;
 
 /// Reads a model.
 pub(super) fn document(text: &str) -> Result<RexsDocument, RexsError> {
@@ -98,8 +99,8 @@ fn value(form: Form, map: &Map<String, Json>) -> Option<Value> {
         Form::Integer => map.get("integer")?.as_i64().map(Value::Integer),
         Form::Boolean => map.get("boolean")?.as_bool().map(Value::Boolean),
         Form::Word => {
-            let word = map.get("enum").or_else(|| map.get("string"))?.as_str()?;
-            Some(Value::Word(word.to_owned()))
+            let word = map.get("enum").or_else(|| map.get("string"))?.as_str()?.trim();
+            (!word.is_empty() && is_word(word)).then(|| Value::Word(word.to_owned()))
         }
         Form::Lengths => {
             if let Some(list) = map.get("floating_point_array").or_else(|| map.get("integer_array")) {
@@ -110,6 +111,11 @@ fn value(form: Form, map: &Map<String, Json>) -> Option<Value> {
             coded::decode(packed.get("code")?.as_str()?, packed.get("value")?.as_str()?).map(Value::Numbers)
         }
     }
+}
+
+/// Whether a file in XML could hold the text as well.
+fn is_word(text: &str) -> bool {
+    text.chars().all(is_allowed)
 }
 
 /// An object of the file with its place in words.
@@ -126,7 +132,8 @@ impl<'a> Object<'a> {
     fn optional_text(&self, key: &str) -> Result<Option<String>, RexsError> {
         match self.map.get(key) {
             None | Some(Json::Null) => Ok(None),
-            Some(Json::String(text)) => Ok(Some(text.clone())),
+            Some(Json::String(text)) if is_word(text) => Ok(Some(text.clone())),
+            Some(Json::String(_)) => Err(self.wrong(format!("`{key}` holds a control character"))),
             Some(_) => Err(self.wrong(format!("`{key}` must be a text"))),
         }
     }

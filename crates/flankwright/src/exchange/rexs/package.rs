@@ -1,6 +1,5 @@
 //! Files: which form one has, how large it may be, and the packed form of either.
 
-use std::fs::File;
 use std::io::{Cursor, Read, Write};
 use std::path::Path;
 
@@ -11,23 +10,29 @@ use super::document::{RexsDocument, RexsFormat};
 use super::error::RexsError;
 use super::warning::RexsWarning;
 use super::{json_read, json_write, xml_read, xml_write};
+use crate::exchange::bounded::{Unread, read_bounded};
 
 /// Largest file that is read, packed or unpacked: 64 MiB.
 pub const MAXIMUM_FILE_BYTES: usize = 64 << 20;
 
+/// What a file is too large in.
+const BYTES: &str = "bytes of the file";
+
 /// Reads a .rexs, .rexsj or .rexsz file; its content decides which it is.
 ///
 /// # Errors
-/// [`RexsError::Unreadable`] and those of [`parse_rexs`]. No more than [`MAXIMUM_FILE_BYTES`] are read of any file.
+/// [`RexsError::Unreadable`], also for a pipe or a device, and those of [`parse_rexs`]. A file of more than [`MAXIMUM_FILE_BYTES`] is not
+/// read.
 pub fn read_rexs(path: &Path) -> Result<RexsDocument, RexsError> {
-    let unreadable = |error: std::io::Error| RexsError::Unreadable {
-        file: path.display().to_string(),
-        cause: error.to_string(),
-    };
-    let mut bytes = Vec::new();
-    let file = File::open(path).map_err(unreadable)?;
-    file.take(MAXIMUM_FILE_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(unreadable)?;
-    parse_rexs(&bytes)
+    match read_bounded(path, MAXIMUM_FILE_BYTES) {
+        Ok(bytes) => parse_rexs(&bytes),
+        Err(Unread::System(error)) => {
+            Err(RexsError::Unreadable { file: path.display().to_string(), cause: error.to_string() })
+        }
+        Err(Unread::TooLarge(found)) => {
+            Err(RexsError::FileTooLarge { what: BYTES, found, most: MAXIMUM_FILE_BYTES })
+        }
+    }
 }
 
 /// Reads the content of a file: XML, JSON, or one of them packed.
@@ -36,7 +41,7 @@ pub fn read_rexs(path: &Path) -> Result<RexsDocument, RexsError> {
 /// [`RexsError::FileTooLarge`], [`RexsError::NotRexs`], [`RexsError::EntitiesRefused`], [`RexsError::Structure`],
 /// [`RexsError::BadValue`].
 pub fn parse_rexs(bytes: &[u8]) -> Result<RexsDocument, RexsError> {
-    bounded("bytes of the file", bytes.len())?;
+    bounded(BYTES, bytes.len())?;
     if bytes.starts_with(b"PK\x03\x04") {
         return text(&unpacked(bytes)?);
     }

@@ -55,7 +55,7 @@ pub(super) fn xml(document: &RexsDocument, warnings: &mut Vec<RexsWarning>) -> S
                 let what = format!("component {} ({})", component.id, component.kind);
                 if !keep(&mut text, opaque, &what, warnings) {
                     // The component itself stays, so that relations keep their ends.
-                    let _ = writeln!(text, "    <component{head}/>");
+                    let _ = writeln!(text, "    <component{head}></component>");
                 }
             }
         }

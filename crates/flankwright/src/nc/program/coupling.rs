@@ -33,9 +33,9 @@ pub struct ToothData {
     pub teeth: u32,
     /// Threads of the worm, negative if the workpiece turns the other way.
     pub threads: i32,
-    /// m_n, mm.
+    /// m_n, mm; NaN in a program that was read and does not tell it.
     pub normal_module: f64,
-    /// beta_2, rad.
+    /// beta_2, rad; NaN in a program that was read and does not tell it.
     pub helix_angle: f64,
 }
 

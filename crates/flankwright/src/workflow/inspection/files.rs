@@ -5,10 +5,10 @@ mod rexs;
 use super::drawn::DrawnGear;
 use super::result::LinesResult;
 use crate::exchange::inspection::{
-    InspectedGear, Inspection, InspectionError, KlingelnbergFile, MeasuredTable, Trace, TraceKind,
-    inspection_of, read_klingelnberg, read_measured_table,
+    InspectedGear, Inspection, InspectionError, InspectionWarning, KlingelnbergFile, MeasuredTable, Trace,
+    TraceKind, WarningKind, inspection_of, parse_measured_table, read_klingelnberg,
 };
-use crate::exchange::{Diagnostic, Problem};
+use crate::exchange::{Diagnostic, Problem, Source};
 use crate::geometry::{Flank, Sides};
 use crate::modification::ModificationSpec;
 use crate::workflow::finding::{JobFailure, Remark, RunFailure};
@@ -118,7 +118,9 @@ fn file_name(path: &Path) -> String {
 }
 
 fn table(path: &Path, drawn: Option<&DrawnGear>) -> Result<MeasuredFiles, JobFailure> {
-    let found = read_measured_table(path)?;
+    let source = Source::read(path)?;
+    let cut = cut_short(&source);
+    let found = parse_measured_table(source)?;
     let Some(drawn) = drawn else {
         let finding = Diagnostic::new(Problem::MissingKey, "a table does not tell which gear was measured")
             .field("--job")
@@ -129,6 +131,7 @@ fn table(path: &Path, drawn: Option<&DrawnGear>) -> Result<MeasuredFiles, JobFai
     };
     let mut inspection = empty(drawn.gear, path);
     inspection.conditions = drawn.conditions.clone();
+    inspection.warnings.extend(cut);
     match found {
         MeasuredTable::Traces(traces) => inspection.traces = traces,
         MeasuredTable::Fields(fields) => inspection.topographies = fields,
@@ -136,6 +139,14 @@ fn table(path: &Path, drawn: Option<&DrawnGear>) -> Result<MeasuredFiles, JobFai
     tag(&mut inspection.traces);
     let modifications = Sides::default();
     Ok(MeasuredFiles { inspection, not_understood: Vec::new(), remarks: Vec::new(), modifications })
+}
+
+/// Without an end of the last line nobody knows whether its last number is whole.
+fn cut_short(source: &Source) -> Option<InspectionWarning> {
+    let message = "the last line has no end: the file may be cut short, and the last value with it";
+    let last = source.text().lines().count();
+    let cut = !source.text().ends_with(['\r', '\n']);
+    cut.then(|| InspectionWarning::at(WarningKind::FileCutShort, last, message))
 }
 
 fn empty(gear: InspectedGear, path: &Path) -> Inspection {
@@ -166,5 +177,19 @@ pub(super) fn tag(traces: &mut [Trace]) {
                 }
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_table_whose_last_line_has_no_end_may_be_cut_short() {
+        let of = |text: &str| cut_short(&Source::new("measured.csv", text));
+        let warning = of("tooth,flank,w_mm,z_mm,f_um\n1,left,2,3,4").unwrap();
+        assert_eq!((warning.kind, warning.line), (WarningKind::FileCutShort, Some(2)));
+        assert_eq!(of("tooth,flank,w_mm,z_mm,f_um\n1,left,2,3,4\n"), None);
+        assert_eq!(of("tooth,flank,w_mm,z_mm,f_um\r1,left,2,3,4\r"), None);
     }
 }

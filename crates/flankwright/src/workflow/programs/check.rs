@@ -7,12 +7,12 @@ use crate::exchange::machine::LoadedMachine;
 use crate::exchange::{AnyJob, Diagnostic, GearboxJob, LoadedSkivingJob};
 use crate::machine::{Positions, Role};
 use crate::motion::{AxisWords, MotionError, Tracked, axis_words, track};
-use crate::nc::{Dialect, ReadError, ReadProgram, Word, read, read_with_netlist};
+use crate::nc::{Dialect, MAXIMUM_BYTES, ReadError, ReadProgram, Word, read, read_with_netlist};
 use crate::numerics::Progress;
 use crate::workflow::finding::{Remark, RunFailure};
 use crate::workflow::milling::check_milling;
 use crate::workflow::skiving::prove_text;
-use std::io::BufRead;
+use std::io::{BufRead, Read as _};
 
 /// A program that cannot be read, as a finding with its place in the message.
 fn unreadable(error: &ReadError, dialect: Dialect) -> RunFailure {
@@ -93,7 +93,7 @@ fn check_measuring(
     progress: &dyn Progress,
 ) -> Result<CheckedProgram, RunFailure> {
     let mut whole = String::new();
-    text.read_to_string(&mut whole).map_err(|error| {
+    text.by_ref().take(MAXIMUM_BYTES as u64 + 1).read_to_string(&mut whole).map_err(|error| {
         let finding =
             Diagnostic::with_code("unreadable-file", format!("the program cannot be read: {error}"));
         RunFailure::bad_input(finding.way_out("give a text file"))

@@ -2,16 +2,18 @@
 
 use thiserror::Error;
 
+use crate::exchange::Diagnostic;
+
 /// A reference file that cannot be checked. Disagreeing numbers are no errors; they stand in the report.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum VerifyError {
-    /// The file cannot be read.
-    #[error("{file} cannot be read: {cause}")]
+    /// The file cannot be read, is too large, or is no text.
+    #[error("{}", .finding.message)]
     Unreadable {
         /// File as given.
         file: String,
-        /// What the system says.
-        cause: String,
+        /// What is wrong with it.
+        finding: Box<Diagnostic>,
     },
     /// The file is not JSON.
     #[error("{file} is not JSON (line {line}): {cause}")]
@@ -37,16 +39,20 @@ impl VerifyError {
     /// Stable kebab-case code (spec 90 section 5).
     pub fn code(&self) -> &'static str {
         match self {
-            Self::Unreadable { .. } => "unreadable-file",
+            Self::Unreadable { finding, .. } => finding.code,
             Self::NotJson { .. } => "invalid-json",
             Self::UnknownSchema { .. } => "unknown-schema",
         }
     }
 
     /// What the user can do about it, in one sentence.
-    pub fn way_out(&self) -> &'static str {
+    pub fn way_out(&self) -> &str {
         match self {
-            Self::Unreadable { .. } => "check the path and the permissions",
+            Self::Unreadable { finding, .. } => match finding.code {
+                // What the reader says of an absent file is meant for jobs.
+                "unreadable-file" => "check the path and the permissions",
+                _ => finding.way_out.as_deref().unwrap_or("check that this is the right file"),
+            },
             Self::NotJson { .. } => "correct the file at this line",
             Self::UnknownSchema { .. } => {
                 "give a file of one of the schemas 10, 20, 25, 26, 28, 30, 40, 50, 60, 70, 85"

@@ -45,6 +45,7 @@ pub use ledger::{Failure, NotRun, Worst};
 pub use report::{FileReport, VerifySummary};
 pub use schema::Schema;
 
+use crate::exchange::{Diagnostic, Problem, Source};
 use ledger::Ledger;
 use reference::Reference;
 use serde_json::Value;
@@ -65,9 +66,12 @@ pub struct VerifyOptions {
 /// quantities and cases that cannot be computed are no errors but failures in the report.
 pub fn verify_file(path: &Path, options: &VerifyOptions) -> Result<FileReport, VerifyError> {
     let file = path.display().to_string();
-    let text = std::fs::read_to_string(path)
-        .map_err(|e| VerifyError::Unreadable { file: file.clone(), cause: e.to_string() })?;
-    let root: Value = serde_json::from_str(&text).map_err(|e| VerifyError::NotJson {
+    let source = Source::read(path).map_err(|error| {
+        let none = || Diagnostic::new(Problem::UnreadableFile, format!("the file `{file}` cannot be read"));
+        let finding = Box::new(error.diagnostics.into_iter().next().unwrap_or_else(none));
+        VerifyError::Unreadable { file: file.clone(), finding }
+    })?;
+    let root: Value = serde_json::from_str(source.text()).map_err(|e| VerifyError::NotJson {
         file: file.clone(),
         line: e.line(),
         cause: e.to_string(),

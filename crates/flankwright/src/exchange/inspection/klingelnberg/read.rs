@@ -1,11 +1,10 @@
 //! From bytes to what they say: size, encoding, first line, then line by line.
 
-use std::fs::File;
-use std::io::Read;
 use std::path::Path;
 
 use super::reader::Reader;
 use super::{FileKind, KlingelnbergFile};
+use crate::exchange::bounded::{Unread, read_bounded};
 use crate::exchange::inspection::InspectionError;
 use crate::exchange::inspection::encoding::decode;
 use crate::geometry::Sides;
@@ -18,22 +17,26 @@ pub const MAXIMUM_TRACES: usize = 2000;
 pub const MAXIMUM_SAMPLES: usize = 20_000;
 /// Most lines that are passed over; with more of them the file is refused.
 pub const MAXIMUM_UNKNOWN_LINES: usize = 200;
+/// What a file is too large in.
+const BYTES: &str = "bytes of the file";
 /// What is kept of a line that was not understood, characters.
 const SHOWN: usize = 80;
 
 /// Reads a file.
 ///
 /// # Errors
-/// [`InspectionError::Unreadable`] and those of [`parse_klingelnberg`]. No more than [`MAXIMUM_FILE_BYTES`] are read of any file.
+/// [`InspectionError::Unreadable`], also for a pipe or a device, and those of [`parse_klingelnberg`]. A file of more than
+/// [`MAXIMUM_FILE_BYTES`] is not read.
 pub fn read_klingelnberg(path: &Path) -> Result<KlingelnbergFile, InspectionError> {
-    let unreadable = |error: std::io::Error| InspectionError::Unreadable {
-        file: path.display().to_string(),
-        cause: error.to_string(),
-    };
-    let mut bytes = Vec::new();
-    let file = File::open(path).map_err(unreadable)?;
-    file.take(MAXIMUM_FILE_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(unreadable)?;
-    parse_klingelnberg(&bytes)
+    match read_bounded(path, MAXIMUM_FILE_BYTES) {
+        Ok(bytes) => parse_klingelnberg(&bytes),
+        Err(Unread::System(error)) => {
+            Err(InspectionError::Unreadable { file: path.display().to_string(), cause: error.to_string() })
+        }
+        Err(Unread::TooLarge(found)) => {
+            Err(InspectionError::FileTooLarge { what: BYTES.into(), found, most: MAXIMUM_FILE_BYTES })
+        }
+    }
 }
 
 /// Reads the content of a file (spec 85 section 2).
@@ -42,7 +45,7 @@ pub fn read_klingelnberg(path: &Path) -> Result<KlingelnbergFile, InspectionErro
 /// [`InspectionError::FileTooLarge`], [`InspectionError::UnsupportedEncoding`], [`InspectionError::NotKlingelnberg`],
 /// [`InspectionError::TooManyUnknownLines`]. Everything else that is wrong is told in `warnings` and `unknown_lines`.
 pub fn parse_klingelnberg(bytes: &[u8]) -> Result<KlingelnbergFile, InspectionError> {
-    too_large("bytes of the file", bytes.len(), MAXIMUM_FILE_BYTES)?;
+    too_large(BYTES, bytes.len(), MAXIMUM_FILE_BYTES)?;
     let (text, encoding) = decode(bytes)?;
     let mut lines = lines(&text).filter(|(_, line)| !line.trim().is_empty());
     let (at, first) = lines.next().unwrap_or((0, ""));
@@ -64,10 +67,13 @@ pub fn parse_klingelnberg(bytes: &[u8]) -> Result<KlingelnbergFile, InspectionEr
         warnings: Vec::new(),
         unknown_lines: Vec::new(),
     });
+    let mut last = at;
     for (number, line) in lines {
         reader.line(number, line.trim())?;
+        last = number;
     }
-    Ok(reader.finish())
+    // The machine ends every line; without that end nobody knows whether the last number is whole.
+    Ok(reader.finish((!text.ends_with(['\r', '\n'])).then_some(last)))
 }
 
 /// The limit of a file, as an error.

@@ -7,7 +7,7 @@ use super::{Curve, KlingelnbergFile, UnknownLine, header, tables};
 use crate::exchange::inspection::{InspectionError, InspectionWarning, WarningKind};
 use crate::geometry::Flank;
 
-/// Most warnings that are kept; the lines that cause them are bounded by the size of the file only.
+/// Most warnings that are kept, since the lines that cause them are bounded by the size of the file only; how many more there are is told.
 const MOST_WARNINGS: usize = 2000;
 /// The value for undefined where the preamble gives none.
 const UNDEFINED: f64 = -2_147_483.648;
@@ -35,23 +35,35 @@ pub(super) struct Reader {
     open: Open,
     /// No more codes of the header: curves, tables or values have begun.
     data: bool,
+    /// Warnings that are not kept, and the line of the first.
+    more: Option<(usize, usize)>,
 }
 
 impl Reader {
     /// Nothing read yet but the first line.
     pub fn new(file: KlingelnbergFile) -> Self {
-        Self { file, undefined: UNDEFINED, section: None, open: Open::Nothing, data: false }
+        Self { file, undefined: UNDEFINED, section: None, open: Open::Nothing, data: false, more: None }
     }
 
-    /// The end of the file.
-    pub fn finish(mut self) -> KlingelnbergFile {
+    /// The end of the file; `cut` is the last line if that has no end.
+    pub fn finish(mut self, cut: Option<usize>) -> KlingelnbergFile {
         self.close();
+        if let Some(line) = cut {
+            let message = "the last line has no end: the file may be cut short, and the last value with it";
+            self.warn(WarningKind::FileCutShort, line, message);
+        }
+        if let Some((count, line)) = self.more {
+            let message = format!("{count} more warnings from here on are not listed");
+            self.file.warnings.push(InspectionWarning::at(WarningKind::MoreWarnings, line, message));
+        }
         self.file
     }
 
     fn warn(&mut self, kind: WarningKind, line: usize, message: impl Into<String>) {
         if self.file.warnings.len() < MOST_WARNINGS {
             self.file.warnings.push(InspectionWarning::at(kind, line, message));
+        } else {
+            self.more.get_or_insert((0, line)).0 += 1;
         }
     }
 

@@ -84,6 +84,14 @@ fn unknown_lines_are_shortened_and_bounded() {
 }
 
 #[test]
+fn warnings_that_are_not_listed_are_counted() {
+    let file = read(&format!("{HEAD}{}", "Zahn-Nr.: 2 links / 1 Werte z= 3\n1\n".repeat(2003)));
+    let last = file.warnings.last().unwrap();
+    assert_eq!((file.warnings.len(), last.kind, last.line), (2001, WarningKind::MoreWarnings, Some(4003)));
+    assert!(last.message.starts_with("3 more warnings"), "{}", last.message);
+}
+
+#[test]
 fn sizes_are_bounded() {
     let code = |bytes: &[u8]| parse_klingelnberg(bytes).unwrap_err().code();
     assert_eq!(code(&vec![b' '; MAXIMUM_FILE_BYTES + 1]), "file-too-large");

@@ -1,12 +1,11 @@
 //! Tables of traces: what is written comes back, what is wrong is told.
 
-use super::super::measured_table::parse;
 use super::super::*;
 use crate::exchange::Source;
 use crate::geometry::Flank;
 
 fn read(text: &str) -> Result<Vec<Trace>, crate::exchange::JobError> {
-    parse(Source::new("traces.csv", text)).map(|found| match found {
+    parse_measured_table(Source::new("traces.csv", text)).map(|found| match found {
         MeasuredTable::Traces(traces) => traces,
         MeasuredTable::Fields(fields) => panic!("{fields:?}"),
     })

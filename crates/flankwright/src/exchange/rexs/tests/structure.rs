@@ -118,6 +118,27 @@ fn json_has_the_same_structure() {
 }
 
 #[test]
+fn texts_come_back_character_by_character() {
+    let of = |word: &str| {
+        let text = format!(
+            r#"{{"model":{{"version":"2.0.0","applicationId":"x","applicationVersion":"1","date":"d","components":[{{"id":1,"type":"cylindrical_gear","name":"{word}","attributes":[{{"id":"datum_face_orientation","unit":"{word}","enum":"positive"}}]}}]}}}}"#
+        );
+        parse_rexs(text.as_bytes())
+    };
+    // A reader of XML makes blanks of what is not written as a number.
+    for word in [r"a\u007fb\u0085c", r"a\tb\r\nc\nd", r#"\u00b5<&>\"'"#] {
+        let document = of(word).unwrap();
+        let (bytes, lost) = rexs_bytes(&document, RexsFormat::Xml, false).unwrap();
+        assert!(lost.is_empty());
+        assert_eq!(parse_rexs(&bytes).unwrap(), document);
+    }
+    // XML has no way to write these.
+    for word in [r"a\u0000", r"a\u001f", r"a\uffff"] {
+        assert_eq!(of(word).unwrap_err().code(), "rexs-structure", "{word}");
+    }
+}
+
+#[test]
 fn sizes_and_packages_are_bounded() {
     use std::io::Write;
     let code = |bytes: &[u8]| parse_rexs(bytes).unwrap_err().code();

@@ -1,0 +1,4 @@
+//! REXS as XML.
+#![no_main]
+
+libfuzzer_sys::fuzz_target!(|data: &[u8]| flankwright_fuzz::rexs_xml(data));
