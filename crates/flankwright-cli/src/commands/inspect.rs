@@ -24,7 +24,7 @@ use crate::output;
     capability. With a job of generating grinding: what is systematic, which settings correct it, and the corrected job; without a file, \
     the measurement that its table [inspection.simulated] describes.\n\
     A skiving tool: switching angles at a light barrier (columns flank, track, sense, revolution, angle_deg), always with its job.\n\n\
-    Exit status 3: the measured flank misses the tolerance of the job; the tool is worn, teeth leave their band, or the workpiece's \
+    Exit status 3: the measured flank misses the tolerance of the job; of a series, values beyond the class or files that were refused; the tool is worn, teeth leave their band, or the workpiece's \
     profile will leave its tolerance.")]
 pub struct InspectArguments {
     /// The measurement, or a folder of measurements
@@ -33,6 +33,9 @@ pub struct InspectArguments {
     /// The job (TOML or JSON) that tells what was made or measured; `-` reads standard input
     #[arg(long, value_name = "JOB")]
     pub job: Option<PathBuf>,
+    /// Class of ISO 1328-1:2013 whose tolerances are the limits of sheets and series
+    #[arg(long, value_name = "CLASS", value_parser = clap::value_parser!(i32).range(1..=11))]
+    pub class: Option<i32>,
     /// Arguments that every command has.
     #[command(flatten)]
     pub common: CommonArguments,
@@ -45,10 +48,11 @@ pub struct InspectArguments {
 pub fn run(arguments: &InspectArguments) -> Result<Exit, Failure> {
     let (file, common) = (arguments.file.as_deref(), &arguments.common);
     match (file, &arguments.job) {
-        (Some(file), None) => measured_gear::alone(file, common),
+        (Some(folder), None) if folder.is_dir() => measured_gear::series(folder, arguments.class, common),
+        (Some(file), None) => measured_gear::alone(file, arguments.class, common),
         (_, Some(job)) => match output::load_any_job(job)? {
             AnyJob::Skiving(loaded) => of_tool(&loaded, file, common),
-            AnyJob::Grinding(loaded) => of_gear(&loaded, file, common),
+            AnyJob::Grinding(loaded) => of_gear(&loaded, file, arguments),
             AnyJob::Tangential(loaded) => Err(other_process(&loaded, loaded.job.job.process)),
             AnyJob::Gearbox(loaded) => Err(other_process(&loaded, loaded.job.job.process)),
             AnyJob::Milling(loaded) => Err(other_process(&loaded, loaded.job.job.process)),
@@ -57,10 +61,11 @@ pub fn run(arguments: &InspectArguments) -> Result<Exit, Failure> {
     }
 }
 
-fn of_gear(loaded: &LoadedJob, file: Option<&Path>, common: &CommonArguments) -> Result<Exit, Failure> {
+fn of_gear(loaded: &LoadedJob, file: Option<&Path>, arguments: &InspectArguments) -> Result<Exit, Failure> {
+    let (class, common) = (arguments.class, &arguments.common);
     match file {
-        Some(file) => measured_gear::for_job(file, loaded, common),
-        None => measured_gear::simulated(loaded, common),
+        Some(file) => measured_gear::for_job(file, loaded, class, common),
+        None => measured_gear::simulated(loaded, class, common),
     }
 }
 

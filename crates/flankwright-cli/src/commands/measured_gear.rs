@@ -1,56 +1,63 @@
-//! `inspect` of a measured gear: evaluates it by itself or against a job, writes its files, prints a summary.
+//! `inspect` of measured gears: one by itself or against a job, or many as a series; writes their files, prints a summary.
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 use flankwright::exchange::LoadedJob;
 use flankwright::workflow::inspection::{
-    GearInspection, GearInspectionResult, RoundResult, inspect_for_job, inspect_gear, inspect_simulated,
-    write_gear_inspection,
+    GearInspection, GearInspectionResult, InspectionSeries, RoundResult, SeriesOptions, SheetOptions,
+    inspect_for_job, inspect_gear, inspect_series, inspect_simulated, measured_parts_in, series_summary,
+    write_gear_inspection, write_inspection_series,
 };
-use flankwright::workflow::{JobFailure, Remark};
+use flankwright::workflow::{JobFailure, Remark, Status};
 
 use super::outcome::{Verdict, closing, conclude, fixed, opening, unwritten};
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
+use crate::output;
 use crate::progress::Bars;
 
 /// Evaluates a measurement by itself.
 ///
 /// # Errors
 /// A file that is no measurement, files that cannot be written.
-pub fn alone(file: &Path, common: &CommonArguments) -> Result<Exit, Failure> {
+pub fn alone(file: &Path, class: Option<i32>, common: &CommonArguments) -> Result<Exit, Failure> {
     let found = inspect_gear(file).map_err(|failure| match failure {
         JobFailure::File(error) => Failure::from(*error),
         JobFailure::Job(failure) => Failure::of_no_job(failure),
     })?;
-    deliver(&found, &beside(file), common)
+    deliver(&found, class, &beside(file), common)
 }
 
 /// Judges a measurement against a job.
 ///
 /// # Errors
 /// As [`alone`]; everything that is wrong with the job, a measurement of another gear.
-pub fn for_job(file: &Path, loaded: &LoadedJob, common: &CommonArguments) -> Result<Exit, Failure> {
+pub fn for_job(
+    file: &Path,
+    loaded: &LoadedJob,
+    class: Option<i32>,
+    common: &CommonArguments,
+) -> Result<Exit, Failure> {
     let bars = Bars::new(common.quiet);
     let found = inspect_for_job(loaded, file, &bars);
     bars.finish();
     let found = found.map_err(|failure| Failure::of_job_or_file(loaded, failure))?;
-    deliver(&found, &beside(file), common)
+    deliver(&found, class, &beside(file), common)
 }
 
 /// Measures and corrects the simulated machine of a job.
 ///
 /// # Errors
 /// Everything that is wrong with the job, files that cannot be written.
-pub fn simulated(loaded: &LoadedJob, common: &CommonArguments) -> Result<Exit, Failure> {
+pub fn simulated(loaded: &LoadedJob, class: Option<i32>, common: &CommonArguments) -> Result<Exit, Failure> {
     let bars = Bars::new(common.quiet);
     let found = inspect_simulated(loaded, &bars);
     bars.finish();
     let found = found.map_err(|failure| Failure::of_run(loaded, failure))?;
     let directory = loaded.beside(&format!("{}.inspected", loaded.job.job.name));
-    deliver(&found, &directory, common)
+    deliver(&found, class, &directory, common)
 }
 
 /// `part.inspected/` beside `part.mka`.
@@ -60,10 +67,47 @@ pub fn beside(file: &Path) -> PathBuf {
 
 fn deliver(found: &GearInspection, directory: &Path, common: &CommonArguments) -> Result<Exit, Failure> {
     let directory = common.output.as_deref().unwrap_or(directory);
-    let written = write_gear_inspection(found, directory).map_err(unwritten)?;
+    let written = write_gear_inspection(found, &sheet(class), directory).map_err(unwritten)?;
     let result = &found.result;
     let verdict = verdict(result);
     conclude(common, result, verdict, || summary(result, &written))
+}
+
+/// A sheet with the limits of a class.
+fn sheet(class: Option<i32>) -> SheetOptions {
+    SheetOptions { tolerance_class: class, ..SheetOptions::default() }
+}
+
+/// Evaluates all measurements of a folder as a series.
+///
+/// # Errors
+/// A folder without measurements, a class that is none, files that cannot be written.
+pub fn series(folder: &Path, class: Option<i32>, common: &CommonArguments) -> Result<Exit, Failure> {
+    let paths = measured_parts_in(folder).map_err(Failure::of_no_job)?;
+    let options = SeriesOptions { sheet: sheet(class), without_sheets: false };
+    let series = inspect_series(&paths, &options).map_err(Failure::of_no_job)?;
+    deliver_series(&series, &beside(folder), common)
+}
+
+/// Writes the files of a series and prints its summary. Files that were refused are named, whatever else is quiet.
+///
+/// # Errors
+/// Files that cannot be written.
+pub fn deliver_series(
+    series: &InspectionSeries,
+    directory: &Path,
+    common: &CommonArguments,
+) -> Result<Exit, Failure> {
+    let directory = common.output.as_deref().unwrap_or(directory);
+    let written = write_inspection_series(series, directory).map_err(unwritten)?;
+    if common.json {
+        output::print_json(&series.result)?;
+    } else if !common.quiet {
+        let page = written.last().map(|page| format!("  report: {}\n", page.display()));
+        output::print(&(series_summary(series) + &page.unwrap_or_default()))?;
+    }
+    let whole = series.result.refused.is_empty() && series.result.status == Status::Met;
+    Ok(if whole { Exit::Done } else { Exit::TargetMissed })
 }
 
 fn verdict(result: &GearInspectionResult) -> Verdict<'_> {

@@ -2,17 +2,22 @@
 
 use super::page;
 use super::run::GearInspection;
+use super::sheet::{SheetOptions, inspection_sheet};
 use super::tables;
 use crate::exchange::inspection::{Inspection, trace_table};
 use crate::workflow::elsewhere::standing_elsewhere;
 use crate::workflow::write::{NamedFile, WriteError, json, write_with_report};
 use std::path::{Path, PathBuf};
 
-/// Writes result, tables, the corrected job and the report into `directory` (made if missing); returns their paths, the report last.
+/// Writes result, tables, the corrected job, the sheet and the report into `directory` (made if missing); returns their paths, the report last.
 ///
 /// # Errors
 /// [`WriteError`]; files written before the error stay.
-pub fn write_gear_inspection(found: &GearInspection, directory: &Path) -> Result<Vec<PathBuf>, WriteError> {
+pub fn write_gear_inspection(
+    found: &GearInspection,
+    options: &SheetOptions,
+    directory: &Path,
+) -> Result<Vec<PathBuf>, WriteError> {
     let result = &found.result;
     let mut files: Vec<NamedFile> = vec![
         ("result.json".into(), "everything that is known of the gear", json(result)?),
@@ -31,6 +36,8 @@ pub fn write_gear_inspection(found: &GearInspection, directory: &Path) -> Result
         let table = trace_table(&round.inspection.traces)?;
         files.push((path, "simulated measurement: input of `flankwright inspect`", table.text().into()));
     }
+    let sheet = inspection_sheet(found, options)?;
+    files.push(("sheet.html".into(), "the inspection sheet, to be printed", sheet.into_bytes()));
     write_with_report(files, directory, |named| page::html_page(found, named))
 }
 
