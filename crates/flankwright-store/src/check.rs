@@ -3,9 +3,9 @@
 use std::collections::HashSet;
 
 use flankwright::exchange::Diagnostic;
+use flankwright::exchange::inspection::{SORTABLE_DATE, is_sortable_date};
 use serde_json::Value;
 
-use crate::date;
 use crate::records::{CharacteristicValue, PartRecord, PlanRecord};
 
 /// Characters of a name, a unit, a version.
@@ -28,11 +28,11 @@ pub(crate) fn part(place: usize, part: &PartRecord) -> Result<(), Diagnostic> {
     text(&at("source"), &part.source, LONG)?;
     digest(&at("digest"), &part.digest)?;
     if let Some(value) = &part.date
-        && !date::is_sortable(value)
+        && !is_sortable_date(value)
     {
         return Err(invalid(&at("date"), "is no date of this form")
             .value(format!("{value:?}"))
-            .allowed(date::FORM)
+            .allowed(SORTABLE_DATE)
             .way_out("write the date in this form, or leave it out"));
     }
     let count = part.characteristics.len();

@@ -1,9 +1,9 @@
 //! Which parts and values are asked for, and the condition in SQL that this is. Knows the columns, runs nothing.
 
 use flankwright::exchange::Diagnostic;
+use flankwright::exchange::inspection::{SORTABLE_DATE, is_sortable_date};
 use flankwright::geometry::Flank;
 
-use crate::date;
 use crate::words::flank_word;
 
 /// Which parts; every entry that is given has to agree, none means all.
@@ -49,14 +49,14 @@ impl Condition {
     /// For the table `part p`.
     pub fn of_parts(filter: &PartFilter) -> Result<Self, Diagnostic> {
         for (field, date) in [("from", &filter.from), ("to", &filter.to)] {
-            if let Some(text) = date.as_ref().filter(|text| !date::is_sortable(text)) {
+            if let Some(text) = date.as_ref().filter(|text| !is_sortable_date(text)) {
                 return Err(Diagnostic::with_code(
                     "invalid-filter",
                     format!("`{field}` is no date of this form"),
                 )
                 .field(field)
                 .value(format!("{:?}", text.chars().take(40).collect::<String>()))
-                .allowed(date::FORM)
+                .allowed(SORTABLE_DATE)
                 .way_out("write the date in this form"));
             }
         }

@@ -44,7 +44,6 @@ mod address;
 pub mod blocking;
 mod catalogue;
 mod check;
-mod date;
 mod digest;
 mod error;
 mod filter;
@@ -61,7 +60,6 @@ mod store;
 mod words;
 
 pub use address::StoreAddress;
-pub use date::sortable_date;
 pub use digest::digest_of;
 pub use error::StoreError;
 pub use filter::{CharacteristicFilter, PartFilter};

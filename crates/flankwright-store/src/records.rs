@@ -1,6 +1,7 @@
 //! What a store holds, as plain data.
 
 use flankwright::geometry::Flank;
+use flankwright::workflow::inspection::characteristic_key;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
@@ -16,7 +17,7 @@ pub struct PartRecord {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub drawing: Option<String>,
     /// When it was measured, by the clock of the measuring room: `2026-03-14` or `2026-03-14T09:30:00`;
-    /// [`crate::sortable_date`] makes one of what machines write.
+    /// [`flankwright::exchange::inspection::sortable_date`] makes one of what machines write.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub date: Option<String>,
     /// Measuring machine.
@@ -97,10 +98,7 @@ pub struct Characteristic {
 impl Characteristic {
     /// One word for all of it, e.g. `fHa.left.mean`, `ffb.right.tooth-18.single`, `Fr.single`: the same in every version.
     pub fn key(&self) -> String {
-        let flank = self.flank.map(|flank| flank.name().to_owned());
-        let tooth = self.tooth.map(|tooth| format!("tooth-{tooth}"));
-        let words = [Some(self.name.clone()), flank, tooth, Some(self.statistic.clone())];
-        words.into_iter().flatten().collect::<Vec<_>>().join(".")
+        characteristic_key(&self.name, self.flank, self.tooth, &self.statistic)
     }
 }
 

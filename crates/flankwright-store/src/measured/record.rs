@@ -1,16 +1,16 @@
 //! The record of an evaluated part: who it is, when it was measured, to which series it belongs.
 
 use flankwright::exchange::Diagnostic;
-use flankwright::workflow::inspection::GearInspection;
+use flankwright::metrology::inspection::ToleranceQuantity;
+use flankwright::workflow::inspection::{
+    GearInspection, PartCharacteristic, PartIdentity, part_characteristics,
+};
 use serde_json::Value;
 
-use super::characteristics::characteristics;
-use super::limits::ClassLimits;
 use crate::catalogue::unwritable;
-use crate::date::sortable_date;
 use crate::error::StoreError;
 use crate::plans::TIMING;
-use crate::records::PartRecord;
+use crate::records::{CharacteristicValue, PartRecord};
 
 impl PartRecord {
     /// A part from its evaluated measurement and the digest of its file. The series is the drawing, else the name of the gear, else teeth
@@ -23,40 +23,38 @@ impl PartRecord {
         digest: String,
         class: Option<i32>,
     ) -> Result<Self, StoreError> {
-        let limits = class.map(|class| class_limits(found, class)).transpose()?.unwrap_or_default();
+        if let Some(class) = class {
+            class_has_limits(found, class)?;
+        }
         let result = &found.result;
         let head = |key: &str| {
             result.head.get(key).map(|text| text.trim().to_owned()).filter(|text| !text.is_empty())
         };
-        let gear = &found.inspection.gear;
-        let of_body = || format!("z {} mn {}", gear.teeth, gear.normal_module_mm);
+        let PartIdentity { series, part, time } = PartIdentity::of(found);
         let mut document = serde_json::to_value(result).map_err(|error| unwritable(&error))?;
         if let Value::Object(entries) = &mut document {
             // The only part that differs between two runs.
             entries.remove(TIMING);
         }
         Ok(Self {
-            series: head("drawing").or_else(|| head("name")).unwrap_or_else(of_body),
-            part: head("part").unwrap_or_else(|| result.job.clone()),
+            series,
+            part,
             drawing: head("drawing"),
-            date: date(head("date"), head("time")),
+            date: time,
             machine: head("machine"),
             source: result.files.first().cloned().unwrap_or_else(|| result.job.clone()),
             digest,
             document,
-            characteristics: characteristics(result, &limits),
+            characteristics: part_characteristics(found, class)
+                .into_iter()
+                .map(CharacteristicValue::from)
+                .collect(),
         })
     }
 }
 
-/// Date and time at which the measurement began; the date alone where the time is no time of day.
-fn date(date: Option<String>, time: Option<String>) -> Option<String> {
-    let date = date?;
-    let begun = time.as_deref().and_then(|time| time.split('/').next()).unwrap_or_default();
-    sortable_date(&format!("{date} {}", begun.trim())).or_else(|| sortable_date(&date))
-}
-
-fn class_limits(found: &GearInspection, class: i32) -> Result<ClassLimits, Diagnostic> {
+/// Whether the standard has limits for the gear.
+fn class_has_limits(found: &GearInspection, class: i32) -> Result<(), Diagnostic> {
     let Some(tolerances) = &found.gear.tolerances else {
         return Err(Diagnostic::with_code("no-tolerances", "ISO 1328-1 has no tolerances for this gear")
             .field("class")
@@ -66,7 +64,7 @@ fn class_limits(found: &GearInspection, class: i32) -> Result<ClassLimits, Diagn
                 "import this part without a class; its warnings tell what the standard does not cover",
             ));
     };
-    ClassLimits::new(tolerances, class).map_err(|error| {
+    tolerances.rounded(ToleranceQuantity::ProfileSlope, class).map(drop).map_err(|error| {
         Diagnostic::with_code(error.code(), error.to_string())
             .field("class")
             .value(class)
@@ -74,16 +72,9 @@ fn class_limits(found: &GearInspection, class: i32) -> Result<ClassLimits, Diagn
     })
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_time_is_that_of_the_beginning() {
-        let of = |day: &str, time: Option<&str>| date(Some(day.into()), time.map(str::to_owned));
-        assert_eq!(of("13.10.25", Some("08:21:31   /   08:34:28")).as_deref(), Some("2025-10-13T08:21:31"));
-        assert_eq!(of("13.10.25", Some("morning")).as_deref(), Some("2025-10-13"));
-        assert_eq!(of("13.10.25", None).as_deref(), Some("2025-10-13"));
-        assert_eq!(of("13/10/25", Some("08:21:31")), None);
+impl From<PartCharacteristic> for CharacteristicValue {
+    fn from(of: PartCharacteristic) -> Self {
+        let PartCharacteristic { name, flank, tooth, statistic, unit, value, lower_limit, upper_limit } = of;
+        Self { name, flank, tooth, statistic, value, unit: unit.into(), lower_limit, upper_limit }
     }
 }

@@ -7,6 +7,7 @@ mod import;
 mod parts;
 mod place;
 mod plans;
+mod series;
 mod table;
 
 use clap::{Args, Subcommand};
@@ -38,6 +39,8 @@ pub enum StoreAction {
     Import(import::ImportArguments),
     /// List measured parts, or the values of a characteristic over them
     Parts(parts::PartsArguments),
+    /// Statistics, trends and capability of measured parts
+    Series(series::SeriesArguments),
     /// The catalogue of worms and dressers
     Catalogue(catalogue::CatalogueArguments),
     /// Plans: results of jobs
@@ -54,6 +57,7 @@ impl StoreArguments {
         let place = match &self.action {
             StoreAction::Import(arguments) => &arguments.place,
             StoreAction::Parts(arguments) => &arguments.place,
+            StoreAction::Series(arguments) => &arguments.parts.place,
             StoreAction::Catalogue(arguments) => arguments.place(),
             StoreAction::Plans(arguments) => arguments.place(),
             StoreAction::History(arguments) => arguments.place(),
@@ -71,6 +75,7 @@ pub fn run(arguments: &StoreArguments) -> Result<Exit, Failure> {
     match &arguments.action {
         StoreAction::Import(arguments) => import::run(arguments),
         StoreAction::Parts(arguments) => parts::run(arguments),
+        StoreAction::Series(arguments) => series::run(arguments),
         StoreAction::Catalogue(arguments) => catalogue::run(arguments),
         StoreAction::Plans(arguments) => plans::run(arguments),
         StoreAction::History(arguments) => history::run(arguments),

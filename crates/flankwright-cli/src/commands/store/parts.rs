@@ -48,21 +48,33 @@ pub struct PartsArguments {
     pub place: PlaceArguments,
 }
 
+impl PartsArguments {
+    /// The parts that are asked for.
+    pub fn filter(&self) -> PartFilter {
+        PartFilter {
+            series: self.series.clone(),
+            part: self.part.clone(),
+            drawing: self.drawing.clone(),
+            machine: self.machine.clone(),
+            from: self.from.clone(),
+            to: self.to.clone(),
+        }
+    }
+
+    /// The values that are asked for, of any part.
+    pub fn values(&self) -> CharacteristicFilter {
+        let flank = Flank::BOTH.into_iter().find(|flank| self.flank.as_deref() == Some(flank.name()));
+        let (name, statistic) = (self.characteristic.clone(), self.statistic.clone());
+        CharacteristicFilter { parts: PartFilter::default(), name, flank, statistic }
+    }
+}
+
 /// Lists parts or values.
 pub fn run(arguments: &PartsArguments) -> Result<Exit, Failure> {
     let store = arguments.place.open_existing()?;
-    let parts = PartFilter {
-        series: arguments.series.clone(),
-        part: arguments.part.clone(),
-        drawing: arguments.drawing.clone(),
-        machine: arguments.machine.clone(),
-        from: arguments.from.clone(),
-        to: arguments.to.clone(),
-    };
+    let parts = arguments.filter();
     if arguments.characteristic.is_some() {
-        let flank = Flank::BOTH.into_iter().find(|flank| arguments.flank.as_deref() == Some(flank.name()));
-        let (name, statistic) = (arguments.characteristic.clone(), arguments.statistic.clone());
-        let filter = CharacteristicFilter { parts, name, flank, statistic };
+        let filter = CharacteristicFilter { parts, ..arguments.values() };
         let values = store.characteristics(&filter).map_err(failed)?;
         arguments.place.print(&values, || text_of_values(&values))?;
     } else {

@@ -47,7 +47,7 @@ pub fn sortable_date(text: &str) -> Option<String> {
         Some(time) if time.len() == 5 => format!("{day}T{time}:00"),
         Some(time) => format!("{day}T{time}"),
     };
-    is_sortable(&whole).then_some(whole)
+    is_sortable_date(&whole).then_some(whole)
 }
 
 /// Digits and nothing else, at most four.
@@ -55,8 +55,11 @@ fn number(text: &str) -> Option<u32> {
     ((1..=4).contains(&text.len()) && text.bytes().all(|b| b.is_ascii_digit())).then(|| text.parse().ok())?
 }
 
-/// Whether a text has that form and names a day of the calendar.
-fn is_sortable(text: &str) -> bool {
+/// What a sortable date has to look like, in words.
+pub const SORTABLE_DATE: &str = "YYYY-MM-DD or YYYY-MM-DDTHH:MM:SS, e.g. 2026-03-14T09:30:00";
+
+/// Whether a text has the form of [`SORTABLE_DATE`] and names a day of the calendar.
+pub fn is_sortable_date(text: &str) -> bool {
     let (day, time) = match text.split_once('T') {
         Some((day, time)) => (day, Some(time)),
         None => (text, None),
@@ -135,7 +138,7 @@ mod tests {
     #[test]
     fn the_form_is_exact() {
         for text in ["2025-10-13", "0000-01-01", "2000-02-29", "2025-10-13T00:00:59"] {
-            assert!(is_sortable(text), "{text}");
+            assert!(is_sortable_date(text), "{text}");
         }
         for text in [
             "2025-10-13 08:21:31",
@@ -147,7 +150,7 @@ mod tests {
             "2025_10_13",
             "20µ-10-13",
         ] {
-            assert!(!is_sortable(text), "{text}");
+            assert!(!is_sortable_date(text), "{text}");
         }
     }
 }

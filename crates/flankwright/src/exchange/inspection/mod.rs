@@ -26,7 +26,7 @@ pub use conditions::{
     Conditions, CountingDirection, DatumFace, FlankConditions, LeadPositions, ProfilePositions, Section,
     SlopeReference,
 };
-pub use date::{measured_at, sortable_date};
+pub use date::{SORTABLE_DATE, is_sortable_date, measured_at, sortable_date};
 pub use encoding::Encoding;
 pub use error::InspectionError;
 pub use field_table::topography_table;

@@ -3,6 +3,7 @@
 
 mod assemble;
 mod bands;
+mod characteristics;
 mod closed_loop;
 mod drawn;
 mod evaluate;
@@ -16,6 +17,9 @@ mod sheet;
 mod tables;
 mod write;
 
+pub use characteristics::{
+    PartCharacteristic, PartIdentity, SINGLE, characteristic_key, part_characteristics,
+};
 pub use closed_loop::{
     CharacteristicResult, CorrectedSettingResult, CorrectionResult, DifferenceResult, MachineChange,
     MeasuredFlankResult, ProofResult, Round, RoundResult,

@@ -12,7 +12,7 @@ mod summary;
 mod tables;
 mod write;
 
-pub use characteristics::series_values;
+pub use characteristics::{is_followed, series_values};
 pub use folder::measured_parts_in;
 pub use result::{
     InspectionSeriesResult, RefusedFile, SeriesCapability, SeriesCharacteristic, SeriesFigures,
@@ -23,7 +23,7 @@ pub use write::write_inspection_series;
 
 use super::sheet::SheetOptions;
 use crate::exchange::Diagnostic;
-use crate::metrology::inspection::{CLASSES, CharacteristicSeries};
+use crate::metrology::inspection::{CLASSES, CharacteristicSeries, SeriesPart};
 use crate::workflow::finding::RunFailure;
 use rayon::prelude::*;
 use std::path::PathBuf;
@@ -35,6 +35,22 @@ pub struct SeriesOptions {
     pub sheet: SheetOptions,
     /// Statistics only: no sheet for each part.
     pub without_sheets: bool,
+}
+
+/// A part that was evaluated before: its series, its file, its characteristics.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StoredPart {
+    /// To which parts it belongs.
+    pub series: String,
+    /// Its file.
+    pub file: String,
+    /// Label, time and values.
+    pub part: SeriesPart,
+}
+
+/// The series of parts that were evaluated before; the limits are those of the parts.
+pub fn series_of_stored(parts: Vec<StoredPart>) -> InspectionSeries {
+    document::series_of(parts.into_iter().map(|part| Ok(read::ReadPart::of_stored(part))).collect(), None)
 }
 
 /// A series with everything that is written of it.

@@ -1,11 +1,11 @@
 //! One part of a series: read, evaluated, its characteristics, its sheet; or why not.
 
-use super::super::run::{GearInspection, inspect_gear};
+use super::super::characteristics::{PartIdentity, part_characteristics};
+use super::super::run::inspect_gear;
 use super::super::sheet::inspection_sheet;
 use super::characteristics::series_values;
-use super::{RefusedFile, SeriesOptions};
+use super::{RefusedFile, SeriesOptions, StoredPart};
 use crate::exchange::Diagnostic;
-use crate::exchange::inspection::measured_at;
 use crate::metrology::inspection::SeriesPart;
 use crate::workflow::finding::{JobFailure, Remark, RunFailure};
 use std::path::Path;
@@ -26,6 +26,14 @@ pub(super) struct ReadPart {
     pub sheet: Option<String>,
 }
 
+impl ReadPart {
+    /// A part without its sheet.
+    pub fn of_stored(of: StoredPart) -> Self {
+        let StoredPart { series, file, part } = of;
+        Self { group: series, file, part, class: None, warnings: Vec::new(), sheet: None }
+    }
+}
+
 /// Reads and evaluates a part.
 pub(super) fn read_part(path: &Path, options: &SeriesOptions) -> Result<ReadPart, RefusedFile> {
     let file = path
@@ -42,27 +50,16 @@ pub(super) fn read_part(path: &Path, options: &SeriesOptions) -> Result<ReadPart
             way_out: "look at the numbers of the file".into(),
         })?),
     };
-    let head = |key: &str| found.result.head.get(key).filter(|text| !text.trim().is_empty());
-    let time = found.inspection.date.as_ref();
+    let PartIdentity { series, part, time } = PartIdentity::of(&found);
+    let values = series_values(&part_characteristics(&found, options.sheet.tolerance_class));
     Ok(ReadPart {
-        group: group(&found),
-        part: SeriesPart {
-            label: head("part").map_or_else(|| found.result.job.clone(), |text| text.trim().to_owned()),
-            time: time.and_then(|date| measured_at(date, found.inspection.time.as_deref())),
-            values: series_values(&found, options.sheet.tolerance_class),
-        },
+        group: series,
+        part: SeriesPart { label: part, time, values },
         class: found.result.class,
         file,
         sheet,
         warnings: found.result.warnings,
     })
-}
-
-fn group(found: &GearInspection) -> String {
-    let of = |key: &str| found.result.head.get(key).map(|text| text.trim()).filter(|text| !text.is_empty());
-    let gear = &found.inspection.gear;
-    let body = || format!("z {} mn {}", gear.teeth, gear.normal_module_mm);
-    of("drawing").or_else(|| of("name")).map_or_else(body, str::to_owned)
 }
 
 fn refused(path: &Path, file: &str, failure: &JobFailure) -> RefusedFile {
