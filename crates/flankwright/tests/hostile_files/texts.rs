@@ -123,7 +123,7 @@ fn shuffled_lines_of_a_measurement_are_read_or_told() {
     let (mut told, mut kept) = (0, 0);
     for step in [3, 5, 7, 11, 13] {
         // A step without common factor with the number of lines visits each once.
-        let count = if lines.len() % step == 0 { lines.len() - 1 } else { lines.len() };
+        let count = if lines.len().is_multiple_of(step) { lines.len() - 1 } else { lines.len() };
         let mixed: Vec<&str> = (0..count).map(|k| lines[k * step % count]).collect();
         let file = parse_klingelnberg(format!("{head}\n{}\n", mixed.join("\n")).as_bytes()).unwrap();
         let headings = |code| file.warnings.iter().filter(|warning| warning.kind.code() == code).count();
