@@ -4,10 +4,13 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 use flankwright::exchange::LoadedJob;
+use flankwright::workflow::inspection::series::{
+    InspectionSeries, SeriesOptions, inspect_series, measured_parts_in, series_summary,
+    write_inspection_series,
+};
 use flankwright::workflow::inspection::{
-    GearInspection, GearInspectionResult, InspectionSeries, RoundResult, SeriesOptions, SheetOptions,
-    inspect_for_job, inspect_gear, inspect_series, inspect_simulated, measured_parts_in, series_summary,
-    write_gear_inspection, write_inspection_series,
+    GearInspection, GearInspectionResult, RoundResult, SheetOptions, inspect_for_job, inspect_gear,
+    inspect_simulated, write_gear_inspection,
 };
 use flankwright::workflow::{JobFailure, Remark, Status};
 
@@ -65,7 +68,12 @@ pub fn beside(file: &Path) -> PathBuf {
     file.with_extension("inspected")
 }
 
-fn deliver(found: &GearInspection, directory: &Path, common: &CommonArguments) -> Result<Exit, Failure> {
+fn deliver(
+    found: &GearInspection,
+    class: Option<i32>,
+    directory: &Path,
+    common: &CommonArguments,
+) -> Result<Exit, Failure> {
     let directory = common.output.as_deref().unwrap_or(directory);
     let written = write_gear_inspection(found, &sheet(class), directory).map_err(unwritten)?;
     let result = &found.result;

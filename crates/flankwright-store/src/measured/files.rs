@@ -2,10 +2,11 @@
 
 use std::collections::BTreeSet;
 use std::fs::File;
-use std::io;
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use flankwright::exchange::Diagnostic;
+use flankwright::exchange::rexs::MAXIMUM_FILE_BYTES;
+use flankwright::exchange::{Diagnostic, open_regular};
 use flankwright::workflow::inspection::{files_of_measurement, is_measurement};
 
 use super::import::RefusedFile;
@@ -66,7 +67,9 @@ fn unreadable(path: &Path, error: &io::Error) -> Diagnostic {
 /// The identity of a part: the digest of its file, of several that of their digests.
 pub(super) fn digest_of_files(files: &[PathBuf]) -> Result<String, Diagnostic> {
     let digest = |path: &PathBuf| {
-        File::open(path).and_then(digest_of_reader).map_err(|error| unreadable(path, &error))
+        // Readers take no more than this; whether a file is too large they say.
+        let bounded = |file: File| digest_of_reader(file.take(MAXIMUM_FILE_BYTES as u64 + 1));
+        open_regular(path).and_then(bounded).map_err(|error| unreadable(path, &error))
     };
     let digests = files.iter().map(digest).collect::<Result<Vec<String>, _>>()?;
     Ok(if let [one] = &digests[..] { one.clone() } else { digest_of(digests.join("\n").as_bytes()) })
