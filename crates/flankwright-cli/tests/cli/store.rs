@@ -277,3 +277,34 @@ fn an_import_that_is_killed_is_completed_by_the_next() {
     assert_eq!(report["imported"].as_array().unwrap().len() as u64, 1200 - before);
     assert_eq!(shop.json(&["check"], 0)["parts"], 1200);
 }
+
+#[test]
+fn a_folder_and_the_store_say_the_same_of_a_series() {
+    let shop = Shop::new(12);
+    fs::write(shop.0.path().join("measured/broken.mka"), "HEADER KS.MK.FILE\n21 :mn : 1\n").unwrap();
+    let [by_files, by_store] = ["files", "stored"].map(|name| shop.path(name));
+    let files = run(&["inspect", &shop.path("measured"), "--class", "6", "--json", "-o", &by_files]);
+    // One file was refused: it is told, and the others go on.
+    assert_eq!(files.exit, Some(3), "{}", files.stderr);
+    let files = files.json();
+    assert_eq!(files["refused"].as_array().unwrap().len(), 1);
+    assert_eq!(files["refused"][0]["file"], "broken.mka");
+    for file in ["series.json", "series.csv", "series.html", "sheets/part-0007.html"] {
+        assert!(Path::new(&by_files).join(file).is_file(), "{file}");
+    }
+    shop.json(&["import", &shop.path("measured"), "--class", "6"], 3);
+    let stored = shop.store(&["series", "--series", "Z-17", "-o", &by_store, "--json"]);
+    assert!(matches!(stored.exit, Some(0 | 3)), "{}", stored.stderr);
+    let stored = stored.json();
+    assert_eq!(files["groups"][0]["characteristics"], stored["groups"][0]["characteristics"]);
+    assert_eq!(stored["groups"][0]["parts"].as_array().unwrap().len(), 12);
+    assert!(Path::new(&by_store).join("series.html").is_file());
+
+    let none = shop.store(&["series", "--series", "none", "--json"]);
+    assert_eq!(none.exit, Some(2), "{none:?}");
+    let empty = tempfile::tempdir().unwrap();
+    let refused = run(&["inspect", empty.path().to_str().unwrap(), "--json"]);
+    assert_eq!((refused.exit, &refused.json()["error"]["code"]), (Some(2), &json!("no-measurements")));
+    let refused = run(&["inspect", &shop.path("measured"), "--class", "12"]);
+    assert!(refused.exit == Some(2) && refused.message().contains("1..=11"), "{refused:?}");
+}
