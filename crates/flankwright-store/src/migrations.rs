@@ -33,8 +33,10 @@ pub(crate) enum Holds {
 
 /// What is in a file of SQLite; changes nothing.
 pub(crate) async fn holds(connection: &mut SqliteConnection) -> Result<Holds, sqlx::Error> {
-    let mark: i32 = sqlx::query_scalar("PRAGMA application_id").fetch_one(&mut *connection).await?;
-    let tables: i64 = sqlx::query_scalar("SELECT count(*) FROM sqlite_master").fetch_one(connection).await?;
+    // Tables first: who makes a store at this moment writes mark and tables at once, so that tables are never seen without their mark.
+    let tables: i64 =
+        sqlx::query_scalar("SELECT count(*) FROM sqlite_master").fetch_one(&mut *connection).await?;
+    let mark: i32 = sqlx::query_scalar("PRAGMA application_id").fetch_one(connection).await?;
     Ok(match (mark, tables) {
         (0, 0) => Holds::Nothing,
         (APPLICATION, _) => Holds::Store,
