@@ -15,7 +15,7 @@ use crate::output;
 
 /// Arguments of `convert`.
 #[derive(Args, Debug)]
-#[command(after_help = "Examples:\n  flankwright convert examples/twist-free-crowning.toml > gear.rexs\n  \
+#[command(after_help = "Example:\n  flankwright convert examples/twist-free-crowning.toml > gear.rexs\n  \
     flankwright convert gear.rexs --job examples/twist-free-crowning.toml > job.json\n\n\
     A job (.toml, .json) becomes a REXS 2.0 model. A model (.rexs, .rexsj, .rexsz) becomes the tables gear and modifications, or with \
     --job a whole job: the one named, with the gear and the modifications of the model. What has no place is told on standard error.")]

@@ -14,7 +14,7 @@ use crate::output;
 
 /// Arguments of `inspect`.
 #[derive(Args, Debug)]
-#[command(after_help = "Examples:\n  flankwright inspect part.mka\n  \
+#[command(after_help = "Example:\n  flankwright inspect part.mka\n  \
     flankwright inspect measured/ -o series\n  \
     flankwright inspect examples/inspection/measured.csv --job examples/inspection/measured.toml\n  \
     flankwright inspect --job examples/inspection/closed-loop.toml\n  \
@@ -24,6 +24,7 @@ use crate::output;
     capability. With a job of generating grinding: what is systematic, which settings correct it, and the corrected job; without a file, \
     the measurement that its table [inspection.simulated] describes.\n\
     A skiving tool: switching angles at a light barrier (columns flank, track, sense, revolution, angle_deg), always with its job.\n\n\
+    Files go into FILE.inspected/ beside the measurement (JOB name.inspected/ beside the job where it simulates one), or where -o says.\n\n\
     Exit status 3: the measured flank misses the tolerance of the job; of a series, values beyond the class or files that were refused; the tool is worn, teeth leave their band, or the workpiece's \
     profile will leave its tolerance.")]
 pub struct InspectArguments {

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use flankwright::exchange::LoadedJob;
+use flankwright::exchange::{Diagnostic, LoadedJob, Problem};
 use flankwright::workflow::inspection::series::{
     InspectionSeries, SeriesOptions, inspect_series, measured_parts_in, series_summary,
     write_inspection_series,
@@ -43,6 +43,15 @@ pub fn for_job(
     class: Option<i32>,
     common: &CommonArguments,
 ) -> Result<Exit, Failure> {
+    if file.is_dir() {
+        let finding =
+            Diagnostic::new(Problem::UnknownValue, "a folder is evaluated as a series, without a job")
+                .field("FILE")
+                .value(file.display())
+                .allowed("one measurement")
+                .way_out("leave `--job` out, or name one file of the folder");
+        return Err(Failure::new(Exit::BadInput, finding));
+    }
     let bars = Bars::new(common.quiet);
     let found = inspect_for_job(loaded, file, &bars);
     bars.finish();
@@ -63,9 +72,13 @@ pub fn simulated(loaded: &LoadedJob, class: Option<i32>, common: &CommonArgument
     deliver(&found, class, &directory, common)
 }
 
-/// `part.inspected/` beside `part.mka`.
+/// `part.mka.inspected/` beside `part.mka`; of a folder that has no name here, such as `.`, by its real name.
 pub fn beside(file: &Path) -> PathBuf {
-    file.with_extension("inspected")
+    let named = if file.file_name().is_some() { None } else { file.canonicalize().ok() };
+    let file = named.as_deref().unwrap_or(file);
+    let mut name = file.file_name().unwrap_or("part".as_ref()).to_owned();
+    name.push(".inspected");
+    file.with_file_name(name)
 }
 
 fn deliver(
@@ -125,7 +138,13 @@ fn verdict(result: &GearInspectionResult) -> Verdict<'_> {
 fn summary(result: &GearInspectionResult, written: &[PathBuf]) -> String {
     let mut text = match result.tolerance_um {
         Some(tolerance) => opening(&verdict(result), result.largest_um(), tolerance),
-        None => format!("{}: {} traces evaluated\n", result.job, result.traces.len()),
+        None => {
+            let mut text = format!("{}: {} traces evaluated\n", result.job, result.traces.len());
+            if let Some(reason) = &result.reason {
+                let _ = writeln!(text, "  {}: {}\n  way out: {}", reason.code, reason.text, reason.way_out);
+            }
+            text
+        }
     };
     evaluated(&mut text, result);
     for round in &result.rounds {
@@ -153,8 +172,7 @@ const SHOWN: usize = 10;
 fn evaluated(text: &mut String, result: &GearInspectionResult) {
     let one = |row: &flankwright::workflow::inspection::SummaryResult| {
         let tag = if row.tag.is_empty() { String::new() } else { format!(" {}", row.tag) };
-        let range =
-            if row.teeth > 1 { format!(" (range {})", fixed(row.range_um, 2)) } else { String::new() };
+        let range = row.range_um.map_or_else(String::new, |um| format!(" (range {})", fixed(um, 2)));
         format!("{}{tag} {}{range}", row.characteristic, fixed(row.mean_um, 2))
     };
     for kind in ["profile", "helix"] {
@@ -178,13 +196,15 @@ fn evaluated(text: &mut String, result: &GearInspectionResult) {
     }
     if !result.classes.is_empty() {
         let class = result.class.map_or_else(|| "worse than 11".to_owned(), |class| class.to_string());
-        let _ = writeln!(text, "  class of ISO 1328-1:2013: {class}");
+        let part = if result.class_is_partial { ", of what could be evaluated" } else { "" };
+        let _ = writeln!(text, "  class of ISO 1328-1:2013: {class}{part}");
     }
     if !result.printed.is_empty() {
         let _ = writeln!(
             text,
-            "  {} values that the measuring machine printed: within {:.3} um of these",
+            "  {} of the {} values that the measuring machine printed are among these, within {:.3} um",
             result.printed.len(),
+            result.printed_values,
             result.printed_difference_um
         );
     }
@@ -217,6 +237,14 @@ fn of_round(text: &mut String, round: &RoundResult, of: usize) {
     for setting in correction.settings.iter().filter(|setting| !setting.dropped) {
         let bound = if setting.at_bound { ", held by its bound" } else { "" };
         let _ = writeln!(text, "    turn {}: {}{bound}", setting.name, fixed(setting.change, 4));
+    }
+    for group in &correction.not_told_apart {
+        let named: Vec<&str> = group.iter().map(|(name, _)| name.as_str()).collect();
+        let _ = writeln!(
+            text,
+            "    the measured lines do not tell apart: {}; the smallest changes are given",
+            named.join(", ")
+        );
     }
     for (flank, proof) in &correction.proof {
         let _ = writeln!(

@@ -72,11 +72,12 @@ pub(super) fn conclude(
     }
     if let Some(reason) = verdict.reason.filter(|_| common.quiet) {
         // A miss is told even when all else is quiet.
-        eprintln!("{}: target missed: {} {}", verdict.job, reason.text, reason.way_out);
+        let how = if verdict.status == Status::NotJudged { "not judged" } else { "target missed" };
+        eprintln!("{}: {how}: {} {}", verdict.job, reason.text, reason.way_out);
     }
     Ok(match verdict.status {
         Status::Met => Exit::Done,
-        Status::Missed => Exit::TargetMissed,
+        Status::Missed | Status::NotJudged => Exit::TargetMissed,
     })
 }
 
@@ -92,6 +93,7 @@ pub(super) fn unwritten(error: WriteError) -> Failure {
 pub(super) fn opening(verdict: &Verdict<'_>, worst_um: f64, tolerance_um: f64) -> String {
     let met = match verdict.status {
         Status::Met => "target met".to_owned(),
+        Status::NotJudged => "NOT JUDGED".to_owned(),
         Status::Missed => format!("target MISSED, largest deviation {worst_um:.3} um"),
     };
     let mut text = format!("{}: {met} (tolerance {tolerance_um} um)\n", verdict.job);

@@ -109,7 +109,7 @@ fn what_does_not_go_together_is_refused() {
     let out = directory.path();
     let measured = "examples/inspection/measured.csv";
     for (arguments, code, told) in [
-        (&["--job", "examples/inspection/measured.toml"][..], "missing-key", "[inspection.simulated]"),
+        (&["--job", "examples/inspection/measured.toml"][..], "missing-key", "inspection.simulated"),
         (&["--job", "examples/skiving/internal-ring.toml"], "missing-key", "switching angles"),
         (
             &[measured, "--job", "examples/milling/spur-module-8.toml"],
@@ -134,29 +134,99 @@ fn what_does_not_go_together_is_refused() {
 #[test]
 fn a_measurement_of_another_gear_is_refused() {
     let directory = tempfile::tempdir().unwrap();
-    let job = loop_job(
-        directory.path(),
-        &[
-            ("teeth = 19", "teeth = 20"),
-            ("88.5315", "92.8"),
-            ("tip_diameter = 123.0", "tip_diameter = 123.0"),
-        ],
-    );
-    let model = directory.path().join("gear.rexs");
-    let converted = run(&[
-        "convert",
-        &job,
-        "--date",
-        "2026-03-14T09:30:00Z",
-        "-o",
-        &directory.path().display().to_string(),
-    ]);
+    let out = directory.path().display().to_string();
+    let converted =
+        run(&["convert", "examples/automotive-bias.toml", "--date", "2026-03-14T09:30:00Z", "-o", &out]);
     assert_eq!(converted.exit, Some(0), "{}", converted.stderr);
-    std::fs::rename(directory.path().join("loop.rexs"), &model).unwrap();
+    let model = directory.path().join("automotive-bias.rexs").display().to_string();
     let job = "examples/inspection/measured.toml";
-    let refused = inspected(&[&model.display().to_string(), "--job", job], &directory.path().join("out"));
-    assert_eq!(refused.exit, Some(2), "{}", refused.stderr);
-    assert!(refused.stdout.contains("20"), "{}", refused.stdout);
+    let refused = inspected(&[&model, "--job", job], &directory.path().join("out"));
+    assert_eq!((refused.exit, &refused.json()["error"]["code"]), (Some(2), &Value::from("other-gear")));
+    assert_eq!(refused.json()["error"]["field"], "gear.teeth");
+}
+
+/// The example's table with other lines.
+fn table(directory: &Path, keep: impl Fn(&str) -> Option<String>) -> String {
+    let text = std::fs::read_to_string(repository().join("examples/inspection/measured.csv")).unwrap();
+    let path = directory.join("table.csv");
+    std::fs::write(&path, text.lines().filter_map(keep).map(|line| line + "\n").collect::<String>()).unwrap();
+    path.display().to_string()
+}
+
+#[test]
+fn what_was_not_measured_is_not_judged() {
+    let directory = tempfile::tempdir().unwrap();
+    let out = directory.path().join("out");
+    let job = directory.path().join("job.toml");
+    let wide =
+        replaced(example("inspection/measured.toml"), &[("tolerance_um = 1.0", "tolerance_um = 50.0")]);
+    std::fs::write(&job, &wide).unwrap();
+    let job = job.display().to_string();
+    let judged = |keep: &dyn Fn(&str) -> bool| {
+        let table = table(directory.path(), |line| keep(line).then(|| line.to_owned()));
+        let run = inspected(&[&table, "--job", &job], &out);
+        let result = run.json();
+        assert_ne!(result["status"], "met", "{}", run.stderr);
+        (run.exit, result["reason"]["code"].as_str().unwrap().to_owned(), result)
+    };
+    // The whole table keeps a wide tolerance.
+    let whole = table(directory.path(), |line| Some(line.to_owned()));
+    let met = inspected(&[&whole, "--job", &job], &out);
+    assert_eq!((met.exit, &met.json()["status"]), (Some(0), &Value::from("met")));
+    // Profiles alone are no surface; nothing is corrected that could not be proven.
+    let (exit, code, result) = judged(&|line| !line.starts_with("helix"));
+    assert_eq!((exit, code.as_str()), (Some(3), "not-judged"));
+    assert!(result["rounds"][0]["correction"].is_null());
+    assert!(!out.join("corrected-job.json").exists());
+    let (exit, code, _) = judged(&|line| !line.contains(",right,"));
+    assert_eq!((exit, code.as_str()), (Some(3), "not-judged"));
+    // With the tolerance of the example the lines alone miss it.
+    let strict = "examples/inspection/measured.toml";
+    let profiles = table(directory.path(), |line| (!line.starts_with("helix")).then(|| line.to_owned()));
+    let run = inspected(&[&profiles, "--job", strict], &out);
+    assert_eq!((run.exit, &run.json()["status"]), (Some(3), &Value::from("missed")), "{}", run.stdout);
+    // One trace that is none keeps nothing else out.
+    let lone = table(directory.path(), |line| {
+        let first = line.starts_with("profile,1,left,-16");
+        (!first || line.contains(",4.1050,")).then(|| line.to_owned())
+    });
+    let run = inspected(&[&lone, "--job", strict], &out);
+    assert_eq!(run.exit, Some(3), "{}", run.stdout);
+    let result = run.json();
+    assert!(result["rounds"][0]["correction"].is_object(), "{}", result["rounds"][0]["no_correction"]);
+    assert!(result["warnings"].to_string().contains("tooth 1"), "{}", result["warnings"]);
+    // Teeth that the gear does not have.
+    let many = table(directory.path(), |line| Some(line.replace(",1,left,", ",99,left,")));
+    let run = inspected(&[&many, "--job", strict], &out);
+    assert_eq!((run.exit, &run.json()["error"]["field"]), (Some(2), &Value::from("tooth")));
+}
+
+#[test]
+fn bands_judge_or_say_why_not() {
+    let directory = tempfile::tempdir().unwrap();
+    let out = directory.path().join("out");
+    let run = |band: &str| {
+        let job = directory.path().join("job.toml");
+        let wide = [("tolerance_um = 1.0", "tolerance_um = 50.0")];
+        let text = replaced(example("inspection/measured.toml"), &wide) + band;
+        std::fs::write(&job, text).unwrap();
+        let job = job.display().to_string();
+        inspected(&["examples/inspection/measured.csv", "--job", &job], &out)
+    };
+    let far =
+        run("helix_band = { at_mm = [100.0, 200.0], lower_um = [-5.0, -5.0], upper_um = [5.0, 5.0] }\n");
+    assert_eq!((far.exit, &far.json()["reason"]["code"]), (Some(3), &Value::from("not-judged")));
+    let narrow =
+        run("helix_band = { at_mm = [-20.0, 20.0], lower_um = [-0.1, -0.1], upper_um = [0.1, 0.1] }\n");
+    assert_eq!((narrow.exit, &narrow.json()["reason"]["code"]), (Some(3), &Value::from("outside-the-band")));
+    let wide =
+        run("helix_band = { at_mm = [-20.0, 20.0], lower_um = [-50.0, -50.0], upper_um = [50.0, 50.0] }\n");
+    assert_eq!(wide.exit, Some(0), "{}", wide.stdout);
+    let held = run(
+        "helix_band = { at_mm = [-20.0, 20.0], lower_um = [-5.0, -5.0], upper_um = [5.0, 5.0], held_at_mm = 30.0 }\n",
+    );
+    let error = &held.json()["error"];
+    assert_eq!((held.exit, &error["field"]), (Some(2), &Value::from("inspection.helix_band.held_at_mm")));
 }
 
 #[test]

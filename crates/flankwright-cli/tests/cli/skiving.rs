@@ -339,6 +339,6 @@ fn commands_for_other_jobs_say_so() {
             "{command}"
         );
     }
-    let run = run(&["inspect", "readings.csv", "--job", "examples/twist-free-crowning.toml", "--json"]);
+    let run = run(&["inspect", "readings.csv", "--job", "examples/milling/spur-module-8.toml", "--json"]);
     assert_eq!((run.exit, &run.json()["error"]["field"]), (Some(2), &Value::from("job.process")));
 }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use flankwright::exchange::Diagnostic;
 use flankwright::numerics::Progress;
 use flankwright::workflow::inspection::inspect_gear;
-use flankwright::workflow::{JobFailure, RunFailure};
+use flankwright::workflow::{JobFailure, RunFailure, Status};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -137,6 +137,12 @@ fn known(files: &[PathBuf], digest: String) -> KnownPart {
 
 fn look(file: &Path, digest: String, settings: &ImportSettings) -> Looked {
     let record = inspect_gear(file).map_err(first_finding).and_then(|found| {
+        if let Some(reason) =
+            found.result.reason.as_ref().filter(|_| found.result.status == Status::NotJudged)
+        {
+            let finding = Diagnostic::with_code(reason.code, reason.text.clone());
+            return Err(finding.field("FILE").value(file.display()).way_out(reason.way_out.clone()));
+        }
         let mut record =
             PartRecord::of_inspection(&found, digest, settings.class).map_err(|error| error.finding())?;
         if let Some(series) = &settings.series {

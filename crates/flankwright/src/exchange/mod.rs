@@ -30,6 +30,7 @@ pub mod skiving_history;
 pub mod skiving_job;
 mod skiving_readings;
 mod source;
+mod table_rows;
 pub mod tangential_job;
 mod template;
 #[cfg(test)]

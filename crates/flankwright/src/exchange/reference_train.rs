@@ -4,11 +4,12 @@
 use std::ops::Range;
 use std::path::Path;
 
-use super::diagnostic::{Diagnostic, JobError, Problem};
+use super::diagnostic::{Diagnostic, JobError};
 use super::gearbox_job::GREATEST_TICK;
 use super::source::Source;
+use super::table_rows::TableForm;
 
-const COLUMNS: [&str; 2] = ["tick", "sign"];
+const FORM: TableForm<2> = TableForm { columns: ["tick", "sign"], row: "each pulse" };
 
 /// Reference pulses with the place of each in its file.
 #[derive(Clone, Debug, PartialEq)]
@@ -64,104 +65,14 @@ pub fn parse_reference_train(source: Source) -> Result<ReferenceTrain, JobError>
 type Rows = (Vec<(u64, i64)>, Vec<Option<Range<usize>>>);
 
 fn rows(text: &str) -> Result<Rows, Diagnostic> {
+    let ticks = format!("a whole number from 1 to 2^53 = {GREATEST_TICK}");
     let (mut references, mut places) = (Vec::new(), Vec::new());
-    let mut order: Option<[usize; 2]> = None;
-    let mut offset = 0;
-    for line in text.split_inclusive('\n') {
-        let start = offset;
-        offset += line.len();
-        let line = line.trim_end();
-        if line.trim().is_empty() || line.starts_with('#') {
-            continue;
-        }
-        let cells = cells(line, start);
-        let Some([tick, sign]) = order else {
-            order = Some(columns(&cells)?);
-            continue;
-        };
-        let place = start..start + line.len();
-        if cells.len() != COLUMNS.len() {
-            return Err(malformed(format!("a row of {} values", cells.len()))
-                .value(shortened(line))
-                .way_out("give a tick and a sign, separated by a comma")
-                .span(Some(place)));
-        }
-        let allowed = format!("a whole number from 1 to 2^53 = {GREATEST_TICK}");
-        let tick = number(&cells[tick], COLUMNS[0], &allowed, |tick: &u64| *tick <= GREATEST_TICK)?;
-        let sign = number(&cells[sign], COLUMNS[1], "1 or -1", |_: &i64| true)?;
-        references.push((tick, sign));
-        places.push(Some(place));
-    }
-    if references.is_empty() {
-        return Err(malformed("the table has no reference pulse")
-            .value("an empty table")
-            .way_out("begin it with the line `tick,sign`, followed by one row for each pulse"));
+    for row in FORM.rows(text)? {
+        let tick = row.parsed(0, &ticks, |tick: &u64| *tick <= GREATEST_TICK)?;
+        references.push((tick, row.parsed(1, "1 or -1", |_: &i64| true)?));
+        places.push(Some(row.place()));
     }
     Ok((references, places))
-}
-
-/// A cell without the blanks around it, and its place in the text.
-type Cell<'a> = (&'a str, Range<usize>);
-
-fn cells(line: &str, start: usize) -> Vec<Cell<'_>> {
-    let mut offset = start;
-    line.split(',')
-        .map(|cell| {
-            let from = offset + (cell.len() - cell.trim_start().len());
-            offset += cell.len() + 1;
-            let cell = cell.trim();
-            (cell, from..from + cell.len())
-        })
-        .collect()
-}
-
-/// Positions of the columns.
-fn columns(titles: &[Cell<'_>]) -> Result<[usize; 2], Diagnostic> {
-    let whole = titles.first().zip(titles.last()).map(|(first, last)| first.1.start..last.1.end);
-    let named = titles.iter().map(|(title, _)| *title).collect::<Vec<_>>().join(",");
-    let mut order = [0; 2];
-    for (place, column) in order.iter_mut().zip(COLUMNS) {
-        *place = titles.iter().position(|(title, _)| *title == column).ok_or_else(|| {
-            malformed(format!("the table has no column `{column}`"))
-                .field(column)
-                .value(shortened(&named))
-                .way_out("begin the table with the line `tick,sign`")
-                .span(whole.clone())
-        })?;
-    }
-    if titles.len() != COLUMNS.len() {
-        return Err(malformed(format!("the table has {} columns", titles.len()))
-            .value(shortened(&named))
-            .way_out("remove the other columns")
-            .span(whole));
-    }
-    Ok(order)
-}
-
-fn number<T: std::str::FromStr>(
-    (cell, place): &Cell<'_>,
-    column: &str,
-    allowed: &str,
-    in_range: impl Fn(&T) -> bool,
-) -> Result<T, Diagnostic> {
-    cell.parse().ok().filter(in_range).ok_or_else(|| {
-        Diagnostic::new(Problem::InvalidNumber, format!("`{column}` cannot be {}", shortened(cell)))
-            .field(column)
-            .value(shortened(cell))
-            .allowed(allowed)
-            .way_out("correct the value in this row")
-            .span(Some(place.clone()))
-    })
-}
-
-fn malformed(message: impl Into<Box<str>>) -> Diagnostic {
-    Diagnostic::new(Problem::InvalidTable, message).allowed("the columns tick,sign, one row for each pulse")
-}
-
-/// Cells come from the file and may be of any length.
-fn shortened(text: &str) -> String {
-    const LONGEST: usize = 60;
-    format!("`{}`", text.chars().take(LONGEST).collect::<String>())
 }
 
 #[cfg(test)]

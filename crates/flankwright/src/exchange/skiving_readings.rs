@@ -1,18 +1,17 @@
 //! Angles at which a light barrier switched, as a table: CSV with the columns flank, track, sense, revolution and angle_deg, one switch
 //! a row. Reads and writes it; whether there are as many switches as teeth is left to the evaluation.
 
-use std::ops::Range;
 use std::path::Path;
 
 use super::csv::{Cell, Column, CsvError, CsvTable};
 use super::degrees::{degrees_text, radians_of};
 use super::diagnostic::{Diagnostic, JobError, Problem};
 use super::source::Source;
-use crate::geometry::Flank;
+use super::table_rows::{Row, TableForm};
 use crate::process::skiving::measuring::{Reading, Sense};
 
-const COLUMNS: [&str; 5] = ["flank", "track", "sense", "revolution", "angle_deg"];
-const HEADER: &str = "flank,track,sense,revolution,angle_deg";
+const FORM: TableForm<5> =
+    TableForm { columns: ["flank", "track", "sense", "revolution", "angle_deg"], row: "each switch" };
 /// Revolutions of one measurement; far above what the size of a file allows.
 const MOST_REVOLUTIONS: usize = 1_000_000;
 
@@ -45,10 +44,14 @@ pub fn parse_skiving_readings(source: Source, tracks: usize) -> Result<Vec<Readi
 /// # Errors
 /// [`CsvError`] for an angle that is not finite.
 pub fn readings_table(readings: &[Reading]) -> Result<CsvTable, CsvError> {
-    let mut table = CsvTable::new(&COLUMNS.map(|name| Column::new(name, "")));
+    let mut table = CsvTable::new(&FORM.columns.map(|name| Column::new(name, "")));
     for (row, reading) in readings.iter().enumerate() {
         if !reading.angle.is_finite() {
-            return Err(CsvError::InvalidNumber { column: COLUMNS[4], row: row + 1, value: reading.angle });
+            return Err(CsvError::InvalidNumber {
+                column: FORM.columns[4],
+                row: row + 1,
+                value: reading.angle,
+            });
         }
         table.push_cells(&[
             Cell::Word(reading.flank.name()),
@@ -62,42 +65,10 @@ pub fn readings_table(readings: &[Reading]) -> Result<CsvTable, CsvError> {
 }
 
 fn rows(text: &str, tracks: usize) -> Result<Vec<Reading>, Diagnostic> {
-    let mut readings = Vec::new();
-    let mut order: Option<[usize; 5]> = None;
-    let mut offset = 0;
-    for line in text.split_inclusive('\n') {
-        let start = offset;
-        offset += line.len();
-        let line = line.trim_end();
-        if line.trim().is_empty() || line.starts_with('#') {
-            continue;
-        }
-        let cells = cells(line, start);
-        let Some(places) = order else {
-            order = Some(columns(&cells)?);
-            continue;
-        };
-        if cells.len() != COLUMNS.len() {
-            return Err(malformed(format!("a row of {} values", cells.len()))
-                .value(shortened(line))
-                .way_out("give five values with a decimal point, separated by commas")
-                .span(Some(start..start + line.len())));
-        }
-        readings.push(reading(places.map(|place| &cells[place]), tracks)?);
-    }
-    if readings.is_empty() {
-        return Err(malformed("the table has no reading")
-            .value("an empty table")
-            .way_out(format!("begin it with the line `{HEADER}`, followed by one row for each switch")));
-    }
-    Ok(readings)
+    FORM.rows(text)?.iter().map(|row| reading(row, tracks)).collect()
 }
 
-fn reading(
-    [flank, track, sense, revolution, angle]: [&Cellular<'_>; 5],
-    tracks: usize,
-) -> Result<Reading, Diagnostic> {
-    let flanks = Flank::BOTH.map(|flank| (flank.name(), flank));
+fn reading(row: &Row<'_, 5>, tracks: usize) -> Result<Reading, Diagnostic> {
     let senses = [
         ("+1", Sense::Positive),
         ("1", Sense::Positive),
@@ -105,110 +76,30 @@ fn reading(
         ("-1", Sense::Negative),
         ("negative", Sense::Negative),
     ];
-    let whole = |cell: &Cellular<'_>, column, most: usize, way_out: &str| {
-        cell.0.parse().ok().filter(|number| (1..=most).contains(number)).map(|number| number - 1).ok_or_else(
-            || {
-                wrong(Problem::InvalidNumber, cell, column)
-                    .allowed(format!("a whole number from 1 to {most}"))
-                    .way_out(way_out)
-            },
-        )
+    let whole = |column, most: usize, way_out: &str| {
+        let found =
+            row.parsed(column, &format!("a whole number from 1 to {most}"), |n| (1..=most).contains(n));
+        found.map(|number| number - 1).map_err(|finding| finding.way_out(way_out))
     };
     Ok(Reading {
-        flank: word(flank, COLUMNS[0], &flanks, "left or right")?,
-        track: whole(
-            track,
-            COLUMNS[1],
-            tracks,
-            "correct the number, or give the job as many tracks as were measured",
-        )?,
-        sense: word(sense, COLUMNS[2], &senses, "+1 or positive, -1 or negative")?,
-        revolution: whole(
-            revolution,
-            COLUMNS[3],
-            MOST_REVOLUTIONS,
-            "count the revolutions of each track and sense from 1",
-        )?,
-        angle: radians_of(angle.0).ok_or_else(|| {
-            wrong(Problem::InvalidNumber, angle, COLUMNS[4])
-                .allowed("a finite number of degrees with a decimal point")
+        flank: row.flank(0)?,
+        track: whole(1, tracks, "correct the number, or give the job as many tracks as were measured")?,
+        sense: row.word(2, &senses, "+1 or positive, -1 or negative")?,
+        revolution: whole(3, MOST_REVOLUTIONS, "count the revolutions of each track and sense from 1")?,
+        angle: radians_of(row.text(4)).ok_or_else(|| {
+            row.wrong(Problem::InvalidNumber, 4, "a finite number of degrees with a decimal point")
                 .way_out("correct the value or measure the track again")
         })?,
     })
 }
 
-fn word<T: Copy>(
-    cell: &Cellular<'_>,
-    column: &str,
-    words: &[(&str, T)],
-    allowed: &str,
-) -> Result<T, Diagnostic> {
-    words.iter().find(|(word, _)| *word == cell.0).map(|(_, value)| *value).ok_or_else(|| {
-        wrong(Problem::UnknownValue, cell, column).allowed(allowed).way_out("write one of the allowed words")
-    })
-}
-
-/// A cell without the blanks around it, and its place in the text.
-type Cellular<'a> = (&'a str, Range<usize>);
-
-fn cells(line: &str, start: usize) -> Vec<Cellular<'_>> {
-    let mut offset = start;
-    let trimmed = |cell: &'_ str| cell.len() - cell.trim_start().len();
-    line.split(',')
-        .map(|cell| {
-            let from = offset + trimmed(cell);
-            offset += cell.len() + 1;
-            let cell = cell.trim();
-            (cell, from..from + cell.len())
-        })
-        .collect()
-}
-
-/// Positions of the columns.
-fn columns(titles: &[Cellular<'_>]) -> Result<[usize; 5], Diagnostic> {
-    let whole = titles.first().zip(titles.last()).map(|(first, last)| first.1.start..last.1.end);
-    let named = titles.iter().map(|(title, _)| *title).collect::<Vec<_>>().join(",");
-    let mut order = [0; 5];
-    for (place, column) in order.iter_mut().zip(COLUMNS) {
-        *place = titles.iter().position(|(title, _)| *title == column).ok_or_else(|| {
-            malformed(format!("the table has no column `{column}`"))
-                .field(column)
-                .value(shortened(&named))
-                .way_out(format!("begin the table with the line `{HEADER}`"))
-                .span(whole.clone())
-        })?;
-    }
-    if titles.len() != COLUMNS.len() {
-        return Err(malformed(format!("the table has {} columns", titles.len()))
-            .value(shortened(&named))
-            .way_out("remove the other columns")
-            .span(whole));
-    }
-    Ok(order)
-}
-
-fn wrong(problem: Problem, (cell, place): &Cellular<'_>, column: &str) -> Diagnostic {
-    Diagnostic::new(problem, format!("`{column}` cannot be {}", shortened(cell)))
-        .field(column)
-        .value(shortened(cell))
-        .span(Some(place.clone()))
-}
-
-fn malformed(message: impl Into<Box<str>>) -> Diagnostic {
-    Diagnostic::new(Problem::InvalidTable, message)
-        .allowed(format!("the columns {HEADER}, one row for each switch"))
-}
-
-/// Cells come from the file and may be of any length.
-fn shortened(text: &str) -> String {
-    const LONGEST: usize = 60;
-    format!("`{}`", text.chars().take(LONGEST).collect::<String>())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::Flank;
     use crate::process::skiving::measuring::Noise;
+
+    const HEADER: &str = "flank,track,sense,revolution,angle_deg";
 
     fn read(text: &str) -> Result<Vec<Reading>, JobError> {
         parse_skiving_readings(Source::new("readings.csv", text), 5)

@@ -44,6 +44,8 @@ pub enum Status {
     Met,
     /// Made, but outside the tolerance.
     Missed,
+    /// Nothing says whether the tolerance is kept.
+    NotJudged,
     /// These bodies can't make it.
     NotProducible,
 }
@@ -54,6 +56,7 @@ impl Status {
         match self {
             Status::Met => "met",
             Status::Missed => "missed",
+            Status::NotJudged => "not judged",
             Status::NotProducible => "not producible",
         }
     }

@@ -46,6 +46,7 @@ fn banner(page: &mut String, banner: &Banner) {
     let (class, sign) = match banner.status {
         Status::Met => ("met", "✓"),
         Status::Missed => ("missed", "≠"),
+        Status::NotJudged => ("missed", "?"),
         Status::NotProducible => ("not-producible", "✕"),
     };
     let _ = writeln!(

@@ -5,13 +5,16 @@ use super::finding::{JobFailure, Remark, RunFailure};
 use super::prepare::job_files;
 use crate::exchange::job::{Gear as JobGear, Job};
 use crate::exchange::rexs::{
-    Author, RexsError, RexsFormat, RexsGear, RexsWarning, document_of, gear_ids, gear_of, read_rexs,
-    rexs_bytes,
+    Author, RexsDocument, RexsError, RexsFormat, RexsGear, RexsWarning, RexsWarningKind, document_of,
+    gear_ids, gear_of, read_rexs, rexs_bytes,
 };
 use crate::exchange::{Diagnostic, LoadedJob, Problem};
 use crate::modification::ModificationSpec;
 use serde::Serialize;
 use std::path::Path;
+
+/// Lengths closer than this are the same, mm.
+const SAME: f64 = 1e-6;
 
 /// What a REXS model says of a gear, as a job has it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -29,7 +32,19 @@ impl GearOfRexs {
     /// # Errors
     /// A job that JSON cannot hold.
     pub fn into_job(self, template: &LoadedJob) -> Result<serde_json::Value, serde_json::Error> {
-        let mut job = Job { gear: self.gear, settings: None, compensation: None, ..template.job.clone() };
+        let own = &template.job.gear;
+        let mut gear = self.gear;
+        let same = |a: f64, b: f64| (a - b).abs() <= SAME;
+        // What the model has no place for is that of the same body, drawn before.
+        if gear.teeth == own.teeth
+            && same(gear.normal_module, own.normal_module)
+            && same(gear.tip_diameter, own.tip_diameter)
+            && same(gear.root_diameter, own.root_diameter)
+        {
+            gear.form_diameter = gear.form_diameter.or(own.form_diameter);
+            gear.evaluation = gear.evaluation.or(own.evaluation);
+        }
+        let mut job = Job { gear, settings: None, compensation: None, ..template.job.clone() };
         job.target.modifications = Some(self.modifications);
         job.target.file = None;
         standing_elsewhere(template, &job)
@@ -105,8 +120,24 @@ pub fn rexs_of_job(
     let (document, mut warnings) = document_of(&gear, &job_files(loaded), author).map_err(refused)?;
     let (bytes, lost) = rexs_bytes(&document, format, packed).map_err(refused)?;
     warnings.extend(lost);
+    warnings.extend(lost_keys(&job.gear, &document));
     let remarks = warnings.iter().map(|w| remark(w, "tell it to the reader of the file in another way"));
     Ok((bytes, remarks.collect()))
+}
+
+/// Keys of the gear that do not come back from the model.
+fn lost_keys(gear: &JobGear, document: &RexsDocument) -> Option<RexsWarning> {
+    let id = *gear_ids(document).first()?;
+    let (back, _) = gear_of(document, id).ok()?.0.job_gear().ok()?;
+    let mut lost = Vec::new();
+    if gear.form_diameter.is_some() && back.form_diameter.is_none() {
+        lost.push("gear.form_diameter");
+    }
+    if gear.evaluation.is_some() && back.evaluation.is_none() {
+        lost.push("gear.evaluation");
+    }
+    let message = format!("no place in the model for {}", lost.join(", "));
+    (!lost.is_empty()).then(|| RexsWarning::new(RexsWarningKind::Lost, message))
 }
 
 fn remark(warning: &RexsWarning, way_out: &str) -> Remark {

@@ -4,7 +4,7 @@ use super::control::control_report;
 use super::executed_strokes::ExecutedStroke;
 use super::programs::programs_report;
 use super::referee::Verdict;
-use super::result::{CharacteristicsUm, FlankResult, Status};
+use super::result::{CharacteristicsUm, FlankResult};
 use super::run::{Outcome, ratio_reason};
 use super::tables::ROWS;
 use crate::exchange::job::{Job, Modification as Spec};
@@ -18,7 +18,7 @@ use crate::report::generating::{
     OutsideTerm, RatioCandidate, RatioChoice, Reason, RefereeStage, StrokeReport, TargetAmount, Verification,
     WrittenFile,
 };
-use crate::report::{Quantity, Status as Banner, Warning, html};
+use crate::report::{Quantity, Warning, html};
 
 pub(super) fn characteristics(c: &CharacteristicsUm) -> Characteristics {
     Characteristics {
@@ -506,10 +506,7 @@ pub fn html_page(
         description: job.job.description.clone(),
         process: "Generating grinding".into(),
         version: result.version.into(),
-        status: match result.status {
-            Status::Met => Banner::Met,
-            Status::Missed => Banner::Missed,
-        },
+        status: result.status.into(),
         reason: result.reason.as_ref().map(|r| Reason {
             code: r.code.into(),
             cause: r.text.clone(),

@@ -3,7 +3,7 @@
 use super::finding::Remark;
 use super::result::Status;
 use crate::exchange::job::JobInfo;
-use crate::report::{ReportHead, Status as Banner, Warning};
+use crate::report::{ReportHead, Warning};
 
 /// What a job came to.
 pub(super) struct Answer<'a> {
@@ -29,10 +29,7 @@ pub(super) fn report_head(job: &JobInfo, answer: Answer<'_>, files: &[(String, &
         description: job.description.clone(),
         process: answer.process,
         version: env!("CARGO_PKG_VERSION").into(),
-        status: match answer.status {
-            Status::Met => Banner::Met,
-            Status::Missed => Banner::Missed,
-        },
+        status: answer.status.into(),
         headline: answer.headline,
         way_out: answer.reason.map_or_else(String::new, |reason| reason.way_out.clone()),
         figures: answer.figures,

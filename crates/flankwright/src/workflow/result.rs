@@ -20,6 +20,18 @@ pub enum Status {
     Met,
     /// Done, but outside the tolerance.
     Missed,
+    /// Nothing says whether the tolerance is kept.
+    NotJudged,
+}
+
+impl From<Status> for crate::report::Status {
+    fn from(status: Status) -> Self {
+        match status {
+            Status::Met => Self::Met,
+            Status::Missed => Self::Missed,
+            Status::NotJudged => Self::NotJudged,
+        }
+    }
 }
 
 /// Characteristics in micrometres, transverse unless the key says `normal`; > 0 material removed.

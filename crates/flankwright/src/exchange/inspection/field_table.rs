@@ -3,9 +3,9 @@
 use std::collections::HashMap;
 
 use super::Topography;
-use super::table_rows::TableForm;
 use crate::exchange::csv::{Cell, Column, CsvError, CsvTable};
 use crate::exchange::diagnostic::Diagnostic;
+use crate::exchange::table_rows::TableForm;
 
 /// The columns of the table.
 pub(super) const FORM: TableForm<5> =

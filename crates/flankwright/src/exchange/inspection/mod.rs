@@ -15,7 +15,6 @@ mod inspection;
 mod klingelnberg;
 mod measured_table;
 mod result;
-mod table_rows;
 mod tables;
 mod trace;
 mod trace_table;

@@ -1,9 +1,9 @@
 //! Traces as a table: CSV with the columns kind, tooth, flank, position, abscissa, f_um, one sample a row.
 
-use super::table_rows::{Row, TableForm};
 use super::{Trace, TraceKind, Zero};
 use crate::exchange::csv::{Cell, Column, CsvError, CsvTable};
 use crate::exchange::diagnostic::{Diagnostic, Problem};
+use crate::exchange::table_rows::{Row, TableForm};
 
 /// The columns of the table.
 const FORM: TableForm<6> =

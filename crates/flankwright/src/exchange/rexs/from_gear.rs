@@ -30,7 +30,7 @@ impl Author {
 }
 
 /// What positive amounts mean, written beside each component.
-const REMOVED: &str = "material_removed";
+pub(super) const REMOVED: &str = "material_removed";
 const MATERIAL: &str = "material_standing";
 
 /// The document of one gear, and what is sampled or lost in it. `files` finds tables that modifications lie in.

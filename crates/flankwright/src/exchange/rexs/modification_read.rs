@@ -8,6 +8,7 @@ mod relief;
 use super::document::Component;
 use super::error::RexsError;
 use super::flank::FlankPlace;
+use super::from_gear::REMOVED;
 use super::gear::{FlankField, RexsGear};
 use super::topography;
 use super::values::{Asked, title};
@@ -47,6 +48,14 @@ pub(super) fn flank(
     let field = field::of(&parts, place, gear, warnings)?;
     let mut modifications = Vec::new();
     for part in &parts {
+        if let Some(sign) = part.sign.as_ref().filter(|sign| sign.as_str() != REMOVED) {
+            return Err(RexsError::BadValue {
+                component: title(part),
+                attribute: "sign".into(),
+                value: sign.to_string(),
+                allowed: REMOVED,
+            });
+        }
         if part.sign.is_none() {
             let message =
                 format!("{} does not say what positive amounts mean; material removed is taken", title(part));

@@ -17,6 +17,7 @@ pub(super) fn banner(report: &GeneratingReport) -> Banner {
         (Status::Met, Some(deviation)) => sentences.push(compared(deviation, "within", &tolerance)),
         (Status::Missed, Some(deviation)) => sentences.push(compared(deviation, "outside", &tolerance)),
         (Status::Met, None) => sentences.push("The target is met within its tolerance.".to_owned()),
+        (Status::NotJudged, _) => sentences.push("Nothing says whether the target is kept.".to_owned()),
         (Status::Missed, None) => sentences.push("The target is missed.".to_owned()),
         (Status::NotProducible, _) if report.reason.is_none() => {
             sentences.push("These bodies can't make the target.".to_owned());

@@ -28,8 +28,8 @@ pub(super) struct InspectionContext {
     pub bands: BTreeMap<usize, BandResult>,
     /// Tolerance of the job.
     pub tolerance_um: Option<f64>,
-    /// Why it is missed.
-    pub reason: Option<Remark>,
+    /// What the part is, unless it is what is asked for.
+    pub verdict: Option<(Status, Remark)>,
     /// Seconds per stage.
     pub timing: BTreeMap<&'static str, f64>,
 }
@@ -48,7 +48,8 @@ pub(super) fn gear_result(
         ("time", &inspection.time),
         ("machine", &inspection.machine),
     ];
-    let printed = printed(inspection, gear);
+    // A job's design stands in none of the printed values.
+    let printed = if context.rounds.is_empty() { printed(inspection, gear) } else { Vec::new() };
     let difference = printed.iter().map(|p| (p.printed_um - p.evaluated_um).abs()).fold(0.0, f64::max);
     let pitch = gear.pitch.as_ref();
     let eccentric = pitch.and_then(|p| p.eccentricity.as_ref());
@@ -56,8 +57,8 @@ pub(super) fn gear_result(
         job: context.name,
         process: "inspection",
         version: env!("CARGO_PKG_VERSION"),
-        status: if context.reason.is_some() { Status::Missed } else { Status::Met },
-        reason: context.reason,
+        status: context.verdict.as_ref().map_or(Status::Met, |(status, _)| *status),
+        reason: context.verdict.map(|(_, reason)| reason),
         tolerance_um: context.tolerance_um,
         files: inspection.sources.clone(),
         head: head.into_iter().filter_map(|(key, text)| Some((key, text.clone()?))).collect(),
@@ -102,7 +103,9 @@ pub(super) fn gear_result(
                 class: *class,
             })
             .collect(),
+        class_is_partial: !gear.left_out.0.is_empty(),
         class: gear.classes.as_ref().and_then(|classes| classes.overall),
+        printed_values: inspection.results.len(),
         printed,
         printed_difference_um: difference,
         rounds: context.rounds,
@@ -187,7 +190,7 @@ fn summary(inspection: &Inspection, gear: &EvaluatedGear) -> Vec<SummaryResult> 
                 characteristic,
                 teeth: found.teeth,
                 mean_um: found.mean,
-                range_um: found.range(),
+                range_um: (found.teeth > 1).then(|| found.range()),
             });
         }
     }

@@ -6,7 +6,7 @@ use crate::exchange::inspection::{Inspection, TraceKind};
 use crate::exchange::job::{Band, Inspection as InspectionTable};
 use crate::exchange::{Diagnostic, Problem};
 use crate::geometry::Gear;
-use crate::metrology::inspection::{BandFit, KBand};
+use crate::metrology::inspection::{BandFit, InspectionError, KBand};
 use crate::workflow::finding::RunFailure;
 
 /// The bands of a job.
@@ -25,27 +25,28 @@ impl Bands {
         })
     }
 
-    /// What the band of its kind says of a trace, by its number in the inspection; `None` without a band, or where the trace cannot be
-    /// judged.
+    /// What the band of its kind says of a trace, by its number in the inspection; `None` without a band.
+    ///
+    /// # Errors
+    /// A trace that the band does not cover enough of, or that cannot be evaluated.
     pub fn judge(
         &self,
         inspection: &Inspection,
         gear: &Gear,
         number: usize,
         design: Option<Design<'_>>,
-    ) -> Option<BandResult> {
+    ) -> Option<Result<BandResult, InspectionError>> {
         let trace = &inspection.traces[number];
         let (band, fit) = match trace.kind {
             TraceKind::Profile => self.profile.as_ref()?,
             TraceKind::Helix => self.helix.as_ref()?,
         };
-        let samples = transverse_samples(inspection, gear, trace, design).ok()?;
-        let found = band.judge(&samples, *fit).ok()?;
-        Some(BandResult {
+        let samples = transverse_samples(inspection, gear, trace, design);
+        Some(samples.and_then(|samples| band.judge(&samples, *fit)).map(|found| BandResult {
             passed: found.passed(),
             margin_um: 1e3 * found.margin,
             shift_um: 1e3 * found.shift,
-        })
+        }))
     }
 }
 
@@ -60,6 +61,18 @@ fn band(of: &Band, field: &str) -> Result<(KBand, BandFit), RunFailure> {
         let message =
             format!("{count} places, {} lower and {} upper limits", of.lower_um.len(), of.upper_um.len());
         return Err(wrong(message, "lists of one length"));
+    }
+    if let (Some(held), [first, .., last]) = (of.held_at_mm, &of.at_mm[..])
+        && !(*first..=*last).contains(&held)
+    {
+        let message = format!("the trace is to be held at {held} mm, outside its band");
+        let finding = Diagnostic::new(Problem::InvalidNumber, message)
+            .field(format!("{field}.held_at_mm"))
+            .value(held)
+            .allowed(format!("{first} to {last}, the places of the band"));
+        return Err(RunFailure::bad_input(
+            finding.way_out("choose a place within the band, or leave it out"),
+        ));
     }
     let mm = |um: &[f64]| um.iter().map(|um| 1e-3 * um).collect::<Vec<f64>>();
     let made = KBand::new(&of.at_mm, &mm(&of.lower_um), &mm(&of.upper_um)).map_err(|error| {

@@ -182,7 +182,9 @@ impl List {
             for row in result.summary.iter().filter(|row| row.kind == kind) {
                 let (name, flank) = (name(kind, row.characteristic, &row.tag), side(row.flank));
                 self.push(&name, flank, None, "mean", row.mean_um);
-                self.push(&name, flank, None, "range", row.range_um);
+                if let Some(range) = row.range_um {
+                    self.push(&name, flank, None, "range", range);
+                }
                 if let Some(most) = largest.get(&(kind, row.flank, &row.tag, row.characteristic)) {
                     self.push(&name, flank, None, "max", *most);
                 }

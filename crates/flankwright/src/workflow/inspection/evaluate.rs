@@ -108,7 +108,12 @@ pub fn evaluate_inspection(
     let traces = (0..inspection.traces.len())
         .filter_map(|number| {
             let found = trace::of_trace(inspection, &gear, number, design);
-            left_out.take(&trace_name(&inspection.traces[number]), found)
+            let name = trace_name(&inspection.traces[number]);
+            let (evaluated, relief) = left_out.take(&name, found)?;
+            if let Some(error) = relief {
+                left_out.0.push((format!("tip relief, {name}"), error));
+            }
+            Some(evaluated)
         })
         .collect::<Vec<EvaluatedTrace>>();
     let pitch = teeth::pitch(inspection, &nominal, measured.as_ref(), &mut left_out);

@@ -90,7 +90,8 @@ fn figures(result: &GearInspectionResult) -> Vec<(String, String)> {
     }
     if !result.classes.is_empty() {
         let class = result.class.map_or_else(|| "worse than 11".to_owned(), |class| class.to_string());
-        figures.push(("class of ISO 1328-1".into(), class));
+        let part = if result.class_is_partial { ", of what could be evaluated" } else { "" };
+        figures.push(("class of ISO 1328-1".into(), class + part));
     }
     if !result.printed.is_empty() {
         figures.push(("largest difference from printed values".into(), um(result.printed_difference_um)));
@@ -270,7 +271,7 @@ fn evaluation(result: &GearInspectionResult) -> EvaluationView {
     for row in &result.summary {
         let tag = if row.tag.is_empty() { String::new() } else { format!(" {}", row.tag) };
         let name = format!("{}, {}{tag}", row.kind, row.flank);
-        let value = (symbol(row), row.mean_um, (row.teeth > 1).then_some(row.range_um));
+        let value = (symbol(row), row.mean_um, row.range_um);
         match lines.last_mut().filter(|line| line.name == name) {
             Some(line) => line.values.push(value),
             None => lines.push(LineRow { name, values: vec![value], teeth: row.teeth }),
@@ -286,8 +287,9 @@ fn evaluation(result: &GearInspectionResult) -> EvaluationView {
     }
     if !result.printed.is_empty() {
         remarks.push(format!(
-            "{} values that the measuring machine printed were evaluated here too; the largest difference is {} µm.",
+            "{} of the {} values that the measuring machine printed were evaluated here too; the largest difference is {} µm.",
             result.printed.len(),
+            result.printed_values,
             format_fixed(result.printed_difference_um, 3)
         ));
     }

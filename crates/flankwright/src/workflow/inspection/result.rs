@@ -58,7 +58,11 @@ pub struct GearInspectionResult {
     pub classes: Vec<ClassResult>,
     /// The class of the part; absent where a value is worse than class 11, or nothing was judged.
     pub class: Option<i32>,
-    /// What the measuring machine printed, beside what was evaluated here.
+    /// Whether something that would count for the class could not be evaluated.
+    pub class_is_partial: bool,
+    /// How many values the measuring machine printed.
+    pub printed_values: usize,
+    /// Those of them that have a counterpart here, beside what was evaluated here.
     pub printed: Vec<PrintedResult>,
     /// Largest difference of the two; 0 without printed values.
     pub printed_difference_um: f64,
@@ -158,8 +162,9 @@ pub struct SummaryResult {
     pub teeth: usize,
     /// Mean.
     pub mean_um: f64,
-    /// Greatest less least.
-    pub range_um: f64,
+    /// Greatest less least; absent with one tooth.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub range_um: Option<f64>,
 }
 
 /// Pitches of a flank.

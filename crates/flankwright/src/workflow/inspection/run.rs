@@ -2,8 +2,8 @@
 
 use super::assemble::{InspectionContext, gear_result};
 use super::bands::Bands;
-use super::closed_loop::{Round, RoundResult, Wanted, of_file, simulated};
-use super::evaluate::{Design, EvaluatedGear, evaluate_inspection};
+use super::closed_loop::{Round, Wanted, of_file, simulated};
+use super::evaluate::{Design, EvaluatedGear, EvaluatedTrace, evaluate_inspection, trace_name};
 use super::files::{MeasuredFiles, read_measurement};
 use super::result::{BandResult, GearInspectionResult, LinesResult};
 use crate::exchange::inspection::Inspection;
@@ -12,6 +12,7 @@ use crate::geometry::{Flank, Sides};
 use crate::modification::{EvaluationField, Modification};
 use crate::numerics::Progress;
 use crate::workflow::finding::{JobFailure, Remark, RunFailure};
+use crate::workflow::result::Status;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::time::Instant;
@@ -54,7 +55,7 @@ pub fn inspect_gear(path: &Path) -> Result<GearInspection, JobFailure> {
         rounds: Vec::new(),
         bands: BTreeMap::new(),
         tolerance_um: None,
-        reason: None,
+        verdict: evaluated_at_all(&gear),
         timing,
     };
     let result = gear_result(&files.inspection, &gear, context);
@@ -99,18 +100,26 @@ fn of_rounds(
     let wanted = Wanted::of_job(loaded)?;
     let design = wanted.design();
     let all = Bands::of_table(&table)?;
-    let judged = |one: &super::evaluate::EvaluatedTrace| {
-        Some((one.trace, all.judge(&last.inspection, &last.gear.gear, one.trace, Some(&design))?))
-    };
-    let bands: BTreeMap<usize, BandResult> = last.gear.traces.iter().filter_map(judged).collect();
-    if last.result.flanks.is_empty() {
-        remarks.push(Remark {
-            code: "nothing-on-the-grid",
-            text: "the measurement has no lines or fields of which a surface could be made".into(),
-            way_out: "measure at least one profile and one helix trace of every tooth and flank".into(),
-        });
+    let mut bands: BTreeMap<usize, BandResult> = BTreeMap::new();
+    let mut unjudged = 0;
+    for one in &last.gear.traces {
+        match all.judge(&last.inspection, &last.gear.gear, one.trace, Some(&design)) {
+            Some(Ok(found)) => drop(bands.insert(one.trace, found)),
+            Some(Err(error)) => {
+                unjudged += 1;
+                remarks.push(Remark {
+                    code: error.code(),
+                    text: format!(
+                        "{}: no verdict of its band: {error}",
+                        trace_name(&last.inspection.traces[one.trace])
+                    ),
+                    way_out: error.way_out().into(),
+                });
+            }
+            None => {}
+        }
     }
-    let reason = missed(&last.result, &bands, tolerance);
+    let verdict = verdict_of(last, &wanted, &bands, unjudged, tolerance);
     let (inspection, gear) = (last.inspection.clone(), last.gear.clone());
     let context = InspectionContext {
         name,
@@ -119,39 +128,89 @@ fn of_rounds(
         rounds: rounds.iter().map(|round| round.result.clone()).collect(),
         bands,
         tolerance_um: Some(tolerance),
-        reason,
+        verdict,
         timing: BTreeMap::from([("all", begun.elapsed().as_secs_f64())]),
     };
     let result = gear_result(&inspection, &gear, context);
     Ok(GearInspection { result, inspection, gear, rounds })
 }
 
-/// Why a measured gear is not what the job asks for.
-fn missed(last: &RoundResult, bands: &BTreeMap<usize, BandResult>, tolerance_um: f64) -> Option<Remark> {
-    let far = last.flanks.iter().max_by(|a, b| a.1.measured.largest_um.total_cmp(&b.1.measured.largest_um));
-    let out = bands.values().filter(|band| !band.passed).count();
-    let way_out = match &last.correction {
+/// A measurement of which nothing could be evaluated says nothing.
+fn evaluated_at_all(gear: &EvaluatedGear) -> Option<(Status, Remark)> {
+    let pitch = gear.pitch.as_ref().is_some_and(|pitch| pitch.flanks.iter().any(|(_, of)| of.is_some()));
+    let thickness = gear.thickness.by_span.or(gear.thickness.by_balls).is_some();
+    (gear.traces.is_empty() && !pitch && !thickness).then(|| {
+        let remark = Remark {
+            code: "nothing-evaluated",
+            text: "the file holds no trace, pitch or size that could be evaluated".into(),
+            way_out: "look at the warnings; perhaps the file is cut short: export it again".into(),
+        };
+        (Status::NotJudged, remark)
+    })
+}
+
+/// What a measured gear is for its job, unless it is what the job asks for: missed, or not judged because of what was not measured.
+fn verdict_of(
+    last: &Round,
+    wanted: &Wanted,
+    bands: &BTreeMap<usize, BandResult>,
+    unjudged: usize,
+    tolerance_um: f64,
+) -> Option<(Status, Remark)> {
+    let correctable = match &last.result.correction {
         Some(_) => "grind the next part by corrected-job.json",
         None => {
             "nothing that the settings could remove is systematic: look at clamping, machine and measurement"
         }
     };
-    match far {
-        Some((flank, of)) if of.measured.largest_um > tolerance_um => Some(Remark {
-            code: "tolerance-exceeded",
-            text: format!(
-                "the {flank} flank was measured {:.3} um off its target (tolerance {tolerance_um} um)",
-                of.measured.largest_um
+    let missed = |code, text| Some((Status::Missed, Remark { code, text, way_out: correctable.into() }));
+    let flanks = &last.result.flanks;
+    let far = flanks.iter().max_by(|a, b| a.1.measured.largest_um.total_cmp(&b.1.measured.largest_um));
+    if let Some((flank, of)) = far.filter(|(_, of)| of.measured.largest_um > tolerance_um) {
+        let most = of.measured.largest_um;
+        return missed(
+            "tolerance-exceeded",
+            format!(
+                "the {flank} flank was measured {most:.3} um off its target (tolerance {tolerance_um} um)"
             ),
-            way_out: way_out.into(),
-        }),
-        _ if out > 0 => Some(Remark {
-            code: "outside-the-band",
-            text: format!("{out} of {} traces lie outside their band", bands.len()),
-            way_out: way_out.into(),
-        }),
-        _ => None,
+        );
     }
+    // Where no surface could be laid through the lines, each line is judged by itself.
+    let lines = last.gear.traces.iter().map(|one| (&last.inspection.traces[one.trace], one));
+    let alone = lines.filter(|(trace, _)| !flanks.contains_key(trace.flank.name()));
+    let total = |(trace, one): &(&crate::exchange::inspection::Trace, &EvaluatedTrace)| {
+        1e3 * one.evaluation.total * last.gear.gear.flank(trace.flank).base_helix_angle.cos()
+    };
+    let farthest = alone.max_by(|a, b| total(a).total_cmp(&total(b)));
+    if let Some(found) = farthest.filter(|found| total(found) > tolerance_um) {
+        let name = trace_name(found.0);
+        let text = format!("{name}: total deviation {:.3} um (tolerance {tolerance_um} um)", total(&found));
+        return missed("tolerance-exceeded", text);
+    }
+    let out = bands.values().filter(|band| !band.passed).count();
+    if out > 0 {
+        return missed("outside-the-band", format!("{out} of {} traces lie outside their band", bands.len()));
+    }
+    let not_judged = |text, way_out: &str| {
+        Some((Status::NotJudged, Remark { code: "not-judged", text, way_out: way_out.into() }))
+    };
+    for flank in Flank::BOTH.into_iter().filter(|flank| wanted.asks_for(*flank)) {
+        let whole = flanks.get(flank.name()).map(|of| of.measured_um.iter().flatten().all(Option::is_some));
+        if whole != Some(true) {
+            let how = if whole.is_some() { "only in part" } else { "not" };
+            return not_judged(
+                format!("the {flank} flank was {how} measured as a surface"),
+                "measure at least one profile and one helix trace of the same tooth on every ground flank",
+            );
+        }
+    }
+    if unjudged > 0 {
+        return not_judged(
+            format!("{unjudged} traces could not be laid into their band"),
+            "see the warnings; the band has to lie within the measured traces",
+        );
+    }
+    None
 }
 
 fn stem(path: &Path) -> String {

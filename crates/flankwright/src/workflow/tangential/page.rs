@@ -14,13 +14,13 @@ use crate::report::tangential::{
     ComparedMethod, FitRecord, PassReport, RadialFeedReport, SelectionRow, SensitivityMap, TangentialReport,
     VariableRow,
 };
-use crate::report::{Quantity, Section, Status as Banner, Warning, html};
+use crate::report::{Quantity, Section, Warning, html};
 use crate::workflow::page::{
     TWO_CALCULATIONS, flank_report, gear_quantities, grinding_motion, motion_over, referee_stages,
     target_amounts,
 };
 use crate::workflow::programs::programs_report;
-use crate::workflow::result::{CharacteristicsUm, Status};
+use crate::workflow::result::CharacteristicsUm;
 
 /// The report of a run as a self-contained HTML page.
 ///
@@ -76,10 +76,7 @@ fn common(
         description: job.job.description.clone(),
         process: "Tangential dressing".into(),
         version: result.version.into(),
-        status: match result.status {
-            Status::Met => Banner::Met,
-            Status::Missed => Banner::Missed,
-        },
+        status: result.status.into(),
         reason: result.reason.as_ref().map(|r| Reason {
             code: r.code.into(),
             cause: r.text.clone(),

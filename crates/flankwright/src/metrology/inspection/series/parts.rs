@@ -49,6 +49,13 @@ pub struct CharacteristicSeries {
     pub notes: Vec<String>,
 }
 
+impl CharacteristicSeries {
+    /// Whether any side is limited.
+    pub fn has_limits(&self) -> bool {
+        self.limits.lower().or(self.limits.upper()).is_some()
+    }
+}
+
 /// Places of the parts in the order of their making: by time where every part has one, else by label; numbers in labels count as
 /// numbers. Parts that are equal in that keep their order.
 pub fn ordered(parts: &[SeriesPart]) -> Vec<usize> {

@@ -26,6 +26,9 @@ pub struct FoundCorrection {
 /// Smallest step that is worth a correction: mm, rad.
 const RESOLUTION: [f64; 2] = [5e-5, 5e-7];
 
+/// Modifications below this are rounding, um.
+const ROUNDING_UM: f64 = 1e-9;
+
 /// The unit of a setting in files, in that of the library, with its ending.
 pub(super) fn unit(setting: Setting) -> (f64, &'static str) {
     match setting.unit() {
@@ -157,7 +160,9 @@ pub(super) fn compensation(
     let modifications = Flank::BOTH
         .into_iter()
         .filter(|flank| ground(*flank))
-        .map(|flank| ModificationSpec::Polynomial(polynomial(found, influence, flank)))
+        .map(|flank| polynomial(found, influence, flank))
+        .filter(|polynomial| !polynomial.terms.is_empty())
+        .map(ModificationSpec::Polynomial)
         .collect();
     let settings = found
         .total
@@ -188,6 +193,11 @@ fn polynomial(found: &FoundCorrection, influence: &SettingInfluence<'_>, flank: 
     let middle = at(0.0, 0.0);
     let (w_plus, w_minus, z_plus, z_minus) = (at(a, 0.0), at(-a, 0.0), at(0.0, b), at(0.0, -b));
     let mixed = at(a, b) - w_plus - z_plus + middle;
+    // What rounding leaves of effects that cancel is no modification: terms that move no point of the field by as much, um.
+    let moves = |(i, k, value): &(u32, u32, f64)| {
+        (value * a.powi(i32::try_from(*i).unwrap_or(0)) * b.powi(i32::try_from(*k).unwrap_or(0))).abs()
+            > ROUNDING_UM
+    };
     let terms = vec![
         (1, 0, 0.5 * (w_plus - w_minus) / a),
         (0, 1, 0.5 * (z_plus - z_minus) / b),
@@ -198,7 +208,7 @@ fn polynomial(found: &FoundCorrection, influence: &SettingInfluence<'_>, flank: 
     PolynomialSpec {
         w0_mm: lines.w_m,
         z0_mm: lines.z_m,
-        terms: terms.into_iter().filter(|(_, _, value)| *value != 0.0).collect(),
+        terms: terms.into_iter().filter(moves).collect(),
         flank: match flank {
             Flank::Left => FlankChoice::Left,
             Flank::Right => FlankChoice::Right,

@@ -79,7 +79,8 @@ pub(super) fn mean_lines(
     };
     for trace in &inspection.traces {
         let cos = gear.flank(trace.flank).base_helix_angle.cos();
-        let samples = transverse_samples(inspection, gear, trace, Some(design))?;
+        // Why a trace is none is told by the evaluation.
+        let Ok(samples) = transverse_samples(inspection, gear, trace, Some(design)) else { continue };
         let Ok([from, to]) = inspection.conditions.range(trace.kind, trace.flank) else { continue };
         let range = EvaluationRange::new(from, to)?;
         let within = |a: &f64| (range.from()..=range.to()).contains(a);

@@ -21,7 +21,7 @@ use super::drawn::DrawnGear;
 use super::files::{MeasuredFiles, read_measurement};
 use crate::exchange::{Diagnostic, LoadedJob, Problem};
 use crate::numerics::Progress;
-use crate::workflow::finding::{JobFailure, RunFailure};
+use crate::workflow::finding::{JobFailure, Remark, RunFailure};
 use ground::ground;
 pub(super) use round::Wanted;
 use round::judge;
@@ -39,21 +39,58 @@ pub(super) fn of_file(
     let made = ground(loaded, progress)?;
     let drawn = DrawnGear::of_job(loaded, &made.prepared.setup)?;
     let mut files = read_measurement(path, Some(&drawn))?;
+    check_teeth(&files)?;
     fill(&mut files, &drawn);
     let wanted = Wanted::of_job(loaded)?;
     let round = judge(loaded, &made, &wanted, files.inspection.clone(), 1, progress)?;
     Ok((round, files))
 }
 
-/// What a file leaves open of ranges and reference lengths is that of the job.
+/// Teeth count from 1 up to those of the gear.
+fn check_teeth(files: &MeasuredFiles) -> Result<(), RunFailure> {
+    let inspection = &files.inspection;
+    let last = inspection.gear.teeth.unsigned_abs();
+    let traces = inspection.traces.iter().map(|trace| trace.tooth);
+    let mut all = traces.chain(inspection.topographies.iter().map(|field| field.tooth));
+    let Some(tooth) = all.find(|tooth| !(1..=last).contains(tooth)) else { return Ok(()) };
+    let finding = Diagnostic::new(Problem::InvalidNumber, format!("the gear has no tooth {tooth}"))
+        .field("tooth")
+        .value(tooth)
+        .allowed(format!("1 to {last}"))
+        .way_out("count the teeth from 1; give the job of the gear that was measured");
+    Err(RunFailure::bad_input(finding))
+}
+
+/// Ranges closer than this are the same, mm.
+const SAME_RANGE: f64 = 0.01;
+
+/// Against a job its ranges count: those of the file may leave out what the job asks for. Reference lengths of slopes are the file's, else
+/// the job's.
 fn fill(files: &mut MeasuredFiles, drawn: &DrawnGear) {
     let (own, job) = (&mut files.inspection.conditions, &drawn.conditions);
+    let mut changed = Vec::new();
     for (flank, of) in job.flanks.iter() {
         let open = &mut own.flanks[flank];
-        open.w_1_mm = open.w_1_mm.or(of.w_1_mm);
-        open.w_2_mm = open.w_2_mm.or(of.w_2_mm);
-        open.z_1_mm = open.z_1_mm.or(of.z_1_mm);
-        open.z_2_mm = open.z_2_mm.or(of.z_2_mm);
+        for (name, own, job) in [
+            ("w_1", &mut open.w_1_mm, of.w_1_mm),
+            ("w_2", &mut open.w_2_mm, of.w_2_mm),
+            ("z_1", &mut open.z_1_mm, of.z_1_mm),
+            ("z_2", &mut open.z_2_mm, of.z_2_mm),
+        ] {
+            if let (Some(stated), Some(wanted)) = (*own, job)
+                && (stated - wanted).abs() > SAME_RANGE
+            {
+                changed.push(format!("{name} of the {flank} flank {wanted:.3} instead of {stated:.3} mm"));
+            }
+            *own = job.or(*own);
+        }
+    }
+    if !changed.is_empty() {
+        files.remarks.push(Remark {
+            code: "range-of-the-job",
+            text: format!("evaluated in the range of the job: {}", changed.join(", ")),
+            way_out: "set `gear.evaluation` of the job to what is to be judged".into(),
+        });
     }
     own.helix_slope_reference = own.helix_slope_reference.or(job.helix_slope_reference);
     own.profile_slope_reference = own.profile_slope_reference.or(job.profile_slope_reference);

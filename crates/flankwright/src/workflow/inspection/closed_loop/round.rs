@@ -53,6 +53,11 @@ impl Wanted {
         Ok(Self { targets: prepare(&plain)?.targets })
     }
 
+    /// Whether a flank is to be ground.
+    pub fn asks_for(&self, flank: Flank) -> bool {
+        self.targets[flank].is_some()
+    }
+
     /// Transverse deviation that is wanted, > 0 material, mm; NaN where none is defined.
     pub fn design(&self) -> impl Fn(Flank, f64, f64) -> f64 + Sync + '_ {
         |flank, w, z| self.targets[flank].as_ref().map_or(0.0, |t| t.value(w, z).unwrap_or(f64::NAN))
@@ -160,6 +165,11 @@ pub(super) fn judge(
         corrected: None,
         next: None,
     };
+    if surfaces.iter().all(|(_, surface)| surface.is_none()) && !settings.is_empty() {
+        let why = "without a measured surface nothing would be proven: measure a profile and a helix trace of the same tooth";
+        round.result.no_correction = Some(why.into());
+        return Ok(round);
+    }
     if settings.is_empty() {
         round.result.no_correction = Some(reason(&tests));
         return Ok(round);

@@ -1,11 +1,12 @@
 //! What is measured on every tooth: pitch, run-out, eccentricity, thickness. mm, rad
 
 use super::{EvaluatedPitch, LeftOut};
-use crate::exchange::inspection::Inspection;
+use crate::exchange::inspection::{CountingDirection, Inspection};
 use crate::geometry::{Flank, Gear, GearData, Sides};
 use crate::metrology::inspection::{
-    BallContact, FlankAngles, MeasuredThickness, PitchDeviations, ProbePosition, ThicknessSizes,
-    eccentricity, measured_thickness, pitch_from_positions, run_out_from_pitch, thickness_variation,
+    BallContact, FlankAngles, InspectionError, MeasuredThickness, PitchDeviations, ProbePosition,
+    ThicknessSizes, eccentricity, measured_thickness, pitch_from_positions, run_out_from_pitch,
+    thickness_variation,
 };
 
 /// What a measuring machine rounds values to, mm.
@@ -55,6 +56,15 @@ pub(super) fn pitch(
         }
         _ => None,
     };
+    // Run-out, eccentricity and thickness variation pair the flanks of neighbouring teeth in the sense in which they are counted.
+    let clockwise = table.counting == Some(CountingDirection::Clockwise);
+    let both = if clockwise {
+        let setting = "teeth counted clockwise";
+        left_out.0.push(("run-out and eccentricity".into(), InspectionError::UnverifiedSetting { setting }));
+        None
+    } else {
+        both
+    };
     let ball = inspection.thickness.ball_diameter_mm;
     let run_out = both.as_ref().zip(measured).zip(ball).and_then(|((cumulative, gear), ball)| {
         let found = BallContact::of(gear, ball).and_then(|contact| run_out_from_pitch(cumulative, &contact));
@@ -63,7 +73,7 @@ pub(super) fn pitch(
     let eccentric = both.as_ref().zip(measured).and_then(|(cumulative, gear)| {
         left_out.take("eccentricity", eccentricity(cumulative, &FlankAngles::of(gear)))
     });
-    let positions = table.diameter_mm.filter(|_| !table.positions.is_empty());
+    let positions = table.diameter_mm.filter(|_| !table.positions.is_empty() && !clockwise);
     let from_positions = positions.and_then(|diameter| {
         let position = |read: &crate::exchange::inspection::ProbePosition| ProbePosition {
             flank: read.flank,

@@ -38,12 +38,13 @@ pub(in crate::workflow) fn transverse_samples(
     })
 }
 
+/// A trace, and why its tip relief could not be evaluated.
 pub(super) fn of_trace(
     inspection: &Inspection,
     gear: &Gear,
     number: usize,
     design: Option<Design<'_>>,
-) -> Result<EvaluatedTrace, InspectionError> {
+) -> Result<(EvaluatedTrace, Option<InspectionError>), InspectionError> {
     let trace = &inspection.traces[number];
     let conditions = &inspection.conditions;
     let samples = transverse_samples(inspection, gear, trace, design)?;
@@ -60,8 +61,12 @@ pub(super) fn of_trace(
     let zone = conditions.flanks[trace.flank].tip_relief_mm;
     // Against a design that has the relief nothing is left to find in its zone.
     let zone = zone.filter(|_| trace.kind == TraceKind::Profile && design.is_none());
-    let tip_relief = zone.map(|zone| evaluation.relief(&samples, zone)).transpose()?;
-    Ok(EvaluatedTrace { trace: number, evaluation, tip_relief, sign_stated })
+    // A zone beyond the trace keeps nothing else from being evaluated.
+    let (tip_relief, relief_error) = match zone.map(|zone| evaluation.relief(&samples, zone)) {
+        Some(Err(error)) => (None, Some(error)),
+        found => (found.and_then(Result::ok), None),
+    };
+    Ok((EvaluatedTrace { trace: number, evaluation, tip_relief, sign_stated }, relief_error))
 }
 
 /// What the file would have to state.

@@ -9,8 +9,7 @@ use crate::report::inspection_series::{
     CapabilityFigures, CharacteristicFigures, CharacteristicRow, MarkedStretch, PartRow, SeriesGroup,
     SeriesReport, TrendFigures,
 };
-use crate::report::{PlanReport, ReportHead, Status as Banner, Warning};
-use crate::workflow::result::Status;
+use crate::report::{PlanReport, ReportHead, Warning};
 
 /// The page.
 ///
@@ -20,12 +19,23 @@ pub(super) fn series_page(series: &InspectionSeries) -> Result<PlanReport, Chart
     SeriesReport { head: head(series), groups: series.result.groups.iter().map(group).collect() }.to_page()
 }
 
+/// Whether anything has limits.
+fn judged_parts(series: &InspectionSeries) -> bool {
+    series.groups.iter().flatten().any(|of| of.has_limits())
+}
+
 fn head(series: &InspectionSeries) -> ReportHead {
     let result = &series.result;
     let parts: usize = result.groups.iter().map(|group| group.parts.len()).sum();
     let beyond =
         result.groups.iter().flat_map(|group| &group.parts).filter(|p| !p.exceeded.is_empty()).count();
     let judged = match result.tolerance_class {
+        None if judged_parts(series) && beyond == 0 => {
+            "All keep the limits that they were imported with.".to_owned()
+        }
+        None if judged_parts(series) => {
+            format!("Parts beyond the limits that they were imported with: {beyond}.")
+        }
         None => "Nothing is judged: no class of ISO 1328-1:2013 is given.".to_owned(),
         Some(class) if beyond == 0 => format!("All keep the limits of ISO 1328-1:2013 class {class}."),
         Some(class) => format!("Parts beyond the limits of ISO 1328-1:2013 class {class}: {beyond}."),
@@ -47,10 +57,7 @@ fn head(series: &InspectionSeries) -> ReportHead {
         description: None,
         process: "inspection of a series",
         version: result.version.into(),
-        status: match result.status {
-            Status::Met => Banner::Met,
-            Status::Missed => Banner::Missed,
-        },
+        status: result.status.into(),
         headline: format!("{parts} parts evaluated. {judged}"),
         way_out: String::new(),
         figures: vec![

@@ -18,6 +18,9 @@ pub fn series_summary(series: &InspectionSeries) -> String {
             Some(class) => {
                 let _ = writeln!(text, ", {beyond} beyond class {class}");
             }
+            None if beyond > 0 => {
+                let _ = writeln!(text, ", {beyond} beyond the limits that they were imported with");
+            }
             None => text.push('\n'),
         }
         characteristics(&mut text, group);

@@ -7,7 +7,7 @@ mod pitch;
 mod topography;
 mod traces;
 
-use super::evaluate::EvaluatedGear;
+use super::evaluate::{EvaluatedGear, evaluate_inspection};
 use super::run::GearInspection;
 use crate::exchange::inspection::{DatumFace, Inspection, TraceKind};
 use crate::geometry::Sides;
@@ -49,12 +49,15 @@ pub fn sheet_pages(
     inspection_sheet::sheet_pages(&sheet_data(inspection, gear, options))
 }
 
-/// The sheet of a measured gear as an HTML file of its own, one page of paper each.
+/// The sheet of a measured gear as an HTML file of its own, one page of paper each. It shows the part against the involute, as measuring
+/// machines print it, also where the part was judged against a job.
 ///
 /// # Errors
 /// [`ChartError`] for numbers that cannot be drawn.
 pub fn inspection_sheet(found: &GearInspection, options: &SheetOptions) -> Result<String, ChartError> {
-    let pages = sheet_pages(&found.inspection, &found.gear, options)?;
+    let against_job = !found.rounds.is_empty();
+    let plain = against_job.then(|| evaluate_inspection(&found.inspection, None).ok()).flatten();
+    let pages = sheet_pages(&found.inspection, plain.as_ref().unwrap_or(&found.gear), options)?;
     let title = head::title(&found.inspection);
     let title = if title.is_empty() { &found.result.job } else { &title };
     Ok(inspection_sheet::sheet_html(&format!("Inspection sheet {title}"), &pages))

@@ -1,15 +1,16 @@
-//! Rows of CSV tables whose columns are named in the first line, with errors that tell line, column and value. Knows no measurement.
+//! Rows of CSV tables whose columns are named in the first line, with errors that tell line, column and value. Knows no content of them.
 
 use std::ops::Range;
+use std::str::FromStr;
 
-use crate::exchange::diagnostic::{Diagnostic, Problem};
+use super::diagnostic::{Diagnostic, Problem};
 use crate::geometry::Flank;
 
 /// Longest piece of a cell in a message, characters.
 const SHOWN: usize = 60;
 
 /// The columns that a table has to have.
-pub(super) struct TableForm<const N: usize> {
+pub(in crate::exchange) struct TableForm<const N: usize> {
     /// Their names.
     pub columns: [&'static str; N],
     /// What a row stands for.
@@ -17,10 +18,25 @@ pub(super) struct TableForm<const N: usize> {
 }
 
 /// A row in the order of the form's columns.
-pub(super) struct Row<'a, const N: usize> {
+pub(in crate::exchange) struct Row<'a, const N: usize> {
     form: &'a TableForm<N>,
-    cells: [&'a str; N],
+    cells: [Place<'a>; N],
     span: Range<usize>,
+}
+
+/// A cell without the blanks around it, and its place in the text.
+type Place<'a> = (&'a str, Range<usize>);
+
+fn cells(line: &str, start: usize) -> Vec<Place<'_>> {
+    let mut offset = start;
+    line.split(',')
+        .map(|cell| {
+            let from = offset + (cell.len() - cell.trim_start().len());
+            offset += cell.len() + 1;
+            let cell = cell.trim();
+            (cell, from..from + cell.len())
+        })
+        .collect()
 }
 
 impl<const N: usize> TableForm<N> {
@@ -45,7 +61,7 @@ impl<const N: usize> TableForm<N> {
                 continue;
             }
             let span = start..start + line.len();
-            let cells: Vec<&str> = line.split(',').map(str::trim).collect();
+            let mut cells = cells(line, start);
             let Some(places) = order else {
                 order = Some(self.places(&cells, span)?);
                 continue;
@@ -57,7 +73,8 @@ impl<const N: usize> TableForm<N> {
                     .way_out(format!("give {N} values with a decimal point, separated by commas"))
                     .span(Some(span)));
             }
-            rows.push(Row { form: self, cells: places.map(|place| cells[place]), span });
+            let cells = places.map(|place| std::mem::take(&mut cells[place]));
+            rows.push(Row { form: self, cells, span });
         }
         if rows.is_empty() {
             let way_out =
@@ -68,13 +85,14 @@ impl<const N: usize> TableForm<N> {
     }
 
     /// Positions of the columns.
-    fn places(&self, titles: &[&str], span: Range<usize>) -> Result<[usize; N], Diagnostic> {
+    fn places(&self, titles: &[Place<'_>], span: Range<usize>) -> Result<[usize; N], Diagnostic> {
+        let named = || shortened(&titles.iter().map(|(title, _)| *title).collect::<Vec<_>>().join(","));
         let mut order = [0; N];
         for (place, column) in order.iter_mut().zip(self.columns) {
-            *place = titles.iter().position(|title| *title == column).ok_or_else(|| {
+            *place = titles.iter().position(|(title, _)| *title == column).ok_or_else(|| {
                 self.malformed(format!("the table has no column `{column}`"))
                     .field(column)
-                    .value(shortened(&titles.join(",")))
+                    .value(named())
                     .way_out(format!("begin the table with the line `{}`", self.header()))
                     .span(Some(span.clone()))
             })?;
@@ -82,7 +100,7 @@ impl<const N: usize> TableForm<N> {
         if titles.len() != N {
             return Err(self
                 .malformed(format!("the table has {} columns", titles.len()))
-                .value(shortened(&titles.join(",")))
+                .value(named())
                 .way_out("remove the other columns")
                 .span(Some(span)));
         }
@@ -100,29 +118,35 @@ impl<const N: usize> TableForm<N> {
 }
 
 impl<const N: usize> Row<'_, N> {
+    /// Where the row stands in the text.
+    pub fn place(&self) -> Range<usize> {
+        self.span.clone()
+    }
+
     /// A cell as it stands.
     pub fn text(&self, column: usize) -> &str {
-        self.cells[column]
+        self.cells[column].0
     }
 
     /// A finding about a cell.
-    pub fn wrong(&self, problem: Problem, column: usize, allowed: &str) -> Diagnostic {
-        let cell = shortened(self.cells[column]);
-        Diagnostic::new(problem, format!("`{}` cannot be {cell}", self.form.columns[column]))
-            .field(self.form.columns[column])
+    pub fn wrong(&self, problem: Problem, column: usize, allowed: impl Into<String>) -> Diagnostic {
+        let (cell, place) = &self.cells[column];
+        let (cell, name) = (shortened(cell), self.form.columns[column]);
+        Diagnostic::new(problem, format!("`{name}` cannot be {cell}"))
+            .field(name)
             .value(cell)
-            .allowed(allowed)
-            .way_out("correct the cell")
-            .span(Some(self.span.clone()))
+            .allowed(allowed.into())
+            .way_out("correct the value in this row")
+            .span(Some(place.clone()))
     }
 
-    /// The number of a tooth.
+    /// One of some words.
     ///
     /// # Errors
-    /// `invalid-number`.
-    pub fn tooth(&self, column: usize) -> Result<u32, Diagnostic> {
-        let found = self.cells[column].parse().ok().filter(|tooth| *tooth <= 65_535);
-        found.ok_or_else(|| self.wrong(Problem::InvalidNumber, column, "a whole number from 0 to 65535"))
+    /// `unknown-value`.
+    pub fn word<T: Copy>(&self, column: usize, words: &[(&str, T)], allowed: &str) -> Result<T, Diagnostic> {
+        let found = words.iter().find(|(word, _)| *word == self.text(column)).map(|(_, value)| *value);
+        found.ok_or_else(|| self.wrong(Problem::UnknownValue, column, allowed))
     }
 
     /// A flank.
@@ -130,8 +154,29 @@ impl<const N: usize> Row<'_, N> {
     /// # Errors
     /// `unknown-value`.
     pub fn flank(&self, column: usize) -> Result<Flank, Diagnostic> {
-        let found = Flank::BOTH.into_iter().find(|flank| flank.name() == self.cells[column]);
-        found.ok_or_else(|| self.wrong(Problem::UnknownValue, column, "left or right"))
+        self.word(column, &Flank::BOTH.map(|flank| (flank.name(), flank)), "left or right")
+    }
+
+    /// A number of any kind within its range.
+    ///
+    /// # Errors
+    /// `invalid-number`.
+    pub fn parsed<T: FromStr>(
+        &self,
+        column: usize,
+        allowed: &str,
+        in_range: impl Fn(&T) -> bool,
+    ) -> Result<T, Diagnostic> {
+        let found = self.text(column).parse().ok().filter(in_range);
+        found.ok_or_else(|| self.wrong(Problem::InvalidNumber, column, allowed))
+    }
+
+    /// The number of a tooth.
+    ///
+    /// # Errors
+    /// `invalid-number`.
+    pub fn tooth(&self, column: usize) -> Result<u32, Diagnostic> {
+        self.parsed(column, "a whole number from 0 to 65535", |tooth| *tooth <= 65_535)
     }
 
     /// A finite number.
@@ -139,9 +184,7 @@ impl<const N: usize> Row<'_, N> {
     /// # Errors
     /// `invalid-number`.
     pub fn number(&self, column: usize) -> Result<f64, Diagnostic> {
-        let found = self.cells[column].parse().ok().filter(|v: &f64| v.is_finite());
-        let allowed = "a finite number with a decimal point";
-        found.ok_or_else(|| self.wrong(Problem::InvalidNumber, column, allowed))
+        self.parsed(column, "a finite number with a decimal point", |v: &f64| v.is_finite())
     }
 
     /// A deviation; NaN where the cell is empty or says so.
@@ -149,7 +192,8 @@ impl<const N: usize> Row<'_, N> {
     /// # Errors
     /// `invalid-number`.
     pub fn deviation(&self, column: usize) -> Result<f64, Diagnostic> {
-        if self.cells[column].is_empty() || self.cells[column].eq_ignore_ascii_case("nan") {
+        let cell = self.text(column);
+        if cell.is_empty() || cell.eq_ignore_ascii_case("nan") {
             return Ok(f64::NAN);
         }
         self.number(column)
