@@ -53,6 +53,8 @@ fn a_loop_ends_below_the_noise() {
     {
         assert!(out.join(file).is_file(), "{file}");
     }
+    let sheet = std::fs::read_to_string(out.join("sheet.html")).unwrap();
+    assert!(sheet.contains("target of the job closed-loop") && sheet.contains("simulated, round 2"));
     let page = std::fs::read_to_string(out.join("report.html")).unwrap();
     for words in
         ["Measured against the target", "What all teeth share", "What the corrected job leaves", "Round 2"]

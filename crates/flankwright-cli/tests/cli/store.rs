@@ -279,6 +279,25 @@ fn an_import_that_is_killed_is_completed_by_the_next() {
 }
 
 #[test]
+fn parts_are_taken_out_by_their_digests() {
+    let shop = Shop::new(3);
+    shop.json(&["import", &shop.path("measured")], 0);
+    let parts = shop.json(&["parts"], 0);
+    let digest = |k: usize| parts[k]["digest"].as_str().unwrap().to_owned();
+    let unknown = shop.json(&["remove", &digest(0), "00000000"], 2);
+    assert_eq!(unknown["error"]["field"], "DIGEST");
+    assert_eq!(shop.json(&["remove", &digest(0)[..4]], 2)["error"]["code"], "unknown-value");
+    // Nothing was taken out by what was refused.
+    assert_eq!(shop.json(&["parts"], 0).as_array().unwrap().len(), 3);
+    assert_eq!(shop.json(&["remove", &digest(1)[..12]], 0)[0]["part"], "1");
+    let again = shop.json(&["import", &shop.path("measured"), "--class", "6"], 0);
+    assert_eq!(
+        (again["imported"].as_array().unwrap().len(), again["known"].as_array().unwrap().len()),
+        (1, 2)
+    );
+}
+
+#[test]
 fn a_folder_and_the_store_say_the_same_of_a_series() {
     let shop = Shop::new(12);
     fs::write(shop.0.path().join("measured/broken.mka"), "HEADER KS.MK.FILE\n21 :mn : 1\n").unwrap();

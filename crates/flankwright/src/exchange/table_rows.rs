@@ -187,6 +187,14 @@ impl<const N: usize> Row<'_, N> {
         self.parsed(column, "a finite number with a decimal point", |v: &f64| v.is_finite())
     }
 
+    /// A length of roll.
+    ///
+    /// # Errors
+    /// `invalid-number`.
+    pub fn length_of_roll(&self, column: usize) -> Result<f64, Diagnostic> {
+        self.parsed(column, "a length of roll in mm, not below 0", |v: &f64| v.is_finite() && *v >= 0.0)
+    }
+
     /// A deviation; NaN where the cell is empty or says so.
     ///
     /// # Errors
@@ -196,7 +204,8 @@ impl<const N: usize> Row<'_, N> {
         if cell.is_empty() || cell.eq_ignore_ascii_case("nan") {
             return Ok(f64::NAN);
         }
-        self.number(column)
+        let allowed = "a deviation in micrometres from -100000 to 100000, or nothing where none was measured";
+        self.parsed(column, allowed, |v: &f64| v.abs() <= 1e5)
     }
 }
 

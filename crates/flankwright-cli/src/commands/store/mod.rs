@@ -7,6 +7,7 @@ mod import;
 mod parts;
 mod place;
 mod plans;
+mod remove;
 mod series;
 mod table;
 
@@ -20,7 +21,7 @@ use crate::failure::Failure;
 #[derive(Args, Debug)]
 #[command(
     arg_required_else_help = true,
-    after_help = "Examples:\n  flankwright store import measured/\n  flankwright store parts --from 2026-03-01 --characteristic fHa --json\n  \
+    after_help = "Example:\n  flankwright store import measured/\n  flankwright store parts --from 2026-03-01 --characteristic fHa --json\n  \
     flankwright store catalogue add examples/catalogue/bodies.toml\n\n\
     Which store: --store, else the environment variable FLANKWRIGHT_STORE, else flankwright/store.sqlite in XDG_DATA_HOME or \
     ~/.local/share. An address is a path, sqlite:PATH, or postgres://USER:PASSWORD@HOST:PORT/DATABASE; a password is better kept in \
@@ -39,6 +40,8 @@ pub enum StoreAction {
     Import(import::ImportArguments),
     /// List measured parts, or the values of a characteristic over them
     Parts(parts::PartsArguments),
+    /// Take measured parts out
+    Remove(remove::RemoveArguments),
     /// Statistics, trends and capability of measured parts
     Series(series::SeriesArguments),
     /// The catalogue of worms and dressers
@@ -57,6 +60,7 @@ impl StoreArguments {
         let place = match &self.action {
             StoreAction::Import(arguments) => &arguments.place,
             StoreAction::Parts(arguments) => &arguments.place,
+            StoreAction::Remove(arguments) => &arguments.place,
             StoreAction::Series(arguments) => &arguments.parts.place,
             StoreAction::Catalogue(arguments) => arguments.place(),
             StoreAction::Plans(arguments) => arguments.place(),
@@ -75,6 +79,7 @@ pub fn run(arguments: &StoreArguments) -> Result<Exit, Failure> {
     match &arguments.action {
         StoreAction::Import(arguments) => import::run(arguments),
         StoreAction::Parts(arguments) => parts::run(arguments),
+        StoreAction::Remove(arguments) => remove::run(arguments),
         StoreAction::Series(arguments) => series::run(arguments),
         StoreAction::Catalogue(arguments) => catalogue::run(arguments),
         StoreAction::Plans(arguments) => plans::run(arguments),

@@ -92,10 +92,12 @@ fn text_of_parts(parts: &[PartSummary]) -> String {
             part.part.clone(),
             or_dash(part.machine.as_deref()),
             part.source.clone(),
+            part.digest.chars().take(12).collect(),
         ]
     };
     let rows: Vec<Vec<String>> = parts.iter().map(row).collect();
-    format!("{} parts\n", parts.len()) + &table(&["date", "series", "part", "machine", "file"], &rows)
+    format!("{} parts\n", parts.len())
+        + &table(&["date", "series", "part", "machine", "file", "digest"], &rows)
 }
 
 fn text_of_values(values: &[MeasuredCharacteristic]) -> String {

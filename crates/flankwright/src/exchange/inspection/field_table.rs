@@ -38,7 +38,7 @@ pub(super) fn fields(text: &str) -> Result<Vec<Topography>, Diagnostic> {
     let mut known = HashMap::new();
     for row in FORM.rows(text)? {
         let (tooth, flank) = (row.tooth(0)?, row.flank(1)?);
-        let (point, f) = ([row.number(2)?, row.number(3)?], row.deviation(4)?);
+        let (point, f) = ([row.length_of_roll(2)?, row.number(3)?], row.deviation(4)?);
         let at = *known.entry((tooth, flank)).or_insert(fields.len());
         if at == fields.len() {
             fields.push(Topography { tooth, flank, points_mm: Vec::new(), f_um: Vec::new() });

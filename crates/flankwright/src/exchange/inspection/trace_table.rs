@@ -36,7 +36,11 @@ pub(super) fn traces(text: &str) -> Result<Vec<Trace>, Diagnostic> {
     let mut known = std::collections::HashMap::new();
     for row in FORM.rows(text)? {
         let (kind, tooth, flank) = (kind(&row)?, row.tooth(1)?, row.flank(2)?);
-        let (position, abscissa, f) = (row.number(3)?, row.number(4)?, row.deviation(5)?);
+        let (position, abscissa) = match kind {
+            TraceKind::Profile => (row.number(3)?, row.length_of_roll(4)?),
+            TraceKind::Helix => (row.length_of_roll(3)?, row.number(4)?),
+        };
+        let f = row.deviation(5)?;
         // Adding zero makes one key of 0 and -0.
         let key = (kind, tooth, flank, (position + 0.0).to_bits());
         let at = *known.entry(key).or_insert(traces.len());

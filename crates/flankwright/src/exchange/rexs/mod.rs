@@ -15,6 +15,7 @@ mod gear;
 mod job;
 mod json_read;
 mod json_write;
+mod load_spectrum;
 mod modification_read;
 mod modification_write;
 mod package;

@@ -4,6 +4,8 @@
 //! `roxmltree` (MIT or Apache-2.0) reads without recursion, bounds the number of nodes, resolves namespaces and keeps the place of each
 //! element; it never opens anything else.
 
+use std::collections::HashSet;
+
 use roxmltree::{Document, Error, Node, ParsingOptions};
 
 use super::attributes::{self, Form};
@@ -12,6 +14,7 @@ use super::document::{
     Attribute, Component, ComponentRef, Content, Opaque, Relation, RexsDocument, RexsFormat, Value,
 };
 use super::error::RexsError;
+use super::load_spectrum;
 use crate::exchange::mesh::xml::escape;
 
 /// Most elements, texts and comments of a file; each takes some ten times its text in memory.
@@ -47,6 +50,7 @@ pub(super) fn document(text: &str) -> Result<RexsDocument, RexsError> {
         load_spectra: Vec::new(),
     };
     let mut last = 0;
+    let mut spectra = HashSet::new();
     for part in root.children()? {
         let order = ["relations", "components", "load_spectrum"];
         let rank = order.iter().position(|name| *name == part.name()).map_or(0, |k| k + 1);
@@ -59,7 +63,10 @@ pub(super) fn document(text: &str) -> Result<RexsDocument, RexsError> {
             1 => document.relations = part.each("relation", relation)?,
             2 => document.components = part.each("component", component)?,
             _ => {
-                part.int("id")?;
+                let components = document.components.iter().map(|component| component.id).collect();
+                if !spectra.insert(load_spectrum::check(part, &components)?) {
+                    return Err(part.wrong("the number of a load spectrum stands twice"));
+                }
                 document.load_spectra.push(part.opaque()?);
             }
         }
@@ -96,13 +103,8 @@ fn component(node: Place<'_, '_>) -> Result<Component, RexsError> {
 fn attribute(node: Place<'_, '_>, component: i32, kind: &str) -> Result<Attribute, RexsError> {
     let id = node.needed("id")?;
     let form = attributes::form(kind, id);
+    attribute_structure(node)?;
     let lists: Vec<Place<'_, '_>> = node.elements().collect();
-    for list in &lists {
-        list_structure(*list)?;
-    }
-    if lists.len() > 1 {
-        return Err(node.wrong("an attribute has at most one list"));
-    }
     let value = match (form, lists.first()) {
         (None, _) => Some(Value::Opaque(node.opaque()?)),
         (Some(Form::Lengths), Some(list)) if list.name() == "array" => list.numbers().map(Value::Numbers),
@@ -116,6 +118,16 @@ fn attribute(node: Place<'_, '_>, component: i32, kind: &str) -> Result<Attribut
         allowed: allowed(form),
     })?;
     Ok(Attribute { id: id.into(), unit: node.get("unit").map(str::to_owned), value })
+}
+
+/// An attribute has a name, and at most one list.
+pub(super) fn attribute_structure(node: Place<'_, '_>) -> Result<(), RexsError> {
+    node.needed("id")?;
+    let lists: Vec<Place<'_, '_>> = node.elements().collect();
+    for list in &lists {
+        list_structure(*list)?;
+    }
+    if lists.len() > 1 { Err(node.wrong("an attribute has at most one list")) } else { Ok(()) }
 }
 
 fn scalar(form: Form, text: &str) -> Option<Value> {
@@ -166,6 +178,9 @@ fn list_structure(list: Place<'_, '_>) -> Result<(), RexsError> {
         }
         _ => return Err(list.wrong("an attribute holds text, array, matrix or array_of_arrays")),
     };
+    if ["r", "array_of_arrays"].contains(&list.name()) && list.elements().next().is_none() {
+        return Err(list.wrong(format!("at least one `{inner}` is needed here")));
+    }
     for child in list.elements() {
         if child.name() != inner {
             return Err(child.wrong("another element than the schema has here"));
@@ -181,14 +196,14 @@ fn short(text: &str) -> String {
 
 /// An element of the file; namespaces are looked through.
 #[derive(Clone, Copy)]
-struct Place<'a, 'input>(Node<'a, 'input>);
+pub(super) struct Place<'a, 'input>(Node<'a, 'input>);
 
 impl<'a, 'input> Place<'a, 'input> {
-    fn name(self) -> &'a str {
+    pub(super) fn name(self) -> &'a str {
         self.0.tag_name().name()
     }
 
-    fn wrong(self, what: impl Into<String>) -> RexsError {
+    pub(super) fn wrong(self, what: impl Into<String>) -> RexsError {
         let at = self.0.document().text_pos_at(self.0.range().start);
         let place = format!("line {}, element `{}`", at.row, short(self.name()));
         RexsError::Structure { place, what: what.into() }
@@ -198,11 +213,11 @@ impl<'a, 'input> Place<'a, 'input> {
         self.0.attributes().find(|a| a.name() == name && a.namespace().is_none()).map(|a| a.value())
     }
 
-    fn needed(self, name: &str) -> Result<&'a str, RexsError> {
+    pub(super) fn needed(self, name: &str) -> Result<&'a str, RexsError> {
         self.get(name).ok_or_else(|| self.wrong(format!("the attribute `{name}` is needed")))
     }
 
-    fn int(self, name: &str) -> Result<i32, RexsError> {
+    pub(super) fn int(self, name: &str) -> Result<i32, RexsError> {
         let text = self.needed(name)?.trim();
         let found = text.parse();
         found.map_err(|_| self.wrong(format!("`{name}` must be a whole number, not `{}`", short(text))))
@@ -213,7 +228,7 @@ impl<'a, 'input> Place<'a, 'input> {
     }
 
     /// Elements of an element that holds no text.
-    fn children(self) -> Result<Vec<Self>, RexsError> {
+    pub(super) fn children(self) -> Result<Vec<Self>, RexsError> {
         let texts = self.0.children().filter(Node::is_text);
         if texts.filter_map(|node| node.text()).any(|text| !text.trim().is_empty()) {
             return Err(self.wrong("text where the schema has elements only"));
@@ -222,7 +237,7 @@ impl<'a, 'input> Place<'a, 'input> {
     }
 
     /// Elements that all have one name.
-    fn each<T>(
+    pub(super) fn each<T>(
         self,
         name: &str,
         mut read: impl FnMut(Self) -> Result<T, RexsError>,

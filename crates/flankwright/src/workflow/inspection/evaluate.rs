@@ -5,7 +5,7 @@ mod classes;
 mod teeth;
 mod trace;
 
-pub(in crate::workflow) use trace::{trace_name, transverse_samples};
+pub(in crate::workflow) use trace::{trace_name, transverse_samples, without_design};
 
 use crate::exchange::inspection as file;
 use crate::exchange::inspection::Inspection;

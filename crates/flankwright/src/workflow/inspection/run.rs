@@ -3,7 +3,9 @@
 use super::assemble::{InspectionContext, gear_result};
 use super::bands::Bands;
 use super::closed_loop::{Round, Wanted, of_file, simulated};
-use super::evaluate::{Design, EvaluatedGear, EvaluatedTrace, evaluate_inspection, trace_name};
+use super::evaluate::{
+    Design, EvaluatedGear, EvaluatedTrace, evaluate_inspection, trace_name, without_design,
+};
 use super::files::{MeasuredFiles, read_measurement};
 use super::result::{BandResult, GearInspectionResult, LinesResult};
 use crate::exchange::inspection::Inspection;
@@ -27,6 +29,8 @@ pub struct GearInspection {
     pub gear: EvaluatedGear,
     /// Rounds against a job.
     pub rounds: Vec<Round>,
+    /// Of a job: the measurement less the target, with its evaluation; what the inspection sheet shows.
+    pub against_target: Option<Box<(Inspection, EvaluatedGear)>>,
 }
 
 /// Reads and evaluates a measurement by itself; a file that states modifications is judged against them.
@@ -59,7 +63,8 @@ pub fn inspect_gear(path: &Path) -> Result<GearInspection, JobFailure> {
         timing,
     };
     let result = gear_result(&files.inspection, &gear, context);
-    Ok(GearInspection { result, inspection: files.inspection, gear, rounds: Vec::new() })
+    let inspection = files.inspection;
+    Ok(GearInspection { result, inspection, gear, rounds: Vec::new(), against_target: None })
 }
 
 /// Judges a measured file against a job.
@@ -121,6 +126,11 @@ fn of_rounds(
     }
     let verdict = verdict_of(last, &wanted, &bands, unjudged, tolerance);
     let (inspection, gear) = (last.inspection.clone(), last.gear.clone());
+    let less = without_design(&inspection, &gear.gear, &design);
+    let evaluated = evaluate_inspection(&less, None).map_err(|error| {
+        RunFailure::bad_input(Diagnostic::with_code(error.code(), error.to_string()).way_out(error.way_out()))
+    })?;
+    let against_target = Some(Box::new((less, evaluated)));
     let context = InspectionContext {
         name,
         not_understood,
@@ -132,7 +142,7 @@ fn of_rounds(
         timing: BTreeMap::from([("all", begun.elapsed().as_secs_f64())]),
     };
     let result = gear_result(&inspection, &gear, context);
-    Ok(GearInspection { result, inspection, gear, rounds })
+    Ok(GearInspection { result, inspection, gear, rounds, against_target })
 }
 
 /// A measurement of which nothing could be evaluated says nothing.

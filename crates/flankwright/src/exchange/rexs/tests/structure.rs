@@ -30,6 +30,16 @@ fn elements_stand_where_the_schema_has_them() {
         "<components><component id=\"1\" type=\"shaft\"><attribute id=\"a\"><array code=\"float16\"/></attribute></component></components>".into(),
         "<components><component id=\"1\" type=\"shaft\"><attribute id=\"a\"><array><r/></array></attribute></component></components>".into(),
         "<load_spectrum/>".into(),
+        "<load_spectrum id=\"1\"/>".into(),
+        "<load_spectrum id=\"1\"><accumulation/></load_spectrum>".into(),
+        "<load_spectrum id=\"1\"><load_case/></load_spectrum>".into(),
+        "<load_spectrum id=\"1\"><load_case id=\"1\"/><load_case id=\"1\"/></load_spectrum>".into(),
+        "<load_spectrum id=\"1\"><load_case id=\"1\"><component id=\"7\" type=\"shaft\"/></load_case></load_spectrum>".into(),
+        format!(
+            "<components>{shaft}</components>{}",
+            "<load_spectrum id=\"1\"><load_case id=\"1\"/></load_spectrum>".repeat(2)
+        ),
+        "<components><component id=\"1\" type=\"shaft\"><attribute id=\"a\"><matrix><r/></matrix></attribute></component></components>".into(),
     ];
     for text in wrong {
         let error = xml(&text).unwrap_err();

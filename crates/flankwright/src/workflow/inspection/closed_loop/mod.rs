@@ -117,7 +117,8 @@ pub(super) fn simulated(loaded: &LoadedJob, progress: &dyn Progress) -> Result<V
     for number in 1..=of.rounds + 1 {
         let drawn = DrawnGear::of_job(&job, &made.prepared.setup)?;
         let real = made.with_deviations(&job, &of, progress)?;
-        let found = probe::measured(&drawn, &made.prepared.setup.pair.work, &real, &of, number);
+        let mut found = probe::measured(&drawn, &made.prepared.setup.pair.work, &real, &of, number);
+        found.name = Some(format!("{}, simulated, round {number}", loaded.job.job.name));
         let mut round = judge(&job, &made, &wanted, found, number, progress)?;
         let next = round.next.take().zip(round.corrected.clone());
         rounds.push(round);

@@ -69,6 +69,10 @@ pub(super) fn measured_surface(
             how = text;
         }
     }
+    if !surfaces.is_empty() && surfaces.len() < teeth.len() {
+        how +=
+            &format!("; {} of {} teeth have no lines that cross", teeth.len() - surfaces.len(), teeth.len());
+    }
     for field in inspection.topographies.iter().filter(|t| t.flank == flank) {
         let points = field_points(inspection, gear, field, design)?;
         if let Some(surface) = fitted(&points, w, z) {

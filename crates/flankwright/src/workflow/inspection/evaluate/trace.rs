@@ -38,6 +38,34 @@ pub(in crate::workflow) fn transverse_samples(
     })
 }
 
+/// The inspection less a design: what evaluations against it see, as a measurement of its own.
+pub(in crate::workflow) fn without_design(
+    inspection: &Inspection,
+    gear: &Gear,
+    design: Design<'_>,
+) -> Inspection {
+    let mut less = inspection.clone();
+    let normal = inspection.conditions.section == file::Section::Normal;
+    let um = |flank: Flank, w: f64, z: f64| {
+        let to_section = if normal { gear.flank(flank).base_helix_angle.cos() } else { 1.0 };
+        1e3 * design(flank, w, z) * to_section
+    };
+    for trace in &mut less.traces {
+        for (a, f) in trace.abscissa_mm.iter().zip(&mut trace.f_um) {
+            *f -= match trace.kind {
+                TraceKind::Profile => um(trace.flank, *a, trace.position_mm),
+                TraceKind::Helix => um(trace.flank, trace.position_mm, *a),
+            };
+        }
+    }
+    for field in &mut less.topographies {
+        for ([w, z], f) in field.points_mm.iter().zip(&mut field.f_um) {
+            *f -= um(field.flank, *w, *z);
+        }
+    }
+    less
+}
+
 /// A trace, and why its tip relief could not be evaluated.
 pub(super) fn of_trace(
     inspection: &Inspection,

@@ -122,7 +122,8 @@ impl Filling<'_> {
         ];
         let stylus = of.stylus_diameter_mm.map(|d| format!("ball {} mm", format_significant(d, 5)));
         let warm = of.temperature_c.map(|t| format!("{} °C", format_significant(t, 4)));
-        let further = [("stylus", stylus), ("temperature", warm)];
+        let reference = self.options.reference.clone();
+        let further = [("deviations from", reference), ("stylus", stylus), ("temperature", warm)];
         facts.extend(further.into_iter().filter_map(|(label, text)| Some(Fact::new(label, text?))));
         facts
     }

@@ -7,7 +7,7 @@ mod pitch;
 mod topography;
 mod traces;
 
-use super::evaluate::{EvaluatedGear, evaluate_inspection};
+use super::evaluate::EvaluatedGear;
 use super::run::GearInspection;
 use crate::exchange::inspection::{DatumFace, Inspection, TraceKind};
 use crate::geometry::Sides;
@@ -22,6 +22,8 @@ pub struct SheetOptions {
     pub tolerance_class: Option<i32>,
     /// Helix traces with the top of the measuring machine upwards (`oben up`) instead of the datum face downwards.
     pub top_up: bool,
+    /// What the deviations are counted from, where it is not the involute.
+    pub reference: Option<String>,
     /// Bands for the profiles in the transverse section, against the length of roll.
     pub profile_bands: Sides<Option<KBand>>,
     /// Bands for the helix traces in the transverse section, against z.
@@ -49,15 +51,19 @@ pub fn sheet_pages(
     inspection_sheet::sheet_pages(&sheet_data(inspection, gear, options))
 }
 
-/// The sheet of a measured gear as an HTML file of its own, one page of paper each. It shows the part against the involute, as measuring
-/// machines print it, also where the part was judged against a job.
+/// The sheet of a measured gear as an HTML file of its own, one page of paper each. Where the part was judged against a job it shows
+/// the deviations from the target, curves and figures alike, and says so.
 ///
 /// # Errors
 /// [`ChartError`] for numbers that cannot be drawn.
 pub fn inspection_sheet(found: &GearInspection, options: &SheetOptions) -> Result<String, ChartError> {
-    let against_job = !found.rounds.is_empty();
-    let plain = against_job.then(|| evaluate_inspection(&found.inspection, None).ok()).flatten();
-    let pages = sheet_pages(&found.inspection, plain.as_ref().unwrap_or(&found.gear), options)?;
+    let pages = match &found.against_target {
+        None => sheet_pages(&found.inspection, &found.gear, options)?,
+        Some(less) => {
+            let reference = Some(format!("target of the job {}", found.result.job));
+            sheet_pages(&less.0, &less.1, &SheetOptions { reference, ..options.clone() })?
+        }
+    };
     let title = head::title(&found.inspection);
     let title = if title.is_empty() { &found.result.job } else { &title };
     Ok(inspection_sheet::sheet_html(&format!("Inspection sheet {title}"), &pages))
