@@ -25,7 +25,8 @@ use crate::failure::Failure;
     flankwright store catalogue add examples/catalogue/bodies.toml\n\n\
     Which store: --store, else the environment variable FLANKWRIGHT_STORE, else flankwright/store.sqlite in XDG_DATA_HOME or \
     ~/.local/share. An address is a path, sqlite:PATH, or postgres://USER:PASSWORD@HOST:PORT/DATABASE; a password is better kept in \
-    FLANKWRIGHT_STORE than in a command line."
+    FLANKWRIGHT_STORE than in a command line.\n\n\
+    Every action takes --json and --quiet; those that write files take -o DIR."
 )]
 pub struct StoreArguments {
     /// What to do.

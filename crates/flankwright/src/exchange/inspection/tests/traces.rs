@@ -16,7 +16,9 @@ fn trace(kind: TraceKind, tooth: u32, flank: Flank) -> Trace {
     let f_um = abscissa_mm.iter().enumerate().map(|(i, a)| if i == 4 { f64::NAN } else { (7.0 * a).sin() });
     let f_um = f_um.collect();
     let (tag, zero) = (String::new(), Zero::Free);
-    Trace { kind, tooth, flank, tag, position_mm: -1.0 / 3.0, abscissa_mm, f_um, zero }
+    // Lengths of roll are not below 0.
+    let position_mm = if kind == TraceKind::Profile { -1.0 / 3.0 } else { 1.0 / 3.0 };
+    Trace { kind, tooth, flank, tag, position_mm, abscissa_mm, f_um, zero }
 }
 
 #[test]
@@ -54,6 +56,9 @@ fn what_is_wrong_is_told_with_its_line() {
         (with("helix,1.5,left,0,1,2"), "invalid-number", Some(3)),
         (with("helix,1,links,0,1,2"), "unknown-value", Some(3)),
         (with("helix,1,left,nan,1,2"), "invalid-number", Some(3)),
+        (with("helix,1,left,-1,1,2"), "invalid-number", Some(3)),
+        (with("profile,1,left,0,-1,2"), "invalid-number", Some(3)),
+        (with("helix,1,left,0,3,1e9"), "invalid-number", Some(3)),
         (with("helix,1,left,0,,2"), "invalid-number", Some(3)),
         (with("helix,1,left,0,3,inf"), "invalid-number", Some(3)),
         (with("helix,1,left,0,1,9"), "invalid-table", None),
