@@ -12,6 +12,8 @@ use crate::process::skiving::measuring::{Reading, Sense};
 
 const FORM: TableForm<5> =
     TableForm { columns: ["flank", "track", "sense", "revolution", "angle_deg"], row: "each switch" };
+/// Angles beyond this are nobody's: a thousand million degrees.
+const MOST_RADIANS: f64 = 1.745_329_251_994_33e7;
 /// Revolutions of one measurement; far above what the size of a file allows.
 const MOST_REVOLUTIONS: usize = 1_000_000;
 
@@ -86,9 +88,13 @@ fn reading(row: &Row<'_, 5>, tracks: usize) -> Result<Reading, Diagnostic> {
         track: whole(1, tracks, "correct the number, or give the job as many tracks as were measured")?,
         sense: row.word(2, &senses, "+1 or positive, -1 or negative")?,
         revolution: whole(3, MOST_REVOLUTIONS, "count the revolutions of each track and sense from 1")?,
-        angle: radians_of(row.text(4)).ok_or_else(|| {
-            row.wrong(Problem::InvalidNumber, 4, "a finite number of degrees with a decimal point")
-                .way_out("correct the value or measure the track again")
+        angle: radians_of(row.text(4)).filter(|angle| angle.abs() <= MOST_RADIANS).ok_or_else(|| {
+            row.wrong(
+                Problem::InvalidNumber,
+                4,
+                "degrees with a decimal point, from -1000000000 to 1000000000",
+            )
+            .way_out("correct the value or measure the track again")
         })?,
     })
 }
@@ -175,6 +181,7 @@ mod tests {
             (with("left,1,+1,-3,0.5"), "invalid-number", "readings.csv:3:11: "),
             (with("left,1,+1,1,nan"), "invalid-number", "readings.csv:3:13: "),
             (with("left,1,+1,1,inf"), "invalid-number", "readings.csv:3:13: "),
+            (with("left,1,+1,1,1.29e87"), "invalid-number", "readings.csv:3:13: "),
             (with("left,1,+1,1, 1e999"), "invalid-number", "readings.csv:3:14: "),
             (with("left,1,+1,1,"), "invalid-number", "readings.csv:3:13: "),
         ];

@@ -59,10 +59,13 @@ pub struct PitchRow {
     /// Number of the tooth.
     pub tooth: u32,
     /// Single pitch deviation.
+    #[serde(with = "undefined::number")]
     pub fp: f64,
     /// Cumulative pitch deviation.
+    #[serde(with = "undefined::number")]
     pub cumulative: f64,
     /// Radial run-out.
+    #[serde(with = "undefined::number")]
     pub run_out: f64,
 }
 

@@ -44,6 +44,16 @@ fn surplus_values_are_cut_and_empty_traces_dropped() {
 }
 
 #[test]
+fn a_pitch_that_is_not_there_comes_back_undefined() {
+    let file = read(&format!("{HEAD}linke Zahnflanke\nZahn-Nr.  fp  Fr\n 1 .5 2\n 2 -.5 -2147483.648\n"));
+    let rows = &file.pitch.left;
+    assert!(rows.len() == 2 && rows[0].cumulative.is_nan() && rows[1].run_out.is_nan(), "{rows:?}");
+    let text = serde_json::to_string(&file).unwrap();
+    let back: KlingelnbergFile = serde_json::from_str(&text).unwrap();
+    assert!(back.pitch.left[1].run_out.is_nan() && back.pitch.left[0].fp == 0.5);
+}
+
+#[test]
 fn the_last_of_two_values_holds() {
     let file = read("HEADER KS.MW.FILE\n21 :mn : 1\n21 :mn : 2\n10111 : a : 1\n10111 : b : 2\n");
     assert_eq!(warnings(&file), ["duplicate-code"; 2]);
