@@ -250,7 +250,8 @@ fn values(
     let mut row = [0.0; 3];
     for ((value, column), place) in row.iter_mut().zip(layout.columns).zip(order) {
         let cell = cells[place];
-        *value = cell.parse().ok().filter(|v: &f64| v.is_finite()).ok_or_else(|| {
+        // Adding zero makes one place of 0 and -0.
+        *value = cell.parse().ok().map(|v: f64| v + 0.0).filter(|v| v.is_finite()).ok_or_else(|| {
             Diagnostic::new(Problem::InvalidNumber, format!("`{column}` is not a finite number"))
                 .field(column)
                 .value(cell.chars().take(60).collect::<String>())
@@ -319,6 +320,22 @@ fn assemble(rows: Vec<Row>, layout: Layout) -> Result<GridTarget, Diagnostic> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn zero_is_one_place_whatever_its_sign() {
+        let read = |text: &str| parse_grid_target(Source::new("grid.csv", text));
+        let rows = |zero: &str| -> String {
+            let of = |w: &str| (0..4).map(|z| format!("{w},{z},1\n")).collect::<String>();
+            format!(
+                "w_mm,z_mm,f_um\n-0,0,1\n-0,1,1\n{zero},2,1\n{zero},3,1\n{}{}{}",
+                of("1"),
+                of("2"),
+                of("3")
+            )
+        };
+        assert_eq!(read(&rows("0")).unwrap().w_mm, [0.0, 1.0, 2.0, 3.0]);
+        assert_eq!(read(&rows("0")).unwrap(), read(&rows("-0")).unwrap());
+    }
 
     fn table(change: impl Fn(usize, usize, String) -> Option<String>) -> String {
         let mut text = "# measured\nz_mm,w_mm,f_um\r\n".to_owned();
