@@ -51,18 +51,14 @@ impl Failure {
 
     /// A job that the workflow refused or could not make.
     pub fn of_run<J>(loaded: &Loaded<J>, failure: RunFailure) -> Self {
-        match failure {
-            RunFailure::BadInput(finding) => Self::of_job(Exit::BadInput, loaded, *finding),
-            RunFailure::NotProducible(finding) => Self::of_job(Exit::NotProducible, loaded, *finding),
-        }
+        let (exit, finding) = refusal(failure);
+        Self::of_job(exit, loaded, finding)
     }
 
     /// A run without a job that was refused.
     pub fn of_no_job(failure: RunFailure) -> Self {
-        match failure {
-            RunFailure::BadInput(finding) => Self::new(Exit::BadInput, *finding),
-            RunFailure::NotProducible(finding) => Self::new(Exit::NotProducible, *finding),
-        }
+        let (exit, finding) = refusal(failure);
+        Self::new(exit, finding)
     }
 
     /// A job of which an entry or a file that it names is at fault.
@@ -196,6 +192,14 @@ impl Failure {
         let start = text[..offset].rfind('\n').map_or(0, |i| i + 1);
         let end = text[offset..].find('\n').map_or(text.len(), |i| offset + i);
         end - start <= LONGEST_LINE
+    }
+}
+
+/// Exit status and finding of a refused run.
+fn refusal(failure: RunFailure) -> (Exit, Diagnostic) {
+    match failure {
+        RunFailure::BadInput(finding) => (Exit::BadInput, *finding),
+        RunFailure::NotProducible(finding) => (Exit::NotProducible, *finding),
     }
 }
 

@@ -7,13 +7,10 @@ use std::path::{Path, PathBuf};
 
 use flankwright::exchange::rexs::MAXIMUM_FILE_BYTES;
 use flankwright::exchange::{Diagnostic, open_regular};
-use flankwright::workflow::inspection::{files_of_measurement, is_measurement};
+use flankwright::workflow::inspection::{files_of_measurement, measurements_in};
 
 use super::import::RefusedFile;
 use crate::digest::{digest_of, digest_of_reader};
-
-/// Tables tell no gear: in a folder they are passed over.
-const TABLE: &str = "csv";
 
 /// The files of every part that the paths name, each part once: files, or folders with the measurements that lie in them, in the order of
 /// their names. What names nothing is refused.
@@ -41,12 +38,7 @@ pub(super) fn parts_of(paths: &[PathBuf]) -> (Vec<Vec<PathBuf>>, Vec<RefusedFile
 }
 
 fn folder(path: &Path) -> Result<Vec<PathBuf>, Diagnostic> {
-    let entries = std::fs::read_dir(path).and_then(Iterator::collect::<io::Result<Vec<_>>>);
-    let entries = entries.map_err(|error| unreadable(path, &error))?;
-    let is_table = |path: &Path| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(TABLE));
-    let wanted = |path: &PathBuf| is_measurement(path) && !is_table(path) && path.is_file();
-    let mut files: Vec<PathBuf> = entries.into_iter().map(|entry| entry.path()).filter(wanted).collect();
-    files.sort();
+    let files = measurements_in(path).map_err(|error| unreadable(path, &error))?;
     if files.is_empty() {
         return Err(Diagnostic::with_code("no-measurement", "the folder has no measurement")
             .field("FILE")
@@ -54,7 +46,7 @@ fn folder(path: &Path) -> Result<Vec<PathBuf>, Diagnostic> {
             .allowed("a folder with .mka, .mew, .rexs, .rexsj or .rexsz files")
             .way_out("name the folder in which the files lie; folders inside of it are not searched"));
     }
-    Ok(files)
+    Ok(files.into_iter().collect())
 }
 
 fn unreadable(path: &Path, error: &io::Error) -> Diagnostic {

@@ -37,6 +37,7 @@ pub mod tangential;
 
 mod cells;
 mod data;
+mod flank_pictures;
 mod head;
 
 pub use data::{

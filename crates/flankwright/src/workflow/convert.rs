@@ -140,7 +140,8 @@ fn lost_keys(gear: &JobGear, document: &RexsDocument) -> Option<RexsWarning> {
     (!lost.is_empty()).then(|| RexsWarning::new(RexsWarningKind::Lost, message))
 }
 
-fn remark(warning: &RexsWarning, way_out: &str) -> Remark {
+/// What was assumed or lost, as a remark.
+pub(super) fn remark(warning: &RexsWarning, way_out: &str) -> Remark {
     Remark { code: warning.kind.code(), text: warning.message.clone(), way_out: way_out.into() }
 }
 

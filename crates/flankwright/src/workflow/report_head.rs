@@ -37,3 +37,10 @@ pub(super) fn report_head(job: &JobInfo, answer: Answer<'_>, files: &[(String, &
         files: files.iter().map(|(path, content)| (path.clone(), (*content).into())).collect(),
     }
 }
+
+/// A remark as the sentence of a headline.
+pub(super) fn sentence(remark: &Remark) -> String {
+    let mut letters = remark.text.chars();
+    let first = letters.next().map(|letter| letter.to_uppercase().to_string()).unwrap_or_default();
+    format!("{first}{}.", letters.as_str().replace(" um", " µm"))
+}

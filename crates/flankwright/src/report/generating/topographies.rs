@@ -2,20 +2,15 @@
 
 use super::data::FlankReport;
 use crate::geometry::{Flank, Sides};
+use crate::report::cells::flank_title;
 use crate::report::charts::{
-    ChartError, ContourMap, FlankSections, LevelScale, NamedTopography, ProfileHelixDiagram, SectionTrace,
-    Topography, TopographyNet, contour_map, profile_helix_diagram, topography_net,
+    ChartError, FlankSections, LevelScale, NamedTopography, ProfileHelixDiagram, SectionTrace, Topography,
+    profile_helix_diagram,
 };
+use crate::report::flank_pictures::{net_and_map, range_with_zero};
 use crate::report::{Block, Figure};
 
 type Flanks = Sides<Option<FlankReport>>;
-
-fn heading(side: Flank) -> &'static str {
-    match side {
-        Flank::Left => "Left flank",
-        Flank::Right => "Right flank",
-    }
-}
 
 /// What comes out: by the referee, else by the model.
 fn outcome(flank: &FlankReport) -> Option<&Topography> {
@@ -26,7 +21,7 @@ fn panels(flanks: &Flanks, pick: impl Fn(&FlankReport) -> Option<Topography>) ->
     flanks
         .iter()
         .filter_map(|(side, flank)| {
-            flank.as_ref().and_then(&pick).map(|t| NamedTopography::new(heading(side), t))
+            flank.as_ref().and_then(&pick).map(|t| NamedTopography::new(flank_title(side), t))
         })
         .collect()
 }
@@ -44,8 +39,7 @@ pub(super) fn figures(flanks: &Flanks) -> Result<Vec<Block>, ChartError> {
     ];
     let all = || stages.iter().flat_map(|(_, panels)| panels).map(|panel| &panel.topography);
     let scale = LevelScale::covering(all());
-    let range =
-        all().map(Topography::range_um).fold((0.0_f64, 0.0_f64), |(lo, hi), (a, b)| (lo.min(a), hi.max(b)));
+    let range = range_with_zero(all());
     if all().next().is_none() {
         return Ok(Vec::new());
     }
@@ -57,30 +51,13 @@ pub(super) fn figures(flanks: &Flanks) -> Result<Vec<Block>, ChartError> {
     for (side, flank) in flanks.iter() {
         let Some(flank) = flank else { continue };
         if let Some(made) = outcome(flank) {
-            deviation.push(NamedTopography::new(heading(side), made.minus(&flank.target)?));
+            deviation.push(NamedTopography::new(flank_title(side), made.minus(&flank.target)?));
         }
     }
     if !deviation.is_empty() {
         blocks.extend(net_and_map("Deviation from the target", &deviation, None, None, "Δf_n [µm]")?);
     }
     Ok(blocks)
-}
-
-fn net_and_map(
-    name: &str,
-    panels: &[NamedTopography],
-    range_um: Option<(f64, f64)>,
-    scale: Option<LevelScale>,
-    quantity: &str,
-) -> Result<Vec<Block>, ChartError> {
-    let net = topography_net(&TopographyNet { title: name.to_owned(), panels: panels.to_vec(), range_um })?;
-    let map = contour_map(&ContourMap {
-        title: format!("{name}, contour map"),
-        quantity: quantity.to_owned(),
-        panels: panels.to_vec(),
-        scale,
-    })?;
-    Ok([net, map].map(|svg| Block::Figure(Figure { svg, caption: String::new() })).into())
 }
 
 /// Profile and helix traces of both flanks.
@@ -114,7 +91,7 @@ fn sections(side: Flank, flank: &FlankReport) -> FlankSections {
         _ => traces.to_vec(),
     };
     FlankSections {
-        name: heading(side).to_owned(),
+        name: flank_title(side).to_owned(),
         profiles: given(&flank.profiles, &|made| {
             let places = three_places(made.z_mm());
             places.into_iter().map(|j| SectionTrace::profile(made, Some(&flank.target), j)).collect()

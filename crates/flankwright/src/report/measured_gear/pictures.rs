@@ -4,9 +4,10 @@ use super::data::{FlankView, RoundView};
 use crate::geometry::Flank;
 use crate::report::cells::flank_title;
 use crate::report::charts::{
-    ChartError, ContourMap, FlankSections, LevelScale, NamedTopography, ProfileHelixDiagram, SectionTrace,
-    Topography, TopographyNet, contour_map, profile_helix_diagram, topography_net,
+    ChartError, FlankSections, LevelScale, NamedTopography, ProfileHelixDiagram, SectionTrace, Topography,
+    TopographyNet, profile_helix_diagram, topography_net,
 };
+use crate::report::flank_pictures::{net_and_map, range_with_zero};
 use crate::report::{Block, Figure};
 
 fn figure(svg: crate::report::charts::Svg, caption: &str) -> Block {
@@ -44,8 +45,8 @@ pub(super) fn stages(round: &RoundView) -> Result<Vec<Block>, ChartError> {
         ("Simulated (referee)", panels(round, |flank| Ok(Some(flank.simulated.clone())))?),
         ("Measured, mean of the teeth", panels(round, |flank| Ok(flank.measured.clone()))?),
     ];
-    let all = stages.iter().flat_map(|(_, panels)| panels).map(|panel| panel.topography.range_um());
-    let range = all.fold((0.0_f64, 0.0_f64), |(lo, hi), (a, b)| (lo.min(a), hi.max(b)));
+    let all = stages.iter().flat_map(|(_, panels)| panels).map(|panel| &panel.topography);
+    let range = range_with_zero(all);
     let mut blocks = Vec::new();
     for (name, panels) in stages.into_iter().filter(|(_, panels)| !panels.is_empty()) {
         let net = topography_net(&TopographyNet { title: name.to_owned(), panels, range_um: Some(range) })?;
@@ -90,8 +91,7 @@ pub(super) fn deviations(rounds: &[RoundView]) -> Result<Vec<Block>, ChartError>
     }
     let all = || of_rounds.iter().flat_map(|(_, panels)| panels).map(|panel| &panel.topography);
     let scale = LevelScale::covering(all());
-    let range =
-        all().map(Topography::range_um).fold((0.0_f64, 0.0_f64), |(lo, hi), (a, b)| (lo.min(a), hi.max(b)));
+    let range = range_with_zero(all());
     let several = rounds.len() > 1;
     let mut blocks = Vec::new();
     for (number, panels) in of_rounds {
@@ -100,14 +100,7 @@ pub(super) fn deviations(rounds: &[RoundView]) -> Result<Vec<Block>, ChartError>
         } else {
             "Measured less target".to_owned()
         };
-        let map = contour_map(&ContourMap {
-            title: format!("{title}, contour map"),
-            quantity: "Δf_n [µm]".to_owned(),
-            panels: panels.clone(),
-            scale: Some(scale),
-        })?;
-        blocks.push(figure(topography_net(&TopographyNet { title, panels, range_um: Some(range) })?, ""));
-        blocks.push(figure(map, ""));
+        blocks.extend(net_and_map(&title, &panels, Some(range), Some(scale), "Δf_n [µm]")?);
     }
     Ok(blocks)
 }

@@ -12,6 +12,7 @@ use crate::exchange::{Diagnostic, Problem, Source};
 use crate::geometry::{Flank, Sides};
 use crate::modification::ModificationSpec;
 use crate::workflow::finding::{JobFailure, Remark, RunFailure};
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// A measurement as it was read.
@@ -82,6 +83,17 @@ pub fn files_of_measurement(path: &Path) -> Vec<PathBuf> {
     [Some(path.to_owned()), beside].into_iter().flatten().collect()
 }
 
+/// Files of a folder that are measurements and tell which gear was measured: no tables, none in folders below it.
+///
+/// # Errors
+/// Those of the file system.
+pub fn measurements_in(folder: &Path) -> std::io::Result<BTreeSet<PathBuf>> {
+    let wanted = |path: &PathBuf| is_measurement(path) && ending(path) != TABLE && path.is_file();
+    let paths = std::fs::read_dir(folder)?.map(|entry| Ok(entry?.path()));
+    let paths = paths.collect::<std::io::Result<Vec<PathBuf>>>()?;
+    Ok(paths.into_iter().filter(wanted).collect())
+}
+
 fn klingelnberg(path: &Path) -> Result<MeasuredFiles, RunFailure> {
     let paths = files_of_measurement(path);
     let files = paths
@@ -105,7 +117,7 @@ fn klingelnberg(path: &Path) -> Result<MeasuredFiles, RunFailure> {
 }
 
 /// An error of a file of measurements.
-fn refused(path: &Path, error: &InspectionError) -> RunFailure {
+pub(super) fn refused(path: &Path, error: &InspectionError) -> RunFailure {
     let message = match error {
         InspectionError::Unreadable { .. } => error.to_string(),
         _ => format!("{}: {error}", path.display()),

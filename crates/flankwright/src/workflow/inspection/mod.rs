@@ -17,16 +17,14 @@ mod sheet;
 mod tables;
 mod write;
 
-pub use characteristics::{
-    PartCharacteristic, PartIdentity, SINGLE, characteristic_key, part_characteristics,
-};
+pub use characteristics::{PartCharacteristic, PartIdentity, characteristic_key, part_characteristics};
 pub use closed_loop::{
     CharacteristicResult, CorrectedSettingResult, CorrectionResult, DifferenceResult, MachineChange,
     MeasuredFlankResult, ProofResult, Round, RoundResult,
 };
 pub use drawn::DrawnGear;
 pub use evaluate::{Design, EvaluatedGear, EvaluatedPitch, EvaluatedTrace, LeftOut, evaluate_inspection};
-pub use files::{MeasuredFiles, files_of_measurement, is_measurement, read_measurement};
+pub use files::{MeasuredFiles, files_of_measurement, is_measurement, measurements_in, read_measurement};
 pub use result::{
     BandResult, ClassResult, GearInspectionResult, LinesResult, PitchInspectionResult, PrintedResult,
     SummaryResult, ThicknessResult, TraceInspectionResult,

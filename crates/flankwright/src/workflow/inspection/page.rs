@@ -14,7 +14,7 @@ use crate::report::measured_gear::{
     PitchRow, ProofRow, RoundView, SettingRow, TestRow,
 };
 use crate::report::{Quantity, html};
-use crate::workflow::report_head::{Answer, report_head};
+use crate::workflow::report_head::{Answer, report_head, sentence};
 
 /// The report of a measured gear as a self-contained HTML page.
 ///
@@ -65,9 +65,7 @@ fn headline(result: &GearInspectionResult) -> String {
         );
     };
     if let Some(reason) = &result.reason {
-        let mut letters = reason.text.chars();
-        let first = letters.next().map(|letter| letter.to_uppercase().to_string()).unwrap_or_default();
-        return format!("{first}{}.", letters.as_str().replace(" um", " µm"));
+        return sentence(reason);
     }
     format!("The measured flanks are within {tolerance} µm of the target.")
 }

@@ -2,14 +2,14 @@
 
 use super::assemble::{InspectionContext, gear_result};
 use super::bands::Bands;
-use super::closed_loop::{Round, Wanted, of_file, simulated};
+use super::closed_loop::{Round, Wanted, of_file, of_header, simulated};
 use super::evaluate::{
     Design, EvaluatedGear, EvaluatedTrace, evaluate_inspection, trace_name, without_design,
 };
-use super::files::{MeasuredFiles, read_measurement};
+use super::files::{MeasuredFiles, read_measurement, refused};
 use super::result::{BandResult, GearInspectionResult, LinesResult};
+use crate::exchange::LoadedJob;
 use crate::exchange::inspection::Inspection;
-use crate::exchange::{Diagnostic, LoadedJob};
 use crate::geometry::{Flank, Sides};
 use crate::modification::{EvaluationField, Modification};
 use crate::numerics::Progress;
@@ -47,10 +47,7 @@ pub fn inspect_gear(path: &Path) -> Result<GearInspection, JobFailure> {
         stated[flank].as_ref().map_or(0.0, |m: &Modification| m.value(w, z).unwrap_or(f64::NAN))
     };
     let design: Option<Design<'_>> = stated.iter().any(|(_, m)| m.is_some()).then_some(&design as Design<'_>);
-    let gear = evaluate_inspection(&files.inspection, design).map_err(|error| {
-        let message = format!("{}: {error}", path.display());
-        RunFailure::bad_input(Diagnostic::with_code(error.code(), message).way_out(error.way_out()))
-    })?;
+    let gear = evaluate_inspection(&files.inspection, design).map_err(|error| refused(path, &error))?;
     timing.insert("evaluation", begun.elapsed().as_secs_f64());
     let context = InspectionContext {
         name: stem(path),
@@ -77,9 +74,10 @@ pub fn inspect_for_job(
     progress: &dyn Progress,
 ) -> Result<GearInspection, JobFailure> {
     let begun = Instant::now();
-    let (round, files) = of_file(loaded, path, progress)?;
+    let judging = Judging::of_job(loaded)?;
+    let (round, files) = of_file(loaded, &judging.wanted, path, progress)?;
     let found = (files.not_understood, files.remarks);
-    Ok(of_rounds(loaded, vec![round], stem(path), found, begun)?)
+    Ok(of_rounds(judging, vec![round], stem(path), found, begun)?)
 }
 
 /// Measures and corrects the simulated machine of a job.
@@ -88,23 +86,35 @@ pub fn inspect_for_job(
 /// [`RunFailure`]: what is wrong with the job.
 pub fn inspect_simulated(loaded: &LoadedJob, progress: &dyn Progress) -> Result<GearInspection, RunFailure> {
     let begun = Instant::now();
-    let rounds = simulated(loaded, progress)?;
-    of_rounds(loaded, rounds, loaded.job.job.name.clone(), (Vec::new(), Vec::new()), begun)
+    let judging = Judging::of_job(loaded)?;
+    let rounds = simulated(loaded, &judging.wanted, progress)?;
+    of_rounds(judging, rounds, loaded.job.job.name.clone(), (Vec::new(), Vec::new()), begun)
+}
+
+/// What a measurement is judged by.
+struct Judging {
+    wanted: Wanted,
+    bands: Bands,
+    tolerance_um: f64,
+}
+
+impl Judging {
+    fn of_job(loaded: &LoadedJob) -> Result<Self, RunFailure> {
+        let table = loaded.job.inspection.clone().unwrap_or_default();
+        let tolerance_um = table.tolerance_um.unwrap_or(loaded.job.target.tolerance_um);
+        Ok(Self { bands: Bands::of_table(&table)?, wanted: Wanted::of_job(loaded)?, tolerance_um })
+    }
 }
 
 fn of_rounds(
-    loaded: &LoadedJob,
+    Judging { wanted, bands: all, tolerance_um: tolerance }: Judging,
     rounds: Vec<Round>,
     name: String,
     (not_understood, mut remarks): (Vec<LinesResult>, Vec<Remark>),
     begun: Instant,
 ) -> Result<GearInspection, RunFailure> {
-    let table = loaded.job.inspection.clone().unwrap_or_default();
-    let tolerance = table.tolerance_um.unwrap_or(loaded.job.target.tolerance_um);
     let Some(last) = rounds.last() else { return Err(RunFailure::no_settings()) };
-    let wanted = Wanted::of_job(loaded)?;
     let design = wanted.design();
-    let all = Bands::of_table(&table)?;
     let mut bands: BTreeMap<usize, BandResult> = BTreeMap::new();
     let mut unjudged = 0;
     for one in &last.gear.traces {
@@ -127,9 +137,7 @@ fn of_rounds(
     let verdict = verdict_of(last, &wanted, &bands, unjudged, tolerance);
     let (inspection, gear) = (last.inspection.clone(), last.gear.clone());
     let less = without_design(&inspection, &gear.gear, &design);
-    let evaluated = evaluate_inspection(&less, None).map_err(|error| {
-        RunFailure::bad_input(Diagnostic::with_code(error.code(), error.to_string()).way_out(error.way_out()))
-    })?;
+    let evaluated = evaluate_inspection(&less, None).map_err(|error| of_header(&error))?;
     let against_target = Some(Box::new((less, evaluated)));
     let context = InspectionContext {
         name,

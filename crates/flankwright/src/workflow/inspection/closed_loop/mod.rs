@@ -23,8 +23,8 @@ use crate::exchange::{Diagnostic, LoadedJob, Problem};
 use crate::numerics::Progress;
 use crate::workflow::finding::{JobFailure, Remark, RunFailure};
 use ground::ground;
-pub(super) use round::Wanted;
 use round::judge;
+pub(super) use round::{Wanted, of_header};
 use std::path::Path;
 
 /// Judges a measured file against a job.
@@ -33,6 +33,7 @@ use std::path::Path;
 /// [`JobFailure`]: what is wrong with file and job, a measurement of another gear, jobs for which no correction is known.
 pub(super) fn of_file(
     loaded: &LoadedJob,
+    wanted: &Wanted,
     path: &Path,
     progress: &dyn Progress,
 ) -> Result<(Round, MeasuredFiles), JobFailure> {
@@ -41,8 +42,7 @@ pub(super) fn of_file(
     let mut files = read_measurement(path, Some(&drawn))?;
     check_teeth(&files)?;
     fill(&mut files, &drawn);
-    let wanted = Wanted::of_job(loaded)?;
-    let round = judge(loaded, &made, &wanted, files.inspection.clone(), 1, progress)?;
+    let round = judge(loaded, &made, wanted, files.inspection.clone(), 1, progress)?;
     Ok((round, files))
 }
 
@@ -100,7 +100,11 @@ fn fill(files: &mut MeasuredFiles, drawn: &DrawnGear) {
 ///
 /// # Errors
 /// [`RunFailure`]: a job without `[inspection.simulated]`, and those of planning, referee and evaluation.
-pub(super) fn simulated(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Vec<Round>, RunFailure> {
+pub(super) fn simulated(
+    loaded: &LoadedJob,
+    wanted: &Wanted,
+    progress: &dyn Progress,
+) -> Result<Vec<Round>, RunFailure> {
     let Some(of) = loaded.job.inspection.as_ref().and_then(|table| table.simulated.clone()) else {
         let finding = Diagnostic::new(
             Problem::MissingKey,
@@ -110,7 +114,6 @@ pub(super) fn simulated(loaded: &LoadedJob, progress: &dyn Progress) -> Result<V
         .way_out("name a file (`flankwright inspect FILE --job JOB`), or give the table");
         return Err(RunFailure::bad_input(finding));
     };
-    let wanted = Wanted::of_job(loaded)?;
     let mut job = loaded.clone();
     let mut made = ground(&job, progress)?;
     let mut rounds = Vec::new();
@@ -119,7 +122,7 @@ pub(super) fn simulated(loaded: &LoadedJob, progress: &dyn Progress) -> Result<V
         let real = made.with_deviations(&job, &of, progress)?;
         let mut found = probe::measured(&drawn, &made.prepared.setup.pair.work, &real, &of, number);
         found.name = Some(format!("{}, simulated, round {number}", loaded.job.job.name));
-        let mut round = judge(&job, &made, &wanted, found, number, progress)?;
+        let mut round = judge(&job, &made, wanted, found, number, progress)?;
         let next = round.next.take().zip(round.corrected.clone());
         rounds.push(round);
         let Some((planned, corrected)) = next else { break };

@@ -64,6 +64,11 @@ impl Wanted {
     }
 }
 
+/// A header that makes no gear.
+pub(in super::super) fn of_header(error: &crate::exchange::inspection::InspectionError) -> RunFailure {
+    RunFailure::bad_input(Diagnostic::with_code(error.code(), error.to_string()).way_out(error.way_out()))
+}
+
 /// An error of the evaluation.
 fn of_inspection(error: &InspectionError) -> RunFailure {
     let finding = Diagnostic::with_code(error.code(), error.to_string()).field("FILE");
@@ -94,9 +99,7 @@ pub(super) fn judge(
     let table = loaded.job.inspection.clone().unwrap_or_default();
     let tolerance = 1e-3 * table.tolerance_um.unwrap_or(loaded.job.target.tolerance_um);
     let design = wanted.design();
-    let gear = evaluate_inspection(&inspection, Some(&design)).map_err(|error| {
-        RunFailure::bad_input(Diagnostic::with_code(error.code(), error.to_string()).way_out(error.way_out()))
-    })?;
+    let gear = evaluate_inspection(&inspection, Some(&design)).map_err(|error| of_header(&error))?;
     let setup = &made.prepared.setup;
     let fields = setup.fields.map(|_, field| [field.roll(), field.face()]);
     let mut surfaces: Sides<Option<MeasuredSurface>> = Sides::default();

@@ -6,7 +6,7 @@ use crate::exchange::inspection::InspectedGear;
 use crate::exchange::rexs::{RexsError, RexsGear, gear_ids, gear_of, read_rexs};
 use crate::exchange::{Diagnostic, Problem};
 use crate::geometry::{Flank, Gear, Sides};
-use crate::workflow::convert::of_rexs;
+use crate::workflow::convert::{of_rexs, remark};
 use crate::workflow::finding::{Remark, RunFailure};
 use std::path::Path;
 
@@ -24,14 +24,7 @@ pub(super) fn read(path: &Path) -> Result<MeasuredFiles, RunFailure> {
         return Err(RunFailure::bad_input(finding));
     };
     let (gear, warnings) = gear_of(&document, first).map_err(refused)?;
-    let mut remarks: Vec<Remark> = warnings
-        .iter()
-        .map(|warning| Remark {
-            code: warning.kind.code(),
-            text: warning.message.clone(),
-            way_out: "compare with the drawing".into(),
-        })
-        .collect();
+    let mut remarks: Vec<Remark> = warnings.iter().map(|w| remark(w, "compare with the drawing")).collect();
     if ids.len() > 1 {
         remarks.push(Remark {
             code: "first-gear-taken",

@@ -1,9 +1,8 @@
 //! Which files of a folder are measurements that stand by themselves: one for each part.
 
-use super::super::files::{files_of_measurement, is_measurement};
+use super::super::files::{files_of_measurement, measurements_in};
 use crate::exchange::{Diagnostic, Problem};
 use crate::workflow::finding::RunFailure;
-use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// Measurements in a folder, by name, without those in folders below it. Curves and values of one part count once; tables are left out,
@@ -20,14 +19,7 @@ pub fn measured_parts_in(directory: &Path) -> Result<Vec<PathBuf>, RunFailure> {
             .way_out("name a folder that is there and may be read");
         RunFailure::bad_input(finding)
     };
-    let mut paths = BTreeSet::new();
-    for entry in std::fs::read_dir(directory).map_err(unreadable)? {
-        let path = entry.map_err(unreadable)?.path();
-        let table = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
-        if path.is_file() && is_measurement(&path) && !table {
-            paths.insert(path);
-        }
-    }
+    let paths = measurements_in(directory).map_err(unreadable)?;
     // The values of a part are read with its curves.
     let beside = |path: &PathBuf| {
         let first = files_of_measurement(path).into_iter().min();

@@ -13,7 +13,7 @@ use crate::exchange::SkivingJob;
 use crate::report::charts::{ChartError, format_fixed};
 use crate::report::html;
 use crate::report::skiving::SkivingReport;
-use crate::workflow::report_head::{Answer, report_head};
+use crate::workflow::report_head::{Answer, report_head, sentence};
 
 /// The report of a run as a self-contained HTML page.
 ///
@@ -55,9 +55,7 @@ pub fn html_page(
 
 fn headline(result: &SkivingResult) -> String {
     if let Some(reason) = &result.reason {
-        let mut letters = reason.text.chars();
-        let first = letters.next().map(|letter| letter.to_uppercase().to_string()).unwrap_or_default();
-        return format!("{first}{}.", letters.as_str().replace(" um", " µm"));
+        return sentence(reason);
     }
     let worst = result.flanks.values().map(|flank| flank.max_deviation_um).fold(0.0, f64::max);
     match &result.measurement {
