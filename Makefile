@@ -21,6 +21,7 @@ test: setup
 	$(CARGO) fmt --manifest-path fuzz/Cargo.toml -- --check
 	$(CARGO) clippy --workspace --all-targets -- -D warnings
 	$(CARGO) test --workspace --no-fail-fast
+	@FUZZ_SEED=1 scripts/fuzz 60
 
 # Ten minutes for each reader of files, as many at once as there are processors.
 fuzz: setup
