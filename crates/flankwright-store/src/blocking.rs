@@ -84,6 +84,7 @@ macro_rules! waiting {
 
 waiting! {
     import_parts(parts: &[PartRecord]) -> ImportReport;
+    replace_parts(parts: &[PartRecord]) -> ImportReport;
     remove_part(digest: &str) -> bool;
     series() -> Vec<SeriesSummary>;
     parts(filter: &PartFilter) -> Vec<PartSummary>;

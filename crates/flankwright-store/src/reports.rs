@@ -5,8 +5,10 @@ use serde::Serialize;
 /// What an import did.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct ImportReport {
-    /// Parts that are new.
+    /// Parts that were put in: new ones, and those that took the place of stored ones.
     pub added: usize,
+    /// How many of them took the place of stored ones.
+    pub replaced: usize,
     /// Places, in the given list, of parts whose digest was there already; the stored ones stay as they are.
     pub known: Vec<usize>,
 }

@@ -7,7 +7,7 @@ use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use flankwright::workflow::inspection::series::{
     SeriesOptions, inspect_series, measured_parts_in, write_inspection_series,
 };
-use flankwright::workflow::inspection::{SheetOptions, inspect_gear, inspection_sheet};
+use flankwright::workflow::inspection::{SheetOptions, Statements, inspect_gear, inspection_sheet};
 use measured_parts::MadePart;
 use std::hint::black_box;
 use std::path::Path;
@@ -34,9 +34,9 @@ fn make(folder: &Path) -> usize {
 fn series(c: &mut Criterion) {
     let folder = tempfile::tempdir().expect("a directory");
     let bytes = make(folder.path());
-    let paths = measured_parts_in(folder.path()).expect("parts");
+    let paths = measured_parts_in(folder.path()).expect("parts").parts;
     let sheet = SheetOptions { tolerance_class: Some(6), ..SheetOptions::default() };
-    let options = SeriesOptions { sheet: sheet.clone(), without_sheets: false };
+    let options = SeriesOptions { sheet: sheet.clone(), ..SeriesOptions::default() };
     let best = |run: &dyn Fn()| {
         let of = |_| {
             let begun = Instant::now();
@@ -70,9 +70,9 @@ fn series(c: &mut Criterion) {
     group.bench_function("68 files with sheets", |b| b.iter(evaluated));
     group.throughput(Throughput::Bytes(bytes as u64 / u64::from(FILES)));
     group.bench_function("one file read and evaluated", |b| {
-        b.iter(|| inspect_gear(black_box(&paths[0])).expect("a part"));
+        b.iter(|| inspect_gear(black_box(&paths[0]), &Statements::default()).expect("a part"));
     });
-    let found = inspect_gear(&paths[0]).expect("a part");
+    let found = inspect_gear(&paths[0], &Statements::default()).expect("a part");
     group.bench_function("one sheet", |b| {
         b.iter(|| inspection_sheet(black_box(&found), &sheet).expect("a sheet"))
     });

@@ -8,7 +8,7 @@ use flankwright::workflow::inspection::series::{
     InspectionSeries, SeriesCharacteristic, SeriesOptions, inspect_series, measured_parts_in, series_summary,
     write_inspection_series,
 };
-use flankwright::workflow::inspection::{SheetOptions, inspect_gear};
+use flankwright::workflow::inspection::{SheetOptions, Statements, inspect_gear};
 use flankwright::workflow::{RunFailure, Status};
 use measured_parts::{MadePart, noise};
 use std::path::{Path, PathBuf};
@@ -16,7 +16,7 @@ use tempfile::TempDir;
 
 fn options(class: i32) -> SeriesOptions {
     let sheet = SheetOptions { tolerance_class: Some(class), ..SheetOptions::default() };
-    SeriesOptions { sheet, without_sheets: false }
+    SeriesOptions { sheet, ..SeriesOptions::default() }
 }
 
 /// The k-th part of a series: measured later than those before, its helix slope drifting.
@@ -50,7 +50,8 @@ impl Folder {
     }
 
     fn series(&self, class: i32) -> InspectionSeries {
-        inspect_series(&measured_parts_in(self.path()).expect("parts"), &options(class)).expect("a series")
+        inspect_series(&measured_parts_in(self.path()).expect("parts").parts, &options(class))
+            .expect("a series")
     }
 }
 
@@ -73,7 +74,7 @@ fn figures_are_those_of_the_single_parts_in_the_order_of_time() {
     let single: Vec<_> = group
         .parts
         .iter()
-        .map(|part| inspect_gear(&folder.path().join(&part.file)).expect("a part"))
+        .map(|part| inspect_gear(&folder.path().join(&part.file), &Statements::default()).expect("a part"))
         .collect();
     let close = |key: &str, want: Vec<f64>| {
         let found = of(&series, key);
@@ -192,7 +193,7 @@ fn equal_parts_have_no_capability_and_no_nan() {
 fn files_of_a_series_hold_together() {
     let folder = Folder::of((0..9).map(|k| part(k, 0.0)));
     folder.file("broken.mka", "HEADER KS.MK.FILE\r\n");
-    let paths = measured_parts_in(folder.path()).expect("parts");
+    let paths = measured_parts_in(folder.path()).expect("parts").parts;
     let write = |threads: usize, paths: &[PathBuf]| {
         let pool = rayon_pool(threads);
         let out = tempfile::tempdir().expect("a directory");
@@ -241,7 +242,7 @@ fn rayon_pool(threads: usize) -> rayon::ThreadPool {
 #[test]
 fn a_wrong_class_and_no_file_are_refused() {
     let folder = Folder::of([part(0, 0.0)]);
-    let paths = measured_parts_in(folder.path()).expect("parts");
+    let paths = measured_parts_in(folder.path()).expect("parts").parts;
     for (paths, class) in [(&paths[..], 0), (&paths[..], 12), (&[][..], 5)] {
         let RunFailure::BadInput(finding) = inspect_series(paths, &options(class)).expect_err("refused")
         else {
@@ -261,7 +262,8 @@ fn real_parts_make_a_series_each() {
         eprintln!("not run: {} is not there", folder.display());
         return;
     }
-    let series = inspect_series(&measured_parts_in(&folder).expect("parts"), &options(7)).expect("a series");
+    let series =
+        inspect_series(&measured_parts_in(&folder).expect("parts").parts, &options(7)).expect("a series");
     assert_eq!((series.result.groups.len(), series.result.refused.len(), series.sheets.len()), (2, 0, 2));
     let times: Vec<_> = series.result.groups.iter().map(|group| group.parts[0].time.as_deref()).collect();
     assert!(times.iter().all(Option::is_some), "{times:?}");

@@ -4,8 +4,11 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use flankwright::exchange::job::Process;
-use flankwright::exchange::{AnyJob, Diagnostic, Loaded, LoadedJob, LoadedSkivingJob, Problem};
+use flankwright::exchange::{AnyJob, Diagnostic, Loaded, LoadedSkivingJob, Problem};
+use flankwright::workflow::inspection::SheetOptions;
 
+use super::measured_gear::Asked;
+use super::statements::StatementArguments;
 use super::{measured_gear, skiving};
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;
@@ -37,9 +40,23 @@ pub struct InspectArguments {
     /// Class of ISO 1328-1:2013 whose tolerances are the limits of sheets and series
     #[arg(long, value_name = "CLASS", value_parser = clap::value_parser!(i32).range(1..=11))]
     pub class: Option<i32>,
+    /// Helix traces of sheets with the top of the measuring machine upwards instead of the datum face downwards
+    #[arg(long)]
+    pub top_up: bool,
+    /// What the files do not tell.
+    #[command(flatten)]
+    pub statements: StatementArguments,
     /// Arguments that every command has.
     #[command(flatten)]
     pub common: CommonArguments,
+}
+
+impl InspectArguments {
+    fn asked(&self) -> Asked<'_> {
+        let sheet =
+            SheetOptions { tolerance_class: self.class, top_up: self.top_up, ..SheetOptions::default() };
+        Asked { sheet, statements: self.statements.statements(), common: &self.common }
+    }
 }
 
 /// Evaluates the measurement, writes its files and prints a summary.
@@ -47,13 +64,22 @@ pub struct InspectArguments {
 /// # Errors
 /// Everything that is wrong with job and measurement, files that cannot be written.
 pub fn run(arguments: &InspectArguments) -> Result<Exit, Failure> {
-    let (file, common) = (arguments.file.as_deref(), &arguments.common);
+    let (file, asked) = (arguments.file.as_deref(), arguments.asked());
     match (file, &arguments.job) {
-        (Some(folder), None) if folder.is_dir() => measured_gear::series(folder, arguments.class, common),
-        (Some(file), None) => measured_gear::alone(file, arguments.class, common),
+        (Some(folder), None) if folder.is_dir() => measured_gear::series(folder, asked),
+        (Some(file), None) => measured_gear::alone(file, &asked),
         (_, Some(job)) => match output::load_any_job(job)? {
-            AnyJob::Skiving(loaded) => of_tool(&loaded, file, common),
-            AnyJob::Grinding(loaded) => of_gear(&loaded, file, arguments),
+            AnyJob::Skiving(loaded) => {
+                nothing_stated(&loaded, &asked)?;
+                of_tool(&loaded, file, asked.common)
+            }
+            AnyJob::Grinding(loaded) => match file {
+                Some(file) => measured_gear::for_job(file, &loaded, &asked),
+                None => {
+                    nothing_stated(&loaded, &asked)?;
+                    measured_gear::simulated(&loaded, &asked)
+                }
+            },
             AnyJob::Tangential(loaded) => Err(other_process(&loaded, loaded.job.job.process)),
             AnyJob::Gearbox(loaded) => Err(other_process(&loaded, loaded.job.job.process)),
             AnyJob::Milling(loaded) => Err(other_process(&loaded, loaded.job.job.process)),
@@ -62,12 +88,18 @@ pub fn run(arguments: &InspectArguments) -> Result<Exit, Failure> {
     }
 }
 
-fn of_gear(loaded: &LoadedJob, file: Option<&Path>, arguments: &InspectArguments) -> Result<Exit, Failure> {
-    let (class, common) = (arguments.class, &arguments.common);
-    match file {
-        Some(file) => measured_gear::for_job(file, loaded, class, common),
-        None => measured_gear::simulated(loaded, class, common),
+/// Statements belong to files of measuring machines.
+fn nothing_stated<J>(loaded: &Loaded<J>, asked: &Asked<'_>) -> Result<(), Failure> {
+    if asked.statements.is_empty() {
+        return Ok(());
     }
+    let message = "statements about a measurement hold for the file of a measured gear";
+    let finding = Diagnostic::new(Problem::UnknownValue, message)
+        .field("--from-other-end, --slope-signs, --datum-face, --helix-slope-over, --profile-slope-over")
+        .value("stated where no gear was measured")
+        .allowed("with the measurement of a gear")
+        .way_out("leave them out, or name the file of the measurement");
+    Err(Failure::of_job(Exit::BadInput, loaded, finding))
 }
 
 fn of_tool(

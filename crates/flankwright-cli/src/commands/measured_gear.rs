@@ -9,8 +9,8 @@ use flankwright::workflow::inspection::series::{
     write_inspection_series,
 };
 use flankwright::workflow::inspection::{
-    GearInspection, GearInspectionResult, RoundResult, SheetOptions, inspect_for_job, inspect_gear,
-    inspect_simulated, write_gear_inspection,
+    GearInspection, GearInspectionResult, RoundResult, SheetOptions, Statements, inspect_for_job,
+    inspect_gear, inspect_simulated, write_gear_inspection,
 };
 use flankwright::workflow::{JobFailure, Remark, Status};
 
@@ -21,28 +21,33 @@ use crate::failure::Failure;
 use crate::output;
 use crate::progress::Bars;
 
+/// What the user asks for.
+pub struct Asked<'a> {
+    /// What stands on sheets.
+    pub sheet: SheetOptions,
+    /// What the files do not tell.
+    pub statements: Statements,
+    /// Arguments that every command has.
+    pub common: &'a CommonArguments,
+}
+
 /// Evaluates a measurement by itself.
 ///
 /// # Errors
 /// A file that is no measurement, files that cannot be written.
-pub fn alone(file: &Path, class: Option<i32>, common: &CommonArguments) -> Result<Exit, Failure> {
-    let found = inspect_gear(file).map_err(|failure| match failure {
+pub fn alone(file: &Path, asked: &Asked<'_>) -> Result<Exit, Failure> {
+    let found = inspect_gear(file, &asked.statements).map_err(|failure| match failure {
         JobFailure::File(error) => Failure::from(*error),
         JobFailure::Job(failure) => Failure::of_no_job(failure),
     })?;
-    deliver(&found, class, &beside(file), common)
+    deliver(&found, asked, &beside(file))
 }
 
 /// Judges a measurement against a job.
 ///
 /// # Errors
 /// As [`alone`]; everything that is wrong with the job, a measurement of another gear.
-pub fn for_job(
-    file: &Path,
-    loaded: &LoadedJob,
-    class: Option<i32>,
-    common: &CommonArguments,
-) -> Result<Exit, Failure> {
+pub fn for_job(file: &Path, loaded: &LoadedJob, asked: &Asked<'_>) -> Result<Exit, Failure> {
     if file.is_dir() {
         let finding =
             Diagnostic::new(Problem::UnknownValue, "a folder is evaluated as a series, without a job")
@@ -52,24 +57,24 @@ pub fn for_job(
                 .way_out("leave `--job` out, or name one file of the folder");
         return Err(Failure::new(Exit::BadInput, finding));
     }
-    let bars = Bars::new(common.quiet);
-    let found = inspect_for_job(loaded, file, &bars);
+    let bars = Bars::new(asked.common.quiet);
+    let found = inspect_for_job(loaded, file, &asked.statements, &bars);
     bars.finish();
     let found = found.map_err(|failure| Failure::of_job_or_file(loaded, failure))?;
-    deliver(&found, class, &beside(file), common)
+    deliver(&found, asked, &beside(file))
 }
 
 /// Measures and corrects the simulated machine of a job.
 ///
 /// # Errors
 /// Everything that is wrong with the job, files that cannot be written.
-pub fn simulated(loaded: &LoadedJob, class: Option<i32>, common: &CommonArguments) -> Result<Exit, Failure> {
-    let bars = Bars::new(common.quiet);
+pub fn simulated(loaded: &LoadedJob, asked: &Asked<'_>) -> Result<Exit, Failure> {
+    let bars = Bars::new(asked.common.quiet);
     let found = inspect_simulated(loaded, &bars);
     bars.finish();
     let found = found.map_err(|failure| Failure::of_run(loaded, failure))?;
     let directory = loaded.beside(&format!("{}.inspected", loaded.job.job.name));
-    deliver(&found, class, &directory, common)
+    deliver(&found, asked, &directory)
 }
 
 /// `part.mka.inspected/` beside `part.mka`; of a folder that has no name here, such as `.`, by its real name.
@@ -81,33 +86,28 @@ pub fn beside(file: &Path) -> PathBuf {
     file.with_file_name(name)
 }
 
-fn deliver(
-    found: &GearInspection,
-    class: Option<i32>,
-    directory: &Path,
-    common: &CommonArguments,
-) -> Result<Exit, Failure> {
-    let directory = common.output.as_deref().unwrap_or(directory);
-    let written = write_gear_inspection(found, &sheet(class), directory).map_err(unwritten)?;
+fn deliver(found: &GearInspection, asked: &Asked<'_>, directory: &Path) -> Result<Exit, Failure> {
+    let directory = asked.common.output.as_deref().unwrap_or(directory);
+    let written = write_gear_inspection(found, &asked.sheet, directory).map_err(unwritten)?;
     let result = &found.result;
     let verdict = verdict(result);
-    conclude(common, result, verdict, || summary(result, &written))
-}
-
-/// A sheet with the limits of a class.
-fn sheet(class: Option<i32>) -> SheetOptions {
-    SheetOptions { tolerance_class: class, ..SheetOptions::default() }
+    conclude(asked.common, result, verdict, || summary(result, &written))
 }
 
 /// Evaluates all measurements of a folder as a series.
 ///
 /// # Errors
 /// A folder without measurements, a class that is none, files that cannot be written.
-pub fn series(folder: &Path, class: Option<i32>, common: &CommonArguments) -> Result<Exit, Failure> {
-    let paths = measured_parts_in(folder).map_err(Failure::of_no_job)?;
-    let options = SeriesOptions { sheet: sheet(class), without_sheets: false };
-    let series = inspect_series(&paths, &options).map_err(Failure::of_no_job)?;
-    deliver_series(&series, &beside(folder), common)
+pub fn series(folder: &Path, asked: Asked<'_>) -> Result<Exit, Failure> {
+    let found = measured_parts_in(folder).map_err(Failure::of_no_job)?;
+    let options = SeriesOptions {
+        sheet: asked.sheet,
+        statements: asked.statements,
+        left_out: found.left_out,
+        ..SeriesOptions::default()
+    };
+    let series = inspect_series(&found.parts, &options).map_err(Failure::of_no_job)?;
+    deliver_series(&series, &beside(folder), asked.common)
 }
 
 /// Writes the files of a series and prints its summary. Files that were refused are named, whatever else is quiet.

@@ -16,6 +16,7 @@ pub mod program;
 pub mod schema;
 pub mod simulate;
 mod skiving;
+mod statements;
 pub mod store;
 mod tangential;
 pub mod verify;

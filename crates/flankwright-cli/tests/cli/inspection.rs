@@ -221,6 +221,8 @@ fn bands_judge_or_say_why_not() {
     let narrow =
         run("helix_band = { at_mm = [-20.0, 20.0], lower_um = [-0.1, -0.1], upper_um = [0.1, 0.1] }\n");
     assert_eq!((narrow.exit, &narrow.json()["reason"]["code"]), (Some(3), &Value::from("outside-the-band")));
+    let sheet = std::fs::read_to_string(out.join("sheet.html")).unwrap();
+    assert!(sheet.contains("≥ 0.0"), "no band on the sheet");
     let wide =
         run("helix_band = { at_mm = [-20.0, 20.0], lower_um = [-50.0, -50.0], upper_um = [50.0, 50.0] }\n");
     assert_eq!(wide.exit, Some(0), "{}", wide.stdout);
@@ -229,6 +231,135 @@ fn bands_judge_or_say_why_not() {
     );
     let error = &held.json()["error"];
     assert_eq!((held.exit, &error["field"]), (Some(2), &Value::from("inspection.helix_band.held_at_mm")));
+}
+
+#[test]
+fn a_line_that_is_measured_twice_is_two_readings_of_a_tooth() {
+    let directory = tempfile::tempdir().unwrap();
+    let once = inspected(
+        &["examples/inspection/measured.csv", "--job", "examples/inspection/measured.toml"],
+        &directory.path().join("once"),
+    );
+    let text = std::fs::read_to_string(repository().join("examples/inspection/measured.csv")).unwrap();
+    let twice = directory.path().join("twice.csv");
+    // A machine that goes round once more, with another zero.
+    let mut lines = String::new();
+    for line in text.lines().filter(|line| !line.starts_with('#')) {
+        match line.rsplit_once(',').map(|(place, f)| (place, f.parse::<f64>())) {
+            Some((place, Ok(f))) => lines += &format!("{line},1\n{place},{},2\n", f + 3.0),
+            _ => lines += &format!("{line},reading\n"),
+        }
+    }
+    std::fs::write(&twice, lines).unwrap();
+    let run = inspected(
+        &[&twice.display().to_string(), "--job", "examples/inspection/measured.toml"],
+        &directory.path().join("twice"),
+    );
+    assert_eq!(run.exit, Some(3), "{}", run.stderr);
+    let (a, b) = (once.json(), run.json());
+    let (first, second) = (&a["rounds"][0], &b["rounds"][0]);
+    let pairs = first["characteristics"].as_array().unwrap().iter();
+    for (one, two) in pairs.zip(second["characteristics"].as_array().unwrap()) {
+        assert_eq!((&one["repeats"], &two["repeats"]), (&Value::from(1), &Value::from(2)));
+        for (x, y) in one["values_um"].as_array().unwrap().iter().zip(two["values_um"].as_array().unwrap()) {
+            assert!((number(x) - number(y)).abs() < 1e-9, "{one} {two}");
+        }
+    }
+    // Teeth count once, however often each is measured: what is known of the correction stays as uncertain.
+    let settings = |round: &Value| {
+        let all = round["correction"]["settings"].as_array().unwrap().clone();
+        all.into_iter().filter(|setting| setting["dropped"] == false).collect::<Vec<Value>>()
+    };
+    let (of_one, of_two) = (settings(first), settings(second));
+    assert!(!of_one.is_empty() && of_one.len() == of_two.len());
+    for (one, two) in of_one.iter().zip(&of_two) {
+        for key in ["change", "deviation"] {
+            assert!((number(&one[key]) - number(&two[key])).abs() < 1e-6, "{key}: {one} {two}");
+        }
+    }
+    let measured = |round: &Value| number(&round["flanks"]["left"]["measured"]["rms_um"]);
+    assert!((measured(first) - measured(second)).abs() < 1e-9);
+}
+
+#[test]
+fn twist_is_told_by_profiles_by_leads_or_not_at_all() {
+    let directory = tempfile::tempdir().unwrap();
+    let out = directory.path().join("out");
+    let job = "examples/inspection/measured.toml";
+    let whole = inspected(&["examples/inspection/measured.csv", "--job", job], &out).json();
+    let rows = whole["twist"].as_array().unwrap();
+    assert_eq!(rows.len(), 16);
+    for row in rows {
+        let [a, b] = ["S_by_profiles_um", "S_by_leads_um"].map(|key| number(&row[key]));
+        assert!((number(&row["difference_um"]) - (a - b)).abs() < 1e-12, "{row}");
+        // The same twist, up to the scatter of single traces and to what is no bilinear twist.
+        assert!((a - b).abs() < 3.0, "{row}");
+    }
+    let warned = |of: &Value| of["warnings"].to_string().contains("twist-not-measured");
+    assert!(!warned(&whole));
+    // One profile and one helix trace tell nothing of it.
+    let middle = table(directory.path(), |line| {
+        let outer = ["-16.0000", "16.0000", "5.9846", "21.0213"];
+        let place = line.split(',').nth(3).unwrap_or_default().to_owned();
+        (!outer.contains(&place.as_str())).then(|| line.to_owned())
+    });
+    let run = inspected(&[&middle, "--job", job], &out);
+    let result = run.json();
+    assert!(warned(&result) && result["twist"].is_null(), "{}", result["warnings"]);
+    let tested = result["rounds"][0]["characteristics"].as_array().unwrap();
+    assert!(!tested.is_empty() && tested.iter().all(|of| of["characteristic"] != "S"));
+}
+
+#[test]
+fn a_job_that_varies_its_ratio_has_a_verdict_without_correction() {
+    let directory = tempfile::tempdir().unwrap();
+    let planned = directory.path().join("planned");
+    let job = "examples/variable-ratio.toml";
+    let plan = run(&["plan", job, "--json", "--quiet", "-o", &planned.display().to_string()]);
+    assert_eq!(plan.exit, Some(0), "{}", plan.stderr);
+    // What the referee saw, as a measured field.
+    let result = plan.json();
+    let flank = &result["flanks"]["right"];
+    let list = |key: &str| flank[key].as_array().unwrap_or_else(|| panic!("{key} of {flank}")).clone();
+    let mut text = String::from("tooth,flank,w_mm,z_mm,f_um\n");
+    for (w, row) in list("w_mm").iter().zip(list("simulated_um")) {
+        for (z, f) in list("z_mm").iter().zip(row.as_array().unwrap()) {
+            text += &format!("1,right,{},{},{}\n", number(w), number(z), number(f));
+        }
+    }
+    let file = directory.path().join("field.csv");
+    std::fs::write(&file, text).unwrap();
+    let run = inspected(&[&file.display().to_string(), "--job", job], &directory.path().join("out"));
+    let result = run.json();
+    assert_eq!(run.exit, Some(0), "{}: {}", run.stderr, result["reason"]);
+    let told = result["rounds"][0]["no_correction"].as_str().unwrap();
+    assert!(told.contains("constant diagonal ratio"), "{told}");
+}
+
+#[test]
+fn statements_are_read_and_belong_to_measured_gears() {
+    let directory = tempfile::tempdir().unwrap();
+    let out = directory.path().join("out");
+    let measured = "examples/inspection/measured.csv";
+    let job = "examples/inspection/measured.toml";
+    let run = inspected(&[measured, "--job", job, "--from-other-end", "--slope-signs", "-+"], &out);
+    let stated = run.json()["stated"].to_string();
+    assert!(stated.contains("other end") && stated.contains("-1 left, +1 right"), "{stated}");
+    for (arguments, told) in [
+        (&["--job", "examples/inspection/closed-loop.toml", "--from-other-end"][..], "leave them out"),
+        (&[measured, "--job", job, "--slope-signs", "+"], "din"),
+        (&[measured, "--job", job, "--datum-face", "top"], "+z"),
+    ] {
+        let run = inspected(arguments, &out);
+        assert_eq!(run.exit, Some(2), "{arguments:?}");
+        assert!((run.stderr.clone() + &run.stdout).contains(told), "{arguments:?}: {run:?}");
+    }
+    let name = directory.path().display().to_string();
+    let converted = crate::command::run(&["convert", "examples/automotive-bias.toml", "-o", &name]);
+    assert_eq!(converted.exit, Some(0), "{}", converted.stderr);
+    let model = directory.path().join("automotive-bias.rexs").display().to_string();
+    let run = inspected(&[&model, "--from-other-end"], &out);
+    assert_eq!((run.exit, &run.json()["error"]["field"]), (Some(2), &Value::from("from_other_end")));
 }
 
 #[test]

@@ -116,6 +116,23 @@ fn refused_files_are_told_and_the_others_go_on() {
 }
 
 #[test]
+fn what_is_known_can_be_evaluated_again() {
+    let shop = Shop::new(3);
+    let measured = shop.path("measured");
+    shop.json(&["import", &measured], 0);
+    fs::write(shop.0.path().join("measured/lines.csv"), "tooth\n").unwrap();
+    let again = shop.json(&["import", &measured, "--again", "--class", "5", "--series", "trial"], 0);
+    assert_eq!((&again["replaced"], again["imported"].as_array().unwrap().len()), (&json!(3), 3));
+    assert_eq!(again["left_out"][0]["file"], "lines.csv");
+    let parts = shop.json(&["parts"], 0);
+    let series: Vec<_> = parts.as_array().unwrap().iter().map(|part| part["series"].clone()).collect();
+    assert_eq!(series, ["trial", "trial", "trial"]);
+    let text = shop.store(&["import", &measured, "--again"]);
+    assert!(text.stdout.contains("3 parts imported (3 of them again), 0 known"), "{text:?}");
+    assert!(text.stdout.contains("left out: lines.csv"), "{text:?}");
+}
+
+#[test]
 fn the_catalogue_goes_in_and_out() {
     let shop = Shop::new(0);
     let added = shop.json(&["catalogue", "add", "examples/catalogue/bodies.toml"], 0);

@@ -7,19 +7,34 @@ use std::path::{Path, PathBuf};
 
 use flankwright::exchange::rexs::MAXIMUM_FILE_BYTES;
 use flankwright::exchange::{Diagnostic, open_regular};
-use flankwright::workflow::inspection::{files_of_measurement, measurements_in};
+use flankwright::workflow::inspection::{LeftOutFile, MeasuredFolder, files_of_measurement, measurements_in};
 
 use super::import::RefusedFile;
 use crate::digest::{digest_of, digest_of_reader};
 
+/// What paths name.
+#[derive(Default)]
+pub(super) struct FoundParts {
+    /// The files of every part.
+    pub parts: Vec<Vec<PathBuf>>,
+    /// Paths that name nothing.
+    pub refused: Vec<RefusedFile>,
+    /// What folders hold beside measurements.
+    pub left_out: Vec<LeftOutFile>,
+}
+
 /// The files of every part that the paths name, each part once: files, or folders with the measurements that lie in them, in the order of
 /// their names. What names nothing is refused.
-pub(super) fn parts_of(paths: &[PathBuf]) -> (Vec<Vec<PathBuf>>, Vec<RefusedFile>) {
-    let (mut parts, mut refused, mut seen) = (Vec::new(), Vec::new(), BTreeSet::new());
+pub(super) fn parts_of(paths: &[PathBuf]) -> FoundParts {
+    let FoundParts { mut parts, mut refused, mut left_out } = FoundParts::default();
+    let mut seen = BTreeSet::new();
     for path in paths {
         let files = match path.is_dir().then(|| folder(path)) {
             None => vec![path.clone()],
-            Some(Ok(files)) => files,
+            Some(Ok(of)) => {
+                left_out.extend(of.left_out);
+                of.measurements.into_iter().collect()
+            }
             Some(Err(finding)) => {
                 refused.push(RefusedFile::new(path, finding));
                 continue;
@@ -34,19 +49,19 @@ pub(super) fn parts_of(paths: &[PathBuf]) -> (Vec<Vec<PathBuf>>, Vec<RefusedFile
             }
         }
     }
-    (parts, refused)
+    FoundParts { parts, refused, left_out }
 }
 
-fn folder(path: &Path) -> Result<Vec<PathBuf>, Diagnostic> {
-    let files = measurements_in(path).map_err(|error| unreadable(path, &error))?;
-    if files.is_empty() {
+fn folder(path: &Path) -> Result<MeasuredFolder, Diagnostic> {
+    let found = measurements_in(path).map_err(|error| unreadable(path, &error))?;
+    if found.measurements.is_empty() {
         return Err(Diagnostic::with_code("no-measurement", "the folder has no measurement")
             .field("FILE")
             .value(path.display())
             .allowed("a folder with .mka, .mew, .rexs, .rexsj or .rexsz files")
             .way_out("name the folder in which the files lie; folders inside of it are not searched"));
     }
-    Ok(files.into_iter().collect())
+    Ok(found)
 }
 
 fn unreadable(path: &Path, error: &io::Error) -> Diagnostic {

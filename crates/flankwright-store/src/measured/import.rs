@@ -4,35 +4,44 @@ use std::path::{Path, PathBuf};
 
 use flankwright::exchange::Diagnostic;
 use flankwright::numerics::Progress;
-use flankwright::workflow::inspection::inspect_gear;
+use flankwright::workflow::inspection::{LeftOutFile, Statements, inspect_gear};
 use flankwright::workflow::{JobFailure, RunFailure, Status};
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::files::{digest_of_files, parts_of};
+use super::files::{FoundParts, digest_of_files, parts_of};
 use crate::blocking::Store;
 use crate::check;
 use crate::error::StoreError;
 use crate::records::{PartRecord, PartSummary};
 
 /// What holds for all files of an import.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct ImportSettings {
     /// Series of the parts, instead of drawing, name or body of each.
     pub series: Option<String>,
     /// Class of ISO 1328-1 whose tolerances are the limits; none means no limits.
     pub class: Option<i32>,
+    /// What the files do not tell.
+    pub statements: Statements,
+    /// Evaluates what is known once more and puts it in the place of what is stored.
+    pub again: bool,
 }
 
 /// What became of the files.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct MeasurementReport {
-    /// New parts, in the order of the files.
+    /// New parts, and those that were evaluated again, in the order of the files.
     pub imported: Vec<PartSummary>,
+    /// How many of them took the place of stored ones.
+    pub replaced: usize,
     /// Parts whose files have the content of a part that is there, or of one before them.
     pub known: Vec<KnownPart>,
     /// What could not be imported, and why.
     pub refused: Vec<RefusedFile>,
+    /// What lies beside measurements in folders.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub left_out: Vec<LeftOutFile>,
 }
 
 /// A part that was there already.
@@ -78,8 +87,8 @@ impl Store {
         settings: &ImportSettings,
         progress: &dyn Progress,
     ) -> Result<MeasurementReport, StoreError> {
-        let (parts, refused) = parts_of(paths);
-        let mut report = MeasurementReport { refused, ..MeasurementReport::default() };
+        let FoundParts { parts, refused, left_out } = parts_of(paths);
+        let mut report = MeasurementReport { refused, left_out, ..MeasurementReport::default() };
         progress.start("measurements", parts.len() as u64);
         for set in parts.chunks(Self::BATCH) {
             self.import_set(set, settings, &mut report)?;
@@ -102,7 +111,9 @@ impl Store {
         for (files, digest) in set.iter().zip(digests) {
             match digest {
                 Err(finding) => report.refused.push(RefusedFile::new(&files[0], finding)),
-                Ok(digest) if there.contains(&digest) => report.known.push(known(files, digest)),
+                Ok(digest) if there.contains(&digest) && !settings.again => {
+                    report.known.push(known(files, digest))
+                }
                 Ok(digest) => unknown.push((files, digest)),
             }
         }
@@ -118,7 +129,9 @@ impl Store {
                 }
             }
         }
-        let stored = self.import_parts(&records)?;
+        let stored =
+            if settings.again { self.replace_parts(&records)? } else { self.import_parts(&records)? };
+        report.replaced += stored.replaced;
         for (place, (record, file)) in records.into_iter().zip(names).enumerate() {
             if stored.known.contains(&place) {
                 // The same bytes twice in this set, or another program was faster.
@@ -136,7 +149,7 @@ fn known(files: &[PathBuf], digest: String) -> KnownPart {
 }
 
 fn look(file: &Path, digest: String, settings: &ImportSettings) -> Looked {
-    let record = inspect_gear(file).map_err(first_finding).and_then(|found| {
+    let record = inspect_gear(file, &settings.statements).map_err(first_finding).and_then(|found| {
         if let Some(reason) =
             found.result.reason.as_ref().filter(|_| found.result.status == Status::NotJudged)
         {

@@ -22,18 +22,37 @@ impl Store {
     /// # Errors
     /// `invalid-record` with the place of the part in the list; those of the database.
     pub async fn import_parts(&self, parts: &[PartRecord]) -> Result<ImportReport, StoreError> {
+        self.import_checked(parts, false).await
+    }
+
+    /// As [`Store::import_parts`], but a part whose digest is there already takes the place of the stored one: the same file after another
+    /// evaluation.
+    ///
+    /// # Errors
+    /// As [`Store::import_parts`].
+    pub async fn replace_parts(&self, parts: &[PartRecord]) -> Result<ImportReport, StoreError> {
+        self.import_checked(parts, true).await
+    }
+
+    async fn import_checked(&self, parts: &[PartRecord], replace: bool) -> Result<ImportReport, StoreError> {
         for (place, part) in parts.iter().enumerate() {
             check::part(place, part)?;
         }
-        self.import_checked(parts).await.map_err(|error| self.error(error))
+        self.import_set(parts, replace).await.map_err(|error| self.error(error))
     }
 
-    async fn import_checked(&self, parts: &[PartRecord]) -> Result<ImportReport, sqlx::Error> {
+    async fn import_set(&self, parts: &[PartRecord], replace: bool) -> Result<ImportReport, sqlx::Error> {
         let mut writing = self.pool.write().await?;
         let mut characteristics = Characteristics::load(&mut writing).await?;
         let digests: Vec<&str> = parts.iter().map(|part| part.digest.as_str()).collect();
         let mut known = rows::known_while_writing(&mut writing, &digests).await?;
         let (mut report, mut new) = (ImportReport::default(), Vec::new());
+        if replace {
+            report.replaced = known.len();
+            for digest in known.drain() {
+                rows::remove(&mut writing, &digest).await?;
+            }
+        }
         for (place, part) in parts.iter().enumerate() {
             if known.insert(part.digest.clone()) {
                 new.push(part);
@@ -69,11 +88,9 @@ impl Store {
     pub async fn remove_part(&self, digest: &str) -> Result<bool, StoreError> {
         let removed = async {
             let mut writing = self.pool.write().await?;
-            let removed = on_writing!(&mut writing, connection => {
-                sqlx::query("DELETE FROM part WHERE digest = $1").bind(digest).execute(connection).await?.rows_affected()
-            });
+            let removed = rows::remove(&mut writing, digest).await?;
             writing.commit().await?;
-            Ok(removed > 0)
+            Ok(removed)
         };
         removed.await.map_err(|error| self.error(error))
     }

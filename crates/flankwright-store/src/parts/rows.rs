@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use sqlx::AssertSqlSafe;
 use sqlx::types::Json;
 
-use crate::pool::{Pool, Writing};
+use crate::pool::{Pool, Writing, on_writing};
 use crate::records::PartRecord;
 
 /// SQLite is in this process; a list of digests goes in as one text all the same.
@@ -37,6 +37,14 @@ pub(super) async fn known_while_writing(
         }
     };
     Ok(found.into_iter().collect())
+}
+
+/// Takes a part with its values out; whether it was there.
+pub(super) async fn remove(writing: &mut Writing, digest: &str) -> Result<bool, sqlx::Error> {
+    let removed = on_writing!(writing, connection => {
+        sqlx::query("DELETE FROM part WHERE digest = $1").bind(digest).execute(connection).await?.rows_affected()
+    });
+    Ok(removed > 0)
 }
 
 /// Inserts parts that are not there; their numbers by digest.

@@ -86,7 +86,8 @@ fn a_refused_file_does_not_keep_the_others_out(place: &Place) {
 
 fn a_class_gives_the_limits(place: &Place) {
     let (store, folder) = (place.open(), folder(2));
-    let settings = ImportSettings { series: Some("trial".into()), class: Some(6) };
+    let settings =
+        ImportSettings { series: Some("trial".into()), class: Some(6), ..ImportSettings::default() };
     let report = import(&store, &[folder.path()], &settings);
     assert_eq!(report.imported[0].series, "trial");
     let of = |name: &str, statistic: &str| {

@@ -50,15 +50,36 @@ fn a_part_comes_out_as_it_went_in(place: &Place) {
 
 fn the_same_content_is_one_part(place: &Place) {
     let store = place.open();
-    assert_eq!(store.import_parts(&parts(0..5)).unwrap(), ImportReport { added: 5, known: vec![] });
+    assert_eq!(
+        store.import_parts(&parts(0..5)).unwrap(),
+        ImportReport { added: 5, replaced: 0, known: vec![] }
+    );
     let mut again = parts(3..8);
     again.push(part(7));
     again[0].series = "another".into();
-    assert_eq!(store.import_parts(&again).unwrap(), ImportReport { added: 3, known: vec![0, 1, 5] });
+    assert_eq!(
+        store.import_parts(&again).unwrap(),
+        ImportReport { added: 3, replaced: 0, known: vec![0, 1, 5] }
+    );
     assert_eq!(
         store.series().unwrap().iter().map(|s| (s.series.as_str(), s.parts)).collect::<Vec<_>>(),
         [("Z-17", 8)]
     );
+    // The same files after another evaluation.
+    let mut changed = parts(6..9);
+    changed.push(part(8));
+    changed.iter_mut().for_each(|part| part.series = "another".into());
+    changed[0].characteristics.truncate(1);
+    assert_eq!(
+        store.replace_parts(&changed).unwrap(),
+        ImportReport { added: 3, replaced: 2, known: vec![3] }
+    );
+    assert_eq!(
+        store.series().unwrap().iter().map(|s| (s.series.as_str(), s.parts)).collect::<Vec<_>>(),
+        [("Z-17", 6), ("another", 3)]
+    );
+    assert_eq!(store.part(&changed[0].digest).unwrap().unwrap(), changed[0]);
+    assert!(store.health().unwrap().faults.is_empty());
 }
 
 /// What is wrong with a part.

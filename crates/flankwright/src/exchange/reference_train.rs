@@ -9,7 +9,7 @@ use super::gearbox_job::GREATEST_TICK;
 use super::source::Source;
 use super::table_rows::TableForm;
 
-const FORM: TableForm<2> = TableForm { columns: ["tick", "sign"], row: "each pulse" };
+const FORM: TableForm<2> = TableForm { columns: ["tick", "sign"], optional: None, row: "each pulse" };
 
 /// Reference pulses with the place of each in its file.
 #[derive(Clone, Debug, PartialEq)]

@@ -10,8 +10,11 @@ use super::source::Source;
 use super::table_rows::{Row, TableForm};
 use crate::process::skiving::measuring::{Reading, Sense};
 
-const FORM: TableForm<5> =
-    TableForm { columns: ["flank", "track", "sense", "revolution", "angle_deg"], row: "each switch" };
+const FORM: TableForm<5> = TableForm {
+    columns: ["flank", "track", "sense", "revolution", "angle_deg"],
+    optional: None,
+    row: "each switch",
+};
 /// Angles beyond this are nobody's: a thousand million degrees.
 const MOST_RADIANS: f64 = 1.745_329_251_994_33e7;
 /// Revolutions of one measurement; far above what the size of a file allows.

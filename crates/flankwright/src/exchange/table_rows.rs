@@ -13,6 +13,8 @@ const SHOWN: usize = 60;
 pub(in crate::exchange) struct TableForm<const N: usize> {
     /// Their names.
     pub columns: [&'static str; N],
+    /// One more that it may have.
+    pub optional: Option<&'static str>,
     /// What a row stands for.
     pub row: &'static str,
 }
@@ -21,6 +23,8 @@ pub(in crate::exchange) struct TableForm<const N: usize> {
 pub(in crate::exchange) struct Row<'a, const N: usize> {
     form: &'a TableForm<N>,
     cells: [Place<'a>; N],
+    /// The cell of the column that the table may have, where it has it.
+    optional: Option<Place<'a>>,
     span: Range<usize>,
 }
 
@@ -39,6 +43,13 @@ fn cells(line: &str, start: usize) -> Vec<Place<'_>> {
         .collect()
 }
 
+/// Where the columns stand.
+#[derive(Clone, Copy)]
+struct Order<const N: usize> {
+    columns: [usize; N],
+    optional: Option<usize>,
+}
+
 impl<const N: usize> TableForm<N> {
     /// The first line of such a table.
     pub fn header(&self) -> String {
@@ -51,7 +62,7 @@ impl<const N: usize> TableForm<N> {
     /// `invalid-table` for a header without a column, or with others, for rows of another length, and for a table without rows.
     pub fn rows<'a>(&'a self, text: &'a str) -> Result<Vec<Row<'a, N>>, Diagnostic> {
         let mut rows = Vec::new();
-        let mut order: Option<[usize; N]> = None;
+        let mut order: Option<Order<N>> = None;
         let mut offset = 0;
         for line in text.split_inclusive('\n') {
             let start = offset;
@@ -66,15 +77,17 @@ impl<const N: usize> TableForm<N> {
                 order = Some(self.places(&cells, span)?);
                 continue;
             };
-            if cells.len() != N {
+            let count = N + usize::from(places.optional.is_some());
+            if cells.len() != count {
                 return Err(self
                     .malformed(format!("a row of {} values", cells.len()))
                     .value(shortened(line))
-                    .way_out(format!("give {N} values with a decimal point, separated by commas"))
+                    .way_out(format!("give {count} values with a decimal point, separated by commas"))
                     .span(Some(span)));
             }
-            let cells = places.map(|place| std::mem::take(&mut cells[place]));
-            rows.push(Row { form: self, cells, span });
+            let optional = places.optional.map(|place| std::mem::take(&mut cells[place]));
+            let cells = places.columns.map(|place| std::mem::take(&mut cells[place]));
+            rows.push(Row { form: self, cells, optional, span });
         }
         if rows.is_empty() {
             let way_out =
@@ -85,7 +98,7 @@ impl<const N: usize> TableForm<N> {
     }
 
     /// Positions of the columns.
-    fn places(&self, titles: &[Place<'_>], span: Range<usize>) -> Result<[usize; N], Diagnostic> {
+    fn places(&self, titles: &[Place<'_>], span: Range<usize>) -> Result<Order<N>, Diagnostic> {
         let named = || shortened(&titles.iter().map(|(title, _)| *title).collect::<Vec<_>>().join(","));
         let mut order = [0; N];
         for (place, column) in order.iter_mut().zip(self.columns) {
@@ -97,14 +110,15 @@ impl<const N: usize> TableForm<N> {
                     .span(Some(span.clone()))
             })?;
         }
-        if titles.len() != N {
+        let optional = self.optional.and_then(|column| titles.iter().position(|(title, _)| *title == column));
+        if titles.len() != N + usize::from(optional.is_some()) {
             return Err(self
                 .malformed(format!("the table has {} columns", titles.len()))
                 .value(named())
                 .way_out("remove the other columns")
                 .span(Some(span)));
         }
-        Ok(order)
+        Ok(Order { columns: order, optional })
     }
 
     /// A finding about the whole table.
@@ -177,6 +191,23 @@ impl<const N: usize> Row<'_, N> {
     /// `invalid-number`.
     pub fn tooth(&self, column: usize) -> Result<u32, Diagnostic> {
         self.parsed(column, "a whole number from 0 to 65535", |tooth| *tooth <= 65_535)
+    }
+
+    /// Which reading of several, from 1; 1 where the table does not number them.
+    ///
+    /// # Errors
+    /// `invalid-number`.
+    pub fn reading(&self) -> Result<u32, Diagnostic> {
+        let (Some((cell, place)), Some(name)) = (&self.optional, self.form.optional) else { return Ok(1) };
+        cell.parse().ok().filter(|reading| (1..=1000).contains(reading)).ok_or_else(|| {
+            let cell = shortened(cell);
+            Diagnostic::new(Problem::InvalidNumber, format!("`{name}` cannot be {cell}"))
+                .field(name)
+                .value(cell)
+                .allowed("a whole number from 1 to 1000")
+                .way_out("number the readings of a tooth from 1")
+                .span(Some(place.clone()))
+        })
     }
 
     /// A finite number.

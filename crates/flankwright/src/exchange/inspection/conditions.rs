@@ -135,6 +135,10 @@ pub struct Conditions {
     pub profile_filter: Option<String>,
     /// Temperature of the gear, degree Celsius.
     pub temperature_c: Option<f64>,
+    /// Whether it was taken from the other end and then turned: flanks and heights are those of the gear, teeth and positions of the probe
+    /// are numbered as the machine saw them.
+    #[serde(default)]
+    pub turned: bool,
     /// The face that left and right are looked at from.
     pub datum_face: DatumFace,
     /// Length to which helix slopes refer.

@@ -17,7 +17,8 @@ pub enum MeasuredTable {
 
 /// Reads a table of traces or of fields. The first line names the columns in any order; lines that begin with `#` are comments. z counts
 /// from the middle of the face width; `f_um` is the deviation, positive = material, empty or `nan` where it is undefined. Rows of one tooth
-/// and flank are one field; rows of one kind, tooth, flank and position are one trace, wherever they stand.
+/// and flank are one field; rows of one kind, tooth, flank and position are one trace, wherever they stand. Where something was measured more
+/// than once, a column `reading` numbers it.
 ///
 /// # Errors
 /// Those of [`Source::read`]; `invalid-table`, `unknown-value`, `invalid-number` with line, column and value.
@@ -76,6 +77,24 @@ mod tests {
     }
 
     #[test]
+    fn readings_are_told_apart_and_come_back() {
+        let text = "kind,tooth,flank,position,abscissa,f_um,reading\nprofile,1,left,0,5,1,1\nprofile,1,left,0,6,2,1\n\
+                    profile,1,left,0,5,3,2\nprofile,1,left,-0,6,4,2\n";
+        let Ok(MeasuredTable::Traces(traces)) = read(text) else { panic!("no traces") };
+        assert_eq!((traces.len(), &traces[1].f_um), (2, &vec![3.0, 4.0]));
+        let Ok(MeasuredTable::Traces(again)) = read(trace_table(&traces).unwrap().text()) else {
+            panic!("no traces")
+        };
+        assert_eq!(again, traces);
+        let text = "tooth,flank,w_mm,z_mm,f_um,reading\n1,left,2,3,4,1\n1,left,2,3,5,2\n";
+        let Ok(MeasuredTable::Fields(fields)) = read(text) else { panic!("no fields") };
+        assert_eq!(fields.len(), 2);
+        let written = topography_table(&fields).unwrap();
+        let Ok(MeasuredTable::Fields(again)) = read(written.text()) else { panic!("no fields") };
+        assert_eq!(again, fields);
+    }
+
+    #[test]
     fn what_is_wrong_is_named() {
         for (text, told) in [
             ("", "the table has no rows"),
@@ -83,6 +102,9 @@ mod tests {
             ("tooth,flank,w_mm,z_mm,f_um\n1,up,2,3,4\n", "`flank` cannot be `up`"),
             ("tooth,flank,w_mm,z_mm,f_um\n1,left,inf,3,4\n", "`w_mm` cannot be `inf`"),
             ("tooth,flank,w_mm,z_mm,f_um\n1,left,2,3\n", "a row of 4 values"),
+            ("tooth,flank,w_mm,z_mm,f_um,reading\n1,left,2,3,4\n", "a row of 5 values"),
+            ("tooth,flank,w_mm,z_mm,f_um,reading\n1,left,2,3,4,0\n", "`reading` cannot be `0`"),
+            ("tooth,flank,w_mm,z_mm,f_um,day\n1,left,2,3,4,0\n", "has 6 columns"),
         ] {
             let error = read(text).unwrap_err();
             assert!(error.contains(told), "{text:?}: {error}");

@@ -14,6 +14,7 @@ mod gear;
 mod inspection;
 mod klingelnberg;
 mod measured_table;
+mod other_end;
 mod result;
 mod tables;
 mod trace;

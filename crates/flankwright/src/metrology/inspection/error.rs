@@ -94,6 +94,12 @@ pub enum InspectionError {
         /// The setting in words.
         setting: &'static str,
     },
+    /// The file does not tell something without which nothing can be evaluated.
+    #[error("{setting} is not stated")]
+    NotStated {
+        /// What, in words.
+        setting: &'static str,
+    },
     /// The single pitch deviations of a flank do not add up to nothing.
     #[error("the pitch deviations add up to {:.3} um; allowed: {:.3} um", sum * 1e3, allowed * 1e3)]
     PitchNotClosed {
@@ -154,6 +160,7 @@ impl InspectionError {
             Self::BandCrossed { .. } => "band-crossed",
             Self::BelowBaseCircle { .. } => "below-base-circle",
             Self::UnverifiedSetting { .. } => "unverified-setting",
+            Self::NotStated { .. } => "not-stated",
             Self::PitchNotClosed { .. } => "pitch-not-closed",
             Self::PitchIncomplete { .. } => "pitch-incomplete",
             Self::TooFewTeeth { .. } => "too-few-teeth",
@@ -179,6 +186,9 @@ impl InspectionError {
                 "raise the diameter above the base circle, or check the gear data"
             }
             Self::UnverifiedSetting { .. } => "measure again with a setting that is verified",
+            Self::NotStated { .. } => {
+                "export the file with its complete header; lengths of slopes can be stated (`--helix-slope-over`, `--profile-slope-over`), ranges come with a job (`--job`)"
+            }
             Self::PitchNotClosed { .. } => {
                 "check that all teeth of one revolution are in the table, each once"
             }

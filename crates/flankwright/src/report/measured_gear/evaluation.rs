@@ -11,6 +11,10 @@ pub struct EvaluationView {
     pub section: String,
     /// Mean and range over the teeth, a row for each line and flank.
     pub lines: Vec<LineRow>,
+    /// Features of the flanks as surfaces.
+    pub areal: Vec<ArealRow>,
+    /// Twist of each tooth flank.
+    pub twist: Vec<TwistRow>,
     /// Pitches.
     pub pitch: Vec<PitchRow>,
     /// Classes.
@@ -28,6 +32,26 @@ pub struct LineRow {
     pub values: Vec<(String, f64, Option<f64>)>,
     /// Teeth.
     pub teeth: usize,
+}
+
+/// A flank as a surface.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ArealRow {
+    /// Flank.
+    pub flank: String,
+    /// What the surface was made of.
+    pub surface: String,
+    /// f_Ha, C_a, f_Hb, C_b, S, rest rms; no twist where the lines do not tell it.
+    pub values_um: [Option<f64>; 6],
+}
+
+/// Twist of a tooth flank.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TwistRow {
+    /// Tooth and flank, for example "1, left".
+    pub name: String,
+    /// By profiles, by helix traces, their difference.
+    pub values_um: [Option<f64>; 3],
 }
 
 /// Pitches of a flank.
@@ -55,6 +79,12 @@ impl EvaluationView {
         let mut blocks = Vec::new();
         if !self.lines.is_empty() {
             blocks.push(Block::Table(self.lines_table()?));
+        }
+        if !self.areal.is_empty() {
+            blocks.push(Block::Table(self.areal_table()?));
+        }
+        if !self.twist.is_empty() {
+            blocks.push(Block::Table(self.twist_table()?));
         }
         let mut beside = Vec::new();
         if !self.pitch.is_empty() {
@@ -94,6 +124,44 @@ impl EvaluationView {
             ],
             rows,
             note: format!("{} section.", self.section),
+        })
+    }
+
+    fn areal_table(&self) -> Result<Table, ChartError> {
+        let row = |of: &ArealRow| {
+            let values = of.values_um.iter().map(|value| fixed_or_none("feature", *value, 2));
+            let name = [of.flank.clone(), of.surface.clone()].into_iter().map(Ok);
+            name.chain(values).collect::<Result<Vec<String>, ChartError>>()
+        };
+        let mut columns = vec![Column::name("Flank"), Column::name("Surface")];
+        let symbols = ["f_Hα", "C_α", "f_Hβ", "C_β", "S", "rest rms"];
+        columns.extend(symbols.map(|symbol| Column::number(symbol, "µm")));
+        Ok(Table {
+            caption: "Flanks as surfaces, mean of the teeth".into(),
+            columns,
+            rows: self.areal.iter().map(row).collect::<Result<_, ChartError>>()?,
+            note: "Normal to the flank; f_Hα of material rising to the tip, f_Hβ of material rising to +z. Between the lines the surface \
+                   is reconstructed and was not measured."
+                .into(),
+        })
+    }
+
+    fn twist_table(&self) -> Result<Table, ChartError> {
+        let row = |of: &TwistRow| {
+            let values = of.values_um.iter().map(|value| fixed_or_none("S", *value, 2));
+            std::iter::once(Ok(of.name.clone())).chain(values).collect::<Result<Vec<String>, ChartError>>()
+        };
+        Ok(Table {
+            caption: "Twist S by the outer lines".into(),
+            columns: vec![
+                Column::name("Tooth, flank"),
+                Column::number("by profiles", "µm"),
+                Column::number("by helix traces", "µm"),
+                Column::number("difference", "µm"),
+            ],
+            rows: self.twist.iter().map(row).collect::<Result<_, ChartError>>()?,
+            note: "Transverse section. A bilinear twist is the same by both; the difference is what is none."
+                .into(),
         })
     }
 

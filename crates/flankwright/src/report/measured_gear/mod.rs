@@ -10,5 +10,5 @@ mod tests_table;
 
 pub use correction::{CorrectionView, ProofRow, SettingRow};
 pub use data::{DifferenceRow, FlankView, MeasuredGearReport, RoundView};
-pub use evaluation::{ClassRow, EvaluationView, LineRow, PitchRow};
+pub use evaluation::{ArealRow, ClassRow, EvaluationView, LineRow, PitchRow, TwistRow};
 pub use tests_table::TestRow;

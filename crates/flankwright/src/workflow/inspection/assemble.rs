@@ -4,9 +4,10 @@ use super::closed_loop::RoundResult;
 use super::evaluate::{EvaluatedGear, EvaluatedTrace};
 use super::printed::printed;
 use super::result::{
-    BandResult, ClassResult, GearInspectionResult, LinesResult, PitchInspectionResult, SummaryResult,
-    ThicknessResult, TraceInspectionResult,
+    ArealResult, BandResult, ClassResult, GearInspectionResult, LinesResult, PitchInspectionResult,
+    SummaryResult, ThicknessResult, TraceInspectionResult,
 };
+use super::twist::twists;
 use crate::exchange::inspection::{Inspection, Section};
 use crate::geometry::Flank;
 use crate::metrology::inspection::{SlopeSign, TeethSummary};
@@ -22,12 +23,16 @@ pub(super) struct InspectionContext {
     pub not_understood: Vec<LinesResult>,
     /// Remarks of reading and judging.
     pub remarks: Vec<Remark>,
+    /// What the user stated about the measurement.
+    pub stated: Vec<String>,
     /// Rounds against a job.
     pub rounds: Vec<RoundResult>,
     /// What bands say of traces, by their number.
     pub bands: BTreeMap<usize, BandResult>,
     /// Tolerance of the job.
     pub tolerance_um: Option<f64>,
+    /// Features of the flanks as surfaces.
+    pub areal: BTreeMap<&'static str, ArealResult>,
     /// What the part is, unless it is what is asked for.
     pub verdict: Option<(Status, Remark)>,
     /// Seconds per stage.
@@ -63,6 +68,7 @@ pub(super) fn gear_result(
         files: inspection.sources.clone(),
         head: head.into_iter().filter_map(|(key, text)| Some((key, text.clone()?))).collect(),
         warnings: context.remarks.into_iter().chain(warnings(inspection, gear)).collect(),
+        stated: context.stated,
         not_understood: context.not_understood,
         section: match inspection.conditions.section {
             Section::Transverse => "transverse",
@@ -77,6 +83,8 @@ pub(super) fn gear_result(
             })
             .collect(),
         summary: summary(inspection, gear),
+        twist: twists(inspection, gear),
+        areal: context.areal,
         pitch: Flank::BOTH
             .into_iter()
             .filter_map(|flank| Some((flank.name(), of_pitch(gear, flank)?)))

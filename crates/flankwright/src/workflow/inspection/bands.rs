@@ -16,6 +16,14 @@ pub(super) struct Bands {
 }
 
 impl Bands {
+    /// The bands in which traces may be shifted, as a sheet draws them: of profiles and of helix traces.
+    pub fn drawn(&self) -> [Option<KBand>; 2] {
+        let free = |of: &Option<(KBand, BandFit)>| {
+            of.as_ref().filter(|(_, fit)| matches!(fit, BandFit::Free)).map(|(band, _)| band.clone())
+        };
+        [free(&self.profile), free(&self.helix)]
+    }
+
     /// # Errors
     /// [`RunFailure::BadInput`] for a band whose lists have other lengths, do not ascend, or cross.
     pub fn of_table(table: &InspectionTable) -> Result<Self, RunFailure> {

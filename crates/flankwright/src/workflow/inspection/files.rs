@@ -4,6 +4,7 @@ mod rexs;
 
 use super::drawn::DrawnGear;
 use super::result::LinesResult;
+use super::statements::Statements;
 use crate::exchange::inspection::{
     InspectedGear, Inspection, InspectionError, InspectionWarning, KlingelnbergFile, MeasuredTable, Trace,
     TraceKind, WarningKind, inspection_of, parse_measured_table, read_klingelnberg,
@@ -12,6 +13,7 @@ use crate::exchange::{Diagnostic, Problem, Source};
 use crate::geometry::{Flank, Sides};
 use crate::modification::ModificationSpec;
 use crate::workflow::finding::{JobFailure, Remark, RunFailure};
+use serde::Serialize;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
@@ -26,6 +28,20 @@ pub struct MeasuredFiles {
     pub remarks: Vec<Remark>,
     /// Modifications that the file states for the gear.
     pub modifications: Sides<Vec<ModificationSpec>>,
+    /// What the user stated about it, in words.
+    pub stated: Vec<String>,
+}
+
+impl MeasuredFiles {
+    fn new(inspection: Inspection) -> Self {
+        Self {
+            inspection,
+            not_understood: Vec::new(),
+            remarks: Vec::new(),
+            modifications: Sides::default(),
+            stated: Vec::new(),
+        }
+    }
 }
 
 /// Endings of curves and of values; the files of a part have one stem.
@@ -44,17 +60,22 @@ pub fn is_measurement(path: &Path) -> bool {
 /// Reads a measurement; of a Klingelnberg part also the file beside it that holds the curves to its values, or the values to its curves.
 ///
 /// # Errors
-/// [`JobFailure`]: a file of no known form, what its reader refuses, a table without `drawn`.
-pub fn read_measurement(path: &Path, drawn: Option<&DrawnGear>) -> Result<MeasuredFiles, JobFailure> {
+/// [`JobFailure`]: a file of no known form, what its reader refuses, a table without `drawn`, statements that contradict the file.
+pub fn read_measurement(
+    path: &Path,
+    drawn: Option<&DrawnGear>,
+    statements: &Statements,
+) -> Result<MeasuredFiles, JobFailure> {
     let ending = ending(path);
     if KLINGELNBERG.contains(&ending.as_str()) {
-        return Ok(klingelnberg(path)?);
+        return Ok(statements.apply(klingelnberg(path)?));
     }
     if REXS.contains(&ending.as_str()) {
-        return Ok(rexs::read(path)?);
+        statements.check_rexs()?;
+        return Ok(statements.apply(rexs::read(path)?));
     }
     if ending == TABLE {
-        return table(path, drawn);
+        return Ok(statements.apply(table(path, drawn, statements)?));
     }
     let finding =
         Diagnostic::new(Problem::UnknownValue, "the ending of the file tells no form of measurement")
@@ -77,21 +98,64 @@ pub fn files_of_measurement(path: &Path) -> Vec<PathBuf> {
         return vec![path.to_owned()];
     }
     let other = KLINGELNBERG.into_iter().find(|other| !other.eq_ignore_ascii_case(own));
-    let spelled =
-        |other: &str| if own == own.to_uppercase() { other.to_uppercase() } else { other.to_owned() };
-    let beside = other.map(|other| path.with_extension(spelled(other))).filter(|path| path.is_file());
+    let beside = other.and_then(|other| {
+        // Spelled as this one first, else as machines and file systems spell it.
+        let mut spelled = [other.to_owned(), other.to_uppercase(), capital(other)];
+        if own == own.to_uppercase() {
+            spelled.swap(0, 1);
+        }
+        spelled.into_iter().map(|ending| path.with_extension(ending)).find(|path| path.is_file())
+    });
     [Some(path.to_owned()), beside].into_iter().flatten().collect()
 }
 
-/// Files of a folder that are measurements and tell which gear was measured: no tables, none in folders below it.
+fn capital(word: &str) -> String {
+    word.char_indices().map(|(k, c)| if k == 0 { c.to_ascii_uppercase() } else { c }).collect()
+}
+
+/// What a folder holds.
+#[derive(Clone, Debug, Default)]
+pub struct MeasuredFolder {
+    /// Measurements that tell which gear was measured.
+    pub measurements: BTreeSet<PathBuf>,
+    /// What may be meant as one and is left out.
+    pub left_out: Vec<LeftOutFile>,
+}
+
+/// Something in a folder that was not evaluated.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct LeftOutFile {
+    /// Its name.
+    pub file: String,
+    /// Why.
+    pub reason: &'static str,
+}
+
+/// Files of a folder that are measurements and tell which gear was measured: no tables, none in folders below it. Files with other endings
+/// are none of its business.
 ///
 /// # Errors
 /// Those of the file system.
-pub fn measurements_in(folder: &Path) -> std::io::Result<BTreeSet<PathBuf>> {
-    let wanted = |path: &PathBuf| is_measurement(path) && ending(path) != TABLE && path.is_file();
-    let paths = std::fs::read_dir(folder)?.map(|entry| Ok(entry?.path()));
-    let paths = paths.collect::<std::io::Result<Vec<PathBuf>>>()?;
-    Ok(paths.into_iter().filter(wanted).collect())
+pub fn measurements_in(folder: &Path) -> std::io::Result<MeasuredFolder> {
+    let mut found = MeasuredFolder::default();
+    for entry in std::fs::read_dir(folder)? {
+        let path = entry?.path();
+        let reason = if path.is_dir() {
+            "folders inside of a folder are not searched"
+        } else if !is_measurement(&path) {
+            continue;
+        } else if ending(&path) == TABLE {
+            "a table does not tell which gear was measured: inspect it with `--job`"
+        } else if !path.is_file() {
+            "it is no regular file"
+        } else {
+            found.measurements.insert(path);
+            continue;
+        };
+        found.left_out.push(LeftOutFile { file: file_name(&path), reason });
+    }
+    found.left_out.sort_by(|a, b| a.file.cmp(&b.file));
+    Ok(found)
 }
 
 fn klingelnberg(path: &Path) -> Result<MeasuredFiles, RunFailure> {
@@ -112,8 +176,7 @@ fn klingelnberg(path: &Path) -> Result<MeasuredFiles, RunFailure> {
         file.unknown_lines.iter().map(line).collect::<Vec<_>>()
     });
     let not_understood = not_understood.collect();
-    let modifications = Sides::default();
-    Ok(MeasuredFiles { inspection, not_understood, remarks: Vec::new(), modifications })
+    Ok(MeasuredFiles { not_understood, ..MeasuredFiles::new(inspection) })
 }
 
 /// An error of a file of measurements.
@@ -129,7 +192,11 @@ fn file_name(path: &Path) -> String {
     path.file_name().map_or_else(|| "part".into(), |name| name.to_string_lossy().into_owned())
 }
 
-fn table(path: &Path, drawn: Option<&DrawnGear>) -> Result<MeasuredFiles, JobFailure> {
+fn table(
+    path: &Path,
+    drawn: Option<&DrawnGear>,
+    statements: &Statements,
+) -> Result<MeasuredFiles, JobFailure> {
     let source = Source::read(path)?;
     let cut = cut_short(&source);
     let found = parse_measured_table(source)?;
@@ -142,15 +209,18 @@ fn table(path: &Path, drawn: Option<&DrawnGear>) -> Result<MeasuredFiles, JobFai
         return Err(RunFailure::bad_input(finding).into());
     };
     let mut inspection = empty(drawn.gear, path);
-    inspection.conditions = drawn.conditions.clone();
+    // The ranges are those of the gear, not of the table: turned beforehand they are themselves again once the whole is turned.
+    inspection.conditions = match statements.other_end {
+        true => drawn.conditions.clone().turned(),
+        false => drawn.conditions.clone(),
+    };
     inspection.warnings.extend(cut);
     match found {
         MeasuredTable::Traces(traces) => inspection.traces = traces,
         MeasuredTable::Fields(fields) => inspection.topographies = fields,
     }
     tag(&mut inspection.traces);
-    let modifications = Sides::default();
-    Ok(MeasuredFiles { inspection, not_understood: Vec::new(), remarks: Vec::new(), modifications })
+    Ok(MeasuredFiles::new(inspection))
 }
 
 /// Without an end of the last line nobody knows whether its last number is whole.

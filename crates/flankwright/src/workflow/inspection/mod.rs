@@ -1,6 +1,7 @@
 //! Measured gears, from files to figures: what was read, evaluated after ISO 1328-1, judged by classes, beside what the measuring machine
 //! printed; and for a job, what the process has to do with it.
 
+mod areal;
 mod assemble;
 mod bands;
 mod characteristics;
@@ -10,11 +11,15 @@ mod evaluate;
 mod files;
 mod page;
 mod printed;
+mod readings;
 mod result;
 mod run;
 pub mod series;
 mod sheet;
+mod statements;
+mod surface;
 mod tables;
+mod twist;
 mod write;
 
 pub use characteristics::{PartCharacteristic, PartIdentity, characteristic_key, part_characteristics};
@@ -24,11 +29,15 @@ pub use closed_loop::{
 };
 pub use drawn::DrawnGear;
 pub use evaluate::{Design, EvaluatedGear, EvaluatedPitch, EvaluatedTrace, LeftOut, evaluate_inspection};
-pub use files::{MeasuredFiles, files_of_measurement, is_measurement, measurements_in, read_measurement};
+pub use files::{
+    LeftOutFile, MeasuredFiles, MeasuredFolder, files_of_measurement, is_measurement, measurements_in,
+    read_measurement,
+};
 pub use result::{
-    BandResult, ClassResult, GearInspectionResult, LinesResult, PitchInspectionResult, PrintedResult,
-    SummaryResult, ThicknessResult, TraceInspectionResult,
+    ArealResult, BandResult, ClassResult, GearInspectionResult, LinesResult, PitchInspectionResult,
+    PrintedResult, SummaryResult, ThicknessResult, TraceInspectionResult, TwistResult,
 };
 pub use run::{GearInspection, inspect_for_job, inspect_gear, inspect_simulated};
 pub use sheet::{SheetOptions, inspection_sheet, sheet_data, sheet_pages};
+pub use statements::Statements;
 pub use write::write_gear_inspection;

@@ -10,8 +10,8 @@ use crate::exchange::job::{JobInfo, Process};
 use crate::geometry::{Flank, Sides};
 use crate::report::charts::{ChartError, Topography, format_fixed};
 use crate::report::measured_gear::{
-    ClassRow, CorrectionView, DifferenceRow, EvaluationView, FlankView, LineRow, MeasuredGearReport,
-    PitchRow, ProofRow, RoundView, SettingRow, TestRow,
+    ArealRow, ClassRow, CorrectionView, DifferenceRow, EvaluationView, FlankView, LineRow,
+    MeasuredGearReport, PitchRow, ProofRow, RoundView, SettingRow, TestRow, TwistRow,
 };
 use crate::report::{Quantity, html};
 use crate::workflow::report_head::{Answer, report_head, sentence};
@@ -119,7 +119,15 @@ fn flank(of: &MeasuredFlankResult) -> Result<FlankView, ChartError> {
         planned: map(&of.planned_um)?,
         simulated: map(&of.simulated_um)?,
         measured: whole.as_deref().map(map).transpose()?,
-        surface: of.surface.clone(),
+        surface: match of.mismatch_um {
+            None => of.surface.clone(),
+            Some([rms, most]) => format!(
+                "{}; where they cross they disagree by {} µm rms, {} µm at most",
+                of.surface,
+                format_fixed(rms, 2),
+                format_fixed(most, 2)
+            ),
+        },
         deviation: difference(&of.measured),
         model: difference(&of.model),
         correlation: of.correlation,
@@ -276,6 +284,9 @@ fn evaluation(result: &GearInspectionResult) -> EvaluationView {
         }
     }
     let mut remarks = Vec::new();
+    if !result.stated.is_empty() {
+        remarks.push(format!("Stated about the measurement: {}.", result.stated.join("; ")));
+    }
     let um = |value: f64| format_fixed(value, 2);
     if let Some(run_out) = result.run_out_um {
         remarks.push(format!("Run-out F_r {} µm from the pitches.", um(run_out)));
@@ -294,6 +305,30 @@ fn evaluation(result: &GearInspectionResult) -> EvaluationView {
     EvaluationView {
         section: format!("Deviations are those of the {}", result.section),
         lines,
+        areal: result
+            .areal
+            .iter()
+            .map(|(flank, of)| ArealRow {
+                flank: (*flank).to_owned(),
+                surface: of.surface.clone(),
+                values_um: [
+                    Some(of.profile_slope_um),
+                    Some(of.profile_crowning_um),
+                    Some(of.helix_slope_um),
+                    Some(of.helix_crowning_um),
+                    of.twist_um,
+                    Some(of.rest_rms_um),
+                ],
+            })
+            .collect(),
+        twist: result
+            .twist
+            .iter()
+            .map(|of| TwistRow {
+                name: format!("{}, {}", of.tooth, of.flank),
+                values_um: [of.by_profiles_um, of.by_leads_um, of.difference_um],
+            })
+            .collect(),
         pitch: result
             .pitch
             .iter()

@@ -28,6 +28,9 @@ pub struct GearInspectionResult {
     pub files: Vec<String>,
     /// Number of the part, its drawing, date and machine, as far as the files tell.
     pub head: BTreeMap<&'static str, String>,
+    /// What the user stated about the measurement because the file does not tell it.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub stated: Vec<String>,
     /// Doubts of reading and evaluation.
     pub warnings: Vec<Remark>,
     /// Lines that were not understood, by file.
@@ -38,6 +41,12 @@ pub struct GearInspectionResult {
     pub traces: Vec<TraceInspectionResult>,
     /// Mean and range over the teeth: characteristic, flank, line.
     pub summary: Vec<SummaryResult>,
+    /// Twist of tooth flanks that have two profiles or two helix traces.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub twist: Vec<TwistResult>,
+    /// Features of each flank as a surface, where its lines cross; against a job the rounds have them.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub areal: BTreeMap<&'static str, ArealResult>,
     /// Pitches by flank.
     pub pitch: BTreeMap<&'static str, PitchInspectionResult>,
     /// R_s.
@@ -165,6 +174,63 @@ pub struct SummaryResult {
     /// Greatest less least; absent with one tooth.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub range_um: Option<f64>,
+}
+
+/// Twist S of a tooth flank, transverse, > 0 removes at the tip of the upper face.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TwistResult {
+    /// Flank.
+    pub flank: &'static str,
+    /// Tooth as the machine counts.
+    pub tooth: u32,
+    /// S_alpha: from the profile slopes at two heights.
+    #[serde(rename = "S_by_profiles_um", skip_serializing_if = "Option::is_none")]
+    pub by_profiles_um: Option<f64>,
+    /// S_beta: from the helix slopes at two lengths of roll.
+    #[serde(rename = "S_by_leads_um", skip_serializing_if = "Option::is_none")]
+    pub by_leads_um: Option<f64>,
+    /// Their difference: what is no bilinear twist.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub difference_um: Option<f64>,
+}
+
+/// Features of a flank: of the surface of second degree through what was measured, mean of the teeth, normal to the flank. The surface between
+/// lines is reconstructed; `surface` says from what.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ArealResult {
+    /// What the surface was made of.
+    pub surface: String,
+    /// Teeth that were measured so.
+    pub teeth: usize,
+    /// Lengths of roll and heights that the features refer to.
+    pub field_mm: [[f64; 2]; 2],
+    /// f_Ha, material rising to the tip.
+    #[serde(rename = "fHa_um")]
+    pub profile_slope_um: f64,
+    /// f_Hb, material rising to +z.
+    #[serde(rename = "fHb_um")]
+    pub helix_slope_um: f64,
+    /// C_alpha.
+    #[serde(rename = "Ca_um")]
+    pub profile_crowning_um: f64,
+    /// C_beta.
+    #[serde(rename = "Cb_um")]
+    pub helix_crowning_um: f64,
+    /// S; absent where the lines do not tell it.
+    #[serde(rename = "S_um", skip_serializing_if = "Option::is_none")]
+    pub twist_um: Option<f64>,
+    /// What the surface of second degree leaves, root mean square.
+    pub rest_rms_um: f64,
+    /// What it leaves, largest minus smallest.
+    pub form_um: f64,
+    /// Share of the squares that it explains.
+    pub explained_share: f64,
+    /// How far profiles and helix traces disagree where they cross: root mean square and largest.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mismatch_um: Option<[f64; 2]>,
+    /// How far the field goes beyond the outermost lines, as a share of it, where that is far.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub outside_traces: BTreeMap<&'static str, f64>,
 }
 
 /// Pitches of a flank.

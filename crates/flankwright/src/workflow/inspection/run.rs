@@ -1,5 +1,6 @@
 //! `inspect` of a measured gear: by itself, for a job, or of a simulated machine in rounds.
 
+use super::areal::areal;
 use super::assemble::{InspectionContext, gear_result};
 use super::bands::Bands;
 use super::closed_loop::{Round, Wanted, of_file, of_header, simulated};
@@ -8,9 +9,11 @@ use super::evaluate::{
 };
 use super::files::{MeasuredFiles, read_measurement, refused};
 use super::result::{BandResult, GearInspectionResult, LinesResult};
+use super::statements::Statements;
 use crate::exchange::LoadedJob;
 use crate::exchange::inspection::Inspection;
 use crate::geometry::{Flank, Sides};
+use crate::metrology::inspection::KBand;
 use crate::modification::{EvaluationField, Modification};
 use crate::numerics::Progress;
 use crate::workflow::finding::{JobFailure, Remark, RunFailure};
@@ -31,15 +34,17 @@ pub struct GearInspection {
     pub rounds: Vec<Round>,
     /// Of a job: the measurement less the target, with its evaluation; what the inspection sheet shows.
     pub against_target: Option<Box<(Inspection, EvaluatedGear)>>,
+    /// Bands of a job for its sheet: of profiles and of helix traces.
+    pub bands: [Option<KBand>; 2],
 }
 
 /// Reads and evaluates a measurement by itself; a file that states modifications is judged against them.
 ///
 /// # Errors
 /// [`JobFailure`]: a file that is no measurement, a header that makes no gear. What single traces lack is told by warnings.
-pub fn inspect_gear(path: &Path) -> Result<GearInspection, JobFailure> {
+pub fn inspect_gear(path: &Path, statements: &Statements) -> Result<GearInspection, JobFailure> {
     let begun = Instant::now();
-    let mut files = read_measurement(path, None)?;
+    let mut files = read_measurement(path, None, statements)?;
     let mut timing = BTreeMap::from([("reading", begun.elapsed().as_secs_f64())]);
     let begun = Instant::now();
     let stated = stated_design(&mut files);
@@ -53,15 +58,24 @@ pub fn inspect_gear(path: &Path) -> Result<GearInspection, JobFailure> {
         name: stem(path),
         not_understood: files.not_understood,
         remarks: files.remarks,
+        stated: files.stated,
         rounds: Vec::new(),
         bands: BTreeMap::new(),
+        areal: areal(&files.inspection, &gear, design),
         tolerance_um: None,
         verdict: evaluated_at_all(&gear),
         timing,
     };
     let result = gear_result(&files.inspection, &gear, context);
     let inspection = files.inspection;
-    Ok(GearInspection { result, inspection, gear, rounds: Vec::new(), against_target: None })
+    Ok(GearInspection {
+        result,
+        inspection,
+        gear,
+        rounds: Vec::new(),
+        against_target: None,
+        bands: [None, None],
+    })
 }
 
 /// Judges a measured file against a job.
@@ -71,13 +85,14 @@ pub fn inspect_gear(path: &Path) -> Result<GearInspection, JobFailure> {
 pub fn inspect_for_job(
     loaded: &LoadedJob,
     path: &Path,
+    statements: &Statements,
     progress: &dyn Progress,
 ) -> Result<GearInspection, JobFailure> {
     let begun = Instant::now();
     let judging = Judging::of_job(loaded)?;
-    let (round, files) = of_file(loaded, &judging.wanted, path, progress)?;
-    let found = (files.not_understood, files.remarks);
-    Ok(of_rounds(judging, vec![round], stem(path), found, begun)?)
+    let (round, files) = of_file(loaded, &judging.wanted, (path, statements), progress)?;
+    let told = Told { not_understood: files.not_understood, remarks: files.remarks, stated: files.stated };
+    Ok(of_rounds(judging, vec![round], stem(path), told, begun)?)
 }
 
 /// Measures and corrects the simulated machine of a job.
@@ -88,7 +103,7 @@ pub fn inspect_simulated(loaded: &LoadedJob, progress: &dyn Progress) -> Result<
     let begun = Instant::now();
     let judging = Judging::of_job(loaded)?;
     let rounds = simulated(loaded, &judging.wanted, progress)?;
-    of_rounds(judging, rounds, loaded.job.job.name.clone(), (Vec::new(), Vec::new()), begun)
+    of_rounds(judging, rounds, loaded.job.job.name.clone(), Told::default(), begun)
 }
 
 /// What a measurement is judged by.
@@ -106,11 +121,19 @@ impl Judging {
     }
 }
 
+/// What reading a file has told.
+#[derive(Default)]
+struct Told {
+    not_understood: Vec<LinesResult>,
+    remarks: Vec<Remark>,
+    stated: Vec<String>,
+}
+
 fn of_rounds(
     Judging { wanted, bands: all, tolerance_um: tolerance }: Judging,
     rounds: Vec<Round>,
     name: String,
-    (not_understood, mut remarks): (Vec<LinesResult>, Vec<Remark>),
+    Told { not_understood, mut remarks, stated }: Told,
     begun: Instant,
 ) -> Result<GearInspection, RunFailure> {
     let Some(last) = rounds.last() else { return Err(RunFailure::no_settings()) };
@@ -134,6 +157,34 @@ fn of_rounds(
             None => {}
         }
     }
+    for (flank, of) in &last.result.flanks {
+        if !of.sees_twist {
+            remarks.push(Remark {
+                code: "twist-not-measured",
+                text: format!(
+                    "one profile and one helix trace tell nothing of the twist of the {flank} flank: its surface was taken to have that of the target"
+                ),
+                way_out: "measure a second profile or a second helix trace of the same tooth".into(),
+            });
+        }
+        if let Some([_, most]) = of.mismatch_um.filter(|[_, most]| *most > tolerance) {
+            remarks.push(Remark {
+                code: "lines-disagree",
+                text: format!(
+                    "profiles and helix traces of the {flank} flank disagree by {most:.3} um where they cross"
+                ),
+                way_out: "look for burrs and dust at the crossings, and measure again".into(),
+            });
+        }
+        remarks.extend(of.outside_traces.iter().map(|(along, share)| Remark {
+            code: "outside-traces",
+            text: format!(
+                "the surface of the {flank} flank goes {:.0} % of the field beyond the outermost lines, by {along}",
+                100.0 * share
+            ),
+            way_out: "measure lines nearer to the ends of the field".into(),
+        }));
+    }
     let verdict = verdict_of(last, &wanted, &bands, unjudged, tolerance);
     let (inspection, gear) = (last.inspection.clone(), last.gear.clone());
     let less = without_design(&inspection, &gear.gear, &design);
@@ -143,14 +194,17 @@ fn of_rounds(
         name,
         not_understood,
         remarks,
+        stated,
         rounds: rounds.iter().map(|round| round.result.clone()).collect(),
         bands,
+        areal: BTreeMap::new(),
         tolerance_um: Some(tolerance),
         verdict,
         timing: BTreeMap::from([("all", begun.elapsed().as_secs_f64())]),
     };
     let result = gear_result(&inspection, &gear, context);
-    Ok(GearInspection { result, inspection, gear, rounds, against_target })
+    let bands = all.drawn();
+    Ok(GearInspection { result, inspection, gear, rounds, against_target, bands })
 }
 
 /// A measurement of which nothing could be evaluated says nothing.

@@ -1,12 +1,14 @@
 //! The measured flank as a surface on the grid of the result: through the lines of every tooth, or through the points of a field, mean over
 //! the teeth about their means. Deviations from the design, normal, mm; NaN where nothing was measured.
 
-use super::super::evaluate::{Design, transverse_samples};
+use super::evaluate::{Design, transverse_samples};
+use super::readings::readings;
 use crate::exchange::inspection::{Inspection, Section, Topography as MeasuredField, Trace, TraceKind};
 use crate::geometry::{Flank, Gear};
 use crate::metrology::Topography;
 use crate::metrology::areal::{
-    ArealDegree, ArealField, ArealFit, ArealPoint, Reconstruction, Trace as ArealTrace, Zeros,
+    ArealDegree, ArealField, ArealFit, ArealPoint, Mismatch, OutsideTraces, Reconstruction,
+    Trace as ArealTrace, Zeros,
 };
 use crate::metrology::inspection::InspectionError;
 use std::collections::BTreeMap;
@@ -20,6 +22,24 @@ pub(super) struct MeasuredSurface {
     pub teeth: usize,
     /// How it came about.
     pub how: String,
+    /// How far profiles and helix traces of a tooth disagree where they cross: root mean square over the teeth, and the largest.
+    pub mismatch: Option<Mismatch>,
+    /// Where the grid goes far beyond the outermost lines.
+    pub outside: Vec<OutsideTraces>,
+    /// Whether the twist shows in it: one profile and one helix trace tell nothing of it.
+    pub sees_twist: bool,
+}
+
+impl MeasuredSurface {
+    /// Root mean square and largest disagreement of profiles and helix traces, um.
+    pub fn mismatch_um(&self) -> Option<[f64; 2]> {
+        self.mismatch.map(|m| [1e3 * m.rms, 1e3 * m.largest])
+    }
+
+    /// Shares of the field beyond the outermost lines, by direction.
+    pub fn outside_traces(&self) -> BTreeMap<&'static str, f64> {
+        self.outside.iter().map(|far| (far.along, far.share)).collect()
+    }
 }
 
 /// Points (w, z, deviation) of a measured field.
@@ -45,43 +65,64 @@ pub(super) fn measured_surface(
     design: Design<'_>,
 ) -> Result<Option<MeasuredSurface>, InspectionError> {
     let mut surfaces = Vec::new();
+    let (mut mismatches, mut outside) = (Vec::new(), Vec::<OutsideTraces>::new());
+    let mut sees_twist = true;
+    let ends = |x: &[f64]| [x.first().copied().unwrap_or(0.0), x.last().copied().unwrap_or(0.0)];
+    let field = ArealField::new(ends(w), ends(z)).ok();
     let mut how = String::new();
-    let mut teeth: BTreeMap<u32, [Vec<&Trace>; 2]> = BTreeMap::new();
+    let mut teeth: BTreeMap<u32, Vec<&Trace>> = BTreeMap::new();
     for trace in inspection.traces.iter().filter(|t| t.flank == flank) {
-        let place = usize::from(trace.kind == TraceKind::Helix);
-        teeth.entry(trace.tooth).or_default()[place].push(trace);
+        teeth.entry(trace.tooth).or_default().push(trace);
     }
     let cos = gear.flank(flank).base_helix_angle.cos();
     for lines in teeth.values() {
-        let areal = |of: &[&Trace]| {
-            let one = |trace: &&Trace| {
-                let samples = transverse_samples(inspection, gear, trace, Some(design)).ok()?;
-                let f: Vec<f64> = samples.deviation().iter().map(|f| f * cos).collect();
-                ArealTrace::new(trace.position_mm, samples.abscissa(), &f).ok()
+        let mut of_tooth = Vec::new();
+        for reading in readings(lines, |trace| trace) {
+            let of = |kind: TraceKind| {
+                let one = |trace: &&&Trace| {
+                    let samples = transverse_samples(inspection, gear, trace, Some(design)).ok()?;
+                    let f: Vec<f64> = samples.deviation().iter().map(|f| f * cos).collect();
+                    ArealTrace::new(trace.position_mm, samples.abscissa(), &f).ok()
+                };
+                reading.iter().filter(|trace| trace.kind == kind).filter_map(one).collect::<Vec<ArealTrace>>()
             };
-            of.iter().filter_map(one).collect::<Vec<ArealTrace>>()
-        };
-        let (profiles, helices) = (areal(&lines[0]), areal(&lines[1]));
-        let text = format!("{} profiles and {} helix traces a tooth", profiles.len(), helices.len());
-        let found = Reconstruction::new(profiles, helices, Zeros::Free);
-        if let Some(surface) = found.ok().and_then(|r| r.on_grid(w.to_vec(), z.to_vec()).ok()) {
-            surfaces.push(surface);
-            how = text;
+            let (profiles, helices) = (of(TraceKind::Profile), of(TraceKind::Helix));
+            let counts = [profiles.len(), helices.len()];
+            let Ok(found) = Reconstruction::new(profiles, helices, Zeros::Free) else { continue };
+            let Ok(surface) = found.on_grid(w.to_vec(), z.to_vec()) else { continue };
+            mismatches.extend(found.mismatch);
+            for far in field.iter().flat_map(|field| found.outside(field)) {
+                match outside.iter_mut().find(|known| known.along == far.along) {
+                    Some(known) => known.share = known.share.max(far.share),
+                    None => outside.push(far),
+                }
+            }
+            sees_twist &= counts != [1, 1];
+            how = format!("{} profiles and {} helix traces a tooth", counts[0], counts[1]);
+            of_tooth.push(surface);
         }
+        surfaces.extend(mean(of_tooth));
     }
     if !surfaces.is_empty() && surfaces.len() < teeth.len() {
         how +=
             &format!("; {} of {} teeth have no lines that cross", teeth.len() - surfaces.len(), teeth.len());
     }
+    let mut fields: BTreeMap<u32, Vec<Topography>> = BTreeMap::new();
     for field in inspection.topographies.iter().filter(|t| t.flank == flank) {
         let points = field_points(inspection, gear, field, design)?;
         if let Some(surface) = fitted(&points, w, z) {
-            surfaces.push(surface);
+            fields.entry(field.tooth).or_default().push(surface);
             how = "third-degree fit of the points of a field".into();
         }
     }
+    surfaces.extend(fields.into_values().filter_map(mean));
     let count = surfaces.len();
-    Ok(mean(surfaces).map(|deviation| MeasuredSurface { deviation, teeth: count, how }))
+    let mismatch = (!mismatches.is_empty()).then(|| Mismatch {
+        rms: crate::numerics::root_mean_square(&mismatches.iter().map(|m| m.rms).collect::<Vec<f64>>()),
+        largest: mismatches.iter().map(|m| m.largest).fold(0.0, f64::max),
+    });
+    let made = |deviation| MeasuredSurface { deviation, teeth: count, how, mismatch, outside, sees_twist };
+    Ok(mean(surfaces).map(made))
 }
 
 /// What a field's points share with a surface of third degree; NaN beyond them.

@@ -2,11 +2,12 @@
 //! test of their means (spec 85 section 7.1). Normal to the flank, mm; slopes of material towards tip and upper face.
 
 use super::super::evaluate::EvaluatedGear;
-use crate::exchange::inspection::{Inspection, TraceKind};
+use super::super::readings::readings;
+use super::super::twist::{Line, twist_of};
+use crate::exchange::inspection::{Inspection, Trace, TraceKind};
 use crate::exchange::job::Inspection as InspectionTable;
 use crate::geometry::{Flank, Sides};
 use crate::metrology::areal::{ArealDegree, ArealField, ArealFit, ArealPoint};
-use crate::metrology::inspection::{PlacedSlope, twist_by_leads, twist_by_profiles};
 use crate::metrology::systematic::{SystematicError, SystematicOptions, SystematicTest, systematic_test};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -52,7 +53,9 @@ pub struct TestedCharacteristic {
     pub characteristic: Characteristic,
     /// Teeth.
     pub teeth: Vec<u32>,
-    /// Value of each, mm.
+    /// Readings of each tooth.
+    pub repeats: usize,
+    /// Mean of each tooth's readings, mm.
     pub values: Vec<f64>,
     /// What the test says.
     pub test: Result<SystematicTest, SystematicError>,
@@ -72,24 +75,31 @@ pub(super) fn tested(
 ) -> Vec<TestedCharacteristic> {
     let mut found = Vec::new();
     for flank in Flank::BOTH {
-        let mut teeth: BTreeMap<u32, OfTooth> = BTreeMap::new();
+        let mut teeth: BTreeMap<u32, Vec<OfTooth>> = BTreeMap::new();
         for trace in inspection.traces.iter().filter(|t| t.flank == flank) {
             teeth
                 .entry(trace.tooth)
                 .or_insert_with(|| of_tooth(inspection, gear, flank, trace.tooth, fields[flank]));
         }
         for field in inspection.topographies.iter().filter(|t| t.flank == flank) {
-            teeth.insert(field.tooth, of_field(&field_points(field), fields[flank]));
+            teeth.entry(field.tooth).or_default().push(of_field(&field_points(field), fields[flank]));
         }
         for characteristic in Characteristic::ALL {
-            let values: Vec<(u32, f64)> =
-                teeth.iter().filter_map(|(tooth, of)| Some((*tooth, *of.get(&characteristic)?))).collect();
-            if values.is_empty() {
-                continue;
-            }
-            let readings: Vec<Vec<f64>> = values.iter().map(|(_, value)| vec![*value]).collect();
+            let of = |readings: &Vec<OfTooth>| -> Vec<f64> {
+                readings.iter().filter_map(|one| one.get(&characteristic).copied()).collect()
+            };
+            let mut values: Vec<(u32, Vec<f64>)> = teeth
+                .iter()
+                .map(|(tooth, readings)| (*tooth, of(readings)))
+                .filter(|(_, v)| !v.is_empty())
+                .collect();
+            // As many readings of every tooth: what was measured more often than the others counts as often as they do.
+            let Some(repeats) = values.iter().map(|(_, readings)| readings.len()).min() else { continue };
+            values.iter_mut().for_each(|(_, readings)| readings.truncate(repeats));
+            let readings: Vec<Vec<f64>> = values.iter().map(|(_, readings)| readings.clone()).collect();
             let pitch = TAU / f64::from(inspection.gear.teeth.unsigned_abs());
             let angles: Vec<f64> = values.iter().map(|(tooth, _)| f64::from(*tooth) * pitch).collect();
+            let mean = |readings: Vec<f64>| readings.iter().sum::<f64>() / readings.len() as f64;
             let options = SystematicOptions {
                 tolerance,
                 calibration: 1e-3 * table.calibration_um,
@@ -101,58 +111,48 @@ pub(super) fn tested(
                 characteristic,
                 test: systematic_test(&readings, Some(&angles), &options),
                 teeth: values.iter().map(|(tooth, _)| *tooth).collect(),
-                values: values.into_iter().map(|(_, value)| value).collect(),
+                repeats,
+                values: values.into_iter().map(|(_, readings)| mean(readings)).collect(),
             });
         }
     }
     found
 }
 
-/// From the lines of a tooth: slopes and crownings of the middle ones, twist of the outer ones.
+/// From the lines of a tooth, once for every time that they were measured: slopes and crownings of the middle ones, twist of the outer ones.
 fn of_tooth(
     inspection: &Inspection,
     gear: &EvaluatedGear,
     flank: Flank,
     tooth: u32,
     [roll, face]: [[f64; 2]; 2],
-) -> OfTooth {
+) -> Vec<OfTooth> {
+    let own = |trace: &Trace| (trace.flank, trace.tooth) == (flank, tooth);
+    let lines = gear.traces.iter().map(|one| (&inspection.traces[one.trace], &one.evaluation));
+    let readings = readings(lines.filter(|(trace, _)| own(trace)), |(trace, _)| trace);
     let cos = gear.gear.flank(flank).base_helix_angle.cos();
+    readings.iter().map(|lines| of_lines(lines, cos, [roll, face])).collect()
+}
+
+/// From lines of which none stands where another does.
+fn of_lines(lines: &[Line<'_>], cos: f64, [roll, face]: [[f64; 2]; 2]) -> OfTooth {
     let lengths = [roll[1] - roll[0], face[1] - face[0]];
     let mut found = OfTooth::new();
-    let mut twists = Vec::new();
     for (kind, slope_of, crowning_of) in [
         (TraceKind::Profile, Characteristic::ProfileSlope, Characteristic::ProfileCrowning),
         (TraceKind::Helix, Characteristic::HelixSlope, Characteristic::HelixCrowning),
     ] {
-        let mut lines: Vec<_> = gear
-            .traces
-            .iter()
-            .map(|one| (&inspection.traces[one.trace], &one.evaluation))
-            .filter(|(t, _)| t.kind == kind && t.flank == flank && t.tooth == tooth)
-            .collect();
-        lines.sort_by(|a, b| a.0.position_mm.total_cmp(&b.0.position_mm));
+        let mut of_kind: Vec<&Line<'_>> = lines.iter().filter(|(t, _)| t.kind == kind).collect();
+        of_kind.sort_by(|a, b| a.0.position_mm.total_cmp(&b.0.position_mm));
         let along = lengths[usize::from(kind == TraceKind::Helix)];
-        if let Some((_, evaluation)) = lines.iter().find(|(t, _)| t.tag.is_empty()).or(lines.first()) {
+        if let Some((_, evaluation)) = of_kind.iter().find(|(t, _)| t.tag.is_empty()).or(of_kind.first()) {
             found.insert(slope_of, cos * evaluation.crowning.slope.over(along));
             found.insert(crowning_of, cos * evaluation.crowning.height);
         }
-        if let (Some(first), Some(last)) = (lines.first(), lines.last()) {
-            let placed = |line: &(
-                &crate::exchange::inspection::Trace,
-                &crate::metrology::inspection::TraceEvaluation,
-            )| {
-                PlacedSlope { position: line.0.position_mm, slope: line.1.crowning.slope }
-            };
-            let pair = [placed(first), placed(last)];
-            let twist = match kind {
-                TraceKind::Profile => twist_by_profiles(pair, lengths),
-                TraceKind::Helix => twist_by_leads(pair, lengths),
-            };
-            twists.extend(twist.ok().map(|s| cos * s));
-        }
     }
+    let twists: Vec<f64> = twist_of(lines, lengths).into_iter().flatten().collect();
     if !twists.is_empty() {
-        found.insert(Characteristic::Twist, twists.iter().sum::<f64>() / twists.len() as f64);
+        found.insert(Characteristic::Twist, cos * twists.iter().sum::<f64>() / twists.len() as f64);
     }
     found
 }

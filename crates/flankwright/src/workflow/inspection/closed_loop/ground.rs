@@ -75,28 +75,48 @@ impl Ground {
     }
 }
 
+/// What settings do, and what inspections evaluate, is known for cylinders.
+///
+/// # Errors
+/// [`RunFailure::BadInput`] for cones.
+pub(super) fn check_cylinders(prepared: &Prepared, loaded: &LoadedJob) -> Result<(), RunFailure> {
+    let pair = &prepared.setup.pair;
+    if pair.work.is_cylindrical() && pair.worm.is_cylindrical() {
+        return Ok(());
+    }
+    let message = "measurements are judged against jobs of cylindrical gears and worms";
+    let finding = Diagnostic::new(Problem::InvalidJob, message)
+        .field("gear.cone_angle_deg")
+        .value(loaded.job.gear.cone_angle_deg)
+        .allowed("0")
+        .way_out("inspect the measurement without `--job`");
+    Err(RunFailure::bad_input(finding))
+}
+
+/// Whether the worm shifts at a constant ratio, for which the effects of settings are known.
+pub(super) fn shifts_at_constant_ratio(execution: &Execution) -> bool {
+    matches!(execution.motion.shift, MotionLaw::Polynomial { .. })
+}
+
 /// First-order effects of the settings of a planned job.
 ///
 /// # Errors
-/// [`RunFailure::BadInput`] for jobs on which they are not known: cones, laws of the shift.
+/// [`RunFailure::BadInput`] for a job on which they are not known: the ratio follows a law of the feed.
 pub(super) fn influence<'a>(
     prepared: &'a Prepared,
     execution: &Execution,
     loaded: &LoadedJob,
 ) -> Result<SettingInfluence<'a>, RunFailure> {
     let setup = &prepared.setup;
-    let refused = |field: &'static str, value: String, allowed: &'static str| {
-        let message = "what settings do to the flank is known for cylinders and a constant diagonal ratio";
-        let finding =
-            Diagnostic::new(Problem::InvalidJob, message).field(field).value(value).allowed(allowed);
-        RunFailure::bad_input(finding.way_out("inspect the measurement without `--job`"))
-    };
-    if !setup.pair.work.is_cylindrical() || !setup.pair.worm.is_cylindrical() {
-        return Err(refused("gear.cone_angle_deg", loaded.job.gear.cone_angle_deg.to_string(), "0"));
+    if !shifts_at_constant_ratio(execution) {
+        let message = "what settings do to the flank is known for a constant diagonal ratio";
+        let finding = Diagnostic::new(Problem::InvalidJob, message)
+            .field("grinding.diagonal_ratio")
+            .value("a law of the feed")
+            .allowed("a constant ratio")
+            .way_out("give a constant ratio");
+        return Err(RunFailure::bad_input(finding));
     }
-    let MotionLaw::Polynomial { .. } = execution.motion.shift else {
-        return Err(refused("grinding.diagonal_ratio", "a law of the feed".into(), "a constant ratio"));
-    };
     SettingInfluence::new(&setup.lines, execution.ratio, loaded.job.gear.face_width).map_err(|e| {
         let finding = Diagnostic::with_code(e.code(), e.to_string()).field("grinding.diagonal_ratio");
         RunFailure::bad_input(finding.way_out(e.way_out()))

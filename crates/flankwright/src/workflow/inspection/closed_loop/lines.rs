@@ -1,6 +1,7 @@
 //! Measured lines without the target: the deviation that all teeth share along every line, thinned, with its uncertainty. Normal, mm.
 
 use super::super::evaluate::{Design, transverse_samples};
+use super::super::readings::SAME_PLACE;
 use crate::exchange::inspection::{Inspection, TraceKind};
 use crate::geometry::{Flank, Gear};
 use crate::metrology::inspection::{EvaluationRange, InspectionError};
@@ -8,8 +9,6 @@ use crate::process::correction::{FlankPoint, thinned};
 
 /// Means along a line that take part.
 const MOST: usize = 60;
-/// Lines nearer than this lie at the same place, mm.
-const SAME_PLACE: f64 = 1e-3;
 /// What nothing is known better than, mm.
 const LEAST_UNCERTAINTY: f64 = 1e-5;
 
@@ -20,9 +19,22 @@ pub(super) struct MeanLine {
     /// `None` for a field.
     pub kind: Option<TraceKind>,
     position: f64,
-    /// Places; the deviation of every tooth about its mean.
     places: Vec<(f64, f64)>,
-    teeth: Vec<Vec<f64>>,
+    teeth: Vec<ToothLine>,
+}
+
+/// The line on one tooth: the deviation about its mean, summed over its readings.
+#[derive(Clone, Debug)]
+struct ToothLine {
+    tooth: u32,
+    sum: Vec<f64>,
+    readings: f64,
+}
+
+impl ToothLine {
+    fn at(&self, k: usize) -> f64 {
+        self.sum[k] / self.readings
+    }
 }
 
 impl MeanLine {
@@ -30,7 +42,7 @@ impl MeanLine {
     pub fn points(&self) -> impl Iterator<Item = (FlankPoint, f64)> + '_ {
         let count = self.teeth.len() as f64;
         self.places.iter().enumerate().map(move |(k, &(w, z))| {
-            let mean = self.teeth.iter().map(|tooth| tooth[k]).sum::<f64>() / count;
+            let mean = self.teeth.iter().map(|tooth| tooth.at(k)).sum::<f64>() / count;
             (FlankPoint { flank: self.flank, w, z }, mean)
         })
     }
@@ -39,7 +51,7 @@ impl MeanLine {
     fn scatter(&self) -> [f64; 2] {
         let count = self.teeth.len() as f64;
         let square = |(k, (_, mean)): (usize, (FlankPoint, f64))| {
-            self.teeth.iter().map(|tooth| (tooth[k] - mean).powi(2)).sum::<f64>()
+            self.teeth.iter().map(|tooth| (tooth.at(k) - mean).powi(2)).sum::<f64>()
         };
         let sum = self.points().enumerate().map(square).sum();
         [sum, (count - 1.0) * self.places.len() as f64]
@@ -53,30 +65,38 @@ pub(super) fn mean_lines(
     design: Design<'_>,
 ) -> Result<Vec<MeanLine>, InspectionError> {
     let mut lines: Vec<MeanLine> = Vec::new();
-    let mut take = |flank: Flank, kind: Option<TraceKind>, position: f64, found: Vec<(f64, f64, f64)>| {
-        if found.len() < 3 {
-            return;
-        }
-        let mean = found.iter().map(|p| p.2).sum::<f64>() / found.len() as f64;
-        let values = found.iter().map(|p| p.2 - mean).collect();
-        let same = |line: &&mut MeanLine| {
-            (line.flank, line.kind) == (flank, kind)
-                && (line.position - position).abs() < SAME_PLACE
-                && line.places.len() == found.len()
-                && line
-                    .places
-                    .iter()
-                    .zip(&found)
-                    .all(|(a, b)| (a.0 - b.0).abs() + (a.1 - b.1).abs() < SAME_PLACE)
-        };
-        match lines.iter_mut().find(same) {
-            Some(line) => line.teeth.push(values),
-            None => {
-                let places = found.iter().map(|p| (p.0, p.1)).collect();
-                lines.push(MeanLine { flank, kind, position, places, teeth: vec![values] });
+    let mut take =
+        |tooth: u32, flank: Flank, kind: Option<TraceKind>, position: f64, found: Vec<(f64, f64, f64)>| {
+            if found.len() < 3 {
+                return;
             }
-        }
-    };
+            let mean = found.iter().map(|p| p.2).sum::<f64>() / found.len() as f64;
+            let values: Vec<f64> = found.iter().map(|p| p.2 - mean).collect();
+            let same = |line: &&mut MeanLine| {
+                (line.flank, line.kind) == (flank, kind)
+                    && (line.position - position).abs() < SAME_PLACE
+                    && line.places.len() == found.len()
+                    && line
+                        .places
+                        .iter()
+                        .zip(&found)
+                        .all(|(a, b)| (a.0 - b.0).abs() + (a.1 - b.1).abs() < SAME_PLACE)
+            };
+            let new = ToothLine { tooth, sum: values, readings: 1.0 };
+            match lines.iter_mut().find(same) {
+                Some(line) => match line.teeth.iter_mut().find(|known| known.tooth == tooth) {
+                    Some(known) => {
+                        known.sum.iter_mut().zip(&new.sum).for_each(|(sum, value)| *sum += value);
+                        known.readings += 1.0;
+                    }
+                    None => line.teeth.push(new),
+                },
+                None => {
+                    let places = found.iter().map(|p| (p.0, p.1)).collect();
+                    lines.push(MeanLine { flank, kind, position, places, teeth: vec![new] });
+                }
+            }
+        };
     for trace in &inspection.traces {
         let cos = gear.flank(trace.flank).base_helix_angle.cos();
         // Why a trace is none is told by the evaluation.
@@ -96,11 +116,11 @@ pub(super) fn mean_lines(
             TraceKind::Helix => (trace.position_mm, a, f),
         };
         let found = thinned(&a, &f, MOST).into_iter().map(placed).collect();
-        take(trace.flank, Some(trace.kind), trace.position_mm, found);
+        take(trace.tooth, trace.flank, Some(trace.kind), trace.position_mm, found);
     }
     for field in &inspection.topographies {
-        let found = super::surface::field_points(inspection, gear, field, design)?;
-        take(field.flank, None, 0.0, found);
+        let found = super::super::surface::field_points(inspection, gear, field, design)?;
+        take(field.tooth, field.flank, None, 0.0, found);
     }
     Ok(lines)
 }

@@ -9,7 +9,6 @@ mod lines;
 mod probe;
 mod result;
 mod round;
-mod surface;
 
 pub use result::{
     CharacteristicResult, CorrectedSettingResult, CorrectionResult, DifferenceResult, MachineChange,
@@ -19,6 +18,7 @@ pub use round::Round;
 
 use super::drawn::DrawnGear;
 use super::files::{MeasuredFiles, read_measurement};
+use super::statements::Statements;
 use crate::exchange::{Diagnostic, LoadedJob, Problem};
 use crate::numerics::Progress;
 use crate::workflow::finding::{JobFailure, Remark, RunFailure};
@@ -34,12 +34,12 @@ use std::path::Path;
 pub(super) fn of_file(
     loaded: &LoadedJob,
     wanted: &Wanted,
-    path: &Path,
+    (path, statements): (&Path, &Statements),
     progress: &dyn Progress,
 ) -> Result<(Round, MeasuredFiles), JobFailure> {
     let made = ground(loaded, progress)?;
     let drawn = DrawnGear::of_job(loaded, &made.prepared.setup)?;
-    let mut files = read_measurement(path, Some(&drawn))?;
+    let mut files = read_measurement(path, Some(&drawn), statements)?;
     check_teeth(&files)?;
     fill(&mut files, &drawn);
     let round = judge(loaded, &made, wanted, files.inspection.clone(), 1, progress)?;

@@ -40,6 +40,14 @@ pub struct MeasuredFlankResult {
     pub teeth: usize,
     /// What the surface was made of.
     pub surface: String,
+    /// How far profiles and helix traces disagree where they cross: root mean square and largest.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mismatch_um: Option<[f64; 2]>,
+    /// How far the grid goes beyond the outermost lines, as a share of the field, where that is far.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub outside_traces: BTreeMap<&'static str, f64>,
+    /// Whether the measured lines tell anything of the twist; one profile and one helix trace do not.
+    pub sees_twist: bool,
     /// Simulated minus target.
     pub produced: DifferenceResult,
     /// Measured minus target.
@@ -90,7 +98,9 @@ pub struct CharacteristicResult {
     pub characteristic: &'static str,
     /// Teeth.
     pub teeth: Vec<u32>,
-    /// Of each tooth.
+    /// Readings of each tooth.
+    pub repeats: usize,
+    /// Mean of each tooth's readings.
     pub values_um: Vec<f64>,
     /// What all teeth share.
     pub common_um: f64,

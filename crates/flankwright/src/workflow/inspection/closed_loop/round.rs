@@ -2,15 +2,15 @@
 
 use super::super::drawn::DrawnGear;
 use super::super::evaluate::{EvaluatedGear, evaluate_inspection};
+use super::super::surface::{MeasuredSurface, field_points, measured_surface};
 use super::characteristics::{TestedCharacteristic, tested};
 use super::correction::{FoundCorrection, compensation, correct, first_order, unit, worth_turning};
-use super::ground::{Ground, ground, influence};
+use super::ground::{Ground, check_cylinders, ground, influence, shifts_at_constant_ratio};
 use super::lines::mean_lines;
 use super::result::{
     CharacteristicResult, CorrectedSettingResult, CorrectionResult, DifferenceResult, MachineChange,
     MeasuredFlankResult, ProofResult, RoundResult,
 };
-use super::surface::{MeasuredSurface, field_points, measured_surface};
 use crate::exchange::inspection::Inspection;
 use crate::exchange::job::{DiagonalRatio, Method};
 use crate::exchange::{Diagnostic, LoadedJob};
@@ -94,6 +94,7 @@ pub(super) fn judge(
     number: usize,
     progress: &dyn Progress,
 ) -> Result<Round, RunFailure> {
+    check_cylinders(&made.prepared, loaded)?;
     let drawn = DrawnGear::of_job(loaded, &made.prepared.setup)?;
     drawn.is_of(&inspection)?;
     let table = loaded.job.inspection.clone().unwrap_or_default();
@@ -139,6 +140,9 @@ pub(super) fn judge(
                 measured_um: known(&measured),
                 teeth: surface.teeth,
                 surface: surface.how.clone(),
+                mismatch_um: surface.mismatch_um(),
+                outside_traces: surface.outside_traces(),
+                sees_twist: surface.sees_twist,
                 produced: difference(&compared.produced),
                 measured: difference(&compared.measured),
                 model: difference(&compared.model),
@@ -153,8 +157,6 @@ pub(super) fn judge(
     };
     let tests = tested(&inspection, &gear, &fields, &table, tolerance, points);
     let lines = mean_lines(&inspection, &gear.gear, &design).map_err(|e| of_inspection(&e))?;
-    let influence = influence(&made.prepared, &made.execution, loaded)?;
-    let settings = worth_turning(&table, &tests, &influence);
     let mut round = Round {
         result: RoundResult {
             round: number,
@@ -168,6 +170,13 @@ pub(super) fn judge(
         corrected: None,
         next: None,
     };
+    if !shifts_at_constant_ratio(&made.execution) {
+        let why = "what settings do to the flank is known for a constant diagonal ratio only; this job varies it over the feed";
+        round.result.no_correction = Some(why.into());
+        return Ok(round);
+    }
+    let influence = influence(&made.prepared, &made.execution, loaded)?;
+    let settings = worth_turning(&table, &tests, &influence);
     if surfaces.iter().all(|(_, surface)| surface.is_none()) && !settings.is_empty() {
         let why = "without a measured surface nothing would be proven: measure a profile and a helix trace of the same tooth";
         round.result.no_correction = Some(why.into());
@@ -268,6 +277,7 @@ fn characteristic(of: &TestedCharacteristic) -> CharacteristicResult {
         flank: of.flank.name(),
         characteristic: of.characteristic.name(),
         teeth: of.teeth.clone(),
+        repeats: of.repeats,
         values_um: of.values.iter().map(|mm| 1e3 * mm).collect(),
         common_um: 1e3 * test.map_or(mean, |t| t.common),
         uncertainty_um: test.map(|t| 1e3 * t.uncertainty),

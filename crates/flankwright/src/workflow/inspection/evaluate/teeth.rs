@@ -4,9 +4,9 @@ use super::{EvaluatedPitch, LeftOut};
 use crate::exchange::inspection::{CountingDirection, Inspection};
 use crate::geometry::{Flank, Gear, GearData, Sides};
 use crate::metrology::inspection::{
-    BallContact, FlankAngles, InspectionError, MeasuredThickness, PitchDeviations, ProbePosition,
-    ThicknessSizes, eccentricity, measured_thickness, pitch_from_positions, run_out_from_pitch,
-    thickness_variation,
+    BallContact, Eccentricity, FlankAngles, InspectionError, MeasuredThickness, PitchDeviations,
+    ProbePosition, ThicknessSizes, eccentricity, measured_thickness, pitch_from_positions,
+    run_out_from_pitch, thickness_variation,
 };
 
 /// What a measuring machine rounds values to, mm.
@@ -50,14 +50,18 @@ pub(super) fn pitch(
     let found = Sides { left: of_flank(Flank::Left), right: of_flank(Flank::Right) };
     let printed_range = found.map(|_, of| of.as_ref().map(|(_, range)| *range));
     let flanks = found.map(|_, of| of.as_ref().map(|(evaluation, _)| evaluation.clone()));
-    let both = match (&flanks.left, &flanks.right) {
-        (Some(left), Some(right)) => {
-            Some(Sides { left: left.cumulative.clone(), right: right.cumulative.clone() })
-        }
-        _ => None,
+    // Run-out, eccentricity and thickness variation pair the flanks of neighbouring teeth in the sense in which the machine counted them,
+    // so that they are evaluated as it saw the gear.
+    let turned = inspection.conditions.turned;
+    let seen = |flank: Flank| if turned { flank.other() } else { flank };
+    let cumulative = |flank: Flank| flanks[seen(flank)].as_ref().map(|of| of.cumulative.clone());
+    let both = cumulative(Flank::Left).zip(cumulative(Flank::Right));
+    let both = both.map(|(left, right)| Sides { left, right });
+    let clockwise = match table.counting {
+        Some(CountingDirection::Clockwise) => !turned,
+        Some(CountingDirection::CounterClockwise) => turned,
+        None => false,
     };
-    // Run-out, eccentricity and thickness variation pair the flanks of neighbouring teeth in the sense in which they are counted.
-    let clockwise = table.counting == Some(CountingDirection::Clockwise);
     let both = if clockwise {
         let setting = "teeth counted clockwise";
         left_out.0.push(("run-out and eccentricity".into(), InspectionError::UnverifiedSetting { setting }));
@@ -71,7 +75,10 @@ pub(super) fn pitch(
         left_out.take("run-out", found)
     });
     let eccentric = both.as_ref().zip(measured).and_then(|(cumulative, gear)| {
-        left_out.take("eccentricity", eccentricity(cumulative, &FlankAngles::of(gear)))
+        let found = left_out.take("eccentricity", eccentricity(cumulative, &FlankAngles::of(gear)))?;
+        let without = Sides::from_fn(|flank| found.cumulative_without[seen(flank)].clone());
+        let y = if turned { -found.y } else { found.y };
+        Some(Eccentricity { y, cumulative_without: without, ..found })
     });
     let positions = table.diameter_mm.filter(|_| !table.positions.is_empty() && !clockwise);
     let from_positions = positions.and_then(|diameter| {
@@ -83,7 +90,9 @@ pub(super) fn pitch(
             y: read.centre_mm[1],
         };
         let positions: Vec<ProbePosition> = table.positions.iter().map(position).collect();
-        left_out.take("pitch from probe positions", pitch_from_positions(&positions, nominal, diameter))
+        let found = pitch_from_positions(&positions, nominal, diameter);
+        let found = left_out.take("pitch from probe positions", found)?;
+        Some(Sides::from_fn(|flank| found[seen(flank)].clone()))
     });
     Some(EvaluatedPitch {
         thickness_variation: both.as_ref().map(thickness_variation),

@@ -103,7 +103,7 @@ fn missing(error: file::InspectionError) -> InspectionError {
         file::InspectionError::MissingCode { meaning, .. } => meaning,
         _ => "range of the evaluation",
     };
-    InspectionError::UnverifiedSetting { setting }
+    InspectionError::NotStated { setting }
 }
 
 /// The sign of helix slopes that the file states, else that of the standard; and whether it is stated.

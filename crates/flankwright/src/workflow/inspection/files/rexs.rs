@@ -40,7 +40,7 @@ pub(super) fn read(path: &Path) -> Result<MeasuredFiles, RunFailure> {
     inspection.conditions.datum_face = gear.datum_face;
     inspection.traces = gear.deviations;
     tag(&mut inspection.traces);
-    Ok(MeasuredFiles { inspection, not_understood: Vec::new(), remarks, modifications: gear.modifications })
+    Ok(MeasuredFiles { remarks, modifications: gear.modifications, ..MeasuredFiles::new(inspection) })
 }
 
 fn drawn(gear: &RexsGear, body: &Gear) -> Result<DrawnGear, RunFailure> {

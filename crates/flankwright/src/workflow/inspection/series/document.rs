@@ -40,6 +40,7 @@ pub(super) fn series_of(read: Vec<Result<ReadPart, RefusedFile>>, class: Option<
             tolerance_class: class,
             groups: results,
             refused,
+            left_out: Vec::new(),
         },
         groups: evaluated,
         sheets,

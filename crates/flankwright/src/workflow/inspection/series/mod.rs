@@ -13,7 +13,7 @@ mod tables;
 mod write;
 
 pub use characteristics::{is_followed, series_values};
-pub use folder::measured_parts_in;
+pub use folder::{PartsOfFolder, measured_parts_in};
 pub use result::{
     InspectionSeriesResult, RefusedFile, SeriesCapability, SeriesCharacteristic, SeriesFigures,
     SeriesFinding, SeriesGroupResult, SeriesPartResult, SeriesTrend,
@@ -21,7 +21,9 @@ pub use result::{
 pub use summary::series_summary;
 pub use write::write_inspection_series;
 
+use super::files::LeftOutFile;
 use super::sheet::SheetOptions;
+use super::statements::Statements;
 use crate::exchange::Diagnostic;
 use crate::metrology::inspection::{CLASSES, CharacteristicSeries, SeriesPart};
 use crate::workflow::finding::RunFailure;
@@ -35,6 +37,10 @@ pub struct SeriesOptions {
     pub sheet: SheetOptions,
     /// Statistics only: no sheet for each part.
     pub without_sheets: bool,
+    /// What holds for all measurements.
+    pub statements: Statements,
+    /// What the folder holds and is no part of the series; only told.
+    pub left_out: Vec<LeftOutFile>,
 }
 
 /// A part that was evaluated before: its series, its file, its characteristics.
@@ -85,5 +91,7 @@ pub fn inspect_series(paths: &[PathBuf], options: &SeriesOptions) -> Result<Insp
         return Err(RunFailure::bad_input(finding));
     }
     let read: Vec<_> = paths.par_iter().map(|path| read::read_part(path, options)).collect();
-    Ok(document::series_of(read, options.sheet.tolerance_class))
+    let mut series = document::series_of(read, options.sheet.tolerance_class);
+    series.result.left_out.clone_from(&options.left_out);
+    Ok(series)
 }

@@ -40,7 +40,7 @@ pub(super) fn read_part(path: &Path, options: &SeriesOptions) -> Result<ReadPart
         .file_name()
         .map_or_else(|| path.to_string_lossy(), std::ffi::OsStr::to_string_lossy)
         .into_owned();
-    let found = inspect_gear(path).map_err(|failure| refused(path, &file, &failure))?;
+    let found = inspect_gear(path, &options.statements).map_err(|failure| refused(path, &file, &failure))?;
     let sheet = match options.without_sheets {
         true => None,
         false => Some(inspection_sheet(&found, &options.sheet).map_err(|error| RefusedFile {

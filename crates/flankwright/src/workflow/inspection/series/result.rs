@@ -1,5 +1,6 @@
 //! `series.json`: parts in the order of their making, figures of every characteristic. Units stand beside the figures.
 
+use super::super::files::LeftOutFile;
 use crate::workflow::finding::Remark;
 use crate::workflow::result::Status;
 use serde::Serialize;
@@ -20,6 +21,9 @@ pub struct InspectionSeriesResult {
     pub groups: Vec<SeriesGroupResult>,
     /// Files that were not evaluated, in the order of the paths.
     pub refused: Vec<RefusedFile>,
+    /// What the folder holds beside its measurements.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub left_out: Vec<LeftOutFile>,
 }
 
 /// Parts of one drawing.

@@ -28,6 +28,9 @@ pub fn series_summary(series: &InspectionSeries) -> String {
     for file in &result.refused {
         let _ = writeln!(text, "refused: {}: {} [{}]", file.file, file.message, file.code);
     }
+    for file in &result.left_out {
+        let _ = writeln!(text, "left out: {}: {}", file.file, file.reason);
+    }
     text
 }
 

@@ -61,7 +61,14 @@ pub fn inspection_sheet(found: &GearInspection, options: &SheetOptions) -> Resul
         None => sheet_pages(&found.inspection, &found.gear, options)?,
         Some(less) => {
             let reference = Some(format!("target of the job {}", found.result.job));
-            sheet_pages(&less.0, &less.1, &SheetOptions { reference, ..options.clone() })?
+            let [profile, helix] = found.bands.clone();
+            let options = SheetOptions {
+                reference,
+                profile_bands: Sides::both(profile),
+                helix_bands: Sides::both(helix),
+                ..options.clone()
+            };
+            sheet_pages(&less.0, &less.1, &options)?
         }
     };
     let title = head::title(&found.inspection);

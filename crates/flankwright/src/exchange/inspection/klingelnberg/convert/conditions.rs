@@ -18,6 +18,7 @@ impl Place<'_> {
             helix_filter: None,
             profile_filter: None,
             temperature_c: None,
+            turned: false,
             datum_face: DatumFace::PlusZ,
             helix_slope_reference: settings.helix_reference,
             profile_slope_reference: settings.profile_reference,
