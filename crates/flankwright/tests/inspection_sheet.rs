@@ -4,7 +4,7 @@ mod measured_parts;
 
 use flankwright::exchange::inspection::{Inspection, TraceKind, inspection_of, parse_klingelnberg};
 use flankwright::geometry::{Flank, Sides};
-use flankwright::metrology::inspection::KBand;
+use flankwright::metrology::inspection::{BandFit, KBand};
 use flankwright::report::charts::{ChartError, format_fixed};
 use flankwright::report::inspection_sheet as drawing;
 use flankwright::workflow::inspection::{
@@ -264,7 +264,8 @@ fn a_trace_beyond_its_band_is_crossed_out() {
         KBand::new(&[from, to], &[-half, -half], &[half, half]).expect("a band")
     };
     let marks = |half: f64| {
-        let options = SheetOptions { profile_bands: Sides::both(Some(band(half))), ..class(5) };
+        let options =
+            SheetOptions { profile_bands: Sides::both(Some((band(half), BandFit::Free))), ..class(5) };
         let inspection = inspection(&MadePart::new("4711", 2));
         let gear = evaluate_inspection(&inspection, None).expect("a gear");
         let data = sheet_data(&inspection, &gear, &options);

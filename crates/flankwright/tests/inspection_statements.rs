@@ -145,3 +145,42 @@ fn lines_that_cross_show_the_flank_as_a_surface() {
     }
     assert!(found.result.twist.is_empty());
 }
+
+#[test]
+fn numbers_that_no_measurement_gives_are_told_and_hurt_nothing_else() {
+    let text = MadePart::new("P-1", 7).text();
+    let whole = inspected(&text, &Statements::default());
+    assert!(!whole.result.class_is_partial, "{:?}", whole.result.warnings);
+    let line = text.lines().position(|line| line.starts_with("Flankenlinie")).expect("a helix trace") + 4;
+    let absurd: Vec<String> = text
+        .lines()
+        .enumerate()
+        .map(|(k, row)| {
+            let first = row.split_whitespace().next().unwrap_or_default();
+            if k == line { row.replacen(first, "1e14", 1) } else { row.to_owned() }
+        })
+        .collect();
+    let found = inspected(&(absurd.join("\r\n") + "\r\n"), &Statements::default());
+    let told = found.result.warnings.iter().find(|warning| warning.code == "implausible").expect("a warning");
+    assert!(told.text.contains("the trace: 1 of the values"), "{told:?}");
+    assert!(found.result.class_is_partial);
+    assert_eq!(found.result.traces.len(), whole.result.traces.len());
+    assert!(found.result.traces.iter().all(|trace| trace.total_um < 50.0));
+    // A length that no gear has is refused by its name.
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("part.mka");
+    let far: Vec<String> = text
+        .lines()
+        .map(|row| {
+            if row.trim_start().starts_with("44 ") {
+                "  44  :Ende:  1e308 1e308".into()
+            } else {
+                row.to_owned()
+            }
+        })
+        .collect();
+    std::fs::write(&path, far.join("\r\n") + "\r\n").expect("a file");
+    let Err(error) = inspect_gear(&path, &Statements::default()) else { panic!("not refused") };
+    let told = format!("{error:?}");
+    assert!(told.contains("diameter of the header") && told.contains("100000 mm"), "{told}");
+}

@@ -137,9 +137,24 @@ fn verdict(result: &GearInspectionResult) -> Verdict<'_> {
 
 fn summary(result: &GearInspectionResult, written: &[PathBuf]) -> String {
     let mut text = match result.tolerance_um {
-        Some(tolerance) => opening(&verdict(result), result.largest_um(), tolerance),
+        Some(tolerance) if result.rounds.last().is_some_and(|round| !round.flanks.is_empty()) => {
+            opening(&verdict(result), result.largest_um(), tolerance)
+        }
+        // Lines that make no surface are judged one by one; there is no largest deviation to tell.
+        Some(tolerance) => {
+            let missed = if result.status == Status::Missed { "target MISSED" } else { "NOT JUDGED" };
+            let mut text = format!("{}: {missed} (tolerance {tolerance} um)\n", result.job);
+            if let Some(reason) = &result.reason {
+                let _ = writeln!(text, "  {}: {}\n  way out: {}", reason.code, reason.text, reason.way_out);
+            }
+            text
+        }
         None => {
-            let mut text = format!("{}: {} traces evaluated\n", result.job, result.traces.len());
+            let values = match result.printed_values {
+                0 => String::new(),
+                count => format!(", {count} printed values read"),
+            };
+            let mut text = format!("{}: {} traces evaluated{values}\n", result.job, result.traces.len());
             if let Some(reason) = &result.reason {
                 let _ = writeln!(text, "  {}: {}\n  way out: {}", reason.code, reason.text, reason.way_out);
             }

@@ -279,6 +279,11 @@ fn a_line_that_is_measured_twice_is_two_readings_of_a_tooth() {
     }
     let measured = |round: &Value| number(&round["flanks"]["left"]["measured"]["rms_um"]);
     assert!((measured(first) - measured(second)).abs() < 1e-9);
+    for (one, two) in a["summary"].as_array().unwrap().iter().zip(b["summary"].as_array().unwrap()) {
+        assert_eq!(one["teeth"], two["teeth"]);
+        assert!((number(&one["mean_um"]) - number(&two["mean_um"])).abs() < 1e-9, "{one} {two}");
+    }
+    assert_eq!(a["class"], b["class"]);
 }
 
 #[test]
@@ -308,6 +313,110 @@ fn twist_is_told_by_profiles_by_leads_or_not_at_all() {
     assert!(warned(&result) && result["twist"].is_null(), "{}", result["warnings"]);
     let tested = result["rounds"][0]["characteristics"].as_array().unwrap();
     assert!(!tested.is_empty() && tested.iter().all(|of| of["characteristic"] != "S"));
+    // What the lines do not see is not turned, and nothing is proposed that the referee does not confirm.
+    let correction = &result["rounds"][0]["correction"];
+    for setting in correction["settings"].as_array().unwrap_or(&Vec::new()) {
+        let twist = setting["name"].as_str().unwrap().starts_with("twist");
+        assert!(!twist || setting["dropped"] == true, "{setting}");
+    }
+    for (flank, proof) in correction["proof"].as_object().unwrap_or(&serde_json::Map::new()) {
+        assert!(
+            number(&proof["after"]["rms_um"]) < number(&proof["before"]["rms_um"]) + 0.05,
+            "{flank}: {proof}"
+        );
+    }
+}
+
+/// Common part and decision of a characteristic in the first round.
+fn tested(result: &Value, flank: &str, characteristic: &str) -> (f64, String) {
+    let all = result["rounds"][0]["characteristics"].as_array().unwrap();
+    let found = all.iter().find(|of| of["flank"] == flank && of["characteristic"] == characteristic);
+    let found = found.unwrap_or_else(|| panic!("{characteristic} of the {flank} flank"));
+    (number(&found["common_um"]), found["decision"].as_str().unwrap().to_owned())
+}
+
+#[test]
+fn the_middle_of_a_flank_is_found_wherever_the_lines_lie() {
+    let directory = tempfile::tempdir().unwrap();
+    let out = directory.path().join("out");
+    let job = "examples/inspection/measured.toml";
+    let whole = inspected(&["examples/inspection/measured.csv", "--job", job], &out).json();
+    let moved = |text: &str, by: f64| {
+        let cells: Vec<&str> = text.split(',').collect();
+        let ["profile" | "helix", tooth, flank, position, abscissa, f] = cells[..] else {
+            return text.to_owned();
+        };
+        // No two teeth are probed at quite the same place.
+        let away = by * (1.7 * tooth.parse::<f64>().unwrap() + position.len() as f64).sin();
+        let position = position.parse::<f64>().unwrap() + away;
+        format!("{},{tooth},{flank},{position},{abscissa},{f}", cells[0])
+    };
+    for by in [1e-9, 4e-4, 0.02] {
+        let file = table(directory.path(), |line| Some(moved(line, by)));
+        let result = inspected(&[&file, "--job", job], &out).json();
+        assert_eq!(result["class"], whole["class"], "{by}");
+        for flank in ["left", "right"] {
+            for characteristic in ["fHa", "Ca", "fHb", "Cb", "S"] {
+                let (a, b) = (tested(&whole, flank, characteristic), tested(&result, flank, characteristic));
+                assert!(
+                    (a.0 - b.0).abs() < 0.02 && a.1 == b.1,
+                    "{by}, {flank} {characteristic}: {a:?} {b:?}"
+                );
+            }
+        }
+    }
+    // Two profiles towards the ends: the middle lies between them, not at one of them.
+    let outer = table(directory.path(), |line| {
+        let other = ["0.0000", "5.9846", "21.0213"].map(Some);
+        (!other.contains(&line.split(',').nth(3))).then(|| line.to_owned())
+    });
+    let profiles = std::fs::read_to_string(&outer).unwrap();
+    assert!(profiles.contains("profile,1,left,-16") && !profiles.contains("profile,1,left,0"));
+    let result = inspected(&[&outer, "--job", job], &out).json();
+    for flank in ["left", "right"] {
+        let (a, b) = (tested(&whole, flank, "fHa"), tested(&result, flank, "fHa"));
+        // What is no bilinear twist and the scatter of two lines: the lower profile alone lies 1.8 um off.
+        assert!((a.0 - b.0).abs() < 0.4, "{flank}: {a:?} {b:?}");
+    }
+}
+
+#[test]
+fn one_bad_tooth_is_not_lost_in_the_mean() {
+    let directory = tempfile::tempdir().unwrap();
+    let job = loop_job(directory.path(), &[]);
+    let simulated = directory.path().join("simulated");
+    assert_eq!(inspected(&["--job", &job], &simulated).exit, Some(0));
+    let text = std::fs::read_to_string(simulated.join("measured-2.csv")).unwrap();
+    let judged = |change: &dyn Fn(&[&str]) -> String| {
+        let lines: Vec<String> =
+            text.lines().map(|line| change(&line.split(',').collect::<Vec<&str>>())).collect();
+        let file = directory.path().join("part.csv");
+        std::fs::write(&file, lines.join("\n") + "\n").unwrap();
+        let run = inspected(&[&file.display().to_string(), "--job", &job], &directory.path().join("read"));
+        (run.exit, run.json())
+    };
+    let (exit, result) = judged(&|cells| cells.join(","));
+    assert_eq!(exit, Some(0), "{}", result["reason"]);
+    // Places that were rounded are short of the field by less than a step.
+    let (exit, result) = judged(&|cells| {
+        let rounded = |cell: &&str| match cell.parse::<f64>() {
+            Ok(number) if cell.len() > 7 => format!("{number:.4}"),
+            _ => (*cell).to_owned(),
+        };
+        cells.iter().map(rounded).collect::<Vec<String>>().join(",")
+    });
+    assert_eq!(exit, Some(0), "{}", result["reason"]);
+    // A slope of 8 um on one tooth moves the mean of nine by less than one.
+    let (exit, result) = judged(&|cells| match cells {
+        ["helix", tooth, "left", position, abscissa, f] if *tooth == "1" => {
+            let f: f64 = f.parse::<f64>().unwrap() + 0.2 * abscissa.parse::<f64>().unwrap();
+            format!("helix,1,left,{position},{abscissa},{f}")
+        }
+        _ => cells.join(","),
+    });
+    assert_eq!(exit, Some(3));
+    let told = result["warnings"].to_string() + &result["reason"].to_string();
+    assert!(told.contains("tooth-stands-out") && told.contains("tooth 1 of the left flank"), "{told}");
 }
 
 #[test]

@@ -64,7 +64,7 @@ impl<const N: usize> TableForm<N> {
         let mut rows = Vec::new();
         let mut order: Option<Order<N>> = None;
         let mut offset = 0;
-        for line in text.split_inclusive('\n') {
+        for line in text.split_inclusive(['\n', '\r']) {
             let start = offset;
             offset += line.len();
             let line = line.trim_end();

@@ -135,7 +135,7 @@ impl InspectionError {
             }
             Self::MissingCode { .. } => "export the measurement with its complete header",
             Self::UnverifiedSetting { .. } => {
-                "measure with the setting of VDI/DIN, or state the signs yourself"
+                "measure with the setting that is verified, or export the values as a table (.csv)"
             }
             Self::BelowBaseCircle { .. } => {
                 "correct the diameter, or module, teeth and pressure angle of the header"

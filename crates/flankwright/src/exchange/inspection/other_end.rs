@@ -15,7 +15,7 @@ impl Inspection {
         self.traces = self.traces.into_iter().map(turned_trace).collect();
         for field in &mut self.topographies {
             field.flank = field.flank.other();
-            field.points_mm.iter_mut().for_each(|[_, z]| *z = -*z);
+            field.points_mm.iter_mut().for_each(|[_, z]| *z = 0.0 - *z);
         }
         if let Some(pitch) = &mut self.pitch {
             pitch.flanks = swapped(std::mem::take(&mut pitch.flanks));
@@ -25,7 +25,7 @@ impl Inspection {
             });
         }
         for circle in [&mut self.circles.root, &mut self.circles.tip].into_iter().flatten() {
-            circle.z_mm = -circle.z_mm;
+            circle.z_mm = 0.0 - circle.z_mm;
         }
         self.results.iter_mut().for_each(turn_result);
         self
@@ -40,7 +40,8 @@ impl Conditions {
     /// As seen from the other end.
     #[must_use]
     pub fn turned(self) -> Self {
-        let minus = |value: Option<f64>| value.map(|z| -z);
+        // 0 - 0 is 0, while -0 would show its sign.
+        let minus = |value: Option<f64>| value.map(|z| 0.0 - z);
         let flank = |of: FlankConditions| FlankConditions {
             z_a_mm: minus(of.z_b_mm),
             z_1_mm: minus(of.z_2_mm),
@@ -64,7 +65,7 @@ fn turned_trace(mut trace: Trace) -> Trace {
     trace.flank = trace.flank.other();
     match trace.kind {
         TraceKind::Profile => {
-            trace.position_mm = -trace.position_mm;
+            trace.position_mm = 0.0 - trace.position_mm;
             trace.tag = match trace.tag.as_str() {
                 "u" => "o".into(),
                 "o" => "u".into(),
@@ -73,7 +74,7 @@ fn turned_trace(mut trace: Trace) -> Trace {
         }
         TraceKind::Helix => {
             trace.abscissa_mm.reverse();
-            trace.abscissa_mm.iter_mut().for_each(|z| *z = -*z);
+            trace.abscissa_mm.iter_mut().for_each(|z| *z = 0.0 - *z);
             trace.f_um.reverse();
         }
     }

@@ -21,6 +21,8 @@ pub enum WarningKind {
     PitchIncomplete,
     /// A line that states what cannot be used.
     Unusable,
+    /// A number that no measurement gives; it counts as undefined.
+    Implausible,
     /// Two files say different things.
     FilesDiffer,
     /// The last line has no end: the file may be cut short.
@@ -41,9 +43,28 @@ impl WarningKind {
             Self::UnverifiedSetting => "unverified-setting",
             Self::PitchIncomplete => "pitch-incomplete",
             Self::Unusable => "unusable",
+            Self::Implausible => "implausible",
             Self::FilesDiffer => "files-differ",
             Self::FileCutShort => "file-cut-short",
             Self::MoreWarnings => "more-warnings",
+        }
+    }
+
+    /// Whether something that was measured is missing because of it.
+    pub fn loses_values(self) -> bool {
+        match self {
+            Self::TraceTruncated
+            | Self::TraceEmpty
+            | Self::PitchIncomplete
+            | Self::Unusable
+            | Self::Implausible
+            | Self::FileCutShort
+            | Self::MoreWarnings => true,
+            Self::TraceTooLong
+            | Self::DuplicateCode
+            | Self::Language
+            | Self::UnverifiedSetting
+            | Self::FilesDiffer => false,
         }
     }
 
@@ -58,6 +79,7 @@ impl WarningKind {
             Self::UnverifiedSetting => "UnverifiedSetting",
             Self::PitchIncomplete => "PitchIncomplete",
             Self::Unusable => "Unusable",
+            Self::Implausible => "Implausible",
             Self::FilesDiffer => "FilesDiffer",
             Self::FileCutShort => "FileCutShort",
             Self::MoreWarnings => "MoreWarnings",

@@ -111,7 +111,7 @@ pub(super) fn gear_result(
                 class: *class,
             })
             .collect(),
-        class_is_partial: !gear.left_out.0.is_empty(),
+        class_is_partial: !gear.is_whole(inspection),
         class: gear.classes.as_ref().and_then(|classes| classes.overall),
         printed_values: inspection.results.len(),
         printed,
@@ -180,8 +180,16 @@ fn summary(inspection: &Inspection, gear: &EvaluatedGear) -> Vec<SummaryResult> 
     }
     let mut rows = Vec::new();
     for ((kind, flank, tag), traces) in lines {
+        // Teeth count once each, with the mean of their readings.
         let of = |value: fn(&TraceInspectionResult) -> Option<f64>| {
-            traces.iter().filter_map(value).collect::<Vec<f64>>()
+            let mut teeth: BTreeMap<u32, Vec<f64>> = BTreeMap::new();
+            for trace in &traces {
+                if let Some(value) = value(trace) {
+                    teeth.entry(trace.tooth).or_default().push(value);
+                }
+            }
+            let mean = |values: Vec<f64>| values.iter().sum::<f64>() / values.len() as f64;
+            teeth.into_values().map(mean).collect::<Vec<f64>>()
         };
         for (characteristic, values) in [
             ("fH", of(|t| Some(t.slope_um))),

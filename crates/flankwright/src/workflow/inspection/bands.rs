@@ -9,24 +9,17 @@ use crate::geometry::Gear;
 use crate::metrology::inspection::{BandFit, InspectionError, KBand};
 use crate::workflow::finding::RunFailure;
 
-/// The bands of a job.
-pub(super) struct Bands {
-    profile: Option<(KBand, BandFit)>,
-    helix: Option<(KBand, BandFit)>,
+/// The bands of a job, of profiles and of helix traces, and how traces are laid into them.
+#[derive(Clone, Debug, Default)]
+pub struct Bands {
+    pub(super) profile: Option<(KBand, BandFit)>,
+    pub(super) helix: Option<(KBand, BandFit)>,
 }
 
 impl Bands {
-    /// The bands in which traces may be shifted, as a sheet draws them: of profiles and of helix traces.
-    pub fn drawn(&self) -> [Option<KBand>; 2] {
-        let free = |of: &Option<(KBand, BandFit)>| {
-            of.as_ref().filter(|(_, fit)| matches!(fit, BandFit::Free)).map(|(band, _)| band.clone())
-        };
-        [free(&self.profile), free(&self.helix)]
-    }
-
     /// # Errors
     /// [`RunFailure::BadInput`] for a band whose lists have other lengths, do not ascend, or cross.
-    pub fn of_table(table: &InspectionTable) -> Result<Self, RunFailure> {
+    pub(super) fn of_table(table: &InspectionTable) -> Result<Self, RunFailure> {
         Ok(Self {
             profile: table.profile_band.as_ref().map(|b| band(b, "inspection.profile_band")).transpose()?,
             helix: table.helix_band.as_ref().map(|b| band(b, "inspection.helix_band")).transpose()?,
@@ -37,7 +30,7 @@ impl Bands {
     ///
     /// # Errors
     /// A trace that the band does not cover enough of, or that cannot be evaluated.
-    pub fn judge(
+    pub(super) fn judge(
         &self,
         inspection: &Inspection,
         gear: &Gear,

@@ -82,6 +82,13 @@ pub struct EvaluatedGear {
     pub left_out: LeftOut,
 }
 
+impl EvaluatedGear {
+    /// Whether everything that was measured could be read and evaluated.
+    pub fn is_whole(&self, inspection: &Inspection) -> bool {
+        self.left_out.0.is_empty() && !inspection.warnings.iter().any(|warning| warning.kind.loses_values())
+    }
+}
+
 /// Evaluates an inspection: with a design every trace against it, as ISO 1328-1 wants it, without one against the involute.
 ///
 /// # Errors

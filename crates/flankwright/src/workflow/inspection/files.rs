@@ -3,6 +3,8 @@
 mod rexs;
 
 use super::drawn::DrawnGear;
+use super::middle::middle_line;
+use super::readings::SAME_PLACE;
 use super::result::LinesResult;
 use super::statements::Statements;
 use crate::exchange::inspection::{
@@ -12,9 +14,10 @@ use crate::exchange::inspection::{
 use crate::exchange::{Diagnostic, Problem, Source};
 use crate::geometry::{Flank, Sides};
 use crate::modification::ModificationSpec;
+use crate::numerics::extremes;
 use crate::workflow::finding::{JobFailure, Remark, RunFailure};
 use serde::Serialize;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 /// A measurement as it was read.
@@ -235,27 +238,35 @@ fn empty(gear: InspectedGear, path: &Path) -> Inspection {
     Inspection { sources: vec![file_name(path)], ..Inspection::of_gear(gear) }
 }
 
-/// Marks the outer ones of several lines of one flank, as measuring machines do: the line nearest the middle of them stays without a mark.
+/// Marks the outer ones of several lines of one flank, as measuring machines do: on each tooth the line in the middle of its lines stays
+/// without a mark. A tooth whose only line lies where others have outer ones has none in the middle. Where every tooth has one line, all are
+/// middle ones.
 pub(super) fn tag(traces: &mut [Trace]) {
     for kind in [TraceKind::Profile, TraceKind::Helix] {
         for flank in Flank::BOTH {
             let own = |t: &Trace| t.kind == kind && t.flank == flank && t.tag.is_empty();
-            let mut places: Vec<f64> = traces.iter().filter(|t| own(t)).map(|t| t.position_mm).collect();
-            places.sort_by(f64::total_cmp);
-            places.dedup();
-            let (Some(first), Some(last)) = (places.first(), places.last()) else { continue };
-            let half = 0.5 * (first + last);
-            let nearest = |a: &&f64, b: &&f64| (**a - half).abs().total_cmp(&(**b - half).abs());
-            let Some(&middle) = places.iter().min_by(nearest) else { continue };
+            let mut teeth: BTreeMap<u32, Vec<f64>> = BTreeMap::new();
+            for trace in traces.iter().filter(|t| own(t)) {
+                teeth.entry(trace.tooth).or_default().push(trace.position_mm);
+            }
+            for places in teeth.values_mut() {
+                places.sort_by(f64::total_cmp);
+                places.dedup_by(|a, b| (*a - *b).abs() < SAME_PLACE);
+            }
+            if teeth.values().all(|places| places.len() == 1) {
+                continue;
+            }
+            let all = extremes(teeth.values().flatten().copied());
             let [below, above] = match kind {
                 TraceKind::Profile => ["u", "o"],
                 TraceKind::Helix => ["f", "k"],
             };
             for trace in traces.iter_mut().filter(|t| own(t)) {
-                if trace.position_mm < middle {
-                    trace.tag = below.into();
-                } else if trace.position_mm > middle {
-                    trace.tag = above.into();
+                let places = &teeth[&trace.tooth];
+                let middle = middle_line(places, all).map(|k| places[k]);
+                let half = 0.5 * (all[0] + all[1]);
+                if middle.is_none_or(|middle| (trace.position_mm - middle).abs() >= SAME_PLACE) {
+                    trace.tag = if trace.position_mm < middle.unwrap_or(half) { below } else { above }.into();
                 }
             }
         }

@@ -9,6 +9,7 @@ mod closed_loop;
 mod drawn;
 mod evaluate;
 mod files;
+mod middle;
 mod page;
 mod printed;
 mod readings;
@@ -22,6 +23,7 @@ mod tables;
 mod twist;
 mod write;
 
+pub use bands::Bands;
 pub use characteristics::{PartCharacteristic, PartIdentity, characteristic_key, part_characteristics};
 pub use closed_loop::{
     CharacteristicResult, CorrectedSettingResult, CorrectionResult, DifferenceResult, MachineChange,

@@ -310,7 +310,9 @@ fn evaluation(result: &GearInspectionResult) -> EvaluationView {
             .iter()
             .map(|(flank, of)| ArealRow {
                 flank: (*flank).to_owned(),
-                surface: of.surface.clone(),
+                surface: of.outside_traces.iter().fold(of.surface.clone(), |text, (along, share)| {
+                    text + &format!("; {:.0} % beyond the lines by {along}", 100.0 * share)
+                }),
                 values_um: [
                     Some(of.profile_slope_um),
                     Some(of.profile_crowning_um),

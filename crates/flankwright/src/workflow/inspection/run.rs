@@ -13,7 +13,6 @@ use super::statements::Statements;
 use crate::exchange::LoadedJob;
 use crate::exchange::inspection::Inspection;
 use crate::geometry::{Flank, Sides};
-use crate::metrology::inspection::KBand;
 use crate::modification::{EvaluationField, Modification};
 use crate::numerics::Progress;
 use crate::workflow::finding::{JobFailure, Remark, RunFailure};
@@ -34,8 +33,8 @@ pub struct GearInspection {
     pub rounds: Vec<Round>,
     /// Of a job: the measurement less the target, with its evaluation; what the inspection sheet shows.
     pub against_target: Option<Box<(Inspection, EvaluatedGear)>>,
-    /// Bands of a job for its sheet: of profiles and of helix traces.
-    pub bands: [Option<KBand>; 2],
+    /// Bands of a job.
+    pub bands: Bands,
 }
 
 /// Reads and evaluates a measurement by itself; a file that states modifications is judged against them.
@@ -74,7 +73,7 @@ pub fn inspect_gear(path: &Path, statements: &Statements) -> Result<GearInspecti
         gear,
         rounds: Vec::new(),
         against_target: None,
-        bands: [None, None],
+        bands: Bands::default(),
     })
 }
 
@@ -176,7 +175,15 @@ fn of_rounds(
                 way_out: "look for burrs and dust at the crossings, and measure again".into(),
             });
         }
-        remarks.extend(of.outside_traces.iter().map(|(along, share)| Remark {
+        remarks.extend(of.standing_out.iter().map(|(tooth, most)| Remark {
+            code: "tooth-stands-out",
+            text: format!(
+                "tooth {tooth} of the {flank} flank is not like the others: {most:.3} um off the target"
+            ),
+            way_out: "look at that tooth, and measure it again".into(),
+        }));
+        if of.sees_twist {
+            remarks.extend(of.outside_traces.iter().map(|(along, share)| Remark {
             code: "outside-traces",
             text: format!(
                 "the surface of the {flank} flank goes {:.0} % of the field beyond the outermost lines, by {along}",
@@ -184,6 +191,7 @@ fn of_rounds(
             ),
             way_out: "measure lines nearer to the ends of the field".into(),
         }));
+        }
     }
     let verdict = verdict_of(last, &wanted, &bands, unjudged, tolerance);
     let (inspection, gear) = (last.inspection.clone(), last.gear.clone());
@@ -203,8 +211,7 @@ fn of_rounds(
         timing: BTreeMap::from([("all", begun.elapsed().as_secs_f64())]),
     };
     let result = gear_result(&inspection, &gear, context);
-    let bands = all.drawn();
-    Ok(GearInspection { result, inspection, gear, rounds, against_target, bands })
+    Ok(GearInspection { result, inspection, gear, rounds, against_target, bands: all })
 }
 
 /// A measurement of which nothing could be evaluated says nothing.
@@ -229,13 +236,14 @@ fn verdict_of(
     unjudged: usize,
     tolerance_um: f64,
 ) -> Option<(Status, Remark)> {
-    let correctable = match &last.result.correction {
-        Some(_) => "grind the next part by corrected-job.json",
-        None => {
-            "nothing that the settings could remove is systematic: look at clamping, machine and measurement"
+    let way_out = match (&last.result.correction, &last.result.no_correction) {
+        (Some(_), _) => "grind the next part by corrected-job.json".into(),
+        (None, Some(why)) => {
+            format!("look at clamping, machine and measurement; there is no correction: {why}")
         }
+        (None, None) => "look at clamping, machine and measurement".into(),
     };
-    let missed = |code, text| Some((Status::Missed, Remark { code, text, way_out: correctable.into() }));
+    let missed = |code, text| Some((Status::Missed, Remark { code, text, way_out: way_out.clone() }));
     let flanks = &last.result.flanks;
     let far = flanks.iter().max_by(|a, b| a.1.measured.largest_um.total_cmp(&b.1.measured.largest_um));
     if let Some((flank, of)) = far.filter(|(_, of)| of.measured.largest_um > tolerance_um) {
@@ -262,6 +270,15 @@ fn verdict_of(
     let out = bands.values().filter(|band| !band.passed).count();
     if out > 0 {
         return missed("outside-the-band", format!("{out} of {} traces lie outside their band", bands.len()));
+    }
+    let mut odd = flanks.iter().flat_map(|(flank, of)| of.standing_out.iter().map(move |odd| (flank, odd)));
+    if let Some((flank, (tooth, most))) = odd.find(|(_, (_, most))| **most > tolerance_um) {
+        return missed(
+            "tooth-stands-out",
+            format!(
+                "tooth {tooth} of the {flank} flank was measured {most:.3} um off its target and is not like the others (tolerance {tolerance_um} um)"
+            ),
+        );
     }
     let not_judged = |text, way_out: &str| {
         Some((Status::NotJudged, Remark { code: "not-judged", text, way_out: way_out.into() }))

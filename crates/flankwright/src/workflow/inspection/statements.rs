@@ -5,7 +5,7 @@ use super::files::MeasuredFiles;
 use crate::exchange::inspection::{Characteristic, DatumFace, SlopeReference};
 use crate::exchange::{Diagnostic, Problem};
 use crate::geometry::Sides;
-use crate::workflow::finding::RunFailure;
+use crate::workflow::finding::{Remark, RunFailure};
 
 /// Statements about a measurement; by default none.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -28,13 +28,40 @@ impl Statements {
         *self == Self::default()
     }
 
-    /// Gives a measurement what is stated about it, and notes that.
+    /// In words.
+    pub fn words(&self) -> Vec<String> {
+        let length = |reference| match reference {
+            SlopeReference::FaceWidth => "the face width",
+            SlopeReference::Range => "the evaluated range",
+        };
+        let other_end = self.other_end.then(|| "measured from the other end".to_owned());
+        let signs = self.slope_signs.map(|signs| {
+            format!(
+                "signs of helix slopes {:+} left, {:+} right as the file names them",
+                signs.left, signs.right
+            )
+        });
+        let helix = self.helix_slope_over.map(|of| format!("helix slopes over {}", length(of)));
+        let profile = self.profile_slope_over.map(|of| format!("profile slopes over {}", length(of)));
+        let face = self.datum_face.map(|face| match face {
+            DatumFace::PlusZ => "datum face +z".to_owned(),
+            DatumFace::MinusZ => "datum face -z".to_owned(),
+        });
+        [other_end, signs, helix, profile, face].into_iter().flatten().collect()
+    }
+
+    /// Gives a measurement what is stated about it; what its file says otherwise is told.
     pub(super) fn apply(&self, mut files: MeasuredFiles) -> MeasuredFiles {
-        let mut stated = Vec::new();
+        files.stated = self.words();
+        let conditions = &mut files.inspection.conditions;
+        let mut otherwise = Vec::new();
         if let Some(signs) = self.slope_signs {
-            stated.push(format!("signs of helix slopes {:+} left, {:+} right", signs.left, signs.right));
             for (flank, sign) in signs.iter() {
-                files.inspection.conditions.flanks[flank].printed_sign = Some(*sign);
+                let own = &mut conditions.flanks[flank].printed_sign;
+                if own.is_some_and(|own| own != *sign) {
+                    otherwise.push(format!("the sign of helix slopes of the {flank} flank"));
+                }
+                *own = Some(*sign);
             }
             for result in &mut files.inspection.results {
                 if let (Characteristic::HelixSlope, Some(flank)) =
@@ -44,29 +71,34 @@ impl Statements {
                 }
             }
         }
-        let conditions = &mut files.inspection.conditions;
-        let words = |reference| match reference {
-            SlopeReference::FaceWidth => "the face width",
-            SlopeReference::Range => "the evaluated range",
-        };
-        if let Some(reference) = self.helix_slope_over {
-            stated.push(format!("helix slopes over {}", words(reference)));
-            conditions.helix_slope_reference = Some(reference);
+        for (stated, own, what) in [
+            (self.helix_slope_over, &mut conditions.helix_slope_reference, "the length of helix slopes"),
+            (
+                self.profile_slope_over,
+                &mut conditions.profile_slope_reference,
+                "the length of profile slopes",
+            ),
+        ] {
+            if stated.is_some() {
+                if own.is_some() && *own != stated {
+                    otherwise.push(what.into());
+                }
+                *own = stated;
+            }
         }
-        if let Some(reference) = self.profile_slope_over {
-            stated.push(format!("profile slopes over {}", words(reference)));
-            conditions.profile_slope_reference = Some(reference);
+        if !otherwise.is_empty() {
+            files.remarks.push(Remark {
+                code: "stated-otherwise",
+                text: format!("the file says otherwise than was stated: {}", otherwise.join(", ")),
+                way_out: "leave the statement out to take what the file says".into(),
+            });
         }
         if self.other_end {
-            stated.push("measured from the other end: left and right exchanged, heights turned".into());
             files.inspection = files.inspection.turned();
         }
         if let Some(face) = self.datum_face {
-            let name = if face == DatumFace::PlusZ { "+z" } else { "-z" };
-            stated.push(format!("datum face {name}"));
             files.inspection.conditions.datum_face = face;
         }
-        files.stated = stated;
         files
     }
 

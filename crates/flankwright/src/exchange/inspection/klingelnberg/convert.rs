@@ -30,10 +30,18 @@ pub fn inspection_of(files: &[(&str, &KlingelnbergFile)]) -> Result<Inspection, 
     {
         *filter = whole.preamble.iter().find(|e| e.key == key).map(|e| e.value.clone());
     }
-    let traces: Result<Vec<Trace>, _> = whole.curves.iter().map(|curve| place.trace(curve)).collect();
     let text = |code| whole.header.get(&code).and_then(HeaderEntry::text);
     let mut warnings = whole.warnings.clone();
     warnings.extend(settings.warnings.iter().cloned());
+    let (placed, nowhere): (Vec<&Curve>, Vec<&Curve>) =
+        whole.curves.iter().partition(|curve| curve.position_mm.abs() <= LONGEST);
+    for curve in nowhere {
+        let message =
+            format!("the trace lies at {:e} mm, where no gear is, and is dropped", curve.position_mm);
+        warnings.push(InspectionWarning::at(WarningKind::Implausible, curve.line, message));
+    }
+    let traces: Result<Vec<Trace>, _> =
+        placed.into_iter().map(|curve| place.trace(curve, &mut warnings)).collect();
     if gear.helix_angle_deg != 0.0 {
         let message = "signs and axes of helical gears follow the rules for spur gears; no helical file has proven them";
         warnings.push(InspectionWarning::new(WarningKind::UnverifiedSetting, message));
@@ -48,14 +56,14 @@ pub fn inspection_of(files: &[(&str, &KlingelnbergFile)]) -> Result<Inspection, 
         machine: whole.header.get(&1).map(|entry| entry.label.clone()).filter(|label| !label.is_empty()),
         operator: text(4),
         sources: files.iter().map(|(name, _)| (*name).to_owned()).collect(),
-        warnings,
         traces: traces?,
         topographies: Vec::new(),
         pitch,
         run_out: place.run_out(),
         thickness: place.thickness(),
         circles: place.circles()?,
-        results: place.results(&conditions),
+        results: place.results(&conditions, &mut warnings),
+        warnings,
         gear,
         conditions,
     })
@@ -130,6 +138,7 @@ fn gear(file: &KlingelnbergFile) -> Result<InspectedGear, InspectionError> {
         return Err(InspectionError::BadInput { what: "number of teeth".into(), value: teeth, allowed });
     }
     let internal = file.header.get(&22).is_some_and(|entry| entry.value.contains("Innen"));
+    let length = |code, what| optional(code).map(|value| plausible(what, value)).transpose();
     let shift = file.header.get(&25).and_then(|entry| {
         // Older and newer dialects: the coefficient, or the length.
         let value = entry.number()?;
@@ -141,10 +150,43 @@ fn gear(file: &KlingelnbergFile) -> Result<InspectedGear, InspectionError> {
         normal_pressure_angle_deg: needed(24, "normal pressure angle")?,
         helix_angle_deg: needed(23, "helix angle")?,
         profile_shift: shift.filter(|x| x.is_finite()),
-        face_width_mm: optional(26),
-        tip_diameter_mm: optional(27),
-        root_diameter_mm: optional(272),
+        face_width_mm: length(26, "face width")?,
+        tip_diameter_mm: length(27, "tip diameter")?,
+        root_diameter_mm: length(272, "root diameter")?,
     })
+}
+
+/// Longest length that a header may state, mm.
+const LONGEST: f64 = 1e5;
+/// Largest deviation, um, and largest size, mm, that a measurement gives.
+const LARGEST: f64 = 1e5;
+
+fn plausible(what: &str, value: f64) -> Result<f64, InspectionError> {
+    if value.abs() <= LONGEST {
+        return Ok(value);
+    }
+    Err(InspectionError::BadInput { what: what.into(), value, allowed: "a length up to 100000 mm" })
+}
+
+/// A value, undefined where no measurement gives it.
+fn defined(value: f64) -> f64 {
+    if value.abs() > LARGEST { f64::NAN } else { value }
+}
+
+/// Values of a table or a trace; those that no measurement gives are undefined and told.
+fn plausible_values(
+    values: impl Iterator<Item = f64>,
+    what: &str,
+    line: Option<usize>,
+    warnings: &mut Vec<InspectionWarning>,
+) -> Vec<f64> {
+    let values: Vec<f64> = values.collect();
+    let count = values.iter().filter(|v| v.abs() > LARGEST).count();
+    if count > 0 {
+        let message = format!("{what}: {count} of the values are beyond {LARGEST} um and count as undefined");
+        warnings.push(InspectionWarning { kind: WarningKind::Implausible, line, message });
+    }
+    values.into_iter().map(defined).collect()
 }
 
 /// A file with the gear that it describes.
@@ -166,6 +208,7 @@ impl Place<'_> {
 
     /// A height of the file, from the middle of the face width.
     fn height(&self, file_height: f64) -> Result<f64, InspectionError> {
+        plausible("height of the file", file_height)?;
         let b = self
             .gear
             .face_width_mm
@@ -173,7 +216,7 @@ impl Place<'_> {
         Ok(file_height - 0.5 * b)
     }
 
-    fn trace(&self, curve: &Curve) -> Result<Trace, InspectionError> {
+    fn trace(&self, curve: &Curve, warnings: &mut Vec<InspectionWarning>) -> Result<Trace, InspectionError> {
         let ends = self.ends(curve)?;
         let n = curve.values.len();
         let step = (ends[1] - ends[0]) / (n - 1) as f64;
@@ -182,6 +225,8 @@ impl Place<'_> {
             TraceKind::Helix => curve.position_mm,
             TraceKind::Profile => self.height(curve.position_mm)?,
         };
+        let f_um =
+            plausible_values(curve.values.iter().map(|v| -s * v), "the trace", Some(curve.line), warnings);
         // The last place is the end itself, not what rounding makes of it.
         let place = |i: usize| if i + 1 == n { ends[1] } else { ends[0] + step * i as f64 };
         Ok(Trace {
@@ -191,7 +236,7 @@ impl Place<'_> {
             tag: curve.tag.clone(),
             position_mm,
             abscissa_mm: (0..n).map(place).collect(),
-            f_um: curve.values.iter().map(|v| -s * v).collect(),
+            f_um,
             zero: Zero::Free,
         })
     }
@@ -220,6 +265,7 @@ impl Place<'_> {
 
     /// The length of roll at a diameter of the header.
     fn roll(&self, code: u16, flank: Flank, diameter: f64) -> Result<f64, InspectionError> {
+        plausible("diameter of the header", diameter)?;
         let involute = self.body.flank(flank);
         involute.length_of_roll(0.5 * diameter).map_err(|_| InspectionError::BelowBaseCircle {
             what: format!("the diameter of code {code}"),

@@ -74,7 +74,22 @@ impl Settings {
         if mode(165).is_some_and(|value| value != 1) {
             settings.doubt(165, "only the signs of DIN (mode 1) are proven; those of the file are taken");
         }
+        settings.assume(file);
         Ok(settings)
+    }
+
+    /// Where there are traces: what was taken for settings that the file does not state.
+    fn assume(&mut self, file: &KlingelnbergFile) {
+        let assumed = [
+            (165, "signs of helix slopes not stated; they are given as those of DIN"),
+            (178, "signs of the curves not stated; they are read as those of DIN"),
+            (183, "section not stated; values are read as transverse"),
+        ];
+        for (code, message) in assumed {
+            if !file.curves.is_empty() && !file.header.contains_key(&code) {
+                self.doubt(code, message);
+            }
+        }
     }
 
     fn doubt(&mut self, code: u16, message: &str) {

@@ -2,12 +2,14 @@
 //! test of their means (spec 85 section 7.1). Normal to the flank, mm; slopes of material towards tip and upper face.
 
 use super::super::evaluate::EvaluatedGear;
+use super::super::middle::at_middle;
 use super::super::readings::readings;
 use super::super::twist::{Line, twist_of};
 use crate::exchange::inspection::{Inspection, Trace, TraceKind};
 use crate::exchange::job::Inspection as InspectionTable;
 use crate::geometry::{Flank, Sides};
 use crate::metrology::areal::{ArealDegree, ArealField, ArealFit, ArealPoint};
+use crate::metrology::inspection::TraceEvaluation;
 use crate::metrology::systematic::{SystematicError, SystematicOptions, SystematicTest, systematic_test};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -142,12 +144,21 @@ fn of_lines(lines: &[Line<'_>], cos: f64, [roll, face]: [[f64; 2]; 2]) -> OfToot
         (TraceKind::Profile, Characteristic::ProfileSlope, Characteristic::ProfileCrowning),
         (TraceKind::Helix, Characteristic::HelixSlope, Characteristic::HelixCrowning),
     ] {
-        let mut of_kind: Vec<&Line<'_>> = lines.iter().filter(|(t, _)| t.kind == kind).collect();
-        of_kind.sort_by(|a, b| a.0.position_mm.total_cmp(&b.0.position_mm));
-        let along = lengths[usize::from(kind == TraceKind::Helix)];
-        if let Some((_, evaluation)) = of_kind.iter().find(|(t, _)| t.tag.is_empty()).or(of_kind.first()) {
-            found.insert(slope_of, cos * evaluation.crowning.slope.over(along));
-            found.insert(crowning_of, cos * evaluation.crowning.height);
+        let (along, across) = match kind {
+            TraceKind::Profile => (lengths[0], face),
+            TraceKind::Helix => (lengths[1], roll),
+        };
+        let of_kind = |value: fn(&TraceEvaluation, f64) -> f64| {
+            let lines = lines.iter().filter(|(trace, _)| trace.kind == kind);
+            let placed: Vec<(f64, f64)> =
+                lines.map(|(trace, of)| (trace.position_mm, value(of, along))).collect();
+            at_middle(&placed, across)
+        };
+        if let Some(slope) = of_kind(|of, along| of.crowning.slope.over(along)) {
+            found.insert(slope_of, cos * slope);
+        }
+        if let Some(height) = of_kind(|of, _| of.crowning.height) {
+            found.insert(crowning_of, cos * height);
         }
     }
     let twists: Vec<f64> = twist_of(lines, lengths).into_iter().flatten().collect();

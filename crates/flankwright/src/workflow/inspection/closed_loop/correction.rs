@@ -2,13 +2,15 @@
 
 use super::characteristics::{Characteristic, TestedCharacteristic};
 use super::lines::{MeanLine, uncertainties};
-use crate::exchange::job::{Compensation, CorrectionSetting, Inspection as InspectionTable};
+use crate::exchange::job::{
+    Compensation, CorrectionLimits, CorrectionSetting, Inspection as InspectionTable,
+};
 use crate::geometry::Flank;
 use crate::metrology::systematic::Decision;
 use crate::modification::{FlankChoice, ModificationSpec, PolynomialSpec};
 use crate::process::correction::{
-    Correction, CorrectionError, CorrectionTask, FlankPoint, Setting, SettingInfluence, SettingUnit,
-    Weighting,
+    CorrectedSetting, Correction, CorrectionError, CorrectionTask, FlankPoint, Setting, SettingInfluence,
+    SettingUnit, Weighting,
 };
 use std::collections::BTreeMap;
 
@@ -53,6 +55,8 @@ pub(super) fn worth_turning(
         })
     };
     let measured = |flank: Flank| tested.iter().any(|t| t.flank == flank);
+    let sees_twist =
+        |flank: Flank| tested.iter().any(|t| t.flank == flank && t.characteristic == Characteristic::Twist);
     let twist = influence.ratio() != 0.0;
     Setting::USUAL
         .into_iter()
@@ -83,22 +87,87 @@ pub(super) fn worth_turning(
             table.settings.contains(&allowed)
                 && (systematic(cured, setting.flank()) || partner)
                 && setting.flank().is_none_or(measured)
-                && (twist || !matches!(setting, Setting::Twist(_)))
+                && !matches!(setting, Setting::Twist(flank) if !twist || !sees_twist(*flank))
         })
         .collect()
 }
 
-/// The correction of what was measured.
+/// The correction of what was measured. Settings that the lines do not let see are left alone; `None` if that leaves none.
 ///
 /// # Errors
 /// Those of [`CorrectionTask::solve`].
 pub(super) fn correct(
     table: &InspectionTable,
-    settings: Vec<Setting>,
+    mut settings: Vec<Setting>,
     lines: &[MeanLine],
     influence: &SettingInfluence<'_>,
     earlier: Option<&Compensation>,
-) -> Result<FoundCorrection, CorrectionError> {
+) -> Result<Option<FoundCorrection>, CorrectionError> {
+    let applied = applied(earlier);
+    let (mut alone, mut not_told_apart) = (Vec::new(), Vec::new());
+    let mut correction = loop {
+        if settings.is_empty() {
+            return Ok(None);
+        }
+        let found = solved(table, &settings, lines, influence, &applied)?;
+        match unseen(&settings, &found, &table.limits) {
+            Some(place) => {
+                alone.push(settings.remove(place));
+                not_told_apart.extend(found.unseen);
+            }
+            None => break found,
+        }
+    };
+    let mut total = applied;
+    for (setting, found) in settings.iter().zip(&correction.settings) {
+        total.entry(setting.name()).or_insert((*setting, 0.0)).1 += found.value;
+    }
+    correction.unseen.extend(not_told_apart);
+    for setting in alone {
+        let name = setting.name();
+        let left = CorrectedSetting { name, value: 0.0, at_bound: false, deviation: None, dropped: true };
+        correction.settings.push(left);
+        settings.push(setting);
+    }
+    Ok(Some(FoundCorrection { settings, correction, total }))
+}
+
+/// A setting of a direction that nothing sees, or that is known worse than its bounds: first those that are chosen last (spec 85 section 7.5).
+fn unseen(settings: &[Setting], found: &Correction, limits: &CorrectionLimits) -> Option<usize> {
+    /// A setting with a smaller share of the largest in a direction hardly takes part in it.
+    const PART: f64 = 0.1;
+    let in_direction = |setting: &Setting| {
+        let name = setting.name();
+        found.unseen.iter().flatten().any(|(part, share)| *part == name && share.abs() > PART)
+    };
+    let unknown = |k: usize| {
+        let of = &found.settings[k];
+        let [_, limit] = bound(limits, settings[k]);
+        !of.dropped && of.deviation.is_some_and(|deviation| deviation.is_nan() || deviation > 0.5 * limit)
+    };
+    let candidates = (0..settings.len()).filter(|&k| in_direction(&settings[k]) || unknown(k));
+    candidates.max_by_key(|&k| settings[k].stage())
+}
+
+/// How far a setting may go to either side, mm or rad.
+fn bound(limits: &CorrectionLimits, setting: Setting) -> [f64; 2] {
+    let limit = match setting {
+        Setting::WorkAngle(_) => limits.work_angle_arcsec,
+        Setting::ProfileSlope(_) | Setting::ProfileCrown(_) => limits.profile_um,
+        Setting::Twist(_) => limits.twist_um,
+        _ => limits.radial_feed_um,
+    };
+    let limit = limit * unit(setting).0;
+    [-limit, limit]
+}
+
+fn solved(
+    table: &InspectionTable,
+    settings: &[Setting],
+    lines: &[MeanLine],
+    influence: &SettingInfluence<'_>,
+    applied: &BTreeMap<String, (Setting, f64)>,
+) -> Result<Correction, CorrectionError> {
     let spreads = uncertainties(lines);
     let (mut points, mut deviations, mut zeros, mut known) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     for (number, (line, spread)) in lines.iter().zip(spreads).enumerate() {
@@ -109,36 +178,19 @@ pub(super) fn correct(
             known.push(spread);
         }
     }
-    let columns = influence.columns(&settings, &points)?;
-    let applied = applied(earlier);
+    let columns = influence.columns(settings, &points)?;
     let so_far = |setting: &Setting| applied.get(&setting.name()).map_or(0.0, |(_, value)| *value);
-    let limits = &table.limits;
-    let bound = |setting: &Setting| {
-        let limit = match setting {
-            Setting::WorkAngle(_) => limits.work_angle_arcsec,
-            Setting::ProfileSlope(_) | Setting::ProfileCrown(_) => limits.profile_um,
-            Setting::Twist(_) => limits.twist_um,
-            _ => limits.radial_feed_um,
-        };
-        let limit = limit * unit(*setting).0;
-        [-limit, limit]
-    };
     let resolution = |setting: &Setting| RESOLUTION[usize::from(setting.unit() == SettingUnit::Angle)];
     let task = CorrectionTask {
         traces: Some(zeros),
         weighting: Weighting::Uncertainties(known),
-        bounds: settings.iter().map(bound).collect(),
+        bounds: settings.iter().map(|setting| bound(&table.limits, *setting)).collect(),
         applied: settings.iter().map(so_far).collect(),
         resolutions: Some(settings.iter().map(resolution).collect()),
         allow_underdetermined: true,
         ..CorrectionTask::new(deviations, columns)
     };
-    let correction = task.solve()?;
-    let mut total = applied;
-    for (setting, found) in settings.iter().zip(&correction.settings) {
-        total.entry(setting.name()).or_insert((*setting, 0.0)).1 += found.value;
-    }
-    Ok(FoundCorrection { settings, correction, total })
+    task.solve()
 }
 
 /// Earlier corrections by the name of their setting, mm or rad.

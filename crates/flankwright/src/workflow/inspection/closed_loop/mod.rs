@@ -71,6 +71,8 @@ fn fill(files: &mut MeasuredFiles, drawn: &DrawnGear) {
     let mut changed = Vec::new();
     for (flank, of) in job.flanks.iter() {
         let open = &mut own.flanks[flank];
+        // Zones of reliefs end the file's range; the target has its own.
+        (open.tip_relief_mm, open.root_relief_mm) = (None, None);
         for (name, own, job) in [
             ("w_1", &mut open.w_1_mm, of.w_1_mm),
             ("w_2", &mut open.w_2_mm, of.w_2_mm),

@@ -143,6 +143,12 @@ pub(super) fn judge(
                 mismatch_um: surface.mismatch_um(),
                 outside_traces: surface.outside_traces(),
                 sees_twist: surface.sees_twist,
+                standing_out: surface
+                    .standing_out
+                    .iter()
+                    .filter(|odd| odd.largest > tolerance)
+                    .map(|odd| (odd.tooth, 1e3 * odd.largest))
+                    .collect(),
                 produced: difference(&compared.produced),
                 measured: difference(&compared.measured),
                 model: difference(&compared.model),
@@ -186,8 +192,13 @@ pub(super) fn judge(
         round.result.no_correction = Some(reason(&tests));
         return Ok(round);
     }
-    let found = correct(&table, settings, &lines, &influence, loaded.job.compensation.as_ref())
-        .map_err(|e| of_correction(&e))?;
+    let found = correct(&table, settings, &lines, &influence, loaded.job.compensation.as_ref());
+    let Some(found) = found.map_err(|e| of_correction(&e))? else {
+        let why =
+            "the measured lines do not let see any of the settings that may be turned: measure more of them";
+        round.result.no_correction = Some(why.into());
+        return Ok(round);
+    };
     if let Some(end) = ClosedLoop::end(&found.correction) {
         round.result.no_correction = Some(match end {
             LoopEnd::NothingRemovable => {
@@ -235,6 +246,18 @@ pub(super) fn judge(
                 first_order_off_um: 1e3 * largest_about_mean(&change.f, &model),
             },
         );
+    }
+    let squares = |of: fn(&ProofResult) -> &DifferenceResult| {
+        proof.values().map(|flank| of(flank).rms_um.powi(2)).sum::<f64>()
+    };
+    let [before, after] = [squares(|flank| &flank.before), squares(|flank| &flank.after)];
+    if after >= before {
+        round.result.no_correction = Some(format!(
+            "the referee does not confirm what the lines propose: it would make {:.3} of {:.3} um rms",
+            (after / proof.len() as f64).sqrt(),
+            (before / proof.len() as f64).sqrt()
+        ));
+        return Ok(round);
     }
     round.result.correction = Some(correction(&found, proof, made, &next));
     round.corrected = Some(corrected);

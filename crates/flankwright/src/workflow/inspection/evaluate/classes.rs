@@ -4,6 +4,7 @@ use super::{EvaluatedPitch, EvaluatedTrace, LeftOut};
 use crate::exchange::inspection::{Inspection, TraceKind};
 use crate::geometry::{Flank, Gear};
 use crate::metrology::inspection::{ToleranceGear, ToleranceQuantity, Tolerances};
+use std::collections::BTreeMap;
 
 /// Tolerances of the gear; none without a face width.
 pub(super) fn tolerances(inspection: &Inspection, gear: &Gear, left_out: &mut LeftOut) -> Option<Tolerances> {
@@ -26,17 +27,27 @@ pub(super) fn judged(
     let mut values = Vec::new();
     for flank in Flank::BOTH {
         for kind in [TraceKind::Profile, TraceKind::Helix] {
-            let of: Vec<&EvaluatedTrace> = traces
-                .iter()
-                .filter(|one| {
-                    let trace = &inspection.traces[one.trace];
-                    trace.kind == kind && trace.flank == flank && trace.tag.is_empty()
-                })
-                .collect();
+            let own = |one: &&EvaluatedTrace| {
+                let trace = &inspection.traces[one.trace];
+                trace.kind == kind && trace.flank == flank
+            };
+            let middle = |one: &&EvaluatedTrace| inspection.traces[one.trace].tag.is_empty();
+            let mut of: Vec<&EvaluatedTrace> = traces.iter().filter(own).filter(middle).collect();
+            if of.is_empty() {
+                // Outer lines alone: both together stand for the middle.
+                of = traces.iter().filter(own).collect();
+            }
             if of.is_empty() {
                 continue;
             }
-            let slope = of.iter().map(|one| one.evaluation.slope.printed()).sum::<f64>() / of.len() as f64;
+            // Teeth count once each, however often they were measured.
+            let mut teeth: BTreeMap<u32, Vec<f64>> = BTreeMap::new();
+            for one in &of {
+                let tooth = inspection.traces[one.trace].tooth;
+                teeth.entry(tooth).or_default().push(one.evaluation.slope.printed());
+            }
+            let mean = |values: &Vec<f64>| values.iter().sum::<f64>() / values.len() as f64;
+            let slope = teeth.values().map(mean).sum::<f64>() / teeth.len() as f64;
             let [slope_of, form_of, total_of] = match kind {
                 TraceKind::Profile => [
                     ToleranceQuantity::ProfileSlope,

@@ -41,6 +41,7 @@ pub(super) fn series_of(read: Vec<Result<ReadPart, RefusedFile>>, class: Option<
             groups: results,
             refused,
             left_out: Vec::new(),
+            stated: Vec::new(),
         },
         groups: evaluated,
         sheets,

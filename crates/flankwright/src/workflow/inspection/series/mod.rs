@@ -93,5 +93,6 @@ pub fn inspect_series(paths: &[PathBuf], options: &SeriesOptions) -> Result<Insp
     let read: Vec<_> = paths.par_iter().map(|path| read::read_part(path, options)).collect();
     let mut series = document::series_of(read, options.sheet.tolerance_class);
     series.result.left_out.clone_from(&options.left_out);
+    series.result.stated = options.statements.words();
     Ok(series)
 }

@@ -1,5 +1,6 @@
 //! Fills the page of a series from its document.
 
+use super::super::files::LeftOutFile;
 use super::InspectionSeries;
 use super::result::{
     SeriesCharacteristic, SeriesFigures, SeriesFinding, SeriesGroupResult, SeriesPartResult,
@@ -52,9 +53,14 @@ fn head(series: &InspectionSeries) -> ReportHead {
         text: format!("{}: not evaluated: {} [{}]", file.file, file.message, file.code),
         way_out: file.way_out.clone(),
     };
+    let left_out = |file: &LeftOutFile| Warning {
+        text: format!("{}: left out: {}", file.file, file.reason),
+        way_out: String::new(),
+    };
     ReportHead {
         job_name: "Series of measured parts".into(),
-        description: None,
+        description: (!result.stated.is_empty())
+            .then(|| format!("Stated about the measurements: {}.", result.stated.join("; "))),
         process: "inspection of a series",
         version: result.version.into(),
         status: result.status.into(),
@@ -65,7 +71,7 @@ fn head(series: &InspectionSeries) -> ReportHead {
             ("series".into(), result.groups.len().to_string()),
             ("files refused".into(), result.refused.len().to_string()),
         ],
-        warnings: result.refused.iter().map(refused).collect(),
+        warnings: result.refused.iter().map(refused).chain(result.left_out.iter().map(left_out)).collect(),
         files,
     }
 }

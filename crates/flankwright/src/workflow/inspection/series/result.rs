@@ -24,6 +24,9 @@ pub struct InspectionSeriesResult {
     /// What the folder holds beside its measurements.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub left_out: Vec<LeftOutFile>,
+    /// What the user stated about all measurements.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub stated: Vec<String>,
 }
 
 /// Parts of one drawing.

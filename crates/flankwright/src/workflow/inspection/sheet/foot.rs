@@ -54,10 +54,11 @@ impl Filling<'_> {
         };
         let reached = classes.overall.map_or_else(|| "worse than 11".into(), |class| class.to_string());
         match self.options.tolerance_class {
-            None => format!("worst class {reached}"),
+            None if self.gear.is_whole(self.inspection) => format!("worst class {reached}"),
+            None => format!("worst class {reached}, of what could be evaluated"),
             Some(wanted) => {
                 let kept = classes.overall.is_some_and(|class| class <= wanted);
-                let verdict = match (kept, self.gear.left_out.0.is_empty()) {
+                let verdict = match (kept, self.gear.is_whole(self.inspection)) {
                     (true, true) => "kept",
                     (true, false) => "kept as far as evaluated",
                     (false, _) => "EXCEEDED",

@@ -123,7 +123,9 @@ impl Filling<'_> {
         let stylus = of.stylus_diameter_mm.map(|d| format!("ball {} mm", format_significant(d, 5)));
         let warm = of.temperature_c.map(|t| format!("{} °C", format_significant(t, 4)));
         let reference = self.options.reference.clone();
-        let further = [("deviations from", reference), ("stylus", stylus), ("temperature", warm)];
+        let stated = (!self.options.stated.is_empty()).then(|| self.options.stated.join("; "));
+        let further =
+            [("deviations from", reference), ("stated", stated), ("stylus", stylus), ("temperature", warm)];
         facts.extend(further.into_iter().filter_map(|(label, text)| Some(Fact::new(label, text?))));
         facts
     }

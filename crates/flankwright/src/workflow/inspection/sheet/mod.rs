@@ -11,7 +11,7 @@ use super::evaluate::EvaluatedGear;
 use super::run::GearInspection;
 use crate::exchange::inspection::{DatumFace, Inspection, TraceKind};
 use crate::geometry::Sides;
-use crate::metrology::inspection::{KBand, ToleranceQuantity, reached_class};
+use crate::metrology::inspection::{BandFit, KBand, ToleranceQuantity, reached_class};
 use crate::report::charts::ChartError;
 use crate::report::inspection_sheet::{self, SheetData, SheetLimits, SheetPage, SheetValue};
 
@@ -22,16 +22,18 @@ pub struct SheetOptions {
     pub tolerance_class: Option<i32>,
     /// Helix traces with the top of the measuring machine upwards (`oben up`) instead of the datum face downwards.
     pub top_up: bool,
+    /// What was stated about the measurement.
+    pub stated: Vec<String>,
     /// What the deviations are counted from, where it is not the involute.
     pub reference: Option<String>,
     /// Bands for the profiles in the transverse section, against the length of roll.
-    pub profile_bands: Sides<Option<KBand>>,
+    pub profile_bands: Sides<Option<(KBand, BandFit)>>,
     /// Bands for the helix traces in the transverse section, against z.
-    pub helix_bands: Sides<Option<KBand>>,
+    pub helix_bands: Sides<Option<(KBand, BandFit)>>,
 }
 
 impl SheetOptions {
-    fn bands(&self, kind: TraceKind) -> &Sides<Option<KBand>> {
+    fn bands(&self, kind: TraceKind) -> &Sides<Option<(KBand, BandFit)>> {
         match kind {
             TraceKind::Profile => &self.profile_bands,
             TraceKind::Helix => &self.helix_bands,
@@ -57,15 +59,15 @@ pub fn sheet_pages(
 /// # Errors
 /// [`ChartError`] for numbers that cannot be drawn.
 pub fn inspection_sheet(found: &GearInspection, options: &SheetOptions) -> Result<String, ChartError> {
+    let options = &SheetOptions { stated: found.result.stated.clone(), ..options.clone() };
     let pages = match &found.against_target {
         None => sheet_pages(&found.inspection, &found.gear, options)?,
         Some(less) => {
             let reference = Some(format!("target of the job {}", found.result.job));
-            let [profile, helix] = found.bands.clone();
             let options = SheetOptions {
                 reference,
-                profile_bands: Sides::both(profile),
-                helix_bands: Sides::both(helix),
+                profile_bands: Sides::both(found.bands.profile.clone()),
+                helix_bands: Sides::both(found.bands.helix.clone()),
                 ..options.clone()
             };
             sheet_pages(&less.0, &less.1, &options)?

@@ -48,12 +48,17 @@ impl Filling<'_> {
             f_um.iter_mut().for_each(|row| row.reverse());
         }
         let mut note = match &fit {
-            Ok(fit) => format!(
-                "Features of the fit of degree {} over the whole field, {} points. f_Hα + = material rising with w; f_Hβ + = material \
-                 rising to +z; S > 0 removes at the tip of +z.",
-                fit.degree().order(),
-                fit.points
-            ),
+            Ok(fit) => {
+                let [w, z] = [fit.field().roll(), fit.field().face()].map(|[from, to]| to - from);
+                format!(
+                    "Features of the fit of degree {} over the whole field of {} × {} mm, {} points. Slope of the profile + = material \
+                     rising with w; slope of the helix + = material rising to +z; S > 0 removes at the tip of +z.",
+                    fit.degree().order(),
+                    format_fixed(w, 2),
+                    format_fixed(z, 2),
+                    fit.points
+                )
+            }
             Err(error) => format!("No features: {error}."),
         };
         if scattered {
@@ -113,7 +118,6 @@ fn fitted(fit: &ArealFit) -> Grid {
 fn features(fit: &ArealFit) -> Vec<SheetValue> {
     let of = fit.features();
     let um = |symbol: &str, mm: f64| SheetValue::new(symbol, Some(1e3 * mm), "µm", 2);
-    let [w, z] = [fit.field().roll(), fit.field().face()].map(|[from, to]| to - from);
     vec![
         um("offset", of.offset),
         um("f_Hα", of.profile_slope),
@@ -123,9 +127,6 @@ fn features(fit: &ArealFit) -> Vec<SheetValue> {
         um("S", of.twist),
         um("rest rms", fit.residual_rms),
         um("form", fit.form),
-        SheetValue {
-            class: format!("of {} × {} mm", format_fixed(w, 2), format_fixed(z, 2)),
-            ..SheetValue::new("explained", Some(100.0 * fit.explained_share), "%", 1)
-        },
+        SheetValue::new("explained", Some(100.0 * fit.explained_share), "%", 1),
     ]
 }

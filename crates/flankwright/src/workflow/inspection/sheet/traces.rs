@@ -156,12 +156,12 @@ impl Filling<'_> {
                     .push(format!("{}: not drawn, its samples are no trace of a tooth", trace_name(trace)));
                 continue;
             };
-            let verdict = band.and_then(|band| judged(band, trace, factor));
+            let verdict = band.and_then(|(band, fit)| judged(band, *fit, trace, factor));
             sheet.mean_line = one.map(|one| {
                 let e = &one.evaluation;
                 [e.range.from(), e.range.to()].map(|a| [a, 1e3 * e.line.at(a)])
             });
-            sheet.band = band.zip(verdict).map(|(band, verdict)| SheetBand {
+            sheet.band = band.zip(verdict).map(|((band, _), verdict)| SheetBand {
                 corners: band.corners().iter().map(|[a, lo, hi]| [*a, 1e3 * lo, 1e3 * hi]).collect(),
                 shift_um: 1e3 * verdict.shift,
                 passed: verdict.passed(),
@@ -203,7 +203,7 @@ impl Filling<'_> {
                 symbol: symbol.into(),
                 unit: "µm",
                 mean: summary.map(|s| s.mean),
-                range: summary.map(|s| s.range()),
+                range: summary.filter(|s| s.teeth > 1).map(|s| s.range()),
                 limits,
                 judged: if n == 0 { JudgedBy::Mean } else { JudgedBy::Each },
             }
@@ -285,10 +285,10 @@ fn samples(trace: &Trace, factor: f64) -> Option<SheetTrace> {
     })
 }
 
-fn judged(band: &KBand, trace: &Trace, factor: f64) -> Option<BandVerdict> {
+fn judged(band: &KBand, fit: BandFit, trace: &Trace, factor: f64) -> Option<BandVerdict> {
     let deviation = trace.f_um.iter().map(|um| 1e-3 * factor * um).collect();
     let samples = TraceSamples::new(trace.abscissa_mm.clone(), deviation).ok()?;
-    band.judge(&samples, BandFit::Free).ok()
+    band.judge(&samples, fit).ok()
 }
 
 /// Values in the order of the characteristics.

@@ -2,7 +2,7 @@
 
 use super::super::PitchRow;
 use super::super::settings::Settings;
-use super::Place;
+use super::{LARGEST, Place, defined, plausible_values};
 
 use crate::exchange::inspection::{
     Characteristic, Circle, Circles, Conditions, FlankPitch, InspectionError, InspectionWarning, Pitch,
@@ -43,8 +43,9 @@ impl Place<'_> {
             );
             warnings.push(InspectionWarning::new(WarningKind::PitchIncomplete, message));
         }
-        let of = |value: fn(&PitchRow) -> f64| {
-            by_tooth.iter().map(|row| row.as_ref().map_or(f64::NAN, value)).collect()
+        let mut of = |value: fn(&PitchRow) -> f64| {
+            let values = by_tooth.iter().map(|row| row.as_ref().map_or(f64::NAN, value));
+            plausible_values(values, &format!("the pitches of the {flank} flanks"), None, warnings)
         };
         Some(FlankPitch { fp_um: of(|row| row.fp), cumulative_um: of(|row| row.cumulative) })
     }
@@ -63,14 +64,15 @@ impl Place<'_> {
     pub fn run_out(&self) -> Option<RunOut> {
         let of = |flank: Flank| -> Vec<f64> {
             let rows = self.by_tooth(&self.file.pitch[flank]);
-            rows.iter().map(|row| row.as_ref().map_or(f64::NAN, |row| row.run_out)).collect()
+            rows.iter().map(|row| row.as_ref().map_or(f64::NAN, |row| defined(row.run_out))).collect()
         };
         let fr_um = Flank::BOTH.map(of).into_iter().find(|list| list.iter().any(|v| v.is_finite()))?;
         Some(RunOut { fr_um, ball_diameter_mm: self.number(28).filter(|d| *d > 0.0) })
     }
 
     pub fn thickness(&self) -> Thickness {
-        let value = |code: u32| self.file.results.get(&code).copied().flatten();
+        let value =
+            |code: u32| self.file.results.get(&code).copied().flatten().filter(|v| v.abs() <= LARGEST);
         let size = |[mean, least, largest]: [u32; 3]| {
             let size = Size { mean_mm: value(mean), least_mm: value(least), largest_mm: value(largest) };
             [size.mean_mm, size.least_mm, size.largest_mm].iter().any(Option::is_some).then_some(size)
@@ -87,8 +89,10 @@ impl Place<'_> {
     pub fn circles(&self) -> Result<Circles, InspectionError> {
         let mut circles = Circles::default();
         for circle in &self.file.circles {
-            let found =
-                Circle { z_mm: self.height(circle.height_mm)?, diameters_mm: circle.diameters_mm.clone() };
+            let found = Circle {
+                z_mm: self.height(circle.height_mm)?,
+                diameters_mm: circle.diameters_mm.iter().copied().map(defined).collect(),
+            };
             let place = if circle.tip { &mut circles.tip } else { &mut circles.root };
             *place = Some(found);
         }
@@ -96,7 +100,14 @@ impl Place<'_> {
     }
 
     /// Printed values with the signs and lengths they refer to.
-    pub fn results(&self, conditions: &Conditions) -> Vec<Quantity> {
+    pub fn results(&self, conditions: &Conditions, warnings: &mut Vec<InspectionWarning>) -> Vec<Quantity> {
+        let implausible = |value: &f64| value.abs() > LARGEST;
+        let count = self.file.results.values().flatten().filter(|value| implausible(value)).count();
+        if count > 0 {
+            let message =
+                format!("{count} printed values are beyond {LARGEST} um or mm and count as not measured");
+            warnings.push(InspectionWarning::new(WarningKind::Implausible, message));
+        }
         let quantity = |(&code, &value): (&u32, &Option<f64>)| {
             let meaning = ResultCode::of(code);
             let kind = match meaning.characteristic {
@@ -113,6 +124,7 @@ impl Place<'_> {
                 conditions.reference_length(kind, flank, self.gear.face_width_mm).ok()
             });
             let section = conditions.section;
+            let value = value.filter(|value| !implausible(value));
             Quantity { code, meaning, value, unit: meaning.unit(), sigma, reference_length_mm, section }
         };
         self.file.results.iter().map(quantity).collect()
