@@ -81,7 +81,7 @@ pub enum InspectionError {
         base_diameter: f64,
     },
     /// A number that makes no gear or no trace.
-    #[error("{what} = {value} is not usable; allowed: {allowed}")]
+    #[error("{what} = {value:?} is not usable; allowed: {allowed}")]
     BadInput {
         /// The quantity.
         what: String,

@@ -8,8 +8,13 @@ use crate::geometry::Flank;
 use crate::metrology::areal::{ArealDegree, ArealField, ArealFit};
 use std::collections::BTreeMap;
 
-/// Places of the grid, by length of roll and along the face (spec 85 section 6).
+/// Cells of the grid, by length of roll and along the face (spec 85 section 6).
 const GRID: [usize; 2] = [25, 31];
+
+/// The middles of cells: each stands for as much of the field, as the samples of a trace do, while places at the ends would count twice.
+fn middles([from, to]: [f64; 2], cells: usize) -> Vec<f64> {
+    (0..cells).map(|i| from + (to - from) * (i as f64 + 0.5) / cells as f64).collect()
+}
 
 /// Features of every flank of which a surface can be made: deviations from the design, else from the involute. Flanks without lines that
 /// cross, and without a range, are left out.
@@ -34,7 +39,7 @@ fn of_flank(
 ) -> Option<ArealResult> {
     let range = |kind| inspection.conditions.range(kind, flank).ok();
     let field = ArealField::new(range(TraceKind::Profile)?, range(TraceKind::Helix)?).ok()?;
-    let (w, z) = field.grid(GRID);
+    let [w, z] = [middles(field.roll(), GRID[0]), middles(field.face(), GRID[1])];
     let surface = measured_surface(inspection, &gear.gear, flank, [&w, &z], design).ok()??;
     let fit = ArealFit::of_grid(&surface.deviation, &field, ArealDegree::Second).ok()?;
     let features = fit.features();

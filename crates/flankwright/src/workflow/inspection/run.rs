@@ -177,9 +177,7 @@ fn of_rounds(
         }
         remarks.extend(of.standing_out.iter().map(|(tooth, most)| Remark {
             code: "tooth-stands-out",
-            text: format!(
-                "tooth {tooth} of the {flank} flank is not like the others: {most:.3} um off the target"
-            ),
+            text: format!("tooth {tooth} of the {flank} flank differs from what all share by {most:.3} um"),
             way_out: "look at that tooth, and measure it again".into(),
         }));
         if of.sees_twist {
@@ -272,11 +270,11 @@ fn verdict_of(
         return missed("outside-the-band", format!("{out} of {} traces lie outside their band", bands.len()));
     }
     let mut odd = flanks.iter().flat_map(|(flank, of)| of.standing_out.iter().map(move |odd| (flank, odd)));
-    if let Some((flank, (tooth, most))) = odd.find(|(_, (_, most))| **most > tolerance_um) {
+    if let Some((flank, (tooth, most))) = odd.next() {
         return missed(
             "tooth-stands-out",
             format!(
-                "tooth {tooth} of the {flank} flank was measured {most:.3} um off its target and is not like the others (tolerance {tolerance_um} um)"
+                "tooth {tooth} of the {flank} flank differs from what all teeth share by {most:.3} um (tolerance {tolerance_um} um)"
             ),
         );
     }

@@ -40,7 +40,7 @@ pub(super) struct MeasuredSurface {
 pub(super) struct StandingOut {
     /// Its number.
     pub tooth: u32,
-    /// Its largest deviation from the design about its mean, without what goes around the gear once a turn, mm.
+    /// Its largest difference from what all teeth share and what goes around the gear once a turn, about its mean, mm.
     pub largest: f64,
 }
 
@@ -234,9 +234,8 @@ fn standing_out(surfaces: &[(u32, Topography)], angle: impl Fn(u32) -> f64) -> V
     let angles: Vec<f64> = surfaces.iter().map(|(tooth, _)| angle(*tooth)).collect();
     let terms = DMatrix::from_fn(count, columns, |i, k| [1.0, angles[i].cos(), angles[i].sin()][k]);
     let Some(solver) = (terms.transpose() * &terms).cholesky() else { return Vec::new() };
-    // From the values of the teeth to what all share, and to what they differ by from it and the harmonic.
-    let fit = solver.inverse() * terms.transpose();
-    let rest = DMatrix::identity(count, count) - &terms * &fit;
+    // From the values of the teeth to what they differ by from what all share and from the harmonic.
+    let rest = DMatrix::identity(count, count) - &terms * solver.inverse() * terms.transpose();
     let Some(compared) = surfaces.iter().map(|(_, s)| numbers(s)).collect::<Option<Vec<_>>>() else {
         return Vec::new();
     };
@@ -253,11 +252,8 @@ fn standing_out(surfaces: &[(u32, Topography)], angle: impl Fn(u32) -> f64) -> V
         student_two_sided((square / others).sqrt(), freedom) < 1.0 / (ONE_IN * count as f64)
     };
     let odd = (0..count).filter(|&i| (0..COMPARED).any(|k| beyond_chance(i, k)));
-    odd.map(|i| StandingOut {
-        tooth: surfaces[i].0,
-        largest: largest_without_harmonic(surfaces, &fit, &rest, i),
-    })
-    .collect()
+    odd.map(|i| StandingOut { tooth: surfaces[i].0, largest: largest_difference(surfaces, &rest, i) })
+        .collect()
 }
 
 /// Features and rest of a surface, mm; `None` for one that has none.
@@ -277,21 +273,15 @@ fn numbers(surface: &Topography) -> Option<[f64; COMPARED]> {
     Some(values)
 }
 
-/// Largest deviation of a tooth about its mean, without what goes around the gear.
-fn largest_without_harmonic(
-    surfaces: &[(u32, Topography)],
-    fit: &DMatrix<f64>,
-    rest: &DMatrix<f64>,
-    tooth: usize,
-) -> f64 {
+/// How far a tooth, about its mean, differs at most from what all share and what goes around the gear.
+fn largest_difference(surfaces: &[(u32, Topography)], rest: &DMatrix<f64>, tooth: usize) -> f64 {
     let places = surfaces[tooth].1.f.len();
-    let common: Vec<usize> =
-        (0..places).filter(|&k| surfaces.iter().all(|(_, s)| s.f[k].is_finite())).collect();
-    let values = common.iter().map(|&k| {
+    let common = (0..places).filter(|&k| surfaces.iter().all(|(_, s)| s.f[k].is_finite()));
+    let difference = |k: usize| {
         let values = DVector::from_iterator(surfaces.len(), surfaces.iter().map(|(_, s)| s.f[k]));
-        (fit.row(0) * &values)[0] + (rest.row(tooth) * &values)[0]
-    });
-    let values: Vec<f64> = values.collect();
+        (rest.row(tooth) * &values)[0]
+    };
+    let values: Vec<f64> = common.map(difference).collect();
     let mean = values.iter().sum::<f64>() / values.len().max(1) as f64;
     values.iter().fold(0.0, |most: f64, f| most.max((f - mean).abs()))
 }

@@ -48,8 +48,8 @@ pub struct MeasuredFlankResult {
     pub outside_traces: BTreeMap<&'static str, f64>,
     /// Whether the measured lines tell anything of the twist; one profile and one helix trace do not.
     pub sees_twist: bool,
-    /// Teeth that differ from the others by more than those do among themselves, and from the target by more than the tolerance: their largest
-    /// deviation without what goes around the gear once a turn, um.
+    /// Teeth that differ from the others beyond chance and by more than the tolerance: their largest difference from what all share and what
+    /// goes around the gear once a turn, um.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub standing_out: BTreeMap<u32, f64>,
     /// Simulated minus target.
