@@ -3,6 +3,7 @@
 
 mod areal;
 mod assemble;
+mod averaged;
 mod bands;
 mod characteristics;
 mod closed_loop;
@@ -17,6 +18,7 @@ mod result;
 mod run;
 pub mod series;
 mod sheet;
+mod standing_out;
 mod statements;
 mod surface;
 mod tables;
