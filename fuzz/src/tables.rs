@@ -44,7 +44,7 @@ pub fn table(data: &[u8]) {
 
 /// Rows that count, the titles among them.
 fn rows(text: &str) -> usize {
-    text.split('\n').filter(|line| !line.trim().is_empty() && !line.starts_with('#')).count()
+    text.split(['\n', '\r']).filter(|line| !line.trim().is_empty() && !line.starts_with('#')).count()
 }
 
 fn again(text: &str) -> Source {
