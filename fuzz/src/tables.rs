@@ -11,6 +11,7 @@ use flankwright::exchange::{
     GridTarget, Source, parse_grid_target, parse_points, parse_reference_train, parse_skiving_readings,
     parse_tolerances, parse_traces, readings_table,
 };
+use flankwright::process::skiving::Reading;
 
 use crate::complaints::taken;
 
@@ -113,5 +114,10 @@ fn readings(source: &Source) {
     assert!(readings.iter().all(|reading| reading.angle.is_finite() && reading.track < TRACKS));
     let table = readings_table(&readings).expect("a table of readings");
     let back = parse_skiving_readings(again(table.text()), TRACKS).expect("the table that was written");
-    assert_eq!(back, readings);
+    // Degrees and back leave a rounding of the last digit.
+    assert_eq!(back.len(), readings.len());
+    for (a, b) in back.iter().zip(&readings) {
+        assert!((a.angle - b.angle).abs() <= 4.0 * f64::EPSILON * b.angle.abs(), "{a:?} {b:?}");
+        assert_eq!(Reading { angle: 0.0, ..*a }, Reading { angle: 0.0, ..*b });
+    }
 }
