@@ -11,7 +11,7 @@ use flankwright::exchange::{
     GridTarget, Source, parse_grid_target, parse_points, parse_reference_train, parse_skiving_readings,
     parse_tolerances, parse_traces, readings_table,
 };
-use flankwright::process::skiving::Reading;
+use flankwright::process::skiving::measuring::Reading;
 
 use crate::complaints::taken;
 
