@@ -10,7 +10,7 @@ use flankwright::workflow::gearbox::{
     ExploreResult, GearboxResult, RangeUm, ServoResult, run_gearbox, write_gearbox,
 };
 
-use super::outcome::{Verdict, closing, conclude, fixed, unwritten};
+use super::outcome::{Verdict, closing, conclude, fixed, tell, unwritten};
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
@@ -100,8 +100,7 @@ fn summary(result: &GearboxResult, written: &[PathBuf]) -> String {
         of_set_ups(&mut text, explored);
     }
     if let Some(reason) = &result.reason {
-        let _ = writeln!(text, "  {}: {}", reason.code, reason.text);
-        let _ = writeln!(text, "  way out: {}", reason.way_out);
+        tell(&mut text, reason);
     }
     closing(&mut text, &result.warnings, &result.timing_s, written);
     text

@@ -14,7 +14,7 @@ use flankwright::workflow::inspection::{
 };
 use flankwright::workflow::{JobFailure, Remark, Status};
 
-use super::outcome::{Verdict, closing, conclude, fixed, opening, unwritten};
+use super::outcome::{Verdict, closing, conclude, fixed, opening, tell, unwritten};
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
@@ -145,7 +145,7 @@ fn summary(result: &GearInspectionResult, written: &[PathBuf]) -> String {
             let missed = if result.status == Status::Missed { "target MISSED" } else { "NOT JUDGED" };
             let mut text = format!("{}: {missed} (tolerance {tolerance} um)\n", result.job);
             if let Some(reason) = &result.reason {
-                let _ = writeln!(text, "  {}: {}\n  way out: {}", reason.code, reason.text, reason.way_out);
+                tell(&mut text, reason);
             }
             text
         }
@@ -156,7 +156,7 @@ fn summary(result: &GearInspectionResult, written: &[PathBuf]) -> String {
             };
             let mut text = format!("{}: {} traces evaluated{values}\n", result.job, result.traces.len());
             if let Some(reason) = &result.reason {
-                let _ = writeln!(text, "  {}: {}\n  way out: {}", reason.code, reason.text, reason.way_out);
+                tell(&mut text, reason);
             }
             text
         }

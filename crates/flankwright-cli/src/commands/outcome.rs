@@ -98,11 +98,16 @@ pub(super) fn opening(verdict: &Verdict<'_>, worst_um: f64, tolerance_um: f64) -
     };
     let mut text = format!("{}: {met} (tolerance {tolerance_um} um)\n", verdict.job);
     if let Some(reason) = verdict.reason {
-        // Writing to a text cannot fail.
-        let _ = writeln!(text, "  {}: {}", reason.code, reason.text);
-        let _ = writeln!(text, "  way out: {}", reason.way_out);
+        tell(&mut text, reason);
     }
     text
+}
+
+/// Why a target is missed or nothing was judged, and the way out.
+pub(super) fn tell(text: &mut String, reason: &Remark) {
+    // Writing to a text cannot fail.
+    let _ = writeln!(text, "  {}: {}", reason.code, reason.text);
+    let _ = writeln!(text, "  way out: {}", reason.way_out);
 }
 
 /// The end of a summary: warnings, time, where the report is.

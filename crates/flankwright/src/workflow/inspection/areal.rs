@@ -44,7 +44,7 @@ fn of_flank(
     let fit = ArealFit::of_grid(&surface.deviation, &field, ArealDegree::Second).ok()?;
     let features = fit.features();
     Some(ArealResult {
-        teeth: surface.teeth,
+        teeth: surface.teeth.len(),
         twist_um: surface.sees_twist.then_some(1e3 * features.twist),
         mismatch_um: surface.mismatch_um(),
         outside_traces: surface.outside_traces(),

@@ -3,6 +3,7 @@
 use super::closed_loop::RoundResult;
 use super::evaluate::{EvaluatedGear, EvaluatedTrace};
 use super::printed::printed;
+use super::readings::means_of_teeth;
 use super::result::{
     ArealResult, BandResult, ClassResult, GearInspectionResult, LinesResult, PitchInspectionResult,
     SummaryResult, ThicknessResult, TraceInspectionResult,
@@ -180,16 +181,8 @@ fn summary(inspection: &Inspection, gear: &EvaluatedGear) -> Vec<SummaryResult> 
     }
     let mut rows = Vec::new();
     for ((kind, flank, tag), traces) in lines {
-        // Teeth count once each, with the mean of their readings.
         let of = |value: fn(&TraceInspectionResult) -> Option<f64>| {
-            let mut teeth: BTreeMap<u32, Vec<f64>> = BTreeMap::new();
-            for trace in &traces {
-                if let Some(value) = value(trace) {
-                    teeth.entry(trace.tooth).or_default().push(value);
-                }
-            }
-            let mean = |values: Vec<f64>| values.iter().sum::<f64>() / values.len() as f64;
-            teeth.into_values().map(mean).collect::<Vec<f64>>()
+            means_of_teeth(traces.iter().filter_map(|trace| Some((trace.tooth, value(trace)?))))
         };
         for (characteristic, values) in [
             ("fH", of(|t| Some(t.slope_um))),

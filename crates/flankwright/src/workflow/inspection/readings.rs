@@ -1,6 +1,7 @@
 //! Lines of a tooth flank that were measured more than once: every reading holds each line once at the most. Knows no values.
 
 use crate::exchange::inspection::{Trace, TraceKind};
+use std::collections::BTreeMap;
 
 /// Lines nearer than this lie at the same place, mm.
 pub(super) const SAME_PLACE: f64 = 1e-3;
@@ -28,6 +29,15 @@ pub(super) fn readings<T>(lines: impl IntoIterator<Item = T>, trace: impl Fn(&T)
         readings[turn].push(line);
     }
     readings
+}
+
+/// The mean of the values of every tooth, by tooth: teeth count once each, however often they were measured.
+pub(super) fn means_of_teeth(values: impl IntoIterator<Item = (u32, f64)>) -> Vec<f64> {
+    let mut teeth: BTreeMap<u32, Vec<f64>> = BTreeMap::new();
+    for (tooth, value) in values {
+        teeth.entry(tooth).or_default().push(value);
+    }
+    teeth.into_values().map(|values| values.iter().sum::<f64>() / values.len() as f64).collect()
 }
 
 #[cfg(test)]

@@ -42,8 +42,9 @@ pub(super) fn standing_out(surfaces: &[(u32, Topography)], angle: impl Fn(u32) -
         return Vec::new();
     };
     let freedom = (count - columns - 1) as f64;
-    let beyond_chance = |i: usize, k: usize| {
-        let residual = &rest * DVector::from_iterator(count, compared.iter().map(|of| of[k]));
+    let residuals: [DVector<f64>; COMPARED] =
+        std::array::from_fn(|k| &rest * DVector::from_iterator(count, compared.iter().map(|of| of[k])));
+    let beyond_chance = |i: usize, residual: &DVector<f64>| {
         let own = rest[(i, i)];
         // A tooth that alone tells a term differs from nothing.
         if own < 0.1 {
@@ -53,7 +54,7 @@ pub(super) fn standing_out(surfaces: &[(u32, Topography)], angle: impl Fn(u32) -
         let others = ((residual.norm_squared() - square) / freedom).max(ALIKE * ALIKE);
         student_two_sided((square / others).sqrt(), freedom) < 1.0 / (ONE_IN * count as f64)
     };
-    let odd = (0..count).filter(|&i| (0..COMPARED).any(|k| beyond_chance(i, k)));
+    let odd = (0..count).filter(|&i| residuals.iter().any(|residual| beyond_chance(i, residual)));
     odd.map(|i| StandingOut { tooth: surfaces[i].0, largest: largest_difference(surfaces, &rest, i) })
         .collect()
 }

@@ -4,7 +4,6 @@
 use super::averaged::averaged;
 use super::evaluate::{Design, transverse_samples};
 use super::readings::readings;
-use super::standing_out::{StandingOut, standing_out};
 use crate::exchange::inspection::{Inspection, Section, Topography as MeasuredField, Trace, TraceKind};
 use crate::geometry::{Flank, Gear};
 use crate::metrology::Topography;
@@ -15,15 +14,14 @@ use crate::metrology::areal::{
 use crate::metrology::inspection::InspectionError;
 use crate::numerics::root_mean_square;
 use std::collections::BTreeMap;
-use std::f64::consts::TAU;
 
 /// A surface of one flank.
 #[derive(Clone, Debug)]
 pub(super) struct MeasuredSurface {
     /// Deviation from the design on the grid.
     pub deviation: Topography,
-    /// Teeth that it is the mean of.
-    pub teeth: usize,
+    /// The surface of every tooth that it is the mean of.
+    pub teeth: Vec<(u32, Topography)>,
     /// How it came about.
     pub how: String,
     /// How far profiles and helix traces of a tooth disagree where they cross: root mean square over the teeth, and the largest.
@@ -32,8 +30,6 @@ pub(super) struct MeasuredSurface {
     pub outside: Vec<OutsideTraces>,
     /// Whether the twist shows in it: one profile and one helix trace tell nothing of it.
     pub sees_twist: bool,
-    /// Teeth that differ from the others.
-    pub standing_out: Vec<StandingOut>,
 }
 
 impl MeasuredSurface {
@@ -111,7 +107,7 @@ pub(super) fn measured_surface(
             how = format!("{} profiles and {} helix traces a tooth", counts[0], counts[1]);
             of_tooth.push(surface);
         }
-        surfaces.extend(mean(of_tooth).map(|surface| (*tooth, surface)));
+        surfaces.extend(mean(&of_tooth).map(|surface| (*tooth, surface)));
     }
     if !surfaces.is_empty() && surfaces.len() < teeth.len() {
         how +=
@@ -125,24 +121,14 @@ pub(super) fn measured_surface(
             how = "third-degree fit of the points of a field".into();
         }
     }
-    surfaces.extend(fields.into_iter().filter_map(|(tooth, of)| Some((tooth, mean(of)?))));
-    let count = surfaces.len();
+    surfaces.extend(fields.into_iter().filter_map(|(tooth, of)| Some((tooth, mean(&of)?))));
     let mismatch = (!mismatches.is_empty()).then(|| Mismatch {
         rms: root_mean_square(&mismatches.iter().map(|m| m.rms).collect::<Vec<f64>>()),
         largest: mismatches.iter().map(|m| m.largest).fold(0.0, f64::max),
     });
-    let pitch = TAU / f64::from(inspection.gear.teeth.unsigned_abs());
-    let standing_out = standing_out(&surfaces, |tooth| f64::from(tooth) * pitch);
-    let made = |deviation| MeasuredSurface {
-        deviation,
-        teeth: count,
-        how,
-        mismatch,
-        outside,
-        sees_twist,
-        standing_out,
-    };
-    Ok(mean(surfaces.into_iter().map(|(_, surface)| surface).collect()).map(made))
+    let deviation = mean(surfaces.iter().map(|(_, surface)| surface));
+    let made = |deviation| MeasuredSurface { deviation, teeth: surfaces, how, mismatch, outside, sees_twist };
+    Ok(deviation.map(made))
 }
 
 /// What a field's points share with a surface of third degree; NaN beyond them.
@@ -162,7 +148,8 @@ fn fitted(points: &[(f64, f64, f64)], w: &[f64], z: &[f64]) -> Option<Topography
 }
 
 /// The mean of surfaces, each about its own mean over the places that all have.
-fn mean(surfaces: Vec<Topography>) -> Option<Topography> {
+fn mean<'a>(surfaces: impl IntoIterator<Item = &'a Topography>) -> Option<Topography> {
+    let surfaces: Vec<&Topography> = surfaces.into_iter().collect();
     let first = surfaces.first()?;
     let common: Vec<bool> = (0..first.f.len()).map(|k| surfaces.iter().all(|s| s.f[k].is_finite())).collect();
     let places = common.iter().filter(|c| **c).count() as f64;

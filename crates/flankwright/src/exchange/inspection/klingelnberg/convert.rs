@@ -19,7 +19,8 @@ use crate::geometry::{Flank, Gear};
 /// [`InspectionError::BadInput`], [`InspectionError::UnverifiedSetting`], [`InspectionError::DifferentParts`];
 /// [`InspectionError::BadInput`] without any file.
 pub fn inspection_of(files: &[(&str, &KlingelnbergFile)]) -> Result<Inspection, InspectionError> {
-    let whole = joined(files)?;
+    let mut whole = joined(files)?;
+    without_implausible_results(&mut whole);
     let settings = Settings::of(&whole)?;
     let gear = gear(&whole)?;
     let body = gear.checked()?;
@@ -62,7 +63,7 @@ pub fn inspection_of(files: &[(&str, &KlingelnbergFile)]) -> Result<Inspection, 
         run_out: place.run_out(),
         thickness: place.thickness(),
         circles: place.circles()?,
-        results: place.results(&conditions, &mut warnings),
+        results: place.results(&conditions),
         warnings,
         gear,
         conditions,
@@ -187,6 +188,17 @@ fn plausible_values(
         warnings.push(InspectionWarning { kind: WarningKind::Implausible, line, message });
     }
     values.into_iter().map(defined).collect()
+}
+
+/// Printed values that no measurement gives count as not measured, and are told.
+fn without_implausible_results(file: &mut KlingelnbergFile) {
+    let implausible = |value: &&mut Option<f64>| value.is_some_and(|value| value.abs() > LARGEST);
+    let count = file.results.values_mut().filter(implausible).map(|value| *value = None).count();
+    if count > 0 {
+        let message =
+            format!("{count} printed values are beyond {LARGEST} um or mm and count as not measured");
+        file.warnings.push(InspectionWarning::new(WarningKind::Implausible, message));
+    }
 }
 
 /// A file with the gear that it describes.

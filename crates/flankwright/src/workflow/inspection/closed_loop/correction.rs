@@ -104,12 +104,13 @@ pub(super) fn correct(
     earlier: Option<&Compensation>,
 ) -> Result<Option<FoundCorrection>, CorrectionError> {
     let applied = applied(earlier);
+    let measured = MeasuredPoints::of(lines);
     let (mut alone, mut not_told_apart) = (Vec::new(), Vec::new());
     let mut correction = loop {
         if settings.is_empty() {
             return Ok(None);
         }
-        let found = solved(table, &settings, lines, influence, &applied)?;
+        let found = solved(table, &settings, &measured, influence, &applied)?;
         match unseen(&settings, &found, &table.limits) {
             Some(place) => {
                 alone.push(settings.remove(place));
@@ -161,34 +162,48 @@ fn bound(limits: &CorrectionLimits, setting: Setting) -> [f64; 2] {
     [-limit, limit]
 }
 
+/// Points of all lines: their deviations, the line whose zero each has, and how well it is known.
+#[derive(Default)]
+struct MeasuredPoints {
+    points: Vec<FlankPoint>,
+    deviations: Vec<f64>,
+    zeros: Vec<usize>,
+    known: Vec<f64>,
+}
+
+impl MeasuredPoints {
+    fn of(lines: &[MeanLine]) -> Self {
+        let mut of = Self::default();
+        for (number, (line, spread)) in lines.iter().zip(uncertainties(lines)).enumerate() {
+            for (point, deviation) in line.points() {
+                of.points.push(point);
+                of.deviations.push(deviation);
+                of.zeros.push(number);
+                of.known.push(spread);
+            }
+        }
+        of
+    }
+}
+
 fn solved(
     table: &InspectionTable,
     settings: &[Setting],
-    lines: &[MeanLine],
+    measured: &MeasuredPoints,
     influence: &SettingInfluence<'_>,
     applied: &BTreeMap<String, (Setting, f64)>,
 ) -> Result<Correction, CorrectionError> {
-    let spreads = uncertainties(lines);
-    let (mut points, mut deviations, mut zeros, mut known) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-    for (number, (line, spread)) in lines.iter().zip(spreads).enumerate() {
-        for (point, deviation) in line.points() {
-            points.push(point);
-            deviations.push(deviation);
-            zeros.push(number);
-            known.push(spread);
-        }
-    }
-    let columns = influence.columns(settings, &points)?;
+    let columns = influence.columns(settings, &measured.points)?;
     let so_far = |setting: &Setting| applied.get(&setting.name()).map_or(0.0, |(_, value)| *value);
     let resolution = |setting: &Setting| RESOLUTION[usize::from(setting.unit() == SettingUnit::Angle)];
     let task = CorrectionTask {
-        traces: Some(zeros),
-        weighting: Weighting::Uncertainties(known),
+        traces: Some(measured.zeros.clone()),
+        weighting: Weighting::Uncertainties(measured.known.clone()),
         bounds: settings.iter().map(|setting| bound(&table.limits, *setting)).collect(),
         applied: settings.iter().map(so_far).collect(),
         resolutions: Some(settings.iter().map(resolution).collect()),
         allow_underdetermined: true,
-        ..CorrectionTask::new(deviations, columns)
+        ..CorrectionTask::new(measured.deviations.clone(), columns)
     };
     task.solve()
 }

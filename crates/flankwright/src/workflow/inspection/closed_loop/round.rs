@@ -2,6 +2,7 @@
 
 use super::super::drawn::DrawnGear;
 use super::super::evaluate::{EvaluatedGear, evaluate_inspection};
+use super::super::standing_out::standing_out;
 use super::super::surface::{MeasuredSurface, field_points, measured_surface};
 use super::characteristics::{TestedCharacteristic, tested};
 use super::correction::{FoundCorrection, compensation, correct, first_order, unit, worth_turning};
@@ -24,6 +25,7 @@ use crate::process::generating::FlankTarget;
 use crate::workflow::finding::RunFailure;
 use crate::workflow::prepare::prepare;
 use std::collections::BTreeMap;
+use std::f64::consts::TAU;
 
 /// A measurement against a job.
 pub struct Round {
@@ -103,6 +105,7 @@ pub(super) fn judge(
     let gear = evaluate_inspection(&inspection, Some(&design)).map_err(|error| of_header(&error))?;
     let setup = &made.prepared.setup;
     let fields = setup.fields.map(|_, field| [field.roll(), field.face()]);
+    let pitch = TAU / f64::from(inspection.gear.teeth.unsigned_abs());
     let mut surfaces: Sides<Option<MeasuredSurface>> = Sides::default();
     let mut flanks = BTreeMap::new();
     for flank in Flank::BOTH {
@@ -138,13 +141,12 @@ pub(super) fn judge(
                 planned_um: executed.planned.rows_um(),
                 simulated_um: simulated.rows_um(),
                 measured_um: known(&measured),
-                teeth: surface.teeth,
+                teeth: surface.teeth.len(),
                 surface: surface.how.clone(),
                 mismatch_um: surface.mismatch_um(),
                 outside_traces: surface.outside_traces(),
                 sees_twist: surface.sees_twist,
-                standing_out: surface
-                    .standing_out
+                standing_out: standing_out(&surface.teeth, |tooth| f64::from(tooth) * pitch)
                     .iter()
                     .filter(|odd| odd.largest > tolerance)
                     .map(|odd| (odd.tooth, 1e3 * odd.largest))

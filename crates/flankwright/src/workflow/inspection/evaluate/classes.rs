@@ -1,10 +1,10 @@
 //! Tolerances of ISO 1328-1 for a measured gear, and the values that are judged by them. mm
 
+use super::super::readings::means_of_teeth;
 use super::{EvaluatedPitch, EvaluatedTrace, LeftOut};
 use crate::exchange::inspection::{Inspection, TraceKind};
 use crate::geometry::{Flank, Gear};
 use crate::metrology::inspection::{ToleranceGear, ToleranceQuantity, Tolerances};
-use std::collections::BTreeMap;
 
 /// Tolerances of the gear; none without a face width.
 pub(super) fn tolerances(inspection: &Inspection, gear: &Gear, left_out: &mut LeftOut) -> Option<Tolerances> {
@@ -40,14 +40,10 @@ pub(super) fn judged(
             if of.is_empty() {
                 continue;
             }
-            // Teeth count once each, however often they were measured.
-            let mut teeth: BTreeMap<u32, Vec<f64>> = BTreeMap::new();
-            for one in &of {
-                let tooth = inspection.traces[one.trace].tooth;
-                teeth.entry(tooth).or_default().push(one.evaluation.slope.printed());
-            }
-            let mean = |values: &Vec<f64>| values.iter().sum::<f64>() / values.len() as f64;
-            let slope = teeth.values().map(mean).sum::<f64>() / teeth.len() as f64;
+            let slopes = means_of_teeth(
+                of.iter().map(|one| (inspection.traces[one.trace].tooth, one.evaluation.slope.printed())),
+            );
+            let slope = slopes.iter().sum::<f64>() / slopes.len() as f64;
             let [slope_of, form_of, total_of] = match kind {
                 TraceKind::Profile => [
                     ToleranceQuantity::ProfileSlope,

@@ -2,7 +2,7 @@
 
 use super::super::PitchRow;
 use super::super::settings::Settings;
-use super::{LARGEST, Place, defined, plausible_values};
+use super::{Place, defined, plausible_values};
 
 use crate::exchange::inspection::{
     Characteristic, Circle, Circles, Conditions, FlankPitch, InspectionError, InspectionWarning, Pitch,
@@ -71,8 +71,7 @@ impl Place<'_> {
     }
 
     pub fn thickness(&self) -> Thickness {
-        let value =
-            |code: u32| self.file.results.get(&code).copied().flatten().filter(|v| v.abs() <= LARGEST);
+        let value = |code: u32| self.file.results.get(&code).copied().flatten();
         let size = |[mean, least, largest]: [u32; 3]| {
             let size = Size { mean_mm: value(mean), least_mm: value(least), largest_mm: value(largest) };
             [size.mean_mm, size.least_mm, size.largest_mm].iter().any(Option::is_some).then_some(size)
@@ -100,14 +99,7 @@ impl Place<'_> {
     }
 
     /// Printed values with the signs and lengths they refer to.
-    pub fn results(&self, conditions: &Conditions, warnings: &mut Vec<InspectionWarning>) -> Vec<Quantity> {
-        let implausible = |value: &f64| value.abs() > LARGEST;
-        let count = self.file.results.values().flatten().filter(|value| implausible(value)).count();
-        if count > 0 {
-            let message =
-                format!("{count} printed values are beyond {LARGEST} um or mm and count as not measured");
-            warnings.push(InspectionWarning::new(WarningKind::Implausible, message));
-        }
+    pub fn results(&self, conditions: &Conditions) -> Vec<Quantity> {
         let quantity = |(&code, &value): (&u32, &Option<f64>)| {
             let meaning = ResultCode::of(code);
             let kind = match meaning.characteristic {
@@ -124,7 +116,6 @@ impl Place<'_> {
                 conditions.reference_length(kind, flank, self.gear.face_width_mm).ok()
             });
             let section = conditions.section;
-            let value = value.filter(|value| !implausible(value));
             Quantity { code, meaning, value, unit: meaning.unit(), sigma, reference_length_mm, section }
         };
         self.file.results.iter().map(quantity).collect()
