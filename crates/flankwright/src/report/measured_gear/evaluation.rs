@@ -130,19 +130,22 @@ impl EvaluationView {
     fn areal_table(&self) -> Result<Table, ChartError> {
         let row = |of: &ArealRow| {
             let values = of.values_um.iter().map(|value| fixed_or_none("feature", *value, 2));
-            let name = [of.flank.clone(), of.surface.clone()].into_iter().map(Ok);
-            name.chain(values).collect::<Result<Vec<String>, ChartError>>()
+            std::iter::once(Ok(of.flank.clone())).chain(values).collect::<Result<Vec<String>, ChartError>>()
         };
-        let mut columns = vec![Column::name("Flank"), Column::name("Surface")];
+        let mut columns = vec![Column::name("Flank")];
         let symbols = ["f_Hα", "C_α", "f_Hβ", "C_β", "S", "rest rms"];
+        let surfaces: Vec<String> =
+            self.areal.iter().map(|of| format!("Flank {}: {}.", of.flank, of.surface)).collect();
         columns.extend(symbols.map(|symbol| Column::number(symbol, "µm")));
         Ok(Table {
             caption: "Flanks as surfaces, mean of the teeth".into(),
             columns,
             rows: self.areal.iter().map(row).collect::<Result<_, ChartError>>()?,
-            note: "Normal to the flank; f_Hα of material rising to the tip, f_Hβ of material rising to +z. Between the lines the surface \
-                   is reconstructed and was not measured."
-                .into(),
+            note: format!(
+                "Normal to the flank; slope of the profile + = material rising to the tip, of the helix + = material rising to +z. Between \
+                 the lines the surface is reconstructed and was not measured. {}",
+                surfaces.join(" ")
+            ),
         })
     }
 
