@@ -1,9 +1,7 @@
 //! Areas of different diagonal ratio, their place on the worm, strokes with left-out threads, equal swivel: properties and every
 //! refusal. The reference numbers are checked by `verify`.
 
-mod cylindrical_pair;
-
-use cylindrical_pair::{lines, pair};
+use crate::cylindrical_pair::{lines, pair};
 use flankwright::geometry::{Flank, Sides};
 use flankwright::modification::{CornerFace, CornerProfile, FlankChoice, Reference, TriangularSpec};
 use flankwright::numerics::Polynomial2;

@@ -1,9 +1,7 @@
 //! Sets of conditions, conditions that vary along the worm and compensation: what is found is held against the forward
 //! calculation, and every refusal against its code and message.
 
-mod dressing_bodies;
-
-use dressing_bodies::{Bodies, CASE_A, bodies, flanks};
+use crate::dressing_bodies::{Bodies, CASE_A, bodies, flanks};
 use flankwright::geometry::{Flank, Sides};
 use flankwright::kinematics::DressingCorrection;
 use flankwright::numerics::value_of;

@@ -1,8 +1,6 @@
 //! Range of profile crownings: ends against closed statements and neighbours, paths against the rows they solve, limits.
 
-mod dressing_bodies;
-
-use dressing_bodies::{Bodies, CASE_A, bodies, flanks};
+use crate::dressing_bodies::{Bodies, CASE_A, bodies, flanks};
 use flankwright::geometry::{Flank, Sides};
 use flankwright::kinematics::{DressingChain, DressingCorrection};
 use flankwright::process::dressing::{

@@ -1,9 +1,7 @@
 //! The referee of `removal` against the closed forms of dressing on random worms: rays know bodies and motions only, the forward
 //! calculation knows no ray.
 
-mod dressing_bodies;
-
-use dressing_bodies::{Bodies, CASE_A, bodies, flanks};
+use crate::dressing_bodies::{Bodies, CASE_A, bodies, flanks};
 use flankwright::geometry::{Flank, Revolution};
 use flankwright::kinematics::{DressingCorrection, DressingMotion};
 use flankwright::numerics::{Chebyshev, Silent};

@@ -1,9 +1,7 @@
 //! Diagonal ratios that vary, fitted to targets: a ratio that made a target is found again where no constant one would do, a
 //! constant one stays constant, bad input is refused.
 
-mod cylindrical_pair;
-
-use cylindrical_pair::{lines, pair};
+use crate::cylindrical_pair::{lines, pair};
 use flankwright::contact::Pair;
 use flankwright::geometry::{Flank, Gear, GearData, Sides, WormChoice, worm_for_gear};
 use flankwright::kinematics::MotionLaw;

@@ -1,15 +1,11 @@
 //! Hostile texts for the reader: bytes, words in any order, and written programs with damage. Nothing panics, an error names a
 //! place inside the text, and what is read can be written and read again. `PROPTEST_CASES` makes it run longer.
 
-#[allow(dead_code)]
-#[path = "nc/programs.rs"]
-mod programs;
-
+use crate::nc::programs::{Draw, axes, header, random, tips};
 use flankwright::nc::{
     Dialect, NcError, Program, WriteOptions, detect_dialect, read, read_cl, write_checked, write_cl,
     write_cl_checked,
 };
-use programs::{Draw, axes, header, random, tips};
 use proptest::prelude::*;
 
 /// Reads a text in every dialect; true if one of them takes it.

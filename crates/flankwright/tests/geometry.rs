@@ -1,8 +1,6 @@
 //! Properties of random toothed bodies, and every refusal of the geometry room.
 
-mod common;
-
-use common::{gear, gear_data};
+use crate::common::{gear, gear_data};
 use flankwright::geometry::{
     Blank, Flank, Gear, GearData, GeometryError, Sides, ThicknessMeasure, WormChoice, check_mating,
     worm_for_gear,

@@ -1,8 +1,7 @@
 //! A folder of measured parts as a series: every part counts once, figures are those of single evaluations, a bad file stops no other,
 //! and the files say the same on any number of threads.
 
-mod measured_parts;
-
+use crate::measured_parts::{MadePart, noise};
 use flankwright::geometry::Sides;
 use flankwright::workflow::inspection::series::{
     InspectionSeries, SeriesCharacteristic, SeriesOptions, inspect_series, measured_parts_in, series_summary,
@@ -10,7 +9,6 @@ use flankwright::workflow::inspection::series::{
 };
 use flankwright::workflow::inspection::{SheetOptions, Statements, inspect_gear};
 use flankwright::workflow::{RunFailure, Status};
-use measured_parts::{MadePart, noise};
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 

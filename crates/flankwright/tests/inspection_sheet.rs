@@ -1,7 +1,6 @@
 //! The sheet of a measured gear tells what was evaluated, to scale, and loses nothing: its texts and lines are read back from the pages.
 
-mod measured_parts;
-
+use crate::measured_parts::MadePart;
 use flankwright::exchange::inspection::{Inspection, TraceKind, inspection_of, parse_klingelnberg};
 use flankwright::geometry::{Flank, Sides};
 use flankwright::metrology::inspection::{BandFit, KBand};
@@ -11,7 +10,6 @@ use flankwright::workflow::inspection::{
     EvaluatedGear, SheetOptions, Statements, evaluate_inspection, inspect_gear, inspection_sheet, sheet_data,
     sheet_pages,
 };
-use measured_parts::MadePart;
 use std::path::Path;
 
 struct Sheet {

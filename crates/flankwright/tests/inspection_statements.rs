@@ -1,14 +1,12 @@
 //! What the user states about a measurement: the end it was taken from, signs and lengths of slopes, the datum face.
 
-mod measured_parts;
-
+use crate::measured_parts::{MadePart, WIDTH};
 use flankwright::exchange::inspection::{CountingDirection, DatumFace, Inspection, Size, SlopeReference};
 use flankwright::geometry::{Flank, Sides};
 use flankwright::workflow::inspection::{
     GearInspection, SheetOptions, Statements, SummaryResult, evaluate_inspection, inspect_gear,
     inspection_sheet,
 };
-use measured_parts::{MadePart, WIDTH};
 
 fn inspected(text: &str, statements: &Statements) -> GearInspection {
     let folder = tempfile::tempdir().expect("a folder");

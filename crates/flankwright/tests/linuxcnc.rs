@@ -1,23 +1,16 @@
 //! The written programs in LinuxCNC itself (spec 80 sections 4 and 9): `rs274` interprets them, the Python module `gcode` gives
 //! their targets with all digits. Without `scripts/linuxcnc-client` these tests say so and check nothing.
 
-#[path = "nc/client.rs"]
-mod client;
-#[allow(dead_code)]
-#[path = "nc/helical_row.rs"]
-mod helical_row;
-#[allow(dead_code)]
-#[path = "nc/programs.rs"]
-mod programs;
-
-use client::{ABSENT, Client};
+use crate::nc::client::{ABSENT, Client};
+use crate::nc::helical_row;
+use crate::nc::programs;
+use crate::nc::programs::{A, C, Draw, X, Z, program, random, stroke};
 use flankwright::exchange::{AnyJob, read_any_job};
 use flankwright::nc::{
     AxisMotion, AxisWord, Block, Decimals, Dialect, FeedWords, Header, Program, Targets, WriteOptions, read,
     split_turns, write_checked,
 };
 use flankwright::workflow::milling::{run_milling, write_milling};
-use programs::{A, C, Draw, X, Z, program, random, stroke};
 use std::io::Write as _;
 use std::path::PathBuf;
 

@@ -1,17 +1,17 @@
 //! The neutral program, its writers and its reader: read-back of random programs in three dialects, bytes that never differ,
 //! damage that is found, and every error of spec 80 section 7.
 
-#[allow(dead_code)]
-#[path = "nc/programs.rs"]
-mod programs;
+pub mod client;
+pub mod helical_row;
+pub mod programs;
 
+use self::programs::{A, B, C, WORM, X, Y, Z, axes, header, program, random, stroke};
 use flankwright::nc::{
     AxisMotion, AxisWord, BSplineMotion, Block, Coupling, CubicMotion, CubicSpan, CurveTable, Decimals,
     Dialect, Gear, GearLeader, GearSynchronisation, HalOptions, Header, NcError, Program, ReadProblem,
     Repetition, TablePiece, Targets, ToothData, Warning, WriteOptions, compare, detect_dialect, expand_gears,
     read, split_turns, subdivide, write, write_checked,
 };
-use programs::{A, B, C, WORM, X, Y, Z, axes, header, program, random, stroke};
 use proptest::prelude::*;
 use std::io::{BufReader, Read};
 

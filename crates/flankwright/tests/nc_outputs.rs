@@ -1,14 +1,10 @@
 //! Digital outputs in programs: how every control is told, what its reader refuses, and that a manipulated one is found.
 
-#[allow(dead_code)]
-#[path = "nc/programs.rs"]
-mod programs;
-
+use crate::nc::programs::{A, axes, header, program};
 use flankwright::nc::{
     Block, Dialect, NcError, Program, Targets, WriteOptions, compare, detect_dialect, read, subdivide,
     write_checked,
 };
-use programs::{A, axes, header, program};
 
 fn turn(degrees: f64) -> Block {
     Block::Linear { target: Targets::NONE.with(A, degrees.to_radians()), duration: 2.0 }

@@ -1,20 +1,14 @@
 //! Five-axis output (spec 50 section 12): the reference lines character for character, read-back of random programs under tip
 //! control in the dialects that have it, cutter locations, damage that is found, every error, and what rounding may add.
 
-#[allow(dead_code)]
-#[path = "nc/helical_row.rs"]
-mod helical_row;
-#[allow(dead_code)]
-#[path = "nc/programs.rs"]
-mod programs;
-
+use crate::nc::helical_row;
+use crate::nc::programs::{B, C, Draw, WORM, X, Z, axes, direction, header, program, tips};
 use flankwright::nc::{
     Angles, AxisMotion, AxisWord, Block, ClCutter, Coupling, Decimals, Dialect, FeedWords, Gear, GearLeader,
     Header, NcError, Orientation, Pace, Program, ReadProblem, Targets, TipControl, TipDecimals, TipMotion,
     WriteOptions, compare, detect_dialect, read, read_cl, rounding_bound, write_checked, write_cl,
     write_cl_checked,
 };
-use programs::{B, C, Draw, WORM, X, Z, axes, direction, header, program, tips};
 use proptest::prelude::*;
 
 const WITH_TIPS: [Dialect; 2] = [Dialect::Siemens, Dialect::Fanuc];

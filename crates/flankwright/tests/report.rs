@@ -1,7 +1,8 @@
 //! Charts and pages: well-formed, complete, escaped, repeatable, and refusing what can't be drawn.
 
-mod report_sample;
-
+use crate::report_sample;
+use crate::report_sample::programs::swinging;
+use crate::report_sample::{crowned, field, ripple, spread};
 use flankwright::geometry::{Flank, Sides};
 use flankwright::report::charts::{
     AxisChart, AxisChartLimits, ChartError, ContourMap, DressingSectionChart, FlankSections, LevelScale,
@@ -15,8 +16,6 @@ use flankwright::report::{
     Banner, Block, Column, Fact, PlanReport, Quantity, Section, Status, Table, Warning, html,
 };
 use proptest::prelude::*;
-use report_sample::programs::swinging;
-use report_sample::{crowned, field, ripple, spread};
 
 /// All text of a chart without its markup; panics if the chart is not well-formed XML or holds no number.
 fn text_of(svg: &Svg) -> String {

@@ -1,13 +1,8 @@
 //! Programs that measure a skiving tool in its machine: written for every control, read back, followed by forward kinematics, and
 //! judged by where the ideal tool switches the beam (spec 60 sections 6, 7 and 11).
 
-#[path = "nc/client.rs"]
-mod client;
-#[allow(dead_code)]
-#[path = "skiving/samples.rs"]
-mod samples;
-
-use client::{ABSENT, Client};
+use crate::nc::client::{ABSENT, Client};
+use crate::skiving::samples::{CROWNED, RING, STEPPED, Sample};
 use flankwright::exchange::job::Program as DialectName;
 use flankwright::exchange::machine::{LoadedMachine, read_machine};
 use flankwright::geometry::{Flank, Sides};
@@ -24,7 +19,6 @@ use flankwright::workflow::skiving::programs::{
     prove_scan, scan_programs,
 };
 use nalgebra::Vector3;
-use samples::{CROWNED, RING, STEPPED, Sample};
 use std::f64::consts::TAU;
 use std::io::Write as _;
 use std::path::Path;

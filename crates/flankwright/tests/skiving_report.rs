@@ -1,15 +1,13 @@
 //! The page of a skiving tool's measurement: every section present, well-formed, readable without colour, and nothing drawn from
 //! numbers that are none.
 
-mod skiving_report_sample;
-
+use crate::skiving_report_sample::{BROKEN, OUTLIER, PLACES, TEETH, report};
 use flankwright::geometry::{Flank, Sides};
 use flankwright::report::charts::{
     ChartError, LineChart, LineFrame, Marks, Panel, Series, Svg, line_chart_in,
 };
 use flankwright::report::skiving::{SkivingReport, ToothMark};
 use flankwright::report::{Block, PlanReport, Section, Table, html};
-use skiving_report_sample::{BROKEN, OUTLIER, PLACES, TEETH, report};
 
 const SECTIONS: [&str; 16] = [
     "Warnings",

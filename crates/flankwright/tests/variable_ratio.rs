@@ -1,9 +1,7 @@
 //! Diagonal ratios that vary over the feed: a wanted curve makes a tool shift and the tool shift makes the curve again, on
 //! either flank and hand; derivatives; every refusal. The reference numbers are checked by `verify`.
 
-mod cylindrical_pair;
-
-use cylindrical_pair::{lines, pair};
+use crate::cylindrical_pair::{lines, pair};
 use flankwright::contact::{ExactContact, ModifiedThread, ThreadFunction};
 use flankwright::geometry::Flank;
 use flankwright::kinematics::{InverseLaw, MotionLaw};

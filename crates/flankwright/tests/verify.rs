@@ -1,11 +1,9 @@
 //! The reference files against the library, and the check itself against manipulated files.
 
-mod reference_files;
-
+use crate::reference_files::{check, content, moved, path};
 use flankwright::workflow::verify::{
     FileReport, Schema, VerifyError, VerifyOptions, VerifySummary, verify_file, verify_value,
 };
-use reference_files::{check, content, moved, path};
 use serde_json::{Value, json};
 
 /// Passes without failure and with at least `floor` comparisons, so that an empty check cannot pass.

@@ -1,10 +1,8 @@
 //! The check of the milling file against manipulated files: every number moved, every place damaged, quantities that nobody knows.
 
-mod reference_files;
-
 use flankwright::workflow::verify::{VerifyOptions, verify_value};
 
-use reference_files::{check, content, moved};
+use crate::reference_files::{check, content, moved};
 use serde_json::{Value, json};
 
 /// What a case is made of.

@@ -1,8 +1,6 @@
 //! The check of the skiving file, whole and manipulated.
 
-mod reference_files;
-
-use reference_files::{check, content, moved};
+use crate::reference_files::{check, content, moved};
 use serde_json::{Value, json};
 
 /// The file with one block besides the examples; a file of examples alone is not recognised.

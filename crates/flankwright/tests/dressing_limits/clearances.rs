@@ -1,6 +1,6 @@
 //! The search for the least clearance against sampling: nothing that it says is wrong, nothing that sampling finds is missed.
 
-use crate::setup::{Choice, Seat, View, choices, circles, corrections, flanks, is_the_least, section};
+use super::setup::{Choice, Seat, View, choices, circles, corrections, flanks, is_the_least, section};
 use flankwright::geometry::{Flank, Sides};
 use flankwright::process::dressing::{DressingError, ThreadSpace};
 use proptest::prelude::*;

@@ -1,6 +1,6 @@
 //! Every refusal with its code and what it says.
 
-use crate::setup::Choice;
+use super::setup::Choice;
 use flankwright::geometry::{Flank, Sides};
 use flankwright::kinematics::DressingCorrection;
 use flankwright::process::dressing::{

@@ -1,7 +1,7 @@
 //! The section as a picture shows it: the flanks are the worm's, and the boundary of the dresser is as far from them as the
 //! clearances say.
 
-use crate::setup::{Choice, section};
+use super::setup::{Choice, section};
 use flankwright::geometry::{Flank, Sides};
 use flankwright::process::dressing::{SectionOutline, SectionPart, ShownWorm};
 

@@ -1,6 +1,6 @@
 //! The clearance against the rays of the referee: the flank across is dressed by the counter flank where the land puts it.
 
-use crate::setup::{Choice, section};
+use super::setup::{Choice, section};
 use flankwright::geometry::Flank;
 use flankwright::kinematics::{DressingCorrection, DressingMotion};
 use flankwright::numerics::Silent;

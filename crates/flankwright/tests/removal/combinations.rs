@@ -1,7 +1,7 @@
 //! Stage two for cylinder and cone on both sides: an unmodified worm leaves nothing, a modified one what the exact contact
 //! says.
 
-use crate::setups::{area, feeds, meshing_with, pair, reference};
+use super::setups::{area, feeds, meshing_with, pair, reference};
 use flankwright::contact::{ExactContact, ModifiedThread, Pair};
 use flankwright::geometry::{Flank, GearData, Sides};
 use flankwright::kinematics::{GeneratingMotion, MotionLaw};

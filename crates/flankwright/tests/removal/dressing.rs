@@ -1,6 +1,6 @@
 //! Stage one against the exact envelope of the moving dresser.
 
-use crate::setups::{dressing_cases, list};
+use super::setups::{dressing_cases, list};
 use flankwright::geometry::{Flank, ProfileOffset};
 use flankwright::kinematics::DressingMotion;
 use flankwright::numerics::Silent;

@@ -1,6 +1,6 @@
 //! Rays without a length and unusable input.
 
-use crate::setups::{area, dressing_cases, feeds, field, meshing};
+use super::setups::{area, dressing_cases, feeds, field, meshing};
 use flankwright::geometry::{Flank, Revolution};
 use flankwright::kinematics::{DressingMotion, MotionLaw};
 use flankwright::numerics::{Chebyshev, Progress, Silent, TensorSpline};

@@ -1,6 +1,6 @@
 //! True feed marks: their height against the reference numbers of two fixed feed positions.
 
-use crate::setups::{area, feeds, num, pair, reference};
+use super::setups::{area, feeds, num, pair, reference};
 use flankwright::geometry::{Flank, InvoluteFlank};
 use flankwright::kinematics::MotionLaw;
 use flankwright::numerics::Silent;

@@ -1,7 +1,7 @@
 //! The closed forms of the contact relations against coefficients read off a simulation, for cylinder and cone on both
 //! sides (spec 20 section 13); and rows that show nothing.
 
-use crate::setups::{meshing, pair, reference};
+use super::setups::{meshing, pair, reference};
 use flankwright::contact::{FlankPair, Pair};
 use flankwright::geometry::Flank;
 use flankwright::kinematics::{GeneratingMotion, MotionLaw};
@@ -144,7 +144,7 @@ fn what_shows_no_contact_is_told() {
     // A conical worm with one pair of feeds leaves what its shift does open.
     let file = reference("20-generating-contact.json");
     let cases = file["cases"].as_array().unwrap();
-    let conical = crate::setups::pair(
+    let conical = super::setups::pair(
         &cases.iter().find(|c| c["name"].as_str().unwrap().starts_with("con_cyl")).unwrap()["input"],
     );
     let motion = conical.motion(MotionLaw::zero());

@@ -1,6 +1,6 @@
 //! Stage two against the exact contact solver and against zero.
 
-use crate::setups::{area, feeds, field, list, meshing, motion, pair, reference, worm_function};
+use super::setups::{area, feeds, field, list, meshing, motion, pair, reference, worm_function};
 use flankwright::contact::{ExactContact, ModifiedThread};
 use flankwright::geometry::Flank;
 use flankwright::kinematics::{MotionLaw, Point};

@@ -1,6 +1,6 @@
 //! Left-out threads: which tooth spaces stay uncut, and how far apart the marks of a real feed lie.
 
-use crate::setups::{area, feeds, meshing};
+use super::setups::{area, feeds, meshing};
 use flankwright::contact::Pair;
 use flankwright::geometry::Flank;
 use flankwright::kinematics::{GeneratingMotion, MotionLaw};

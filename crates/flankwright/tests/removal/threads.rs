@@ -1,6 +1,6 @@
 //! Any number of threads gives the same bits.
 
-use crate::setups::{area, dressing_cases, feeds, field, meshing};
+use super::setups::{area, dressing_cases, feeds, field, meshing};
 use flankwright::geometry::Flank;
 use flankwright::kinematics::MotionLaw;
 use flankwright::numerics::{Polynomial2, Silent};

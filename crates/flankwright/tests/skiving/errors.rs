@@ -1,6 +1,6 @@
 //! Every error of spec 60 section 13, provoked.
 
-use crate::samples::{CROWNED, RING, STEPPED, Sample};
+use super::samples::{CROWNED, RING, STEPPED, Sample};
 use flankwright::geometry::{
     EdgeRounding, Flank, Gear, GearData, Helicoid, NormalOffset, OffsetBounds, Sides,
 };

@@ -1,6 +1,6 @@
 //! Repeated measurements: what scatters as told, the same on any number of threads, and results that lie within their own uncertainty.
 
-use crate::samples::STEPPED;
+use super::samples::STEPPED;
 use flankwright::geometry::{Flank, Sides};
 use flankwright::numerics::Silent;
 use flankwright::process::skiving::evaluation::{

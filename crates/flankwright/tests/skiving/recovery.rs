@@ -1,6 +1,6 @@
 //! Errors put into a tool and found again by its measurement, without noise and with it.
 
-use crate::samples::{CROWNED, RING, STEPPED, Sample};
+use super::samples::{CROWNED, RING, STEPPED, Sample};
 use flankwright::geometry::Sides;
 use flankwright::process::skiving::evaluation::{
     Deviations, Evaluation, MeasuredTool, ProfileOptions, evaluate, measured_tool,

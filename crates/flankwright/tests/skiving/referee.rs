@@ -1,6 +1,6 @@
 //! Contact points and predicted flanks against balls that roll through the space.
 
-use crate::samples::{CROWNED, RING, STEPPED, Sample};
+use super::samples::{CROWNED, RING, STEPPED, Sample};
 use flankwright::geometry::{Flank, SphericalRake};
 use flankwright::kinematics::SkivingMotion;
 use flankwright::process::skiving::measuring::{EdgeErrors, RealTool, first_order_deviation};

@@ -1,6 +1,6 @@
 //! Worn edges measured: their growth found again, what has to be ground off, and the trend over several measurements.
 
-use crate::samples::{CROWNED, RING, STEPPED, Sample};
+use super::samples::{CROWNED, RING, STEPPED, Sample};
 use flankwright::geometry::Sides;
 use flankwright::process::skiving::VirtualEdge;
 use flankwright::process::skiving::evaluation::{

@@ -1,6 +1,6 @@
 //! Bevel flanks: octoid against reference and spherical involute, and pairs that mesh.
 
-use crate::cases::{bevel_data, bevel_gear, number, reference, vector};
+use super::cases::{bevel_data, bevel_gear, number, reference, vector};
 use flankwright::geometry::{BevelData, BevelGear, Flank, Hand, Octoid, SphericalInvolute, Spiral, Surface};
 use flankwright::numerics::brent;
 use nalgebra::{Rotation3, Vector3};

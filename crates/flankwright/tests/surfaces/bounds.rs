@@ -1,6 +1,6 @@
 //! Bounds of speeds and of turning normals: they hold at random places of random boxes, and small boxes have tight ones.
 
-use crate::cases::{Sample, between, chances, offset, samples};
+use super::cases::{Sample, between, chances, offset, samples};
 use flankwright::geometry::{Modified, NormalOffset, OffsetBase, Surface};
 use nalgebra::Vector3;
 

@@ -1,6 +1,6 @@
 //! Derivatives against differences of the exact values, for every surface, plain and eased.
 
-use crate::cases::{Sample, between, bevel_gear, chances, cylindrical_gear, offset, reference, samples};
+use super::cases::{Sample, between, bevel_gear, chances, cylindrical_gear, offset, reference, samples};
 use flankwright::geometry::{
     EaseOff, EaseOffAmounts, Flank, Helicoid, Mirrored, Modified, OffsetBase, SphericalInvolute, Surface,
     SurfaceJet,

@@ -1,6 +1,6 @@
 //! Bad input gives typed errors.
 
-use crate::cases::{bevel_data, blade_data, cylindrical_gear, reference};
+use super::cases::{bevel_data, blade_data, cylindrical_gear, reference};
 use flankwright::geometry::{
     BevelData, BevelGear, BladeData, CylindricalCurve, EaseOff, EaseOffAmounts, Flank, FlankLine,
     GeometryError, GridSurface, Hand, Helicoid, NormalSide, Octoid, RuledBlade, SphericalInvolute, Spiral,

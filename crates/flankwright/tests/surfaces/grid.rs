@@ -1,6 +1,6 @@
 //! Surfaces through grids of points of known flanks: passing through them, and the errors of the reference.
 
-use crate::cases::{Sample, between, bevel_gear, cylindrical_gear, number, reference, samples, surface};
+use super::cases::{Sample, between, bevel_gear, cylindrical_gear, number, reference, samples, surface};
 use flankwright::geometry::{Flank, GridSurface, Helicoid, NormalSide, Surface};
 use flankwright::numerics::{brent, equidistant};
 use nalgebra::Vector3;

@@ -1,6 +1,6 @@
 //! The numbers of the reference file: points, normals, derived data, curvatures.
 
-use crate::cases::{bevel_gear, blade_data, cylindrical_gear, number, numbers, reference, surface, vector};
+use super::cases::{bevel_gear, blade_data, cylindrical_gear, number, numbers, reference, surface, vector};
 use flankwright::geometry::{Flank, FlankLine, Helicoid, RuledBlade, SphericalInvolute, Surface};
 
 const CASES: [&str; 6] = ["spur", "helical", "internal", "straight_bevel", "spiral_bevel", "blade"];

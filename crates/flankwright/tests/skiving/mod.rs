@@ -4,5 +4,5 @@ mod errors;
 mod monte_carlo;
 mod recovery;
 mod referee;
-mod samples;
+pub mod samples;
 mod wear;
