@@ -10,7 +10,8 @@ use crate::address::StoreAddress;
 use crate::error::StoreError;
 use crate::filter::{CharacteristicFilter, PartFilter};
 use crate::records::{
-    MeasuredCharacteristic, PartRecord, PartSummary, PlanRecord, PlanSummary, SeriesSummary, ToolSummary,
+    MeasuredCharacteristic, NewRun, PartRecord, PartSummary, PlanRecord, PlanSummary, RunEnd, RunFile,
+    RunRecord, RunSummary, SeriesSummary, ToolSummary,
 };
 use crate::reports::{CatalogueReport, HistoryReport, ImportReport, StoreHealth};
 use crate::store::Store as AsyncStore;
@@ -96,6 +97,14 @@ waiting! {
     add_plan(plan: &PlanRecord) -> bool;
     plans() -> Vec<PlanSummary>;
     plan(id: i64) -> Option<PlanRecord>;
+    add_run(run: &NewRun) -> i64;
+    begin_run(id: i64) -> bool;
+    end_run(id: i64, end: &RunEnd) -> bool;
+    interrupt_runs(owner: &str, ended: &str) -> u64;
+    runs(most: u32) -> Vec<RunSummary>;
+    run(id: i64) -> Option<RunRecord>;
+    run_file(id: i64, name: &str) -> Option<RunFile>;
+    remove_run(id: i64) -> bool;
     import_history(history: &History) -> HistoryReport;
     history(tool: Option<&str>) -> Vec<HistoryRecord>;
     tools() -> Vec<ToolSummary>;

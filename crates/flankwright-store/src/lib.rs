@@ -56,6 +56,7 @@ mod plans;
 mod pool;
 mod records;
 mod reports;
+mod runs;
 mod store;
 mod words;
 
@@ -65,8 +66,8 @@ pub use error::StoreError;
 pub use filter::{CharacteristicFilter, PartFilter};
 pub use measured::{ImportSettings, KnownPart, MeasurementReport, RefusedFile};
 pub use records::{
-    Characteristic, CharacteristicValue, MeasuredCharacteristic, PartRecord, PartSummary, PlanRecord,
-    PlanSummary, SeriesSummary, ToolSummary,
+    Characteristic, CharacteristicValue, MeasuredCharacteristic, NewRun, PartRecord, PartSummary, PlanRecord,
+    PlanSummary, RunEnd, RunFile, RunFileSummary, RunRecord, RunState, RunSummary, SeriesSummary, ToolSummary,
 };
 pub use reports::{CatalogueReport, HistoryReport, ImportReport, StoreHealth};
 pub use store::Store;

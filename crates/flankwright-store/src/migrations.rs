@@ -8,11 +8,18 @@ use sqlx::{SqlSafeStr, SqlStr, SqliteConnection};
 use crate::pool::{Pool, SCHEMA, Writing, on_writing};
 
 /// Description and text of each version, from 1; for SQLite and for PostgreSQL.
-const VERSIONS: [(&str, &str, &str); 1] = [(
-    "first",
-    include_str!("../migrations/sqlite/0001_first.sql"),
-    include_str!("../migrations/postgres/0001_first.sql"),
-)];
+const VERSIONS: [(&str, &str, &str); 2] = [
+    (
+        "first",
+        include_str!("../migrations/sqlite/0001_first.sql"),
+        include_str!("../migrations/postgres/0001_first.sql"),
+    ),
+    (
+        "runs",
+        include_str!("../migrations/sqlite/0002_runs.sql"),
+        include_str!("../migrations/postgres/0002_runs.sql"),
+    ),
+];
 
 /// The number that marks a file of SQLite as a store, in its header: the letters `fwst`.
 const APPLICATION: i32 = i32::from_be_bytes(*b"fwst");

@@ -193,3 +193,127 @@ pub struct ToolSummary {
     /// Number of measurements.
     pub measurements: u64,
 }
+
+/// The state of a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum RunState {
+    /// Waits for its turn.
+    Queued,
+    /// Is carried out.
+    Running,
+    /// Has ended with a result.
+    Done,
+    /// Has ended with an error.
+    Failed,
+    /// Was cancelled by the user.
+    Cancelled,
+    /// Its server ended before it did.
+    Interrupted,
+}
+
+impl RunState {
+    const ALL: [Self; 6] =
+        [Self::Queued, Self::Running, Self::Done, Self::Failed, Self::Cancelled, Self::Interrupted];
+
+    /// Stable name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Queued => "queued",
+            Self::Running => "running",
+            Self::Done => "done",
+            Self::Failed => "failed",
+            Self::Cancelled => "cancelled",
+            Self::Interrupted => "interrupted",
+        }
+    }
+
+    /// The state of a name.
+    pub fn of(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|state| state.name() == name)
+    }
+
+    /// Whether nothing more happens to it.
+    pub fn has_ended(self) -> bool {
+        !matches!(self, Self::Queued | Self::Running)
+    }
+}
+
+/// A run that is handed in.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NewRun {
+    /// The server that carries it out.
+    pub owner: String,
+    /// What is done: `plan`, `simulate`, `explore`, `inspect`.
+    pub kind: String,
+    /// Name of the job.
+    pub name: String,
+    /// Text of the job.
+    pub job: String,
+    /// When, RFC 3339.
+    pub created: String,
+}
+
+/// How a run has ended.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RunEnd {
+    /// The state.
+    pub state: RunState,
+    /// When, RFC 3339.
+    pub ended: String,
+    /// Its result, or its error.
+    pub document: Option<Value>,
+    /// The files that it has written.
+    pub files: Vec<RunFile>,
+}
+
+/// A file of a run.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct RunFile {
+    /// Its name below the directory of the run, with `/`.
+    pub name: String,
+    /// Its content.
+    pub bytes: Vec<u8>,
+}
+
+/// A run in a list.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct RunSummary {
+    /// Its number.
+    pub id: i64,
+    /// What is done.
+    pub kind: String,
+    /// Name of the job.
+    pub name: String,
+    /// The state.
+    pub state: RunState,
+    /// When it was handed in.
+    pub created: String,
+    /// When it has ended.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ended: Option<String>,
+}
+
+/// A file of a run in a list.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct RunFileSummary {
+    /// Its name.
+    pub name: String,
+    /// Its size.
+    pub bytes: u64,
+}
+
+/// A run.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct RunRecord {
+    /// What lists show.
+    #[serde(flatten)]
+    pub summary: RunSummary,
+    /// Text of the job.
+    pub job: String,
+    /// Its result, or its error.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub document: Option<Value>,
+    /// Its files.
+    pub files: Vec<RunFileSummary>,
+}

@@ -14,5 +14,6 @@ mod opening;
 mod parts;
 mod place;
 mod plans;
+mod runs;
 mod server;
 mod unreachable;

@@ -1,0 +1,24 @@
+-- Runs of a server: what was asked, what became of it. `owner` is the server that carries it out; the letters of `state` are fixed.
+CREATE TABLE run (
+    id       INTEGER PRIMARY KEY,
+    owner    TEXT NOT NULL,
+    kind     TEXT NOT NULL,
+    name     TEXT NOT NULL,
+    job      TEXT NOT NULL,
+    state    TEXT NOT NULL
+        CHECK (state IN ('queued', 'running', 'done', 'failed', 'cancelled', 'interrupted')),
+    created  TEXT NOT NULL,
+    ended    TEXT,
+    document TEXT
+) STRICT;
+CREATE INDEX run_by_state ON run (state, id);
+
+-- The files that a run has written, in the order of `place`.
+CREATE TABLE run_file (
+    run   INTEGER NOT NULL REFERENCES run (id) ON DELETE CASCADE,
+    place INTEGER NOT NULL,
+    name  TEXT NOT NULL,
+    bytes BLOB NOT NULL,
+    PRIMARY KEY (run, place),
+    UNIQUE (run, name)
+) STRICT, WITHOUT ROWID;

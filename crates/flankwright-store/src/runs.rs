@@ -1,0 +1,205 @@
+//! Runs of a server: a job that was handed in, its state, and once it has ended its document and files. A run whose server is gone is
+//! told as interrupted; what had ended stays whole.
+
+use serde_json::Value;
+use sqlx::types::Json;
+
+use crate::error::StoreError;
+use crate::pool::{on_pool, on_writing};
+use crate::records::{NewRun, RunEnd, RunFile, RunFileSummary, RunRecord, RunState, RunSummary};
+use crate::store::Store;
+
+type SummaryRow = (i64, String, String, String, String, Option<String>);
+
+fn summary((id, kind, name, state, created, ended): SummaryRow) -> Result<RunSummary, sqlx::Error> {
+    let state = RunState::of(&state).ok_or_else(|| sqlx::Error::Decode(format!("state {state}").into()))?;
+    Ok(RunSummary { id, kind, name, state, created, ended })
+}
+
+impl Store {
+    /// Takes a run in, queued; its number.
+    ///
+    /// # Errors
+    /// Those of the database.
+    pub async fn add_run(&self, run: &NewRun) -> Result<i64, StoreError> {
+        let added = async {
+            let mut writing = self.pool.write().await?;
+            let id: i64 = on_writing!(&mut writing, connection => {
+                sqlx::query_scalar(
+                    "INSERT INTO run (owner, kind, name, job, state, created) VALUES ($1, $2, $3, $4, 'queued', $5) RETURNING id",
+                )
+                .bind(&run.owner)
+                .bind(&run.kind)
+                .bind(&run.name)
+                .bind(&run.job)
+                .bind(&run.created)
+                .fetch_one(connection)
+                .await?
+            });
+            writing.commit().await?;
+            Ok(id)
+        };
+        self.done(added.await)
+    }
+
+    /// Tells that a queued run has begun. `false` if it is not queued any more.
+    ///
+    /// # Errors
+    /// Those of the database.
+    pub async fn begin_run(&self, id: i64) -> Result<bool, StoreError> {
+        let begun = async {
+            let mut writing = self.pool.write().await?;
+            let begun = on_writing!(&mut writing, connection => {
+                sqlx::query("UPDATE run SET state = 'running' WHERE id = $1 AND state = 'queued'")
+                    .bind(id)
+                    .execute(connection)
+                    .await?
+                    .rows_affected()
+            });
+            writing.commit().await?;
+            Ok(begun > 0)
+        };
+        self.done(begun.await)
+    }
+
+    /// Tells how a run has ended, with its document and all its files, whole or not at all. `false` if it had ended before.
+    ///
+    /// # Errors
+    /// Those of the database.
+    pub async fn end_run(&self, id: i64, end: &RunEnd) -> Result<bool, StoreError> {
+        let ended = async {
+            let mut writing = self.pool.write().await?;
+            let changed = on_writing!(&mut writing, connection => {
+                sqlx::query(
+                    "UPDATE run SET state = $2, ended = $3, document = $4 WHERE id = $1 AND state IN ('queued', 'running')",
+                )
+                .bind(id)
+                .bind(end.state.name())
+                .bind(&end.ended)
+                .bind(end.document.as_ref().map(Json))
+                .execute(connection)
+                .await?
+                .rows_affected()
+            });
+            if changed == 0 {
+                return Ok(false);
+            }
+            for (place, file) in end.files.iter().enumerate() {
+                on_writing!(&mut writing, connection => {
+                    sqlx::query("INSERT INTO run_file (run, place, name, bytes) VALUES ($1, $2, $3, $4)")
+                        .bind(id)
+                        .bind(place as i64)
+                        .bind(&file.name)
+                        .bind(&file.bytes)
+                        .execute(connection)
+                        .await?
+                });
+            }
+            writing.commit().await?;
+            Ok(true)
+        };
+        self.done(ended.await)
+    }
+
+    /// Tells the runs of a server that has begun anew as interrupted: how many there were.
+    ///
+    /// # Errors
+    /// Those of the database.
+    pub async fn interrupt_runs(&self, owner: &str, ended: &str) -> Result<u64, StoreError> {
+        let interrupted = async {
+            let mut writing = self.pool.write().await?;
+            let count = on_writing!(&mut writing, connection => {
+                sqlx::query(
+                    "UPDATE run SET state = 'interrupted', ended = $2 WHERE owner = $1 AND state IN ('queued', 'running')",
+                )
+                .bind(owner)
+                .bind(ended)
+                .execute(connection)
+                .await?
+                .rows_affected()
+            });
+            writing.commit().await?;
+            Ok(count)
+        };
+        self.done(interrupted.await)
+    }
+
+    /// The newest runs, newest first.
+    ///
+    /// # Errors
+    /// Those of the database.
+    pub async fn runs(&self, most: u32) -> Result<Vec<RunSummary>, StoreError> {
+        let rows: Result<Vec<SummaryRow>, _> = on_pool!(&self.pool, pool => {
+            sqlx::query_as("SELECT id, kind, name, state, created, ended FROM run ORDER BY id DESC LIMIT $1")
+                .bind(i64::from(most))
+                .fetch_all(pool)
+                .await
+        });
+        self.done(rows.and_then(|rows| rows.into_iter().map(summary).collect()))
+    }
+
+    /// A run by its number, with the names of its files; `None` if there is none.
+    ///
+    /// # Errors
+    /// Those of the database.
+    pub async fn run(&self, id: i64) -> Result<Option<RunRecord>, StoreError> {
+        type Row = (i64, String, String, String, String, Option<String>, String, Option<Json<Value>>);
+        let row: Result<Option<Row>, _> = on_pool!(&self.pool, pool => {
+            sqlx::query_as("SELECT id, kind, name, state, created, ended, job, document FROM run WHERE id = $1")
+                .bind(id)
+                .fetch_optional(pool)
+                .await
+        });
+        let Some((id, kind, name, state, created, ended, job, document)) = self.done(row)? else {
+            return Ok(None);
+        };
+        let files: Result<Vec<(String, i64)>, _> = on_pool!(&self.pool, pool => {
+            sqlx::query_as("SELECT name, length(bytes) FROM run_file WHERE run = $1 ORDER BY place")
+                .bind(id)
+                .fetch_all(pool)
+                .await
+        });
+        let file = |(name, bytes): (String, i64)| RunFileSummary { name, bytes: bytes.unsigned_abs() };
+        Ok(Some(RunRecord {
+            summary: self.done(summary((id, kind, name, state, created, ended)))?,
+            job,
+            document: document.map(|Json(document)| document),
+            files: self.done(files)?.into_iter().map(file).collect(),
+        }))
+    }
+
+    /// A file of a run; `None` if there is none of that name.
+    ///
+    /// # Errors
+    /// Those of the database.
+    pub async fn run_file(&self, id: i64, name: &str) -> Result<Option<RunFile>, StoreError> {
+        let row: Result<Option<Vec<u8>>, _> = on_pool!(&self.pool, pool => {
+            sqlx::query_scalar("SELECT bytes FROM run_file WHERE run = $1 AND name = $2")
+                .bind(id)
+                .bind(name)
+                .fetch_optional(pool)
+                .await
+        });
+        Ok(self.done(row)?.map(|bytes| RunFile { name: name.to_owned(), bytes }))
+    }
+
+    /// Takes a run that has ended out, with its files. `false` if there is none, or if it has not ended.
+    ///
+    /// # Errors
+    /// Those of the database.
+    pub async fn remove_run(&self, id: i64) -> Result<bool, StoreError> {
+        let removed = async {
+            let mut writing = self.pool.write().await?;
+            let count = on_writing!(&mut writing, connection => {
+                sqlx::query("DELETE FROM run WHERE id = $1 AND state NOT IN ('queued', 'running')")
+                    .bind(id)
+                    .execute(connection)
+                    .await?
+                    .rows_affected()
+            });
+            writing.commit().await?;
+            Ok(count > 0)
+        };
+        self.done(removed.await)
+    }
+}
