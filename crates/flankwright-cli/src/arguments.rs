@@ -13,6 +13,7 @@ use crate::commands::new::NewArguments;
 use crate::commands::plan::PlanArguments;
 use crate::commands::program::ProgramArguments;
 use crate::commands::schema::SchemaArguments;
+use crate::commands::serve::ServeArguments;
 use crate::commands::simulate::SimulateArguments;
 use crate::commands::store::StoreArguments;
 use crate::commands::verify::VerifyArguments;
@@ -55,6 +56,8 @@ pub enum Command {
     Program(ProgramArguments),
     /// Keep measured parts, catalogue, plans and tool histories beyond one run
     Store(StoreArguments),
+    /// The web application on 127.0.0.1
+    Serve(ServeArguments),
     /// Recompute every expected value of reference files and compare
     Verify(VerifyArguments),
 }
@@ -74,6 +77,7 @@ impl Command {
             Command::Gearbox(arguments) => &arguments.common,
             Command::Program(arguments) => &arguments.common,
             Command::Store(arguments) => arguments.common(),
+            Command::Serve(arguments) => &arguments.place.common,
             Command::Verify(arguments) => &arguments.common,
         }
     }

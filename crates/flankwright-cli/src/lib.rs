@@ -40,6 +40,7 @@ pub fn run() -> ExitCode {
         Command::Gearbox(arguments) => commands::gearbox::run(arguments),
         Command::Program(arguments) => commands::program::run(arguments),
         Command::Store(arguments) => commands::store::run(arguments),
+        Command::Serve(arguments) => commands::serve::run(arguments),
         Command::Verify(arguments) => commands::verify::run(arguments),
     });
     match outcome {

@@ -33,7 +33,8 @@ impl Gate {
         hosts.extend(names.iter().map(|name| format!("{}:{port}", name.to_lowercase())));
         // A browser leaves the port of the scheme out.
         if port == 80 {
-            let bare: Vec<String> = hosts.iter().filter_map(|host| Some(host.strip_suffix(":80")?.to_owned())).collect();
+            let bare: Vec<String> =
+                hosts.iter().filter_map(|host| Some(host.strip_suffix(":80")?.to_owned())).collect();
             hosts.extend(bare);
         }
         Arc::new(Self { hosts, token })
@@ -50,14 +51,19 @@ impl Gate {
             return Some((StatusCode::BAD_REQUEST, "the request names no host"));
         };
         if !self.is_own(host) {
-            return Some((StatusCode::MISDIRECTED_REQUEST, "the server is not known under this name; see `--host`"));
+            return Some((
+                StatusCode::MISDIRECTED_REQUEST,
+                "the server is not known under this name; see `--host`",
+            ));
         }
         if let Some(origin) = headers.get(ORIGIN) {
             let own = origin.to_str().ok().and_then(|origin| origin.strip_prefix("http://"));
             if !own.is_some_and(|origin| self.is_own(origin)) {
                 return Some((StatusCode::FORBIDDEN, "the request comes from a page of another origin"));
             }
-        } else if !method.is_safe() && text("sec-fetch-site".parse().ok()?).is_some_and(|site| site != "same-origin") {
+        } else if !method.is_safe()
+            && text("sec-fetch-site".parse().ok()?).is_some_and(|site| site != "same-origin")
+        {
             return Some((StatusCode::FORBIDDEN, "the request comes from a page of another origin"));
         }
         None
@@ -93,8 +99,10 @@ pub async fn guard(State(gate): State<Arc<Gate>>, request: Request, next: Next) 
     }
     let given = request.uri().query().and_then(|query| query.strip_prefix("token="));
     if request.uri().path() == "/" && given.is_some_and(|token| gate.is_token(token)) {
-        let cookie = format!("{COOKIE_NAME}={}; HttpOnly; SameSite=Strict; Path=/", given.unwrap_or_default());
+        let cookie =
+            format!("{COOKIE_NAME}={}; HttpOnly; SameSite=Strict; Path=/", given.unwrap_or_default());
         return (StatusCode::SEE_OTHER, [(SET_COOKIE, cookie), (LOCATION, "/".to_owned())]).into_response();
     }
-    (StatusCode::UNAUTHORIZED, "this server asks for its token: open the address that it printed").into_response()
+    (StatusCode::UNAUTHORIZED, "this server asks for its token: open the address that it printed")
+        .into_response()
 }

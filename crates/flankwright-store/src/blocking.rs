@@ -103,6 +103,7 @@ waiting! {
     interrupt_runs(owner: &str, ended: &str) -> u64;
     runs(most: u32) -> Vec<RunSummary>;
     run(id: i64) -> Option<RunRecord>;
+    run_inputs(id: i64) -> Vec<RunFile>;
     run_file(id: i64, name: &str) -> Option<RunFile>;
     remove_run(id: i64) -> bool;
     import_history(history: &History) -> HistoryReport;

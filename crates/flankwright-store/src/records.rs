@@ -248,10 +248,12 @@ pub struct NewRun {
     pub kind: String,
     /// Name of the job.
     pub name: String,
-    /// Text of the job.
+    /// What was asked, as the server understands it again.
     pub job: String,
     /// When, RFC 3339.
     pub created: String,
+    /// Files that were handed in with it.
+    pub files: Vec<RunFile>,
 }
 
 /// How a run has ended.
@@ -292,6 +294,9 @@ pub struct RunSummary {
     /// When it has ended.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ended: Option<String>,
+    /// The verdict of its document.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub status: Option<String>,
 }
 
 /// A file of a run in a list.
@@ -309,7 +314,7 @@ pub struct RunRecord {
     /// What lists show.
     #[serde(flatten)]
     pub summary: RunSummary,
-    /// Text of the job.
+    /// What was asked.
     pub job: String,
     /// Its result, or its error.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -5,19 +5,41 @@ use serde_json::Value;
 use sqlx::types::Json;
 
 use crate::error::StoreError;
-use crate::pool::{on_pool, on_writing};
+use crate::pool::{Writing, on_pool, on_writing};
 use crate::records::{NewRun, RunEnd, RunFile, RunFileSummary, RunRecord, RunState, RunSummary};
 use crate::store::Store;
 
-type SummaryRow = (i64, String, String, String, String, Option<String>);
+type SummaryRow = (i64, String, String, String, String, Option<String>, Option<String>);
 
-fn summary((id, kind, name, state, created, ended): SummaryRow) -> Result<RunSummary, sqlx::Error> {
+fn summary((id, kind, name, state, created, ended, status): SummaryRow) -> Result<RunSummary, sqlx::Error> {
     let state = RunState::of(&state).ok_or_else(|| sqlx::Error::Decode(format!("state {state}").into()))?;
-    Ok(RunSummary { id, kind, name, state, created, ended })
+    Ok(RunSummary { id, kind, name, state, created, ended, status })
+}
+
+async fn put_files(
+    writing: &mut Writing,
+    run: i64,
+    handed_in: bool,
+    files: &[RunFile],
+) -> Result<(), sqlx::Error> {
+    for (place, file) in files.iter().enumerate() {
+        on_writing!(&mut *writing, connection => {
+            sqlx::query("INSERT INTO run_file (run, handed_in, name, place, bytes) VALUES ($1, $2, $3, $4, $5)")
+                .bind(run)
+                .bind(handed_in)
+                .bind(&file.name)
+                .bind(place as i64)
+                .bind(&file.bytes)
+                .execute(connection)
+                .await?
+                .rows_affected()
+        });
+    }
+    Ok(())
 }
 
 impl Store {
-    /// Takes a run in, queued; its number.
+    /// Takes a run in, queued, with the files that were handed in; its number.
     ///
     /// # Errors
     /// Those of the database.
@@ -36,6 +58,7 @@ impl Store {
                 .fetch_one(connection)
                 .await?
             });
+            put_files(&mut writing, id, true, &run.files).await?;
             writing.commit().await?;
             Ok(id)
         };
@@ -84,17 +107,7 @@ impl Store {
             if changed == 0 {
                 return Ok(false);
             }
-            for (place, file) in end.files.iter().enumerate() {
-                on_writing!(&mut writing, connection => {
-                    sqlx::query("INSERT INTO run_file (run, place, name, bytes) VALUES ($1, $2, $3, $4)")
-                        .bind(id)
-                        .bind(place as i64)
-                        .bind(&file.name)
-                        .bind(&file.bytes)
-                        .execute(connection)
-                        .await?
-                });
-            }
+            put_files(&mut writing, id, false, &end.files).await?;
             writing.commit().await?;
             Ok(true)
         };
@@ -130,7 +143,7 @@ impl Store {
     /// Those of the database.
     pub async fn runs(&self, most: u32) -> Result<Vec<RunSummary>, StoreError> {
         let rows: Result<Vec<SummaryRow>, _> = on_pool!(&self.pool, pool => {
-            sqlx::query_as("SELECT id, kind, name, state, created, ended FROM run ORDER BY id DESC LIMIT $1")
+            sqlx::query_as("SELECT id, kind, name, state, created, ended, document ->> 'status' FROM run ORDER BY id DESC LIMIT $1")
                 .bind(i64::from(most))
                 .fetch_all(pool)
                 .await
@@ -143,29 +156,55 @@ impl Store {
     /// # Errors
     /// Those of the database.
     pub async fn run(&self, id: i64) -> Result<Option<RunRecord>, StoreError> {
-        type Row = (i64, String, String, String, String, Option<String>, String, Option<Json<Value>>);
+        type Row = (
+            i64,
+            String,
+            String,
+            String,
+            String,
+            Option<String>,
+            Option<String>,
+            String,
+            Option<Json<Value>>,
+        );
         let row: Result<Option<Row>, _> = on_pool!(&self.pool, pool => {
-            sqlx::query_as("SELECT id, kind, name, state, created, ended, job, document FROM run WHERE id = $1")
+            sqlx::query_as("SELECT id, kind, name, state, created, ended, document ->> 'status', job, document FROM run WHERE id = $1")
                 .bind(id)
                 .fetch_optional(pool)
                 .await
         });
-        let Some((id, kind, name, state, created, ended, job, document)) = self.done(row)? else {
+        let Some((id, kind, name, state, created, ended, status, job, document)) = self.done(row)? else {
             return Ok(None);
         };
         let files: Result<Vec<(String, i64)>, _> = on_pool!(&self.pool, pool => {
-            sqlx::query_as("SELECT name, length(bytes) FROM run_file WHERE run = $1 ORDER BY place")
+            sqlx::query_as("SELECT name, length(bytes) FROM run_file WHERE run = $1 AND handed_in = $2 ORDER BY place")
                 .bind(id)
+                .bind(false)
                 .fetch_all(pool)
                 .await
         });
         let file = |(name, bytes): (String, i64)| RunFileSummary { name, bytes: bytes.unsigned_abs() };
         Ok(Some(RunRecord {
-            summary: self.done(summary((id, kind, name, state, created, ended)))?,
+            summary: self.done(summary((id, kind, name, state, created, ended, status)))?,
             job,
             document: document.map(|Json(document)| document),
             files: self.done(files)?.into_iter().map(file).collect(),
         }))
+    }
+
+    /// The files that were handed in with a run, in their order.
+    ///
+    /// # Errors
+    /// Those of the database.
+    pub async fn run_inputs(&self, id: i64) -> Result<Vec<RunFile>, StoreError> {
+        let files: Result<Vec<(String, Vec<u8>)>, _> = on_pool!(&self.pool, pool => {
+            sqlx::query_as("SELECT name, bytes FROM run_file WHERE run = $1 AND handed_in = $2 ORDER BY place")
+                .bind(id)
+                .bind(true)
+                .fetch_all(pool)
+                .await
+        });
+        Ok(self.done(files)?.into_iter().map(|(name, bytes)| RunFile { name, bytes }).collect())
     }
 
     /// A file of a run; `None` if there is none of that name.
@@ -174,9 +213,10 @@ impl Store {
     /// Those of the database.
     pub async fn run_file(&self, id: i64, name: &str) -> Result<Option<RunFile>, StoreError> {
         let row: Result<Option<Vec<u8>>, _> = on_pool!(&self.pool, pool => {
-            sqlx::query_scalar("SELECT bytes FROM run_file WHERE run = $1 AND name = $2")
+            sqlx::query_scalar("SELECT bytes FROM run_file WHERE run = $1 AND name = $2 AND handed_in = $3")
                 .bind(id)
                 .bind(name)
+                .bind(false)
                 .fetch_optional(pool)
                 .await
         });

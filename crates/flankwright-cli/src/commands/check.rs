@@ -5,14 +5,10 @@ use std::path::PathBuf;
 use clap::Args;
 use flankwright::exchange::job::JobInfo;
 use flankwright::exchange::{AnyJob, Loaded};
-use flankwright::workflow::{Remark, RunFailure};
+use flankwright::workflow::{DerivedGeometry, Remark, derived_geometry};
 use serde::Serialize;
 use serde_json::json;
 
-use super::catalogue;
-use super::derived::{
-    DerivedGeometry, derived_gearbox, derived_geometry, derived_milling, derived_skiving, derived_tangential,
-};
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
@@ -36,38 +32,24 @@ pub struct CheckArguments {
 /// # Errors
 /// Everything that is wrong with the job.
 pub fn run(arguments: &CheckArguments) -> Result<Exit, Failure> {
-    match output::load_any_job(&arguments.job)? {
-        AnyJob::Grinding(loaded) => {
-            let catalogue = catalogue::of_job(&loaded)?;
-            let derived = derived_geometry(&loaded, catalogue.as_ref());
-            show(&arguments.common, &loaded, &loaded.job.job, derived)
-        }
-        AnyJob::Tangential(loaded) => {
-            let derived = derived_tangential(&loaded).map(|derived| (derived, Vec::new()));
-            show(&arguments.common, &loaded, &loaded.job.job, derived)
-        }
-        AnyJob::Gearbox(loaded) => {
-            let derived = derived_gearbox(&loaded)?;
-            show(&arguments.common, &loaded, &loaded.job.job, Ok((derived, Vec::new())))
-        }
-        AnyJob::Milling(loaded) => {
-            let derived = derived_milling(&loaded).map(|derived| (derived, Vec::new()));
-            show(&arguments.common, &loaded, &loaded.job.job, derived)
-        }
-        AnyJob::Skiving(loaded) => {
-            let derived = derived_skiving(&loaded).map(|derived| (derived, Vec::new()));
-            show(&arguments.common, &loaded, &loaded.job.job, derived)
-        }
+    let job = output::load_any_job(&arguments.job)?;
+    match &job {
+        AnyJob::Grinding(loaded) => show(&arguments.common, &job, loaded, &loaded.job.job),
+        AnyJob::Tangential(loaded) => show(&arguments.common, &job, loaded, &loaded.job.job),
+        AnyJob::Gearbox(loaded) => show(&arguments.common, &job, loaded, &loaded.job.job),
+        AnyJob::Milling(loaded) => show(&arguments.common, &job, loaded, &loaded.job.job),
+        AnyJob::Skiving(loaded) => show(&arguments.common, &job, loaded, &loaded.job.job),
     }
 }
 
 fn show<J: Serialize>(
     common: &CommonArguments,
+    job: &AnyJob,
     loaded: &Loaded<J>,
     info: &JobInfo,
-    derived: Result<(DerivedGeometry, Vec<Remark>), RunFailure>,
 ) -> Result<Exit, Failure> {
-    let (derived, warnings) = derived.map_err(|failure| Failure::of_run(loaded, failure))?;
+    let (derived, warnings) =
+        derived_geometry(job).map_err(|failure| Failure::of_job_or_file(loaded, failure))?;
     let directory = output::directory(common, loaded, info).display().to_string();
     let file = loaded.document.source().name();
     if common.json {

@@ -3,7 +3,6 @@
 mod catalogue;
 pub mod check;
 pub mod convert;
-mod derived;
 pub mod explore;
 pub mod gearbox;
 pub mod inspect;
@@ -14,6 +13,7 @@ mod outcome;
 pub mod plan;
 pub mod program;
 pub mod schema;
+pub mod serve;
 pub mod simulate;
 mod skiving;
 mod statements;

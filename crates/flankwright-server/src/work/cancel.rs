@@ -20,7 +20,11 @@ pub enum Ended<T> {
 }
 
 /// Carries a computation out under a progress that ends it once `cancelled` is set.
-pub fn run<T>(cancelled: &AtomicBool, told: &dyn Progress, work: impl FnOnce(&dyn Progress) -> T) -> Ended<T> {
+pub fn run<T>(
+    cancelled: &AtomicBool,
+    told: &dyn Progress,
+    work: impl FnOnce(&dyn Progress) -> T,
+) -> Ended<T> {
     let progress = Cancelling { cancelled, told };
     match catch_unwind(AssertUnwindSafe(|| work(&progress))) {
         Ok(value) => Ended::Done(value),

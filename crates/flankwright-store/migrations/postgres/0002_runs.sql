@@ -13,12 +13,12 @@ CREATE TABLE run (
 );
 CREATE INDEX run_by_state ON run (state, id);
 
--- The files that a run has written, in the order of `place`.
+-- Files of a run, in the order of `place`: handed in with it, or written by it.
 CREATE TABLE run_file (
-    run   BIGINT NOT NULL REFERENCES run (id) ON DELETE CASCADE,
-    place BIGINT NOT NULL,
-    name  TEXT NOT NULL,
-    bytes BYTEA NOT NULL,
-    PRIMARY KEY (run, place),
-    UNIQUE (run, name)
+    run       BIGINT NOT NULL REFERENCES run (id) ON DELETE CASCADE,
+    handed_in BOOLEAN NOT NULL,
+    name      TEXT NOT NULL,
+    place     BIGINT NOT NULL,
+    bytes     BYTEA NOT NULL,
+    PRIMARY KEY (run, handed_in, name)
 );

@@ -13,12 +13,12 @@ CREATE TABLE run (
 ) STRICT;
 CREATE INDEX run_by_state ON run (state, id);
 
--- The files that a run has written, in the order of `place`.
+-- Files of a run, in the order of `place`: handed in with it, or written by it.
 CREATE TABLE run_file (
-    run   INTEGER NOT NULL REFERENCES run (id) ON DELETE CASCADE,
-    place INTEGER NOT NULL,
-    name  TEXT NOT NULL,
-    bytes BLOB NOT NULL,
-    PRIMARY KEY (run, place),
-    UNIQUE (run, name)
+    run       INTEGER NOT NULL REFERENCES run (id) ON DELETE CASCADE,
+    handed_in INTEGER NOT NULL,
+    name      TEXT NOT NULL,
+    place     INTEGER NOT NULL,
+    bytes     BLOB NOT NULL,
+    PRIMARY KEY (run, handed_in, name)
 ) STRICT, WITHOUT ROWID;

@@ -17,6 +17,7 @@ fn new(owner: &str, name: &str) -> NewRun {
         name: name.into(),
         job: format!("[job]\nname = \"{name}\"\n"),
         created: "2026-03-14T09:30:00Z".into(),
+        files: vec![RunFile { name: "result.json".into(), bytes: b"handed in".to_vec() }],
     }
 }
 
@@ -42,11 +43,17 @@ fn a_run_goes_from_the_queue_to_its_result(place: &Place) {
     // What has ended stays as it is.
     assert!(!store.end_run(id, &end(RunState::Cancelled)).unwrap());
     let run = store.run(id).unwrap().unwrap();
-    assert_eq!((run.summary.state, run.summary.ended.as_deref()), (RunState::Done, Some("2026-03-14T09:31:00Z")));
+    assert_eq!(
+        (run.summary.state, run.summary.ended.as_deref()),
+        (RunState::Done, Some("2026-03-14T09:31:00Z"))
+    );
     assert_eq!(run.document, end(RunState::Done).document);
     let file = |name: &str, bytes| RunFileSummary { name: name.into(), bytes };
     assert_eq!(run.files, [file("result.json", 2), file("programs/work.ngc", 3)]);
     assert_eq!(store.run_file(id, "programs/work.ngc").unwrap().unwrap().bytes, [0, 159, 255]);
+    assert_eq!(run.summary.status.as_deref(), Some("met"));
+    assert_eq!(store.run_inputs(id).unwrap(), new("desk", "ring").files);
+    assert_eq!(store.run_file(id, "result.json").unwrap().unwrap().bytes, b"{}");
     assert_eq!(store.run_file(id, "../store.sqlite").unwrap(), None);
     let other = store.add_run(&new("desk", "wheel")).unwrap();
     let names: Vec<String> = store.runs(10).unwrap().into_iter().map(|run| run.name).collect();
@@ -58,8 +65,8 @@ fn a_run_goes_from_the_queue_to_its_result(place: &Place) {
 
 fn what_a_dead_server_left_is_interrupted(place: &Place) {
     let store = place.open();
-    let [queued, running, ended, elsewhere] =
-        ["a", "b", "c", "d"].map(|name| store.add_run(&new(if name == "d" { "hall" } else { "desk" }, name)).unwrap());
+    let [queued, running, ended, elsewhere] = ["a", "b", "c", "d"]
+        .map(|name| store.add_run(&new(if name == "d" { "hall" } else { "desk" }, name)).unwrap());
     assert!(store.begin_run(running).unwrap() && store.begin_run(elsewhere).unwrap());
     assert!(store.end_run(ended, &end(RunState::Failed)).unwrap());
     drop(store);

@@ -41,10 +41,9 @@ pub type LoadedMillingJob = Loaded<MillingJob>;
 pub type LoadedSkivingJob = Loaded<SkivingJob>;
 
 impl<J> Loaded<J> {
-    /// The path of a file that the job names: beside the job file unless absolute.
+    /// The path of a file that the job names ([`Source::beside`]).
     pub fn beside(&self, file: &str) -> PathBuf {
-        let job_file = Path::new(self.document.source().name());
-        job_file.parent().map_or_else(|| PathBuf::from(file), |directory| directory.join(file))
+        self.document.source().beside(file)
     }
 
     /// An error about this job found by another layer; `diagnostic.field` decides its place.

@@ -1,7 +1,7 @@
 //! The text of an input file and its name, read within a size limit. Knows no format.
 
 use std::io::{self, Read};
-use std::path::Path;
+use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
 use super::bounded::{Unread, read_bounded};
@@ -16,12 +16,37 @@ pub const MAXIMUM_BYTES: usize = 4 << 20;
 pub struct Source {
     name: Arc<str>,
     text: Arc<str>,
+    shelf: Option<Arc<Path>>,
 }
 
 impl Source {
     /// A text that is already in memory; `name` is what messages call it. A byte order mark is dropped.
     pub fn new(name: impl Into<Arc<str>>, text: &str) -> Self {
-        Self { name: name.into(), text: text.strip_prefix('\u{feff}').unwrap_or(text).into() }
+        Self { name: name.into(), text: text.strip_prefix('\u{feff}').unwrap_or(text).into(), shelf: None }
+    }
+
+    /// A text of somebody who must not name files of this machine: whatever it names is looked for in the folder `shelf` alone.
+    pub fn on_shelf(name: impl Into<Arc<str>>, text: &str, shelf: &Path) -> Self {
+        Self { shelf: Some(shelf.into()), ..Self::new(name, text) }
+    }
+
+    /// The folder to which the input is confined, if it is.
+    pub fn shelf(&self) -> Option<&Path> {
+        self.shelf.as_deref()
+    }
+
+    /// The path of a file that the input names: beside the input unless absolute. On a shelf, steps out of it lead nowhere: `/a/b` and
+    /// `../a/b` are `a/b` of the shelf.
+    pub fn beside(&self, file: &str) -> PathBuf {
+        match &self.shelf {
+            Some(shelf) => {
+                let inner = Path::new(file).components().filter(|step| matches!(step, Component::Normal(_)));
+                shelf.join(inner.collect::<PathBuf>())
+            }
+            None => Path::new(&*self.name)
+                .parent()
+                .map_or_else(|| PathBuf::from(file), |folder| folder.join(file)),
+        }
     }
 
     /// Reads a file: a regular one of at most [`MAXIMUM_BYTES`]. Pipes and devices are not opened, a larger file is not read.
@@ -129,6 +154,26 @@ impl Source {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn nothing_that_is_named_on_a_shelf_lies_outside_of_it() {
+        let confined = Source::on_shelf("job.toml", "", Path::new("/shelf"));
+        let inside = [
+            ("grid.csv", "/shelf/grid.csv"),
+            ("machines/mill.toml", "/shelf/machines/mill.toml"),
+            ("../../machines/mill.toml", "/shelf/machines/mill.toml"),
+            ("/etc/passwd", "/shelf/etc/passwd"),
+            ("a/../../b", "/shelf/a/b"),
+            ("..", "/shelf"),
+            ("", "/shelf"),
+        ];
+        for (named, found) in inside {
+            assert_eq!(confined.beside(named), Path::new(found), "{named}");
+        }
+        let free = Source::new("jobs/job.toml", "");
+        assert_eq!(free.beside("../grid.csv"), Path::new("jobs/../grid.csv"));
+        assert_eq!(free.beside("/grid.csv"), Path::new("/grid.csv"));
+    }
 
     #[test]
     fn lines_and_columns_count_characters() {

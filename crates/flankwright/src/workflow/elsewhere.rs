@@ -17,6 +17,10 @@ pub(super) fn standing_elsewhere<J: Serialize>(
     job: &J,
 ) -> Result<Value, serde_json::Error> {
     let mut document = serde_json::to_value(job)?;
+    if loaded.document.source().shelf().is_some() {
+        // Names on a shelf mean the same wherever the job goes, and tell nothing of this machine.
+        return Ok(document);
+    }
     place(&mut document, &|file| {
         let path = loaded.beside(file);
         std::path::absolute(&path).unwrap_or(path).display().to_string()

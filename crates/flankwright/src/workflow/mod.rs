@@ -4,6 +4,7 @@
 mod catalogue;
 mod control;
 mod convert;
+mod derived;
 mod dressing_study;
 mod elsewhere;
 mod equal_ratio_offers;
@@ -21,6 +22,7 @@ mod occupation;
 mod page;
 mod partition;
 mod prepare;
+mod preview;
 mod programs;
 mod referee;
 mod report_head;
@@ -31,6 +33,7 @@ pub mod skiving;
 mod strokes;
 mod tables;
 pub mod tangential;
+mod task;
 mod tip_land;
 pub mod verify;
 mod write;
@@ -42,6 +45,7 @@ pub use catalogue::{
 };
 pub use control::{ControlFlankResult, ControlResult, ErrorTrace, Trace};
 pub use convert::{GearOfRexs, gear_of_rexs, rexs_of_job};
+pub use derived::{DerivedGeometry, DerivedQuantity, DerivedSection, derived_geometry};
 pub use dressing_study::{
     AxisInfluence, CrowningCurve, CrowningPoint, CurveEnd, DeviationCurve, DeviationQuantile,
     DressingStudyOutcome, ProfileCurve, StrokeCurve, StrokeFigures, StudyCurves, WormCurve, WormPoint,
@@ -59,6 +63,7 @@ pub use line_dressing::{LineDressingResult, WrittenFlank};
 pub use occupation::occupation_chart;
 pub use partition::{Partition, StrokePlan};
 pub use prepare::{Prepared, blank_of_job, gear_of_job, prepare, setup_of_job, tolerance_of_job};
+pub use preview::{Preview, PreviewChart, PreviewFlank, preview_job};
 pub use programs::{
     AxisResult, Built, BuiltProgram, CheckedAxis, CheckedFlank, CheckedProgram, CheckedStroke, DressingWork,
     GrindingWork, PassResult, ProgramResult, ProgramTask, ProgramsResult, ProofResult, RunPrograms,
@@ -67,4 +72,5 @@ pub use programs::{
 pub use referee::{StageReport, Verdict};
 pub use result::{CandidateResult, CharacteristicsUm, FlankResult, JobResult, SettingsResult, Status};
 pub use run::{Outcome, plan_job, simulate_job};
+pub use task::{Completed, Task, carry_out};
 pub use write::{WriteError, write_outcome, write_refusal};

@@ -114,7 +114,7 @@ fn finish(
     }
     let mut warnings = prepared.warnings.clone();
     warnings.extend(execution.warnings.iter().cloned());
-    warnings.extend(tip_lands.warnings);
+    warnings.extend(tip_lands.warnings.iter().cloned());
     warnings.extend(output_warnings(&job.output, job.machine.is_some()));
     warnings.extend(programs.iter().flat_map(|programs| programs.warnings.iter().cloned()));
     let tolerance = prepared.tolerance.tightest() * 1e3;
@@ -171,8 +171,6 @@ fn finish(
         Some(reason) => Some(reason),
         None => (!by_process).then(|| missed(job, &prepared, &flanks, execution.ratio)),
     };
-    let setup = &prepared.setup;
-    let candidates = plan.iter().flat_map(|p| &p.choice.candidates);
     let result = JobResult {
         job: job.job.name.clone(),
         process: job.job.process.name().to_string(),
@@ -181,45 +179,7 @@ fn finish(
         tolerance_um: tolerance,
         reason,
         warnings,
-        settings: SettingsResult {
-            settings: execution.settings(),
-            diagonal_ratio_reason: plan.as_ref().map(|p| ratio_reason(p.choice.reason).to_string()),
-            demanded_ratios: plan
-                .as_ref()
-                .map(|p| p.choice.demanded.clone())
-                .filter(|demanded| demanded.iter().any(|(_, ratios)| !ratios.is_empty())),
-            lead_correction_ratio: plan.as_ref().map(|p| p.choice.lead_correction),
-            profile_crowning_by: plan.as_ref().map(|p| p.choice.place.name()),
-            candidates: candidates
-                .map(|c| CandidateResult {
-                    diagonal_ratio: c.ratio,
-                    profile_crowning_by: c.place.name(),
-                    score: c.score(),
-                    worm_occupation_mm: c.occupation,
-                    ideal_error_um: c.error * 1e3,
-                    refused: c.refusal.as_ref().map(ToString::to_string),
-                })
-                .collect(),
-            centre_distance_mm: setup.pair.chain.centre_distance,
-            crossed_axes_angle_deg: setup.pair.chain.crossed_axes_angle.to_degrees(),
-            feed_stroke_mm: execution.feed_range,
-            partition,
-            strokes,
-            worm_occupation_mm: execution.occupation,
-            worm_length_mm: execution.occupation[1] - execution.occupation[0],
-            worm_pitch_diameter_mm: 2.0 * setup.worm_pitch_radius,
-            worm_root_diameter_mm: 2.0 * setup.worm_root_radius,
-            largest_tip_land_mm: Some(tip_lands.largest)
-                .filter(|lands| lands.iter().any(|(_, land)| land.is_some())),
-            dressing_centre_distance_mm: execution
-                .dresser
-                .as_ref()
-                .map(|d| d.flanks.left.chain.centre_distance),
-            dressing_crossing_angle_deg: execution
-                .dresser
-                .as_ref()
-                .map(|d| d.flanks.left.chain.crossing_angle.to_degrees()),
-        },
+        settings: settings_result(&prepared, &execution, plan.as_ref(), partition, strokes, &tip_lands),
         flanks,
         gear_root,
         control,
@@ -239,6 +199,52 @@ fn finish(
         written,
         programs,
     })
+}
+
+/// The settings with how the ratio was found and what follows from the bodies.
+pub(super) fn settings_result(
+    prepared: &Prepared,
+    execution: &Execution,
+    plan: Option<&GrindingPlan>,
+    partition: Option<Partition>,
+    strokes: Option<StrokePlan>,
+    tip_lands: &TipLands,
+) -> SettingsResult {
+    let setup = &prepared.setup;
+    let candidates = plan.iter().flat_map(|p| &p.choice.candidates);
+    let dressing = execution.dresser.as_ref().map(|d| &d.flanks.left.chain);
+    SettingsResult {
+        settings: execution.settings(),
+        diagonal_ratio_reason: plan.map(|p| ratio_reason(p.choice.reason).to_string()),
+        demanded_ratios: plan
+            .map(|p| p.choice.demanded.clone())
+            .filter(|demanded| demanded.iter().any(|(_, ratios)| !ratios.is_empty())),
+        lead_correction_ratio: plan.map(|p| p.choice.lead_correction),
+        profile_crowning_by: plan.map(|p| p.choice.place.name()),
+        candidates: candidates
+            .map(|c| CandidateResult {
+                diagonal_ratio: c.ratio,
+                profile_crowning_by: c.place.name(),
+                score: c.score(),
+                worm_occupation_mm: c.occupation,
+                ideal_error_um: c.error * 1e3,
+                refused: c.refusal.as_ref().map(ToString::to_string),
+            })
+            .collect(),
+        centre_distance_mm: setup.pair.chain.centre_distance,
+        crossed_axes_angle_deg: setup.pair.chain.crossed_axes_angle.to_degrees(),
+        feed_stroke_mm: execution.feed_range,
+        partition,
+        strokes,
+        worm_occupation_mm: execution.occupation,
+        worm_length_mm: execution.occupation[1] - execution.occupation[0],
+        worm_pitch_diameter_mm: 2.0 * setup.worm_pitch_radius,
+        worm_root_diameter_mm: 2.0 * setup.worm_root_radius,
+        largest_tip_land_mm: Some(tip_lands.largest)
+            .filter(|lands| lands.iter().any(|(_, land)| land.is_some())),
+        dressing_centre_distance_mm: dressing.map(|chain| chain.centre_distance),
+        dressing_crossing_angle_deg: dressing.map(|chain| chain.crossing_angle.to_degrees()),
+    }
 }
 
 /// Largest |deviation| over the tolerance at its place.

@@ -5,7 +5,7 @@ mod check;
 mod history;
 mod import;
 mod parts;
-mod place;
+pub mod place;
 mod plans;
 mod remove;
 mod series;

@@ -34,7 +34,11 @@ impl PlaceArguments {
         self.address().and_then(|address| Store::open_existing(&address)).map_err(failed)
     }
 
-    fn address(&self) -> Result<StoreAddress, StoreError> {
+    /// Where the store is.
+    ///
+    /// # Errors
+    /// An address that is none.
+    pub fn address(&self) -> Result<StoreAddress, StoreError> {
         StoreAddress::chosen(self.store.as_deref())
     }
 

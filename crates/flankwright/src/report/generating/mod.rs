@@ -15,3 +15,5 @@ pub use data::{
     OutsideTerm, RatioCandidate, RatioChoice, Reason, RefereeStage, StrokeReport, TargetAmount, Timing,
     Verification, WrittenFile,
 };
+pub use motions::grinding_motion_chart;
+pub use topographies::{FlankPicture, flank_picture};

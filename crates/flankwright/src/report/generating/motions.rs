@@ -3,7 +3,7 @@
 use super::data::{ConvergenceRound, DressingMotion, GrindingMotion};
 use crate::geometry::{Flank, Sides};
 use crate::report::charts::{
-    ChartError, LineChart, Panel, Series, YScale, format_fixed, format_significant, line_chart,
+    ChartError, LineChart, Panel, Series, Svg, YScale, format_fixed, format_significant, line_chart,
 };
 use crate::report::{Block, Column, Figure, Table};
 
@@ -17,10 +17,11 @@ fn flank_name(side: Flank) -> &'static str {
     }
 }
 
-pub(super) fn grinding(motions: &[GrindingMotion]) -> Result<Vec<Block>, ChartError> {
-    if motions.is_empty() {
-        return Ok(Vec::new());
-    }
+/// The grinding motion over the feed, a panel for each axis.
+///
+/// # Errors
+/// [`ChartError`] for motions that are not finite or of different length, or without any motion.
+pub fn grinding_motion_chart(motions: &[GrindingMotion]) -> Result<Svg, ChartError> {
     let swivels = motions.iter().any(|m| m.delta_gamma_deg.iter().any(|&x| x != 0.0));
     let panel = |title: &str, least_span: f64, pick: fn(&GrindingMotion) -> &Vec<f64>| {
         let series =
@@ -35,11 +36,18 @@ pub(super) fn grinding(motions: &[GrindingMotion]) -> Result<Vec<Block>, ChartEr
     if swivels {
         panels.push(panel("Crossed-axes angle Δγ [°]", 1e-4, |m| &m.delta_gamma_deg));
     }
-    let svg = line_chart(&LineChart {
+    line_chart(&LineChart {
         title: "Grinding motion over the axial feed".to_owned(),
         x_title: "z_V2 [mm]".to_owned(),
         panels,
-    })?;
+    })
+}
+
+pub(super) fn grinding(motions: &[GrindingMotion]) -> Result<Vec<Block>, ChartError> {
+    if motions.is_empty() {
+        return Ok(Vec::new());
+    }
+    let svg = grinding_motion_chart(motions)?;
     let mut blocks = vec![figure(svg, "Corrections beside the rolling motion of the electronic gearbox.")];
     let tables = motions.iter().map(|motion| {
         let columns = [
@@ -141,7 +149,7 @@ pub(super) fn convergence(rounds: &[ConvergenceRound]) -> Result<Vec<Block>, Cha
     Ok(blocks)
 }
 
-fn figure(svg: crate::report::charts::Svg, caption: &str) -> Block {
+fn figure(svg: Svg, caption: &str) -> Block {
     Block::Figure(Figure { svg, caption: caption.to_owned() })
 }
 

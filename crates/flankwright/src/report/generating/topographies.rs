@@ -4,8 +4,8 @@ use super::data::FlankReport;
 use crate::geometry::{Flank, Sides};
 use crate::report::cells::flank_title;
 use crate::report::charts::{
-    ChartError, FlankSections, LevelScale, NamedTopography, ProfileHelixDiagram, SectionTrace, Topography,
-    profile_helix_diagram,
+    ChartError, ContourMap, FlankSections, LevelScale, NamedTopography, ProfileHelixDiagram, SectionTrace,
+    Svg, Topography, contour_map, profile_helix_diagram,
 };
 use crate::report::flank_pictures::{net_and_map, range_with_zero};
 use crate::report::{Block, Figure};
@@ -30,6 +30,56 @@ const INTRODUCTION: &str = "All values are normal to the flank, positive where m
      planned and simulated flank share one scale; the deviation, what comes out minus target, has its own. w is the length of \
      roll; face I lies at the least z, face II at the greatest.";
 
+/// A picture of both flanks by itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FlankPicture {
+    /// What is wanted, a contour map.
+    Target,
+    /// What the model says, a contour map on the scale of the target.
+    Planned,
+    /// What comes out minus the target, a contour map.
+    Deviation,
+    /// The profile and helix diagram.
+    Sections,
+}
+
+/// One picture as it stands in the report; `None` without anything to draw.
+///
+/// # Errors
+/// [`ChartError`] for traces that are not finite or of different length.
+pub fn flank_picture(flanks: &Flanks, picture: FlankPicture) -> Result<Option<Svg>, ChartError> {
+    let map = |name: &str, panels: Vec<NamedTopography>, scale, quantity: &str| {
+        let map = ContourMap { title: name.to_owned(), quantity: quantity.to_owned(), panels, scale };
+        if map.panels.is_empty() { Ok(None) } else { contour_map(&map).map(Some) }
+    };
+    let target = panels(flanks, |flank| Some(flank.target.clone()));
+    let planned = panels(flanks, |flank| flank.planned.clone());
+    let scale = LevelScale::covering(target.iter().chain(&planned).map(|panel| &panel.topography));
+    match picture {
+        FlankPicture::Target => map("Target", target, Some(scale), "f_n [µm]"),
+        FlankPicture::Planned => map("Planned (analytic)", planned, Some(scale), "f_n [µm]"),
+        FlankPicture::Deviation => map("Deviation from the target", deviations(flanks)?, None, "Δf_n [µm]"),
+        FlankPicture::Sections => {
+            let svg = diagram(flanks)?.into_iter().find_map(|block| match block {
+                Block::Figure(figure) => Some(figure.svg),
+                _ => None,
+            });
+            Ok(svg)
+        }
+    }
+}
+
+fn deviations(flanks: &Flanks) -> Result<Vec<NamedTopography>, ChartError> {
+    let mut deviations = Vec::new();
+    for (side, flank) in flanks.iter() {
+        let Some(flank) = flank else { continue };
+        if let Some(made) = outcome(flank) {
+            deviations.push(NamedTopography::new(flank_title(side), made.minus(&flank.target)?));
+        }
+    }
+    Ok(deviations)
+}
+
 /// Nets and maps of target, planned and simulated flank with one scale, of the deviation with its own.
 pub(super) fn figures(flanks: &Flanks) -> Result<Vec<Block>, ChartError> {
     let stages = [
@@ -47,13 +97,7 @@ pub(super) fn figures(flanks: &Flanks) -> Result<Vec<Block>, ChartError> {
     for (name, panels) in stages.iter().filter(|(_, panels)| !panels.is_empty()) {
         blocks.extend(net_and_map(name, panels, Some(range), Some(scale), "f_n [µm]")?);
     }
-    let mut deviation = Vec::new();
-    for (side, flank) in flanks.iter() {
-        let Some(flank) = flank else { continue };
-        if let Some(made) = outcome(flank) {
-            deviation.push(NamedTopography::new(flank_title(side), made.minus(&flank.target)?));
-        }
-    }
+    let deviation = deviations(flanks)?;
     if !deviation.is_empty() {
         blocks.extend(net_and_map("Deviation from the target", &deviation, None, None, "Δf_n [µm]")?);
     }

@@ -5,6 +5,7 @@ mod flank;
 mod page;
 mod plan;
 mod prepare;
+mod preview;
 mod referee;
 mod remarks;
 mod result;
@@ -16,6 +17,7 @@ mod write;
 
 pub use flank::TangentialRun;
 pub use prepare::{TangentialPrepared, WantedFlank, prepare_tangential};
+pub(super) use preview::{PreviewedPass, preview_passes};
 pub(super) use referee::{DrivenMotions, referee};
 pub use result::{
     ChoiceStep, MethodResult, PassResult, RadialFeedResult, SensitivityResult, SettingsResult,

@@ -1,102 +1,21 @@
-//! What follows from a job before anything is planned, in sections of named quantities. The one place where
-//! `check` meets the geometry of the library.
+//! Gear, worm and dresser of a grinding job, and how they stand.
 
-use std::fmt::Write;
-
-use flankwright::exchange::catalogue::LoadedCatalogue;
-use flankwright::exchange::job::Gear as JobGear;
-use flankwright::exchange::{
-    LoadedGearboxJob, LoadedJob, LoadedMillingJob, LoadedSkivingJob, LoadedTangentialJob,
-};
-use flankwright::geometry::{Blank, Flank, Gear, Span};
-use flankwright::process::generating::GrindingSetup;
-use flankwright::process::milling::Half;
-use flankwright::workflow::gearbox::coupling_of_job;
-use flankwright::workflow::milling::prepare_milling;
-use flankwright::workflow::skiving::prepare_skiving;
-use flankwright::workflow::tangential::prepare_tangential;
-use flankwright::workflow::{Remark, RunFailure, blank_of_job, gear_of_job, prepare, wanted_of_catalogue};
-use serde_json::{Map, Value};
-
-use crate::failure::Failure;
-
-/// Sections in the order of the printed text.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct DerivedGeometry {
-    sections: Vec<Section>,
-}
-
-#[derive(Clone, Debug, PartialEq)]
-struct Section {
-    title: &'static str,
-    quantities: Vec<Quantity>,
-}
-
-#[derive(Clone, Debug, PartialEq)]
-struct Quantity {
-    /// Key in JSON, with the unit.
-    key: &'static str,
-    label: &'static str,
-    value: Value,
-    unit: &'static str,
-}
-
-impl DerivedGeometry {
-    /// Begins a section; its title is its key in JSON as well, blanks as `_`.
-    fn section(&mut self, title: &'static str) {
-        self.sections.push(Section { title, quantities: Vec::new() });
-    }
-
-    /// Adds a quantity to the last section.
-    fn quantity(
-        &mut self,
-        key: &'static str,
-        label: &'static str,
-        value: impl Into<Value>,
-        unit: &'static str,
-    ) {
-        if let Some(section) = self.sections.last_mut() {
-            section.quantities.push(Quantity { key, label, value: value.into(), unit });
-        }
-    }
-
-    /// `{ section: { key: value } }`.
-    pub fn to_json(&self) -> Value {
-        let section = |section: &Section| {
-            let quantities: Map<String, Value> =
-                section.quantities.iter().map(|q| (q.key.to_owned(), q.value.clone())).collect();
-            (section.title.replace(' ', "_"), Value::Object(quantities))
-        };
-        Value::Object(self.sections.iter().map(section).collect())
-    }
-
-    /// Aligned lines, a blank line before each section.
-    pub fn to_text(&self) -> String {
-        let mut text = String::new();
-        for section in &self.sections {
-            // Writing to a text cannot fail.
-            let _ = writeln!(text, "\n{}", section.title);
-            for quantity in &section.quantities {
-                let value = match &quantity.value {
-                    Value::String(word) => word.clone(),
-                    Value::Number(number) if number.is_f64() => {
-                        format!("{:.6}", number.as_f64().unwrap_or(f64::NAN))
-                    }
-                    other => other.to_string(),
-                };
-                let _ = writeln!(text, "  {:<36} {value} {}", quantity.label, quantity.unit);
-            }
-        }
-        text
-    }
-}
+use super::DerivedGeometry;
+use crate::exchange::catalogue::LoadedCatalogue;
+use crate::exchange::job::Gear as JobGear;
+use crate::exchange::{LoadedJob, LoadedTangentialJob};
+use crate::geometry::{Blank, Flank, Gear, Span};
+use crate::process::generating::GrindingSetup;
+use crate::workflow::finding::{Remark, RunFailure};
+use crate::workflow::tangential::prepare_tangential;
+use crate::workflow::{blank_of_job, gear_of_job, prepare, wanted_of_catalogue};
 
 /// What follows from the job: base data and measures of the gear, worm, dresser and how they stand; of a catalogue how much it
 /// holds.
 ///
 /// # Errors
 /// A finding about bodies or targets that cannot exist.
-pub fn derived_geometry(
+pub(super) fn of_grinding(
     loaded: &LoadedJob,
     catalogue: Option<&LoadedCatalogue>,
 ) -> Result<(DerivedGeometry, Vec<Remark>), RunFailure> {
@@ -139,7 +58,7 @@ pub fn derived_geometry(
 ///
 /// # Errors
 /// A finding about bodies or targets that cannot exist.
-pub fn derived_tangential(loaded: &LoadedTangentialJob) -> Result<DerivedGeometry, RunFailure> {
+pub(super) fn of_tangential(loaded: &LoadedTangentialJob) -> Result<DerivedGeometry, RunFailure> {
     let ready = prepare_tangential(loaded)?;
     let model = &ready.model;
     let input = model.input();
@@ -180,110 +99,6 @@ pub fn derived_tangential(loaded: &LoadedTangentialJob) -> Result<DerivedGeometr
     derived.quantity("dressing_centre_distance_mm", "centre distance", model.chain.centre_distance, "mm");
     let crossing = model.chain.crossing_angle.to_degrees();
     derived.quantity("dressing_crossing_angle_deg", "crossing angle", crossing, "deg");
-    Ok(derived)
-}
-
-/// The same of a job of five-axis milling: what the lead curve has to cover, where the active flank lies.
-///
-/// # Errors
-/// Bodies that do not fit, column planes that do not meet the flank.
-pub fn derived_milling(loaded: &LoadedMillingJob) -> Result<DerivedGeometry, RunFailure> {
-    let bodies = prepare_milling(loaded)?;
-    let mut derived = DerivedGeometry::default();
-    derived.section("workpiece");
-    derived.quantity("spaces", "tooth spaces", bodies.spaces as u64, "");
-    derived.quantity("milled_spaces", "of these milled", bodies.milled as u64, "");
-    for flank in bodies.ranges()? {
-        derived.section(match (flank.side.half, flank.side.flank) {
-            (None, Flank::Left) => "left flank",
-            (None, Flank::Right) => "right flank",
-            (Some(Half::Upper), Flank::Left) => "left flank of the upper half",
-            (Some(Half::Upper), Flank::Right) => "right flank of the upper half",
-            (Some(Half::Lower), Flank::Left) => "left flank of the lower half",
-            (Some(Half::Lower), Flank::Right) => "right flank of the lower half",
-        });
-        let [[root, tip], [low, high], [from, to]] = [flank.heights, flank.radii, flank.lead];
-        derived.quantity("height_at_root", "height parameter at the root", root, "");
-        derived.quantity("height_at_tip", "height parameter at the tip", tip, "");
-        derived.quantity("least_radius_mm", "least radius of the active flank", low, "mm");
-        derived.quantity("greatest_radius_mm", "greatest radius of the active flank", high, "mm");
-        derived.quantity("lead_from", "lead curve from", from, "");
-        derived.quantity("lead_to", "lead curve to", to, "");
-    }
-    Ok(derived)
-}
-
-/// The same of a job of measuring a skiving tool: how tool and workpiece stand, edges, tracks.
-///
-/// # Errors
-/// Bodies that do not skive, an edge that does not make the flank, poses that the machine does not reach.
-pub fn derived_skiving(loaded: &LoadedSkivingJob) -> Result<DerivedGeometry, RunFailure> {
-    let bodies = prepare_skiving(loaded)?;
-    let (tool, motion) = (bodies.pair.tool(), bodies.pair.motion());
-    let mut derived = DerivedGeometry::default();
-    derived.section("skiving");
-    derived.quantity("centre_distance_mm", "centre distance", motion.centre_distance, "mm");
-    let crossed = motion.crossed_axes_angle.to_degrees();
-    derived.quantity("crossed_axes_angle_deg", "crossed-axes angle", crossed, "deg");
-    derived.quantity("tool_shift_mm", "tool shift", motion.tool_shift, "mm");
-    derived.quantity("ratio", "workpiece angle per tool angle", motion.ratio, "");
-    derived.section("tool");
-    derived.quantity("pitch_diameter_mm", "pitch diameter", 2.0 * tool.pitch_radius(), "mm");
-    derived.quantity("rounding_depth_mm", "depth of the rounding's centres", tool.rounding().depth(), "mm");
-    for flank in Flank::BOTH {
-        derived.section(match flank {
-            Flank::Left => "left edge",
-            Flank::Right => "right edge",
-        });
-        let [from, to] = bodies.edges[flank].flank().range();
-        derived.quantity("roll_from_mm", "length of roll from", from, "mm");
-        derived.quantity("roll_to_mm", "length of roll to", to, "mm");
-        let tracks = &bodies.flanks[flank].tracks;
-        let (track, pose) = &tracks[tracks.len() / 2];
-        derived.quantity("track_radius_mm", "radius of the middle track", track.radius(), "mm");
-        let theta = track.section.contact_angle.to_degrees();
-        derived.quantity("contact_angle_deg", "contact on the rounding", theta, "deg");
-        derived.quantity("lever_mm_per_rad", "lever", track.contact.lever, "mm/rad");
-        derived.quantity("a_deg", "swivel A of the middle track", pose.swivel.to_degrees(), "deg");
-        derived.quantity("b_deg", "turn B of the middle track", pose.turn.to_degrees(), "deg");
-    }
-    Ok(derived)
-}
-
-/// The same of a job of the electronic gearbox: scale of the feed, lead, coefficient, how many reference pulses a train has.
-///
-/// # Errors
-/// Everything that is wrong with the table of reference pulses that the job names; a coefficient beyond the rate multiplier.
-pub fn derived_gearbox(loaded: &LoadedGearboxJob) -> Result<DerivedGeometry, Failure> {
-    let job = &loaded.job;
-    let train = loaded.reference_train()?;
-    let mut derived = DerivedGeometry::default();
-    derived.section("feed");
-    derived.quantity("pitch_mm", "pitch of the scale", job.feed.pitch_mm(), "mm");
-    let greatest = 60.0 * job.feed.greatest_speed_mm_per_s();
-    derived.quantity("greatest_speed_mm_per_min", "greatest speed v_max", greatest, "mm/min");
-    let coupling = coupling_of_job(job).map_err(|failure| Failure::of_run(loaded, failure))?;
-    if let Some(lead) = coupling.lead_mm {
-        derived.section("gear");
-        derived.quantity("lead_mm", "lead", lead, "mm");
-    }
-    derived.section("coupling");
-    derived.quantity("coefficient", "coefficient b", coupling.coefficient, "");
-    if let Some((word, error)) = coupling.coefficient_word.zip(coupling.coefficient_relative_error) {
-        derived.quantity("coefficient_word", "its word B of 18 bits", word, "");
-        // A millionth has no digits among six decimals.
-        derived.quantity("coefficient_error_ppm", "relative error of B", 1e6 * error, "ppm");
-    }
-    derived.quantity(
-        "rotation_error_um_per_m",
-        "rounding of the rotation in use",
-        coupling.rotation_error_um_per_m,
-        "um per m of feed",
-    );
-    if let Some(train) = train {
-        derived.section("stimulus");
-        derived.quantity("reference_pulses", "reference pulses", train.references().len(), "");
-    }
     Ok(derived)
 }
 

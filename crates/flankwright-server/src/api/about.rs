@@ -1,0 +1,53 @@
+//! The program, its interface, its schema.
+
+use std::sync::{Arc, LazyLock};
+
+use axum::Json;
+use axum::extract::State;
+use axum::http::header::{CACHE_CONTROL, CONTENT_TYPE};
+use axum::response::{IntoResponse, Response};
+use flankwright::exchange::job::Process;
+use flankwright::exchange::job_schema;
+
+use crate::app::App;
+use crate::openapi::openapi;
+use crate::wire::{About, ProcessSummary};
+
+/// What people call a process.
+fn title(process: Process) -> &'static str {
+    match process {
+        Process::GeneratingGrinding => "Generating grinding",
+        Process::TangentialDressing => "Tangential dressing",
+        Process::FiveAxisMilling => "Five-axis milling",
+        Process::SkivingToolMeasuring => "Measuring a skiving tool",
+        Process::ElectronicGearbox => "Electronic gearbox",
+    }
+}
+
+/// Version, processes, how busy the server is.
+#[utoipa::path(get, path = "/api/about", responses((status = 200, body = About)))]
+pub async fn about(State(app): State<Arc<App>>) -> Json<About> {
+    let processes =
+        Process::ALL.map(|process| ProcessSummary { name: process.name(), title: title(process) });
+    Json(About { version: env!("CARGO_PKG_VERSION"), processes: processes.into(), queue: app.work.queue() })
+}
+
+/// This interface.
+#[utoipa::path(get, path = "/api/openapi.json", responses((status = 200, body = Object)))]
+pub async fn document() -> Response {
+    kept_json(&DOCUMENT)
+}
+
+static DOCUMENT: LazyLock<String> = LazyLock::new(|| openapi().to_json().unwrap_or_default());
+static SCHEMA: LazyLock<String> = LazyLock::new(|| job_schema().to_string());
+
+/// The JSON schema of job files.
+#[utoipa::path(get, path = "/api/schema", responses((status = 200, body = Object)))]
+pub async fn schema() -> Response {
+    kept_json(&SCHEMA)
+}
+
+fn kept_json(text: &'static LazyLock<String>) -> Response {
+    let headers = [(CONTENT_TYPE, "application/json"), (CACHE_CONTROL, "no-cache")];
+    (headers, text.as_str()).into_response()
+}

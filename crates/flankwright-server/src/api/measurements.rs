@@ -1,0 +1,114 @@
+//! Measurements that are handed in: files of measuring machines, evaluated alone, as a series, or against a job.
+
+use std::sync::Arc;
+
+use axum::Json;
+use axum::extract::State;
+use axum::extract::multipart::{Field, Multipart, MultipartRejection};
+use axum::http::StatusCode;
+use flankwright_store::RunFile;
+use serde::de::DeserializeOwned;
+
+use super::error::{Answer, Refused};
+use super::jobs::shelved;
+use super::runs::{name_of, taken};
+use crate::app::App;
+use crate::shelf::MOST_FILES;
+use crate::wire::{Failure, Finding, InspectOptions, Job, Kind, Request, RunBegun};
+use crate::work::carry::checked;
+
+/// What a request is made of; for the interface document.
+#[derive(utoipa::ToSchema)]
+#[expect(dead_code, reason = "describes the parts of a multipart body")]
+pub struct MeasurementsRequest {
+    /// The files, at least one.
+    #[schema(value_type = Vec<String>, format = Binary)]
+    file: Vec<Vec<u8>>,
+    /// A job, as JSON.
+    job: Option<String>,
+    /// Options, as JSON.
+    options: Option<String>,
+}
+
+fn wrong(field: &str, message: impl Into<String>, way_out: &str) -> Refused {
+    Refused::bad(Failure::single(Finding::new("invalid-request", message, way_out).field(field)))
+}
+
+/// Evaluates measurements.
+#[utoipa::path(post, path = "/api/measurements",
+    request_body(content = MeasurementsRequest, content_type = "multipart/form-data"),
+    responses((status = 202, body = RunBegun), (status = 422, body = Failure), (status = 429, body = Failure)))]
+pub async fn begin(
+    State(app): State<Arc<App>>,
+    parts: Result<Multipart, MultipartRejection>,
+) -> Answer<(StatusCode, Json<RunBegun>)> {
+    let mut parts = parts?;
+    let (mut files, mut job, mut options): (Vec<RunFile>, Option<Job>, Option<InspectOptions>) =
+        Default::default();
+    while let Some(part) = parts.next_field().await? {
+        match part.name() {
+            Some("file") => files.push(measured(part, &files).await?),
+            Some("job") => job = json("job", part).await?,
+            Some("options") => options = json("options", part).await?,
+            other => {
+                let message = format!("there is no part `{}`", other.unwrap_or_default());
+                return Err(wrong("part", message, "send file, job, options"));
+            }
+        }
+    }
+    if files.is_empty() {
+        return Err(wrong(
+            "file",
+            "there is no measurement",
+            "send at least one file of a measuring machine",
+        ));
+    }
+    if let Some(options) = &options {
+        checked(options).map_err(Refused::bad)?;
+    }
+    if let Some(job) = &job {
+        shelved(job)?;
+    }
+    let first = files[0].name.clone();
+    let name = if files.len() > 1 { format!("{first} and {} more", files.len() - 1) } else { first };
+    let name = name_of(None, &name);
+    taken(&app, Request { kind: Kind::Inspect, job, options }, name, files).await
+}
+
+/// A file under its bare name.
+async fn measured(part: Field<'_>, before: &[RunFile]) -> Answer<RunFile> {
+    let given = part.file_name().unwrap_or_default().to_owned();
+    let name: String = given.rsplit(['/', '\\']).next().unwrap_or_default().to_owned();
+    if name.is_empty() || name.starts_with('.') || name.len() > 120 || name.chars().any(char::is_control) {
+        return Err(wrong(
+            "file",
+            "a measurement has no usable name",
+            "give the file a name of at most 120 letters",
+        ));
+    }
+    if before.iter().any(|file| file.name == name) {
+        return Err(wrong("file", format!("there are two files `{name}`"), "rename one of them"));
+    }
+    if before.len() >= MOST_MEASUREMENTS {
+        let message = format!("more than {MOST_MEASUREMENTS} files at once");
+        return Err(wrong(
+            "file",
+            message,
+            "hand them in by portions, or use `flankwright inspect` on their folder",
+        ));
+    }
+    Ok(RunFile { name, bytes: part.bytes().await?.to_vec() })
+}
+
+/// Measurements at once.
+const MOST_MEASUREMENTS: usize = 8 * MOST_FILES;
+
+async fn json<T: DeserializeOwned>(name: &str, part: Field<'_>) -> Answer<Option<T>> {
+    let text = part.text().await?;
+    if text.trim().is_empty() {
+        return Ok(None);
+    }
+    let read = serde_json::from_str(&text);
+    read.map(Some)
+        .map_err(|error| wrong(name, format!("the part `{name}` cannot be read: {error}"), "send it as JSON"))
+}

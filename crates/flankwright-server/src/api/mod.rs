@@ -1,0 +1,14 @@
+//! Handlers: they take requests apart, ask others, and put answers together.
+
+pub mod about;
+pub mod error;
+pub mod events;
+pub mod examples;
+pub mod files;
+pub mod jobs;
+pub mod kept;
+pub mod measurements;
+pub mod programs;
+pub mod runs;
+mod take;
+mod toml_edits;

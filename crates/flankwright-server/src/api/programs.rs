@@ -1,0 +1,46 @@
+//! Programs followed on a machine.
+
+use std::io::Cursor;
+use std::sync::Arc;
+
+use axum::Json;
+use axum::extract::State;
+use flankwright::exchange::machine::read_machine;
+use flankwright::nc::detect_dialect;
+use flankwright::numerics::Silent;
+use flankwright::workflow::{CheckedProgram, check_program};
+
+use super::error::{Answer, Refused};
+use super::jobs::{shelved, short};
+use super::take::Body;
+use crate::app::App;
+use crate::wire::{Failure, Finding, Job, ProgramRequest, refused_run};
+
+/// What a program does: axes, travel, speed, time; with a job the flank that it leaves.
+#[utoipa::path(post, path = "/api/programs/check", request_body = ProgramRequest, responses((status = 200, body = Object),
+    (status = 422, body = Failure)))]
+pub async fn check(
+    State(app): State<Arc<App>>,
+    Body(request): Body<ProgramRequest>,
+) -> Answer<Json<CheckedProgram>> {
+    short(&app, move || checked(&request).map(Json)).await
+}
+
+fn checked(request: &ProgramRequest) -> Answer<CheckedProgram> {
+    let none = Job::default();
+    let job = request.job.as_ref().unwrap_or(&none);
+    // The name of the machine has its description put down beside the job's own files.
+    let named = Job { text: format!("{}\n# machines/", job.text), files: job.files.clone() };
+    let shelf = shelved(&named)?;
+    let refuse = |error| Refused::bad(Failure::of_error(&error, &shelf));
+    let machine = read_machine(&shelf.source("").beside(&request.machine)).map_err(refuse)?;
+    let loaded = request.job.as_ref().map(|job| shelf.load(&job.text)).transpose().map_err(refuse)?;
+    let dialect = detect_dialect(request.text.as_bytes()).ok_or_else(|| {
+        let message = format!("{} is no program of a known dialect", request.name);
+        let finding = Finding::new("unknown-dialect", message, "take a program of one of these");
+        Refused::bad(Failure::single(finding.field("text").allowed("linuxcnc, siemens, fanuc")))
+    })?;
+    let text = (Cursor::new(request.text.as_bytes()), request.netlist.as_deref());
+    check_program(text, dialect, &machine, loaded.as_ref(), &Silent)
+        .map_err(|failure| Refused::bad(refused_run(&failure.into(), &job.text, &shelf)))
+}

@@ -1,0 +1,168 @@
+//! Runs: begun, listed, cancelled, begun again, taken out.
+
+use std::sync::Arc;
+
+use axum::Json;
+use axum::extract::State;
+use axum::http::StatusCode;
+use flankwright::exchange::{Document, Source};
+use flankwright_store::{RunFile as StoredFile, RunRecord, RunState, RunSummary as Summary};
+use serde::Deserialize;
+use serde_json::Value;
+
+use super::error::{Answer, Refused};
+use super::take::{Body, InPath, InQuery};
+use crate::app::App;
+use crate::wire::{
+    Failure, Finding, Job, NewRunRequest, Request, Run, RunBegun, RunFile, RunStateAnswer, RunSummary,
+};
+use crate::work::NotTaken;
+
+/// Runs in a list unless more are asked for.
+const LISTED: u32 = 100;
+/// Most of them.
+const MOST_LISTED: u32 = 1000;
+
+/// How many are listed.
+#[derive(Debug, Deserialize, utoipa::IntoParams)]
+#[serde(deny_unknown_fields)]
+pub struct Most {
+    /// Runs in the list, 1 to 1000.
+    pub most: Option<u32>,
+}
+
+/// A name for a list, from a text that may be wrong otherwise.
+pub(super) fn name_of(job: Option<&Job>, other: &str) -> String {
+    let tree = job.and_then(|job| Document::parse(Source::new("job", &job.text)).ok());
+    let name =
+        tree.and_then(|tree| tree.to_value().pointer("/job/name").and_then(Value::as_str).map(str::to_owned));
+    let name = name.unwrap_or_else(|| other.to_owned());
+    name.chars().take(120).collect()
+}
+
+pub(super) async fn taken(
+    app: &App,
+    request: Request,
+    name: String,
+    inputs: Vec<StoredFile>,
+) -> Answer<(StatusCode, Json<RunBegun>)> {
+    match app.work.take(request, name, inputs).await {
+        Ok(id) => Ok((StatusCode::ACCEPTED, Json(RunBegun { id }))),
+        Err(NotTaken::Full) => Err(Refused::with(
+            StatusCode::TOO_MANY_REQUESTS,
+            "queue-full",
+            format!("{} runs wait already", app.work.queue().waiting),
+            "wait for some of them to end, or cancel them",
+        )),
+        Err(NotTaken::Store(error)) => Err(error.into()),
+    }
+}
+
+/// Begins a run.
+#[utoipa::path(post, path = "/api/runs", request_body = NewRunRequest, responses((status = 202, body = RunBegun),
+    (status = 422, body = Failure), (status = 429, body = Failure)))]
+pub async fn begin(
+    State(app): State<Arc<App>>,
+    Body(request): Body<NewRunRequest>,
+) -> Answer<(StatusCode, Json<RunBegun>)> {
+    // Names of files are looked at now, while somebody listens.
+    super::jobs::shelved(&request.job)?;
+    let name = name_of(Some(&request.job), "unnamed");
+    let request = Request { kind: request.kind, job: Some(request.job), options: None };
+    taken(&app, request, name, Vec::new()).await
+}
+
+fn listed(app: &App, mut summary: Summary) -> RunSummary {
+    let told = app.work.live(summary.id).map(|live| live.told());
+    if let Some(told) = &told {
+        summary.state = told.state;
+    }
+    let progress = told.filter(|told| told.state == RunState::Running).map(|told| told.advance);
+    RunSummary { summary, progress }
+}
+
+/// Runs, the newest first.
+#[utoipa::path(get, path = "/api/runs", params(Most), responses((status = 200, body = [RunSummary]),
+    (status = 422, body = Failure)))]
+pub async fn list(
+    State(app): State<Arc<App>>,
+    InQuery(most): InQuery<Most>,
+) -> Answer<Json<Vec<RunSummary>>> {
+    let most = most.most.unwrap_or(LISTED);
+    if !(1..=MOST_LISTED).contains(&most) {
+        let finding =
+            Finding::new("invalid-number", format!("most = {most} is outside its range"), "ask for fewer");
+        return Err(Refused::bad(Failure::single(
+            finding.field("most").allowed(format!("1 to {MOST_LISTED}")),
+        )));
+    }
+    let runs = app.store.runs(most).await?;
+    Ok(Json(runs.into_iter().map(|run| listed(&app, run)).collect()))
+}
+
+pub(super) async fn record(app: &App, id: i64) -> Answer<RunRecord> {
+    app.store.run(id).await?.ok_or_else(|| Refused::absent("run"))
+}
+
+/// A run with its result.
+#[utoipa::path(get, path = "/api/runs/{id}", params(("id" = i64, Path, description = "its number")),
+    responses((status = 200, body = Run), (status = 404, body = Failure)))]
+pub async fn one(State(app): State<Arc<App>>, InPath(id): InPath<i64>) -> Answer<Json<Run>> {
+    let record = record(&app, id).await?;
+    let measurements = app.store.run_inputs(id).await?.into_iter().map(|file| file.name).collect();
+    let request: Option<Request> = serde_json::from_str(&record.job).ok();
+    let failed = record.summary.state == RunState::Failed;
+    let (failure, document) = match record.document {
+        Some(document) if failed => (serde_json::from_value(document).ok(), None),
+        document => (None, document),
+    };
+    Ok(Json(Run {
+        summary: listed(&app, record.summary),
+        job: request.and_then(|request| request.job),
+        measurements,
+        document,
+        failure,
+        files: record.files.into_iter().map(|file| RunFile { name: file.name, bytes: file.bytes }).collect(),
+    }))
+}
+
+/// Ends a run at its next step.
+#[utoipa::path(post, path = "/api/runs/{id}/cancel", params(("id" = i64, Path, description = "its number")),
+    responses((status = 200, body = RunStateAnswer), (status = 404, body = Failure)))]
+pub async fn cancel(State(app): State<Arc<App>>, InPath(id): InPath<i64>) -> Answer<Json<RunStateAnswer>> {
+    let state = match app.work.cancel(id).await? {
+        Some(state) => state,
+        None => record(&app, id).await?.summary.state,
+    };
+    Ok(Json(RunStateAnswer { state }))
+}
+
+/// Begins a run of the same job.
+#[utoipa::path(post, path = "/api/runs/{id}/again", params(("id" = i64, Path, description = "its number")),
+    responses((status = 202, body = RunBegun), (status = 404, body = Failure), (status = 429, body = Failure)))]
+pub async fn again(
+    State(app): State<Arc<App>>,
+    InPath(id): InPath<i64>,
+) -> Answer<(StatusCode, Json<RunBegun>)> {
+    let record = record(&app, id).await?;
+    let request: Request = serde_json::from_str(&record.job)
+        .map_err(|error| Refused::bad(Failure::internal(format!("the run {id} cannot be read: {error}"))))?;
+    let inputs = app.store.run_inputs(id).await?;
+    taken(&app, request, record.summary.name, inputs).await
+}
+
+/// Takes a run out that has ended.
+#[utoipa::path(delete, path = "/api/runs/{id}", params(("id" = i64, Path, description = "its number")),
+    responses((status = 204), (status = 404, body = Failure), (status = 409, body = Failure)))]
+pub async fn remove(State(app): State<Arc<App>>, InPath(id): InPath<i64>) -> Answer<StatusCode> {
+    if app.store.remove_run(id).await? {
+        return Ok(StatusCode::NO_CONTENT);
+    }
+    let state = record(&app, id).await?.summary.state.name();
+    Err(Refused::with(
+        StatusCode::CONFLICT,
+        "run-under-way",
+        format!("the run {id} is {state}"),
+        "cancel it, and take it out when it has ended",
+    ))
+}

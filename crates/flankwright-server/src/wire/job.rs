@@ -1,0 +1,228 @@
+//! Jobs and what follows from them.
+
+use std::collections::BTreeMap;
+
+use flankwright::workflow;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+use utoipa::ToSchema;
+
+use super::Finding;
+
+/// A job as it is handed in.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Job {
+    /// Its text, TOML or JSON.
+    pub text: String,
+    /// Texts of the files that it names, by their names.
+    #[serde(default)]
+    pub files: BTreeMap<String, String>,
+}
+
+/// The program and its queue.
+#[derive(Clone, Debug, Serialize, ToSchema)]
+pub struct About {
+    /// Version of flankwright.
+    pub version: &'static str,
+    /// What can be planned.
+    pub processes: Vec<ProcessSummary>,
+    /// Runs that wait or are under way.
+    pub queue: Queue,
+}
+
+/// A process.
+#[derive(Clone, Debug, Serialize, ToSchema)]
+pub struct ProcessSummary {
+    /// Its word in a job.
+    pub name: &'static str,
+    /// Its name for people.
+    pub title: &'static str,
+}
+
+/// How busy the server is.
+#[derive(Clone, Copy, Debug, Serialize, ToSchema)]
+pub struct Queue {
+    /// Runs under way.
+    pub running: usize,
+    /// Runs that wait.
+    pub waiting: usize,
+    /// Runs that may wait.
+    pub most: usize,
+}
+
+/// An example in the list.
+#[derive(Clone, Debug, Serialize, ToSchema)]
+pub struct ExampleSummary {
+    /// By which it is asked for, e.g. `milling/blisk-blade`.
+    pub id: String,
+    /// Name of the job.
+    pub name: String,
+    /// Its process.
+    pub process: String,
+    /// What it shows.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub description: Option<String>,
+}
+
+/// An example.
+pub type ExampleAnswer = Job;
+
+/// A commented job to start from.
+#[derive(Clone, Debug, Serialize, ToSchema)]
+pub struct TemplateAnswer {
+    /// Its text.
+    pub text: &'static str,
+}
+
+/// A machine that jobs may name.
+#[derive(Clone, Debug, Serialize, ToSchema)]
+pub struct MachineSummary {
+    /// As a job names it, e.g. `machines/eight-axis.toml`.
+    pub file: String,
+    /// Its name.
+    pub name: String,
+    /// What it is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub description: Option<String>,
+}
+
+/// Something worth saying that is no error.
+#[derive(Clone, Debug, Serialize, ToSchema)]
+pub struct Remark {
+    /// Stable code.
+    pub code: &'static str,
+    /// What.
+    pub text: String,
+    /// What can be done about it.
+    pub way_out: String,
+}
+
+impl From<workflow::Remark> for Remark {
+    fn from(remark: workflow::Remark) -> Self {
+        let workflow::Remark { code, text, way_out } = remark;
+        Self { code, text, way_out }
+    }
+}
+
+/// A quantity that follows from a job.
+#[derive(Clone, Debug, Serialize, ToSchema)]
+pub struct DerivedQuantity {
+    /// Key with the unit.
+    pub key: &'static str,
+    /// Name.
+    pub label: &'static str,
+    /// Number or word.
+    #[schema(value_type = Object)]
+    pub value: Value,
+    /// Unit.
+    pub unit: &'static str,
+}
+
+/// Quantities that belong together.
+#[derive(Clone, Debug, Serialize, ToSchema)]
+pub struct DerivedSection {
+    /// Heading.
+    pub title: &'static str,
+    /// Quantities.
+    pub quantities: Vec<DerivedQuantity>,
+}
+
+/// What is known of a job before anything is planned.
+#[derive(Clone, Debug, Default, Serialize, ToSchema)]
+pub struct CheckAnswer {
+    /// Whether it can be planned, as far as that is known without planning.
+    pub valid: bool,
+    /// Its process.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub process: Option<String>,
+    /// Its name.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// What is wrong with it.
+    pub findings: Vec<Finding>,
+    /// Findings that were not kept.
+    pub omitted: usize,
+    /// Remarks.
+    pub warnings: Vec<Remark>,
+    /// The job as JSON, wherever the text can be parsed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(value_type = Object)]
+    pub tree: Option<Value>,
+    /// What follows from it.
+    pub derived: Vec<DerivedSection>,
+}
+
+/// A change of one entry.
+#[derive(Clone, Debug, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Edit {
+    /// Keys, and places in lists from 0.
+    #[schema(value_type = Vec<Object>)]
+    pub path: Vec<Value>,
+    /// The new value; null takes the entry out.
+    #[schema(value_type = Object)]
+    pub value: Value,
+}
+
+/// Changes of a text.
+#[derive(Clone, Debug, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct EditRequest {
+    /// The text of a job.
+    pub text: String,
+    /// Changes, one after the other.
+    pub edits: Vec<Edit>,
+}
+
+/// The changed text.
+#[derive(Clone, Debug, Serialize, ToSchema)]
+pub struct EditAnswer {
+    /// The text, with the comments and the order that it had.
+    pub text: String,
+    /// The job as JSON.
+    #[schema(value_type = Object)]
+    pub tree: Value,
+}
+
+/// A plan without its referee is wanted.
+#[derive(Clone, Debug, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PreviewRequest {
+    /// The job.
+    pub job: Job,
+    /// Charts: `target`, `planned`, `deviation`, `sections`, `motions`.
+    #[serde(default)]
+    pub charts: Vec<String>,
+}
+
+/// A plan without its referee.
+#[derive(Clone, Debug, Serialize, ToSchema)]
+pub struct PreviewAnswer {
+    /// The plan.
+    #[serde(flatten)]
+    #[schema(value_type = Object)]
+    pub preview: workflow::Preview,
+    /// Charts by name, SVG.
+    pub charts: BTreeMap<String, String>,
+    /// How long it took.
+    pub milliseconds: f64,
+}
+
+/// A program to be followed on a machine.
+#[derive(Clone, Debug, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ProgramRequest {
+    /// Its text.
+    pub text: String,
+    /// Its name.
+    pub name: String,
+    /// A machine of the program, e.g. `machines/eight-axis.toml`, or the name of a file of the job.
+    pub machine: String,
+    /// The job whose bodies it moves.
+    #[serde(default)]
+    pub job: Option<Job>,
+    /// The HAL netlist of a LinuxCNC program whose gears are in one.
+    #[serde(default)]
+    pub netlist: Option<String>,
+}

@@ -1,0 +1,15 @@
+//! What goes over the wire, as the interface document describes it. Knows how to tell a finding, and nothing of how it came about.
+
+mod failure;
+mod job;
+mod run;
+
+pub use failure::{Failure, Finding, refused_run};
+pub use job::{
+    About, CheckAnswer, DerivedQuantity, DerivedSection, Edit, EditAnswer, EditRequest, ExampleAnswer,
+    ExampleSummary, Job, MachineSummary, PreviewAnswer, PreviewRequest, ProcessSummary, ProgramRequest,
+    Queue, Remark, TemplateAnswer,
+};
+pub use run::{
+    Advance, InspectOptions, Kind, NewRunRequest, Request, Run, RunBegun, RunFile, RunStateAnswer, RunSummary,
+};
