@@ -116,6 +116,8 @@ pub fn router(app: Arc<App>, gate: Arc<Gate>) -> Router {
         .route("/runs/{id}/cancel", post(api::runs::cancel))
         .route("/runs/{id}/again", post(api::runs::again))
         .route("/runs/{id}/events", get(api::events::events))
+        .route("/runs/{id}/charts/{name}", get(api::charts::chart))
+        .route("/runs/{id}/scene", get(api::files::scene))
         .route("/runs/{id}/archive", get(api::files::archive))
         .route("/runs/{id}/files/{*name}", get(api::files::file))
         .route(

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use axum::extract::{Request, State};
 use axum::http::header::{AUTHORIZATION, COOKIE, HOST, LOCATION, ORIGIN, SET_COOKIE};
-use axum::http::{HeaderMap, Method, StatusCode};
+use axum::http::{HeaderMap, HeaderName, HeaderValue, Method, StatusCode};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
 use subtle::ConstantTimeEq;
@@ -19,52 +19,68 @@ const COOKIE_NAME: &str = "flankwright";
 pub struct Gate {
     /// Names and ports under which the server may be addressed, in small letters.
     hosts: Vec<String>,
+    /// The port, where the server listens at all addresses of the machine: any of them may be meant.
+    any_address: Option<u16>,
     token: Option<String>,
 }
 
 impl Gate {
-    /// For a server that listens at `address`, under further names, with a token or, on the loopback, without.
+    /// For a server that listens at `address`, under further names (with a port where it is not the server's own, as behind a proxy),
+    /// with a token or, on the loopback, without.
     pub fn new(address: SocketAddr, names: &[String], token: Option<String>) -> Arc<Self> {
         let port = address.port();
         let mut hosts = vec![address.to_string(), format!("localhost:{port}")];
         if address.ip().is_loopback() {
             hosts.extend([format!("127.0.0.1:{port}"), format!("[::1]:{port}")]);
         }
-        hosts.extend(names.iter().map(|name| format!("{}:{port}", name.to_lowercase())));
+        hosts.extend(names.iter().map(|name| name.to_lowercase()).map(|name| match name.rsplit_once(':') {
+            Some((_, own)) if own.parse::<u16>().is_ok() => name,
+            _ => format!("{name}:{port}"),
+        }));
         // A browser leaves the port of the scheme out.
-        if port == 80 {
-            let bare: Vec<String> =
-                hosts.iter().filter_map(|host| Some(host.strip_suffix(":80")?.to_owned())).collect();
-            hosts.extend(bare);
-        }
-        Arc::new(Self { hosts, token })
+        let bare: Vec<String> = hosts
+            .iter()
+            .filter_map(|host| host.strip_suffix(":80").or(host.strip_suffix(":443")))
+            .map(str::to_owned)
+            .collect();
+        hosts.extend(bare);
+        Arc::new(Self { hosts, any_address: address.ip().is_unspecified().then_some(port), token })
     }
 
+    /// Whether a request may be meant for this server. An address in figures was not looked up, so that nobody has bent it.
     fn is_own(&self, host: &str) -> bool {
-        self.hosts.iter().any(|own| own.eq_ignore_ascii_case(host))
+        let listed = self.hosts.iter().any(|own| own.eq_ignore_ascii_case(host));
+        let figures = || host.parse::<SocketAddr>().is_ok_and(|of| Some(of.port()) == self.any_address);
+        listed || figures()
     }
 
     /// Why a request is not answered.
     fn refusal(&self, method: &Method, headers: &HeaderMap) -> Option<(StatusCode, &'static str)> {
-        let text = |name| headers.get(name).and_then(|value: &axum::http::HeaderValue| value.to_str().ok());
+        let text = |name: HeaderName| headers.get(name).and_then(|value: &HeaderValue| value.to_str().ok());
         let Some(host) = text(HOST) else {
             return Some((StatusCode::BAD_REQUEST, "the request names no host"));
         };
         if !self.is_own(host) {
             return Some((
                 StatusCode::MISDIRECTED_REQUEST,
-                "the server is not known under this name; see `--host`",
+                "the server is not known under this name: start it with --name",
             ));
         }
-        if let Some(origin) = headers.get(ORIGIN) {
-            let own = origin.to_str().ok().and_then(|origin| origin.strip_prefix("http://"));
-            if !own.is_some_and(|origin| self.is_own(origin)) {
-                return Some((StatusCode::FORBIDDEN, "the request comes from a page of another origin"));
+        let other = Some((StatusCode::FORBIDDEN, "the request comes from a page of another origin"));
+        match headers.get(ORIGIN) {
+            Some(origin) => {
+                let origin = origin.to_str().unwrap_or_default();
+                let authority = origin.strip_prefix("http://").or_else(|| origin.strip_prefix("https://"));
+                if authority.is_none_or(|authority| !authority.eq_ignore_ascii_case(host)) {
+                    return other;
+                }
             }
-        } else if !method.is_safe()
-            && text("sec-fetch-site".parse().ok()?).is_some_and(|site| site != "same-origin")
-        {
-            return Some((StatusCode::FORBIDDEN, "the request comes from a page of another origin"));
+            None => {
+                let site = text(HeaderName::from_static("sec-fetch-site"));
+                if !method.is_safe() && site.is_some_and(|site| site != "same-origin") {
+                    return other;
+                }
+            }
         }
         None
     }
@@ -77,7 +93,7 @@ impl Gate {
         if self.token.is_none() {
             return true;
         }
-        let text = |name| headers.get(name).and_then(|value: &axum::http::HeaderValue| value.to_str().ok());
+        let text = |name| headers.get(name).and_then(|value: &HeaderValue| value.to_str().ok());
         let bearer = text(AUTHORIZATION).and_then(|value| value.strip_prefix("Bearer "));
         let cookies = headers.get_all(COOKIE).iter().filter_map(|value| value.to_str().ok());
         let mut kept = cookies

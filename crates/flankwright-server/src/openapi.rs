@@ -1,11 +1,15 @@
 //! The document that describes the interface.
 
-use utoipa::OpenApi;
+use utoipa::openapi::{ContentBuilder, Ref, ResponseBuilder};
+use utoipa::{Modify, OpenApi};
 
 use crate::api;
+use crate::wire::Failure;
 
 #[derive(OpenApi)]
 #[openapi(
+    modifiers(&Refusals),
+    components(schemas(Failure)),
     info(title = "flankwright", description = "Plans, simulates and proves the manufacture of gear teeth."),
     paths(
         api::about::about,
@@ -25,7 +29,9 @@ use crate::api;
         api::runs::cancel,
         api::runs::again,
         api::events::events,
+        api::charts::chart,
         api::files::archive,
+        api::files::scene,
         api::files::file,
         api::measurements::begin,
         api::programs::check,
@@ -39,6 +45,25 @@ use crate::api;
     )
 )]
 struct Interface;
+
+/// Every request may be refused, always in the same words.
+struct Refusals;
+
+impl Modify for Refusals {
+    fn modify(&self, document: &mut utoipa::openapi::OpenApi) {
+        let content = ContentBuilder::new().schema(Some(Ref::from_schema_name("Failure"))).build();
+        let refused = ResponseBuilder::new()
+            .description("The request is refused.")
+            .content("application/json", content)
+            .build();
+        for path in document.paths.paths.values_mut() {
+            let methods = [&mut path.get, &mut path.post, &mut path.delete];
+            for operation in methods.into_iter().flatten() {
+                operation.responses.responses.insert("default".into(), refused.clone().into());
+            }
+        }
+    }
+}
 
 /// The OpenAPI document of the interface.
 pub fn openapi() -> utoipa::openapi::OpenApi {

@@ -177,7 +177,7 @@ impl Store {
             return Ok(None);
         };
         let files: Result<Vec<(String, i64)>, _> = on_pool!(&self.pool, pool => {
-            sqlx::query_as("SELECT name, length(bytes) FROM run_file WHERE run = $1 AND handed_in = $2 ORDER BY place")
+            sqlx::query_as("SELECT name, CAST(length(bytes) AS BIGINT) FROM run_file WHERE run = $1 AND handed_in = $2 ORDER BY place")
                 .bind(id)
                 .bind(false)
                 .fetch_all(pool)

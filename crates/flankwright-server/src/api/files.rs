@@ -4,7 +4,7 @@ use std::io::{Cursor, Write};
 use std::sync::Arc;
 
 use axum::extract::State;
-use axum::http::header::{CONTENT_DISPOSITION, CONTENT_SECURITY_POLICY, CONTENT_TYPE};
+use axum::http::header::{CONTENT_DISPOSITION, CONTENT_ENCODING, CONTENT_SECURITY_POLICY, CONTENT_TYPE};
 use axum::response::{IntoResponse, Response};
 use serde::Deserialize;
 use zip::write::SimpleFileOptions;
@@ -17,9 +17,11 @@ use crate::app::App;
 use crate::assets::media_type;
 use crate::headers::REPORT;
 use crate::wire::Failure;
+use crate::work::SCENE;
 
 /// How a file is wanted.
 #[derive(Debug, Deserialize, utoipa::IntoParams)]
+#[into_params(parameter_in = Query)]
 #[serde(deny_unknown_fields)]
 pub struct Wanted {
     /// To be saved, not shown.
@@ -59,13 +61,23 @@ pub async fn file(
     Ok(response)
 }
 
+/// Bodies and motions of a run for a view in space.
+#[utoipa::path(get, path = "/api/runs/{id}/scene", params(("id" = i64, Path, description = "number of the run")),
+    responses((status = 200, body = Object), (status = 404, body = Failure)))]
+pub async fn scene(State(app): State<Arc<App>>, InPath(id): InPath<i64>) -> Answer<Response> {
+    let file = app.store.run_file(id, SCENE).await?.ok_or_else(|| Refused::absent("scene"))?;
+    // Kept as it goes over the wire.
+    let headers = [(CONTENT_TYPE, "application/json"), (CONTENT_ENCODING, "gzip")];
+    Ok((headers, file.bytes).into_response())
+}
+
 /// All files of a result as ZIP.
 #[utoipa::path(get, path = "/api/runs/{id}/archive", params(("id" = i64, Path, description = "number of the run")),
     responses((status = 200, content_type = "application/zip"), (status = 404, body = Failure)))]
 pub async fn archive(State(app): State<Arc<App>>, InPath(id): InPath<i64>) -> Answer<Response> {
     let run = record(&app, id).await?;
     let mut files = Vec::with_capacity(run.files.len());
-    for file in &run.files {
+    for file in run.files.iter().filter(|file| file.name != SCENE) {
         files.extend(app.store.run_file(id, &file.name).await?);
     }
     if files.is_empty() {

@@ -20,6 +20,7 @@ use crate::wire::{Failure, Finding};
 
 /// Which parts.
 #[derive(Debug, Default, Deserialize, utoipa::IntoParams)]
+#[into_params(parameter_in = Query)]
 #[serde(deny_unknown_fields, default)]
 pub struct Parts {
     /// Of this series.
@@ -32,6 +33,7 @@ pub struct Parts {
 
 /// Which values.
 #[derive(Debug, Default, Deserialize, utoipa::IntoParams)]
+#[into_params(parameter_in = Query)]
 #[serde(deny_unknown_fields, default)]
 pub struct Values {
     /// Of this series.

@@ -1,6 +1,7 @@
 //! Handlers: they take requests apart, ask others, and put answers together.
 
 pub mod about;
+pub mod charts;
 pub mod error;
 pub mod events;
 pub mod examples;

@@ -16,7 +16,7 @@ use crate::app::App;
 use crate::wire::{
     Failure, Finding, Job, NewRunRequest, Request, Run, RunBegun, RunFile, RunStateAnswer, RunSummary,
 };
-use crate::work::NotTaken;
+use crate::work::{NotTaken, SCENE};
 
 /// Runs in a list unless more are asked for.
 const LISTED: u32 = 100;
@@ -25,9 +25,11 @@ const MOST_LISTED: u32 = 1000;
 
 /// How many are listed.
 #[derive(Debug, Deserialize, utoipa::IntoParams)]
+#[into_params(parameter_in = Query)]
 #[serde(deny_unknown_fields)]
 pub struct Most {
     /// Runs in the list, 1 to 1000.
+    #[param(minimum = 1, maximum = 1000)]
     pub most: Option<u32>,
 }
 
@@ -111,6 +113,8 @@ pub async fn one(State(app): State<Arc<App>>, InPath(id): InPath<i64>) -> Answer
     let record = record(&app, id).await?;
     let measurements = app.store.run_inputs(id).await?.into_iter().map(|file| file.name).collect();
     let request: Option<Request> = serde_json::from_str(&record.job).ok();
+    let page = super::charts::page(&app, id).await?.unwrap_or_default();
+    let charts = super::charts::charts(&page).into_iter().map(|(chart, _)| chart).collect();
     let failed = record.summary.state == RunState::Failed;
     let (failure, document) = match record.document {
         Some(document) if failed => (serde_json::from_value(document).ok(), None),
@@ -122,7 +126,14 @@ pub async fn one(State(app): State<Arc<App>>, InPath(id): InPath<i64>) -> Answer
         measurements,
         document,
         failure,
-        files: record.files.into_iter().map(|file| RunFile { name: file.name, bytes: file.bytes }).collect(),
+        scene: record.files.iter().any(|file| file.name == SCENE),
+        files: record
+            .files
+            .into_iter()
+            .filter(|file| file.name != SCENE)
+            .map(|file| RunFile { name: file.name, bytes: file.bytes })
+            .collect(),
+        charts,
     }))
 }
 

@@ -3,7 +3,7 @@
 use serde_json::Value as Json;
 use toml_edit::{Array, DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
-use crate::wire::Edit;
+use crate::wire::{Edit, Step};
 
 /// Why an entry cannot be set.
 #[derive(Debug, PartialEq)]
@@ -14,31 +14,13 @@ pub struct Unedited {
     pub why: String,
 }
 
-/// A step of a path.
-#[derive(Clone, Debug, PartialEq)]
-enum Step<'a> {
-    Key(&'a str),
-    Place(usize),
-}
-
-fn steps(path: &[Json]) -> Option<Vec<Step<'_>>> {
-    path.iter().map(step_of).collect()
-}
-
-fn step_of(step: &Json) -> Option<Step<'_>> {
-    match step {
-        Json::String(key) => Some(Step::Key(key)),
-        place => usize::try_from(place.as_u64()?).ok().map(Step::Place),
-    }
-}
-
-fn written(path: &[Json]) -> String {
+fn written(path: &[Step]) -> String {
     let mut text = String::new();
     for step in path {
         match step {
-            Json::String(key) if text.is_empty() => text += key,
-            Json::String(key) => text += &format!(".{key}"),
-            place => text += &format!("[{place}]"),
+            Step::Key(key) if text.is_empty() => text += key,
+            Step::Key(key) => text += &format!(".{key}"),
+            Step::Place(place) => text += &format!("[{place}]"),
         }
     }
     text
@@ -55,8 +37,7 @@ pub fn edited(text: &str, edits: &[Edit]) -> Result<String, Unedited> {
             serde_json::from_str(text).map_err(|error| whole(format!("the text is no JSON: {error}")))?;
         for edit in edits {
             let failed = |why: &str| Unedited { path: written(&edit.path), why: why.to_owned() };
-            let steps = steps(&edit.path).filter(|steps| !steps.is_empty()).ok_or_else(|| failed(NO_PATH))?;
-            in_json(&mut tree, &steps, &edit.value).map_err(failed)?;
+            in_json(&mut tree, &edit.path, &edit.value).map_err(failed)?;
         }
         return serde_json::to_string_pretty(&tree)
             .map(|text| text + "\n")
@@ -66,8 +47,7 @@ pub fn edited(text: &str, edits: &[Edit]) -> Result<String, Unedited> {
         text.parse().map_err(|error| whole(format!("the text is no TOML: {error}")))?;
     for edit in edits {
         let failed = |why: &str| Unedited { path: written(&edit.path), why: why.to_owned() };
-        let steps = steps(&edit.path).filter(|steps| !steps.is_empty()).ok_or_else(|| failed(NO_PATH))?;
-        in_item(document.as_item_mut(), &steps, &edit.value, 0).map_err(failed)?;
+        in_item(document.as_item_mut(), &edit.path, &edit.value, 0).map_err(failed)?;
     }
     Ok(document.to_string())
 }
@@ -78,19 +58,19 @@ const NO_LIST: &str = "there is no list at this place";
 const BEYOND: &str = "the list is shorter";
 const NO_VALUE: &str = "TOML has no such value: null, or a number beyond 64 bits";
 
-fn in_json(tree: &mut Json, steps: &[Step<'_>], value: &Json) -> Result<(), &'static str> {
+fn in_json(tree: &mut Json, steps: &[Step], value: &Json) -> Result<(), &'static str> {
     let (first, rest) = steps.split_first().ok_or(NO_PATH)?;
     match (first, tree) {
         (Step::Key(key), Json::Object(keys)) if rest.is_empty() => {
             if value.is_null() {
-                keys.remove(*key);
+                keys.remove(key);
             } else {
-                keys.insert((*key).to_owned(), value.clone());
+                keys.insert(key.clone(), value.clone());
             }
             Ok(())
         }
         (Step::Key(key), Json::Object(keys)) => {
-            in_json(keys.entry(*key).or_insert_with(|| Json::Object(Default::default())), rest, value)
+            in_json(keys.entry(key).or_insert_with(|| Json::Object(Default::default())), rest, value)
         }
         (Step::Key(_), _) => Err(NO_TABLE),
         (Step::Place(place), Json::Array(items)) if rest.is_empty() => match place.cmp(&items.len()) {
@@ -116,7 +96,7 @@ fn in_json(tree: &mut Json, steps: &[Step<'_>], value: &Json) -> Result<(), &'st
 }
 
 /// `depth`: how many keys lead to `item`; below the first level new tables stand in a line.
-fn in_item(item: &mut Item, steps: &[Step<'_>], value: &Json, depth: usize) -> Result<(), &'static str> {
+fn in_item(item: &mut Item, steps: &[Step], value: &Json, depth: usize) -> Result<(), &'static str> {
     let (first, rest) = steps.split_first().ok_or(NO_PATH)?;
     match first {
         Step::Key(key) => {
@@ -172,7 +152,7 @@ fn in_item(item: &mut Item, steps: &[Step<'_>], value: &Json, depth: usize) -> R
 }
 
 /// Inside of a table that is no item by itself.
-fn in_like(table: &mut dyn TableLike, steps: &[Step<'_>], value: &Json) -> Result<(), &'static str> {
+fn in_like(table: &mut dyn TableLike, steps: &[Step], value: &Json) -> Result<(), &'static str> {
     let (Some(Step::Key(key)), rest) = (steps.first(), steps.get(1..).unwrap_or_default()) else {
         return Err(NO_TABLE);
     };
@@ -204,7 +184,7 @@ fn in_table(table: &mut dyn TableLike, key: &str, value: &Json) -> Result<(), &'
     Ok(())
 }
 
-fn in_list(items: &mut Array, place: usize, rest: &[Step<'_>], value: &Json) -> Result<(), &'static str> {
+fn in_list(items: &mut Array, place: usize, rest: &[Step], value: &Json) -> Result<(), &'static str> {
     if !rest.is_empty() {
         let Some(inner) = items.get_mut(place) else { return Err(BEYOND) };
         return match inner {
@@ -230,25 +210,38 @@ fn in_list(items: &mut Array, place: usize, rest: &[Step<'_>], value: &Json) -> 
             Ok(())
         }
         std::cmp::Ordering::Equal if !value.is_null() => {
-            let mut new = toml(value).ok_or(NO_VALUE)?;
-            // As its neighbour stands: in a line of its own, or in the same.
-            let before = items.iter().last().map(|last| last.decor().clone());
-            let same_line = before
-                .as_ref()
-                .and_then(|decor| decor.prefix())
-                .and_then(|prefix| prefix.as_str())
-                .is_none_or(str::is_empty);
-            match before {
-                Some(decor) if !same_line => {
-                    *new.decor_mut() = decor;
-                    items.push_formatted(new);
-                }
-                _ => items.push(new),
-            }
+            push(items, toml(value).ok_or(NO_VALUE)?);
             Ok(())
         }
         _ => Err(BEYOND),
     }
+}
+
+/// Adds a value as its neighbour stands: in a line of its own, or in the same. A comment behind the neighbour stays there.
+fn push(items: &mut Array, mut new: Value) {
+    fn text(raw: Option<&toml_edit::RawString>) -> String {
+        raw.and_then(toml_edit::RawString::as_str).unwrap_or_default().to_owned()
+    }
+    let before = items.iter().last().map(|last| text(last.decor().prefix()));
+    let Some(line) = before.filter(|before| before.contains('\n')) else {
+        items.push(new);
+        return;
+    };
+    let indent = &line[line.rfind('\n').unwrap_or_default()..];
+    // What stood between the neighbour and the end of the list.
+    let mut behind = text(items.iter().last().and_then(|last| last.decor().suffix()));
+    behind += items.trailing().as_str().unwrap_or_default();
+    let comment = behind.trim_end();
+    let comment = if comment.contains('#') { comment } else { "" };
+    new.decor_mut().set_prefix(format!("{comment}{indent}"));
+    new.decor_mut().set_suffix("");
+    let place = items.len();
+    if let Some(last) = place.checked_sub(1).and_then(|last| items.get_mut(last)) {
+        last.decor_mut().set_suffix("");
+    }
+    items.push_formatted(new);
+    items.set_trailing_comma(true);
+    items.set_trailing("\n");
 }
 
 /// A value of TOML.
@@ -278,8 +271,7 @@ mod tests {
     use serde_json::json;
 
     fn with(text: &str, path: Json, value: Json) -> Result<String, Unedited> {
-        let Json::Array(path) = path else { panic!("a path") };
-        edited(text, &[Edit { path, value }])
+        edited(text, &[Edit { path: serde_json::from_value(path).unwrap(), value }])
     }
 
     const JOB: &str = "# a job\n[gear]\nteeth = 31 # prime\nhelix_angle_deg = 20\n\n[target]\nmodifications = [\n  { kind = \"helix_crowning\", amount_um = 20 }, # wanted\n]\n";
@@ -305,12 +297,19 @@ mod tests {
 
     #[test]
     fn lists_grow_and_shrink() {
-        let new = json!({ "kind": "profile_crowning", "amount_um": 5 });
-        let grown = with(JOB, json!(["target", "modifications", 1]), new).unwrap();
-        assert!(grown.contains("\n  { kind = \"profile_crowning\", amount_um = 5 }"), "{grown}");
-        assert!(grown.parse::<DocumentMut>().is_ok(), "{grown}");
+        let new = || json!({ "kind": "profile_crowning", "amount_um": 5 });
+        let added = "  { amount_um = 5, kind = \"profile_crowning\" },\n";
+        let grown = with(JOB, json!(["target", "modifications", 1]), new()).unwrap();
+        assert_eq!(grown, JOB.replace("# wanted\n", &format!("# wanted\n{added}")));
         let shrunk = with(&grown, json!(["target", "modifications", 0]), json!(null)).unwrap();
         assert!(!shrunk.contains("helix_crowning") && shrunk.parse::<DocumentMut>().is_ok(), "{shrunk}");
+        // Without a comma behind the last one, and all in one line.
+        let bare = JOB.replace("}, # wanted", "} # wanted");
+        let grown = with(&bare, json!(["target", "modifications", 1]), new()).unwrap();
+        assert_eq!(grown, JOB.replace("# wanted\n", &format!("# wanted\n{added}")));
+        let line = "a = [1, 2] # two\n";
+        assert_eq!(with(line, json!(["a", 2]), json!(3)).unwrap(), "a = [1, 2, 3] # two\n");
+        assert_eq!(with("a = []\n", json!(["a", 0]), json!(3)).unwrap(), "a = [3]\n");
     }
 
     #[test]

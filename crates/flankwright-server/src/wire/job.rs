@@ -113,7 +113,6 @@ pub struct DerivedQuantity {
     /// Name.
     pub label: &'static str,
     /// Number or word.
-    #[schema(value_type = Object)]
     pub value: Value,
     /// Unit.
     pub unit: &'static str,
@@ -147,10 +146,19 @@ pub struct CheckAnswer {
     pub warnings: Vec<Remark>,
     /// The job as JSON, wherever the text can be parsed.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schema(value_type = Object)]
     pub tree: Option<Value>,
     /// What follows from it.
     pub derived: Vec<DerivedSection>,
+}
+
+/// A step on the way to an entry.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize, ToSchema)]
+#[serde(untagged)]
+pub enum Step {
+    /// Key of a table.
+    Key(String),
+    /// Place in a list, from 0.
+    Place(usize),
 }
 
 /// A change of one entry.
@@ -158,10 +166,9 @@ pub struct CheckAnswer {
 #[serde(deny_unknown_fields)]
 pub struct Edit {
     /// Keys, and places in lists from 0.
-    #[schema(value_type = Vec<Object>)]
-    pub path: Vec<Value>,
+    #[schema(min_items = 1)]
+    pub path: Vec<Step>,
     /// The new value; null takes the entry out.
-    #[schema(value_type = Object)]
     pub value: Value,
 }
 
@@ -181,7 +188,6 @@ pub struct EditAnswer {
     /// The text, with the comments and the order that it had.
     pub text: String,
     /// The job as JSON.
-    #[schema(value_type = Object)]
     pub tree: Value,
 }
 

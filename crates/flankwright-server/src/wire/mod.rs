@@ -8,8 +8,9 @@ pub use failure::{Failure, Finding, refused_run};
 pub use job::{
     About, CheckAnswer, DerivedQuantity, DerivedSection, Edit, EditAnswer, EditRequest, ExampleAnswer,
     ExampleSummary, Job, MachineSummary, PreviewAnswer, PreviewRequest, ProcessSummary, ProgramRequest,
-    Queue, Remark, TemplateAnswer,
+    Queue, Remark, Step, TemplateAnswer,
 };
 pub use run::{
-    Advance, InspectOptions, Kind, NewRunRequest, Request, Run, RunBegun, RunFile, RunStateAnswer, RunSummary,
+    Advance, Chart, InspectOptions, Kind, NewRunRequest, Request, Run, RunBegun, RunFile, RunStateAnswer,
+    RunSummary,
 };

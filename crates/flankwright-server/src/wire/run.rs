@@ -180,6 +180,17 @@ pub struct RunFile {
     pub bytes: u64,
 }
 
+/// A chart of a result.
+#[derive(Clone, Debug, PartialEq, Serialize, ToSchema)]
+pub struct Chart {
+    /// By which it is asked for.
+    pub name: String,
+    /// What it shows.
+    pub title: String,
+    /// The section of the report in which it stands.
+    pub section: String,
+}
+
 /// A run.
 #[derive(Clone, Debug, Serialize, ToSchema)]
 pub struct Run {
@@ -193,11 +204,14 @@ pub struct Run {
     pub measurements: Vec<String>,
     /// The document of the result.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[schema(value_type = Object)]
     pub document: Option<Value>,
     /// Why there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub failure: Option<Failure>,
     /// Files of the result.
     pub files: Vec<RunFile>,
+    /// Charts of the result.
+    pub charts: Vec<Chart>,
+    /// Whether its bodies can be seen in space.
+    pub scene: bool,
 }

@@ -7,7 +7,7 @@ use std::path::Path;
 use flankwright::exchange::AnyJob;
 use flankwright::numerics::Progress;
 use flankwright::workflow::inspection::series::{
-    SeriesOptions, inspect_series, measured_parts_in, write_inspection_series,
+    PartsOfFolder, SeriesOptions, inspect_series, measured_parts_in, write_inspection_series,
 };
 use flankwright::workflow::inspection::{
     SheetOptions, Statements, inspect_for_job, inspect_gear, write_gear_inspection,
@@ -20,7 +20,7 @@ use serde_json::Value;
 use super::cancel::{self, Ended};
 use super::{Task, ended, now};
 use crate::shelf::Shelf;
-use crate::wire::{Failure, Finding, InspectOptions, Request, refused_run};
+use crate::wire::{Failure, Finding, InspectOptions, Job, Request, refused_run};
 use crate::work::keep::keep;
 
 /// Where measurements lie on the shelf.
@@ -36,7 +36,7 @@ pub(super) fn carry(task: &Task, place: &StoreAddress) -> RunEnd {
         done(&task.request, !task.inputs.is_empty(), &shelf, place, progress)
     });
     match done {
-        Ended::Done(Ok(document)) => match results(&shelf) {
+        Ended::Done(Ok(document)) => match results(&shelf, task.request.job.as_ref()) {
             Ok(files) => {
                 RunEnd { state: RunState::Done, ended: now(), document: Some(told(document, &shelf)), files }
             }
@@ -149,7 +149,12 @@ fn measurement(
         write_skiving(&loaded.job, &outcome, &results).map_err(Unmeasured::Unwritten)?;
         return document(&outcome.result);
     }
-    let found = measured_parts_in(&folder)?;
+    // With a job a table of traces will do, which by itself tells of no gear.
+    let alone = job.is_some().then(|| only_file(&folder)).flatten();
+    let found = match alone {
+        Some(file) => PartsOfFolder { parts: vec![file], left_out: Vec::new() },
+        None => measured_parts_in(&folder)?,
+    };
     let found = match (job, found.parts.as_slice()) {
         (None, [one]) => inspect_gear(one, statements)?,
         (Some(AnyJob::Grinding(loaded)), [one]) => inspect_for_job(loaded, one, statements, progress)?,
@@ -196,13 +201,22 @@ fn only_file(folder: &Path) -> Option<std::path::PathBuf> {
     files.next().is_none().then_some(first)
 }
 
-/// The results without the place of the shelf.
-fn results(shelf: &Shelf) -> std::io::Result<Vec<RunFile>> {
+/// The results without the place of the shelf. Files of the job that the run has added to, such as the history of a tool, are among them.
+fn results(shelf: &Shelf, job: Option<&Job>) -> std::io::Result<Vec<RunFile>> {
     let cleaned = |bytes: Vec<u8>| match String::from_utf8(bytes) {
         Ok(text) => shelf.tell(&text).into_bytes(),
         Err(binary) => binary.into_bytes(),
     };
-    Ok(shelf.written()?.into_iter().map(|(name, bytes)| RunFile { name, bytes: cleaned(bytes) }).collect())
+    let written = shelf.written()?.into_iter();
+    let mut files: Vec<RunFile> =
+        written.map(|(name, bytes)| RunFile { name, bytes: cleaned(bytes) }).collect();
+    for (name, text) in job.iter().flat_map(|job| &job.files) {
+        let bytes = fs::read(shelf.source("").beside(name))?;
+        if bytes != text.as_bytes() && files.iter().all(|file| file.name != *name) {
+            files.push(RunFile { name: name.clone(), bytes });
+        }
+    }
+    Ok(files)
 }
 
 fn told(document: Value, shelf: &Shelf) -> Value {

@@ -24,6 +24,9 @@ const MOST_WAITING: usize = 32;
 /// Runs under way at once; each computes on all cores.
 const AT_ONCE: usize = 2;
 
+/// The file of a run that holds its bodies in space, packed; it is no result and is not listed.
+pub const SCENE: &str = ".scene.json.gz";
+
 /// Now, as the store keeps times.
 pub fn now() -> String {
     humantime::format_rfc3339_seconds(SystemTime::now()).to_string()

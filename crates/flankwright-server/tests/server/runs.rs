@@ -1,0 +1,114 @@
+//! Runs: events, results, cancelling, again, a bounded queue.
+
+use crate::client::Served;
+use serde_json::{Value, json};
+
+#[test]
+fn a_run_tells_how_far_it_is_and_leaves_its_files() {
+    let served = Served::new();
+    let id = served.begin("plan", &served.example("twist-free-crowning"));
+    let events = served.get(&format!("/api/runs/{id}/events"));
+    assert_eq!(events.header("content-type"), Some("text/event-stream"));
+    let told = events.text();
+    for line in ["event: progress", "\"stage\":\"grinding\"", "\"state\":\"done\""] {
+        assert!(told.contains(line), "{told}");
+    }
+    assert!(told.trim_end().ends_with("{\"state\":\"done\"}"), "the stream ends with the run");
+    // Who comes late is told the end.
+    assert!(served.get(&format!("/api/runs/{id}/events")).text().contains("\"state\":\"done\""));
+    let run = served.ended(id);
+    assert_eq!((&run["status"], &run["document"]["status"]), (&json!("met"), &json!("met")));
+    let files: Vec<&str> =
+        run["files"].as_array().unwrap().iter().map(|f| f["name"].as_str().unwrap()).collect();
+    for name in ["result.json", "report.html", "topography.csv", "motions/grinding.csv"] {
+        assert!(files.contains(&name), "{files:?}");
+    }
+    let report = served.get(&format!("/api/runs/{id}/files/report.html"));
+    assert!(report.header("content-security-policy").unwrap().starts_with("sandbox; default-src 'none'"));
+    for name in files {
+        let file = served.get(&format!("/api/runs/{id}/files/{name}?download=true"));
+        assert!(file.header("content-disposition").unwrap().starts_with("attachment"), "{name}");
+        assert!(!file.text().contains("flankwright-"), "{name} names the folder of the run");
+    }
+    assert_eq!(&served.get(&format!("/api/runs/{id}/archive")).body[..4], b"PK\x03\x04");
+    assert_eq!(served.get(&format!("/api/runs/{id}/files/..%2F..%2Fstore.sqlite")).status, 404);
+}
+
+#[test]
+fn a_job_that_is_wrong_fails_with_its_findings() {
+    let served = Served::new();
+    let text =
+        served.example("twist-free-crowning")["text"].as_str().unwrap().replace("teeth = ", "teeth = 0 #");
+    let run = served.ended(served.begin("plan", &json!({ "text": text })));
+    assert_eq!((&run["state"], &run["failure"]["exit"]), (&json!("failed"), &json!(2)));
+    assert_eq!(run["failure"]["errors"][0]["field"], "gear.teeth");
+    let run = served.ended(served.begin("simulate", &served.example("milling/blisk-blade")));
+    assert_eq!(run["failure"]["errors"][0]["code"], "process-not-available");
+}
+
+#[test]
+fn a_run_is_cancelled_and_begun_again() {
+    let served = Served::new();
+    let long = served.example("catalogue-free-diameter");
+    let id = served.begin("explore", &long);
+    let state = served.post(&format!("/api/runs/{id}/cancel"), &Value::Null).json();
+    assert!(["queued", "running", "cancelled"].contains(&state["state"].as_str().unwrap()), "{state}");
+    let run = served.ended(id);
+    assert_eq!(run["state"], "cancelled");
+    assert!(run["document"].is_null() && run["files"].as_array().unwrap().is_empty());
+    // Its thread is free again.
+    let short = served.begin("plan", &served.example("gearbox/reference-train"));
+    assert_eq!(served.ended(short)["state"], "done");
+    let again = served.post(&format!("/api/runs/{short}/again"), &Value::Null).json()["id"].as_i64().unwrap();
+    assert_ne!(again, short);
+    let (first, second) = (served.ended(short), served.ended(again));
+    assert_eq!((&first["job"], &second["state"]), (&second["job"], &json!("done")));
+    assert_eq!(served.ask("DELETE", &format!("/api/runs/{short}"), &[], b"").status, 204);
+    assert_eq!(served.get(&format!("/api/runs/{short}")).status, 404);
+    assert_eq!(served.post(&format!("/api/runs/{short}/again"), &Value::Null).status, 404);
+    // What has ended is not cancelled any more.
+    assert_eq!(served.post(&format!("/api/runs/{again}/cancel"), &Value::Null).json()["state"], "done");
+}
+
+#[test]
+fn the_queue_is_bounded_and_a_run_that_waits_can_be_taken_back() {
+    let served = Served::new();
+    let long = served.example("catalogue-free-diameter");
+    let mut begun = Vec::new();
+    let full = loop {
+        let answer = served.post("/api/runs", &json!({ "kind": "explore", "job": long }));
+        if answer.status != 202 {
+            break answer;
+        }
+        begun.push(answer.json()["id"].as_i64().unwrap());
+        assert!(begun.len() < 100, "the queue has no end");
+    };
+    assert_eq!((full.status, full.code().as_str()), (429, "queue-full"));
+    let queue = served.get("/api/about").json()["queue"].clone();
+    assert_eq!(queue["waiting"], queue["most"]);
+    let last = *begun.last().unwrap();
+    assert_eq!(served.ask("DELETE", &format!("/api/runs/{last}"), &[], b"").status, 409);
+    for id in begun.iter().rev() {
+        served.post(&format!("/api/runs/{id}/cancel"), &Value::Null);
+    }
+    for id in begun {
+        assert_eq!(served.ended(id)["state"], "cancelled");
+    }
+    let runs = served.get("/api/runs?most=3").json();
+    assert_eq!(runs.as_array().unwrap().len(), 3);
+    assert_eq!(served.get("/api/runs?most=0").status, 422);
+}
+
+#[test]
+fn the_history_of_a_tool_comes_back_with_its_line() {
+    let served = Served::new();
+    let mut job = served.example("skiving/worn-tool");
+    let history = job["files"]["history.jsonl"].as_str().unwrap().trim_end().to_owned();
+    // Without its last line, which is that of this measurement.
+    let (before, _) = history.rsplit_once('\n').unwrap();
+    job["files"]["history.jsonl"] = json!(format!("{before}\n"));
+    let run = served.ended(served.begin("plan", &job));
+    let after = served.get(&format!("/api/runs/{}/files/history.jsonl", run["id"])).text();
+    assert_eq!(after.lines().count(), history.lines().count(), "{after}");
+    assert!(after.starts_with(before));
+}

@@ -1,0 +1,157 @@
+//! The list of the security of the application, item by item.
+
+use std::io::Write;
+use std::net::{Ipv4Addr, TcpStream};
+
+use crate::client::Served;
+use serde_json::json;
+
+const TOKEN: &str = "0123456789abcdef-TOKEN";
+
+#[test]
+fn only_known_names_are_answered() {
+    let served = Served::with(Ipv4Addr::LOCALHOST, None, &["press-17.shop", "proxy.shop:443"]);
+    let port = served.address.port();
+    let status = |host: &str| served.ask("GET", "/api/about", &[("Host", host)], b"").status;
+    for own in ["127.0.0.1", "localhost", "LOCALHOST", "[::1]", "press-17.shop"] {
+        assert_eq!(status(&format!("{own}:{port}")), 200, "{own}");
+    }
+    assert_eq!(status("proxy.shop"), 200);
+    for other in ["evil.example", "127.0.0.1.evil.example", "192.168.0.7"] {
+        assert_eq!(status(&format!("{other}:{port}")), 421, "{other}");
+    }
+    assert_eq!(status("localhost"), 421, "another port");
+    assert_eq!(served.raw(b"GET /api/about HTTP/1.0\r\n\r\n").status, 400, "no host");
+}
+
+#[test]
+fn pages_of_other_origins_are_refused() {
+    let served = Served::new();
+    let own = format!("http://{}", served.address);
+    let from = |method: &str, header: (&str, &str)| {
+        let headers = [("Content-Type", "application/json"), header];
+        served.ask(method, "/api/check", &headers, b"{\"text\": \"\"}").status
+    };
+    assert_eq!(from("POST", ("Origin", &own)), 200);
+    assert_eq!(from("POST", ("Sec-Fetch-Site", "same-origin")), 200);
+    for other in ["http://evil.example", "null", "http://localhost:1", "file://"] {
+        assert_eq!(from("POST", ("Origin", other)), 403, "{other}");
+    }
+    for site in ["cross-site", "same-site", "none"] {
+        assert_eq!(from("POST", ("Sec-Fetch-Site", site)), 403, "{site}");
+    }
+    // A form of another page cannot send JSON without being asked for leave, and leave is never given.
+    assert_eq!(served.ask("POST", "/api/check", &[("Content-Type", "text/plain")], b"{}").status, 415);
+    assert_eq!(
+        served.ask("OPTIONS", "/api/check", &[("Origin", &own)], b"").header("access-control-allow-origin"),
+        None
+    );
+}
+
+#[test]
+fn off_the_loopback_a_token_is_needed() {
+    let served = Served::with(Ipv4Addr::UNSPECIFIED, None, &[]);
+    let made = served.opened.split_once("token=").expect("a token is made").1.to_owned();
+    assert_eq!(made.len(), 32);
+    let served = Served::with(Ipv4Addr::UNSPECIFIED, Some(TOKEN), &[]);
+    assert!(served.opened.ends_with(TOKEN));
+    let with = |headers: &[(&str, &str)]| served.ask("GET", "/api/about", headers, b"").status;
+    assert_eq!(with(&[]), 401);
+    assert_eq!(served.get("/").status, 401);
+    assert_eq!(with(&[("Authorization", "Bearer 0123456789abcdef-TOKEM")]), 401);
+    assert_eq!(with(&[("Authorization", &format!("Bearer {TOKEN}"))]), 200);
+    assert_eq!(with(&[("Cookie", &format!("a=b; flankwright={TOKEN}"))]), 200);
+    assert_eq!(with(&[("Cookie", &format!("other={TOKEN}"))]), 401);
+    assert_eq!(served.get("/?token=wrong").status, 401);
+    assert_eq!(
+        served.get(&format!("/api/about?token={TOKEN}")).status,
+        401,
+        "only the page takes it from the address"
+    );
+    let entered = served.get(&format!("/?token={TOKEN}"));
+    assert_eq!((entered.status, entered.header("location")), (303, Some("/")));
+    let cookie = entered.header("set-cookie").unwrap();
+    assert!(cookie.contains("HttpOnly") && cookie.contains("SameSite=Strict"), "{cookie}");
+    // Any address of the machine in figures is its own; names are not.
+    let port = served.address.port();
+    let bearer = format!("Bearer {TOKEN}");
+    let under = |host: &str| with(&[("Host", host), ("Authorization", &bearer)]);
+    assert_eq!(under(&format!("192.168.0.7:{port}")), 200);
+    assert_eq!(under(&format!("evil.example:{port}")), 421);
+}
+
+#[test]
+fn every_answer_says_what_may_be_loaded() {
+    let served = Served::new();
+    for path in ["/", "/api/about", "/api/none", "/none", "/api/schema"] {
+        let answer = served.get(path);
+        let policy = answer.header("content-security-policy").unwrap();
+        assert!(policy.starts_with("default-src 'none'"), "{path}: {policy}");
+        assert!(!policy.contains("unsafe") && !policy.contains("http"), "{path}: {policy}");
+        assert_eq!(answer.header("x-content-type-options"), Some("nosniff"), "{path}");
+        assert_eq!(answer.header("x-frame-options"), Some("DENY"), "{path}");
+        assert_eq!(answer.header("referrer-policy"), Some("no-referrer"), "{path}");
+    }
+}
+
+#[test]
+fn bodies_are_bounded() {
+    let served = Served::new();
+    let large = vec![b' '; (8 << 20) + 1];
+    let answer = served.ask("POST", "/api/check", &[("Content-Type", "application/json")], &large);
+    assert_eq!(answer.status, 413);
+    let large = vec![b'1'; (32 << 20) + 1];
+    assert_eq!(served.hand_in(&[("file", "a.mka", &large)]).status, 413);
+    let deep = "[".repeat(100_000);
+    let answer = served.ask("POST", "/api/check", &[("Content-Type", "application/json")], deep.as_bytes());
+    assert_eq!(answer.code(), "invalid-request", "{}", answer.status);
+    let nested = format!("a = {}", "[".repeat(100_000));
+    let answer = served.post("/api/check", &json!({ "text": nested }));
+    assert_eq!((answer.status, answer.json()["valid"].clone()), (200, json!(false)));
+}
+
+#[test]
+fn no_path_of_the_disk_can_be_named() {
+    let served = Served::new();
+    for name in ["../x", "/etc/passwd", "a\\b", "a/../../b", "", ".hidden"] {
+        let answer = served.post("/api/check", &json!({ "text": "", "files": { name: "x" } }));
+        assert_eq!((answer.status, answer.code().as_str()), (422, "invalid-file-name"), "{name}");
+        let answer = served
+            .post("/api/runs", &json!({ "kind": "plan", "job": { "text": "", "files": { name: "x" } } }));
+        assert_eq!(answer.status, 422, "{name}");
+    }
+    let text = served.example("variable-ratio")["text"].as_str().unwrap().to_owned();
+    for path in ["/etc/passwd", "../../../../../../etc/passwd"] {
+        let answer =
+            served.post("/api/check", &json!({ "text": text.replace("variable-ratio.csv", path) })).json();
+        assert!(answer["findings"][0]["message"].as_str().unwrap().contains("does not exist"), "{answer}");
+    }
+    for path in
+        ["/../Cargo.toml", "/assets/../../Cargo.toml", "/%2e%2e/Cargo.toml", "/api/examples/..%2f..%2fCargo"]
+    {
+        assert_eq!(served.get(path).status, 404, "{path}");
+    }
+}
+
+#[test]
+fn clients_that_do_nothing_hold_nothing_up() {
+    let served = Served::new();
+    let id = served.begin("plan", &served.example("twist-free-crowning"));
+    let idle: Vec<TcpStream> = (0..100)
+        .map(|k| {
+            let mut stream = TcpStream::connect(served.address).unwrap();
+            // Half a request, or a listener that never reads.
+            let text = if k % 2 == 0 {
+                "GET /api/ab".to_owned()
+            } else {
+                format!("GET /api/runs/{id}/events HTTP/1.1\r\nHost: {}\r\n\r\n", served.address)
+            };
+            stream.write_all(text.as_bytes()).unwrap();
+            stream
+        })
+        .collect();
+    assert_eq!(served.ended(id)["state"], "done");
+    assert_eq!(served.get("/api/about").status, 200);
+    drop(idle);
+    assert_eq!(served.get("/api/about").status, 200);
+}
