@@ -3,15 +3,20 @@
 CARGO ?= cargo
 DEMO ?= examples/twist-free-crowning.toml
 
-.PHONY: demo test fuzz setup format check instructions milling-speed clean
+.PHONY: demo test fuzz setup web browser api-fuzz load format check instructions milling-speed clean
 
 setup:
 	@scripts/setup
 
+# The pages of the web application, which become part of the program.
+web: setup
+	@scripts/web
+
 # Plans the first example; the summary names the report.
-demo: setup
+demo: web
 	$(CARGO) build --release --package flankwright-cli
 	target/release/flankwright plan $(DEMO)
+	@echo 'The same in a browser: target/release/flankwright serve, then open http://127.0.0.1:8470/'
 
 # Properties are tried on the same inputs each time, so that one text gives one verdict; `cargo test` alone draws new ones.
 test: export PROPTEST_RNG_SEED ?= 1
@@ -20,12 +25,21 @@ test: setup
 	$(CARGO) fmt --all -- --check
 	$(CARGO) fmt --manifest-path fuzz/Cargo.toml -- --check
 	$(CARGO) clippy --workspace --all-targets -- -D warnings
+	@scripts/web test
 	$(CARGO) test --workspace --no-fail-fast
+	$(CARGO) build --package flankwright-cli
+	@PROGRAM=target/debug/flankwright scripts/browser
+	@PROGRAM=target/debug/flankwright scripts/api-fuzz
 	@FUZZ_SEED=1 scripts/fuzz 60
 
 # Ten minutes for each reader of files, as many at once as there are processors.
 fuzz: setup
 	@scripts/fuzz 600
+
+# The pages in a real browser, and the interface of the server under requests made from its description.
+browser api-fuzz load: web
+	$(CARGO) build --release --package flankwright-cli
+	@scripts/$@
 
 format:
 	$(CARGO) fmt --all

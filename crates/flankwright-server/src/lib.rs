@@ -14,6 +14,7 @@ mod work;
 
 use std::io;
 use std::net::{IpAddr, SocketAddr};
+use std::time::Duration;
 
 use flankwright_store::{Store, StoreAddress, StoreError};
 use thiserror::Error;
@@ -94,9 +95,21 @@ async fn serve_in(options: &Options, listening: impl FnOnce(&str)) -> Result<(),
     let gate = gate::Gate::new(address, &options.names, token);
     let router = app::router(app.clone(), gate);
     listening(&opened);
-    let served = axum::serve(listener, router).with_graceful_shutdown(app.told_to_end()).await;
+    let serving = axum::serve(listener, router).with_graceful_shutdown(app.told_to_end()).into_future();
+    let served = tokio::select! {
+        served = serving => served,
+        () = farewell(&app) => Ok(()),
+    };
     app.close().await;
     served.map_err(ServeError::Stopped)
+}
+
+/// How long answers that are under way are waited for when the server ends.
+const FAREWELL: Duration = Duration::from_secs(3);
+
+async fn farewell(app: &app::App) {
+    app.ended().await;
+    tokio::time::sleep(FAREWELL).await;
 }
 
 /// 128 random bits in hexadecimal digits.

@@ -94,12 +94,13 @@ impl Store {
             let mut writing = self.pool.write().await?;
             let changed = on_writing!(&mut writing, connection => {
                 sqlx::query(
-                    "UPDATE run SET state = $2, ended = $3, document = $4 WHERE id = $1 AND state IN ('queued', 'running')",
+                    "UPDATE run SET state = $2, ended = $3, document = $4, status = $5 WHERE id = $1 AND state IN ('queued', 'running')",
                 )
                 .bind(id)
                 .bind(end.state.name())
                 .bind(&end.ended)
                 .bind(end.document.as_ref().map(Json))
+                .bind(end.document.as_ref().and_then(|document| document.get("status")?.as_str()))
                 .execute(connection)
                 .await?
                 .rows_affected()
@@ -143,7 +144,7 @@ impl Store {
     /// Those of the database.
     pub async fn runs(&self, most: u32) -> Result<Vec<RunSummary>, StoreError> {
         let rows: Result<Vec<SummaryRow>, _> = on_pool!(&self.pool, pool => {
-            sqlx::query_as("SELECT id, kind, name, state, created, ended, document ->> 'status' FROM run ORDER BY id DESC LIMIT $1")
+            sqlx::query_as("SELECT id, kind, name, state, created, ended, status FROM run ORDER BY id DESC LIMIT $1")
                 .bind(i64::from(most))
                 .fetch_all(pool)
                 .await
@@ -168,7 +169,7 @@ impl Store {
             Option<Json<Value>>,
         );
         let row: Result<Option<Row>, _> = on_pool!(&self.pool, pool => {
-            sqlx::query_as("SELECT id, kind, name, state, created, ended, document ->> 'status', job, document FROM run WHERE id = $1")
+            sqlx::query_as("SELECT id, kind, name, state, created, ended, status, job, document FROM run WHERE id = $1")
                 .bind(id)
                 .fetch_optional(pool)
                 .await

@@ -15,6 +15,7 @@ mod milling_refusals;
 mod planning;
 mod programs;
 mod robustness;
+mod serve;
 mod shifts;
 mod skiving;
 mod store;

@@ -1,4 +1,5 @@
 -- Runs of a server: what was asked, what became of it. `owner` is the server that carries it out; the letters of `state` are fixed.
+-- `status` is the verdict of the document, which is too large to be read for a list.
 CREATE TABLE run (
     id       INTEGER PRIMARY KEY,
     owner    TEXT NOT NULL,
@@ -9,6 +10,7 @@ CREATE TABLE run (
         CHECK (state IN ('queued', 'running', 'done', 'failed', 'cancelled', 'interrupted')),
     created  TEXT NOT NULL,
     ended    TEXT,
+    status   TEXT,
     document TEXT
 ) STRICT;
 CREATE INDEX run_by_state ON run (state, id);
