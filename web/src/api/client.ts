@@ -9,15 +9,18 @@ import type {
   ExampleHead,
   Job,
   MachineHead,
+  PartSummary,
   Preview,
   Run,
   RunKind,
   RunState,
   RunSummary,
   Scene,
+  SeriesSummary,
+  ToolSummary,
   TrendPoint,
 } from "./types";
-import type { Json, Table } from "../lib/path";
+import type { Table } from "../lib/path";
 import type { Schema } from "../lib/schema";
 
 type Id = string | number;
@@ -53,7 +56,7 @@ function withQuery(path: string, query: Record<string, string | number | undefin
 export const about = (): Promise<About> => get("about");
 export const schema = (): Promise<Schema> => get("schema");
 export const examples = (): Promise<ExampleHead[]> => get("examples");
-export const example = (id: string): Promise<Job> => get(`examples/${enc(id)}`);
+export const example = (id: string): Promise<Job> => get(`examples/${id.split("/").map(enc).join("/")}`);
 export const template = (process: string): Promise<{ text: string }> => get(`templates/${enc(process)}`);
 export const machines = (): Promise<MachineHead[]> => get("machines");
 
@@ -94,11 +97,11 @@ export async function sendMeasurements(files: File[], job: Job | undefined, opti
 export const checkProgram = (text: string, name: string, machine: string, job?: Job): Promise<Table> =>
   post("programs/check", job ? { text, name, machine, job } : { text, name, machine });
 
-export const series = (): Promise<Json[]> => get("series");
-export const parts = (series?: string): Promise<Table[]> => get(withQuery("parts", { series }));
+export const series = (): Promise<SeriesSummary[]> => get("series");
+export const parts = (series?: string): Promise<PartSummary[]> => get(withQuery("parts", { series }));
 export const part = (digest: string): Promise<Table> => get(`parts/${enc(digest)}`);
 export const trends = (query: { series?: string; name?: string; flank?: string }): Promise<TrendPoint[]> =>
   get(withQuery("trends", query));
 export const catalogue = (): Promise<Table> => get("catalogue");
-export const tools = (): Promise<Json[]> => get("tools");
-export const tool = (name: string): Promise<Json> => get(`tools/${enc(name)}`);
+export const tools = (): Promise<ToolSummary[]> => get("tools");
+export const tool = (name: string): Promise<Table[]> => get(`tools/${enc(name)}`);

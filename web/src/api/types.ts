@@ -142,12 +142,16 @@ export interface SceneBody {
   kind: string;
   positions: number[];
   indices: number[];
+  /** Whether the triangles close it; an open body is seen from both sides. */
+  closed?: boolean;
 }
 
 export interface SceneFrame {
   at: number;
   poses: Record<string, number[]>;
   contact: [number, number, number][];
+  /** Lines on the workpiece that are finished here. */
+  trace?: [number, number, number][][];
 }
 
 export interface SceneStage {
@@ -160,6 +164,28 @@ export interface SceneStage {
 export interface Scene {
   bodies: SceneBody[];
   stages: SceneStage[];
+}
+
+export interface SeriesSummary {
+  series: string;
+  parts: number;
+  first?: string | null;
+  last?: string | null;
+}
+
+export interface PartSummary {
+  series: string;
+  part: string;
+  drawing?: string | null;
+  date?: string | null;
+  machine?: string | null;
+  source: string;
+  digest: string;
+}
+
+export interface ToolSummary {
+  tool: string;
+  measurements: number;
 }
 
 export interface TrendPoint {
