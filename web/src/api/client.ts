@@ -74,8 +74,7 @@ export const deleteRun = async (id: Id): Promise<void> => void (await request(`r
 export const eventsAddress = (id: Id): string => `/api/runs/${enc(id)}/events`;
 export const archiveAddress = (id: Id): string => `/api/runs/${enc(id)}/archive`;
 export const fileAddress = (id: Id, name: string): string => `/api/runs/${enc(id)}/files/${name.split("/").map(enc).join("/")}`;
-export const file = async (id: Id, name: string): Promise<string> =>
-  (await fetchAddress(fileAddress(id, name))).text();
+export const file = async (id: Id, name: string): Promise<string> => (await fetchAddress(fileAddress(id, name))).text();
 export const chart = async (id: Id, name: string): Promise<string> =>
   (await request(`runs/${enc(id)}/charts/${enc(name)}`)).text();
 export const scene = (id: Id): Promise<Scene> => get(`runs/${enc(id)}/scene`);

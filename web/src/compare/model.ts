@@ -65,4 +65,5 @@ function gridOf(field: FlankField, quantity: Quantity, less: Quantity | undefine
   return less ? of && from && minus(of, from) : of;
 }
 
-const sameList = (a: number[], b: number[]): boolean => a.length === b.length && a.every((value, at) => Math.abs(value - b[at]!) < 1e-9);
+const sameList = (a: number[], b: number[]): boolean =>
+  a.length === b.length && a.every((value, at) => Math.abs(value - b[at]!) < 1e-9);

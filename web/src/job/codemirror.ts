@@ -44,7 +44,12 @@ const look = EditorView.theme({
   ".cm-activeLineGutter": { backgroundColor: "var(--sunken)" },
   ".cm-cursor": { borderLeftColor: "var(--ink)" },
   "&.cm-focused .cm-selectionBackground, .cm-selectionBackground": { backgroundColor: "var(--accent-soft)" },
-  ".cm-tooltip": { backgroundColor: "var(--surface)", border: "1px solid var(--line-strong)", color: "var(--ink)", maxWidth: "460px" },
+  ".cm-tooltip": {
+    backgroundColor: "var(--surface)",
+    border: "1px solid var(--line-strong)",
+    color: "var(--ink)",
+    maxWidth: "460px",
+  },
   ".cm-diagnostic": { padding: "6px 10px", whiteSpace: "pre-wrap" },
   ".cm-panels": { backgroundColor: "var(--raised)", color: "var(--ink)", borderColor: "var(--line)" },
 });
@@ -91,7 +96,12 @@ export function openTextEditor(parent: HTMLElement, options: TextEditorOptions):
     },
     setFindings(findings) {
       const text = view.state.doc.toString();
-      view.dispatch(setDiagnostics(view.state, findings.map((finding) => diagnosticOf(text, finding))));
+      view.dispatch(
+        setDiagnostics(
+          view.state,
+          findings.map((finding) => diagnosticOf(text, finding)),
+        ),
+      );
     },
     goTo(from, to) {
       const most = view.state.doc.length;

@@ -42,9 +42,7 @@ export function isolineSegments(grid: number[][], level: number): [Point, Point]
 export function joinSegments(segments: [Point, Point][]): Point[][] {
   const key = (point: Point): string => `${point[0].toFixed(6)},${point[1].toFixed(6)}`;
   const ends = new Map<string, number[]>();
-  segments.forEach((segment, at) =>
-    segment.forEach((point) => ends.set(key(point), [...(ends.get(key(point)) ?? []), at])),
-  );
+  segments.forEach((segment, at) => segment.forEach((point) => ends.set(key(point), [...(ends.get(key(point)) ?? []), at])));
   const used = new Set<number>();
   const lines: Point[][] = [];
   segments.forEach((segment, start) => {

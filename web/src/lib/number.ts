@@ -32,7 +32,11 @@ export function formatFixed(value: number | null | undefined, lang: string, deci
 
 /** A number as typed, with a point or a comma as decimal sign; undefined where it is none. */
 export function parseNumber(text: string): number | undefined {
-  const plain = text.trim().replace(/[\s\u202f\u00a0_]/g, "").replace(",", ".").replace("−", "-");
+  const plain = text
+    .trim()
+    .replace(/[\s\u202f\u00a0_]/g, "")
+    .replace(",", ".")
+    .replace("−", "-");
   if (!/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain)) return undefined;
   const value = Number(plain);
   return Number.isFinite(value) ? value : undefined;

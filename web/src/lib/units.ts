@@ -27,7 +27,8 @@ const UNITS: [RegExp, string][] = [
 /** Keys that end like a unit and are none. */
 const LENGTH_WORDS =
   /(^|_)(diameter|radius|width|module|length|height|thickness|distance|clearance|allowance|overrun|stroke|overlap|depth|gap|offset|land|travel|start|end)(_|$)/;
-const COUNTS = /(^|_)(teeth|threads|points|count|intervals|steps|areas|number|rounds|profiles|helices|seed|share|ratio|shift_ratio|per_revolution)(_|$)/;
+const COUNTS =
+  /(^|_)(teeth|threads|points|count|intervals|steps|areas|number|rounds|profiles|helices|seed|share|ratio|shift_ratio|per_revolution)(_|$)/;
 
 /** The unit of a key; plain lengths are mm where the name tells that it is a length. */
 export function unitOfKey(key: string, numeric = true): string {

@@ -96,7 +96,13 @@ export class NetStage {
     surface.setAttribute("position", new BufferAttribute(new Float32Array(positions), 3));
     surface.setAttribute("color", new BufferAttribute(new Float32Array(colours), 3));
     surface.setIndex(faces);
-    const paint = new MeshBasicMaterial({ vertexColors: true, side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+    const paint = new MeshBasicMaterial({
+      vertexColors: true,
+      side: DoubleSide,
+      polygonOffset: true,
+      polygonOffsetFactor: 1,
+      polygonOffsetUnits: 1,
+    });
     group.add(new Mesh(surface, paint));
     group.add(lines(netLines(positions, rows, columns), options.ink, 0.5));
     const corner = (row: number, column: number): [number, number, number] => place(row, column, 0);
@@ -105,7 +111,11 @@ export class NetStage {
     this.#label(panel, place, options);
   }
 
-  #label(panel: NetPanel, place: (row: number, column: number, um: number) => [number, number, number], options: NetOptions): void {
+  #label(
+    panel: NetPanel,
+    place: (row: number, column: number, um: number) => [number, number, number],
+    options: NetOptions,
+  ): void {
     const [rows, columns] = [panel.profile.length, panel.helix.length];
     const at = (row: number, column: number, um: number, dx = 0, dy = 0): Vector3 => {
       const [x, y, z] = place(row, column, um);
@@ -115,7 +125,12 @@ export class NetStage {
     this.labels.push({ at: at(rows - 1, Math.floor(columns / 2), 0, 0, 3 * off), text: panel.title, kind: "title" });
     this.labels.push({ at: at(0, Math.floor(columns / 2), 0, 0, -off), text: options.labels.helix, kind: "axis" });
     this.labels.push({ at: at(Math.floor(rows / 2), 0, 0, -off), text: options.labels.profile, kind: "axis" });
-    for (const [row, column] of [[0, 0], [0, columns - 1], [rows - 1, 0], [rows - 1, columns - 1]] as const) {
+    for (const [row, column] of [
+      [0, 0],
+      [0, columns - 1],
+      [rows - 1, 0],
+      [rows - 1, columns - 1],
+    ] as const) {
       const um = panel.grid[row]?.[column] ?? NaN;
       if (Number.isFinite(um)) this.labels.push({ at: at(row, column, um), text: options.labels.value(um), kind: "value" });
     }

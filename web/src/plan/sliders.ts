@@ -35,7 +35,13 @@ export function slidersOf(tree: Table | undefined): Slider[] {
   }
   const edges = valueAt(tree, ["target", "edge_amounts"]);
   if (isTable(edges)) {
-    const sides: [string, Path][] = "left" in edges || "right" in edges ? [["left", ["left"]], ["right", ["right"]]] : [["both", []]];
+    const sides: [string, Path][] =
+      "left" in edges || "right" in edges
+        ? [
+            ["left", ["left"]],
+            ["right", ["right"]],
+          ]
+        : [["both", []]];
     for (const [flank, below] of sides) {
       const amounts = valueAt(edges, below);
       if (!isTable(amounts)) continue;

@@ -33,7 +33,10 @@ export class Player {
   }
 
   choose(id: string): void {
-    this.#chosen = Math.max(0, this.stages.findIndex((stage) => stage.id === id));
+    this.#chosen = Math.max(
+      0,
+      this.stages.findIndex((stage) => stage.id === id),
+    );
     this.share = 0;
   }
 
@@ -59,7 +62,8 @@ export class Player {
     this.pause();
     const frames = this.stage.frames;
     const slack = 1e-9 * Math.abs(this.to - this.from);
-    const next = by > 0 ? frames.find((frame) => frame.at > this.at + slack) : frames.findLast((frame) => frame.at < this.at - slack);
+    const next =
+      by > 0 ? frames.find((frame) => frame.at > this.at + slack) : frames.findLast((frame) => frame.at < this.at - slack);
     if (next && this.to !== this.from) this.share = (next.at - this.from) / (this.to - this.from);
   }
 

@@ -18,6 +18,7 @@ import {
   Vector3,
 } from "three";
 import type { Scene, SceneBody, SceneFrame, SceneStage } from "../api/types";
+import { toCreasedNormals } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 import { frameAt } from "./frames";
 import { Stage } from "./stage";
 
@@ -32,6 +33,8 @@ const COLOURS: Record<string, string> = {
   beam: "#d2452b",
   stylus: "#d2452b",
 };
+/** Faces that meet at more than this angle, in rad, show an edge. */
+const SHARP_EDGE = 0.5;
 const CONTACT = "#d8341c";
 const TRACE = "#3f7050";
 
@@ -40,7 +43,10 @@ export class ProcessScene {
   #bodies = new Map<string, Mesh>();
   #root = new Group();
   #contactLine = new Line(new BufferGeometry(), new LineBasicMaterial({ color: CONTACT, depthTest: false }));
-  #contactPoints = new Points(new BufferGeometry(), new PointsMaterial({ color: CONTACT, size: 7, sizeAttenuation: false, depthTest: false }));
+  #contactPoints = new Points(
+    new BufferGeometry(),
+    new PointsMaterial({ color: CONTACT, size: 7, sizeAttenuation: false, depthTest: false }),
+  );
   #trace = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ color: TRACE, depthTest: false }));
   #hidden = new Set<string>();
   #isMoved = new Set<string>();
@@ -119,9 +125,8 @@ function meshOf(body: SceneBody): Mesh {
   const indexed = new BufferGeometry();
   indexed.setAttribute("position", new BufferAttribute(new Float32Array(body.positions), 3));
   indexed.setIndex(new BufferAttribute(new Uint32Array(body.indices), 1));
-  const geometry = indexed.toNonIndexed();
+  const geometry = toCreasedNormals(indexed, SHARP_EDGE);
   indexed.dispose();
-  geometry.computeVertexNormals();
   const isLight = body.kind === "beam";
   const paint = new MeshLambertMaterial({
     color: COLOURS[body.kind] ?? "#9aa4ad",
@@ -136,7 +141,20 @@ function meshOf(body: SceneBody): Mesh {
 
 /** A pose: rotation row by row, then translation. */
 function matrixOf(p: number[]): Matrix4 {
-  const [a, b, c, d, e, f, g, h, i, x, y, z] = p as [number, number, number, number, number, number, number, number, number, number, number, number];
+  const [a, b, c, d, e, f, g, h, i, x, y, z] = p as [
+    number,
+    number,
+    number,
+    number,
+    number,
+    number,
+    number,
+    number,
+    number,
+    number,
+    number,
+    number,
+  ];
   return new Matrix4().set(a, b, c, x, d, e, f, y, g, h, i, z, 0, 0, 0, 1);
 }
 

@@ -3,7 +3,18 @@
 import type { Run } from "../api/types";
 import { flanksOfDocument } from "../plan/surfaces";
 
-export type RunTab = "summary" | "flank" | "motions" | "process" | "programs" | "inspection" | "systematic" | "study" | "report" | "files" | "numbers";
+export type RunTab =
+  | "summary"
+  | "flank"
+  | "motions"
+  | "process"
+  | "programs"
+  | "inspection"
+  | "systematic"
+  | "study"
+  | "report"
+  | "files"
+  | "numbers";
 
 /** The page for reading that a run wrote: the report, the series, or the study. */
 export function reportOf(run: Run): string | undefined {

@@ -26,4 +26,5 @@ async function use<T>(mode: IDBTransactionMode, work: (store: IDBObjectStore) =>
 
 export const keep = (name: string, value: unknown): Promise<unknown> => use("readwrite", (store) => store.put(value, name));
 
-export const recall = <T>(name: string): Promise<T | undefined> => use<T>("readonly", (store) => store.get(name) as IDBRequest<T>);
+export const recall = <T>(name: string): Promise<T | undefined> =>
+  use<T>("readonly", (store) => store.get(name) as IDBRequest<T>);

@@ -103,7 +103,8 @@ export const de: Texts = {
     templates: "Vorlagen",
     exampleSearch: "Beispiele durchsuchen",
     fromFile: "Aus einer Datei",
-    fromFileHint: "Wählen Sie eine .toml- oder .json-Datei mit den Tabellen, die sie nennt, oder legen Sie sie irgendwo auf der Seite ab.",
+    fromFileHint:
+      "Wählen Sie eine .toml- oder .json-Datei mit den Tabellen, die sie nennt, oder legen Sie sie irgendwo auf der Seite ab.",
     replaceHint: "Der offene Auftrag wird ersetzt; Rückgängig holt ihn zurück.",
     noTree: "Der Text ist so nicht lesbar, deshalb wartet das Formular. Die Befunde unten sagen, wo.",
     tables: "Tabellen des Auftrags",
@@ -206,7 +207,8 @@ export const de: Texts = {
     set: "Ändern",
     reset: "wie im Auftrag",
     charts: "Bilder des Berichts",
-    noSlider: "Der Auftrag verlangt keine Balligkeit oder Verschränkung, die sich schieben ließe. Fügen Sie im Formular eine hinzu.",
+    noSlider:
+      "Der Auftrag verlangt keine Balligkeit oder Verschränkung, die sich schieben ließe. Fügen Sie im Formular eine hinzu.",
     addTwist: "Verschränkung verlangen",
     addCrowning: "Breitenballigkeit verlangen",
     determinant: "Kleinstes Determinantenverhältnis",
@@ -423,7 +425,8 @@ export const de: Texts = {
     startHint: "Beurteilt Diagonalverhältnisse, Kegelwinkel und Achskreuzwinkel nebeneinander, bevor etwas geplant wird.",
     ranges: "Was sich ändert",
     none: "Noch keine Studie.",
-    noneWay: "Beginnen Sie eine mit dem offenen Auftrag; ohne Tabelle explore läuft das Diagonalverhältnis über beide Vorzeichen.",
+    noneWay:
+      "Beginnen Sie eine mit dem offenen Auftrag; ohne Tabelle explore läuft das Diagonalverhältnis über beide Vorzeichen.",
     from: "von",
     to: "bis",
     count: "Werte",
@@ -471,7 +474,8 @@ export const de: Texts = {
     statistics: { single: "jeder", mean: "Mittel der Zähne", range: "Spanne", max: "größter" },
     bothFlanks: "beide Flanken",
     none: "Der Speicher hat noch keine gemessenen Teile.",
-    noneWay: "Übernehmen Sie Messungen mit „flankwright store import ORDNER“, oder werten Sie hier Dateien aus und bewahren Sie sie auf.",
+    noneWay:
+      "Übernehmen Sie Messungen mit „flankwright store import ORDNER“, oder werten Sie hier Dateien aus und bewahren Sie sie auf.",
     noValues: "Keine Werte dieses Merkmals.",
     noValuesWay: "Wählen Sie ein anderes Merkmal, eine andere Flanke oder Serie.",
     beyond: (count) => (count === 1 ? "1 Wert außerhalb seiner Grenze" : `${count} Werte außerhalb ihrer Grenze`),

@@ -26,9 +26,11 @@ export const en = {
   },
   failure: {
     unreachable: "The server does not answer.",
-    unreachableWay: "See whether “flankwright serve” is still running, then try again. The job on this page is kept in the browser.",
+    unreachableWay:
+      "See whether “flankwright serve” is still running, then try again. The job on this page is kept in the browser.",
     unauthorised: "This server asks for a token.",
-    unauthorisedWay: "Open the address with its token that “flankwright serve” printed when it started; the browser keeps it from then on.",
+    unauthorisedWay:
+      "Open the address with its token that “flankwright serve” printed when it started; the browser keeps it from then on.",
     missing: "This is not there (any more).",
     missingWay: "It may have been deleted; the list shows what there is.",
     busy: "The queue of runs is full.",

@@ -38,7 +38,7 @@ class I18n {
     if (!iso) return "–";
     const date = new Date(iso);
     if (Number.isNaN(date.getTime())) return iso;
-    return date.toLocaleString(this.lang === "de" ? "de-DE" : "en-GB", { dateStyle: "short", timeStyle: "medium" });
+    return date.toLocaleString(this.lang === "de" ? "de-DE" : "en-GB", { dateStyle: "medium", timeStyle: "short" });
   }
 }
 
