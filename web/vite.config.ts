@@ -2,6 +2,9 @@
 import { svelte } from "@sveltejs/vite-plugin-svelte";
 import { defineConfig } from "vitest/config";
 
+/** The server that pages under development speak to; it refuses requests of other origins than its own. */
+const SERVER = "http://127.0.0.1:8470";
+
 export default defineConfig({
   base: "/",
   plugins: [svelte()],
@@ -13,6 +16,10 @@ export default defineConfig({
     modulePreload: { polyfill: false },
     chunkSizeWarningLimit: 650,
   },
-  server: { port: 5173, strictPort: true, proxy: { "/api": "http://127.0.0.1:8470" } },
+  server: {
+    port: 5173,
+    strictPort: true,
+    proxy: { "/api": { target: SERVER, changeOrigin: true, headers: { origin: SERVER } } },
+  },
   test: { include: ["tests/**/*.test.ts"], environment: "node" },
 });

@@ -121,10 +121,11 @@ export class NetStage {
       const [x, y, z] = place(row, column, um);
       return new Vector3(x + dx, y + dy, z);
     };
-    const off = span(panel.helix) * 0.06;
-    this.labels.push({ at: at(rows - 1, Math.floor(columns / 2), 0, 0, 3 * off), text: panel.title, kind: "title" });
-    this.labels.push({ at: at(0, Math.floor(columns / 2), 0, 0, -off), text: options.labels.helix, kind: "axis" });
-    this.labels.push({ at: at(Math.floor(rows / 2), 0, 0, -off), text: options.labels.profile, kind: "axis" });
+    const off = span(panel.helix) * 0.09;
+    const low = Math.min(0, ...panel.grid.flat().filter(Number.isFinite));
+    this.labels.push({ at: at(rows - 1, Math.floor(columns / 2), 0, 0, 2 * off), text: panel.title, kind: "title" });
+    this.labels.push({ at: at(0, Math.floor(columns / 2), low, 0, -off), text: options.labels.helix, kind: "axis" });
+    this.labels.push({ at: at(Math.floor(rows / 2), 0, low, -1.6 * off), text: options.labels.profile, kind: "axis" });
     for (const [row, column] of [
       [0, 0],
       [0, columns - 1],

@@ -7,6 +7,7 @@ import type { CheckAnswer, Edit, Finding, Job } from "../api/types";
 import { pathText, type Table } from "../lib/path";
 import { Undo, type UndoState } from "../lib/undo";
 import { keep, recall } from "./keep";
+import { readSetting, writeSetting } from "./settings";
 
 export interface JobState {
   text: string;
@@ -17,11 +18,14 @@ export interface JobState {
 interface Kept {
   present: JobState;
   undo: UndoState<JobState>;
+  at: number;
 }
 
 const EMPTY: JobState = { text: "", files: {}, fileName: "" };
 const CHECK_AFTER_MS = 180;
-const KEEP_AFTER_MS = 400;
+const KEEP_AFTER_MS = 200;
+/** What is written at once when the page is left, while the store of the browser may still be writing. */
+const LAST = "job.last";
 
 class JobStore {
   present = $state.raw<JobState>(EMPTY);
@@ -52,9 +56,12 @@ class JobStore {
 
   async restore(): Promise<void> {
     const kept = await recall<Kept>("job");
-    if (kept && this.version === 0) {
-      this.present = kept.present;
-      this.#undo = new Undo(kept.undo);
+    const last = readLast();
+    if (this.version === 0 && (kept || last)) {
+      this.#undo = new Undo(kept?.undo);
+      const isNewer = last !== undefined && last.at > (kept?.at ?? 0);
+      if (isNewer && kept && kept.present.text !== last.present.text) this.#undo.keep(kept.present, "restore", 0);
+      this.present = (isNewer ? last : kept)!.present;
       this.#count();
       this.version++;
     }
@@ -160,14 +167,24 @@ class JobStore {
   }
 
   async #keep(): Promise<void> {
-    const kept: Kept = { present: this.present, undo: { past: this.#undo.past, future: this.#undo.future } };
+    const kept: Kept = { present: this.present, undo: { past: this.#undo.past, future: this.#undo.future }, at: Date.now() };
     await keep("job", kept);
   }
 
   /** Keeps what is not kept yet, before the page is left. */
   keepNow(): void {
+    if (this.version === 0) return;
+    writeSetting(LAST, JSON.stringify({ present: this.present, at: Date.now() }));
     clearTimeout(this.#keepTimer);
-    if (this.version > 0) void this.#keep();
+    void this.#keep();
+  }
+}
+
+function readLast(): { present: JobState; at: number } | undefined {
+  try {
+    return JSON.parse(readSetting(LAST) ?? "") as { present: JobState; at: number };
+  } catch {
+    return undefined;
   }
 }
 

@@ -109,7 +109,7 @@ export const de: Texts = {
     noTree: "Der Text ist so nicht lesbar, deshalb wartet das Formular. Die Befunde unten sagen, wo.",
     tables: "Tabellen des Auftrags",
     add: "Hinzufügen",
-    addTable: "Tabelle hinzufügen",
+    addTable: "Tabelle",
     remove: "Entfernen",
     moveUp: "Nach oben",
     moveDown: "Nach unten",

@@ -106,7 +106,7 @@ export const en = {
     noTree: "The text cannot be read as it stands, so the form waits. The findings below tell where.",
     tables: "Tables of the job",
     add: "Add",
-    addTable: "Add table",
+    addTable: "Table",
     remove: "Remove",
     moveUp: "Move up",
     moveDown: "Move down",

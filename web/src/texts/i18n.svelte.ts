@@ -3,6 +3,7 @@
 import { de } from "./de";
 import { en, type Texts } from "./en";
 import { KEY_NAMES_DE } from "./keys-de";
+import { KEY_NAMES_EN } from "./keys-en";
 import { formatFixed, formatNumber } from "../lib/number";
 import { keyAsWords } from "../lib/units";
 import { readSetting, writeSetting } from "../state/settings";
@@ -30,7 +31,7 @@ class I18n {
 
   /** The name of a key of a job in words of the field. */
   key(key: string): string {
-    return (this.lang === "de" ? KEY_NAMES_DE[key] : undefined) ?? keyAsWords(key);
+    return (this.lang === "de" ? KEY_NAMES_DE : KEY_NAMES_EN)[key] ?? keyAsWords(key);
   }
 
   /** A point in time as date and time of day. */
