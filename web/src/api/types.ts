@@ -105,13 +105,23 @@ export interface RunFile {
   bytes: number;
 }
 
+/** A chart of a result: the name by which it is asked for, its title, and the section of the report in which it stands. */
+export interface ChartHead {
+  name: string;
+  title: string;
+  section: string;
+}
+
 export interface Run extends RunSummary {
-  job: Job;
+  job?: Job | null;
+  /** Names of the measurements that were handed in. */
+  measurements?: string[];
   document?: Table | null;
   failure?: FailureDocument | null;
   files: RunFile[];
-  /** Names of the charts of the result. */
-  charts?: string[];
+  charts: ChartHead[];
+  /** Whether its bodies can be seen in space. */
+  scene: boolean;
 }
 
 export type Characteristics = Record<string, number | null>;

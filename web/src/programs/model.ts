@@ -12,6 +12,8 @@ export interface ProgramAxis {
   way: number;
   velocity?: number;
   acceleration?: number;
+  min?: number;
+  max?: number;
   max_velocity?: number;
   max_acceleration?: number;
 }

@@ -28,15 +28,14 @@ export function sheetsOf(run: Run): string[] {
 export function tabsOf(run: Run): RunTab[] {
   const document = run.document ?? {};
   const isStudy = run.kind === "explore";
-  const isPlanned = run.kind === "plan" || run.kind === "simulate";
   const has: Record<RunTab, boolean> = {
     study: isStudy,
     summary: !isStudy,
     inspection: sheetsOf(run).length > 0,
     systematic: Array.isArray(document["rounds"]) && document["rounds"].length > 0,
     flank: Object.keys(flanksOfDocument(document)).length > 0,
-    motions: (run.charts?.length ?? 0) > 0,
-    process: isPlanned && document["process"] !== "electronic-gearbox",
+    motions: run.charts.length > 0,
+    process: run.scene,
     programs: run.files.some((file) => file.name.startsWith("programs/")),
     report: reportOf(run) !== undefined,
     files: true,

@@ -301,6 +301,7 @@ export const de: Texts = {
     share: "der Grenze",
     acceleration: "Beschleunigung",
     travel: "Achswege",
+    travelShare: "Genutzt vom Verfahrweg",
     charts: "Achsen",
     passes: "Durchgänge",
     chords: "Sehnen",

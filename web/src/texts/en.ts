@@ -297,6 +297,7 @@ export const en = {
     share: "of the limit",
     acceleration: "Acceleration",
     travel: "Axis travel",
+    travelShare: "Used of the travel",
     charts: "Axes",
     passes: "Passes",
     chords: "Chords",
