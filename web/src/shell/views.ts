@@ -1,7 +1,7 @@
 // The views of the rail, each loaded when it is first opened.
 
 import type { Component } from "svelte";
-import type { Sign } from "../ui/Icon.svelte";
+import type { Sign } from "../ui/signs";
 
 export type ViewName = "job" | "runs" | "inspect" | "explore" | "catalogue" | "history" | "compare";
 

@@ -188,6 +188,8 @@ export const de: Texts = {
     fit: "Einpassen",
     profile: "Wälzlänge w",
     helix: "Zahnbreite z",
+    height: "Höhe",
+    length: "Länge",
     face: "Stirnseite",
     candidates: "Kandidaten für das Diagonalverhältnis",
     refused: "Abgelehnt, weil",

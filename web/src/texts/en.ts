@@ -185,6 +185,8 @@ export const en = {
     fit: "Fit",
     profile: "Length of roll w",
     helix: "Face position z",
+    height: "Height",
+    length: "Length",
     face: "Face",
     candidates: "Candidates for the diagonal ratio",
     refused: "Refused because",
