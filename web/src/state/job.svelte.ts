@@ -50,7 +50,7 @@ class JobStore {
   canUndo = $derived(this.#steps.back > 0);
   canRedo = $derived(this.#steps.forward > 0);
   findings: Finding[] = $derived(this.answer?.findings ?? []);
-  isValid = $derived(this.answer?.valid === true);
+  isValid = $derived(this.answer?.valid === true && this.failure === undefined);
   process = $derived(this.answer?.process ?? processOf(this.tree));
   name = $derived(this.answer?.name ?? nameOf(this.tree));
 
