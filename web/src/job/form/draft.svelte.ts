@@ -5,6 +5,7 @@ import type { Json } from "../../lib/path";
 export class Draft {
   text = $state<string>();
   #sent: Json[] = [];
+  #noted: Json | undefined;
   #timer: ReturnType<typeof setTimeout> | undefined;
 
   /** `send` hands over what was typed and tells the value that the job will have; undefined where there is nothing to send. */
@@ -35,6 +36,8 @@ export class Draft {
 
   /** The job has this value now: what was typed stays if it led there, otherwise the job changed by itself. */
   note(value: Json | undefined): void {
+    if (value === this.#noted) return;
+    this.#noted = value;
     const at = this.#sent.indexOf(value ?? null);
     if (at >= 0) {
       this.#sent.splice(0, at + 1);
