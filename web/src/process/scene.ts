@@ -50,6 +50,8 @@ export class ProcessScene {
   #trace = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ color: TRACE, depthTest: false }));
   #hidden = new Set<string>();
   #isMoved = new Set<string>();
+  /** The bodies that the frames of a stage place, by the stage. */
+  #placed = new Map<string, Set<string>>();
 
   constructor(canvas: HTMLCanvasElement, scene: Scene) {
     this.stage = new Stage(canvas);
@@ -90,7 +92,12 @@ export class ProcessScene {
 
   /** A body belongs to a stage if its frames place it, or if no stage does: then it stands still in all of them. */
   isPartOf(stage: SceneStage, id: string): boolean {
-    return !this.#isMoved.has(id) || stage.frames.some((frame) => id in frame.poses);
+    let placed = this.#placed.get(stage.id);
+    if (!placed) {
+      placed = new Set(stage.frames.flatMap((frame) => Object.keys(frame.poses)));
+      this.#placed.set(stage.id, placed);
+    }
+    return !this.#isMoved.has(id) || placed.has(id);
   }
 
   hide(id: string, isHidden: boolean): void {

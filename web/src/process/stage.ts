@@ -95,6 +95,35 @@ export class Stage {
     this.invalidate();
   }
 
+  /** Moves the view by shares of its height, as keys do. */
+  pan(aside: number, upwards: number): void {
+    const height = (2 * this.#halfHeight) / this.camera.zoom;
+    const right = new Vector3().setFromMatrixColumn(this.camera.matrix, 0).multiplyScalar(aside * height);
+    const shift = right.add(new Vector3().setFromMatrixColumn(this.camera.matrix, 1).multiplyScalar(upwards * height));
+    this.camera.position.add(shift);
+    this.controls.target.add(shift);
+    this.controls.update();
+    this.invalidate();
+  }
+
+  /** Turns, moves or zooms by a key; tells whether it was one of these keys. */
+  press(event: KeyboardEvent): boolean {
+    const arrows: Record<string, [number, number]> = {
+      ArrowLeft: [-1, 0],
+      ArrowRight: [1, 0],
+      ArrowUp: [0, 1],
+      ArrowDown: [0, -1],
+    };
+    const arrow = arrows[event.key];
+    if (arrow && event.shiftKey) this.pan(arrow[0] * 0.05, arrow[1] * 0.05);
+    else if (arrow) this.turn(arrow[0] * 0.1, -arrow[1] * 0.1);
+    else if (event.key === "+") this.turn(0, 0, 1.15);
+    else if (event.key === "-") this.turn(0, 0, 1 / 1.15);
+    else if (event.key.toLowerCase() === "f") this.fit();
+    else return false;
+    return true;
+  }
+
   /** Where a place of the room stands on the canvas, in CSS pixels. */
   project(at: Vector3): { x: number; y: number } {
     const seen = at.clone().project(this.camera);
