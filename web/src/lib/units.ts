@@ -50,3 +50,10 @@ export function keyAsWords(key: string): string {
   const words = keyWithoutUnit(key).replaceAll("_", " ").replaceAll("-", " ").trim();
   return words === "" ? key : words.charAt(0).toUpperCase() + words.slice(1);
 }
+
+const SIGNS: Record<string, string> = { deg: "°", um: "µm", "1": "", "deg/s": "°/s", "um/K": "µm/K" };
+
+/** A unit of the server as it is shown: `um` as µm, `deg` as °. */
+export function shownUnit(unit: string): string {
+  return SIGNS[unit] ?? unit;
+}
