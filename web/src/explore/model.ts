@@ -1,0 +1,78 @@
+// A study: its candidates, and what varies among them.
+
+import { isTable, type Table } from "../lib/path";
+import { unitOfKey } from "../lib/units";
+
+export interface Candidate {
+  rank: number;
+  allowed: boolean;
+  isWithin: boolean;
+  residual: number | undefined;
+  score: number | undefined;
+  wormLength: number | undefined;
+  determinant: number | undefined;
+  refused: string;
+  /** Values of what varies, by key. */
+  at: Record<string, number | undefined>;
+  row: Table;
+}
+
+export interface Study {
+  varied: string[];
+  tolerance: number | undefined;
+  ranking: string;
+  candidates: Candidate[];
+}
+
+const number = (value: unknown): number | undefined => (typeof value === "number" ? value : undefined);
+
+function reason(value: unknown): string {
+  if (typeof value === "string") return value;
+  if (!isTable(value)) return "";
+  return String(value["text"] ?? value["message"] ?? value["code"] ?? "");
+}
+
+export function studyOf(document: Table | null | undefined): Study {
+  const varied = (Array.isArray(document?.["varied"]) ? document["varied"] : []).map(String);
+  const rows = (Array.isArray(document?.["candidates"]) ? document["candidates"] : []).filter(isTable);
+  return {
+    varied,
+    tolerance: number(document?.["tolerance_um"]),
+    ranking: typeof document?.["ranking"] === "string" ? document["ranking"] : "",
+    candidates: rows.map((row, at) => ({
+      rank: number(row["rank"]) ?? at + 1,
+      allowed: row["allowed"] === true,
+      isWithin: row["within_tolerance"] === true,
+      residual: number(row["residual_um"]),
+      score: number(row["score"]),
+      wormLength: number(row["worm_occupation_mm"]),
+      determinant: number(row["least_determinant_ratio"]),
+      refused: reason(row["refused"]),
+      at: Object.fromEntries(varied.map((key) => [key, number(row[key])])),
+      row,
+    })),
+  };
+}
+
+export const unitOfVaried = (key: string): string => unitOfKey(key);
+
+/** Powers of ten that enclose positive values. */
+export function decades(values: number[]): { low: number; high: number } {
+  const positive = values.filter((value) => value > 0);
+  if (positive.length === 0) return { low: -3, high: 1 };
+  const low = Math.floor(Math.log10(Math.min(...positive)));
+  const high = Math.ceil(Math.log10(Math.max(...positive)));
+  return { low, high: Math.max(high, low + 1) };
+}
+
+/** Round ticks over a range. */
+export function ticks(from: number, to: number, wanted = 6): number[] {
+  const span = to - from;
+  if (!(span > 0)) return [from];
+  const raw = span / wanted;
+  const power = 10 ** Math.floor(Math.log10(raw));
+  const step = [1, 2, 5, 10].map((factor) => factor * power).find((some) => some >= raw) ?? raw;
+  const first = Math.ceil(from / step - 1e-9);
+  const last = Math.floor(to / step + 1e-9);
+  return Array.from({ length: last - first + 1 }, (_, at) => Number(((first + at) * step).toPrecision(12)));
+}

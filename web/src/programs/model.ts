@@ -1,0 +1,65 @@
+// Programs of a result: what each does, its axes and how it is proven.
+
+import { isTable, type Json, type Table } from "../lib/path";
+import type { Run } from "../api/types";
+
+export interface ProgramAxis {
+  axis: string;
+  word?: string;
+  unit: string;
+  from: number;
+  to: number;
+  way: number;
+  velocity?: number;
+  acceleration?: number;
+  min?: number;
+  max?: number;
+  max_velocity?: number;
+  max_acceleration?: number;
+}
+
+export interface Program {
+  file: string;
+  control: string;
+  does: string;
+  blocks: number | undefined;
+  duration: number | undefined;
+  axes: ProgramAxis[];
+  passes: Table[];
+  proof: string | undefined;
+}
+
+const number = (value: Json | undefined): number | undefined => (typeof value === "number" ? value : undefined);
+const tables = (value: Json | undefined): Table[] => (Array.isArray(value) ? value.filter(isTable) : []);
+
+/** The programs among the files of a run, with what the result says of them. */
+export function programsOf(run: Run): Program[] {
+  const told = run.document?.["programs"];
+  const list = tables(isTable(told) ? told["programs"] : told);
+  const proofs = tables(isTable(told) ? told["proofs"] : undefined);
+  const files = run.files.map((file) => file.name).filter((name) => name.startsWith("programs/"));
+  return files.map((file) => {
+    const entry = list.find((some) => some["file"] === file) ?? {};
+    const control = typeof entry["control"] === "string" ? entry["control"] : "";
+    const proof = proofs.find((some) => Array.isArray(some["controls"]) && some["controls"].includes(control));
+    const difference = number(entry["proof_difference_um"]);
+    const allowed = number(entry["proof_allowed_um"]);
+    const own = difference === undefined ? undefined : `${difference.toPrecision(3)} µm ≤ ${allowed?.toPrecision(3) ?? "?"} µm`;
+    return {
+      file,
+      control,
+      does: typeof entry["job"] === "string" ? entry["job"] : (/([a-z]+)-[a-z]+\.[a-z]+$/.exec(file)?.[1] ?? ""),
+      blocks: number(entry["blocks"]),
+      duration: number(entry["duration_s"]),
+      axes: tables(entry["axes"]) as unknown as ProgramAxis[],
+      passes: tables(entry["passes"]),
+      proof: typeof proof?.["statement"] === "string" ? proof["statement"] : own,
+    };
+  });
+}
+
+/** The first lines of a text. */
+export function firstLines(text: string, count: number): { lines: string; isWhole: boolean } {
+  const lines = text.split("\n");
+  return lines.length <= count ? { lines: text, isWhole: true } : { lines: lines.slice(0, count).join("\n"), isWhole: false };
+}

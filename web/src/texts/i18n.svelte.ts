@@ -1,0 +1,52 @@
+// The language of the pages: chosen once, kept in the browser, else that of the browser.
+
+import { de } from "./de";
+import { en, type Texts } from "./en";
+import { KEY_NAMES_DE } from "./keys-de";
+import { KEY_NAMES_EN } from "./keys-en";
+import { formatFixed, formatNumber } from "../lib/number";
+import { keyAsWords } from "../lib/units";
+import { readSetting, writeSetting } from "../state/settings";
+
+export type Language = "en" | "de";
+
+class I18n {
+  lang = $state<Language>(startLanguage());
+  t: Texts = $derived(this.lang === "de" ? de : en);
+
+  set(lang: Language): void {
+    this.lang = lang;
+    document.documentElement.lang = lang;
+    writeSetting("language", lang);
+  }
+
+  /** A number with its unit. */
+  num(value: number | null | undefined, unit = "", digits = 4): string {
+    return formatNumber(value, this.lang, digits, unit);
+  }
+
+  fixed(value: number | null | undefined, decimals: number, unit = ""): string {
+    return formatFixed(value, this.lang, decimals, unit);
+  }
+
+  /** The name of a key of a job in words of the field. */
+  key(key: string): string {
+    return (this.lang === "de" ? KEY_NAMES_DE : KEY_NAMES_EN)[key] ?? keyAsWords(key);
+  }
+
+  /** A point in time as date and time of day. */
+  time(iso: string | null | undefined): string {
+    if (!iso) return "–";
+    const date = new Date(iso);
+    if (Number.isNaN(date.getTime())) return iso;
+    return date.toLocaleString(this.lang === "de" ? "de-DE" : "en-GB", { dateStyle: "medium", timeStyle: "short" });
+  }
+}
+
+function startLanguage(): Language {
+  const kept = readSetting("language");
+  if (kept === "de" || kept === "en") return kept;
+  return typeof navigator !== "undefined" && navigator.language.startsWith("de") ? "de" : "en";
+}
+
+export const i18n = new I18n();

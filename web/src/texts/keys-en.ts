@@ -1,0 +1,25 @@
+// English names of keys whose own words do not tell what they are.
+
+export const KEY_NAMES_EN: Record<string, string> = {
+  d1: "Centre distance, linear over the feed",
+  d2: "Centre distance, square over the feed",
+  phi1: "Workpiece angle, linear over the feed",
+  phi2: "Workpiece angle, square over the feed",
+  fHa_um: "fHα",
+  fHb_material_um: "fHβ",
+  Ca_um: "Cα",
+  Cb_um: "Cβ",
+  S_um: "Twist S",
+  rms_um: "rms",
+  largest_um: "Largest",
+  range_um: "Range",
+  rms_deviation_um: "Deviation rms",
+  max_deviation_um: "Largest deviation",
+  twist_corner_um: "Twist (corners)",
+  twist_corner_normal_um: "Twist (corners, normal)",
+  twist_fit_um: "Twist (fit)",
+  twist_fit_normal_um: "Twist (fit, normal)",
+  outside_class_um: "Outside the class",
+  referee_error_um: "Referee's own error",
+  model_difference_um: "Analytic against referee",
+};
