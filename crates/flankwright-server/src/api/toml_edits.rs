@@ -101,6 +101,12 @@ fn in_item(item: &mut Item, steps: &[Step], value: &Json, depth: usize) -> Resul
     match first {
         Step::Key(key) => {
             let table = item.as_table_like_mut().ok_or(NO_TABLE)?;
+            if rest.is_empty() && depth == 0 && value.is_object() {
+                // A table of the job stands under its heading.
+                let Some(Value::InlineTable(given)) = toml(value) else { return Err(NO_VALUE) };
+                table.insert(key, Item::Table(given.into_table()));
+                return Ok(());
+            }
             if rest.is_empty() {
                 return in_table(table, key, value);
             }
@@ -287,6 +293,8 @@ mod tests {
     #[test]
     fn what_is_absent_is_made_and_null_takes_out() {
         let changed = with(JOB, json!(["worm", "threads"]), json!(3)).unwrap();
+        assert_eq!(changed, format!("{JOB}\n[worm]\nthreads = 3\n"));
+        let changed = with(JOB, json!(["worm"]), json!({ "threads": 3 })).unwrap();
         assert_eq!(changed, format!("{JOB}\n[worm]\nthreads = 3\n"));
         let changed = with(JOB, json!(["gear", "evaluation", "z_start"]), json!(-14.0)).unwrap();
         assert!(changed.contains("evaluation = { z_start = -14.0 }"), "{changed}");
