@@ -67,7 +67,8 @@ pub use filter::{CharacteristicFilter, PartFilter};
 pub use measured::{ImportSettings, KnownPart, MeasurementReport, RefusedFile};
 pub use records::{
     Characteristic, CharacteristicValue, MeasuredCharacteristic, NewRun, PartRecord, PartSummary, PlanRecord,
-    PlanSummary, RunEnd, RunFile, RunFileSummary, RunRecord, RunState, RunSummary, SeriesSummary, ToolSummary,
+    PlanSummary, RunEnd, RunFile, RunFileSummary, RunRecord, RunState, RunSummary, SeriesSummary,
+    ToolSummary,
 };
 pub use reports::{CatalogueReport, HistoryReport, ImportReport, StoreHealth};
 pub use store::Store;

@@ -42,7 +42,10 @@ fn a_run_goes_from_the_queue_to_its_result(place: &Place) {
     // What has ended stays as it is.
     assert!(!store.end_run(id, &end(RunState::Cancelled)).unwrap());
     let run = store.run(id).unwrap().unwrap();
-    assert_eq!((run.summary.state, run.summary.ended.as_deref()), (RunState::Done, Some("2026-03-14T09:31:00Z")));
+    assert_eq!(
+        (run.summary.state, run.summary.ended.as_deref()),
+        (RunState::Done, Some("2026-03-14T09:31:00Z"))
+    );
     assert_eq!(run.document, end(RunState::Done).document);
     let file = |name: &str, bytes| RunFileSummary { name: name.into(), bytes };
     assert_eq!(run.files, [file("result.json", 2), file("programs/work.ngc", 3)]);
@@ -58,8 +61,8 @@ fn a_run_goes_from_the_queue_to_its_result(place: &Place) {
 
 fn what_a_dead_server_left_is_interrupted(place: &Place) {
     let store = place.open();
-    let [queued, running, ended, elsewhere] =
-        ["a", "b", "c", "d"].map(|name| store.add_run(&new(if name == "d" { "hall" } else { "desk" }, name)).unwrap());
+    let [queued, running, ended, elsewhere] = ["a", "b", "c", "d"]
+        .map(|name| store.add_run(&new(if name == "d" { "hall" } else { "desk" }, name)).unwrap());
     assert!(store.begin_run(running).unwrap() && store.begin_run(elsewhere).unwrap());
     assert!(store.end_run(ended, &end(RunState::Failed)).unwrap());
     drop(store);
