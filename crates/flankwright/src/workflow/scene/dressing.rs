@@ -14,10 +14,14 @@ pub(super) const PARKED: f64 = 30.0;
 /// What stages of dressing are counted by.
 pub(super) const WORM_POSITION: Coordinate = Coordinate { label: "worm position v_zS", unit: "mm" };
 
-/// The worm as far as it is there: radii of root and tip, axial positions of its faces, mm.
+/// The worm as far as it is there. mm.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct WormExtent {
+    /// Radii of root and tip at z = 0.
     pub radii: [f64; 2],
+    /// What they fall by along the axis, mm/mm.
+    pub slope: f64,
+    /// Axial positions of the faces.
     pub faces: [f64; 2],
 }
 
@@ -42,7 +46,7 @@ pub(super) type Parked = (String, [f64; 12]);
 impl WormExtent {
     /// Whether a point in coordinates of the worm lies on it.
     pub fn holds(&self, point: &Vector3<f64>) -> bool {
-        let radius = point.xy().norm();
+        let radius = point.xy().norm() + self.slope * point.z;
         let within = |x: f64, [from, to]: [f64; 2]| (from..=to).contains(&x);
         within(radius, self.radii) && within(point.z, self.faces)
     }

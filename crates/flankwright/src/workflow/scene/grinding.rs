@@ -36,14 +36,11 @@ pub fn scene_of_grinding(loaded: &LoadedJob, outcome: &Outcome) -> Result<Scene,
     let setup = &outcome.prepared.setup;
     let execution = &outcome.execution;
     let faces = worm_faces(job, outcome);
-    let extent = WormExtent { radii: [setup.worm_root_radius, setup.largest_tip_radius], faces };
-    let mut bodies = gear_and_worm(
-        &setup.pair,
-        &setup.input.blank,
-        [setup.worm_root_radius, setup.worm_tip_radius],
-        faces,
-    )?;
-    let depth = setup.largest_tip_radius - setup.worm_root_radius;
+    let radii = [setup.worm_root_radius, setup.worm_tip_radius];
+    let slope = setup.pair.worm.data().cone_angle.tan();
+    let extent = WormExtent { radii, slope, faces };
+    let mut bodies = gear_and_worm(&setup.pair, &setup.input.blank, radii, faces)?;
+    let depth = radii[1] - radii[0];
 
     let flanks: Vec<(Flank, &ExecutedFlank)> = Flank::BOTH
         .into_iter()

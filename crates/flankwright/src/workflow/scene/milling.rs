@@ -14,8 +14,11 @@ use crate::workflow::milling::part_mesh::{Fineness, part_with};
 use nalgebra::{Rotation3, Vector3};
 use std::collections::HashSet;
 
-/// Points of a flank: from root to tip, and along the teeth.
-const FINENESS: Fineness = Fineness { height: 12, length: 17 };
+/// Points of a flank: from root to tip, and along the teeth at most and at least.
+const HEIGHT: usize = 12;
+const LENGTH: [usize; 2] = [5, 17];
+/// Triangles of all teeth at most, where the least points allow it.
+const MOST_TRIANGLES: usize = 56_000;
 /// Frames of an operation at most.
 const FRAMES: usize = 201;
 /// A cutter that waits is drawn back along its axis by this many lengths of the tool.
@@ -34,7 +37,10 @@ struct ShownCutter<'a> {
 /// # Errors
 /// [`RunFailure`] for bodies that cannot be meshed and motions without numbers.
 pub fn scene_of_milling(loaded: &LoadedMillingJob, outcome: &MillingOutcome) -> Result<Scene, RunFailure> {
-    let part = part_with(&outcome.bodies, FINENESS).map_err(|e| unmeshed("part", &e))?;
+    let sections = outcome.bodies.spaces * outcome.bodies.parts.len() * 4 * (HEIGHT + 1);
+    let length = (MOST_TRIANGLES / sections.max(1) + 1).clamp(LENGTH[0], LENGTH[1]);
+    let fineness = Fineness { height: HEIGHT, length };
+    let part = part_with(&outcome.bodies, fineness).map_err(|e| unmeshed("part", &e))?;
     let blades = matches!(loaded.job.body(), Some(MilledBody::Blade(_)));
     let part = match blades {
         true => Body::new("part", BodyKind::Part, part.check_watertight().is_ok(), &part),

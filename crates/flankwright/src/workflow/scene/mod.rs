@@ -12,6 +12,7 @@ mod shape;
 mod skiving;
 mod skiving_mesh;
 mod tangential;
+mod threaded;
 mod toothed;
 
 pub use finish::no_scene;

@@ -12,9 +12,10 @@ use std::f64::consts::TAU;
 const EDGE: usize = 17;
 const TIP: usize = 4;
 const ROOT: usize = 6;
-/// The root is drawn this far below the edges, and the tool so thick, in modules of the pitch circle.
+/// The root is drawn this far below the edges, in modules of the pitch circle.
 const DEPTH: f64 = 0.4;
-const THICKNESS: f64 = 3.0;
+/// The tool is drawn so thick, in modules: behind that, clearance faces of slender teeth may run together.
+const THICKNESS: [f64; 4] = [1.5, 0.75, 0.375, 0.2];
 /// Bore as a share of the root radius.
 const BORE: f64 = 0.4;
 const BORE_CORNERS: usize = 60;
@@ -41,9 +42,9 @@ pub(super) fn skiving_tool(
     let tooth = tooth(tool, [&high, &low], root);
     let teeth = tool.teeth();
     let pitch = TAU / f64::from(teeth);
-    // Teeth follow each other against the sense of rotation, as the points of one do.
+    // Teeth follow each other as the points of one do: their angles from +y towards +x fall, that about z rises.
     let around = (0..teeth).flat_map(|k| {
-        let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), -pitch * f64::from(k));
+        let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), pitch * f64::from(k));
         tooth
             .iter()
             .map(move |p| FacePoint { point: turn * p.point, back: turn * p.back })
@@ -52,12 +53,19 @@ pub(super) fn skiving_tool(
     let face: Vec<FacePoint> = around.collect();
     let of_root = |p: &&FacePoint| p.point.xy().norm() < root + 1e-9;
     let (sum, count) = face.iter().filter(of_root).fold((0.0, 0.0), |(z, n), p| (z + p.point.z, n + 1.0));
-    let thickness = THICKNESS * module;
     let section = |depth: f64| Section {
         outline: face.iter().map(|p| p.point + p.back * depth).collect(),
         holes: vec![circle(BORE * root, sum / count - depth)],
     };
-    Ok(swept(&[section(thickness), section(0.0)]))
+    let of = |thickness: f64| swept(&[section(thickness * module), section(0.0)]);
+    let mut made = of(THICKNESS[0]);
+    for thickness in &THICKNESS[1..] {
+        if made.is_ok() {
+            break;
+        }
+        made = of(*thickness);
+    }
+    Ok(made)
 }
 
 /// Both edges of tooth 0 from root to tip; first the one at the greater angle from +y towards +x.
@@ -85,7 +93,7 @@ fn tooth(tool: &SkivingTool, [high, low]: [&[FacePoint]; 2], root: f64) -> Vec<F
     let pitch = TAU / f64::from(tool.teeth());
     let clearance = tool.rounding().clearance_angle.tan();
     let at = |radius: f64, angle: f64, number: f64, lean: f64| {
-        let own = Rotation3::from_axis_angle(&Vector3::z_axis(), pitch * number);
+        let own = Rotation3::from_axis_angle(&Vector3::z_axis(), -pitch * number);
         let point = on_rake(tool, &(own * Vector3::new(radius * angle.sin(), radius * angle.cos(), 0.0)));
         let point = own.inverse() * point;
         let helix = Vector3::new(tool.twist() * point.y, -tool.twist() * point.x, -1.0);

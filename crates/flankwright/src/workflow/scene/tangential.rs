@@ -57,7 +57,7 @@ pub fn scene_of_tangential(
         Some(width) => [-0.5 * width, 0.5 * width],
         None => [used[0] - beside, used[1] + beside],
     };
-    let extent = WormExtent { radii, faces };
+    let extent = WormExtent { radii, slope: 0.0, faces };
     let mut bodies = gear_and_worm(&model.pair, &ready.blank, radii, faces)?;
     bodies.push(dresser(outcome, &driven)?);
 

@@ -1,6 +1,7 @@
 //! A gear or worm as a closed mesh: involute flanks as they are drawn, tip and root as arcs, a bore for the eye. Knows no motion, and
 //! no modification: micrometres cannot be seen.
 
+use super::threaded::threaded;
 use crate::exchange::mesh::{MeshError, Section, TriangleMesh, swept};
 use crate::geometry::{Flank, Gear, GeometryError};
 use crate::numerics::equidistant;
@@ -37,7 +38,9 @@ const ARC: f64 = TAU / 60.0;
 const MOST_TRIANGLES: usize = 56_000;
 /// Corners of the bore, and its radius as a share of the least root radius.
 const BORE_CORNERS: usize = 30;
-const BORE: f64 = 0.45;
+pub(super) const BORE: f64 = 0.45;
+/// Teeth that lean more than this are threads: 45 deg.
+const STEEP: f64 = TAU / 8.0;
 /// Least width of a tip or root that is drawn, and least height of a fillet, as shares of the module.
 const LEAST_WIDTH: f64 = 0.02;
 const LEAST_FILLET: f64 = 0.02;
@@ -47,10 +50,10 @@ const FILLET_SHARE: f64 = 0.6;
 
 /// Radii of one section.
 #[derive(Clone, Copy)]
-struct Radii {
-    tip: f64,
-    start: f64,
-    root: f64,
+pub(super) struct Radii {
+    pub tip: f64,
+    pub start: f64,
+    pub root: f64,
 }
 
 /// Points of the parts of a section.
@@ -67,6 +70,9 @@ impl Toothed<'_> {
     /// # Errors
     /// [`MeshError`] for one that cannot be: pointed teeth, no material.
     pub fn mesh(&self) -> Result<TriangleMesh, MeshError> {
+        if self.gear.data().helix_angle.abs() > STEEP {
+            return threaded(self);
+        }
         let spaces = self.gear.tooth_count() as usize;
         let [from, to] = self.faces;
         let counts = self.counts(0.5 * (from + to));
@@ -85,7 +91,7 @@ impl Toothed<'_> {
     }
 
     /// Polar angle of a flank's point at a radius, from +y towards +x, full turns kept.
-    fn polar(&self, flank: Flank, radius: f64, z: f64) -> f64 {
+    pub fn polar(&self, flank: Flank, radius: f64, z: f64) -> f64 {
         let f = self.gear.flank(flank);
         let w = roll(self.gear, flank, radius);
         f.phi(w, z) - f.s() * f.external_sign * (w / f.base_radius).atan()
@@ -96,7 +102,8 @@ impl Toothed<'_> {
         self.polar(Flank::Left, radius, z) - self.polar(Flank::Right, radius, z)
     }
 
-    fn radii(&self, z: f64) -> Radii {
+    /// Radii of the section at z.
+    pub fn radii(&self, z: f64) -> Radii {
         let lean = z * self.gear.data().cone_angle.tan();
         let module = self.gear.data().normal_module;
         let (pitch, least) = (TAU / self.gear.tooth_count(), LEAST_WIDTH * module);
@@ -208,4 +215,85 @@ fn circle(radius: f64, z: f64) -> Vec<Vector3<f64>> {
         Vector3::new(radius * cos, radius * sin, z)
     };
     (0..BORE_CORNERS).map(corner).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{GearData, Sides};
+
+    fn gear(teeth: i32, helix_deg: f64, cone_deg: f64) -> Gear {
+        Gear::new(GearData {
+            teeth,
+            normal_module: 3.0,
+            pressure_angle: Sides::both(20f64.to_radians()),
+            helix_angle: helix_deg.to_radians(),
+            profile_shift: 0.1,
+            cone_angle: cone_deg.to_radians(),
+        })
+        .unwrap()
+    }
+
+    fn body(gear: &Gear, addendum: f64, dedendum: f64, length: f64) -> Toothed<'_> {
+        let pitch = gear.pitch_radius();
+        let root = pitch - dedendum;
+        Toothed { gear, tip: pitch + addendum, root, form: root + 0.4, faces: [-0.4 * length, 0.6 * length] }
+    }
+
+    #[test]
+    fn gears_of_any_number_of_teeth_are_closed_bodies() {
+        for teeth in [5, 7, 19, 60, 150, 300] {
+            for (helix, cone) in [(0.0, 0.0), (-30.0, 0.0), (17.0, 4.0)] {
+                let gear = gear(teeth, helix, cone);
+                let mesh = body(&gear, 3.3, 3.4, 25.0).mesh().unwrap();
+                assert!(mesh.triangles.len() < 62_000, "{teeth}: {}", mesh.triangles.len());
+            }
+        }
+    }
+
+    #[test]
+    fn worms_of_both_hands_are_closed_bodies_on_their_threads() {
+        for (threads, helix, cone, length) in [
+            (1, 88.0, 0.0, 160.0),
+            (3, -86.0, 0.0, 90.0),
+            (7, 80.0, 0.0, 40.0),
+            (2, -87.0, 3.0, 70.0),
+            (1, 89.0, -4.0, 30.0),
+        ] {
+            let gear = gear(threads, helix, cone);
+            let worm = Toothed { form: gear.pitch_radius() - 3.7, ..body(&gear, 3.0, 3.7, length) };
+            let mesh = worm.mesh().unwrap();
+            assert!(mesh.triangles.len() < 62_000, "{threads}: {}", mesh.triangles.len());
+            let off = |point: &Vector3<f64>| {
+                let [l, r] = Flank::BOTH.map(|flank| gear.flank(flank).deviation(point).f_n.abs());
+                l.min(r)
+            };
+            let between = |p: &&Vector3<f64>| {
+                let Radii { tip, root, .. } = worm.radii(p.z);
+                (root + 1e-6..tip - 1e-6).contains(&p.xy().norm())
+            };
+            let on_threads: Vec<f64> = mesh
+                .vertices
+                .iter()
+                .filter(between)
+                .filter(|p| p.xy().norm() > 0.6 * worm.root)
+                .map(off)
+                .collect();
+            assert!(on_threads.len() > 1000, "{threads}: {}", on_threads.len());
+            assert!(
+                on_threads.iter().all(|off| *off < 1e-8),
+                "{threads}: {:?}",
+                on_threads.iter().copied().fold(0.0, f64::max)
+            );
+        }
+    }
+
+    #[test]
+    fn teeth_and_spaces_that_run_to_a_point_are_cut_before() {
+        let gear = gear(12, 10.0, 0.0);
+        let mesh = body(&gear, 7.5, 3.0, 20.0).mesh().unwrap();
+        let reach = mesh.vertices.iter().map(|p| p.xy().norm()).fold(0.0, f64::max);
+        assert!(reach < gear.pitch_radius() + 7.0 && reach > gear.pitch_radius() + 2.0, "{reach}");
+        body(&gear, 3.0, 9.0, 20.0).mesh().unwrap();
+    }
 }
