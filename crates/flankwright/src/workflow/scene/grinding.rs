@@ -90,7 +90,10 @@ pub fn scene_of_grinding(loaded: &LoadedJob, outcome: &Outcome) -> Result<Scene,
         .map(|stroke| {
             let surface = DressedWorm::new(stroke.tool, stroke.flank, stroke.corrections);
             let line = |v: f64| -> Vec<Vector3<f64>> {
-                let touched = equidistant(stroke.profile, LINE).into_iter();
+                // Circles beyond the tip radius are not there.
+                let profile = &stroke.tool.flanks[stroke.flank].profile;
+                let there = |t: &f64| profile.covers(*t) && profile.at(*t).r <= stroke.tip_radius;
+                let touched = equidistant(stroke.profile, LINE).into_iter().filter(there);
                 touched.filter_map(|t| Some(surface.jet(t, v)?.p)).collect()
             };
             let shown = ShownDressing {
@@ -183,6 +186,8 @@ struct ShownDresser {
     body: Body,
     /// Its number among those of the job.
     number: usize,
+    /// Outside radius, mm.
+    tip_radius: f64,
     /// The flank in whose coordinates it is drawn.
     flank: Flank,
     /// How far it is shifted along its axis when it dresses the other flank, mm.
@@ -198,8 +203,9 @@ struct Stroke<'a> {
     corrections: &'a [Chebyshev; 4],
     motion: &'a DressingMotion,
     driven: [f64; 2],
-    /// What of the profile touches.
+    /// What of the profile touches, as far as the tip radius lets it.
     profile: [f64; 2],
+    tip_radius: f64,
     dresser: String,
     offset: f64,
 }
@@ -214,7 +220,8 @@ fn dressers(job: &Job, outcome: &Outcome) -> Result<Vec<ShownDresser>, RunFailur
         let form = TipDisc::new(0.5 * dresser.tip_diameter, tip_radius).map_err(failed)?;
         let mesh = narrow_disc(&form).map_err(|e| unmeshed("dresser", &e))?;
         let body = Body::new("dresser", BodyKind::Dresser, true, &mesh);
-        return Ok(vec![ShownDresser { body, number: 0, flank, across: 0.0 }]);
+        let tip_radius = form.outside_radius();
+        return Ok(vec![ShownDresser { body, number: 0, tip_radius, flank, across: 0.0 }]);
     }
     let Some(tool) = &outcome.execution.dresser else { return Ok(Vec::new()) };
     let land = dresser_land(job, outcome);
@@ -262,7 +269,7 @@ fn shown_dresser(
     // The counter flank stands in by what the land is narrower; to dress, it stands where it was designed.
     let side = tool.flanks[flank].profile.at(tool.flanks[flank].designed.middle()).n_z.signum();
     let body = Body::new(id, BodyKind::Dresser, true, &mesh);
-    Ok(ShownDresser { body, number, flank, across: -side * (full - land) })
+    Ok(ShownDresser { body, number, tip_radius, flank, across: -side * (full - land) })
 }
 
 /// The strokes in which a flank is dressed by discs in line contact.
@@ -290,6 +297,7 @@ fn strokes_of<'a>(
                 motion: &dressing.motion,
                 driven: dressing.driven,
                 profile: [designed.w_nf - beside, designed.w_na + beside],
+                tip_radius: dresser.tip_radius,
                 dresser: dresser.body.id.clone(),
                 offset: offset(dresser),
             }]
@@ -307,6 +315,7 @@ fn strokes_of<'a>(
                     motion: &stroke.motion,
                     driven: stroke.driven,
                     profile: stroke.place.area.touching(),
+                    tip_radius: dresser.tip_radius,
                     dresser: dresser.body.id.clone(),
                     offset: offset(dresser),
                 })
