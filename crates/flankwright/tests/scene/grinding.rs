@@ -6,7 +6,7 @@ use flankwright::exchange::{AnyJob, LoadedJob};
 use flankwright::geometry::{Flank, Gear};
 use flankwright::numerics::Silent;
 use flankwright::process::dressing::DressedWorm;
-use flankwright::workflow::scene::{Frame, Scene, no_scene, scene_of_grinding};
+use flankwright::workflow::scene::{Body, Frame, Scene, no_scene, scene_of_grinding};
 use flankwright::workflow::{Outcome, plan_job, simulate_job};
 use nalgebra::Vector3;
 use std::path::Path;
@@ -106,9 +106,10 @@ fn check_grinding(name: &str, outcome: &Outcome, frames: &[Frame]) {
 }
 
 fn check_dressing(name: &str, scene: &Scene, outcome: &Outcome, frames: &[Frame]) {
-    let dresser = frames[0].poses.keys().find(|id| id.starts_with("dresser")).unwrap().clone();
-    let (disc, worm) = (body(scene, &dresser), body(scene, "worm"));
-    let (at_disc, at_worm) = (vertices(disc), vertices(worm));
+    let discs = scene.bodies.iter().filter(|body| body.id.starts_with("dresser"));
+    let discs: Vec<_> = discs.map(|body| (body, vertices(body))).collect();
+    let worm = body(scene, "worm");
+    let at_worm = vertices(worm);
     let mut seen = 0;
     for frame in frames.iter().step_by(17) {
         for contact in frame.contact.iter().step_by(6) {
@@ -118,10 +119,10 @@ fn check_dressing(name: &str, scene: &Scene, outcome: &Outcome, frames: &[Frame]
             let (_, modified, _) = nearest(&outcome.prepared.setup.pair.worm, &on_it);
             let off = off_mesh(worm, &at_worm, &on_it) - modified.abs();
             assert!(off < FACETS, "{name}: {off} off the worm's mesh at {}", frame.at);
-            if dresser == "dresser" {
-                let off = off_mesh(disc, &at_disc, &in_body(frame, &dresser, contact));
-                assert!(off < 0.03, "{name}: {off} off the dresser's mesh at {}", frame.at);
-            }
+            // Of several dressers the one that works; the others stand aside.
+            let of = |(disc, at): &(&Body, Vec<_>)| off_mesh(disc, at, &in_body(frame, &disc.id, contact));
+            let off = discs.iter().map(of).fold(f64::INFINITY, f64::min);
+            assert!(off < FACETS, "{name}: {off} off the dresser's mesh at {}", frame.at);
             seen += 1;
         }
     }

@@ -24,7 +24,7 @@ const BESIDE: f64 = 0.1;
 const LINE: usize = 9;
 
 /// The exact contact of a place (w, z) of the gear's flank; `None` where the tool leaves nothing.
-pub(super) type Solve<'a> = &'a dyn Fn(f64, f64) -> Option<ContactSolution>;
+pub(super) type Solver<'a> = Box<dyn Fn(f64, f64) -> Option<ContactSolution> + 'a>;
 
 /// A flank that is ground.
 pub(super) struct ShownFlank<'a> {
@@ -32,7 +32,7 @@ pub(super) struct ShownFlank<'a> {
     /// Lengths of roll and axial positions on the gear, mm.
     pub roll: [f64; 2],
     pub face: [f64; 2],
-    pub solve: Solve<'a>,
+    pub solve: &'a Solver<'a>,
 }
 
 /// A stroke to be shown.

@@ -11,9 +11,11 @@ mod milling;
 mod shape;
 mod skiving;
 mod skiving_mesh;
+mod strokes;
 mod tangential;
 mod threaded;
 mod toothed;
+mod written;
 
 pub use finish::no_scene;
 pub use grinding::scene_of_grinding;

@@ -96,7 +96,7 @@ impl Body {
             id: id.into(),
             kind,
             closed,
-            positions: mesh.vertices.iter().flat_map(|p| place(p)).collect(),
+            positions: mesh.vertices.iter().flat_map(place).collect(),
             indices: mesh.triangles.iter().flatten().copied().collect(),
         }
     }

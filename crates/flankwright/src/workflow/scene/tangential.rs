@@ -4,10 +4,10 @@
 use super::disc::profiled_disc;
 use super::dressing::{Parked, WORM_POSITION, WormExtent, dressing_frame, dressing_frames, parked_dresser};
 use super::finish::{finished, unmeshed};
-use super::generating::{ShownFlank, ShownGenerating};
+use super::generating::{ShownFlank, ShownGenerating, Solver};
 use super::grinding::gear_and_worm;
 use super::shape::{Body, BodyKind, Scene, Stage};
-use crate::contact::{ContactSolution, Measure};
+use crate::contact::Measure;
 use crate::exchange::LoadedTangentialJob;
 use crate::geometry::{Flank, Revolution};
 use crate::numerics::{equidistant, extremes};
@@ -61,12 +61,8 @@ pub fn scene_of_tangential(
     let mut bodies = gear_and_worm(&model.pair, &ready.blank, radii, faces)?;
     bodies.push(dresser(outcome, &driven)?);
 
-    let solvers: Vec<Box<dyn Fn(f64, f64) -> Option<ContactSolution> + '_>> = driven
-        .iter()
-        .map(|d| -> Box<dyn Fn(f64, f64) -> Option<ContactSolution> + '_> {
-            Box::new(move |w, z| d.ground.contact_at(w, z))
-        })
-        .collect();
+    let solvers: Vec<Solver<'_>> =
+        driven.iter().map(|d| -> Solver<'_> { Box::new(move |w, z| d.ground.contact_at(w, z)) }).collect();
     let mut passes = Vec::new();
     for (number, pass) in ready.passes.iter().enumerate() {
         let of_pass: Vec<usize> = (0..driven.len()).filter(|&k| pass.contains(&driven[k].flank)).collect();
@@ -75,7 +71,7 @@ pub fn scene_of_tangential(
             flank: driven[k].flank,
             roll: model.rolls(driven[k].flank),
             face: model.input().faces,
-            solve: solvers[k].as_ref(),
+            solve: &solvers[k],
         });
         let names: Vec<&str> = of_pass.iter().map(|&k| driven[k].flank.name()).collect();
         let alone = ready.passes.len() == 1;

@@ -3,7 +3,7 @@
 
 use super::threaded::threaded;
 use crate::exchange::mesh::{MeshError, Section, TriangleMesh, swept};
-use crate::geometry::{Flank, Gear, GeometryError};
+use crate::geometry::{Flank, Gear};
 use crate::numerics::equidistant;
 use nalgebra::Vector3;
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -193,7 +193,7 @@ impl Toothed<'_> {
 }
 
 fn roll(gear: &Gear, flank: Flank, radius: f64) -> f64 {
-    gear.flank(flank).length_of_roll(radius).unwrap_or_else(|_: GeometryError| 0.0)
+    gear.flank(flank).length_of_roll(radius).unwrap_or(0.0)
 }
 
 /// The place nearest to `to` on the way from `from` at which something still holds; `to` itself where it holds there.
