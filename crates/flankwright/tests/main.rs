@@ -59,6 +59,7 @@ mod removal;
 mod report;
 mod report_sample;
 mod rolled_pair;
+mod scene;
 mod skiving;
 mod skiving_programs;
 mod skiving_report;

@@ -1,6 +1,6 @@
 //! Dressing: the chain dresser -> worm of spec 00 and the corrected motion DK(v) along the worm (spec 30).
 
-use super::{Dresser, MotionLaw, Pose, Worm};
+use super::{Dresser, MotionLaw, Pose, Room, Worm};
 use crate::numerics::Scalar;
 use std::f64::consts::TAU;
 
@@ -49,6 +49,16 @@ impl<T: Scalar> DressingPosition<T> {
 }
 
 impl DressingPosition {
+    /// Worm and dresser each against the room: z along the worm's axis, x towards the dresser. The worm travels along its axis; its
+    /// inverse before the dresser is [`DressingPosition::pose`].
+    pub fn in_room(&self) -> (Pose<Room, Worm>, Pose<Room, Dresser>) {
+        let worm = Pose::<Room, Room>::tz(self.worm_shift).then(&Pose::<Room, Worm>::rz(self.worm_angle));
+        let dresser = Pose::<Room, Room>::rx(-self.crossing_angle)
+            .then(&Pose::<Room, Room>::tx(self.centre_distance))
+            .then(&Pose::<Room, Dresser>::ty(-self.offset));
+        (worm, dresser)
+    }
+
     /// The position whose [`DressingPosition::pose`] this is but for the dresser's own rotation; of the two that describe it, and
     /// among full turns, the one nearest to the worm angle `near` (rad). `None` where the dresser axis stands across the worm axis.
     pub fn of_pose(pose: &Pose<Worm, Dresser>, near: f64) -> Option<Self> {
@@ -129,6 +139,10 @@ mod tests {
                 centre_distance: 150.0,
                 offset: -1.25,
             };
+            let (worm, dresser) = position.in_room();
+            let by_room = worm.inverse().then(&dresser);
+            assert!((by_room.rotation() - position.pose().rotation()).norm() < 1e-14);
+            assert!((by_room.translation() - position.pose().translation()).norm() < 1e-12);
             let pose = position.pose().then(&Pose::rz(2.0));
             let back = DressingPosition::of_pose(&pose, position.worm_angle + 0.5).unwrap();
             // The worm angle follows from the direction of the dresser's axis: at 1e-6 rad only that far.

@@ -1,6 +1,6 @@
 //! Generating grinding: the chain workpiece -> worm of spec 00 and the coupled motion of its axes (spec 20 sections 4, 14).
 
-use super::{MotionLaw, Pose, Workpiece, Worm};
+use super::{MotionLaw, Pose, Room, Workpiece, Worm};
 use crate::geometry::Sides;
 use crate::numerics::Scalar;
 use std::f64::consts::TAU;
@@ -58,6 +58,22 @@ impl GeneratingChain {
 }
 
 impl GeneratingChain {
+    /// Worm and workpiece each against the room: z along the worm's unturned axis, y towards the workpiece. The worm shifts along its
+    /// axis, the workpiece feeds along its own; the worm's inverse before the workpiece is [`GeneratingChain::pose`].
+    pub fn in_room(&self, state: &GeneratingState) -> (Pose<Room, Worm>, Pose<Room, Workpiece>) {
+        let worm = Pose::<Room, Room>::tz(state.shift)
+            .then(&Pose::<Room, Room>::rx(-self.worm_cone))
+            .then(&Pose::<Room, Room>::ty(-self.worm_pivot))
+            .then(&Pose::<Room, Worm>::rz(state.worm_angle));
+        let work = Pose::<Room, Room>::ty(state.delta_d + self.centre_distance)
+            .then(&Pose::<Room, Room>::ry(state.delta_gamma + self.crossed_axes_angle))
+            .then(&Pose::<Room, Workpiece>::tz(state.feed))
+            .then(&Pose::<Workpiece, Workpiece>::rx(-self.work_cone))
+            .then(&Pose::<Workpiece, Workpiece>::ty(-self.work_pivot))
+            .then(&Pose::<Workpiece, Workpiece>::rz(state.work_angle));
+        (worm, work)
+    }
+
     /// The state at which [`GeneratingChain::pose`] gives this pose: of the two that the rotation admits, and among full turns, the
     /// one nearest to `near`. `None` where the axes are parallel, or for a pose that these pivots and cones do not reach.
     pub fn state_of(&self, pose: &Pose<Worm, Workpiece>, near: &GeneratingState) -> Option<GeneratingState> {
@@ -207,6 +223,10 @@ mod tests {
                         work_angle: 0.0,
                     }
                 };
+                let (worm, work) = chain.in_room(&state);
+                let (by_room, pose) = (worm.inverse().then(&work), chain.pose(&state));
+                assert!((by_room.rotation() - pose.rotation()).norm() < 1e-14);
+                assert!((by_room.translation() - pose.translation()).norm() < 1e-12);
                 let back = chain.state_of(&chain.pose(&state), &near).unwrap();
                 for (a, b) in [
                     (back.worm_angle, state.worm_angle),

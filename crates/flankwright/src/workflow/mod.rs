@@ -28,6 +28,7 @@ mod referee;
 mod report_head;
 mod result;
 mod run;
+pub mod scene;
 mod shift;
 pub mod skiving;
 mod strokes;

@@ -1,12 +1,13 @@
 //! Bodies, patches and tool paths as files for other programs: binary STL, 3MF and VTK PolyData, made in memory. Positions in mm.
 //!
-//! A solid is a [`TriangleMesh`] from [`patch`], [`swept`] or by hand; every writer checks it first ([`TriangleMesh::check`]). The same
+//! A solid is a [`TriangleMesh`] from [`patch`], [`swept`], [`revolved`] or by hand; every writer checks it first ([`TriangleMesh::check`]). The same
 //! input gives the same bytes, on every machine.
 
 mod cap;
 mod edges;
 mod error;
 mod patch;
+mod revolved;
 mod stl;
 mod swept;
 mod three_mf;
@@ -18,6 +19,7 @@ pub(super) mod xml;
 
 pub use error::MeshError;
 pub use patch::{PatchSide, patch};
+pub use revolved::revolved;
 pub use stl::stl;
 pub use swept::{Section, swept};
 pub use three_mf::{NamedMesh, three_mf};

@@ -5,7 +5,7 @@ use super::channel::{Abscissa, Channel, Variable};
 use super::model::TangentialModel;
 use super::settings::TangentialSettings;
 use super::worm_surface::{DresserLaws, WormSurface};
-use crate::contact::{ContactError, ContactSolution, ExactContact, Measure};
+use crate::contact::{ContactError, ContactSolution, ExactContact, Measure, ToolSurface};
 use crate::geometry::{Flank, InvoluteFlank};
 use crate::kinematics::{GeneratingMotion, MotionLaw};
 use nalgebra::{DMatrix, Vector3};
@@ -136,6 +136,18 @@ impl<'a> TangentialFlank<'a> {
         let solutions = self.solutions(&self.contact(), grid)?;
         let plain = self.surface.unmodified();
         Ok(grid.points().zip(&solutions).map(|((w, _), at)| self.point(w, at, &plain)).collect())
+    }
+
+    /// Which moment of grinding and which place of the worm make the flank at one place (w, z) of the gear, mm; `None` where no contact is
+    /// found. Tips are no limit.
+    pub fn contact_at(&self, w: f64, z: f64) -> Option<ContactSolution> {
+        self.contact().solve(w, z).ok()
+    }
+
+    /// The point that the circle of the dresser at height s dresses while it stands at x_D (mm), in coordinates of the worm; `None` where
+    /// it touches nothing.
+    pub fn worm_point(&self, s: f64, x_d: f64) -> Option<Vector3<f64>> {
+        self.surface.jet(s, x_d).map(|jet| jet.p)
     }
 
     /// Material left on a grid, mm.

@@ -177,6 +177,11 @@ impl TangentialModel {
         &self.input
     }
 
+    /// Heights of the dresser above its pitch circle that are there, mm.
+    pub fn dresser_heights(&self) -> [f64; 2] {
+        self.heights
+    }
+
     /// Lengths of roll of the evaluated range on a flank, from start to end, mm.
     pub fn rolls(&self, flank: Flank) -> [f64; 2] {
         let r_b = self.pair.work.flank(flank).base_radius;

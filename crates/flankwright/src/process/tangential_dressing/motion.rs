@@ -4,7 +4,7 @@
 use super::TangentialError;
 use super::forward::TangentialFlank;
 use crate::geometry::Revolution;
-use crate::kinematics::{DressingMotion, MotionLaw};
+use crate::kinematics::{DressingMotion, DressingPosition, MotionLaw};
 use crate::numerics::Chebyshev;
 
 /// Accuracy of the corrections as series over v_zS, mm and rad.
@@ -27,6 +27,19 @@ pub struct DressingRow {
     pub centre_distance: f64,
     /// v_yA.
     pub offset: f64,
+}
+
+impl DressingRow {
+    /// The same as worm and dresser stand.
+    pub fn stand(&self) -> DressingPosition {
+        DressingPosition {
+            worm_angle: self.worm_angle,
+            worm_shift: self.worm_shift,
+            crossing_angle: self.crossing_angle,
+            centre_distance: self.centre_distance,
+            offset: self.offset,
+        }
+    }
 }
 
 impl TangentialFlank<'_> {

@@ -15,7 +15,7 @@ mod of_job;
 pub(in crate::workflow) mod orientation;
 mod orientation_result;
 mod page;
-mod part_mesh;
+pub(in crate::workflow) mod part_mesh;
 mod program_result;
 pub mod programs;
 mod referee;

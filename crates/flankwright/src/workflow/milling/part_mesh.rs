@@ -7,7 +7,7 @@ use crate::process::milling::{Space, SpaceFlank};
 use nalgebra::{Rotation3, Vector3};
 use std::f64::consts::TAU;
 
-/// Points from root to tip, and sections along the teeth.
+/// Points from root to tip, and sections along the teeth, of a part that is handed on.
 const ALONG_HEIGHT: usize = 25;
 const ALONG_LENGTH: usize = 33;
 /// Corners of a bore or rim.
@@ -19,19 +19,39 @@ const GROOVE: f64 = 0.1;
 const PRESSED: f64 = 0.01;
 const WALL: f64 = 0.01;
 
+/// How many points stand for the teeth.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::workflow) struct Fineness {
+    /// From root to tip.
+    pub height: usize,
+    /// Along the teeth.
+    pub length: usize,
+}
+
 /// The body.
 ///
 /// # Errors
 /// [`MeshError`].
 pub(super) fn part(bodies: &MillingBodies) -> Result<TriangleMesh, MeshError> {
+    part_with(bodies, Fineness { height: ALONG_HEIGHT, length: ALONG_LENGTH })
+}
+
+/// The body by so many points, at least two of each. Blades are open: their milled sides alone.
+///
+/// # Errors
+/// [`MeshError`].
+pub(in crate::workflow) fn part_with(
+    bodies: &MillingBodies,
+    fineness: Fineness,
+) -> Result<TriangleMesh, MeshError> {
     // From -z to +z.
     let parts: Vec<Stretch<'_>> =
-        bodies.parts.iter().rev().filter_map(|space| Stretch::new(bodies, space)).collect();
-    let (Some(first), Some(last)) = (parts.first(), parts.last()) else { return blades(bodies) };
+        bodies.parts.iter().rev().filter_map(|space| Stretch::new(bodies, space, fineness.height)).collect();
+    let (Some(first), Some(last)) = (parts.first(), parts.last()) else { return blades(bodies, fineness) };
     let ends = [first.left.active.face[0], last.left.active.face[1]];
     let mut sections: Vec<Section> = Vec::new();
     for stretch in &parts {
-        let mut lengths = equidistant(stretch.left.active.face, ALONG_LENGTH);
+        let mut lengths = equidistant(stretch.left.active.face, fineness.length);
         if let Some(before) = sections.last() {
             let gap = stretch.left.active.face[0] - first.left.active.face[1];
             if gap > 0.0 {
@@ -50,17 +70,17 @@ pub(super) fn part(bodies: &MillingBodies) -> Result<TriangleMesh, MeshError> {
 }
 
 /// The milled sides of all blades.
-fn blades(bodies: &MillingBodies) -> Result<TriangleMesh, MeshError> {
+fn blades(bodies: &MillingBodies, fineness: Fineness) -> Result<TriangleMesh, MeshError> {
     let Some(flank) = bodies.flanks().next() else { return TriangleMesh::joined(&[]) };
-    let lengths = equidistant(flank.active.face, ALONG_LENGTH);
-    let heights = equidistant(flank.active.height_span(), ALONG_HEIGHT);
+    let lengths = equidistant(flank.active.face, fineness.length);
+    let heights = equidistant(flank.active.height_span(), fineness.height);
     let side = |k: usize| {
         let points: Vec<Vector3<f64>> = heights
             .iter()
             .flat_map(|&a| lengths.iter().map(move |&b| (a, b)))
             .map(|(a, b)| turn(bodies, k) * flank.active.surface.point(a, b))
             .collect();
-        patch(&points, ALONG_LENGTH, PatchSide::RowsTimesColumns)
+        patch(&points, fineness.length, PatchSide::RowsTimesColumns)
     };
     let sides = (0..bodies.spaces).map(side).collect::<Result<Vec<_>, _>>()?;
     TriangleMesh::joined(&sides)
@@ -76,12 +96,14 @@ struct Stretch<'a> {
     space: &'a Space,
     left: &'a SpaceFlank,
     right: &'a SpaceFlank,
+    /// Points from root to tip.
+    along_height: usize,
 }
 
 impl<'a> Stretch<'a> {
-    fn new(bodies: &'a MillingBodies, space: &'a Space) -> Option<Self> {
+    fn new(bodies: &'a MillingBodies, space: &'a Space, along_height: usize) -> Option<Self> {
         let [left, right] = space.flanks.as_slice() else { return None };
-        Some(Self { bodies, space, left, right })
+        Some(Self { bodies, space, left, right, along_height })
     }
 
     /// The section at a length of teeth that go from one to the other of `ends`.
@@ -89,7 +111,7 @@ impl<'a> Stretch<'a> {
         // The blank's section goes round from the tip at the first end to bore or rim there.
         let [_, _, [end, _], [start, _]] = self.bodies.blank;
         let of = |flank: &SpaceFlank| -> Vec<Vector3<f64>> {
-            let heights = equidistant(flank.active.height_span(), ALONG_HEIGHT);
+            let heights = equidistant(flank.active.height_span(), self.along_height);
             heights.into_iter().map(|a| flank.active.surface.point(a, length)).collect()
         };
         let (left, right) = (of(self.left), of(self.right));

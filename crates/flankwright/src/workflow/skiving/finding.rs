@@ -7,7 +7,7 @@ use crate::process::skiving::SkivingError;
 use crate::workflow::finding::{RunFailure, geometry_finding};
 
 /// An error of skiving: bad input, or bodies and measurements that do not go together.
-pub(super) fn failure(error: &SkivingError) -> RunFailure {
+pub(in crate::workflow) fn failure(error: &SkivingError) -> RunFailure {
     if let SkivingError::Geometry(error) = error {
         return RunFailure::bad_input(of_geometry(error));
     }

@@ -3,7 +3,7 @@
 
 mod calibration;
 mod conventional;
-mod finding;
+pub(in crate::workflow) mod finding;
 mod history;
 mod measurement;
 mod monte_carlo;
