@@ -12,13 +12,16 @@ use flankwright::workflow::inspection::series::{
 use flankwright::workflow::inspection::{
     SheetOptions, Statements, inspect_for_job, inspect_gear, write_gear_inspection,
 };
+use flankwright::workflow::scene::Scene;
 use flankwright::workflow::skiving::{inspect_skiving, write_skiving};
 use flankwright::workflow::{JobFailure, WriteError, carry_out};
 use flankwright_store::{RunEnd, RunFile, RunState, StoreAddress};
+use flate2::Compression;
+use flate2::write::GzEncoder;
 use serde_json::Value;
 
 use super::cancel::{self, Ended};
-use super::{Task, ended, now};
+use super::{SCENE, Task, ended, now};
 use crate::shelf::Shelf;
 use crate::wire::{Failure, Finding, InspectOptions, Job, Request, refused_run};
 use crate::work::keep::keep;
@@ -36,8 +39,9 @@ pub(super) fn carry(task: &Task, place: &StoreAddress) -> RunEnd {
         done(&task.request, !task.inputs.is_empty(), &shelf, place, progress)
     });
     match done {
-        Ended::Done(Ok(document)) => match results(&shelf, task.request.job.as_ref()) {
-            Ok(files) => {
+        Ended::Done(Ok((document, scene))) => match results(&shelf, task.request.job.as_ref()) {
+            Ok(mut files) => {
+                files.extend(scene.map(|bytes| RunFile { name: SCENE.to_owned(), bytes }));
                 RunEnd { state: RunState::Done, ended: now(), document: Some(told(document, &shelf)), files }
             }
             Err(error) => failed(&Failure::internal(format!("the results cannot be read: {error}"))),
@@ -68,13 +72,16 @@ pub fn unshelved(error: &crate::shelf::ShelfError) -> Failure {
     Failure::single(finding)
 }
 
+/// The document, and the scene where there is one.
+type Done = (Value, Option<Vec<u8>>);
+
 fn done(
     request: &Request,
     measured: bool,
     shelf: &Shelf,
     place: &StoreAddress,
     progress: &dyn Progress,
-) -> Result<Value, Failure> {
+) -> Result<Done, Failure> {
     let text = request.job.as_ref().map(|job| job.text.as_str());
     let job =
         text.map(|text| shelf.load(text).map_err(|error| Failure::of_error(&error, shelf))).transpose()?;
@@ -88,7 +95,7 @@ fn done(
         if options.keep {
             keep(&shelf.path().join(MEASURED), &options, statements, place, progress)?;
         }
-        return Ok(document);
+        return Ok((document, None));
     }
     let Some(job) = job else {
         return Err(Failure::single(
@@ -97,7 +104,24 @@ fn done(
     };
     let completed = carry_out(request.kind.task(), &job, progress).map_err(told)?;
     completed.write(&results).map_err(|error| unwritten(&error))?;
-    completed.document().map_err(|error| Failure::internal(error.to_string()))
+    let document = completed.document().map_err(|error| Failure::internal(error.to_string()))?;
+    // A result without its view in space is a result all the same.
+    let scene = completed.scene().and_then(|scene| match scene.map_err(JobFailure::from) {
+        Ok(scene) => packed(&scene).inspect_err(|error| eprintln!("a scene cannot be packed: {error}")).ok(),
+        Err(failure) => {
+            let told = told(failure);
+            eprintln!("a scene cannot be drawn: {}", told.errors[0].message);
+            None
+        }
+    });
+    Ok((document, scene))
+}
+
+/// The scene as it goes over the wire.
+fn packed(scene: &Scene) -> std::io::Result<Vec<u8>> {
+    let mut packing = GzEncoder::new(Vec::new(), Compression::default());
+    serde_json::to_writer(&mut packing, scene)?;
+    packing.finish()
 }
 
 /// An option that is none.

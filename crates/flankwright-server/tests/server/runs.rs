@@ -30,6 +30,16 @@ fn a_run_tells_how_far_it_is_and_leaves_its_files() {
         assert!(file.header("content-disposition").unwrap().starts_with("attachment"), "{name}");
         assert!(!file.text().contains("flankwright-"), "{name} names the folder of the run");
     }
+    assert_eq!(run["scene"], true);
+    let scene = served.get(&format!("/api/runs/{id}/scene"));
+    assert_eq!((scene.header("content-encoding"), &scene.body[..2]), (Some("gzip"), &b"\x1f\x8b"[..]));
+    let charts: Vec<&str> =
+        run["charts"].as_array().unwrap().iter().map(|c| c["name"].as_str().unwrap()).collect();
+    for name in ["profile-and-helix-diagram", "grinding-axis-x1-word-x"] {
+        assert!(charts.contains(&name), "{charts:?}");
+        assert!(served.get(&format!("/api/runs/{id}/charts/{name}")).text().starts_with("<svg"));
+    }
+    assert_eq!(served.get(&format!("/api/runs/{id}/charts/none")).status, 404);
     assert_eq!(&served.get(&format!("/api/runs/{id}/archive")).body[..4], b"PK\x03\x04");
     assert_eq!(served.get(&format!("/api/runs/{id}/files/..%2F..%2Fstore.sqlite")).status, 404);
 }

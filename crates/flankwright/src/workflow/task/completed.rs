@@ -4,11 +4,14 @@ use crate::exchange::{LoadedGearboxJob, LoadedJob, LoadedMillingJob, LoadedSkivi
 use crate::workflow::gearbox::{GearboxOutcome, write_gearbox};
 use crate::workflow::inspection::{GearInspection, SheetOptions, write_gear_inspection};
 use crate::workflow::milling::{MillingOutcome, write_milling};
+use crate::workflow::scene::{
+    Scene, scene_of_grinding, scene_of_milling, scene_of_skiving, scene_of_tangential,
+};
 use crate::workflow::skiving::{SkivingOutcome, write_skiving};
 use crate::workflow::tangential::{TangentialOutcome, write_tangential};
 use crate::workflow::{
-    CatalogueOutcome, DressingStudyOutcome, ExploreOutcome, FreeOutcome, Outcome, Status, WriteError,
-    write_catalogue, write_dressing_study, write_exploration, write_free_study, write_outcome,
+    CatalogueOutcome, DressingStudyOutcome, ExploreOutcome, FreeOutcome, Outcome, RunFailure, Status,
+    WriteError, write_catalogue, write_dressing_study, write_exploration, write_free_study, write_outcome,
 };
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -67,6 +70,25 @@ impl Completed {
             Self::FreeWorm(outcome) => serde_json::to_value(outcome),
             Self::DressingStudy(outcome) => serde_json::to_value(outcome),
             Self::Inspection(found) => serde_json::to_value(&found.result),
+        }
+    }
+
+    /// Bodies and motions for a view in space; `None` where nothing moves that could be seen.
+    ///
+    /// # Errors
+    /// Bodies that cannot be drawn, with a finding as for a job.
+    pub fn scene(&self) -> Option<Result<Scene, RunFailure>> {
+        match self {
+            Self::Grinding(loaded, outcome, _) => Some(scene_of_grinding(loaded, outcome)),
+            Self::Tangential(loaded, outcome) => Some(scene_of_tangential(loaded, outcome)),
+            Self::Milling(loaded, outcome) => Some(scene_of_milling(loaded, outcome)),
+            Self::Skiving(loaded, outcome) => Some(scene_of_skiving(loaded, outcome)),
+            Self::Gearbox(..)
+            | Self::Exploration(_)
+            | Self::Catalogue(_)
+            | Self::FreeWorm(_)
+            | Self::DressingStudy(_)
+            | Self::Inspection(_) => None,
         }
     }
 
