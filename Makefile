@@ -27,7 +27,6 @@ test: setup
 	$(CARGO) clippy --workspace --all-targets -- -D warnings
 	@scripts/web test
 	$(CARGO) test --workspace --no-fail-fast
-	$(CARGO) build --package flankwright-cli
 	@PROGRAM=target/debug/flankwright scripts/browser
 	@PROGRAM=target/debug/flankwright scripts/api-fuzz
 	@FUZZ_SEED=1 scripts/fuzz 60
