@@ -23,8 +23,8 @@ pub(super) struct Toothed<'a> {
     pub faces: [f64; 2],
 }
 
-/// Points of a flank from root to tip.
-const PROFILE: usize = 10;
+/// Points of a flank from root to tip: at most, and of a gear with hundreds of teeth.
+const PROFILE: [usize; 2] = [4, 10];
 /// Points between a flank's begin and the root.
 const FILLET: usize = 3;
 /// Sections at least.
@@ -59,6 +59,7 @@ pub(super) struct Radii {
 /// Points of the parts of a section.
 #[derive(Clone, Copy)]
 struct Counts {
+    profile: usize,
     fillet: usize,
     root: usize,
     tip: usize,
@@ -76,7 +77,8 @@ impl Toothed<'_> {
         let spaces = self.gear.tooth_count() as usize;
         let [from, to] = self.faces;
         let counts = self.counts(0.5 * (from + to));
-        let per_section = spaces * (2 * (PROFILE + counts.fillet) + counts.root + counts.tip) + BORE_CORNERS;
+        let per_section =
+            spaces * (2 * (counts.profile + counts.fillet) + counts.root + counts.tip) + BORE_CORNERS;
         let twist =
             Flank::BOTH.map(|f| self.gear.flank(f).twist_per_length().abs()).into_iter().fold(0.0, f64::max);
         let wanted = SECTIONS.max((twist * (to - from) / TWIST).ceil() as usize + 1);
@@ -131,11 +133,12 @@ impl Toothed<'_> {
         let Radii { tip, start, root } = self.radii(z);
         let pitch = TAU / self.gear.tooth_count();
         let inner = |angle: f64| (angle / ARC).ceil().clamp(1.0, 60.0) as usize;
-        Counts {
-            fillet: if start > root { FILLET } else { 0 },
-            root: inner(self.space(start, z)),
-            tip: inner(pitch - self.space(tip, z)),
-        }
+        let fillet = if start > root { FILLET } else { 0 };
+        let (root, tip) = (inner(self.space(start, z)), inner(pitch - self.space(tip, z)));
+        // What a tooth may have, so that the least number of sections suffices for a smooth gear.
+        let affordable = MOST_TRIANGLES as f64 / (2.0 * SECTIONS as f64 * self.gear.tooth_count());
+        let profile = (affordable as usize).saturating_sub(2 * fillet + root + tip) / 2;
+        Counts { profile: profile.clamp(PROFILE[0], PROFILE[1]), fillet, root, tip }
     }
 
     /// All teeth of a section, one space after the other.
@@ -152,7 +155,7 @@ impl Toothed<'_> {
                 let radius = f.radius(w);
                 (radius, self.polar(flank, radius, z))
             };
-            equidistant([from, to], PROFILE).into_iter().map(place).collect()
+            equidistant([from, to], counts.profile).into_iter().map(place).collect()
         };
         let (left, right) = (side(Flank::Left), side(Flank::Right));
         let ends = [left[0].1, right[0].1];
@@ -176,7 +179,7 @@ impl Toothed<'_> {
         space.extend((0..counts.fillet).rev().map(|k| fillet(-1.0, k)));
         space.extend(right.iter().copied());
         // The land up to the next space, which lies on the side of the right flank.
-        let (last, next) = (right[PROFILE - 1].1, left[PROFILE - 1].1 - pitch);
+        let (last, next) = (right[counts.profile - 1].1, left[counts.profile - 1].1 - pitch);
         space.extend((0..counts.tip).map(|k| {
             let share = (k + 1) as f64 / (counts.tip + 1) as f64;
             (tip, last + share * (next - last))
