@@ -109,6 +109,25 @@ export class ProcessScene {
     this.stage.fit(direction);
   }
 
+  /** Looks at a stage from the side where its cutter stands: the teeth of a bevel gear may lie below. */
+  lookAtWork(stage: SceneStage): void {
+    const work = new Box3();
+    const tool = new Box3();
+    for (const [id, mesh] of this.#bodies) {
+      if (!mesh.visible) continue;
+      const kind = mesh.userData["kind"];
+      if (kind === "gear" || kind === "part") work.expandByObject(mesh);
+      if (kind === "cutter") for (const frame of stage.frames) tool.expandByPoint(middleOf(mesh, frame.poses[id]));
+    }
+    const from = DIRECTIONS.iso.clone();
+    if (!work.isEmpty() && !tool.isEmpty()) {
+      const apart = tool.getCenter(new Vector3()).sub(work.getCenter(new Vector3()));
+      const height = work.getSize(new Vector3()).z;
+      if (apart.z < -0.1 * height) from.z = -from.z;
+    }
+    this.stage.fit(from);
+  }
+
   /** Turns to the places of contact, closely. */
   zoomToContact(): void {
     const box = new Box3().setFromBufferAttribute(this.#contactPoints.geometry.getAttribute("position") as BufferAttribute);
@@ -143,6 +162,7 @@ function meshOf(body: SceneBody): Mesh {
   });
   const mesh = new Mesh(geometry, paint);
   mesh.matrixAutoUpdate = false;
+  mesh.userData["kind"] = body.kind;
   return mesh;
 }
 
@@ -163,6 +183,13 @@ function matrixOf(p: number[]): Matrix4 {
     number,
   ];
   return new Matrix4().set(a, b, c, x, d, e, f, y, g, h, i, z, 0, 0, 0, 1);
+}
+
+/** The middle of a body where a pose has it. */
+function middleOf(mesh: Mesh, pose: number[] | undefined): Vector3 {
+  if (!mesh.geometry.boundingBox) mesh.geometry.computeBoundingBox();
+  const middle = mesh.geometry.boundingBox!.getCenter(new Vector3());
+  return pose ? middle.applyMatrix4(matrixOf(pose)) : middle;
 }
 
 function setPositions(geometry: BufferGeometry, points: number[]): void {

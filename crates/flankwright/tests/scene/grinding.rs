@@ -6,7 +6,7 @@ use flankwright::exchange::{AnyJob, LoadedJob};
 use flankwright::geometry::{Flank, Gear};
 use flankwright::numerics::Silent;
 use flankwright::process::dressing::DressedWorm;
-use flankwright::workflow::scene::{Body, Frame, Scene, no_scene, scene_of_grinding};
+use flankwright::workflow::scene::{Body, Frame, Scene, scene_of_grinding};
 use flankwright::workflow::{Outcome, plan_job, simulate_job};
 use nalgebra::Vector3;
 use std::path::Path;
@@ -204,12 +204,4 @@ fn a_scene_has_the_same_bytes_each_time_and_is_made_at_once() {
         "{}",
         &first[..80]
     );
-}
-
-#[test]
-fn axes_without_bodies_have_no_scene() {
-    let path = &examples("gearbox")[0];
-    let AnyJob::Gearbox(loaded) = job(path) else { panic!("{}", path.display()) };
-    let refused = format!("{:?}", no_scene(loaded.job.job.process));
-    assert!(refused.contains("no-scene") && refused.contains("electronic-gearbox"), "{refused}");
 }

@@ -2,20 +2,8 @@
 
 use super::{Scene, Stage};
 use crate::exchange::Diagnostic;
-use crate::exchange::job::Process;
 use crate::exchange::mesh::MeshError;
 use crate::workflow::finding::RunFailure;
-
-/// What is said of a process that has nothing to show: nothing of the electronic gearbox has a shape.
-pub fn no_scene(process: Process) -> RunFailure {
-    let message =
-        format!("a run of `{}` has no scene: it moves axes, and no body is described", process.name());
-    RunFailure::not_producible(
-        Diagnostic::with_code("no-scene", message)
-            .field("job.process")
-            .way_out("look at the tables and the report of the run"),
-    )
-}
 
 /// A scene none of whose numbers is NaN or infinite, and whose stages have something to show.
 ///

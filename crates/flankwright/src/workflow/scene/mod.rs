@@ -17,7 +17,6 @@ mod threaded;
 mod toothed;
 mod written;
 
-pub use finish::no_scene;
 pub use grinding::scene_of_grinding;
 pub use milling::scene_of_milling;
 pub use shape::{Body, BodyKind, Coordinate, Frame, Scene, Stage};
