@@ -17,6 +17,7 @@ use serde_json::Value;
 use std::path::{Path, PathBuf};
 
 /// A task that was carried out, with the job that it was carried out for.
+#[expect(clippy::large_enum_variant, reason = "a caller holds one")]
 pub enum Completed {
     /// Plan or simulation of generating grinding; the ranking, where the bodies come from a catalogue.
     Grinding(LoadedJob, Box<Outcome>, Option<Box<CatalogueOutcome>>),
