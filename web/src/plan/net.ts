@@ -15,6 +15,9 @@ import {
 import { signedRgb } from "../lib/colour";
 import { Stage } from "../process/stage";
 
+/** Lines of the net: the colours of the surface are light in every appearance of the page. */
+const NET_INK = "#1c1f23";
+
 export interface NetPanel {
   title: string;
   profile: number[];
@@ -104,7 +107,7 @@ export class NetStage {
       polygonOffsetUnits: 1,
     });
     group.add(new Mesh(surface, paint));
-    group.add(lines(netLines(positions, rows, columns), options.ink, 0.5));
+    group.add(lines(netLines(positions, rows, columns), NET_INK, 0.5));
     const corner = (row: number, column: number): [number, number, number] => place(row, column, 0);
     const [a, b, c, d] = [corner(0, 0), corner(0, columns - 1), corner(rows - 1, columns - 1), corner(rows - 1, 0)];
     group.add(lines([...a, ...b, ...b, ...c, ...c, ...d, ...d, ...a], options.ink, 0.9));

@@ -115,8 +115,8 @@ fn a_program_is_followed_on_a_machine() {
     let served = Served::new();
     let job = served.example("automotive-bias");
     let run = served.ended(served.begin("plan", &job));
-    let names = run["files"].as_array().unwrap().iter().map(|file| file["name"].as_str().unwrap());
-    let name = names.filter(|name| name.ends_with(".mpf")).last().unwrap();
+    let mut names = run["files"].as_array().unwrap().iter().map(|file| file["name"].as_str().unwrap());
+    let name = names.rfind(|name| name.ends_with(".mpf")).unwrap();
     let text = served.get(&format!("/api/runs/{}/files/{name}", run["id"])).text();
     let request = json!({ "text": text, "name": name, "machine": "machines/no-swivel.toml", "job": job });
     let checked = served.post("/api/programs/check", &request);
