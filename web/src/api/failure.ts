@@ -2,7 +2,7 @@
 
 import type { FailureDocument, Finding } from "./types";
 
-export type FailureKind = "refused" | "unreachable" | "unauthorised" | "missing" | "busy" | "broken";
+export type FailureKind = "refused" | "unreachable" | "unauthorised" | "missing" | "busy" | "broken" | "outdated";
 
 export class RequestFailure extends Error {
   constructor(

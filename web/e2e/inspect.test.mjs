@@ -1,0 +1,109 @@
+// Inspection: measurements dropped with and without their job, the sheet, what is systematic, the corrected job, and what the store keeps.
+
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { button, drop, heading, RUN_MS, tab, useSite, valid } from "./page.mjs";
+import { exampleText, inRepository } from "./server.mjs";
+
+const site = useSite();
+
+async function openInspection(page, server) {
+  await page.goto(`${server.address}/#/inspect`);
+  await page.getByRole("heading", { name: "Inspection", level: 1 }).waitFor();
+}
+
+site.test("a table without a job says what it needs", async (page, server) => {
+  await openInspection(page, server);
+  await drop(page, ".zone", [{ name: "measured.csv", text: await exampleText("inspection/measured.csv") }]);
+  await page.getByText("A CSV table says nothing of the gear, so it needs a job.").waitFor();
+  assert.ok(await button(page, "Evaluate").isDisabled());
+  // Tables make no series, with or without a job.
+  await drop(page, ".zone", [{ name: "again.csv", text: await exampleText("inspection/measured.csv") }]);
+  await page.getByText("CSV tables are evaluated one at a time").waitFor();
+  await page.getByRole("button", { name: "Remove again.csv" }).click();
+  await page.getByText("CSV tables are evaluated one at a time").waitFor({ state: "detached" });
+  await page.getByRole("button", { name: "Remove measured.csv" }).click();
+  await page.getByText("measured.csv").waitFor({ state: "detached" });
+});
+
+site.test("a measurement dropped with its job is judged, explained and corrected", async (page, server) => {
+  await openInspection(page, server);
+  await drop(page, ".zone", [
+    { name: "measured.toml", text: await exampleText("inspection/measured.toml") },
+    { name: "measured.csv", text: await exampleText("inspection/measured.csv") },
+  ]);
+  assert.ok(await page.getByLabel("a job file: measured.toml").isChecked());
+  await page.getByLabel("Tolerance class").selectOption("5");
+  await button(page, "Evaluate").click();
+  await page.getByText("target missed").waitFor({ timeout: RUN_MS });
+
+  await tab(page, "Sheet").click();
+  const frame = page.locator('iframe[title="Inspection sheet"]');
+  assert.equal(await frame.getAttribute("sandbox"), "");
+  await frame.contentFrame().locator("svg").first().waitFor();
+
+  await tab(page, "Systematic part").click();
+  await page.getByRole("cell", { name: "correct it" }).first().waitFor();
+  await heading(page, "Proposed corrections").waitFor();
+  const rows = page.locator("table", { hasText: "What the referee says this leaves" }).locator("tbody tr");
+  assert.ok((await rows.count()) > 0, "the referee says nothing of the correction");
+
+  await button(page, "Open the corrected job").click();
+  await heading(page, "measured").waitFor();
+  await valid(page);
+  const id = (await server.get("runs?most=1"))[0].id;
+  const corrected = (await server.bytes(`runs/${id}/files/corrected-job.json`)).toString();
+  const shown = await page.locator(".cm-content").innerText();
+  assert.ok(corrected.startsWith(shown.split("\n").slice(0, 5).join("\n")), "the editor shows another job");
+});
+
+site.test("files of several parts make a series, whose parts the store keeps", async (page, server) => {
+  await openInspection(page, server);
+  // The parts of one drawing, and a file that is damaged.
+  const text = await readFile(inRepository("fuzz/seeds/klingelnberg/curves.mka"), "latin1");
+  await drop(page, ".zone", [
+    ...["4711", "4712", "4713"].map((part) => ({ name: `${part}.mka`, text: text.replaceAll("4711", part) })),
+    { name: "damaged.mka", text: text.slice(0, 300) },
+  ]);
+  await page.getByLabel("Keep the parts in the store").check();
+  await page.getByLabel("Series", { exact: true }).fill("morning");
+  await button(page, "Evaluate").click();
+  await page.getByRole("cell", { name: "4713.mka" }).waitFor({ timeout: RUN_MS });
+  await heading(page, "Refused files").waitFor();
+  await page.locator("li", { hasText: "damaged.mka" }).waitFor();
+  await tab(page, "Sheet").click();
+  await page.locator("main select option").nth(2).waitFor({ state: "attached" });
+  await page.frameLocator("iframe").locator("svg").first().waitFor();
+
+  await page.goto(`${server.address}/#/history/parts`);
+  await page.getByRole("cell", { name: "morning" }).nth(2).waitFor();
+  await page.locator("tbody a").first().click();
+  await page.locator("main dl").first().waitFor();
+  await tab(page, "Trend").click();
+  await page.getByLabel("Series").selectOption("morning");
+  await page.locator("main svg circle.first").nth(2).waitFor();
+  await page.getByLabel("Characteristic").selectOption("fHa");
+  await page.locator("main svg text", { hasText: "fHa" }).waitFor();
+  await page.getByLabel("Flank").selectOption("right");
+  await page.waitForFunction(() => document.querySelectorAll("tbody tr").length === 3);
+  await page.locator("tbody a").first().click();
+  await page.locator("main dl").first().waitFor();
+});
+
+site.test("a job that simulates its measurement is inspected without a file", async (page, server) => {
+  await page.goto(server.address);
+  await page.getByRole("button", { name: /^closed-loop/ }).click();
+  await valid(page);
+  await page.goto(`${server.address}/#/inspect`);
+  await button(page, "Evaluate: closed-loop").click();
+  await page.getByText("target met").waitFor({ timeout: RUN_MS });
+  await tab(page, "Systematic part").click();
+  await heading(page, "Round 2").waitFor();
+});
+
+site.test("recent inspections are listed", async (page, server) => {
+  const id = await server.run("inspect", "inspection/closed-loop");
+  await openInspection(page, server);
+  await page.locator(`a[href="#/runs/${id}"]`).click();
+  await heading(page, "closed-loop").waitFor();
+});
