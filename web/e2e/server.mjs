@@ -50,7 +50,7 @@ export class Server {
     child.stderr.on("data", (text) => (said += text));
     this.address = await new Promise((resolve, reject) => {
       let printed = "";
-      const late = setTimeout(() => reject(new Error(`${PROGRAM} printed no address: ${said}`)), START_MS);
+      const late = setTimeout(() => reject(new Error(`${PROGRAM} printed no address: ${said}`)), START_MS).unref();
       child.once("error", reject);
       child.once("exit", (status) => reject(new Error(`${PROGRAM} ended with ${status}: ${said}`)));
       child.stdout.on("data", (text) => {
