@@ -1,6 +1,7 @@
 //! The store for programs without a runtime of their own, such as the command: every method of [`crate::Store`], waiting until it is done.
 
 use std::collections::HashSet;
+use std::time::Duration;
 
 use flankwright::exchange::catalogue::Catalogue;
 use flankwright::exchange::skiving_history::{History, HistoryRecord};
@@ -11,7 +12,7 @@ use crate::error::StoreError;
 use crate::filter::{CharacteristicFilter, PartFilter};
 use crate::records::{
     MeasuredCharacteristic, NewRun, PartRecord, PartSummary, PlanRecord, PlanSummary, RunEnd, RunFile,
-    RunRecord, RunSummary, SeriesSummary, ToolSummary,
+    RunRecord, RunState, RunSummary, SeriesSummary, ToolSummary,
 };
 use crate::reports::{CatalogueReport, HistoryReport, ImportReport, StoreHealth};
 use crate::store::Store as AsyncStore;
@@ -100,9 +101,12 @@ waiting! {
     add_run(run: &NewRun) -> i64;
     begin_run(id: i64) -> bool;
     end_run(id: i64, end: &RunEnd) -> bool;
-    interrupt_runs(owner: &str, ended: &str) -> u64;
+    beat(owner: &str, gone: &[String], silence: Duration, ended: &str) -> u64;
+    leave(owner: &str, ended: &str) -> u64;
     runs(most: u32) -> Vec<RunSummary>;
     run(id: i64) -> Option<RunRecord>;
+    run_state(id: i64) -> Option<RunState>;
+    run_input_names(id: i64) -> Vec<String>;
     run_inputs(id: i64) -> Vec<RunFile>;
     run_file(id: i64, name: &str) -> Option<RunFile>;
     remove_run(id: i64) -> bool;

@@ -56,6 +56,7 @@ mod plans;
 mod pool;
 mod records;
 mod reports;
+mod run_servers;
 mod runs;
 mod store;
 mod words;

@@ -1,5 +1,5 @@
-//! Runs of a server: a job that was handed in, its state, and once it has ended its document and files. A run whose server is gone is
-//! told as interrupted; what had ended stays whole.
+//! Runs of a server: a job that was handed in, its state, and once it has ended its document and files. What becomes of runs whose server
+//! is gone is told in `run_servers.rs`.
 
 use serde_json::Value;
 use sqlx::types::Json;
@@ -12,8 +12,11 @@ use crate::store::Store;
 type SummaryRow = (i64, String, String, String, String, Option<String>, Option<String>);
 
 fn summary((id, kind, name, state, created, ended, status): SummaryRow) -> Result<RunSummary, sqlx::Error> {
-    let state = RunState::of(&state).ok_or_else(|| sqlx::Error::Decode(format!("state {state}").into()))?;
-    Ok(RunSummary { id, kind, name, state, created, ended, status })
+    Ok(RunSummary { id, kind, name, state: known_state(&state)?, created, ended, status })
+}
+
+fn known_state(state: &str) -> Result<RunState, sqlx::Error> {
+    RunState::of(state).ok_or_else(|| sqlx::Error::Decode(format!("state {state}").into()))
 }
 
 async fn put_files(
@@ -115,29 +118,6 @@ impl Store {
         self.done(ended.await)
     }
 
-    /// Tells the runs of a server that has begun anew as interrupted: how many there were.
-    ///
-    /// # Errors
-    /// Those of the database.
-    pub async fn interrupt_runs(&self, owner: &str, ended: &str) -> Result<u64, StoreError> {
-        let interrupted = async {
-            let mut writing = self.pool.write().await?;
-            let count = on_writing!(&mut writing, connection => {
-                sqlx::query(
-                    "UPDATE run SET state = 'interrupted', ended = $2 WHERE owner = $1 AND state IN ('queued', 'running')",
-                )
-                .bind(owner)
-                .bind(ended)
-                .execute(connection)
-                .await?
-                .rows_affected()
-            });
-            writing.commit().await?;
-            Ok(count)
-        };
-        self.done(interrupted.await)
-    }
-
     /// The newest runs, newest first.
     ///
     /// # Errors
@@ -191,6 +171,33 @@ impl Store {
             document: document.map(|Json(document)| document),
             files: self.done(files)?.into_iter().map(file).collect(),
         }))
+    }
+
+    /// The state of a run; `None` if there is none.
+    ///
+    /// # Errors
+    /// Those of the database.
+    pub async fn run_state(&self, id: i64) -> Result<Option<RunState>, StoreError> {
+        let state: Result<Option<String>, _> = on_pool!(&self.pool, pool => {
+            sqlx::query_scalar("SELECT state FROM run WHERE id = $1").bind(id).fetch_optional(pool).await
+        });
+        let known = |state: String| known_state(&state);
+        self.done(state.and_then(|state| state.map(known).transpose()))
+    }
+
+    /// Names of the files that were handed in with a run, in their order.
+    ///
+    /// # Errors
+    /// Those of the database.
+    pub async fn run_input_names(&self, id: i64) -> Result<Vec<String>, StoreError> {
+        let names = on_pool!(&self.pool, pool => {
+            sqlx::query_scalar("SELECT name FROM run_file WHERE run = $1 AND handed_in = $2 ORDER BY place")
+                .bind(id)
+                .bind(true)
+                .fetch_all(pool)
+                .await
+        });
+        self.done(names)
     }
 
     /// The files that were handed in with a run, in their order.

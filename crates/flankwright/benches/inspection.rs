@@ -1,5 +1,6 @@
 //! Measured parts: 68 files of about 105 kB read and evaluated with their sheets, and written as a series.
 
+#[allow(dead_code, reason = "the tests need more of it")]
 #[path = "../tests/measured_parts/mod.rs"]
 mod measured_parts;
 

@@ -1,9 +1,10 @@
 //! Speed of the writers and of the reader on straight blocks of six axes, and of LinuxCNC's own reader on the same file in the
 //! same run, where `scripts/linuxcnc-client` has put it.
 
+#[allow(dead_code, reason = "the tests need more of it")]
 #[path = "../tests/nc/client.rs"]
 mod client;
-#[allow(dead_code)]
+#[allow(dead_code, reason = "the tests need more of it")]
 #[path = "../tests/nc/programs.rs"]
 mod programs;
 

@@ -1,6 +1,7 @@
 //! Properties of random toothed bodies, and every refusal of the geometry room.
 
-use crate::common::{gear, gear_data};
+mod random_bodies;
+
 use flankwright::geometry::{
     Blank, Flank, Gear, GearData, GeometryError, Sides, ThicknessMeasure, WormChoice, check_mating,
     worm_for_gear,
@@ -8,6 +9,7 @@ use flankwright::geometry::{
 use flankwright::numerics::{gradient_of, value_of, variables};
 use nalgebra::Vector3;
 use proptest::prelude::*;
+use random_bodies::{gear, gear_data};
 use std::f64::consts::PI;
 
 fn flank() -> impl Strategy<Value = Flank> {

@@ -3,8 +3,7 @@
 
 use crate::nc::client::{ABSENT, Client};
 use crate::nc::helical_row;
-use crate::nc::programs;
-use crate::nc::programs::{A, C, Draw, X, Z, program, random, stroke};
+use crate::nc::programs::{self, A, C, Draw, X, Z, program, random, stroke};
 use flankwright::exchange::{AnyJob, read_any_job};
 use flankwright::nc::{
     AxisMotion, AxisWord, Block, Decimals, Dialect, FeedWords, Header, Program, Targets, WriteOptions, read,

@@ -4,7 +4,6 @@
 mod areas;
 mod catalogue;
 mod closed_loop;
-mod common;
 mod contact;
 mod contact_properties;
 mod control;

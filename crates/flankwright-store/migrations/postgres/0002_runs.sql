@@ -1,19 +1,26 @@
--- Runs of a server: what was asked, what became of it. `owner` is the server that carries it out; the letters of `state` are fixed.
--- `status` is the verdict of the document, which is too large to be read for a list.
+-- Runs of a server: what was asked, what became of it. `owner` is the server that carries it out; the letters of `state` are fixed. A
+-- number is given once, also when its run is taken out: pages and clients keep it. `status` is the verdict of the document; it and the
+-- request are large and stand last, so that lists need not read over them.
 CREATE TABLE run (
     id       BIGINT GENERATED ALWAYS AS IDENTITY PRIMARY KEY,
     owner    TEXT NOT NULL,
     kind     TEXT NOT NULL,
     name     TEXT NOT NULL,
-    job      TEXT NOT NULL,
     state    TEXT NOT NULL
         CHECK (state IN ('queued', 'running', 'done', 'failed', 'cancelled', 'interrupted')),
     created  TEXT NOT NULL,
     ended    TEXT,
     status   TEXT,
+    job      TEXT NOT NULL,
     document JSON
 );
 CREATE INDEX run_by_state ON run (state, id);
+
+-- Servers that carry runs out, and when each was last heard of, in seconds of the database's clock.
+CREATE TABLE run_server (
+    owner TEXT PRIMARY KEY,
+    seen  BIGINT NOT NULL
+);
 
 -- Files of a run, in the order of `place`: handed in with it, or written by it.
 CREATE TABLE run_file (

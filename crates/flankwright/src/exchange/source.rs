@@ -25,9 +25,9 @@ impl Source {
         Self { name: name.into(), text: text.strip_prefix('\u{feff}').unwrap_or(text).into(), shelf: None }
     }
 
-    /// A text of somebody who must not name files of this machine: whatever it names is looked for in the folder `shelf` alone.
-    pub fn on_shelf(name: impl Into<Arc<str>>, text: &str, shelf: &Path) -> Self {
-        Self { shelf: Some(shelf.into()), ..Self::new(name, text) }
+    /// The same of somebody who must not name files of this machine: whatever it names is looked for in the folder `shelf` alone.
+    pub fn confined_to(self, shelf: &Path) -> Self {
+        Self { shelf: Some(shelf.into()), ..self }
     }
 
     /// The folder to which the input is confined, if it is.
@@ -157,7 +157,7 @@ mod tests {
 
     #[test]
     fn nothing_that_is_named_on_a_shelf_lies_outside_of_it() {
-        let confined = Source::on_shelf("job.toml", "", Path::new("/shelf"));
+        let confined = Source::new("job.toml", "").confined_to(Path::new("/shelf"));
         let inside = [
             ("grid.csv", "/shelf/grid.csv"),
             ("machines/mill.toml", "/shelf/machines/mill.toml"),

@@ -1,5 +1,4 @@
-//! Measured parts made for tests and benches: a spur gear with known deviations in the grammar of .mka files. Not every user needs all.
-#![allow(dead_code)]
+//! Measured parts made for tests and benches: a spur gear with known deviations in the grammar of .mka files.
 
 use flankwright::geometry::{Flank, Sides};
 use std::f64::consts::TAU;

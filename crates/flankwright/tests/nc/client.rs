@@ -49,13 +49,11 @@ impl Client {
     }
 
     /// Runs `rs274` on a file; the output holds the canonical text.
-    #[allow(dead_code)]
     pub fn interpret(&self, file: &Path, directory: &Path) -> Output {
         self.interpret_with_tools(file, directory, "")
     }
 
     /// The same with a tool table.
-    #[allow(dead_code)]
     pub fn interpret_with_tools(&self, file: &Path, directory: &Path, tools: &str) -> Output {
         let table = directory.join("tools.tbl");
         std::fs::write(&table, tools).expect("a tool table");
@@ -88,7 +86,6 @@ impl Client {
     }
 
     /// What the module makes of a file: one event a line, or its message.
-    #[allow(dead_code)]
     pub fn parse(&self, file: &Path, directory: &Path) -> Option<Result<String, String>> {
         let output = self.module(file, directory, false)?;
         let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
@@ -96,7 +93,7 @@ impl Client {
     }
 
     /// Seconds that the module took for a file.
-    #[allow(dead_code)]
+    #[allow(dead_code, reason = "the bench asks for it")]
     pub fn parse_time(&self, file: &Path, directory: &Path) -> Option<f64> {
         let output = self.module(file, directory, true)?;
         String::from_utf8_lossy(&output.stdout).trim().parse().ok()
