@@ -1,32 +1,32 @@
 //! The whole application: what its handlers share, and which path leads to which of them.
 
-use std::net::SocketAddr;
 use std::sync::Arc;
-use std::time::Duration;
 
 use axum::extract::DefaultBodyLimit;
-use axum::http::StatusCode;
 use axum::routing::{get, post};
 use axum::{Router, middleware};
-use flankwright_store::{Store, StoreAddress, StoreError};
-use tokio::sync::{Notify, Semaphore};
+use flankwright_store::{Store, StoreAddress};
+use tokio::sync::{Semaphore, watch};
 use tower_http::compression::CompressionLayer;
-use tower_http::timeout::TimeoutLayer;
 
 use crate::gate::{Gate, guard};
-use crate::work::Work;
-use crate::{api, assets, headers};
+use crate::rooms::bounded;
+use crate::scratch::Scratch;
+use crate::work::{Work, keep_beating};
+use crate::{ServeError, api, assets, headers};
 
 /// Largest body of a request that is no upload: a job and the files that it names.
 pub const MOST_BODY_BYTES: usize = 8 << 20;
 /// Largest upload of measurements.
 pub const MOST_UPLOAD_BYTES: usize = 32 << 20;
-/// Longest time for an answer; long work is a run, and runs are not waited for.
-const MOST_TIME: Duration = Duration::from_secs(60);
 /// Short computations at once: checks and previews. More of them wait.
 const SHORT_WORK: usize = 3;
-/// Listeners to runs at once.
-pub const MOST_LISTENERS: usize = 256;
+/// Requests with a body at once.
+const MOST_BODIES: usize = 32;
+/// Uploads of measurements at once.
+const MOST_UPLOADS: usize = 3;
+/// Listeners to runs at once: fewer than connections, so that others are answered beside them.
+pub const MOST_LISTENERS: usize = 160;
 
 /// What handlers share.
 pub struct App {
@@ -34,68 +34,52 @@ pub struct App {
     pub store: Store,
     /// Long work.
     pub work: Arc<Work>,
+    /// Where files are put down for a while.
+    pub scratch: Arc<Scratch>,
     /// Room for short work.
     pub short: Arc<Semaphore>,
+    /// Room for requests with a body.
+    pub bodies: Arc<Semaphore>,
+    /// Room for uploads.
+    pub uploads: Semaphore,
     /// Room for listeners.
     pub listeners: Arc<Semaphore>,
-    ending: Notify,
+    /// Whether the server ends.
+    pub ending: watch::Receiver<bool>,
 }
 
 impl App {
-    /// An application whose runs belong to the server at `address`; what it left under way when it last ended is told as interrupted.
+    /// An application over a store; what dead servers have left in it is told as interrupted.
+    ///
+    /// # Errors
+    /// The store, the temporary files or the threads of the system refuse.
     pub async fn new(
         store: Store,
         place: StoreAddress,
-        address: SocketAddr,
-    ) -> Result<Arc<Self>, StoreError> {
-        let owner = format!("{}:{}", gethostname::gethostname().to_string_lossy(), address.port());
-        store.interrupt_runs(&owner, &crate::work::now()).await?;
+        ending: watch::Receiver<bool>,
+    ) -> Result<Arc<Self>, ServeError> {
+        let system = |error: std::io::Error| ServeError::System(error.to_string());
+        let scratch = Arc::new(Scratch::new().map_err(system)?);
+        let work = Work::start(store.clone(), place, scratch.clone()).map_err(system)?;
+        work.beat(&scratch.tidy()).await?;
+        tokio::spawn(keep_beating(work.clone(), ending.clone()));
         Ok(Arc::new(Self {
-            work: Work::start(store.clone(), place, owner),
             store,
+            work,
+            scratch,
             short: Arc::new(Semaphore::new(SHORT_WORK)),
+            bodies: Arc::new(Semaphore::new(MOST_BODIES)),
+            uploads: Semaphore::new(MOST_UPLOADS),
             listeners: Arc::new(Semaphore::new(MOST_LISTENERS)),
-            ending: Notify::new(),
+            ending,
         }))
-    }
-
-    /// Resolves when the process is told to end.
-    pub fn told_to_end(self: &Arc<Self>) -> impl Future<Output = ()> + Send + 'static {
-        let app = self.clone();
-        async move {
-            tokio::select! {
-                _ = tokio::signal::ctrl_c() => {}
-                () = terminated() => {}
-            }
-            app.work.end();
-            app.ending.notify_waiters();
-        }
-    }
-
-    /// Resolves when the server ends: streams must not hold it up.
-    pub async fn ended(&self) {
-        self.ending.notified().await;
     }
 
     /// Puts everything down.
     pub async fn close(&self) {
+        self.work.close().await;
         self.store.close().await;
     }
-}
-
-#[cfg(unix)]
-async fn terminated() {
-    match tokio::signal::unix::signal(tokio::signal::unix::SignalKind::terminate()) {
-        Ok(mut signal) => {
-            signal.recv().await;
-        }
-        Err(_) => std::future::pending().await,
-    }
-}
-
-#[cfg(not(unix))]
-async fn terminated() {
-    std::future::pending().await
 }
 
 /// All paths.
@@ -135,7 +119,7 @@ pub fn router(app: Arc<App>, gate: Arc<Gate>) -> Router {
         .fallback(api::error::no_such_path)
         .method_not_allowed_fallback(api::error::no_such_method)
         .layer(DefaultBodyLimit::max(MOST_BODY_BYTES))
-        .layer(TimeoutLayer::with_status_code(StatusCode::SERVICE_UNAVAILABLE, MOST_TIME))
+        .layer(middleware::from_fn_with_state(app.clone(), bounded))
         .with_state(app);
     Router::new()
         .nest("/api", api)

@@ -6,13 +6,17 @@ use std::sync::Arc;
 
 use axum::extract::{Request, State};
 use axum::http::header::{AUTHORIZATION, COOKIE, HOST, LOCATION, ORIGIN, SET_COOKIE};
-use axum::http::{HeaderMap, HeaderName, HeaderValue, Method, StatusCode};
+use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
 use subtle::ConstantTimeEq;
 
-/// The cookie in which a browser keeps the token.
+use crate::api::error::Refused;
+
+/// How the cookie in which a browser keeps the token begins; the port follows, by which browsers do not tell cookies apart.
 const COOKIE_NAME: &str = "flankwright";
+/// Where requests of scripts go; nothing there is opened from a page of somebody else.
+const API: &str = "/api/";
 
 /// What is allowed.
 #[derive(Debug)]
@@ -21,6 +25,9 @@ pub struct Gate {
     hosts: Vec<String>,
     /// The port, where the server listens at all addresses of the machine: any of them may be meant.
     any_address: Option<u16>,
+    /// Names and ports to open, the first one on this machine.
+    authorities: Vec<String>,
+    cookie: String,
     token: Option<String>,
 }
 
@@ -29,14 +36,23 @@ impl Gate {
     /// with a token or, on the loopback, without.
     pub fn new(address: SocketAddr, names: &[String], token: Option<String>) -> Arc<Self> {
         let port = address.port();
+        let named: Vec<String> = names
+            .iter()
+            .map(|name| name.to_lowercase())
+            .map(|name| match name.rsplit_once(':') {
+                Some((_, own)) if own.parse::<u16>().is_ok() => name,
+                _ => format!("{name}:{port}"),
+            })
+            .collect();
+        // Nobody can open the address that stands for all of them.
+        let own =
+            if address.ip().is_unspecified() { format!("localhost:{port}") } else { address.to_string() };
+        let authorities: Vec<String> = [own].into_iter().chain(named).collect();
         let mut hosts = vec![address.to_string(), format!("localhost:{port}")];
         if address.ip().is_loopback() {
             hosts.extend([format!("127.0.0.1:{port}"), format!("[::1]:{port}")]);
         }
-        hosts.extend(names.iter().map(|name| name.to_lowercase()).map(|name| match name.rsplit_once(':') {
-            Some((_, own)) if own.parse::<u16>().is_ok() => name,
-            _ => format!("{name}:{port}"),
-        }));
+        hosts.extend_from_slice(&authorities);
         // A browser leaves the port of the scheme out.
         let bare: Vec<String> = hosts
             .iter()
@@ -44,7 +60,13 @@ impl Gate {
             .map(str::to_owned)
             .collect();
         hosts.extend(bare);
-        Arc::new(Self { hosts, any_address: address.ip().is_unspecified().then_some(port), token })
+        let any_address = address.ip().is_unspecified().then_some(port);
+        Arc::new(Self { hosts, any_address, authorities, cookie: format!("{COOKIE_NAME}-{port}"), token })
+    }
+
+    /// Names and ports to open, the first one on this machine.
+    pub fn authorities(&self) -> &[String] {
+        &self.authorities
     }
 
     /// Whether a request may be meant for this server. An address in figures was not looked up, so that nobody has bent it.
@@ -55,7 +77,8 @@ impl Gate {
     }
 
     /// Why a request is not answered.
-    fn refusal(&self, method: &Method, headers: &HeaderMap) -> Option<(StatusCode, &'static str)> {
+    fn refusal(&self, request: &Request) -> Option<(StatusCode, &'static str)> {
+        let headers = request.headers();
         let text = |name: HeaderName| headers.get(name).and_then(|value: &HeaderValue| value.to_str().ok());
         let Some(host) = text(HOST) else {
             return Some((StatusCode::BAD_REQUEST, "the request names no host"));
@@ -76,8 +99,12 @@ impl Gate {
                 }
             }
             None => {
+                // Whoever opens a page by its address comes from nowhere.
                 let site = text(HeaderName::from_static("sec-fetch-site"));
-                if !method.is_safe() && site.is_some_and(|site| site != "same-origin") {
+                let foreign = site.is_some_and(|site| site != "same-origin");
+                let opened = request.method().is_safe()
+                    && (site == Some("none") || !request.uri().path().starts_with(API));
+                if foreign && !opened {
                     return other;
                 }
             }
@@ -99,7 +126,7 @@ impl Gate {
         let mut kept = cookies
             .flat_map(|value| value.split(';'))
             .filter_map(|pair| pair.trim().split_once('='))
-            .filter(|(name, _)| *name == COOKIE_NAME)
+            .filter(|(name, _)| *name == self.cookie)
             .map(|(_, value)| value);
         bearer.is_some_and(|token| self.is_token(token)) || kept.any(|token| self.is_token(token))
     }
@@ -107,18 +134,24 @@ impl Gate {
 
 /// Lets a request in, or says why not. `/?token=...` takes the token into a cookie, so that it does not stay in the address.
 pub async fn guard(State(gate): State<Arc<Gate>>, request: Request, next: Next) -> Response {
-    if let Some((status, why)) = gate.refusal(request.method(), request.headers()) {
-        return (status, why).into_response();
+    if let Some((status, why)) = gate.refusal(&request) {
+        let way_out = "open the address that the server has printed";
+        return Refused::with(status, "not-admitted", why, way_out).into_response();
+    }
+    let given = request.uri().query().and_then(|query| query.strip_prefix("token="));
+    if let Some(token) = given.filter(|token| request.uri().path() == "/" && gate.is_token(token)) {
+        // Lax: who follows a link to a run from elsewhere is known, but what pages of others load or send is not.
+        let cookie = format!("{}={token}; HttpOnly; SameSite=Lax; Path=/", gate.cookie);
+        return (StatusCode::SEE_OTHER, [(SET_COOKIE, cookie), (LOCATION, "/".to_owned())]).into_response();
     }
     if gate.is_known(request.headers()) {
         return next.run(request).await;
     }
-    let given = request.uri().query().and_then(|query| query.strip_prefix("token="));
-    if request.uri().path() == "/" && given.is_some_and(|token| gate.is_token(token)) {
-        let cookie =
-            format!("{COOKIE_NAME}={}; HttpOnly; SameSite=Strict; Path=/", given.unwrap_or_default());
-        return (StatusCode::SEE_OTHER, [(SET_COOKIE, cookie), (LOCATION, "/".to_owned())]).into_response();
+    let told = "this server asks for its token: open the address that it printed";
+    if request.uri().path().starts_with(API) {
+        let way_out =
+            "send it as `Authorization: Bearer ...`, or open the address that the server has printed";
+        return Refused::with(StatusCode::UNAUTHORIZED, "token-needed", told, way_out).into_response();
     }
-    (StatusCode::UNAUTHORIZED, "this server asks for its token: open the address that it printed")
-        .into_response()
+    (StatusCode::UNAUTHORIZED, told).into_response()
 }

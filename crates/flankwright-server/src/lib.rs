@@ -4,9 +4,13 @@
 mod api;
 mod app;
 mod assets;
+mod charts;
 mod gate;
 mod headers;
+mod listen;
 mod openapi;
+mod rooms;
+mod scratch;
 mod shelf;
 mod stock;
 mod wire;
@@ -14,11 +18,11 @@ mod work;
 
 use std::io;
 use std::net::{IpAddr, SocketAddr};
-use std::time::Duration;
 
 use flankwright_store::{Store, StoreAddress, StoreError};
 use thiserror::Error;
 use tokio::net::TcpListener;
+use tokio::sync::watch;
 
 pub use openapi::openapi;
 
@@ -54,30 +58,28 @@ pub enum ServeError {
     /// The store cannot be opened.
     #[error(transparent)]
     Store(#[from] StoreError),
-    /// The system has no random numbers for a token, or no threads.
+    /// The system has no random numbers for a token, no threads, or no room for temporary files.
     #[error("the system refuses what a server needs: {0}")]
     System(String),
-    /// The server stopped.
-    #[error("the server stopped: {0}")]
-    Stopped(io::Error),
 }
 
-/// Serves until the process is told to end (Ctrl-C). `listening` gets the address to open in a browser.
+/// Serves until the process is told to end (Ctrl-C). `listening` gets the addresses to open in a browser, the first one of them on this
+/// machine.
 ///
 /// # Errors
 /// [`ServeError`].
-pub fn serve(options: &Options, listening: impl FnOnce(&str)) -> Result<(), ServeError> {
+pub fn serve(options: &Options, listening: impl FnOnce(&[String])) -> Result<(), ServeError> {
     let runtime = tokio::runtime::Builder::new_multi_thread()
         .enable_all()
         .build()
         .map_err(|error| ServeError::System(error.to_string()))?;
     let served = runtime.block_on(serve_in(options, listening));
-    // Computations under way are not waited for: the next start tells their runs as interrupted.
+    // Computations under way are not waited for: their runs are told as interrupted.
     runtime.shutdown_background();
     served
 }
 
-async fn serve_in(options: &Options, listening: impl FnOnce(&str)) -> Result<(), ServeError> {
+async fn serve_in(options: &Options, listening: impl FnOnce(&[String])) -> Result<(), ServeError> {
     let wanted = SocketAddr::new(options.host, options.port);
     let listen = |source| ServeError::Listen { address: wanted, source };
     let listener = TcpListener::bind(wanted).await.map_err(listen)?;
@@ -87,29 +89,46 @@ async fn serve_in(options: &Options, listening: impl FnOnce(&str)) -> Result<(),
         given => given.clone(),
     };
     let store = Store::open(&options.store).await?;
-    let app = app::App::new(store, options.store.clone(), address).await?;
-    let opened = match &token {
-        Some(token) => format!("http://{address}/?token={token}"),
-        None => format!("http://{address}/"),
-    };
-    let gate = gate::Gate::new(address, &options.names, token);
-    let router = app::router(app.clone(), gate);
+    let (end, ending) = watch::channel(false);
+    let app = app::App::new(store, options.store.clone(), ending.clone()).await?;
+    let gate = gate::Gate::new(address, &options.names, token.clone());
+    let router = app::router(app.clone(), gate.clone());
+    let entry = token.map_or_else(String::new, |token| format!("?token={token}"));
+    let opened: Vec<String> =
+        gate.authorities().iter().map(|authority| format!("http://{authority}/{entry}")).collect();
     listening(&opened);
-    let serving = axum::serve(listener, router).with_graceful_shutdown(app.told_to_end()).into_future();
-    let served = tokio::select! {
-        served = serving => served,
-        () = farewell(&app) => Ok(()),
-    };
+    let work = app.work.clone();
+    tokio::spawn(async move {
+        told_to_end().await;
+        work.end();
+        end.send_replace(true);
+    });
+    listen::listen(listener, router, ending).await;
     app.close().await;
-    served.map_err(ServeError::Stopped)
+    Ok(())
 }
 
-/// How long answers that are under way are waited for when the server ends.
-const FAREWELL: Duration = Duration::from_secs(3);
+/// Resolves when the process is told to end.
+async fn told_to_end() {
+    tokio::select! {
+        _ = tokio::signal::ctrl_c() => {}
+        () = terminated() => {}
+    }
+}
 
-async fn farewell(app: &app::App) {
-    app.ended().await;
-    tokio::time::sleep(FAREWELL).await;
+#[cfg(unix)]
+async fn terminated() {
+    match tokio::signal::unix::signal(tokio::signal::unix::SignalKind::terminate()) {
+        Ok(mut signal) => {
+            signal.recv().await;
+        }
+        Err(_) => std::future::pending().await,
+    }
+}
+
+#[cfg(not(unix))]
+async fn terminated() {
+    std::future::pending().await
 }
 
 /// 128 random bits in hexadecimal digits.

@@ -1,5 +1,6 @@
 //! The document that describes the interface.
 
+use utoipa::openapi::security::{Http, HttpAuthScheme, SecurityScheme};
 use utoipa::openapi::{ContentBuilder, Ref, ResponseBuilder};
 use utoipa::{Modify, OpenApi};
 
@@ -8,7 +9,8 @@ use crate::wire::Failure;
 
 #[derive(OpenApi)]
 #[openapi(
-    modifiers(&Refusals),
+    modifiers(&Refusals, &Token),
+    security((), ("token" = [])),
     components(schemas(Failure)),
     info(title = "flankwright", description = "Plans, simulates and proves the manufacture of gear teeth."),
     paths(
@@ -62,6 +64,20 @@ impl Modify for Refusals {
                 operation.responses.responses.insert("default".into(), refused.clone().into());
             }
         }
+    }
+}
+
+/// Where a server has a token, every request needs it.
+struct Token;
+
+impl Modify for Token {
+    fn modify(&self, document: &mut utoipa::openapi::OpenApi) {
+        let scheme = Http::builder()
+            .scheme(HttpAuthScheme::Bearer)
+            .description(Some("The token that the server has printed; servers on the loopback need none."))
+            .build();
+        let components = document.components.get_or_insert_default();
+        components.add_security_scheme("token", SecurityScheme::Http(scheme));
     }
 }
 

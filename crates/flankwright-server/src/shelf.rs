@@ -1,5 +1,5 @@
 //! The folder in which a job finds the files that it names: those that were handed in with it, and the machines of the program. It lies
-//! among the temporary files and is gone with the work.
+//! in the folder of the server and is gone with the work.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -9,16 +9,17 @@ use std::path::{Component, Path, PathBuf};
 use flankwright::exchange::{AnyJob, JobError, Source, parse_any_job};
 use tempfile::TempDir;
 
+use crate::scratch::Scratch;
 use crate::stock;
 use crate::wire::Job;
 
 /// Files with a job.
 pub const MOST_FILES: usize = 32;
-/// Characters of a name.
+/// Bytes of a name.
 const LONGEST_NAME: usize = 200;
 /// What a job is called in messages.
 pub const JOB: &str = "job";
-/// Where results go.
+/// Where results go; names that are handed in do not begin so.
 const RESULTS: &str = ".results";
 
 /// A folder for one piece of work.
@@ -31,47 +32,69 @@ pub struct Shelf {
 pub enum ShelfError {
     /// A name that is none.
     #[error(
-        "`{0}` is no name of a file: it may have folders, but no `..`, no root and no control characters"
+        "`{0}` is no name of a file: it may have folders, but no `..`, no root, no control characters and no hidden files, and at most \
+         {LONGEST_NAME} bytes"
     )]
     Name(String),
+    /// A name that is the folder of another.
+    #[error("`{0}` is a file and the folder of another one")]
+    Folder(String),
     /// Too many.
     #[error("there are {0} files; a job may bring {MOST_FILES}")]
     TooMany(usize),
-    /// The disk.
-    #[error("the files cannot be put down: {0}")]
+    /// The disk of the server.
+    #[error("the server cannot put the files down: {}", .0.kind())]
     Disk(#[from] io::Error),
 }
 
+/// Whether files can be put on a shelf.
+///
+/// # Errors
+/// [`ShelfError`], all but `Disk`.
+pub fn fit(files: &BTreeMap<String, String>) -> Result<(), ShelfError> {
+    if files.len() > MOST_FILES {
+        return Err(ShelfError::TooMany(files.len()));
+    }
+    files.keys().try_for_each(|name| inner(name).map(drop))?;
+    let mut folders = files.keys().flat_map(|name| name.match_indices('/').map(|(end, _)| &name[..end]));
+    match folders.find(|folder| files.contains_key(*folder)) {
+        Some(folder) => Err(ShelfError::Folder(shown(folder))),
+        None => Ok(()),
+    }
+}
+
 impl Shelf {
-    /// A shelf with the machines that the job may name and the files that came with it.
+    /// A shelf for a job.
     ///
     /// # Errors
     /// [`ShelfError`].
-    pub fn new(job: &Job) -> Result<Self, ShelfError> {
-        let shelf = Self { folder: tempfile::Builder::new().prefix("flankwright-").tempdir()? };
-        if job.text.contains("machines/") {
+    pub fn of_job(scratch: &Scratch, job: &Job) -> Result<Self, ShelfError> {
+        Self::new(scratch, &job.files, job.text.contains("machines/"))
+    }
+
+    /// A shelf with files and, where they may be named, the machines of the program.
+    ///
+    /// # Errors
+    /// [`ShelfError`].
+    pub fn new(
+        scratch: &Scratch,
+        files: &BTreeMap<String, String>,
+        machines: bool,
+    ) -> Result<Self, ShelfError> {
+        fit(files)?;
+        let shelf = Self { folder: scratch.folder()? };
+        if machines {
             for name in stock::machines() {
                 if let Some(text) = stock::machine(&name) {
                     shelf.put(&format!("machines/{name}"), text.as_bytes())?;
                 }
             }
         }
-        shelf.put_all(&job.files)?;
+        files.iter().try_for_each(|(name, text)| shelf.put(name, text.as_bytes()))?;
         Ok(shelf)
     }
 
-    fn put_all(&self, files: &BTreeMap<String, String>) -> Result<(), ShelfError> {
-        if files.len() > MOST_FILES {
-            return Err(ShelfError::TooMany(files.len()));
-        }
-        files.iter().try_for_each(|(name, text)| self.put(name, text.as_bytes()))
-    }
-
-    /// Puts a file down.
-    ///
-    /// # Errors
-    /// [`ShelfError`].
-    pub fn put(&self, name: &str, bytes: &[u8]) -> Result<(), ShelfError> {
+    fn put(&self, name: &str, bytes: &[u8]) -> Result<(), ShelfError> {
         let path = self.folder.path().join(inner(name)?);
         if let Some(folder) = path.parent() {
             fs::create_dir_all(folder)?;
@@ -94,12 +117,14 @@ impl Shelf {
     /// # Errors
     /// Everything that is wrong with it.
     pub fn load(&self, text: &str) -> Result<AnyJob, JobError> {
+        // As a file of the same content would be refused.
+        Source::from_bytes(JOB, text.as_bytes())?;
         parse_any_job(self.source(text))
     }
 
     /// The text of a job whose files are here.
     pub fn source(&self, text: &str) -> Source {
-        Source::on_shelf(JOB, text, self.path())
+        Source::new(JOB, text).confined_to(self.path())
     }
 
     /// A text of the program without the place of the shelf, which is nobody's business.
@@ -140,14 +165,21 @@ fn collect(folder: &Path, before: &str, found: &mut Vec<(String, Vec<u8>)>) -> i
 
 /// A name as a path below the shelf.
 fn inner(name: &str) -> Result<PathBuf, ShelfError> {
-    let refused = || ShelfError::Name(name.chars().take(80).collect());
     let path = Path::new(name);
     let plain = path.components().all(|step| matches!(step, Component::Normal(_)));
-    let odd = name.chars().any(|c| c.is_control() || c == '\\') || name.starts_with('.');
+    let odd = name.chars().any(|c| c.is_control() || c == '\\')
+        || name.split('/').any(|step| step.starts_with('.'));
     if name.is_empty() || name.len() > LONGEST_NAME || !plain || odd {
-        return Err(refused());
+        return Err(ShelfError::Name(shown(name)));
     }
     Ok(path.to_owned())
+}
+
+/// The beginning of a name, marked where it was longer.
+fn shown(name: &str) -> String {
+    let mut letters = name.chars();
+    let beginning: String = letters.by_ref().take(80).collect();
+    if letters.next().is_some() { beginning + "..." } else { beginning }
 }
 
 #[cfg(test)]
@@ -159,8 +191,16 @@ mod tests {
         for name in ["a.csv", "catalogue/worms.csv", "über.csv"] {
             assert!(inner(name).is_ok(), "{name}");
         }
-        for name in ["", "../a", "/a", "a/../../b", "a\\b", ".results/x", "a\0", &"x".repeat(201)] {
+        for name in ["", "../a", "/a", "a/../../b", "a\\b", ".results/x", "a/.b", "a\0", &"x".repeat(201)] {
             assert!(inner(name).is_err(), "{name}");
         }
+        assert_eq!(shown(&"x".repeat(81)).len(), 83);
+    }
+
+    #[test]
+    fn no_file_is_the_folder_of_another() {
+        let files = |names: &[&str]| names.iter().map(|name| ((*name).to_owned(), String::new())).collect();
+        assert!(fit(&files(&["a/b/c", "a/d", "ab"])).is_ok());
+        assert!(matches!(fit(&files(&["a/b/c", "a/b"])), Err(ShelfError::Folder(name)) if name == "a/b"));
     }
 }

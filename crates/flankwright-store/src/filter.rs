@@ -21,6 +21,8 @@ pub struct PartFilter {
     pub from: Option<String>,
     /// Measured at this date or earlier; a day means up to its end.
     pub to: Option<String>,
+    /// Of all that agree, so many of the newest.
+    pub newest: Option<u32>,
 }
 
 /// Which values of which parts.
@@ -69,6 +71,12 @@ impl Condition {
         if let Some(to) = &filter.to {
             // A part of 09:30 belongs to the day on which it was measured.
             condition.add(&format!("substr(p.measured, 1, {}) <= $", to.len()), Some(to));
+        }
+        if let Some(most) = filter.newest {
+            condition.text = format!(
+                " WHERE p.id IN (SELECT p.id FROM part p{} ORDER BY p.measured DESC NULLS LAST, p.id DESC LIMIT {most})",
+                condition.text
+            );
         }
         Ok(condition)
     }

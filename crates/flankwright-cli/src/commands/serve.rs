@@ -52,13 +52,16 @@ pub fn run(arguments: &ServeArguments) -> Result<Exit, Failure> {
         store: arguments.place.address().map_err(failed)?,
     };
     let common = &arguments.place.common;
-    let told = |address: &str| {
+    let told = |addresses: &[String]| {
         let text = if common.json {
-            json!({ "address": address }).to_string() + "\n"
+            json!({ "address": addresses[0], "addresses": addresses }).to_string() + "\n"
         } else if common.quiet {
             String::new()
         } else {
-            format!("flankwright is at {address}\n  Ctrl-C ends it\n")
+            let elsewhere =
+                "  from elsewhere under any address of this machine in figures, and under names of --name\n";
+            let elsewhere = if arguments.host.is_unspecified() { elsewhere } else { "" };
+            format!("flankwright is at {}\n{elsewhere}  Ctrl-C ends it\n", addresses.join("\n  and at "))
         };
         // If nobody can be told, the server is there all the same.
         drop(output::print(&text));

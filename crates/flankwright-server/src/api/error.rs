@@ -25,10 +25,11 @@ impl IntoResponse for Refused {
 impl Refused {
     /// A request that is wrong.
     pub fn bad(failure: Failure) -> Self {
-        let status = if failure.exit == 1 {
-            StatusCode::INTERNAL_SERVER_ERROR
-        } else {
-            StatusCode::UNPROCESSABLE_ENTITY
+        let disk = || failure.errors.iter().any(|finding| finding.code == "server-disk");
+        let status = match failure.exit {
+            1 if disk() => StatusCode::INSUFFICIENT_STORAGE,
+            1 => StatusCode::INTERNAL_SERVER_ERROR,
+            _ => StatusCode::UNPROCESSABLE_ENTITY,
         };
         Self(status, failure)
     }
@@ -41,6 +42,11 @@ impl Refused {
             "ask for the list of what there is",
         );
         Self(StatusCode::NOT_FOUND, Failure::single(finding))
+    }
+
+    /// A server that has no room now.
+    pub fn busy(message: &str) -> Self {
+        Self::with(StatusCode::SERVICE_UNAVAILABLE, "server-busy", message, "try again in a moment")
     }
 
     /// A finding with a status of its own.

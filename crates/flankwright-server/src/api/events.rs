@@ -15,7 +15,7 @@ use tokio_stream::Stream;
 use tokio_stream::wrappers::ReceiverStream;
 
 use super::error::{Answer, Refused};
-use super::runs::record;
+use super::runs::state_of;
 use super::take::InPath;
 use crate::app::App;
 use crate::wire::{Failure, RunStateAnswer};
@@ -53,8 +53,9 @@ pub async fn events(
             tokio::spawn(follow(app.clone(), live.listen(), lines, room));
         }
         None => {
-            let state = record(&app, id).await?.summary.state;
-            tokio::spawn(async move { lines.send(state_line(state)).await });
+            let state = state_of(&app, id).await?;
+            // The place is free: nothing was sent yet.
+            drop(lines.try_send(state_line(state)));
         }
     }
     Ok(Sse::new(ReceiverStream::new(stream)).keep_alive(KeepAlive::new().interval(SILENCE)))
@@ -67,6 +68,7 @@ async fn follow(
     _room: OwnedSemaphorePermit,
 ) {
     let mut last: Option<RunState> = None;
+    let mut ending = app.ending.clone();
     loop {
         let Told { state, advance } = told.borrow_and_update().clone();
         if last != Some(state) {
@@ -87,7 +89,7 @@ async fn follow(
         tokio::select! {
             changed = told.changed() => if changed.is_err() { return },
             () = lines.closed() => return,
-            () = app.ended() => return,
+            _ = ending.wait_for(|ending| *ending) => return,
         }
     }
 }

@@ -11,7 +11,8 @@ use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipWriter};
 
 use super::error::{Answer, Refused};
-use super::runs::record;
+use super::runs::{is_listed, record};
+use super::short::short;
 use super::take::{InPath, InQuery};
 use crate::app::App;
 use crate::assets::media_type;
@@ -44,7 +45,11 @@ pub async fn file(
     InPath((id, name)): InPath<(i64, String)>,
     InQuery(wanted): InQuery<Wanted>,
 ) -> Answer<Response> {
-    let file = app.store.run_file(id, &name).await?.ok_or_else(|| Refused::absent("file"))?;
+    let file = match is_listed(&name) {
+        true => app.store.run_file(id, &name).await?,
+        false => None,
+    };
+    let file = file.ok_or_else(|| Refused::absent("file"))?;
     let how = if wanted.download { "attachment" } else { "inline" };
     let mut response = file.bytes.into_response();
     let headers = response.headers_mut();
@@ -77,13 +82,13 @@ pub async fn scene(State(app): State<Arc<App>>, InPath(id): InPath<i64>) -> Answ
 pub async fn archive(State(app): State<Arc<App>>, InPath(id): InPath<i64>) -> Answer<Response> {
     let run = record(&app, id).await?;
     let mut files = Vec::with_capacity(run.files.len());
-    for file in run.files.iter().filter(|file| file.name != SCENE) {
+    for file in run.files.iter().filter(|file| is_listed(&file.name)) {
         files.extend(app.store.run_file(id, &file.name).await?);
     }
     if files.is_empty() {
         return Err(Refused::absent("result"));
     }
-    let packed = super::jobs::short(&app, move || {
+    let packed = short(&app, move |_| {
         let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
         let options = SimpleFileOptions::default().compression_method(CompressionMethod::Deflated);
         let failed =

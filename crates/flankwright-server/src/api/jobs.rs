@@ -7,49 +7,30 @@ use std::time::Instant;
 use axum::Json;
 use axum::extract::State;
 use axum::http::StatusCode;
-use flankwright::exchange::{AnyJob, Document};
+use flankwright::exchange::{AnyJob, Document, Source};
 use flankwright::workflow::{PreviewChart, derived_geometry, preview_job};
 
 use super::error::{Answer, Refused};
+use super::short::{shelved, short};
 use super::take::Body;
 use super::toml_edits::{Unedited, edited};
 use crate::app::App;
-use crate::shelf::Shelf;
+use crate::shelf::{JOB, Shelf};
 use crate::wire::{
     CheckAnswer, DerivedQuantity, DerivedSection, EditAnswer, EditRequest, Failure, Finding, Job,
     PreviewAnswer, PreviewRequest, Remark, refused_run,
 };
-use crate::work::carry::unshelved;
-
-/// Computes what takes a moment, a few at once; the others wait their turn.
-pub(super) async fn short<T: Send + 'static>(
-    app: &App,
-    work: impl FnOnce() -> Answer<T> + Send + 'static,
-) -> Answer<T> {
-    let Ok(room) = app.short.clone().acquire_owned().await else {
-        return Err(Refused::bad(Failure::internal("there is no room for short work")));
-    };
-    let done = tokio::task::spawn_blocking(move || {
-        // Whoever asked may be gone; the room is free only when the work is done.
-        let _room = room;
-        work()
-    });
-    done.await.unwrap_or_else(|fault| Err(Refused::bad(Failure::internal(fault.to_string()))))
-}
-
-pub(super) fn shelved(job: &Job) -> Answer<Shelf> {
-    Shelf::new(job).map_err(|error| Refused::bad(unshelved(&error)))
-}
 
 /// What is wrong with a job, and what follows from it.
 #[utoipa::path(post, path = "/api/check", request_body = Job, responses((status = 200, body = CheckAnswer),
     (status = 422, body = Failure)))]
 pub async fn check(State(app): State<Arc<App>>, Body(job): Body<Job>) -> Answer<Json<CheckAnswer>> {
-    short(&app, move || checked(&job).map(Json)).await
+    let place = app.clone();
+    short(&app, move |_| checked(&place, &job).map(Json)).await
 }
 
-fn checked(job: &Job) -> Answer<CheckAnswer> {
-    let shelf = shelved(job)?;
+fn checked(app: &App, job: &Job) -> Answer<CheckAnswer> {
+    let shelf = shelved(app, job)?;
     let document = Document::parse(shelf.source(&job.text)).ok();
     let mut answer =
         CheckAnswer { tree: document.map(|document| document.to_value()), ..CheckAnswer::default() };
@@ -93,16 +74,20 @@ fn follow(loaded: &AnyJob, job: &Job, shelf: &Shelf, answer: &mut CheckAnswer) {
 /// A text with entries set or taken out; comments and order stay.
 #[utoipa::path(post, path = "/api/edit", request_body = EditRequest, responses((status = 200, body = EditAnswer),
     (status = 422, body = Failure)))]
-pub async fn edit(Body(request): Body<EditRequest>) -> Answer<Json<EditAnswer>> {
+pub async fn edit(State(app): State<Arc<App>>, Body(request): Body<EditRequest>) -> Answer<Json<EditAnswer>> {
+    short(&app, move |_| changed(&request).map(Json)).await
+}
+
+fn changed(request: &EditRequest) -> Answer<EditAnswer> {
+    let refused = |error| Refused::bad(Failure::of_text(&error));
+    Source::from_bytes(JOB, request.text.as_bytes()).map_err(refused)?;
     let text = edited(&request.text, &request.edits).map_err(|error| {
         let Unedited { path, why } = error;
         let finding = Finding::new("invalid-edit", why, "see the job schema for where the entry stands");
         Refused::bad(Failure::single(finding.field(&path)))
     })?;
-    let shelf = shelved(&Job::default())?;
-    let document = Document::parse(shelf.source(&text));
-    let document = document.map_err(|error| Refused::bad(Failure::of_error(&error, &shelf)))?;
-    Ok(Json(EditAnswer { tree: document.to_value(), text }))
+    let document = Document::parse(Source::from_bytes(JOB, text.as_bytes()).map_err(refused)?);
+    Ok(EditAnswer { tree: document.map_err(refused)?.to_value(), text })
 }
 
 /// The plan without the referee.
@@ -113,7 +98,8 @@ pub async fn preview(
     Body(request): Body<PreviewRequest>,
 ) -> Answer<Json<PreviewAnswer>> {
     let charts = request.charts.iter().map(|name| chart(name)).collect::<Answer<Vec<_>>>()?;
-    short(&app, move || previewed(&request.job, &charts).map(Json)).await
+    let place = app.clone();
+    short(&app, move |_| previewed(&place, &request.job, &charts).map(Json)).await
 }
 
 fn chart(name: &str) -> Answer<(&'static str, PreviewChart)> {
@@ -126,9 +112,9 @@ fn chart(name: &str) -> Answer<(&'static str, PreviewChart)> {
     })
 }
 
-fn previewed(job: &Job, charts: &[(&'static str, PreviewChart)]) -> Answer<PreviewAnswer> {
+fn previewed(app: &App, job: &Job, charts: &[(&'static str, PreviewChart)]) -> Answer<PreviewAnswer> {
     let begun = Instant::now();
-    let shelf = shelved(job)?;
+    let shelf = shelved(app, job)?;
     let loaded = shelf.load(&job.text).map_err(|error| Refused::bad(Failure::of_error(&error, &shelf)))?;
     let preview =
         preview_job(&loaded).map_err(|failure| Refused::bad(refused_run(&failure, &job.text, &shelf)))?;

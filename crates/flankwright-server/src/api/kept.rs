@@ -14,7 +14,7 @@ use flankwright_store::{
 use serde::Deserialize;
 
 use super::error::{Answer, Refused};
-use super::take::{InPath, InQuery};
+use super::take::{InPath, InQuery, bounded};
 use crate::app::App;
 use crate::wire::{Failure, Finding};
 
@@ -29,6 +29,9 @@ pub struct Parts {
     pub from: Option<String>,
     /// Measured at this date or earlier.
     pub to: Option<String>,
+    /// Of these, so many of the newest, 1 to 10000; 1000 unless told otherwise.
+    #[param(minimum = 1, maximum = 10000)]
+    pub newest: Option<u32>,
 }
 
 /// Which values.
@@ -44,6 +47,18 @@ pub struct Values {
     pub flank: Option<String>,
     /// E.g. `mean`.
     pub statistic: Option<String>,
+    /// Of so many of the newest parts, 1 to 10000; 1000 unless told otherwise.
+    #[param(minimum = 1, maximum = 10000)]
+    pub newest: Option<u32>,
+}
+
+/// Parts of a list unless told otherwise.
+const NEWEST: u32 = 1000;
+/// Most of them.
+const MOST_PARTS: u32 = 10_000;
+
+fn newest(given: Option<u32>) -> Answer<Option<u32>> {
+    bounded("newest", given.unwrap_or(NEWEST), MOST_PARTS).map(Some)
 }
 
 /// Series of parts.
@@ -58,7 +73,8 @@ pub async fn parts(
     State(app): State<Arc<App>>,
     InQuery(of): InQuery<Parts>,
 ) -> Answer<Json<Vec<PartSummary>>> {
-    let filter = PartFilter { series: of.series, from: of.from, to: of.to, ..PartFilter::default() };
+    let newest = newest(of.newest)?;
+    let filter = PartFilter { series: of.series, from: of.from, to: of.to, newest, ..PartFilter::default() };
     Ok(Json(app.store.parts(&filter).await?))
 }
 
@@ -76,7 +92,7 @@ pub async fn trends(
     InQuery(of): InQuery<Values>,
 ) -> Answer<Json<Vec<MeasuredCharacteristic>>> {
     let flank = of.flank.as_deref().map(flank).transpose()?;
-    let parts = PartFilter { series: of.series, ..PartFilter::default() };
+    let parts = PartFilter { series: of.series, newest: newest(of.newest)?, ..PartFilter::default() };
     let filter = CharacteristicFilter { parts, name: of.name, flank, statistic: of.statistic };
     Ok(Json(app.store.characteristics(&filter).await?))
 }
@@ -103,10 +119,14 @@ pub async fn tools(State(app): State<Arc<App>>) -> Answer<Json<Vec<ToolSummary>>
 
 /// The measurements of a skiving tool.
 #[utoipa::path(get, path = "/api/tools/{tool}", params(("tool" = String, Path, description = "its name")),
-    responses((status = 200, body = [Object])))]
+    responses((status = 200, body = [Object]), (status = 404, body = Failure)))]
 pub async fn history(
     State(app): State<Arc<App>>,
     InPath(tool): InPath<String>,
 ) -> Answer<Json<Vec<HistoryRecord>>> {
-    Ok(Json(app.store.history(Some(&tool)).await?))
+    let records = app.store.history(Some(&tool)).await?;
+    if records.is_empty() {
+        return Err(Refused::absent("tool"));
+    }
+    Ok(Json(records))
 }

@@ -10,12 +10,11 @@ use flankwright_store::RunFile;
 use serde::de::DeserializeOwned;
 
 use super::error::{Answer, Refused};
-use super::jobs::shelved;
 use super::runs::{name_of, taken};
+use super::short::fit;
 use crate::app::App;
 use crate::shelf::MOST_FILES;
-use crate::wire::{Failure, Finding, InspectOptions, Job, Kind, Request, RunBegun};
-use crate::work::carry::checked;
+use crate::wire::{Failure, Finding, InspectOptions, Job, Kind, Request, RunBegun, wrong_option};
 
 /// What a request is made of; for the interface document.
 #[derive(utoipa::ToSchema)]
@@ -42,20 +41,27 @@ pub async fn begin(
     State(app): State<Arc<App>>,
     parts: Result<Multipart, MultipartRejection>,
 ) -> Answer<(StatusCode, Json<RunBegun>)> {
+    // As many as the memory holds; whoever comes late tries again.
+    let _room = app.uploads.try_acquire().map_err(|_| Refused::busy("others hand in measurements"))?;
     let mut parts = parts?;
-    let (mut files, mut job, mut options): (Vec<RunFile>, Option<Job>, Option<InspectOptions>) =
-        Default::default();
-    while let Some(part) = parts.next_field().await? {
-        match part.name() {
-            Some("file") => files.push(measured(part, &files).await?),
-            Some("job") => job = json("job", part).await?,
-            Some("options") => options = json("options", part).await?,
-            other => {
-                let message = format!("there is no part `{}`", other.unwrap_or_default());
-                return Err(wrong("part", message, "send file, job, options"));
+    let mut taken_in = TakenIn::default();
+    let read = loop {
+        match parts.next_field().await {
+            Ok(None) => break Ok(()),
+            Ok(Some(part)) => {
+                if let Err(refused) = taken_in.take(part).await {
+                    break Err(refused);
+                }
             }
+            Err(error) => break Err(error.into()),
         }
+    };
+    if let Err(refused) = read {
+        // A browser listens only when everything is sent.
+        while let Ok(Some(_)) = parts.next_field().await {}
+        return Err(refused);
     }
+    let TakenIn { files, job, options } = taken_in;
     if files.is_empty() {
         return Err(wrong(
             "file",
@@ -63,16 +69,48 @@ pub async fn begin(
             "send at least one file of a measuring machine",
         ));
     }
-    if let Some(options) = &options {
-        checked(options).map_err(Refused::bad)?;
+    if let Some(Err((key, allowed))) = options.as_ref().map(InspectOptions::taken) {
+        return Err(Refused::bad(wrong_option(key, allowed)));
     }
-    if let Some(job) = &job {
-        shelved(job)?;
-    }
+    job.as_ref().map_or(Ok(()), fit)?;
     let first = files[0].name.clone();
     let name = if files.len() > 1 { format!("{first} and {} more", files.len() - 1) } else { first };
     let name = name_of(None, &name);
     taken(&app, Request { kind: Kind::Inspect, job, options }, name, files).await
+}
+
+/// The parts of a request.
+#[derive(Default)]
+struct TakenIn {
+    files: Vec<RunFile>,
+    job: Option<Job>,
+    options: Option<InspectOptions>,
+}
+
+impl TakenIn {
+    async fn take(&mut self, part: Field<'_>) -> Answer<()> {
+        match part.name() {
+            Some("file") => {
+                let file = measured(part, &self.files).await?;
+                self.files.push(file);
+            }
+            Some("job") => once("job", &mut self.job, json("job", part).await?)?,
+            Some("options") => once("options", &mut self.options, json("options", part).await?)?,
+            other => {
+                let message = format!("there is no part `{}`", other.unwrap_or_default());
+                return Err(wrong("part", message, "send file, job, options"));
+            }
+        }
+        Ok(())
+    }
+}
+
+fn once<T>(name: &str, place: &mut Option<T>, given: Option<T>) -> Answer<()> {
+    if place.is_some() && given.is_some() {
+        return Err(wrong(name, format!("there are two parts `{name}`"), "send one of them"));
+    }
+    *place = given.or(place.take());
+    Ok(())
 }
 
 /// A file under its bare name.
@@ -83,7 +121,7 @@ async fn measured(part: Field<'_>, before: &[RunFile]) -> Answer<RunFile> {
         return Err(wrong(
             "file",
             "a measurement has no usable name",
-            "give the file a name of at most 120 letters",
+            "give the file a name of at most 120 bytes",
         ));
     }
     if before.iter().any(|file| file.name == name) {

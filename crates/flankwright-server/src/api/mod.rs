@@ -11,5 +11,6 @@ pub mod kept;
 pub mod measurements;
 pub mod programs;
 pub mod runs;
+mod short;
 mod take;
 mod toml_edits;

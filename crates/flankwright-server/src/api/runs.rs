@@ -11,17 +11,19 @@ use serde::Deserialize;
 use serde_json::Value;
 
 use super::error::{Answer, Refused};
-use super::take::{Body, InPath, InQuery};
+use super::short::fit;
+use super::take::{Body, InPath, InQuery, bounded};
 use crate::app::App;
-use crate::wire::{
-    Failure, Finding, Job, NewRunRequest, Request, Run, RunBegun, RunFile, RunStateAnswer, RunSummary,
-};
-use crate::work::{NotTaken, SCENE};
+use crate::wire::{Failure, Job, NewRunRequest, Request, Run, RunBegun, RunFile, RunStateAnswer, RunSummary};
+use crate::work::{Cancelled, NotTaken, SCENE};
 
 /// Runs in a list unless more are asked for.
 const LISTED: u32 = 100;
 /// Most of them.
 const MOST_LISTED: u32 = 1000;
+
+/// Letters of a name in lists; the rest is marked as left out.
+const LONGEST_NAME: usize = 120;
 
 /// How many are listed.
 #[derive(Debug, Deserialize, utoipa::IntoParams)]
@@ -39,7 +41,8 @@ pub(super) fn name_of(job: Option<&Job>, other: &str) -> String {
     let name =
         tree.and_then(|tree| tree.to_value().pointer("/job/name").and_then(Value::as_str).map(str::to_owned));
     let name = name.unwrap_or_else(|| other.to_owned());
-    name.chars().take(120).collect()
+    let end = name.char_indices().nth(LONGEST_NAME).map(|(end, _)| end);
+    end.map_or(name.clone(), |end| format!("{}...", &name[..end]))
 }
 
 pub(super) async fn taken(
@@ -48,7 +51,7 @@ pub(super) async fn taken(
     name: String,
     inputs: Vec<StoredFile>,
 ) -> Answer<(StatusCode, Json<RunBegun>)> {
-    match app.work.take(request, name, inputs).await {
+    match app.work.take(&request, name, inputs).await {
         Ok(id) => Ok((StatusCode::ACCEPTED, Json(RunBegun { id }))),
         Err(NotTaken::Full) => Err(Refused::with(
             StatusCode::TOO_MANY_REQUESTS,
@@ -56,6 +59,8 @@ pub(super) async fn taken(
             format!("{} runs wait already", app.work.queue().waiting),
             "wait for some of them to end, or cancel them",
         )),
+        Err(NotTaken::Ending) => Err(Refused::busy("the server ends")),
+        Err(NotTaken::Unkept(why)) => Err(Refused::bad(Failure::internal(why))),
         Err(NotTaken::Store(error)) => Err(error.into()),
     }
 }
@@ -68,10 +73,15 @@ pub async fn begin(
     Body(request): Body<NewRunRequest>,
 ) -> Answer<(StatusCode, Json<RunBegun>)> {
     // Names of files are looked at now, while somebody listens.
-    super::jobs::shelved(&request.job)?;
+    fit(&request.job)?;
     let name = name_of(Some(&request.job), "unnamed");
     let request = Request { kind: request.kind, job: Some(request.job), options: None };
     taken(&app, request, name, Vec::new()).await
+}
+
+/// Whether a file of a run is a result, not something that the server keeps beside it.
+pub(super) fn is_listed(name: &str) -> bool {
+    !name.starts_with('.')
 }
 
 fn listed(app: &App, mut summary: Summary) -> RunSummary {
@@ -90,14 +100,7 @@ pub async fn list(
     State(app): State<Arc<App>>,
     InQuery(most): InQuery<Most>,
 ) -> Answer<Json<Vec<RunSummary>>> {
-    let most = most.most.unwrap_or(LISTED);
-    if !(1..=MOST_LISTED).contains(&most) {
-        let finding =
-            Finding::new("invalid-number", format!("most = {most} is outside its range"), "ask for fewer");
-        return Err(Refused::bad(Failure::single(
-            finding.field("most").allowed(format!("1 to {MOST_LISTED}")),
-        )));
-    }
+    let most = bounded("most", most.most.unwrap_or(LISTED), MOST_LISTED)?;
     let runs = app.store.runs(most).await?;
     Ok(Json(runs.into_iter().map(|run| listed(&app, run)).collect()))
 }
@@ -111,10 +114,9 @@ pub(super) async fn record(app: &App, id: i64) -> Answer<RunRecord> {
     responses((status = 200, body = Run), (status = 404, body = Failure)))]
 pub async fn one(State(app): State<Arc<App>>, InPath(id): InPath<i64>) -> Answer<Json<Run>> {
     let record = record(&app, id).await?;
-    let measurements = app.store.run_inputs(id).await?.into_iter().map(|file| file.name).collect();
+    let measurements = app.store.run_input_names(id).await?;
     let request: Option<Request> = serde_json::from_str(&record.job).ok();
-    let page = super::charts::page(&app, id).await?.unwrap_or_default();
-    let charts = super::charts::charts(&page).into_iter().map(|(chart, _)| chart).collect();
+    let charts = super::charts::placed(&app, id).await?.into_iter().map(|placed| placed.chart).collect();
     let failed = record.summary.state == RunState::Failed;
     let (failure, document) = match record.document {
         Some(document) if failed => (serde_json::from_value(document).ok(), None),
@@ -130,7 +132,7 @@ pub async fn one(State(app): State<Arc<App>>, InPath(id): InPath<i64>) -> Answer
         files: record
             .files
             .into_iter()
-            .filter(|file| file.name != SCENE)
+            .filter(|file| is_listed(&file.name))
             .map(|file| RunFile { name: file.name, bytes: file.bytes })
             .collect(),
         charts,
@@ -139,13 +141,28 @@ pub async fn one(State(app): State<Arc<App>>, InPath(id): InPath<i64>) -> Answer
 
 /// Ends a run at its next step.
 #[utoipa::path(post, path = "/api/runs/{id}/cancel", params(("id" = i64, Path, description = "its number")),
-    responses((status = 200, body = RunStateAnswer), (status = 404, body = Failure)))]
+    responses((status = 200, body = RunStateAnswer), (status = 404, body = Failure), (status = 409, body = Failure)))]
 pub async fn cancel(State(app): State<Arc<App>>, InPath(id): InPath<i64>) -> Answer<Json<RunStateAnswer>> {
-    let state = match app.work.cancel(id).await? {
-        Some(state) => state,
-        None => record(&app, id).await?.summary.state,
+    let state = match app.work.cancel(id).await {
+        Cancelled::Told(state) => state,
+        Cancelled::NotHere => match state_of(&app, id).await? {
+            state if state.has_ended() => state,
+            state => {
+                return Err(Refused::with(
+                    StatusCode::CONFLICT,
+                    "run-elsewhere",
+                    format!("the run {id} is {state} on another server", state = state.name()),
+                    "cancel it there; if that server is gone, the run is interrupted within two minutes",
+                ));
+            }
+        },
     };
     Ok(Json(RunStateAnswer { state }))
+}
+
+/// The state of a run that is none of this server's that waits or is under way.
+pub(super) async fn state_of(app: &App, id: i64) -> Answer<RunState> {
+    app.store.run_state(id).await?.ok_or_else(|| Refused::absent("run"))
 }
 
 /// Begins a run of the same job.
@@ -169,7 +186,7 @@ pub async fn remove(State(app): State<Arc<App>>, InPath(id): InPath<i64>) -> Ans
     if app.store.remove_run(id).await? {
         return Ok(StatusCode::NO_CONTENT);
     }
-    let state = record(&app, id).await?.summary.state.name();
+    let state = state_of(&app, id).await?.name();
     Err(Refused::with(
         StatusCode::CONFLICT,
         "run-under-way",

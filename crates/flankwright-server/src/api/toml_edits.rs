@@ -5,6 +5,11 @@ use toml_edit::{Array, DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
 use crate::wire::{Edit, Step};
 
+/// Steps of a path: jobs have a few, and each is a level of the stack.
+pub const MOST_STEPS: usize = 64;
+/// Changes at once.
+pub const MOST_EDITS: usize = 256;
+
 /// Why an entry cannot be set.
 #[derive(Debug, PartialEq)]
 pub struct Unedited {
@@ -32,6 +37,16 @@ fn written(path: &[Step]) -> String {
 /// The first path that leads nowhere, a value that the format does not have, or a text that cannot be parsed.
 pub fn edited(text: &str, edits: &[Edit]) -> Result<String, Unedited> {
     let whole = |why: String| Unedited { path: String::new(), why };
+    if edits.len() > MOST_EDITS {
+        return Err(whole(format!(
+            "there are {} changes; at most {MOST_EDITS} are made at once",
+            edits.len()
+        )));
+    }
+    if let Some(edit) = edits.iter().find(|edit| edit.path.len() > MOST_STEPS) {
+        let why = format!("the path has {} steps; at most {MOST_STEPS} are followed", edit.path.len());
+        return Err(Unedited { path: written(&edit.path[..4]) + "...", why });
+    }
     if text.trim_start().starts_with('{') {
         let mut tree: Json =
             serde_json::from_str(text).map_err(|error| whole(format!("the text is no JSON: {error}")))?;
@@ -333,6 +348,12 @@ mod tests {
         let failed = with(JOB, json!(["target", "modifications", 4]), json!({})).unwrap_err();
         assert_eq!((failed.path.as_str(), failed.why.as_str()), ("target.modifications[4]", BEYOND));
         assert_eq!(with(JOB, json!([]), json!(1)).unwrap_err().why, NO_PATH);
+        let deep = with(JOB, json!(vec!["a"; MOST_STEPS + 1]), json!(1)).unwrap_err();
+        assert_eq!((deep.path.as_str(), deep.why.contains("65 steps")), ("a.a.a.a...", true));
+        assert!(with(JOB, json!(vec!["a"; MOST_STEPS]), json!(1)).is_ok());
+        let many: Vec<Edit> =
+            (0..=MOST_EDITS).map(|_| Edit { path: vec![Step::Key("a".into())], value: json!(1) }).collect();
+        assert!(edited(JOB, &many).unwrap_err().why.contains("257 changes"));
         assert!(with("= 1", json!(["a"]), json!(1)).unwrap_err().why.contains("no TOML"));
     }
 }

@@ -1,11 +1,13 @@
 //! What is wrong with a request, told as the command tells it: code, key, value, what is allowed, a way out, and the place in the text.
 
+use std::io;
+
 use flankwright::exchange::{Diagnostic, JobError, Source};
 use flankwright::workflow::{JobFailure, RunFailure};
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
-use crate::shelf::{JOB, Shelf};
+use crate::shelf::{JOB, Shelf, ShelfError};
 
 /// One finding.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
@@ -84,8 +86,9 @@ impl Finding {
         self
     }
 
-    fn of(diagnostic: &Diagnostic, source: Option<&Source>, shelf: &Shelf) -> Self {
-        let tell = |text: &Option<Box<str>>| text.as_ref().map(|text| shelf.tell(text));
+    /// `plain` takes out of a text what is nobody's business.
+    fn of(diagnostic: &Diagnostic, source: Option<&Source>, plain: &dyn Fn(&str) -> String) -> Self {
+        let tell = |text: &Option<Box<str>>| text.as_ref().map(|text| plain(text));
         let place = diagnostic.span.as_ref().zip(source);
         let line_column = place.as_ref().map(|(span, source)| source.line_column(span.start));
         let of_job = source.is_some_and(|source| source.name() == JOB);
@@ -93,12 +96,12 @@ impl Finding {
             |at: usize| place.as_ref().filter(|_| of_job).map(|(_, source)| utf16(source.text(), at));
         Self {
             code: diagnostic.code.to_owned(),
-            message: shelf.tell(&diagnostic.message),
+            message: plain(&diagnostic.message),
             field: tell(&diagnostic.field),
             value: tell(&diagnostic.value),
             allowed: tell(&diagnostic.allowed),
             way_out: tell(&diagnostic.way_out),
-            file: source.filter(|_| !of_job).map(|source| shelf.tell(source.name())),
+            file: source.filter(|_| !of_job).map(|source| plain(source.name())),
             line: line_column.map(|(line, _)| line),
             column: line_column.map(|(_, column)| column),
             start: diagnostic.span.as_ref().and_then(|span| offset(span.start)),
@@ -128,11 +131,45 @@ impl Failure {
         Self { exit: 1, errors: vec![Finding::new("internal-error", message, way_out)], omitted: 0 }
     }
 
+    /// The disk of the server refuses. Its paths are nobody's business.
+    pub fn disk(error: &io::Error) -> Self {
+        let message = format!("the server cannot put files down: {}", error.kind());
+        let way_out = "ask who runs the server whether its disk is full, and try again";
+        Self { exit: 1, ..Self::single(Finding::new("server-disk", message, way_out)) }
+    }
+
     /// Everything that is wrong with a job or a file.
     pub fn of_error(error: &JobError, shelf: &Shelf) -> Self {
-        let errors = error.diagnostics.iter().map(|d| Finding::of(d, Some(&error.source), shelf)).collect();
+        Self::told(error, &|text| shelf.tell(text))
+    }
+
+    /// Everything that is wrong with a text that names no files.
+    pub fn of_text(error: &JobError) -> Self {
+        Self::told(error, &str::to_owned)
+    }
+
+    fn told(error: &JobError, plain: &dyn Fn(&str) -> String) -> Self {
+        let errors = error.diagnostics.iter().map(|d| Finding::of(d, Some(&error.source), plain)).collect();
         Self { exit: 2, errors, omitted: error.omitted }
     }
+}
+
+/// Files that cannot be put on a shelf.
+pub fn unshelved(error: &ShelfError) -> Failure {
+    match error {
+        ShelfError::Name(_) | ShelfError::Folder(_) | ShelfError::TooMany(_) => {
+            let way_out = "rename the file, or leave it out";
+            Failure::single(Finding::new("invalid-file-name", error.to_string(), way_out).field("files"))
+        }
+        ShelfError::Disk(error) => Failure::disk(error),
+    }
+}
+
+/// An option that is none.
+pub fn wrong_option(key: &str, allowed: &str) -> Failure {
+    let finding =
+        Finding::new("invalid-option", format!("the option {key} takes {allowed}"), "choose one of these");
+    Failure::single(finding.field(key).allowed(allowed))
 }
 
 /// Why a job has no result; `text` is its text, so that the place of the key can be told.
@@ -147,7 +184,7 @@ pub fn refused_run(failure: &JobFailure, text: &str, shelf: &Shelf) -> Failure {
 fn of_job(exit: u8, finding: &Diagnostic, text: &str, shelf: &Shelf) -> Failure {
     let source = shelf.source(text);
     let placed = told_of(finding.clone(), &source);
-    Failure { exit, errors: vec![Finding::of(&placed, Some(&source), shelf)], omitted: 0 }
+    Failure { exit, errors: vec![Finding::of(&placed, Some(&source), &|text| shelf.tell(text))], omitted: 0 }
 }
 
 /// A finding with the place of its key in the text.

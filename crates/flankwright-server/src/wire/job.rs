@@ -165,8 +165,8 @@ pub enum Step {
 #[derive(Clone, Debug, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Edit {
-    /// Keys, and places in lists from 0.
-    #[schema(min_items = 1)]
+    /// Keys, and places in lists from 0; at most 64.
+    #[schema(min_items = 1, max_items = 64)]
     pub path: Vec<Step>,
     /// The new value; null takes the entry out.
     pub value: Value,
@@ -178,7 +178,8 @@ pub struct Edit {
 pub struct EditRequest {
     /// The text of a job.
     pub text: String,
-    /// Changes, one after the other.
+    /// Changes, one after the other; at most 256.
+    #[schema(max_items = 256)]
     pub edits: Vec<Edit>,
 }
 

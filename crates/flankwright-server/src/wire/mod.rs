@@ -4,7 +4,7 @@ mod failure;
 mod job;
 mod run;
 
-pub use failure::{Failure, Finding, refused_run};
+pub use failure::{Failure, Finding, refused_run, unshelved, wrong_option};
 pub use job::{
     About, CheckAnswer, DerivedQuantity, DerivedSection, Edit, EditAnswer, EditRequest, ExampleAnswer,
     ExampleSummary, Job, MachineSummary, PreviewAnswer, PreviewRequest, ProcessSummary, ProgramRequest,

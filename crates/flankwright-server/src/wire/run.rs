@@ -181,7 +181,7 @@ pub struct RunFile {
 }
 
 /// A chart of a result.
-#[derive(Clone, Debug, PartialEq, Serialize, ToSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct Chart {
     /// By which it is asked for.
     pub name: String,

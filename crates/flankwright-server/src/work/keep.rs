@@ -6,17 +6,18 @@ use flankwright::numerics::Progress;
 use flankwright::workflow::inspection::Statements;
 use flankwright_store::blocking::Store;
 use flankwright_store::{ImportSettings, StoreAddress, StoreError};
+use serde_json::Value;
 
 use crate::wire::{Failure, Finding, InspectOptions};
 
-/// Imports what was handed in. Parts that are known stay as they are.
+/// Imports what was handed in: which parts are new, which are known and stay as they are, which are refused.
 pub(super) fn keep(
     folder: &Path,
     options: &InspectOptions,
     statements: Statements,
     place: &StoreAddress,
     progress: &dyn Progress,
-) -> Result<(), Failure> {
+) -> Result<Value, Failure> {
     let settings = ImportSettings {
         series: options.series.clone().filter(|series| !series.trim().is_empty()),
         class: options.class,
@@ -26,7 +27,8 @@ pub(super) fn keep(
     let folder: PathBuf = folder.to_owned();
     let imported =
         Store::open(place).and_then(|store| store.import_measurements(&[folder], &settings, progress));
-    imported.map(|_| ()).map_err(|error| refused(&error))
+    let report = imported.map_err(|error| refused(&error))?;
+    serde_json::to_value(report).map_err(|error| Failure::internal(error.to_string()))
 }
 
 fn refused(error: &StoreError) -> Failure {

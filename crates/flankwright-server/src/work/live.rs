@@ -64,6 +64,11 @@ impl Live {
         &self.cancelled
     }
 
+    /// The same, as it is now.
+    pub fn is_cancelled(&self) -> bool {
+        self.cancelled.load(Ordering::Relaxed)
+    }
+
     /// What is known now.
     pub fn told(&self) -> Told {
         self.told.borrow().clone()

@@ -1,52 +1,53 @@
 //! Long work: runs that wait in a bounded queue, are carried out by a few threads, tell how far they are, can be cancelled, and end in the
 //! store whatever becomes of those who asked for them.
 
-mod cancel;
-pub mod carry;
+mod beat;
+pub mod cancel;
+mod carry;
+mod end;
 mod keep;
 mod live;
+mod measured;
+mod queue;
 
 use std::collections::HashMap;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::io;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::SystemTime;
 
 use flankwright_store::{NewRun, RunEnd, RunFile, RunState, Store, StoreAddress, StoreError};
-use tokio::sync::mpsc::error::TrySendError;
-use tokio::sync::{Mutex as AsyncMutex, mpsc};
+use tokio::runtime::Handle;
 
+pub use beat::keep_beating;
 pub use live::{Live, Told};
 
-use crate::wire::{Queue, Request};
+use crate::scratch::Scratch;
+use crate::wire::{self, Request};
+use queue::{MOST_WAITING, Queue};
 
-/// Runs that may wait.
-const MOST_WAITING: usize = 32;
 /// Runs under way at once; each computes on all cores.
 const AT_ONCE: usize = 2;
 
-/// The file of a run that holds its bodies in space, packed; it is no result and is not listed.
+/// The file of a run that holds its bodies in space, packed. Files that begin with a dot are no results and are not listed.
 pub const SCENE: &str = ".scene.json.gz";
+/// The file of a run that tells which charts its report holds, and where.
+pub const CHARTS: &str = ".charts.json";
 
 /// Now, as the store keeps times.
 pub fn now() -> String {
-    humantime::format_rfc3339_seconds(SystemTime::now()).to_string()
-}
-
-/// A run on its way.
-struct Task {
-    id: i64,
-    request: Request,
-    inputs: Vec<RunFile>,
-    live: Arc<Live>,
+    humantime::format_rfc3339_millis(SystemTime::now()).to_string()
 }
 
 /// The queue, and who works it off.
 pub struct Work {
     store: Store,
     place: StoreAddress,
-    owner: String,
-    queue: mpsc::Sender<Task>,
+    scratch: Arc<Scratch>,
+    queue: Arc<Queue>,
     live: Mutex<HashMap<i64, Arc<Live>>>,
+    /// Ends that the store has not taken yet.
+    owed: Mutex<Vec<(i64, RunEnd)>>,
 }
 
 /// Why a run was not taken in.
@@ -54,61 +55,74 @@ pub struct Work {
 pub enum NotTaken {
     /// The queue is full.
     Full,
+    /// The server ends.
+    Ending,
+    /// The request cannot be kept.
+    Unkept(String),
     /// The store refuses.
     Store(StoreError),
 }
 
+/// What became of the wish to cancel a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cancelled {
+    /// It ends; the state that it has now.
+    Told(RunState),
+    /// It is none of this server's that waits or is under way.
+    NotHere,
+}
+
 impl Work {
     /// Begins to work.
-    pub fn start(store: Store, place: StoreAddress, owner: String) -> Arc<Self> {
-        let (queue, waiting) = mpsc::channel(MOST_WAITING);
-        let work = Arc::new(Self { store, place, owner, queue, live: Mutex::default() });
-        let waiting = Arc::new(AsyncMutex::new(waiting));
-        let runtime = tokio::runtime::Handle::current();
+    ///
+    /// # Errors
+    /// The system has no threads.
+    pub fn start(store: Store, place: StoreAddress, scratch: Arc<Scratch>) -> io::Result<Arc<Self>> {
+        let (queue, live, owed) = Default::default();
+        let work = Arc::new(Self { store, place, scratch, queue, live, owed });
+        let runtime = Handle::current();
         for k in 0..AT_ONCE {
-            let (work, waiting, runtime) = (Arc::downgrade(&work), waiting.clone(), runtime.clone());
-            let named = thread::Builder::new().name(format!("run-{k}"));
-            let spawned = named.spawn(move || {
-                loop {
-                    let Some(task) = runtime.block_on(async { waiting.lock().await.recv().await }) else {
-                        return;
-                    };
-                    let Some(work) = work.upgrade() else { return };
-                    work.carry_out(&runtime, &task);
+            let (work, runtime) = (work.clone(), runtime.clone());
+            thread::Builder::new().name(format!("run-{k}")).spawn(move || {
+                while let Some(id) = work.queue.next() {
+                    work.carry_out(&runtime, id);
                 }
-            });
-            if let Err(error) = spawned {
-                eprintln!("a thread for runs cannot be had: {error}");
-            }
+            })?;
         }
-        work
+        Ok(work)
     }
 
-    /// Takes a run in; its number.
+    /// Takes a run in; its number. It is taken in whole, also where whoever asked is gone meanwhile.
     ///
     /// # Errors
     /// [`NotTaken`].
-    pub async fn take(&self, request: Request, name: String, inputs: Vec<RunFile>) -> Result<i64, NotTaken> {
-        let place = match self.queue.try_reserve() {
-            Ok(place) => place,
-            Err(TrySendError::Full(()) | TrySendError::Closed(())) => return Err(NotTaken::Full),
-        };
+    pub async fn take(
+        self: &Arc<Self>,
+        request: &Request,
+        name: String,
+        inputs: Vec<RunFile>,
+    ) -> Result<i64, NotTaken> {
+        let full = || if self.queue.is_ending() { NotTaken::Ending } else { NotTaken::Full };
+        let place = self.queue.reserve().ok_or_else(full)?;
         let run = NewRun {
-            owner: self.owner.clone(),
+            owner: self.scratch.owner().to_owned(),
             kind: request.kind.task().name().to_owned(),
             name,
-            job: serde_json::to_string(&request).unwrap_or_default(),
+            job: serde_json::to_string(request).map_err(|error| NotTaken::Unkept(error.to_string()))?,
             created: now(),
-            files: inputs.clone(),
+            files: inputs,
         };
-        let id = self.store.add_run(&run).await.map_err(NotTaken::Store)?;
-        let live = Arc::new(Live::default());
-        self.all().insert(id, live.clone());
-        place.send(Task { id, request, inputs, live });
-        Ok(id)
+        let work = self.clone();
+        let taken = tokio::spawn(async move {
+            let id = work.store.add_run(&run).await.map_err(NotTaken::Store)?;
+            work.all().insert(id, Arc::default());
+            place.fill(id);
+            Ok(id)
+        });
+        taken.await.unwrap_or_else(|fault| Err(NotTaken::Unkept(fault.to_string())))
     }
 
-    fn all(&self) -> std::sync::MutexGuard<'_, HashMap<i64, Arc<Live>>> {
+    fn all(&self) -> MutexGuard<'_, HashMap<i64, Arc<Live>>> {
         self.live.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -118,53 +132,63 @@ impl Work {
     }
 
     /// How busy it is.
-    pub fn queue(&self) -> Queue {
-        let waiting = MOST_WAITING - self.queue.capacity();
-        Queue { running: self.all().len().saturating_sub(waiting), waiting, most: MOST_WAITING }
+    pub fn queue(&self) -> wire::Queue {
+        let running = self.all().values().filter(|live| live.told().state == RunState::Running).count();
+        wire::Queue { running, waiting: self.queue.waiting(), most: MOST_WAITING }
     }
 
-    /// Cancels a run; the state that it has then, `None` if it had ended or there is none.
-    ///
-    /// # Errors
-    /// Those of the store.
-    pub async fn cancel(&self, id: i64) -> Result<Option<RunState>, StoreError> {
-        let Some(live) = self.live(id) else { return Ok(None) };
+    /// Cancels a run: one that waits at once, one that is under way at its next step.
+    pub async fn cancel(self: &Arc<Self>, id: i64) -> Cancelled {
+        let Some(live) = self.live(id) else { return Cancelled::NotHere };
         live.cancel();
-        if live.told().state == RunState::Queued {
-            // Whoever takes it out of the queue finds that it has ended.
-            self.end_run(id, &live, &ended(RunState::Cancelled)).await?;
+        if self.queue.take_back(id) {
+            let (work, live) = (self.clone(), live.clone());
+            let end = tokio::spawn(async move { work.end_run(id, &live, ended(RunState::Cancelled)).await });
+            if let Err(fault) = end.await {
+                eprintln!("run {id}: {fault}");
+            }
         }
-        Ok(Some(live.told().state))
+        Cancelled::Told(live.told().state)
     }
 
-    /// Has all runs end at their next step.
+    /// Nothing is begun any more, and all runs end at their next step.
     pub fn end(&self) {
+        self.queue.end();
         self.all().values().for_each(|live| live.interrupt());
     }
 
-    async fn end_run(&self, id: i64, live: &Live, end: &RunEnd) -> Result<(), StoreError> {
-        self.store.end_run(id, end).await?;
-        self.all().remove(&id);
-        live.end(end.state);
-        Ok(())
+    /// Whether it ends.
+    pub fn is_ending(&self) -> bool {
+        self.queue.is_ending()
     }
 
-    fn carry_out(&self, runtime: &tokio::runtime::Handle, task: &Task) {
-        if let Err(error) = self.carried_out(runtime, task) {
-            eprintln!("run {}: the store refuses: {error}", task.id);
-            self.all().remove(&task.id);
-            task.live.end(RunState::Interrupted);
+    /// Tells the store that this server ends, and tidies up behind it.
+    pub async fn close(&self) {
+        if let Err(error) = self.store.leave(self.scratch.owner(), &now()).await {
+            eprintln!("the store refuses the farewell: {error}");
         }
+        self.scratch.close();
     }
 
-    fn carried_out(&self, runtime: &tokio::runtime::Handle, task: &Task) -> Result<(), StoreError> {
-        if !runtime.block_on(self.store.begin_run(task.id))? {
-            return Ok(());
+    fn carry_out(&self, runtime: &Handle, id: i64) {
+        let Some(live) = self.live(id) else { return };
+        let end = match runtime.block_on(self.begun(id, &live)) {
+            // Not inside of the runtime: it computes for minutes, and may open a store that has one of its own.
+            Ok(Some(task)) => carry::carry(&task, &live, &self.place, &self.scratch),
+            Ok(None) => ended(live.ended_as()),
+            Err(error) => end::refused(&error),
+        };
+        runtime.block_on(self.end_run(id, &live, end));
+    }
+
+    /// What is to be done, from the store; `None` if it is not to be done any more.
+    async fn begun(&self, id: i64, live: &Live) -> Result<Option<carry::Task>, StoreError> {
+        if live.is_cancelled() || !self.store.begin_run(id).await? {
+            return Ok(None);
         }
-        task.live.begin();
-        // Not inside of the runtime: it computes for minutes, and may open a store that has one of its own.
-        let end = carry::carry(task, &self.place);
-        runtime.block_on(self.end_run(task.id, &task.live, &end))
+        live.begin();
+        let Some(record) = self.store.run(id).await? else { return Ok(None) };
+        Ok(Some(carry::Task { request: record.job, inputs: self.store.run_inputs(id).await? }))
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 use std::ops::Deref;
-use std::sync::mpsc;
+use std::sync::{Arc, mpsc};
 use std::thread;
 use std::time::Duration;
 
@@ -17,7 +17,8 @@ pub struct Served {
     at: At,
     pub address: SocketAddr,
     pub opened: String,
-    _folder: TempDir,
+    store: StoreAddress,
+    folder: Arc<TempDir>,
 }
 
 impl Served {
@@ -26,21 +27,37 @@ impl Served {
     }
 
     pub fn with(host: Ipv4Addr, token: Option<&str>, names: &[&str]) -> Self {
-        let folder = tempfile::tempdir().unwrap();
+        let folder = Arc::new(tempfile::tempdir().unwrap());
+        let store = StoreAddress::file(folder.path().join("store.sqlite"));
+        Self::on(store, folder, host, token, names)
+    }
+
+    /// Another server with the same store.
+    pub fn beside(&self) -> Self {
+        Self::on(self.store.clone(), self.folder.clone(), Ipv4Addr::LOCALHOST, None, &[])
+    }
+
+    fn on(
+        store: StoreAddress,
+        folder: Arc<TempDir>,
+        host: Ipv4Addr,
+        token: Option<&str>,
+        names: &[&str],
+    ) -> Self {
         let options = Options {
             host: IpAddr::V4(host),
             port: 0,
             names: names.iter().map(|name| (*name).to_owned()).collect(),
             token: token.map(str::to_owned),
-            store: StoreAddress::file(folder.path().join("store.sqlite")),
+            store: store.clone(),
         };
         let (told, listening) = mpsc::channel();
-        thread::spawn(move || serve(&options, |address| drop(told.send(address.to_owned()))));
+        thread::spawn(move || serve(&options, |addresses| drop(told.send(addresses[0].clone()))));
         let opened = listening.recv_timeout(Duration::from_secs(30)).expect("the server listens");
         let authority = opened.strip_prefix("http://").and_then(|rest| rest.split('/').next()).unwrap();
-        let address: SocketAddr = authority.parse().unwrap();
-        let address = SocketAddr::new(Ipv4Addr::LOCALHOST.into(), address.port());
-        Self { at: At(address), address, opened, _folder: folder }
+        let port = authority.rsplit(':').next().unwrap().parse().unwrap();
+        let address = SocketAddr::new(Ipv4Addr::LOCALHOST.into(), port);
+        Self { at: At(address), address, opened, store, folder: folder }
     }
 }
 

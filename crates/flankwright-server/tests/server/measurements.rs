@@ -31,27 +31,68 @@ fn a_table_is_judged_by_its_job() {
 #[test]
 fn measured_parts_are_kept_and_followed() {
     let served = Served::new();
-    let job = served.example("twist-free-crowning");
-    let rexs = flankwright_rexs(&job);
+    let part = include_bytes!("../../../../fuzz/seeds/klingelnberg/curves.mka");
     let options = json!({ "class": 6, "keep": true, "series": "pinions" }).to_string();
-    let parts = [("file", "pinion.rexsj", rexs.as_bytes()), ("options", "", options.as_bytes())];
+    let parts = [("file", "part-1.mka", &part[..]), ("options", "", options.as_bytes())];
     let run = served.ended(served.hand_in(&parts).json()["id"].as_i64().unwrap());
-    // A model without measured lines is refused by name; nothing of it is kept.
-    assert_eq!(run["state"], "failed", "{run}");
-    assert_eq!(served.get("/api/series").json(), json!([]));
-    assert_eq!(served.get("/api/parts?series=pinions").json(), json!([]));
-    assert_eq!(served.get("/api/trends?series=pinions&name=fHa&flank=left").json(), json!([]));
-    assert_eq!(served.get("/api/trends?flank=upper").status, 422);
-    assert_eq!(served.get("/api/parts?from=yesterday").status, 422);
-    assert_eq!(served.get("/api/parts/none").status, 404);
-    assert!(served.get("/api/catalogue").json()["worm"].is_array());
-    assert_eq!(served.get("/api/tools").json(), json!([]));
+    assert_eq!(run["state"], "done", "{run}");
+    assert_eq!(run["document"]["kept"]["imported"][0]["series"], "pinions", "{run}");
+    let series = served.get("/api/series").json();
+    assert_eq!((&series[0]["series"], &series[0]["parts"]), (&json!("pinions"), &json!(1)), "{series}");
+    let kept = served.get("/api/parts?series=pinions").json();
+    let digest = kept[0]["digest"].as_str().unwrap();
+    assert_eq!(served.get(&format!("/api/parts/{digest}")).json()["series"], "pinions");
+    let values = served.get("/api/trends?series=pinions").json();
+    let name = values[0]["name"].as_str().unwrap_or_else(|| panic!("{values}"));
+    let of_name = served.get(&format!("/api/trends?series=pinions&name={name}")).json();
+    assert_eq!(of_name[0], values[0]);
+    assert_eq!(served.get("/api/trends?series=others").json(), json!([]));
+    // Handed in again, it is known.
+    let again = served.ended(served.hand_in(&parts).json()["id"].as_i64().unwrap());
+    let told = &again["document"]["kept"];
+    assert_eq!((told["imported"].as_array().unwrap().len(), told["known"].as_array().unwrap().len()), (0, 1));
+    // Without a wish nothing is kept.
+    let alone = served.ended(served.hand_in(&parts[..1]).json()["id"].as_i64().unwrap());
+    assert_eq!(alone["document"].get("kept"), None);
 }
 
-/// A REXS model of a job's gear.
-fn flankwright_rexs(job: &serde_json::Value) -> String {
-    let text = job["text"].as_str().unwrap();
-    format!("{{\"model\": {{\"version\": \"1.6\", \"note\": {} }}}}", json!(text))
+#[test]
+fn what_is_not_kept_is_not_there() {
+    let served = Served::new();
+    for path in [
+        "/api/series",
+        "/api/parts?series=pinions",
+        "/api/trends?series=pinions&name=fHa&flank=left",
+        "/api/tools",
+    ] {
+        assert_eq!(served.get(path).json(), json!([]), "{path}");
+    }
+    for path in [
+        "/api/trends?flank=upper",
+        "/api/parts?from=yesterday",
+        "/api/parts?newest=0",
+        "/api/trends?newest=10001",
+    ] {
+        assert_eq!(served.get(path).status, 422, "{path}");
+    }
+    for path in ["/api/parts/none", "/api/tools/none"] {
+        assert_eq!(served.get(path).status, 404, "{path}");
+    }
+    assert!(served.get("/api/catalogue").json()["worm"].is_array());
+}
+
+#[test]
+fn what_lies_beside_a_measurement_is_told() {
+    let served = Served::new();
+    let part = include_bytes!("../../../../fuzz/seeds/klingelnberg/curves.mka");
+    let table = include_bytes!("../../../../examples/inspection/measured.csv");
+    let parts = [("file", "part-1.mka", &part[..]), ("file", "measured.csv", &table[..])];
+    let run = served.ended(served.hand_in(&parts).json()["id"].as_i64().unwrap());
+    assert_eq!(
+        (&run["state"], &run["document"]["left_out"][0]["file"]),
+        (&json!("done"), &json!("measured.csv")),
+        "{run}"
+    );
 }
 
 #[test]
@@ -68,6 +109,7 @@ fn what_is_no_measurement_is_refused_by_name() {
     refused(&[("file", "a.mka", b"1"), ("options", "", b"{\"class\": 99}")], "invalid-option");
     refused(&[("file", "a.mka", b"1"), ("options", "", b"{\"klass\": 9}")], "invalid-request");
     refused(&[("file", "a.mka", b"1"), ("job", "", b"[]")], "invalid-request");
+    refused(&[("file", "a.mka", b"1"), ("options", "", b"{}"), ("options", "", b"{}")], "invalid-request");
     for (name, bytes) in [
         ("part.mka", &b"\xff\xfe\x00"[..]),
         ("part.rexsz", b"PK\x03\x04"),

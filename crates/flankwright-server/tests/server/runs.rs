@@ -1,5 +1,10 @@
 //! Runs: events, results, cancelling, again, a bounded queue.
 
+use std::io::Write;
+use std::net::TcpStream;
+use std::thread;
+use std::time::{Duration, Instant};
+
 use crate::client::Served;
 use serde_json::{Value, json};
 
@@ -41,7 +46,9 @@ fn a_run_tells_how_far_it_is_and_leaves_its_files() {
     }
     assert_eq!(served.get(&format!("/api/runs/{id}/charts/none")).status, 404);
     assert_eq!(&served.get(&format!("/api/runs/{id}/archive")).body[..4], b"PK\x03\x04");
-    assert_eq!(served.get(&format!("/api/runs/{id}/files/..%2F..%2Fstore.sqlite")).status, 404);
+    for name in ["..%2F..%2Fstore.sqlite", ".scene.json.gz", ".charts.json"] {
+        assert_eq!(served.get(&format!("/api/runs/{id}/files/{name}")).status, 404, "{name}");
+    }
 }
 
 #[test]
@@ -96,6 +103,10 @@ fn the_queue_is_bounded_and_a_run_that_waits_can_be_taken_back() {
     assert_eq!((full.status, full.code().as_str()), (429, "queue-full"));
     let queue = served.get("/api/about").json()["queue"].clone();
     assert_eq!(queue["waiting"], queue["most"]);
+    // Who leaves the queue makes room at once.
+    let left = begun.remove(begun.len() / 2);
+    assert_eq!(served.post(&format!("/api/runs/{left}/cancel"), &Value::Null).json()["state"], "cancelled");
+    begun.push(served.begin("explore", &long));
     let last = *begun.last().unwrap();
     assert_eq!(served.ask("DELETE", &format!("/api/runs/{last}"), &[], b"").status, 409);
     for id in begun.iter().rev() {
@@ -121,4 +132,51 @@ fn the_history_of_a_tool_comes_back_with_its_line() {
     let after = served.get(&format!("/api/runs/{}/files/history.jsonl", run["id"])).text();
     assert_eq!(after.lines().count(), history.lines().count(), "{after}");
     assert!(after.starts_with(before));
+}
+
+#[test]
+fn a_run_whose_client_vanishes_is_carried_out() {
+    let served = Served::new();
+    let job = served.example("gearbox/reference-train");
+    let body = json!({ "kind": "plan", "job": job }).to_string();
+    let request = format!(
+        "POST /api/runs HTTP/1.1\r\nHost: {}\r\nContent-Type: application/json\r\nContent-Length: {}\r\n\r\n{body}",
+        served.address,
+        body.len()
+    );
+    const CLIENTS: usize = 8;
+    for _ in 0..CLIENTS {
+        TcpStream::connect(served.address).unwrap().write_all(request.as_bytes()).unwrap();
+    }
+    // Whether the server has read a request before its client was gone is chance; what it took in, it ends.
+    let begun = Instant::now();
+    loop {
+        let runs = served.get("/api/runs").json();
+        let states: Vec<&str> =
+            runs.as_array().unwrap().iter().map(|run| run["state"].as_str().unwrap()).collect();
+        if begun.elapsed() > Duration::from_secs(2) && states.iter().all(|state| *state == "done") {
+            assert!(states.len() <= CLIENTS);
+            break;
+        }
+        assert!(begun.elapsed() < Duration::from_secs(60), "{states:?}");
+        thread::sleep(Duration::from_millis(50));
+    }
+    assert_eq!(served.get("/api/about").json()["queue"]["waiting"], 0);
+}
+
+#[test]
+fn servers_with_one_store_leave_each_others_runs_alone() {
+    let first = Served::new();
+    let long = first.begin("explore", &first.example("catalogue-free-diameter"));
+    let second = first.beside();
+    let state = |at: &Served| at.get(&format!("/api/runs/{long}")).json()["state"].clone();
+    assert!(["queued", "running"].contains(&state(&second).as_str().unwrap()));
+    let refused = second.post(&format!("/api/runs/{long}/cancel"), &Value::Null);
+    assert_eq!((refused.status, refused.code().as_str()), (409, "run-elsewhere"));
+    let short = second.begin("plan", &second.example("gearbox/reference-train"));
+    assert_eq!(second.ended(short)["state"], "done");
+    assert_eq!(first.ended(short)["document"], second.ended(short)["document"]);
+    first.post(&format!("/api/runs/{long}/cancel"), &Value::Null);
+    assert_eq!(second.ended(long)["state"], "cancelled");
+    assert_eq!(second.post("/api/runs/99/cancel", &Value::Null).status, 404);
 }

@@ -1,7 +1,8 @@
 //! The list of the security of the application, item by item.
 
-use std::io::Write;
+use std::io::{Read, Write};
 use std::net::{Ipv4Addr, TcpStream};
+use std::time::{Duration, Instant};
 
 use crate::client::Served;
 use serde_json::json;
@@ -40,6 +41,17 @@ fn pages_of_other_origins_are_refused() {
     for site in ["cross-site", "same-site", "none"] {
         assert_eq!(from("POST", ("Sec-Fetch-Site", site)), 403, "{site}");
     }
+    // Nor is anything read for them; who opens an address comes from nowhere, and pages may be linked to.
+    let read = |path: &str, site: &str| served.ask("GET", path, &[("Sec-Fetch-Site", site)], b"").status;
+    for (path, site, status) in [
+        ("/api/about", "cross-site", 403),
+        ("/api/about", "same-site", 403),
+        ("/api/about", "none", 200),
+        ("/api/about", "same-origin", 200),
+        ("/", "cross-site", 200),
+    ] {
+        assert_eq!(read(path, site), status, "{path} {site}");
+    }
     // A form of another page cannot send JSON without being asked for leave, and leave is never given.
     assert_eq!(served.ask("POST", "/api/check", &[("Content-Type", "text/plain")], b"{}").status, 415);
     assert_eq!(
@@ -60,7 +72,9 @@ fn off_the_loopback_a_token_is_needed() {
     assert_eq!(served.get("/").status, 401);
     assert_eq!(with(&[("Authorization", "Bearer 0123456789abcdef-TOKEM")]), 401);
     assert_eq!(with(&[("Authorization", &format!("Bearer {TOKEN}"))]), 200);
-    assert_eq!(with(&[("Cookie", &format!("a=b; flankwright={TOKEN}"))]), 200);
+    let name = format!("flankwright-{}", served.address.port());
+    assert_eq!(with(&[("Cookie", &format!("a=b; {name}={TOKEN}"))]), 200);
+    assert_eq!(with(&[("Cookie", &format!("flankwright-1={TOKEN}"))]), 401, "that of another server");
     assert_eq!(with(&[("Cookie", &format!("other={TOKEN}"))]), 401);
     assert_eq!(served.get("/?token=wrong").status, 401);
     assert_eq!(
@@ -70,8 +84,12 @@ fn off_the_loopback_a_token_is_needed() {
     );
     let entered = served.get(&format!("/?token={TOKEN}"));
     assert_eq!((entered.status, entered.header("location")), (303, Some("/")));
-    let cookie = entered.header("set-cookie").unwrap();
-    assert!(cookie.contains("HttpOnly") && cookie.contains("SameSite=Strict"), "{cookie}");
+    let cookie = entered.header("set-cookie").unwrap().to_owned();
+    assert!(cookie.starts_with(&format!("{name}={TOKEN}; HttpOnly; SameSite=Lax")), "{cookie}");
+    // The token goes out of the address also where the browser has it already.
+    let again = served.ask("GET", &format!("/?token={TOKEN}"), &[("Cookie", &cookie)], b"");
+    assert_eq!((again.status, again.header("location")), (303, Some("/")));
+    assert!(served.opened.starts_with("http://localhost:"), "{}", served.opened);
     // Any address of the machine in figures is its own; names are not.
     let port = served.address.port();
     let bearer = format!("Bearer {TOKEN}");
@@ -111,9 +129,75 @@ fn bodies_are_bounded() {
 }
 
 #[test]
+fn requests_with_bodies_are_bounded_in_number() {
+    let served = Served::new();
+    let half = format!(
+        "POST /api/check HTTP/1.1\r\nHost: {}\r\nContent-Type: application/json\r\nContent-Length: 100\r\n\r\n{{",
+        served.address
+    );
+    let open = || {
+        let mut stream = TcpStream::connect(served.address).unwrap();
+        stream.write_all(half.as_bytes()).unwrap();
+        stream
+    };
+    let check = || served.post("/api/check", &json!({ "text": "" }));
+    let mut held = Vec::new();
+    let refused = loop {
+        let answer = check();
+        if answer.status != 200 {
+            break answer;
+        }
+        held.push(open());
+        assert!(held.len() < 200, "there is no end of room");
+    };
+    assert_eq!((refused.status, refused.code().as_str()), (503, "server-busy"));
+    assert_eq!(served.get("/api/about").status, 200, "others are answered");
+    drop(held);
+    let begun = Instant::now();
+    while check().status != 200 {
+        assert!(begun.elapsed() < Duration::from_secs(10), "room does not come back");
+    }
+}
+
+#[test]
+fn connections_without_a_request_are_closed() {
+    let served = Served::new();
+    let begun = Instant::now();
+    let mut half = TcpStream::connect(served.address).unwrap();
+    half.write_all(b"GET /api/about HTTP/1.1\r\nHost:").unwrap();
+    let mut idle = TcpStream::connect(served.address).unwrap();
+    idle.write_all(format!("GET /api/about HTTP/1.1\r\nHost: {}\r\n\r\n", served.address).as_bytes())
+        .unwrap();
+    for stream in [&mut half, &mut idle] {
+        stream.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
+        let mut told = Vec::new();
+        stream.read_to_end(&mut told).expect("it is closed in time");
+    }
+    assert!(begun.elapsed() > Duration::from_secs(5), "slow clients are given some time");
+}
+
+#[test]
+fn paths_of_edits_are_bounded() {
+    let served = Served::new();
+    let edit = |steps: usize, text: &str| {
+        let path = vec!["a"; steps];
+        served.post("/api/edit", &json!({ "text": text, "edits": [{ "path": path, "value": 1 }] }))
+    };
+    assert_eq!(edit(64, "").status, 200);
+    for steps in [65, 100_000, 1_000_000] {
+        let answer = edit(steps, "");
+        assert_eq!((answer.status, answer.code().as_str()), (422, "invalid-edit"), "{steps}");
+    }
+    assert_eq!(edit(1, &" ".repeat((4 << 20) + 1)).code(), "file-too-large");
+    assert_eq!(edit(1, "a = \"\0\"").code(), "invalid-text");
+    let answer = served.post("/api/check", &json!({ "text": "a = 1\0" })).json();
+    assert_eq!(answer["findings"][0]["code"], "invalid-text");
+}
+
+#[test]
 fn no_path_of_the_disk_can_be_named() {
     let served = Served::new();
-    for name in ["../x", "/etc/passwd", "a\\b", "a/../../b", "", ".hidden"] {
+    for name in ["../x", "/etc/passwd", "a\\b", "a/../../b", "", ".hidden", "a/.measured"] {
         let answer = served.post("/api/check", &json!({ "text": "", "files": { name: "x" } }));
         assert_eq!((answer.status, answer.code().as_str()), (422, "invalid-file-name"), "{name}");
         let answer = served

@@ -144,6 +144,14 @@ fn parts_are_listed_in_the_order_of_their_dates(place: &Place) {
     );
     assert_eq!(with(|f| f.to = Some("2026-03-14T08:30:00".into())), ["4", "1", "5", "3"]);
     assert_eq!(with(|f| f.part = Some("' OR 1=1 --".into())), [""; 0]);
+    // The newest of those that agree, in the order of all.
+    assert_eq!(with(|f| f.newest = Some(2)), ["3", "0"]);
+    assert_eq!(with(|f| f.newest = Some(100)), ["4", "1", "5", "3", "0", "2"]);
+    assert_eq!(with(|f| (f.newest, f.to) = (Some(1), Some("2026-03-13".into()))), ["1"]);
+    let newest = PartFilter { newest: Some(2), ..PartFilter::default() };
+    let filter = CharacteristicFilter { parts: newest, ..CharacteristicFilter::default() };
+    let values = store.characteristics(&filter).unwrap();
+    assert!(!values.is_empty() && values.iter().all(|value| ["3", "0"].contains(&value.part.as_str())));
     let wrong = PartFilter { to: Some("today".into()), ..all };
     assert_eq!(store.parts(&wrong).unwrap_err().code(), "invalid-filter");
     let series = store.series().unwrap();

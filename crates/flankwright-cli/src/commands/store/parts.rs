@@ -58,6 +58,7 @@ impl PartsArguments {
             machine: self.machine.clone(),
             from: self.from.clone(),
             to: self.to.clone(),
+            newest: None,
         }
     }
 

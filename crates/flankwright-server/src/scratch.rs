@@ -1,0 +1,115 @@
+//! The folder of a server among the temporary files. Its name is the name under which the server owns runs; a lock tells others that it
+//! is in use, so that what a killed server has left is taken out by the next one, which learns from it who is gone.
+
+use std::fs::{self, File, TryLockError};
+use std::io;
+use std::path::{Path, PathBuf};
+
+use tempfile::TempDir;
+
+/// How folders of servers begin.
+const PREFIX: &str = "flankwright-serve-";
+/// The file that is locked as long as the server lives.
+const LOCK: &str = "lock";
+/// Letters behind the prefix: as many as nobody has by chance.
+const LETTERS: usize = 24;
+
+/// The folder of this server.
+#[derive(Debug)]
+pub struct Scratch {
+    path: PathBuf,
+    owner: String,
+    _lock: File,
+}
+
+impl Scratch {
+    /// A folder for a new server.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub fn new() -> io::Result<Self> {
+        Self::within(&std::env::temp_dir())
+    }
+
+    fn within(among: &Path) -> io::Result<Self> {
+        // It gets the name by which others look for it when it is locked.
+        let made = tempfile::Builder::new().prefix("flankwright-").rand_bytes(LETTERS).tempdir_in(among)?;
+        let lock = File::create(made.path().join(LOCK))?;
+        lock.lock()?;
+        let name = made.path().file_name().map(|name| name.to_string_lossy().into_owned());
+        let owner = name.unwrap_or_default().replace("flankwright-", "");
+        let path = among.join(format!("{PREFIX}{owner}"));
+        fs::rename(made.keep(), &path)?;
+        Ok(Self { path, owner, _lock: lock })
+    }
+
+    /// The name of the server.
+    pub fn owner(&self) -> &str {
+        &self.owner
+    }
+
+    /// A folder for one piece of work; gone when it is dropped.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub fn folder(&self) -> io::Result<TempDir> {
+        // Whoever tidies the temporary files may have taken it.
+        fs::create_dir_all(&self.path)?;
+        tempfile::tempdir_in(&self.path)
+    }
+
+    /// A text without the place of the folder.
+    pub fn tell(&self, text: &str) -> String {
+        text.replace(&self.path.display().to_string(), "")
+    }
+
+    /// Takes out what servers have left that are gone; their names.
+    pub fn tidy(&self) -> Vec<String> {
+        let among = self.path.parent().and_then(|among| fs::read_dir(among).ok());
+        let folders = among.into_iter().flatten().flatten();
+        folders.filter_map(|entry| left(&entry)).collect()
+    }
+
+    /// Takes the folder out, with what unfinished work has left.
+    pub fn close(&self) {
+        // What cannot be taken out now is taken out by the next server.
+        drop(fs::remove_dir_all(&self.path));
+    }
+}
+
+/// The name of a server that has left this folder; it is taken out.
+fn left(entry: &fs::DirEntry) -> Option<String> {
+    let owner = entry.file_name().to_str()?.strip_prefix(PREFIX)?.to_owned();
+    if !entry.file_type().ok()?.is_dir() {
+        return None;
+    }
+    let lock = File::options().write(true).open(entry.path().join(LOCK)).ok()?;
+    match lock.try_lock() {
+        Ok(()) => fs::remove_dir_all(entry.path()).ok().map(|()| owner),
+        Err(TryLockError::WouldBlock | TryLockError::Error(_)) => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_a_dead_server_has_left_is_taken_out() {
+        let among = tempfile::tempdir().unwrap();
+        let first = Scratch::within(among.path()).unwrap();
+        let second = Scratch::within(among.path()).unwrap();
+        assert_ne!(first.owner(), second.owner());
+        let work = first.folder().unwrap();
+        assert!(second.tidy().is_empty() && work.path().exists(), "it lives");
+        let (owner, path) = (first.owner().to_owned(), first.path.clone());
+        let _left = work.keep();
+        drop(first);
+        assert_eq!(second.tidy(), [owner]);
+        assert!(!path.exists());
+        second.close();
+        assert_eq!(fs::read_dir(among.path()).unwrap().count(), 0);
+        // The folder comes back where somebody has taken it.
+        assert!(second.folder().unwrap().path().exists());
+    }
+}

@@ -1,0 +1,51 @@
+//! How the end of a run comes into the store, also where that refuses for a while.
+
+use std::time::Duration;
+
+use flankwright_store::{RunEnd, RunState, StoreError};
+
+use super::live::Live;
+use super::{Work, ended};
+use crate::wire::{Failure, Finding};
+
+/// After so long an end is told again.
+const AGAIN: [Duration; 3] = [Duration::from_secs(1), Duration::from_secs(3), Duration::from_secs(10)];
+
+/// The end of a run whose store has refused.
+pub(super) fn refused(error: &StoreError) -> RunEnd {
+    let finding = Finding::new(error.code(), error.to_string(), error.way_out());
+    failed(&Failure { exit: 1, ..Failure::single(finding) })
+}
+
+/// The end of a run that has no result.
+pub(super) fn failed(failure: &Failure) -> RunEnd {
+    RunEnd { document: serde_json::to_value(failure).ok(), ..ended(RunState::Failed) }
+}
+
+impl Work {
+    /// Ends a run. Where the store does not take its result, it takes the reason; where it takes nothing, that is told again with the
+    /// next beat.
+    pub(super) async fn end_run(&self, id: i64, live: &Live, end: RunEnd) {
+        let mut told = self.store.end_run(id, &end).await;
+        for pause in AGAIN {
+            if told.is_ok() || self.is_ending() {
+                break;
+            }
+            tokio::time::sleep(pause).await;
+            told = self.store.end_run(id, &end).await;
+        }
+        let state = match told {
+            Ok(true) => end.state,
+            // Somebody else has ended it, or taken it out.
+            Ok(false) => self.store.run_state(id).await.ok().flatten().unwrap_or(RunState::Interrupted),
+            Err(error) => {
+                eprintln!("run {id}: the store refuses its end: {error}");
+                self.owe(id, refused(&error));
+                self.settle().await;
+                RunState::Failed
+            }
+        };
+        self.all().remove(&id);
+        live.end(state);
+    }
+}

@@ -1,0 +1,148 @@
+//! Measurements that were handed in: one gear or a series, alone or against a job, and switching angles of a skiving tool.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use flankwright::exchange::AnyJob;
+use flankwright::numerics::Progress;
+use flankwright::workflow::inspection::series::{
+    PartsOfFolder, SeriesOptions, inspect_series, measured_parts_in, write_inspection_series,
+};
+use flankwright::workflow::inspection::{
+    SheetOptions, Statements, inspect_for_job, inspect_gear, write_gear_inspection,
+};
+use flankwright::workflow::skiving::{inspect_skiving, write_skiving};
+use flankwright::workflow::{JobFailure, WriteError};
+use flankwright_store::{RunFile, StoreAddress};
+use serde_json::Value;
+
+use super::carry::unwritten;
+use super::keep::keep;
+use crate::shelf::Shelf;
+use crate::wire::{Failure, Finding, InspectOptions, Request, refused_run, wrong_option};
+
+/// Where measurements lie on the shelf; no file of a job is called so.
+const MEASURED: &str = ".measured";
+
+/// Why a measurement has no result.
+enum Unmeasured {
+    Refused(JobFailure),
+    Unwritten(WriteError),
+    Wrong(Box<Failure>),
+}
+
+impl<F: Into<JobFailure>> From<F> for Unmeasured {
+    fn from(failure: F) -> Self {
+        Self::Refused(failure.into())
+    }
+}
+
+/// The document of measurements; results are on the shelf then. With `keep`, what became of the parts in the store stands in the document
+/// as `kept`; what was handed in beside measurements as `left_out`.
+pub(super) fn measured(
+    request: &Request,
+    inputs: &[RunFile],
+    shelf: &Shelf,
+    place: &StoreAddress,
+    progress: &dyn Progress,
+) -> Result<Value, Failure> {
+    let folder = shelf.path().join(MEASURED);
+    let put = |file: &RunFile| fs::write(folder.join(&file.name), &file.bytes);
+    fs::create_dir(&folder)
+        .and_then(|()| inputs.iter().try_for_each(put))
+        .map_err(|error| Failure::disk(&error))?;
+    let text = request.job.as_ref().map_or("", |job| job.text.as_str());
+    let job = request.job.as_ref().map(|job| shelf.load(&job.text)).transpose();
+    let job = job.map_err(|error| Failure::of_error(&error, shelf))?;
+    let options = request.options.clone().unwrap_or_default();
+    let (sheet, statements) = options.taken().map_err(|(key, allowed)| wrong_option(key, allowed))?;
+    let document = if let Some(AnyJob::Skiving(loaded)) = &job {
+        if options != InspectOptions::default() {
+            return Err(wrong_option("options", "nothing for a skiving tool: they are about measured gears"));
+        }
+        (|| {
+            let file = only_file(&folder).ok_or_else(|| several("switching angles"))?;
+            let outcome = inspect_skiving(loaded, &file, progress)?;
+            write_skiving(&loaded.job, &outcome, &shelf.results()).map_err(Unmeasured::Unwritten)?;
+            json(&outcome.result)
+        })()
+    } else {
+        gears(&folder, &shelf.results(), job.as_ref(), &sheet, &statements, progress)
+    };
+    let mut document = document.map_err(|failure| match failure {
+        Unmeasured::Refused(failure) => refused_run(&failure, text, shelf),
+        Unmeasured::Unwritten(error) => unwritten(&error),
+        Unmeasured::Wrong(failure) => *failure,
+    })?;
+    if options.keep {
+        let kept = keep(&folder, &options, statements, place, progress)?;
+        if let Some(document) = document.as_object_mut() {
+            document.insert("kept".to_owned(), kept);
+        }
+    }
+    Ok(document)
+}
+
+fn gears(
+    folder: &Path,
+    results: &Path,
+    job: Option<&AnyJob>,
+    sheet: &SheetOptions,
+    statements: &Statements,
+    progress: &dyn Progress,
+) -> Result<Value, Unmeasured> {
+    // With a job a table of traces will do, which by itself tells of no gear.
+    let alone = job.is_some().then(|| only_file(folder)).flatten();
+    let found = match alone {
+        Some(file) => PartsOfFolder { parts: vec![file], left_out: Vec::new() },
+        None => measured_parts_in(folder)?,
+    };
+    let gear = match (job, found.parts.as_slice()) {
+        (None, [one]) => inspect_gear(one, statements)?,
+        (Some(AnyJob::Grinding(loaded)), [one]) => inspect_for_job(loaded, one, statements, progress)?,
+        (Some(AnyJob::Grinding(_)), _) => return Err(several("the gear")),
+        (Some(_), _) => {
+            let finding = Finding::new(
+                "process-not-available",
+                "measured gears are compared with a job of generating grinding",
+                "leave the job out, or take the one by which the gear was ground",
+            );
+            return Err(Unmeasured::Wrong(Box::new(Failure::single(finding.field("job.process")))));
+        }
+        (None, _) => {
+            let options = SeriesOptions {
+                sheet: sheet.clone(),
+                statements: statements.clone(),
+                left_out: found.left_out,
+                ..SeriesOptions::default()
+            };
+            let series = inspect_series(&found.parts, &options)?;
+            write_inspection_series(&series, results).map_err(Unmeasured::Unwritten)?;
+            return json(&series.result);
+        }
+    };
+    write_gear_inspection(&gear, sheet, results).map_err(Unmeasured::Unwritten)?;
+    let mut document = json(&gear.result)?;
+    if let Some(document) = document.as_object_mut().filter(|_| !found.left_out.is_empty()) {
+        document.insert("left_out".to_owned(), json(&found.left_out)?);
+    }
+    Ok(document)
+}
+
+fn json(value: &impl serde::Serialize) -> Result<Value, Unmeasured> {
+    serde_json::to_value(value)
+        .map_err(|error| Unmeasured::Wrong(Box::new(Failure::internal(error.to_string()))))
+}
+
+fn several(what: &str) -> Unmeasured {
+    let message = format!("with a job, exactly one measurement of {what} is evaluated");
+    let finding =
+        Finding::new("several-measurements", message, "hand in one, or leave the job out for a series");
+    Unmeasured::Wrong(Box::new(Failure::single(finding.field("file"))))
+}
+
+fn only_file(folder: &Path) -> Option<PathBuf> {
+    let mut files = fs::read_dir(folder).ok()?.flatten().map(|entry| entry.path());
+    let first = files.next()?;
+    files.next().is_none().then_some(first)
+}
