@@ -59,7 +59,7 @@ impl App {
         ending: watch::Receiver<bool>,
     ) -> Result<Arc<Self>, ServeError> {
         let system = |error: std::io::Error| ServeError::System(error.to_string());
-        let scratch = Arc::new(Scratch::new().map_err(system)?);
+        let scratch = Arc::new(Scratch::new(place.to_string()).map_err(system)?);
         let work = Work::start(store.clone(), place, scratch.clone()).map_err(system)?;
         work.beat(&scratch.tidy()).await?;
         tokio::spawn(keep_beating(work.clone(), ending.clone()));

@@ -21,9 +21,9 @@ struct Server {
 }
 
 impl Server {
-    fn new(port: u16, store: &str) -> Self {
+    fn new(store: &str) -> Self {
         let mut child = Command::new(env!("CARGO_BIN_EXE_flankwright"))
-            .args(["serve", "--json", "--port", &port.to_string(), "--store", store])
+            .args(["serve", "--json", "--port", "0", "--store", store])
             .env_remove("FLANKWRIGHT_TOKEN")
             .stdout(Stdio::piped())
             .spawn()
@@ -47,17 +47,11 @@ impl Drop for Server {
     }
 }
 
-/// A port that nobody uses now.
-fn free_port() -> u16 {
-    TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().port()
-}
-
 #[test]
 fn a_run_whose_server_is_killed_is_interrupted_and_can_be_begun_again() {
     let folder = tempfile::tempdir().unwrap();
     let store = folder.path().join("store.sqlite").display().to_string();
-    let port = free_port();
-    let server = Server::new(port, &store);
+    let server = Server::new(&store);
     let short = server.at.begin("plan", &server.at.example("gearbox/reference-train"));
     let whole = server.at.ended(short);
     assert_eq!(whole["state"], "done");
@@ -69,7 +63,8 @@ fn a_run_whose_server_is_killed_is_interrupted_and_can_be_begun_again() {
         assert!(begun.elapsed() < Duration::from_secs(60), "the run does not begin");
     }
     drop(server);
-    let server = Server::new(port, &store);
+    // Another port: it is the store that they share.
+    let server = Server::new(&store);
     for &id in &long {
         assert_eq!(state(&server.at, id), "interrupted");
     }
@@ -85,7 +80,7 @@ fn a_run_whose_server_is_killed_is_interrupted_and_can_be_begun_again() {
 fn a_server_that_is_told_to_end_ends_though_clients_hold_on() {
     let folder = tempfile::tempdir().unwrap();
     let store = folder.path().join("store.sqlite").display().to_string();
-    let mut server = Server::new(0, &store);
+    let mut server = Server::new(&store);
     let id = server.at.begin("explore", &server.at.example("catalogue-free-diameter"));
     let held: Vec<_> = [
         "GET /api/ab".to_owned(),
@@ -110,6 +105,9 @@ fn a_server_that_is_told_to_end_ends_though_clients_hold_on() {
     };
     assert_eq!(status.code(), Some(0));
     drop(held);
+    // What was under way is told as interrupted.
+    let next = Server::new(&store);
+    assert_eq!(next.at.get(&format!("/api/runs/{id}")).json()["state"], "interrupted");
 }
 
 #[test]
