@@ -133,7 +133,7 @@ export class JobSchema {
           key,
           schema: raw,
           required: required.has(key),
-          help: (resolved.description ?? "").replaceAll("\n", " "),
+          help: helpOf(resolved),
           wayOut: resolved["x-way-out"] ?? "",
           standard: resolved.default,
           unit: unitOfKey(key, numeric),
@@ -192,7 +192,7 @@ export class JobSchema {
   }
 
   #words(schema: Schema): Word[] {
-    const help = (schema.description ?? "").replaceAll("\n", " ");
+    const help = helpOf(schema);
     if (typeof schema.const === "string") return [{ value: schema.const, help }];
     if (schema.enum?.every((value) => typeof value === "string")) {
       return schema.enum.map((value) => ({ value: String(value), help: "" }));
@@ -229,6 +229,11 @@ export class JobSchema {
   }
 }
 
+/** What a schema says about its value, in one line. */
+export function helpOf(schema: Schema): string {
+  return (schema.description ?? "").replaceAll("\n", " ");
+}
+
 function kindsOf(variants: Schema[]): (FormNode & { type: "kinds" }) | undefined {
   const key = Object.entries(variants[0]?.properties ?? {}).find(([, schema]) => typeof schema.const === "string")?.[0];
   if (key === undefined) return undefined;
@@ -238,7 +243,7 @@ function kindsOf(variants: Schema[]): (FormNode & { type: "kinds" }) | undefined
     const value = variant.properties?.[key]?.const;
     if (typeof value !== "string") return undefined;
     schemas.set(value, variant);
-    kinds.push({ value, help: (variant.description ?? "").replaceAll("\n", " ") });
+    kinds.push({ value, help: helpOf(variant) });
   }
   return { type: "kinds", key, kinds, schemas };
 }
