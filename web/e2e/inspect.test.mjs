@@ -70,7 +70,10 @@ site.test("files of several parts make a series, whose parts the store keeps", a
   await button(page, "Evaluate").click();
   await page.getByRole("cell", { name: "4713.mka" }).waitFor({ timeout: RUN_MS });
   await heading(page, "Refused files").waitFor();
-  await page.locator("li", { hasText: "damaged.mka" }).waitFor();
+  await page.locator("li", { hasText: "damaged.mka" }).first().waitFor();
+  await heading(page, "In the store").waitFor();
+  await page.locator("li", { hasText: "kept in the series morning" }).nth(2).waitFor();
+  await page.locator("li", { hasText: "damaged.mka: not kept" }).waitFor();
   await tab(page, "Sheet").click();
   await page.locator("main select option").nth(2).waitFor({ state: "attached" });
   await page.frameLocator("iframe").locator("svg").first().waitFor();

@@ -19,8 +19,9 @@ pub const MOST_FILES: usize = 32;
 const LONGEST_NAME: usize = 200;
 /// What a job is called in messages.
 pub const JOB: &str = "job";
-/// Where results go; names that are handed in do not begin so.
+/// Where results go, and where measurements lie; names that are handed in do not begin with a dot.
 const RESULTS: &str = ".results";
+const MEASURED: &str = ".measured";
 
 /// A folder for one piece of work.
 pub struct Shelf {
@@ -102,14 +103,14 @@ impl Shelf {
         Ok(fs::write(path, bytes)?)
     }
 
-    /// Where it is.
-    pub fn path(&self) -> &Path {
-        self.folder.path()
-    }
-
     /// Where results are written.
     pub fn results(&self) -> PathBuf {
         self.folder.path().join(RESULTS)
+    }
+
+    /// Where measurements lie.
+    pub fn measured(&self) -> PathBuf {
+        self.folder.path().join(MEASURED)
     }
 
     /// Reads a job whose files are here.
@@ -124,14 +125,15 @@ impl Shelf {
 
     /// The text of a job whose files are here.
     pub fn source(&self, text: &str) -> Source {
-        Source::new(JOB, text).confined_to(self.path())
+        Source::new(JOB, text).confined_to(self.folder.path())
     }
 
     /// A text of the program without the place of the shelf, which is nobody's business.
     pub fn tell(&self, text: &str) -> String {
         let place = self.folder.path().display().to_string();
-        text.replace(&format!("{place}/{RESULTS}/"), "")
-            .replace(&format!("{place}/"), "")
+        [format!("{place}/{RESULTS}/"), format!("{place}/{MEASURED}/"), format!("{place}/")]
+            .iter()
+            .fold(text.to_owned(), |text, inner| text.replace(inner, ""))
             .replace(&place, ".")
     }
 

@@ -347,6 +347,11 @@ export const de: Texts = {
   },
   inspect: {
     title: "Messung",
+    inStore: "Im Speicher",
+    keptIn: "aufgenommen in die Serie",
+    keptBefore: "schon bekannt; bleibt, wie es ist",
+    notKept: "nicht aufgenommen",
+    leftOut: "Nicht ausgewertet",
     drop: "Messungen hier ablegen",
     dropHint: ".mka, .mew, .rexs, .rexsj, .rexsz, .csv; mehrere zugleich bilden eine Serie",
     choose: "Dateien wählen",

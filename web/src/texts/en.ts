@@ -343,6 +343,11 @@ export const en = {
   },
   inspect: {
     title: "Inspection",
+    inStore: "In the store",
+    keptIn: "kept in the series",
+    keptBefore: "known before; it stays as it is",
+    notKept: "not kept",
+    leftOut: "Not evaluated",
     drop: "Drop measurements here",
     dropHint: ".mka, .mew, .rexs, .rexsj, .rexsz, .csv; several at once make a series",
     choose: "Choose files",

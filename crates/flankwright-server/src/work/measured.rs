@@ -21,9 +21,6 @@ use super::keep::keep;
 use crate::shelf::Shelf;
 use crate::wire::{Failure, Finding, InspectOptions, Request, refused_run, wrong_option};
 
-/// Where measurements lie on the shelf; no file of a job is called so.
-const MEASURED: &str = ".measured";
-
 /// Why a measurement has no result.
 enum Unmeasured {
     Refused(JobFailure),
@@ -46,7 +43,7 @@ pub(super) fn measured(
     place: &StoreAddress,
     progress: &dyn Progress,
 ) -> Result<Value, Failure> {
-    let folder = shelf.path().join(MEASURED);
+    let folder = shelf.measured();
     let put = |file: &RunFile| fs::write(folder.join(&file.name), &file.bytes);
     fs::create_dir(&folder)
         .and_then(|()| inputs.iter().try_for_each(put))

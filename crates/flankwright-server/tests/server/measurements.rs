@@ -51,6 +51,7 @@ fn measured_parts_are_kept_and_followed() {
     let again = served.ended(served.hand_in(&parts).json()["id"].as_i64().unwrap());
     let told = &again["document"]["kept"];
     assert_eq!((told["imported"].as_array().unwrap().len(), told["known"].as_array().unwrap().len()), (0, 1));
+    assert_eq!(told["known"][0]["file"], "part-1.mka");
     // Without a wish nothing is kept.
     let alone = served.ended(served.hand_in(&parts[..1]).json()["id"].as_i64().unwrap());
     assert_eq!(alone["document"].get("kept"), None);
