@@ -1,6 +1,6 @@
 // A study: its candidates, and what varies among them.
 
-import { isTable, type Table } from "../lib/path";
+import { isTable, type Json, type Table } from "../lib/path";
 import { unitOfKey } from "../lib/units";
 
 export interface Candidate {
@@ -52,6 +52,18 @@ export function studyOf(document: Table | null | undefined): Study {
       row,
     })),
   };
+}
+
+export interface Curve {
+  name: string;
+  figures: Table;
+}
+
+/** The curves of a study of dressing with what is said of each; none in other studies. */
+export function curvesOf(document: Table | null | undefined): Curve[] {
+  const over = ["crowning", "profile", "worms", "strokes", "deviations"].find((key) => Array.isArray(document?.[key]));
+  const curves = over ? (document![over] as Json[]).filter(isTable) : [];
+  return curves.map(({ bodies, name, points, ...figures }) => ({ name: String(bodies || name || ""), figures }));
 }
 
 export const unitOfVaried = (key: string): string => unitOfKey(key);

@@ -186,4 +186,10 @@ export const KEY_NAMES_DE: Record<string, string> = {
   left: "links",
   right: "rechts",
   both: "beide",
+  d_d_mm: "Δd",
+  d_gamma_deg: "Δγ",
+  d_phi_S_deg: "Δφ_S",
+  d_v_yA_mm: "Δv_yA",
+  v_zS_mm: "v_zS",
+  rho_deg: "ρ",
 };

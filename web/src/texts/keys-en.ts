@@ -22,4 +22,10 @@ export const KEY_NAMES_EN: Record<string, string> = {
   outside_class_um: "Outside the class",
   referee_error_um: "Referee's own error",
   model_difference_um: "Analytic against referee",
+  d_d_mm: "Δd",
+  d_gamma_deg: "Δγ",
+  d_phi_S_deg: "Δφ_S",
+  d_v_yA_mm: "Δv_yA",
+  v_zS_mm: "v_zS",
+  rho_deg: "ρ",
 };
