@@ -34,13 +34,30 @@ describe("isolines", () => {
       ),
     ).toEqual([]);
   });
-  it("have labels apart from each other", () => {
-    const lines = drawnIsolines(BUMP, [-16.5, -9.5, -4.5], ([x, y]) => [x / 8, y / 8]);
-    const labels = lines.flatMap((line) => (line.label ? [line.label] : []));
-    expect(labels.length).toBeGreaterThan(1);
+});
+
+describe("labels of isolines", () => {
+  const share = ([x, y]: [number, number]): [number, number] => [x / 8, y / 8];
+  const LEVELS = [-16.5, -9.5, -4.5];
+  const labelled = (room: { width: number; height: number }) =>
+    drawnIsolines(BUMP, LEVELS, share, room).flatMap((line) => (line.label ? [line.label] : []));
+  it("are apart from each other and inside the map", () => {
+    const labels = labelled({ width: 0.1, height: 0.08 });
+    expect(labels).toHaveLength(3);
     for (const [at, a] of labels.entries()) {
-      for (const b of labels.slice(at + 1)) expect(Math.abs(a[0] - b[0]) > 0.07 || Math.abs(a[1] - b[1]) > 0.08).toBe(true);
+      for (const b of labels.slice(at + 1)) expect(Math.abs(a[0] - b[0]) > 0.1 || Math.abs(a[1] - b[1]) > 0.08).toBe(true);
+      expect(Math.min(a[0], 1 - a[0])).toBeGreaterThanOrEqual(0.05);
+      expect(Math.min(a[1], 1 - a[1])).toBeGreaterThanOrEqual(0.04);
     }
+  });
+  it("hide no line of another level", () => {
+    const dense = Array.from({ length: 15 }, (_, at) => -16.5 + at / 10);
+    const room = { width: 0.1, height: 0.08 };
+    expect(drawnIsolines(BUMP, dense, share, room).filter((line) => line.label).length).toBeLessThan(5);
+  });
+  it("are left out where the map is small", () => {
+    expect(labelled({ width: 0.4, height: 0.2 })).toEqual([]);
+    expect(drawnIsolines(BUMP, LEVELS, share, { width: 0.4, height: 0.2 })).toHaveLength(3);
   });
 });
 
