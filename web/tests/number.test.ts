@@ -22,6 +22,8 @@ describe("formatNumber", () => {
 describe("formatFixed", () => {
   it("aligns decimals", () => {
     expect(formatFixed(5, "en", 2)).toBe("5.00");
+    expect(formatFixed(5, "en", 2, "mm")).toBe("5.00\u202fmm");
+    expect(formatFixed(5, "en", 2, "°")).toBe("5.00°");
     expect(formatFixed(-0.0004, "en", 2)).toBe("0.00");
     expect(formatFixed(12345.678, "de", 1)).toBe("12.345,7");
   });
@@ -54,5 +56,7 @@ describe("sizes and times", () => {
     expect(formatBytes(346531, "en")).toBe("347\u202fkB");
     expect(formatSeconds(0.0573, "en")).toBe("57.3\u202fms");
     expect(formatSeconds(125, "en")).toBe("2:05\u202fmin");
+    expect(formatSeconds(119.7, "en")).toBe("2:00\u202fmin");
+    expect(formatSeconds(7500, "en")).toBe("2:05\u202fh");
   });
 });

@@ -8,7 +8,7 @@ const NARROW_SPACE = "\u202f";
 export function formatNumber(value: number | null | undefined, lang: string, digits = 4, unit = ""): string {
   if (value === null || value === undefined || !Number.isFinite(value)) return NO_VALUE;
   const size = Math.abs(value);
-  const tail = unit === "" ? "" : unit === "°" ? unit : NARROW_SPACE + unit;
+  const tail = tailOf(unit);
   if (size !== 0 && (size < 1e-4 || size >= 1e7)) {
     const [mantissa, exponent] = value.toExponential(Math.max(0, digits - 2)).split("e") as [string, string];
     const local = Number(mantissa).toLocaleString(lang, { maximumFractionDigits: digits });
@@ -27,7 +27,12 @@ export function formatFixed(value: number | null | undefined, lang: string, deci
     maximumFractionDigits: decimals,
     useGrouping: Math.abs(value) >= 1e4,
   });
-  return unit === "" ? text : text + NARROW_SPACE + unit;
+  return text + tailOf(unit);
+}
+
+/** A unit stands behind a narrow space, the sign of degrees at once. */
+function tailOf(unit: string): string {
+  return unit === "" || unit === "°" ? unit : NARROW_SPACE + unit;
 }
 
 /** A number as typed, with a point or a comma as decimal sign; undefined where it is none. */
@@ -59,9 +64,11 @@ export function formatBytes(bytes: number, lang: string): string {
   return formatNumber(bytes / 1e6, lang, 3, "MB");
 }
 
-/** Seconds as ms, s or min. */
+/** Seconds as ms, s, min or h. */
 export function formatSeconds(seconds: number, lang: string): string {
   if (seconds < 1) return formatNumber(seconds * 1000, lang, 3, "ms");
-  if (seconds < 100) return formatNumber(seconds, lang, 3, "s");
-  return `${Math.floor(seconds / 60)}:${String(Math.round(seconds % 60)).padStart(2, "0")}${NARROW_SPACE}min`;
+  if (seconds < 99.95) return formatNumber(seconds, lang, 3, "s");
+  const inHours = seconds >= 5999.5;
+  const whole = Math.round(inHours ? seconds / 60 : seconds);
+  return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")}${NARROW_SPACE}${inHours ? "h" : "min"}`;
 }
