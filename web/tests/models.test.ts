@@ -8,7 +8,7 @@ import { optionsOf, START } from "../src/inspect/options";
 import { keyAsWords, unitOfKey } from "../src/lib/units";
 import { asksFor, ratioOf, slidersOf } from "../src/plan/sliders";
 import { blend, frameAt } from "../src/process/frames";
-import { firstLines } from "../src/programs/model";
+import { axisOfChart, firstLines, type Program } from "../src/programs/model";
 import type { TrendPoint } from "../src/api/types";
 import type { Table } from "../src/lib/path";
 
@@ -158,6 +158,15 @@ describe("catalogue and programs", () => {
       "flank_diameters.to",
     ]);
     expect(entryForJob("dresser", dresser)).toEqual({ tip_diameter: 120, designed_for: { threads: 3 }, modification: "none" });
+  });
+  it("find the axis of a chart by its title", () => {
+    const axis = (name: string, from: number) => ({ axis: name, unit: "mm", from, to: from + 1, way: 2 });
+    const program = (does: string, from: number) => ({ does, axes: [axis("X1", from), axis("Z1", 0)] }) as unknown as Program;
+    const programs = [program("dressing", -5), program("grinding", -9)];
+    expect(axisOfChart("Grinding: Axis X1, word X", programs)?.from).toBe(-9);
+    expect(axisOfChart("Axis Z1, word Z", programs)?.axis).toBe("Z1");
+    expect(axisOfChart("Grinding: Axis C2, word C", programs)).toBeUndefined();
+    expect(axisOfChart("Axes over time: all paths", programs)).toBeUndefined();
   });
   it("show the first lines of a text", () => {
     expect(firstLines("a\nb\nc", 2)).toEqual({ lines: "a\nb", isWhole: false });

@@ -58,6 +58,14 @@ export function programsOf(run: Run): Program[] {
   });
 }
 
+/** The axis of which a chart tells, of its own program or of the first that does the same: "Dressing: Axis X1, word X". */
+export function axisOfChart(title: string, programs: Program[]): ProgramAxis | undefined {
+  const [, does, name] = /^(?:(.+): )?Axis (\w+)/.exec(title) ?? [];
+  if (name === undefined) return undefined;
+  const same = programs.filter((program) => does === undefined || program.does === does.toLowerCase());
+  return same.flatMap((program) => program.axes).find((axis) => axis.axis === name);
+}
+
 /** The first lines of a text. */
 export function firstLines(text: string, count: number): { lines: string; isWhole: boolean } {
   const lines = text.split("\n");
