@@ -8,7 +8,7 @@ const took = (created: string, ended?: string | null) => tookText({ created, end
 
 describe("tookText", () => {
   it("knows no more than the times tell", () => {
-    expect(took("2026-11-23T14:05:07Z", "2026-11-23T14:05:07Z")).toBe("< 1\u202fs");
+    expect(took("2026-11-23T14:05:07Z", "2026-11-23T14:05:07Z")).toBe("<\u202f1\u202fs");
     expect(took("2026-11-23T14:05:07Z", "2026-11-23T14:05:11Z")).toBe("4\u202fs");
     expect(took("2026-11-23T14:05:07.123Z", "2026-11-23T14:05:07.165Z")).toBe("42\u202fms");
     expect(took("2026-11-23T14:05:07.123456Z", "2026-11-23T14:05:10.4Z")).toBe("3.28\u202fs");

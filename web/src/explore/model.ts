@@ -77,6 +77,11 @@ export function decades(values: number[]): { low: number; high: number } {
   return { low, high: Math.max(high, low + 1) };
 }
 
+/** The decimals that ticks need, all of them alike. */
+export function decimalsOf(ticks: number[]): number {
+  return Math.max(0, ...ticks.map((tick) => (/\.(\d+)$/.exec(tick.toFixed(9).replace(/0+$/, ""))?.[1] ?? "").length));
+}
+
 /** Round ticks over a range. */
 export function ticks(from: number, to: number, wanted = 6): number[] {
   const span = to - from;

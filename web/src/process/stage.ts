@@ -42,6 +42,7 @@ export class Stage {
     this.controls.addEventListener("change", () => this.invalidate());
     this.#resize = new ResizeObserver(() => this.#measure());
     this.#resize.observe(canvas.parentElement ?? canvas);
+    addEventListener("beforeprint", this.#draw);
   }
 
   up(direction: Vector3): void {
@@ -138,12 +139,15 @@ export class Stage {
 
   invalidate(): void {
     if (this.#frame) return;
-    this.#frame = requestAnimationFrame(() => {
-      this.#frame = 0;
-      this.#renderer.render(this.scene, this.camera);
-      this.ondrawn?.();
-    });
+    this.#frame = requestAnimationFrame(this.#draw);
   }
+
+  /** Also just before printing, for a browser keeps no drawing after it has been shown. */
+  #draw = (): void => {
+    this.#frame = 0;
+    this.#renderer.render(this.scene, this.camera);
+    this.ondrawn?.();
+  };
 
   #measure(): void {
     const room = this.canvas.parentElement ?? this.canvas;
@@ -161,6 +165,7 @@ export class Stage {
   destroy(): void {
     cancelAnimationFrame(this.#frame);
     this.#resize.disconnect();
+    removeEventListener("beforeprint", this.#draw);
     this.controls.dispose();
     if (this.#content) release(this.#content);
     this.#renderer.dispose();

@@ -25,11 +25,15 @@ export interface Program {
   blocks: number | undefined;
   duration: number | undefined;
   axes: ProgramAxis[];
+  /** What it does one after another: passes of grinding, operations of milling. */
   passes: Table[];
+  remarks: string[];
   proof: string | undefined;
 }
 
 const number = (value: Json | undefined): number | undefined => (typeof value === "number" ? value : undefined);
+const words = (value: Json | undefined): string[] =>
+  Array.isArray(value) ? value.filter((some): some is string => typeof some === "string") : [];
 const tables = (value: Json | undefined): Table[] => (Array.isArray(value) ? value.filter(isTable) : []);
 
 /** The programs among the files of a run, with what the result says of them. */
@@ -52,7 +56,8 @@ export function programsOf(run: Run): Program[] {
       blocks: number(entry["blocks"]),
       duration: number(entry["duration_s"]),
       axes: tables(entry["axes"]) as unknown as ProgramAxis[],
-      passes: tables(entry["passes"]),
+      passes: [...tables(entry["passes"]), ...tables(entry["operations"])],
+      remarks: words(entry["remarks"]),
       proof: typeof proof?.["statement"] === "string" ? proof["statement"] : own,
     };
   });

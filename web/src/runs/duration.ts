@@ -13,5 +13,5 @@ export function tookText({ created, ended }: Times, lang: string): string | unde
   const seconds = (Date.parse(ended) - Date.parse(created)) / 1000;
   if (!(seconds >= 0)) return undefined;
   const areWhole = ![created, ended].some((time) => /\.\d/.test(time));
-  return areWhole && seconds < 1 ? "< 1\u202fs" : formatSeconds(seconds, lang);
+  return areWhole && seconds < 1 ? "<\u202f1\u202fs" : formatSeconds(seconds, lang);
 }

@@ -526,6 +526,7 @@ export const de: Texts = {
     resharpened: "Nachgeschliffen",
     edge: "Schneide",
     pitch: "Teilung, gesamt",
+    names: { "x-span": "x aus der Zahnweite", "x-balls": "x aus dem Kugelmaß", class: "Toleranzklasse" },
     groups: { profile: "Profil", helix: "Flankenlinie", pitch: "Teilung", gear: "Rad" },
     left: "links",
     right: "rechts",

@@ -520,6 +520,7 @@ export const en = {
     resharpened: "Resharpened",
     edge: "Edge",
     pitch: "Pitch, total",
+    names: { "x-span": "x by the span", "x-balls": "x by the balls", class: "Tolerance class" } as Record<string, string>,
     groups: { profile: "Profile", helix: "Helix", pitch: "Pitch", gear: "Gear" },
     left: "left",
     right: "right",

@@ -4,7 +4,7 @@ import { de } from "./de";
 import { en, type Texts } from "./en";
 import { KEY_NAMES_DE } from "./keys-de";
 import { KEY_NAMES_EN } from "./keys-en";
-import { formatFixed, formatNumber } from "../lib/number";
+import { formatFixed, formatNumber, NO_VALUE } from "../lib/number";
 import { keyAsWords } from "../lib/units";
 import { readSetting, writeSetting } from "../state/settings";
 
@@ -36,10 +36,18 @@ class I18n {
 
   /** A point in time as date and time of day. */
   time(iso: string | null | undefined): string {
-    if (!iso) return "–";
+    return this.#shown(iso, { dateStyle: "medium", timeStyle: "short" });
+  }
+
+  date(iso: string | null | undefined): string {
+    return this.#shown(iso, { dateStyle: "medium" });
+  }
+
+  #shown(iso: string | null | undefined, style: Intl.DateTimeFormatOptions): string {
+    if (!iso) return NO_VALUE;
     const date = new Date(iso);
     if (Number.isNaN(date.getTime())) return iso;
-    return date.toLocaleString(this.lang === "de" ? "de-DE" : "en-GB", { dateStyle: "medium", timeStyle: "short" });
+    return date.toLocaleString(this.lang === "de" ? "de-DE" : "en-GB", style);
   }
 }
 
