@@ -86,7 +86,7 @@ site.test("files of several parts make a series, whose parts the store keeps", a
   await page.getByLabel("Series").selectOption("morning");
   await page.locator("main svg circle.first").nth(2).waitFor();
   await page.getByLabel("Characteristic").selectOption("fHa");
-  await page.locator("main svg text", { hasText: "fHa" }).waitFor();
+  await page.locator("main svg text", { hasText: "fHα" }).waitFor();
   await page.getByLabel("Flank").selectOption("right");
   await page.waitForFunction(() => document.querySelectorAll("tbody tr").length === 3);
   await page.locator("tbody a").first().click();

@@ -31,6 +31,32 @@ site.test("a program is followed on its machine", async (page, server) => {
   );
 });
 
+site.test("axes are shown with their least and largest position, and the ends of their travel", async (page, server) => {
+  const id = await server.run("plan", "twist-free-crowning");
+  const { document, files } = await server.get(`runs/${id}`);
+  const { file, axes } = document.programs.programs.find(
+    (program) => program.job === "grinding" && program.control === "siemens",
+  );
+  const x1 = axes.find((axis) => axis.axis === "X1");
+  const shown = [x1.from, x1.to].map((value) => `${value.toFixed(3)}\u202fmm`);
+  await page.goto(`${server.address}/#/runs/${id}/programs`);
+  await page.getByRole("button", { name: "grinding – siemens" }).click();
+  const caption = page.locator("figcaption", { hasText: "X1" });
+  await caption.waitFor();
+  for (const value of shown)
+    assert.ok((await caption.innerText()).includes(value), `${await caption.innerText()} without ${value}`);
+
+  assert.ok(files.some((some) => some.name === file));
+  const text = (await server.bytes(`runs/${id}/files/${file}`)).toString();
+  await page.goto(`${server.address}/#/runs/check`);
+  await choose(page, file.split("/").at(-1), text);
+  await page.getByLabel("Machine").selectOption("machines/eight-axis.toml");
+  await button(page, "Check").click();
+  const row = page.getByRole("row", { name: /^X1/ });
+  await row.waitFor();
+  assert.match(await row.innerText(), /-420\smm[\s\S]*-20\smm/);
+});
+
 site.test(
   "a text that is no program is refused with its line",
   async (page, server) => {

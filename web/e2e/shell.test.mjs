@@ -81,6 +81,30 @@ site.test("on paper stands the content alone, in light colours", async (page, se
   assert.equal(cut, 0, "a part of the page would not be printed");
 });
 
+site.test("a job stands on paper with its whole text", async (page, server) => {
+  await openExample(page, server, "twist-free-crowning");
+  const { text } = await server.get("examples/twist-free-crowning");
+  await page.emulateMedia({ media: "print" });
+  const printed = page.locator("main pre:visible");
+  assert.equal(await printed.textContent(), text);
+  assert.equal(await page.locator(".cm-content:visible, button:visible, input:visible").count(), 0);
+});
+
+site.test("printing waits for charts that were not in view", async (page, server) => {
+  const id = await server.run("plan", "twist-free-crowning");
+  await page.addInitScript(
+    () => (window.print = () => (window.missing = document.querySelectorAll('figure [role="status"]').length)),
+  );
+  await page.goto(`${server.address}/#/runs/${id}/motions`);
+  await page.locator("main .chart svg").first().waitFor();
+  assert.ok((await page.locator('figure [role="status"]').count()) > 0, "all charts are there at once");
+  await button(page, "Print").click();
+  await page.waitForFunction(() => window.missing !== undefined);
+  assert.equal(await page.evaluate(() => window.missing), 0);
+  const { charts } = await server.get(`runs/${id}`);
+  assert.equal(await page.locator("main .chart svg").count(), charts.length);
+});
+
 site.test("every view has an address that can be gone back to", async (page, server) => {
   await openExample(page, server, "hob");
   for (const [key, view] of ["job", "runs", "inspect", "explore", "catalogue", "history", "compare"].entries()) {

@@ -39,6 +39,39 @@ site.test("a study is set up, run, and its choice taken over", async (page, serv
   assert.ok(Math.abs(number(await ratio.inputValue()) - number(chosen)) < 1e-3, `${await ratio.inputValue()} for ${chosen}`);
 });
 
+site.test("a study over the catalogue ranks its pairs with their units", async (page, server) => {
+  const id = await server.run("explore", "catalogue");
+  await page.goto(`${server.address}/#/runs/${id}`);
+  await page.getByText("18 of 120 pairs make the profile").waitFor();
+  const ranking = page.locator("table", { has: page.getByRole("columnheader", { name: "Rank" }) });
+  assert.match(await ranking.locator("tbody tr").first().innerText(), /^1\sW3-03\sD120-3-200\/3\s3\s%\s.*196\.25\smm/);
+  const all = await page.locator("table", { hasText: "W7-01" }).first().locator("td").allTextContents();
+  assert.equal(all.length, 120);
+  assert.equal(all.filter((text) => text.startsWith("✓")).length, 18);
+  await page.getByLabel("only allowed ones").check();
+  assert.equal(await ranking.locator("tbody tr").count(), 18);
+});
+
+site.test("a study with a free diameter tells the ranges of every pair, a study of dressing its curves", async (page, server) => {
+  const free = await server.run("explore", "catalogue-free-diameter");
+  await page.goto(`${server.address}/#/runs/${free}`);
+  await page.getByText("58 of 120 pairs make the profile").waitFor();
+  await page.getByRole("cell", { name: "169.98\u202fmm" }).waitFor();
+  const dressing = await server.run("explore", "dressing/figure-06");
+  await page.goto(`${server.address}/#/runs/${dressing}`);
+  await page.locator("main .chart svg").first().waitFor();
+  await heading(page, "Worm and dresser of the job").waitFor();
+});
+
+site.test("ranks stand on paper, controls do not", async (page, server) => {
+  const id = await server.run("explore", "twist-free-crowning");
+  await page.goto(`${server.address}/#/runs/${id}`);
+  await page.locator("tbody tr").first().waitFor();
+  await page.emulateMedia({ media: "print" });
+  assert.equal(await page.locator("tbody tr td").first().innerText(), "1");
+  assert.equal(await page.locator("button:visible, .button:visible, input:visible, select:visible").count(), 0);
+});
+
 site.test("only what a job can begin is offered", async (page, server) => {
   await openExample(page, server, "twist-free-crowning");
   assert.ok(await button(page, "Simulate").isDisabled(), "a job without settings could be simulated");

@@ -61,6 +61,7 @@ describe("units", () => {
     expect(unitOfKey("profile_shift")).toBe("");
     expect(unitOfKey("helix_crowning_um")).toBe("µm");
     expect(keyAsWords("max_deviation_um")).toBe("Max deviation");
+    expect(["fHa_um", "z_start", "v_zS_mm", "gA", "w"].map(keyAsWords)).toEqual(["fHa", "z start", "v zS", "gA", "w"]);
   });
 });
 

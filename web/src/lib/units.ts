@@ -45,10 +45,12 @@ export function keyWithoutUnit(key: string): string {
   return key;
 }
 
-/** A key as words: `tip_diameter` becomes `Tip diameter`; names with capitals inside stay as they are. */
+/** A key as words: `tip_diameter` becomes `Tip diameter`; symbols, which are one letter or have capitals inside, stay as they are. */
 export function keyAsWords(key: string): string {
   const words = keyWithoutUnit(key).replaceAll("_", " ").replaceAll("-", " ").trim();
-  return words === "" ? key : words.charAt(0).toUpperCase() + words.slice(1);
+  if (words === "") return key;
+  const isSymbol = /^([a-z]|[a-z]+[A-Z]\w*)( |$)/.test(words);
+  return isSymbol ? words : words.charAt(0).toUpperCase() + words.slice(1);
 }
 
 const SIGNS: Record<string, string> = { deg: "°", um: "µm", "1": "", "deg/s": "°/s", "um/K": "µm/K" };

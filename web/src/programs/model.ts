@@ -29,6 +29,9 @@ export interface Program {
   passes: Table[];
   remarks: string[];
   proof: string | undefined;
+  /** What the program and the plan differ by, and may, in µm. */
+  difference: number | undefined;
+  allowed: number | undefined;
 }
 
 const number = (value: Json | undefined): number | undefined => (typeof value === "number" ? value : undefined);
@@ -46,9 +49,6 @@ export function programsOf(run: Run): Program[] {
     const entry = list.find((some) => some["file"] === file) ?? {};
     const control = typeof entry["control"] === "string" ? entry["control"] : "";
     const proof = proofs.find((some) => Array.isArray(some["controls"]) && some["controls"].includes(control));
-    const difference = number(entry["proof_difference_um"]);
-    const allowed = number(entry["proof_allowed_um"]);
-    const own = difference === undefined ? undefined : `${difference.toPrecision(3)} µm ≤ ${allowed?.toPrecision(3) ?? "?"} µm`;
     return {
       file,
       control,
@@ -58,7 +58,9 @@ export function programsOf(run: Run): Program[] {
       axes: tables(entry["axes"]) as unknown as ProgramAxis[],
       passes: [...tables(entry["passes"]), ...tables(entry["operations"])],
       remarks: words(entry["remarks"]),
-      proof: typeof proof?.["statement"] === "string" ? proof["statement"] : own,
+      proof: typeof proof?.["statement"] === "string" ? proof["statement"] : undefined,
+      difference: number(entry["proof_difference_um"]),
+      allowed: number(entry["proof_allowed_um"]),
     };
   });
 }

@@ -269,6 +269,7 @@ export const en = {
     largest: "Largest deviation",
     rms: "Deviation rms",
     tasks: "Time by task",
+    taskNames: {} as Record<string, string>,
     proof: "Proof",
     lessThan: "Compare with another",
     allRuns: "All runs",

@@ -3,12 +3,20 @@
 import { de } from "./de";
 import { en, type Texts } from "./en";
 import { KEY_NAMES_DE } from "./keys-de";
+import { DERIVED_DE } from "./keys-de-derived";
+import { JOB_KEYS_DE } from "./keys-de-jobs";
+import { WORDS_DE } from "./keys-de-words";
 import { KEY_NAMES_EN } from "./keys-en";
 import { formatFixed, formatNumber, NO_VALUE } from "../lib/number";
 import { keyAsWords } from "../lib/units";
 import { readSetting, writeSetting } from "../state/settings";
 
 export type Language = "en" | "de";
+
+const NAMES: Record<Language, Record<string, string>> = {
+  en: KEY_NAMES_EN,
+  de: { ...DERIVED_DE, ...WORDS_DE, ...JOB_KEYS_DE, ...KEY_NAMES_DE },
+};
 
 class I18n {
   lang = $state<Language>(startLanguage());
@@ -31,7 +39,12 @@ class I18n {
 
   /** The name of a key of a job in words of the field. */
   key(key: string): string {
-    return (this.lang === "de" ? KEY_NAMES_DE : KEY_NAMES_EN)[key] ?? keyAsWords(key);
+    return NAMES[this.lang][key] ?? keyAsWords(key);
+  }
+
+  /** The name of what the server names in English. */
+  named(key: string, english: string): string {
+    return (this.lang === "de" ? NAMES.de[key] : undefined) ?? english;
   }
 
   /** A point in time as date and time of day. */
