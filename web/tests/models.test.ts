@@ -56,6 +56,7 @@ describe("sliders", () => {
 describe("units", () => {
   it("follow from keys", () => {
     expect(unitOfKey("cutting_speed_m_per_s")).toBe("m/s");
+    expect(unitOfKey("flank_um_per_rad")).toBe("µm/rad");
     expect(unitOfKey("tip_diameter")).toBe("mm");
     expect(unitOfKey("teeth")).toBe("");
     expect(unitOfKey("profile_shift")).toBe("");

@@ -1,6 +1,12 @@
 // The unit that a key of a job or result carries at its end, and its name without it.
 
 const UNITS: [RegExp, string][] = [
+  [/_um_per_feed_um$/, "µm/µm"],
+  [/_um_per_workpiece_pulse$/, "µm"],
+  [/_um_per_rad$/, "µm/rad"],
+  [/_um_per_m$/, "µm/m"],
+  [/_mm_per_rad$/, "mm/rad"],
+  [/_ppm$/, "ppm"],
   [/_mm_per_min$/, "mm/min"],
   [/_mm_per_s2$/, "mm/s²"],
   [/_mm_per_s$/, "mm/s"],

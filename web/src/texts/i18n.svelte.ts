@@ -5,6 +5,7 @@ import { en, type Texts } from "./en";
 import { KEY_NAMES_DE } from "./keys-de";
 import { DERIVED_DE } from "./keys-de-derived";
 import { JOB_KEYS_DE } from "./keys-de-jobs";
+import { RESULT_KEYS_DE } from "./keys-de-results";
 import { WORDS_DE } from "./keys-de-words";
 import { KEY_NAMES_EN } from "./keys-en";
 import { formatFixed, formatNumber, NO_VALUE } from "../lib/number";
@@ -15,7 +16,7 @@ export type Language = "en" | "de";
 
 const NAMES: Record<Language, Record<string, string>> = {
   en: KEY_NAMES_EN,
-  de: { ...DERIVED_DE, ...WORDS_DE, ...JOB_KEYS_DE, ...KEY_NAMES_DE },
+  de: { ...RESULT_KEYS_DE, ...DERIVED_DE, ...WORDS_DE, ...JOB_KEYS_DE, ...KEY_NAMES_DE },
 };
 
 class I18n {

@@ -1,7 +1,6 @@
 // German names of what follows from a job, and of the groups in which it is shown.
 
 export const DERIVED_DE: Record<string, string> = {
-  feed: "Vorschub",
   coupling: "Kopplung",
   "left flank": "Linke Flanke",
   "right flank": "Rechte Flanke",
