@@ -117,3 +117,16 @@ export function widerThanPage(page) {
     return scrolls.filter((some) => some.scrollWidth > some.clientWidth + 1).map((some) => `${some.tagName}.${some.className}`);
   });
 }
+
+/** What a finger is to press and is less than 44 px high; a box counts with its label. */
+export function smallTargets(page) {
+  return page.evaluate(() => {
+    const boxes = 'input[type="checkbox"], input[type="radio"]';
+    const targets = [...document.querySelectorAll('button, a[href]:not(.skip), select, summary, input:not([type="file"])')];
+    const pressed = targets.map((some) => (some.matches(boxes) ? (some.closest("label") ?? some) : some));
+    return pressed
+      .map((some) => ({ some, box: some.getBoundingClientRect() }))
+      .filter(({ some, box }) => box.width > 0 && box.height < 43.5 && !some.closest(".visually-hidden"))
+      .map(({ some, box }) => `${some.tagName} ${some.innerText ?? ""} ${box.height}`);
+  });
+}

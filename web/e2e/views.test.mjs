@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { openExample, picture, useSite, widerThanPage } from "./page.mjs";
+import { openExample, picture, smallTargets, useSite, widerThanPage } from "./page.mjs";
 import { exampleText, inRepository } from "./server.mjs";
 
 const LOOKS = [
@@ -73,6 +73,27 @@ function views() {
   ];
 }
 
+async function open(page, server, address, complete) {
+  await page.goto(`${server.address}/#/${address}`);
+  const parts = complete.split(", ").map((part) => `main ${part}`);
+  await page.locator(parts.join(", ")).first().waitFor({ state: "attached" });
+}
+
+site.test(
+  "what fingers press is at least 44 px high",
+  async (page, server) => {
+    await page.goto(server.address);
+    await page.locator("main ul button").first().waitFor();
+    assert.deepEqual(await smallTargets(page), [], "on the start page");
+    await openExample(page, server, "twist-free-crowning");
+    for (const [address, complete] of views()) {
+      await open(page, server, address, complete);
+      assert.deepEqual(await smallTargets(page), [], address);
+    }
+  },
+  { hasTouch: true, isMobile: true },
+);
+
 for (const { name, ...look } of LOOKS) {
   site.test(
     `nothing goes over the edge: ${name}`,
@@ -83,16 +104,7 @@ for (const { name, ...look } of LOOKS) {
       await picture(page, `${name} start`);
       await openExample(page, server, "twist-free-crowning");
       for (const [address, complete] of views()) {
-        await page.goto(`${server.address}/#/${address}`);
-        await page
-          .locator(
-            complete
-              .split(", ")
-              .map((part) => `main ${part}`)
-              .join(", "),
-          )
-          .first()
-          .waitFor({ state: "attached" });
+        await open(page, server, address, complete);
         assert.equal(await page.locator(FAILED).count(), 0, `${address} shows a failure`);
         assert.deepEqual(await widerThanPage(page), [], `${address} is too wide`);
         await picture(page, `${name} ${address}`);

@@ -3,6 +3,7 @@
 import "./styles/tokens.css";
 import "./styles/base.css";
 import "./styles/print.css";
+import "./styles/touch.css";
 import { mount } from "svelte";
 import App from "./App.svelte";
 import { theme } from "./state/theme.svelte";
