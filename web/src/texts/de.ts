@@ -50,6 +50,8 @@ export const de: Texts = {
     noPageWay: "Wählen Sie links eine Ansicht.",
   },
   shortcuts: {
+    keys: (text) =>
+      text.replace("Ctrl", "Strg").replace("Shift", "Umschalt").replace("Space", "Leertaste").replace("Enter", "Eingabe"),
     title: "Tastenkürzel",
     general: "Überall",
     inJob: "Im Auftrag",

@@ -49,6 +49,8 @@ export const en = {
   },
   shortcuts: {
     title: "Keyboard shortcuts",
+    /** Keys as they are printed on keyboards. */
+    keys: (text: string) => text,
     general: "Everywhere",
     inJob: "In the job",
     inRoom: "In 3D views",

@@ -316,4 +316,13 @@ export const RESULT_KEYS_DE: Record<string, string> = {
   work_speed_rpm: "Werkstückdrehzahl",
   workpiece_pulses_per_revolution: "Werkstückimpulse je Umdrehung",
   worn: "Verschlissen",
+  timing_s: "Zeiten",
+  prepare: "Vorbereitung",
+  plan: "Plan",
+  referee: "Prüflauf",
+  "proof of the programs": "Nachweis der Programme",
+  work_reversed: "Werkstück gewendet",
+  met: "erreicht",
+  missed: "verfehlt",
+  not_judged: "nicht beurteilt",
 };
