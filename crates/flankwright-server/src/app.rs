@@ -7,6 +7,7 @@ use axum::routing::{get, post};
 use axum::{Router, middleware};
 use flankwright_store::{Store, StoreAddress};
 use tokio::sync::{Semaphore, watch};
+use tower_http::CompressionLevel;
 use tower_http::compression::CompressionLayer;
 
 use crate::gate::{Gate, guard};
@@ -124,7 +125,8 @@ pub fn router(app: Arc<App>, gate: Arc<Gate>) -> Router {
     Router::new()
         .nest("/api", api)
         .fallback(assets::page)
-        .layer(CompressionLayer::new())
+        // Answers are made anew for each client: what the best packing saves, it takes from the computations beside it.
+        .layer(CompressionLayer::new().quality(CompressionLevel::Fastest))
         .layer(middleware::from_fn_with_state(gate, guard))
         .layer(middleware::from_fn(headers::harden))
 }

@@ -12,7 +12,7 @@ use crate::error::StoreError;
 use crate::filter::{CharacteristicFilter, PartFilter};
 use crate::records::{
     MeasuredCharacteristic, NewRun, PartRecord, PartSummary, PlanRecord, PlanSummary, RunEnd, RunFile,
-    RunRecord, RunState, RunSummary, SeriesSummary, ToolSummary,
+    RunRecord, RunSummary, SeriesSummary, ToolSummary,
 };
 use crate::reports::{CatalogueReport, HistoryReport, ImportReport, StoreHealth};
 use crate::store::Store as AsyncStore;
@@ -105,7 +105,7 @@ waiting! {
     leave(owner: &str, ended: &str) -> u64;
     runs(most: u32) -> Vec<RunSummary>;
     run(id: i64) -> Option<RunRecord>;
-    run_state(id: i64) -> Option<RunState>;
+    run_summary(id: i64) -> Option<RunSummary>;
     run_input_names(id: i64) -> Vec<String>;
     run_inputs(id: i64) -> Vec<RunFile>;
     run_file(id: i64, name: &str) -> Option<RunFile>;

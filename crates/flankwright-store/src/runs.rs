@@ -12,11 +12,8 @@ use crate::store::Store;
 type SummaryRow = (i64, String, String, String, String, Option<String>, Option<String>);
 
 fn summary((id, kind, name, state, created, ended, status): SummaryRow) -> Result<RunSummary, sqlx::Error> {
-    Ok(RunSummary { id, kind, name, state: known_state(&state)?, created, ended, status })
-}
-
-fn known_state(state: &str) -> Result<RunState, sqlx::Error> {
-    RunState::of(state).ok_or_else(|| sqlx::Error::Decode(format!("state {state}").into()))
+    let state = RunState::of(&state).ok_or_else(|| sqlx::Error::Decode(format!("state {state}").into()))?;
+    Ok(RunSummary { id, kind, name, state, created, ended, status })
 }
 
 async fn put_files(
@@ -173,16 +170,18 @@ impl Store {
         }))
     }
 
-    /// The state of a run; `None` if there is none.
+    /// What lists show of a run; `None` if there is none.
     ///
     /// # Errors
     /// Those of the database.
-    pub async fn run_state(&self, id: i64) -> Result<Option<RunState>, StoreError> {
-        let state: Result<Option<String>, _> = on_pool!(&self.pool, pool => {
-            sqlx::query_scalar("SELECT state FROM run WHERE id = $1").bind(id).fetch_optional(pool).await
+    pub async fn run_summary(&self, id: i64) -> Result<Option<RunSummary>, StoreError> {
+        let row: Result<Option<SummaryRow>, _> = on_pool!(&self.pool, pool => {
+            sqlx::query_as("SELECT id, kind, name, state, created, ended, status FROM run WHERE id = $1")
+                .bind(id)
+                .fetch_optional(pool)
+                .await
         });
-        let known = |state: String| known_state(&state);
-        self.done(state.and_then(|state| state.map(known).transpose()))
+        self.done(row.and_then(|row| row.map(summary).transpose()))
     }
 
     /// Names of the files that were handed in with a run, in their order.

@@ -4,7 +4,9 @@ use std::sync::Arc;
 
 use axum::Json;
 use axum::extract::State;
-use axum::http::StatusCode;
+use axum::http::header::{CACHE_CONTROL, ETAG, IF_NONE_MATCH};
+use axum::http::{HeaderMap, StatusCode};
+use axum::response::{IntoResponse, Response};
 use flankwright::exchange::{Document, Source};
 use flankwright_store::{RunFile as StoredFile, RunRecord, RunState, RunSummary as Summary};
 use serde::Deserialize;
@@ -109,21 +111,46 @@ pub(super) async fn record(app: &App, id: i64) -> Answer<RunRecord> {
     app.store.run(id).await?.ok_or_else(|| Refused::absent("run"))
 }
 
-/// A run with its result.
+/// A run with its result. What has ended does not change: whoever has it and asks with its `ETag` is told so.
 #[utoipa::path(get, path = "/api/runs/{id}", params(("id" = i64, Path, description = "its number")),
-    responses((status = 200, body = Run), (status = 404, body = Failure)))]
-pub async fn one(State(app): State<Arc<App>>, InPath(id): InPath<i64>) -> Answer<Json<Run>> {
-    let record = record(&app, id).await?;
+    responses((status = 200, body = Run), (status = 304), (status = 404, body = Failure)))]
+pub async fn one(
+    State(app): State<Arc<App>>,
+    InPath(id): InPath<i64>,
+    headers: HeaderMap,
+) -> Answer<Response> {
+    let known = headers.get(IF_NONE_MATCH).and_then(|tag| tag.to_str().ok());
+    if let Some(known) = known {
+        let run = app.store.run_summary(id).await?.ok_or_else(|| Refused::absent("run"))?;
+        if tag(&run).is_some_and(|tag| tag == known) {
+            return Ok(StatusCode::NOT_MODIFIED.into_response());
+        }
+    }
+    let run = whole(&app, id).await?;
+    let tagged =
+        tag(&run.summary.summary).map(|tag| [(ETAG, tag), (CACHE_CONTROL, "private, no-cache".into())]);
+    Ok((tagged, Json(run)).into_response())
+}
+
+/// What a run that has ended is known by.
+fn tag(run: &Summary) -> Option<String> {
+    let Summary { id, state, ended, .. } = run;
+    let ended = ended.as_ref().filter(|_| state.has_ended())?;
+    Some(format!("\"{}-{id}-{}-{ended}\"", env!("CARGO_PKG_VERSION"), state.name()))
+}
+
+async fn whole(app: &App, id: i64) -> Answer<Run> {
+    let record = record(app, id).await?;
     let measurements = app.store.run_input_names(id).await?;
     let request: Option<Request> = serde_json::from_str(&record.job).ok();
-    let charts = super::charts::placed(&app, id).await?.into_iter().map(|placed| placed.chart).collect();
+    let charts = super::charts::placed(app, id).await?.into_iter().map(|placed| placed.chart).collect();
     let failed = record.summary.state == RunState::Failed;
     let (failure, document) = match record.document {
         Some(document) if failed => (serde_json::from_value(document).ok(), None),
         document => (None, document),
     };
-    Ok(Json(Run {
-        summary: listed(&app, record.summary),
+    Ok(Run {
+        summary: listed(app, record.summary),
         job: request.and_then(|request| request.job),
         measurements,
         document,
@@ -136,7 +163,7 @@ pub async fn one(State(app): State<Arc<App>>, InPath(id): InPath<i64>) -> Answer
             .map(|file| RunFile { name: file.name, bytes: file.bytes })
             .collect(),
         charts,
-    }))
+    })
 }
 
 /// Ends a run at its next step.
@@ -162,7 +189,7 @@ pub async fn cancel(State(app): State<Arc<App>>, InPath(id): InPath<i64>) -> Ans
 
 /// The state of a run that is none of this server's that waits or is under way.
 pub(super) async fn state_of(app: &App, id: i64) -> Answer<RunState> {
-    app.store.run_state(id).await?.ok_or_else(|| Refused::absent("run"))
+    app.store.run_summary(id).await?.map(|run| run.state).ok_or_else(|| Refused::absent("run"))
 }
 
 /// Begins a run of the same job.

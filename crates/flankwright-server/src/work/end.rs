@@ -37,7 +37,10 @@ impl Work {
         let state = match told {
             Ok(true) => end.state,
             // Somebody else has ended it, or taken it out.
-            Ok(false) => self.store.run_state(id).await.ok().flatten().unwrap_or(RunState::Interrupted),
+            Ok(false) => {
+                let run = self.store.run_summary(id).await.ok().flatten();
+                run.map_or(RunState::Interrupted, |run| run.state)
+            }
             Err(error) => {
                 eprintln!("run {id}: the store refuses its end: {error}");
                 self.owe(id, refused(&error));

@@ -79,6 +79,11 @@ fn a_run_is_cancelled_and_begun_again() {
     let again = served.post(&format!("/api/runs/{short}/again"), &Value::Null).json()["id"].as_i64().unwrap();
     assert_ne!(again, short);
     let (first, second) = (served.ended(short), served.ended(again));
+    // Who has it already need not read it again.
+    let path = format!("/api/runs/{again}");
+    let tag = served.get(&path).header("etag").unwrap().to_owned();
+    let known = |tag: &str| served.ask("GET", &path, &[("If-None-Match", tag)], b"");
+    assert_eq!((known(&tag).status, known(&tag).body.len(), known("\"x\"").status), (304, 0, 200));
     assert_eq!((&first["job"], &second["state"]), (&second["job"], &json!("done")));
     assert_eq!(served.ask("DELETE", &format!("/api/runs/{short}"), &[], b"").status, 204);
     assert_eq!(served.get(&format!("/api/runs/{short}")).status, 404);

@@ -83,7 +83,7 @@ fn what_servers_left_is_interrupted(place: &Place) {
     assert!(store.end_run(ended, &end(RunState::Failed)).unwrap());
     drop(store);
     let store = place.open();
-    let state = |id| store.run_state(id).unwrap().unwrap();
+    let state = |id| store.run_summary(id).unwrap().unwrap().state;
     // One that is known to be gone.
     assert_eq!(store.beat("new", &["desk".into()], LONG, now).unwrap(), 2);
     assert_eq!(
@@ -99,5 +99,5 @@ fn what_servers_left_is_interrupted(place: &Place) {
     // One that says farewell.
     assert_eq!(store.leave("new", now).unwrap(), 1);
     assert_eq!(state(own), RunState::Interrupted);
-    assert_eq!(store.run_state(own + 1).unwrap(), None);
+    assert_eq!(store.run_summary(own + 1).unwrap(), None);
 }
