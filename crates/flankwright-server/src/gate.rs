@@ -1,7 +1,7 @@
 //! Who may speak to the server. A page of another origin must not, even where a name was bent to this machine (DNS rebinding); off the
 //! loopback a token is needed. Knows no request in particular.
 
-use std::net::SocketAddr;
+use std::net::{IpAddr, SocketAddr};
 use std::sync::Arc;
 
 use axum::extract::{Request, State};
@@ -72,8 +72,13 @@ impl Gate {
     /// Whether a request may be meant for this server. An address in figures was not looked up, so that nobody has bent it.
     fn is_own(&self, host: &str) -> bool {
         let listed = self.hosts.iter().any(|own| own.eq_ignore_ascii_case(host));
-        let figures = || host.parse::<SocketAddr>().is_ok_and(|of| Some(of.port()) == self.any_address);
-        listed || figures()
+        let bare = host.strip_prefix('[').and_then(|host| host.strip_suffix(']')).unwrap_or(host);
+        let figures = |port| match host.parse::<SocketAddr>() {
+            Ok(of) => of.port() == port,
+            // A browser leaves the port of the scheme out.
+            Err(_) => [80, 443].contains(&port) && bare.parse::<IpAddr>().is_ok(),
+        };
+        listed || self.any_address.is_some_and(figures)
     }
 
     /// Why a request is not answered.
@@ -154,4 +159,21 @@ pub async fn guard(State(gate): State<Arc<Gate>>, request: Request, next: Next) 
         return Refused::with(StatusCode::UNAUTHORIZED, "token-needed", told, way_out).into_response();
     }
     (StatusCode::UNAUTHORIZED, told).into_response()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_browser_leaves_the_port_of_the_scheme_out() {
+        let own = |address: &str, host: &str| Gate::new(address.parse().unwrap(), &[], None).is_own(host);
+        for host in ["192.168.0.7", "[fd00::7]", "192.168.0.7:80", "localhost"] {
+            assert!(own("0.0.0.0:80", host), "{host}");
+        }
+        for host in ["evil.example", "192.168.0.7:81", "192.168.0.7.evil.example"] {
+            assert!(!own("0.0.0.0:80", host), "{host}");
+        }
+        assert!(!own("0.0.0.0:8470", "192.168.0.7") && own("0.0.0.0:8470", "192.168.0.7:8470"));
+    }
 }

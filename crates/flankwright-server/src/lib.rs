@@ -8,6 +8,7 @@ mod charts;
 mod gate;
 mod headers;
 mod listen;
+mod log;
 mod openapi;
 mod rooms;
 mod scratch;

@@ -1,5 +1,6 @@
 //! Connections: a bounded number of them, none of which may take its time over the head of a request. Knows no path.
 
+use std::pin::Pin;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -8,8 +9,9 @@ use hyper::server::conn::http1;
 use hyper_util::rt::{TokioIo, TokioTimer};
 use hyper_util::server::graceful::GracefulShutdown;
 use hyper_util::service::TowerToHyperService;
-use tokio::net::TcpListener;
+use tokio::net::{TcpListener, TcpStream};
 use tokio::sync::{Semaphore, watch};
+use tokio_io_timeout::TimeoutStream;
 
 /// Connections at once; more of them wait until they are accepted.
 const MOST_CONNECTIONS: usize = 256;
@@ -17,8 +19,17 @@ const MOST_CONNECTIONS: usize = 256;
 const LONGEST_HEAD: Duration = Duration::from_secs(20);
 /// How long answers that are under way are waited for when the server ends.
 const FAREWELL: Duration = Duration::from_secs(3);
+/// A client that takes nothing of its answer for so long is given up.
+const LONGEST_SILENCE: Duration = Duration::from_secs(30);
 /// After that time accepting is tried again where the system has nothing left.
 const BREATH: Duration = Duration::from_millis(200);
+
+/// A stream that fails where the other side takes nothing for too long.
+fn patient(stream: TcpStream) -> Pin<Box<TimeoutStream<TcpStream>>> {
+    let mut stream = TimeoutStream::new(stream);
+    stream.set_write_timeout(Some(LONGEST_SILENCE));
+    Box::pin(stream)
+}
 
 /// Answers until the server ends.
 pub async fn listen(listener: TcpListener, router: Router, mut ending: watch::Receiver<bool>) {
@@ -42,7 +53,7 @@ pub async fn listen(listener: TcpListener, router: Router, mut ending: watch::Re
         };
         drop(stream.set_nodelay(true));
         let service = TowerToHyperService::new(router.clone());
-        let connection = connections.watch(server.serve_connection(TokioIo::new(stream), service));
+        let connection = connections.watch(server.serve_connection(TokioIo::new(patient(stream)), service));
         tokio::spawn(async move {
             let _room = room;
             // What a client does wrong is its own affair.

@@ -10,6 +10,8 @@ use tempfile::TempDir;
 
 /// How folders of servers begin.
 const PREFIX: &str = "flankwright-serve-";
+/// How they begin until they are locked.
+const NEW: &str = "flankwright-serve-new-";
 /// The file that is locked as long as the server lives.
 const LOCK: &str = "lock";
 /// The file that names the store.
@@ -39,12 +41,12 @@ impl Scratch {
 
     fn within(among: &Path, store: String) -> io::Result<Self> {
         // It gets the name by which others look for it when it is locked.
-        let made = tempfile::Builder::new().prefix("flankwright-").rand_bytes(LETTERS).tempdir_in(among)?;
+        let made = tempfile::Builder::new().prefix(NEW).rand_bytes(LETTERS).tempdir_in(among)?;
         let lock = File::create(made.path().join(LOCK))?;
         lock.lock()?;
         fs::write(made.path().join(STORE), &store)?;
         let name = made.path().file_name().map(|name| name.to_string_lossy().into_owned());
-        let owner = name.unwrap_or_default().replace("flankwright-", "");
+        let owner = name.unwrap_or_default().replace(NEW, "");
         let path = among.join(format!("{PREFIX}{owner}"));
         fs::rename(made.keep(), &path)?;
         Ok(Self { path, owner, store, _lock: lock })
@@ -88,8 +90,13 @@ impl Scratch {
         if !own && age < LEFT_ALONE {
             return None;
         }
-        let lock = File::options().write(true).open(entry.path().join(LOCK)).ok()?;
-        match lock.try_lock() {
+        let lock = match File::options().write(true).open(entry.path().join(LOCK)) {
+            Ok(lock) => Some(lock),
+            // Whoever tidies the temporary files, or was killed while it did, has left a part of it.
+            Err(error) if error.kind() == io::ErrorKind::NotFound && age >= LEFT_ALONE => None,
+            Err(_) => return None,
+        };
+        match lock.map_or(Ok(()), |lock| lock.try_lock()) {
             Ok(()) => fs::remove_dir_all(entry.path()).ok().map(|()| owner),
             Err(TryLockError::WouldBlock | TryLockError::Error(_)) => None,
         }

@@ -1,7 +1,7 @@
 //! The folder in which a job finds the files that it names: those that were handed in with it, and the machines of the program. It lies
 //! in the folder of the server and is gone with the work.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::io;
 use std::path::{Component, Path, PathBuf};
@@ -57,8 +57,11 @@ pub fn fit(files: &BTreeMap<String, String>) -> Result<(), ShelfError> {
         return Err(ShelfError::TooMany(files.len()));
     }
     files.keys().try_for_each(|name| inner(name).map(drop))?;
-    let mut folders = files.keys().flat_map(|name| name.match_indices('/').map(|(end, _)| &name[..end]));
-    match folders.find(|folder| files.contains_key(*folder)) {
+    let machines: BTreeSet<String> =
+        stock::machines().iter().map(|name| format!("machines/{name}")).collect();
+    let names = || files.keys().chain(&machines);
+    let mut folders = names().flat_map(|name| name.match_indices('/').map(|(end, _)| &name[..end]));
+    match folders.find(|folder| files.contains_key(*folder) || machines.contains(*folder)) {
         Some(folder) => Err(ShelfError::Folder(shown(folder))),
         None => Ok(()),
     }
@@ -170,7 +173,7 @@ fn inner(name: &str) -> Result<PathBuf, ShelfError> {
     let path = Path::new(name);
     let plain = path.components().all(|step| matches!(step, Component::Normal(_)));
     let odd = name.chars().any(|c| c.is_control() || c == '\\')
-        || name.split('/').any(|step| step.starts_with('.'));
+        || name.split('/').any(|step| step.is_empty() || step.starts_with('.'));
     if name.is_empty() || name.len() > LONGEST_NAME || !plain || odd {
         return Err(ShelfError::Name(shown(name)));
     }
@@ -193,7 +196,19 @@ mod tests {
         for name in ["a.csv", "catalogue/worms.csv", "über.csv"] {
             assert!(inner(name).is_ok(), "{name}");
         }
-        for name in ["", "../a", "/a", "a/../../b", "a\\b", ".results/x", "a/.b", "a\0", &"x".repeat(201)] {
+        for name in [
+            "",
+            "../a",
+            "/a",
+            "a/../../b",
+            "a\\b",
+            ".results/x",
+            "a/.b",
+            "a//b",
+            "a/",
+            "a\0",
+            &"x".repeat(201),
+        ] {
             assert!(inner(name).is_err(), "{name}");
         }
         assert_eq!(shown(&"x".repeat(81)).len(), 83);
@@ -204,5 +219,11 @@ mod tests {
         let files = |names: &[&str]| names.iter().map(|name| ((*name).to_owned(), String::new())).collect();
         assert!(fit(&files(&["a/b/c", "a/d", "ab"])).is_ok());
         assert!(matches!(fit(&files(&["a/b/c", "a/b"])), Err(ShelfError::Folder(name)) if name == "a/b"));
+        // The machines of the program are there as well, and may be replaced.
+        for (name, ok) in
+            [("machines", false), ("machines/eight-axis.toml/x", false), ("machines/eight-axis.toml", true)]
+        {
+            assert_eq!(fit(&files(&[name])).is_ok(), ok, "{name}");
+        }
     }
 }

@@ -110,6 +110,18 @@ impl FromStr for StoreAddress {
     }
 }
 
+impl StoreAddress {
+    /// By which a store is told apart from others on this machine, however it was named. A file has to be there already.
+    pub fn identity(&self) -> String {
+        match &self.0 {
+            Place::Sqlite(path) => {
+                std::fs::canonicalize(path).unwrap_or_else(|_| path.clone()).display().to_string()
+            }
+            Place::Postgres { shown, .. } => shown.clone(),
+        }
+    }
+}
+
 impl fmt::Display for StoreAddress {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.0 {

@@ -17,7 +17,8 @@ fn clock(writing: &Writing) -> &'static str {
 
 impl Store {
     /// Tells that the server `owner` lives, and forgets those that are known to be `gone` or have been silent for longer than `silence`:
-    /// their runs are interrupted. How many runs that were.
+    /// their runs are interrupted. How many runs that were. Who was silent for so long itself forgets nobody: the machine slept, and the
+    /// others may be about to beat.
     ///
     /// # Errors
     /// Those of the database.
@@ -36,9 +37,17 @@ impl Store {
             );
             let silent = format!("DELETE FROM run_server WHERE seen < {clock} - $1");
             let silence = i64::try_from(silence.as_secs()).unwrap_or(i64::MAX);
+            let awake = format!("SELECT count(*) FROM run_server WHERE owner = $1 AND seen >= {clock} - $2");
             on_writing!(&mut writing, connection => {
+                let awake: i64 = sqlx::query_scalar(sqlx::AssertSqlSafe(awake))
+                    .bind(owner)
+                    .bind(silence)
+                    .fetch_one(&mut *connection)
+                    .await?;
                 sqlx::query(sqlx::AssertSqlSafe(seen)).bind(owner).execute(&mut *connection).await?;
-                sqlx::query(sqlx::AssertSqlSafe(silent)).bind(silence).execute(&mut *connection).await?;
+                if awake > 0 {
+                    sqlx::query(sqlx::AssertSqlSafe(silent)).bind(silence).execute(&mut *connection).await?;
+                }
                 for owner in gone {
                     sqlx::query(FORGET).bind(owner).execute(&mut *connection).await?;
                 }

@@ -52,9 +52,13 @@ pub fn run(arguments: &ServeArguments) -> Result<Exit, Failure> {
         store: arguments.place.address().map_err(failed)?,
     };
     let common = &arguments.place.common;
+    let made = options.token.is_none() && !arguments.host.is_loopback();
     let told = |addresses: &[String]| {
         let text = if common.json {
             json!({ "address": addresses[0], "addresses": addresses }).to_string() + "\n"
+        } else if common.quiet && made {
+            // Without the token that was made, nobody can come in.
+            format!("{}\n", addresses[0])
         } else if common.quiet {
             String::new()
         } else {

@@ -63,8 +63,16 @@ fn a_run_whose_server_is_killed_is_interrupted_and_can_be_begun_again() {
         assert!(begun.elapsed() < Duration::from_secs(60), "the run does not begin");
     }
     drop(server);
-    // Another port: it is the store that they share.
-    let server = Server::new(&store);
+    // Another port, and another name of the same file: it is the store that they share.
+    let server = Server::new(
+        &folder
+            .path()
+            .join("../")
+            .join(folder.path().file_name().unwrap())
+            .join("store.sqlite")
+            .display()
+            .to_string(),
+    );
     for &id in &long {
         assert_eq!(state(&server.at, id), "interrupted");
     }

@@ -24,6 +24,9 @@ use crate::work::Told;
 /// After that time of silence a sign of life is sent.
 const SILENCE: Duration = Duration::from_secs(15);
 
+/// How often the store is asked about a run of another server.
+const LOOK: Duration = Duration::from_secs(2);
+
 type Line = Result<Event, Infallible>;
 
 fn state_line(state: RunState) -> Line {
@@ -54,11 +57,39 @@ pub async fn events(
         }
         None => {
             let state = state_of(&app, id).await?;
-            // The place is free: nothing was sent yet.
-            drop(lines.try_send(state_line(state)));
+            tokio::spawn(look(app.clone(), id, state, lines, room));
         }
     }
     Ok(Sse::new(ReceiverStream::new(stream)).keep_alive(KeepAlive::new().interval(SILENCE)))
+}
+
+/// Follows a run of another server, which is in the store alone.
+async fn look(
+    app: Arc<App>,
+    id: i64,
+    state: RunState,
+    lines: mpsc::Sender<Line>,
+    _room: OwnedSemaphorePermit,
+) {
+    let mut ending = app.ending.clone();
+    let (mut state, mut last) = (state, None);
+    loop {
+        if last != Some(state) && lines.send(state_line(state)).await.is_err() || state.has_ended() {
+            return;
+        }
+        last = Some(state);
+        tokio::select! {
+            () = tokio::time::sleep(LOOK) => {}
+            () = lines.closed() => return,
+            _ = ending.wait_for(|ending| *ending) => return,
+        }
+        // Where the store does not answer, the next look may.
+        state = match app.store.run_summary(id).await {
+            Ok(Some(run)) => run.state,
+            Ok(None) => return,
+            Err(_) => state,
+        };
+    }
 }
 
 async fn follow(

@@ -80,6 +80,8 @@ pub async fn scene(State(app): State<Arc<App>>, InPath(id): InPath<i64>) -> Answ
 #[utoipa::path(get, path = "/api/runs/{id}/archive", params(("id" = i64, Path, description = "number of the run")),
     responses((status = 200, content_type = "application/zip"), (status = 404, body = Failure)))]
 pub async fn archive(State(app): State<Arc<App>>, InPath(id): InPath<i64>) -> Answer<Response> {
+    // As many as the memory holds; the others wait.
+    let _room = app.archives.acquire().await.map_err(|_| Refused::busy("the server ends"))?;
     let run = record(&app, id).await?;
     let mut files = Vec::with_capacity(run.files.len());
     for file in run.files.iter().filter(|file| is_listed(&file.name)) {

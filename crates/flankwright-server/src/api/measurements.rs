@@ -10,7 +10,7 @@ use flankwright_store::RunFile;
 use serde::de::DeserializeOwned;
 
 use super::error::{Answer, Refused};
-use super::runs::{name_of, taken};
+use super::runs::{listed_name, taken};
 use super::short::fit;
 use crate::app::App;
 use crate::shelf::MOST_FILES;
@@ -75,8 +75,7 @@ pub async fn begin(
     job.as_ref().map_or(Ok(()), fit)?;
     let first = files[0].name.clone();
     let name = if files.len() > 1 { format!("{first} and {} more", files.len() - 1) } else { first };
-    let name = name_of(None, &name);
-    taken(&app, Request { kind: Kind::Inspect, job, options }, name, files).await
+    taken(&app, Request { kind: Kind::Inspect, job, options }, listed_name(&name), files).await
 }
 
 /// The parts of a request.

@@ -13,11 +13,12 @@ use serde::Deserialize;
 use serde_json::Value;
 
 use super::error::{Answer, Refused};
-use super::short::fit;
+use super::short::{fit, short};
 use super::take::{Body, InPath, InQuery, bounded};
 use crate::app::App;
+use crate::shelf::JOB;
 use crate::wire::{Failure, Job, NewRunRequest, Request, Run, RunBegun, RunFile, RunStateAnswer, RunSummary};
-use crate::work::{Cancelled, NotTaken, SCENE};
+use crate::work::{Cancelled, NotTaken, SCENE, Told};
 
 /// Runs in a list unless more are asked for.
 const LISTED: u32 = 100;
@@ -38,11 +39,14 @@ pub struct Most {
 }
 
 /// A name for a list, from a text that may be wrong otherwise.
-pub(super) fn name_of(job: Option<&Job>, other: &str) -> String {
-    let tree = job.and_then(|job| Document::parse(Source::new("job", &job.text)).ok());
-    let name =
-        tree.and_then(|tree| tree.to_value().pointer("/job/name").and_then(Value::as_str).map(str::to_owned));
-    let name = name.unwrap_or_else(|| other.to_owned());
+fn name_of(job: &Job) -> Option<String> {
+    let tree = Document::parse(Source::new(JOB, &job.text)).ok()?.to_value();
+    tree.pointer("/job/name").and_then(Value::as_str).map(listed_name)
+}
+
+/// A name as lists show it.
+pub(super) fn listed_name(name: &str) -> String {
+    let name = name.replace(char::is_control, " ");
     let end = name.char_indices().nth(LONGEST_NAME).map(|(end, _)| end);
     end.map_or(name.clone(), |end| format!("{}...", &name[..end]))
 }
@@ -75,8 +79,12 @@ pub async fn begin(
     Body(request): Body<NewRunRequest>,
 ) -> Answer<(StatusCode, Json<RunBegun>)> {
     // Names of files are looked at now, while somebody listens.
-    fit(&request.job)?;
-    let name = name_of(Some(&request.job), "unnamed");
+    let (request, name) = short(&app, move |_| {
+        fit(&request.job)?;
+        let name = name_of(&request.job).unwrap_or_else(|| "unnamed".to_owned());
+        Ok((request, name))
+    })
+    .await?;
     let request = Request { kind: request.kind, job: Some(request.job), options: None };
     taken(&app, request, name, Vec::new()).await
 }
@@ -86,8 +94,9 @@ pub(super) fn is_listed(name: &str) -> bool {
     !name.starts_with('.')
 }
 
-fn listed(app: &App, mut summary: Summary) -> RunSummary {
-    let told = app.work.live(summary.id).map(|live| live.told());
+/// `told` was known before the summary was read: what the store says to have ended, has.
+fn listed(told: Option<Told>, mut summary: Summary) -> RunSummary {
+    let told = told.filter(|_| !summary.state.has_ended());
     if let Some(told) = &told {
         summary.state = told.state;
     }
@@ -103,8 +112,9 @@ pub async fn list(
     InQuery(most): InQuery<Most>,
 ) -> Answer<Json<Vec<RunSummary>>> {
     let most = bounded("most", most.most.unwrap_or(LISTED), MOST_LISTED)?;
+    let mut told = app.work.all_told();
     let runs = app.store.runs(most).await?;
-    Ok(Json(runs.into_iter().map(|run| listed(&app, run)).collect()))
+    Ok(Json(runs.into_iter().map(|run| listed(told.remove(&run.id), run)).collect()))
 }
 
 pub(super) async fn record(app: &App, id: i64) -> Answer<RunRecord> {
@@ -140,6 +150,7 @@ fn tag(run: &Summary) -> Option<String> {
 }
 
 async fn whole(app: &App, id: i64) -> Answer<Run> {
+    let told = app.work.live(id).map(|live| live.told());
     let record = record(app, id).await?;
     let measurements = app.store.run_input_names(id).await?;
     let request: Option<Request> = serde_json::from_str(&record.job).ok();
@@ -150,7 +161,7 @@ async fn whole(app: &App, id: i64) -> Answer<Run> {
         document => (None, document),
     };
     Ok(Run {
-        summary: listed(app, record.summary),
+        summary: listed(told, record.summary),
         job: request.and_then(|request| request.job),
         measurements,
         document,

@@ -1,13 +1,15 @@
-//! Work that takes a moment: a few pieces at once, the others wait their turn. It ends when nobody waits for it any more.
+//! Work that takes a moment: a few pieces at once, the others wait their turn. What asks its progress ends when nobody waits for it any
+//! more.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use flankwright::exchange::Source;
 use flankwright::numerics::{Progress, Silent};
 
 use super::error::{Answer, Refused};
 use crate::app::App;
-use crate::shelf::Shelf;
+use crate::shelf::{JOB, Shelf};
 use crate::wire::{Failure, Job, unshelved};
 use crate::work::cancel::{self, Ended};
 
@@ -29,11 +31,11 @@ pub(super) async fn short<T: Send + 'static>(
         return Err(Refused::busy("there is no room for short work"));
     };
     let waiting = Waiting(Arc::default());
-    let gone = waiting.0.clone();
+    let (gone, threads) = (waiting.0.clone(), app.threads.clone());
     let done = tokio::task::spawn_blocking(move || {
         // The room is free only when the work is done, though nobody may wait for it.
         let _room = room;
-        match cancel::run(&gone, &Silent, work) {
+        match threads.install(|| cancel::run(&gone, &Silent, work)) {
             Ended::Done(answer) => answer,
             Ended::Cancelled => Err(Refused::busy("nobody waits for the answer")),
             Ended::Failed(words) => Err(Refused::bad(Failure::internal(words))),
@@ -47,7 +49,8 @@ pub(super) fn shelved(app: &App, job: &Job) -> Answer<Shelf> {
     Shelf::of_job(&app.scratch, job).map_err(|error| Refused::bad(unshelved(&error)))
 }
 
-/// Whether files can come with a job.
+/// Whether a job can be taken in: its size, and the names of its files.
 pub(super) fn fit(job: &Job) -> Answer<()> {
+    Source::from_bytes(JOB, job.text.as_bytes()).map_err(|error| Refused::bad(Failure::of_text(&error)))?;
     crate::shelf::fit(&job.files).map_err(|error| Refused::bad(unshelved(&error)))
 }

@@ -10,6 +10,9 @@ pub const MOST_STEPS: usize = 64;
 /// Changes at once.
 pub const MOST_EDITS: usize = 256;
 
+/// Bytes of a value: as text it is small, as entries of a job it is many times as large.
+pub const MOST_VALUE: usize = 256 << 10;
+
 /// Why an entry cannot be set.
 #[derive(Debug, PartialEq)]
 pub struct Unedited {
@@ -47,12 +50,15 @@ pub fn edited(text: &str, edits: &[Edit]) -> Result<String, Unedited> {
         let why = format!("the path has {} steps; at most {MOST_STEPS} are followed", edit.path.len());
         return Err(Unedited { path: written(&edit.path[..4]) + "...", why });
     }
+    let values =
+        edits.iter().map(|edit| value(edit).map_err(|why| Unedited { path: written(&edit.path), why }));
+    let values: Vec<Json> = values.collect::<Result<_, _>>()?;
     if text.trim_start().starts_with('{') {
         let mut tree: Json =
             serde_json::from_str(text).map_err(|error| whole(format!("the text is no JSON: {error}")))?;
-        for edit in edits {
+        for (edit, value) in edits.iter().zip(&values) {
             let failed = |why: &str| Unedited { path: written(&edit.path), why: why.to_owned() };
-            in_json(&mut tree, &edit.path, &edit.value).map_err(failed)?;
+            in_json(&mut tree, &edit.path, value).map_err(failed)?;
         }
         return serde_json::to_string_pretty(&tree)
             .map(|text| text + "\n")
@@ -60,11 +66,19 @@ pub fn edited(text: &str, edits: &[Edit]) -> Result<String, Unedited> {
     }
     let mut document: DocumentMut =
         text.parse().map_err(|error| whole(format!("the text is no TOML: {error}")))?;
-    for edit in edits {
+    for (edit, value) in edits.iter().zip(&values) {
         let failed = |why: &str| Unedited { path: written(&edit.path), why: why.to_owned() };
-        in_item(document.as_item_mut(), &edit.path, &edit.value, 0).map_err(failed)?;
+        in_item(document.as_item_mut(), &edit.path, value, 0).map_err(failed)?;
     }
     Ok(document.to_string())
+}
+
+fn value(edit: &Edit) -> Result<Json, String> {
+    let text = edit.value.get();
+    if text.len() > MOST_VALUE {
+        return Err(format!("the value has {} bytes; an entry has at most {MOST_VALUE}", text.len()));
+    }
+    serde_json::from_str(text).map_err(|error| format!("the value cannot be read: {error}"))
 }
 
 const NO_PATH: &str = "a path is a list of keys and places, and not empty";
@@ -290,9 +304,13 @@ fn toml(value: &Json) -> Option<Value> {
 mod tests {
     use super::*;
     use serde_json::json;
+    use serde_json::value::to_raw_value;
 
     fn with(text: &str, path: Json, value: Json) -> Result<String, Unedited> {
-        edited(text, &[Edit { path: serde_json::from_value(path).unwrap(), value }])
+        edited(
+            text,
+            &[Edit { path: serde_json::from_value(path).unwrap(), value: to_raw_value(&value).unwrap() }],
+        )
     }
 
     const JOB: &str = "# a job\n[gear]\nteeth = 31 # prime\nhelix_angle_deg = 20\n\n[target]\nmodifications = [\n  { kind = \"helix_crowning\", amount_um = 20 }, # wanted\n]\n";
@@ -351,9 +369,12 @@ mod tests {
         let deep = with(JOB, json!(vec!["a"; MOST_STEPS + 1]), json!(1)).unwrap_err();
         assert_eq!((deep.path.as_str(), deep.why.contains("65 steps")), ("a.a.a.a...", true));
         assert!(with(JOB, json!(vec!["a"; MOST_STEPS]), json!(1)).is_ok());
-        let many: Vec<Edit> =
-            (0..=MOST_EDITS).map(|_| Edit { path: vec![Step::Key("a".into())], value: json!(1) }).collect();
+        let many: Vec<Edit> = (0..=MOST_EDITS)
+            .map(|_| Edit { path: vec![Step::Key("a".into())], value: to_raw_value(&1).unwrap() })
+            .collect();
         assert!(edited(JOB, &many).unwrap_err().why.contains("257 changes"));
+        let large = with(JOB, json!(["a"]), json!(vec![0; MOST_VALUE])).unwrap_err();
+        assert!(large.why.contains("at most 262144"), "{}", large.why);
         assert!(with("= 1", json!(["a"]), json!(1)).unwrap_err().why.contains("no TOML"));
     }
 }

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use flankwright::workflow;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
+use serde_json::value::RawValue;
 use utoipa::ToSchema;
 
 use super::Finding;
@@ -168,8 +169,9 @@ pub struct Edit {
     /// Keys, and places in lists from 0; at most 64.
     #[schema(min_items = 1, max_items = 64)]
     pub path: Vec<Step>,
-    /// The new value; null takes the entry out.
-    pub value: Value,
+    /// The new value, at most 256 KiB; null takes the entry out.
+    #[schema(value_type = Value)]
+    pub value: Box<RawValue>,
 }
 
 /// Changes of a text.

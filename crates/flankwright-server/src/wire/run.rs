@@ -90,6 +90,9 @@ impl InspectOptions {
         if self.class.is_some_and(|class| !(1..=11).contains(&class)) {
             return Err(("class", "1 to 11"));
         }
+        if self.series.as_ref().is_some_and(|series| series.chars().any(char::is_control)) {
+            return Err(("series", "a name without control characters"));
+        }
         let over = |key, of: &Option<String>| match of.as_deref() {
             None => Ok(None),
             Some("face-width") => Ok(Some(SlopeReference::FaceWidth)),

@@ -8,6 +8,7 @@ use flankwright_store::{RunEnd, StoreError};
 use tokio::sync::watch;
 
 use super::{Work, now};
+use crate::log::say;
 
 /// Between two beats.
 const BEAT: Duration = Duration::from_secs(15);
@@ -22,7 +23,7 @@ pub async fn keep_beating(work: Arc<Work>, mut ending: watch::Receiver<bool>) {
             _ = ending.wait_for(|ending| *ending) => return,
         }
         if let Err(error) = work.beat(&[]).await {
-            eprintln!("the store does not hear that this server lives: {error}");
+            say(format!("the store does not hear that this server lives: {error}"));
         }
         work.settle().await;
     }
@@ -45,9 +46,14 @@ impl Work {
     /// Hands in what is owed.
     pub(super) async fn settle(&self) {
         let owed = std::mem::take(&mut *self.owed.lock().unwrap_or_else(PoisonError::into_inner));
+        let mut refuses = false;
         for (id, end) in owed {
-            if self.store.end_run(id, &end).await.is_err() {
+            // Each may wait long: where the first is refused, the others wait for the next beat.
+            refuses = refuses || self.store.end_run(id, &end).await.is_err();
+            if refuses {
                 self.owe(id, end);
+            } else {
+                self.all().remove(&id);
             }
         }
     }

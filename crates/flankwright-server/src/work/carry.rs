@@ -16,6 +16,7 @@ use super::cancel::{self, Ended};
 use super::end::failed;
 use super::{CHARTS, Live, SCENE, ended, measured, now};
 use crate::charts;
+use crate::log::say;
 use crate::scratch::Scratch;
 use crate::shelf::Shelf;
 use crate::wire::{Failure, Finding, Job, Request, refused_run, unshelved};
@@ -82,10 +83,12 @@ fn done(request: &Request, shelf: &Shelf, progress: &dyn Progress) -> Result<(Va
     let document = completed.document().map_err(|error| Failure::internal(error.to_string()))?;
     // A result without its view in space is a result all the same.
     let scene = completed.scene().and_then(|scene| match scene.map_err(JobFailure::from) {
-        Ok(scene) => packed(&scene).inspect_err(|error| eprintln!("a scene cannot be packed: {error}")).ok(),
+        Ok(scene) => {
+            packed(&scene).inspect_err(|error| say(format!("a scene cannot be packed: {error}"))).ok()
+        }
         Err(failure) => {
             let told = told(failure);
-            eprintln!("a scene cannot be drawn: {}", told.errors[0].message);
+            say(format!("a scene cannot be drawn: {}", told.errors[0].message));
             None
         }
     });

@@ -6,6 +6,7 @@ use flankwright_store::{RunEnd, RunState, StoreError};
 
 use super::live::Live;
 use super::{Work, ended};
+use crate::log::say;
 use crate::wire::{Failure, Finding};
 
 /// After so long an end is told again.
@@ -42,10 +43,12 @@ impl Work {
                 run.map_or(RunState::Interrupted, |run| run.state)
             }
             Err(error) => {
-                eprintln!("run {id}: the store refuses its end: {error}");
+                say(format!("run {id}: the store refuses its end: {error}"));
+                // It stays among the living ones, so that its state is not asked of the store, which knows of no end yet.
                 self.owe(id, refused(&error));
+                live.end(RunState::Failed);
                 self.settle().await;
-                RunState::Failed
+                return;
             }
         };
         self.all().remove(&id);

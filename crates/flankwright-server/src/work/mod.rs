@@ -12,9 +12,10 @@ mod queue;
 
 use std::collections::HashMap;
 use std::io;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
-use std::time::SystemTime;
+use std::time::{Duration, SystemTime};
 
 use flankwright_store::{NewRun, RunEnd, RunFile, RunState, Store, StoreAddress, StoreError};
 use tokio::runtime::Handle;
@@ -22,8 +23,9 @@ use tokio::runtime::Handle;
 pub use beat::keep_beating;
 pub use live::{Live, Told};
 
+use crate::log::say;
 use crate::scratch::Scratch;
-use crate::wire::{self, Request};
+use crate::wire::{self, Failure, Request};
 use queue::{MOST_WAITING, Queue};
 
 /// Runs under way at once; each computes on all cores.
@@ -33,6 +35,9 @@ const AT_ONCE: usize = 2;
 pub const SCENE: &str = ".scene.json.gz";
 /// The file of a run that tells which charts its report holds, and where.
 pub const CHARTS: &str = ".charts.json";
+
+/// How long the store may take to hear that the server ends.
+const FAREWELL: Duration = Duration::from_secs(5);
 
 /// Now, as the store keeps times.
 pub fn now() -> String {
@@ -85,7 +90,13 @@ impl Work {
             let (work, runtime) = (work.clone(), runtime.clone());
             thread::Builder::new().name(format!("run-{k}")).spawn(move || {
                 while let Some(id) = work.queue.next() {
-                    work.carry_out(&runtime, id);
+                    let carried = catch_unwind(AssertUnwindSafe(|| work.carry_out(&runtime, id)));
+                    if carried.is_err()
+                        && let Some(live) = work.live(id)
+                    {
+                        let fault = Failure::internal("the server failed between two steps of the run");
+                        runtime.block_on(work.end_run(id, &live, end::failed(&fault)));
+                    }
                 }
             })?;
         }
@@ -131,6 +142,11 @@ impl Work {
         self.all().get(&id).cloned()
     }
 
+    /// What is known of all that wait or are under way.
+    pub fn all_told(&self) -> HashMap<i64, Told> {
+        self.all().iter().map(|(&id, live)| (id, live.told())).collect()
+    }
+
     /// How busy it is.
     pub fn queue(&self) -> wire::Queue {
         let running = self.all().values().filter(|live| live.told().state == RunState::Running).count();
@@ -145,7 +161,7 @@ impl Work {
             let (work, live) = (self.clone(), live.clone());
             let end = tokio::spawn(async move { work.end_run(id, &live, ended(RunState::Cancelled)).await });
             if let Err(fault) = end.await {
-                eprintln!("run {id}: {fault}");
+                say(format!("run {id}: {fault}"));
             }
         }
         Cancelled::Told(live.told().state)
@@ -164,10 +180,13 @@ impl Work {
 
     /// Tells the store that this server ends, and tidies up behind it.
     pub async fn close(&self) {
-        if let Err(error) = self.store.leave(self.scratch.owner(), &now()).await {
-            eprintln!("the store refuses the farewell: {error}");
+        let now = now();
+        match tokio::time::timeout(FAREWELL, self.store.leave(self.scratch.owner(), &now)).await {
+            Ok(Ok(_)) => self.scratch.close(),
+            // The folder stays, from which the next server learns that this one is gone.
+            Ok(Err(error)) => say(format!("the store refuses the farewell: {error}")),
+            Err(_) => say("the store has no time for the farewell"),
         }
-        self.scratch.close();
     }
 
     fn carry_out(&self, runtime: &Handle, id: i64) {

@@ -117,9 +117,24 @@ fn bodies_are_bounded() {
     let served = Served::new();
     let large = vec![b' '; (8 << 20) + 1];
     let answer = served.ask("POST", "/api/check", &[("Content-Type", "application/json")], &large);
-    assert_eq!(answer.status, 413);
-    let large = vec![b'1'; (32 << 20) + 1];
-    assert_eq!(served.hand_in(&[("file", "a.mka", &large)]).status, 413);
+    assert_eq!((answer.status, answer.code().as_str()), (413, "body-too-large"));
+    assert_eq!(answer.json()["errors"][0]["allowed"], "at most 8388608 bytes");
+    // Also where much more is sent than is taken, the answer comes through.
+    let large = vec![b'1'; 80 << 20];
+    let answer = served.hand_in(&[("file", "a.mka", &large)]);
+    assert_eq!((answer.status, answer.code().as_str()), (413, "body-too-large"));
+    let blank = " ".repeat((4 << 20) + 1);
+    for (path, request) in [
+        ("/api/runs", json!({ "kind": "plan", "job": { "text": blank } })),
+        ("/api/edit", json!({ "text": "", "edits": [{ "path": ["a"], "value": blank }] })),
+    ] {
+        let answer = served.post(path, &request);
+        assert_eq!(answer.status, 422, "{path}: {}", answer.text());
+    }
+    assert_eq!(
+        served.post("/api/check", &json!({ "text": blank })).json()["findings"][0]["code"],
+        "file-too-large"
+    );
     let deep = "[".repeat(100_000);
     let answer = served.ask("POST", "/api/check", &[("Content-Type", "application/json")], deep.as_bytes());
     assert_eq!(answer.code(), "invalid-request", "{}", answer.status);
@@ -152,6 +167,7 @@ fn requests_with_bodies_are_bounded_in_number() {
     };
     assert_eq!((refused.status, refused.code().as_str()), (503, "server-busy"));
     assert_eq!(served.get("/api/about").status, 200, "others are answered");
+    assert_eq!(served.ask("DELETE", "/api/runs/1", &[], b"").status, 404, "without a body there is room");
     drop(held);
     let begun = Instant::now();
     while check().status != 200 {
@@ -177,6 +193,42 @@ fn connections_without_a_request_are_closed() {
 }
 
 #[test]
+fn clients_that_read_nothing_are_given_up() {
+    let served = Served::new();
+    let request = format!("GET /api/schema HTTP/1.1\r\nHost: {}\r\n\r\n", served.address).repeat(60);
+    let held: Vec<TcpStream> = (0..256)
+        .map(|_| {
+            let mut stream = TcpStream::connect(served.address).unwrap();
+            stream.write_all(request.as_bytes()).unwrap();
+            stream
+        })
+        .collect();
+    // Every connection is taken by somebody who does not listen; others wait until those are given up.
+    let begun = Instant::now();
+    assert_eq!(served.get("/api/about").status, 200);
+    assert!(begun.elapsed() < Duration::from_secs(100));
+    drop(held);
+}
+
+#[test]
+fn what_no_name_holds_is_refused() {
+    let served = Served::new();
+    for path in ["/api/parts?series=%00", "/api/parts/%00", "/api/tools/%00", "/api/runs/1/files/%00"] {
+        assert_eq!(
+            (served.get(path).status, served.get(path).code().as_str()),
+            (422, "invalid-request"),
+            "{path}"
+        );
+    }
+    let text = "[job]\nname = \"a\\u0000b\"\n";
+    let run = served.ended(served.begin("plan", &json!({ "text": text })));
+    assert_eq!((&run["name"], &run["state"]), (&json!("a b"), &json!("failed")));
+    let options = json!({ "keep": true, "series": "a\0" }).to_string();
+    let answer = served.hand_in(&[("file", "a.mka", b"1"), ("options", "", options.as_bytes())]);
+    assert_eq!((answer.status, answer.code().as_str()), (422, "invalid-option"));
+}
+
+#[test]
 fn paths_of_edits_are_bounded() {
     let served = Served::new();
     let edit = |steps: usize, text: &str| {
@@ -197,7 +249,9 @@ fn paths_of_edits_are_bounded() {
 #[test]
 fn no_path_of_the_disk_can_be_named() {
     let served = Served::new();
-    for name in ["../x", "/etc/passwd", "a\\b", "a/../../b", "", ".hidden", "a/.measured"] {
+    for name in
+        ["../x", "/etc/passwd", "a\\b", "a/../../b", "", ".hidden", "a/.measured", "a//b", "a/", "machines"]
+    {
         let answer = served.post("/api/check", &json!({ "text": "", "files": { name: "x" } }));
         assert_eq!((answer.status, answer.code().as_str()), (422, "invalid-file-name"), "{name}");
         let answer = served
