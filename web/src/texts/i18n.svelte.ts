@@ -38,6 +38,11 @@ class I18n {
     return formatFixed(value, this.lang, decimals, unit);
   }
 
+  /** A share of one as a percentage. */
+  percent(share: number | null | undefined, decimals: number): string {
+    return this.fixed(share === null || share === undefined ? undefined : 100 * share, decimals, "%");
+  }
+
   /** The name of a key of a job in words of the field. */
   key(key: string): string {
     return NAMES[this.lang][key] ?? keyAsWords(key);

@@ -57,7 +57,7 @@ impl Served {
         let authority = opened.strip_prefix("http://").and_then(|rest| rest.split('/').next()).unwrap();
         let port = authority.rsplit(':').next().unwrap().parse().unwrap();
         let address = SocketAddr::new(Ipv4Addr::LOCALHOST.into(), port);
-        Self { at: At(address), address, opened, store, folder: folder }
+        Self { at: At(address), address, opened, store, folder }
     }
 }
 
