@@ -20,7 +20,7 @@ const SHORTEST_TOKEN: usize = 16;
 /// Arguments of `serve`.
 #[derive(Args, Debug)]
 #[command(
-    after_help = "Examples:\n  flankwright serve\n  flankwright serve --host 0.0.0.0 --name panel-17.shop\n\n\
+    after_help = "Example:\n  flankwright serve\n  flankwright serve --host 0.0.0.0 --name panel-17.shop\n\n\
     Listens at 127.0.0.1 unless told otherwise. Anywhere else a token is needed: it is made and printed as a part of the address, or taken \
     from FLANKWRIGHT_TOKEN (letters, digits, - and _, at least 16). Ctrl-C ends it; runs under way are then listed as interrupted."
 )]
