@@ -121,9 +121,8 @@ impl Shelf {
     /// # Errors
     /// Everything that is wrong with it.
     pub fn load(&self, text: &str) -> Result<AnyJob, JobError> {
-        // As a file of the same content would be refused.
-        Source::from_bytes(JOB, text.as_bytes())?;
-        parse_any_job(self.source(text))
+        // Refused as a file of the same content would be.
+        parse_any_job(Source::from_bytes(JOB, text.as_bytes())?.confined_to(self.folder.path()))
     }
 
     /// The text of a job whose files are here.

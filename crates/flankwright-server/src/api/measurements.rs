@@ -44,24 +44,14 @@ pub async fn begin(
     // As many as the memory holds; whoever comes late tries again.
     let _room = app.uploads.try_acquire().map_err(|_| Refused::busy("others hand in measurements"))?;
     let mut parts = parts?;
-    let mut taken_in = TakenIn::default();
-    let read = loop {
-        match parts.next_field().await {
-            Ok(None) => break Ok(()),
-            Ok(Some(part)) => {
-                if let Err(refused) = taken_in.take(part).await {
-                    break Err(refused);
-                }
-            }
-            Err(error) => break Err(error.into()),
+    let TakenIn { files, job, options } = match TakenIn::all_of(&mut parts).await {
+        Ok(taken_in) => taken_in,
+        Err(refused) => {
+            // A browser listens only when everything is sent.
+            while let Ok(Some(_)) = parts.next_field().await {}
+            return Err(refused);
         }
     };
-    if let Err(refused) = read {
-        // A browser listens only when everything is sent.
-        while let Ok(Some(_)) = parts.next_field().await {}
-        return Err(refused);
-    }
-    let TakenIn { files, job, options } = taken_in;
     if files.is_empty() {
         return Err(wrong(
             "file",
@@ -87,6 +77,14 @@ struct TakenIn {
 }
 
 impl TakenIn {
+    async fn all_of(parts: &mut Multipart) -> Answer<Self> {
+        let mut taken_in = Self::default();
+        while let Some(part) = parts.next_field().await? {
+            taken_in.take(part).await?;
+        }
+        Ok(taken_in)
+    }
+
     async fn take(&mut self, part: Field<'_>) -> Answer<()> {
         match part.name() {
             Some("file") => {

@@ -4,6 +4,7 @@ use std::io;
 
 use flankwright::exchange::{Diagnostic, JobError, Source};
 use flankwright::workflow::{JobFailure, RunFailure};
+use flankwright_store::StoreError;
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
@@ -125,17 +126,27 @@ impl Failure {
         Self { exit: 2, errors: vec![finding], omitted: 0 }
     }
 
+    /// Of one finding that is nobody's fault who asks.
+    fn fault(finding: Finding) -> Self {
+        Self { exit: 1, ..Self::single(finding) }
+    }
+
     /// A fault of the program.
     pub fn internal(message: impl Into<String>) -> Self {
         let way_out = "this is a fault of flankwright: please report it with the job file";
-        Self { exit: 1, errors: vec![Finding::new("internal-error", message, way_out)], omitted: 0 }
+        Self::fault(Finding::new("internal-error", message, way_out))
+    }
+
+    /// The store refuses.
+    pub fn store(error: &StoreError) -> Self {
+        Self::fault(Finding::new(error.code(), error.to_string(), error.way_out()))
     }
 
     /// The disk of the server refuses. Its paths are nobody's business.
     pub fn disk(error: &io::Error) -> Self {
         let message = format!("the server cannot put files down: {}", error.kind());
         let way_out = "ask who runs the server whether its disk is full, and try again";
-        Self { exit: 1, ..Self::single(Finding::new("server-disk", message, way_out)) }
+        Self::fault(Finding::new("server-disk", message, way_out))
     }
 
     /// Everything that is wrong with a job or a file.

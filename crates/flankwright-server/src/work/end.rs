@@ -7,15 +7,14 @@ use flankwright_store::{RunEnd, RunState, StoreError};
 use super::live::Live;
 use super::{Work, ended};
 use crate::log::say;
-use crate::wire::{Failure, Finding};
+use crate::wire::Failure;
 
 /// After so long an end is told again.
 const AGAIN: [Duration; 3] = [Duration::from_secs(1), Duration::from_secs(3), Duration::from_secs(10)];
 
 /// The end of a run whose store has refused.
 pub(super) fn refused(error: &StoreError) -> RunEnd {
-    let finding = Finding::new(error.code(), error.to_string(), error.way_out());
-    failed(&Failure { exit: 1, ..Failure::single(finding) })
+    failed(&Failure::store(error))
 }
 
 /// The end of a run that has no result.

@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 use flankwright::numerics::Progress;
 use flankwright::workflow::inspection::Statements;
 use flankwright_store::blocking::Store;
-use flankwright_store::{ImportSettings, StoreAddress, StoreError};
+use flankwright_store::{ImportSettings, StoreAddress};
 use serde_json::Value;
 
-use crate::wire::{Failure, Finding, InspectOptions};
+use crate::wire::{Failure, InspectOptions};
 
 /// Imports what was handed in: which parts are new, which are known and stay as they are, which are refused.
 pub(super) fn keep(
@@ -27,10 +27,6 @@ pub(super) fn keep(
     let folder: PathBuf = folder.to_owned();
     let imported =
         Store::open(place).and_then(|store| store.import_measurements(&[folder], &settings, progress));
-    let report = imported.map_err(|error| refused(&error))?;
+    let report = imported.map_err(|error| Failure::store(&error))?;
     serde_json::to_value(report).map_err(|error| Failure::internal(error.to_string()))
-}
-
-fn refused(error: &StoreError) -> Failure {
-    Failure { exit: 1, ..Failure::single(Finding::new(error.code(), error.to_string(), error.way_out())) }
 }

@@ -1,6 +1,7 @@
 //! A skiving tool as a closed mesh: its edges where they touch the finished flank, the rake face between them, the clearance faces a
 //! little way behind. Knows no beam and no pose.
 
+use super::toothed::circle;
 use crate::exchange::mesh::{MeshError, Section, TriangleMesh, swept};
 use crate::geometry::{Flank, Sides, SkivingTool};
 use crate::numerics::equidistant;
@@ -55,7 +56,7 @@ pub(super) fn skiving_tool(
     let (sum, count) = face.iter().filter(of_root).fold((0.0, 0.0), |(z, n), p| (z + p.point.z, n + 1.0));
     let section = |depth: f64| Section {
         outline: face.iter().map(|p| p.point + p.back * depth).collect(),
-        holes: vec![circle(BORE * root, sum / count - depth)],
+        holes: vec![circle(BORE * root, sum / count - depth, BORE_CORNERS)],
     };
     let of = |thickness: f64| swept(&[section(thickness * module), section(0.0)]);
     let mut made = of(THICKNESS[0]);
@@ -134,12 +135,4 @@ fn on_rake(tool: &SkivingTool, place: &Vector3<f64>) -> Vector3<f64> {
         point.z -= tool.rake().distance(&point) / tool.rake().normal(&point).z;
     }
     point
-}
-
-fn circle(radius: f64, z: f64) -> Vec<Vector3<f64>> {
-    let corner = |k: usize| {
-        let (sin, cos) = (TAU * k as f64 / BORE_CORNERS as f64).sin_cos();
-        Vector3::new(radius * cos, radius * sin, z)
-    };
-    (0..BORE_CORNERS).map(corner).collect()
 }

@@ -87,7 +87,10 @@ impl Toothed<'_> {
         let bore = BORE * ends[0].min(ends[1]);
         let made: Vec<Section> = equidistant(self.faces, sections)
             .into_iter()
-            .map(|z| Section { outline: self.outline(z, spaces, counts), holes: vec![circle(bore, z)] })
+            .map(|z| Section {
+                outline: self.outline(z, spaces, counts),
+                holes: vec![circle(bore, z, BORE_CORNERS)],
+            })
             .collect();
         swept(&made)
     }
@@ -212,12 +215,13 @@ fn last_good(from: f64, to: f64, good: impl Fn(f64) -> bool) -> f64 {
     inside
 }
 
-fn circle(radius: f64, z: f64) -> Vec<Vector3<f64>> {
+/// A bore in the section at z.
+pub(super) fn circle(radius: f64, z: f64, corners: usize) -> Vec<Vector3<f64>> {
     let corner = |k: usize| {
-        let (sin, cos) = (TAU * k as f64 / BORE_CORNERS as f64).sin_cos();
+        let (sin, cos) = (TAU * k as f64 / corners as f64).sin_cos();
         Vector3::new(radius * cos, radius * sin, z)
     };
-    (0..BORE_CORNERS).map(corner).collect()
+    (0..corners).map(corner).collect()
 }
 
 #[cfg(test)]
