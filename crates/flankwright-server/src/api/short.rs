@@ -6,12 +6,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use flankwright::exchange::Source;
 use flankwright::numerics::{Progress, Silent};
+use flankwright::workflow::cancel::{self, Ended};
 
 use super::error::{Answer, Refused};
 use crate::app::App;
 use crate::shelf::{JOB, Shelf};
 use crate::wire::{Failure, Job, unshelved};
-use crate::work::cancel::{self, Ended};
 
 /// Somebody waits as long as this is not dropped.
 struct Waiting(Arc<AtomicBool>);

@@ -5,6 +5,7 @@ use std::fs;
 use std::io;
 
 use flankwright::numerics::Progress;
+use flankwright::workflow::cancel::{self, Ended};
 use flankwright::workflow::scene::Scene;
 use flankwright::workflow::{JobFailure, WriteError, carry_out};
 use flankwright_store::{RunEnd, RunFile, RunState, StoreAddress};
@@ -12,7 +13,6 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 use serde_json::Value;
 
-use super::cancel::{self, Ended};
 use super::end::failed;
 use super::{CHARTS, Live, SCENE, ended, measured, now};
 use crate::charts;

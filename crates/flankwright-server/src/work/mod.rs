@@ -2,7 +2,6 @@
 //! store whatever becomes of those who asked for them.
 
 mod beat;
-pub mod cancel;
 mod carry;
 mod end;
 mod keep;

@@ -96,15 +96,18 @@ impl ExecutedDressing {
 
 /// Corrections of a settled dresser counted from the nominal kinematics, as tables and settings have them.
 fn from_nominal(corrections: &[Chebyshev; 4], settled: &DressingCorrection) -> [Chebyshev; 4] {
-    std::array::from_fn(|j| {
-        let (from, to) = corrections[j].interval();
-        let mut coefficients = corrections[j].coefficients().to_vec();
-        match coefficients.first_mut() {
-            Some(constant) => *constant += settled[j],
-            None => coefficients.push(settled[j]),
-        }
-        Chebyshev::from_coefficients(from, to, coefficients)
-    })
+    std::array::from_fn(|j| shifted(&corrections[j], settled[j]))
+}
+
+/// A series with its constant moved.
+pub(super) fn shifted(series: &Chebyshev, by: f64) -> Chebyshev {
+    let (from, to) = series.interval();
+    let mut coefficients = series.coefficients().to_vec();
+    match coefficients.first_mut() {
+        Some(constant) => *constant += by,
+        None => coefficients.push(by),
+    }
+    Chebyshev::from_coefficients(from, to, coefficients)
 }
 
 impl ExecutedFlank {
@@ -177,12 +180,7 @@ impl Execution {
         for flank in Flank::BOTH {
             let Some(executed) = &mut self.flanks[flank] else { continue };
             let ExecutedTool::Dressed(dressing) = &mut executed.tool else { return false };
-            let shifted = std::array::from_fn(|axis| {
-                let (from, to) = dressing.corrections[axis].interval();
-                let mut coefficients = dressing.corrections[axis].coefficients().to_vec();
-                coefficients[0] += by[axis];
-                Chebyshev::from_coefficients(from, to, coefficients)
-            });
+            let shifted = std::array::from_fn(|axis| shifted(&dressing.corrections[axis], by[axis]));
             let (profile, reliefs) = (dressing.profile.clone(), dressing.reliefs.clone());
             **dressing = ExecutedDressing::new(dresser.flanks[flank].chain, shifted, profile, reliefs);
         }

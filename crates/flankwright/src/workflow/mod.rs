@@ -1,6 +1,7 @@
 //! Plan, simulate and verify: the only room where processes, referee and reports meet; what command, server and Python
 //! call. Knows every layer below, and no user interface.
 
+pub mod cancel;
 mod catalogue;
 mod control;
 mod convert;
@@ -12,8 +13,10 @@ mod executed_strokes;
 mod execution;
 mod explore;
 mod finding;
+mod forward;
 mod gear_root;
 pub mod gearbox;
+mod influence;
 pub mod inspection;
 mod line_dressing;
 pub mod milling;
@@ -59,6 +62,7 @@ pub use explore::{
     write_exploration,
 };
 pub use finding::{JobFailure, Remark, RunFailure};
+pub use forward::{Deviation, ForwardModel};
 pub use gear_root::{FilletResult, FilletSection, GearRootResult};
 pub use line_dressing::{LineDressingResult, WrittenFlank};
 pub use occupation::occupation_chart;

@@ -6,7 +6,7 @@ use super::super::standing_out::standing_out;
 use super::super::surface::{MeasuredSurface, field_points, measured_surface};
 use super::characteristics::{TestedCharacteristic, tested};
 use super::correction::{FoundCorrection, compensation, correct, first_order, unit, worth_turning};
-use super::ground::{Ground, check_cylinders, ground, influence, shifts_at_constant_ratio};
+use super::ground::{Ground, check_cylinders, ground};
 use super::lines::mean_lines;
 use super::result::{
     CharacteristicResult, CorrectedSettingResult, CorrectionResult, DifferenceResult, MachineChange,
@@ -23,6 +23,7 @@ use crate::numerics::Progress;
 use crate::process::correction::{ClosedLoop, CorrectionError, LoopEnd};
 use crate::process::generating::FlankTarget;
 use crate::workflow::finding::RunFailure;
+use crate::workflow::influence::{influence, shifts_at_constant_ratio};
 use crate::workflow::prepare::prepare;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;

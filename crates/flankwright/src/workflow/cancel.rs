@@ -4,7 +4,7 @@
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use flankwright::numerics::Progress;
+use crate::numerics::Progress;
 
 /// What unwinds a cancelled computation; no hook of panics sees it.
 struct Cancelled;
@@ -69,7 +69,7 @@ impl Progress for Cancelling<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use flankwright::numerics::Silent;
+    use crate::numerics::Silent;
 
     #[test]
     fn a_cancelled_computation_ends_at_its_next_step() {

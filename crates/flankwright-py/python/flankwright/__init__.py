@@ -1,0 +1,62 @@
+"""Gear teeth: which flank is wanted, what every machine axis must do for it, and what comes out.
+
+>>> import flankwright as fw
+>>> job = fw.Job.template("generating-grinding")
+>>> result = fw.plan(job)
+>>> result.status
+'met'
+
+Lengths are mm, angles degrees where a name ends in ``_deg``, deviations um and normal to the flank, positive = material left, unless a name says
+otherwise.
+"""
+
+from . import sweep
+from ._bodies import Gear, Modification, Worm
+from ._core import VERSION as __version__
+from ._errors import BadInput, FlankwrightError, InternalError, NotProducible
+from ._forward import Forward
+from ._jobs import Derived, Job, Quantity, Remark, schema
+from ._results import Flanks, FlankValues, Result
+from ._tasks import (
+    Preview,
+    explore,
+    inspect,
+    plan,
+    plan_many,
+    preview,
+    preview_many,
+    simulate,
+    simulate_many,
+    verify,
+)
+
+__all__ = [
+    "BadInput",
+    "Derived",
+    "FlankValues",
+    "Flanks",
+    "FlankwrightError",
+    "Forward",
+    "Gear",
+    "InternalError",
+    "Job",
+    "Modification",
+    "NotProducible",
+    "Preview",
+    "Quantity",
+    "Remark",
+    "Result",
+    "Worm",
+    "__version__",
+    "explore",
+    "inspect",
+    "plan",
+    "plan_many",
+    "preview",
+    "preview_many",
+    "schema",
+    "simulate",
+    "simulate_many",
+    "sweep",
+    "verify",
+]

@@ -1,0 +1,256 @@
+"""Toothed bodies from drawing data, and modifications of their flanks."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from ._values import plain
+
+Side = Literal["left", "right"]
+
+
+class Gear:
+    """An involute gear, cylindrical or conical, external or internal (``teeth`` < 0), symmetric or not. Names of DIN 3960 and ISO 21771.
+
+    Args:
+        teeth: Number of teeth, negative for an internal gear.
+        normal_module: Normal module, mm.
+        normal_pressure_angle_deg: Normal pressure angle, degrees; a pair for left and right.
+        helix_angle_deg: Helix angle at the pitch cylinder, degrees, positive = right-handed.
+        profile_shift: Profile shift coefficient x.
+        cone_angle_deg: Cone angle, degrees.
+        normal_tooth_thickness: Normal tooth thickness at the pitch cylinder, mm, in place of the profile shift.
+        span: Teeth and base tangent length (mm), in place of it.
+        over_balls: Ball and measure over balls (mm), in place of it.
+
+    Raises:
+        BadInput: a body that is impossible.
+    """
+
+    __slots__ = ("_core",)
+
+    def __init__(
+        self,
+        teeth: int,
+        normal_module: float,
+        normal_pressure_angle_deg: float | tuple[float, float] = 20.0,
+        helix_angle_deg: float = 0.0,
+        *,
+        profile_shift: float | None = None,
+        cone_angle_deg: float = 0.0,
+        normal_tooth_thickness: float | None = None,
+        span: tuple[int, float] | None = None,
+        over_balls: tuple[float, float] | None = None,
+    ) -> None:
+        given: list[tuple[str, float, float]] = []
+        if profile_shift is not None:
+            given.append(("shift", profile_shift, 0.0))
+        if normal_tooth_thickness is not None:
+            given.append(("thickness", normal_tooth_thickness, 0.0))
+        if span is not None:
+            given.append(("span", float(span[0]), span[1]))
+        if over_balls is not None:
+            given.append(("balls", *over_balls))
+        if len(given) > 1:
+            raise TypeError("give one of profile_shift, normal_tooth_thickness, span, over_balls")
+        angles = normal_pressure_angle_deg
+        left, right = angles if isinstance(angles, tuple) else (angles, angles)
+        self._core = _core.CoreGear(
+            teeth,
+            normal_module,
+            (math.radians(left), math.radians(right)),
+            math.radians(helix_angle_deg),
+            math.radians(cone_angle_deg),
+            given[0] if given else ("shift", 0.0, 0.0),
+        )
+
+    @property
+    def profile_shift(self) -> float:
+        """Profile shift coefficient x."""
+        return self._core.profile_shift
+
+    @property
+    def pitch_diameter(self) -> float:
+        """Pitch diameter d, mm."""
+        return 2 * self._core.pitch_radius
+
+    @property
+    def transverse_module(self) -> float:
+        """Transverse module m_t, mm."""
+        return self._core.transverse_module
+
+    def base_diameter(self, flank: Side = "left") -> float:
+        """Base diameter d_b of a flank, mm."""
+        return 2 * self._core.base_radius(flank)
+
+    def base_helix_angle_deg(self, flank: Side = "left") -> float:
+        """Base helix angle beta_b of a flank, degrees."""
+        return math.degrees(self._core.base_helix_angle(flank))
+
+    def length_of_roll(self, diameter: float, flank: Side = "left") -> float:
+        """Length of roll w at a diameter (mm), mm.
+
+        Raises:
+            BadInput: a diameter below the base cylinder.
+        """
+        return self._core.length_of_roll(flank, diameter / 2)
+
+    def diameter(self, length_of_roll: float, flank: Side = "left") -> float:
+        """Diameter at a length of roll (mm), mm."""
+        return 2 * self._core.radius(flank, length_of_roll)
+
+    def span(self, teeth: int) -> float:
+        """Base tangent length W_k over ``teeth`` teeth, mm.
+
+        Raises:
+            BadInput: a gear that has none: conical, or asymmetric.
+        """
+        return self._core.span(teeth)[0]
+
+    def over_balls(self, ball: float, z: float = 0.0) -> float:
+        """Measure over (internal: between) balls in the section ``z``, mm.
+
+        Raises:
+            BadInput: a ball that does not touch both flanks.
+        """
+        return self._core.over_balls(ball, z)
+
+    def points(self, w: ArrayLike, z: ArrayLike, flank: Side = "left") -> NDArray[np.float64]:
+        """Points of a flank at lengths of roll and axial positions (mm), broadcast; shape of both and (3,), mm. The space is centred on +y
+        at z = 0.
+        """
+        return self._vectors(self._core.points, w, z, flank)
+
+    def normals(self, w: ArrayLike, z: ArrayLike, flank: Side = "left") -> NDArray[np.float64]:
+        """Unit normals out of the material, as :meth:`points`."""
+        return self._vectors(self._core.normals, w, z, flank)
+
+    @staticmethod
+    def _vectors(of: Any, w: ArrayLike, z: ArrayLike, flank: Side) -> NDArray[np.float64]:
+        wide = np.broadcast_arrays(np.asarray(w, dtype=np.float64), np.asarray(z, dtype=np.float64))
+        found: NDArray[np.float64] = of(flank, *(np.ascontiguousarray(each).ravel() for each in wide))
+        return found.reshape(*wide[0].shape, 3)
+
+    def worm(
+        self,
+        threads: int = 1,
+        *,
+        pitch_diameter: float | None = None,
+        tip_diameter: float | None = None,
+        hand: Literal["right", "left"] = "right",
+        normal_pressure_angle_deg: float | None = None,
+        profile_shift: float = 0.0,
+        cone_angle_deg: float = 0.0,
+    ) -> Worm:
+        """The worm that meshes with this gear on both flanks; one of the diameters (mm) is needed.
+
+        Raises:
+            BadInput: a worm that is impossible, or does not mesh.
+        """
+        angle = None if normal_pressure_angle_deg is None else math.radians(normal_pressure_angle_deg)
+        return Worm(
+            self._core.worm(
+                threads,
+                1.0 if hand == "right" else -1.0,
+                pitch_diameter,
+                tip_diameter,
+                angle,
+                profile_shift,
+                math.radians(cone_angle_deg),
+            )
+        )
+
+    def __repr__(self) -> str:
+        return f"<Gear: d = {self.pitch_diameter:.4f} mm, x = {self.profile_shift:.4f}>"
+
+
+class Worm:
+    """A worm that meshes with a gear; made by :meth:`Gear.worm`."""
+
+    __slots__ = ("_core",)
+
+    def __init__(self, core: _core.CoreWorm) -> None:
+        self._core = core
+
+    @property
+    def pitch_diameter(self) -> float:
+        """Pitch diameter d_S, mm."""
+        return 2 * self._core.pitch_radius
+
+    @property
+    def tip_diameter(self) -> float:
+        """Tip diameter, mm."""
+        return 2 * self._core.tip_radius
+
+    @property
+    def helix_angle_deg(self) -> float:
+        """Helix angle at the pitch cylinder, degrees."""
+        return math.degrees(self._core.helix_angle)
+
+    @property
+    def crossed_axes_angle_deg(self) -> float:
+        """Crossed-axes angle gamma of worm and gear, degrees."""
+        return math.degrees(self._core.crossed_axes_angle)
+
+    def __repr__(self) -> str:
+        return f"<Worm: d_S = {self.pitch_diameter:.4f} mm, gamma = {self.crossed_axes_angle_deg:.4f} deg>"
+
+
+class Modification:
+    """What a flank should be, as an entry of ``target.modifications`` says it; several are added.
+
+    Args:
+        specs: Entries, e.g. ``{"kind": "helix_crowning", "amount_um": 20}``.
+        gear: The gear.
+        start_diameter: Start of the evaluation (root side), mm.
+        end_diameter: End of the evaluation (tip side), mm.
+        z: Evaluated axial range, mm.
+        flank: The flank.
+
+    Raises:
+        BadInput: a modification that is impossible, with its key.
+    """
+
+    __slots__ = ("_core",)
+
+    def __init__(
+        self,
+        specs: Mapping[str, Any] | Sequence[Mapping[str, Any]],
+        gear: Gear,
+        *,
+        start_diameter: float,
+        end_diameter: float,
+        z: tuple[float, float],
+        flank: Side = "left",
+    ) -> None:
+        terms = [specs] if isinstance(specs, Mapping) else list(specs)
+        spec = terms[0] if len(terms) == 1 else {"kind": "composite", "terms": terms}
+        roll = sorted(gear.length_of_roll(d, flank) for d in (start_diameter, end_diameter))
+        self._core = _core.CoreModification(
+            json.dumps(plain(spec)),
+            (roll[0], roll[1]),
+            (float(z[0]), float(z[1])),
+            gear.base_diameter(flank) / 2,
+            math.radians(gear.base_helix_angle_deg(flank)),
+        )
+
+    def __call__(
+        self, w: ArrayLike, z: ArrayLike, *, direction: Literal["normal", "transverse"] = "normal"
+    ) -> NDArray[np.float64]:
+        """Material that is left, um, at lengths of roll and axial positions (mm), broadcast; normal to the flank, or in the transverse
+        section as ISO 1328 counts it.
+
+        Raises:
+            BadInput: a place beyond the modification.
+        """
+        wide = np.broadcast_arrays(np.asarray(w, dtype=np.float64), np.asarray(z, dtype=np.float64))
+        flat = (np.ascontiguousarray(each).ravel() for each in wide)
+        values = self._core.values(*flat).reshape(wide[0].shape)
+        return values * (1e3 * (self._core.normal_factor if direction == "normal" else 1.0))

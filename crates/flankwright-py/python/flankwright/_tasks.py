@@ -1,0 +1,192 @@
+"""What is done with jobs, one by one and many at once."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Callable, Iterable, Sequence
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+
+from . import _core
+from ._errors import FlankwrightError
+from ._jobs import Job, Remark
+from ._results import Flanks, FlankValues, Result
+
+Progress = Callable[[str, int, int], object]
+"""Called now and then with the stage, the steps of it that are done, and all of them."""
+
+AnyJob = Job | str | os.PathLike[str]
+
+
+def as_job(job: AnyJob) -> Job:
+    """A job, or the file of one."""
+    return job if isinstance(job, Job) else Job.load(Path(job))
+
+
+def plan(job: AnyJob, *, progress: Progress | None = None) -> Result:
+    """From the target to settings, motions and a proven flank; a job of the electronic gearbox is run.
+
+    Args:
+        job: A job or its file.
+        progress: Told how far it is.
+
+    Raises:
+        BadInput: the job, or a file that it names, is at fault.
+        NotProducible: the bodies cannot make the target. A target that is missed is no error: see :attr:`Result.status`.
+    """
+    return Result(_core.run("plan", as_job(job)._core, progress))
+
+
+def simulate(job: AnyJob, *, progress: Progress | None = None) -> Result:
+    """From the settings that stand in the job to the flank. Raises as :func:`plan`."""
+    return Result(_core.run("simulate", as_job(job)._core, progress))
+
+
+def explore(job: AnyJob, *, progress: Progress | None = None) -> Result:
+    """Ratios, worms, dressers side by side, ranked. Raises as :func:`plan`."""
+    return Result(_core.run("explore", as_job(job)._core, progress))
+
+
+def inspect(
+    file: str | os.PathLike[str] | None = None,
+    *,
+    job: AnyJob | None = None,
+    from_other_end: bool = False,
+    slope_signs: tuple[int, int] | None = None,
+    datum_face: Literal["+z", "-z"] | None = None,
+    helix_slope_over: Literal["face-width", "range"] | None = None,
+    profile_slope_over: Literal["face-width", "range"] | None = None,
+    tolerance_class: int | None = None,
+    progress: Progress | None = None,
+) -> Result:
+    """Evaluates a measurement: alone, against the job by which the gear was ground, or a folder of them as a series; without a file, the
+    simulated machine of the job.
+
+    Args:
+        file: A file of a measuring machine, or a folder.
+        job: The job.
+        from_other_end: The gear was measured from the other end.
+        slope_signs: Signs of helix slopes as the file names the flanks, left and right, each +1 or -1.
+        datum_face: The face from which distances count.
+        helix_slope_over: The length to which helix slopes refer.
+        profile_slope_over: The length to which profile slopes refer.
+        tolerance_class: Class of ISO 1328-1 whose tolerances are the limits of a series.
+        progress: Told how far it is.
+
+    Raises:
+        BadInput: the file or the job is at fault.
+    """
+    stated = (from_other_end, slope_signs, datum_face, helix_slope_over, profile_slope_over)
+    if file is None:
+        if job is None:
+            raise TypeError("inspect takes a file, a job that simulates its measurement, or both")
+        return Result(_core.run("inspect", as_job(job)._core, progress))
+    path = Path(file)
+    if path.is_dir():
+        if job is not None:
+            raise TypeError("a folder is evaluated without a job: give the file of one gear, or leave the job out")
+        return Result(_core.inspect_series(path, stated, tolerance_class))
+    return Result(_core.inspect(path, None if job is None else as_job(job)._core, stated, progress))
+
+
+class Preview:
+    """A plan without its referee.
+
+    Attributes:
+        process: Process.
+        tolerance_um: Tolerance of the job.
+        settings: Settings, as in the result of a plan.
+        warnings: Remarks.
+        flanks: The flanks as planned; their ``simulated`` is ``None``.
+        document: All of it.
+    """
+
+    def __init__(self, text: str) -> None:
+        self.document: dict[str, Any] = json.loads(text)
+        self.process: str = self.document["process"]
+        self.tolerance_um: float = self.document["tolerance_um"]
+        self.settings: dict[str, Any] = self.document["settings"]
+        self.warnings = [Remark(**remark) for remark in self.document["warnings"]]
+        self.flanks = Flanks(
+            {
+                name: FlankValues(
+                    name, *(np.array(of[key]) for key in ("w_mm", "z_mm", "target_um", "planned_um"))
+                )
+                for name, of in self.document["flanks"].items()
+            }
+        )
+
+    def __repr__(self) -> str:
+        return f"<Preview: {self.process}, {', '.join(self.flanks)}>"
+
+
+def preview(job: AnyJob) -> Preview:
+    """A plan without its referee, in milliseconds. Raises as :func:`plan`."""
+    return Preview(_core.preview(as_job(job)._core))
+
+
+def plan_many(
+    jobs: Iterable[AnyJob], *, errors: Literal["raise", "return"] = "raise", progress: Progress | None = None
+) -> list[Result | FlankwrightError]:
+    """Plans many jobs on all cores; results in the order of the jobs, whatever the number of cores.
+
+    Args:
+        jobs: Jobs or their files.
+        errors: ``return`` puts the exception of a job in the place of its result.
+        progress: Told how many are done.
+
+    Raises:
+        FlankwrightError: the first one, unless they are returned.
+    """
+    return _many(_core.run_many("plan", [as_job(job)._core for job in jobs], progress), Result, errors)
+
+
+def simulate_many(
+    jobs: Iterable[AnyJob], *, errors: Literal["raise", "return"] = "raise", progress: Progress | None = None
+) -> list[Result | FlankwrightError]:
+    """As :func:`plan_many`, for :func:`simulate`."""
+    return _many(_core.run_many("simulate", [as_job(job)._core for job in jobs], progress), Result, errors)
+
+
+def preview_many(
+    jobs: Iterable[AnyJob], *, errors: Literal["raise", "return"] = "raise", progress: Progress | None = None
+) -> list[Preview | FlankwrightError]:
+    """As :func:`plan_many`, for :func:`preview`."""
+    return _many(_core.preview_many([as_job(job)._core for job in jobs], progress), Preview, errors)
+
+
+def _many(found: Sequence[Any], made: Callable[[Any], Any], errors: str) -> list[Any]:
+    if errors not in ("raise", "return"):
+        raise ValueError(f"errors={errors!r}: 'raise' or 'return'")
+    results = []
+    for one in found:
+        if isinstance(one, FlankwrightError):
+            if errors == "raise":
+                raise one
+            results.append(one)
+        else:
+            results.append(made(one))
+    return results
+
+
+def verify(
+    files: str | os.PathLike[str] | Iterable[str | os.PathLike[str]],
+    *,
+    data: Iterable[str | os.PathLike[str]] = (),
+) -> dict[str, Any]:
+    """Recomputes every expected value of reference files, as ``flankwright verify --json`` tells it.
+
+    Args:
+        files: Reference files.
+        data: Folders with the data files that cases name.
+
+    Raises:
+        BadInput: a file that cannot be read or is of no known schema.
+    """
+    one = isinstance(files, (str, os.PathLike))
+    paths = [Path(files)] if one else [Path(file) for file in files]  # type: ignore[union-attr, arg-type]
+    found: dict[str, Any] = json.loads(_core.verify(paths, [Path(folder) for folder in data]))
+    return found

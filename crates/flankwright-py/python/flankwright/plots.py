@@ -1,0 +1,172 @@
+"""Pictures in the conventions of inspection sheets, with matplotlib: nets, maps, profile and helix diagrams. Ochre is material left, blue is
+material removed; lines are solid above zero and dashed below, so that they read in black and white.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from ._results import Array, Flanks, FlankValues, Result
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+Shown = Literal["target", "planned", "simulated", "deviation"]
+_COLOURS = ("#1f4e79", "#9dc3e6", "#ffffff", "#f3d19c", "#b45f06")
+_TITLES: Mapping[str, str] = {
+    "target": "Target",
+    "planned": "Planned",
+    "simulated": "Simulated (referee)",
+    "deviation": "Deviation from the target",
+}
+
+
+def _values(flank: FlankValues, shown: Shown) -> Array:
+    values: Array | None = getattr(flank, shown)
+    if values is None:
+        raise ValueError(f"the {flank.name} flank has no values {shown!r}: plan the job with its referee")
+    return values
+
+
+def _flanks(of: Result | Flanks | FlankValues) -> list[FlankValues]:
+    if isinstance(of, FlankValues):
+        return [of]
+    found = list((of.flanks if isinstance(of, Result) else of).values())
+    if not found:
+        raise ValueError("there are no flanks: the result is not that of a ground gear")
+    return found
+
+
+def _colours() -> Any:
+    from matplotlib.colors import LinearSegmentedColormap
+
+    return LinearSegmentedColormap.from_list("flank", _COLOURS)
+
+
+def contour(of: Result | Flanks | FlankValues, shown: Shown = "deviation", *, levels: int = 11) -> Figure:
+    """Contour maps over axial position and length of roll.
+
+    Args:
+        of: A result, its flanks, or one of them.
+        shown: What is shown.
+        levels: About so many lines.
+
+    Returns:
+        The figure.
+    """
+    import matplotlib.pyplot as plt
+    from matplotlib.ticker import MaxNLocator
+
+    flanks = _flanks(of)
+    largest = max(float(np.abs(_values(flank, shown)).max()) for flank in flanks) or 1.0
+    lines = MaxNLocator(levels, symmetric=True).tick_values(-largest, largest)
+    figure, axes = plt.subplots(
+        1, len(flanks), figsize=(5.2 * len(flanks) + 1, 4), sharey=True, layout="constrained", squeeze=False
+    )
+    filled: Any = None
+    for flank, ax in zip(flanks, axes[0]):
+        values = _values(flank, shown)
+        filled = ax.contourf(flank.z, flank.w, values, levels=lines, cmap=_colours())
+        drawn = ax.contour(
+            flank.z,
+            flank.w,
+            values,
+            levels=lines,
+            colors="black",
+            linewidths=[1.4 if abs(level) < 1e-12 else 0.6 for level in lines],
+            linestyles=["dashed" if level < 0 else "solid" for level in lines],
+        )
+        ax.clabel(drawn, fontsize=7)
+        ax.set(title=f"{flank.name} flank", xlabel="axial position z [mm]")
+    axes[0][0].set_ylabel("length of roll w [mm]")
+    figure.colorbar(filled, ax=list(axes[0]), label="material left, normal [µm]")
+    figure.suptitle(_TITLES[shown])
+    return figure
+
+
+def net(
+    of: Result | Flanks | FlankValues, shown: Shown = "simulated", *, magnification: float | None = None
+) -> Figure:
+    """Flanks as nets over their nominal field, heights magnified.
+
+    Args:
+        of: A result, its flanks, or one of them.
+        shown: What is shown.
+        magnification: Of heights against lengths; chosen where none is given, and told in the title.
+
+    Returns:
+        The figure.
+    """
+    import matplotlib.pyplot as plt
+
+    flanks = _flanks(of)
+    largest = max(float(np.abs(_values(flank, shown)).max()) for flank in flanks) or 1.0
+    width = max(float(np.ptp(flank.z)) for flank in flanks)
+    if magnification is None:
+        magnification = _round(0.25 * width / (largest * 1e-3))
+    figure = plt.figure(figsize=(5.2 * len(flanks), 4.2), layout="constrained")
+    for k, flank in enumerate(flanks):
+        ax: Any = figure.add_subplot(1, len(flanks), k + 1, projection="3d")
+        z, w = np.meshgrid(flank.z, flank.w)
+        values = _values(flank, shown)
+        ax.plot_wireframe(z, w, np.zeros_like(z), color="0.75", linewidth=0.4)
+        ax.plot_wireframe(z, w, values * 1e-3 * magnification, color="black", linewidth=0.7)
+        ax.set_box_aspect((np.ptp(flank.z), np.ptp(flank.w), 0.6 * width))
+        ax.set_zlim(-0.3 * width, 0.3 * width)
+        ax.set_zticks([])
+        ax.set(title=f"{flank.name} flank, |f| ≤ {np.abs(values).max():.3g} µm", xlabel="z [mm]", ylabel="w [mm]")
+    figure.suptitle(f"{_TITLES[shown]}, heights {magnification:g} : 1")
+    return figure
+
+
+def _round(value: float) -> float:
+    power = 10.0 ** np.floor(np.log10(value))
+    return float(max(step for step in (1, 2, 5) if step * power <= value) * power)
+
+
+def diagrams(of: Result | Flanks | FlankValues, shown: Iterable[Shown] = ("target", "simulated")) -> Figure:
+    """Profile and helix diagrams through the middle of the field, as on an inspection sheet: material to the right (profile) and upwards
+    (helix).
+
+    Args:
+        of: A result, its flanks, or one of them.
+        shown: What is drawn, each with a dash of its own.
+
+    Returns:
+        The figure.
+    """
+    import matplotlib.pyplot as plt
+
+    flanks = _flanks(of)
+    dashes = {"target": "--", "planned": "-.", "simulated": "-", "deviation": ":"}
+    figure, axes = plt.subplots(2, len(flanks), figsize=(4.6 * len(flanks), 6.4), layout="constrained", squeeze=False)
+    for k, flank in enumerate(flanks):
+        profile, helix = axes[0][k], axes[1][k]
+        for what in shown:
+            values = _values(flank, what)
+            profile.plot(values[:, flank.z.size // 2], flank.w, dashes[what], color="black", label=_TITLES[what])
+            helix.plot(flank.z, values[flank.w.size // 2], dashes[what], color="black", label=_TITLES[what])
+        profile.set(
+            title=f"{flank.name} flank: profile at z = {flank.z[flank.z.size // 2]:.2f} mm",
+            xlabel="material left, normal [µm]",
+            ylabel="length of roll w [mm]",
+        )
+        helix.set(
+            title=f"helix at w = {flank.w[flank.w.size // 2]:.2f} mm",
+            xlabel="axial position z [mm]",
+            ylabel="material left, normal [µm]",
+        )
+        for ax in (profile, helix):
+            _grid(ax)
+    axes[0][0].legend(fontsize=8)
+    return figure
+
+
+def _grid(ax: Axes) -> None:
+    ax.grid(True, linewidth=0.4, color="0.8")
+    ax.axhline(0.0, color="0.6", linewidth=0.6)
+    ax.axvline(0.0, color="0.6", linewidth=0.6)

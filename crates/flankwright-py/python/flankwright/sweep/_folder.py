@@ -1,0 +1,139 @@
+"""A sweep on the disk: what is asked, and a file for every finished chunk. A chunk is there whole or not at all."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import tempfile
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._chunk import Columns
+from ._samples import Samples
+
+Form = Literal["parquet", "zarr"]
+
+
+class Folder:
+    """The folder of a sweep.
+
+    Args:
+        path: Made if missing.
+        asked: What the sweep is; a folder of another sweep is refused.
+        form: ``parquet``: a file for each chunk, for numbers and words; ``zarr``: arrays of any shape, chunked as they are computed.
+    """
+
+    def __init__(self, path: Path, asked: dict[str, Any], samples: Samples, chunk: int, form: Form) -> None:
+        self.path, self.samples, self.chunk, self.form = path, samples, chunk, form
+        path.mkdir(parents=True, exist_ok=True)
+        (path / "chunks").mkdir(exist_ok=True)
+        asked = {**asked, "samples": samples.digest(), "chunk": chunk, "form": form, "shape": list(samples.shape)}
+        manifest = path / "sweep.json"
+        if manifest.exists():
+            there = json.loads(manifest.read_text(encoding="utf-8"))
+            if there != asked:
+                other = sorted(key for key in {*there, *asked} if there.get(key) != asked.get(key))
+                raise ValueError(
+                    f"{path} holds another sweep (it differs in {', '.join(other)}): choose another folder, or remove this one"
+                )
+        else:
+            if form == "zarr":
+                self._put_zarr("samples", 0, dict(samples.columns), len(samples))
+            else:
+                _write(path / "samples.parquet", lambda to: _to_parquet(dict(samples.columns), to))
+            _write(manifest, lambda to: to.write_text(json.dumps(asked, indent=2), encoding="utf-8"))
+
+    def has(self, part: slice) -> bool:
+        """Whether a chunk is finished."""
+        return self._mark(part).exists()
+
+    def put(self, part: slice, columns: Columns) -> None:
+        """Keeps a finished chunk."""
+        if self.form == "zarr":
+            self._put_zarr("results", part.start, columns, len(self.samples))
+            _write(self._mark(part), lambda to: to.write_text(_digest(columns), encoding="utf-8"))
+        else:
+            _write(self._mark(part), lambda to: _to_parquet(columns, to))
+
+    def get(self) -> Columns:
+        """All finished chunks, in order; missing ones are left out."""
+        return read(self.path, self.form, self.chunk, len(self.samples))
+
+    def _mark(self, part: slice) -> Path:
+        return self.path / "chunks" / _name(part.start // self.chunk, self.form)
+
+    def _put_zarr(self, group: str, start: int, columns: Columns, count: int) -> None:
+        import zarr
+
+        root: Any = zarr.open_group(self.path / f"{group}.zarr", mode="a")
+        for name, values in columns.items():
+            if name not in root:
+                width = "<U64" if values.dtype.kind == "U" else values.dtype
+                root.create_array(
+                    name,
+                    shape=(count, *values.shape[1:]),
+                    chunks=(min(self.chunk, count), *values.shape[1:]),
+                    dtype=width,
+                    fill_value="" if values.dtype.kind == "U" else np.nan,
+                )
+            root[name][start : start + len(values)] = values
+
+
+def read(path: Path, form: Form, chunk: int, count: int) -> Columns:
+    """The columns of a folder."""
+    starts = range(0, count, chunk)
+    there = [k for k in range(len(starts)) if (path / "chunks" / _name(k, form)).exists()]
+    if not there:
+        return {}
+    if form == "parquet":
+        parts = [_from_parquet(path / "chunks" / _name(k, form)) for k in there]
+        return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+    import zarr
+
+    root: Any = zarr.open_group(path / "results.zarr", mode="r")
+    rows = np.concatenate([np.arange(starts[k], min(starts[k] + chunk, count)) for k in there])
+    return {str(name): np.asarray(root[name][:])[rows] for name in root}
+
+
+def _name(number: int, form: Form) -> str:
+    return f"{number:06d}.{'parquet' if form == 'parquet' else 'done'}"
+
+
+def _digest(columns: Columns) -> str:
+    digest = hashlib.sha256()
+    for name, values in sorted(columns.items()):
+        digest.update(name.encode() + np.ascontiguousarray(values).tobytes())
+    return digest.hexdigest()
+
+
+def _write(path: Path, write: Any) -> None:
+    handle, name = tempfile.mkstemp(dir=path.parent, prefix=".", suffix=".part")
+    os.close(handle)
+    try:
+        write(Path(name))
+        os.replace(name, path)
+    except BaseException:
+        os.unlink(name)
+        raise
+
+
+def _to_parquet(columns: dict[str, NDArray[Any]], to: Path) -> None:
+    import pyarrow
+    import pyarrow.parquet
+
+    deep = [name for name, values in columns.items() if values.ndim > 1]
+    if deep:
+        raise ValueError(f"the outputs {', '.join(deep)} are arrays: Parquet keeps numbers and words, Zarr keeps arrays")
+    pyarrow.parquet.write_table(pyarrow.table({name: values for name, values in columns.items()}), to)
+
+
+def _from_parquet(path: Path) -> Columns:
+    import pyarrow.parquet
+
+    found = pyarrow.parquet.read_table(path)
+    columns = {name: found[name].to_numpy(zero_copy_only=False) for name in found.column_names}
+    return {name: of.astype(np.str_) if of.dtype.kind == "O" else of for name, of in columns.items()}

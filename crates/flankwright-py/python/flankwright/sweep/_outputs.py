@@ -1,0 +1,58 @@
+"""What is kept of every sample: entries of documents, or what functions make of a result."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .. import _paths
+
+Output = str | Callable[[Any], Any]
+"""A path in the document of a result, or a function of the result (for a forward model: of the flanks of one sample)."""
+
+Outputs = Mapping[str, Output] | Sequence[str]
+"""Outputs by name; paths alone are their own names."""
+
+
+def named(outputs: Outputs) -> dict[str, Output]:
+    """Outputs by name.
+
+    Raises:
+        ValueError: there are none, or a name is that of the column of errors.
+    """
+    found: dict[str, Output] = {}
+    found.update(outputs if isinstance(outputs, Mapping) else {path: path for path in outputs})
+    if not found:
+        raise ValueError("a sweep has at least one output")
+    if "error" in found:
+        raise ValueError("'error' is the column of refused samples: choose another name")
+    return found
+
+
+def of_result(output: Output, result: Any) -> Any:
+    """The value of an output."""
+    return _paths.get(result.document, output) if isinstance(output, str) else output(result)
+
+
+def column(name: str, values: Sequence[Any]) -> NDArray[Any]:
+    """Values of one output as an array; samples without a value are NaN, or an empty word.
+
+    Raises:
+        ValueError: values of different shapes.
+    """
+    given = [value for value in values if value is not None]
+    if not given:
+        return np.full(len(values), np.nan)
+    if all(isinstance(value, str) for value in given):
+        return np.array(["" if value is None else value for value in values], dtype=np.str_)
+    arrays = [np.asarray(value, dtype=np.float64) for value in given]
+    shape = arrays[0].shape
+    if any(array.shape != shape for array in arrays):
+        raise ValueError(f"the output {name!r} has values of different shapes: {sorted({a.shape for a in arrays})}")
+    filled = np.full((len(values), *shape), np.nan)
+    rows = [k for k, value in enumerate(values) if value is not None]
+    filled[rows] = arrays
+    return filled

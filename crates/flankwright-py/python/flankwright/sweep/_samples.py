@@ -1,0 +1,119 @@
+"""Which values a sweep takes."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .._values import plain
+
+
+class Samples:
+    """Values by path of a job's key (or by name of a deviation), all equally many.
+
+    Attributes:
+        columns: One array of shape (sample,) for each path.
+        shape: The shape of a grid in the order of its paths, else (sample,).
+    """
+
+    def __init__(self, columns: Mapping[str, ArrayLike], shape: tuple[int, ...] | None = None) -> None:
+        self.columns: dict[str, NDArray[Any]] = {path: np.asarray(values) for path, values in columns.items()}
+        if not self.columns:
+            raise ValueError("samples have at least one column")
+        lengths = {path: values.shape for path, values in self.columns.items()}
+        first = next(iter(lengths.values()))
+        if any(len(of) != 1 or of != first for of in lengths.values()):
+            raise ValueError(f"columns have the shapes {lengths}: give arrays of one axis, all equally long")
+        for path, values in self.columns.items():
+            if values.dtype.kind == "f" and not np.isfinite(values).all():
+                raise ValueError(f"{path!r} has values that are not finite")
+            if values.dtype.kind not in "biufUO":
+                raise ValueError(f"{path!r} has values of the type {values.dtype}: give numbers or words")
+        self.shape = shape or first
+        if int(np.prod(self.shape)) != first[0]:
+            raise ValueError(f"a grid of the shape {self.shape} has not {first[0]} samples")
+
+    def __len__(self) -> int:
+        return len(next(iter(self.columns.values())))
+
+    def __getitem__(self, part: slice) -> list[dict[str, Any]]:
+        """Changes of a job, sample by sample."""
+        columns = {path: plain(values[part]) for path, values in self.columns.items()}
+        return [dict(zip(columns, row)) for row in zip(*columns.values())]
+
+    def chunks(self, size: int) -> Iterator[slice]:
+        """Parts of so many samples, in order."""
+        for begin in range(0, len(self), size):
+            yield slice(begin, min(begin + size, len(self)))
+
+    def digest(self) -> str:
+        """By which the same samples are known again."""
+        digest = hashlib.sha256()
+        for path, values in self.columns.items():
+            kept = values.astype("<f8").tobytes() if values.dtype.kind in "biuf" else json.dumps(plain(values)).encode()
+            digest.update(json.dumps([path, values.dtype.kind, len(values)]).encode() + kept)
+        return digest.hexdigest()
+
+    def __repr__(self) -> str:
+        return f"<Samples: {' x '.join(map(str, self.shape))} of {', '.join(self.columns)}>"
+
+
+def grid(axes: Mapping[str, ArrayLike]) -> Samples:
+    """Every combination; the last path runs fastest.
+
+    Args:
+        axes: Values by path, each of shape (values,).
+    """
+    values = [np.asarray(of) for of in axes.values()]
+    if any(of.ndim != 1 or of.size == 0 for of in values):
+        raise ValueError("every axis of a grid is an array of one axis with at least one value")
+    wide = np.meshgrid(*values, indexing="ij")
+    shape = tuple(of.size for of in values)
+    return Samples({path: of.ravel() for path, of in zip(axes, wide)}, shape)
+
+
+def table(columns: Any) -> Samples:
+    """The rows of a table: a mapping of columns, or anything with columns such as a data frame."""
+    if not isinstance(columns, Mapping):
+        columns = {str(name): np.asarray(columns[name]) for name in columns.columns}
+    return Samples(columns)
+
+
+def sobol(ranges: Mapping[str, Sequence[float]], count: int, *, seed: int = 0) -> Samples:
+    """Points of a scrambled Sobol sequence.
+
+    Args:
+        ranges: Least and largest value by path.
+        count: How many points; powers of two are balanced.
+        seed: Start of the scrambling; the same seed gives the same points.
+    """
+    import warnings
+
+    from scipy.stats import qmc
+
+    with warnings.catch_warnings():
+        # That only powers of two are balanced is said above.
+        warnings.simplefilter("ignore", UserWarning)
+        points = qmc.Sobol(len(ranges), rng=np.random.default_rng(seed)).random(count)
+    return _scaled(ranges, points)
+
+
+def latin_hypercube(ranges: Mapping[str, Sequence[float]], count: int, *, seed: int = 0) -> Samples:
+    """Points of a Latin hypercube; arguments as :func:`sobol`."""
+    from scipy.stats import qmc
+
+    return _scaled(ranges, qmc.LatinHypercube(len(ranges), rng=np.random.default_rng(seed)).random(count))
+
+
+def _scaled(ranges: Mapping[str, Sequence[float]], points: NDArray[np.float64]) -> Samples:
+    columns = {}
+    for k, (path, (low, high)) in enumerate(ranges.items()):
+        if not (np.isfinite(low) and np.isfinite(high) and low <= high):
+            raise ValueError(f"{path!r} has the range {low} to {high}: give two finite numbers in order")
+        columns[path] = low + (high - low) * points[:, k]
+    return Samples(columns)

@@ -1,0 +1,95 @@
+//! Findings of the library as exceptions of Python. Which class they are is decided there, from the exit status that the command would have.
+
+use flankwright::exchange::{Diagnostic, JobError, Source};
+use flankwright::geometry::GeometryError;
+use flankwright::workflow::{JobFailure, RunFailure};
+use pyo3::prelude::*;
+use serde_json::{Value, json};
+
+/// Why something has no result: the exit status that the command would have, and what was found.
+#[derive(Clone, Debug)]
+pub struct Failure {
+    exit: u8,
+    findings: Vec<Value>,
+    omitted: usize,
+}
+
+impl Failure {
+    /// Wrong input, in one finding.
+    pub fn bad_input(finding: &Diagnostic) -> Self {
+        Self::one(2, finding)
+    }
+
+    /// A fault of the program.
+    pub fn internal(message: impl Into<String>) -> Self {
+        let way_out = "this is a fault of flankwright: please report it with the job";
+        let finding = json!({ "code": "internal-error", "message": message.into(), "way_out": way_out });
+        Self { exit: 1, findings: vec![finding], omitted: 0 }
+    }
+
+    fn one(exit: u8, finding: &Diagnostic) -> Self {
+        Self { exit, findings: vec![told(finding, None)], omitted: 0 }
+    }
+
+    /// The same, told of one of many samples.
+    pub fn on_sample(mut self, sample: usize) -> Self {
+        for entries in self.findings.iter_mut().filter_map(Value::as_object_mut) {
+            entries.insert("sample".into(), sample.into());
+        }
+        self
+    }
+
+    /// The exception.
+    pub fn raised(&self, py: Python<'_>) -> PyErr {
+        let made = || -> PyResult<PyErr> {
+            let findings = Value::from(self.findings.clone()).to_string();
+            let raised = py.import("flankwright._errors")?.getattr("raised")?;
+            Ok(PyErr::from_value(raised.call1((self.exit, findings, self.omitted))?))
+        };
+        made().unwrap_or_else(|error| error)
+    }
+}
+
+fn told(finding: &Diagnostic, source: Option<&Source>) -> Value {
+    let mut told = serde_json::to_value(finding).unwrap_or_default();
+    let place = finding.span.as_ref().zip(source);
+    if let (Some((span, source)), Some(entries)) = (place, told.as_object_mut()) {
+        let (line, column) = source.line_column(span.start);
+        entries.insert("file".into(), source.name().into());
+        entries.insert("line".into(), line.into());
+        entries.insert("column".into(), column.into());
+    }
+    told
+}
+
+impl From<&JobError> for Failure {
+    fn from(error: &JobError) -> Self {
+        let findings = error.diagnostics.iter().map(|finding| told(finding, Some(&error.source))).collect();
+        Self { exit: 2, findings, omitted: error.omitted }
+    }
+}
+
+impl From<&RunFailure> for Failure {
+    fn from(failure: &RunFailure) -> Self {
+        match failure {
+            RunFailure::BadInput(finding) => Self::one(2, finding),
+            RunFailure::NotProducible(finding) => Self::one(4, finding),
+        }
+    }
+}
+
+impl From<&JobFailure> for Failure {
+    fn from(failure: &JobFailure) -> Self {
+        match failure {
+            JobFailure::File(error) => Self::from(&**error),
+            JobFailure::Job(failure) => Self::from(failure),
+        }
+    }
+}
+
+impl From<&GeometryError> for Failure {
+    fn from(error: &GeometryError) -> Self {
+        let finding = Diagnostic::with_code(error.code(), error.to_string());
+        Self::bad_input(&finding.way_out(error.way_out()))
+    }
+}

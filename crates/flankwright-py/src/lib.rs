@@ -1,0 +1,40 @@
+//! What Python calls: thin classes over the library, which compute nothing. The pleasant names are in `python/flankwright/`; what is here is
+//! private to them. Documents go over as JSON, numbers as NumPy arrays that Rust has filled.
+
+mod failure;
+mod forward;
+mod gear;
+mod inspection;
+mod job;
+mod modification;
+mod outcome;
+mod task;
+mod verify;
+mod watch;
+
+use pyo3::prelude::*;
+
+/// The extension module of the package `flankwright`.
+#[pymodule]
+mod _core {
+    #[pymodule_export]
+    use crate::forward::CoreForward;
+    #[pymodule_export]
+    use crate::gear::{CoreGear, CoreWorm};
+    #[pymodule_export]
+    use crate::inspection::{inspect, inspect_series};
+    #[pymodule_export]
+    use crate::job::{CoreJob, schema, template};
+    #[pymodule_export]
+    use crate::modification::CoreModification;
+    #[pymodule_export]
+    use crate::outcome::CoreResult;
+    #[pymodule_export]
+    use crate::task::{preview, preview_many, run, run_many, use_threads};
+    #[pymodule_export]
+    use crate::verify::verify;
+
+    /// The version of the program.
+    #[pymodule_export]
+    const VERSION: &str = env!("CARGO_PKG_VERSION");
+}

@@ -1,0 +1,111 @@
+//! Tasks on jobs, one by one and many at once.
+
+use flankwright::numerics::{Progress, Silent};
+use flankwright::workflow::{Preview, Task, carry_out, preview_job};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::PyList;
+use rayon::prelude::*;
+
+use crate::failure::Failure;
+use crate::job::CoreJob;
+use crate::outcome::{CoreResult, Held};
+use crate::watch::watched;
+
+fn task_of(name: &str) -> PyResult<Task> {
+    let known = Task::ALL.into_iter().find(|task| task.name() == name);
+    known.ok_or_else(|| PyValueError::new_err(format!("there is no task {name:?}")))
+}
+
+/// Carries a task out on a job.
+#[pyfunction]
+#[pyo3(signature = (task, job, progress=None))]
+pub fn run(
+    py: Python<'_>,
+    task: &str,
+    job: &Bound<'_, CoreJob>,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<CoreResult> {
+    let (task, job) = (task_of(task)?, job.get());
+    let done = watched(py, progress, |progress| {
+        carry_out(task, &job.job, progress).map_err(|failure| Failure::from(&failure))
+    })?;
+    done.map(|completed| CoreResult { held: Held::Completed(completed) })
+        .map_err(|failure| failure.raised(py))
+}
+
+/// Works on many jobs, on all cores; results and exceptions in the order of the jobs.
+fn many<'py, T: Send>(
+    py: Python<'py>,
+    jobs: &[Bound<'py, CoreJob>],
+    progress: Option<&Bound<'py, PyAny>>,
+    work: impl Fn(&CoreJob) -> Result<T, Failure> + Sync + Send,
+    made: impl Fn(T) -> PyResult<Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyList>> {
+    let shared: Vec<&CoreJob> = jobs.iter().map(Bound::get).collect();
+    let done: Vec<Result<T, Failure>> = watched(py, progress, |progress: &dyn Progress| {
+        progress.start("jobs", shared.len() as u64);
+        let one = |job: &&CoreJob| {
+            let done = work(job);
+            progress.advance(1);
+            done
+        };
+        let done = shared.par_iter().map(one).collect();
+        progress.finish();
+        done
+    })?;
+    let list = PyList::empty(py);
+    for one in done {
+        match one {
+            Ok(value) => list.append(made(value)?)?,
+            Err(failure) => list.append(failure.raised(py).into_value(py))?,
+        }
+    }
+    Ok(list)
+}
+
+/// Carries a task out on many jobs.
+#[pyfunction]
+#[pyo3(signature = (task, jobs, progress=None))]
+pub fn run_many<'py>(
+    py: Python<'py>,
+    task: &str,
+    jobs: Vec<Bound<'py, CoreJob>>,
+    progress: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyList>> {
+    let task = task_of(task)?;
+    let work = |job: &CoreJob| carry_out(task, &job.job, &Silent).map_err(|failure| Failure::from(&failure));
+    many(py, &jobs, progress, work, |completed| {
+        Ok(Bound::new(py, CoreResult { held: Held::Completed(completed) })?.into_any())
+    })
+}
+
+fn document(job: &CoreJob) -> Result<String, Failure> {
+    let preview: Preview = preview_job(&job.job).map_err(|failure| Failure::from(&failure))?;
+    serde_json::to_string(&preview).map_err(|error| Failure::internal(error.to_string()))
+}
+
+/// A plan without its referee, as JSON.
+#[pyfunction]
+pub fn preview(py: Python<'_>, job: &Bound<'_, CoreJob>) -> PyResult<String> {
+    let job = job.get();
+    py.detach(|| document(job)).map_err(|failure| failure.raised(py))
+}
+
+/// Plans of many jobs without their referee, as JSON.
+#[pyfunction]
+#[pyo3(signature = (jobs, progress=None))]
+pub fn preview_many<'py>(
+    py: Python<'py>,
+    jobs: Vec<Bound<'py, CoreJob>>,
+    progress: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyList>> {
+    many(py, &jobs, progress, document, |text| Ok(text.into_pyobject(py)?.into_any()))
+}
+
+/// Computes on so many threads, if nothing was computed before: workers of a cluster share their machine.
+#[pyfunction]
+pub fn use_threads(count: usize) {
+    // Once there are threads, there are as many as there are.
+    drop(rayon::ThreadPoolBuilder::new().num_threads(count.max(1)).build_global());
+}

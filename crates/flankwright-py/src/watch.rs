@@ -1,0 +1,103 @@
+//! Long computations under Python: they run beside the interpreter, tell how far they are, and end when the user presses Ctrl-C.
+
+use std::panic::resume_unwind;
+use std::sync::Mutex;
+use std::sync::PoisonError;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::thread;
+use std::time::Duration;
+
+use flankwright::numerics::Progress;
+use flankwright::workflow::cancel::{self, Ended};
+use pyo3::exceptions::PyKeyboardInterrupt;
+use pyo3::prelude::*;
+
+use crate::failure::Failure;
+
+/// How often the interpreter is asked whether to go on, and told how far the work is.
+const BREATH: Duration = Duration::from_millis(50);
+
+/// How far a computation is.
+#[derive(Default)]
+struct Told {
+    stage: String,
+    done: u64,
+    total: u64,
+}
+
+/// Keeps the last word for the interpreter: no thread of the work waits for it.
+#[derive(Default)]
+struct Kept(Mutex<Told>);
+
+impl Kept {
+    fn with<T>(&self, change: impl FnOnce(&mut Told) -> T) -> T {
+        change(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+}
+
+impl Progress for Kept {
+    fn start(&self, stage: &str, total: u64) {
+        self.with(|told| *told = Told { stage: stage.to_owned(), done: 0, total });
+    }
+
+    fn advance(&self, n: u64) {
+        self.with(|told| told.done += n);
+    }
+
+    fn finish(&self) {
+        self.with(|told| told.done = told.total);
+    }
+}
+
+/// Carries work out without the interpreter. `listener` is called with stage, steps done and steps of it, now and then.
+///
+/// # Errors
+/// What the listener raises; Ctrl-C; a fault of the program.
+pub fn watched<T: Send>(
+    py: Python<'_>,
+    listener: Option<&Bound<'_, PyAny>>,
+    work: impl FnOnce(&dyn Progress) -> T + Send,
+) -> PyResult<T> {
+    let (cancelled, kept) = (AtomicBool::new(false), Kept::default());
+    let listener = listener.map(|listener| listener.clone().unbind());
+    let asked = |py: Python<'_>| -> PyResult<()> {
+        py.check_signals()?;
+        if let Some(listener) = &listener {
+            let (stage, done, total) = kept.with(|told| (told.stage.clone(), told.done, told.total));
+            if !stage.is_empty() {
+                listener.call1(py, (stage, done, total))?;
+            }
+        }
+        Ok(())
+    };
+    let (ended, refused) = py.detach(|| {
+        thread::scope(|scope| {
+            let (tell, heard) = channel();
+            let (cancelled, kept) = (&cancelled, &kept);
+            scope.spawn(move || drop(tell.send(cancel::run(cancelled, kept, work))));
+            let mut refused = None;
+            loop {
+                match heard.recv_timeout(BREATH) {
+                    Ok(ended) => return (ended, refused),
+                    Err(RecvTimeoutError::Timeout) if refused.is_none() => {
+                        if let Err(error) = Python::attach(asked) {
+                            cancelled.store(true, Ordering::Relaxed);
+                            refused = Some(error);
+                        }
+                    }
+                    Err(RecvTimeoutError::Timeout) => {}
+                    Err(RecvTimeoutError::Disconnected) => resume_unwind(Box::new("the work is gone")),
+                }
+            }
+        })
+    });
+    if let Some(error) = refused {
+        return Err(error);
+    }
+    match ended {
+        Ended::Done(value) => Ok(value),
+        Ended::Cancelled => Err(PyKeyboardInterrupt::new_err(())),
+        Ended::Failed(words) => Err(Failure::internal(words).raised(py)),
+    }
+}

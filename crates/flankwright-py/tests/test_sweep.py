@@ -1,0 +1,141 @@
+"""Sweeps: samples, outputs, folders that go on where they were, a cluster of processes."""
+
+import os
+import signal
+import threading
+from pathlib import Path
+from typing import Any
+
+import flankwright as fw
+import numpy as np
+import pytest
+from flankwright import sweep
+
+EXAMPLES = Path(__file__).parents[3] / "examples"
+OUTPUTS = {
+    "ratio": "settings.diagonal_ratio",
+    "off": "flanks.left.max_deviation_um",
+    "planned": lambda preview: preview.flanks["left"].planned,
+}
+NUMBERS = {name: OUTPUTS[name] for name in ("ratio", "off")}
+
+
+@pytest.fixture(scope="module")
+def job() -> fw.Job:
+    return fw.Job.load(EXAMPLES / "twist-free-crowning.toml").replace({"grid": {"profile_points": 5, "helix_points": 5}})
+
+
+@pytest.fixture(scope="module")
+def samples() -> sweep.Samples:
+    return sweep.grid({"target.modifications[0].amount_um": [5.0, 10.0, 15.0], "worm.threads": [1, 2]})
+
+
+def same(one: dict[str, Any], other: dict[str, Any]) -> None:
+    assert one.keys() == other.keys()
+    for name in one:
+        np.testing.assert_array_equal(one[name], other[name], err_msg=name)
+
+
+def test_samples_are_what_they_say() -> None:
+    assert sweep.grid({"a": [1, 2], "b": [1.0, 2.0, 3.0]}).columns["b"].tolist() == [1.0, 2.0, 3.0] * 2
+    for made in (sweep.sobol, sweep.latin_hypercube):
+        points = made({"a": (0.0, 2.0), "b": (-1.0, 1.0)}, 64, seed=3)
+        assert len(points) == 64 and points.digest() == made({"a": (0.0, 2.0), "b": (-1.0, 1.0)}, 64, seed=3).digest()
+        assert points.columns["a"].min() >= 0.0 and abs(points.columns["a"].mean() - 1.0) < 0.1
+        assert points.digest() != made({"a": (0.0, 2.0), "b": (-1.0, 1.0)}, 64, seed=4).digest()
+    assert len(sweep.table({"a": ["x", "y"]})) == 2
+    for wrong in ({}, {"a": [1.0], "b": [1.0, 2.0]}, {"a": [np.nan]}, {"a": [1j]}):
+        with pytest.raises(ValueError):
+            sweep.table(wrong)
+    with pytest.raises(ValueError):
+        sweep.sobol({"a": (1.0, 0.0)}, 4)
+
+
+def test_a_sweep_has_the_numbers_of_each_job(job: fw.Job, samples: sweep.Samples) -> None:
+    found = sweep.run(job, samples, OUTPUTS, progress=False)
+    assert found["planned"].shape == (6, 5, 5) and (found["error"] == "").all()
+    for k, change in enumerate(samples[0:6]):
+        alone = fw.preview(job.replace(change))
+        assert found["ratio"][k] == alone.settings["diagonal_ratio"]
+        np.testing.assert_array_equal(found["planned"][k], alone.flanks["left"].planned)
+    labelled = found.to_xarray()
+    assert labelled["ratio"].dims == ("target.modifications[0].amount_um", "worm.threads")
+    np.testing.assert_array_equal(labelled["planned"].sel({"worm.threads": 2})[1], found["planned"][3])
+
+
+def test_refused_samples_stay_with_their_code(job: fw.Job) -> None:
+    found = sweep.run(job, sweep.table({"gear.teeth": [19, 0, 21]}), NUMBERS, progress=False)
+    assert found["error"].tolist() == ["", "invalid-number", ""] and np.isnan(found["ratio"][1])
+
+
+@pytest.mark.parametrize("form", ["parquet", "zarr"])
+def test_a_finished_chunk_is_never_computed_again(
+    job: fw.Job, samples: sweep.Samples, tmp_path: Path, form: Any
+) -> None:
+    outputs = NUMBERS if form == "parquet" else OUTPUTS
+    whole = sweep.run(job, samples, outputs, progress=False)
+    calls: list[int] = []
+
+    def counted(preview: fw.Preview) -> float:
+        calls.append(1)
+        if len(calls) == 4:
+            raise KeyboardInterrupt
+        return float(preview.settings["diagonal_ratio"])
+
+    wanted = {**outputs, "counted": counted}
+    folder = tmp_path / "sweep"
+    with pytest.raises(KeyboardInterrupt):
+        sweep.run(job, samples, wanted, folder=folder, form=form, chunk=2, progress=False)
+    assert len(sweep.load(folder)["ratio"]) == 2, "the chunk that was finished"
+    found = sweep.run(job, samples, wanted, folder=folder, form=form, chunk=2, progress=False)
+    # Two of the first chunk, two until the interruption, four of the rest.
+    assert len(calls) == 2 + 2 + 4
+    for name in outputs:
+        np.testing.assert_array_equal(found[name], whole[name])
+    same(sweep.load(folder), found.columns)
+    sweep.run(job, samples, wanted, folder=folder, form=form, chunk=2, progress=False)
+    assert len(calls) == 8
+    assert not [path for path in folder.rglob("*.part")]
+    with pytest.raises(ValueError, match="another sweep"):
+        sweep.run(job.replace({"target.tolerance_um": 3.0}), samples, wanted, folder=folder, form=form, chunk=2, progress=False)
+
+
+def test_parquet_keeps_no_arrays(job: fw.Job, samples: sweep.Samples, tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match="Zarr keeps arrays"):
+        sweep.run(job, samples, OUTPUTS, folder=tmp_path / "x", progress=False)
+
+
+def test_a_forward_model_is_swept(job: fw.Job) -> None:
+    forward = fw.Forward(job, profile_points=5, helix_points=5)
+    samples = sweep.latin_hypercube({"radial_feed_0_um": (-2.0, 2.0), "crossing_angle_deg": (-1e-3, 1e-3)}, 40)
+    found = sweep.run(forward, samples, {"largest": lambda flanks: np.abs(flanks).max()}, chunk=16, progress=False)
+    whole = forward(samples.columns)
+    np.testing.assert_array_equal(found["largest"], np.abs(whole).max(axis=(1, 2, 3)))
+
+
+def test_a_cluster_of_processes_gives_the_same_bits_though_a_worker_dies(
+    job: fw.Job, samples: sweep.Samples, tmp_path: Path
+) -> None:
+    from distributed import Client, LocalCluster
+
+    wide = sweep.grid({"target.modifications[0].amount_um": np.linspace(4.0, 20.0, 60), "worm.threads": [1, 2]})
+    here = sweep.run(job, wide, OUTPUTS, chunk=8, progress=False)
+    with (
+        LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster,
+        Client(cluster) as client,
+    ):
+        killed: list[int] = []
+
+        def first_dies() -> None:
+            pid = next(iter(client.run(os.getpid).values()))
+            killed.append(pid)
+            os.kill(pid, signal.SIGKILL)
+
+        timer = threading.Timer(1.0, first_dies)
+        timer.start()
+        there = sweep.run(
+            job, wide, OUTPUTS, folder=tmp_path / "z", form="zarr", chunk=8, client=client, progress=False
+        )
+        timer.join()
+        assert killed, "the sweep was over before a worker was killed"
+    same(there.columns, here.columns)
