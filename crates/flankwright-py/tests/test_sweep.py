@@ -64,7 +64,7 @@ def test_a_sweep_has_the_numbers_of_each_job(job: fw.Job, samples: sweep.Samples
 
 
 def test_refused_samples_stay_with_their_code(job: fw.Job) -> None:
-    found = sweep.run(job, sweep.table({"gear.teeth": [19, 0, 21]}), NUMBERS, progress=False)
+    found = sweep.run(job, sweep.table({"worm.threads": [1, 0, 2]}), NUMBERS, progress=False)
     assert found["error"].tolist() == ["", "invalid-number", ""] and np.isnan(found["ratio"][1])
 
 

@@ -231,7 +231,7 @@ class Modification:
         flank: Side = "left",
     ) -> None:
         terms = [specs] if isinstance(specs, Mapping) else list(specs)
-        spec = terms[0] if len(terms) == 1 else {"kind": "composite", "terms": terms}
+        spec = terms[0] if len(terms) == 1 else {"kind": "sum", "children": terms}
         roll = sorted(gear.length_of_roll(d, flank) for d in (start_diameter, end_diameter))
         self._core = _core.CoreModification(
             json.dumps(plain(spec)),

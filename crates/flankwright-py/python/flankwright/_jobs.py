@@ -159,7 +159,8 @@ class Job:
             self._tree = self.tree
         named = {path.replace("__", "."): value for path, value in more.items()}
         tree = _paths.changed(self._tree, plain({**(changes or {}), **named}))
-        return self._of(_core.CoreJob(json.dumps(tree), self.source))
+        # Its files lie where they lay; what it is written in shows from the name.
+        return self._of(_core.CoreJob(json.dumps(tree), str(Path(self.source).with_suffix(".json"))))
 
     def check(self) -> Derived:
         """What follows from the job before anything is planned.

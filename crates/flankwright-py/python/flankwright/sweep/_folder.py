@@ -72,13 +72,12 @@ class Folder:
         root: Any = zarr.open_group(self.path / f"{group}.zarr", mode="a")
         for name, values in columns.items():
             if name not in root:
-                width = "<U64" if values.dtype.kind == "U" else values.dtype
                 root.create_array(
                     name,
                     shape=(count, *values.shape[1:]),
                     chunks=(min(self.chunk, count), *values.shape[1:]),
-                    dtype=width,
-                    fill_value="" if values.dtype.kind == "U" else np.nan,
+                    dtype=str if values.dtype.kind == "U" else values.dtype,
+                    fill_value={"U": "", "f": np.nan}.get(values.dtype.kind, 0),
                 )
             root[name][start : start + len(values)] = values
 
