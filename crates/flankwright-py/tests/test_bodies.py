@@ -29,10 +29,10 @@ def test_points_lie_on_the_involute() -> None:
     gear = fw.Gear(31, 2.0, (20.0, 25.0), 15.0)
     for flank in ("left", "right"):
         w, z = np.linspace(2.0, 9.0, 5)[:, None], np.linspace(-10.0, 10.0, 7)
-        points, normals = gear.points(w, z, flank), gear.normals(w, z, flank)  # type: ignore[arg-type]
+        points, normals = gear.points(w, z, flank), gear.normals(w, z, flank)
         assert points.shape == normals.shape == (5, 7, 3)
         radius = np.hypot(points[..., 0], points[..., 1])
-        np.testing.assert_allclose(radius, np.hypot(gear.base_diameter(flank) / 2, np.broadcast_to(w, (5, 7))), rtol=1e-13)  # type: ignore[arg-type]
+        np.testing.assert_allclose(radius, np.hypot(gear.base_diameter(flank) / 2, np.broadcast_to(w, (5, 7))), rtol=1e-13)
         np.testing.assert_allclose(np.linalg.norm(normals, axis=-1), 1.0, rtol=1e-14)
     with pytest.raises(fw.BadInput):
         gear.base_diameter("upper")  # type: ignore[arg-type]

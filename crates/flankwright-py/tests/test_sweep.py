@@ -12,12 +12,12 @@ import pytest
 from flankwright import sweep
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
-OUTPUTS = {
+OUTPUTS: dict[str, sweep.Output] = {
     "ratio": "settings.diagonal_ratio",
     "off": "flanks.left.max_deviation_um",
     "planned": lambda preview: preview.flanks["left"].planned,
 }
-NUMBERS = {name: OUTPUTS[name] for name in ("ratio", "off")}
+NUMBERS: dict[str, sweep.Output] = {name: OUTPUTS[name] for name in ("ratio", "off")}
 
 
 @pytest.fixture(scope="module")
@@ -82,7 +82,7 @@ def test_a_finished_chunk_is_never_computed_again(
             raise KeyboardInterrupt
         return float(preview.settings["diagonal_ratio"])
 
-    wanted = {**outputs, "counted": counted}
+    wanted: dict[str, sweep.Output] = {**outputs, "counted": counted}
     folder = tmp_path / "sweep"
     with pytest.raises(KeyboardInterrupt):
         sweep.run(job, samples, wanted, folder=folder, form=form, chunk=2, progress=False)
@@ -121,8 +121,10 @@ def test_a_cluster_of_processes_gives_the_same_bits_though_a_worker_dies(
     wide = sweep.grid({"target.modifications[0].amount_um": np.linspace(4.0, 20.0, 60), "worm.threads": [1, 2]})
     here = sweep.run(job, wide, OUTPUTS, chunk=8, progress=False)
     with (
-        LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster,
-        Client(cluster) as client,
+        LocalCluster(  # type: ignore[no-untyped-call]
+            n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None
+        ) as cluster,
+        Client(cluster) as client,  # type: ignore[no-untyped-call]
     ):
         killed: list[int] = []
 
