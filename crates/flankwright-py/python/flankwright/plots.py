@@ -1,5 +1,7 @@
 """Pictures in the conventions of inspection sheets, with matplotlib: nets, maps, profile and helix diagrams. Ochre is material left, blue is
 material removed; lines are solid above zero and dashed below, so that they read in black and white.
+
+Every function returns a figure that no window holds: a notebook shows it, ``figure.savefig("flank.png")`` keeps it.
 """
 
 from __future__ import annotations
@@ -58,15 +60,13 @@ def contour(of: Result | Flanks | FlankValues, shown: Shown = "deviation", *, le
     Returns:
         The figure.
     """
-    import matplotlib.pyplot as plt
     from matplotlib.ticker import MaxNLocator
 
     flanks = _flanks(of)
     largest = max(float(np.abs(_values(flank, shown)).max()) for flank in flanks) or 1.0
     lines = MaxNLocator(levels, symmetric=True).tick_values(-largest, largest)
-    figure, axes = plt.subplots(
-        1, len(flanks), figsize=(5.2 * len(flanks) + 1, 4), sharey=True, layout="constrained", squeeze=False
-    )
+    figure = _figure(figsize=(5.2 * len(flanks) + 1, 4), layout="constrained")
+    axes = figure.subplots(1, len(flanks), sharey=True, squeeze=False)
     filled: Any = None
     for flank, ax in zip(flanks, axes[0]):
         values = _values(flank, shown)
@@ -101,25 +101,33 @@ def net(
     Returns:
         The figure.
     """
-    import matplotlib.pyplot as plt
-
     flanks = _flanks(of)
     largest = max(float(np.abs(_values(flank, shown)).max()) for flank in flanks) or 1.0
     width = max(float(np.ptp(flank.z)) for flank in flanks)
     if magnification is None:
-        magnification = _round(0.25 * width / (largest * 1e-3))
-    figure = plt.figure(figsize=(5.2 * len(flanks), 4.2), layout="constrained")
+        magnification = _round(0.4 * width / (largest * 1e-3))
+    figure = _figure(figsize=(5.2 * len(flanks), 4.2), layout="constrained")
     for k, flank in enumerate(flanks):
         ax: Any = figure.add_subplot(1, len(flanks), k + 1, projection="3d")
         z, w = np.meshgrid(flank.z, flank.w)
         values = _values(flank, shown)
-        ax.plot_wireframe(z, w, np.zeros_like(z), color="0.75", linewidth=0.4)
-        ax.plot_wireframe(z, w, values * 1e-3 * magnification, color="black", linewidth=0.7)
-        ax.set_box_aspect((np.ptp(flank.z), np.ptp(flank.w), 0.6 * width))
-        ax.set_zlim(-0.3 * width, 0.3 * width)
+        few = {"rcount": 13, "ccount": 17}
+        ax.plot_wireframe(z, w, np.zeros_like(z), color="0.75", linewidth=0.4, **few)
+        ax.plot_wireframe(z, w, values * 1e-3 * magnification, color="black", linewidth=0.7, **few)
+        ax.set_box_aspect((np.ptp(flank.z), np.ptp(flank.w), 0.8 * width))
+        ax.set_zlim(-0.5 * width, 0.5 * width)
         ax.set_zticks([])
         ax.set(title=f"{flank.name} flank, |f| ≤ {np.abs(values).max():.3g} µm", xlabel="z [mm]", ylabel="w [mm]")
     figure.suptitle(f"{_TITLES[shown]}, heights {magnification:g} : 1")
+    return figure
+
+
+def _figure(**how: Any) -> Figure:
+    """A figure that notebooks show once, as what a cell returns: no window holds it."""
+    import matplotlib.pyplot as plt
+
+    figure: Figure = plt.figure(**how)
+    plt.close(figure)
     return figure
 
 
@@ -139,11 +147,10 @@ def diagrams(of: Result | Flanks | FlankValues, shown: Iterable[Shown] = ("targe
     Returns:
         The figure.
     """
-    import matplotlib.pyplot as plt
-
     flanks = _flanks(of)
     dashes = {"target": "--", "planned": "-.", "simulated": "-", "deviation": ":"}
-    figure, axes = plt.subplots(2, len(flanks), figsize=(4.6 * len(flanks), 6.4), layout="constrained", squeeze=False)
+    figure = _figure(figsize=(4.6 * len(flanks), 6.4), layout="constrained")
+    axes = figure.subplots(2, len(flanks), squeeze=False)
     for k, flank in enumerate(flanks):
         profile, helix = axes[0][k], axes[1][k]
         for what in shown:
