@@ -3,7 +3,7 @@
 CARGO ?= cargo
 DEMO ?= examples/twist-free-crowning.toml
 
-.PHONY: demo test fuzz setup web browser api-fuzz load format check instructions milling-speed clean
+.PHONY: demo test fuzz setup web python notebooks browser api-fuzz load format check instructions milling-speed clean
 
 setup:
 	@scripts/setup
@@ -27,9 +27,16 @@ test: setup
 	$(CARGO) clippy --workspace --all-targets -- -D warnings
 	@scripts/web test
 	$(CARGO) test --workspace --no-fail-fast
+	@scripts/python test
+	@scripts/notebooks
 	@PROGRAM=target/debug/flankwright scripts/browser
 	@PROGRAM=target/debug/flankwright scripts/api-fuzz
 	@FUZZ_SEED=1 scripts/fuzz 60
+
+# The Python package in an environment of its own, and its notebooks carried out.
+python notebooks: setup
+	@scripts/python
+	@[ $@ = python ] || scripts/notebooks
 
 # Ten minutes for each reader of files, as many at once as there are processors.
 fuzz: setup
