@@ -20,6 +20,11 @@ impl Failure {
         Self::one(2, finding)
     }
 
+    /// Wrong input, or a limit of the bodies.
+    pub fn of_bodies(is_bad_input: bool, finding: &Diagnostic) -> Self {
+        Self::one(if is_bad_input { 2 } else { 4 }, finding)
+    }
+
     /// A fault of the program.
     pub fn internal(message: impl Into<String>) -> Self {
         let way_out = "this is a fault of flankwright: please report it with the job";

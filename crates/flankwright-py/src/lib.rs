@@ -8,6 +8,7 @@ mod inspection;
 mod job;
 mod modification;
 mod outcome;
+mod tangential;
 mod task;
 mod verify;
 mod watch;
@@ -29,6 +30,8 @@ mod _core {
     use crate::modification::CoreModification;
     #[pymodule_export]
     use crate::outcome::CoreResult;
+    #[pymodule_export]
+    use crate::tangential::CoreTangential;
     #[pymodule_export]
     use crate::task::{preview, preview_many, run, run_many, use_threads};
     #[pymodule_export]

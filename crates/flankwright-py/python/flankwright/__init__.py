@@ -17,6 +17,7 @@ from ._errors import BadInput, FlankwrightError, InternalError, NotProducible
 from ._forward import Forward
 from ._jobs import Derived, Job, Quantity, Remark, schema
 from ._results import Flanks, FlankValues, Result
+from ._tangential import TangentialModel
 from ._tasks import (
     Preview,
     explore,
@@ -46,6 +47,7 @@ __all__ = [
     "Quantity",
     "Remark",
     "Result",
+    "TangentialModel",
     "Worm",
     "__version__",
     "explore",
