@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use flankwright::workflow::inspection::series::{InspectionSeries, write_inspection_series};
-use flankwright::workflow::{Completed, JobResult};
+use flankwright::workflow::{Completed, FlankResult};
 use numpy::ndarray::Array2;
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pyo3::exceptions::PyOSError;
@@ -67,12 +67,17 @@ impl CoreResult {
 
     /// The flanks of a ground gear: name, then `w`, `z` (mm) and `target`, `planned`, `simulated` (um, normal) over them.
     fn flanks<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let all = PyDict::new(py);
-        let of: Option<&JobResult> = match &self.held {
-            Held::Completed(Completed::Grinding(_, outcome, _)) => Some(&outcome.result),
-            _ => None,
+        let flanks: Vec<(&str, &FlankResult)> = match &self.held {
+            Held::Completed(Completed::Grinding(_, outcome, _)) => {
+                outcome.result.flanks.iter().map(|(name, flank)| (*name, flank)).collect()
+            }
+            Held::Completed(Completed::Tangential(_, outcome)) => {
+                outcome.result.flanks.iter().map(|(name, of)| (*name, &of.flank)).collect()
+            }
+            Held::Completed(_) | Held::Series(_) => Vec::new(),
         };
-        for (name, flank) in of.into_iter().flat_map(|result| &result.flanks) {
+        let all = PyDict::new(py);
+        for (name, flank) in flanks {
             let one = PyDict::new(py);
             one.set_item("w", PyArray1::from_slice(py, &flank.w_mm))?;
             one.set_item("z", PyArray1::from_slice(py, &flank.z_mm))?;
