@@ -10,6 +10,7 @@
 import flankwright as fw
 import matplotlib.pyplot as plt
 import numpy as np
+from flankwright import plots
 
 job = fw.Job.load("../examples/inspection/closed-loop.toml")
 job["inspection.simulated"]
@@ -30,7 +31,7 @@ for column, one in enumerate(rounds):
     for row, (name, flank) in enumerate(one["flanks"].items()):
         ax = axes[row][column]
         deviation = np.array(flank["measured_um"]) - flank["target_um"]
-        filled = ax.contourf(flank["z_mm"], flank["w_mm"], np.clip(deviation, -largest, largest), levels=levels, cmap="cividis")
+        filled = ax.contourf(flank["z_mm"], flank["w_mm"], np.clip(deviation, -largest, largest), levels=levels, cmap=plots.COLOURS)
         rms = np.sqrt(np.mean(deviation**2))
         ax.set(title=f"round {one['round']}, {name} flank: rms {rms:.2f} µm", xlabel="z [mm]", ylabel="w [mm]")
 figure.colorbar(filled, ax=axes, label="measured less target, normal [µm]")

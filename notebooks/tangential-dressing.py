@@ -61,6 +61,9 @@ pictures = fine.sensitivities(NINE)
 figure, axes = plt.subplots(3, 3, figsize=(9, 7), sharex=True, sharey=True, layout="constrained")
 for name, ax in zip(NINE, axes.flat):
     values = pictures[name] * 1e-3
+    if np.ptp(values) < 1e-9:
+        ax.set_title(f"{name}: {values.mean() + 0.0:.3g} µm/µm everywhere", fontsize=9)
+        continue
     lines = ax.contour(fine.z, fine.w, values, levels=9, colors="black", linewidths=0.7, negative_linestyles="dashed")
     ax.clabel(lines, fontsize=6)
     ax.set_title(f"{name}: {values.min():.3g} to {values.max():.3g} µm/µm", fontsize=9)

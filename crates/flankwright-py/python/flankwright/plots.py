@@ -10,6 +10,7 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
+from matplotlib.colors import LinearSegmentedColormap
 
 from ._results import Array, Flanks, FlankValues, Result
 
@@ -18,7 +19,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Shown = Literal["target", "planned", "simulated", "deviation"]
-_COLOURS = ("#1f4e79", "#9dc3e6", "#ffffff", "#f3d19c", "#b45f06")
+COLOURS = LinearSegmentedColormap.from_list("flank", ("#1f4e79", "#9dc3e6", "#ffffff", "#f3d19c", "#b45f06"))
+"""From material removed (blue) to material left (ochre); for matplotlib, around zero."""
 _TITLES: Mapping[str, str] = {
     "target": "Target",
     "planned": "Planned",
@@ -43,12 +45,6 @@ def _flanks(of: Result | Flanks | FlankValues) -> list[FlankValues]:
     return found
 
 
-def _colours() -> Any:
-    from matplotlib.colors import LinearSegmentedColormap
-
-    return LinearSegmentedColormap.from_list("flank", _COLOURS)
-
-
 def contour(of: Result | Flanks | FlankValues, shown: Shown = "deviation", *, levels: int = 11) -> Figure:
     """Contour maps over axial position and length of roll.
 
@@ -70,7 +66,7 @@ def contour(of: Result | Flanks | FlankValues, shown: Shown = "deviation", *, le
     filled: Any = None
     for flank, ax in zip(flanks, axes[0]):
         values = _values(flank, shown)
-        filled = ax.contourf(flank.z, flank.w, values, levels=lines, cmap=_colours())
+        filled = ax.contourf(flank.z, flank.w, values, levels=lines, cmap=COLOURS)
         drawn = ax.contour(
             flank.z,
             flank.w,
