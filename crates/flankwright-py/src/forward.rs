@@ -3,15 +3,15 @@
 use flankwright::exchange::Diagnostic;
 use flankwright::geometry::Flank;
 use flankwright::workflow::{Deviation, ForwardModel};
-use numpy::ndarray::{Array1, Array4, Axis};
+use numpy::ndarray::Array4;
 use numpy::{IntoPyArray, PyArray1, PyArray4, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use rayon::prelude::*;
 
 use crate::failure::Failure;
 use crate::job::CoreJob;
 use crate::outcome::array;
+use crate::samples::of_samples;
 use crate::watch::watched;
 
 /// A planned process, ready to be run with deviations.
@@ -20,9 +20,6 @@ pub struct CoreForward {
     model: ForwardModel,
     flanks: Vec<Flank>,
 }
-
-/// Samples whose first failure ends the rest.
-type Rows = Result<Vec<Vec<f64>>, (usize, Failure)>;
 
 impl CoreForward {
     fn columns(&self, py: Python<'_>, names: &[String]) -> PyResult<Vec<Deviation>> {
@@ -97,30 +94,18 @@ impl CoreForward {
         let shape = self.flanks.first().and_then(|&flank| self.model.target()[flank].as_ref());
         let [nw, nz] = shape.map_or([0, 0], |target| [target.w.len(), target.z.len()]);
         let each = self.flanks.len() * nw * nz;
-        let one = |(k, row): (usize, Array1<f64>)| {
-            let deviations: Vec<(Deviation, f64)> = columns.iter().copied().zip(row).collect();
-            let ground = self.model.flanks(&deviations).map_err(|failure| (k, Failure::from(&failure)))?;
+        let values = of_samples(py, progress, samples, |row| {
+            let deviations: Vec<(Deviation, f64)> =
+                columns.iter().copied().zip(row.iter().copied()).collect();
+            let ground = self.model.flanks(&deviations).map_err(|failure| Failure::from(&failure))?;
             let mut values = Vec::with_capacity(each);
             for &flank in &self.flanks {
                 values.extend(ground[flank].iter().flatten().map(|f| f * 1e3));
             }
             Ok(values)
-        };
-        let rows: Vec<(usize, Array1<f64>)> =
-            samples.axis_iter(Axis(0)).map(|row| row.to_owned()).enumerate().collect();
-        let count = rows.len();
-        let values = watched(py, progress, |progress| -> Rows {
-            progress.start("samples", count as u64);
-            let told = |row| {
-                let done = one(row);
-                progress.advance(1);
-                done
-            };
-            rows.into_par_iter().map(told).collect()
         })?;
-        let values = values.map_err(|(k, failure)| failure.on_sample(k).raised(py))?;
-        let shape = (count, self.flanks.len(), nw, nz);
-        let values = Array4::from_shape_vec(shape, values.concat());
+        let shape = (samples.nrows(), self.flanks.len(), nw, nz);
+        let values = Array4::from_shape_vec(shape, values);
         let values = values.map_err(|error| Failure::internal(error.to_string()).raised(py))?;
         Ok(values.into_pyarray(py))
     }

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use flankwright::exchange::inspection::{DatumFace, SlopeReference};
 use flankwright::exchange::{AnyJob, Diagnostic};
 use flankwright::geometry::Sides;
+use flankwright::numerics::Progress;
 use flankwright::workflow::inspection::series::{
     SeriesOptions, inspect_series as evaluate, measured_parts_in,
 };
@@ -65,8 +66,8 @@ pub fn inspect(
 ) -> PyResult<CoreResult> {
     let statements = statements(stated).map_err(|failure| failure.raised(py))?;
     let job = job.map(Bound::get);
-    let done = watched(py, progress, |progress| -> Result<Completed, JobFailure> {
-        Ok(match job.map(|job| &job.job) {
+    let work = |progress: &dyn Progress| -> Result<Held, JobFailure> {
+        Ok(Held::Completed(match job.map(|job| &job.job) {
             None => Completed::Inspection(Box::new(inspect_gear(&file, &statements)?)),
             Some(AnyJob::Skiving(loaded)) => {
                 Completed::Skiving(loaded.clone(), Box::new(inspect_skiving(loaded, &file, progress)?))
@@ -84,10 +85,10 @@ pub fn inspect(
                     finding.way_out("leave the job out, or take the one by which the part was made");
                 return Err(flankwright::workflow::RunFailure::bad_input(finding).into());
             }
-        })
-    })?;
-    let completed = done.map_err(|failure| Failure::from(&failure).raised(py))?;
-    Ok(CoreResult { held: Held::Completed(completed) })
+        }))
+    };
+    let done = watched(py, progress, |progress| CoreResult::of(|| work(progress)))?;
+    done.map_err(|failure| Failure::from(&failure).raised(py))
 }
 
 /// Evaluates a folder of measurements as a series.
@@ -100,7 +101,7 @@ pub fn inspect_series(
     tolerance_class: Option<i32>,
 ) -> PyResult<CoreResult> {
     let statements = statements(stated).map_err(|failure| failure.raised(py))?;
-    let series = watched(py, None, |_| {
+    let work = || -> Result<Held, JobFailure> {
         let found = measured_parts_in(&folder)?;
         let options = SeriesOptions {
             sheet: SheetOptions { tolerance_class, ..SheetOptions::default() },
@@ -108,8 +109,8 @@ pub fn inspect_series(
             left_out: found.left_out,
             ..SeriesOptions::default()
         };
-        evaluate(&found.parts, &options)
-    })?;
-    let series = series.map_err(|failure| Failure::from(&failure).raised(py))?;
-    Ok(CoreResult { held: Held::Series(Box::new(series)) })
+        Ok(Held::Series(Box::new(evaluate(&found.parts, &options)?)))
+    };
+    let done = watched(py, None, |_| CoreResult::of(work))?;
+    done.map_err(|failure| Failure::from(&failure).raised(py))
 }

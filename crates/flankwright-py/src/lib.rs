@@ -1,13 +1,18 @@
 //! What Python calls: thin classes over the library, which compute nothing. The pleasant names are in `python/flankwright/`; what is here is
 //! private to them. Documents go over as JSON, numbers as NumPy arrays that Rust has filled.
 
+mod dressing;
 mod failure;
 mod forward;
 mod gear;
+mod gearbox;
 mod inspection;
 mod job;
+mod measuring;
+mod milling;
 mod modification;
 mod outcome;
+mod samples;
 mod tangential;
 mod task;
 mod verify;
@@ -19,13 +24,21 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _core {
     #[pymodule_export]
+    use crate::dressing::CoreDresser;
+    #[pymodule_export]
     use crate::forward::CoreForward;
     #[pymodule_export]
     use crate::gear::{CoreGear, CoreWorm};
     #[pymodule_export]
+    use crate::gearbox::CoreGearbox;
+    #[pymodule_export]
     use crate::inspection::{inspect, inspect_series};
     #[pymodule_export]
     use crate::job::{CoreJob, schema, template};
+    #[pymodule_export]
+    use crate::measuring::CoreMeasuring;
+    #[pymodule_export]
+    use crate::milling::CoreMilling;
     #[pymodule_export]
     use crate::modification::CoreModification;
     #[pymodule_export]

@@ -1,6 +1,7 @@
 //! What a task came to.
 
 use std::path::PathBuf;
+use std::time::Instant;
 
 use flankwright::workflow::inspection::series::{InspectionSeries, write_inspection_series};
 use flankwright::workflow::{Completed, FlankResult};
@@ -17,6 +18,9 @@ use crate::failure::Failure;
 pub struct CoreResult {
     /// What it came to.
     pub held: Held,
+    /// How long that took, s.
+    #[pyo3(get)]
+    pub seconds: f64,
 }
 
 /// What tasks come to.
@@ -33,6 +37,17 @@ pub fn array(rows: &[Vec<f64>]) -> Option<Array2<f64>> {
     let columns = rows.first().map_or(0, Vec::len);
     let flat: Vec<f64> = rows.iter().flatten().copied().collect();
     Array2::from_shape_vec((rows.len(), columns), flat).ok()
+}
+
+impl CoreResult {
+    /// Carries work out and takes the time.
+    ///
+    /// # Errors
+    /// That of the work.
+    pub fn of<E>(work: impl FnOnce() -> Result<Held, E>) -> Result<Self, E> {
+        let begun = Instant::now();
+        work().map(|held| Self { held, seconds: begun.elapsed().as_secs_f64() })
+    }
 }
 
 #[pymethods]

@@ -9,15 +9,14 @@ use flankwright::process::tangential_dressing::{
     Variable,
 };
 use flankwright::workflow::tangential::{TangentialPrepared, prepare_tangential};
-use numpy::ndarray::{Array1, Array2, Array3, Axis};
+use numpy::ndarray::{Array2, Array3};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArray3, PyReadonlyArray2};
 use pyo3::prelude::*;
-use rayon::prelude::*;
 
 use crate::failure::Failure;
 use crate::gear::flank_of;
 use crate::job::CoreJob;
-use crate::watch::watched;
+use crate::samples::of_samples;
 
 /// The bodies of a job of tangential dressing, and the grid of one of its flanks.
 #[pyclass(frozen, module = "flankwright._core")]
@@ -103,7 +102,11 @@ impl CoreTangential {
             DeviationMeasure::Ray => Measure::Ray,
             DeviationMeasure::Arc => Measure::Arc,
         };
-        let points = points.max(2);
+        if points < 2 {
+            let finding = Diagnostic::with_code("invalid-number", "a grid has at least two points each way");
+            let finding = finding.field("points").value(points.to_string()).allowed("2 or more");
+            return Err(Failure::bad_input(&finding.way_out("take 9")).raised(py));
+        }
         let grid = if radii { FitGrid::Radii(points) } else { FitGrid::Equidistant(points, points) };
         let grid = grid.of(&prepared.model, flank);
         Ok(Self { prepared, measure, flank, pass, grid })
@@ -152,26 +155,13 @@ impl CoreTangential {
     ) -> PyResult<Bound<'py, PyArray3<f64>>> {
         let variables = variables(py, &names)?;
         let samples = samples.as_array();
-        let rows: Vec<(usize, Array1<f64>)> =
-            samples.axis_iter(Axis(0)).map(|row| row.to_owned()).enumerate().collect();
-        let count = rows.len();
-        let one = |(k, row): (usize, Array1<f64>)| {
-            let settings = TangentialSettings::default().with(&variables, &row.to_vec());
+        let values = of_samples(py, progress, samples, |row| {
+            let settings = TangentialSettings::default().with(&variables, row);
             let found = self.of(&settings).deviations(&self.grid);
-            found.map(|f| um(&f).collect::<Vec<f64>>()).map_err(|error| failure(&error).on_sample(k))
-        };
-        let values = watched(py, progress, |progress| -> Result<Vec<Vec<f64>>, Failure> {
-            progress.start("samples", count as u64);
-            let told = |row| {
-                let done = one(row);
-                progress.advance(1);
-                done
-            };
-            rows.into_par_iter().map(told).collect()
+            found.map(|f| um(&f).collect()).map_err(|error| failure(&error))
         })?;
-        let values = values.map_err(|failure| failure.raised(py))?;
         let (nw, nz) = self.shape();
-        let values = Array3::from_shape_vec((count, nw, nz), values.concat());
+        let values = Array3::from_shape_vec((samples.nrows(), nw, nz), values);
         Ok(values.map_err(|error| Failure::internal(error.to_string()).raised(py))?.into_pyarray(py))
     }
 

@@ -17,6 +17,11 @@ fn task_of(name: &str) -> PyResult<Task> {
     known.ok_or_else(|| PyValueError::new_err(format!("there is no task {name:?}")))
 }
 
+fn carried_out(task: Task, job: &CoreJob, progress: &dyn Progress) -> Result<CoreResult, Failure> {
+    let done = CoreResult::of(|| carry_out(task, &job.job, progress).map(Held::Completed));
+    done.map_err(|failure| Failure::from(&failure))
+}
+
 /// Carries a task out on a job.
 #[pyfunction]
 #[pyo3(signature = (task, job, progress=None))]
@@ -27,11 +32,8 @@ pub fn run(
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<CoreResult> {
     let (task, job) = (task_of(task)?, job.get());
-    let done = watched(py, progress, |progress| {
-        carry_out(task, &job.job, progress).map_err(|failure| Failure::from(&failure))
-    })?;
-    done.map(|completed| CoreResult { held: Held::Completed(completed) })
-        .map_err(|failure| failure.raised(py))
+    let done = watched(py, progress, |progress| carried_out(task, job, progress))?;
+    done.map_err(|failure| failure.raised(py))
 }
 
 /// Works on many jobs, on all cores; results and exceptions in the order of the jobs.
@@ -74,10 +76,8 @@ pub fn run_many<'py>(
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyList>> {
     let task = task_of(task)?;
-    let work = |job: &CoreJob| carry_out(task, &job.job, &Silent).map_err(|failure| Failure::from(&failure));
-    many(py, &jobs, progress, work, |completed| {
-        Ok(Bound::new(py, CoreResult { held: Held::Completed(completed) })?.into_any())
-    })
+    let work = |job: &CoreJob| carried_out(task, job, &Silent);
+    many(py, &jobs, progress, work, |result| Ok(Bound::new(py, result)?.into_any()))
 }
 
 fn document(job: &CoreJob) -> Result<String, Failure> {

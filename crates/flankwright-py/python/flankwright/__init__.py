@@ -13,9 +13,13 @@ otherwise.
 from . import sweep
 from ._bodies import Gear, Modification, Worm
 from ._core import VERSION as __version__
+from ._dressing import DressedWorm, Dresser, Meridian
 from ._errors import BadInput, FlankwrightError, InternalError, NotProducible
 from ._forward import Forward
+from ._gearbox import Gearbox, Pulses
 from ._jobs import Derived, Job, Quantity, Remark, schema
+from ._measuring import Evaluation, ToolMeasurement, Tracks
+from ._milling import CutterPath, Milling
 from ._results import Flanks, FlankValues, Result
 from ._tangential import TangentialModel
 from ._tasks import (
@@ -33,21 +37,31 @@ from ._tasks import (
 
 __all__ = [
     "BadInput",
+    "CutterPath",
     "Derived",
+    "DressedWorm",
+    "Dresser",
+    "Evaluation",
     "FlankValues",
     "Flanks",
     "FlankwrightError",
     "Forward",
     "Gear",
+    "Gearbox",
     "InternalError",
     "Job",
+    "Meridian",
+    "Milling",
     "Modification",
     "NotProducible",
     "Preview",
+    "Pulses",
     "Quantity",
     "Remark",
     "Result",
     "TangentialModel",
+    "ToolMeasurement",
+    "Tracks",
     "Worm",
     "__version__",
     "explore",

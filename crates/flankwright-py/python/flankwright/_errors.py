@@ -46,6 +46,12 @@ class BadInput(FlankwrightError, ValueError):
     exit_status = 2
 
 
+def bad_input(message: str, *, field: str, value: object, allowed: str, way_out: str) -> BadInput:
+    """The exception for an argument that is wrong before anything is asked of the library."""
+    told = {"field": field, "value": str(value), "allowed": allowed, "way_out": way_out}
+    return BadInput([{"code": "invalid-argument", "message": message, **told}])
+
+
 class NotProducible(FlankwrightError):
     """Each part is valid, but these bodies cannot make the target."""
 

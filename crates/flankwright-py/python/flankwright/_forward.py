@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
+from ._errors import bad_input
 from ._jobs import Job
 from ._tasks import AnyJob, Progress, as_job
 
@@ -75,7 +76,9 @@ class Forward:
         wide = np.broadcast_arrays(*given.values()) if given else []
         shape = wide[0].shape if wide else ()
         if len(shape) > 1:
-            raise ValueError(f"deviations have the shape {shape}: give arrays of one axis")
+            raise bad_input(
+                "samples stand in one axis", field="deviations", value=shape, allowed="(sample,)", way_out="give flat arrays"
+            )
         count = shape[0] if shape else 1
         samples = np.empty((count, len(given)))
         for column, values in enumerate(wide):

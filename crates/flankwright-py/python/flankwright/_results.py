@@ -112,6 +112,11 @@ class Result:
         return self._core.status
 
     @property
+    def seconds(self) -> float:
+        """How long the library worked on it, s."""
+        return self._core.seconds
+
+    @property
     def met(self) -> bool:
         """Whether the target is met within its tolerance."""
         return self.status == "met"

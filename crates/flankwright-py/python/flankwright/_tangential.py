@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._bodies import Side
+from ._errors import bad_input
 from ._tasks import AnyJob, Progress, as_job
 
 
@@ -73,12 +74,16 @@ class TangentialModel:
         wide = np.broadcast_arrays(*given.values()) if given else []
         shape = wide[0].shape if wide else ()
         if len(shape) > 1:
-            raise ValueError(f"variables have the shape {shape}: give arrays of one axis")
+            raise bad_input(
+                "samples stand in one axis", field="variables", value=shape, allowed="(sample,)", way_out="give flat arrays"
+            )
         samples = np.empty((shape[0] if shape else 1, len(given)))
         for column, values in enumerate(wide):
             samples[:, column] = values
         if not np.isfinite(samples).all():
-            raise ValueError("variables have values that are not finite")
+            raise bad_input(
+                "values are not finite", field="variables", value="nan or inf", allowed="finite numbers", way_out="leave them out"
+            )
         found = self._core.evaluate(list(given), samples, progress)
         return found if shape else found[0]
 

@@ -1,7 +1,7 @@
 //! What is said about a job: remarks, failures, and how errors of the layers below become findings on keys of the job. Knows
 //! no file and no body.
 
-use crate::exchange::{Diagnostic, JobError, Problem};
+use crate::exchange::{AnyJob, Diagnostic, JobError, Problem};
 use crate::geometry::GeometryError;
 use crate::kinematics::LawError;
 use crate::modification::ModificationError;
@@ -68,6 +68,15 @@ impl RunFailure {
             .field("settings")
             .way_out("plan the job first: `flankwright plan` writes settings.json, which `simulate` takes");
         Self::bad_input(finding)
+    }
+
+    /// A model that is asked of a job of another process than `allowed`.
+    pub(super) fn other_process(job: &AnyJob, allowed: &'static str) -> Self {
+        let process = job.info().process.name();
+        let finding =
+            Diagnostic::new(Problem::ProcessNotAvailable, format!("this is a job of \"{process}\""));
+        let finding = finding.field("job.process").value(format!("\"{process}\"")).allowed(allowed);
+        Self::bad_input(finding.way_out("take a job of that process, or the model of this one"))
     }
 
     /// A planning error that belongs to `field`, whatever key it has by itself.

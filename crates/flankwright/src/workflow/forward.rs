@@ -75,13 +75,7 @@ impl ForwardModel {
     /// of a diagonal ratio, a grid of fewer than 2 points.
     pub fn new(job: &AnyJob, points: [usize; 2]) -> Result<Self, JobFailure> {
         let AnyJob::Grinding(loaded) = job else {
-            let process = job.info().process.name();
-            let finding =
-                Diagnostic::new(Problem::ProcessNotAvailable, format!("\"{process}\" has no forward model"));
-            let finding = finding.field("job.process").value(format!("\"{process}\""));
-            let finding =
-                finding.allowed("\"generating-grinding\"").way_out("simulate the job with its deviations");
-            return Err(RunFailure::bad_input(finding).into());
+            return Err(RunFailure::other_process(job, "\"generating-grinding\"").into());
         };
         if loaded.job.catalogue.is_some() {
             let finding =

@@ -6,6 +6,7 @@ mod catalogue;
 mod control;
 mod convert;
 mod derived;
+mod dressing_model;
 mod dressing_study;
 mod elsewhere;
 mod equal_ratio_offers;
@@ -50,6 +51,7 @@ pub use catalogue::{
 pub use control::{ControlFlankResult, ControlResult, ErrorTrace, Trace};
 pub use convert::{GearOfRexs, gear_of_rexs, rexs_of_job};
 pub use derived::{DerivedGeometry, DerivedQuantity, DerivedSection, derived_geometry};
+pub use dressing_model::DressingModel;
 pub use dressing_study::{
     AxisInfluence, CrowningCurve, CrowningPoint, CurveEnd, DeviationCurve, DeviationQuantile,
     DressingStudyOutcome, ProfileCurve, StrokeCurve, StrokeFigures, StudyCurves, WormCurve, WormPoint,

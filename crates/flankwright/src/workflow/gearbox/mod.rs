@@ -5,6 +5,7 @@ mod couple;
 mod explore;
 mod figures;
 mod following;
+mod model;
 mod page;
 mod remarks;
 mod result;
@@ -14,6 +15,7 @@ mod tables;
 mod write;
 
 pub use explore::MOST_SET_UPS;
+pub use model::GearboxModel;
 pub use result::{
     AlongFeedResult, AngleResult, BestSetUpResult, BudgetResult, CouplingResult, ExploreResult,
     FlankResponseResult, GearboxResult, GearboxSettingsResult, PulseFigures, RangeUm, ServoErrorResult,

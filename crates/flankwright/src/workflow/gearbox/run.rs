@@ -40,7 +40,7 @@ pub fn run_gearbox(loaded: &LoadedGearboxJob, progress: &dyn Progress) -> Result
     let job = &loaded.job;
     let mut timing = BTreeMap::new();
     let begun = Instant::now();
-    let (gear, interpolation, rotation) = chain(job)?;
+    let Chain { gear, interpolation, rotation } = chain(job)?;
     let driven = driven(loaded, &interpolation)?;
     if job.output.pulse_trace {
         check_trace(&driven, job.feed.pulses_per_interval)?;
@@ -140,17 +140,27 @@ pub fn run_gearbox(loaded: &LoadedGearboxJob, progress: &dyn Progress) -> Result
 /// # Errors
 /// [`RunFailure`]: a gear, scale or coefficient that cannot be.
 pub fn coupling_of_job(job: &GearboxJob) -> Result<CouplingResult, RunFailure> {
-    let (gear, interpolation, rotation) = chain(job)?;
+    let Chain { gear, interpolation, rotation } = chain(job)?;
     Ok(figures::coupling(job, &gear, &interpolation, &rotation))
 }
 
-/// Workpiece, interpolator of the slide, and how its pulses turn the workpiece.
-fn chain(job: &GearboxJob) -> Result<(GearGeometry, Interpolation, Rotation), RunFailure> {
+/// What stands between the slide and the workpiece.
+pub(super) struct Chain {
+    /// The workpiece.
+    pub gear: GearGeometry,
+    /// The interpolator of the slide.
+    pub interpolation: Interpolation,
+    /// How its pulses turn the workpiece.
+    pub rotation: Rotation,
+}
+
+/// The chain of a job.
+pub(super) fn chain(job: &GearboxJob) -> Result<Chain, RunFailure> {
     let gear = geometry(&job.gear)?;
     let interpolation = interpolation(&job.feed, "")?;
     let rotation = coupling(&gear, &job.workpiece, &interpolation)
         .map_err(|error| rotation_refused(&error, job.workpiece.encoder(), ""))?;
-    Ok((gear, interpolation, rotation))
+    Ok(Chain { gear, interpolation, rotation })
 }
 
 fn check_trace(driven: &Driven, pulses_per_interval: u32) -> Result<(), RunFailure> {

@@ -10,6 +10,7 @@ mod lands;
 mod machine_remarks;
 mod mate;
 mod meshes;
+mod model;
 mod of_job;
 
 pub(in crate::workflow) mod orientation;
@@ -29,6 +30,7 @@ mod write;
 pub use bodies::{FlankRange, MillingBodies, prepare_milling};
 pub(in crate::workflow) use check::check_milling;
 pub use mate::{MateFlank, MateOutcome};
+pub use model::MillingModel;
 pub use of_job::MillingTexts;
 pub use orientation::{ComparedOrientations, OrientationCurve};
 pub use orientation_result::{OrientationFigures, OrientationResult, RotaryFigures};

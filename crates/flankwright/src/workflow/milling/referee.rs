@@ -138,8 +138,8 @@ fn judged(
     judged.collect::<Result<_, _>>().map_err(|error: MillingError| failure(&error))
 }
 
-/// What the rows leave at every ray.
-fn predict(
+/// What the rows leave at every place.
+pub(super) fn predict(
     bodies: &MillingBodies,
     flank: &FlankPlan,
     heights: &[f64],

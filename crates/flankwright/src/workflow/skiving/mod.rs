@@ -6,6 +6,7 @@ mod conventional;
 pub(in crate::workflow) mod finding;
 mod history;
 mod measurement;
+mod model;
 mod monte_carlo;
 mod outcome;
 mod page;
@@ -24,6 +25,7 @@ mod verdict;
 mod write;
 
 pub use measurement::{Measurement, Taken};
+pub use model::MeasuringModel;
 pub use prepare::{SkivingBodies, prepare_skiving};
 pub(in crate::workflow) use program_work::prove_text;
 pub use resharpening::{DecidingEdge, EdgeResharpening, Resharpening, ToothResharpening};

@@ -17,7 +17,7 @@ use crate::numerics::Progress;
 use crate::workflow::finding::{JobFailure, RunFailure};
 use crate::workflow::result::Status;
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 /// Everything that a run produces.
@@ -41,8 +41,8 @@ pub struct SkivingOutcome {
 /// # Errors
 /// [`JobFailure`]: bad input, or a tool that cannot be measured.
 pub fn run_skiving(loaded: &LoadedSkivingJob, progress: &dyn Progress) -> Result<SkivingOutcome, JobFailure> {
-    let readings = loaded.job.readings.as_ref().map(|given| loaded.beside(&given.file));
-    run(loaded, readings.as_deref().map(|path| (path, Some("readings.file"))), progress)
+    let readings = readings_of_job(loaded);
+    run(loaded, readings.as_deref().map(named_by_job), progress)
 }
 
 /// Measures the tool of `[tool_errors]`.
@@ -91,9 +91,49 @@ fn needs_measurement(job: &SkivingJob, measured: bool) -> Result<(), RunFailure>
     }
 }
 
+/// The file of readings that a job names.
+fn readings_of_job(loaded: &LoadedSkivingJob) -> Option<PathBuf> {
+    loaded.job.readings.as_ref().map(|given| loaded.beside(&given.file))
+}
+
+/// A file of readings with the key that names it.
+type NamedReadings<'a> = (&'a Path, Option<&'static str>);
+
+fn named_by_job(path: &Path) -> NamedReadings<'_> {
+    (path, Some("readings.file"))
+}
+
+/// What a job measures: its readings if it names some, else the tool with its errors, else nothing.
+///
+/// # Errors
+/// As [`run_skiving`].
+pub(super) fn measured_of_job(
+    loaded: &LoadedSkivingJob,
+    bodies: &SkivingBodies,
+) -> Result<Option<Measurement>, JobFailure> {
+    let readings = readings_of_job(loaded);
+    measured(&loaded.job, bodies, readings.as_deref().map(named_by_job))
+}
+
+fn measured(
+    job: &SkivingJob,
+    bodies: &SkivingBodies,
+    readings: Option<NamedReadings<'_>>,
+) -> Result<Option<Measurement>, JobFailure> {
+    Ok(match (readings, &job.tool_errors) {
+        (Some((path, key)), _) => {
+            let seen = read_skiving_readings(path, job.measuring.tracks.len())?;
+            let name = path.display().to_string();
+            Some(evaluated(bodies, seen, &ReadingsFile { name: &name, key })?)
+        }
+        (None, Some(errors)) => Some(simulated(job, bodies, real_tool(bodies, errors)?)?),
+        (None, None) => None,
+    })
+}
+
 fn run(
     loaded: &LoadedSkivingJob,
-    readings: Option<(&Path, Option<&'static str>)>,
+    readings: Option<NamedReadings<'_>>,
     progress: &dyn Progress,
 ) -> Result<SkivingOutcome, JobFailure> {
     let job = &loaded.job;
@@ -104,15 +144,7 @@ fn run(
     timing.insert("edges and poses", begun.elapsed().as_secs_f64());
 
     let begun = Instant::now();
-    let measurement = match (readings, &job.tool_errors) {
-        (Some((path, key)), _) => {
-            let seen = read_skiving_readings(path, job.measuring.tracks.len())?;
-            let name = path.display().to_string();
-            Some(evaluated(&bodies, seen, &ReadingsFile { name: &name, key })?)
-        }
-        (None, Some(errors)) => Some(simulated(job, &bodies, real_tool(&bodies, errors)?)?),
-        (None, None) => None,
-    };
+    let measurement = measured(job, &bodies, readings)?;
     timing.insert("measurement", begun.elapsed().as_secs_f64());
 
     let begun = Instant::now();

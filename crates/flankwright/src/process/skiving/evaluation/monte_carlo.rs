@@ -1,6 +1,6 @@
 //! How much the results of a measurement scatter: the same tool measured again and again with other noise, each time evaluated whole.
 
-use super::{Evaluation, ProfileOptions, correction, evaluate, measured_tool};
+use super::{Evaluation, MeasuredTool, ProfileOptions, correction, evaluate, measured_tool};
 use crate::geometry::{Flank, Sides};
 use crate::numerics::Progress;
 use crate::process::skiving::measuring::{BarrierData, FlankTracks, Noise, Sense, Switches, readings};
@@ -102,10 +102,18 @@ pub fn repeat(
 }
 
 impl Repeated<'_> {
-    fn once(&self, seed: u64) -> Result<Vec<(Quantity, f64)>, SkivingError> {
+    /// The tool as it is measured with the noise that begins at `seed`.
+    ///
+    /// # Errors
+    /// Those of [`measured_tool`].
+    pub fn measured(&self, seed: u64) -> Result<MeasuredTool, SkivingError> {
         let mut noise = Noise::new(seed);
         let seen = readings(self.flanks, self.switches, self.data, self.senses, self.revolutions, &mut noise);
-        let measured = measured_tool(self.flanks, &seen, self.radius_offset)?;
+        measured_tool(self.flanks, &seen, self.radius_offset)
+    }
+
+    fn once(&self, seed: u64) -> Result<Vec<(Quantity, f64)>, SkivingError> {
+        let measured = self.measured(seed)?;
         let found = evaluate(self.flanks, &measured.deviations, self.options)?;
         let fit = correction(self.flanks, &found, self.settings)?;
         Ok(results(&found, self.settings.0, &fit))
