@@ -1,14 +1,14 @@
 """A skiving tool at its light barrier, asked directly, beside the result of its job."""
 
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import flankwright as fw
 import numpy as np
 import pytest
 
 JOB = Path(__file__).parents[3] / "examples/skiving/external-stepped.toml"
-FLANKS = ("left", "right")
+FLANKS: tuple[Literal["left", "right"], ...] = ("left", "right")
 
 
 @pytest.fixture(scope="module")

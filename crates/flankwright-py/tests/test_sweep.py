@@ -4,7 +4,7 @@ import os
 import signal
 import threading
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import flankwright as fw
 import numpy as np
@@ -68,6 +68,18 @@ def test_refused_samples_stay_with_their_code(job: fw.Job) -> None:
     assert found["error"].tolist() == ["", "invalid-number", ""] and np.isnan(found["ratio"][1])
 
 
+@pytest.mark.parametrize("form", ["parquet", "zarr", None])
+def test_a_chunk_in_which_all_are_refused(job: fw.Job, form: Literal["parquet", "zarr"] | None, tmp_path: Path) -> None:
+    wanted = NUMBERS if form == "parquet" else OUTPUTS
+    kept: dict[str, Any] = {} if form is None else {"folder": tmp_path / "x", "form": form}
+    found = sweep.run(job, sweep.table({"worm.threads": [0, 0, 1, 2]}), wanted, chunk=2, progress=False, **kept)
+    assert found["error"].tolist() == ["invalid-number"] * 2 + [""] * 2
+    for name in wanted:
+        assert np.isnan(found[name][:2]).all() and np.isfinite(found[name][2:]).all()
+    none = sweep.run(job, sweep.table({"worm.threads": [0]}), wanted, progress=False)
+    assert all(np.isnan(none[name]).all() for name in wanted)
+
+
 @pytest.mark.parametrize("form", ["parquet", "zarr"])
 def test_a_finished_chunk_is_never_computed_again(
     job: fw.Job, samples: sweep.Samples, tmp_path: Path, form: Any
@@ -111,6 +123,12 @@ def test_a_forward_model_is_swept(job: fw.Job) -> None:
     found = sweep.run(forward, samples, {"largest": lambda flanks: np.abs(flanks).max()}, chunk=16, progress=False)
     whole = forward(samples.columns)
     np.testing.assert_array_equal(found["largest"], np.abs(whole).max(axis=(1, 2, 3)))
+    # One that cannot be ground does not take the others with it.
+    angles = np.append(samples.columns["crossing_angle_deg"][:4], 60.0)
+    beside = sweep.run(forward, sweep.table({"crossing_angle_deg": angles}), {"first": lambda flanks: flanks[0]}, progress=False)
+    assert (beside["error"][:4] == "").all() and beside["error"][4] != ""
+    np.testing.assert_array_equal(beside["first"][:4], forward({"crossing_angle_deg": angles[:4]})[:, 0])
+    assert np.isnan(beside["first"][4]).all()
 
 
 def test_a_cluster_of_processes_gives_the_same_bits_though_a_worker_dies(

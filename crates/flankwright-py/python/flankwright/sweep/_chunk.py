@@ -13,12 +13,10 @@ from .._errors import FlankwrightError
 from .._forward import Forward
 from .._jobs import Job
 from .._tasks import plan_many, preview_many, simulate_many
-from ._outputs import Output, column, of_result
+from ._outputs import Columns, Output, columns, of_result
 
 Task = Literal["preview", "plan", "simulate"]
 _TASKS: dict[Task, Callable[..., list[Any]]] = {"preview": preview_many, "plan": plan_many, "simulate": simulate_many}
-
-Columns = dict[str, NDArray[Any]]
 
 
 def evaluate(
@@ -49,16 +47,36 @@ def evaluate(
             continue
         for name, output in outputs.items():
             values[name][k] = of_result(output, result)
-    columns = {name: column(name, of) for name, of in values.items()}
-    return {**columns, "error": np.array(errors, dtype=np.str_)}
+    return columns(values, errors)
 
 
 def _of_forward(model: Forward, changes: Sequence[Mapping[str, Any]], outputs: Mapping[str, Output]) -> Columns:
-    names = list(changes[0])
-    flanks = model({name: np.array([change[name] for change in changes]) for name in names})
-    columns: Columns = {}
     for name, output in outputs.items():
         if isinstance(output, str):
             raise ValueError(f"{name!r}: outputs of a forward model are functions of its flanks (flank, profile, helix)")
-        columns[name] = column(name, [output(of) for of in flanks])
-    return {**columns, "error": np.full(len(changes), "", dtype=np.str_)}
+    flanks, errors = _flanks(model, changes)
+    values = {
+        name: [output(of) if of is not None and callable(output) else None for of in flanks]
+        for name, output in outputs.items()
+    }
+    return columns(values, errors)
+
+
+def _flanks(
+    model: Forward, changes: Sequence[Mapping[str, Any]]
+) -> tuple[list[NDArray[np.float64] | None], list[str]]:
+    """The flanks of all samples, ``None`` with the code of its error for one that has none."""
+    together = {name: np.array([change[name] for change in changes]) for name in changes[0]}
+    try:
+        return list(model(together)), [""] * len(changes)
+    except FlankwrightError:
+        # One of them has no result: which, and with which error, each tells alone. What they give is the same.
+        pass
+    flanks: list[NDArray[np.float64] | None] = [None] * len(changes)
+    errors = [""] * len(changes)
+    for k, change in enumerate(changes):
+        try:
+            flanks[k] = model(change)
+        except FlankwrightError as error:
+            errors[k] = error.code
+    return flanks, errors

@@ -6,13 +6,14 @@ import hashlib
 import json
 import os
 import tempfile
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ._chunk import Columns
+from ._outputs import Columns, joined
 from ._samples import Samples
 
 Form = Literal["parquet", "zarr"]
@@ -29,6 +30,7 @@ class Folder:
 
     def __init__(self, path: Path, asked: dict[str, Any], samples: Samples, chunk: int, form: Form) -> None:
         self.path, self.samples, self.chunk, self.form = path, samples, chunk, form
+        self.outputs = list(asked["outputs"])
         path.mkdir(parents=True, exist_ok=True)
         (path / "chunks").mkdir(exist_ok=True)
         asked = {**asked, "samples": samples.digest(), "chunk": chunk, "form": form, "shape": list(samples.shape)}
@@ -61,7 +63,7 @@ class Folder:
 
     def get(self) -> Columns:
         """All finished chunks, in order; missing ones are left out."""
-        return read(self.path, self.form, self.chunk, len(self.samples))
+        return read(self.path, self.form, self.chunk, len(self.samples), self.outputs)
 
     def _mark(self, part: slice) -> Path:
         return self.path / "chunks" / _name(part.start // self.chunk, self.form)
@@ -82,20 +84,19 @@ class Folder:
             root[name][start : start + len(values)] = values
 
 
-def read(path: Path, form: Form, chunk: int, count: int) -> Columns:
+def read(path: Path, form: Form, chunk: int, count: int, outputs: Iterable[str]) -> Columns:
     """The columns of a folder."""
     starts = range(0, count, chunk)
     there = [k for k in range(len(starts)) if (path / "chunks" / _name(k, form)).exists()]
     if not there:
         return {}
     if form == "parquet":
-        parts = [_from_parquet(path / "chunks" / _name(k, form)) for k in there]
-        return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+        return joined([_from_parquet(path / "chunks" / _name(k, form)) for k in there], outputs)
     import zarr
 
     root: Any = zarr.open_group(path / "results.zarr", mode="r")
     rows = np.concatenate([np.arange(starts[k], min(starts[k] + chunk, count)) for k in there])
-    return {str(name): np.asarray(root[name][:])[rows] for name in root}
+    return joined([{str(name): np.asarray(root[name][:])[rows] for name in root}], outputs)
 
 
 def _name(number: int, form: Form) -> str:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .. import _paths
+
+Columns = dict[str, NDArray[Any]]
+"""Values of outputs over the samples, and ``error``."""
 
 Output = str | Callable[[Any], Any]
 """A path in the document of a result, or a function of the result (for a forward model: of the flanks of one sample)."""
@@ -37,15 +40,30 @@ def of_result(output: Output, result: Any) -> Any:
     return _paths.get(result.document, output) if isinstance(output, str) else output(result)
 
 
-def column(name: str, values: Sequence[Any]) -> NDArray[Any]:
-    """Values of one output as an array; samples without a value are NaN, or an empty word.
+def columns(values: Mapping[str, Sequence[Any]], errors: Sequence[str]) -> Columns:
+    """Values of each output as arrays, and the codes of errors. Samples without a value are NaN, or an empty word; an output that no sample
+    has is left out, for nobody knows its shape.
 
     Raises:
         ValueError: values of different shapes.
     """
+    found = {name: _column(name, of) for name, of in values.items() if any(value is not None for value in of)}
+    return {**found, "error": np.array(errors, dtype=np.str_)}
+
+
+def joined(parts: Sequence[Columns], names: Iterable[str]) -> Columns:
+    """Columns of several chunks one after the other, all of these names and the errors."""
+    return {name: np.concatenate(_filled(name, parts)) for name in (*names, "error")}
+
+
+def _filled(name: str, parts: Sequence[Columns]) -> list[NDArray[Any]]:
+    like = next((part[name] for part in parts if name in part), np.empty(0))
+    empty = "" if like.dtype.kind == "U" else np.nan
+    return [part[name] if name in part else np.full((len(part["error"]), *like.shape[1:]), empty) for part in parts]
+
+
+def _column(name: str, values: Sequence[Any]) -> NDArray[Any]:
     given = [value for value in values if value is not None]
-    if not given:
-        return np.full(len(values), np.nan)
     if all(isinstance(value, str) for value in given):
         return np.array(["" if value is None else value for value in values], dtype=np.str_)
     arrays = [np.asarray(value, dtype=np.float64) for value in given]

@@ -17,9 +17,9 @@ from .. import _core
 from .._forward import Forward
 from .._jobs import Job
 from .._tasks import AnyJob, as_job
-from ._chunk import Columns, Task, evaluate
+from ._chunk import Task, evaluate
 from ._folder import Folder, Form, read
-from ._outputs import Output, Outputs, named
+from ._outputs import Columns, Output, Outputs, joined, named
 from ._samples import Samples
 
 if TYPE_CHECKING:
@@ -121,7 +121,7 @@ def run(
             told(part.stop - part.start)
     if not load:
         return Swept(samples, {"error": np.array([], dtype=np.str_)})
-    return Swept(samples, kept.get() if kept is not None else _joined([held[part.start] for part in parts]))
+    return Swept(samples, kept.get() if kept is not None else joined([held[part.start] for part in parts], wanted))
 
 
 def load(folder: str | os.PathLike[str]) -> Columns:
@@ -135,11 +135,7 @@ def load(folder: str | os.PathLike[str]) -> Columns:
     count = 1
     for length in asked["shape"]:
         count *= length
-    return read(path, asked["form"], asked["chunk"], count)
-
-
-def _joined(parts: list[Columns]) -> Columns:
-    return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+    return read(path, asked["form"], asked["chunk"], count, asked["outputs"])
 
 
 def _worked_off(
