@@ -3,7 +3,7 @@
 CARGO ?= cargo
 DEMO ?= examples/twist-free-crowning.toml
 
-.PHONY: demo test fuzz setup web python notebooks browser api-fuzz load format check instructions milling-speed clean
+.PHONY: demo test fuzz setup web python notebooks docs browser api-fuzz load format check instructions milling-speed clean
 
 setup:
 	@scripts/setup
@@ -37,6 +37,10 @@ test: setup
 python notebooks: setup
 	@scripts/python
 	@[ $@ = python ] || scripts/notebooks
+
+# Pages, package and notebooks as a site in target/docs, which loads nothing from elsewhere.
+docs: notebooks
+	@scripts/docs
 
 # Ten minutes for each reader of files, as many at once as there are processors.
 fuzz: setup

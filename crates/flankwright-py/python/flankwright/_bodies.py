@@ -32,6 +32,7 @@ class Gear:
 
     Raises:
         BadInput: a body that is impossible.
+        TypeError: more than one of profile shift, thickness, span and measure over balls.
     """
 
     __slots__ = ("_core",)
@@ -103,7 +104,7 @@ class Gear:
         return self._core.length_of_roll(flank, diameter / 2)
 
     def diameter(self, length_of_roll: float, flank: Side = "left") -> float:
-        """Diameter at a length of roll (mm), mm."""
+        """Diameter at a length of roll w (mm), mm; the inverse of :meth:`length_of_roll`."""
         return 2 * self._core.radius(flank, length_of_roll)
 
     def span(self, teeth: int) -> float:
@@ -123,13 +124,20 @@ class Gear:
         return self._core.over_balls(ball, z)
 
     def points(self, w: ArrayLike, z: ArrayLike, flank: Side = "left") -> NDArray[np.float64]:
-        """Points of a flank at lengths of roll and axial positions (mm), broadcast; shape of both and (3,), mm. The space is centred on +y
-        at z = 0.
+        """Points of a flank. The space between two teeth is centred on +y at z = 0; the axis of the gear is z.
+
+        Args:
+            w: Lengths of roll, mm.
+            z: Axial positions, mm, broadcast against ``w``.
+            flank: The flank.
+
+        Returns:
+            Points x, y, z, mm, shape of ``w`` and ``z`` and (3,).
         """
         return self._vectors(self._core.points, w, z, flank)
 
     def normals(self, w: ArrayLike, z: ArrayLike, flank: Side = "left") -> NDArray[np.float64]:
-        """Unit normals out of the material, as :meth:`points`."""
+        """Unit normals out of the material at the places of :meth:`points`, same arguments and shape."""
         return self._vectors(self._core.normals, w, z, flank)
 
     @staticmethod
@@ -149,7 +157,16 @@ class Gear:
         profile_shift: float = 0.0,
         cone_angle_deg: float = 0.0,
     ) -> Worm:
-        """The worm that meshes with this gear on both flanks; one of the diameters (mm) is needed.
+        """The worm that meshes with this gear on both flanks; one of the diameters is needed.
+
+        Args:
+            threads: Number of threads.
+            pitch_diameter: Pitch diameter, mm.
+            tip_diameter: Tip diameter, mm.
+            hand: Its hand.
+            normal_pressure_angle_deg: Normal pressure angle of its rack, degrees, where it is not that of the gear.
+            profile_shift: Profile shift coefficient.
+            cone_angle_deg: Cone angle, degrees.
 
         Raises:
             BadInput: a worm that is impossible, or does not mesh.
@@ -204,14 +221,15 @@ class Worm:
 
 
 class Modification:
-    """What a flank should be, as an entry of ``target.modifications`` says it; several are added.
+    """What a flank should be, as an entry of ``target.modifications`` says it; several are added. Called with places, it gives their values.
 
     Args:
-        specs: Entries, e.g. ``{"kind": "helix_crowning", "amount_um": 20}``.
+        specs: An entry or several, with the keys of a job file, e.g. ``{"kind": "helix_crowning", "amount_um": 20}``. Amounts are material
+            removed, um, as there.
         gear: The gear.
         start_diameter: Start of the evaluation (root side), mm.
         end_diameter: End of the evaluation (tip side), mm.
-        z: Evaluated axial range, mm.
+        z: Evaluated axial range, begin and end, mm.
         flank: The flank.
 
     Raises:
@@ -244,8 +262,15 @@ class Modification:
     def __call__(
         self, w: ArrayLike, z: ArrayLike, *, direction: Literal["normal", "transverse"] = "normal"
     ) -> NDArray[np.float64]:
-        """Material that is left, um, at lengths of roll and axial positions (mm), broadcast; normal to the flank, or in the transverse
-        section as ISO 1328 counts it.
+        """Material that is left; a crowning is negative.
+
+        Args:
+            w: Lengths of roll, mm.
+            z: Axial positions, mm, broadcast against ``w``.
+            direction: Normal to the flank, or in the transverse section as ISO 1328 counts it.
+
+        Returns:
+            Values, um, positive = material left, shape of ``w`` and ``z``.
 
         Raises:
             BadInput: a place beyond the modification.

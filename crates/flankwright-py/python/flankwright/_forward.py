@@ -30,6 +30,14 @@ class Forward:
     Raises:
         BadInput: a job of another process, bodies from a catalogue, a tool that is dressed in several strokes, a ratio that varies.
         NotProducible: the bodies cannot make the target.
+
+    Attributes:
+        job: The job.
+        points: Points along profile and helix.
+        flanks: Names of the flanks, in the order of the axis ``flank``.
+        w: Lengths of roll, mm, shape (flank, profile).
+        z: Axial positions, mm, shape (helix,).
+        target: What is wanted, um, normal, positive = material left, shape (flank, profile, helix).
     """
 
     def __init__(self, job: AnyJob, *, profile_points: int = 9, helix_points: int = 9) -> None:
@@ -39,11 +47,8 @@ class Forward:
         self.flanks: tuple[str, ...] = tuple(self._core.flanks)
         grids = [self._core.grid(k) for k in range(len(self.flanks))]
         self.w = np.stack([grid["w"] for grid in grids])
-        """Lengths of roll, mm, shape (flank, profile)."""
         self.z: NDArray[np.float64] = grids[0]["z"]
-        """Axial positions, mm, shape (helix,)."""
         self.target = np.stack([grid["target"] for grid in grids])
-        """Target, normal, um, shape (flank, profile, helix)."""
 
     def __reduce__(self) -> tuple[Any, ...]:
         # A worker that gets it again and again plans it once.
@@ -69,7 +74,8 @@ class Forward:
             Flanks, normal, um, positive = material left; shape (sample, flank, profile, helix), without ``sample`` where all values are single.
 
         Raises:
-            BadInput: an unknown name, a value that is not finite, samples of more than one axis.
+            BadInput: an unknown name, or a value that is not finite.
+            ValueError: values of more than one axis, or of different lengths.
             NotProducible: no contact is found, with the number of the sample.
         """
         given = {name: np.asarray(value, dtype=np.float64) for name, value in (deviations or {}).items()}
@@ -89,7 +95,7 @@ class Forward:
     def deviations(
         self, deviations: Mapping[str, ArrayLike] | None = None, *, progress: Progress | None = None
     ) -> NDArray[np.float64]:
-        """As calling it, less the target."""
+        """What calling it returns, less the target: um, positive = material left; raises the same."""
         return self(deviations, progress=progress) - self.target
 
     def to_xarray(self, flanks: NDArray[np.float64]) -> xarray.DataArray:

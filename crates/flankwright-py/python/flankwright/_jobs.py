@@ -15,7 +15,14 @@ from ._values import plain
 
 @dataclass(frozen=True)
 class Quantity:
-    """A quantity that follows from a job."""
+    """A quantity that follows from a job.
+
+    Attributes:
+        key: Its name, stable, e.g. ``pitch_diameter_mm``.
+        label: Its name in words.
+        value: A number, a word, or a list of them.
+        unit: Unit of the value; empty where it has none.
+    """
 
     key: str
     label: str
@@ -25,7 +32,13 @@ class Quantity:
 
 @dataclass(frozen=True)
 class Remark:
-    """Something worth saying that is no error."""
+    """Something worth saying that is no error.
+
+    Attributes:
+        code: Stable kebab-case code.
+        text: What is to be said, in one sentence.
+        way_out: What to do about it.
+    """
 
     code: str
     text: str
@@ -101,7 +114,11 @@ class Job:
 
     @classmethod
     def template(cls, process: str = "generating-grinding") -> Job:
-        """The commented job of ``flankwright new PROCESS``.
+        """The commented job of ``flankwright new PROCESS``: it runs as it is.
+
+        Args:
+            process: ``generating-grinding``, ``tangential-dressing``, ``electronic-gearbox``, ``five-axis-milling`` or
+                ``skiving-tool-measuring``.
 
         Raises:
             BadInput: a process that is none.
@@ -163,7 +180,7 @@ class Job:
         return self._of(_core.CoreJob(json.dumps(tree), str(Path(self.source).with_suffix(".json"))))
 
     def check(self) -> Derived:
-        """What follows from the job before anything is planned.
+        """What follows from the job before anything is planned: diameters, base data, measures, contact, with their units.
 
         Raises:
             BadInput: bodies that are impossible.
@@ -171,7 +188,11 @@ class Job:
         return Derived(json.loads(self._core.derived()))
 
     def save(self, path: str | Path) -> None:
-        """Writes its text."""
+        """Writes its text, as UTF-8.
+
+        Raises:
+            OSError: the file cannot be written.
+        """
         Path(path).write_text(self.text, encoding="utf-8")
 
     def __reduce__(self) -> tuple[Any, ...]:

@@ -51,7 +51,7 @@ class FlankValues:
 
 
 class Flanks(Mapping[str, FlankValues]):
-    """The flanks of a gear by name."""
+    """The flanks of a gear by name, ``left`` and ``right``, as far as they are ground; a mapping that does not change."""
 
     def __init__(self, flanks: Mapping[str, FlankValues]) -> None:
         self._flanks = dict(flanks)
@@ -88,12 +88,7 @@ class Flanks(Mapping[str, FlankValues]):
 
 
 class Result:
-    """A task that was carried out.
-
-    Attributes:
-        document: The document of ``result.json`` (or ``explore.json``), with units in the key names.
-        flanks: The flanks of a ground gear; empty for other processes.
-    """
+    """A task that was carried out, as :func:`plan`, :func:`simulate`, :func:`explore` and :func:`inspect` return it."""
 
     def __init__(self, core: _core.CoreResult) -> None:
         self._core = core
@@ -102,6 +97,7 @@ class Result:
 
     @property
     def document(self) -> dict[str, Any]:
+        """The document of ``result.json`` (or ``explore.json``), with units in the key names."""
         if self._document is None:
             self._document = json.loads(self._core.document())
         return self._document
@@ -123,6 +119,7 @@ class Result:
 
     @property
     def flanks(self) -> Flanks:
+        """The flanks of a ground gear; empty for other processes."""
         if self._flanks is None:
             found = self._core.flanks()
             self._flanks = Flanks({name: FlankValues(name, **arrays) for name, arrays in found.items()})
@@ -148,17 +145,23 @@ class Result:
 
     @property
     def settings(self) -> dict[str, Any]:
-        """Settings, as in ``result.json``."""
+        """Settings, as in ``result.json``, with units in the key names; empty where there are none."""
         found: dict[str, Any] = self.document.get("settings", {})
         return found
 
     @property
     def warnings(self) -> list[Remark]:
-        """Remarks."""
+        """Remarks: what is worth knowing and is no error."""
         return [Remark(**remark) for remark in self.document.get("warnings", [])]
 
     def write(self, directory: str | Path) -> list[Path]:
-        """Writes report, tables, programs and documents, as the command does; their paths, the report last.
+        """Writes report, tables, programs and documents, as the command does, each whole or not at all.
+
+        Args:
+            directory: Made if missing.
+
+        Returns:
+            Paths of the files, the report last.
 
         Raises:
             OSError: the directory or a file cannot be written.
@@ -166,7 +169,7 @@ class Result:
         return list(self._core.write(Path(directory)))
 
     def to_xarray(self) -> xarray.DataTree:
-        """As :meth:`Flanks.to_xarray`."""
+        """The flanks as labelled arrays, as :meth:`Flanks.to_xarray` makes them."""
         return self.flanks.to_xarray()
 
     def __repr__(self) -> str:

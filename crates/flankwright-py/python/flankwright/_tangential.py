@@ -18,7 +18,7 @@ class TangentialModel:
     """The forward model of tangential dressing for one flank of a job: exact contact of dresser, worm and gear.
 
     A design variable is a coefficient of a power of a channel's abscissa, named by channel and exponent: ``Fz2`` is the tangential shift of the
-    dresser over the square of its position on the worm. Values are mm (``gA``: rad).
+    dresser over the square of its position on the worm. Values are mm (``gA``: rad; ``kap``: mm/mm). :meth:`channels` tells them all.
 
     Args:
         job: A job of tangential dressing, or its file.
@@ -29,8 +29,10 @@ class TangentialModel:
     Attributes:
         w: Lengths of roll, mm, shape (profile,).
         z: Axial positions, mm, shape (helix,).
-        radii: Radii of the lengths of roll, mm.
+        radii: Radii of the lengths of roll, mm, shape (profile,).
         target: What the job wants, um, shape (profile, helix).
+        job: The job.
+        flank: The flank.
 
     Raises:
         BadInput: a job of another process, or a flank that it does not grind.
@@ -67,7 +69,8 @@ class TangentialModel:
             where all values are single.
 
         Raises:
-            BadInput: an unknown name, samples of more than one axis.
+            BadInput: an unknown name.
+            ValueError: values that are not finite, of more than one axis, or of different lengths.
             NotProducible: the flank is undercut, or lies beyond the tool, with the number of the sample.
         """
         given = {name: np.asarray(value, dtype=np.float64) for name, value in (variables or {}).items()}
@@ -94,10 +97,14 @@ class TangentialModel:
 
         Args:
             names: The variables.
-            at: Values at which, all others zero.
+            at: Values at which they are taken, mm (``gA``: rad; ``kap``: 1); all others are zero.
 
         Returns:
             For each name an array of shape (profile, helix), um per mm (``gA``: per rad; ``kap``: per 1).
+
+        Raises:
+            BadInput: an unknown name.
+            NotProducible: the flank is undercut there, or lies beyond the tool.
         """
         there = dict(at or {})
         every = [*names, *(name for name in there if name not in names)]

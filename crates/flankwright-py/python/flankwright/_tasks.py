@@ -31,7 +31,10 @@ def plan(job: AnyJob, *, progress: Progress | None = None) -> Result:
 
     Args:
         job: A job or its file.
-        progress: Told how far it is.
+        progress: Called now and then with the stage, the steps of it that are done, and all of them; what it raises ends the run.
+
+    Returns:
+        Verdict, document and flanks; :meth:`Result.write` makes the files.
 
     Raises:
         BadInput: the job, or a file that it names, is at fault.
@@ -70,14 +73,19 @@ def inspect(
         job: The job.
         from_other_end: The gear was measured from the other end.
         slope_signs: Signs of helix slopes as the file names the flanks, left and right, each +1 or -1.
-        datum_face: The face from which distances count.
-        helix_slope_over: The length to which helix slopes refer.
+        datum_face: The face from which distances count, at the end of +z or of -z.
+        helix_slope_over: The length to which helix slopes refer: the face width, or the evaluated range.
         profile_slope_over: The length to which profile slopes refer.
         tolerance_class: Class of ISO 1328-1 whose tolerances are the limits of a series.
         progress: Told how far it is.
 
+    What a file does not tell (the end from which it was measured, signs and lengths of slopes, the face) is not guessed: it is asked for.
+    Evaluation after ISO 1328-1:2013.
+
     Raises:
-        BadInput: the file or the job is at fault.
+        BadInput: the file or the job is at fault, or something has to be stated that the file does not tell.
+        NotProducible: the bodies of the job cannot make its target.
+        TypeError: neither file nor job, or a folder with a job.
     """
     stated = (from_other_end, slope_signs, datum_face, helix_slope_over, profile_slope_over)
     if file is None:
@@ -93,15 +101,15 @@ def inspect(
 
 
 class Preview:
-    """A plan without its referee.
+    """A plan without its referee; made by :func:`preview`.
 
     Attributes:
-        process: Process.
-        tolerance_um: Tolerance of the job.
-        settings: Settings, as in the result of a plan.
+        process: Process, e.g. ``generating-grinding``.
+        tolerance_um: Tolerance of the job, um.
+        settings: Settings, as in the result of a plan, with units in the key names.
         warnings: Remarks.
         flanks: The flanks as planned; their ``simulated`` is ``None``.
-        document: All of it.
+        document: All of it, with units in the key names.
     """
 
     def __init__(self, text: str) -> None:
@@ -137,6 +145,9 @@ def plan_many(
         jobs: Jobs or their files.
         errors: ``return`` puts the exception of a job in the place of its result.
         progress: Told how many are done.
+
+    Returns:
+        Results, and exceptions where they are returned; as many as there are jobs.
 
     Raises:
         FlankwrightError: the first one, unless they are returned.
@@ -182,6 +193,9 @@ def verify(
     Args:
         files: Reference files.
         data: Folders with the data files that cases name.
+
+    Returns:
+        ``files``, each with the number of its checks, what failed and the worst share of a tolerance, and ``failed``: how many values failed.
 
     Raises:
         BadInput: a file that cannot be read or is of no known schema.

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Shown = Literal["target", "planned", "simulated", "deviation"]
+__all__ = ["COLOURS", "contour", "diagrams", "net"]
+
 COLOURS = LinearSegmentedColormap.from_list("flank", ("#1f4e79", "#9dc3e6", "#ffffff", "#f3d19c", "#b45f06"))
 """From material removed (blue) to material left (ochre); for matplotlib, around zero."""
 _TITLES: Mapping[str, str] = {
@@ -50,11 +52,14 @@ def contour(of: Result | Flanks | FlankValues, shown: Shown = "deviation", *, le
 
     Args:
         of: A result, its flanks, or one of them.
-        shown: What is shown.
+        shown: What is shown: ``target``, ``planned``, ``simulated`` or ``deviation``.
         levels: About so many lines.
 
     Returns:
         The figure.
+
+    Raises:
+        ValueError: no flanks, or none of the values that are to be shown.
     """
     from matplotlib.ticker import MaxNLocator
 
@@ -91,11 +96,14 @@ def net(
 
     Args:
         of: A result, its flanks, or one of them.
-        shown: What is shown.
+        shown: What is shown: ``target``, ``planned``, ``simulated`` or ``deviation``.
         magnification: Of heights against lengths; chosen where none is given, and told in the title.
 
     Returns:
         The figure.
+
+    Raises:
+        ValueError: no flanks, or none of the values that are to be shown.
     """
     flanks = _flanks(of)
     largest = max(float(np.abs(_values(flank, shown)).max()) for flank in flanks) or 1.0
@@ -138,10 +146,13 @@ def diagrams(of: Result | Flanks | FlankValues, shown: Iterable[Shown] = ("targe
 
     Args:
         of: A result, its flanks, or one of them.
-        shown: What is drawn, each with a dash of its own.
+        shown: What is drawn, each with a dash of its own: some of ``target``, ``planned``, ``simulated``, ``deviation``.
 
     Returns:
         The figure.
+
+    Raises:
+        ValueError: no flanks, or none of the values that are to be shown.
     """
     flanks = _flanks(of)
     dashes = {"target": "--", "planned": "-.", "simulated": "-", "deviation": ":"}

@@ -31,7 +31,7 @@ CHUNK = 256
 
 
 class Swept:
-    """What a sweep has found.
+    """What a sweep has found; ``found["name"]`` is a column.
 
     Attributes:
         samples: The samples.
@@ -45,7 +45,7 @@ class Swept:
         return self.columns[name]
 
     def to_xarray(self) -> xarray.Dataset:
-        """Labelled arrays: over the paths of a grid, else over ``sample``."""
+        """Labelled arrays: over the paths of a grid, else over ``sample``; axes of an output of its own follow as ``NAME_0``, ``NAME_1``."""
         import xarray
 
         shape, paths = self.samples.shape, list(self.samples.columns)
@@ -99,8 +99,12 @@ def run(
         progress: Shows a bar.
         load: Returns all columns; without it, those of no sample (they are in the folder).
 
+    Returns:
+        A row for every sample. A sample that was refused has no values (NaN, an empty word) and the code of its error.
+
     Raises:
         ValueError: arguments that contradict each other, or a folder with another sweep.
+        BadInput: a forward model that is asked for deviations it does not know.
     """
     if chunk < 1:
         raise ValueError(f"chunk = {chunk}: give 1 or more")
@@ -125,7 +129,13 @@ def run(
 
 
 def load(folder: str | os.PathLike[str]) -> Columns:
-    """The columns of all finished chunks of a folder.
+    """The columns of all finished chunks of a folder, without computing anything.
+
+    Args:
+        folder: The folder of a sweep, finished or not.
+
+    Returns:
+        Outputs by name, shape (finished sample, ...), and ``error``, as in :attr:`Swept.columns`.
 
     Raises:
         FileNotFoundError: the folder holds no sweep.

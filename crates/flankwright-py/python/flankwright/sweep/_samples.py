@@ -16,6 +16,13 @@ from .._values import plain
 class Samples:
     """Values by path of a job's key (or by name of a deviation), all equally many.
 
+    Args:
+        columns: Numbers or words by path, each of shape (sample,), in the units of the keys.
+        shape: The shape of a grid.
+
+    Raises:
+        ValueError: columns of different lengths, values that are not finite or neither numbers nor words.
+
     Attributes:
         columns: One array of shape (sample,) for each path.
         shape: The shape of a grid in the order of its paths, else (sample,).
@@ -42,7 +49,7 @@ class Samples:
         return len(next(iter(self.columns.values())))
 
     def __getitem__(self, part: slice) -> list[dict[str, Any]]:
-        """Changes of a job, sample by sample."""
+        """The samples of a part, each as changes by path, as :meth:`flankwright.Job.replace` takes them."""
         columns = {path: plain(values[part]) for path, values in self.columns.items()}
         return [dict(zip(columns, row)) for row in zip(*columns.values())]
 
@@ -52,7 +59,7 @@ class Samples:
             yield slice(begin, min(begin + size, len(self)))
 
     def digest(self) -> str:
-        """By which the same samples are known again."""
+        """A hash (SHA-256) by which the same samples are known again."""
         digest = hashlib.sha256()
         for path, values in self.columns.items():
             kept = values.astype("<f8").tobytes() if values.dtype.kind in "biuf" else json.dumps(plain(values)).encode()
@@ -67,7 +74,10 @@ def grid(axes: Mapping[str, ArrayLike]) -> Samples:
     """Every combination; the last path runs fastest.
 
     Args:
-        axes: Values by path, each of shape (values,).
+        axes: Values by path, each of shape (values,), in the units of the keys.
+
+    Raises:
+        ValueError: an axis without values, or with more than one axis of its own.
     """
     values = [np.asarray(of) for of in axes.values()]
     if any(of.ndim != 1 or of.size == 0 for of in values):
@@ -78,7 +88,14 @@ def grid(axes: Mapping[str, ArrayLike]) -> Samples:
 
 
 def table(columns: Any) -> Samples:
-    """The rows of a table: a mapping of columns, or anything with columns such as a data frame."""
+    """The rows of a table.
+
+    Args:
+        columns: Columns of shape (row,) by path, or anything with columns, such as a data frame.
+
+    Raises:
+        ValueError: columns of different lengths, or values that are no samples.
+    """
     if not isinstance(columns, Mapping):
         columns = {str(name): np.asarray(columns[name]) for name in columns.columns}
     return Samples(columns)
@@ -88,9 +105,12 @@ def sobol(ranges: Mapping[str, Sequence[float]], count: int, *, seed: int = 0) -
     """Points of a scrambled Sobol sequence.
 
     Args:
-        ranges: Least and largest value by path.
+        ranges: Least and largest value by path, in the units of the keys.
         count: How many points; powers of two are balanced.
         seed: Start of the scrambling; the same seed gives the same points.
+
+    Raises:
+        ValueError: a range that is not two finite numbers in order.
     """
     import warnings
 
@@ -104,7 +124,16 @@ def sobol(ranges: Mapping[str, Sequence[float]], count: int, *, seed: int = 0) -
 
 
 def latin_hypercube(ranges: Mapping[str, Sequence[float]], count: int, *, seed: int = 0) -> Samples:
-    """Points of a Latin hypercube; arguments as :func:`sobol`."""
+    """Points of a Latin hypercube: every range is cut into as many parts as there are points, and each part has one.
+
+    Args:
+        ranges: Least and largest value by path, in the units of the keys.
+        count: How many points.
+        seed: Start of the drawing; the same seed gives the same points.
+
+    Raises:
+        ValueError: a range that is not two finite numbers in order.
+    """
     from scipy.stats import qmc
 
     return _scaled(ranges, qmc.LatinHypercube(len(ranges), rng=np.random.default_rng(seed)).random(count))
