@@ -29,6 +29,7 @@ test: setup
 	$(CARGO) test --workspace --no-fail-fast
 	@scripts/python test
 	@scripts/notebooks
+	@scripts/docs
 	@PROGRAM=target/debug/flankwright scripts/browser
 	@PROGRAM=target/debug/flankwright scripts/api-fuzz
 	@FUZZ_SEED=1 scripts/fuzz 60

@@ -74,8 +74,8 @@ class Forward:
             Flanks, normal, um, positive = material left; shape (sample, flank, profile, helix), without ``sample`` where all values are single.
 
         Raises:
-            BadInput: an unknown name, or a value that is not finite.
-            ValueError: values of more than one axis, or of different lengths.
+            BadInput: an unknown name, a value that is not finite, values of more than one axis.
+            ValueError: values of different lengths.
             NotProducible: no contact is found, with the number of the sample.
         """
         given = {name: np.asarray(value, dtype=np.float64) for name, value in (deviations or {}).items()}

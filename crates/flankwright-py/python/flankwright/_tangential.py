@@ -69,8 +69,8 @@ class TangentialModel:
             where all values are single.
 
         Raises:
-            BadInput: an unknown name.
-            ValueError: values that are not finite, of more than one axis, or of different lengths.
+            BadInput: an unknown name, values that are not finite or of more than one axis.
+            ValueError: values of different lengths.
             NotProducible: the flank is undercut, or lies beyond the tool, with the number of the sample.
         """
         given = {name: np.asarray(value, dtype=np.float64) for name, value in (variables or {}).items()}
