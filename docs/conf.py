@@ -92,6 +92,7 @@ def _complete(app: Sphinx, env: BuildEnvironment) -> None:
 
 # What only the package itself makes: how it does so is of no use to readers.
 MADE_HERE = {"Derived", "Flanks", "FlankValues", "Preview", "Result", "Worm", "sweep.Swept"}
+MADE_HERE |= {"CutterPath", "DressedWorm", "Evaluation", "Meridian", "Pulses", "Tracks"}
 MADE_HERE |= {"BadInput", "FlankwrightError", "InternalError", "NotProducible"}
 ARRAY = re.compile(r"~?(?:numpy\.)?ndarray\[tuple\[~?(?:typing\.)?Any, \.\.\.\], ~?(?:numpy\.)?dtype\[~?(?:\w+\.)?(\w+)\]\]")
 ALIAS = re.compile(r"TypeAliasForwardRef\('(\w+)'\)")

@@ -61,7 +61,6 @@ fn vectors<'py>(
 impl CoreGear {
     /// Angles in rad, lengths in mm; `measure` is one of `shift` (1), `thickness` (mm), `span` (teeth, mm), `balls` (ball, size in mm).
     #[new]
-    #[expect(clippy::too_many_arguments, reason = "drawing data")]
     fn new(
         py: Python<'_>,
         teeth: i32,

@@ -140,7 +140,7 @@ impl CoreMilling {
         flank: usize,
         heights: Vec<f64>,
         lengths: Vec<f64>,
-    ) -> PyResult<(Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>)> {
+    ) -> PyResult<[Bound<'py, PyArray2<f64>>; 2]> {
         self.flank(py, flank)?;
         let found = py.detach(|| self.model.predicted(flank, &heights, &lengths));
         let found = found.map_err(|failure| Failure::from(&failure).raised(py))?;
@@ -150,6 +150,6 @@ impl CoreMilling {
             let values = Array2::from_shape_vec(shape, values);
             values.map_err(|error| Failure::internal(error.to_string()).raised(py))
         };
-        Ok((of(|at| at.scallop)?.into_pyarray(py), of(|at| at.chord)?.into_pyarray(py)))
+        Ok([of(|at| at.scallop)?.into_pyarray(py), of(|at| at.chord)?.into_pyarray(py)])
     }
 }

@@ -104,11 +104,11 @@ def test_a_listener_may_end_the_work() -> None:
         fw.explore(EXAMPLES / "catalogue-free-diameter.toml", progress=listener)
 
 
-def test_references_are_verified_as_by_the_command(command: Path) -> None:
-    file = ROOT / "tests/reference/10-gears.json"
+@pytest.mark.parametrize("file", sorted((ROOT / "tests/reference").glob("*.json")), ids=lambda file: file.stem)
+def test_references_are_verified_as_by_the_command(command: Path, file: Path) -> None:
     own = fw.verify(file)
     told = json.loads(subprocess.run([command, "verify", "--json", file], check=True, stdout=subprocess.PIPE).stdout)
-    assert own == told and own["failed"] == 0 and own["files"][0]["checks"] > 100
+    assert own == told and own["failed"] == 0 and own["files"][0]["checks"] > 0
 
 
 def test_a_measurement_is_judged_by_its_job() -> None:

@@ -30,7 +30,7 @@ class Pulses(NamedTuple):
 
     tick: NDArray[np.uint64]
     sign: NDArray[np.int64]
-    kind: NDArray[np.str_]
+    kind: NDArray[np.character]
     turned: NDArray[np.int64]
 
 
