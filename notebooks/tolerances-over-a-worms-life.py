@@ -63,9 +63,8 @@ print(f"{COUNT * len(diameters)} pairs of flanks in {elapsed:.1f} s: {1e6 * elap
 
 # %%
 figure, ax = plt.subplots(figsize=(7.5, 4.5), layout="constrained")
-styles = ["-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1))]
-for symbol, style in zip(SYMBOLS, styles):
-    ax.plot(diameters, [3 * of[symbol][0] for of in scatter], color="black", linestyle=style, label=f"{symbol}, left flank")
+for symbol, style in zip(SYMBOLS, ["o-", "s--", "^-.", "d:", "x-"]):
+    ax.plot(diameters, [3 * of[symbol][0] for of in scatter], style, color="black", markersize=4, label=f"{symbol}, left flank")
 ax.set(
     title="Three standard deviations of what is ground, over the worm's diameter",
     xlabel="tip diameter of the worm [mm]",
