@@ -11,6 +11,7 @@ use pyo3::prelude::*;
 use crate::failure::Failure;
 use crate::gear::flank_of;
 use crate::job::CoreJob;
+use crate::pool::beside;
 use crate::samples::of_samples;
 
 /// Worm and dresser of a job.
@@ -50,7 +51,7 @@ impl CoreDresser {
     #[new]
     fn new(py: Python<'_>, job: &Bound<'_, CoreJob>) -> PyResult<Self> {
         let job = &job.get().job;
-        let model = py.detach(|| DressingModel::new(job)).map_err(|e| Failure::from(&e).raised(py))?;
+        let model = beside(py, || DressingModel::new(job))?.map_err(|e| Failure::from(&e).raised(py))?;
         Ok(Self { model })
     }
 
@@ -121,7 +122,7 @@ impl CoreDresser {
         rolls: Vec<f64>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let flank = flank_of(py, flank)?;
-        let points = py.detach(|| self.model.dressed(flank, correction, &rolls));
+        let points = beside(py, || self.model.dressed(flank, correction, &rolls))?;
         let points = points.map_err(|e| Failure::from(&e).raised(py))?;
         let by = Array2::from_shape_fn((4, points.len()), |(axis, roll)| points[roll].df_dk[axis]);
         Ok(by.into_pyarray(py))
@@ -131,13 +132,13 @@ impl CoreDresser {
     fn solved(&self, py: Python<'_>, conditions: Vec<Given>, start: [f64; 4]) -> PyResult<[f64; 4]> {
         let conditions =
             conditions.iter().map(|given| condition(py, given)).collect::<PyResult<Vec<Condition>>>()?;
-        let found = py.detach(|| self.model.solved(&conditions, &start));
+        let found = beside(py, || self.model.solved(&conditions, &start))?;
         found.map_err(|e| Failure::from(&e).raised(py))
     }
 
     /// The position that leaves so much (mm) in the middle of the worm's used profile and nothing at both ends.
     fn crowned(&self, py: Python<'_>, flank: &str, middle: f64) -> PyResult<[f64; 4]> {
         let flank = flank_of(py, flank)?;
-        py.detach(|| self.model.crowned(flank, middle)).map_err(|e| Failure::from(&e).raised(py))
+        beside(py, || self.model.crowned(flank, middle))?.map_err(|e| Failure::from(&e).raised(py))
     }
 }

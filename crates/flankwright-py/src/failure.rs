@@ -94,7 +94,15 @@ impl From<&JobFailure> for Failure {
 
 impl From<&GeometryError> for Failure {
     fn from(error: &GeometryError) -> Self {
-        let finding = Diagnostic::with_code(error.code(), error.to_string());
-        Self::bad_input(&finding.way_out(error.way_out()))
+        let finding = Diagnostic::with_code(error.code(), error.to_string()).way_out(error.way_out());
+        Self::bad_input(&match error {
+            GeometryError::InvalidNumber { field, value, allowed, .. } => {
+                finding.field(*field).value(value).allowed(*allowed)
+            }
+            GeometryError::InvalidGeometry { value, allowed, .. } => {
+                finding.value(value).allowed(allowed.clone())
+            }
+            _ => finding,
+        })
     }
 }

@@ -11,7 +11,7 @@ use pyo3::types::PyDict;
 use crate::failure::Failure;
 use crate::job::CoreJob;
 use crate::outcome::array;
-use crate::samples::of_samples;
+use crate::samples::{of_each_sample, of_samples};
 use crate::watch::watched;
 
 /// A planned process, ready to be run with deviations.
@@ -71,15 +71,17 @@ impl CoreForward {
         Ok(grid)
     }
 
-    /// Flanks of all samples (rows) of deviations (columns, named): `[sample][flank][profile][helix]`, um, normal.
-    #[pyo3(signature = (names, samples, progress=None))]
+    /// Flanks of all samples (rows) of deviations (columns, named): `[sample][flank][profile][helix]`, um, normal; NaN for a sample that was
+    /// refused. And the exceptions of those, by sample. Unless all are wanted, the first one is raised.
+    #[pyo3(signature = (names, samples, progress=None, every=false))]
     fn evaluate<'py>(
         &self,
         py: Python<'py>,
         names: Vec<String>,
         samples: PyReadonlyArray2<'py, f64>,
         progress: Option<&Bound<'py, PyAny>>,
-    ) -> PyResult<Bound<'py, PyArray4<f64>>> {
+        every: bool,
+    ) -> PyResult<(Bound<'py, PyArray4<f64>>, Vec<(usize, Py<PyAny>)>)> {
         let columns = self.columns(py, &names)?;
         let samples = samples.as_array();
         if samples.ncols() != columns.len() {
@@ -94,7 +96,7 @@ impl CoreForward {
         let shape = self.flanks.first().and_then(|&flank| self.model.target()[flank].as_ref());
         let [nw, nz] = shape.map_or([0, 0], |target| [target.w.len(), target.z.len()]);
         let each = self.flanks.len() * nw * nz;
-        let values = of_samples(py, progress, samples, |row| {
+        let one = |row: &[f64]| {
             let deviations: Vec<(Deviation, f64)> =
                 columns.iter().copied().zip(row.iter().copied()).collect();
             let ground = self.model.flanks(&deviations).map_err(|failure| Failure::from(&failure))?;
@@ -103,10 +105,15 @@ impl CoreForward {
                 values.extend(ground[flank].iter().flatten().map(|f| f * 1e3));
             }
             Ok(values)
-        })?;
-        let shape = (samples.nrows(), self.flanks.len(), nw, nz);
-        let values = Array4::from_shape_vec(shape, values);
+        };
+        let (values, failures) = if every {
+            of_each_sample(py, progress, samples, each, one)?
+        } else {
+            (of_samples(py, progress, samples, one)?, Vec::new())
+        };
+        let refused = |(k, failure): (usize, Failure)| (k, failure.raised(py).into_value(py).into_any());
+        let values = Array4::from_shape_vec((samples.nrows(), self.flanks.len(), nw, nz), values);
         let values = values.map_err(|error| Failure::internal(error.to_string()).raised(py))?;
-        Ok(values.into_pyarray(py))
+        Ok((values.into_pyarray(py), failures.into_iter().map(refused).collect()))
     }
 }

@@ -49,10 +49,10 @@ fn vectors<'py>(
     py: Python<'py>,
     w: &PyReadonlyArray1<'py, f64>,
     z: &PyReadonlyArray1<'py, f64>,
-    at: impl Fn(f64, f64) -> [f64; 3],
+    at: impl Fn(f64, f64) -> [f64; 3] + Sync,
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
     let (w, z) = places(py, w, z)?;
-    let values: Vec<f64> = w.iter().zip(z).flat_map(|(&w, &z)| at(w, z)).collect();
+    let values: Vec<f64> = py.detach(|| w.iter().zip(z).flat_map(|(&w, &z)| at(w, z)).collect());
     let values = Array2::from_shape_vec((w.len(), 3), values);
     Ok(values.map_err(|error| Failure::internal(error.to_string()).raised(py))?.into_pyarray(py))
 }

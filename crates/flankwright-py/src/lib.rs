@@ -12,6 +12,7 @@ mod measuring;
 mod milling;
 mod modification;
 mod outcome;
+mod pool;
 mod samples;
 mod tangential;
 mod task;
@@ -44,9 +45,11 @@ mod _core {
     #[pymodule_export]
     use crate::outcome::CoreResult;
     #[pymodule_export]
+    use crate::pool::use_threads;
+    #[pymodule_export]
     use crate::tangential::CoreTangential;
     #[pymodule_export]
-    use crate::task::{preview, preview_many, run, run_many, use_threads};
+    use crate::task::{preview, preview_many, run, run_many};
     #[pymodule_export]
     use crate::verify::verify;
 

@@ -14,6 +14,7 @@ use rayon::prelude::*;
 use crate::failure::Failure;
 use crate::gear::flank_of;
 use crate::job::CoreJob;
+use crate::pool::beside;
 use crate::watch::watched;
 
 /// Edges, tracks and the measured tool of a job.
@@ -126,6 +127,8 @@ impl CoreMeasuring {
         let values = watched(py, progress, |progress| -> Result<Vec<Vec<f64>>, Failure> {
             progress.start("measurements", seeds.len() as u64);
             let once = |&seed: &u64| {
+                // Asks as well whether to go on.
+                progress.advance(0);
                 let measured = self.model.repeated(seed).transpose().map_err(|e| Failure::from(&e))?;
                 progress.advance(1);
                 Ok(measured.iter().flat_map(|tool| in_order(&tool.deviations)).collect())
@@ -145,7 +148,7 @@ impl CoreMeasuring {
         deviations: PyReadonlyArray3<'py, f64>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let deviations = self.given(py, deviations.as_array())?;
-        let found = py.detach(|| self.model.evaluated(&deviations));
+        let found = beside(py, || self.model.evaluated(&deviations))?;
         let (found, fit) = found.map_err(|failure| Failure::from(&failure).raised(py))?;
         let [tracks, _] = self.shape();
         let all = PyDict::new(py);

@@ -10,6 +10,7 @@ use pyo3::types::{PyDict, PyList};
 use crate::failure::Failure;
 use crate::gear::places;
 use crate::job::CoreJob;
+use crate::pool::beside;
 use crate::watch::watched;
 
 /// A planned space.
@@ -69,14 +70,13 @@ impl CoreMilling {
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let surface = &self.flank(py, flank)?.active.surface;
         let (heights, lengths) = places(py, &heights, &lengths)?;
-        let values: Vec<f64> = heights
-            .iter()
-            .zip(lengths)
-            .flat_map(|(&a, &b)| {
+        let values: Vec<f64> = py.detach(|| {
+            let at = |(&a, &b): (&f64, &f64)| {
                 let jet = surface.jet(a, b);
                 jet.point.iter().chain(jet.normal.iter()).copied().collect::<Vec<f64>>()
-            })
-            .collect();
+            };
+            heights.iter().zip(lengths).flat_map(at).collect()
+        });
         let values = Array2::from_shape_vec((heights.len(), 6), values);
         Ok(values.map_err(|error| Failure::internal(error.to_string()).raised(py))?.into_pyarray(py))
     }
@@ -142,7 +142,7 @@ impl CoreMilling {
         lengths: Vec<f64>,
     ) -> PyResult<[Bound<'py, PyArray2<f64>>; 2]> {
         self.flank(py, flank)?;
-        let found = py.detach(|| self.model.predicted(flank, &heights, &lengths));
+        let found = beside(py, || self.model.predicted(flank, &heights, &lengths))?;
         let found = found.map_err(|failure| Failure::from(&failure).raised(py))?;
         let shape = (heights.len(), lengths.len());
         let of = |part: fn(&flankwright::process::milling::Prediction) -> f64| {

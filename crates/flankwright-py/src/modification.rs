@@ -50,7 +50,7 @@ impl CoreModification {
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let (w, z) = places(py, &w, &z)?;
         let values: Result<Vec<f64>, _> =
-            w.iter().zip(z).map(|(&w, &z)| self.modification.value(w, z)).collect();
+            py.detach(|| w.iter().zip(z).map(|(&w, &z)| self.modification.value(w, z)).collect());
         let values = values.map_err(|error| {
             let finding = Diagnostic::with_code(error.code(), error.to_string());
             Failure::bad_input(&finding.way_out(error.way_out())).raised(py)

@@ -12,6 +12,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::failure::Failure;
+use crate::pool::beside;
 
 /// A task that was carried out.
 #[pyclass(frozen, module = "flankwright._core")]
@@ -62,21 +63,21 @@ impl CoreResult {
 
     /// The document, as JSON.
     fn document(&self, py: Python<'_>) -> PyResult<String> {
-        let document = py.detach(|| match &self.held {
+        let document = beside(py, || match &self.held {
             Held::Completed(completed) => {
                 completed.document().and_then(|document| serde_json::to_string(&document))
             }
             Held::Series(series) => serde_json::to_string(&series.result),
-        });
+        })?;
         document.map_err(|error| Failure::internal(error.to_string()).raised(py))
     }
 
     /// Writes all files; their paths, the page last.
     fn write(&self, py: Python<'_>, directory: PathBuf) -> PyResult<Vec<PathBuf>> {
-        let written = py.detach(|| match &self.held {
+        let written = beside(py, || match &self.held {
             Held::Completed(completed) => completed.write(&directory),
             Held::Series(series) => write_inspection_series(series, &directory),
-        });
+        })?;
         written.map_err(|error| PyOSError::new_err(error.to_string()))
     }
 

@@ -1,11 +1,44 @@
 //! Rows of numbers in, rows of numbers out, on all cores.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use numpy::ndarray::{ArrayView2, Axis};
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
 use crate::failure::Failure;
 use crate::watch::watched;
+
+/// What became of a row; `None` for one that was left out because one before it has failed.
+type Row = Option<Result<Vec<f64>, Failure>>;
+
+fn rows(
+    py: Python<'_>,
+    progress: Option<&Bound<'_, PyAny>>,
+    samples: ArrayView2<'_, f64>,
+    stops: bool,
+    one: impl Fn(&[f64]) -> Result<Vec<f64>, Failure> + Sync + Send,
+) -> PyResult<Vec<Row>> {
+    let samples: Vec<Vec<f64>> = samples.axis_iter(Axis(0)).map(|row| row.to_vec()).collect();
+    let failed = AtomicUsize::new(usize::MAX);
+    watched(py, progress, |progress| {
+        progress.start("samples", samples.len() as u64);
+        let told = |(k, row): (usize, &Vec<f64>)| {
+            // Asks as well whether to go on.
+            progress.advance(0);
+            if stops && k > failed.load(Ordering::Relaxed) {
+                return None;
+            }
+            let done = one(row).map_err(|failure| failure.on_sample(k));
+            if done.is_err() {
+                failed.fetch_min(k, Ordering::Relaxed);
+            }
+            progress.advance(1);
+            Some(done)
+        };
+        samples.par_iter().enumerate().map(told).collect()
+    })
+}
 
 /// Works on every row of `samples`; what they give, one after the other. The first failure in their order ends it and tells its row.
 ///
@@ -17,15 +50,31 @@ pub fn of_samples(
     samples: ArrayView2<'_, f64>,
     one: impl Fn(&[f64]) -> Result<Vec<f64>, Failure> + Sync + Send,
 ) -> PyResult<Vec<f64>> {
-    let rows: Vec<Vec<f64>> = samples.axis_iter(Axis(0)).map(|row| row.to_vec()).collect();
-    let values = watched(py, progress, |progress| -> Result<Vec<Vec<f64>>, Failure> {
-        progress.start("samples", rows.len() as u64);
-        let told = |(k, row): (usize, &Vec<f64>)| {
-            let done = one(row).map_err(|failure| failure.on_sample(k));
-            progress.advance(1);
-            done
-        };
-        rows.par_iter().enumerate().map(told).collect()
-    })?;
-    Ok(values.map_err(|failure| failure.raised(py))?.concat())
+    let rows: Result<Vec<Vec<f64>>, Failure> =
+        rows(py, progress, samples, true, one)?.into_iter().flatten().collect();
+    Ok(rows.map_err(|failure| failure.raised(py))?.concat())
+}
+
+/// The same where failures end nothing: rows of `width` numbers, NaN for those that have failed, and their failures by row.
+///
+/// # Errors
+/// What [`watched`] tells.
+pub fn of_each_sample(
+    py: Python<'_>,
+    progress: Option<&Bound<'_, PyAny>>,
+    samples: ArrayView2<'_, f64>,
+    width: usize,
+    one: impl Fn(&[f64]) -> Result<Vec<f64>, Failure> + Sync + Send,
+) -> PyResult<(Vec<f64>, Vec<(usize, Failure)>)> {
+    let (mut values, mut failures) = (Vec::new(), Vec::new());
+    for (k, row) in rows(py, progress, samples, false, one)?.into_iter().flatten().enumerate() {
+        match row {
+            Ok(row) => values.extend(row),
+            Err(failure) => {
+                failures.push((k, failure));
+                values.resize(values.len() + width, f64::NAN);
+            }
+        }
+    }
+    Ok((values, failures))
 }

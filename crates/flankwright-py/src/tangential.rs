@@ -16,6 +16,7 @@ use pyo3::prelude::*;
 use crate::failure::Failure;
 use crate::gear::flank_of;
 use crate::job::CoreJob;
+use crate::pool::beside;
 use crate::samples::of_samples;
 
 /// The bodies of a job of tangential dressing, and the grid of one of its flanks.
@@ -174,7 +175,7 @@ impl CoreTangential {
     ) -> PyResult<Bound<'py, PyArray3<f64>>> {
         let variables = variables(py, &names)?;
         let settings = TangentialSettings::default().with(&variables, &values);
-        let found = py.detach(|| self.of(&settings).linearised(&self.grid, &variables));
+        let found = beside(py, || self.of(&settings).linearised(&self.grid, &variables))?;
         let (_, by) = found.map_err(|error| failure(&error).raised(py))?;
         let (nw, nz) = self.shape();
         // A column a variable, stored column by column.

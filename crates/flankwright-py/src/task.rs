@@ -10,6 +10,7 @@ use rayon::prelude::*;
 use crate::failure::Failure;
 use crate::job::CoreJob;
 use crate::outcome::{CoreResult, Held};
+use crate::pool::beside;
 use crate::watch::watched;
 
 fn task_of(name: &str) -> PyResult<Task> {
@@ -48,6 +49,8 @@ fn many<'py, T: Send>(
     let done: Vec<Result<T, Failure>> = watched(py, progress, |progress: &dyn Progress| {
         progress.start("jobs", shared.len() as u64);
         let one = |job: &&CoreJob| {
+            // Asks as well whether to go on.
+            progress.advance(0);
             let done = work(job);
             progress.advance(1);
             done
@@ -89,7 +92,7 @@ fn document(job: &CoreJob) -> Result<String, Failure> {
 #[pyfunction]
 pub fn preview(py: Python<'_>, job: &Bound<'_, CoreJob>) -> PyResult<String> {
     let job = job.get();
-    py.detach(|| document(job)).map_err(|failure| failure.raised(py))
+    beside(py, || document(job))?.map_err(|failure| failure.raised(py))
 }
 
 /// Plans of many jobs without their referee, as JSON.
@@ -101,11 +104,4 @@ pub fn preview_many<'py>(
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyList>> {
     many(py, &jobs, progress, document, |text| Ok(text.into_pyobject(py)?.into_any()))
-}
-
-/// Computes on so many threads, if nothing was computed before: workers of a cluster share their machine.
-#[pyfunction]
-pub fn use_threads(count: usize) {
-    // Once there are threads, there are as many as there are.
-    drop(rayon::ThreadPoolBuilder::new().num_threads(count.max(1)).build_global());
 }

@@ -14,6 +14,7 @@ use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 
 use crate::failure::Failure;
+use crate::pool::on_threads;
 
 /// How often the interpreter is asked whether to go on, and told how far the work is.
 const BREATH: Duration = Duration::from_millis(50);
@@ -75,7 +76,7 @@ pub fn watched<T: Send>(
         thread::scope(|scope| {
             let (tell, heard) = channel();
             let (cancelled, kept) = (&cancelled, &kept);
-            scope.spawn(move || drop(tell.send(cancel::run(cancelled, kept, work))));
+            scope.spawn(move || drop(tell.send(on_threads(|| cancel::run(cancelled, kept, work)))));
             let mut refused = None;
             loop {
                 match heard.recv_timeout(BREATH) {
@@ -95,7 +96,7 @@ pub fn watched<T: Send>(
     if let Some(error) = refused {
         return Err(error);
     }
-    match ended {
+    match ended.map_err(|failure| failure.raised(py))? {
         Ended::Done(value) => Ok(value),
         Ended::Cancelled => Err(PyKeyboardInterrupt::new_err(())),
         Ended::Failed(words) => Err(Failure::internal(words).raised(py)),

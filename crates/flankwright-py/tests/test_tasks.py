@@ -72,7 +72,7 @@ def test_many_jobs_give_the_numbers_of_each() -> None:
         fw.preview_many([*jobs, wrong])
     assert told == [] or told[-1][0] == "jobs"
     with pytest.raises(ValueError, match="errors="):
-        fw.preview_many(jobs, errors="none")  # type: ignore[arg-type]
+        fw.preview_many(jobs, errors="none")  # type: ignore[call-overload]
 
 
 def test_the_interpreter_goes_on_meanwhile() -> None:

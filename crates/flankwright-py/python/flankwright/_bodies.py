@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import functools
 import json
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._values import plain
+from ._errors import bad_input
+from ._values import one_of, plain
 
 Side = Literal["left", "right"]
 
@@ -35,7 +37,7 @@ class Gear:
         TypeError: more than one of profile shift, thickness, span and measure over balls.
     """
 
-    __slots__ = ("_core",)
+    __slots__ = ("_asked", "_core")
 
     def __init__(
         self,
@@ -63,6 +65,21 @@ class Gear:
             raise TypeError("give one of profile_shift, normal_tooth_thickness, span, over_balls")
         angles = normal_pressure_angle_deg
         left, right = angles if isinstance(angles, tuple) else (angles, angles)
+        # What it was made of: with this it is made again, in another process too.
+        measures = {
+            "profile_shift": profile_shift,
+            "normal_tooth_thickness": normal_tooth_thickness,
+            "span": span,
+            "over_balls": over_balls,
+        }
+        self._asked: dict[str, Any] = {
+            "teeth": teeth,
+            "normal_module": normal_module,
+            "normal_pressure_angle_deg": (left, right),
+            "helix_angle_deg": helix_angle_deg,
+            "cone_angle_deg": cone_angle_deg,
+            **{name: of for name, of in measures.items() if of is not None},
+        }
         self._core = _core.CoreGear(
             teeth,
             normal_module,
@@ -71,6 +88,45 @@ class Gear:
             math.radians(cone_angle_deg),
             given[0] if given else ("shift", 0.0, 0.0),
         )
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return functools.partial(Gear, **self._asked), ()
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Gear) and other._asked == self._asked
+
+    def __hash__(self) -> int:
+        return hash(tuple(self._asked.items()))
+
+    @property
+    def teeth(self) -> int:
+        """Number of teeth, negative for an internal gear."""
+        value: int = self._asked["teeth"]
+        return value
+
+    @property
+    def normal_module(self) -> float:
+        """Normal module m_n, mm."""
+        value: float = self._asked["normal_module"]
+        return value
+
+    @property
+    def normal_pressure_angle_deg(self) -> tuple[float, float]:
+        """Normal pressure angle of left and right flank, degrees."""
+        value: tuple[float, float] = self._asked["normal_pressure_angle_deg"]
+        return value
+
+    @property
+    def helix_angle_deg(self) -> float:
+        """Helix angle at the pitch cylinder, degrees, positive = right-handed."""
+        value: float = self._asked["helix_angle_deg"]
+        return value
+
+    @property
+    def cone_angle_deg(self) -> float:
+        """Cone angle, degrees."""
+        value: float = self._asked["cone_angle_deg"]
+        return value
 
     @property
     def profile_shift(self) -> float:
@@ -113,6 +169,8 @@ class Gear:
         Raises:
             BadInput: a gear that has none: conical, or asymmetric.
         """
+        if teeth < 1:
+            raise bad_input("a span is over teeth", field="teeth", value=teeth, allowed="1 and more", way_out="give more")
         return self._core.span(teeth)[0]
 
     def over_balls(self, ball: float, z: float = 0.0) -> float:
@@ -172,17 +230,26 @@ class Gear:
             BadInput: a worm that is impossible, or does not mesh.
         """
         angle = None if normal_pressure_angle_deg is None else math.radians(normal_pressure_angle_deg)
-        return Worm(
-            self._core.worm(
-                threads,
-                1.0 if hand == "right" else -1.0,
-                pitch_diameter,
-                tip_diameter,
-                angle,
-                profile_shift,
-                math.radians(cone_angle_deg),
-            )
+        core = self._core.worm(
+            threads,
+            1.0 if one_of("hand", hand, "right", "left") == "right" else -1.0,
+            pitch_diameter,
+            tip_diameter,
+            angle,
+            profile_shift,
+            math.radians(cone_angle_deg),
         )
+        again = functools.partial(
+            self.worm,
+            threads,
+            pitch_diameter=pitch_diameter,
+            tip_diameter=tip_diameter,
+            hand=hand,
+            normal_pressure_angle_deg=normal_pressure_angle_deg,
+            profile_shift=profile_shift,
+            cone_angle_deg=cone_angle_deg,
+        )
+        return Worm(core, again)
 
     def __repr__(self) -> str:
         return f"<Gear: d = {self.pitch_diameter:.4f} mm, x = {self.profile_shift:.4f}>"
@@ -191,10 +258,13 @@ class Gear:
 class Worm:
     """A worm that meshes with a gear; made by :meth:`Gear.worm`."""
 
-    __slots__ = ("_core",)
+    __slots__ = ("_again", "_core")
 
-    def __init__(self, core: _core.CoreWorm) -> None:
-        self._core = core
+    def __init__(self, core: _core.CoreWorm, again: Callable[[], Worm]) -> None:
+        self._core, self._again = core, again
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return self._again, ()
 
     @property
     def pitch_diameter(self) -> float:
@@ -216,6 +286,14 @@ class Worm:
         """Crossed-axes angle gamma of worm and gear, degrees."""
         return math.degrees(self._core.crossed_axes_angle)
 
+    def points(self, w: ArrayLike, z: ArrayLike, flank: Side = "left") -> NDArray[np.float64]:
+        """Points of a flank of the worm, as :meth:`Gear.points`."""
+        return Gear._vectors(self._core.gear().points, w, z, flank)
+
+    def normals(self, w: ArrayLike, z: ArrayLike, flank: Side = "left") -> NDArray[np.float64]:
+        """Unit normals out of the worm's material, as :meth:`Gear.normals`."""
+        return Gear._vectors(self._core.gear().normals, w, z, flank)
+
     def __repr__(self) -> str:
         return f"<Worm: d_S = {self.pitch_diameter:.4f} mm, gamma = {self.crossed_axes_angle_deg:.4f} deg>"
 
@@ -224,7 +302,7 @@ class Modification:
     """What a flank should be, as an entry of ``target.modifications`` says it; several are added. Called with places, it gives their values.
 
     Args:
-        specs: An entry or several, with the keys of a job file, e.g. ``{"kind": "helix_crowning", "amount_um": 20}``. Amounts are material
+        specs: An entry or several (those of the other flank are left out), with the keys of a job file, e.g. ``{"kind": "helix_crowning", "amount_um": 20}``. Amounts are material
             removed, um, as there.
         gear: The gear.
         start_diameter: Start of the evaluation (root side), mm.
@@ -236,7 +314,7 @@ class Modification:
         BadInput: a modification that is impossible, with its key.
     """
 
-    __slots__ = ("_core",)
+    __slots__ = ("_again", "_core")
 
     def __init__(
         self,
@@ -248,16 +326,29 @@ class Modification:
         z: tuple[float, float],
         flank: Side = "left",
     ) -> None:
-        terms = [specs] if isinstance(specs, Mapping) else list(specs)
+        given = [specs] if isinstance(specs, Mapping) else list(specs)
+        terms = [term for term in given if term.get("flank", "both") in ("both", flank)]
+        if not terms:
+            told = ", ".join(str(term["flank"]) for term in given)
+            raise bad_input(
+                "no entry is for this flank", field="specs", value=told, allowed=f"{flank}, both", way_out="take another flank"
+            )
+        first, last = z
+        self._again = functools.partial(
+            Modification, plain(given), gear, start_diameter=start_diameter, end_diameter=end_diameter, z=(first, last), flank=flank
+        )
         spec = terms[0] if len(terms) == 1 else {"kind": "sum", "children": terms}
         roll = sorted(gear.length_of_roll(d, flank) for d in (start_diameter, end_diameter))
         self._core = _core.CoreModification(
             json.dumps(plain(spec)),
             (roll[0], roll[1]),
-            (float(z[0]), float(z[1])),
+            (float(first), float(last)),
             gear.base_diameter(flank) / 2,
             math.radians(gear.base_helix_angle_deg(flank)),
         )
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return self._again, ()
 
     def __call__(
         self, w: ArrayLike, z: ArrayLike, *, direction: Literal["normal", "transverse"] = "normal"
@@ -278,4 +369,5 @@ class Modification:
         wide = np.broadcast_arrays(np.asarray(w, dtype=np.float64), np.asarray(z, dtype=np.float64))
         flat = (np.ascontiguousarray(each).ravel() for each in wide)
         values = self._core.values(*flat).reshape(wide[0].shape)
-        return values * (1e3 * (self._core.normal_factor if direction == "normal" else 1.0))
+        is_normal = one_of("direction", direction, "normal", "transverse") == "normal"
+        return values * (1e3 * (self._core.normal_factor if is_normal else 1.0))

@@ -13,6 +13,7 @@ from . import _core
 from ._bodies import Side
 from ._errors import BadInput, bad_input
 from ._tasks import AnyJob, Progress, as_job
+from ._values import finite, one_of
 
 Array = NDArray[np.float64]
 Points = Sequence[tuple[float, float]]
@@ -207,11 +208,7 @@ class Dresser:
 
 
 def _axis(name: str) -> int:
-    if name not in AXES:
-        raise bad_input(
-            f"there is no axis {name!r}", field="axis", value=name, allowed=", ".join(AXES), way_out="choose one of these"
-        )
-    return AXES.index(name)
+    return AXES.index(one_of("axis", name, *AXES))
 
 
 def _misshapen(field: str, given: Array, allowed: str) -> BadInput:
@@ -230,7 +227,7 @@ def _correction(given: ArrayLike | Mapping[str, float] | None) -> Array:
     if isinstance(given, Mapping):
         found = np.zeros(4)
         for name, value in given.items():
-            found[_axis(name)] = value
+            found[_axis(name)] = finite(name, value)
         return found
     return np.asarray(given, dtype=np.float64)
 

@@ -46,10 +46,13 @@ class BadInput(FlankwrightError, ValueError):
     exit_status = 2
 
 
-def bad_input(message: str, *, field: str, value: object, allowed: str, way_out: str) -> BadInput:
+def bad_input(
+    message: str, *, field: str, value: object, allowed: str, way_out: str, sample: int | None = None
+) -> BadInput:
     """The exception for an argument that is wrong before anything is asked of the library."""
     told = {"field": field, "value": str(value), "allowed": allowed, "way_out": way_out}
-    return BadInput([{"code": "invalid-argument", "message": message, **told}])
+    place = {} if sample is None else {"sample": sample}
+    return BadInput([{"code": "invalid-argument", "message": message, **told, **place}])
 
 
 class NotProducible(FlankwrightError):

@@ -10,9 +10,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._errors import bad_input
+from ._errors import FlankwrightError
+from ._extras import needed
 from ._jobs import Job
 from ._tasks import AnyJob, Progress, as_job
+from ._values import in_rows
 
 if TYPE_CHECKING:
     import xarray
@@ -78,19 +80,29 @@ class Forward:
             ValueError: values of different lengths.
             NotProducible: no contact is found, with the number of the sample.
         """
-        given = {name: np.asarray(value, dtype=np.float64) for name, value in (deviations or {}).items()}
-        wide = np.broadcast_arrays(*given.values()) if given else []
-        shape = wide[0].shape if wide else ()
-        if len(shape) > 1:
-            raise bad_input(
-                "samples stand in one axis", field="deviations", value=shape, allowed="(sample,)", way_out="give flat arrays"
-            )
-        count = shape[0] if shape else 1
-        samples = np.empty((count, len(given)))
-        for column, values in enumerate(wide):
-            samples[:, column] = values
-        found = self._core.evaluate(list(given), samples, progress)
-        return found if shape else found[0]
+        names, samples, single = in_rows("deviations", deviations or {})
+        found, _ = self._core.evaluate(names, samples, progress)
+        return found[0] if single else found
+
+    def each(
+        self, deviations: Mapping[str, ArrayLike], *, progress: Progress | None = None
+    ) -> tuple[NDArray[np.float64], dict[int, FlankwrightError]]:
+        """The flanks under many sets of deviations, of which some may be refused.
+
+        Args:
+            deviations: As for calling it, at least one of shape (sample,).
+            progress: Told how many are done.
+
+        Returns:
+            The flanks as calling it returns them, NaN for samples that have none, and the exceptions of those by their numbers.
+
+        Raises:
+            BadInput: an unknown name, values of more than one axis.
+            ValueError: values of different lengths.
+        """
+        names, samples, _ = in_rows("deviations", deviations)
+        found, refused = self._core.evaluate(names, samples, progress, True)
+        return found, dict(refused)
 
     def deviations(
         self, deviations: Mapping[str, ArrayLike] | None = None, *, progress: Progress | None = None
@@ -100,6 +112,7 @@ class Forward:
 
     def to_xarray(self, flanks: NDArray[np.float64]) -> xarray.DataArray:
         """Flanks of this model with labels: ``sample`` (where there are several), ``flank``, ``profile``, ``helix``; ``w`` and ``z`` in mm."""
+        needed("xarray", "arrays")
         import xarray
 
         sample = ("sample",) if flanks.ndim == 4 else ()

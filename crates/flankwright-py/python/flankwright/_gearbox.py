@@ -10,7 +10,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._errors import bad_input
+from ._extras import needed
 from ._tasks import AnyJob, as_job
+from ._values import whole
 
 if TYPE_CHECKING:
     import xarray
@@ -65,6 +67,7 @@ class Gearbox:
         Raises:
             BadInput: a speed or an acceleration beyond its range.
         """
+        needed("xarray", "arrays")
         import xarray
 
         wide = np.broadcast_arrays(
@@ -83,6 +86,7 @@ class Gearbox:
         """Errors over the motion of the job, least and greatest (``bound``) in every stretch of time: ``along_feed`` (um) and ``at_flank``
         (um, what the additional rotation is off), over (time, bound). Empty for a train of pulses without a motion. Needs xarray.
         """
+        needed("xarray", "arrays")
         import xarray
 
         found = self._core.errors()
@@ -104,37 +108,34 @@ class Gearbox:
             last_tick: Up to which tick the gearbox runs; without it that of the last reference pulse, or of the job.
 
         Raises:
-            BadInput: reference pulses that cannot be, or another number of signs.
+            BadInput: reference pulses that cannot be, another number of signs, a last tick before the last of them.
         """
         if ticks is None:
             if signs is not None:
                 raise bad_input(
                     "signs without ticks", field="ticks", value=None, allowed="whole numbers", way_out="give both, or none"
                 )
-            times, senses, last = self._core.references()
+            references = self._core.references()
+            times, senses, last = references[0].astype(np.int64), references[1], references[2]
         else:
-            times = _whole("ticks", ticks)
-            senses = np.ones(times.size, dtype=np.int64) if signs is None else _whole("signs", signs)
+            times = whole("ticks", ticks)
+            senses = np.ones(times.size, dtype=np.int64) if signs is None else whole("signs", signs)
             if (times < 0).any():
                 raise bad_input(
                     "ticks count from 1", field="ticks", value=times.min(), allowed=">= 1", way_out="count from the start"
                 )
             last = int(times.max(initial=0))
+        latest = int(times.max(initial=0))
+        if last_tick is not None and last_tick < latest:
+            raise bad_input(
+                "reference pulses come after the last tick",
+                field="last_tick",
+                value=last_tick,
+                allowed=f">= {latest}",
+                way_out="leave these pulses out, or run longer",
+            )
         found = self._core.pulses(times.tolist(), senses.tolist(), last if last_tick is None else last_tick)
         return Pulses(found["tick"], found["sign"], found["kind"].view("S1").astype("U1"), found["turned"])
 
     def __repr__(self) -> str:
         return f"<Gearbox of {self.job.name!r}: clock {self.clock:g} Hz>"
-
-
-def _whole(name: str, given: ArrayLike) -> NDArray[np.int64]:
-    values = np.asarray(given)
-    if values.ndim != 1 or (values.size and not np.issubdtype(values.dtype, np.integer)):
-        raise bad_input(
-            f"{name} are whole numbers in one axis",
-            field=name,
-            value=f"{values.dtype} of shape {values.shape}",
-            allowed="integers of shape (pulse,)",
-            way_out="round them, and give a flat list",
-        )
-    return values.astype(np.int64)

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import html
 import json
+import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from . import _core, _paths
+from ._files import written
 from ._values import plain
 
 
@@ -161,6 +163,14 @@ class Job:
             self._tree = self.tree
         return _paths.get(self._tree, path)
 
+    def __contains__(self, path: str) -> bool:
+        """Whether there is an entry at a path."""
+        try:
+            self[path]
+        except KeyError:
+            return False
+        return True
+
     def replace(self, changes: Mapping[str, Any] | None = None, /, **more: Any) -> Job:
         """Another job with entries set, e.g. ``job.replace({"gear.teeth": 31, "target.tolerance_um": 2})``.
 
@@ -179,6 +189,14 @@ class Job:
         # Its files lie where they lay; what it is written in shows from the name.
         return self._of(_core.CoreJob(json.dumps(tree), str(Path(self.source).with_suffix(".json"))))
 
+    def files(self) -> list[Path]:
+        """Files that its entries name and that are there: machines, tables, readings."""
+        if self._tree is None:
+            self._tree = self.tree
+        beside = Path(self.source).parent
+        named = (beside / word for word in _paths.words(self._tree) if word and "\0" not in word and len(word) < 1024)
+        return sorted({path for path in named if path.is_file()})
+
     def check(self) -> Derived:
         """What follows from the job before anything is planned: diameters, base data, measures, contact, with their units.
 
@@ -193,10 +211,11 @@ class Job:
         Raises:
             OSError: the file cannot be written.
         """
-        Path(path).write_text(self.text, encoding="utf-8")
+        written(Path(path), lambda part: part.write_text(self.text, encoding="utf-8"))
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _again, (self.text, self.source)
+        # Files that it names lie where they lay, whatever the folder of the process that takes it.
+        return _again, (self.text, os.path.abspath(self.source))
 
     def __repr__(self) -> str:
         return f"<Job {self.name!r}: {self.process}>"

@@ -13,6 +13,7 @@ from . import _core
 from ._bodies import Side
 from ._errors import bad_input
 from ._tasks import AnyJob, Progress, as_job
+from ._values import whole
 
 Array = NDArray[np.float64]
 
@@ -117,7 +118,7 @@ class ToolMeasurement:
         Raises:
             BadInput: a job that measures nothing.
         """
-        numbers = [int(seed) for seed in np.atleast_1d(np.asarray(seeds))]
+        numbers = whole("seeds", list(seeds) if isinstance(seeds, range) else seeds).tolist()
         if any(seed < 0 for seed in numbers):
             raise bad_input(
                 "a seed is negative", field="seeds", value=min(numbers), allowed="0 and more", way_out="give other numbers"

@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._errors import bad_input
+from ._extras import needed
 from ._tasks import AnyJob, Progress, as_job
+from ._values import one_of
 
 if TYPE_CHECKING:
     import xarray
@@ -71,15 +72,7 @@ class Milling:
         return Milling, (self.job,)
 
     def _number(self, flank: str) -> int:
-        if flank not in self.flanks:
-            raise bad_input(
-                f"there is no flank {flank!r}",
-                field="flank",
-                value=flank,
-                allowed=", ".join(self.flanks),
-                way_out="choose one of these",
-            )
-        return self.flanks.index(flank)
+        return self.flanks.index(one_of("flank", flank, *self.flanks))
 
     def heights(self, flank: str) -> tuple[float, float]:
         """Height parameters at root and tip."""
@@ -109,6 +102,7 @@ class Milling:
         ``height``, ``length``, ``contact_height``, ``contact_radius``, ``tilt``, ``beside_face`` over (row, column); the coordinate ``lead``
         of the columns is their parameter on the lead curve. Row 0 is at the root. Needs xarray.
         """
+        needed("xarray", "arrays")
         import xarray
 
         found = self._core.rows(self._number(flank))
@@ -134,6 +128,7 @@ class Milling:
         Raises:
             NotProducible: a place beyond the rows.
         """
+        needed("xarray", "arrays")
         import xarray
 
         axes = [np.atleast_1d(np.asarray(each, dtype=np.float64)) for each in (height, length)]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import copy
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 _STEP = re.compile(r"([^.\[\]]+)|\[(\d+)\]")
@@ -75,3 +75,15 @@ def changed(tree: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, An
         else:
             raise KeyError(f"{path!r}: there is no {last!r}")
     return new
+
+
+def words(tree: Any) -> Iterator[str]:
+    """All words of a tree."""
+    if isinstance(tree, str):
+        yield tree
+    elif isinstance(tree, Mapping):
+        for inner in tree.values():
+            yield from words(inner)
+    elif isinstance(tree, list):
+        for inner in tree:
+            yield from words(inner)

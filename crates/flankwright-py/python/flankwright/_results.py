@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
+from ._extras import needed
 from ._jobs import Remark
 
 if TYPE_CHECKING:
@@ -69,6 +70,7 @@ class Flanks(Mapping[str, FlankValues]):
         """The flanks as labelled arrays: a node for each flank with ``target``, ``planned`` and ``simulated`` (um) over ``w`` and ``z``
         (mm). Needs xarray 2024.10 or later.
         """
+        needed("xarray", "arrays")
         import xarray
 
         def dataset(flank: FlankValues) -> xarray.Dataset:

@@ -12,6 +12,7 @@ from . import _core
 from ._bodies import Side
 from ._errors import bad_input
 from ._tasks import AnyJob, Progress, as_job
+from ._values import finite, in_rows
 
 
 class TangentialModel:
@@ -73,22 +74,9 @@ class TangentialModel:
             ValueError: values of different lengths.
             NotProducible: the flank is undercut, or lies beyond the tool, with the number of the sample.
         """
-        given = {name: np.asarray(value, dtype=np.float64) for name, value in (variables or {}).items()}
-        wide = np.broadcast_arrays(*given.values()) if given else []
-        shape = wide[0].shape if wide else ()
-        if len(shape) > 1:
-            raise bad_input(
-                "samples stand in one axis", field="variables", value=shape, allowed="(sample,)", way_out="give flat arrays"
-            )
-        samples = np.empty((shape[0] if shape else 1, len(given)))
-        for column, values in enumerate(wide):
-            samples[:, column] = values
-        if not np.isfinite(samples).all():
-            raise bad_input(
-                "values are not finite", field="variables", value="nan or inf", allowed="finite numbers", way_out="leave them out"
-            )
-        found = self._core.evaluate(list(given), samples, progress)
-        return found if shape else found[0]
+        names, samples, single = in_rows("variables", variables or {})
+        found = self._core.evaluate(names, samples, progress)
+        return found[0] if single else found
 
     def sensitivities(
         self, names: Sequence[str], at: Mapping[str, float] | None = None
@@ -103,10 +91,10 @@ class TangentialModel:
             For each name an array of shape (profile, helix), um per mm (``gA``: per rad; ``kap``: per 1).
 
         Raises:
-            BadInput: an unknown name.
+            BadInput: an unknown name, a value that is not finite.
             NotProducible: the flank is undercut there, or lies beyond the tool.
         """
-        there = dict(at or {})
+        there = {name: finite(f"at[{name!r}]", value) for name, value in (at or {}).items()}
         every = [*names, *(name for name in there if name not in names)]
         found = self._core.sensitivities(every, [float(there.get(name, 0.0)) for name in every])
         return {name: found[k] for k, name in enumerate(names)}

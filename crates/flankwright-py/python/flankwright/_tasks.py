@@ -6,7 +6,7 @@ import json
 import os
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, overload
 
 import numpy as np
 
@@ -85,14 +85,20 @@ def inspect(
     Raises:
         BadInput: the file or the job is at fault, or something has to be stated that the file does not tell.
         NotProducible: the bodies of the job cannot make its target.
-        TypeError: neither file nor job, or a folder with a job.
+        TypeError: neither file nor job, a folder with a job, statements on no file, a class for a single gear.
     """
+    if tolerance_class is not None and file is None:
+        raise TypeError("tolerance_class sets the limits of a series: give a folder, or leave it out")
     stated = (from_other_end, slope_signs, datum_face, helix_slope_over, profile_slope_over)
     if file is None:
         if job is None:
             raise TypeError("inspect takes a file, a job that simulates its measurement, or both")
+        if stated != (False, None, None, None, None):
+            raise TypeError("there is no file of which something could be stated: leave the statements out, or give the file")
         return Result(_core.run("inspect", as_job(job)._core, progress))
     path = Path(file)
+    if tolerance_class is not None and not path.is_dir():
+        raise TypeError("tolerance_class sets the limits of a series: give a folder, or leave it out")
     if path.is_dir():
         if job is not None:
             raise TypeError("a folder is evaluated without a job: give the file of one gear, or leave the job out")
@@ -136,9 +142,17 @@ def preview(job: AnyJob) -> Preview:
     return Preview(_core.preview(as_job(job)._core))
 
 
+@overload
+def plan_many(
+    jobs: Iterable[AnyJob], *, errors: Literal["raise"] = "raise", progress: Progress | None = None
+) -> list[Result]: ...
+@overload
+def plan_many(
+    jobs: Iterable[AnyJob], *, errors: Literal["return"], progress: Progress | None = None
+) -> list[Result | FlankwrightError]: ...
 def plan_many(
     jobs: Iterable[AnyJob], *, errors: Literal["raise", "return"] = "raise", progress: Progress | None = None
-) -> list[Result | FlankwrightError]:
+) -> Any:
     """Plans many jobs on all cores; results in the order of the jobs, whatever the number of cores.
 
     Args:
@@ -152,41 +166,67 @@ def plan_many(
     Raises:
         FlankwrightError: the first one, unless they are returned.
     """
-    return _many(_core.run_many("plan", [as_job(job)._core for job in jobs], progress), Result, errors)
+    return _many(lambda cores: _core.run_many("plan", cores, progress), jobs, Result, errors)
 
 
+@overload
+def simulate_many(
+    jobs: Iterable[AnyJob], *, errors: Literal["raise"] = "raise", progress: Progress | None = None
+) -> list[Result]: ...
+@overload
+def simulate_many(
+    jobs: Iterable[AnyJob], *, errors: Literal["return"], progress: Progress | None = None
+) -> list[Result | FlankwrightError]: ...
 def simulate_many(
     jobs: Iterable[AnyJob], *, errors: Literal["raise", "return"] = "raise", progress: Progress | None = None
-) -> list[Result | FlankwrightError]:
+) -> Any:
     """As :func:`plan_many`, for :func:`simulate`."""
-    return _many(_core.run_many("simulate", [as_job(job)._core for job in jobs], progress), Result, errors)
+    return _many(lambda cores: _core.run_many("simulate", cores, progress), jobs, Result, errors)
 
 
+@overload
+def preview_many(
+    jobs: Iterable[AnyJob], *, errors: Literal["raise"] = "raise", progress: Progress | None = None
+) -> list[Preview]: ...
+@overload
+def preview_many(
+    jobs: Iterable[AnyJob], *, errors: Literal["return"], progress: Progress | None = None
+) -> list[Preview | FlankwrightError]: ...
 def preview_many(
     jobs: Iterable[AnyJob], *, errors: Literal["raise", "return"] = "raise", progress: Progress | None = None
-) -> list[Preview | FlankwrightError]:
+) -> Any:
     """As :func:`plan_many`, for :func:`preview`."""
-    return _many(_core.preview_many([as_job(job)._core for job in jobs], progress), Preview, errors)
+    return _many(lambda cores: _core.preview_many(cores, progress), jobs, Preview, errors)
 
 
-def _many(found: Sequence[Any], made: Callable[[Any], Any], errors: str) -> list[Any]:
+def _many(
+    work: Callable[[list[_core.CoreJob]], Sequence[Any]], jobs: Iterable[AnyJob], made: Callable[[Any], Any], errors: str
+) -> list[Any]:
     if errors not in ("raise", "return"):
         raise ValueError(f"errors={errors!r}: 'raise' or 'return'")
-    results = []
-    for one in found:
+    results: list[Any] = []
+    for job in jobs:
+        try:
+            results.append(as_job(job))
+        except FlankwrightError as error:
+            if errors == "raise":
+                raise
+            results.append(error)
+    places = [k for k, job in enumerate(results) if isinstance(job, Job)]
+    for k, one in zip(places, work([results[k]._core for k in places])):
         if isinstance(one, FlankwrightError):
             if errors == "raise":
                 raise one
-            results.append(one)
+            results[k] = one
         else:
-            results.append(made(one))
+            results[k] = made(one)
     return results
 
 
 def verify(
     files: str | os.PathLike[str] | Iterable[str | os.PathLike[str]],
     *,
-    data: Iterable[str | os.PathLike[str]] = (),
+    data: str | os.PathLike[str] | Iterable[str | os.PathLike[str]] = (),
 ) -> dict[str, Any]:
     """Recomputes every expected value of reference files, as ``flankwright verify --json`` tells it.
 
@@ -200,7 +240,9 @@ def verify(
     Raises:
         BadInput: a file that cannot be read or is of no known schema.
     """
-    one = isinstance(files, (str, os.PathLike))
-    paths = [Path(files)] if one else [Path(file) for file in files]  # type: ignore[union-attr, arg-type]
-    found: dict[str, Any] = json.loads(_core.verify(paths, [Path(folder) for folder in data]))
+    found: dict[str, Any] = json.loads(_core.verify(_paths_of(files), _paths_of(data)))
     return found
+
+
+def _paths_of(given: str | os.PathLike[str] | Iterable[str | os.PathLike[str]]) -> list[Path]:
+    return [Path(given)] if isinstance(given, (str, os.PathLike)) else [Path(one) for one in given]

@@ -10,13 +10,15 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
-from matplotlib.colors import LinearSegmentedColormap
 
+from ._extras import needed
 from ._results import Array, Flanks, FlankValues, Result
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+
+needed("matplotlib", "plots")
+from matplotlib.colors import LinearSegmentedColormap  # noqa: E402
 
 Shown = Literal["target", "planned", "simulated", "deviation"]
 __all__ = ["COLOURS", "contour", "diagrams", "net"]
@@ -32,6 +34,8 @@ _TITLES: Mapping[str, str] = {
 
 
 def _values(flank: FlankValues, shown: Shown) -> Array:
+    if shown not in _TITLES:
+        raise ValueError(f"a flank has no values {shown!r}: choose among {', '.join(_TITLES)}")
     values: Array | None = getattr(flank, shown)
     if values is None:
         raise ValueError(f"the {flank.name} flank has no values {shown!r}: plan the job with its referee")
@@ -118,7 +122,7 @@ def net(
         few = {"rcount": 13, "ccount": 17}
         ax.plot_wireframe(z, w, np.zeros_like(z), color="0.75", linewidth=0.4, **few)
         ax.plot_wireframe(z, w, values * 1e-3 * magnification, color="black", linewidth=0.7, **few)
-        ax.set_box_aspect((np.ptp(flank.z), np.ptp(flank.w), 0.8 * width))
+        ax.set_box_aspect((np.ptp(flank.z), np.ptp(flank.w), 0.8 * width), zoom=0.88)
         ax.set_zlim(-0.5 * width, 0.5 * width)
         ax.set_zticks([])
         ax.set(title=f"{flank.name} flank, |f| ≤ {np.abs(values).max():.3g} µm", xlabel="z [mm]", ylabel="w [mm]")
@@ -154,13 +158,13 @@ def diagrams(of: Result | Flanks | FlankValues, shown: Iterable[Shown] = ("targe
     Raises:
         ValueError: no flanks, or none of the values that are to be shown.
     """
-    flanks = _flanks(of)
+    flanks, drawn = _flanks(of), tuple(shown)
     dashes = {"target": "--", "planned": "-.", "simulated": "-", "deviation": ":"}
     figure = _figure(figsize=(4.6 * len(flanks), 6.4), layout="constrained")
     axes = figure.subplots(2, len(flanks), squeeze=False)
     for k, flank in enumerate(flanks):
         profile, helix = axes[0][k], axes[1][k]
-        for what in shown:
+        for what in drawn:
             values = _values(flank, what)
             profile.plot(values[:, flank.z.size // 2], flank.w, dashes[what], color="black", label=_TITLES[what])
             helix.plot(flank.z, values[flank.w.size // 2], dashes[what], color="black", label=_TITLES[what])
@@ -174,13 +178,12 @@ def diagrams(of: Result | Flanks | FlankValues, shown: Iterable[Shown] = ("targe
             xlabel="axial position z [mm]",
             ylabel="material left, normal [µm]",
         )
+        profile.axvline(0.0, color="0.6", linewidth=0.6)
+        helix.axhline(0.0, color="0.6", linewidth=0.6)
         for ax in (profile, helix):
-            _grid(ax)
+            ax.grid(True, linewidth=0.4, color="0.8")
+        # Both sides on one scale.
+        profile.sharex(axes[0][0])
+        helix.sharey(axes[1][0])
     axes[0][0].legend(fontsize=8)
     return figure
-
-
-def _grid(ax: Axes) -> None:
-    ax.grid(True, linewidth=0.4, color="0.8")
-    ax.axhline(0.0, color="0.6", linewidth=0.6)
-    ax.axvline(0.0, color="0.6", linewidth=0.6)

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, Literal
-
-import numpy as np
-from numpy.typing import NDArray
+from typing import Any, Literal, NamedTuple
 
 from .. import _core
 from .._errors import FlankwrightError
@@ -16,7 +14,22 @@ from .._tasks import plan_many, preview_many, simulate_many
 from ._outputs import Columns, Output, columns, of_result
 
 Task = Literal["preview", "plan", "simulate"]
-_TASKS: dict[Task, Callable[..., list[Any]]] = {"preview": preview_many, "plan": plan_many, "simulate": simulate_many}
+TASKS: dict[Task, Callable[..., list[Any]]] = {"preview": preview_many, "plan": plan_many, "simulate": simulate_many}
+
+# Errors of the machine on which a sample is worked on, not of the sample.
+_ELSEWHERE = {"unreadable-file", "internal-error"}
+
+
+class Sender(NamedTuple):
+    """Who sends a chunk to a worker.
+
+    Attributes:
+        version: Version of the package there.
+        process: Its process.
+    """
+
+    version: str
+    process: int
 
 
 def evaluate(
@@ -24,11 +37,16 @@ def evaluate(
     task: Task,
     changes: Sequence[Mapping[str, Any]],
     outputs: Mapping[str, Output],
-    threads: int | None = None,
+    sender: Sender | None = None,
 ) -> Columns:
-    """The columns of a chunk, with the code of its error for every sample that was refused (else an empty word)."""
-    if threads is not None:
-        _core.use_threads(threads)
+    """The columns of a chunk, with the code of its error for every sample that was refused (else an empty word).
+
+    Raises:
+        FlankwrightError: a file that is not there, or a fault of the program: these are no properties of a sample.
+        RuntimeError: a worker with another version of the package.
+    """
+    if sender is not None:
+        _on_worker(sender)
     if isinstance(model, Forward):
         return _of_forward(model, changes, outputs)
     errors: list[str] = [""] * len(changes)
@@ -39,44 +57,40 @@ def evaluate(
             jobs.append(model.replace(change))
             places.append(k)
         except FlankwrightError as error:
-            errors[k] = error.code
+            errors[k] = _code(error)
     values: dict[str, list[Any]] = {name: [None] * len(changes) for name in outputs}
-    for k, result in zip(places, _TASKS[task](jobs, errors="return")):
+    for k, result in zip(places, TASKS[task](jobs, errors="return")):
         if isinstance(result, FlankwrightError):
-            errors[k] = result.code
+            errors[k] = _code(result)
             continue
         for name, output in outputs.items():
             values[name][k] = of_result(output, result)
     return columns(values, errors)
 
 
+def _on_worker(sender: Sender) -> None:
+    if sender.version != _core.VERSION:
+        raise RuntimeError(f"this worker has flankwright {_core.VERSION}, the sweep {sender.version}: install the same")
+    if sender.process == os.getpid():
+        return
+    from distributed import get_worker
+
+    worker: Any = get_worker()
+    _core.use_threads(worker.state.nthreads)
+
+
+def _code(error: FlankwrightError) -> str:
+    if error.code in _ELSEWHERE:
+        raise error
+    return error.code
+
+
 def _of_forward(model: Forward, changes: Sequence[Mapping[str, Any]], outputs: Mapping[str, Output]) -> Columns:
-    for name, output in outputs.items():
-        if isinstance(output, str):
-            raise ValueError(f"{name!r}: outputs of a forward model are functions of its flanks (flank, profile, helix)")
-    flanks, errors = _flanks(model, changes)
+    together = {name: [change[name] for change in changes] for name in changes[0]}
+    flanks, refused = model.each(together)
+    errors = [_code(refused[k]) if k in refused else "" for k in range(len(changes))]
     values = {
-        name: [output(of) if of is not None and callable(output) else None for of in flanks]
+        name: [output(of) if not error and callable(output) else None for of, error in zip(flanks, errors)]
         for name, output in outputs.items()
     }
     return columns(values, errors)
-
-
-def _flanks(
-    model: Forward, changes: Sequence[Mapping[str, Any]]
-) -> tuple[list[NDArray[np.float64] | None], list[str]]:
-    """The flanks of all samples, ``None`` with the code of its error for one that has none."""
-    together = {name: np.array([change[name] for change in changes]) for name in changes[0]}
-    try:
-        return list(model(together)), [""] * len(changes)
-    except FlankwrightError:
-        # One of them has no result: which, and with which error, each tells alone. What they give is the same.
-        pass
-    flanks: list[NDArray[np.float64] | None] = [None] * len(changes)
-    errors = [""] * len(changes)
-    for k, change in enumerate(changes):
-        try:
-            flanks[k] = model(change)
-        except FlankwrightError as error:
-            errors[k] = error.code
-    return flanks, errors

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-import os
-import tempfile
+import shutil
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any, Literal
@@ -13,10 +12,14 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from .._extras import needed
+from .._files import written
+from .._values import plain
 from ._outputs import Columns, joined
 from ._samples import Samples
 
 Form = Literal["parquet", "zarr"]
+FORMS: tuple[Form, ...] = ("parquet", "zarr")
 
 
 class Folder:
@@ -30,12 +33,14 @@ class Folder:
 
     def __init__(self, path: Path, asked: dict[str, Any], samples: Samples, chunk: int, form: Form) -> None:
         self.path, self.samples, self.chunk, self.form = path, samples, chunk, form
+        needed(*(("pyarrow", "sweep") if form == "parquet" else ("zarr", "sweep")))
         self.outputs = list(asked["outputs"])
         path.mkdir(parents=True, exist_ok=True)
         (path / "chunks").mkdir(exist_ok=True)
         asked = {**asked, "samples": samples.digest(), "chunk": chunk, "form": form, "shape": list(samples.shape)}
         manifest = path / "sweep.json"
-        if manifest.exists():
+        # Nothing is lost with a folder in which nothing is finished.
+        if manifest.exists() and any((path / "chunks").iterdir()):
             there = json.loads(manifest.read_text(encoding="utf-8"))
             if there != asked:
                 other = sorted(key for key in {*there, *asked} if there.get(key) != asked.get(key))
@@ -44,10 +49,12 @@ class Folder:
                 )
         else:
             if form == "zarr":
-                self._put_zarr("samples", 0, dict(samples.columns), len(samples))
+                for group in ("samples", "results"):
+                    shutil.rmtree(path / f"{group}.zarr", ignore_errors=True)
+                self._put_zarr("samples", 0, _told(samples), len(samples))
             else:
-                _write(path / "samples.parquet", lambda to: _to_parquet(dict(samples.columns), to))
-            _write(manifest, lambda to: to.write_text(json.dumps(asked, indent=2), encoding="utf-8"))
+                written(path / "samples.parquet", lambda to: _to_parquet(_told(samples), to))
+            written(manifest, lambda to: to.write_text(json.dumps(asked, indent=2), encoding="utf-8"))
 
     def has(self, part: slice) -> bool:
         """Whether a chunk is finished."""
@@ -57,13 +64,29 @@ class Folder:
         """Keeps a finished chunk."""
         if self.form == "zarr":
             self._put_zarr("results", part.start, columns, len(self.samples))
-            _write(self._mark(part), lambda to: to.write_text(_digest(columns), encoding="utf-8"))
+            written(self._mark(part), lambda to: to.write_text(_digest(columns), encoding="utf-8"))
         else:
-            _write(self._mark(part), lambda to: _to_parquet(columns, to))
+            # Every file has every column: who reads them all takes the names of the first.
+            empty = {name: np.full(part.stop - part.start, np.nan) for name in self.outputs}
+            written(self._mark(part), lambda to: _to_parquet({**empty, **columns}, to))
+
+    def known(self) -> Columns:
+        """Columns as the finished chunks have them, without the errors; of no sample if nothing is finished."""
+        columns = self.get() if self.form == "parquet" else self._zarr_columns()
+        return {name: values[:0] for name, values in columns.items() if name != "error"}
+
+    def _zarr_columns(self) -> Columns:
+        import zarr
+
+        path = self.path / "results.zarr"
+        if not path.exists():
+            return {}
+        root: Any = zarr.open_group(path, mode="r")
+        return {str(name): np.asarray(root[name][:0]) for name in root}
 
     def get(self) -> Columns:
         """All finished chunks, in order; missing ones are left out."""
-        return read(self.path, self.form, self.chunk, len(self.samples), self.outputs)
+        return read(self.path, self.form, self.chunk, len(self.samples), self.outputs)[1]
 
     def _mark(self, part: slice) -> Path:
         return self.path / "chunks" / _name(part.start // self.chunk, self.form)
@@ -84,19 +107,28 @@ class Folder:
             root[name][start : start + len(values)] = values
 
 
-def read(path: Path, form: Form, chunk: int, count: int, outputs: Iterable[str]) -> Columns:
-    """The columns of a folder."""
+def _told(samples: Samples) -> Columns:
+    """Samples for who reads the folder: numbers beside words as JSON."""
+    mixed = {path: of for path, of in samples.columns.items() if of.dtype.kind == "O"}
+    words = {path: np.array([json.dumps(value) for value in plain(of)], dtype=np.str_) for path, of in mixed.items()}
+    return {**samples.columns, **words}
+
+
+def read(
+    path: Path, form: Form, chunk: int, count: int, outputs: Iterable[str]
+) -> tuple[NDArray[np.int64], Columns]:
+    """The samples of finished chunks by their numbers, and their columns."""
     starts = range(0, count, chunk)
     there = [k for k in range(len(starts)) if (path / "chunks" / _name(k, form)).exists()]
+    rows = np.concatenate([np.arange(0), *(np.arange(starts[k], min(starts[k] + chunk, count)) for k in there)])
     if not there:
-        return {}
+        return rows, {}
     if form == "parquet":
-        return joined([_from_parquet(path / "chunks" / _name(k, form)) for k in there], outputs)
+        return rows, joined([_from_parquet(path / "chunks" / _name(k, form)) for k in there], outputs)
     import zarr
 
     root: Any = zarr.open_group(path / "results.zarr", mode="r")
-    rows = np.concatenate([np.arange(starts[k], min(starts[k] + chunk, count)) for k in there])
-    return joined([{str(name): np.asarray(root[name][:])[rows] for name in root}], outputs)
+    return rows, joined([{str(name): np.asarray(root[name][:])[rows] for name in root}], outputs)
 
 
 def _name(number: int, form: Form) -> str:
@@ -108,17 +140,6 @@ def _digest(columns: Columns) -> str:
     for name, values in sorted(columns.items()):
         digest.update(name.encode() + np.ascontiguousarray(values).tobytes())
     return digest.hexdigest()
-
-
-def _write(path: Path, write: Any) -> None:
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=".", suffix=".part")
-    os.close(handle)
-    try:
-        write(Path(name))
-        os.replace(name, path)
-    except BaseException:
-        os.unlink(name)
-        raise
 
 
 def _to_parquet(columns: dict[str, NDArray[Any]], to: Path) -> None:
@@ -136,4 +157,6 @@ def _from_parquet(path: Path) -> Columns:
 
     found = pyarrow.parquet.read_table(path)
     columns = {name: found[name].to_numpy(zero_copy_only=False) for name in found.column_names}
+    if (columns["error"] != "").all():
+        columns = {"error": columns["error"]}
     return {name: of.astype(np.str_) if of.dtype.kind == "O" else of for name, of in columns.items()}

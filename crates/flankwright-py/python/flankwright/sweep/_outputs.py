@@ -32,6 +32,9 @@ def named(outputs: Outputs) -> dict[str, Output]:
         raise ValueError("a sweep has at least one output")
     if "error" in found:
         raise ValueError("'error' is the column of refused samples: choose another name")
+    slashed = [name for name in found if "/" in name]
+    if slashed:
+        raise ValueError(f"{slashed[0]!r} has a slash, by which Zarr divides groups: choose another name")
     return found
 
 
@@ -54,6 +57,26 @@ def columns(values: Mapping[str, Sequence[Any]], errors: Sequence[str]) -> Colum
 def joined(parts: Sequence[Columns], names: Iterable[str]) -> Columns:
     """Columns of several chunks one after the other, all of these names and the errors."""
     return {name: np.concatenate(_filled(name, parts)) for name in (*names, "error")}
+
+
+class Shapes:
+    """What the columns of a sweep have in common: one shape and one kind of values for all chunks."""
+
+    def __init__(self) -> None:
+        self._known: dict[str, tuple[tuple[int, ...], bool]] = {}
+
+    def check(self, part: Columns) -> None:
+        """Takes a chunk in.
+
+        Raises:
+            ValueError: it has values of other shapes than those before, or numbers where they have words.
+        """
+        for name, values in part.items():
+            found = (values.shape[1:], values.dtype.kind in "UOT")
+            first = self._known.setdefault(name, found)
+            if found != first:
+                kinds = ["words" if words else f"numbers of the shape {shape}" for shape, words in (first, found)]
+                raise ValueError(f"the output {name!r} has {kinds[0]} for some samples and {kinds[1]} for others")
 
 
 def _filled(name: str, parts: Sequence[Columns]) -> list[NDArray[Any]]:

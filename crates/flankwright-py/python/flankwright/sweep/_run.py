@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import hashlib
-import inspect as python
 import json
+import operator
 import os
 from collections.abc import Callable, Iterable, Iterator
 from itertools import islice
@@ -14,12 +14,16 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import _core
+from .._errors import FlankwrightError
+from .._extras import needed
 from .._forward import Forward
 from .._jobs import Job
 from .._tasks import AnyJob, as_job
-from ._chunk import Task, evaluate
-from ._folder import Folder, Form, read
-from ._outputs import Columns, Output, Outputs, joined, named
+from .._values import one_of
+from ._chunk import TASKS, Sender, Task, evaluate
+from ._folder import FORMS, Folder, Form, read
+from ._identity import identity
+from ._outputs import Columns, Output, Outputs, Shapes, joined, named
 from ._samples import Samples
 
 if TYPE_CHECKING:
@@ -41,15 +45,22 @@ class Swept:
     def __init__(self, samples: Samples, columns: Columns) -> None:
         self.samples, self.columns = samples, columns
 
+    @property
+    def is_loaded(self) -> bool:
+        """Whether the columns are here; else they are in the folder, which :func:`load` reads."""
+        return len(self.columns["error"]) == len(self.samples)
+
     def __getitem__(self, name: str) -> Any:
         return self.columns[name]
 
     def to_xarray(self) -> xarray.Dataset:
         """Labelled arrays: over the paths of a grid, else over ``sample``; axes of an output of its own follow as ``NAME_0``, ``NAME_1``."""
+        needed("xarray", "arrays")
         import xarray
 
-        shape, paths = self.samples.shape, list(self.samples.columns)
-        is_grid = len(shape) == len(paths) and len(shape) > 1
+        if not self.is_loaded:
+            raise ValueError("the columns are in the folder of the sweep: run it with load=True")
+        shape, paths, is_grid = self.samples.shape, list(self.samples.columns), self.samples.is_grid
         dims = tuple(paths) if is_grid else ("sample",)
         data = {}
         for name, values in self.columns.items():
@@ -63,6 +74,8 @@ class Swept:
         return xarray.Dataset(data, coordinates)
 
     def __repr__(self) -> str:
+        if not self.is_loaded:
+            return f"<Swept: {len(self.samples)} samples, kept in their folder>"
         refused = int((self.columns["error"] != "").sum())
         return f"<Swept: {len(self.samples)} samples, {refused} refused, {', '.join(self.columns)}>"
 
@@ -92,32 +105,38 @@ def run(
         outputs: What is kept of each sample: paths in the document of its result, or functions of the result; for a forward model functions of
             its flanks, an array of shape (flank, profile, helix). Numbers, words, or arrays that have the same shape for every sample.
         task: ``preview`` (plan without a referee), ``plan`` or ``simulate``.
-        folder: Where finished chunks are kept. Begun again with the same arguments, the sweep goes on where it was.
+        folder: Where finished chunks are kept. Begun again with the same arguments, the sweep goes on where it was; functions are known again by
+            their code and the plain values that they hold or name, the job by its text and the files that it names.
         form: ``parquet`` for numbers and words, ``zarr`` for arrays as well.
         chunk: Samples of a chunk; no more than a few chunks are in memory at a time, if they are kept in a folder and not loaded.
         client: A client of a Dask cluster; without it, all cores of this machine.
-        progress: Shows a bar.
+        progress: Shows a bar, where tqdm is there.
         load: Returns all columns; without it, those of no sample (they are in the folder).
 
     Returns:
         A row for every sample. A sample that was refused has no values (NaN, an empty word) and the code of its error.
 
     Raises:
-        ValueError: arguments that contradict each other, or a folder with another sweep.
-        BadInput: a forward model that is asked for deviations it does not know.
+        ValueError: arguments that contradict each other, outputs of several shapes, a folder with another sweep.
+        BadInput: a key or a deviation that there is not, a file that a sample names and that is not there.
     """
-    if chunk < 1:
-        raise ValueError(f"chunk = {chunk}: give 1 or more")
-    if not load and folder is None:
-        raise ValueError("load=False keeps nothing without a folder")
     wanted = named(outputs)
     of = model if isinstance(model, Forward) else as_job(model)
+    chunk = operator.index(chunk)
+    _check(of, samples, wanted, task, form, chunk)
+    if not load and folder is None:
+        raise ValueError("load=False keeps nothing without a folder")
     kept = None if folder is None else Folder(Path(folder), _asked(of, task, wanted), samples, chunk, form)
+    shapes = Shapes()
+    if kept is not None:
+        shapes.check(kept.known())
     parts = list(samples.chunks(chunk))
     missing = [part for part in parts if kept is None or not kept.has(part)]
     held: dict[int, Columns] = {}
-    with _bar(progress, len(samples), sum(part.stop - part.start for part in parts if part not in missing)) as told:
+    to_do = sum(part.stop - part.start for part in missing)
+    with _bar(progress, len(samples), len(samples) - to_do) as told:
         for part, columns in _worked_off(of, task, samples, wanted, missing, client):
+            shapes.check(columns)
             if kept is None:
                 held[part.start] = columns
             else:
@@ -128,6 +147,31 @@ def run(
     return Swept(samples, kept.get() if kept is not None else joined([held[part.start] for part in parts], wanted))
 
 
+def _check(
+    model: Job | Forward, samples: Samples, outputs: dict[str, Output], task: Task, form: Form, chunk: int
+) -> None:
+    """Refuses what cannot be carried out, before a folder is made of it."""
+    if chunk < 1:
+        raise ValueError(f"chunk = {chunk}: give 1 or more")
+    if task not in TASKS:
+        raise ValueError(f"task = {task!r}: choose among {', '.join(TASKS)}")
+    if form not in FORMS:
+        raise ValueError(f"form = {form!r}: choose among {', '.join(FORMS)}")
+    both = sorted(set(outputs) & set(samples.columns))
+    if both:
+        raise ValueError(f"{both[0]!r} is a sample and an output: give the output another name")
+    if isinstance(model, Forward):
+        for name in samples.columns:
+            one_of("deviation", name, *Forward.names())
+        return
+    try:
+        model.replace(samples[0:1][0])
+    except FlankwrightError as error:
+        # A key that no sample can have.
+        if error.code == "unknown-key":
+            raise
+
+
 def load(folder: str | os.PathLike[str]) -> Columns:
     """The columns of all finished chunks of a folder, without computing anything.
 
@@ -135,7 +179,7 @@ def load(folder: str | os.PathLike[str]) -> Columns:
         folder: The folder of a sweep, finished or not.
 
     Returns:
-        Outputs by name, shape (finished sample, ...), and ``error``, as in :attr:`Swept.columns`.
+        Outputs by name, shape (finished sample, ...), and ``error``, as in :attr:`Swept.columns`; ``sample``: the numbers of these samples.
 
     Raises:
         FileNotFoundError: the folder holds no sweep.
@@ -145,7 +189,8 @@ def load(folder: str | os.PathLike[str]) -> Columns:
     count = 1
     for length in asked["shape"]:
         count *= length
-    return read(path, asked["form"], asked["chunk"], count, asked["outputs"])
+    rows, columns = read(path, asked["form"], asked["chunk"], count, asked["outputs"])
+    return {"sample": rows, **columns}
 
 
 def _worked_off(
@@ -163,22 +208,24 @@ def _worked_off(
     from distributed import as_completed
 
     cluster: Any = client
-    workers: dict[str, int] = cluster.nthreads()
-    # A few chunks for each worker at a time: memory is bounded, and nobody waits.
-    ahead, threads = 2 * max(1, len(workers)), max(workers.values(), default=1)
+    sender = Sender(_core.VERSION, os.getpid())
     waiting = iter(parts)
     under_way: dict[Any, slice] = {}
 
     def submit(part: slice) -> Any:
         # The model goes with every chunk: it is small, and nothing has to be found again when a worker dies.
-        future = cluster.submit(evaluate, model, task, samples[part], outputs, threads, pure=False, retries=10)
+        future = cluster.submit(evaluate, model, task, samples[part], outputs, sender, pure=False)
         under_way[future.key] = part
         return future
 
-    running: Any = as_completed([submit(part) for part in islice(waiting, ahead)])  # type: ignore[no-untyped-call]
+    def ahead() -> Iterator[slice]:
+        # A few chunks for each worker that is there now: memory is bounded, and nobody waits.
+        return islice(waiting, max(0, 2 * max(1, len(cluster.nthreads())) - len(under_way)))
+
+    running: Any = as_completed([submit(part) for part in ahead()])  # type: ignore[no-untyped-call]
     for future in running:
         yield under_way.pop(future.key), future.result()
-        for part in islice(waiting, 1):
+        for part in ahead():
             running.add(submit(part))
 
 
@@ -190,17 +237,9 @@ def _asked(model: Job | Forward, task: Task, outputs: dict[str, Output]) -> dict
         "task": "forward" if isinstance(model, Forward) else task,
         "points": points,
         "job": hashlib.sha256(job.text.encode()).hexdigest(),
-        "outputs": {name: output if isinstance(output, str) else _source(output) for name, output in outputs.items()},
+        "files": [hashlib.sha256(path.read_bytes()).hexdigest() for path in job.files()],
+        "outputs": {name: output if isinstance(output, str) else identity(output) for name, output in outputs.items()},
     }
-
-
-def _source(function: Callable[..., Any]) -> str:
-    """By which the same function is known again."""
-    try:
-        text = python.getsource(function)
-    except (OSError, TypeError):
-        text = repr(getattr(function, "__qualname__", function))
-    return hashlib.sha256(text.encode()).hexdigest()
 
 
 class _bar:
@@ -209,8 +248,10 @@ class _bar:
     def __init__(self, shown: bool, total: int, done: int) -> None:
         self.bar: Any = None
         if shown:
-            from tqdm.auto import tqdm
-
+            try:
+                from tqdm.auto import tqdm
+            except ModuleNotFoundError:
+                return
             self.bar = tqdm(total=total, initial=done, unit="sample")
 
     def __enter__(self) -> Callable[[int], None]:

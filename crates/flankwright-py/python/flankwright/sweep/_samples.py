@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from .._extras import needed
 from .._values import plain
 
 
@@ -29,9 +30,11 @@ class Samples:
     """
 
     def __init__(self, columns: Mapping[str, ArrayLike], shape: tuple[int, ...] | None = None) -> None:
-        self.columns: dict[str, NDArray[Any]] = {path: np.asarray(values) for path, values in columns.items()}
+        self.columns: dict[str, NDArray[Any]] = {path: _column(values) for path, values in columns.items()}
         if not self.columns:
             raise ValueError("samples have at least one column")
+        if any(values.size == 0 for values in self.columns.values()):
+            raise ValueError("samples have at least one row")
         lengths = {path: values.shape for path, values in self.columns.items()}
         first = next(iter(lengths.values()))
         if any(len(of) != 1 or of != first for of in lengths.values()):
@@ -41,6 +44,7 @@ class Samples:
                 raise ValueError(f"{path!r} has values that are not finite")
             if values.dtype.kind not in "biufUO":
                 raise ValueError(f"{path!r} has values of the type {values.dtype}: give numbers or words")
+        self.is_grid = shape is not None
         self.shape = shape or first
         if int(np.prod(self.shape)) != first[0]:
             raise ValueError(f"a grid of the shape {self.shape} has not {first[0]} samples")
@@ -70,6 +74,14 @@ class Samples:
         return f"<Samples: {' x '.join(map(str, self.shape))} of {', '.join(self.columns)}>"
 
 
+def _column(values: ArrayLike) -> NDArray[Any]:
+    """A copy of values as an array; numbers beside words stay numbers."""
+    column = np.array(values)
+    if column.dtype.kind != "U" or all(isinstance(value, str) for value in np.ravel(np.array(values, dtype=object))):
+        return column
+    return np.array(values, dtype=object)
+
+
 def grid(axes: Mapping[str, ArrayLike]) -> Samples:
     """Every combination; the last path runs fastest.
 
@@ -79,7 +91,7 @@ def grid(axes: Mapping[str, ArrayLike]) -> Samples:
     Raises:
         ValueError: an axis without values, or with more than one axis of its own.
     """
-    values = [np.asarray(of) for of in axes.values()]
+    values = [_column(of) for of in axes.values()]
     if any(of.ndim != 1 or of.size == 0 for of in values):
         raise ValueError("every axis of a grid is an array of one axis with at least one value")
     wide = np.meshgrid(*values, indexing="ij")
@@ -101,48 +113,67 @@ def table(columns: Any) -> Samples:
     return Samples(columns)
 
 
-def sobol(ranges: Mapping[str, Sequence[float]], count: int, *, seed: int = 0) -> Samples:
+def sobol(
+    ranges: Mapping[str, Sequence[float]], count: int, *, seed: int = 0, whole: Collection[str] = ()
+) -> Samples:
     """Points of a scrambled Sobol sequence.
 
     Args:
         ranges: Least and largest value by path, in the units of the keys.
         count: How many points; powers of two are balanced.
         seed: Start of the scrambling; the same seed gives the same points.
+        whole: Paths that take whole numbers, from the least to the largest, each as often as the others.
 
     Raises:
         ValueError: a range that is not two finite numbers in order.
     """
     import warnings
 
+    needed("scipy", "sweep")
     from scipy.stats import qmc
 
     with warnings.catch_warnings():
         # That only powers of two are balanced is said above.
         warnings.simplefilter("ignore", UserWarning)
         points = qmc.Sobol(len(ranges), rng=np.random.default_rng(seed)).random(count)
-    return _scaled(ranges, points)
+    return _scaled(ranges, points, whole)
 
 
-def latin_hypercube(ranges: Mapping[str, Sequence[float]], count: int, *, seed: int = 0) -> Samples:
+def latin_hypercube(
+    ranges: Mapping[str, Sequence[float]], count: int, *, seed: int = 0, whole: Collection[str] = ()
+) -> Samples:
     """Points of a Latin hypercube: every range is cut into as many parts as there are points, and each part has one.
 
     Args:
         ranges: Least and largest value by path, in the units of the keys.
         count: How many points.
         seed: Start of the drawing; the same seed gives the same points.
+        whole: Paths that take whole numbers, from the least to the largest, each as often as the others.
 
     Raises:
         ValueError: a range that is not two finite numbers in order.
     """
+    needed("scipy", "sweep")
     from scipy.stats import qmc
 
-    return _scaled(ranges, qmc.LatinHypercube(len(ranges), rng=np.random.default_rng(seed)).random(count))
+    points = qmc.LatinHypercube(len(ranges), rng=np.random.default_rng(seed)).random(count)
+    return _scaled(ranges, points, whole)
 
 
-def _scaled(ranges: Mapping[str, Sequence[float]], points: NDArray[np.float64]) -> Samples:
-    columns = {}
+def _scaled(
+    ranges: Mapping[str, Sequence[float]], points: NDArray[np.float64], whole: Collection[str]
+) -> Samples:
+    columns: dict[str, NDArray[Any]] = {}
+    unknown = sorted(set(whole) - set(ranges))
+    if unknown:
+        raise ValueError(f"{unknown[0]!r} is whole, but has no range")
     for k, (path, (low, high)) in enumerate(ranges.items()):
         if not (np.isfinite(low) and np.isfinite(high) and low <= high):
             raise ValueError(f"{path!r} has the range {low} to {high}: give two finite numbers in order")
-        columns[path] = low + (high - low) * points[:, k]
+        if path in whole:
+            if int(low) != low or int(high) != high:
+                raise ValueError(f"{path!r} has the range {low} to {high}: give two whole numbers")
+            columns[path] = (int(low) + np.floor((high - low + 1) * points[:, k])).astype(np.int64)
+        else:
+            columns[path] = low + (high - low) * points[:, k]
     return Samples(columns)
