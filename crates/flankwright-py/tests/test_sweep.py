@@ -1,8 +1,10 @@
 """Sweeps: samples, outputs, folders that go on where they were, a cluster of processes."""
 
+import functools
 import os
 import signal
 import threading
+import time
 from pathlib import Path
 from typing import Any, Literal
 
@@ -152,15 +154,68 @@ def test_a_cluster_of_processes_gives_the_same_bits_though_a_worker_dies(
         killed: list[int] = []
 
         def first_dies() -> None:
+            # As soon as one chunk is finished, and while others are not.
+            while not list((tmp_path / "z").glob("chunks/*.done")):
+                time.sleep(0.01)
             pid = next(iter(client.run(os.getpid).values()))
-            killed.append(pid)
             os.kill(pid, signal.SIGKILL)
+            killed.append(len(list((tmp_path / "z").glob("chunks/*.done"))))
 
-        timer = threading.Timer(1.0, first_dies)
+        timer = threading.Thread(target=first_dies)
         timer.start()
         there = sweep.run(
             job, wide, OUTPUTS, folder=tmp_path / "z", form="zarr", chunk=8, client=client, progress=False
         )
         timer.join()
-        assert killed, "the sweep was over before a worker was killed"
+        assert killed[0] < 15, "the sweep was over before a worker was killed"
     same(there.columns, here.columns)
+
+
+def test_what_a_folder_holds_is_known_again(job: fw.Job, tmp_path: Path) -> None:
+    def output(factor: float) -> dict[str, sweep.Output]:
+        return {"x": lambda preview: factor * preview.settings["diagonal_ratio"]}
+
+    one = sweep.table({"target.tolerance_um": [1.0, 2.0]})
+    first = sweep.run(job, one, output(1.0), folder=tmp_path / "x", progress=False)
+    again = sweep.run(job, one, output(1.0), folder=tmp_path / "x", progress=False)
+    same(first.columns, again.columns)
+    with pytest.raises(ValueError, match="differs in outputs"):
+        sweep.run(job, one, output(1000.0), folder=tmp_path / "x", progress=False)
+    with pytest.raises(ValueError, match="cannot be known again"):
+        sweep.run(job, one, {"x": functools.partial(max, threading.Lock())}, folder=tmp_path / "y", progress=False)
+    # A machine that was changed in the meantime makes another sweep.
+    text = (EXAMPLES.parent / "machines/eight-axis.toml").read_text()
+    (tmp_path / "machine.toml").write_text(text)
+    own = fw.Job.parse(job.text, tmp_path).replace({"machine.file": "machine.toml"})
+    sweep.run(own, one, NUMBERS, folder=tmp_path / "z", progress=False)
+    (tmp_path / "machine.toml").write_text(text + "\n")
+    with pytest.raises(ValueError, match="differs in files"):
+        sweep.run(own, one, NUMBERS, folder=tmp_path / "z", progress=False)
+
+
+@pytest.mark.parametrize("form", ["zarr", None])
+def test_outputs_of_several_shapes_are_refused(job: fw.Job, form: Any, tmp_path: Path) -> None:
+    kept: dict[str, Any] = {} if form is None else {"folder": tmp_path / "x", "form": form}
+    grids = sweep.table({"grid.profile_points": [5, 7]})
+    with pytest.raises(ValueError, match="shape"):
+        sweep.run(job, grids, OUTPUTS, chunk=1, progress=False, **kept)
+
+
+def test_what_cannot_be_carried_out_leaves_no_folder(job: fw.Job, samples: sweep.Samples, tmp_path: Path) -> None:
+    folder = tmp_path / "x"
+    wrong: dict[str, Any]
+    for wrong in ({"task": "explore"}, {"form": "csv"}, {"chunk": 0}):
+        with pytest.raises(ValueError):
+            sweep.run(job, samples, NUMBERS, folder=folder, progress=False, **wrong)
+    with pytest.raises(fw.BadInput, match="unknown-key"):
+        sweep.run(job, sweep.table({"target.none": [1.0]}), NUMBERS, folder=folder, progress=False)
+    with pytest.raises(fw.BadInput, match="allowed: radial_feed_0_um"):
+        sweep.run(fw.Forward(job), sweep.table({"none": [1.0]}), {"x": np.max}, folder=folder, progress=False)
+    assert not folder.exists()
+    # A folder in which nothing is finished is taken over.
+    with pytest.raises(ValueError, match="Zarr keeps arrays"):
+        sweep.run(job, samples, OUTPUTS, folder=folder, progress=False)
+    sweep.run(job, samples, NUMBERS, folder=folder, progress=False)
+    # A file that is not there is no property of a sample.
+    with pytest.raises(fw.BadInput, match="unreadable-file"):
+        sweep.run(job.replace({"machine.file": "none.toml"}), samples, NUMBERS, task="plan", progress=False)
