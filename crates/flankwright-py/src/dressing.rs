@@ -4,10 +4,11 @@ use flankwright::exchange::Diagnostic;
 use flankwright::geometry::Flank;
 use flankwright::process::dressing::Condition;
 use flankwright::workflow::DressingModel;
-use numpy::ndarray::{Array2, Array3};
+use numpy::ndarray::Array2;
 use numpy::{IntoPyArray, PyArray2, PyArray3, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 
+use crate::arrays::shaped;
 use crate::failure::Failure;
 use crate::gear::flank_of;
 use crate::job::CoreJob;
@@ -88,8 +89,7 @@ impl CoreDresser {
             let at = self.model.flank(flank).profile.at(t);
             values.extend([at.r, at.z, at.n_r, at.n_z]);
         }
-        let values = Array2::from_shape_vec((t.len(), 4), values);
-        Ok(values.map_err(|error| Failure::internal(error.to_string()).raised(py))?.into_pyarray(py))
+        shaped(py, (t.len(), 4), values)
     }
 
     /// The worm's flank in positions (rows of d_phi_S, d_gamma, d_d, d_v_yA: rad, rad, mm, mm) at lengths of roll: `[position][roll][told]`.
@@ -109,8 +109,7 @@ impl CoreDresser {
             let points = self.model.dressed(flank, correction, &rolls).map_err(|e| Failure::from(&e))?;
             Ok(points.iter().flat_map(|at| [at.f, at.b, at.r_a, at.t]).collect())
         })?;
-        let values = Array3::from_shape_vec((corrections.nrows(), rolls.len(), TOLD), values);
-        Ok(values.map_err(|error| Failure::internal(error.to_string()).raised(py))?.into_pyarray(py))
+        shaped(py, (corrections.nrows(), rolls.len(), TOLD), values)
     }
 
     /// Derivatives of the worm's flank by the four corrections in one position: `[axis][roll]`, mm per rad or mm.

@@ -3,11 +3,11 @@
 use flankwright::exchange::Diagnostic;
 use flankwright::geometry::Flank;
 use flankwright::workflow::{Deviation, ForwardModel};
-use numpy::ndarray::Array4;
 use numpy::{IntoPyArray, PyArray1, PyArray4, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use crate::arrays::shaped;
 use crate::failure::Failure;
 use crate::job::CoreJob;
 use crate::outcome::array;
@@ -20,6 +20,9 @@ pub struct CoreForward {
     model: ForwardModel,
     flanks: Vec<Flank>,
 }
+
+/// Flanks of all samples, and the exceptions of those that have none.
+type Each<'py> = (Bound<'py, PyArray4<f64>>, Vec<(usize, Py<PyAny>)>);
 
 impl CoreForward {
     fn columns(&self, py: Python<'_>, names: &[String]) -> PyResult<Vec<Deviation>> {
@@ -81,7 +84,7 @@ impl CoreForward {
         samples: PyReadonlyArray2<'py, f64>,
         progress: Option<&Bound<'py, PyAny>>,
         every: bool,
-    ) -> PyResult<(Bound<'py, PyArray4<f64>>, Vec<(usize, Py<PyAny>)>)> {
+    ) -> PyResult<Each<'py>> {
         let columns = self.columns(py, &names)?;
         let samples = samples.as_array();
         if samples.ncols() != columns.len() {
@@ -112,8 +115,7 @@ impl CoreForward {
             (of_samples(py, progress, samples, one)?, Vec::new())
         };
         let refused = |(k, failure): (usize, Failure)| (k, failure.raised(py).into_value(py).into_any());
-        let values = Array4::from_shape_vec((samples.nrows(), self.flanks.len(), nw, nz), values);
-        let values = values.map_err(|error| Failure::internal(error.to_string()).raised(py))?;
-        Ok((values.into_pyarray(py), failures.into_iter().map(refused).collect()))
+        let values = shaped(py, (samples.nrows(), self.flanks.len(), nw, nz), values)?;
+        Ok((values, failures.into_iter().map(refused).collect()))
     }
 }

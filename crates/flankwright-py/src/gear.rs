@@ -2,10 +2,11 @@
 
 use flankwright::exchange::Diagnostic;
 use flankwright::geometry::{Flank, Gear, GearData, Sides, ThicknessMeasure, WormChoice, worm_for_gear};
-use numpy::ndarray::{Array2, ArrayView1};
-use numpy::{IntoPyArray, PyArray2, PyReadonlyArray1};
+use numpy::ndarray::ArrayView1;
+use numpy::{PyArray2, PyReadonlyArray1};
 use pyo3::prelude::*;
 
+use crate::arrays::shaped;
 use crate::failure::Failure;
 
 /// An involute gear.
@@ -53,8 +54,7 @@ fn vectors<'py>(
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
     let (w, z) = places(py, w, z)?;
     let values: Vec<f64> = py.detach(|| w.iter().zip(z).flat_map(|(&w, &z)| at(w, z)).collect());
-    let values = Array2::from_shape_vec((w.len(), 3), values);
-    Ok(values.map_err(|error| Failure::internal(error.to_string()).raised(py))?.into_pyarray(py))
+    shaped(py, (w.len(), 3), values)
 }
 
 #[pymethods]

@@ -8,6 +8,7 @@ use numpy::{IntoPyArray, PyArray1, PyArray2, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use crate::arrays::shaped;
 use crate::failure::Failure;
 use crate::job::CoreJob;
 use crate::samples::of_samples;
@@ -68,8 +69,7 @@ impl CoreGearbox {
                 budget.greatest_speed,
             ])
         })?;
-        let values = Array2::from_shape_vec((drives.nrows(), BUDGET.len()), values);
-        Ok(values.map_err(|error| Failure::internal(error.to_string()).raised(py))?.into_pyarray(py))
+        shaped(py, (drives.nrows(), BUDGET.len()), values)
     }
 
     /// Errors over the job's motion: `[stretch][time s, along the feed least and greatest mm, angle least and greatest rad]`.

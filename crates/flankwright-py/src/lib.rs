@@ -1,6 +1,7 @@
 //! What Python calls: thin classes over the library, which compute nothing. The pleasant names are in `python/flankwright/`; what is here is
 //! private to them. Documents go over as JSON, numbers as NumPy arrays that Rust has filled.
 
+mod arrays;
 mod dressing;
 mod failure;
 mod forward;

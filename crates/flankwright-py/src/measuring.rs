@@ -5,12 +5,13 @@ use flankwright::geometry::{Flank, Sides};
 use flankwright::process::skiving::Setting;
 use flankwright::process::skiving::evaluation::Deviations;
 use flankwright::workflow::skiving::MeasuringModel;
-use numpy::ndarray::{Array2, Array3, Array4, ArrayView3};
+use numpy::ndarray::{Array2, ArrayView3};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArray3, PyArray4, PyReadonlyArray3};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
 
+use crate::arrays::shaped;
 use crate::failure::Failure;
 use crate::gear::flank_of;
 use crate::job::CoreJob;
@@ -72,9 +73,7 @@ impl CoreMeasuring {
         let Some(measurement) = self.model.measurement() else { return Ok(None) };
         let values = in_order(&measurement.measured.deviations).collect();
         let [tracks, teeth] = self.shape();
-        let values = Array3::from_shape_vec((2, tracks, teeth), values);
-        let values = values.map_err(|error| Failure::internal(error.to_string()).raised(py))?;
-        Ok(Some(values.into_pyarray(py)))
+        shaped(py, (2, tracks, teeth), values).map(Some)
     }
 
     /// Names of the settings in their order.
@@ -137,8 +136,7 @@ impl CoreMeasuring {
         })?;
         let values = values.map_err(|failure| failure.raised(py))?;
         let [tracks, teeth] = self.shape();
-        let values = Array4::from_shape_vec((seeds.len(), 2, tracks, teeth), values.concat());
-        Ok(values.map_err(|error| Failure::internal(error.to_string()).raised(py))?.into_pyarray(py))
+        shaped(py, (seeds.len(), 2, tracks, teeth), values.concat())
     }
 
     /// What deviations (mm) say of the tool and the setting; lengths mm, angles rad.
@@ -164,9 +162,7 @@ impl CoreMeasuring {
         }
         all.set_item("change", PyArray1::from_slice(py, &fit.change))?;
         all.set_item("limited", fit.limited.into_iter().map(setting_name).collect::<Vec<_>>())?;
-        let residual = Array2::from_shape_vec((2, tracks), fit.residual);
-        let residual = residual.map_err(|error| Failure::internal(error.to_string()).raised(py))?;
-        all.set_item("residual", residual.into_pyarray(py))?;
+        all.set_item("residual", shaped(py, (2, tracks), fit.residual)?)?;
         Ok(all)
     }
 }

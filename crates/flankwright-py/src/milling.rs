@@ -7,6 +7,7 @@ use numpy::{IntoPyArray, PyArray1, PyArray2, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
+use crate::arrays::shaped;
 use crate::failure::Failure;
 use crate::gear::places;
 use crate::job::CoreJob;
@@ -77,8 +78,7 @@ impl CoreMilling {
             };
             heights.iter().zip(lengths).flat_map(at).collect()
         });
-        let values = Array2::from_shape_vec((heights.len(), 6), values);
-        Ok(values.map_err(|error| Failure::internal(error.to_string()).raised(py))?.into_pyarray(py))
+        shaped(py, (heights.len(), 6), values)
     }
 
     /// The cutter at every row and column.
@@ -125,9 +125,7 @@ impl CoreMilling {
                     .iter()
                     .flat_map(|at| at.tip.iter().chain(at.axis.iter()).copied().collect::<Vec<f64>>())
                     .collect();
-                let values = Array2::from_shape_vec((path.places.len(), 6), values)
-                    .map_err(|error| Failure::internal(error.to_string()).raised(py))?;
-                all.append((name.as_str(), values.into_pyarray(py)))?;
+                all.append((name.as_str(), shaped(py, (path.places.len(), 6), values)?))?;
             }
         }
         Ok(all)
@@ -147,9 +145,8 @@ impl CoreMilling {
         let shape = (heights.len(), lengths.len());
         let of = |part: fn(&flankwright::process::milling::Prediction) -> f64| {
             let values = found.iter().map(|at| at.as_ref().map_or(f64::NAN, part)).collect();
-            let values = Array2::from_shape_vec(shape, values);
-            values.map_err(|error| Failure::internal(error.to_string()).raised(py))
+            shaped(py, shape, values)
         };
-        Ok([of(|at| at.scallop)?.into_pyarray(py), of(|at| at.chord)?.into_pyarray(py)])
+        Ok([of(|at| at.scallop)?, of(|at| at.chord)?])
     }
 }

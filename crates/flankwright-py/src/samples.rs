@@ -12,6 +12,9 @@ use crate::watch::watched;
 /// What became of a row; `None` for one that was left out because one before it has failed.
 type Row = Option<Result<Vec<f64>, Failure>>;
 
+/// Rows of numbers one after the other, and the failures of those that have none.
+type Each = (Vec<f64>, Vec<(usize, Failure)>);
+
 fn rows(
     py: Python<'_>,
     progress: Option<&Bound<'_, PyAny>>,
@@ -65,7 +68,7 @@ pub fn of_each_sample(
     samples: ArrayView2<'_, f64>,
     width: usize,
     one: impl Fn(&[f64]) -> Result<Vec<f64>, Failure> + Sync + Send,
-) -> PyResult<(Vec<f64>, Vec<(usize, Failure)>)> {
+) -> PyResult<Each> {
     let (mut values, mut failures) = (Vec::new(), Vec::new());
     for (k, row) in rows(py, progress, samples, false, one)?.into_iter().flatten().enumerate() {
         match row {

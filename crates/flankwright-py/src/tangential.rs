@@ -9,10 +9,10 @@ use flankwright::process::tangential_dressing::{
     Variable,
 };
 use flankwright::workflow::tangential::{TangentialPrepared, prepare_tangential};
-use numpy::ndarray::{Array2, Array3};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArray3, PyReadonlyArray2};
 use pyo3::prelude::*;
 
+use crate::arrays::shaped;
 use crate::failure::Failure;
 use crate::gear::flank_of;
 use crate::job::CoreJob;
@@ -67,8 +67,7 @@ impl CoreTangential {
     }
 
     fn on_grid<'py>(&self, py: Python<'py>, values: Vec<f64>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let values = Array2::from_shape_vec(self.shape(), values);
-        Ok(values.map_err(|error| Failure::internal(error.to_string()).raised(py))?.into_pyarray(py))
+        shaped(py, self.shape(), values)
     }
 }
 
@@ -162,8 +161,7 @@ impl CoreTangential {
             found.map(|f| um(&f).collect()).map_err(|error| failure(&error))
         })?;
         let (nw, nz) = self.shape();
-        let values = Array3::from_shape_vec((samples.nrows(), nw, nz), values);
-        Ok(values.map_err(|error| Failure::internal(error.to_string()).raised(py))?.into_pyarray(py))
+        shaped(py, (samples.nrows(), nw, nz), values)
     }
 
     /// Exact derivatives of the flank by variables, where they have these values: `[variable][profile][helix]`, um per mm or rad.
@@ -179,7 +177,6 @@ impl CoreTangential {
         let (_, by) = found.map_err(|error| failure(&error).raised(py))?;
         let (nw, nz) = self.shape();
         // A column a variable, stored column by column.
-        let values = Array3::from_shape_vec((variables.len(), nw, nz), um(by.as_slice()).collect());
-        Ok(values.map_err(|error| Failure::internal(error.to_string()).raised(py))?.into_pyarray(py))
+        shaped(py, (variables.len(), nw, nz), um(by.as_slice()).collect())
     }
 }
