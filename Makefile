@@ -34,10 +34,13 @@ test: setup
 	@PROGRAM=target/debug/flankwright scripts/api-fuzz
 	@FUZZ_SEED=1 scripts/fuzz 60
 
-# The Python package in an environment of its own, and its notebooks carried out.
-python notebooks: setup
+# The Python package in an environment of its own.
+python: setup
 	@scripts/python
-	@[ $@ = python ] || scripts/notebooks
+
+# Its notebooks carried out.
+notebooks: python
+	@scripts/notebooks
 
 # Pages, package and notebooks as a site in target/docs, which loads nothing from elsewhere.
 docs: notebooks

@@ -70,8 +70,13 @@ impl CoreDresser {
     /// Nominal kinematics: worm angle, crossing angle (rad), centre distance, offset (mm), screw parameter (mm/rad).
     fn chain(&self, py: Python<'_>, flank: &str) -> PyResult<[f64; 5]> {
         let chain = self.model.flank(flank_of(py, flank)?).chain;
-        let angles = [chain.worm_angle, chain.crossing_angle];
-        Ok([angles[0], angles[1], chain.centre_distance, chain.offset, chain.screw_parameter])
+        Ok([
+            chain.worm_angle,
+            chain.crossing_angle,
+            chain.centre_distance,
+            chain.offset,
+            chain.screw_parameter,
+        ])
     }
 
     /// The meridian at parameters t: radius, axial position (mm), radial and axial part of the outward normal.
@@ -105,7 +110,7 @@ impl CoreDresser {
         let flank = flank_of(py, flank)?;
         let corrections = corrections.as_array();
         let values = of_samples(py, progress, corrections, |row| {
-            let correction = std::array::from_fn(|k| row.get(k).copied().unwrap_or(0.0));
+            let correction = std::array::from_fn(|k| row[k]);
             let points = self.model.dressed(flank, correction, &rolls).map_err(|e| Failure::from(&e))?;
             Ok(points.iter().flat_map(|at| [at.f, at.b, at.r_a, at.t]).collect())
         })?;

@@ -59,7 +59,8 @@ fn vectors<'py>(
 
 #[pymethods]
 impl CoreGear {
-    /// Angles in rad, lengths in mm; `measure` is one of `shift` (1), `thickness` (mm), `span` (teeth, mm), `balls` (ball, size in mm).
+    /// Angles in rad, lengths in mm; `measure` is one of `profile_shift` (1), `normal_tooth_thickness` (mm), `span` (teeth, mm), `over_balls` (ball,
+    /// size in mm).
     #[new]
     fn new(
         py: Python<'_>,
@@ -76,7 +77,7 @@ impl CoreGear {
             GearData { teeth, normal_module, pressure_angle, helix_angle, profile_shift: 0.0, cone_angle };
         let (kind, first, second) = measure;
         let measure = match kind.as_str() {
-            "thickness" => ThicknessMeasure::NormalThickness(first),
+            "normal_tooth_thickness" => ThicknessMeasure::NormalThickness(first),
             "span" if first >= 1.0 && first.fract() == 0.0 && first <= f64::from(u32::MAX) => {
                 ThicknessMeasure::Span { teeth: first as u32, length: second }
             }
@@ -86,7 +87,7 @@ impl CoreGear {
                 let finding = finding.field("span").value(first.to_string()).allowed("1 or more");
                 return Err(Failure::bad_input(&finding.way_out("give (teeth, length)")).raised(py));
             }
-            "balls" => ThicknessMeasure::OverBalls { ball: first, size: second },
+            "over_balls" => ThicknessMeasure::OverBalls { ball: first, size: second },
             _ => ThicknessMeasure::ProfileShift(first),
         };
         let made = measure

@@ -11,6 +11,7 @@ use pyo3::prelude::*;
 use serde_json::{Value, json};
 
 use crate::failure::Failure;
+use crate::pool::beside;
 
 /// A checked job of any process.
 #[pyclass(frozen, module = "flankwright._core")]
@@ -29,7 +30,7 @@ fn loaded(source: Result<Source, JobError>) -> Result<(AnyJob, Source), Failure>
 }
 
 fn new(py: Python<'_>, source: impl FnOnce() -> Result<Source, JobError> + Send) -> PyResult<CoreJob> {
-    let (job, source) = py.detach(|| loaded(source())).map_err(|failure| failure.raised(py))?;
+    let (job, source) = beside(py, || loaded(source()))?.map_err(|failure| failure.raised(py))?;
     Ok(CoreJob { job, source })
 }
 
@@ -76,17 +77,16 @@ impl CoreJob {
 
     /// What follows from the job, as JSON: sections of quantities, and warnings.
     fn derived(&self, py: Python<'_>) -> PyResult<String> {
-        let found = py.detach(|| {
-            let (derived, warnings) = derived_geometry(&self.job).map_err(|failure| Failure::from(&failure))?;
-            let quantity = |q: &flankwright::workflow::DerivedQuantity| {
-                json!({ "key": q.key, "label": q.label, "value": q.value, "unit": q.unit })
-            };
+        let found = beside(py, || {
+            let (derived, warnings) =
+                derived_geometry(&self.job).map_err(|failure| Failure::from(&failure))?;
+            let quantity = |q: &flankwright::workflow::DerivedQuantity| json!({ "key": q.key, "label": q.label, "value": q.value, "unit": q.unit });
             let sections = derived.sections().iter().map(|section| {
                 let quantities: Vec<Value> = section.quantities.iter().map(quantity).collect();
                 json!({ "title": section.title, "quantities": quantities })
             });
             Ok(json!({ "sections": sections.collect::<Vec<_>>(), "warnings": warnings }).to_string())
-        });
+        })?;
         found.map_err(|failure: Failure| failure.raised(py))
     }
 }

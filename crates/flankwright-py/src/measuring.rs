@@ -9,14 +9,13 @@ use numpy::ndarray::{Array2, ArrayView3};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArray3, PyArray4, PyReadonlyArray3};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use rayon::prelude::*;
 
 use crate::arrays::shaped;
 use crate::failure::Failure;
 use crate::gear::flank_of;
 use crate::job::CoreJob;
 use crate::pool::beside;
-use crate::watch::watched;
+use crate::watch::{on_each, watched};
 
 /// Edges, tracks and the measured tool of a job.
 #[pyclass(frozen, module = "flankwright._core")]
@@ -123,17 +122,12 @@ impl CoreMeasuring {
             let finding = finding.way_out("add `[tool_errors]`; an empty table is a tool without errors");
             return Err(Failure::bad_input(&finding).raised(py));
         }
-        let values = watched(py, progress, |progress| -> Result<Vec<Vec<f64>>, Failure> {
-            progress.start("measurements", seeds.len() as u64);
-            let once = |&seed: &u64| {
-                // Asks as well whether to go on.
-                progress.advance(0);
-                let measured = self.model.repeated(seed).transpose().map_err(|e| Failure::from(&e))?;
-                progress.advance(1);
-                Ok(measured.iter().flat_map(|tool| in_order(&tool.deviations)).collect())
-            };
-            seeds.par_iter().map(once).collect()
-        })?;
+        let once = |_: usize, &seed: &u64| {
+            let measured = self.model.repeated(seed).transpose().map_err(|e| Failure::from(&e))?;
+            Ok(measured.iter().flat_map(|tool| in_order(&tool.deviations)).collect())
+        };
+        let values: Result<Vec<Vec<f64>>, Failure> =
+            on_each(py, progress, "measurements", &seeds, once)?.into_iter().collect();
         let values = values.map_err(|failure| failure.raised(py))?;
         let [tracks, teeth] = self.shape();
         shaped(py, (seeds.len(), 2, tracks, teeth), values.concat())

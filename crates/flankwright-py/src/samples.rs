@@ -4,10 +4,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use numpy::ndarray::{ArrayView2, Axis};
 use pyo3::prelude::*;
-use rayon::prelude::*;
 
 use crate::failure::Failure;
-use crate::watch::watched;
+use crate::watch::on_each;
 
 /// What became of a row; `None` for one that was left out because one before it has failed.
 type Row = Option<Result<Vec<f64>, Failure>>;
@@ -24,29 +23,22 @@ fn rows(
 ) -> PyResult<Vec<Row>> {
     let samples: Vec<Vec<f64>> = samples.axis_iter(Axis(0)).map(|row| row.to_vec()).collect();
     let failed = AtomicUsize::new(usize::MAX);
-    watched(py, progress, |progress| {
-        progress.start("samples", samples.len() as u64);
-        let told = |(k, row): (usize, &Vec<f64>)| {
-            // Asks as well whether to go on.
-            progress.advance(0);
-            if stops && k > failed.load(Ordering::Relaxed) {
-                return None;
-            }
-            let done = one(row).map_err(|failure| failure.on_sample(k));
-            if done.is_err() {
-                failed.fetch_min(k, Ordering::Relaxed);
-            }
-            progress.advance(1);
-            Some(done)
-        };
-        samples.par_iter().enumerate().map(told).collect()
+    on_each(py, progress, "samples", &samples, |k, row| {
+        if stops && k > failed.load(Ordering::Relaxed) {
+            return None;
+        }
+        let done = one(row).map_err(|failure| failure.on_sample(k));
+        if done.is_err() {
+            failed.fetch_min(k, Ordering::Relaxed);
+        }
+        Some(done)
     })
 }
 
 /// Works on every row of `samples`; what they give, one after the other. The first failure in their order ends it and tells its row.
 ///
 /// # Errors
-/// That failure, and what [`watched`] tells.
+/// That failure, and what [`on_each`] tells.
 pub fn of_samples(
     py: Python<'_>,
     progress: Option<&Bound<'_, PyAny>>,
@@ -61,7 +53,7 @@ pub fn of_samples(
 /// The same where failures end nothing: rows of `width` numbers, NaN for those that have failed, and their failures by row.
 ///
 /// # Errors
-/// What [`watched`] tells.
+/// What [`on_each`] tells.
 pub fn of_each_sample(
     py: Python<'_>,
     progress: Option<&Bound<'_, PyAny>>,

@@ -91,7 +91,8 @@ impl CoreTangential {
                 Failure::bad_input(&finding.way_out("use Forward for generating grinding")).raised(py)
             );
         };
-        let prepared = prepare_tangential(loaded).map_err(|error| Failure::from(&error).raised(py))?;
+        let prepared =
+            beside(py, || prepare_tangential(loaded))?.map_err(|error| Failure::from(&error).raised(py))?;
         let pass = prepared.passes.iter().find(|pass| pass.contains(&flank)).cloned();
         let Some(pass) = pass else {
             let finding = Diagnostic::with_code("invalid-job", "this flank is not ground by the job");

@@ -5,13 +5,12 @@ use flankwright::workflow::{Preview, Task, carry_out, preview_job};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyList;
-use rayon::prelude::*;
 
 use crate::failure::Failure;
 use crate::job::CoreJob;
 use crate::outcome::{CoreResult, Held};
 use crate::pool::beside;
-use crate::watch::watched;
+use crate::watch::{on_each, watched};
 
 fn task_of(name: &str) -> PyResult<Task> {
     let known = Task::ALL.into_iter().find(|task| task.name() == name);
@@ -46,21 +45,8 @@ fn many<'py, T: Send>(
     made: impl Fn(T) -> PyResult<Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyList>> {
     let shared: Vec<&CoreJob> = jobs.iter().map(Bound::get).collect();
-    let done: Vec<Result<T, Failure>> = watched(py, progress, |progress: &dyn Progress| {
-        progress.start("jobs", shared.len() as u64);
-        let one = |job: &&CoreJob| {
-            // Asks as well whether to go on.
-            progress.advance(0);
-            let done = work(job);
-            progress.advance(1);
-            done
-        };
-        let done = shared.par_iter().map(one).collect();
-        progress.finish();
-        done
-    })?;
     let list = PyList::empty(py);
-    for one in done {
+    for one in on_each(py, progress, "jobs", &shared, |_, job| work(job))? {
         match one {
             Ok(value) => list.append(made(value)?)?,
             Err(failure) => list.append(failure.raised(py).into_value(py))?,

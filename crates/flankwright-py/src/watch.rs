@@ -12,6 +12,7 @@ use flankwright::numerics::Progress;
 use flankwright::workflow::cancel::{self, Ended};
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
+use rayon::prelude::*;
 
 use crate::failure::Failure;
 use crate::pool::on_threads;
@@ -101,4 +102,30 @@ pub fn watched<T: Send>(
         Ended::Cancelled => Err(PyKeyboardInterrupt::new_err(())),
         Ended::Failed(words) => Err(Failure::internal(words).raised(py)),
     }
+}
+
+/// Works on every item, on all cores; what they give, in their order. The work can be ended between any two of them.
+///
+/// # Errors
+/// As [`watched`].
+pub fn on_each<I: Sync, T: Send>(
+    py: Python<'_>,
+    listener: Option<&Bound<'_, PyAny>>,
+    stage: &str,
+    items: &[I],
+    work: impl Fn(usize, &I) -> T + Sync + Send,
+) -> PyResult<Vec<T>> {
+    watched(py, listener, |progress| {
+        progress.start(stage, items.len() as u64);
+        let one = |(k, item): (usize, &I)| {
+            // Asks as well whether to go on.
+            progress.advance(0);
+            let done = work(k, item);
+            progress.advance(1);
+            done
+        };
+        let done = items.par_iter().enumerate().map(one).collect();
+        progress.finish();
+        done
+    })
 }

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._errors import bad_input
-from ._values import one_of, plain
+from ._values import in_places, one_of, plain
 
 Side = Literal["left", "right"]
 
@@ -52,41 +52,34 @@ class Gear:
         span: tuple[int, float] | None = None,
         over_balls: tuple[float, float] | None = None,
     ) -> None:
-        given: list[tuple[str, float, float]] = []
-        if profile_shift is not None:
-            given.append(("shift", profile_shift, 0.0))
-        if normal_tooth_thickness is not None:
-            given.append(("thickness", normal_tooth_thickness, 0.0))
-        if span is not None:
-            given.append(("span", float(span[0]), span[1]))
-        if over_balls is not None:
-            given.append(("balls", *over_balls))
-        if len(given) > 1:
-            raise TypeError("give one of profile_shift, normal_tooth_thickness, span, over_balls")
-        angles = normal_pressure_angle_deg
-        left, right = angles if isinstance(angles, tuple) else (angles, angles)
-        # What it was made of: with this it is made again, in another process too.
         measures = {
             "profile_shift": profile_shift,
             "normal_tooth_thickness": normal_tooth_thickness,
-            "span": span,
-            "over_balls": over_balls,
+            "span": span and (span[0], span[1]),
+            "over_balls": over_balls and (over_balls[0], over_balls[1]),
         }
+        given = {name: of for name, of in measures.items() if of is not None}
+        if len(given) > 1:
+            raise TypeError(f"give one of {', '.join(measures)}")
+        angles = normal_pressure_angle_deg
+        left, right = angles if isinstance(angles, tuple) else (angles, angles)
+        # What it was made of: with this it is made again, in another process too.
         self._asked: dict[str, Any] = {
             "teeth": teeth,
             "normal_module": normal_module,
             "normal_pressure_angle_deg": (left, right),
             "helix_angle_deg": helix_angle_deg,
             "cone_angle_deg": cone_angle_deg,
-            **{name: of for name, of in measures.items() if of is not None},
+            **given,
         }
+        kind, of = next(iter(given.items()), ("profile_shift", 0.0))
         self._core = _core.CoreGear(
             teeth,
             normal_module,
             (math.radians(left), math.radians(right)),
             math.radians(helix_angle_deg),
             math.radians(cone_angle_deg),
-            given[0] if given else ("shift", 0.0, 0.0),
+            (kind, *(of if isinstance(of, tuple) else (of, 0.0))),
         )
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -200,9 +193,9 @@ class Gear:
 
     @staticmethod
     def _vectors(of: Any, w: ArrayLike, z: ArrayLike, flank: Side) -> NDArray[np.float64]:
-        wide = np.broadcast_arrays(np.asarray(w, dtype=np.float64), np.asarray(z, dtype=np.float64))
-        found: NDArray[np.float64] = of(flank, *(np.ascontiguousarray(each).ravel() for each in wide))
-        return found.reshape(*wide[0].shape, 3)
+        places, shape = in_places(w, z)
+        found: NDArray[np.float64] = of(flank, *places)
+        return found.reshape(*shape, 3)
 
     def worm(
         self,
@@ -302,8 +295,8 @@ class Modification:
     """What a flank should be, as an entry of ``target.modifications`` says it; several are added. Called with places, it gives their values.
 
     Args:
-        specs: An entry or several (those of the other flank are left out), with the keys of a job file, e.g. ``{"kind": "helix_crowning", "amount_um": 20}``. Amounts are material
-            removed, um, as there.
+        specs: An entry or several (those of the other flank are left out), with the keys of a job file, e.g.
+            ``{"kind": "helix_crowning", "amount_um": 20}``. Amounts are material removed, um, as there.
         gear: The gear.
         start_diameter: Start of the evaluation (root side), mm.
         end_diameter: End of the evaluation (tip side), mm.
@@ -366,8 +359,7 @@ class Modification:
         Raises:
             BadInput: a place beyond the modification.
         """
-        wide = np.broadcast_arrays(np.asarray(w, dtype=np.float64), np.asarray(z, dtype=np.float64))
-        flat = (np.ascontiguousarray(each).ravel() for each in wide)
-        values = self._core.values(*flat).reshape(wide[0].shape)
+        places, shape = in_places(w, z)
+        values = self._core.values(*places).reshape(shape)
         is_normal = one_of("direction", direction, "normal", "transverse") == "normal"
         return values * (1e3 * (self._core.normal_factor if is_normal else 1.0))

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._extras import needed
 from ._tasks import AnyJob, Progress, as_job
-from ._values import one_of
+from ._values import in_places, one_of
 
 if TYPE_CHECKING:
     import xarray
@@ -93,9 +93,8 @@ class Milling:
         return self._surface(height, length, flank)[..., 3:]
 
     def _surface(self, height: ArrayLike, length: ArrayLike, flank: str) -> Array:
-        wide = np.broadcast_arrays(np.asarray(height, dtype=np.float64), np.asarray(length, dtype=np.float64))
-        flat = (np.ascontiguousarray(each).ravel() for each in wide)
-        return self._core.surface(self._number(flank), *flat).reshape(*wide[0].shape, 6)
+        places, shape = in_places(height, length)
+        return self._core.surface(self._number(flank), *places).reshape(*shape, 6)
 
     def rows(self, flank: str) -> xarray.Dataset:
         """The cutter at every row and column of a flank: ``tip``, ``axis``, ``contact``, ``normal`` over (row, column, xyz), and

@@ -100,3 +100,9 @@ def in_rows(field: str, given: Mapping[str, ArrayLike]) -> tuple[list[str], NDAr
     for column, values in enumerate(wide):
         rows[:, column] = values
     return list(arrays), rows, not shape
+
+
+def in_places(first: ArrayLike, second: ArrayLike) -> tuple[tuple[NDArray[np.float64], NDArray[np.float64]], tuple[int, ...]]:
+    """Two coordinates, broadcast, one place after the other; and the shape of both."""
+    one, other = np.broadcast_arrays(np.asarray(first, dtype=np.float64), np.asarray(second, dtype=np.float64))
+    return (np.ascontiguousarray(one).ravel(), np.ascontiguousarray(other).ravel()), one.shape

@@ -72,8 +72,17 @@ class Folder:
 
     def known(self) -> Columns:
         """Columns as the finished chunks have them, without the errors; of no sample if nothing is finished."""
-        columns = self.get() if self.form == "parquet" else self._zarr_columns()
+        columns = self._parquet_columns() if self.form == "parquet" else self._zarr_columns()
         return {name: values[:0] for name, values in columns.items() if name != "error"}
+
+    def _parquet_columns(self) -> Columns:
+        columns: Columns = {}
+        for path in sorted((self.path / "chunks").glob("*.parquet")):
+            columns = {**_from_parquet(path), **columns}
+            # One chunk tells it, unless all of its samples were refused.
+            if all(name in columns for name in self.outputs):
+                break
+        return columns
 
     def _zarr_columns(self) -> Columns:
         import zarr

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import math
 import operator
 import os
 from collections.abc import Callable, Iterable, Iterator
@@ -186,10 +187,7 @@ def load(folder: str | os.PathLike[str]) -> Columns:
     """
     path = Path(folder)
     asked = json.loads((path / "sweep.json").read_text(encoding="utf-8"))
-    count = 1
-    for length in asked["shape"]:
-        count *= length
-    rows, columns = read(path, asked["form"], asked["chunk"], count, asked["outputs"])
+    rows, columns = read(path, asked["form"], asked["chunk"], math.prod(asked["shape"]), asked["outputs"])
     return {"sample": rows, **columns}
 
 
