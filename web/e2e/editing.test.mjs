@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { button, drop, heading, openExample, tab, useSite, valid } from "./page.mjs";
+import { button, drop, heading, openExample, tab, useSite, valid, verdict } from "./page.mjs";
 import { exampleText } from "./server.mjs";
 
 const site = useSite();
@@ -152,13 +152,13 @@ site.test("from the start to a plan and its proof without a mouse", async (page,
   await page.keyboard.press("Enter");
   await heading(page, "twist-free-crowning").waitFor();
   await valid(page);
-  await page.keyboard.press("p");
+  await page.keyboard.press("Alt+Shift+KeyP");
   await page.getByText(/^planned in/).waitFor();
   await page.keyboard.press("Control+Enter");
   await page.getByRole("tab", { name: "Summary" }).waitFor();
-  await page.getByText("target met").waitFor();
+  await verdict(page, "met");
 
-  // The tabs of the run by arrows, the views by digits, the overview by its key.
+  // The tabs of the run by arrows, the views by digits with Alt and Shift, the overview by its key.
   await page.keyboard.press("?");
   await page.getByRole("dialog", { name: "Keyboard shortcuts" }).waitFor();
   await page.keyboard.press("Escape");
@@ -166,6 +166,24 @@ site.test("from the start to a plan and its proof without a mouse", async (page,
   await page.getByRole("tab", { name: "Summary" }).focus();
   await page.keyboard.press("ArrowRight");
   assert.equal(await page.evaluate(() => document.activeElement.textContent), "Flank");
-  await page.keyboard.press("2");
+  await page.keyboard.press("Alt+Shift+Digit2");
   await heading(page, "Runs").waitFor();
+});
+
+site.test("what is wrong in a field is said to those who do not see it, and wrong text stays", async (page, server) => {
+  await openGear(page, server);
+  const width = page.locator(WIDTH);
+  await width.fill("88,6mm");
+  await width.blur();
+  assert.equal(await width.inputValue(), "88,6mm");
+  assert.equal(await width.getAttribute("aria-invalid"), "true");
+  const complaint = (await width.getAttribute("aria-describedby")).split(" ")[0];
+  assert.match(await page.locator(`#${complaint}`).innerText(), /not a number/);
+  await width.fill("40");
+  await valid(page);
+  const tip = page.locator("#field-gear-tip_diameter");
+  await tip.fill("70");
+  await page.waitForFunction(() => document.querySelector("#field-gear-tip_diameter").getAttribute("aria-invalid") === "true");
+  const said = (await tip.getAttribute("aria-describedby")).split(" ").find((id) => id.endsWith("-findings"));
+  assert.ok((await page.locator(`#${said}`).innerText()).length > 10);
 });

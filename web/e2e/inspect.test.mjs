@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { button, drop, heading, RUN_MS, tab, useSite, valid } from "./page.mjs";
+import { button, drop, heading, RUN_MS, tab, useSite, valid, verdict } from "./page.mjs";
 import { exampleText, inRepository } from "./server.mjs";
 
 const site = useSite();
@@ -35,7 +35,7 @@ site.test("a measurement dropped with its job is judged, explained and corrected
   assert.ok(await page.getByLabel("a job file: measured.toml").isChecked());
   await page.getByLabel("Tolerance class").selectOption("5");
   await button(page, "Evaluate").click();
-  await page.getByText("target missed").waitFor({ timeout: RUN_MS });
+  await verdict(page, "missed", RUN_MS);
 
   await tab(page, "Sheet").click();
   const frame = page.locator('iframe[title="Inspection sheet"]');
@@ -68,7 +68,7 @@ site.test("files of several parts make a series, whose parts the store keeps", a
   await page.getByLabel("Keep the parts in the store").check();
   await page.getByLabel("Series", { exact: true }).fill("morning");
   await button(page, "Evaluate").click();
-  await page.getByRole("cell", { name: "4713.mka" }).waitFor({ timeout: RUN_MS });
+  await page.getByRole("cell", { name: "4713.mka", exact: true }).waitFor({ timeout: RUN_MS });
   await heading(page, "Refused files").waitFor();
   await page.locator("li", { hasText: "damaged.mka" }).first().waitFor();
   await heading(page, "In the store").waitFor();
@@ -99,7 +99,7 @@ site.test("a job that simulates its measurement is inspected without a file", as
   await valid(page);
   await page.goto(`${server.address}/#/inspect`);
   await button(page, "Evaluate: closed-loop").click();
-  await page.getByText("target met").waitFor({ timeout: RUN_MS });
+  await verdict(page, "met", RUN_MS);
   await tab(page, "Systematic part").click();
   await heading(page, "Round 2").waitFor();
 });

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { button, heading, limitMs, openExample, RUN_MS, tab, useSite } from "./page.mjs";
+import { button, heading, limitMs, openExample, RUN_MS, tab, useSite, verdict } from "./page.mjs";
 
 const site = useSite();
 
@@ -21,7 +21,7 @@ site.test("from an example to the downloaded program", async (page, server) => {
   await button(page, "Plan").click();
   await page.getByText(/^planned in/).waitFor();
   await button(page, "Prove with the referee").click();
-  await page.getByText("target met").waitFor({ timeout: RUN_MS });
+  await verdict(page, "met", RUN_MS);
   const names = await page.getByRole("tab").allTextContents();
   for (const name of ["Summary", "Flank", "Charts", "Programs", "Report", "Files", "Numbers"]) {
     assert.ok(names.includes(name), `no tab ${name} among ${names}`);

@@ -130,3 +130,7 @@ export function smallTargets(page) {
       .map(({ some, box }) => `${some.tagName} ${some.innerText ?? ""} ${box.height}`);
   });
 }
+
+/** Waits for the verdict in the head of a run: met, missed or not_judged. */
+export const verdict = (page, status, timeout = WAIT_MS) =>
+  page.locator(`main header span.${status}`).first().waitFor({ timeout });

@@ -79,3 +79,30 @@ site.test(
   },
   { allowed: [/status of 422/] },
 );
+
+site.test(
+  "a refused plan is asked once, its old numbers are grey, and its finding leads to the user's own line",
+  async (page, server) => {
+    await openPlan(page, server);
+    const crowning = page.getByRole("textbox", { name: /Helix crowning/ }).first();
+    let asked = 0;
+    page.on("request", (request) => (asked += Number(request.url().endsWith("/api/preview"))));
+    await crowning.fill("2000");
+    await crowning.press("Enter");
+    await page.getByRole("alert").getByText("This job cannot be planned as it stands.").waitFor();
+    await page.waitForTimeout(1500);
+    const once = asked;
+    assert.ok(once <= 2, `${once} requests for one refused job`);
+    await page.waitForTimeout(3000);
+    assert.equal(asked, once, "a refused plan is asked for again");
+    await page.locator("main aside .stale", { hasText: "Not of this job" }).waitFor();
+    await page.getByText("Valid, but no plan").waitFor();
+    assert.equal(await page.getByRole("textbox", { name: /Diagonal ratio/ }).inputValue(), "", "an automatic ratio has no value");
+    const finding = page.getByRole("alert").locator("li button").first();
+    const line = Number(/line (\d+)/.exec(await finding.innerText())?.[1] ?? 0);
+    assert.ok(line !== 1, "the line is that of the text that the page sent");
+    await finding.click();
+    await page.locator(".cm-content").waitFor();
+  },
+  { allowed: [/status of 422/] },
+);

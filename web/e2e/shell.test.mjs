@@ -69,7 +69,7 @@ site.test("on paper stands the content alone, in light colours", async (page, se
   const id = await server.run("plan", "twist-free-crowning");
   await page.emulateMedia({ colorScheme: "dark" });
   await page.goto(`${server.address}/#/runs/${id}`);
-  await page.locator("main meter").first().waitFor();
+  await page.locator("main .bar").first().waitFor();
   await page.emulateMedia({ media: "print", colorScheme: "dark" });
   assert.equal(await background(page), "#ffffff");
   assert.ok(await heading(page, "twist-free-crowning").isVisible());
@@ -108,7 +108,7 @@ site.test("printing waits for charts that were not in view", async (page, server
 site.test("every view has an address that can be gone back to", async (page, server) => {
   await openExample(page, server, "hob");
   for (const [key, view] of ["job", "runs", "inspect", "explore", "catalogue", "history", "compare"].entries()) {
-    await page.keyboard.press(String(key + 1));
+    await page.keyboard.press(`Alt+Shift+Digit${key + 1}`);
     await page.waitForURL(`**/#/${view}`);
     await page.locator(`nav a[href="#/${view}"][aria-current="page"]`).waitFor();
   }
@@ -124,7 +124,7 @@ site.test(
     await page.goto(server.address);
     await heading(page, "Start a job").waitFor();
     await page.route("**/assets/HistoryPage-*.js", (route) => route.fulfill({ status: 404, body: "" }));
-    await page.keyboard.press("6");
+    await page.keyboard.press("Alt+Shift+Digit6");
     await page.getByText("The server has other pages than this one by now.").waitFor();
     await page.unroute("**/assets/HistoryPage-*.js");
     await button(page, "Try again").click();
@@ -132,3 +132,27 @@ site.test(
   },
   { allowed: [/status of 404/] },
 );
+
+site.test("a digit in a slider, a letter on a button: nothing leaves the view", async (page, server) => {
+  await openExample(page, server, "twist-free-crowning");
+  await button(page, "Plan").click();
+  await page.getByText(/^planned in/).waitFor();
+  await page.locator('main aside input[type="range"]').first().focus();
+  for (const key of ["3", "p", "Alt+3", "Shift+Digit3"]) await page.keyboard.press(key);
+  assert.match(page.url(), /#\/job\/plan$/);
+});
+
+site.test("a double click starts one run", async (page, server) => {
+  await openExample(page, server, "twist-free-crowning");
+  let started = 0;
+  await page.route("**/api/runs", async (route) => {
+    if (route.request().method() === "POST") {
+      started++;
+      await new Promise((resolve) => setTimeout(resolve, 400));
+    }
+    await route.continue();
+  });
+  await button(page, "Prove with the referee").dblclick();
+  await page.waitForURL(/#\/runs\/\d+/);
+  assert.equal(started, 1);
+});

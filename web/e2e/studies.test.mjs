@@ -32,11 +32,29 @@ site.test("a study is set up, run, and its choice taken over", async (page, serv
 
   await page.locator("tbody tr").first().getByRole("button").click();
   const chosen = await page.locator("tbody tr").first().locator("td").nth(1).innerText();
-  await page.getByRole("button", { name: /^Use this ratio in the open job/ }).click();
+  await page.getByRole("button", { name: "Use it in the open job" }).click();
   await page.getByText(/^planned in/).waitFor();
   const ratio = page.getByRole("textbox", { name: /Diagonal ratio/ });
   const number = (text) => Number(text.replace("−", "-"));
   assert.ok(Math.abs(number(await ratio.inputValue()) - number(chosen)) < 1e-3, `${await ratio.inputValue()} for ${chosen}`);
+});
+
+site.test("a combination is taken into the job that was studied, a refused one into none", async (page, server) => {
+  const id = await server.run("explore", "twist-free-crowning");
+  await openExample(page, server, "automotive-bias");
+  await page.goto(`${server.address}/#/runs/${id}`);
+  const apply = button(page, "Open the studied job with it");
+  await page.locator("tbody tr").first().getByRole("button").click();
+  await page.getByText("The open job is not the one that was studied").waitFor();
+  const refused = page.locator("tbody tr.refused").first();
+  await refused.getByRole("button").click();
+  await page.getByText("This combination is refused and cannot be taken into the job.").waitFor();
+  assert.ok(await apply.isDisabled(), "a refused combination can be applied");
+  await page.locator("tbody tr").first().getByRole("button").click();
+  await apply.click();
+  await page.getByRole("heading", { name: "twist-free-crowning", level: 1 }).waitFor();
+  await page.getByRole("button", { name: "Undo" }).click();
+  await page.getByRole("heading", { name: "automotive-bias", level: 1 }).waitFor();
 });
 
 site.test("a study over the catalogue ranks its pairs with their units", async (page, server) => {
@@ -92,7 +110,7 @@ site.test("an empty catalogue says how it is filled", async (page, server) => {
 site.test("a body of the catalogue is found and put into the job", async (page, server) => {
   await server.command("store", "catalogue", "add", inRepository("examples/catalogue/bodies.toml"));
   await openExample(page, server, "twist-free-crowning");
-  await page.keyboard.press("5");
+  await page.keyboard.press("Alt+Shift+Digit5");
   await heading(page, "Worms").waitFor();
   await page.getByRole("searchbox", { name: "Filter" }).fill("W3-02");
   const row = page.getByRole("row", { name: /W3-02/ });

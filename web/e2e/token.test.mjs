@@ -34,7 +34,7 @@ site.test(
     await page.goto(`${local(server)}/?token=${TOKEN}`);
     await heading(page, "Start a job").waitFor();
     await page.context().clearCookies();
-    await page.keyboard.press("2");
+    await page.keyboard.press("Alt+Shift+Digit2");
     await page.getByText("This server asks for a token.").waitFor();
     await page.getByText("Open the address with its token").waitFor();
   },

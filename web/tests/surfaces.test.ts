@@ -23,7 +23,7 @@ describe("flanksOfDocument", () => {
   it("takes grids of a plan", () => {
     const flanks = flanksOfDocument({ flanks: { left: flank(3) } });
     expect(Object.keys(flanks)).toEqual(["left"]);
-    expect(flanks.left!.isInvolute).toBe(true);
+    expect(flanks.left!.units).toEqual({ height: "mm", length: "mm" });
     expect(choices(flanks).map(shownKey)).toEqual(["target", "simulated", "simulated-target"]);
     expect(gridFigures(shownGrid(flanks.left, { of: "simulated", less: "target" })!).largest).toBe(3);
   });
@@ -35,7 +35,7 @@ describe("flanksOfDocument", () => {
       [1, 2, 3],
       [4, 5, 6],
     ]);
-    expect(flanks.right!.isInvolute).toBe(false);
+    expect(flanks.right!.units).toEqual({ height: "1", length: "1" });
   });
   it("takes the last round of an inspection, and nothing where there is no surface", () => {
     const rounds = [{ flanks: { left: flank(1) } }, { flanks: { left: flank(9) } }];

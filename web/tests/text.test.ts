@@ -1,7 +1,8 @@
 // Places in the text of a job.
 
 import { describe, expect, it } from "vitest";
-import { changeBetween, looksLikeJob, namedFiles, rangeOfFinding } from "../src/job/text";
+import { atOwnLines, lineOfField, changeBetween, looksLikeJob, namedFiles, rangeOfFinding } from "../src/job/text";
+import { parsePath } from "../src/lib/path";
 
 describe("changeBetween", () => {
   it("is the least change", () => {
@@ -36,5 +37,54 @@ describe("files", () => {
   it("that a job names lie beside it", () => {
     const tree = { target: { file: "grid.csv" }, machine: { file: "machines/eight-axis.toml" }, a: [{ file: "b.csv" }] };
     expect(namedFiles(tree)).toEqual(["grid.csv", "b.csv"]);
+  });
+});
+
+describe("the line of an entry in the user's text", () => {
+  const text = [
+    "# a job",
+    "[job]",
+    'name = "a"',
+    "",
+    "[gear]",
+    "teeth = 19 # teeth",
+    "evaluation.start_diameter = 60",
+    "[target]",
+    "[[target.modifications]]",
+    'kind = "twist"',
+    "amount_um = 1",
+    "",
+    "[[target.modifications]]",
+    'kind = "helix_crowning"',
+    "amount_um = 2000",
+    "flank = { left = 1 }",
+    "[machine]",
+    'file = "m.toml"',
+  ].join("\n");
+  it("is its own, or that of the nearest around it", () => {
+    const line = (field: string): number | undefined => lineOfField(text, parsePath(field));
+    expect(line("gear.teeth")).toBe(6);
+    expect(line("gear.evaluation.start_diameter")).toBe(7);
+    expect(line("target.modifications[0].amount_um")).toBe(11);
+    expect(line("target.modifications[1].amount_um")).toBe(15);
+    expect(line("target.modifications[1].flank.left")).toBe(16);
+    expect(line("target.modifications[1]")).toBe(13);
+    expect(line("target.modifications[1].absent")).toBe(13);
+    expect(line("machine.file")).toBe(18);
+    expect(line("worm.threads")).toBeUndefined();
+  });
+  it("takes the place of one in the text that the page sent", () => {
+    const sent = {
+      code: "x",
+      message: "m",
+      field: "target.modifications[1].amount_um",
+      line: 1,
+      column: 300,
+      start: 299,
+      end: 303,
+    };
+    expect(atOwnLines([sent], text)).toEqual([{ code: "x", message: "m", field: sent.field, line: 15 }]);
+    expect(atOwnLines([{ code: "x", message: "m", line: 1 }], text)).toEqual([{ code: "x", message: "m" }]);
+    expect(atOwnLines([{ code: "x", message: "m", file: "map.csv", line: 4 }], text)[0]!.line).toBe(4);
   });
 });

@@ -205,6 +205,37 @@ fn a_slide_that_is_too_fast_is_counted_and_loses_nothing() {
     }
 }
 
+/// A slide that turns on a line passes it twice at once, at any speed: no alarm. One interval of one sense that is as short is one.
+#[test]
+fn a_slide_that_turns_on_a_line_alarms_nothing() {
+    use Direction::{Backward, Forward};
+    for mode in [Mode::OneWay, Mode::NoBacklash] {
+        for pulses in [4u32, 16, 64] {
+            let (p, slow) = (u64::from(pulses), settings(pulses, mode));
+            let mut train = Vec::new();
+            let mut tick = 100;
+            for stroke in 0..40 {
+                let direction = if stroke % 2 == 0 { Forward } else { Backward };
+                train.extend((0..5).map(|line| (tick + 10 * p * line, direction)));
+                tick += 40 * p + 1 + stroke % (p - 1);
+            }
+            let (_, status) = clocked(slow, &train, tick + 100 * p);
+            assert_eq!((status.too_fast, status.overruns), (0, 0), "P {p} {mode:?} {status:?}");
+            assert_eq!(status.short_reversals, 39, "P {p} {mode:?}");
+            // Vibration about a line: every interval ends with the other sense.
+            let dither: Vec<_> =
+                (0..40).map(|k| (100 + 3 * k, if k % 2 == 0 { Forward } else { Backward })).collect();
+            let (_, status) = clocked(slow, &dither, 1000 * p);
+            assert_eq!((status.too_fast, status.overruns), (0, 0), "P {p} {mode:?} {status:?}");
+            // The same train with one line passed too fast before the turn.
+            train.insert(5, (train[4].0 + 1, Forward));
+            train[6].0 = train[6].0.max(train[5].0 + 1);
+            let (_, status) = clocked(slow, &train, tick + 100 * p);
+            assert_eq!(status.too_fast, 1, "P {p} {mode:?} {status:?}");
+        }
+    }
+}
+
 #[test]
 fn at_rest_every_reference_pulse_has_brought_its_pulses() {
     for p in [2, 5, 16, 256] {

@@ -56,25 +56,30 @@ fn statements(stated: Stated) -> Result<Statements, Failure> {
 
 /// Evaluates a measurement, alone or against a job.
 #[pyfunction]
-#[pyo3(signature = (file, job, stated, progress=None))]
+#[pyo3(signature = (file, job, stated, tolerance_class=None, progress=None))]
 pub fn inspect(
     py: Python<'_>,
     file: PathBuf,
     job: Option<&Bound<'_, CoreJob>>,
     stated: Stated,
+    tolerance_class: Option<i32>,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<CoreResult> {
     let statements = statements(stated).map_err(|failure| failure.raised(py))?;
     let job = job.map(Bound::get);
     let work = |progress: &dyn Progress| -> Result<Held, JobFailure> {
         Ok(Held::Completed(match job.map(|job| &job.job) {
-            None => Completed::Inspection(Box::new(inspect_gear(&file, &statements)?)),
+            None => Completed::Inspection(Box::new(inspect_gear(&file, &statements, tolerance_class)?)),
             Some(AnyJob::Skiving(loaded)) => {
                 Completed::Skiving(loaded.clone(), Box::new(inspect_skiving(loaded, &file, progress)?))
             }
-            Some(AnyJob::Grinding(loaded)) => {
-                Completed::Inspection(Box::new(inspect_for_job(loaded, &file, &statements, progress)?))
-            }
+            Some(AnyJob::Grinding(loaded)) => Completed::Inspection(Box::new(inspect_for_job(
+                loaded,
+                &file,
+                &statements,
+                tolerance_class,
+                progress,
+            )?)),
             Some(other) => {
                 let process = other.info().process.name();
                 let message =

@@ -71,9 +71,9 @@ fn series(c: &mut Criterion) {
     group.bench_function("68 files with sheets", |b| b.iter(evaluated));
     group.throughput(Throughput::Bytes(bytes as u64 / u64::from(FILES)));
     group.bench_function("one file read and evaluated", |b| {
-        b.iter(|| inspect_gear(black_box(&paths[0]), &Statements::default()).expect("a part"));
+        b.iter(|| inspect_gear(black_box(&paths[0]), &Statements::default(), None).expect("a part"));
     });
-    let found = inspect_gear(&paths[0], &Statements::default()).expect("a part");
+    let found = inspect_gear(&paths[0], &Statements::default(), None).expect("a part");
     group.bench_function("one sheet", |b| {
         b.iter(|| inspection_sheet(black_box(&found), &sheet).expect("a sheet"))
     });

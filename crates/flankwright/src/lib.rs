@@ -116,7 +116,7 @@
 //!     "#,
 //! ))?;
 //! let outcome = plan_job(&job, &Silent).expect("these bodies can make it");
-//! assert_eq!(outcome.result.status, Status::Met);
+//! assert_eq!(outcome.result.verdict.status(), Status::Met);
 //! for flank in outcome.result.flanks.values() {
 //!     assert!(flank.max_deviation_um < 0.02); // simulated against target
 //!     assert!(flank.model_difference_um < 0.001); // analytic against referee
@@ -194,6 +194,8 @@ pub mod nc;
 pub mod motion;
 
 pub mod exchange;
+
+pub mod verdict;
 
 pub mod report;
 

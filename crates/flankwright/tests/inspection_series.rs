@@ -62,7 +62,7 @@ fn of<'a>(series: &'a InspectionSeries, key: &str) -> &'a SeriesCharacteristic {
 fn figures_are_those_of_the_single_parts_in_the_order_of_time() {
     let folder = Folder::of((0..12).map(|k| part(k, 0.0)));
     let series = folder.series(7);
-    assert_eq!((series.result.status, series.result.refused.len()), (Status::Met, 0));
+    assert_eq!((series.result.verdict.status(), series.result.refused.len()), (Status::Met, 0));
     let [group] = &series.result.groups[..] else { panic!("one group") };
     assert_eq!((group.series.as_str(), group.ordered_by, group.parts.len()), ("Z-17", "time", 12));
     let names: Vec<&str> = group.parts.iter().map(|part| part.part.as_str()).collect();
@@ -72,7 +72,9 @@ fn figures_are_those_of_the_single_parts_in_the_order_of_time() {
     let single: Vec<_> = group
         .parts
         .iter()
-        .map(|part| inspect_gear(&folder.path().join(&part.file), &Statements::default()).expect("a part"))
+        .map(|part| {
+            inspect_gear(&folder.path().join(&part.file), &Statements::default(), None).expect("a part")
+        })
         .collect();
     let close = |key: &str, want: Vec<f64>| {
         let found = of(&series, key);

@@ -291,7 +291,7 @@ fn the_file_has_a_page_of_paper_for_each_sheet() {
     let directory = tempfile::tempdir().expect("a directory");
     let path = directory.path().join("4711.mka");
     std::fs::write(&path, MadePart::new("4711", 2).text()).expect("a file");
-    let found = inspect_gear(&path, &Statements::default()).expect("an inspection");
+    let found = inspect_gear(&path, &Statements::default(), None).expect("an inspection");
     let html = inspection_sheet(&found, &class(5)).expect("a sheet");
     assert!(html.starts_with("<!DOCTYPE html>") && html.ends_with("</html>\n"));
     assert!(html.contains("@page { size: A4 portrait; margin: 0; }"));
@@ -309,7 +309,7 @@ fn sheets_of_real_parts_print_what_the_machine_printed() {
         eprintln!("not run: {} is not there", path.display());
         return;
     }
-    let found = inspect_gear(&path, &Statements::default()).expect("an inspection");
+    let found = inspect_gear(&path, &Statements::default(), None).expect("an inspection");
     let pages = sheet_pages(&found.inspection, &found.gear, &class(6)).expect("pages");
     let page = pages[0].svg.as_str();
     // As in the .mew file of the part: fHa, F, ff, fKo of tooth 35 left, fHb of tooth 18 left, Fp left, Fr, Rs.

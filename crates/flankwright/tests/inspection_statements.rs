@@ -12,7 +12,7 @@ fn inspected(text: &str, statements: &Statements) -> GearInspection {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("part.mka");
     std::fs::write(&path, text).expect("a file");
-    inspect_gear(&path, statements).expect("an inspection")
+    inspect_gear(&path, statements, None).expect("an inspection")
 }
 
 fn other_end() -> Statements {
@@ -188,7 +188,7 @@ fn numbers_that_no_measurement_gives_are_told_and_hurt_nothing_else() {
         })
         .collect();
     std::fs::write(&path, far.join("\r\n") + "\r\n").expect("a file");
-    let Err(error) = inspect_gear(&path, &Statements::default()) else { panic!("not refused") };
+    let Err(error) = inspect_gear(&path, &Statements::default(), None) else { panic!("not refused") };
     let told = format!("{error:?}");
     assert!(told.contains("diameter of the header") && told.contains("100000 mm"), "{told}");
 }

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 /// The layers from the ground up; those that do not exist yet keep their place.
-const LAYERS: [&str; 16] = [
+const LAYERS: [&str; 17] = [
     "numerics",
     "geometry",
     "modification",
@@ -20,6 +20,7 @@ const LAYERS: [&str; 16] = [
     "nc",
     "motion",
     "exchange",
+    "verdict",
     "report",
     "workflow",
 ];

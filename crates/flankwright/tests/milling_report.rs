@@ -9,7 +9,8 @@ use flankwright::report::milling::{
     MillingReport, OperationRow, OrientationView, OrientedRowView, PatternFigures, ProgramsView, RotaryView,
     RowView, Titled, WearView,
 };
-use flankwright::report::{Column, PlanReport, Quantity, ReportHead, Status, Table, Warning, html};
+use flankwright::report::{Column, PlanReport, Quantity, ReportHead, Table, Warning, html};
+use flankwright::verdict::Status;
 
 const HEIGHTS: usize = 13;
 const LENGTHS: usize = 9;
@@ -104,7 +105,7 @@ fn report() -> MillingReport {
             description: Some("a spur gear".into()),
             process: "Five-axis milling",
             version: "0.1.0".into(),
-            status: Status::Missed,
+            status: Status::Missed.into(),
             headline: "the flank deviates by 2.01 um.".into(),
             way_out: "lay more rows".into(),
             figures: vec![("largest deviation".into(), "2.01 µm".into())],

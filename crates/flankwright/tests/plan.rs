@@ -19,7 +19,7 @@ fn planned(loaded: &LoadedJob) -> Outcome {
 fn twist_free_crowning_meets_its_figures() {
     let outcome = planned(&load("twist-free-crowning.toml"));
     let result = &outcome.result;
-    assert_eq!(result.status, Status::Met);
+    assert_eq!(result.verdict.status(), Status::Met);
     assert!((result.settings.settings.diagonal_ratio + 1.916_053_716_653_319_6).abs() < 2e-9);
     assert!((result.settings.worm_length_mm - 79.041_377_6).abs() < 1e-5);
     for flank in Flank::BOTH {
@@ -40,8 +40,8 @@ fn twist_free_crowning_meets_its_figures() {
 #[test]
 fn radial_feed_shows_the_natural_twist() {
     let result = planned(&load("radial-feed-crowning.toml")).result;
-    assert_eq!(result.status, Status::Missed);
-    assert_eq!(result.reason.as_ref().unwrap().code, "natural-twist");
+    assert_eq!(result.verdict.status(), Status::Missed);
+    assert_eq!(result.verdict.reason().unwrap().code, "natural-twist");
     for (flank, s) in [("left", 1.0), ("right", -1.0)] {
         let c = &result.flanks[flank].simulated_characteristics;
         assert!((c.twist_corner_um + s * 51.5389).abs() < 0.02, "{}", c.twist_corner_um);
@@ -54,7 +54,7 @@ fn radial_feed_shows_the_natural_twist() {
 #[test]
 fn automotive_bias_keeps_its_wanted_twist() {
     let result = planned(&load("automotive-bias.toml")).result;
-    assert_eq!(result.status, Status::Met);
+    assert_eq!(result.verdict.status(), Status::Met);
     let score = |k: f64| {
         let c = result.settings.candidates.iter().find(|c| c.diagonal_ratio == k);
         c.map_or(f64::INFINITY, |c| c.score)

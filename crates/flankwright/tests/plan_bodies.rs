@@ -22,7 +22,7 @@ fn planned(job: &LoadedJob) -> Outcome {
 /// Plans an example: met, and the referee agrees within `agreement` um. Returns the outcome.
 fn held(name: &str, agreement: f64) -> Outcome {
     let outcome = planned(&load(name));
-    assert_eq!(outcome.result.status, Status::Met, "{name}: {:?}", outcome.result.reason);
+    assert_eq!(outcome.result.verdict.status(), Status::Met, "{name}: {:?}", outcome.result.verdict.reason());
     for (flank, f) in &outcome.result.flanks {
         assert!(f.model_difference_um <= agreement, "{name} {flank}: {} um", f.model_difference_um);
         assert!(f.model_difference_um <= 2.0 * f.referee_error_um, "{name} {flank}");
@@ -137,7 +137,7 @@ fn tools_without_a_dresser_are_made_or_given() {
     let twist = serde_json::json!([{ "kind": "twist", "amount_um": 20.0 }]);
     job.job.target.modifications = serde_json::from_value(twist).unwrap();
     let missed = planned(&job).result;
-    assert_eq!(missed.status, Status::Missed);
+    assert_eq!(missed.verdict.status(), Status::Missed);
     assert!(missed.flanks["left"].max_deviation_um > 3.0);
 }
 
@@ -152,7 +152,7 @@ fn a_target_outside_the_polynomials_is_decomposed_by_least_squares() {
     ]);
     job.job.target.modifications = serde_json::from_value(arcs).unwrap();
     let outcome = planned(&job);
-    assert_eq!(outcome.result.status, Status::Met, "{:?}", outcome.result.reason);
+    assert_eq!(outcome.result.verdict.status(), Status::Met, "{:?}", outcome.result.verdict.reason());
     for f in outcome.result.flanks.values() {
         assert!(f.max_deviation_um < 0.1 && f.model_difference_um < 0.05, "{}", f.max_deviation_um);
     }
@@ -181,7 +181,7 @@ fn gauges_leave_the_flank() {
         job.job.target.modifications = serde_json::from_value(target).unwrap();
         job.job.grinding.gauge = gauge;
         let outcome = planned(&job);
-        assert_eq!(outcome.result.status, Status::Met, "{gauge:?}");
+        assert_eq!(outcome.result.verdict.status(), Status::Met, "{gauge:?}");
         assert!(outcome.result.flanks.values().all(|f| f.max_deviation_um < 0.05), "{gauge:?}");
         delta_d.push(outcome.execution.motion.delta_d.value(0.0));
     }
@@ -202,9 +202,9 @@ fn a_tolerance_map_judges_place_by_place() {
     let outcome = planned(&job);
     let f = &outcome.result.flanks["left"];
     assert!(f.max_deviation_um > 13.0 && f.tolerance_share < 1.0, "{}", f.tolerance_share);
-    assert_eq!(outcome.result.status, Status::Met);
+    assert_eq!(outcome.result.verdict.status(), Status::Met);
     job.job.target.tolerance_map = serde_json::from_value(table(5.0)).unwrap();
-    assert_eq!(planned(&job).result.status, Status::Missed);
+    assert_eq!(planned(&job).result.verdict.status(), Status::Missed);
 }
 
 #[test]

@@ -10,9 +10,8 @@ use flankwright::report::charts::{
     format_fixed, format_significant, line_chart, profile_helix_diagram, topography_net,
     worm_occupation_chart,
 };
-use flankwright::report::{
-    Banner, Block, Column, Fact, PlanReport, Quantity, Section, Status, Table, Warning, html,
-};
+use flankwright::report::{Banner, Block, Column, Fact, PlanReport, Quantity, Section, Table, Warning, html};
+use flankwright::verdict::Status;
 use proptest::prelude::*;
 
 /// All text of a chart without its markup; panics if the chart is not well-formed XML or holds no number.
@@ -588,7 +587,11 @@ fn texts_are_escaped_on_the_page() {
         title: nasty(),
         subtitle: Some(nasty()),
         facts: vec![Fact::new(NASTY, NASTY)],
-        banner: Banner { status: Status::Missed, headline: nasty(), figures: vec![Fact::new(NASTY, NASTY)] },
+        banner: Banner {
+            status: Status::Missed.into(),
+            headline: nasty(),
+            figures: vec![Fact::new(NASTY, NASTY)],
+        },
         sections: vec![Section::new(
             NASTY,
             vec![

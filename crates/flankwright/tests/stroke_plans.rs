@@ -59,7 +59,7 @@ fn reliefs_of_plain_dressers_on_both_hands() {
         [("helix_angle_deg = 35.0", "helix_angle_deg = -35.0"), ("hand = \"right\"", "hand = \"left\"")];
     let left = planned(&hands);
     for outcome in [&right, &left] {
-        assert_eq!(outcome.result.status, Status::Met, "{:?}", outcome.result.reason);
+        assert_eq!(outcome.result.verdict.status(), Status::Met, "{:?}", outcome.result.verdict.reason());
         for (flank, f) in &outcome.result.flanks {
             assert!(f.model_difference_um < 0.05, "{flank}: {}", f.model_difference_um);
             assert!(f.max_deviation_um < 0.3, "{flank}: {}", f.max_deviation_um);
@@ -91,7 +91,7 @@ fn another_grouping_of_strokes_gives_the_same_flank() {
     let strokes = |outcome: &Outcome| outcome.result.settings.settings.strokes.left.len();
     assert_eq!((strokes(&whole), strokes(&halves)), (1, 2));
     for outcome in [&whole, &halves, &four] {
-        assert_eq!(outcome.result.status, Status::Met);
+        assert_eq!(outcome.result.verdict.status(), Status::Met);
         for f in outcome.result.flanks.values() {
             assert!(f.model_difference_um < 0.05, "{}", f.model_difference_um);
             assert!(f.max_deviation_um < 0.05, "{}", f.max_deviation_um);
@@ -118,7 +118,7 @@ fn without_a_shift_the_corrections_are_constant() {
         ("  { kind = \"helix_crowning\", amount_um = 6.0 },\n", ""),
         ("method = \"diagonal\"", "method = \"radial\""),
     ]);
-    assert_eq!(outcome.result.status, Status::Met, "{:?}", outcome.result.reason);
+    assert_eq!(outcome.result.verdict.status(), Status::Met, "{:?}", outcome.result.verdict.reason());
     for stroke in &outcome.result.settings.settings.strokes.left {
         assert_eq!(stroke.d_gamma_deg.len(), 1);
     }

@@ -52,7 +52,9 @@ export function pairsOf(a: Flanks, b: Flanks, quantity: Quantity, less: Quantity
     const [one, other] = [a[side], b[side]];
     const first = one && gridOf(one, quantity, less);
     const raw = other && gridOf(other, quantity, less);
-    if (!one || !other || !first || !raw) return [];
+    // Places in other units are not the same places.
+    const isComparable = one?.units.height === other?.units.height && one?.units.length === other?.units.length;
+    if (!one || !other || !first || !raw || !isComparable) return [];
     const isSame = sameList(one.profile, other.profile) && sameList(one.helix, other.helix);
     const second = isSame ? raw : resampled(raw, other, one);
     return [{ side, field: one, first, second, difference: minus(second, first), isResampled: !isSame }];

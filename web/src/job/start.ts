@@ -2,12 +2,14 @@
 
 import * as api from "../api/client";
 import type { RunKind } from "../api/types";
+import { once } from "../lib/once";
 import { router } from "../lib/router.svelte";
 import { jobStore } from "../state/job.svelte";
 import { notices } from "../state/notices.svelte";
 import { runsUnderWay } from "../state/runs.svelte";
 
-export async function startRun(kind: RunKind): Promise<void> {
+/** A second call while the first is under way starts nothing: a double click is one run. */
+export const startRun = once(async (kind: RunKind): Promise<void> => {
   try {
     const { id } = await api.startRun(kind, jobStore.job);
     void runsUnderWay.refresh();
@@ -15,4 +17,4 @@ export async function startRun(kind: RunKind): Promise<void> {
   } catch (error) {
     notices.fail(error);
   }
-}
+});

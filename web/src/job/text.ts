@@ -1,6 +1,7 @@
 // Places in the text of a job, and the least change between two texts.
 
 import type { Finding } from "../api/types";
+import { parsePath, type Path } from "../lib/path";
 
 export interface TextChange {
   from: number;
@@ -49,4 +50,57 @@ export function namedFiles(value: unknown): string[] {
   if (Array.isArray(value)) return value.flatMap(namedFiles);
   if (typeof value === "object" && value !== null) return Object.values(value).flatMap(namedFiles);
   return [];
+}
+
+/**
+ * Findings on another writing of the job, such as the JSON that a page sends: their places are taken to the lines of the user's text.
+ */
+export function atOwnLines(findings: Finding[], text: string): Finding[] {
+  return findings.map((finding) => {
+    if (finding.file) return finding;
+    const { line: _, column: __, start: ___, end: ____, ...rest } = finding;
+    const line = finding.field ? lineOfField(text, parsePath(finding.field)) : undefined;
+    return line === undefined ? rest : { ...rest, line };
+  });
+}
+
+/** The line of a TOML text, from 1, on which an entry stands: its own, else that of the nearest table or list around it. */
+export function lineOfField(text: string, path: Path): number | undefined {
+  const wanted = path.map(String);
+  const counts = new Map<string, number>();
+  let table: string[] = [];
+  let best: { line: number; depth: number } | undefined;
+  const offer = (at: string[], line: number): void => {
+    const isAround = at.length <= wanted.length && at.every((step, k) => step === wanted[k]);
+    if (isAround && at.length > (best?.depth ?? 0)) best = { line, depth: at.length };
+  };
+  text.split("\n").forEach((written, number) => {
+    const [, lists, tables] = /^\s*(?:\[\[([^\]]+)\]\]|\[([^\]]+)\])\s*(?:#.*)?$/.exec(written) ?? [];
+    const heading = lists ?? tables;
+    if (heading !== undefined) {
+      table = withPlaces(stepsOf(heading), counts, lists !== undefined);
+      offer(table, number + 1);
+      return;
+    }
+    const [, key, value] =
+      /^\s*((?:"[^"]*"|'[^']*'|[A-Za-z0-9_-]+)(?:\s*\.\s*(?:"[^"]*"|'[^']*'|[A-Za-z0-9_-]+))*)\s*=(.*)$/.exec(written) ?? [];
+    if (key === undefined || value === undefined) return;
+    offer([...table, ...stepsOf(key)], number + 1);
+  });
+  return best?.line;
+}
+
+const stepsOf = (key: string): string[] => key.split(".").map((step) => step.trim().replace(/^["']|["']$/g, ""));
+
+/** A heading with the index of each list of tables on its way: `[[target.modifications]]` for the second time is `target.modifications.1`. */
+function withPlaces(heading: string[], counts: Map<string, number>, isList: boolean): string[] {
+  const steps: string[] = [];
+  heading.forEach((step, at) => {
+    steps.push(step);
+    const name = steps.join(".");
+    if (isList && at === heading.length - 1) counts.set(name, (counts.get(name) ?? -1) + 1);
+    const place = counts.get(name);
+    if (place !== undefined) steps.push(String(place));
+  });
+  return steps;
 }

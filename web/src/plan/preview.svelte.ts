@@ -1,5 +1,7 @@
-// The immediate plan of the open job: asked for whenever an amount moves, only the newest counts.
+// The immediate plan of the open job: asked for whenever an amount moves, only the newest counts. What was refused is not asked again
+// until the job changes.
 
+import { untrack } from "svelte";
 import * as api from "../api/client";
 import { asFailure, type RequestFailure } from "../api/failure";
 import type { Job, Preview } from "../api/types";
@@ -19,7 +21,7 @@ class PreviewStore {
   moved = $state.raw<Record<string, { path: Path; value: Json }>>({});
   /** Time from the question to the answer, in ms. */
   elapsed = $state(0);
-  #asked = "";
+  #asked: { key: string; charts: string; files: Record<string, string> } | undefined;
   #latest = new Latest<Question, { preview: Preview; elapsed: number }>({
     run: async ({ job, charts }, signal) => {
       const begun = performance.now();
@@ -38,15 +40,29 @@ class PreviewStore {
     },
   });
 
-  /** Plans the job as its tree stands with what was moved. */
+  /** Plans the job as its tree stands with what was moved; the same question is sent once, whatever its answer. */
   ask(tree: Table, files: Record<string, string>, charts: string[]): void {
     const whole = Object.values(this.moved).reduce<Json>((job, { path, value }) => withValue(job, path, value), tree);
-    const text = JSON.stringify(whole);
-    const question = `${text}\n${charts.join()}\n${Object.keys(files).join()}`;
-    if (question === this.#asked && !this.failure) return;
-    this.#asked = question;
+    const key = JSON.stringify(whole);
+    const asked = { key, charts: charts.join(), files };
+    const last = this.#asked;
+    const isSameJob = last !== undefined && last.key === key && last.files === files;
+    this.#asked = asked;
+    // Of a refused job no other charts are asked for either. The failure is not read for the effect that asks.
+    const isRefused = untrack(() => this.failure?.kind === "refused" && !this.#latest.isBusy);
+    if (isSameJob && (last.charts === asked.charts || isRefused)) return;
+    // An effect that asks must not run again when the answer comes.
+    untrack(() => (this.isBusy = true));
+    this.#latest.ask({ job: { text: key, files }, charts });
+  }
+
+  /** Asks the last question again, after a failure that was not of the job. */
+  retry(): void {
+    const last = this.#asked;
+    if (!last) return;
     this.isBusy = true;
-    this.#latest.ask({ job: { text, files }, charts });
+    const charts = last.charts === "" ? [] : last.charts.split(",");
+    this.#latest.ask({ job: { text: last.key, files: last.files }, charts });
   }
 
   move(path: Path, value: Json): void {
@@ -66,7 +82,7 @@ class PreviewStore {
     this.value = undefined;
     this.failure = undefined;
     this.moved = {};
-    this.#asked = "";
+    this.#asked = undefined;
   }
 }
 

@@ -14,8 +14,8 @@ export interface FlankField {
   profile: number[];
   helix: number[];
   values: Partial<Record<Quantity, number[][]>>;
-  /** Whether the coordinates are length of roll and face position. */
-  isInvolute: boolean;
+  /** Units of profile and helix as the document states them: "mm", "rad", or "1" for fractions. */
+  units: { height: string; length: string };
 }
 
 export type Flanks = Partial<Record<Side, FlankField>>;
@@ -62,7 +62,9 @@ function fieldOf(flank: Table): FlankField | undefined {
     const grid = gridOf(flank[`${quantity}_um`], profile.length, helix.length);
     if (grid) values[quantity] = grid;
   }
-  return Object.keys(values).length === 0 ? undefined : { profile, helix, values, isInvolute };
+  const unit = (key: string): string => (typeof flank[key] === "string" ? flank[key] : isInvolute ? "mm" : "1");
+  const units = { height: unit("height_unit"), length: unit("length_unit") };
+  return Object.keys(values).length === 0 ? undefined : { profile, helix, values, units };
 }
 
 function numbers(value: Json | undefined): number[] {

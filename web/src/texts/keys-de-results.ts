@@ -276,6 +276,7 @@ export const RESULT_KEYS_DE: Record<string, string> = {
   thickness: "Zahndicke",
   thickness_um: "Zahndicke",
   tip_um: "Kopf",
+  tolerance_class: "Geforderte Klasse",
   tolerance_share: "Anteil an der Toleranz",
   too_fast: "Zu schnell",
   tool_pitch_radius_mm: "Teilkreisradius des Werkzeugs",

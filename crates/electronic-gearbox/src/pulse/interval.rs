@@ -14,8 +14,10 @@ pub(super) struct Interval {
     /// Distance of intermediate pulses in ticks, 0 for none.
     pub spacing: u32,
     pub references: u64,
-    pub overruns: u64,
-    pub too_fast: u64,
+    /// Of intervals that end with their own sense, and of those that end with the other one.
+    pub overruns: [u64; 2],
+    /// The same.
+    pub too_fast: [u64; 2],
 }
 
 impl Interval {
@@ -25,8 +27,8 @@ impl Interval {
         pending: 0,
         spacing: 0,
         references: 0,
-        overruns: 0,
-        too_fast: 0,
+        overruns: [0; 2],
+        too_fast: [0; 2],
     };
 
     /// A reference pulse arrives; `period` is the content of the period counter, floor(L/P) saturated.
@@ -34,13 +36,15 @@ impl Interval {
     pub fn end(&mut self, settings: &Settings, reference: Direction, period: u32) {
         if let Some(ended) = self.direction {
             let owed = correction(settings, ended, reference, self.inserted);
+            // The slide came back to the line that it had passed: how long that took tells no speed.
+            let reversal = usize::from(reference != ended);
             if self.pending != 0 && owed != 0 {
-                self.overruns = self.overruns.wrapping_add(1);
+                self.overruns[reversal] = self.overruns[reversal].wrapping_add(1);
             }
             self.pending = self.pending.saturating_add(owed);
             self.spacing = period;
             if period == 0 {
-                self.too_fast = self.too_fast.wrapping_add(1);
+                self.too_fast[reversal] = self.too_fast[reversal].wrapping_add(1);
             }
         }
         self.references = self.references.wrapping_add(1);
@@ -51,8 +55,10 @@ impl Interval {
     pub const fn status(&self) -> Status {
         Status {
             references: self.references,
-            overruns: self.overruns,
-            too_fast: self.too_fast,
+            overruns: self.overruns[0],
+            too_fast: self.too_fast[0],
+            overruns_at_reversals: self.overruns[1],
+            short_reversals: self.too_fast[1],
             pending: self.pending,
             inserted: self.inserted,
             spacing: self.spacing,

@@ -83,10 +83,18 @@ pub struct TimedPulse {
 pub struct Status {
     /// Reference pulses seen.
     pub references: u64,
-    /// Intervals that ended while corrections of the one before were still owed. Whoever supervises stops the feed when it grows.
+    /// Intervals that ended, with their own sense, while corrections of the one before were still owed. Whoever supervises stops the
+    /// feed when it grows.
     pub overruns: u64,
-    /// Intervals shorter than P ticks: the slide is faster than v_max = f1 p/P. Whoever supervises stops the feed when it grows.
+    /// Intervals of one sense shorter than P ticks: the slide is faster than v_max = f1 p/P. Whoever supervises stops the feed when it
+    /// grows.
     pub too_fast: u64,
+    /// Intervals that ended with the other sense while corrections of the one before were still owed. No alarm: a slide that turns on a
+    /// line brings them at any speed.
+    pub overruns_at_reversals: u64,
+    /// Intervals shorter than P ticks that ended with the other sense. No alarm: the slide came back to the line that it had passed, which
+    /// tells no speed. One that is too fast before or behind it counts in `too_fast`.
+    pub short_reversals: u64,
     /// Corrections still to be sent, with their sign.
     pub pending: i64,
     /// Intermediate pulses of the running interval.

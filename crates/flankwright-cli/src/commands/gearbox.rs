@@ -23,7 +23,8 @@ use crate::progress::Bars;
     after_help = "Example:\n  flankwright gearbox examples/gearbox/feed-to-and-fro.toml -o results\n\n\
     Takes jobs of the process \"electronic-gearbox\" (flankwright new electronic-gearbox). Writes result.json and report.html,\n\
     errors.csv for a motion, servo.csv with [servo], set-ups.csv with [explore], pulses.csv with output.pulse_trace.\n\
-    Exit status 3: [explore] found no set-up that is accurate enough."
+    Exit status 3: errors beyond target.tolerance_um, alarms or a motor at its limit where a tolerance is given, or [explore] found no\n\
+    set-up that is accurate enough. Without target.tolerance_um errors are told and not judged."
 )]
 pub struct GearboxArguments {
     /// The job file (TOML or JSON); `-` reads standard input
@@ -54,7 +55,7 @@ pub fn run(arguments: &GearboxArguments) -> Result<Exit, Failure> {
     let directory = output::directory(common, &loaded, &loaded.job.job);
     let written = write_gearbox(&loaded.job, &outcome, &directory).map_err(unwritten)?;
     let result = &outcome.result;
-    let verdict = Verdict { job: &result.job, status: result.status, reason: result.reason.as_ref() };
+    let verdict = Verdict::of(&result.job, &result.verdict);
     conclude(common, result, verdict, || summary(result, &written))
 }
 
@@ -99,7 +100,14 @@ fn summary(result: &GearboxResult, written: &[PathBuf]) -> String {
     if let Some(explored) = &result.explore {
         of_set_ups(&mut text, explored);
     }
-    if let Some(reason) = &result.reason {
+    let tolerance = result.tolerance_um.map_or_else(String::new, |um| format!(" (tolerance {um} um)"));
+    let _ = writeln!(
+        text,
+        "  target {}{tolerance}. {}",
+        result.verdict.status().words(),
+        result.verdict.scope_in_words()
+    );
+    if let Some(reason) = result.verdict.reason() {
         tell(&mut text, reason);
     }
     closing(&mut text, &result.warnings, &result.timing_s, written);

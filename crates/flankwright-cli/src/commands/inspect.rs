@@ -28,7 +28,8 @@ use crate::output;
     the measurement that its table [inspection.simulated] describes.\n\
     A skiving tool: switching angles at a light barrier (columns flank, track, sense, revolution, angle_deg), always with its job.\n\n\
     Files go into FILE.inspected/ beside the measurement (JOB name.inspected/ beside the job where it simulates one), or where -o says.\n\n\
-    Exit status 3: the measured flank misses the tolerance of the job; of a series, values beyond the class or files that were refused; the tool is worn, teeth leave their band, or the workpiece's \
+    Exit status 3: the measured flank misses the tolerance of the job; a part is beyond the class of --class, or its file lacks what the \
+    class needs; a file holds nothing that can be evaluated, or one of a folder was refused; the tool is worn, teeth leave their band, or the workpiece's \
     profile will leave its tolerance.")]
 pub struct InspectArguments {
     /// The measurement, or a folder of measurements
@@ -37,7 +38,7 @@ pub struct InspectArguments {
     /// The job (TOML or JSON) that tells what was made or measured; `-` reads standard input
     #[arg(long, value_name = "JOB")]
     pub job: Option<PathBuf>,
-    /// Class of ISO 1328-1:2013 whose tolerances are the limits of sheets and series
+    /// Class of ISO 1328-1:2013 that parts have to reach; its tolerances are the limits of sheets and series
     #[arg(long, value_name = "CLASS", value_parser = clap::value_parser!(i32).range(1..=11))]
     pub class: Option<i32>,
     /// Helix traces of sheets with the top of the measuring machine upwards instead of the datum face downwards

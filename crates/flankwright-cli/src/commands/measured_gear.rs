@@ -36,10 +36,13 @@ pub struct Asked<'a> {
 /// # Errors
 /// A file that is no measurement, files that cannot be written.
 pub fn alone(file: &Path, asked: &Asked<'_>) -> Result<Exit, Failure> {
-    let found = inspect_gear(file, &asked.statements).map_err(|failure| match failure {
-        JobFailure::File(error) => Failure::from(*error),
-        JobFailure::Job(failure) => Failure::of_no_job(failure),
-    })?;
+    let found =
+        inspect_gear(file, &asked.statements, asked.sheet.tolerance_class).map_err(
+            |failure| match failure {
+                JobFailure::File(error) => Failure::from(*error),
+                JobFailure::Job(failure) => Failure::of_no_job(failure),
+            },
+        )?;
     deliver(&found, asked, &beside(file))
 }
 
@@ -58,7 +61,7 @@ pub fn for_job(file: &Path, loaded: &LoadedJob, asked: &Asked<'_>) -> Result<Exi
         return Err(Failure::new(Exit::BadInput, finding));
     }
     let bars = Bars::new(asked.common.quiet);
-    let found = inspect_for_job(loaded, file, &asked.statements, &bars);
+    let found = inspect_for_job(loaded, file, &asked.statements, asked.sheet.tolerance_class, &bars);
     bars.finish();
     let found = found.map_err(|failure| Failure::of_job_or_file(loaded, failure))?;
     deliver(&found, asked, &beside(file))
@@ -70,7 +73,7 @@ pub fn for_job(file: &Path, loaded: &LoadedJob, asked: &Asked<'_>) -> Result<Exi
 /// Everything that is wrong with the job, files that cannot be written.
 pub fn simulated(loaded: &LoadedJob, asked: &Asked<'_>) -> Result<Exit, Failure> {
     let bars = Bars::new(asked.common.quiet);
-    let found = inspect_simulated(loaded, &bars);
+    let found = inspect_simulated(loaded, asked.sheet.tolerance_class, &bars);
     bars.finish();
     let found = found.map_err(|failure| Failure::of_run(loaded, failure))?;
     let directory = loaded.beside(&format!("{}.inspected", loaded.job.job.name));
@@ -127,12 +130,11 @@ pub fn deliver_series(
         let page = written.last().map(|page| format!("  report: {}\n", page.display()));
         output::print(&(series_summary(series) + &page.unwrap_or_default()))?;
     }
-    let whole = series.result.refused.is_empty() && series.result.status == Status::Met;
-    Ok(if whole { Exit::Done } else { Exit::TargetMissed })
+    Ok(if series.result.verdict.is_accepted() { Exit::Done } else { Exit::TargetMissed })
 }
 
 fn verdict(result: &GearInspectionResult) -> Verdict<'_> {
-    Verdict { job: &result.job, status: result.status, reason: result.reason.as_ref() }
+    Verdict::of(&result.job, &result.verdict)
 }
 
 fn summary(result: &GearInspectionResult, written: &[PathBuf]) -> String {
@@ -142,9 +144,13 @@ fn summary(result: &GearInspectionResult, written: &[PathBuf]) -> String {
         }
         // Lines that make no surface are judged one by one; there is no largest deviation to tell.
         Some(tolerance) => {
-            let missed = if result.status == Status::Missed { "target MISSED" } else { "NOT JUDGED" };
+            let missed = match result.verdict.status() {
+                Status::Missed => "target MISSED",
+                Status::Met => "target met",
+                Status::NotJudged => "target NOT JUDGED",
+            };
             let mut text = format!("{}: {missed} (tolerance {tolerance} um)\n", result.job);
-            if let Some(reason) = &result.reason {
+            if let Some(reason) = result.verdict.reason() {
                 tell(&mut text, reason);
             }
             text
@@ -154,8 +160,15 @@ fn summary(result: &GearInspectionResult, written: &[PathBuf]) -> String {
                 0 => String::new(),
                 count => format!(", {count} printed values read"),
             };
-            let mut text = format!("{}: {} traces evaluated{values}\n", result.job, result.traces.len());
-            if let Some(reason) = &result.reason {
+            let judged = match (result.verdict.status(), result.tolerance_class) {
+                (Status::Met, Some(class)) => format!("class {class} reached"),
+                (Status::Missed, Some(class)) => format!("class {class} MISSED"),
+                (_, Some(class)) => format!("class {class} NOT JUDGED"),
+                (_, None) => "not judged".to_owned(),
+            };
+            let mut text =
+                format!("{}: {judged}; {} traces evaluated{values}\n", result.job, result.traces.len());
+            if let Some(reason) = result.verdict.reason() {
                 tell(&mut text, reason);
             }
             text

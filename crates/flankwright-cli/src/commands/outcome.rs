@@ -31,7 +31,7 @@ pub fn deliver(
     let outcome = run.map_err(refused)?;
     let written = write_outcome(loaded, &outcome, &directory).map_err(unwritten)?;
     let result = &outcome.result;
-    let verdict = Verdict { job: &result.job, status: result.status, reason: result.reason.as_ref() };
+    let verdict = Verdict::of(&result.job, &result.verdict);
     conclude(common, result, verdict, || summary(result, &written))
 }
 
@@ -40,6 +40,12 @@ pub(super) struct Verdict<'a> {
     pub job: &'a str,
     pub status: Status,
     pub reason: Option<&'a Remark>,
+}
+
+impl<'a> Verdict<'a> {
+    pub(super) fn of(job: &'a str, verdict: &'a flankwright::verdict::Verdict) -> Self {
+        Self { job, status: verdict.status(), reason: verdict.reason() }
+    }
 }
 
 /// Notes a refusal of the bodies in `result.json` and makes the failure of it.
@@ -72,13 +78,10 @@ pub(super) fn conclude(
     }
     if let Some(reason) = verdict.reason.filter(|_| common.quiet) {
         // A miss is told even when all else is quiet.
-        let how = if verdict.status == Status::NotJudged { "not judged" } else { "target missed" };
-        eprintln!("{}: {how}: {} {}", verdict.job, reason.text, reason.way_out);
+        eprintln!("{}: target {}: {} {}", verdict.job, verdict.status.words(), reason.text, reason.way_out);
     }
-    Ok(match verdict.status {
-        Status::Met => Exit::Done,
-        Status::Missed | Status::NotJudged => Exit::TargetMissed,
-    })
+    // Without a reason the target is met, or nothing was asked for.
+    Ok(if verdict.reason.is_none() { Exit::Done } else { Exit::TargetMissed })
 }
 
 /// Files that cannot be written.
@@ -93,7 +96,7 @@ pub(super) fn unwritten(error: WriteError) -> Failure {
 pub(super) fn opening(verdict: &Verdict<'_>, worst_um: f64, tolerance_um: f64) -> String {
     let met = match verdict.status {
         Status::Met => "target met".to_owned(),
-        Status::NotJudged => "NOT JUDGED".to_owned(),
+        Status::NotJudged => "target NOT JUDGED".to_owned(),
         Status::Missed => format!("target MISSED, largest deviation {worst_um:.3} um"),
     };
     let mut text = format!("{}: {met} (tolerance {tolerance_um} um)\n", verdict.job);
@@ -147,7 +150,7 @@ pub(super) fn proven(programs: Option<&ProgramsResult>) -> String {
 
 fn summary(result: &JobResult, written: &[PathBuf]) -> String {
     let worst = result.flanks.values().map(|f| f.max_deviation_um).fold(0.0, f64::max);
-    let verdict = Verdict { job: &result.job, status: result.status, reason: result.reason.as_ref() };
+    let verdict = Verdict::of(&result.job, &result.verdict);
     let mut text = opening(&verdict, worst, result.tolerance_um);
     let settings = &result.settings;
     let why = settings.diagonal_ratio_reason.as_deref().unwrap_or("as set");

@@ -197,6 +197,15 @@ fn summary(program: &CheckedProgram) -> String {
             left.max_deviation_um, left.difference_um
         );
     }
+    for thread in &program.threads {
+        for (flank, um) in &thread.difference_um {
+            let _ = writeln!(
+                text,
+                "  thread {} of the worm, {flank} flank: {um:.4} um from the job's own motions",
+                thread.thread
+            );
+        }
+    }
     for remark in &program.remarks {
         let _ = writeln!(text, "  warning: {} ({})", remark.text, remark.way_out);
     }

@@ -49,13 +49,13 @@ fn deliver(
         run.map_err(|failure| refuse(loaded, &job.job, job.target.tolerance_um, failure, &directory))?;
     let written = write_tangential(loaded, &outcome, &directory).map_err(unwritten)?;
     let result = &outcome.result;
-    let verdict = Verdict { job: &result.job, status: result.status, reason: result.reason.as_ref() };
+    let verdict = Verdict::of(&result.job, &result.verdict);
     conclude(common, result, verdict, || summary(result, &written))
 }
 
 fn summary(result: &TangentialResult, written: &[PathBuf]) -> String {
     let worst = result.flanks.values().map(|f| f.flank.max_deviation_um).fold(0.0, f64::max);
-    let verdict = Verdict { job: &result.job, status: result.status, reason: result.reason.as_ref() };
+    let verdict = Verdict::of(&result.job, &result.verdict);
     let mut text = opening(&verdict, worst, result.tolerance_um);
     for pass in &result.passes {
         let names: Vec<String> =

@@ -1300,6 +1300,29 @@ const GEARBOX_CASES: &[Case] = &[
         "servo.disturbances[4].width_deg",
         &["< 120", "\"constant\""],
     ),
+    // the tolerance
+    case("[output]", "[target]\n[output]", "missing-key", "target.tolerance_um", &["> 0", "micrometres"]),
+    case(
+        "[output]",
+        "[target]\ntolerance_um = 0\n[output]",
+        "invalid-number",
+        "target.tolerance_um",
+        &["> 0"],
+    ),
+    case(
+        "[output]",
+        "[target]\ntolerance_um = 2000.0\n[output]",
+        "invalid-number",
+        "target.tolerance_um",
+        &["<= 1000"],
+    ),
+    case(
+        "[output]",
+        "[target]\ntolerance = 1.0\n[output]",
+        "unknown-key",
+        "target.tolerance",
+        &["tolerance_um"],
+    ),
     // the choice
     case("[output]", "[explore]\nwanted_um = 0.5\n[output]", "missing-key", "explore.scales", &["encoders"]),
     case(

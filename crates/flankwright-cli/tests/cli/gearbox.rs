@@ -232,6 +232,86 @@ fn a_feed_too_fast_is_an_alarm_and_no_error() {
     assert!(result["along_feed"]["bound"].is_null());
 }
 
+/// Motions of 300 mm/min (v_max is 37500 mm/min) that turn on a line of the scale: to and fro, 40 strokes, a vibration about a line.
+#[test]
+fn a_slide_that_turns_on_a_line_alarms_nothing() {
+    let directory = tempfile::tempdir().unwrap();
+    let travel =
+        |to: f64| format!("{{ to = {to}, speed_mm_per_min = 300.0, acceleration_mm_per_s2 = 200.0 }},");
+    let strokes = |count: usize, ends: [f64; 2]| (0..count).map(|k| travel(ends[k % 2])).collect::<String>();
+    let text = example("gearbox/feed-to-and-fro.toml");
+    let (begin, end) = (text.find("motion = [").unwrap() + 10, text.rfind(']').unwrap());
+    for mode in ["no-backlash", "one-way"] {
+        for motion in [strokes(2, [6.0, 0.003]), strokes(40, [1.0, 0.5]), strokes(40, [1.0, 0.9993])] {
+            let text = format!("{}{motion}{}", &text[..begin], &text[end..]).replace("no-backlash", mode);
+            let result = gearbox(&text, directory.path()).json();
+            assert_eq!(result["pulses"]["too_fast"], 0, "{mode} {motion}: {}", result["pulses"]);
+            assert_eq!(result["pulses"]["overruns"], 0, "{mode} {motion}: {}", result["pulses"]);
+        }
+    }
+}
+
+/// What a tolerance is worth: the same jobs without one are told and not judged.
+#[test]
+fn a_tolerance_judges_rotation_pulses_and_servo() {
+    let directory = tempfile::tempdir().unwrap();
+    let target = |text: &str, um: f64| format!("{text}\n[target]\ntolerance_um = {um}\n");
+    let reasons = |text: &str, exit: i32, status: &str| {
+        let answer = gearbox(text, directory.path());
+        let result = answer.json();
+        assert_eq!((answer.exit, &result["status"]), (Some(exit), &status.into()), "{result}");
+        assert_eq!(result["accepted"], exit == 0);
+        result
+    };
+    let feed = example("gearbox/feed-to-and-fro.toml");
+    let untold = reasons(&feed, 0, "not_judged");
+    assert_eq!(untold["scope"]["judged"].as_array().unwrap().len(), 0);
+    assert_eq!(untold["scope"]["not_judged"][0]["asked"], false);
+    let met = reasons(&target(&feed, 5.0), 0, "met");
+    assert_eq!((met["tolerance_um"].as_f64(), met["reason"].is_null()), (Some(5.0), true));
+    assert_eq!(reasons(&target(&feed, 0.1), 3, "missed")["reason"]["code"], "rotation-misses-lead");
+
+    // 45 m/min where the interpolator follows 37.5: alarms, and 2 mm at the flank.
+    let fast = feed.replace(
+        "to = 6.0, speed_mm_per_min = 300.0, acceleration_mm_per_s2 = 200.0",
+        "to = 60.0, speed_mm_per_min = 45000.0, acceleration_mm_per_s2 = 20000.0",
+    );
+    reasons(&fast, 0, "not_judged");
+    let missed = reasons(&target(&fast, 5.0), 3, "missed");
+    assert_eq!(missed["reason"]["code"], "interpolator-too-fast");
+    let items = missed["scope"]["judged"].as_array().unwrap();
+    assert!(
+        items
+            .iter()
+            .any(|i| i["item"] == "rotation at the flank over the whole motion" && i["status"] == "missed")
+    );
+
+    // A motor of 0.1 N m that is always at its limit.
+    let servo = example("gearbox/following-with-disturbances.toml");
+    let weak = servo.replace("torque_limit_n_m = 60.0", "torque_limit_n_m = 0.1");
+    reasons(&weak, 0, "not_judged");
+    let missed = reasons(&target(&weak, 50.0), 3, "missed");
+    for item in ["workpiece behind its servo", "torque of the servo"] {
+        let items = missed["scope"]["judged"].as_array().unwrap();
+        assert!(items.iter().any(|i| i["item"] == item && i["status"] == "missed"), "{item}: {missed}");
+    }
+    reasons(&target(&servo, 50.0), 0, "met");
+
+    // A train has no slide to compare with, but its pace counts.
+    let from = feed.find("start = ").unwrap();
+    let train = |ticks: &str| {
+        let text = format!("{}reference_ticks = {ticks}\nreference_signs = [1, 1, 1]\n", &feed[..from]);
+        target(&text, 5.0)
+    };
+    assert_eq!(reasons(&train("[100, 260, 420]"), 3, "not_judged")["reason"]["code"], "slide-not-known");
+    assert_eq!(reasons(&train("[100, 108, 420]"), 3, "missed")["reason"]["code"], "interpolator-too-fast");
+
+    // Set-ups are judged by what is wanted of them, with or without a tolerance for the set-up that runs now.
+    let cheapest = example("gearbox/cheapest-set-up.toml");
+    reasons(&cheapest, 0, "met");
+    reasons(&target(&cheapest, 0.1), 3, "missed");
+}
+
 #[test]
 fn bad_input_names_the_key() {
     let motion = example("gearbox/feed-to-and-fro.toml");
@@ -256,6 +336,7 @@ fn bad_input_names_the_key() {
         (train("[0, 100]", "[1, 1]"), "bad-reference-train", "stimulus.reference_ticks[0]"),
         (train("[100, 200]", "[1, 2]"), "bad-reference-train", "stimulus.reference_signs[1]"),
         (coarse, "coefficient-too-large", "workpiece.pulses_per_revolution"),
+        (motion.clone() + "[target]\ntolerance_um = 0.0\n", number, "target.tolerance_um"),
         (motion.replace("teeth = 40", "teeth = 0"), number, "gear.teeth"),
         (motion.replace("normal_module = 2.5", "normal_module = 0.0"), number, "gear.normal_module"),
         (motion.replace("helix_angle_deg = 20.0", "helix_angle_deg = 90.0"), number, "gear.helix_angle_deg"),

@@ -5,6 +5,7 @@ mod catalogue;
 mod command;
 mod commands;
 mod control;
+mod every_key;
 mod examples;
 mod explore;
 mod gearbox;

@@ -106,8 +106,19 @@ class Result:
 
     @property
     def status(self) -> str | None:
-        """``met``, ``missed``, or ``None`` for studies and measurements without a verdict."""
+        """``met``, ``missed`` or ``not_judged``; ``None`` for studies, which judge no target."""
         return self._core.status
+
+    @property
+    def accepted(self) -> bool:
+        """Whether the command would end with exit status 0: the target is met, or nothing was asked for."""
+        return bool(self.document.get("accepted", True))
+
+    @property
+    def scope(self) -> dict[str, list[dict[str, Any]]]:
+        """What the verdict covers: ``judged`` (item, status, detail) and ``not_judged`` (item, asked, why)."""
+        scope: dict[str, list[dict[str, Any]]] = self.document.get("scope", {"judged": [], "not_judged": []})
+        return scope
 
     @property
     def seconds(self) -> float:
@@ -176,7 +187,7 @@ class Result:
 
     def __repr__(self) -> str:
         name = self.document.get("job", "")
-        return f"<Result {name!r}: {self.status or 'no verdict'}>"
+        return f"<Result {name!r}: {self.status or 'study'}>"
 
     def _repr_html_(self) -> str:
         rows = "".join(
@@ -184,7 +195,7 @@ class Result:
             f"<td>{float(np.sqrt(np.mean(flank.deviation**2))):.4f} um</td></tr>"
             for name, flank in self.flanks.items()
         )
-        head = f"<b>{html.escape(str(self.document.get('job', '')))}</b>: {html.escape(self.status or 'no verdict')}"
+        head = f"<b>{html.escape(str(self.document.get('job', '')))}</b>: {html.escape(self.status or 'study')}"
         if not rows:
             return head
         return f"{head}<table><tr><th>flank</th><th>largest deviation</th><th>rms</th></tr>{rows}</table>"

@@ -76,7 +76,7 @@ def inspect(
         datum_face: The face from which distances count, at the end of +z or of -z.
         helix_slope_over: The length to which helix slopes refer: the face width, or the evaluated range.
         profile_slope_over: The length to which profile slopes refer.
-        tolerance_class: Class of ISO 1328-1 whose tolerances are the limits of a series.
+        tolerance_class: Class of ISO 1328-1 that the gear, or every gear of a folder, has to reach.
         progress: Told how far it is.
 
     What a file does not tell (the end from which it was measured, signs and lengths of slopes, the face) is not guessed: it is asked for.
@@ -85,10 +85,10 @@ def inspect(
     Raises:
         BadInput: the file or the job is at fault, or something has to be stated that the file does not tell.
         NotProducible: the bodies of the job cannot make its target.
-        TypeError: neither file nor job, a folder with a job, statements on no file, a class for a single gear.
+        TypeError: neither file nor job, a folder with a job, statements or a class on no file.
     """
     if tolerance_class is not None and file is None:
-        raise TypeError("tolerance_class sets the limits of a series: give a folder, or leave it out")
+        raise TypeError("tolerance_class judges measured files: give a file or a folder, or leave it out")
     stated = (from_other_end, slope_signs, datum_face, helix_slope_over, profile_slope_over)
     if file is None:
         if job is None:
@@ -97,13 +97,11 @@ def inspect(
             raise TypeError("there is no file of which something could be stated: leave the statements out, or give the file")
         return Result(_core.run("inspect", as_job(job)._core, progress))
     path = Path(file)
-    if tolerance_class is not None and not path.is_dir():
-        raise TypeError("tolerance_class sets the limits of a series: give a folder, or leave it out")
     if path.is_dir():
         if job is not None:
             raise TypeError("a folder is evaluated without a job: give the file of one gear, or leave the job out")
         return Result(_core.inspect_series(path, stated, tolerance_class))
-    return Result(_core.inspect(path, None if job is None else as_job(job)._core, stated, progress))
+    return Result(_core.inspect(path, None if job is None else as_job(job)._core, stated, tolerance_class, progress))
 
 
 class Preview:

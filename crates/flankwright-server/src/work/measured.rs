@@ -95,8 +95,10 @@ fn gears(
         None => measured_parts_in(folder)?,
     };
     let gear = match (job, found.parts.as_slice()) {
-        (None, [one]) => inspect_gear(one, statements)?,
-        (Some(AnyJob::Grinding(loaded)), [one]) => inspect_for_job(loaded, one, statements, progress)?,
+        (None, [one]) => inspect_gear(one, statements, sheet.tolerance_class)?,
+        (Some(AnyJob::Grinding(loaded)), [one]) => {
+            inspect_for_job(loaded, one, statements, sheet.tolerance_class, progress)?
+        }
         (Some(AnyJob::Grinding(_)), _) => return Err(several("the gear")),
         (Some(_), _) => {
             let finding = Finding::new(

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use flankwright::exchange::Diagnostic;
 use flankwright::numerics::Progress;
 use flankwright::workflow::inspection::{LeftOutFile, Statements, inspect_gear};
-use flankwright::workflow::{JobFailure, RunFailure, Status};
+use flankwright::workflow::{JobFailure, RunFailure};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -149,10 +149,9 @@ fn known(files: &[PathBuf], digest: String) -> KnownPart {
 }
 
 fn look(file: &Path, digest: String, settings: &ImportSettings) -> Looked {
-    let record = inspect_gear(file, &settings.statements).map_err(first_finding).and_then(|found| {
-        if let Some(reason) =
-            found.result.reason.as_ref().filter(|_| found.result.status == Status::NotJudged)
-        {
+    let record = inspect_gear(file, &settings.statements, None).map_err(first_finding).and_then(|found| {
+        // Without class and job a reason says that nothing could be evaluated.
+        if let Some(reason) = found.result.verdict.reason() {
             let finding = Diagnostic::with_code(reason.code, reason.text.clone());
             return Err(finding.field("FILE").value(file.display()).way_out(reason.way_out.clone()));
         }

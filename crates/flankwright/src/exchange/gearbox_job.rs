@@ -9,6 +9,7 @@ mod gear;
 mod output;
 mod spindles;
 mod stimulus;
+mod target;
 mod train;
 mod travel;
 
@@ -19,6 +20,7 @@ pub use output::GearboxOutput;
 pub use spindles::{GearboxWorkpiece, LeadingWorm};
 pub(super) use stimulus::GREATEST_TICK;
 pub use stimulus::Stimulus;
+pub use target::GearboxTarget;
 pub use travel::{Dwell, Move, Travel};
 
 use schemars::JsonSchema;
@@ -36,6 +38,9 @@ pub struct GearboxJob {
     pub job: JobInfo,
     /// The workpiece as far as its rotation depends on it.
     pub gear: GearboxGear,
+    /// What the errors are judged by; without it they are told and not judged.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub target: Option<GearboxTarget>,
     /// Scale of the feed slide and interpolation of its pulses.
     pub feed: ScaleInterpolation,
     /// Encoder of the workpiece spindle, and the sense of its additional rotation.

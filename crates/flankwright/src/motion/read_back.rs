@@ -60,6 +60,8 @@ impl Engaged {
 pub struct Tracked {
     /// Blocks that interpolate, chains that no rapid move interrupts.
     chains: Vec<Vec<Segment>>,
+    /// Rapid moves between known places: block, from 1, and its ends.
+    rapids: Vec<(usize, [Positions; 2])>,
     /// Range of every axis over the program, mm or rad; `None` for one that is not named.
     pub ranges: Vec<Option<[f64; 2]>>,
     /// Whole way of every axis, mm or rad.
@@ -77,6 +79,8 @@ pub struct ReadStroke<M> {
     pub motion: M,
     /// Path parameter from where to where, ascending, mm.
     pub range: [f64; 2],
+    /// Pitches by which the workpiece stands off its coupling in the sense of the coupling's phase; 0 for dressing.
+    pub index: i64,
     /// First and last block, from 1.
     pub blocks: [usize; 2],
     /// Time, s.
@@ -103,6 +107,7 @@ pub fn track(
         speeds: BTreeMap::new(),
         tracked: Tracked {
             chains: Vec::new(),
+            rapids: Vec::new(),
             ranges: vec![None; machine.axes().len()],
             ways: vec![0.0; machine.axes().len()],
             speeds: vec![0.0; machine.axes().len()],
@@ -147,6 +152,10 @@ impl Walk<'_> {
                     true => rapid_time(&self.machine.axes()[k].limits, self.at[k] - from[k]),
                     false => 0.0,
                 };
+                let known = |&k: &usize| self.placed[k] || self.at[k] == from[k];
+                if self.placed.contains(&true) && (0..self.machine.axes().len()).all(|k| known(&k)) {
+                    self.tracked.rapids.push((number, [from, self.at]));
+                }
                 self.tracked.duration += (0..self.machine.axes().len()).map(time).fold(0.0, f64::max);
                 self.add_way(&from);
                 self.place(target);
@@ -365,6 +374,10 @@ const NEAR: f64 = 0.02;
 const TABLE_PARTS: usize = 4;
 /// A path parameter that changes by less than this over a block stands, mm.
 const STANDS: f64 = 1e-9;
+/// Shares of a block beside the strokes at which its place is looked at, and parts of a rapid move.
+const LINKS: [f64; 3] = [0.0, 0.5, 1.0];
+const RAPID_PLACES: usize = 32;
+
 /// A place of the bodies in a program.
 #[derive(Clone, Copy)]
 struct Place<S> {
@@ -448,6 +461,32 @@ impl Tracked {
         Ok(runs)
     }
 
+    /// Where the axes stand off the strokes of these blocks: along all other blocks and rapid moves, and at the first and the last place
+    /// of each stroke. Block, from 1, and positions.
+    pub fn beside(&self, machine: &Machine, strokes: &[[usize; 2]]) -> Vec<(usize, Positions)> {
+        let inside = |block: usize| strokes.iter().any(|&[first, last]| block >= first && block <= last);
+        let mut places = Vec::new();
+        for segment in self.chains.iter().flatten() {
+            if inside(segment.block) {
+                let ends = [
+                    strokes.iter().any(|s| s[0] == segment.block),
+                    strokes.iter().any(|s| s[1] == segment.block),
+                ];
+                let at = [segment.from, segment.to];
+                places.extend(
+                    ends.into_iter().zip(at).filter(|(end, _)| *end).map(|(_, at)| (segment.block, at)),
+                );
+            } else {
+                places.extend(LINKS.map(|u| (segment.block, segment.at(machine, u))));
+            }
+        }
+        for (block, [from, to]) in &self.rapids {
+            let along = (0..=RAPID_PLACES).map(|k| k as f64 / RAPID_PLACES as f64);
+            places.extend(along.map(|u| (*block, super::path::straight(machine, from, to, u))));
+        }
+        places
+    }
+
     /// The grinding strokes of the program: motions with the chain, the tooth numbers and the phase of `nominal`, everything else
     /// from the program.
     ///
@@ -492,7 +531,11 @@ impl Tracked {
                     + s.feed * nominal.feed_coupling;
                 s.work_angle - turned / nominal.teeth
             };
-            let teeth = (correction(&run[0].state) / tooth).round() * tooth;
+            let first = &run[0].state;
+            let known = nominal.delta_phi_2.value(first.feed);
+            let pitches = ((correction(first) - known) / tooth).round();
+            let teeth = pitches * tooth;
+            let index = (pitches * nominal.teeth.signum()) as i64;
             let tabled = run.iter().any(|place| place.inner);
             let law = |value: &dyn Fn(&GeneratingState) -> f64, smooth: bool| law_of(&run, value, smooth);
             let motion = GeneratingMotion {
@@ -502,7 +545,7 @@ impl Tracked {
                 delta_gamma: law(&|s| s.delta_gamma, false)?,
                 ..nominal.clone()
             };
-            strokes.push(stroke_of(&run, motion));
+            strokes.push(stroke_of(&run, motion, index));
         }
         Ok(strokes)
     }
@@ -547,17 +590,18 @@ impl Tracked {
                 law(&|p| p.centre_distance - chain.centre_distance)?,
                 law(&|p| p.offset - chain.offset)?,
             ];
-            strokes.push(stroke_of(&run, DressingMotion { chain: *chain, correction }));
+            strokes.push(stroke_of(&run, DressingMotion { chain: *chain, correction }, 0));
         }
         Ok(strokes)
     }
 }
 
-fn stroke_of<S, M>(run: &[Place<S>], motion: M) -> ReadStroke<M> {
+fn stroke_of<S, M>(run: &[Place<S>], motion: M, index: i64) -> ReadStroke<M> {
     let (first, last) = (&run[0], &run[run.len() - 1]);
     ReadStroke {
         motion,
         range: [first.v.min(last.v), first.v.max(last.v)],
+        index,
         blocks: [run.get(1).map_or(first.block, |place| place.block), last.block],
         duration: run.iter().map(|place| place.duration).sum(),
     }

@@ -82,12 +82,17 @@ impl AxisTrace {
         } else {
             0.5 * total
         };
-        let steady = total - 2.0 * ramp;
+        // A path too short to reach its speed is all ramps; what rounding leaves between them must not run backwards.
+        let ramp = ramp.clamp(0.0, 0.5 * total);
+        let steady = (total - 2.0 * ramp).max(0.0);
         let inner = (4 * path.nodes.len()).clamp(16, MOST_ROWS);
         let up = (0..=RAMP_ROWS).map(|k| ramp * k as f64 / RAMP_ROWS as f64);
         let along = (1..inner).map(|k| ramp + steady * k as f64 / inner as f64);
         let down = (0..=RAMP_ROWS).map(|k| total - ramp + ramp * k as f64 / RAMP_ROWS as f64);
+        let mut last = 0.0f64;
         for t in up.chain(along).chain(down) {
+            last = t.max(last).min(total);
+            let t = last;
             let [way, speed, acceleration] = curve.at(t);
             let s = lengths.first().copied().unwrap_or(0.0) + way;
             let mut now = TraceRow {

@@ -21,6 +21,9 @@ pub struct RootGrinding<'a> {
     pub tip: &'a MotionLaw,
     /// The motion that is really driven.
     pub motion: &'a GeneratingMotion,
+    /// Half the width along the worm's axis in which the edge is looked for, beside the place that faces the gear: 6 mm for a
+    /// fillet beside the root; what an edge cuts off a flank lies further out.
+    pub along: f64,
 }
 
 /// A ray of the gear: foot and direction out of its material.
@@ -32,9 +35,8 @@ pub struct RootRay {
     pub direction: Vector3<f64>,
 }
 
-/// Half widths of the raster about the instant at which tip and gear face each other: way round the worm and along its axis, mm.
+/// Half width of the raster about the instant at which tip and gear face each other, round the worm, mm.
 const AROUND: f64 = 8.0;
-const ALONG: f64 = 6.0;
 /// Steps of the raster as a share of the radius of the edge.
 const RASTER: f64 = 0.4;
 /// Steps over a pitch of the worm in search of the ball.
@@ -77,7 +79,7 @@ impl RootGrinding<'_> {
         let motion = self.motion;
         let feed_0 = -ray.foot.z;
         let place = -motion.shift.value(feed_0);
-        let reach = ALONG + 2.0 * self.corner_radius;
+        let reach = self.along + 2.0 * self.corner_radius;
         let mut angles = Vec::with_capacity(PATH_NODES);
         for z in Chebyshev::nodes(place - 2.0 * reach, place + 2.0 * reach, PATH_NODES) {
             let Some(angle) = self.angle(z) else {

@@ -4,6 +4,7 @@
 use serde::Serialize;
 
 use super::charts::{Svg, format_significant};
+use crate::verdict::Status;
 
 /// A whole report.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -36,28 +37,31 @@ impl Fact {
     }
 }
 
-/// How the job ended; the words are those of the result file.
+/// The stamp of a page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Status {
-    /// Within the tolerance.
-    Met,
-    /// Made, but outside the tolerance.
-    Missed,
-    /// Nothing says whether the tolerance is kept.
-    NotJudged,
+pub enum Stamp {
+    /// The status of a verdict.
+    Judged(Status),
+    /// A comparison that judges no target.
+    Study,
     /// These bodies can't make it.
     NotProducible,
 }
 
-impl Status {
+impl From<Status> for Stamp {
+    fn from(status: Status) -> Self {
+        Self::Judged(status)
+    }
+}
+
+impl Stamp {
     /// The word on the banner.
     pub fn words(self) -> &'static str {
         match self {
-            Status::Met => "met",
-            Status::Missed => "missed",
-            Status::NotJudged => "not judged",
-            Status::NotProducible => "not producible",
+            Self::Judged(status) => status.words(),
+            Self::Study => "study",
+            Self::NotProducible => "not producible",
         }
     }
 }
@@ -66,7 +70,7 @@ impl Status {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Banner {
     /// How it ended.
-    pub status: Status,
+    pub status: Stamp,
     /// Why, in one sentence.
     pub headline: String,
     /// The figures that decide.

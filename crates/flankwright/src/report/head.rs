@@ -1,6 +1,8 @@
 //! What the pages of all jobs begin and end with: the answer in one sentence, its figures, warnings, files.
 
-use super::data::{Banner, Block, Column, Fact, PlanReport, Section, Status, Table, Warning};
+use crate::verdict::Verdict;
+
+use super::data::{Banner, Block, Column, Fact, PlanReport, Section, Stamp, Table, Warning};
 
 /// The job and its answer.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,7 +16,7 @@ pub struct ReportHead {
     /// Version of flankwright.
     pub version: String,
     /// How it ended.
-    pub status: Status,
+    pub status: Stamp,
     /// The answer in one sentence.
     pub headline: String,
     /// What to do if it is missed; empty for nothing.
@@ -59,4 +61,22 @@ impl ReportHead {
             note: String::new(),
         }
     }
+}
+
+/// What a verdict judged and what it did not, as a table; empty for a verdict without items.
+pub(super) fn scope_blocks(verdict: &Verdict) -> Vec<Block> {
+    let judged = verdict.judged().iter().map(|one| (&one.item, one.status.words(), &one.detail));
+    let not_judged = verdict.not_judged().iter().map(|one| {
+        let how = if one.asked { "not judged, asked for" } else { "not judged" };
+        (&one.item, how, &one.why)
+    });
+    let row = |(item, status, detail): (&String, &str, &String)| {
+        vec![item.clone(), status.to_owned(), detail.replace(" um", " µm")]
+    };
+    let rows: Vec<Vec<String>> = judged.chain(not_judged).map(row).collect();
+    if rows.is_empty() {
+        return Vec::new();
+    }
+    let columns = vec![Column::text("Item"), Column::name("Verdict"), Column::text("Figure or reason")];
+    vec![Block::Table(Table { caption: String::new(), columns, rows, note: String::new() })]
 }

@@ -3,7 +3,8 @@
 use std::fmt::Write;
 
 use super::charts::{escape, indices};
-use super::data::{Banner, Block, ColumnKind, Fact, Figure, PlanReport, Section, Status, Table, Warning};
+use super::data::{Banner, Block, ColumnKind, Fact, Figure, PlanReport, Section, Stamp, Table, Warning};
+use crate::verdict::Status;
 
 const STYLE: &str = include_str!("style.css");
 
@@ -44,10 +45,11 @@ fn facts(page: &mut String, class: &str, facts: &[Fact]) {
 
 fn banner(page: &mut String, banner: &Banner) {
     let (class, sign) = match banner.status {
-        Status::Met => ("met", "✓"),
-        Status::Missed => ("missed", "≠"),
-        Status::NotJudged => ("missed", "?"),
-        Status::NotProducible => ("not-producible", "✕"),
+        Stamp::Judged(Status::Met) => ("met", "✓"),
+        Stamp::Judged(Status::Missed) => ("missed", "≠"),
+        Stamp::Judged(Status::NotJudged) => ("not-judged", "?"),
+        Stamp::Study => ("not-judged", "–"),
+        Stamp::NotProducible => ("not-producible", "✕"),
     };
     let _ = writeln!(
         page,

@@ -9,13 +9,13 @@
 //! inspected gear, [`inspection_series`] that of a series of them; [`inspection_sheet`] draws the sheets of measured gears.
 //!
 //! ```
-//! use flankwright::report::{Banner, Block, PlanReport, Section, Status, html};
+//! use flankwright::report::{Banner, Block, PlanReport, Section, Stamp, html};
 //!
 //! let page = PlanReport {
 //!     title: "housing <A>".into(),
 //!     subtitle: None,
 //!     facts: vec![],
-//!     banner: Banner { status: Status::Met, headline: "within 1 um".into(), figures: vec![] },
+//!     banner: Banner { status: Status::Met.into(), headline: "within 1 um".into(), figures: vec![] },
 //!     sections: vec![Section::new("Result", vec![Block::Paragraph("All is well.".into())])],
 //! };
 //! let text = html::render(&page);
@@ -41,7 +41,7 @@ mod flank_pictures;
 mod head;
 
 pub use data::{
-    Banner, Block, Column, ColumnKind, Fact, Figure, PlanReport, Quantity, QuantityValue, Section, Status,
+    Banner, Block, Column, ColumnKind, Fact, Figure, PlanReport, Quantity, QuantityValue, Section, Stamp,
     Table, Warning,
 };
 pub use head::ReportHead;

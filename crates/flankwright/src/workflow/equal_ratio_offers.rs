@@ -163,7 +163,7 @@ pub(super) fn equal_ratio_remark(prepared: &Prepared) -> Option<Remark> {
     let also = if others.is_empty() { String::new() } else { format!("; or {}", others.join("; or ")) };
     let not_dressed = match (&prepared.setup.tool, first.lever) {
         (Tool::Dressed(_), "cone_angle") => {
-            ", with worm.tool = \"made\": a conical worm is not dressed, and dressed lines shift the values slightly"
+            "; dressed lines shift the values slightly, and the worm is not checked: `explore` with worm.cone_angle_deg shows whether it can be made"
         }
         (Tool::Dressed(_), _) => "; dressed lines shift the values slightly",
         _ => "",

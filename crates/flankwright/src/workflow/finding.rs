@@ -9,17 +9,7 @@ use crate::process::dressing::DressingError;
 use crate::process::generating::GeneratingError;
 use crate::process::tangential_dressing::TangentialError;
 use crate::removal::RemovalError;
-
-/// Something worth saying that is no error.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
-pub struct Remark {
-    /// Stable code.
-    pub code: &'static str,
-    /// What.
-    pub text: String,
-    /// What can be done about it.
-    pub way_out: String,
-}
+pub use crate::verdict::Remark;
 
 /// Why a job has no result.
 #[derive(Clone, Debug)]

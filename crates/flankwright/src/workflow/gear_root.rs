@@ -46,6 +46,8 @@ pub struct FilletSection {
 /// Points of a section that is written, and of one that is refereed.
 const POINTS: usize = 41;
 const RAYS: usize = 5;
+/// Half the width along the worm's axis in which the referee looks for the edge that grinds the fillet, mm.
+const FILLET_ALONG: f64 = 6.0;
 /// The referee's rays may differ by this much from the planned fillet, mm: it is interpolated to some 1e-8 mm, and the place of a
 /// ball on a changing tip is taken to second order of its slope.
 const AGREED: f64 = 1e-4;
@@ -110,6 +112,7 @@ fn refereed(
         corner_radius,
         tip: &ground.tip,
         motion: &execution.motion,
+        along: FILLET_ALONG,
     };
     let rays: Vec<RootRay> = ground
         .fillets

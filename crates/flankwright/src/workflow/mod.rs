@@ -14,6 +14,7 @@ mod executed_strokes;
 mod execution;
 mod explore;
 mod finding;
+mod flank_verdict;
 mod forward;
 mod gear_root;
 pub mod gearbox;
@@ -21,6 +22,7 @@ mod influence;
 pub mod inspection;
 mod line_dressing;
 pub mod milling;
+mod miss;
 mod modified_flank;
 mod occupation;
 mod page;
@@ -39,6 +41,7 @@ mod strokes;
 mod tables;
 pub mod tangential;
 mod task;
+mod tip_edge;
 mod tip_land;
 pub mod verify;
 mod write;
@@ -72,9 +75,9 @@ pub use partition::{Partition, StrokePlan};
 pub use prepare::{Prepared, blank_of_job, gear_of_job, prepare, setup_of_job, tolerance_of_job};
 pub use preview::{Preview, PreviewChart, PreviewFlank, preview_job};
 pub use programs::{
-    AxisResult, Built, BuiltProgram, CheckedAxis, CheckedFlank, CheckedProgram, CheckedStroke, DressingWork,
-    GrindingWork, PassResult, ProgramResult, ProgramTask, ProgramsResult, ProofResult, RunPrograms,
-    check_program,
+    AxisResult, Built, BuiltProgram, CheckedAxis, CheckedFlank, CheckedProgram, CheckedStroke,
+    ClearanceResult, DressingWork, GrindingWork, Indexing, PassResult, ProgramResult, ProgramTask,
+    ProgramsResult, ProofResult, RunPrograms, ThreadProof, WormUse, check_program,
 };
 pub use referee::{StageReport, Verdict};
 pub use result::{CandidateResult, CharacteristicsUm, FlankResult, JobResult, SettingsResult, Status};

@@ -506,8 +506,9 @@ pub fn html_page(
         description: job.job.description.clone(),
         process: "Generating grinding".into(),
         version: result.version.into(),
-        status: result.status.into(),
-        reason: result.reason.as_ref().map(|r| Reason {
+        status: result.verdict.status().into(),
+        verdict: result.verdict.clone(),
+        reason: result.verdict.reason().map(|r| Reason {
             code: r.code.into(),
             cause: r.text.clone(),
             way_out: r.way_out.clone(),

@@ -31,8 +31,20 @@ pub struct Partition {
     pub length_mm: f64,
     /// Added to z_V1 of the plan for each area, roughing first.
     pub shifts_mm: Vec<f64>,
+    /// z_V2 at which the shift of the area plans begins at 0, mm.
+    #[serde(skip)]
+    first_feed: f64,
     #[serde(skip)]
     chart: WormOccupationChart,
+}
+
+/// Where the passes of a program use the tool, as the areas are laid out over its width.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct ToolAreas {
+    /// Added to z_V1 of the plan in the first finishing area, mm.
+    pub finishing: f64,
+    /// z_V1 over z_V2 in every roughing area.
+    pub roughing: Vec<MotionLaw>,
 }
 
 /// The strokes of a pass with some of the threads left out.
@@ -165,16 +177,25 @@ impl Partition {
             roughing_areas: job.grinding.roughing_areas as usize,
             length_mm: occupation.needed,
             shifts_mm: occupation.shifts.clone(),
+            first_feed: roughing.segments.first().map_or(0.0, |segment| segment.feed[0]),
             chart: occupation_chart("Areas over the width of the tool", &occupation),
         }))
     }
 
-    /// z_V1 over z_V2 in every roughing area, where the first finishing area stays where the plan has it; `origin` is its z_V1 at
-    /// z_V2 = 0 if it was laid out without, mm.
-    pub(super) fn roughing_laws(&self, ratio: f64, origin: f64) -> Vec<MotionLaw> {
-        let finishing = self.shifts_mm.get(self.roughing_areas).copied().unwrap_or(0.0);
-        let law = |shift: &f64| MotionLaw::polynomial(0.0, vec![origin + shift - finishing, ratio]);
-        self.shifts_mm.iter().take(self.roughing_areas).map(law).collect()
+    /// The shifts of the programs that use more than one area; `None` where all passes use the area of the plan. `shift` is the plan's
+    /// own law of the tool shift.
+    pub(super) fn tool_areas(&self, job: &Job, prepared: &Prepared, shift: &MotionLaw) -> Option<ToolAreas> {
+        if self.roughing_areas == 0 {
+            return None;
+        }
+        // Areas of straight and of broken laws are laid out as if z_V1 were 0 at the first feed.
+        let laid_from_zero = shift.is_affine() || prepared.areas.is_some();
+        let planned = if laid_from_zero { shift.value(self.first_feed) } else { 0.0 };
+        let ratio = job.grinding.roughing_ratio.unwrap_or(0.0);
+        let law = |at: &f64| MotionLaw::polynomial(self.first_feed, vec![*at, ratio]);
+        let finishing = self.shifts_mm.get(self.roughing_areas).copied().unwrap_or(0.0) - planned;
+        let roughing = self.shifts_mm.iter().take(self.roughing_areas).map(law).collect();
+        Some(ToolAreas { finishing, roughing })
     }
 
     /// The picture of the tool's width.

@@ -534,7 +534,7 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
         warnings.push(Remark {
             code: "undercut-by-worm-tip",
             text: format!(
-                "the worm's tip reaches {:.3} mm of roll beyond the point that grinds the base circle and undercuts the gear",
+                "the worm's tip reaches {:.3} mm of roll beyond the point that grinds the base circle: below the start of the evaluated profile it undercuts the gear; what it takes of the evaluated flank is judged",
                 setup.undercut
             ),
             way_out: "reduce worm.tip_diameter".into(),

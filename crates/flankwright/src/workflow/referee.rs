@@ -161,14 +161,14 @@ pub(super) struct RayedWorm {
     pub statistics: Statistics,
 }
 
-fn dressed_worm(
+/// Dressing stages of a worm flank, given on to `take` with the lengths of roll and the worm positions on which rays stand, mm.
+fn of_dressed<T>(
     setup: &GrindingSetup,
     dresser: &DresserTool,
     dressing: &ExecutedDressing,
-    flank: Flank,
-    stock: f64,
-    progress: &dyn Progress,
-) -> Result<RayedWorm, RemovalError> {
+    (flank, stock): (Flank, f64),
+    take: impl FnOnce(&[Dressing<'_>], [f64; 2], [f64; 2]) -> Result<T, RemovalError>,
+) -> Result<T, RemovalError> {
     // Only where rays stand follows from the finished area. Beyond its tip the worm does not exist; what it does not reach
     // stays uncut and is told.
     let (w, z) = finished_area(setup, dresser, flank, &dressing.corrections);
@@ -180,18 +180,17 @@ fn dressed_worm(
         shift_range: dressing.driven,
         stock,
     };
-    rayed(&[stage], w, z, progress)
+    take(&[stage], w, z)
 }
 
-/// The worm as all strokes leave it, each by the part of its dresser that cuts.
-fn stroked_worm(
+/// The same of a worm that several strokes leave, each by the part of its dresser that cuts.
+fn of_stroked<T>(
     setup: &GrindingSetup,
     layout: &StrokeLayout,
     strokes: &ExecutedStrokes,
-    flank: Flank,
-    stock: f64,
-    progress: &dyn Progress,
-) -> Result<RayedWorm, RemovalError> {
+    (flank, stock): (Flank, f64),
+    take: impl FnOnce(&[Dressing<'_>], [f64; 2], [f64; 2]) -> Result<T, RemovalError>,
+) -> Result<T, RemovalError> {
     let mut bodies = Vec::with_capacity(strokes.strokes.len());
     for stroke in &strokes.strokes {
         let Some(tool) = layout.dressers.get(stroke.place.dresser) else { continue };
@@ -210,7 +209,7 @@ fn stroked_worm(
         .collect();
     // Only where rays stand follows from the process: what the strokes do not reach there stays uncut and is told.
     let (w, z) = strokes.area;
-    rayed(&stages, w, [z[0] + WORM_MARGIN, z[1] - WORM_MARGIN], progress)
+    take(&stages, w, [z[0] + WORM_MARGIN, z[1] - WORM_MARGIN])
 }
 
 /// Largest length of a ray that counts as this flank's, mm: above what is expected (mm) by far, but no more than a quarter of the normal
@@ -232,6 +231,43 @@ pub(super) fn rayed(
     Ok(RayedWorm { surface: dressed.surface()?, area: WormArea { w, z }, statistics: dressed.statistics })
 }
 
+/// What `take` makes of the dressing stages of a flank; `None` for one that is not ground and for a tool that is not dressed.
+fn on_worm<T>(
+    setup: &GrindingSetup,
+    execution: &Execution,
+    flank: Flank,
+    take: impl FnOnce(&[Dressing<'_>], [f64; 2], [f64; 2]) -> Result<T, RemovalError>,
+) -> Result<Option<T>, RemovalError> {
+    let Some(executed) = &execution.flanks[flank] else { return Ok(None) };
+    let of = (flank, stock(setup.pair.worm.flank(flank), executed.target.largest()));
+    match (&executed.tool, &execution.dresser, &setup.strokes) {
+        (ExecutedTool::Dressed(dressing), Some(dresser), _) => {
+            of_dressed(setup, dresser, dressing, of, take).map(Some)
+        }
+        (ExecutedTool::Stroked(strokes), _, Some(layout)) => {
+            of_stroked(setup, layout, strokes, of, take).map(Some)
+        }
+        _ => Ok(None),
+    }
+}
+
+/// Lengths of rays over the worm flanks that the dressing strokes leave, on a grid of so many over the profile and along the worm, mm.
+///
+/// # Errors
+/// Those of the stage.
+pub(super) fn worm_rays(
+    setup: &GrindingSetup,
+    execution: &Execution,
+    [over_profile, along_worm]: [usize; 2],
+) -> Result<Sides<Option<Vec<f64>>>, RemovalError> {
+    Sides::try_from_fn(|flank| {
+        on_worm(setup, execution, flank, |stages, w, z| {
+            dress_in_strokes(stages, &RayGrid::equidistant(w, over_profile, z, along_worm)?, &Silent)?
+                .lengths()
+        })
+    })
+}
+
 fn run_flank(
     setup: &GrindingSetup,
     execution: &Execution,
@@ -242,16 +278,7 @@ fn run_flank(
     let Some(executed) = &execution.flanks[flank] else { return Ok(None) };
     let (worm, work) = (setup.pair.worm.flank(flank), setup.pair.work.flank(flank));
     let stock = stock(worm, executed.target.largest());
-    let dressed = match (&executed.tool, &execution.dresser) {
-        (ExecutedTool::Dressed(dressing), Some(dresser)) => {
-            Some(dressed_worm(setup, dresser, dressing, flank, stock, progress)?)
-        }
-        (ExecutedTool::Stroked(strokes), _) => match &setup.strokes {
-            Some(layout) => Some(stroked_worm(setup, layout, strokes, flank, stock, progress)?),
-            None => None,
-        },
-        _ => None,
-    };
+    let dressed = on_worm(setup, execution, flank, |stages, w, z| rayed(stages, w, z, progress))?;
     // A tool that is not dressed is given by its table: the spline through it is the tool itself.
     let (modification, area): (&dyn WormModification, WormArea) = match (&executed.tool, &dressed) {
         (_, Some(dressed)) => (&dressed.surface, dressed.area),

@@ -9,30 +9,10 @@ use super::programs::ProgramsResult;
 use crate::exchange::job::Settings;
 use crate::geometry::Sides;
 use crate::metrology::{Characteristics, Topography};
+pub use crate::verdict::Status;
+use crate::verdict::Verdict;
 use serde::Serialize;
 use std::collections::BTreeMap;
-
-/// Whether the target is met.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Status {
-    /// Within the tolerance.
-    Met,
-    /// Done, but outside the tolerance.
-    Missed,
-    /// Nothing says whether the tolerance is kept.
-    NotJudged,
-}
-
-impl From<Status> for crate::report::Status {
-    fn from(status: Status) -> Self {
-        match status {
-            Status::Met => Self::Met,
-            Status::Missed => Self::Missed,
-            Status::NotJudged => Self::NotJudged,
-        }
-    }
-}
 
 /// Characteristics in micrometres, transverse unless the key says `normal`; > 0 material removed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
@@ -192,13 +172,11 @@ pub struct JobResult {
     pub process: String,
     /// Version of flankwright.
     pub version: &'static str,
-    /// Verdict.
-    pub status: Status,
+    /// Status, reason and scope.
+    #[serde(flatten)]
+    pub verdict: Verdict,
     /// Tolerance of the job.
     pub tolerance_um: f64,
-    /// Why the target is missed, if it is.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub reason: Option<Remark>,
     /// Warnings.
     pub warnings: Vec<Remark>,
     /// Settings.

@@ -1,24 +1,30 @@
 //! `plan` and `simulate`: from a checked job to result, tables and report.
 
-use super::control::{ControlResult, control_of_grinding};
+use super::control::control_of_grinding;
 use super::equal_ratio_offers::equal_ratio_remark;
 use super::execution::Execution;
 use super::finding::{Remark, RunFailure};
+use super::flank_verdict::{
+    judge_clearance, judge_control, judge_flank, judge_programs, leave_other_flanks, owe_further_areas,
+};
 use super::gear_root::gear_root;
 use super::line_dressing::{LineDressingResult, WrittenFlank, line_dressing};
+use super::miss::{Miss, missed};
 use super::partition::{Partition, StrokePlan};
 use super::prepare::{Prepared, prepare};
 use super::programs::{RunPrograms, programs_of_grinding};
-use super::referee::{self, Cutting, Verdict};
-use super::result::{CandidateResult, CharacteristicsUm, FlankResult, JobResult, SettingsResult, Status};
+use super::referee::{self, Cutting};
+use super::result::{CandidateResult, CharacteristicsUm, FlankResult, JobResult, SettingsResult};
+use super::tip_edge::{judge_tip_edge, tip_edge_depths};
 use super::tip_land::TipLands;
 use crate::exchange::LoadedJob;
-use crate::exchange::job::{DiagonalRatio, Job, Output, Table};
+use crate::exchange::job::{Output, Table};
 use crate::geometry::{Flank, Sides};
 use crate::metrology::Topography;
 use crate::numerics::Progress;
-use crate::process::generating::{GrindingPlan, RatioReason, natural_twist};
+use crate::process::generating::{GrindingPlan, RatioReason};
 use crate::report::charts::DressingSectionChart;
+use crate::verdict::Verdict;
 use std::collections::BTreeMap;
 use std::time::Instant;
 
@@ -33,7 +39,7 @@ pub struct Outcome {
     /// The plan, unless the settings stood in the job.
     pub plan: Option<GrindingPlan>,
     /// What the referee found.
-    pub verdicts: Sides<Option<Verdict>>,
+    pub verdicts: Sides<Option<referee::Verdict>>,
     /// The dresser in the thread space where it has least room, a picture for each flank that is dressed alone.
     pub sections: Vec<DressingSectionChart>,
     /// How a disc in point contact writes the worm, where there is one.
@@ -96,18 +102,14 @@ fn finish(
     let verdicts = referee::run(&prepared.setup, &execution, cutting, progress)
         .map_err(|e| RunFailure::of_removal(&e, "grinding"))?;
     let gear_root = gear_root(&prepared, &execution)?;
+    let tip_edge = tip_edge_depths(&prepared, &execution)?;
     timing.insert("referee", refereeing.elapsed().as_secs_f64());
     let controlling = Instant::now();
     let (control, alarms) = control_of_grinding(loaded, &prepared, &execution, &verdicts)?.unzip();
     if control.is_some() {
         timing.insert("control", controlling.elapsed().as_secs_f64());
     }
-    // Areas of straight laws are laid out as if they passed through 0.
-    let straight = execution.motion.shift.is_affine() && prepared.areas.is_none();
-    let origin = if straight { execution.shift_origin } else { 0.0 };
-    let ratio = job.grinding.roughing_ratio.unwrap_or(0.0);
-    let roughing = partition.as_ref().map_or(Vec::new(), |areas| areas.roughing_laws(ratio, origin));
-    let programs = programs_of_grinding(loaded, &prepared, &execution, &verdicts, cutting, roughing)?;
+    let programs = programs_of_grinding(loaded, &prepared, &execution, &verdicts, cutting)?;
     if let Some(programs) = &programs {
         timing.insert("programs", programs.seconds[0]);
         timing.insert("proof of the programs", programs.seconds[1]);
@@ -163,21 +165,41 @@ fn finish(
             && f.outside_class_um <= tolerance
             && f.planned_between_um.is_none_or(|between| between <= allowed)
     };
-    let by_process = !flanks.is_empty() && flanks.values().all(met);
-    let by_control =
-        control.as_ref().filter(|_| by_process).and_then(|control| control_missed(control, tolerance));
-    let status = if by_process && by_control.is_none() { Status::Met } else { Status::Missed };
-    let reason = match by_control {
-        Some(reason) => Some(reason),
-        None => (!by_process).then(|| missed(job, &prepared, &flanks, execution.ratio)),
-    };
+    let mut verdict = Verdict::new();
+    for (name, flank) in &flanks {
+        judge_flank(&mut verdict, name, flank, tolerance, met(flank), || {
+            missed(&Miss {
+                job,
+                prepared: &prepared,
+                plan: plan.as_ref(),
+                flanks: &flanks,
+                ratio: execution.ratio,
+            })
+        });
+    }
+    leave_other_flanks(&mut verdict, &flanks);
+    judge_tip_edge(&mut verdict, &tip_edge, tolerance);
+    judge_control(&mut verdict, control.as_ref(), tolerance);
+    if gear_root.is_some() {
+        verdict.met(
+            "root of the gear",
+            "the simulation finds the planned fillet; the job gives it no tolerance",
+        );
+    } else {
+        verdict.leave("root of the gear", "the job does not grind it");
+    }
+    let made = programs.as_ref().map(|programs| &programs.result);
+    judge_programs(&mut verdict, made, tolerance, |name| flanks[name].tolerance_share);
+    if let Some(made) = made {
+        judge_clearance(&mut verdict, made.clearance.as_ref());
+        owe_further_areas(&mut verdict, job.grinding.areas.unwrap_or(1));
+    }
     let result = JobResult {
         job: job.job.name.clone(),
         process: job.job.process.name().to_string(),
         version: env!("CARGO_PKG_VERSION"),
-        status,
+        verdict,
         tolerance_um: tolerance,
-        reason,
         warnings,
         settings: settings_result(&prepared, &execution, plan.as_ref(), partition, strokes, &tip_lands),
         flanks,
@@ -305,7 +327,7 @@ pub(super) fn output_warnings(output: &Output, machine: bool) -> Vec<Remark> {
 }
 
 /// Feed marks that cannot be followed or stand above the tolerance.
-fn feed_mark_warnings(verdicts: &Sides<Option<Verdict>>, tolerance: f64) -> Vec<Remark> {
+fn feed_mark_warnings(verdicts: &Sides<Option<referee::Verdict>>, tolerance: f64) -> Vec<Remark> {
     let mut warnings = Vec::new();
     for (flank, verdict) in verdicts.iter() {
         match verdict.as_ref().and_then(|v| v.feed_mark.as_ref()) {
@@ -357,104 +379,4 @@ fn given_ratio_warning(plan: &GrindingPlan) -> Option<Remark> {
         text: format!("the given diagonal ratio would not have been chosen: {refusal}"),
         way_out: "use diagonal_ratio = \"auto\", or check that the machine has the travel".into(),
     })
-}
-
-/// A process within the tolerance that the control takes out of it.
-fn control_missed(control: &ControlResult, tolerance: f64) -> Option<Remark> {
-    let flanks = control.flanks.iter();
-    let (name, worst) = flanks.max_by(|a, b| a.1.tolerance_share.total_cmp(&b.1.tolerance_share))?;
-    (worst.tolerance_share > 1.0).then(|| Remark {
-        code: "control-above-tolerance",
-        text: format!(
-            "The process alone is within the tolerance of {tolerance} um, but gearbox and servo leave up to {:.3} um on the {name} \
-             flank; together {:.3} um.",
-            worst.largest_um, worst.deviation_with_control_um
-        ),
-        way_out: "Take a stiffer loop (control.servo.bandwidth_hz), finer encoders and scales, or reduce the disturbances; \
-                  the report shows which of them counts."
-            .into(),
-    })
-}
-
-/// Why the target is missed and what would help, in whole sentences.
-fn missed(
-    job: &Job,
-    prepared: &Prepared,
-    flanks: &BTreeMap<&'static str, FlankResult>,
-    ratio: f64,
-) -> Remark {
-    let tolerance = prepared.tolerance.tightest() * 1e3;
-    let twisted = |f: &FlankResult| {
-        let unwanted = f.simulated_characteristics.twist_corner_um - f.target_characteristics.twist_corner_um;
-        unwanted.abs() > tolerance
-    };
-    if ratio == 0.0 && flanks.values().any(twisted) {
-        let twist = |f: &FlankResult| {
-            let c = &f.simulated_characteristics;
-            format!(
-                "{:.3} um from the corners ({:.3} um normal), {:.3} um by least squares",
-                c.twist_corner_um, c.twist_corner_normal_um, c.twist_fit_um
-            )
-        };
-        let twists: Vec<String> =
-            flanks.iter().map(|(name, f)| format!("{name} flank {}", twist(f))).collect();
-        let natural: Vec<String> = Flank::BOTH
-            .into_iter()
-            .filter_map(|flank| {
-                let target = prepared.targets[flank].as_ref()?;
-                let lines = &prepared.setup.lines[flank];
-                let half = (lines.face[1] - lines.face[0]) / 2.0;
-                let crowning = -target.polynomial.coefficient(0, 2) * half.powi(2);
-                let profile = natural_twist(lines, crowning).profile_crowning * 1e3;
-                Some(format!("{flank} flank {profile:.3} um"))
-            })
-            .collect();
-        return Remark {
-            code: "natural-twist",
-            text: format!("The radial feed brings a natural twist along: {}.", twists.join("; ")),
-            way_out: format!(
-                "Use method = \"diagonal\" with diagonal_ratio = \"auto\". A dresser with so much less profile crowning would take \
-                 out the natural profile crowning of the radial feed: {}.",
-                natural.join(", ")
-            ),
-        };
-    }
-    let of_lines = |f: &FlankResult| f.line_dressing.as_ref().map_or(0.0, LineDressingResult::off_um);
-    let without_lines = |f: &FlankResult| f.tolerance_share - of_lines(f) / tolerance;
-    if flanks.values().any(|f| of_lines(f) > 0.0)
-        && flanks.values().all(|f| without_lines(f) <= 1.0 && f.outside_class_um <= tolerance)
-    {
-        let off = flanks.values().map(of_lines).fold(0.0, f64::max);
-        return Remark {
-            code: "scallops-above-tolerance",
-            text: format!(
-                "The dressing lines leave the worm up to {off:.3} um off the wanted one; with that the flank is outside the \
-                 tolerance."
-            ),
-            way_out: "Reduce dressing.scallop_um: more lines leave less.".into(),
-        };
-    }
-    let outside = flanks.values().map(|f| f.outside_class_um).fold(0.0, f64::max);
-    if outside > 0.1 * tolerance {
-        return Remark {
-            code: "outside-class",
-            text: format!(
-                "Parts of the target lie outside what the process can make; best-fitted, {outside:.3} um of them are \
-                 left."
-            ),
-            way_out: "Use modifications of lower degree, reliefs of the profile only, or a wider tolerance."
-                .into(),
-        };
-    }
-    Remark {
-        code: "tolerance-missed",
-        text: "The process cannot follow the target more closely with these settings.".into(),
-        way_out: match (&job.settings, &job.grinding.diagonal_ratio) {
-            (Some(_), _) => "Change the settings, or let `plan` find them.".into(),
-            (None, Some(DiagonalRatio::Number(_))) => {
-                "Use diagonal_ratio = \"auto\", leave precompensation on, or widen the tolerance.".into()
-            }
-            _ => "Take a worm with more threads or another diameter, smoother modifications, or a wider tolerance.".into(),
-        },
-    }
 }

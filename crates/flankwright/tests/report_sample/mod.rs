@@ -9,7 +9,8 @@ use flankwright::report::generating::{
     Characteristics, ConvergenceRound, DressingMotion, FlankReport, GeneratingReport, GrindingMotion,
     RatioCandidate, RatioChoice, Reason, RefereeStage, TargetAmount, Timing, Verification, WrittenFile,
 };
-use flankwright::report::{Quantity, Status, Warning};
+use flankwright::report::{Quantity, Stamp, Warning};
+use flankwright::verdict::{Remark, Status, Verdict};
 
 const COS_BETA_B: f64 = 0.837;
 
@@ -118,6 +119,18 @@ fn dressing(side: Flank) -> DressingMotion {
     }
 }
 
+/// Both flanks judged; programs left out.
+fn verdict(missed: bool) -> Verdict {
+    let mut verdict = Verdict::new();
+    for name in ["left flank", "right flank"] {
+        verdict.judge(name, !missed, "0.0036 of 1 um", || {
+            Remark::new("natural-twist", "twist", "grind diagonally")
+        });
+    }
+    verdict.leave("programs", "the job names no machine");
+    verdict
+}
+
 /// The report of a job that met its tolerance.
 pub fn met() -> GeneratingReport {
     let feed = spread(-21.0, 21.0, 85);
@@ -129,7 +142,8 @@ pub fn met() -> GeneratingReport {
         description: Some("helix crowning 20 um, twist-free, profile crowning 5 um, both flanks".to_owned()),
         process: "diagonal generating grinding, worm dressed topologically".to_owned(),
         version: "0.1.0".to_owned(),
-        status: Status::Met,
+        status: Status::Met.into(),
+        verdict: verdict(false),
         reason: None,
         tolerance_um: 1.0,
         flanks: Sides::from_fn(|side| Some(flank(side, 0.0))),
@@ -245,7 +259,8 @@ pub fn met() -> GeneratingReport {
 pub fn missed() -> GeneratingReport {
     let mut report = met();
     report.job_name = "radial-feed-crowning".to_owned();
-    report.status = Status::Missed;
+    report.status = Status::Missed.into();
+    report.verdict = verdict(true);
     report.reason = Some(Reason {
         code: "natural-twist".to_owned(),
         cause: "The radial method leaves its natural twist, −51.539 µm on the left and 51.539 µm on the right flank."
@@ -261,7 +276,8 @@ pub fn missed() -> GeneratingReport {
 /// A job that found no way: only bodies, candidates and the reason.
 pub fn not_producible() -> GeneratingReport {
     GeneratingReport {
-        status: Status::NotProducible,
+        status: Stamp::NotProducible,
+        verdict: Verdict::new(),
         reason: Some(Reason {
             code: "worm-too-short".to_owned(),
             cause: "The worm needs a width of 95.5 mm, 60 mm are given.".to_owned(),

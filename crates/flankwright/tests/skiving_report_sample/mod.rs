@@ -8,7 +8,8 @@ use flankwright::report::skiving::{
     StripView, ToothMark, ToothSignal, ToothView, TrackDeviations, UncertainFigure, WearRow, WearTrend,
     WorstTooth,
 };
-use flankwright::report::{Quantity, ReportHead, Status, Warning};
+use flankwright::report::{Quantity, ReportHead, Warning};
+use flankwright::verdict::Status;
 use std::f64::consts::TAU;
 
 pub const TEETH: usize = 41;
@@ -323,7 +324,7 @@ pub fn report() -> SkivingReport {
             ),
             process: "Measuring of a power-skiving tool",
             version: "0.1.0".into(),
-            status: Status::Missed,
+            status: Status::Missed.into(),
             headline: "Tooth 6 leaves the band of 12 µm on the right flank, and the right flank is worn."
                 .into(),
             way_out: "regrind the tool".into(),

@@ -41,6 +41,35 @@ impl GearBlocks {
     }
 }
 
+impl GearBlocks {
+    /// By how much the gear turns the workpiece from one place to another, rad.
+    fn turned(&self, machine: &Machine, from: &Positions, to: &Positions) -> f64 {
+        let counted = |axis: usize, at: &Positions| machine.axes()[axis].nc_sign * at[axis];
+        let led = |(leader, &axis): (&GearLeader, &usize)| {
+            let (begun, now) = (counted(axis, from), counted(axis, to));
+            match &leader.coupling {
+                Coupling::Ratio { num, den } => num / den * (now - begun),
+                Coupling::Table(_) => {
+                    self.table.as_ref().map_or(0.0, |table| table.value(now) - table.value(begun))
+                }
+            }
+        };
+        let sum: f64 = self.gear.leaders.iter().zip(&self.leaders).map(led).sum();
+        machine.axes()[self.follower].nc_sign * sum
+    }
+
+    /// Lets the workpiece stand along infeed or retraction where the gear has it if it is right at `anchor`, the end of the stroke
+    /// there. On conical bodies the way off the tool moves slides that lead: the workpiece follows them.
+    pub fn settle(&self, machine: &Machine, path: &mut AxisPath, anchor: &Positions) {
+        for (_, at) in &mut path.nodes {
+            let wanted = anchor[self.follower] + self.turned(machine, anchor, at);
+            if (wanted - at[self.follower]).abs() > STANDS_STILL {
+                at[self.follower] = wanted;
+            }
+        }
+    }
+}
+
 /// Normal deviation of the flank per turning of the workpiece, mm/rad.
 fn per_turn(course: &Course) -> f64 {
     match course {
@@ -49,6 +78,8 @@ fn per_turn(course: &Course) -> f64 {
     }
 }
 
+/// A gear that moves the flank by less than this over a stroke has the ratio zero, mm.
+const NO_WAY: f64 = 1e-9;
 /// Intervals of a table at first, and at the most.
 const INTERVALS: [usize; 2] = [8, 4096];
 
@@ -111,8 +142,10 @@ pub(super) fn couple(
     let Some(&(_, last)) = paths[1].nodes.last() else { return unsupported("the stroke has no way".into()) };
     let swept = last[axial] - first[axial];
     let lead = if swept.abs() > STANDS_STILL { rest(&last) / swept } else { rates.axial };
+    // The lead of a spur gear is none: what rounding leaves of it turns the workpiece by nothing and is no ratio that a control takes.
+    let lead = if (lead * swept).abs() * per_turn < NO_WAY { 0.0 } else { lead };
     let bent = |at: &Positions| (rest(at) - lead * (at[axial] - first[axial])).abs() * per_turn;
-    // Infeed and retraction are straight by themselves, in turns of their own.
+    // Infeed and retraction follow the gear from and to the ends of the stroke: [`GearBlocks::settle`].
     let deviation = paths[1].nodes.iter().map(|(_, at)| bent(at)).fold(0.0, f64::max);
     let moves_axially = paths[1].range(axial) > STANDS_STILL;
     let mut table = None;
@@ -143,7 +176,9 @@ pub(super) fn couple(
         return unsupported("the workpiece has to move by itself while the axial slide stands".into());
     }
     if let Some(axis) = shifting {
-        let coupling = Coupling::Ratio { num: signed(rates.shift, axis), den: 1.0 };
+        let moved = rates.shift * paths[1].range(axis) * per_turn;
+        let ratio = if moved.abs() < NO_WAY { 0.0 } else { signed(rates.shift, axis) };
+        let coupling = Coupling::Ratio { num: ratio, den: 1.0 };
         leaders.push(GearLeader { axis: place(axis)?, coupling });
         numbers.push(axis);
     }

@@ -143,17 +143,23 @@ impl<'a> Writer<'a> {
         let now = self.standing;
         // All three paths begin in the turns in which the endless axes stand.
         let turned = |path: &AxisPath, like: &Positions| path.clone().turned_to(self.machine, like);
-        let infeed = match &now {
+        let mut infeed = match &now {
             Some(now) => turned(&paths.infeed, now),
             None => paths.infeed.clone(),
         };
-        let Some(&(_, start)) = infeed.nodes.first() else { return Ok(()) };
         let joined = |path: &AxisPath, end: Option<&(Waypoint, Positions)>| match end {
             Some((_, end)) => turned(path, end),
             None => path.clone(),
         };
         let stroke = joined(&paths.stroke, infeed.nodes.last());
-        let retraction = joined(&paths.retraction, stroke.nodes.last());
+        let mut retraction = joined(&paths.retraction, stroke.nodes.last());
+        if let (Some(gear), Some((_, begin)), Some((_, end))) =
+            (gear, stroke.nodes.first(), stroke.nodes.last())
+        {
+            gear.settle(self.machine, &mut infeed, begin);
+            gear.settle(self.machine, &mut retraction, end);
+        }
+        let Some(&(_, start)) = infeed.nodes.first() else { return Ok(()) };
         self.rapid_to(pass.course.station(), &start)?;
         let follower = gear.map(|gear| gear.follower);
         if let Some(gear) = gear {

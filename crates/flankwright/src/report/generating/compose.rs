@@ -6,6 +6,7 @@ use crate::report::charts::{
     ChartError, dressing_section_chart, format_fixed, format_significant, worm_occupation_chart,
 };
 use crate::report::control::ControlReport;
+use crate::report::head::scope_blocks;
 use crate::report::programs::ProgramsReport;
 use crate::report::{Block, Column, Fact, Figure, PlanReport, Section, Table};
 
@@ -19,6 +20,7 @@ impl GeneratingReport {
         dressing.extend(strokes::figures(&self.strokes)?);
         let sections = vec![
             Section::new("Result per flank", result::summary(self)),
+            Section::new("Scope of the verdict", scope_blocks(&self.verdict)),
             warnings(self),
             Section::new("Gear and tools", data_sheets(self)),
             Section::new("Settings", settings(self)?),

@@ -6,7 +6,8 @@ use crate::geometry::Sides;
 use crate::report::charts::{DressingSectionChart, SectionTrace, Topography, WormOccupationChart};
 use crate::report::control::ControlReport;
 use crate::report::programs::ProgramsReport;
-use crate::report::{Quantity, Status, Warning};
+use crate::report::{Quantity, Stamp, Warning};
+use crate::verdict::Verdict;
 
 /// Everything that the report of a generating-grinding job can show.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -20,7 +21,9 @@ pub struct GeneratingReport {
     /// Version of the program.
     pub version: String,
     /// How the job ended.
-    pub status: Status,
+    pub status: Stamp,
+    /// What was judged and what was not.
+    pub verdict: Verdict,
     /// Why the job ended so, where the figures of the flanks don't say it: always for "not producible", for "missed" if
     /// there is a cause to name (natural twist, terms outside the class).
     pub reason: Option<Reason>,

@@ -2,7 +2,8 @@
 
 use super::data::{Characteristics, FlankReport, GeneratingReport};
 use crate::report::charts::{format_fixed, format_significant};
-use crate::report::{Banner, Block, Column, Fact, Status, Table};
+use crate::report::{Banner, Block, Column, Fact, Stamp, Table};
+use crate::verdict::Status;
 
 /// Largest of a figure over the flanks that have it.
 fn worst(report: &GeneratingReport, figure: impl Fn(&FlankReport) -> Option<f64>) -> Option<f64> {
@@ -14,15 +15,19 @@ pub(super) fn banner(report: &GeneratingReport) -> Banner {
     let tolerance = format_significant(report.tolerance_um, 4);
     let mut sentences = Vec::new();
     match (report.status, deviation) {
-        (Status::Met, Some(deviation)) => sentences.push(compared(deviation, "within", &tolerance)),
-        (Status::Missed, Some(deviation)) => sentences.push(compared(deviation, "outside", &tolerance)),
-        (Status::Met, None) => sentences.push("The target is met within its tolerance.".to_owned()),
-        (Status::NotJudged, _) => sentences.push("Nothing says whether the target is kept.".to_owned()),
-        (Status::Missed, None) => sentences.push("The target is missed.".to_owned()),
-        (Status::NotProducible, _) if report.reason.is_none() => {
+        (Stamp::NotProducible, _) if report.reason.is_none() => {
             sentences.push("These bodies can't make the target.".to_owned());
         }
-        (Status::NotProducible, _) => {}
+        (Stamp::NotProducible | Stamp::Study, _) => {}
+        (Stamp::Judged(_), Some(deviation)) => {
+            let place = if deviation <= report.tolerance_um { "within" } else { "outside" };
+            sentences.push(compared(deviation, place, &tolerance));
+        }
+        (Stamp::Judged(Status::Met), None) => {
+            sentences.push("The target is met within its tolerance.".to_owned())
+        }
+        (Stamp::Judged(Status::NotJudged), None) => sentences.push("The target was not judged.".to_owned()),
+        (Stamp::Judged(Status::Missed), None) => sentences.push("The target is missed.".to_owned()),
     }
     if let Some(reason) = &report.reason {
         let parts = [&reason.cause, &reason.way_out];

@@ -4,6 +4,7 @@ use super::{CorrectionView, EvaluationView, TestRow};
 use crate::geometry::Sides;
 use crate::report::ReportHead;
 use crate::report::charts::Topography;
+use crate::verdict::Verdict;
 
 /// The whole page. What is none or empty is left out.
 #[derive(Clone, Debug, PartialEq)]
@@ -12,6 +13,8 @@ pub struct MeasuredGearReport {
     pub head: ReportHead,
     /// Rounds of measuring and correcting against a job.
     pub rounds: Vec<RoundView>,
+    /// What was judged.
+    pub verdict: Verdict,
     /// Evaluation after ISO 1328-1, of the last round.
     pub evaluation: EvaluationView,
     /// Lines of the files that were not understood: file, line, beginning.

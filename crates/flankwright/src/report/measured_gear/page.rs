@@ -5,6 +5,7 @@ use super::{pictures, tests_table};
 use crate::geometry::Flank;
 use crate::report::cells::{fixed, fixed_or_none, flank_title, yes_no};
 use crate::report::charts::ChartError;
+use crate::report::head::scope_blocks;
 use crate::report::{Block, Column, PlanReport, Section, Table};
 
 const INTRODUCTION: &str = "All values are normal to the flank, positive where material is left standing, about their mean: thickness is \
@@ -22,6 +23,7 @@ impl MeasuredGearReport {
                 sections.push(Section::new(title, blocks));
             }
         };
+        add("Scope of the verdict".into(), scope_blocks(&self.verdict));
         if self.rounds.iter().any(|round| round.flanks.iter().any(|(_, flank)| flank.is_some())) {
             let mut blocks = vec![
                 Block::Paragraph(INTRODUCTION.to_owned()),

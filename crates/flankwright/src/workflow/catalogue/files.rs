@@ -5,7 +5,7 @@ use crate::exchange::{Cell, Column, CsvError, CsvTable};
 use crate::geometry::Flank;
 use crate::report::charts::{ChartError, LineChart, Panel, Series, Svg, format_significant, line_chart};
 use crate::report::{
-    Banner, Block, Column as PageColumn, Fact, Figure, PlanReport, Section, Status, Table, html,
+    Banner, Block, Column as PageColumn, Fact, Figure, PlanReport, Section, Stamp, Table, html,
 };
 use crate::workflow::write::{WriteError, write_study};
 use std::path::{Path, PathBuf};
@@ -165,7 +165,7 @@ fn page(outcome: &CatalogueOutcome) -> Result<PlanReport, ChartError> {
             Fact::new("Version", outcome.version),
         ],
         banner: Banner {
-            status: if outcome.ok > 0 { Status::Met } else { Status::NotProducible },
+            status: if outcome.ok > 0 { Stamp::Study } else { Stamp::NotProducible },
             headline,
             figures,
         },

@@ -7,7 +7,7 @@ use crate::report::charts::{
     ChartError, LineChart, Panel, Series, Svg, YScale, format_significant, line_chart,
 };
 use crate::report::{
-    Banner, Block, Column as PageColumn, Fact, Figure, PlanReport, Section, Status, Table, html,
+    Banner, Block, Column as PageColumn, Fact, Figure, PlanReport, Section, Stamp, Table, html,
 };
 use crate::workflow::write::{WriteError, write_study};
 use std::path::{Path, PathBuf};
@@ -101,7 +101,7 @@ fn page(outcome: &FreeOutcome) -> Result<PlanReport, ChartError> {
             Fact::new("Version", outcome.version),
         ],
         banner: Banner {
-            status: if working > 0 { Status::Met } else { Status::NotProducible },
+            status: if working > 0 { Stamp::Study } else { Stamp::NotProducible },
             headline: format!("{working} of {all} pairs have a value that makes the profile"),
             figures,
         },

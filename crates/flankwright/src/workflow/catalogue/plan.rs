@@ -46,7 +46,7 @@ pub fn plan_from_catalogue(
             Ok(outcome) => {
                 let flanks = outcome.result.flanks.values();
                 let miss = flanks.map(|f| f.max_deviation_um).fold(0.0, f64::max);
-                let met = outcome.result.status == Status::Met;
+                let met = outcome.result.verdict.status() == Status::Met;
                 if !met {
                     passed
                         .push(format!("{} with {} misses it by up to {miss:.3} um", worm.name, dresser.name));

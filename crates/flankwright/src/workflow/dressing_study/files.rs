@@ -11,7 +11,7 @@ use crate::exchange::job::StudyOver;
 use crate::exchange::{Cell, Column, CsvError, CsvTable};
 use crate::report::charts::{ChartError, LineChart, Panel, Series, Svg, format_significant, line_chart};
 use crate::report::{
-    Banner, Block, Column as PageColumn, Fact, Figure, PlanReport, Section, Status, Table, html,
+    Banner, Block, Column as PageColumn, Fact, Figure, PlanReport, Section, Stamp, Table, html,
 };
 use crate::workflow::explore::Refused;
 use crate::workflow::write::{WriteError, write_study};
@@ -319,7 +319,7 @@ fn page(outcome: &DressingStudyOutcome) -> Result<PlanReport, ChartError> {
     if let StudyCurves::Deviations(curves) = &outcome.curves {
         sections.push(Section::new("Random deviations", vec![Block::Table(quantile_figures(curves))]));
     }
-    let status = if outcome.is_producible() { Status::Met } else { Status::NotProducible };
+    let status = if outcome.is_producible() { Stamp::Study } else { Stamp::NotProducible };
     Ok(PlanReport {
         title: outcome.job.clone(),
         subtitle: Some(format!("Study of dressing: {what}")),

@@ -7,7 +7,7 @@ use crate::report::charts::{
     ChartError, LineChart, Panel, Series, Svg, YScale, format_significant, line_chart,
 };
 use crate::report::{
-    Banner, Block, Column as PageColumn, Fact, Figure, PlanReport, Section, Status, Table, html,
+    Banner, Block, Column as PageColumn, Fact, Figure, PlanReport, Section, Stamp, Table, html,
 };
 use crate::workflow::write::{WriteError, write_study};
 use std::path::{Path, PathBuf};
@@ -180,13 +180,7 @@ fn figure_text(x: Option<f64>, digits: usize) -> String {
 fn page(outcome: &ExploreOutcome) -> Result<PlanReport, ChartError> {
     let best = outcome.candidates.first();
     let of = format!("{} of {} combinations are allowed", outcome.allowed, outcome.candidates.len());
-    let status = if outcome.best().is_some() {
-        Status::Met
-    } else if outcome.is_producible() {
-        Status::Missed
-    } else {
-        Status::NotProducible
-    };
+    let status = if outcome.is_producible() { Stamp::Study } else { Stamp::NotProducible };
     let figures = best.map_or_else(Vec::new, |c| {
         vec![
             Fact::new("Cone angle", format!("{}°", format_significant(c.worm_cone_angle_deg, 6))),

@@ -5,6 +5,7 @@ mod couple;
 mod explore;
 mod figures;
 mod following;
+mod judge;
 mod model;
 mod page;
 mod remarks;

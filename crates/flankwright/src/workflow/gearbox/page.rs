@@ -29,8 +29,8 @@ pub fn html_page(
     let result = &outcome.result;
     let answer = Answer {
         process: "Electronic gearbox",
-        status: result.status,
-        reason: result.reason.as_ref(),
+        status: result.verdict.status(),
+        reason: result.verdict.reason(),
         warnings: &result.warnings,
         headline: headline(result),
         figures: figures(result),
@@ -54,7 +54,7 @@ pub fn html_page(
 }
 
 fn headline(result: &GearboxResult) -> String {
-    if let Some(reason) = &result.reason {
+    if let Some(reason) = result.verdict.reason() {
         return format!("{}.", reason.text);
     }
     if let Some(explored) = &result.explore {

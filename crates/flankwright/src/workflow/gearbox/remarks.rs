@@ -52,15 +52,20 @@ pub(super) fn warnings(
             way_out: "insert fewer pulses or take a faster clock".into(),
         });
     }
-    if let Some(servo) = servo.filter(|servo| servo.torque_limited_share > LIMITED) {
-        warnings.push(Remark {
-            code: "torque-limited",
-            text: format!(
+    warnings.extend(servo.and_then(torque_limited));
+    warnings
+}
+
+/// A motor at its limit: what is left is its error, not that of the loop.
+pub(super) fn torque_limited(servo: &ServoResult) -> Option<Remark> {
+    (servo.torque_limited_share > LIMITED).then(|| {
+        Remark::new(
+            "torque-limited",
+            format!(
                 "the motor is at its greatest torque in {:.2} % of the samples",
                 1e2 * servo.torque_limited_share
             ),
-            way_out: "accelerate more slowly, or take a stronger motor or a smaller bandwidth".into(),
-        });
-    }
-    warnings
+            "accelerate more slowly, or take a stronger motor or a smaller bandwidth",
+        )
+    })
 }

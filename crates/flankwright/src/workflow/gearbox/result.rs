@@ -1,8 +1,8 @@
 //! `result.json` of the electronic gearbox, with units in the key names.
 
 use crate::exchange::control::{InterpolationMode, RotationRate};
+use crate::verdict::Verdict;
 use crate::workflow::finding::Remark;
-use crate::workflow::result::Status;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -15,11 +15,12 @@ pub struct GearboxResult {
     pub process: String,
     /// Version of flankwright.
     pub version: &'static str,
-    /// Verdict: missed only if `[explore]` found nothing accurate enough.
-    pub status: Status,
-    /// Why nothing is accurate enough, if so.
+    /// Status, reason and scope.
+    #[serde(flatten)]
+    pub verdict: Verdict,
+    /// Tolerance of the job; absent where it gives none.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub reason: Option<Remark>,
+    pub tolerance_um: Option<f64>,
     /// Warnings, alarms of the interpolator among them.
     pub warnings: Vec<Remark>,
     /// Settings, as given or by default.
@@ -117,9 +118,9 @@ pub struct PulseFigures {
     pub net_references: i64,
     /// Corrections still owed at the end, with their sign.
     pub pending_corrections: i64,
-    /// Alarm: intervals that ended while corrections were still owed.
+    /// Alarm: intervals that ended, with their own sense, while corrections were still owed.
     pub overruns: u64,
-    /// Alarm: intervals with fewer ticks than pulses.
+    /// Alarm: intervals of one sense with fewer ticks than pulses.
     pub too_fast: u64,
     /// Parts of rotation turned, either way.
     pub parts_turned: u64,

@@ -4,13 +4,12 @@ use super::couple::{coupling, geometry, of_feed};
 use super::explore::explore;
 use super::result::{CouplingResult, GearboxResult};
 use super::stimulus::{Driven, driven};
-use super::{figures, following, remarks};
+use super::{figures, following, judge, remarks};
 use crate::control::{FollowingRecord, Interpolation, InterpolationRun, Rotation};
 use crate::exchange::{Diagnostic, GearboxJob, LoadedGearboxJob};
 use crate::numerics::Progress;
 use crate::workflow::control::{interpolation, interpolator_alarms, on_field, rotation_refused};
 use crate::workflow::finding::{JobFailure, RunFailure};
-use crate::workflow::result::Status;
 use electronic_gearbox::coefficient::GearGeometry;
 use electronic_gearbox::pulse::TimedPulse;
 use std::collections::BTreeMap;
@@ -35,7 +34,7 @@ pub struct GearboxOutcome {
 ///
 /// # Errors
 /// [`JobFailure`], bad input always. Alarms of the interpolator and set-ups that are not accurate enough are none: warnings and
-/// the status tell them.
+/// the verdict tell them.
 pub fn run_gearbox(loaded: &LoadedGearboxJob, progress: &dyn Progress) -> Result<GearboxOutcome, JobFailure> {
     let job = &loaded.job;
     let mut timing = BTreeMap::new();
@@ -103,11 +102,19 @@ pub fn run_gearbox(loaded: &LoadedGearboxJob, progress: &dyn Progress) -> Result
         }
         None => None,
     };
-    let (explored, reason) = explored.map_or((None, None), |(explored, reason)| (Some(explored), reason));
 
     let settings = figures::settings(job, &interpolation, &driven);
     let pulses = figures::pulses(&run, &interpolation, &rotation);
-    let mut warnings = interpolator_alarms(&job.feed, &run.status);
+    let alarms = interpolator_alarms(&job.feed, &run.status);
+    let judged = judge::Judged {
+        alarms: &alarms,
+        along_feed: along_feed.as_ref(),
+        angle: angle.as_ref(),
+        servo: servo.as_ref(),
+        explored: explored.as_ref().map(|(explored, reason)| (explored, reason.as_ref())),
+    };
+    let verdict = judge::verdict(job.target.as_ref(), &judged);
+    let mut warnings = alarms;
     warnings.extend(remarks::warnings(
         &settings,
         &pulses,
@@ -119,8 +126,8 @@ pub fn run_gearbox(loaded: &LoadedGearboxJob, progress: &dyn Progress) -> Result
         job: job.job.name.clone(),
         process: job.job.process.name().to_owned(),
         version: env!("CARGO_PKG_VERSION"),
-        status: if reason.is_some() { Status::Missed } else { Status::Met },
-        reason,
+        verdict,
+        tolerance_um: job.target.map(|target| target.tolerance_um),
         warnings,
         settings,
         coupling: figures::coupling(job, &gear, &interpolation, &rotation),
@@ -129,7 +136,7 @@ pub fn run_gearbox(loaded: &LoadedGearboxJob, progress: &dyn Progress) -> Result
         along_feed,
         angle,
         servo,
-        explore: explored,
+        explore: explored.map(|(explored, _)| explored),
         timing_s: timing,
     };
     Ok(GearboxOutcome { result, run, servo: servo_record, trace })

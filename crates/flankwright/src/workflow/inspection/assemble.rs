@@ -12,8 +12,7 @@ use super::twist::twists;
 use crate::exchange::inspection::{Inspection, Section};
 use crate::geometry::Flank;
 use crate::metrology::inspection::{SlopeSign, TeethSummary};
-use crate::workflow::finding::Remark;
-use crate::workflow::result::Status;
+use crate::verdict::{Remark, Verdict};
 use std::collections::BTreeMap;
 
 /// What the document holds beside the evaluation.
@@ -34,8 +33,10 @@ pub(super) struct InspectionContext {
     pub tolerance_um: Option<f64>,
     /// Features of the flanks as surfaces.
     pub areal: BTreeMap<&'static str, ArealResult>,
-    /// What the part is, unless it is what is asked for.
-    pub verdict: Option<(Status, Remark)>,
+    /// What was judged.
+    pub verdict: Verdict,
+    /// Class that was asked for.
+    pub tolerance_class: Option<i32>,
     /// Seconds per stage.
     pub timing: BTreeMap<&'static str, f64>,
 }
@@ -63,8 +64,8 @@ pub(super) fn gear_result(
         job: context.name,
         process: "inspection",
         version: env!("CARGO_PKG_VERSION"),
-        status: context.verdict.as_ref().map_or(Status::Met, |(status, _)| *status),
-        reason: context.verdict.map(|(_, reason)| reason),
+        verdict: context.verdict,
+        tolerance_class: context.tolerance_class,
         tolerance_um: context.tolerance_um,
         files: inspection.sources.clone(),
         head: head.into_iter().filter_map(|(key, text)| Some((key, text.clone()?))).collect(),
@@ -106,9 +107,10 @@ pub(super) fn gear_result(
             .iter()
             .flat_map(|classes| &classes.each)
             .zip(&gear.judged)
-            .map(|((quantity, class), (_, value))| ClassResult {
+            .map(|((quantity, class), of)| ClassResult {
+                flank: of.flank.map(Flank::name),
                 quantity: quantity.symbol(),
-                value_um: 1e3 * value,
+                value_um: 1e3 * of.value,
                 class: *class,
             })
             .collect(),

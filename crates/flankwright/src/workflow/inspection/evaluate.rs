@@ -5,6 +5,7 @@ mod classes;
 mod teeth;
 mod trace;
 
+pub use classes::JudgedValue;
 pub(in crate::workflow) use trace::{trace_name, transverse_samples, without_design};
 
 use crate::exchange::inspection as file;
@@ -12,7 +13,7 @@ use crate::exchange::inspection::Inspection;
 use crate::geometry::{Flank, Gear, Sides};
 use crate::metrology::inspection::{
     Eccentricity, InspectionError, MeasuredThickness, PitchDeviations, PitchEvaluation, ReachedClasses,
-    Relief, RunOut, ToleranceQuantity, Tolerances, TraceEvaluation, reached_classes,
+    Relief, RunOut, Tolerances, TraceEvaluation, reached_classes,
 };
 
 /// The wanted deviation at (flank, w, z), transverse, > 0 material left, mm.
@@ -75,7 +76,7 @@ pub struct EvaluatedGear {
     /// Tolerances of the standard.
     pub tolerances: Option<Tolerances>,
     /// Values that are judged, mm: mean slopes with their signs, everything else one by one.
-    pub judged: Vec<(ToleranceQuantity, f64)>,
+    pub judged: Vec<JudgedValue>,
     /// Classes that they reach, in their order.
     pub classes: Option<ReachedClasses>,
     /// What could not be evaluated, and why.
@@ -126,7 +127,10 @@ pub fn evaluate_inspection(
     let pitch = teeth::pitch(inspection, &nominal, measured.as_ref(), &mut left_out);
     let tolerances = classes::tolerances(inspection, &gear, &mut left_out);
     let judged = classes::judged(inspection, &traces, pitch.as_ref());
-    let reached = tolerances.as_ref().map(|tolerances| reached_classes(tolerances, &judged));
+    let reached = tolerances.as_ref().map(|tolerances| {
+        let values: Vec<_> = judged.iter().map(|of| (of.quantity, of.value)).collect();
+        reached_classes(tolerances, &values)
+    });
     let classes = reached.and_then(|found| left_out.take("classes", found));
     Ok(EvaluatedGear {
         gear,

@@ -10,6 +10,7 @@ mod closed_loop;
 mod drawn;
 mod evaluate;
 mod files;
+mod judgement;
 mod middle;
 mod page;
 mod printed;
@@ -32,7 +33,9 @@ pub use closed_loop::{
     MeasuredFlankResult, ProofResult, Round, RoundResult,
 };
 pub use drawn::DrawnGear;
-pub use evaluate::{Design, EvaluatedGear, EvaluatedPitch, EvaluatedTrace, LeftOut, evaluate_inspection};
+pub use evaluate::{
+    Design, EvaluatedGear, EvaluatedPitch, EvaluatedTrace, JudgedValue, LeftOut, evaluate_inspection,
+};
 pub use files::{
     LeftOutFile, MeasuredFiles, MeasuredFolder, files_of_measurement, is_measurement, measurements_in,
     read_measurement,

@@ -29,8 +29,8 @@ pub fn html_page(found: &GearInspection, files: &[(String, &'static str)]) -> Re
     };
     let answer = Answer {
         process: "Inspection of a gear",
-        status: result.status,
-        reason: result.reason.as_ref(),
+        status: result.verdict.status(),
+        reason: result.verdict.reason(),
         warnings: &result.warnings,
         headline: headline(result),
         figures: figures(result),
@@ -38,6 +38,7 @@ pub fn html_page(found: &GearInspection, files: &[(String, &'static str)]) -> Re
     let report = MeasuredGearReport {
         head: report_head(&job, answer, files),
         rounds: result.rounds.iter().map(round).collect::<Result<_, ChartError>>()?,
+        verdict: result.verdict.clone(),
         evaluation: evaluation(result),
         not_understood: result
             .not_understood
@@ -58,16 +59,22 @@ fn described(result: &GearInspectionResult) -> Option<String> {
 }
 
 fn headline(result: &GearInspectionResult) -> String {
-    let Some(tolerance) = result.tolerance_um else {
-        return format!(
-            "{} traces were evaluated; without a job there is no target to miss.",
-            result.traces.len()
-        );
-    };
-    if let Some(reason) = &result.reason {
+    if let Some(reason) = result.verdict.reason() {
         return sentence(reason);
     }
-    format!("The measured flanks are within {tolerance} µm of the target.")
+    match (result.tolerance_um, result.tolerance_class) {
+        (None, None) => format!(
+            "{} traces were evaluated. Nothing is judged: neither a job nor a class of ISO 1328-1 was given.",
+            result.traces.len()
+        ),
+        (None, Some(class)) => {
+            format!("The gear reaches class {class} of ISO 1328-1:2013, which was asked for.")
+        }
+        (Some(tolerance), None) => format!("The measured flanks are within {tolerance} µm of the target."),
+        (Some(tolerance), Some(class)) => format!(
+            "The measured flanks are within {tolerance} µm of the target, and the gear reaches class {class} of ISO 1328-1:2013."
+        ),
+    }
 }
 
 fn figures(result: &GearInspectionResult) -> Vec<(String, String)> {
@@ -85,6 +92,9 @@ fn figures(result: &GearInspectionResult) -> Vec<(String, String)> {
     let last = result.rounds.last().and_then(|round| round.correction.as_ref());
     if let Some(after) = last.and_then(|c| c.proof.values().map(|p| p.after.rms_um).reduce(f64::max)) {
         figures.push(("after the correction, by the referee".into(), um(after)));
+    }
+    if let Some(class) = result.tolerance_class {
+        figures.push(("class asked for".into(), class.to_string()));
     }
     if !result.classes.is_empty() {
         let class = result.class.map_or_else(|| "worse than 11".to_owned(), |class| class.to_string());
@@ -343,7 +353,10 @@ fn evaluation(result: &GearInspectionResult) -> EvaluationView {
             .classes
             .iter()
             .map(|class| ClassRow {
-                symbol: class.quantity.to_owned(),
+                symbol: match class.flank {
+                    Some(flank) => format!("{}, {flank}", class.quantity),
+                    None => class.quantity.to_owned(),
+                },
                 value_um: class.value_um,
                 class: class.class,
             })

@@ -2,8 +2,7 @@
 //! reference length that stand beside them.
 
 use super::closed_loop::RoundResult;
-use crate::workflow::finding::Remark;
-use crate::workflow::result::Status;
+use crate::verdict::{Remark, Verdict};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -16,11 +15,12 @@ pub struct GearInspectionResult {
     pub process: &'static str,
     /// Version of flankwright.
     pub version: &'static str,
-    /// Whether the tolerance of the job is met; a measurement by itself has none to miss.
-    pub status: Status,
-    /// Why the tolerance is missed.
+    /// What was judged, by the job or by the class that was asked for; a measurement by itself is not judged.
+    #[serde(flatten)]
+    pub verdict: Verdict,
+    /// The class of ISO 1328-1:2013 that was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub reason: Option<Remark>,
+    pub tolerance_class: Option<i32>,
     /// Tolerance of the job.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tolerance_um: Option<f64>,
@@ -271,6 +271,9 @@ pub struct ThicknessResult {
 /// The class of a value.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ClassResult {
+    /// Flank; absent where it is a value of the gear.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub flank: Option<&'static str>,
     /// Symbol.
     pub quantity: &'static str,
     /// Value; slopes with their sign.

@@ -4,10 +4,9 @@ use super::areal::areal;
 use super::assemble::{InspectionContext, gear_result};
 use super::bands::Bands;
 use super::closed_loop::{Round, Wanted, of_file, of_header, simulated};
-use super::evaluate::{
-    Design, EvaluatedGear, EvaluatedTrace, evaluate_inspection, trace_name, without_design,
-};
+use super::evaluate::{Design, EvaluatedGear, evaluate_inspection, trace_name, without_design};
 use super::files::{MeasuredFiles, read_measurement, refused};
+use super::judgement;
 use super::result::{BandResult, GearInspectionResult, LinesResult};
 use super::statements::Statements;
 use crate::exchange::LoadedJob;
@@ -16,7 +15,6 @@ use crate::geometry::{Flank, Sides};
 use crate::modification::{EvaluationField, Modification};
 use crate::numerics::Progress;
 use crate::workflow::finding::{JobFailure, Remark, RunFailure};
-use crate::workflow::result::Status;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::time::Instant;
@@ -37,11 +35,17 @@ pub struct GearInspection {
     pub bands: Bands,
 }
 
-/// Reads and evaluates a measurement by itself; a file that states modifications is judged against them.
+/// Reads and evaluates a measurement by itself; a file that states modifications is evaluated against them. With a class of ISO 1328-1 the
+/// part is judged by it.
 ///
 /// # Errors
-/// [`JobFailure`]: a file that is no measurement, a header that makes no gear. What single traces lack is told by warnings.
-pub fn inspect_gear(path: &Path, statements: &Statements) -> Result<GearInspection, JobFailure> {
+/// [`JobFailure`]: a file that is no measurement, a header that makes no gear, a class that the standard does not have. What single traces lack is told by warnings.
+pub fn inspect_gear(
+    path: &Path,
+    statements: &Statements,
+    class: Option<i32>,
+) -> Result<GearInspection, JobFailure> {
+    judgement::check_class(class)?;
     let begun = Instant::now();
     let mut files = read_measurement(path, None, statements)?;
     let mut timing = BTreeMap::from([("reading", begun.elapsed().as_secs_f64())]);
@@ -62,7 +66,8 @@ pub fn inspect_gear(path: &Path, statements: &Statements) -> Result<GearInspecti
         bands: BTreeMap::new(),
         areal: areal(&files.inspection, &gear, design),
         tolerance_um: None,
-        verdict: evaluated_at_all(&gear),
+        verdict: judgement::alone(&files.inspection, &gear, class),
+        tolerance_class: class,
         timing,
     };
     let result = gear_result(&files.inspection, &gear, context);
@@ -77,7 +82,7 @@ pub fn inspect_gear(path: &Path, statements: &Statements) -> Result<GearInspecti
     })
 }
 
-/// Judges a measured file against a job.
+/// Judges a measured file against a job, and by a class of ISO 1328-1 where one is asked for.
 ///
 /// # Errors
 /// As [`inspect_gear`]; a measurement of another gear, and what is wrong with the job.
@@ -85,22 +90,29 @@ pub fn inspect_for_job(
     loaded: &LoadedJob,
     path: &Path,
     statements: &Statements,
+    class: Option<i32>,
     progress: &dyn Progress,
 ) -> Result<GearInspection, JobFailure> {
     let begun = Instant::now();
-    let judging = Judging::of_job(loaded)?;
+    judgement::check_class(class)?;
+    let judging = Judging { class, ..Judging::of_job(loaded)? };
     let (round, files) = of_file(loaded, &judging.wanted, (path, statements), progress)?;
     let told = Told { not_understood: files.not_understood, remarks: files.remarks, stated: files.stated };
     Ok(of_rounds(judging, vec![round], stem(path), told, begun)?)
 }
 
-/// Measures and corrects the simulated machine of a job.
+/// Measures and corrects the simulated machine of a job; the last part is judged by the class as well, where one is asked for.
 ///
 /// # Errors
 /// [`RunFailure`]: what is wrong with the job.
-pub fn inspect_simulated(loaded: &LoadedJob, progress: &dyn Progress) -> Result<GearInspection, RunFailure> {
+pub fn inspect_simulated(
+    loaded: &LoadedJob,
+    class: Option<i32>,
+    progress: &dyn Progress,
+) -> Result<GearInspection, RunFailure> {
     let begun = Instant::now();
-    let judging = Judging::of_job(loaded)?;
+    judgement::check_class(class)?;
+    let judging = Judging { class, ..Judging::of_job(loaded)? };
     let rounds = simulated(loaded, &judging.wanted, progress)?;
     of_rounds(judging, rounds, loaded.job.job.name.clone(), Told::default(), begun)
 }
@@ -110,13 +122,19 @@ struct Judging {
     wanted: Wanted,
     bands: Bands,
     tolerance_um: f64,
+    class: Option<i32>,
 }
 
 impl Judging {
     fn of_job(loaded: &LoadedJob) -> Result<Self, RunFailure> {
         let table = loaded.job.inspection.clone().unwrap_or_default();
         let tolerance_um = table.tolerance_um.unwrap_or(loaded.job.target.tolerance_um);
-        Ok(Self { bands: Bands::of_table(&table)?, wanted: Wanted::of_job(loaded)?, tolerance_um })
+        Ok(Self {
+            bands: Bands::of_table(&table)?,
+            wanted: Wanted::of_job(loaded)?,
+            tolerance_um,
+            class: None,
+        })
     }
 }
 
@@ -129,7 +147,7 @@ struct Told {
 }
 
 fn of_rounds(
-    Judging { wanted, bands: all, tolerance_um: tolerance }: Judging,
+    Judging { wanted, bands: all, tolerance_um: tolerance, class }: Judging,
     rounds: Vec<Round>,
     name: String,
     Told { not_understood, mut remarks, stated }: Told,
@@ -191,7 +209,10 @@ fn of_rounds(
         }));
         }
     }
-    let verdict = verdict_of(last, &wanted, &bands, unjudged, tolerance);
+    let mut verdict = judgement::of_job(last, &wanted, &bands, unjudged, tolerance);
+    if let Some(class) = class {
+        verdict.extend(judgement::of_class(&last.inspection, &last.gear, class));
+    }
     let (inspection, gear) = (last.inspection.clone(), last.gear.clone());
     let less = without_design(&inspection, &gear.gear, &design);
     let evaluated = evaluate_inspection(&less, None).map_err(|error| of_header(&error))?;
@@ -206,98 +227,11 @@ fn of_rounds(
         areal: BTreeMap::new(),
         tolerance_um: Some(tolerance),
         verdict,
+        tolerance_class: class,
         timing: BTreeMap::from([("all", begun.elapsed().as_secs_f64())]),
     };
     let result = gear_result(&inspection, &gear, context);
     Ok(GearInspection { result, inspection, gear, rounds, against_target, bands: all })
-}
-
-/// A measurement of which nothing could be evaluated says nothing.
-fn evaluated_at_all(gear: &EvaluatedGear) -> Option<(Status, Remark)> {
-    let pitch = gear.pitch.as_ref().is_some_and(|pitch| pitch.flanks.iter().any(|(_, of)| of.is_some()));
-    let thickness = gear.thickness.by_span.or(gear.thickness.by_balls).is_some();
-    (gear.traces.is_empty() && !pitch && !thickness).then(|| {
-        let remark = Remark {
-            code: "nothing-evaluated",
-            text: "the file holds no trace, pitch or size that could be evaluated".into(),
-            way_out: "look at the warnings; perhaps the file is cut short: export it again".into(),
-        };
-        (Status::NotJudged, remark)
-    })
-}
-
-/// What a measured gear is for its job, unless it is what the job asks for: missed, or not judged because of what was not measured.
-fn verdict_of(
-    last: &Round,
-    wanted: &Wanted,
-    bands: &BTreeMap<usize, BandResult>,
-    unjudged: usize,
-    tolerance_um: f64,
-) -> Option<(Status, Remark)> {
-    let way_out = match (&last.result.correction, &last.result.no_correction) {
-        (Some(_), _) => "grind the next part by corrected-job.json".into(),
-        (None, Some(why)) => {
-            format!("look at clamping, machine and measurement; there is no correction: {why}")
-        }
-        (None, None) => "look at clamping, machine and measurement".into(),
-    };
-    let missed = |code, text| Some((Status::Missed, Remark { code, text, way_out: way_out.clone() }));
-    let flanks = &last.result.flanks;
-    let far = flanks.iter().max_by(|a, b| a.1.measured.largest_um.total_cmp(&b.1.measured.largest_um));
-    if let Some((flank, of)) = far.filter(|(_, of)| of.measured.largest_um > tolerance_um) {
-        let most = of.measured.largest_um;
-        return missed(
-            "tolerance-exceeded",
-            format!(
-                "the {flank} flank was measured {most:.3} um off its target (tolerance {tolerance_um} um)"
-            ),
-        );
-    }
-    // Where no surface could be laid through the lines, each line is judged by itself.
-    let lines = last.gear.traces.iter().map(|one| (&last.inspection.traces[one.trace], one));
-    let alone = lines.filter(|(trace, _)| !flanks.contains_key(trace.flank.name()));
-    let total = |(trace, one): &(&crate::exchange::inspection::Trace, &EvaluatedTrace)| {
-        1e3 * one.evaluation.total * last.gear.gear.flank(trace.flank).base_helix_angle.cos()
-    };
-    let farthest = alone.max_by(|a, b| total(a).total_cmp(&total(b)));
-    if let Some(found) = farthest.filter(|found| total(found) > tolerance_um) {
-        let name = trace_name(found.0);
-        let text = format!("{name}: total deviation {:.3} um (tolerance {tolerance_um} um)", total(&found));
-        return missed("tolerance-exceeded", text);
-    }
-    let out = bands.values().filter(|band| !band.passed).count();
-    if out > 0 {
-        return missed("outside-the-band", format!("{out} of {} traces lie outside their band", bands.len()));
-    }
-    let mut odd = flanks.iter().flat_map(|(flank, of)| of.standing_out.iter().map(move |odd| (flank, odd)));
-    if let Some((flank, (tooth, most))) = odd.next() {
-        return missed(
-            "tooth-stands-out",
-            format!(
-                "tooth {tooth} of the {flank} flank differs from what all teeth share by {most:.3} um (tolerance {tolerance_um} um)"
-            ),
-        );
-    }
-    let not_judged = |text, way_out: &str| {
-        Some((Status::NotJudged, Remark { code: "not-judged", text, way_out: way_out.into() }))
-    };
-    for flank in Flank::BOTH.into_iter().filter(|flank| wanted.asks_for(*flank)) {
-        let whole = flanks.get(flank.name()).map(|of| of.measured_um.iter().flatten().all(Option::is_some));
-        if whole != Some(true) {
-            let how = if whole.is_some() { "only in part" } else { "not" };
-            return not_judged(
-                format!("the {flank} flank was {how} measured as a surface"),
-                "measure at least one profile and one helix trace of the same tooth on every ground flank",
-            );
-        }
-    }
-    if unjudged > 0 {
-        return not_judged(
-            format!("{unjudged} traces could not be laid into their band"),
-            "see the warnings; the band has to lie within the measured traces",
-        );
-    }
-    None
 }
 
 fn stem(path: &Path) -> String {

@@ -37,8 +37,6 @@ pub struct BuiltProgram {
     pub read: Vec<Block>,
     /// Where axes without a word stand.
     pub start: Positions,
-    /// Passes that finish: their places among the strokes of the program.
-    pub finishing: Vec<usize>,
 }
 
 /// All programs of a run.
@@ -107,15 +105,9 @@ impl ProgramTask<'_> {
         let words = words_of(self.machine, control, &axes).map_err(|e| failure(&e))?;
         let decimals = decimals_of(control).unwrap_or_default();
         let half = |digits: u8| 0.5 * 10f64.powi(-i32::from(digits));
-        let (what, passes, finishing) = match station {
-            Station::Dresser => {
-                let (passes, finishing) = self.dressing_passes();
-                ("dressing", passes, finishing)
-            }
-            Station::Work => {
-                let (passes, finishing) = self.grinding_passes();
-                ("grinding", passes, finishing)
-            }
+        let (what, passes) = match station {
+            Station::Dresser => ("dressing", self.dressing_passes()),
+            Station::Work => ("grinding", self.grinding_passes()),
         };
         let gearbox = control.coupling == ControlCoupling::Gearbox && station == Station::Work;
         let options = LayoutOptions {
@@ -166,61 +158,58 @@ impl ProgramTask<'_> {
             read: read.blocks,
             words,
             start,
-            finishing,
             layout,
         })
     }
 
-    /// The dressing passes of all strokes, and which strokes of the program finish.
-    fn dressing_passes(&self) -> (Vec<Pass>, Vec<usize>) {
+    /// The dressing passes of all strokes, thread after thread.
+    fn dressing_passes(&self) -> Vec<Pass> {
         let technology = &self.technology;
         let mut passes = Vec::new();
-        let mut finishing = Vec::new();
         for work in &self.dressing {
-            let stocks = technology.dressing_stock.iter().copied().chain([0.0]);
-            for stock in stocks {
-                let name = if stock > 0.0 {
-                    format!("{} STOCK {}", work.name, in_words(stock * 1e3, "um"))
-                } else {
-                    work.name.clone()
-                };
-                if stock == 0.0 {
-                    finishing.push(passes.len());
+            for &thread in &self.indexing.active {
+                let work = self.indexing.on_thread(work, thread);
+                for stock in technology.dressing_stock.iter().copied().chain([0.0]) {
+                    let name = if stock > 0.0 {
+                        format!("{} STOCK {}", work.name, in_words(stock * 1e3, "um"))
+                    } else {
+                        work.name.clone()
+                    };
+                    passes.push(dressing_pass(&work, technology, name, stock));
                 }
-                passes.push(dressing_pass(work, technology, name, stock));
             }
         }
-        (passes, finishing)
+        passes
     }
 
-    /// The grinding passes of all strokes, and which strokes of the program finish.
-    fn grinding_passes(&self) -> (Vec<Pass>, Vec<usize>) {
+    /// The grinding passes of all strokes, each with every index stroke.
+    fn grinding_passes(&self) -> Vec<Pass> {
         let technology = &self.technology;
         let mut passes = Vec::new();
-        let mut finishing = Vec::new();
-        let mut strokes = 0;
-        let mut push = |pass: Pass, finishes: bool, finishing: &mut Vec<usize>| {
-            if finishes {
-                finishing.push(strokes);
-            }
-            strokes += pass.times;
-            passes.push(pass);
-        };
         for work in &self.grinding {
+            let indexed: Vec<GrindingWork> =
+                self.indexing.offsets.iter().map(|&offset| self.indexing.with_offset(work, offset)).collect();
             for (k, stock) in technology.roughing.iter().enumerate() {
                 let shift = technology.roughing_shift.get(k % technology.roughing_shift.len().max(1));
-                let name = format!("{} ROUGHING STOCK {}", work.name, in_words(stock * 1e3, "um"));
-                push(grinding_pass(work, technology, name, *stock, shift), false, &mut finishing);
+                passes.extend(indexed.iter().map(|work| {
+                    let name = format!("{} ROUGHING STOCK {}", work.name, in_words(stock * 1e3, "um"));
+                    grinding_pass(work, technology, name, *stock, shift)
+                }));
             }
-            let finish = grinding_pass(work, technology, format!("{} FINISHING", work.name), 0.0, None);
-            push(finish, true, &mut finishing);
+            passes.extend(
+                indexed.iter().map(|work| {
+                    grinding_pass(work, technology, format!("{} FINISHING", work.name), 0.0, None)
+                }),
+            );
             if technology.spark_out > 0 {
-                let mut pass = grinding_pass(work, technology, format!("{} SPARK OUT", work.name), 0.0, None);
-                pass.times = technology.spark_out;
-                push(pass, false, &mut finishing);
+                passes.extend(indexed.iter().map(|work| {
+                    let name = format!("{} SPARK OUT", work.name);
+                    let times = technology.spark_out;
+                    Pass { times, ..grinding_pass(work, technology, name, 0.0, None) }
+                }));
             }
         }
-        (passes, finishing)
+        passes
     }
 }
 
@@ -276,23 +265,19 @@ fn grinding_pass(
     let speed = technology.feed_per_revolution * technology.worm_speed / (TAU * worm_per_turn);
     let turning = technology.worm_speed / speed;
     let [from, to] = work.feeds;
-    Pass {
-        name,
-        course: Course::Grinding(GrindingCourse {
-            motion,
-            phase: work.phase,
-            feeds: [from, to],
-            turning,
-            mounts: technology.grinding,
-            per_turn: work.per_turn,
-            per_distance: work.per_distance,
-        }),
-        range: [from, to],
-        room: [0.0, 0.0],
-        speed,
-        clearance: technology.clearance,
-        times: 1,
-    }
+    let course = Course::Grinding(GrindingCourse {
+        motion,
+        phase: work.phase,
+        feeds: [from, to],
+        turning,
+        mounts: technology.grinding,
+        per_turn: work.per_turn,
+        per_distance: work.per_distance,
+    });
+    let room = technology.cylinders.map_or([0.0; 2], |cylinders| {
+        [cylinders.run_out(&course, from, -1.0), cylinders.run_out(&course, to, 1.0)]
+    });
+    Pass { name, course, range: [from, to], room, speed, clearance: technology.clearance, times: 1 }
 }
 
 /// [A-Z0-9_]{1,24} of the job's name and D or G.

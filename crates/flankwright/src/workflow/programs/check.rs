@@ -80,6 +80,8 @@ pub fn check_program(
         checked.kind = Some(followed.kind);
         checked.strokes = followed.strokes;
         checked.flanks = Some(followed.flanks);
+        checked.threads = followed.threads;
+        checked.remarks.extend(followed.faults);
     }
     Ok(checked)
 }
@@ -196,6 +198,7 @@ pub(in crate::workflow) fn figures(
         axes,
         strokes: Vec::new(),
         flanks: None,
+        threads: Vec::new(),
         remarks,
     }
 }

@@ -1,31 +1,16 @@
 //! A program on the bodies of a job: which of its strokes finish what, and the flank that they leave with everything else as the job
 //! has it. Knows no process.
 
-use super::proof::ReadBack;
-use super::result::{CheckedFlank, CheckedStroke};
-use super::task::{DressingWork, GrindingWork};
-use super::technology::Technology;
+use super::indexing::Found;
+use super::proof::{Judge, ReadBack, RunFlank, Sought, nearest};
+use super::result::{CheckedFlank, CheckedStroke, ThreadProof};
 use crate::exchange::Diagnostic;
 use crate::geometry::Sides;
-use crate::kinematics::{DressingMotion, GeneratingMotion, MotionLaw};
-use crate::machine::{Machine, Role};
-use crate::metrology::Topography;
+use crate::machine::Role;
 use crate::motion::{MotionError, ReadStroke, Tracked};
-use crate::numerics::equidistant;
+use crate::verdict::Remark;
 use crate::workflow::finding::RunFailure;
-use std::collections::BTreeMap;
-
-/// Places of a stroke at which it is compared with one of the job.
-const PLACES: usize = 9;
-
-/// The strokes of a job's own run, and its flanks.
-pub(super) struct Bodies<'a> {
-    pub technology: &'a Technology,
-    pub dressing: Vec<&'a DressingWork>,
-    pub grinding: Vec<&'a GrindingWork>,
-    /// Target and flank of the run.
-    pub flanks: [Sides<Option<Topography>>; 2],
-}
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What a program does to the bodies.
 pub(super) struct Followed {
@@ -35,18 +20,26 @@ pub(super) struct Followed {
     pub strokes: Vec<CheckedStroke>,
     /// The flank that it leaves.
     pub flanks: BTreeMap<&'static str, CheckedFlank>,
+    /// The threads of the worm that it dresses.
+    pub threads: Vec<ThreadProof>,
+    /// Threads and tooth spaces that it leaves out, dresses twice or cuts too deep.
+    pub faults: Vec<Remark>,
 }
 
-/// Finds the strokes of a program on these bodies and asks the referee (`simulate`) for their flank. Of several strokes for the same
-/// flank the one nearest to the job's own finishes.
+/// A thread counts as off beyond this share of the tolerance, if the flank leaves its tolerance by that.
+const OFF: f64 = 0.1;
+
+/// Finds the strokes of a program on these bodies and asks the referee for their flank. Of several strokes for the same thread or offset
+/// the one nearest to the job's own finishes.
 ///
 /// # Errors
 /// A program whose axes do not bring these bodies together; the referee's.
 pub(super) fn follow(
-    machine: &Machine,
     tracked: &Tracked,
-    bodies: &Bodies<'_>,
-    simulate: impl FnOnce(&ReadBack) -> Result<Sides<Option<Topography>>, RunFailure>,
+    sought: &Sought<'_>,
+    flanks: &Sides<Option<RunFlank>>,
+    tolerance_um: f64,
+    judge: &impl Judge,
 ) -> Result<Followed, RunFailure> {
     let refused = |error: MotionError| {
         let finding = Diagnostic::with_code(error.code(), error.to_string());
@@ -58,85 +51,105 @@ pub(super) fn follow(
             reason: format!("it has no {what} stroke on these bodies"),
         })
     };
-    let turns = machine.role(Role::Work).and_then(|axis| tracked.ranges[axis]);
+    let turns = sought.machine.role(Role::Work).and_then(|axis| tracked.ranges[axis]);
     let grinds = turns.is_some_and(|[from, to]| to > from);
-    let mut read = ReadBack { dressing: Vec::new(), grinding: Vec::new() };
-    let mut strokes: Vec<CheckedStroke> = Vec::new();
-    let kind = if grinds {
-        for work in &bodies.grinding {
-            let there = tracked
-                .grinding(machine, &bodies.technology.grinding, &work.motion, work.phase)
-                .map_err(refused)?;
-            let off = |stroke: &ReadStroke<GeneratingMotion>| {
-                let apart = |a: &MotionLaw, b: &MotionLaw, at: f64| (a.value(at) - b.value(at)).abs();
-                let at_place = |at: f64| {
-                    apart(&stroke.motion.delta_d, &work.motion.delta_d, at)
-                        + work.per_turn * apart(&stroke.motion.delta_phi_2, &work.motion.delta_phi_2, at)
-                };
-                equidistant(work.feeds, PLACES).into_iter().map(at_place).sum::<f64>()
-            };
-            let best = serve(&there, off, &work.name, &mut strokes).ok_or_else(|| nothing("grinding"))?;
-            read.grinding.push(there[best].clone());
+    let mut strokes = Vec::new();
+    let mut threads = Vec::new();
+    let mut faults;
+    let mut left: Vec<Sides<Option<crate::metrology::Topography>>> = Vec::new();
+    if grinds {
+        let found = sought.ground(tracked).map_err(refused)?;
+        let all = tracked.grinding(
+            sought.machine,
+            &sought.technology.grinding,
+            &sought.grinding.first().ok_or_else(|| nothing("grinding"))?.motion,
+            sought.grinding[0].phase,
+        );
+        let named = |work: usize, _: u32| sought.grinding[work].name.clone();
+        list(&all.map_err(refused)?, &found, named, &mut strokes);
+        if strokes.is_empty() {
+            return Err(nothing("grinding"));
         }
-        "grinding"
+        faults = found.faults;
+        for served in &found.served {
+            left.push(
+                judge.flanks(&ReadBack {
+                    dressing: sought.own_dressing(),
+                    grinding: served.strokes.clone(),
+                })?,
+            );
+        }
+        let offsets: BTreeSet<i64> = found.served.iter().map(|served| i64::from(served.place)).collect();
+        let (spaces, teeth) = (sought.indexing.spaces(&offsets), sought.indexing.teeth.unsigned_abs());
+        if spaces != teeth {
+            faults.push(Remark::new(
+                "spaces-not-ground",
+                format!("{spaces} of {teeth} tooth spaces are ground by every finishing stroke"),
+                "give every index stroke of the pass",
+            ));
+        }
     } else {
-        for work in &bodies.grinding {
-            let motion = work.motion.clone();
-            read.grinding.push(ReadStroke { motion, range: work.feeds, blocks: [0, 0], duration: 0.0 });
+        let found = sought.dressed(tracked).map_err(refused)?;
+        let chain = &sought.dressing.first().ok_or_else(|| nothing("dressing"))?.motion.chain;
+        let all = tracked.dressing(sought.machine, &sought.technology.dressing, chain);
+        let indexing = sought.indexing;
+        let named = |work: usize, thread: u32| indexing.on_thread(sought.dressing[work], thread).name;
+        list(&all.map_err(refused)?, &found, named, &mut strokes);
+        if strokes.is_empty() {
+            return Err(nothing("dressing"));
         }
-        for work in &bodies.dressing {
-            let there = tracked
-                .dressing(machine, &bodies.technology.dressing, &work.motion.chain)
-                .map_err(refused)?;
-            let off = |stroke: &ReadStroke<DressingMotion>| {
-                let at_place = |at: f64| {
-                    let [a, b] = [stroke.motion.correction_at(at), work.motion.correction_at(at)];
-                    // Angles at a radius of some 100 mm.
-                    let weighed = [100.0, 100.0, 1.0, 1.0].iter().zip(a.iter().zip(b));
-                    weighed.map(|(weight, (a, b))| weight * (a - b).abs()).sum::<f64>()
-                };
-                equidistant(work.interval, PLACES).into_iter().map(at_place).sum::<f64>()
-            };
-            let best = serve(&there, off, &work.name, &mut strokes).ok_or_else(|| nothing("dressing"))?;
-            read.dressing.push(there[best].clone());
+        if let Some(best) = nearest(&found.served) {
+            left.push(
+                judge
+                    .flanks(&ReadBack { dressing: best.strokes.clone(), grinding: sought.own_grinding() })?,
+            );
         }
-        "dressing"
-    };
-    let left = simulate(&read)?;
-    let [target, simulated] = &bodies.flanks;
-    let mut flanks = BTreeMap::new();
-    for (flank, left) in left.iter() {
-        let (Some(left), Some(target), Some(simulated)) = (left, &target[flank], &simulated[flank]) else {
-            continue;
-        };
-        let checked = CheckedFlank {
-            max_deviation_um: left.minus(target).largest() * 1e3,
-            difference_um: left.minus(simulated).largest() * 1e3,
-        };
-        flanks.insert(flank.name(), checked);
+        let of_threads;
+        (threads, of_threads) = sought.threads(&found.served, judge)?;
+        faults = found.faults;
+        faults.extend(of_threads);
     }
-    Ok(Followed { kind, strokes, flanks })
+    let mut checked: BTreeMap<&'static str, CheckedFlank> = BTreeMap::new();
+    for left in &left {
+        for (flank, left) in left.iter() {
+            let (Some(left), Some(run)) = (left, &flanks[flank]) else { continue };
+            let [difference_um, max_deviation_um] = run.differences_um(left);
+            let of = checked.entry(flank.name()).or_insert(CheckedFlank { max_deviation_um, difference_um });
+            of.max_deviation_um = of.max_deviation_um.max(max_deviation_um);
+            of.difference_um = of.difference_um.max(difference_um);
+        }
+    }
+    for thread in &threads {
+        for (flank, &um) in &thread.difference_um {
+            let with_it = um + checked.get(flank).map_or(0.0, |f| f.max_deviation_um);
+            if um > OFF * tolerance_um && with_it > tolerance_um {
+                let named = sought.named(thread.thread - 1, &thread.blocks);
+                faults.push(Remark::new(
+                    "thread-off",
+                    format!("the {flank} flank of {named} differs by {um:.4} um from that of the job"),
+                    "correct the index angle and the axes of its stroke",
+                ));
+            }
+        }
+    }
+    let kind = if grinds { "grinding" } else { "dressing" };
+    Ok(Followed { kind, strokes, flanks: checked, threads, faults })
 }
 
-/// The stroke nearest to a stroke of the job, and all strokes listed once, with the name of the one that they finish.
-fn serve<M>(
-    there: &[ReadStroke<M>],
-    off: impl Fn(&ReadStroke<M>) -> f64,
-    name: &str,
-    listed: &mut Vec<CheckedStroke>,
-) -> Option<usize> {
-    let best = (0..there.len()).min_by(|&a, &b| off(&there[a]).total_cmp(&off(&there[b])))?;
-    for (k, stroke) in there.iter().enumerate() {
-        let serves = (k == best).then(|| name.to_owned());
-        match listed.iter_mut().find(|known| known.blocks == stroke.blocks) {
-            Some(known) => known.serves = known.serves.take().or(serves),
-            None => listed.push(CheckedStroke {
-                range_mm: stroke.range,
-                blocks: stroke.blocks,
-                duration_s: stroke.duration,
-                serves,
-            }),
-        }
+/// All strokes, with the name of what they finish.
+fn list<M>(
+    all: &[ReadStroke<M>],
+    found: &Found<M>,
+    named: impl Fn(usize, u32) -> String,
+    strokes: &mut Vec<CheckedStroke>,
+) {
+    for stroke in all {
+        let serves = found.finishing.iter().find(|(blocks, _, _)| *blocks == stroke.blocks);
+        strokes.push(CheckedStroke {
+            range_mm: stroke.range,
+            blocks: stroke.blocks,
+            duration_s: stroke.duration,
+            serves: serves.map(|&(_, work, place)| named(work, place)),
+        });
     }
-    Some(best)
 }

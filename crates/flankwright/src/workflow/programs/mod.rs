@@ -1,10 +1,13 @@
 //! NC programs of a run and their proof: motions of the bodies -> strokes of the machine -> text of every dialect -> read back ->
 //! axes -> bodies -> referee. Nothing leaves this room that was not read back and simulated.
 
+mod areas;
 mod build;
 mod check;
+mod clearance;
 mod control;
 mod follow;
+mod indexing;
 mod of_grinding;
 mod of_tangential;
 mod page;
@@ -18,12 +21,13 @@ pub use build::{Built, BuiltProgram};
 pub use check::check_program;
 pub(in crate::workflow) use check::{Moved, figures};
 pub(in crate::workflow) use control::{control_of, decimals_of, dialect_of, ending_of, name_of, words_of};
+pub use indexing::Indexing;
 pub(super) use of_grinding::programs_of_grinding;
 pub(super) use of_tangential::programs_of_tangential;
 pub(super) use page::programs_report;
 pub use result::{
-    AxisResult, CheckedAxis, CheckedFlank, CheckedProgram, CheckedStroke, PassResult, ProgramResult,
-    ProgramsResult, ProofResult,
+    AxisResult, CheckedAxis, CheckedFlank, CheckedProgram, CheckedStroke, ClearanceResult, PassResult,
+    ProgramResult, ProgramsResult, ProofResult, ThreadProof, WormUse,
 };
 pub use run_programs::RunPrograms;
 pub(in crate::workflow) use run_programs::dialects;

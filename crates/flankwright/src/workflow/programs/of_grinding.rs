@@ -1,7 +1,10 @@
 //! The programs of a generating-grinding run: its strokes as work for a machine, and its referee asked with motions from a text.
 
-use super::follow::{Bodies, Followed, follow};
-use super::proof::ReadBack;
+use super::areas::ProgramAreas;
+use super::clearance;
+use super::follow::{Followed, follow};
+use super::indexing::Indexing;
+use super::proof::{Judge, ReadBack, RunFlank, Sought, THREAD_GRID};
 use super::run_programs::{RunPrograms, dialects};
 use super::task::{DressingWork, GrindingWork, ProgramTask, machine_of_job};
 use super::technology::Technology;
@@ -9,14 +12,15 @@ use crate::contact::ToolSurface;
 use crate::exchange::LoadedJob;
 use crate::exchange::job::{DressingFlanks, Job, Machine as JobMachine};
 use crate::geometry::{Flank, Sides};
-use crate::kinematics::{MotionLaw, Point, Pose, Worm};
+use crate::kinematics::{DressingMotion, Point, Pose, Worm};
 use crate::machine::{GearCoupling, Machine};
 use crate::metrology::Topography;
-use crate::motion::Tracked;
+use crate::motion::{ReadStroke, Tracked};
 use crate::numerics::{Chebyshev, Progress, Silent, equidistant};
 use crate::process::dressing::{DressedWorm, DresserTool};
 use crate::workflow::execution::{ExecutedTool, Execution};
 use crate::workflow::finding::{Remark, RunFailure};
+use crate::workflow::partition::StrokePlan;
 use crate::workflow::prepare::Prepared;
 use crate::workflow::referee::{self, Cutting, Verdict};
 use crate::workflow::run::{plan_job, simulate_job};
@@ -34,20 +38,30 @@ const SAME_PHASE: f64 = 1e-9;
 struct Strokes {
     technology: Technology,
     coupling: GearCoupling,
+    indexing: Indexing,
     /// Dressing strokes, each with the flanks and their strokes that it makes.
     dressing: Vec<(DressingWork, Vec<(Flank, usize)>)>,
     /// Grinding strokes, each with the flanks that it makes.
     grinding: Vec<(GrindingWork, Vec<Flank>)>,
+    /// The areas of the worm, if passes use more than one, and the worm positions that the plan dresses.
+    areas: Option<(ProgramAreas, Vec<[f64; 2]>)>,
 }
 
 impl Strokes {
-    fn new(job: &Job, machine: &JobMachine, prepared: &Prepared, execution: &Execution) -> Self {
+    fn new(
+        job: &Job,
+        machine: &JobMachine,
+        prepared: &Prepared,
+        execution: &Execution,
+        plan: Option<&StrokePlan>,
+    ) -> Result<Self, RunFailure> {
         let setup = &prepared.setup;
         let worm = &setup.pair.worm;
         let any = &setup.pair.flanks.left;
         let data = setup.pair.work.data();
         let two_flanks = job.dressing.flanks == DressingFlanks::Two;
-        Self {
+        let areas = ProgramAreas::of_job(job, prepared, execution)?;
+        let mut strokes = Self {
             technology: Technology::of_grinding(machine, setup, job.grinding.feed_per_revolution),
             coupling: GearCoupling {
                 threads: worm.data().teeth.unsigned_abs(),
@@ -56,18 +70,52 @@ impl Strokes {
                 feed: any.feed_coupling,
                 crossed_axes_angle: setup.pair.chain.crossed_axes_angle,
             },
+            indexing: Indexing::new(worm.data().teeth.unsigned_abs(), data.teeth, plan),
             dressing: dressing_work(prepared, execution, two_flanks),
             grinding: grinding_work(prepared, execution),
+            areas: None,
+        };
+        if let Some(areas) = areas {
+            strokes.place(areas)?;
         }
+        Ok(strokes)
+    }
+
+    /// What was read from a text as if its areas lay where the plan has them; `None` without areas.
+    fn as_planned(&self, read: &ReadBack) -> Option<ReadBack> {
+        self.areas.as_ref().map(|(areas, _)| areas.as_planned(read))
+    }
+
+    /// Lays the strokes into the areas of the worm.
+    fn place(&mut self, areas: ProgramAreas) -> Result<(), RunFailure> {
+        let driven = self.dressing.iter().map(|(work, _)| work.interval).collect();
+        self.technology.roughing_shift = areas.roughing_shift();
+        for (work, _) in &mut self.dressing {
+            areas.placed_dressing(work)?;
+        }
+        for (work, _) in &mut self.grinding {
+            areas.placed_grinding(work);
+        }
+        self.areas = Some((areas, driven));
+        Ok(())
     }
 }
 
-/// Target and flank of a run.
-fn flanks_of(execution: &Execution, verdicts: &Sides<Option<Verdict>>) -> [Sides<Option<Topography>>; 2] {
-    [
-        Sides::from_fn(|flank| execution.flanks[flank].as_ref().map(|f| f.target.clone())),
-        Sides::from_fn(|flank| verdicts[flank].as_ref().map(|v| v.simulated.clone())),
-    ]
+/// The flanks of a run.
+fn flanks_of(execution: &Execution, verdicts: &Sides<Option<Verdict>>) -> Sides<Option<RunFlank>> {
+    Sides::from_fn(|flank| {
+        let (executed, verdict) = (execution.flanks[flank].as_ref()?, verdicts[flank].as_ref()?);
+        let rays = verdict.simulated.clone();
+        Some(RunFlank { deviation: rays.minus(&executed.target), rays })
+    })
+}
+
+/// The referee of a run.
+struct Referee<'a> {
+    prepared: &'a Prepared,
+    execution: &'a Execution,
+    cutting: Cutting<'a>,
+    strokes: &'a Strokes,
 }
 
 /// Programs of a run whose job names a machine; `None` for one that names none.
@@ -80,12 +128,10 @@ pub(in crate::workflow) fn programs_of_grinding(
     execution: &Execution,
     verdicts: &Sides<Option<Verdict>>,
     cutting: Cutting<'_>,
-    roughing_shift: Vec<MotionLaw>,
 ) -> Result<Option<RunPrograms>, RunFailure> {
     let Some(job_machine) = &loaded.job.machine else { return Ok(None) };
     let machine = machine_of_job(loaded, &job_machine.file)?;
-    let mut strokes = Strokes::new(&loaded.job, job_machine, prepared, execution);
-    strokes.technology.roughing_shift = roughing_shift;
+    let strokes = Strokes::new(&loaded.job, job_machine, prepared, execution, cutting.strokes)?;
     let task = ProgramTask {
         job: &loaded.job.job.name,
         machine: &machine,
@@ -93,13 +139,19 @@ pub(in crate::workflow) fn programs_of_grinding(
         technology: strokes.technology.clone(),
         dressing: strokes.dressing.iter().map(|(work, _)| work.clone()).collect(),
         grinding: strokes.grinding.iter().map(|(work, _)| work.clone()).collect(),
+        indexing: strokes.indexing.clone(),
         coupling: strokes.coupling,
     };
     let flanks = flanks_of(execution, verdicts);
-    let mut programs =
-        RunPrograms::new(&task, loaded.job.grinding.feed_per_revolution.is_some(), &flanks, |read| {
-            simulate(prepared, execution, cutting, read, &strokes)
-        })?;
+    let judge = Referee { prepared, execution, cutting, strokes: &strokes };
+    let feed_given = loaded.job.grinding.feed_per_revolution.is_some();
+    let mut programs = RunPrograms::new(&task, feed_given, &flanks, &judge)?;
+    if let Some((areas, driven)) = &strokes.areas {
+        programs.result.worm_use = areas.check(&task, &programs.built, driven)?;
+    }
+    if let Some(cylinders) = &strokes.technology.cylinders {
+        programs.result.clearance = clearance::check(&task, &programs.built, cylinders)?;
+    }
     if execution.flanks.iter().any(|(_, f)| f.as_ref().is_some_and(|f| f.made().is_some())) {
         programs.warnings.push(Remark {
             code: "dressing-without-program",
@@ -130,15 +182,18 @@ pub(super) fn follow_on_grinding(
     };
     let (prepared, execution) = (&run.prepared, &run.execution);
     let clamped = loaded.job.machine.clone().unwrap_or_default();
-    let strokes = Strokes::new(&loaded.job, &clamped, prepared, execution);
     let cutting = Cutting { feed_per_revolution: None, strokes: run.result.settings.strokes.as_ref() };
-    let bodies = Bodies {
+    let strokes = Strokes::new(&loaded.job, &clamped, prepared, execution, cutting.strokes)?;
+    let sought = Sought {
+        machine,
         technology: &strokes.technology,
+        indexing: &strokes.indexing,
         dressing: strokes.dressing.iter().map(|(work, _)| work).collect(),
         grinding: strokes.grinding.iter().map(|(work, _)| work).collect(),
-        flanks: flanks_of(execution, &run.verdicts),
     };
-    follow(machine, tracked, &bodies, |read| simulate(prepared, execution, cutting, read, &strokes))
+    let judge = Referee { prepared, execution, cutting, strokes: &strokes };
+    let tolerance_um = prepared.tolerance.tightest() * 1e3;
+    follow(tracked, &sought, &flanks_of(execution, &run.verdicts), tolerance_um, &judge)
 }
 
 /// Contacts of the dresser with a worm flank along a stroke, each carried back along the thread to v_zS = 0.
@@ -259,47 +314,64 @@ fn grinding_work(prepared: &Prepared, execution: &Execution) -> Vec<(GrindingWor
         .collect()
 }
 
-/// The referee's flanks with the motions of the texts in place of those of the run.
-fn simulate(
-    prepared: &Prepared,
+/// The run with the dressing motions of a text in place of its own.
+fn dressed_by(
     execution: &Execution,
-    cutting: Cutting<'_>,
-    read: &ReadBack,
+    dressing: &[ReadStroke<DressingMotion>],
     strokes: &Strokes,
-) -> Result<Sides<Option<Topography>>, RunFailure> {
-    let mut flanks = Sides { left: None, right: None };
-    let cutting = Cutting { feed_per_revolution: None, ..cutting };
-    for (stroke, (_, of)) in read.grinding.iter().zip(&strokes.grinding) {
-        let mut run = execution.clone();
-        run.motion = stroke.motion.clone();
-        run.feed_range = stroke.range;
-        for (stroke, (_, of)) in read.dressing.iter().zip(&strokes.dressing) {
-            for &(flank, number) in of {
-                match run.flanks[flank].as_mut().map(|f| &mut f.tool) {
-                    Some(ExecutedTool::Dressed(dressing)) => {
-                        dressing.motion = stroke.motion.clone();
-                        dressing.driven = stroke.range;
-                    }
-                    Some(ExecutedTool::Stroked(strokes)) => {
-                        if let Some(one) = strokes.strokes.get_mut(number) {
-                            one.motion = stroke.motion.clone();
-                            one.driven = stroke.range;
-                        }
-                    }
-                    _ => {}
+) -> Execution {
+    let mut run = execution.clone();
+    for (stroke, (_, of)) in dressing.iter().zip(&strokes.dressing) {
+        for &(flank, number) in of {
+            match run.flanks[flank].as_mut().map(|f| &mut f.tool) {
+                Some(ExecutedTool::Dressed(dressing)) => {
+                    dressing.motion = stroke.motion.clone();
+                    dressing.driven = stroke.range;
                 }
+                Some(ExecutedTool::Stroked(strokes)) => {
+                    if let Some(one) = strokes.strokes.get_mut(number) {
+                        one.motion = stroke.motion.clone();
+                        one.driven = stroke.range;
+                    }
+                }
+                _ => {}
             }
         }
-        for flank in Flank::BOTH.into_iter().filter(|flank| !of.contains(flank)) {
-            run.flanks[flank] = None;
-        }
-        let verdicts = referee::run(&prepared.setup, &run, cutting, &Silent)
-            .map_err(|e| RunFailure::of_removal(&e, "machine"))?;
-        for &flank in of {
-            flanks[flank] = verdicts[flank].as_ref().map(|v| v.simulated.clone());
-        }
     }
-    Ok(flanks)
+    run
+}
+
+impl Judge for Referee<'_> {
+    fn flanks(&self, read: &ReadBack) -> Result<Sides<Option<Topography>>, RunFailure> {
+        let mut flanks = Sides { left: None, right: None };
+        let cutting = Cutting { feed_per_revolution: None, ..self.cutting };
+        let planned = self.strokes.as_planned(read);
+        let read = planned.as_ref().unwrap_or(read);
+        let dressed = dressed_by(self.execution, &read.dressing, self.strokes);
+        for (stroke, (_, of)) in read.grinding.iter().zip(&self.strokes.grinding) {
+            let mut run = dressed.clone();
+            run.motion = stroke.motion.clone();
+            run.feed_range = stroke.range;
+            for flank in Flank::BOTH.into_iter().filter(|flank| !of.contains(flank)) {
+                run.flanks[flank] = None;
+            }
+            let verdicts = referee::run(&self.prepared.setup, &run, cutting, &Silent)
+                .map_err(|e| RunFailure::of_removal(&e, "machine"))?;
+            for &flank in of {
+                flanks[flank] = verdicts[flank].as_ref().map(|v| v.simulated.clone());
+            }
+        }
+        Ok(flanks)
+    }
+
+    fn thread(&self, dressing: &[ReadStroke<DressingMotion>]) -> Result<Sides<Option<Vec<f64>>>, RunFailure> {
+        let read = ReadBack { dressing: dressing.to_vec(), grinding: Vec::new() };
+        let planned = self.strokes.as_planned(&read);
+        let dressing = planned.as_ref().map_or(dressing, |read| &read.dressing);
+        let run = dressed_by(self.execution, dressing, self.strokes);
+        referee::worm_rays(&self.prepared.setup, &run, THREAD_GRID)
+            .map_err(|e| RunFailure::of_removal(&e, "machine"))
+    }
 }
 
 #[cfg(test)]
@@ -320,7 +392,7 @@ mod tests {
         (loaded.job.grid.profile_points, loaded.job.grid.helix_points) = (5, 5);
         let machine = machine_of_job(&loaded, &job_machine.file).unwrap();
         let run = plan_job(&loaded, &Silent).unwrap();
-        let strokes = Strokes::new(&loaded.job, &job_machine, &run.prepared, &run.execution);
+        let strokes = Strokes::new(&loaded.job, &job_machine, &run.prepared, &run.execution, None).unwrap();
         let task = ProgramTask {
             job: "TEST",
             machine: &machine,
@@ -328,16 +400,15 @@ mod tests {
             technology: strokes.technology.clone(),
             dressing: strokes.dressing.iter().map(|(work, _)| work.clone()).collect(),
             grinding: strokes.grinding.iter().map(|(work, _)| work.clone()).collect(),
+            indexing: strokes.indexing.clone(),
             coupling: strokes.coupling,
         };
         let built = task.build().unwrap();
-        let [target, simulated] = flanks_of(&run.execution, &run.verdicts);
+        let flanks = flanks_of(&run.execution, &run.verdicts);
         let cutting = Cutting { feed_per_revolution: None, strokes: None };
-        let prove = |built: &super::super::Built| {
-            proofs(&task, built, [&target, &simulated], |read| {
-                simulate(&run.prepared, &run.execution, cutting, read, &strokes)
-            })
-        };
+        let judge =
+            Referee { prepared: &run.prepared, execution: &run.execution, cutting, strokes: &strokes };
+        let prove = |built: &super::super::Built| proofs(&task, built, &flanks, &judge);
         assert_eq!(prove(&built).unwrap().len(), 1);
         let radial = machine.machine.role(Role::Radial).unwrap();
         for station in [Station::Dresser, Station::Work] {

@@ -1,7 +1,8 @@
 //! The programs of a run of tangential dressing: its passes as work for a machine, and its referee asked with motions from a text.
 
-use super::follow::{Bodies, Followed, follow};
-use super::proof::ReadBack;
+use super::follow::{Followed, follow};
+use super::indexing::Indexing;
+use super::proof::{Judge, ReadBack, RunFlank, Sought, THREAD_GRID};
 use super::run_programs::{RunPrograms, dialects};
 use super::task::{DressingWork, GrindingWork, ProgramTask, machine_of_job};
 use super::technology::Technology;
@@ -18,6 +19,7 @@ use crate::process::tangential_dressing::TangentialFlank;
 use crate::workflow::finding::RunFailure;
 use crate::workflow::tangential::{
     DrivenMotions, TangentialPrepared, TangentialRun, plan_tangential, referee, simulate_tangential,
+    worm_rays,
 };
 
 /// Contacts looked at along the line in which the dresser touches a flank.
@@ -45,6 +47,7 @@ pub(in crate::workflow) fn programs_of_tangential(
         technology: strokes.technology.clone(),
         dressing: strokes.dressing.clone(),
         grinding: strokes.grinding.clone(),
+        indexing: strokes.indexing.clone(),
         coupling: GearCoupling {
             threads: pair.worm.data().teeth.unsigned_abs(),
             teeth: gear.teeth,
@@ -54,15 +57,14 @@ pub(in crate::workflow) fn programs_of_tangential(
         },
     };
     let given = job.grinding.feed_per_revolution.is_some();
-    let programs = RunPrograms::new(&task, given, &flanks_of(runs), |read| {
-        simulate(ready, runs, &strokes.passes, read)
-    })?;
-    Ok(Some(programs))
+    let judge = Rays { ready, runs, passes: &strokes.passes };
+    Ok(Some(RunPrograms::new(&task, given, &flanks_of(runs), &judge)?))
 }
 
 /// The strokes of a run, pass by pass.
 struct Strokes {
     technology: Technology,
+    indexing: Indexing,
     passes: Vec<Vec<Flank>>,
     dressing: Vec<DressingWork>,
     grinding: Vec<GrindingWork>,
@@ -79,7 +81,13 @@ impl Strokes {
         let hand = if worm.helix_angle < 0.0 { -1.0 } else { 1.0 };
         let sizes = (hand, ready.worm_tip_radius, worm.normal_module, job.worm.width);
         let technology = Technology::new(machine, sizes, job.grinding.feed_per_revolution);
-        let mut strokes = Self { technology, passes: Vec::new(), dressing: Vec::new(), grinding: Vec::new() };
+        let mut strokes = Self {
+            technology,
+            indexing: Indexing::new(worm.teeth.unsigned_abs(), ready.model.pair.work.data().teeth, None),
+            passes: Vec::new(),
+            dressing: Vec::new(),
+            grinding: Vec::new(),
+        };
         for run in runs.iter().filter_map(|(_, run)| run.as_ref()) {
             if strokes.passes.contains(&run.pass) {
                 continue;
@@ -93,12 +101,20 @@ impl Strokes {
     }
 }
 
-/// Target and flank of a run: the referee's rays stand along the normals, whatever the job measures along.
-fn flanks_of(runs: &Sides<Option<TangentialRun>>) -> [Sides<Option<Topography>>; 2] {
-    [
-        Sides::from_fn(|flank| runs[flank].as_ref().map(|run| run.target.clone())),
-        Sides::from_fn(|flank| runs[flank].as_ref().map(|run| run.refereed.verdict.simulated.clone())),
-    ]
+/// The flanks of a run: the referee's rays stand along the normals, deviations are in the measure of the job.
+fn flanks_of(runs: &Sides<Option<TangentialRun>>) -> Sides<Option<RunFlank>> {
+    Sides::from_fn(|flank| {
+        let run = runs[flank].as_ref()?;
+        let deviation = run.simulated.minus(&run.target);
+        Some(RunFlank { rays: run.refereed.verdict.simulated.clone(), deviation })
+    })
+}
+
+/// The referee of a run.
+struct Rays<'a> {
+    ready: &'a TangentialPrepared,
+    runs: &'a Sides<Option<TangentialRun>>,
+    passes: &'a [Vec<Flank>],
 }
 
 /// Follows a program on the bodies of a job: its own run, by its settings if it has some, and what the program makes of it.
@@ -120,31 +136,15 @@ pub(super) fn follow_on_tangential(
     };
     let clamped = loaded.job.machine.clone().unwrap_or_default();
     let strokes = Strokes::new(&loaded.job, &clamped, &run.prepared, &run.flanks)?;
-    let bodies = Bodies {
+    let sought = Sought {
+        machine,
         technology: &strokes.technology,
+        indexing: &strokes.indexing,
         dressing: strokes.dressing.iter().collect(),
         grinding: strokes.grinding.iter().collect(),
-        flanks: flanks_of(&run.flanks),
     };
-    follow(machine, tracked, &bodies, |read| {
-        let own;
-        let read = if read.dressing.is_empty() {
-            // A grinding program: the worm is dressed as the job has it.
-            own = ReadBack {
-                dressing: strokes.dressing.iter().map(driven).collect(),
-                grinding: read.grinding.clone(),
-            };
-            &own
-        } else {
-            read
-        };
-        simulate(&run.prepared, &run.flanks, &strokes.passes, read)
-    })
-}
-
-/// A stroke as the job itself has it.
-fn driven(work: &DressingWork) -> ReadStroke<DressingMotion> {
-    ReadStroke { motion: work.motion.clone(), range: work.interval, blocks: [0, 0], duration: 0.0 }
+    let judge = Rays { ready: &run.prepared, runs: &run.flanks, passes: &strokes.passes };
+    follow(tracked, &sought, &flanks_of(&run.flanks), loaded.job.target.tolerance_um, &judge)
 }
 
 /// Motions of a pass over all that its flanks need.
@@ -200,27 +200,38 @@ fn work_of_pass(
     Ok((dressing, grinding))
 }
 
-/// The referee's flanks with the motions of the texts in place of those of the run.
-fn simulate(
-    ready: &TangentialPrepared,
-    runs: &Sides<Option<TangentialRun>>,
-    passes: &[Vec<Flank>],
-    read: &ReadBack,
-) -> Result<Sides<Option<Topography>>, RunFailure> {
-    let mut flanks = Sides { left: None, right: None };
-    for ((dressing, grinding), pass) in read.dressing.iter().zip(&read.grinding).zip(passes) {
-        let driven = DrivenMotions {
-            dressing: dressing.motion.clone(),
-            shift_range: dressing.range,
-            grinding: grinding.motion.clone(),
-            feed: grinding.range,
-        };
-        for &flank in pass {
-            let Some(run) = &runs[flank] else { continue };
-            let bodies = TangentialFlank::new(&ready.model, flank, pass, &run.settings, Measure::Ray);
-            let refereed = referee(&bodies, &run.strokes, &driven, &run.target, &Silent)?;
-            flanks[flank] = Some(refereed.verdict.simulated);
+impl Judge for Rays<'_> {
+    fn flanks(&self, read: &ReadBack) -> Result<Sides<Option<Topography>>, RunFailure> {
+        let mut flanks = Sides { left: None, right: None };
+        for ((dressing, grinding), pass) in read.dressing.iter().zip(&read.grinding).zip(self.passes) {
+            let driven = DrivenMotions {
+                dressing: dressing.motion.clone(),
+                shift_range: dressing.range,
+                grinding: grinding.motion.clone(),
+                feed: grinding.range,
+            };
+            for &flank in pass {
+                let Some(run) = &self.runs[flank] else { continue };
+                let bodies =
+                    TangentialFlank::new(&self.ready.model, flank, pass, &run.settings, Measure::Ray);
+                let refereed = referee(&bodies, &run.strokes, &driven, &run.target, &Silent)?;
+                flanks[flank] = Some(refereed.verdict.simulated);
+            }
         }
+        Ok(flanks)
     }
-    Ok(flanks)
+
+    fn thread(&self, dressing: &[ReadStroke<DressingMotion>]) -> Result<Sides<Option<Vec<f64>>>, RunFailure> {
+        let mut lengths = Sides { left: None, right: None };
+        for (stroke, pass) in dressing.iter().zip(self.passes) {
+            for &flank in pass {
+                let Some(run) = &self.runs[flank] else { continue };
+                let bodies =
+                    TangentialFlank::new(&self.ready.model, flank, pass, &run.settings, Measure::Ray);
+                let driven = (&stroke.motion, stroke.range);
+                lengths[flank] = Some(worm_rays(&bodies, &run.strokes, driven, &run.target, THREAD_GRID)?);
+            }
+        }
+        Ok(lengths)
+    }
 }

@@ -1,27 +1,70 @@
 //! The proof: what the texts say goes through reader, axes and forward kinematics to the bodies, and from there to the referee.
 
 use super::build::{Built, BuiltProgram};
-use super::result::{FlankProof, ProofResult};
+use super::indexing::{Found, Indexing, Served, dressed_threads, ground_offsets};
+use super::result::{FlankProof, ProofResult, ThreadProof};
 use super::task::ProgramTask;
 use crate::exchange::Diagnostic;
 use crate::geometry::Sides;
 use crate::kinematics::{DressingMotion, GeneratingMotion};
-use crate::machine::Station;
+use crate::machine::{Machine, Station};
 use crate::metrology::Topography;
-use crate::motion::{MotionError, ReadStroke, track};
+use crate::motion::{MotionError, ReadStroke, Tracked, track};
 use crate::nc::{Block, Dialect};
+use crate::verdict::Remark;
 use crate::workflow::finding::RunFailure;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-/// The finishing strokes that the texts of one control say, in the order of the run's strokes.
+/// Finishing strokes of one thread and one index stroke, one for each stroke of the run.
 #[derive(Clone, Debug)]
 pub struct ReadBack {
-    /// Dressing.
+    /// Dressing; empty for a worm that no program dresses.
     pub dressing: Vec<ReadStroke<DressingMotion>>,
     /// Grinding.
     pub grinding: Vec<ReadStroke<GeneratingMotion>>,
 }
 
+/// The referee of a process, asked with motions from a text.
+pub(in crate::workflow) trait Judge {
+    /// The flanks that these strokes leave.
+    ///
+    /// # Errors
+    /// Those of the stages.
+    fn flanks(&self, read: &ReadBack) -> Result<Sides<Option<Topography>>, RunFailure>;
+
+    /// Lengths of rays on a coarse grid over the worm flank that these dressing strokes leave, mm.
+    ///
+    /// # Errors
+    /// Those of dressing.
+    fn thread(&self, dressing: &[ReadStroke<DressingMotion>]) -> Result<Sides<Option<Vec<f64>>>, RunFailure>;
+}
+
+/// A flank of the run itself.
+#[derive(Clone, Debug)]
+pub(in crate::workflow) struct RunFlank {
+    /// What the rays left, normal, mm.
+    pub rays: Topography,
+    /// Its deviation from the target, in the measure of the job, mm.
+    pub deviation: Topography,
+}
+
+impl RunFlank {
+    /// Largest difference of a flank from this one, and largest deviation from the target in the measure of the job, um.
+    pub fn differences_um(&self, left: &Topography) -> [f64; 2] {
+        let apart = left.minus(&self.rays);
+        let f = self.deviation.f.iter().zip(&apart.f).map(|(d, a)| d + a).collect();
+        let deviation = Topography { f, ..self.deviation.clone() };
+        [largest(&apart), largest(&deviation)].map(|mm| mm * 1e3)
+    }
+}
+
+/// Largest value; a value that is no number is infinite.
+fn largest(of: &Topography) -> f64 {
+    if of.f.iter().any(|f| f.is_nan()) { f64::INFINITY } else { of.largest() }
+}
+
+/// Rays of the coarse grid for every thread of the worm: over the profile and along the worm.
+pub(in crate::workflow) const THREAD_GRID: [usize; 2] = [5, 9];
 /// What the referee's own surface and solution may add to a comparison of two of its runs, um.
 const MARGIN_UM: f64 = 0.005;
 /// Chords count twice: as they stand, and with their corners rounded.
@@ -30,6 +73,11 @@ const CHORDS: f64 = 2.0;
 fn not_followed(program: &BuiltProgram, error: &MotionError) -> RunFailure {
     let finding = Diagnostic::with_code(error.code(), format!("{}: {error}", program.file));
     RunFailure::not_producible(finding.field("machine").way_out(error.way_out()))
+}
+
+fn not_proven(text: String, way_out: &str) -> RunFailure {
+    let finding = Diagnostic::with_code("program-not-proven", text).field("machine");
+    RunFailure::not_producible(finding.way_out(way_out.to_owned()))
 }
 
 /// The blocks of a program that bear on its motion: neither comments nor the speed of a dresser, which is a body of revolution.
@@ -42,59 +90,126 @@ fn moves(program: &BuiltProgram) -> impl Iterator<Item = &Block> {
     })
 }
 
-/// The finishing strokes of a control's programs.
-fn read_back(task: &ProgramTask<'_>, programs: &[&BuiltProgram]) -> Result<ReadBack, RunFailure> {
-    let machine = &task.machine.machine;
-    let mut found = ReadBack { dressing: Vec::new(), grinding: Vec::new() };
-    for program in programs {
-        let refused = |error: MotionError| not_followed(program, &error);
-        let tracked = track(&program.read, machine, &program.words, &program.start).map_err(refused)?;
-        let absent = |place: usize, strokes: usize| {
-            refused(MotionError::NotFollowed {
-                block: program.read.len(),
-                reason: format!("stroke {} is missing; {strokes} are there", place + 1),
-            })
-        };
-        for (k, &place) in program.finishing.iter().enumerate() {
-            match program.station {
-                Station::Dresser => {
-                    let chain = &task.dressing[k].motion.chain;
-                    let mut strokes =
-                        tracked.dressing(machine, &task.technology.dressing, chain).map_err(refused)?;
-                    let there = strokes.len();
-                    if place >= there {
-                        return Err(absent(place, there));
-                    }
-                    found.dressing.push(strokes.swap_remove(place));
-                }
-                Station::Work => {
-                    let work = &task.grinding[k];
-                    let mut strokes = tracked
-                        .grinding(machine, &task.technology.grinding, &work.motion, work.phase)
-                        .map_err(refused)?;
-                    let there = strokes.len();
-                    if place >= there {
-                        return Err(absent(place, there));
-                    }
-                    found.grinding.push(strokes.swap_remove(place));
-                }
-            }
-        }
-    }
-    Ok(found)
+/// The strokes of a task, found in what a text does.
+pub(in crate::workflow) struct Sought<'a> {
+    pub machine: &'a Machine,
+    pub technology: &'a super::Technology,
+    pub indexing: &'a Indexing,
+    pub dressing: Vec<&'a super::DressingWork>,
+    pub grinding: Vec<&'a super::GrindingWork>,
 }
 
-/// Proves the programs of every control; equal texts of different controls are proven once. `simulate` runs the referee on what was
-/// read, `simulated` and `target` are its flanks of the run itself.
+impl Sought<'_> {
+    /// The dressing strokes by thread.
+    ///
+    /// # Errors
+    /// [`MotionError::NotFollowed`].
+    pub fn dressed(&self, tracked: &Tracked) -> Result<Found<DressingMotion>, MotionError> {
+        let of = |work: &&super::DressingWork| {
+            tracked.dressing(self.machine, &self.technology.dressing, &work.motion.chain)
+        };
+        let there = self.dressing.iter().map(of).collect::<Result<Vec<_>, _>>()?;
+        Ok(dressed_threads(self.indexing, &self.dressing, there))
+    }
+
+    /// The grinding strokes by offset.
+    ///
+    /// # Errors
+    /// [`MotionError::NotFollowed`].
+    pub fn ground(&self, tracked: &Tracked) -> Result<Found<GeneratingMotion>, MotionError> {
+        let of = |work: &&super::GrindingWork| {
+            tracked.grinding(self.machine, &self.technology.grinding, &work.motion, work.phase)
+        };
+        let there = self.grinding.iter().map(of).collect::<Result<Vec<_>, _>>()?;
+        Ok(ground_offsets(self.indexing, &self.grinding, there))
+    }
+
+    /// The dressing strokes of the job itself.
+    pub fn own_dressing(&self) -> Vec<ReadStroke<DressingMotion>> {
+        let own = |work: &&super::DressingWork| {
+            let motion = work.motion.clone();
+            ReadStroke { motion, range: work.interval, index: 0, blocks: [0, 0], duration: 0.0 }
+        };
+        self.dressing.iter().map(own).collect()
+    }
+
+    /// The grinding strokes of the job itself.
+    pub fn own_grinding(&self) -> Vec<ReadStroke<GeneratingMotion>> {
+        let own = |work: &&super::GrindingWork| {
+            let motion = work.motion.clone();
+            ReadStroke { motion, range: work.feeds, index: 0, blocks: [0, 0], duration: 0.0 }
+        };
+        self.grinding.iter().map(own).collect()
+    }
+
+    /// Every thread of the worm under the coarse grid of rays: what each differs by from the worm of the job's own motions, um.
+    ///
+    /// # Errors
+    /// Those of dressing with the job's own motions.
+    pub fn threads(
+        &self,
+        served: &[Served<DressingMotion>],
+        judge: &impl Judge,
+    ) -> Result<(Vec<ThreadProof>, Vec<Remark>), RunFailure> {
+        let mut proofs = Vec::with_capacity(served.len());
+        let mut faults = Vec::new();
+        if served.is_empty() {
+            return Ok((proofs, faults));
+        }
+        let own = judge.thread(&self.own_dressing())?;
+        for thread in served {
+            let blocks: Vec<[usize; 2]> = thread.strokes.iter().map(|stroke| stroke.blocks).collect();
+            let lengths = match judge.thread(&thread.strokes) {
+                Ok(lengths) => lengths,
+                Err(RunFailure::BadInput(finding) | RunFailure::NotProducible(finding)) => {
+                    faults.push(Remark::new(
+                        "thread-not-finished",
+                        format!("{}: {}", self.named(thread.place, &blocks), finding.message),
+                        "correct the index angle and the ends of the stroke",
+                    ));
+                    continue;
+                }
+            };
+            let mut difference_um = BTreeMap::new();
+            for (flank, lengths) in lengths.iter() {
+                let (Some(lengths), Some(own)) = (lengths, &own[flank]) else { continue };
+                let apart = lengths.iter().zip(own).map(|(a, b)| (a - b).abs());
+                let apart =
+                    apart.fold(0.0, |most: f64, x| if x.is_nan() { f64::INFINITY } else { most.max(x) });
+                difference_um.insert(flank.name(), apart * 1e3);
+            }
+            proofs.push(ThreadProof { thread: thread.place + 1, blocks, difference_um });
+        }
+        Ok((proofs, faults))
+    }
+
+    /// A thread as people name it, with its blocks.
+    pub fn named(&self, thread: u32, blocks: &[[usize; 2]]) -> String {
+        let blocks: Vec<String> = blocks.iter().map(|[from, to]| format!("{from} to {to}")).collect();
+        format!(
+            "thread {} of {} of the worm (blocks {})",
+            thread + 1,
+            self.indexing.threads,
+            blocks.join(", ")
+        )
+    }
+}
+
+/// The place whose strokes stand nearest to the job's.
+pub(in crate::workflow) fn nearest<M>(served: &[Served<M>]) -> Option<&Served<M>> {
+    served.iter().min_by(|a, b| a.apart.total_cmp(&b.apart))
+}
+
+/// Proves the programs of every control; equal texts of different controls are proven once. `flanks` are those of the run itself.
 ///
 /// # Errors
-/// A text that cannot be followed; a flank that differs from that of the run by more than blocks and digits explain: then nothing is
-/// written.
+/// A text that cannot be followed; threads or tooth spaces left out; a flank that differs from that of the run by more than blocks and
+/// digits explain: then nothing is written.
 pub(in crate::workflow) fn proofs(
     task: &ProgramTask<'_>,
     built: &Built,
-    [target, simulated]: [&Sides<Option<Topography>>; 2],
-    mut simulate: impl FnMut(&ReadBack) -> Result<Sides<Option<Topography>>, RunFailure>,
+    flanks: &Sides<Option<RunFlank>>,
+    judge: &impl Judge,
 ) -> Result<Vec<ProofResult>, RunFailure> {
     let mut proven: Vec<(Vec<&BuiltProgram>, ProofResult)> = Vec::new();
     for dialect in Dialect::ALL {
@@ -113,52 +228,143 @@ pub(in crate::workflow) fn proofs(
             proof.controls.push(dialect.name());
             continue;
         }
-        let flanks = simulate(&read_back(task, &programs)?)?;
-        let passes = || programs.iter().flat_map(|p| &p.layout.passes);
-        let chords = programs
-            .iter()
-            .map(|p| p.layout.passes.iter().map(|pass| pass.chord_deviation).fold(0.0, f64::max))
-            .sum::<f64>();
-        let rounding = passes().map(|pass| pass.rounding).fold(0.0, f64::max) * programs.len() as f64;
-        // A lead that a control takes in few digits turns the workpiece over the whole feed.
-        let leads = programs.iter().map(|p| p.written.rounding.lead_ratio).fold(0.0, f64::max);
-        let swept = task.grinding.iter().map(|work| (work.feeds[1] - work.feeds[0]) * work.per_turn);
-        let rounding = rounding + leads * swept.fold(0.0, f64::max);
-        let allowed = CHORDS * chords * 1e3 + rounding * 1e3 + MARGIN_UM;
-        let mut of_flanks = BTreeMap::new();
-        for (flank, proven) in flanks.iter() {
-            let (Some(proven), Some(target), Some(simulated)) = (proven, &target[flank], &simulated[flank])
-            else {
-                continue;
-            };
-            let difference_um = proven.minus(simulated).largest() * 1e3;
-            // A difference that is no number fails as well.
-            if difference_um.is_nan() || difference_um > allowed {
-                let files: Vec<&str> = programs.iter().map(|p| p.file.as_str()).collect();
-                let finding = Diagnostic::with_code(
-                    "program-not-proven",
-                    format!(
-                        "read back from {}, the {flank} flank differs by {difference_um:.4} um from the planned one; blocks and digits explain {allowed:.4} um",
-                        files.join(" and ")
-                    ),
-                )
-                .field("machine")
-                .way_out("lower chord_tolerance_um of the control or give it more decimals; nothing was written");
-                return Err(RunFailure::not_producible(finding));
-            }
-            let max_deviation_um = proven.minus(target).largest() * 1e3;
-            of_flanks.insert(flank.name(), FlankProof { max_deviation_um, difference_um });
-        }
-        let largest = of_flanks.values().map(|f: &FlankProof| f.max_deviation_um).fold(0.0, f64::max);
-        let result = ProofResult {
-            controls: vec![dialect.name()],
-            statement: format!("proven from the program text: max deviation {largest:.4} um"),
-            flanks: of_flanks,
-            chords_um: chords * 1e3,
-            rounding_um: rounding * 1e3,
-            allowed_difference_um: allowed,
-        };
-        proven.push((programs, result));
+        let proof = prove(task, dialect, &programs, flanks, judge)?;
+        proven.push((programs, proof));
     }
     Ok(proven.into_iter().map(|(_, proof)| proof).collect())
+}
+
+/// The proof of one control's programs.
+fn prove(
+    task: &ProgramTask<'_>,
+    dialect: Dialect,
+    programs: &[&BuiltProgram],
+    flanks: &Sides<Option<RunFlank>>,
+    judge: &impl Judge,
+) -> Result<ProofResult, RunFailure> {
+    let files = programs.iter().map(|p| p.file.as_str()).collect::<Vec<_>>().join(" and ");
+    let sought = Sought {
+        machine: &task.machine.machine,
+        technology: &task.technology,
+        indexing: &task.indexing,
+        dressing: task.dressing.iter().collect(),
+        grinding: task.grinding.iter().collect(),
+    };
+    let mut dressed = Vec::new();
+    let mut ground = Vec::new();
+    for program in programs {
+        let refused = |error: MotionError| not_followed(program, &error);
+        let tracked =
+            track(&program.read, sought.machine, &program.words, &program.start).map_err(refused)?;
+        let faults = match program.station {
+            Station::Dresser => {
+                let found = sought.dressed(&tracked).map_err(refused)?;
+                dressed = found.served;
+                found.faults
+            }
+            Station::Work => {
+                let found = sought.ground(&tracked).map_err(refused)?;
+                ground = found.served;
+                found.faults
+            }
+        };
+        if let Some(fault) = faults.first() {
+            return Err(not_proven(format!("{}: {}", program.file, fault.text), &fault.way_out));
+        }
+    }
+    let passes = || programs.iter().flat_map(|p| &p.layout.passes);
+    let chords = programs
+        .iter()
+        .map(|p| p.layout.passes.iter().map(|pass| pass.chord_deviation).fold(0.0, f64::max))
+        .sum::<f64>();
+    let rounding = passes().map(|pass| pass.rounding).fold(0.0, f64::max) * programs.len() as f64;
+    // A lead that a control takes in few digits turns the workpiece over the whole feed.
+    let leads = programs.iter().map(|p| p.written.rounding.lead_ratio).fold(0.0, f64::max);
+    let swept = task.grinding.iter().map(|work| (work.feeds[1] - work.feeds[0]) * work.per_turn);
+    let rounding = rounding + leads * swept.fold(0.0, f64::max);
+    let allowed = CHORDS * chords * 1e3 + rounding * 1e3 + MARGIN_UM;
+    let fine = "lower chord_tolerance_um of the control or give it more decimals; nothing was written";
+    let dressing = nearest(&dressed).map_or(Vec::new(), |served| served.strokes.clone());
+    let mut of_flanks: BTreeMap<&'static str, FlankProof> = BTreeMap::new();
+    for served in &ground {
+        let read = ReadBack { dressing: dressing.clone(), grinding: served.strokes.clone() };
+        for (flank, left) in judge.flanks(&read)?.iter() {
+            let (Some(left), Some(run)) = (left, &flanks[flank]) else { continue };
+            let [difference_um, max_deviation_um] = run.differences_um(left);
+            if difference_um > allowed {
+                let text = format!(
+                    "read back from {files}, the {flank} flank differs by {difference_um:.4} um from the planned one; blocks and digits explain {allowed:.4} um"
+                );
+                return Err(not_proven(text, fine));
+            }
+            let of = of_flanks.entry(flank.name()).or_insert(FlankProof { max_deviation_um, difference_um });
+            of.max_deviation_um = of.max_deviation_um.max(max_deviation_um);
+            of.difference_um = of.difference_um.max(difference_um);
+        }
+    }
+    let (threads, faults) = sought.threads(&dressed, judge)?;
+    if let Some(fault) = faults.first() {
+        return Err(not_proven(format!("{files}: {}", fault.text), &fault.way_out));
+    }
+    for thread in &threads {
+        if let Some((flank, &um)) = thread.difference_um.iter().find(|(_, um)| **um > allowed) {
+            let named = sought.named(thread.thread - 1, &thread.blocks);
+            let text = format!(
+                "read back from {files}, the {flank} flank of {named} differs by {um:.4} um from the planned one; blocks and digits explain {allowed:.4} um"
+            );
+            return Err(not_proven(text, fine));
+        }
+    }
+    let offsets: BTreeSet<i64> = ground.iter().map(|served| i64::from(served.place)).collect();
+    let spaces = task.indexing.spaces(&offsets);
+    let teeth = task.indexing.teeth.unsigned_abs();
+    if !ground.is_empty() && spaces != teeth {
+        let text = format!("{files}: {spaces} of {teeth} tooth spaces are ground");
+        return Err(not_proven(text, "give every index stroke of the pass"));
+    }
+    let largest = of_flanks.values().map(|f| f.max_deviation_um).fold(0.0, f64::max);
+    let mut statement = format!("proven from the program text: max deviation {largest:.4} um");
+    if !threads.is_empty() {
+        let left_out = task.indexing.threads as usize - task.indexing.active.len();
+        let rest = if left_out > 0 { format!(", {left_out} left out by the job") } else { String::new() };
+        statement.push_str(&format!(
+            "; {} of {} threads of the worm dressed, both counted and under rays ({} x {} rays on each flank of each thread{rest})",
+            threads.len(),
+            task.indexing.threads,
+            THREAD_GRID[0],
+            THREAD_GRID[1]
+        ));
+    } else {
+        statement.push_str("; the worm is dressed by no program");
+    }
+    statement.push_str(&format!(
+        "; {spaces} of {teeth} tooth spaces ground in {} index stroke{} of a pass",
+        ground.len(),
+        if ground.len() == 1 { "" } else { "s" }
+    ));
+    let not_covered = not_covered(task);
+    statement.push_str(&format!("; not proven: {}", not_covered.join(", ")));
+    Ok(ProofResult {
+        controls: vec![dialect.name()],
+        statement,
+        flanks: of_flanks,
+        threads_of_worm: task.indexing.threads,
+        threads,
+        thread_rays: THREAD_GRID,
+        tooth_spaces: spaces,
+        index_strokes: ground.len(),
+        not_covered,
+        chords_um: chords * 1e3,
+        rounding_um: rounding * 1e3,
+        allowed_difference_um: allowed,
+    })
+}
+
+/// What a proof says nothing of.
+fn not_covered(task: &ProgramTask<'_>) -> Vec<String> {
+    let beside = match task.technology.cylinders {
+        Some(_) => "approach, retraction and rapids against dresser, clamping and parts of the machine",
+        None => "approach, retraction and rapids against other bodies",
+    };
+    [beside, "finishing areas after the first"].map(String::from).to_vec()
 }

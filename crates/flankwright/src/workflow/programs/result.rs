@@ -19,6 +19,44 @@ pub struct ProgramsResult {
     pub programs: Vec<ProgramResult>,
     /// What was proven from their texts.
     pub proofs: Vec<ProofResult>,
+    /// Which part of the worm every grinding pass uses, read from the texts; empty where all passes use the area of the plan.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub worm_use: Vec<WormUse>,
+    /// How far the worm stays clear of the workpiece; absent where it was not checked.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub clearance: Option<ClearanceResult>,
+}
+
+/// What was checked of collisions, from the texts.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ClearanceResult {
+    /// In words.
+    pub statement: String,
+    /// Bodies that were checked against each other, as bodies of revolution.
+    pub checked: Vec<&'static str>,
+    /// What was not.
+    pub not_checked: Vec<&'static str>,
+    /// Least distance, mm.
+    pub least_mm: f64,
+    /// Distance that is kept, mm.
+    pub kept_mm: f64,
+}
+
+/// What a grinding pass touches on the worm, from its text. mm.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct WormUse {
+    /// The program.
+    pub file: String,
+    /// First and last block of the pass, from 1.
+    pub blocks: [usize; 2],
+    /// Flank.
+    pub flank: &'static str,
+    /// "roughing" or "finishing" and the number of the area.
+    pub area: String,
+    /// Worm positions z_1 from and to.
+    pub z_1_mm: [f64; 2],
+    /// Worm lines z_1 + t_1 w_1 from and to; no line serves both roughing and finishing.
+    pub lines_mm: [f64; 2],
 }
 
 /// One program.
@@ -98,12 +136,35 @@ pub struct ProofResult {
     pub statement: String,
     /// By flank.
     pub flanks: BTreeMap<&'static str, FlankProof>,
+    /// Threads of the worm, those left out included.
+    pub threads_of_worm: u32,
+    /// Threads whose dressing was counted and put under rays; empty for a worm that no program dresses.
+    pub threads: Vec<ThreadProof>,
+    /// Rays on each flank of each thread, over the profile and along the worm.
+    pub thread_rays: [usize; 2],
+    /// Tooth spaces that the finishing strokes grind.
+    pub tooth_spaces: u32,
+    /// Strokes of a pass between which the workpiece is indexed.
+    pub index_strokes: usize,
+    /// What the proof says nothing of.
+    pub not_covered: Vec<String>,
     /// Deviation of straight blocks, dressing and grinding added up.
     pub chords_um: f64,
     /// What the digits may add, dressing and grinding added up.
     pub rounding_um: f64,
     /// Difference from the run's own flank that blocks and digits explain.
     pub allowed_difference_um: f64,
+}
+
+/// One thread of the worm as proven.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ThreadProof {
+    /// Its number, from 1 in the positive sense about the worm's axis.
+    pub thread: u32,
+    /// First and last block of its finishing strokes, from 1.
+    pub blocks: Vec<[usize; 2]>,
+    /// Largest difference of each worm flank from that of the job's own motions.
+    pub difference_um: BTreeMap<&'static str, f64>,
 }
 
 /// One flank as proven.
@@ -122,6 +183,8 @@ impl ProgramsResult {
             work_reversed: task.technology.grinding.counterpart.reversed,
             programs: built.programs.iter().map(|program| program_result(task, program)).collect(),
             proofs,
+            worm_use: Vec::new(),
+            clearance: None,
         }
     }
 }
@@ -162,6 +225,9 @@ pub struct CheckedProgram {
     /// The flank that it leaves; absent without a job.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub flanks: Option<BTreeMap<&'static str, CheckedFlank>>,
+    /// Threads of the worm that a dressing program dresses; empty without a job and for other programs.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub threads: Vec<ThreadProof>,
     /// What does not fit the machine.
     pub remarks: Vec<Remark>,
 }

@@ -1,13 +1,12 @@
 //! Programs and proof of a run of whatever process.
 
 use super::build::Built;
-use super::proof::{ReadBack, proofs};
+use super::proof::{Judge, RunFlank, proofs};
 use super::result::ProgramsResult;
 use super::task::ProgramTask;
 use crate::exchange::job::Program as DialectName;
 use crate::exchange::machine::LoadedMachine;
 use crate::geometry::Sides;
-use crate::metrology::Topography;
 use crate::workflow::finding::{Remark, RunFailure};
 use std::time::Instant;
 
@@ -35,21 +34,21 @@ pub(in crate::workflow) fn dialects(asked: &[DialectName], machine: &LoadedMachi
 }
 
 impl RunPrograms {
-    /// Makes the programs of a task and has them proven. `simulate` runs the referee on what was read back; `flanks` are target and
-    /// flank of the run itself.
+    /// Makes the programs of a task and has them proven. `judge` runs the referee on what was read back; `flanks` are those of the run
+    /// itself.
     ///
     /// # Errors
     /// [`RunFailure`]: a machine that cannot do it; programs that are not proven.
     pub(super) fn new(
         task: &ProgramTask<'_>,
         feed_given: bool,
-        [target, simulated]: &[Sides<Option<Topography>>; 2],
-        simulate: impl FnMut(&ReadBack) -> Result<Sides<Option<Topography>>, RunFailure>,
+        flanks: &Sides<Option<RunFlank>>,
+        judge: &impl Judge,
     ) -> Result<Self, RunFailure> {
         let begun = Instant::now();
         let built = task.build()?;
         let written = begun.elapsed().as_secs_f64();
-        let proofs = proofs(task, &built, [target, simulated], simulate)?;
+        let proofs = proofs(task, &built, flanks, judge)?;
         let result = ProgramsResult::new(task, &built, proofs);
         let mut warnings = built.warnings.clone();
         if !feed_given {

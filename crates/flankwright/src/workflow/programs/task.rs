@@ -1,5 +1,6 @@
 //! What programs are made from: a machine, its controls, the motions of a run. Knows no text.
 
+use super::indexing::Indexing;
 use super::technology::Technology;
 use crate::exchange::job::Program as DialectName;
 use crate::exchange::machine::{LoadedMachine, read_machine};
@@ -56,6 +57,8 @@ pub struct ProgramTask<'a> {
     pub dressing: Vec<DressingWork>,
     /// Grinding strokes in their order.
     pub grinding: Vec<GrindingWork>,
+    /// Threads of the worm and index strokes of the workpiece: each stroke is driven for every one of them.
+    pub indexing: Indexing,
     /// Couplings of the bodies.
     pub coupling: GearCoupling,
 }

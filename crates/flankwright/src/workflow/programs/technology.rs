@@ -1,5 +1,6 @@
 //! How fast a machine works and how the bodies are clamped in it, as a job says.
 
+use super::clearance::Cylinders;
 use crate::exchange::job::{Clamping, Machine as JobMachine};
 use crate::kinematics::MotionLaw;
 use crate::machine::{Mount, Mounts};
@@ -36,6 +37,8 @@ pub struct Technology {
     pub worm_end: Option<f64>,
     /// z_V1 over z_V2 of the roughing strokes, one for each area of the worm kept for them; empty: they use the finishing area.
     pub roughing_shift: Vec<MotionLaw>,
+    /// Worm and blank, which a grinding stroke begins and ends clear of each other; `None`: it runs in for its speed only.
+    pub cylinders: Option<Cylinders>,
 }
 
 /// Defaults: cutting speed in m/s, speeds in 1/min, clearance in mm, feed in mm per revolution.
@@ -52,7 +55,14 @@ impl Technology {
     pub fn of_grinding(job: &JobMachine, setup: &GrindingSetup, feed_per_revolution: Option<f64>) -> Self {
         let hand = if setup.pair.worm.data().helix_angle < 0.0 { -1.0 } else { 1.0 };
         let sizes = (hand, setup.largest_tip_radius, setup.worm_module(), setup.input.worm_width);
-        Self::new(job, sizes, feed_per_revolution)
+        let blank = &setup.input.blank;
+        let cylinders = Cylinders {
+            worm_radius: setup.largest_tip_radius,
+            worm_half_width: setup.input.worm_width.map(|width| 0.5 * width),
+            work_radius: 0.5 * blank.tip_diameter,
+            half_face: 0.5 * blank.face_width,
+        };
+        Self { cylinders: Some(cylinders), ..Self::new(job, sizes, feed_per_revolution) }
     }
 
     /// As the job says; `worm` gives hand (+1 right), tip radius, module and width of the worm.
@@ -83,6 +93,7 @@ impl Technology {
             dressing_stock: um(&job.dressing_stock_um),
             worm_end: width.map(|width| 0.5 * width + DRESSER_REACH * module),
             roughing_shift: Vec::new(),
+            cylinders: None,
         }
     }
 }

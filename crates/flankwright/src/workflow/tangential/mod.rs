@@ -18,7 +18,7 @@ mod write;
 pub use flank::TangentialRun;
 pub use prepare::{TangentialPrepared, WantedFlank, prepare_tangential};
 pub(super) use preview::{PreviewedPass, preview_passes};
-pub(super) use referee::{DrivenMotions, referee};
+pub(super) use referee::{DrivenMotions, referee, worm_rays};
 pub use result::{
     ChoiceStep, MethodResult, PassResult, RadialFeedResult, SensitivityResult, SettingsResult,
     TangentialFlankResult, TangentialResult, VariableValue,

@@ -7,7 +7,7 @@ use crate::numerics::{Progress, Silent};
 use crate::process::tangential_dressing::{TangentialFlank, TangentialStrokes};
 use crate::removal::{
     ActiveThreads, Dressing, ExactWorm, Grinding, GrindingMode, RayGrid, RemovalError, WormArea,
-    WormModification, grind,
+    WormModification, dress_in_strokes, grind,
 };
 use crate::workflow::finding::RunFailure;
 use crate::workflow::referee::{StageReport, Verdict, rayed, stock};
@@ -49,6 +49,27 @@ impl DrivenMotions {
             flank.dressing_motion(strokes.dressing).map_err(|e| RunFailure::from(&e))?;
         Ok(Self { dressing, shift_range, grinding: flank.motion().clone(), feed: strokes.feed })
     }
+}
+
+/// Lengths of rays over the worm flank that a dressing motion leaves, on a grid of so many over the profile and along the worm, mm.
+///
+/// # Errors
+/// Those of the stage.
+pub fn worm_rays(
+    flank: &TangentialFlank<'_>,
+    strokes: &TangentialStrokes,
+    (motion, shift_range): (&DressingMotion, [f64; 2]),
+    target: &Topography,
+    [over_profile, along_worm]: [usize; 2],
+) -> Result<Vec<f64>, RunFailure> {
+    let dresser = flank.dresser();
+    let stock = stock(flank.worm(), target.largest().max(strokes.worm_modification));
+    let stage = Dressing { worm: flank.worm(), dresser: &dresser, motion, shift_range, stock };
+    let [from, to] = strokes.worm_faces;
+    let faces = [from + WORM_MARGIN, to - WORM_MARGIN];
+    RayGrid::equidistant(strokes.worm_rolls, over_profile, faces, along_worm)
+        .and_then(|grid| dress_in_strokes(&[stage], &grid, &Silent)?.lengths())
+        .map_err(|e| RunFailure::of_removal(&e, "machine"))
 }
 
 /// Runs both stages.

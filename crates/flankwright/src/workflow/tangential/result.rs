@@ -2,9 +2,10 @@
 
 use super::plan::PassPlan;
 use crate::exchange::tangential_job::TangentialSettings;
+use crate::verdict::Verdict;
 use crate::workflow::finding::Remark;
 use crate::workflow::programs::ProgramsResult;
-use crate::workflow::result::{FlankResult, Status};
+use crate::workflow::result::FlankResult;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -17,13 +18,11 @@ pub struct TangentialResult {
     pub process: String,
     /// Version of flankwright.
     pub version: &'static str,
-    /// Verdict.
-    pub status: Status,
+    /// Status, reason and scope.
+    #[serde(flatten)]
+    pub verdict: Verdict,
     /// Tolerance of the job.
     pub tolerance_um: f64,
-    /// Why the target is missed, if it is.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub reason: Option<Remark>,
     /// Warnings.
     pub warnings: Vec<Remark>,
     /// Settings.

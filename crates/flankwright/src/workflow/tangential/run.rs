@@ -14,9 +14,10 @@ use crate::exchange::tangential_job::TangentialJob;
 use crate::geometry::{Flank, Sides};
 use crate::numerics::Progress;
 use crate::process::tangential_dressing::{FitLimits, TangentialError};
+use crate::verdict::Verdict;
 use crate::workflow::finding::RunFailure;
+use crate::workflow::flank_verdict::{judge_flank, judge_programs, leave_other_flanks};
 use crate::workflow::programs::{RunPrograms, programs_of_tangential};
-use crate::workflow::result::Status;
 use crate::workflow::run::output_warnings;
 use std::collections::BTreeMap;
 use std::time::Instant;
@@ -123,16 +124,21 @@ fn finish(
     warnings.extend(output_warnings(&job.output, job.machine.is_some()));
     warnings.extend(programs.iter().flat_map(|programs| programs.warnings.iter().cloned()));
     let sensitivities = sensitivities(job, &ready, &passes).map_err(failed)?;
-    let met = flanks.values().all(|f: &TangentialFlankResult| f.flank.tolerance_share <= 1.0);
-    let status = if !flanks.is_empty() && met { Status::Met } else { Status::Missed };
-    let reason = (status == Status::Missed).then(|| missed(job, &flanks, &passes));
+    let tolerance = job.target.tolerance_um;
+    let mut verdict = Verdict::new();
+    for (name, TangentialFlankResult { flank, .. }) in &flanks {
+        let met = flank.tolerance_share <= 1.0;
+        judge_flank(&mut verdict, name, flank, tolerance, met, || missed(job, &flanks, &passes));
+    }
+    leave_other_flanks(&mut verdict, &flanks);
+    let made = programs.as_ref().map(|programs| &programs.result);
+    judge_programs(&mut verdict, made, tolerance, |name| flanks[name].flank.tolerance_share);
     let result = TangentialResult {
         job: job.job.name.clone(),
         process: job.job.process.name().to_string(),
         version: env!("CARGO_PKG_VERSION"),
-        status,
-        tolerance_um: job.target.tolerance_um,
-        reason,
+        verdict,
+        tolerance_um: tolerance,
         warnings,
         settings: settings_result(job, &ready, &passes, lengths),
         flanks,

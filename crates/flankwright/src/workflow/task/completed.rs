@@ -45,12 +45,12 @@ impl Completed {
     /// The verdict; studies have none.
     pub fn status(&self) -> Option<Status> {
         match self {
-            Self::Grinding(_, outcome, _) => Some(outcome.result.status),
-            Self::Tangential(_, outcome) => Some(outcome.result.status),
+            Self::Grinding(_, outcome, _) => Some(outcome.result.verdict.status()),
+            Self::Tangential(_, outcome) => Some(outcome.result.verdict.status()),
             Self::Milling(_, outcome) => Some(outcome.result.status),
             Self::Skiving(_, outcome) => Some(outcome.result.status),
-            Self::Gearbox(_, outcome) => Some(outcome.result.status),
-            Self::Inspection(found) => Some(found.result.status),
+            Self::Gearbox(_, outcome) => Some(outcome.result.verdict.status()),
+            Self::Inspection(found) => Some(found.result.verdict.status()),
             Self::Exploration(_) | Self::Catalogue(_) | Self::FreeWorm(_) | Self::DressingStudy(_) => None,
         }
     }

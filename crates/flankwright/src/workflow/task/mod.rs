@@ -77,7 +77,7 @@ pub fn carry_out(task: Task, job: &AnyJob, progress: &dyn Progress) -> Result<Co
         }
         (Task::Explore, AnyJob::Grinding(loaded)) => return explore_grinding(loaded, progress),
         (Task::Inspect, AnyJob::Grinding(loaded)) => {
-            Completed::Inspection(Box::new(inspect_simulated(loaded, progress)?))
+            Completed::Inspection(Box::new(inspect_simulated(loaded, None, progress)?))
         }
         (task, other) => return Err(RunFailure::bad_input(no_such_task(task, other)).into()),
     })

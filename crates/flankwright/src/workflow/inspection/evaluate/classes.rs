@@ -18,13 +18,25 @@ pub(super) fn tolerances(inspection: &Inspection, gear: &Gear, left_out: &mut Le
     left_out.take("tolerances", Tolerances::new(&of))
 }
 
+/// A value that is judged, mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct JudgedValue {
+    /// Its flank; none for the run-out of the gear.
+    pub flank: Option<Flank>,
+    /// What it is.
+    pub quantity: ToleranceQuantity,
+    /// The value.
+    pub value: f64,
+}
+
 /// Values that are judged: mean slopes with their signs, single values of everything else.
 pub(super) fn judged(
     inspection: &Inspection,
     traces: &[EvaluatedTrace],
     pitch: Option<&EvaluatedPitch>,
-) -> Vec<(ToleranceQuantity, f64)> {
+) -> Vec<JudgedValue> {
     let mut values = Vec::new();
+    let mut push = |flank, quantity, value| values.push(JudgedValue { flank, quantity, value });
     for flank in Flank::BOTH {
         for kind in [TraceKind::Profile, TraceKind::Helix] {
             let own = |one: &&EvaluatedTrace| {
@@ -56,19 +68,19 @@ pub(super) fn judged(
                     ToleranceQuantity::HelixTotal,
                 ],
             };
-            values.push((slope_of, slope));
+            push(Some(flank), slope_of, slope);
             for one in of {
-                values.push((form_of, one.evaluation.form));
-                values.push((total_of, one.evaluation.total));
+                push(Some(flank), form_of, one.evaluation.form);
+                push(Some(flank), total_of, one.evaluation.total);
             }
         }
         if let Some(found) = pitch.and_then(|pitch| pitch.flanks[flank].as_ref()) {
-            values.push((ToleranceQuantity::SinglePitch, found.single));
-            values.push((ToleranceQuantity::TotalPitch, found.total));
+            push(Some(flank), ToleranceQuantity::SinglePitch, found.single);
+            push(Some(flank), ToleranceQuantity::TotalPitch, found.total);
         }
     }
     if let Some(run_out) = pitch.and_then(|pitch| pitch.run_out.as_ref()) {
-        values.push((ToleranceQuantity::RunOut, run_out.total));
+        push(None, ToleranceQuantity::RunOut, run_out.total);
     }
     values
 }

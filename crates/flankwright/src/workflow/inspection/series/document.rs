@@ -5,7 +5,7 @@ use super::read::ReadPart;
 use super::result::{InspectionSeriesResult, SeriesGroupResult, SeriesPartResult};
 use super::{InspectionSeries, RefusedFile};
 use crate::metrology::inspection::{CharacteristicSeries, SeriesPart, SeriesValue, evaluate_parts, ordered};
-use crate::workflow::result::Status;
+use crate::verdict::{Remark, Status, Verdict};
 use std::collections::{BTreeMap, HashSet};
 use std::path::Path;
 
@@ -25,18 +25,22 @@ pub(super) fn series_of(read: Vec<Result<ReadPart, RefusedFile>>, class: Option<
         }
     }
     let mut taken = HashSet::new();
+    let mut verdict = Verdict::new();
     let (mut results, mut evaluated, mut sheets) = (Vec::new(), Vec::new(), Vec::new());
     for (name, parts) in groups {
-        let (result, characteristics) = group(name, parts, &mut taken, &mut sheets);
+        let (result, characteristics) = group(name, parts, &mut taken, &mut sheets, &mut verdict);
         results.push(result);
         evaluated.push(characteristics);
     }
-    let exceeded = results.iter().flat_map(|group| &group.parts).any(|part| !part.exceeded.is_empty());
+    for file in &refused {
+        let text = format!("{} was not evaluated: {}", file.file, file.message);
+        verdict.owe(file.file.clone(), Remark::new("file-refused", text, file.way_out.clone()));
+    }
     InspectionSeries {
         result: InspectionSeriesResult {
             process: "inspection-series",
             version: env!("CARGO_PKG_VERSION"),
-            status: if exceeded { Status::Missed } else { Status::Met },
+            verdict,
             tolerance_class: class,
             groups: results,
             refused,
@@ -53,21 +57,27 @@ fn group(
     read: Vec<ReadPart>,
     taken: &mut HashSet<String>,
     sheets: &mut Vec<(String, String)>,
+    verdict: &mut Verdict,
 ) -> (SeriesGroupResult, Vec<CharacteristicSeries>) {
-    let (mut parts, mut rest): (Vec<SeriesPart>, Vec<_>) =
-        read.into_iter().map(|of| (of.part, Some((of.file, of.class, of.warnings, of.sheet)))).unzip();
+    let (mut parts, mut rest): (Vec<SeriesPart>, Vec<_>) = read
+        .into_iter()
+        .map(|of| (of.part, Some((of.file, of.class, of.warnings, of.verdict, of.sheet))))
+        .unzip();
     let timed = parts.iter().all(|part| part.time.is_some());
     let order = ordered(&parts);
     let mut rows = Vec::with_capacity(order.len());
     let mut in_order = Vec::with_capacity(order.len());
     for (k, place) in order.into_iter().enumerate() {
         let part = std::mem::take(&mut parts[place]);
-        let Some((file, class, warnings, sheet)) = rest[place].take() else { continue };
+        let Some((file, class, warnings, own, sheet)) = rest[place].take() else { continue };
         let sheet = sheet.map(|text| {
             let path = sheet_path(&file, taken);
             sheets.push((path.clone(), text));
             path
         });
+        let exceeded: Vec<String> =
+            part.values.iter().filter(|v| exceeds(v)).map(|v| v.key.clone()).collect();
+        judge_part(verdict, &format!("{}, {file}", part.label), &part, &exceeded, &own);
         rows.push(SeriesPartResult {
             number: k + 1,
             part: part.label.clone(),
@@ -75,7 +85,8 @@ fn group(
             time: part.time.clone(),
             sheet,
             class,
-            exceeded: part.values.iter().filter(|v| exceeds(v)).map(|v| v.key.clone()).collect(),
+            exceeded,
+            not_judged: own.not_judged().iter().filter(|of| of.asked).map(|of| of.item.clone()).collect(),
             warnings,
         });
         in_order.push(part);
@@ -84,6 +95,29 @@ fn group(
     let characteristics = series.iter().map(characteristic).collect();
     let ordered_by = if timed { "time" } else { "name" };
     (SeriesGroupResult { series: name, ordered_by, parts: rows, characteristics }, series)
+}
+
+/// Brings a part under the verdict of its series: by its class, else by the limits that its values have.
+fn judge_part(verdict: &mut Verdict, item: &str, part: &SeriesPart, exceeded: &[String], own: &Verdict) {
+    let named = |reason: &Remark| Remark { text: format!("{item}: {}", reason.text), ..reason.clone() };
+    match (own.reason(), own.status()) {
+        (Some(reason), Status::Missed) => verdict.missed(item, reason.text.clone(), named(reason)),
+        _ if !exceeded.is_empty() => {
+            let beyond = format!("beyond their limits: {}", exceeded.join(", "));
+            let way_out = "see the sheet of the part, and the trends of these characteristics";
+            verdict.missed(
+                item,
+                beyond.clone(),
+                Remark::new("limits-exceeded", format!("{item}: {beyond}"), way_out),
+            );
+        }
+        (Some(reason), _) => verdict.owe(item, named(reason)),
+        (None, Status::Met) => verdict.met(item, "reaches the class"),
+        _ if part.values.iter().any(|of| of.limits.upper().or(of.limits.lower()).is_some()) => {
+            verdict.met(item, "keeps its limits");
+        }
+        _ => verdict.leave(item, "no class of ISO 1328-1 was given"),
+    }
 }
 
 fn exceeds(value: &SeriesValue) -> bool {

@@ -22,10 +22,11 @@ pub use summary::series_summary;
 pub use write::write_inspection_series;
 
 use super::files::LeftOutFile;
+use super::judgement::check_class;
 use super::sheet::SheetOptions;
 use super::statements::Statements;
 use crate::exchange::Diagnostic;
-use crate::metrology::inspection::{CLASSES, CharacteristicSeries, SeriesPart};
+use crate::metrology::inspection::{CharacteristicSeries, SeriesPart};
 use crate::workflow::finding::RunFailure;
 use rayon::prelude::*;
 use std::path::PathBuf;
@@ -82,14 +83,7 @@ pub fn inspect_series(paths: &[PathBuf], options: &SeriesOptions) -> Result<Insp
             .way_out("name a folder with .mka, .mew or REXS files");
         return Err(RunFailure::bad_input(finding));
     }
-    if let Some(class) = options.sheet.tolerance_class.filter(|class| !CLASSES.contains(class)) {
-        let finding = Diagnostic::with_code("out-of-standard-range", "ISO 1328-1 has no such class")
-            .field("class")
-            .value(class)
-            .allowed(format!("{} to {}", CLASSES.start(), CLASSES.end()))
-            .way_out("choose a class of the standard");
-        return Err(RunFailure::bad_input(finding));
-    }
+    check_class(options.sheet.tolerance_class)?;
     let read: Vec<_> = paths.par_iter().map(|path| read::read_part(path, options)).collect();
     let mut series = document::series_of(read, options.sheet.tolerance_class);
     series.result.left_out.clone_from(&options.left_out);

@@ -11,6 +11,7 @@ use crate::report::inspection_series::{
     SeriesReport, TrendFigures,
 };
 use crate::report::{PlanReport, ReportHead, Warning};
+use crate::verdict::Status;
 
 /// The page.
 ///
@@ -31,6 +32,9 @@ fn head(series: &InspectionSeries) -> ReportHead {
     let beyond =
         result.groups.iter().flat_map(|group| &group.parts).filter(|p| !p.exceeded.is_empty()).count();
     let judged = match result.tolerance_class {
+        Some(class) if beyond == 0 && result.verdict.status() != Status::Met => {
+            format!("None was found beyond the limits of ISO 1328-1:2013 class {class}.")
+        }
         None if judged_parts(series) && beyond == 0 => {
             "All keep the limits that they were imported with.".to_owned()
         }
@@ -40,6 +44,12 @@ fn head(series: &InspectionSeries) -> ReportHead {
         None => "Nothing is judged: no class of ISO 1328-1:2013 is given.".to_owned(),
         Some(class) if beyond == 0 => format!("All keep the limits of ISO 1328-1:2013 class {class}."),
         Some(class) => format!("Parts beyond the limits of ISO 1328-1:2013 class {class}: {beyond}."),
+    };
+    let unjudged =
+        result.groups.iter().flat_map(|group| &group.parts).filter(|p| !p.not_judged.is_empty()).count();
+    let judged = match unjudged {
+        0 => judged,
+        _ => format!("{judged} Parts that lack something the class needs: {unjudged}."),
     };
     let mut files = vec![
         ("series.json".to_owned(), "all figures".to_owned()),
@@ -63,8 +73,11 @@ fn head(series: &InspectionSeries) -> ReportHead {
             .then(|| format!("Stated about the measurements: {}.", result.stated.join("; "))),
         process: "inspection of a series",
         version: result.version.into(),
-        status: result.status.into(),
-        headline: format!("{parts} parts evaluated. {judged}"),
+        status: result.verdict.status().into(),
+        headline: match parts {
+            1 => format!("1 part evaluated. {judged}"),
+            _ => format!("{parts} parts evaluated. {judged}"),
+        },
         way_out: String::new(),
         figures: vec![
             ("parts".into(), parts.to_string()),
@@ -78,7 +91,10 @@ fn head(series: &InspectionSeries) -> ReportHead {
 
 fn group(of: &SeriesGroupResult) -> SeriesGroup {
     SeriesGroup {
-        title: format!("{}: {} parts in the order of their {}", of.series, of.parts.len(), of.ordered_by),
+        title: match of.parts.len() {
+            1 => format!("{}: 1 part", of.series),
+            n => format!("{}: {n} parts in the order of their {}", of.series, of.ordered_by),
+        },
         parts: of.parts.iter().map(part).collect(),
         characteristics: of.characteristics.iter().map(characteristic).collect(),
     }
@@ -91,7 +107,13 @@ fn part(of: &SeriesPartResult) -> PartRow {
         time: of.time.clone().unwrap_or_default(),
         sheet: of.sheet.clone().unwrap_or_default(),
         class: of.class.map_or_else(String::new, |class| class.to_string()),
-        exceeded: of.exceeded.join(", "),
+        exceeded: of
+            .exceeded
+            .iter()
+            .cloned()
+            .chain(of.not_judged.iter().map(|item| format!("{item}: not judged")))
+            .collect::<Vec<_>>()
+            .join(", "),
         warnings: of.warnings.len(),
     }
 }

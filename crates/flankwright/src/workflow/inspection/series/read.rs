@@ -7,7 +7,8 @@ use super::characteristics::series_values;
 use super::{RefusedFile, SeriesOptions, StoredPart};
 use crate::exchange::Diagnostic;
 use crate::metrology::inspection::SeriesPart;
-use crate::workflow::finding::{JobFailure, Remark, RunFailure};
+use crate::verdict::{Remark, Verdict};
+use crate::workflow::finding::{JobFailure, RunFailure};
 use std::path::Path;
 
 /// A part that was evaluated.
@@ -22,6 +23,8 @@ pub(super) struct ReadPart {
     pub class: Option<i32>,
     /// Doubts of reading and evaluation.
     pub warnings: Vec<Remark>,
+    /// What was judged by the class; nothing of a part that was evaluated before.
+    pub verdict: Verdict,
     /// Its sheet; none where none was asked for.
     pub sheet: Option<String>,
 }
@@ -30,7 +33,15 @@ impl ReadPart {
     /// A part without its sheet.
     pub fn of_stored(of: StoredPart) -> Self {
         let StoredPart { series, file, part } = of;
-        Self { group: series, file, part, class: None, warnings: Vec::new(), sheet: None }
+        Self {
+            group: series,
+            file,
+            part,
+            class: None,
+            warnings: Vec::new(),
+            verdict: Verdict::new(),
+            sheet: None,
+        }
     }
 }
 
@@ -40,7 +51,8 @@ pub(super) fn read_part(path: &Path, options: &SeriesOptions) -> Result<ReadPart
         .file_name()
         .map_or_else(|| path.to_string_lossy(), std::ffi::OsStr::to_string_lossy)
         .into_owned();
-    let found = inspect_gear(path, &options.statements).map_err(|failure| refused(path, &file, &failure))?;
+    let found = inspect_gear(path, &options.statements, options.sheet.tolerance_class)
+        .map_err(|failure| refused(path, &file, &failure))?;
     let sheet = match options.without_sheets {
         true => None,
         false => Some(inspection_sheet(&found, &options.sheet).map_err(|error| RefusedFile {
@@ -59,6 +71,7 @@ pub(super) fn read_part(path: &Path, options: &SeriesOptions) -> Result<ReadPart
         file,
         sheet,
         warnings: found.result.warnings,
+        verdict: found.result.verdict,
     })
 }
 

@@ -1,8 +1,7 @@
 //! `series.json`: parts in the order of their making, figures of every characteristic. Units stand beside the figures.
 
 use super::super::files::LeftOutFile;
-use crate::workflow::finding::Remark;
-use crate::workflow::result::Status;
+use crate::verdict::{Remark, Verdict};
 use serde::Serialize;
 
 /// The whole document.
@@ -12,8 +11,9 @@ pub struct InspectionSeriesResult {
     pub process: &'static str,
     /// Version of flankwright.
     pub version: &'static str,
-    /// Whether every value of every part keeps its limits; without a class there are none.
-    pub status: Status,
+    /// Whether every part reaches the class, or keeps the limits that it was imported with; without them nothing is judged.
+    #[serde(flatten)]
+    pub verdict: Verdict,
     /// Class of ISO 1328-1:2013 that gives the limits.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tolerance_class: Option<i32>,
@@ -62,6 +62,9 @@ pub struct SeriesPartResult {
     pub class: Option<i32>,
     /// Characteristics beyond their limits.
     pub exceeded: Vec<String>,
+    /// What the class needs and the file does not hold.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub not_judged: Vec<String>,
     /// Doubts of reading and evaluation.
     pub warnings: Vec<Remark>,
 }

@@ -13,7 +13,10 @@ pub fn series_summary(series: &InspectionSeries) -> String {
     let mut text = String::new();
     for group in &result.groups {
         let beyond = group.parts.iter().filter(|part| !part.exceeded.is_empty()).count();
-        let _ = write!(text, "{}: {} parts by {}", group.series, group.parts.len(), group.ordered_by);
+        let _ = match group.parts.len() {
+            1 => write!(text, "{}: 1 part", group.series),
+            n => write!(text, "{}: {n} parts by {}", group.series, group.ordered_by),
+        };
         match result.tolerance_class {
             Some(class) => {
                 let _ = writeln!(text, ", {beyond} beyond class {class}");
@@ -24,6 +27,11 @@ pub fn series_summary(series: &InspectionSeries) -> String {
             None => text.push('\n'),
         }
         characteristics(&mut text, group);
+    }
+    if let Some(reason) = result.verdict.reason() {
+        let _ = writeln!(text, "{}: {}: {}", result.verdict.status().words(), reason.code, reason.text);
+    } else {
+        let _ = writeln!(text, "{}", result.verdict.status().words());
     }
     for file in &result.refused {
         let _ = writeln!(text, "refused: {}: {} [{}]", file.file, file.message, file.code);

@@ -41,7 +41,7 @@ impl Filling<'_> {
     /// The worst value of each quantity.
     fn results(&self) -> Vec<SheetValue> {
         let of = |quantity: ToleranceQuantity| {
-            let values = self.gear.judged.iter().filter(|(q, _)| *q == quantity).map(|(_, value)| *value);
+            let values = self.gear.judged.iter().filter(|of| of.quantity == quantity).map(|of| of.value);
             let worst = values.reduce(|a, b| if b.abs() > a.abs() { b } else { a })?;
             Some(self.judged(symbol(quantity), quantity, Some(worst)))
         };

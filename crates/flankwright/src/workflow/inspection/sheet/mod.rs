@@ -59,7 +59,9 @@ pub fn sheet_pages(
 /// # Errors
 /// [`ChartError`] for numbers that cannot be drawn.
 pub fn inspection_sheet(found: &GearInspection, options: &SheetOptions) -> Result<String, ChartError> {
-    let options = &SheetOptions { stated: found.result.stated.clone(), ..options.clone() };
+    // What the part was judged by is what its sheet shows.
+    let tolerance_class = found.result.tolerance_class.or(options.tolerance_class);
+    let options = &SheetOptions { stated: found.result.stated.clone(), tolerance_class, ..options.clone() };
     let pages = match &found.against_target {
         None => sheet_pages(&found.inspection, &found.gear, options)?,
         Some(less) => {

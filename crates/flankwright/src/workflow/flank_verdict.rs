@@ -1,0 +1,140 @@
+//! Items of a verdict that every grinding run has: its flanks, the agreement of plan and simulation, gearbox and servo, programs.
+
+use super::control::ControlResult;
+use super::finding::Remark;
+use super::programs::{ClearanceResult, ProgramsResult};
+use super::result::FlankResult;
+use crate::geometry::Flank;
+use crate::verdict::Verdict;
+use std::collections::BTreeMap;
+
+/// Plan and simulation may differ by this share of the tolerance; beyond it one of them is wrong, and nothing says which.
+const AGREEMENT: f64 = 0.1;
+
+/// Judges one flank on its simulation: `met` by the rule of its process, then whether plan and simulation agree.
+pub(super) fn judge_flank(
+    verdict: &mut Verdict,
+    name: &str,
+    flank: &FlankResult,
+    tolerance_um: f64,
+    met: bool,
+    missed: impl FnOnce() -> Remark,
+) {
+    let detail = format!("{:.4} of {tolerance_um} um", flank.max_deviation_um);
+    verdict.judge(format!("{name} flank"), met, detail, missed);
+    let difference = flank.model_difference_um;
+    let agree = difference <= AGREEMENT * tolerance_um;
+    if !agree {
+        let text = format!(
+            "plan and simulation of the {name} flank differ by {difference:.3} um, more than a tenth of the tolerance of {tolerance_um} um"
+        );
+        let help = "round the edges of reliefs (transition_mm), take smaller amounts or another diagonal_ratio, or widen the tolerance";
+        verdict.owe(
+            format!("{name} flank: plan against simulation"),
+            Remark::new("models-disagree", text, help),
+        );
+    }
+}
+
+/// Notes the flanks that a run leaves out.
+pub(super) fn leave_other_flanks<T>(verdict: &mut Verdict, flanks: &BTreeMap<&'static str, T>) {
+    for flank in Flank::BOTH.into_iter().filter(|flank| !flanks.contains_key(flank.name())) {
+        verdict.leave(format!("{flank} flank"), "the job does not grind it");
+    }
+}
+
+/// Judges what gearbox and servo leave on each flank.
+pub(super) fn judge_control(verdict: &mut Verdict, control: Option<&ControlResult>, tolerance_um: f64) {
+    let Some(control) = control else {
+        return verdict.leave("gearbox and servo", "the job has no [control]; couplings are ideal");
+    };
+    for (name, flank) in &control.flanks {
+        let detail = format!("{:.4} um with the process", flank.deviation_with_control_um);
+        verdict.judge(format!("{name} flank with gearbox and servo"), flank.tolerance_share <= 1.0, detail, || {
+            Remark::new(
+                "control-above-tolerance",
+                format!(
+                    "Gearbox and servo leave up to {:.3} um on the {name} flank, together with the process {:.3} um; the tolerance is {tolerance_um} um.",
+                    flank.largest_um, flank.deviation_with_control_um
+                ),
+                "Take a stiffer loop (control.servo.bandwidth_hz), finer encoders and scales, or reduce the disturbances; the report shows which of them counts.",
+            )
+        });
+    }
+}
+
+/// Says what of approach, retraction and rapid moves was checked; texts that fail the check are not written.
+pub(super) fn judge_clearance(verdict: &mut Verdict, clearance: Option<&ClearanceResult>) {
+    let item = "worm and workpiece beside the strokes of the programs";
+    match clearance {
+        Some(clearance) => {
+            verdict.met(item, format!("{:.3} mm apart or more", clearance.least_mm));
+            verdict.leave(
+                format!("collisions with {}", clearance.not_checked.join(", ")),
+                "only worm and blank are checked, as bodies of revolution",
+            );
+        }
+        None => verdict.leave(item, "their clearance is not checked for this process"),
+    }
+}
+
+/// Notes the finishing areas beyond the first, which the programs neither dress nor grind.
+pub(super) fn owe_further_areas(verdict: &mut Verdict, areas: u32) {
+    for area in 2..=areas {
+        verdict.owe(
+            format!("programs: finishing area {area} of the worm"),
+            Remark::new(
+                "areas-without-program",
+                format!("the programs dress and use the first of {areas} finishing areas of the worm; area {area} of the worm is in no program"),
+                "set grinding.areas to 1",
+            ),
+        );
+    }
+}
+
+/// Judges the flanks that were simulated from the texts of the programs. `share` is the deviation of a flank of the run over its
+/// tolerance, for tolerances that vary over the flank.
+pub(super) fn judge_programs(
+    verdict: &mut Verdict,
+    programs: Option<&ProgramsResult>,
+    tolerance_um: f64,
+    share: impl Fn(&str) -> f64,
+) {
+    let Some(programs) = programs else {
+        return verdict.leave("programs", "the job names no machine");
+    };
+    for proof in &programs.proofs {
+        let controls = proof.controls.join(", ");
+        if !proof.threads.is_empty() {
+            let detail =
+                format!("{} of {} dressed, from the text", proof.threads.len(), proof.threads_of_worm);
+            verdict.met(format!("programs for {controls}: threads of the worm"), detail);
+        }
+        verdict.met(
+            format!("programs for {controls}: tooth spaces"),
+            format!("{} ground, from the text", proof.tooth_spaces),
+        );
+        for item in &proof.not_covered {
+            verdict.leave(format!("programs for {controls}: {item}"), "the proof does not cover it");
+        }
+        for (name, flank) in &proof.flanks {
+            let within = flank.max_deviation_um <= tolerance_um
+                || share(name) + flank.difference_um / tolerance_um <= 1.0;
+            verdict.judge(
+                format!("programs for {controls}: {name} flank"),
+                within,
+                format!("{:.4} of {tolerance_um} um from the text", flank.max_deviation_um),
+                || {
+                    Remark::new(
+                        "program-above-tolerance",
+                        format!(
+                            "from the text of the programs for {controls} the {name} flank deviates by {:.4} um; the tolerance is {tolerance_um} um",
+                            flank.max_deviation_um
+                        ),
+                        "mend what the plan misses; if the plan is met, lower chord_tolerance_um of the control",
+                    )
+                },
+            );
+        }
+    }
+}

@@ -1,0 +1,309 @@
+//! Areas of the worm in programs: where roughing passes run, what is dressed for them, and the check from the texts that every pass
+//! keeps to its area (spec 25 section 8).
+
+use super::build::Built;
+use super::proof::ReadBack;
+use super::result::WormUse;
+use super::task::{DressingWork, GrindingWork, ProgramTask};
+use crate::exchange::Diagnostic;
+use crate::exchange::job::Job;
+use crate::geometry::Sides;
+use crate::kinematics::{GeneratingMotion, LawError, MotionLaw, PiecewisePolynomial};
+use crate::machine::Station;
+use crate::motion::{MotionError, ReadStroke, track};
+use crate::numerics::equidistant;
+use crate::process::generating::FlankLines;
+use crate::workflow::execution::Execution;
+use crate::workflow::finding::RunFailure;
+use crate::workflow::partition::{Partition, ToolAreas};
+use crate::workflow::prepare::Prepared;
+
+/// Points of a law over the finishing area, and over the passage to a roughing area.
+const POINTS: [usize; 2] = [513, 65];
+/// Distance of the points where the dresser stands still, mm.
+const APART: f64 = 2.0;
+/// How far a pass may leave its area, mm: digits of a text and the contact that its stock moves.
+const SAME_AREA: f64 = 0.05;
+
+/// The areas of a run's programs.
+#[derive(Clone, Debug)]
+pub(super) struct ProgramAreas {
+    areas: ToolAreas,
+    lines: Sides<Option<FlankLines>>,
+    /// z_1 that the plan uses, both flanks, mm.
+    planned: [f64; 2],
+    /// Length of the passage between finishing and roughing area, mm.
+    passage: f64,
+}
+
+impl ProgramAreas {
+    /// The areas of a job; `None` where all passes use the one area of the plan.
+    ///
+    /// # Errors
+    /// Those of the partition.
+    pub fn of_job(job: &Job, prepared: &Prepared, execution: &Execution) -> Result<Option<Self>, RunFailure> {
+        let shift = &execution.motion.shift;
+        let partition = Partition::of_job(job, prepared, execution.ratio, shift)?;
+        let Some(areas) = partition.and_then(|p| p.tool_areas(job, prepared, shift)) else { return Ok(None) };
+        let setup = &prepared.setup;
+        let lines = Sides::from_fn(|flank| prepared.targets[flank].as_ref().map(|_| setup.lines[flank]));
+        let Some(planned) = hull(lines.iter().filter_map(|(_, l)| l.as_ref()).map(|l| l.occupation(shift)))
+        else {
+            return Ok(None);
+        };
+        Ok(Some(Self { areas, lines, planned, passage: setup.run_in() }))
+    }
+
+    /// z_V1 over z_V2 of the roughing strokes, one law for each area.
+    pub fn roughing_shift(&self) -> Vec<MotionLaw> {
+        self.areas.roughing.clone()
+    }
+
+    /// A grinding stroke of the plan in the finishing area.
+    pub fn placed_grinding(&self, work: &mut GrindingWork) {
+        work.motion.shift = work.motion.shift.raised(self.areas.finishing);
+    }
+
+    /// Worm positions v_zS that have to be dressed for a range of z_1, where `driven` belongs to the plan's own: v_zS falls as z_1
+    /// grows.
+    fn dressed_for(&self, driven: [f64; 2], z_1: [f64; 2]) -> [f64; 2] {
+        [driven[0] + self.planned[1] - z_1[1], driven[1] + self.planned[0] - z_1[0]]
+    }
+
+    /// A dressing stroke of the plan in the finishing area, driven on over the roughing areas. These are dressed with the dresser where
+    /// it stands in the middle of the finishing area; from there to here it goes without a jump.
+    ///
+    /// # Errors
+    /// None for laws that a plan makes.
+    pub fn placed_dressing(&self, work: &mut DressingWork) -> Result<(), RunFailure> {
+        let driven = work.interval;
+        let ranges = self.areas.roughing.iter().filter_map(|law| self.touched(law)).collect::<Vec<_>>();
+        let own = driven.map(|v| v + self.areas.finishing);
+        let whole = ranges.iter().map(|&z_1| self.dressed_for(driven, z_1)).chain([own]);
+        let whole = hull(whole).unwrap_or(own);
+        let middle = 0.5 * (driven[0] + driven[1]);
+        for law in &mut work.motion.correction {
+            let constant = law.value(middle);
+            let extended = extended(law, driven, self.areas.finishing, whole, (constant, self.passage));
+            *law = extended.map_err(|error| {
+                let finding = Diagnostic::with_code(error.code(), error.to_string());
+                RunFailure::not_producible(finding.field("grinding.roughing_areas").way_out(error.way_out()))
+            })?;
+        }
+        work.interval = whole;
+        Ok(())
+    }
+
+    /// z_1 that a law touches, both flanks.
+    fn touched(&self, law: &MotionLaw) -> Option<[f64; 2]> {
+        hull(self.lines.iter().filter_map(|(_, lines)| lines.as_ref()).map(|lines| lines.occupation(law)))
+    }
+
+    /// What was read from a text as if the finishing area lay where the plan has it: a worm is a screw, so that its area, its dressing
+    /// and its grinding may be moved along it together.
+    pub fn as_planned(&self, read: &ReadBack) -> ReadBack {
+        let by = self.areas.finishing;
+        let mut read = read.clone();
+        for stroke in &mut read.grinding {
+            stroke.motion.shift = stroke.motion.shift.raised(-by);
+        }
+        for stroke in &mut read.dressing {
+            for law in &mut stroke.motion.correction {
+                *law = moved(law, -by);
+            }
+            stroke.range = stroke.range.map(|v| v - by);
+        }
+        read
+    }
+
+    /// Which part of the worm each pass of the texts touches, from their motions alone. `driven`: worm positions v_zS that the plan
+    /// dresses, one range for each dressing stroke.
+    ///
+    /// # Errors
+    /// A roughing pass on lines of the finishing area; a pass outside its area; an area that is not dressed.
+    pub fn check(
+        &self,
+        task: &ProgramTask<'_>,
+        built: &Built,
+        driven: &[[f64; 2]],
+    ) -> Result<Vec<WormUse>, RunFailure> {
+        let machine = &task.machine.machine;
+        let mut uses = Vec::new();
+        let not_followed = |file: &str, error: MotionError| {
+            let finding = Diagnostic::with_code(error.code(), format!("{file}: {error}"));
+            RunFailure::not_producible(finding.field("machine").way_out(error.way_out()))
+        };
+        for program in &built.programs {
+            let refused = |error: MotionError| not_followed(&program.file, error);
+            let tracked = track(&program.read, machine, &program.words, &program.start).map_err(refused)?;
+            if program.station == Station::Dresser {
+                for (work, &driven) in task.dressing.iter().zip(driven) {
+                    let wanted = self.areas.roughing.iter().filter_map(|law| self.touched(law));
+                    let wanted: Vec<[f64; 2]> = wanted
+                        .map(|z_1| self.dressed_for(driven, z_1))
+                        .chain([driven.map(|v| v + self.areas.finishing)])
+                        .collect();
+                    let strokes = tracked
+                        .dressing(machine, &task.technology.dressing, &work.motion.chain)
+                        .map_err(refused)?;
+                    for &[from, to] in &wanted {
+                        let covers = |[a, b]: [f64; 2]| a <= from + SAME_AREA && b >= to - SAME_AREA;
+                        if !strokes.iter().any(|stroke| covers(stroke.range)) {
+                            return Err(left_out(
+                                &program.file,
+                                format!(
+                                    "no stroke dresses the worm over v_zS {from:.3} to {to:.3} mm, where a pass grinds"
+                                ),
+                            ));
+                        }
+                    }
+                }
+                continue;
+            }
+            for work in &task.grinding {
+                let strokes = tracked
+                    .grinding(machine, &task.technology.grinding, &work.motion, work.phase)
+                    .map_err(refused)?;
+                uses.extend(self.uses(&program.file, &strokes, work, task)?);
+            }
+        }
+        Ok(uses)
+    }
+
+    /// The strokes of one text with the areas that they touch.
+    fn uses(
+        &self,
+        file: &str,
+        strokes: &[ReadStroke<GeneratingMotion>],
+        work: &GrindingWork,
+        task: &ProgramTask<'_>,
+    ) -> Result<Vec<WormUse>, RunFailure> {
+        let least = task.technology.roughing.iter().copied().fold(f64::INFINITY, f64::min);
+        let middle = 0.5 * (work.feeds[0] + work.feeds[1]);
+        let stands_off = |stroke: &ReadStroke<GeneratingMotion>| {
+            (stroke.motion.delta_d.value(middle) - work.motion.delta_d.value(middle)) * work.per_distance
+        };
+        let mut uses = Vec::with_capacity(2 * strokes.len());
+        for stroke in strokes {
+            let roughing = stands_off(stroke) > 0.5 * least;
+            let laws: Vec<&MotionLaw> =
+                if roughing { self.areas.roughing.iter().collect() } else { vec![&work.motion.shift] };
+            for (flank, lines) in self.lines.iter() {
+                let Some(lines) = lines else { continue };
+                let found = lines.line_range(&stroke.motion.shift);
+                let finishing = lines.line_range(&work.motion.shift);
+                let overlap = found[1].min(finishing[1]) - found[0].max(finishing[0]);
+                if roughing && overlap > SAME_AREA {
+                    return Err(left_out(
+                        file,
+                        format!(
+                            "the roughing pass of blocks {} to {} touches worm lines {:.3} to {:.3} mm of the {flank} flank, {overlap:.3} mm of which belong to the finishing area",
+                            stroke.blocks[0], stroke.blocks[1], found[0], found[1]
+                        ),
+                    ));
+                }
+                let apart = |law: &&MotionLaw| {
+                    let wanted = lines.line_range(law);
+                    (wanted[0] - found[0]).abs().max((wanted[1] - found[1]).abs())
+                };
+                let area = laws.iter().position(|law| apart(law) <= SAME_AREA);
+                let Some(area) = area else {
+                    return Err(left_out(
+                        file,
+                        format!(
+                            "the pass of blocks {} to {} touches worm lines {:.3} to {:.3} mm of the {flank} flank, which is no area of the layout",
+                            stroke.blocks[0], stroke.blocks[1], found[0], found[1]
+                        ),
+                    ));
+                };
+                uses.push(WormUse {
+                    file: file.to_owned(),
+                    blocks: stroke.blocks,
+                    flank: flank.name(),
+                    area: if roughing { format!("roughing {}", area + 1) } else { "finishing 1".to_owned() },
+                    z_1_mm: lines.occupation(&stroke.motion.shift),
+                    lines_mm: found,
+                });
+            }
+        }
+        Ok(uses)
+    }
+}
+
+fn left_out(file: &str, text: String) -> RunFailure {
+    let finding = Diagnostic::with_code("program-not-proven", format!("{file}: {text}"));
+    RunFailure::not_producible(
+        finding
+            .field("machine")
+            .way_out("let the program keep to the areas of the layout; nothing was written"),
+    )
+}
+
+/// The smallest range that holds all.
+fn hull(ranges: impl Iterator<Item = [f64; 2]>) -> Option<[f64; 2]> {
+    ranges.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])
+}
+
+/// A law of the range `driven` moved along by `by`, and on over `whole`: over a passage to a constant value, with two continuous
+/// derivatives.
+fn extended(
+    law: &MotionLaw,
+    driven: [f64; 2],
+    by: f64,
+    whole: [f64; 2],
+    (constant, passage): (f64, f64),
+) -> Result<MotionLaw, LawError> {
+    let own = driven.map(|v| v + by);
+    let beyond = |end: usize, x: f64| {
+        let [value, slope, _] = law.jet(driven[end]);
+        let u = ((x - own[end]).abs() / passage).min(1.0);
+        let share = 1.0 - u * u * u * (10.0 + u * (6.0 * u - 15.0));
+        constant + share * (value + slope * (x - own[end]) - constant)
+    };
+    let mut x: Vec<f64> = equidistant(own, POINTS[0]);
+    let value = |v: f64| match v {
+        v if v < own[0] => beyond(0, v),
+        v if v > own[1] => beyond(1, v),
+        v => law.value(v - by),
+    };
+    for (end, sense) in [(0, -1.0), (1, 1.0)] {
+        let length = sense * (whole[end] - own[end]);
+        if length <= 0.0 {
+            continue;
+        }
+        let near = length.min(passage);
+        x.extend(equidistant([0.0, near], POINTS[1]).into_iter().skip(1).map(|d| own[end] + sense * d));
+        if length > near {
+            let far = ((length - near) / APART).ceil() as usize;
+            x.extend((1..=far).map(|k| own[end] + sense * (near + (length - near) * k as f64 / far as f64)));
+        }
+    }
+    x.sort_by(f64::total_cmp);
+    let y: Vec<f64> = x.iter().map(|&v| value(v)).collect();
+    MotionLaw::spline(&x, &y)
+}
+
+/// A law as read from a text, moved along its argument: x -> law(x - by).
+fn moved(law: &MotionLaw, by: f64) -> MotionLaw {
+    match law {
+        MotionLaw::Polynomial { origin, coefficients } => {
+            MotionLaw::polynomial(origin + by, coefficients.clone())
+        }
+        MotionLaw::Series(series) => {
+            let (from, to) = series[0].interval();
+            MotionLaw::series(crate::numerics::Chebyshev::from_coefficients(
+                from + by,
+                to + by,
+                series[0].coefficients().to_vec(),
+            ))
+        }
+        MotionLaw::Pieces(pieces) => {
+            let breaks = pieces.breaks().iter().map(|x| x + by).collect();
+            PiecewisePolynomial::new(breaks, pieces.pieces().to_vec())
+                .map_or_else(|_| law.clone(), MotionLaw::Pieces)
+        }
+        MotionLaw::Sum(laws) => MotionLaw::Sum(laws.iter().map(|law| moved(law, by)).collect()),
+        // Nothing that is read from a text has this form.
+        MotionLaw::BSpline { .. } => law.clone(),
+    }
+}

@@ -1,0 +1,127 @@
+//! Worm and workpiece as bodies of revolution: how long a stroke runs in and out, and the check from the texts that the worm comes in,
+//! goes out and travels clear of the blank. Knows no flank.
+
+use super::build::Built;
+use super::result::ClearanceResult;
+use super::task::ProgramTask;
+use crate::exchange::Diagnostic;
+use crate::kinematics::{Pose, Workpiece, Worm};
+use crate::machine::Station;
+use crate::motion::{Course, MotionError, Waypoint, track};
+use crate::numerics::equidistant;
+use crate::workflow::finding::RunFailure;
+use nalgebra::Vector3;
+use std::f64::consts::TAU;
+
+/// Clearance of worm and blank where a stroke begins and ends, mm: above any stock.
+pub(super) const CLEARANCE: f64 = 1.0;
+/// What places of the blank and of a text may be off, mm: chords of its circle and of its length, digits of the control.
+const SAMPLED: f64 = 0.05;
+/// Longest run-in, mm, and the step in which it is looked for.
+const LONGEST: f64 = 300.0;
+const STEP: f64 = 1.0;
+/// Halvings of a step: below a micrometre.
+const HALVINGS: usize = 12;
+/// Places around the blank and along it.
+const AROUND: usize = 360;
+const ALONG: usize = 21;
+
+/// The cylinders of a worm and of a blank. mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cylinders {
+    /// Largest tip radius of the worm.
+    pub worm_radius: f64,
+    /// Half the width of the worm; `None` for one without a stated width, which is endless.
+    pub worm_half_width: Option<f64>,
+    /// Tip radius of the gear.
+    pub work_radius: f64,
+    /// Half its face width.
+    pub half_face: f64,
+}
+
+impl Cylinders {
+    /// Least distance of the blank from the worm, mm; negative where they overlap.
+    pub fn gap(&self, pose: &Pose<Worm, Workpiece>) -> f64 {
+        let faces = equidistant([-self.half_face, self.half_face], ALONG);
+        let around = (0..AROUND).map(|k| (TAU * k as f64 / AROUND as f64).sin_cos());
+        let of = |(sin, cos): (f64, f64)| {
+            let rim = |z: &f64| {
+                let at = Vector3::new(self.work_radius * cos, self.work_radius * sin, *z);
+                let at = pose.rotation() * at + pose.translation();
+                let radial = at.x.hypot(at.y) - self.worm_radius;
+                let axial = self.worm_half_width.map_or(f64::NEG_INFINITY, |half| at.z.abs() - half);
+                if axial > 0.0 { radial.max(0.0).hypot(axial) } else { radial }
+            };
+            faces.iter().map(rim).fold(f64::INFINITY, f64::min)
+        };
+        around.map(of).fold(f64::INFINITY, f64::min)
+    }
+
+    /// How far a grinding stroke has to run on beyond `end` (mm) in the sense of `sense` until worm and blank are clear of each other;
+    /// 0 for a stroke that never becomes so.
+    pub fn run_out(&self, course: &Course, end: f64, sense: f64) -> f64 {
+        let clear = |x: f64| {
+            let place = course.place(&Waypoint { v: end + sense * x, ..Waypoint::default() });
+            self.gap(&course.mounts().bodies(&place.pose)) >= CLEARANCE
+        };
+        let steps = (LONGEST / STEP) as usize;
+        let Some(first) = (0..=steps).map(|k| k as f64 * STEP).find(|&x| clear(x)) else { return 0.0 };
+        let (mut low, mut high) = ((first - STEP).max(0.0), first);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            if clear(middle) { high = middle } else { low = middle }
+        }
+        high
+    }
+}
+
+/// Checks from the texts that worm and blank are clear of each other wherever no stroke grinds: approach, infeed, retraction, rapid
+/// moves, and the first and the last place of every stroke. `None` without a grinding program.
+///
+/// # Errors
+/// A text that cannot be followed; a place with less than the clearance.
+pub(super) fn check(
+    task: &ProgramTask<'_>,
+    built: &Built,
+    cylinders: &Cylinders,
+) -> Result<Option<ClearanceResult>, RunFailure> {
+    let machine = &task.machine.machine;
+    let mut least = f64::INFINITY;
+    for program in built.programs.iter().filter(|program| program.station == Station::Work) {
+        let refused = |error: MotionError| {
+            let finding = Diagnostic::with_code(error.code(), format!("{}: {error}", program.file));
+            RunFailure::not_producible(finding.field("machine").way_out(error.way_out()))
+        };
+        let tracked = track(&program.read, machine, &program.words, &program.start).map_err(refused)?;
+        let Some(work) = task.grinding.first() else { continue };
+        let mounts = &task.technology.grinding;
+        let strokes = tracked.grinding(machine, mounts, &work.motion, work.phase).map_err(refused)?;
+        let blocks: Vec<[usize; 2]> = strokes.iter().map(|stroke| stroke.blocks).collect();
+        for (block, positions) in tracked.beside(machine, &blocks) {
+            let pose = machine.pose(Station::Work, &positions).map_err(|e| refused(e.into()))?;
+            let gap = cylinders.gap(&mounts.bodies(&pose));
+            least = least.min(gap);
+            if gap < CLEARANCE - SAMPLED {
+                let finding = Diagnostic::with_code(
+                    "program-not-clear",
+                    format!(
+                        "{}, block {block}: worm and blank come to {gap:.3} mm of each other where no stroke grinds; {CLEARANCE} mm are kept",
+                        program.file
+                    ),
+                )
+                .field("machine")
+                .way_out("raise machine.clearance, or let the strokes begin and end further out; nothing was written");
+                return Err(RunFailure::not_producible(finding));
+            }
+        }
+    }
+    Ok(least.is_finite().then(|| ClearanceResult {
+        statement: format!(
+            "from the program text: worm and blank stay {least:.3} mm or more apart at the ends of the strokes, in approach, retraction and rapid moves ({CLEARANCE} mm are kept); dresser, clamping and parts of the machine are not checked"
+        ),
+        checked: vec!["worm", "workpiece"],
+        not_checked: vec!["dresser", "clamping", "machine parts"],
+        least_mm: least,
+        kept_mm: CLEARANCE,
+    }))
+}
