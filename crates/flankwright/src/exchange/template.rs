@@ -114,6 +114,7 @@ mod tests {
             let text = match key {
                 "gains" => text.replace("\nbandwidth_hz", "\n# bandwidth_hz"),
                 "references" => text.replace(list, ""),
+                "tolerance_um" => text.replace("# [target]", "[target]"),
                 "last_tick" => text.replace(list, train),
                 "reference_ticks" | "reference_signs" => {
                     tables.replace(list, "").replace("# reference_", "reference_")
