@@ -9,7 +9,8 @@
 //! inspected gear, [`inspection_series`] that of a series of them; [`inspection_sheet`] draws the sheets of measured gears.
 //!
 //! ```
-//! use flankwright::report::{Banner, Block, PlanReport, Section, Stamp, html};
+//! use flankwright::report::{Banner, Block, PlanReport, Section, html};
+//! use flankwright::verdict::Status;
 //!
 //! let page = PlanReport {
 //!     title: "housing <A>".into(),

@@ -31,6 +31,7 @@ mod prepare;
 mod preview;
 mod programs;
 mod referee;
+mod release;
 mod report_head;
 mod result;
 mod run;

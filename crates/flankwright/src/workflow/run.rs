@@ -13,6 +13,7 @@ use super::miss::{Miss, missed};
 use super::partition::{Partition, StrokePlan};
 use super::prepare::{Prepared, prepare};
 use super::programs::{RunPrograms, programs_of_grinding};
+use super::release::Release;
 use super::referee::{self, Cutting};
 use super::result::{CandidateResult, CharacteristicsUm, FlankResult, JobResult, SettingsResult};
 use super::tip_edge::{judge_tip_edge, tip_edge_depths};
@@ -193,6 +194,9 @@ fn finish(
     if let Some(made) = made {
         judge_clearance(&mut verdict, made.clearance.as_ref());
         owe_further_areas(&mut verdict, job.grinding.areas.unwrap_or(1));
+    }
+    if programs.is_some() {
+        warnings.extend(Release::of(&verdict, job.output.programs_of_missed).remark(&verdict));
     }
     let result = JobResult {
         job: job.job.name.clone(),

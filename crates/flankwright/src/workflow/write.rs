@@ -2,6 +2,7 @@
 
 use super::elsewhere::standing_elsewhere;
 use super::programs::RunPrograms;
+use super::release::Release;
 use super::run::Outcome;
 use super::{page, tables};
 use crate::exchange::job::{Job, JobInfo, OneOrSides};
@@ -107,22 +108,25 @@ pub fn write_outcome(
             files.push((path, "modification of the tool's flank, normal", table.text().into()));
         }
     }
-    files.extend(outcome.programs.iter().flat_map(program_files));
+    let release = Release::of(&outcome.result.verdict, job.output.programs_of_missed);
+    files.extend(outcome.programs.iter().flat_map(|programs| program_files(programs, &release)));
     write_with_report(files, directory, |named| page::html_page(job, outcome, named))
 }
 
-/// The texts of the programs.
-pub(super) fn program_files(programs: &RunPrograms) -> Vec<NamedFile> {
+/// The texts of the programs, as far as they are written.
+pub(super) fn program_files(programs: &RunPrograms, release: &Release) -> Vec<NamedFile> {
     let mut files: Vec<NamedFile> = Vec::new();
     for program in &programs.built.programs {
         let what = match program.station {
             Station::Dresser => "NC program: dressing the worm",
             Station::Work => "NC program: grinding the gear",
         };
-        files.push((program.file.clone(), what, program.written.text.clone().into_bytes()));
-        if let Some(netlist) = &program.written.hal {
+        if let Some(text) = release.program(&program.written.text, program.dialect) {
+            files.push((program.file.clone(), what, text));
+        }
+        if let Some(netlist) = program.written.hal.as_ref().and_then(|netlist| release.netlist(netlist)) {
             let path = program.file.replace(".ngc", ".hal");
-            files.push((path, "HAL netlist of the electronic gearbox", netlist.clone().into_bytes()));
+            files.push((path, "HAL netlist of the electronic gearbox", netlist));
         }
     }
     files

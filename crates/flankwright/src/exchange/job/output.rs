@@ -11,6 +11,9 @@ pub struct Output {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[schemars(extend("uniqueItems" = true))]
     pub programs: Vec<Program>,
+    /// Whether programs are written although the target is missed or could not be judged; their first lines say so. Default false.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub programs_of_missed: bool,
     /// Formats of bodies and flanks.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[schemars(extend("uniqueItems" = true))]

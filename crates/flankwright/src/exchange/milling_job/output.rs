@@ -13,6 +13,9 @@ pub struct MillingOutput {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[schemars(extend("uniqueItems" = true))]
     pub programs: Vec<Program>,
+    /// Whether programs are written although the target is missed or could not be judged; their first lines say so. Default false.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub programs_of_missed: bool,
     /// Formats of bodies and flanks.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[schemars(extend("uniqueItems" = true))]
@@ -28,7 +31,7 @@ pub struct MillingOutput {
 
 impl Default for MillingOutput {
     fn default() -> Self {
-        Self { programs: Vec::new(), meshes: Vec::new(), tables: Vec::new(), cl: yes() }
+        Self { programs: Vec::new(), programs_of_missed: false, meshes: Vec::new(), tables: Vec::new(), cl: yes() }
     }
 }
 

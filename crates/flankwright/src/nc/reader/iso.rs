@@ -21,8 +21,10 @@ pub(super) struct Iso<'a> {
     axis_words: AxisWords,
     name: Option<String>,
     chord_tolerance: Option<f64>,
-    /// Whether anything but a comment was read, and whether a percent sign opened the text.
+    /// Whether anything but comments and the program's number was read, whether that number was, and whether a percent sign opened
+    /// the text.
     begun: bool,
+    numbered: bool,
     percent: bool,
     /// Follower of the gear that is on.
     coupled: Option<usize>,
@@ -48,6 +50,7 @@ impl<'a> Iso<'a> {
             name: None,
             chord_tolerance: None,
             begun: false,
+            numbered: false,
             percent: false,
             coupled: None,
             waits: false,
@@ -69,7 +72,9 @@ impl<'a> Iso<'a> {
                 return Ok(());
             }
         }
-        if !text.is_empty() {
+        // What stands between name and first word is a note of the text, no block.
+        let is_note = !self.begun && self.name.is_some() && self.machine.blocks.is_empty();
+        if !text.is_empty() && !is_note {
             self.machine.blocks.push(Block::Comment(text.into()));
         }
         Ok(())
@@ -318,7 +323,8 @@ impl Grammar for Iso<'_> {
             return Err(scan.fault(ReadProblem::LineTooLong, 252, "252 characters"));
         }
         if bytes.trim_ascii() == b"%" {
-            let first = !self.begun && !self.percent && self.machine.blocks.is_empty() && self.name.is_none();
+            let opened = self.begun || self.numbered || self.percent;
+            let first = !opened && self.machine.blocks.is_empty() && self.name.is_none();
             if first {
                 self.percent = true;
             } else if self.percent && !self.machine.ended {
@@ -351,14 +357,14 @@ impl Grammar for Iso<'_> {
             let alone = self.words.present == 1 << letter(b'O')
                 && codes.g.list().is_empty()
                 && codes.m.list().is_empty();
-            if self.begun || !alone || number.count().is_none_or(|number| number == 0) {
+            if self.begun || self.numbered || !alone || number.count().is_none_or(|number| number == 0) {
                 return Err(scan.fault(
                     ReadProblem::Conflict,
                     0,
                     "the number O once, before everything else",
                 ));
             }
-            self.begun = true;
+            self.numbered = true;
             return Ok(());
         }
         self.begun = true;

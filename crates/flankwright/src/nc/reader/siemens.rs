@@ -178,7 +178,9 @@ impl<'a> Siemens<'a> {
                 return;
             }
         }
-        if !text.is_empty() && !self.machine.ended {
+        // What stands between name and first word is a note of the text, no block.
+        let is_note = !self.begun && self.name.is_some() && self.machine.blocks.is_empty();
+        if !text.is_empty() && !is_note && !self.machine.ended {
             self.machine.blocks.push(Block::Comment(text.into()));
         }
     }

@@ -6,6 +6,7 @@ mod fanuc;
 mod hal;
 mod lines;
 mod linuxcnc;
+mod notes;
 mod number;
 mod options;
 mod rounding;
@@ -14,6 +15,7 @@ mod tip;
 mod unconfirmed;
 
 pub use cl::{ClCutter, write_cl};
+pub use notes::{cl_with_notes, netlist_with_notes, with_notes};
 pub(super) use cl::{cl_options, resolved};
 pub use options::{
     Decimals, FanucOptions, FeedWords, HalOptions, LinuxCncOptions, Rounding, TipDecimals, Warning,

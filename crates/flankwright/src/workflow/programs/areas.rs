@@ -2,7 +2,7 @@
 //! keeps to its area (spec 25 section 8).
 
 use super::build::Built;
-use super::proof::ReadBack;
+use super::proof::{ReadBack, Sought};
 use super::result::WormUse;
 use super::task::{DressingWork, GrindingWork, ProgramTask};
 use crate::exchange::Diagnostic;
@@ -10,9 +10,10 @@ use crate::exchange::job::Job;
 use crate::geometry::Sides;
 use crate::kinematics::{GeneratingMotion, LawError, MotionLaw, PiecewisePolynomial};
 use crate::machine::Station;
-use crate::motion::{MotionError, ReadStroke, track};
+use crate::motion::{MotionError, ReadStroke, Tracked, track};
 use crate::numerics::equidistant;
 use crate::process::generating::FlankLines;
+use crate::verdict::Remark;
 use crate::workflow::execution::Execution;
 use crate::workflow::finding::RunFailure;
 use crate::workflow::partition::{Partition, ToolAreas};
@@ -127,116 +128,139 @@ impl ProgramAreas {
         built: &Built,
         driven: &[[f64; 2]],
     ) -> Result<Vec<WormUse>, RunFailure> {
-        let machine = &task.machine.machine;
+        let sought = Sought::of_task(task);
         let mut uses = Vec::new();
-        let not_followed = |file: &str, error: MotionError| {
-            let finding = Diagnostic::with_code(error.code(), format!("{file}: {error}"));
-            RunFailure::not_producible(finding.field("machine").way_out(error.way_out()))
-        };
         for program in &built.programs {
-            let refused = |error: MotionError| not_followed(&program.file, error);
-            let tracked = track(&program.read, machine, &program.words, &program.start).map_err(refused)?;
-            if program.station == Station::Dresser {
-                for (work, &driven) in task.dressing.iter().zip(driven) {
-                    let wanted = self.areas.roughing.iter().filter_map(|law| self.touched(law));
-                    let wanted: Vec<[f64; 2]> = wanted
-                        .map(|z_1| self.dressed_for(driven, z_1))
-                        .chain([driven.map(|v| v + self.areas.finishing)])
-                        .collect();
-                    let strokes = tracked
-                        .dressing(machine, &task.technology.dressing, &work.motion.chain)
-                        .map_err(refused)?;
-                    for &[from, to] in &wanted {
-                        let covers = |[a, b]: [f64; 2]| a <= from + SAME_AREA && b >= to - SAME_AREA;
-                        if !strokes.iter().any(|stroke| covers(stroke.range)) {
-                            return Err(left_out(
-                                &program.file,
-                                format!(
-                                    "no stroke dresses the worm over v_zS {from:.3} to {to:.3} mm, where a pass grinds"
-                                ),
-                            ));
-                        }
-                    }
+            let refused = |error: MotionError| {
+                let finding = Diagnostic::with_code(error.code(), format!("{}: {error}", program.file));
+                RunFailure::not_producible(finding.field("machine").way_out(error.way_out()))
+            };
+            let tracked =
+                track(&program.read, sought.machine, &program.words, &program.start).map_err(refused)?;
+            let faults = match program.station {
+                Station::Dresser => self.undressed(&sought, &tracked, driven).map_err(refused)?,
+                Station::Work => {
+                    let (found, faults) = self.ground(&sought, &tracked).map_err(refused)?;
+                    uses.extend(found.into_iter().map(|found| WormUse { file: program.file.clone(), ..found }));
+                    faults
                 }
-                continue;
-            }
-            for work in &task.grinding {
-                let strokes = tracked
-                    .grinding(machine, &task.technology.grinding, &work.motion, work.phase)
-                    .map_err(refused)?;
-                uses.extend(self.uses(&program.file, &strokes, work, task)?);
+            };
+            if let Some(fault) = faults.first() {
+                let finding =
+                    Diagnostic::with_code("program-not-proven", format!("{}: {}", program.file, fault.text));
+                let way_out = format!("{}; nothing was written", fault.way_out);
+                return Err(RunFailure::not_producible(finding.field("machine").way_out(way_out)));
             }
         }
         Ok(uses)
     }
 
-    /// The strokes of one text with the areas that they touch.
-    fn uses(
+    /// Ranges of the worm that passes use and no stroke of a dressing program dresses.
+    ///
+    /// # Errors
+    /// [`MotionError::NotFollowed`].
+    pub fn undressed(
         &self,
-        file: &str,
-        strokes: &[ReadStroke<GeneratingMotion>],
-        work: &GrindingWork,
-        task: &ProgramTask<'_>,
-    ) -> Result<Vec<WormUse>, RunFailure> {
-        let least = task.technology.roughing.iter().copied().fold(f64::INFINITY, f64::min);
-        let middle = 0.5 * (work.feeds[0] + work.feeds[1]);
-        let stands_off = |stroke: &ReadStroke<GeneratingMotion>| {
-            (stroke.motion.delta_d.value(middle) - work.motion.delta_d.value(middle)) * work.per_distance
-        };
-        let mut uses = Vec::with_capacity(2 * strokes.len());
-        for stroke in strokes {
-            let roughing = stands_off(stroke) > 0.5 * least;
-            let laws: Vec<&MotionLaw> =
-                if roughing { self.areas.roughing.iter().collect() } else { vec![&work.motion.shift] };
-            for (flank, lines) in self.lines.iter() {
-                let Some(lines) = lines else { continue };
-                let found = lines.line_range(&stroke.motion.shift);
-                let finishing = lines.line_range(&work.motion.shift);
-                let overlap = found[1].min(finishing[1]) - found[0].max(finishing[0]);
-                if roughing && overlap > SAME_AREA {
-                    return Err(left_out(
-                        file,
-                        format!(
-                            "the roughing pass of blocks {} to {} touches worm lines {:.3} to {:.3} mm of the {flank} flank, {overlap:.3} mm of which belong to the finishing area",
-                            stroke.blocks[0], stroke.blocks[1], found[0], found[1]
-                        ),
-                    ));
+        sought: &Sought<'_>,
+        tracked: &Tracked,
+        driven: &[[f64; 2]],
+    ) -> Result<Vec<Remark>, MotionError> {
+        let mut faults = Vec::new();
+        for (work, &driven) in sought.dressing.iter().zip(driven) {
+            let roughing = self.areas.roughing.iter().filter_map(|law| self.touched(law));
+            let wanted = roughing.map(|z_1| self.dressed_for(driven, z_1));
+            let wanted: Vec<[f64; 2]> = wanted.chain([driven.map(|v| v + self.areas.finishing)]).collect();
+            let strokes =
+                tracked.dressing(sought.machine, &sought.technology.dressing, &work.motion.chain)?;
+            for [from, to] in wanted {
+                let covers = |[a, b]: [f64; 2]| a <= from + SAME_AREA && b >= to - SAME_AREA;
+                if !strokes.iter().any(|stroke| covers(stroke.range)) {
+                    let text = format!(
+                        "no stroke dresses the worm over v_zS {from:.3} to {to:.3} mm, where a pass grinds"
+                    );
+                    faults.push(off_area("area-not-dressed", text));
                 }
-                let apart = |law: &&MotionLaw| {
-                    let wanted = lines.line_range(law);
-                    (wanted[0] - found[0]).abs().max((wanted[1] - found[1]).abs())
-                };
-                let area = laws.iter().position(|law| apart(law) <= SAME_AREA);
-                let Some(area) = area else {
-                    return Err(left_out(
-                        file,
-                        format!(
-                            "the pass of blocks {} to {} touches worm lines {:.3} to {:.3} mm of the {flank} flank, which is no area of the layout",
-                            stroke.blocks[0], stroke.blocks[1], found[0], found[1]
-                        ),
-                    ));
-                };
-                uses.push(WormUse {
-                    file: file.to_owned(),
-                    blocks: stroke.blocks,
-                    flank: flank.name(),
-                    area: if roughing { format!("roughing {}", area + 1) } else { "finishing 1".to_owned() },
-                    z_1_mm: lines.occupation(&stroke.motion.shift),
-                    lines_mm: found,
-                });
             }
         }
-        Ok(uses)
+        Ok(faults)
+    }
+
+    /// What the passes of a grinding program touch, and which of them leave their areas.
+    ///
+    /// # Errors
+    /// [`MotionError::NotFollowed`].
+    pub fn ground(
+        &self,
+        sought: &Sought<'_>,
+        tracked: &Tracked,
+    ) -> Result<(Vec<WormUse>, Vec<Remark>), MotionError> {
+        let (mut uses, mut faults) = (Vec::new(), Vec::new());
+        for work in &sought.grinding {
+            let mounts = &sought.technology.grinding;
+            let strokes = tracked.grinding(sought.machine, mounts, &work.motion, work.phase)?;
+            for stroke in &strokes {
+                self.touches(stroke, work, &sought.technology.roughing, &mut uses, &mut faults);
+            }
+        }
+        Ok((uses, faults))
+    }
+
+    /// The areas that one stroke touches.
+    fn touches(
+        &self,
+        stroke: &ReadStroke<GeneratingMotion>,
+        work: &GrindingWork,
+        stock: &[f64],
+        uses: &mut Vec<WormUse>,
+        faults: &mut Vec<Remark>,
+    ) {
+        let least = stock.iter().copied().fold(f64::INFINITY, f64::min);
+        let middle = 0.5 * (work.feeds[0] + work.feeds[1]);
+        let stands_off =
+            (stroke.motion.delta_d.value(middle) - work.motion.delta_d.value(middle)) * work.per_distance;
+        let roughing = stands_off > 0.5 * least;
+        let laws: Vec<&MotionLaw> =
+            if roughing { self.areas.roughing.iter().collect() } else { vec![&work.motion.shift] };
+        let [first, last] = stroke.blocks;
+        for (flank, lines) in self.lines.iter() {
+            let Some(lines) = lines else { continue };
+            let found = lines.line_range(&stroke.motion.shift);
+            let touched =
+                format!("touches worm lines {:.3} to {:.3} mm of the {flank} flank", found[0], found[1]);
+            let finishing = lines.line_range(&work.motion.shift);
+            let overlap = found[1].min(finishing[1]) - found[0].max(finishing[0]);
+            if roughing && overlap > SAME_AREA {
+                let text = format!(
+                    "the roughing pass of blocks {first} to {last} {touched}, {overlap:.3} mm of which belong to the finishing area"
+                );
+                faults.push(off_area("pass-on-wrong-area", text));
+                continue;
+            }
+            let apart = |law: &&MotionLaw| {
+                let wanted = lines.line_range(law);
+                (wanted[0] - found[0]).abs().max((wanted[1] - found[1]).abs())
+            };
+            let Some(area) = laws.iter().position(|law| apart(law) <= SAME_AREA) else {
+                let text = format!(
+                    "the pass of blocks {first} to {last} {touched}, which is no area of the layout"
+                );
+                faults.push(off_area("pass-on-wrong-area", text));
+                continue;
+            };
+            uses.push(WormUse {
+                file: String::new(),
+                blocks: stroke.blocks,
+                flank: flank.name(),
+                area: if roughing { format!("roughing {}", area + 1) } else { "finishing 1".to_owned() },
+                z_1_mm: lines.occupation(&stroke.motion.shift),
+                lines_mm: found,
+            });
+        }
     }
 }
 
-fn left_out(file: &str, text: String) -> RunFailure {
-    let finding = Diagnostic::with_code("program-not-proven", format!("{file}: {text}"));
-    RunFailure::not_producible(
-        finding
-            .field("machine")
-            .way_out("let the program keep to the areas of the layout; nothing was written"),
-    )
+fn off_area(code: &'static str, text: String) -> Remark {
+    Remark::new(code, text, "let the program keep to the areas of the layout")
 }
 
 /// The smallest range that holds all.

@@ -22,7 +22,8 @@ fn unreadable(error: &ReadError, dialect: Dialect) -> RunFailure {
     )
 }
 
-fn refused(error: &MotionError) -> RunFailure {
+/// Axes that cannot be followed, as a finding.
+pub(super) fn refused(error: &MotionError) -> RunFailure {
     let finding = Diagnostic::with_code(error.code(), error.to_string());
     RunFailure::bad_input(finding.way_out(error.way_out()))
 }

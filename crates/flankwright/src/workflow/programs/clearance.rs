@@ -6,9 +6,10 @@ use super::result::ClearanceResult;
 use super::task::ProgramTask;
 use crate::exchange::Diagnostic;
 use crate::kinematics::{Pose, Workpiece, Worm};
-use crate::machine::Station;
-use crate::motion::{Course, MotionError, Waypoint, track};
+use crate::machine::{Machine, Mounts, Station};
+use crate::motion::{Course, MotionError, Tracked, Waypoint, track};
 use crate::numerics::equidistant;
+use crate::verdict::Remark;
 use crate::workflow::finding::RunFailure;
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
@@ -26,27 +27,27 @@ const HALVINGS: usize = 12;
 const AROUND: usize = 360;
 const ALONG: usize = 21;
 
-/// The cylinders of a worm and of a blank. mm.
+/// A worm and what stands against it, as cylinders. mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cylinders {
     /// Largest tip radius of the worm.
     pub worm_radius: f64,
     /// Half the width of the worm; `None` for one without a stated width, which is endless.
     pub worm_half_width: Option<f64>,
-    /// Tip radius of the gear.
-    pub work_radius: f64,
+    /// Tip radius of the gear or of the dresser.
+    pub radius: f64,
     /// Half its face width.
-    pub half_face: f64,
+    pub half_width: f64,
 }
 
 impl Cylinders {
-    /// Least distance of the blank from the worm, mm; negative where they overlap.
-    pub fn gap(&self, pose: &Pose<Worm, Workpiece>) -> f64 {
-        let faces = equidistant([-self.half_face, self.half_face], ALONG);
+    /// Least distance of the gear or the dresser from the worm, mm; negative where they overlap.
+    pub fn gap<Body: 'static>(&self, pose: &Pose<Worm, Body>) -> f64 {
+        let faces = equidistant([-self.half_width, self.half_width], ALONG);
         let around = (0..AROUND).map(|k| (TAU * k as f64 / AROUND as f64).sin_cos());
         let of = |(sin, cos): (f64, f64)| {
             let rim = |z: &f64| {
-                let at = Vector3::new(self.work_radius * cos, self.work_radius * sin, *z);
+                let at = Vector3::new(self.radius * cos, self.radius * sin, *z);
                 let at = pose.rotation() * at + pose.translation();
                 let radial = at.x.hypot(at.y) - self.worm_radius;
                 let axial = self.worm_half_width.map_or(f64::NEG_INFINITY, |half| at.z.abs() - half);
@@ -62,7 +63,7 @@ impl Cylinders {
     pub fn run_out(&self, course: &Course, end: f64, sense: f64) -> f64 {
         let clear = |x: f64| {
             let place = course.place(&Waypoint { v: end + sense * x, ..Waypoint::default() });
-            self.gap(&course.mounts().bodies(&place.pose)) >= CLEARANCE
+            self.gap::<Workpiece>(&course.mounts().bodies(&place.pose)) >= CLEARANCE
         };
         let steps = (LONGEST / STEP) as usize;
         let Some(first) = (0..=steps).map(|k| k as f64 * STEP).find(|&x| clear(x)) else { return 0.0 };
@@ -75,8 +76,45 @@ impl Cylinders {
     }
 }
 
-/// Checks from the texts that worm and blank are clear of each other wherever no stroke grinds: approach, infeed, retraction, rapid
-/// moves, and the first and the last place of every stroke. `None` without a grinding program.
+/// Least distance of two bodies beside the strokes of a program, and where it is too small.
+#[derive(Debug, Default)]
+pub(super) struct Beside {
+    /// Least distance, mm; infinite where the program does nothing beside its strokes.
+    pub least: f64,
+    /// Places with less than is kept, one for each block.
+    pub faults: Vec<Remark>,
+}
+
+/// Follows a program wherever no stroke grinds or dresses: approach, infeed, retraction, rapid moves, and the first and the last place of
+/// every stroke. `strokes`: first and last block of each, from 1.
+///
+/// # Errors
+/// [`MotionError`]: axes without a pose.
+pub(super) fn beside<Body: 'static>(
+    tracked: &Tracked,
+    (machine, station, mounts): (&Machine, Station, &Mounts),
+    strokes: &[[usize; 2]],
+    (cylinders, body, kept): (&Cylinders, &str, f64),
+) -> Result<Beside, MotionError> {
+    let mut found = Beside { least: f64::INFINITY, faults: Vec::new() };
+    let mut last = 0;
+    for (block, positions) in tracked.beside(machine, strokes) {
+        let pose = machine.pose(station, &positions)?;
+        let gap = cylinders.gap::<Body>(&mounts.bodies(&pose));
+        found.least = found.least.min(gap);
+        if gap < kept - SAMPLED && block != last {
+            last = block;
+            found.faults.push(Remark::new(
+                "program-not-clear",
+                format!("block {block}: worm and {body} come to {gap:.3} mm of each other where no stroke works; {kept} mm are kept"),
+                "raise machine.clearance, or let the strokes begin and end further out",
+            ));
+        }
+    }
+    Ok(found)
+}
+
+/// Checks from the texts that worm and blank are clear of each other beside the strokes. `None` without a grinding program.
 ///
 /// # Errors
 /// A text that cannot be followed; a place with less than the clearance.
@@ -97,22 +135,14 @@ pub(super) fn check(
         let mounts = &task.technology.grinding;
         let strokes = tracked.grinding(machine, mounts, &work.motion, work.phase).map_err(refused)?;
         let blocks: Vec<[usize; 2]> = strokes.iter().map(|stroke| stroke.blocks).collect();
-        for (block, positions) in tracked.beside(machine, &blocks) {
-            let pose = machine.pose(Station::Work, &positions).map_err(|e| refused(e.into()))?;
-            let gap = cylinders.gap(&mounts.bodies(&pose));
-            least = least.min(gap);
-            if gap < CLEARANCE - SAMPLED {
-                let finding = Diagnostic::with_code(
-                    "program-not-clear",
-                    format!(
-                        "{}, block {block}: worm and blank come to {gap:.3} mm of each other where no stroke grinds; {CLEARANCE} mm are kept",
-                        program.file
-                    ),
-                )
-                .field("machine")
-                .way_out("raise machine.clearance, or let the strokes begin and end further out; nothing was written");
-                return Err(RunFailure::not_producible(finding));
-            }
+        let of = (machine, Station::Work, mounts);
+        let found = beside::<Workpiece>(&tracked, of, &blocks, (cylinders, "blank", CLEARANCE));
+        let found = found.map_err(refused)?;
+        least = least.min(found.least);
+        if let Some(fault) = found.faults.first() {
+            let finding = Diagnostic::with_code(fault.code, format!("{}, {}", program.file, fault.text));
+            let way_out = format!("{}; nothing was written", fault.way_out);
+            return Err(RunFailure::not_producible(finding.field("machine").way_out(way_out)));
         }
     }
     Ok(least.is_finite().then(|| ClearanceResult {

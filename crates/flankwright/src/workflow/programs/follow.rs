@@ -1,12 +1,14 @@
 //! A program on the bodies of a job: which of its strokes finish what, and the flank that they leave with everything else as the job
 //! has it. Knows no process.
 
+use super::check::refused;
+use super::clearance;
 use super::indexing::Found;
 use super::proof::{Judge, ReadBack, RunFlank, Sought, nearest};
 use super::result::{CheckedFlank, CheckedStroke, ThreadProof};
-use crate::exchange::Diagnostic;
 use crate::geometry::Sides;
-use crate::machine::Role;
+use crate::kinematics::Workpiece;
+use crate::machine::{Role, Station};
 use crate::motion::{MotionError, ReadStroke, Tracked};
 use crate::verdict::Remark;
 use crate::workflow::finding::RunFailure;
@@ -41,10 +43,7 @@ pub(super) fn follow(
     tolerance_um: f64,
     judge: &impl Judge,
 ) -> Result<Followed, RunFailure> {
-    let refused = |error: MotionError| {
-        let finding = Diagnostic::with_code(error.code(), error.to_string());
-        RunFailure::bad_input(finding.way_out(error.way_out()))
-    };
+    let refused = |error: MotionError| refused(&error);
     let nothing = |what: &str| {
         refused(MotionError::NotFollowed {
             block: 1,
@@ -71,6 +70,13 @@ pub(super) fn follow(
             return Err(nothing("grinding"));
         }
         faults = found.faults;
+        if let Some(cylinders) = &sought.technology.cylinders {
+            let of = (sought.machine, Station::Work, &sought.technology.grinding);
+            let blocks: Vec<[usize; 2]> = strokes.iter().map(|stroke| stroke.blocks).collect();
+            let kept = clearance::CLEARANCE;
+            let beside = clearance::beside::<Workpiece>(tracked, of, &blocks, (cylinders, "blank", kept));
+            faults.extend(beside.map_err(refused)?.faults);
+        }
         for served in &found.served {
             left.push(
                 judge.flanks(&ReadBack {

@@ -1,6 +1,7 @@
 //! The programs of a generating-grinding run: its strokes as work for a machine, and its referee asked with motions from a text.
 
 use super::areas::ProgramAreas;
+use super::check::refused;
 use super::clearance;
 use super::follow::{Followed, follow};
 use super::indexing::Indexing;
@@ -193,7 +194,16 @@ pub(super) fn follow_on_grinding(
     };
     let judge = Referee { prepared, execution, cutting, strokes: &strokes };
     let tolerance_um = prepared.tolerance.tightest() * 1e3;
-    follow(tracked, &sought, &flanks_of(execution, &run.verdicts), tolerance_um, &judge)
+    let mut followed = follow(tracked, &sought, &flanks_of(execution, &run.verdicts), tolerance_um, &judge)?;
+    if let Some((areas, driven)) = &strokes.areas {
+        let off = if followed.kind == "grinding" {
+            areas.ground(&sought, tracked).map(|(_, faults)| faults)
+        } else {
+            areas.undressed(&sought, tracked, driven)
+        };
+        followed.faults.extend(off.map_err(|error| refused(&error))?);
+    }
+    Ok(followed)
 }
 
 /// Contacts of the dresser with a worm flank along a stroke, each carried back along the thread to v_zS = 0.

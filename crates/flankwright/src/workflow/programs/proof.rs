@@ -99,7 +99,18 @@ pub(in crate::workflow) struct Sought<'a> {
     pub grinding: Vec<&'a super::GrindingWork>,
 }
 
-impl Sought<'_> {
+impl<'a> Sought<'a> {
+    /// The strokes of a task.
+    pub fn of_task(task: &'a ProgramTask<'_>) -> Self {
+        Self {
+            machine: &task.machine.machine,
+            technology: &task.technology,
+            indexing: &task.indexing,
+            dressing: task.dressing.iter().collect(),
+            grinding: task.grinding.iter().collect(),
+        }
+    }
+
     /// The dressing strokes by thread.
     ///
     /// # Errors
@@ -243,13 +254,7 @@ fn prove(
     judge: &impl Judge,
 ) -> Result<ProofResult, RunFailure> {
     let files = programs.iter().map(|p| p.file.as_str()).collect::<Vec<_>>().join(" and ");
-    let sought = Sought {
-        machine: &task.machine.machine,
-        technology: &task.technology,
-        indexing: &task.indexing,
-        dressing: task.dressing.iter().collect(),
-        grinding: task.grinding.iter().collect(),
-    };
+    let sought = Sought::of_task(task);
     let mut dressed = Vec::new();
     let mut ground = Vec::new();
     for program in programs {

@@ -59,8 +59,8 @@ impl Technology {
         let cylinders = Cylinders {
             worm_radius: setup.largest_tip_radius,
             worm_half_width: setup.input.worm_width.map(|width| 0.5 * width),
-            work_radius: 0.5 * blank.tip_diameter,
-            half_face: 0.5 * blank.face_width,
+            radius: 0.5 * blank.tip_diameter,
+            half_width: 0.5 * blank.face_width,
         };
         Self { cylinders: Some(cylinders), ..Self::new(job, sizes, feed_per_revolution) }
     }

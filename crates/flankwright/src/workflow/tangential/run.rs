@@ -18,6 +18,7 @@ use crate::verdict::Verdict;
 use crate::workflow::finding::RunFailure;
 use crate::workflow::flank_verdict::{judge_flank, judge_programs, leave_other_flanks};
 use crate::workflow::programs::{RunPrograms, programs_of_tangential};
+use crate::workflow::release::Release;
 use crate::workflow::run::output_warnings;
 use std::collections::BTreeMap;
 use std::time::Instant;
@@ -133,6 +134,9 @@ fn finish(
     leave_other_flanks(&mut verdict, &flanks);
     let made = programs.as_ref().map(|programs| &programs.result);
     judge_programs(&mut verdict, made, tolerance, |name| flanks[name].flank.tolerance_share);
+    if programs.is_some() {
+        warnings.extend(Release::of(&verdict, job.output.programs_of_missed).remark(&verdict));
+    }
     let result = TangentialResult {
         job: job.job.name.clone(),
         process: job.job.process.name().to_string(),

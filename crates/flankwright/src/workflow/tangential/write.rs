@@ -9,6 +9,7 @@ use crate::exchange::TangentialJob;
 use crate::geometry::Flank;
 use crate::process::tangential_dressing::TangentialFlank;
 use crate::workflow::elsewhere::standing_elsewhere;
+use crate::workflow::release::Release;
 use crate::workflow::tables::{grinding_motion, topography};
 use crate::workflow::write::{NamedFile, WriteError, json, program_files, write_with_report};
 use std::path::{Path, PathBuf};
@@ -59,6 +60,7 @@ pub fn write_tangential(
             files.push((path, "grinding motion over the feed", table.text().into()));
         }
     }
-    files.extend(outcome.programs.iter().flat_map(program_files));
+    let release = Release::of(&result.verdict, job.output.programs_of_missed);
+    files.extend(outcome.programs.iter().flat_map(|programs| program_files(programs, &release)));
     write_with_report(files, directory, |named| page::html_page(job, outcome, named))
 }
