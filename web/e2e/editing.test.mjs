@@ -33,7 +33,7 @@ site.test("a bad value is told at its field, in its line and with a way out", as
 
   // In the list below it says the same with its line, and leads there.
   const listed = page.locator("ul button", { hasText: "is outside its range" });
-  assert.match(await listed.innerText(), /line 15[\s\S]*Way out\s+give the face width in mm/);
+  assert.match(await listed.innerText(), /line 15[\s\S]*Remedy\s+give the face width in mm/);
   await tab(page, "Worm").click();
   await listed.click();
   await page.locator(WIDTH).waitFor();

@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 use std::io::{self, IsTerminal, Write as _};
+use std::path::PathBuf;
 
 use flankwright::exchange::{Diagnostic, JobError, Loaded, Source};
 use flankwright::workflow::{JobFailure, RunFailure};
@@ -29,19 +30,21 @@ pub struct Failure {
     pub diagnostics: Vec<Diagnostic>,
     /// Further findings that were not kept.
     pub omitted: usize,
+    /// The report of a job that the bodies cannot make.
+    pub report: Option<PathBuf>,
 }
 
 impl From<JobError> for Failure {
     fn from(error: JobError) -> Self {
         let JobError { source, diagnostics, omitted } = error;
-        Self { exit: Exit::BadInput, source: Some(source), diagnostics, omitted }
+        Self { exit: Exit::BadInput, source: Some(source), diagnostics, omitted, report: None }
     }
 }
 
 impl Failure {
     /// A failure that is about no file.
     pub fn new(exit: Exit, diagnostic: Diagnostic) -> Self {
-        Self { exit, source: None, diagnostics: vec![diagnostic], omitted: 0 }
+        Self { exit, source: None, diagnostics: vec![diagnostic], omitted: 0, report: None }
     }
 
     /// A failure of a job, found by any layer; the diagnostic's field decides the place shown.
@@ -89,6 +92,13 @@ impl Failure {
         Self::new(Exit::BadInput, finding)
     }
 
+    /// A folder into which another run is writing.
+    pub fn busy(name: &str) -> Self {
+        let finding = Diagnostic::with_code("folder-in-use", format!("another run is writing into `{name}`"))
+            .way_out("wait for it, or choose another directory with `-o DIR`");
+        Self::new(Exit::BadInput, finding)
+    }
+
     /// Tells people on standard error, or programs on standard output.
     pub fn tell(&self, json: bool) {
         let told = if json {
@@ -108,6 +118,9 @@ impl Failure {
         let mut document = json!({ "error": errors.first(), "errors": errors, "omitted": self.omitted });
         if self.exit == Exit::NotProducible {
             document["status"] = json!("not_producible");
+        }
+        if let Some(report) = &self.report {
+            document["report"] = json!(report);
         }
         document
     }
@@ -147,6 +160,9 @@ impl Failure {
         if more > 0 {
             let _ = writeln!(text, "and {more} more; `--json` lists up to {}", JobError::MAXIMUM_FINDINGS);
         }
+        if let Some(report) = &self.report {
+            let _ = writeln!(text, "  report: {}", report.display());
+        }
         text
     }
 
@@ -166,7 +182,7 @@ impl Failure {
             ("key", &diagnostic.field),
             ("value", &diagnostic.value),
             ("allowed", &diagnostic.allowed),
-            ("way out", &diagnostic.way_out),
+            ("remedy", &diagnostic.way_out),
         ];
         let help: Vec<String> = parts
             .iter()

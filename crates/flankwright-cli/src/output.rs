@@ -103,7 +103,71 @@ pub fn refused<J>(loaded: &Loaded<J>, process: Process, command: &str) -> Failur
     loaded.error(process.refused_by(command)).into()
 }
 
-/// Where the files of a job go: as told, else `<job name>.out/` beside the job.
+/// Where the files of a job go: as told, else `<job name>.out/` beside the job. A job that lies in such a folder itself, as
+/// `settings.json` does, has its own beside it: `<job name>.settings.out/`.
 pub fn directory<J>(common: &CommonArguments, loaded: &Loaded<J>, job: &JobInfo) -> PathBuf {
-    common.output.clone().unwrap_or_else(|| loaded.beside(&format!("{}.out", job.name)))
+    let beside = || {
+        let own = loaded.beside(&format!("{}.out", job.name));
+        let (Some(folder), Some(stem)) =
+            (own.parent(), Path::new(loaded.document.source().name()).file_stem())
+        else {
+            return own;
+        };
+        if folder.file_name() != own.file_name() {
+            return own;
+        }
+        folder.with_file_name(format!("{}.{}.out", job.name, stem.display()))
+    };
+    common.output.clone().unwrap_or_else(beside)
+}
+
+/// In a folder that no `-o` chose: the name of the job file whose results lie there.
+const OWNER: &str = ".job";
+
+/// As [`directory`], unless the results of another job file that is still there would be lost.
+///
+/// # Errors
+/// Two job files of one name, without `-o`.
+pub fn own_directory<J>(
+    common: &CommonArguments,
+    loaded: &Loaded<J>,
+    job: &JobInfo,
+) -> Result<PathBuf, Failure> {
+    let directory = directory(common, loaded, job);
+    if common.output.is_some() {
+        return Ok(directory);
+    }
+    let (own, owner) =
+        (owner_name(loaded), std::fs::read_to_string(directory.join(OWNER)).unwrap_or_default());
+    let owner = owner.trim();
+    if owner.is_empty() || own.as_deref() == Some(owner) || !directory.with_file_name(owner).is_file() {
+        return Ok(directory);
+    }
+    let message = format!("{} holds the results of {owner}, a job of the same name", directory.display());
+    let finding = Diagnostic::with_code("folder-of-another-job", message)
+        .field("job.name")
+        .value(format!("\"{}\"", job.name))
+        .allowed("a name of its own for each job file of a folder")
+        .way_out("change job.name, or say with `-o DIR` where the files shall go");
+    Err(loaded.error(finding).into())
+}
+
+/// Notes in a folder that no `-o` chose whose results it holds.
+///
+/// # Errors
+/// The folder cannot be written.
+pub fn note_owner<J>(common: &CommonArguments, loaded: &Loaded<J>, directory: &Path) -> Result<(), Failure> {
+    match owner_name(loaded) {
+        Some(name) if common.output.is_none() => {
+            write_file(&directory.join(OWNER), format!("{name}\n").as_bytes())
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The job file by its name; none for standard input.
+fn owner_name<J>(loaded: &Loaded<J>) -> Option<String> {
+    let name = loaded.document.source().name();
+    let file = Path::new(name).file_name().filter(|_| name != "-")?;
+    file.to_str().map(str::to_owned)
 }

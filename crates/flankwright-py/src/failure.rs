@@ -1,10 +1,16 @@
 //! Findings of the library as exceptions of Python. Which class they are is decided there, from the exit status that the command would have.
 
-use flankwright::exchange::{Diagnostic, JobError, Source};
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use flankwright::exchange::{AnyJob, Diagnostic, JobError, Source};
 use flankwright::geometry::GeometryError;
-use flankwright::workflow::{JobFailure, RunFailure};
+use flankwright::workflow::{JobFailure, RunFailure, write_refusal};
+use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 use serde_json::{Value, json};
+
+use crate::pool::beside;
 
 /// Why something has no result: the exit status that the command would have, and what was found.
 #[derive(Clone, Debug)]
@@ -12,9 +18,45 @@ pub struct Failure {
     exit: u8,
     findings: Vec<Value>,
     omitted: usize,
+    /// A job that its bodies cannot make, of which a report can be written.
+    refusal: Option<Arc<Refusal>>,
+}
+
+/// A job that its bodies cannot make, and why.
+#[derive(Debug)]
+struct Refusal {
+    job: AnyJob,
+    finding: Diagnostic,
+}
+
+/// Writes the report of a refused job.
+#[pyclass(frozen, module = "flankwright._core")]
+pub struct CoreRefusal {
+    refusal: Arc<Refusal>,
+}
+
+#[pymethods]
+impl CoreRefusal {
+    /// Writes all files; their paths, the page last.
+    fn write(&self, py: Python<'_>, directory: PathBuf) -> PyResult<Vec<PathBuf>> {
+        let Refusal { job, finding } = &*self.refusal;
+        let written = beside(py, || write_refusal(job, finding, &directory))?;
+        written.map_err(|error| PyOSError::new_err(error.to_string()))
+    }
 }
 
 impl Failure {
+    /// A task on a job that has no result; what the bodies cannot make can be reported.
+    pub fn of_task(failure: &JobFailure, job: &AnyJob) -> Self {
+        let refusal = match failure {
+            JobFailure::Job(RunFailure::NotProducible(finding)) => {
+                Some(Arc::new(Refusal { job: job.clone(), finding: (**finding).clone() }))
+            }
+            JobFailure::Job(RunFailure::BadInput(_)) | JobFailure::File(_) => None,
+        };
+        Self { refusal, ..Self::from(failure) }
+    }
+
     /// Wrong input, in one finding.
     pub fn bad_input(finding: &Diagnostic) -> Self {
         Self::one(2, finding)
@@ -29,11 +71,11 @@ impl Failure {
     pub fn internal(message: impl Into<String>) -> Self {
         let way_out = "this is a fault of flankwright: please report it with the job";
         let finding = json!({ "code": "internal-error", "message": message.into(), "way_out": way_out });
-        Self { exit: 1, findings: vec![finding], omitted: 0 }
+        Self { exit: 1, findings: vec![finding], omitted: 0, refusal: None }
     }
 
     fn one(exit: u8, finding: &Diagnostic) -> Self {
-        Self { exit, findings: vec![told(finding, None)], omitted: 0 }
+        Self { exit, findings: vec![told(finding, None)], omitted: 0, refusal: None }
     }
 
     /// The same, told of one of many samples.
@@ -49,7 +91,11 @@ impl Failure {
         let made = || -> PyResult<PyErr> {
             let findings = Value::from(self.findings.clone()).to_string();
             let raised = py.import("flankwright._errors")?.getattr("raised")?;
-            Ok(PyErr::from_value(raised.call1((self.exit, findings, self.omitted))?))
+            let exception = raised.call1((self.exit, findings, self.omitted))?;
+            if let Some(refusal) = &self.refusal {
+                exception.setattr("_refusal", Bound::new(py, CoreRefusal { refusal: refusal.clone() })?)?;
+            }
+            Ok(PyErr::from_value(exception))
         };
         made().unwrap_or_else(|error| error)
     }
@@ -70,7 +116,7 @@ fn told(finding: &Diagnostic, source: Option<&Source>) -> Value {
 impl From<&JobError> for Failure {
     fn from(error: &JobError) -> Self {
         let findings = error.diagnostics.iter().map(|finding| told(finding, Some(&error.source))).collect();
-        Self { exit: 2, findings, omitted: error.omitted }
+        Self { exit: 2, findings, omitted: error.omitted, refusal: None }
     }
 }
 

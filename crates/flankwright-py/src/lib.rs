@@ -28,6 +28,8 @@ mod _core {
     #[pymodule_export]
     use crate::dressing::CoreDresser;
     #[pymodule_export]
+    use crate::failure::CoreRefusal;
+    #[pymodule_export]
     use crate::forward::CoreForward;
     #[pymodule_export]
     use crate::gear::{CoreGear, CoreWorm};

@@ -19,7 +19,7 @@ fn task_of(name: &str) -> PyResult<Task> {
 
 fn carried_out(task: Task, job: &CoreJob, progress: &dyn Progress) -> Result<CoreResult, Failure> {
     let done = CoreResult::of(|| carry_out(task, &job.job, progress).map(Held::Completed));
-    done.map_err(|failure| Failure::from(&failure))
+    done.map_err(|failure| Failure::of_task(&failure, &job.job))
 }
 
 /// Carries a task out on a job.

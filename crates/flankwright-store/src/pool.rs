@@ -86,6 +86,16 @@ impl Pool {
         }
     }
 
+    /// Connections to a file that is only read and that nobody changes.
+    pub fn read_only(path: &Path) -> Self {
+        let options = SqliteConnectOptions::new()
+            .filename(path)
+            .read_only(true)
+            .immutable(true)
+            .disable_statement_logging();
+        Self::Sqlite(settings().connect_lazy_with(options))
+    }
+
     /// Begins to write, as soon as nobody else does.
     pub async fn write(&self) -> Result<Writing, sqlx::Error> {
         match self {

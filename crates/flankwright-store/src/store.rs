@@ -1,6 +1,7 @@
 //! Opening and closing a store.
 
 use std::io::{self, ErrorKind};
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use sqlx::sqlite::SqliteConnectOptions;
@@ -36,7 +37,7 @@ impl Store {
         Self::connect(address, true).await
     }
 
-    /// Opens a store that is there; a file that is not there is not made.
+    /// Opens a store that is there; a file that is not there is not made. Where nothing may be written, it can still be read.
     ///
     /// # Errors
     /// As [`Store::open`]; `missing-store`.
@@ -47,7 +48,32 @@ impl Store {
         {
             return Err(StoreError::Missing { address: address.to_string() });
         }
-        Self::connect(address, false).await
+        match Self::connect(address, false).await {
+            Err(StoreError::CannotOpen { cause, .. }) if address.path().is_some_and(is_file) => {
+                Self::connect_read_only(address, cause).await
+            }
+            other => other,
+        }
+    }
+
+    /// Opens a file that cannot be written, or whose folder cannot; `cause` is why it could not be opened otherwise.
+    async fn connect_read_only(address: &StoreAddress, cause: String) -> Result<Self, StoreError> {
+        let refused = |cause: String| StoreError::CannotOpen { address: address.to_string(), cause };
+        let Some(path) = address.path() else { return Err(refused(cause)) };
+        // What stands in the log only would be missing.
+        if std::fs::metadata(beside(path, "-wal")).is_ok_and(|log| log.len() > 0) {
+            return Err(refused(format!(
+                "{cause}; it cannot be read either, because a program left a log beside it"
+            )));
+        }
+        let store = Self { pool: Pool::read_only(path), address: address.clone() };
+        match migrations::version(&store.pool).await {
+            Ok(Some(version)) if version == migrations::known() => Ok(store),
+            Ok(_) => {
+                Err(refused(format!("{cause}; its tables are of another version and cannot be brought up")))
+            }
+            Err(_) => Err(refused(cause)),
+        }
     }
 
     async fn connect(address: &StoreAddress, create: bool) -> Result<Self, StoreError> {
@@ -128,6 +154,9 @@ async fn reach(place: &Place, create: bool) -> Result<(), Unfit> {
             }
             let plain =
                 SqliteConnectOptions::new().filename(path).create_if_missing(create).busy_timeout(PATIENCE);
+            if path.exists() && is_empty_for_long(path).await {
+                return Err(Unfit::Foreign(EMPTY_FILE.to_owned()));
+            }
             let mut connection = plain.disable_statement_logging().connect().await?;
             let holds = migrations::holds(&mut connection).await?;
             connection.close().await?;
@@ -143,6 +172,34 @@ async fn reach(place: &Place, create: bool) -> Result<(), Unfit> {
         }
     }
     Ok(())
+}
+
+/// How an empty file is told: a store that was cut off must not become a new one.
+const EMPTY_FILE: &str = "the file is empty; if a store stood there, bring back a copy, else remove the file";
+
+/// Whether a file stays empty: one that another program is making has something in it at once.
+async fn is_empty_for_long(path: &Path) -> bool {
+    let begin = Instant::now();
+    loop {
+        if std::fs::metadata(path).map_or(true, |file| file.len() > 0) {
+            return false;
+        }
+        if begin.elapsed() > Duration::from_secs(1) {
+            return true;
+        }
+        tokio::time::sleep(Duration::from_millis(20)).await;
+    }
+}
+
+fn is_file(path: &Path) -> bool {
+    path.is_file()
+}
+
+/// The file of this ending beside another.
+fn beside(path: &Path, ending: &str) -> PathBuf {
+    let mut name = path.as_os_str().to_owned();
+    name.push(ending);
+    PathBuf::from(name)
 }
 
 /// Puts a file into the mode of the write-ahead log, which stays in it. SQLite does not wait for others while it changes the mode.
@@ -162,4 +219,32 @@ async fn write_ahead(options: &SqliteConnectOptions) -> Result<(), sqlx::Error> 
 fn is_busy(error: &sqlx::Error) -> bool {
     let code = error.as_database_error().and_then(|error| error.code());
     code.and_then(|code| code.parse::<u32>().ok()).is_some_and(|code| matches!(code & 0xff, 5 | 6))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::PartFilter;
+
+    #[test]
+    fn a_store_that_cannot_be_written_can_be_read() {
+        let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
+        runtime.block_on(written_and_read());
+    }
+
+    async fn written_and_read() {
+        let directory = tempfile::tempdir().unwrap();
+        let address = StoreAddress::file(directory.path().join("store.sqlite"));
+        Store::open(&address).await.unwrap().close().await;
+        let store = Store::connect_read_only(&address, "read-only".to_owned()).await.unwrap();
+        assert!(store.parts(&PartFilter::default()).await.unwrap().is_empty());
+        assert!(store.health().await.unwrap().faults.is_empty());
+        let error = store.pool.write().await.map(drop).unwrap_err();
+        assert!(error.to_string().contains("readonly"), "{error}");
+        store.close().await;
+        // What stands in a log only would be missing.
+        std::fs::write(directory.path().join("store.sqlite-wal"), "log").unwrap();
+        let refused = Store::connect_read_only(&address, "read-only".to_owned()).await.unwrap_err();
+        assert_eq!(refused.code(), "unreachable-store");
+    }
 }

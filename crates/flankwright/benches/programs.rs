@@ -14,6 +14,7 @@ use flankwright::numerics::{Silent, equidistant};
 use flankwright::workflow::plan_job;
 use std::hint::black_box;
 use std::path::Path;
+use std::time::Duration;
 
 fn root() -> std::path::PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
@@ -128,5 +129,25 @@ fn options() -> LayoutOptions {
     }
 }
 
-criterion_group!(benches, inverse, two_flank_job);
+/// The proof of a job's programs for one thread of the worm and for three: further threads stand under a coarser grid of rays, so that
+/// three take at most 1.5 times as long.
+fn proof(c: &mut Criterion) {
+    let mut group = c.benchmark_group("programs/proof");
+    group.sample_size(10);
+    for threads in [1, 3] {
+        let mut loaded = read_job(&root().join("examples/twist-free-crowning.toml")).expect("an example");
+        loaded.job.worm.threads = threads;
+        group.bench_function(format!("{threads} threads"), |b| {
+            // The run itself measures its proof apart from the plan and the texts.
+            b.iter_custom(|times| {
+                let once =
+                    || plan_job(&loaded, &Silent).expect("a plan").programs.expect("programs").seconds[1];
+                Duration::from_secs_f64((0..times).map(|_| once()).sum())
+            });
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, inverse, two_flank_job, proof);
 criterion_main!(benches);

@@ -229,8 +229,8 @@ fn rounding_leaves_the_regions_their_ratio() {
 fn areas_on_a_worm_share_no_lines_and_fit() {
     let (finishing, rough) = (two_corners(0.0).plan().unwrap(), roughing(0.2));
     let sets = [
-        AreaSet { kind: AreaKind::Finishing, plan: &finishing, count: 2 },
-        AreaSet { kind: AreaKind::Roughing, plan: &rough, count: 3 },
+        AreaSet { kind: AreaKind::Finishing, plan: &finishing, count: 2, apart: 0.0 },
+        AreaSet { kind: AreaKind::Roughing, plan: &rough, count: 3, apart: 0.0 },
     ];
     let width = [-80.0, 80.0];
     let laid = Occupation::lay(width, &sets).unwrap();
@@ -284,8 +284,8 @@ fn both_flanks_of_a_partition_are_drawn() {
     let finishing = task.plan().unwrap();
     let rough = AreaTask { regions: Vec::new(), free_ratio: 0.1, ..task }.plan().unwrap();
     let sets = [
-        AreaSet { kind: AreaKind::Finishing, plan: &finishing, count: 2 },
-        AreaSet { kind: AreaKind::Roughing, plan: &rough, count: 2 },
+        AreaSet { kind: AreaKind::Finishing, plan: &finishing, count: 2, apart: 0.0 },
+        AreaSet { kind: AreaKind::Roughing, plan: &rough, count: 2, apart: 0.0 },
     ];
     let laid = Occupation::lay([-80.0, 80.0], &sets).unwrap();
     let chart = occupation_chart("Worm of 160 mm", &laid);

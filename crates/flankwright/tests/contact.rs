@@ -285,7 +285,7 @@ proptest! {
         let found = match exact.solve(w_2, z_2) {
             Ok(found) => found,
             Err(e) => {
-                prop_assert!(["undercut", "contact-below-base", "worm-surface-missing"].contains(&e.code()), "{e}");
+                prop_assert!(["undercut", "contact-not-found", "contact-below-base", "worm-surface-missing"].contains(&e.code()), "{e}");
                 return Err(TestCaseError::reject("no flank here"));
             }
         };

@@ -8,6 +8,7 @@ use flankwright::control::servo::{
 };
 use flankwright::control::{
     FlankPlaces, Interpolation, Rotation, StrokeControl, StrokeRecord, StrokeSpeeds, run_stroke,
+    run_there_and_back,
 };
 use flankwright::geometry::{Flank, Gear, GearData, Sides, WormChoice, worm_for_gear};
 use flankwright::kinematics::{GeneratingMotion, GeneratingState, MotionLaw, Pose, Workpiece};
@@ -119,6 +120,36 @@ fn by_rays(
     };
     let disturbed = rays(&|time| record.error(time));
     disturbed.iter().zip(rays(&|_| 0.0)).map(|(with, without)| 1e3 * (with - without)).collect()
+}
+
+/// A stroke back behind the one there: without the pulses taken back at the reversal the flank stands off by all but one of an interval,
+/// with them it does not. The first stroke is the same with and without the second.
+#[test]
+fn both_senses_of_a_stroke_count_through_the_reversal() {
+    let pair = pair(31, -0.4);
+    let motion = pair.motion(MotionLaw::polynomial(0.0, vec![0.0, 0.0]));
+    let speeds = StrokeSpeeds { worm: 300.0, feed_range: [-6.0, 6.0], feed: 1.4 };
+    let work = pair.work.flank(Flank::Left);
+    let arm = 1e3 * work.base_radius * work.base_helix_angle.cos();
+    let apart = |mode: Mode| {
+        let mut control = control(&pair, Vec::new(), true);
+        control.feed.settings = Settings::new(64, Settings::COUNTER_LIMIT, mode).unwrap();
+        let phase = motion.phase[Flank::Left];
+        let [there, back] = run_there_and_back(&control, &motion, &speeds, phase).unwrap();
+        let alone = run_stroke(&control, &motion, &speeds, phase).unwrap();
+        let most = there.setpoint.iter().zip(&alone.setpoint).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(most * arm < 1e-6, "{most}");
+        assert!((back.feed(back.start) - 6.0).abs() < 1e-3 && back.speeds().velocity() < 0.0);
+        let mean = |errors: &[f64]| errors.iter().sum::<f64>() / errors.len() as f64;
+        [mean(&back.setpoint) * arm, mean(&back.actual) * arm]
+    };
+    // sin(beta_b) of the way between two reference pulses.
+    let interval = 4.0 * work.base_helix_angle.sin().abs();
+    let [setpoint, actual] = apart(Mode::OneWay).map(f64::abs);
+    assert!((setpoint - interval * 63.0 / 64.0).abs() < 0.1 * interval, "{setpoint} of {interval}");
+    assert!((actual - setpoint).abs() < 0.1 * interval, "{actual}");
+    let [setpoint, actual] = apart(Mode::NoBacklash).map(f64::abs);
+    assert!(setpoint < 0.05 * interval && actual < 0.1 * interval, "{setpoint} {actual}");
 }
 
 #[test]

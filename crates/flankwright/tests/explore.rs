@@ -128,7 +128,7 @@ fn equal_ratios_are_offered() {
     assert!((offer.value_deg - COMMON.0).abs() < 1e-9 && (offer.keys[0].1 - offer.value_deg).abs() == 0.0);
     assert!((offer.diagonal_ratio - COMMON.1).abs() < 1e-9);
     let remark = code(&loaded).unwrap();
-    assert!(remark.text.contains(&offer.value_deg.to_string()), "{}", remark.text);
+    assert!(remark.text.contains(&format!("{:.6}", offer.value_deg)), "{}", remark.text);
     // One flank alone has nothing to agree with.
     let mut one = loaded.clone();
     one.job.grinding.flanks = Flanks::Left;

@@ -110,7 +110,7 @@ fn signs_and_lengths_of_slopes_are_those_that_are_stated() {
     }
     assert_eq!(found.result.stated.len(), 3);
     let sheet = inspection_sheet(&found, &SheetOptions::default()).expect("a sheet");
-    assert!(sheet.contains("−z (lower face)") && sheet.contains("material rising to +z"));
+    assert!(sheet.contains("−z, lower face (face I)") && sheet.contains("material rising to +z"));
 }
 
 #[test]

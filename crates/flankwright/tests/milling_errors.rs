@@ -138,7 +138,7 @@ fn of_job(text: &str, replacements: &[(&str, &str)]) -> Told {
     match parse_any_job(Source::new("job.toml", &text)) {
         Err(error) => of_finding(&error.diagnostics[0], 2),
         Ok(_) => match run_milling(&loaded(&text), &Silent) {
-            Ok(outcome) => panic!("it is milled: {:?}", outcome.result.status),
+            Ok(outcome) => panic!("it is milled: {:?}", outcome.result.verdict.status()),
             Err(RunFailure::BadInput(finding)) => of_finding(&finding, 2),
             Err(RunFailure::NotProducible(finding)) => of_finding(&finding, 4),
         },
@@ -321,7 +321,7 @@ fn ball_as_wide_as_the_gap() -> Case {
         &example("internal-ring.toml"),
         &[("diameter = 3.0", "diameter = 8.0"), ("cutting_length = 12.0", "cutting_length = 14.0")],
     );
-    Case { told, code: "tool-gap", exit: Some(4), says: &["opposite flank", "wanted are 0.1 mm"] }
+    Case { told, code: "tool-gap", exit: Some(4), says: &["opposite flank", "wanted are 0.102 mm"] }
 }
 
 fn edge_too_short_for_the_root() -> Case {

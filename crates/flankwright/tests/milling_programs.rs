@@ -12,9 +12,9 @@ use flankwright::machine::Station;
 use flankwright::nc::{Dialect, TipControl, read_cl};
 use flankwright::numerics::Silent;
 use flankwright::process::milling::{
-    ActiveFlank, CurveOnCone, CutDirection, HeightLimits, HeightRule, HelixOnCylinder, Lines, MilledSide,
-    OperationKind, Orientation, PlanOptions, Retraction, RootDepth, RowOrder, Space, SpaceFlank, SpacingLaw,
-    Traverse, plan,
+    ActiveFlank, Bottom, CurveOnCone, CutDirection, HeightLimits, HeightRule, HelixOnCylinder, Lines,
+    MilledSide, OperationKind, Orientation, PlanOptions, Retraction, RootDepth, RowOrder, Space, SpaceFlank,
+    SpacingLaw, Traverse, plan,
 };
 use flankwright::removal::{self, MillPath, Milling, NormalRay, Unmilled, mill};
 use flankwright::workflow::RunFailure;
@@ -71,7 +71,7 @@ fn cylinder(teeth: i32, module: f64, helix_deg: f64, face: f64, form_radius: f64
         external_sign: left.external_sign(),
     });
     let pitch = TAU / f64::from(teeth.abs());
-    (Space { flanks: flanks.to_vec(), lead, pitch, lands: vec![], other_half: vec![] }, tip)
+    (Space { flanks: flanks.to_vec(), lead, pitch, lands: vec![], other_half: vec![], walls: vec![] }, tip)
 }
 
 fn options(shape: CutterShape, [rows, columns]: [usize; 2], height: f64, rough: CutterShape) -> PlanOptions {
@@ -89,7 +89,7 @@ fn options(shape: CutterShape, [rows, columns]: [usize; 2], height: f64, rough: 
         traverse: Traverse::Zigzag(CutDirection::Climb),
         order: RowOrder::TipToRoot,
         root: Some((RootDepth::Bottom(0.0), true)),
-        bottom: Some(0.0),
+        bottom: Some(Bottom::Level(0.0)),
         roughing: None,
         approach_radius: None,
         sides: vec![Flank::Left, Flank::Right],
@@ -153,7 +153,14 @@ fn bevel() -> Case {
     };
     Case {
         name: "straight bevel",
-        space: Space { flanks: flanks.to_vec(), lead, pitch: TAU / 16.0, lands: vec![], other_half: vec![] },
+        space: Space {
+            flanks: flanks.to_vec(),
+            lead,
+            pitch: TAU / 16.0,
+            lands: vec![],
+            other_half: vec![],
+            walls: vec![],
+        },
         options: options(CutterShape::end_mill(1.2, 0.5), [5, 7], 3.0, CutterShape::end_mill(0.6, 0.5)),
         retraction: Retraction::OutsideCone { half_angle, distance },
         mount: MillingMount { turned_over: true, height: 90.0, offset: [0.0, 0.0] },

@@ -10,7 +10,7 @@ use flankwright::report::milling::{
     RowView, Titled, WearView,
 };
 use flankwright::report::{Column, PlanReport, Quantity, ReportHead, Table, Warning, html};
-use flankwright::verdict::Status;
+use flankwright::verdict::{Status, Verdict};
 
 const HEIGHTS: usize = 13;
 const LENGTHS: usize = 9;
@@ -112,9 +112,13 @@ fn report() -> MillingReport {
             warnings: vec![Warning { text: "row_min cannot be kept".into(), way_out: "relax it".into() }],
             files: vec![("result.json".into(), "result".into())],
         },
+        verdict: Verdict::new(),
         tolerance_um: 1.0,
         bodies: vec![Quantity::count("spaces", "z", 20)],
-        views: vec![view("The space along the axis"), Drawing { axes: None, ..view("The space askew") }],
+        views: vec![
+            view("The space along the axis"),
+            Drawing { axes: None, ..view("The space, oblique view") },
+        ],
         flanks: vec![flank("Left flank", [10.0, 30.0]), flank("Right flank", [10.0, 30.0])],
         root: Some(Titled {
             drawing: view("Root in the column plane"),
@@ -270,8 +274,8 @@ fn the_page_is_complete() {
         assert!(text.contains(&format!("<h2>{heading}</h2>")), "{heading}");
     }
     for part in [
-        "Way out: lay more rows.",
-        "Way out: relax it",
+        "Remedy: lay more rows.",
+        "Remedy: relax it",
         "no cutter comes by",
         "Tolerance 1 µm",
         "greatest allowed",

@@ -843,3 +843,43 @@ proptest! {
         prop_assert!(relief.value(w, z).unwrap().abs() <= 1e-3 * c.abs() * (1.0 + 1e-9));
     }
 }
+
+#[test]
+fn faces_have_two_names_each() {
+    let values = |value: Value| {
+        let built = build(value);
+        [(7.0, -11.5), (13.0, 17.5), (19.5, 2.0), (19.8, -11.9), (19.9, 17.9)]
+            .map(|(w, z)| built.value(w, z).unwrap())
+    };
+    for (number, name) in [("I", "non_datum_face"), ("II", "datum_face")] {
+        let end = |kind: String| {
+            values(json!({ "kind": kind, "amount_um": 18.0, "length_mm": 5.0, "exponent": 2.0 }))
+        };
+        assert_eq!(end(format!("end_relief_{number}")), end(format!("end_relief_{name}")));
+        let corner = |face: &str| {
+            values(
+                json!({ "kind": "triangular_end_relief", "amount_um": 20.0, "corner_profile": "tip", "corner_face": face,
+                "length_w_mm": 6.0, "length_z_mm": 8.0 }),
+            )
+        };
+        assert_eq!(corner(number), corner(name));
+    }
+    // The datum face is the one with the greater z.
+    let datum = build(json!({ "kind": "end_relief_datum_face", "amount_um": 18.0, "length_mm": 5.0 }));
+    assert!((datum.value(12.0, 18.0).unwrap() + 0.018).abs() < 1e-15);
+    assert_eq!(datum.value(12.0, -12.0).unwrap(), 0.0);
+    let arcs = |one: &str, two: &str| json!({ "kind": "helix_crowning_two_arc", "apex_z_mm": 2.0, one: 6.0, two: 14.0 });
+    let by_number = values(arcs("amount_I_um", "amount_II_um"));
+    for (one, two) in [
+        ("amount_non_datum_face_um", "amount_datum_face_um"),
+        ("amount_I_um", "amount_datum_face_um"),
+        ("amount_non_datum_face_um", "amount_II_um"),
+    ] {
+        assert_eq!(values(arcs(one, two)), by_number, "{one} {two}");
+    }
+    let twice = refusal(arcs("amount_I_um", "amount_non_datum_face_um")).to_string();
+    assert!(twice.contains("amount_non_datum_face_um is given under both of its names"), "{twice}");
+    let none = refusal(json!({ "kind": "helix_crowning_two_arc", "apex_z_mm": 2.0, "amount_I_um": 6.0 }))
+        .to_string();
+    assert!(none.contains("amount_datum_face_um is missing"), "{none}");
+}

@@ -23,7 +23,7 @@ fn job(example: &str, changes: &[(&str, &str)], more: &str) -> LoadedJob {
         // Areas over a worm of 200 mm take more travel along it than the shipped machine has.
         let machine = std::fs::read_to_string(&file).expect("a machine");
         let machine =
-            machine.replace("min_mm = -140", "min_mm = -200").replace("max_mm = 140", "max_mm = 200");
+            machine.replace("min_mm = -140", "min_mm = -250").replace("max_mm = 140", "max_mm = 250");
         file = Path::new(env!("CARGO_TARGET_TMPDIR")).join("no-swivel-long-shift.toml");
         std::fs::write(&file, machine).expect("a machine with more travel");
     }
@@ -103,20 +103,40 @@ fn conical_bodies_have_proven_programs() {
     }
 }
 
-/// Areas beyond the first are dressed and ground by no program: the verdict owes them.
+/// Every finishing area is dressed and has a grinding program of its own, which is proven; roughing areas lie beside them.
 #[test]
-fn further_areas_are_owed() {
-    let loaded = job(
-        "twist-free-crowning",
-        &[
-            (GRID, COARSE),
-            ("width = 100.0", "width = 200.0"),
-            ("method = \"diagonal\"", "method = \"diagonal\"\nareas = 2"),
-        ],
-        "",
-    );
-    let verdict = planned(&loaded).result.verdict;
-    assert!(!verdict.is_accepted());
-    let owed = serde_json::to_value(&verdict).expect("a document").to_string();
-    assert!(owed.contains("area 2 of the worm"), "{owed}");
+fn every_finishing_area_is_dressed_and_ground_with() {
+    for (more, stock) in
+        [("", ""), ("\nroughing_areas = 1\nroughing_ratio = 0.0", "roughing_stock_um = [60.0]")]
+    {
+        let method = format!("method = \"diagonal\"\nareas = 2{more}");
+        let changes =
+            [(GRID, COARSE), ("width = 100.0", "width = 280.0"), ("method = \"diagonal\"", method.as_str())];
+        let loaded = job("twist-free-crowning", &changes, &format!("{stock}\n"));
+        let outcome = planned(&loaded);
+        proven(&outcome);
+        assert!(outcome.result.verdict.is_accepted(), "{:?}", outcome.result.verdict);
+        let programs = outcome.result.programs.as_ref().expect("programs");
+        let grinding = |control: &str| {
+            programs.programs.iter().filter(|p| p.job == "grinding" && p.control == control).count()
+        };
+        assert_eq!((grinding("siemens"), grinding("linuxcnc"), grinding("fanuc")), (2, 2, 2));
+        assert!(programs.proofs.iter().all(|proof| proof.areas == 2));
+        for flank in outcome.result.flanks.keys() {
+            let of = |area: &str| {
+                let found = programs.worm_use.iter().find(|one| one.flank == *flank && one.area == area);
+                let found = found.unwrap_or_else(|| panic!("{area}: {:?}", programs.worm_use));
+                assert!(found.area.starts_with("roughing") || found.file.contains("grinding-area-"));
+                found.lines_mm
+            };
+            let [first, second] = ["finishing 1", "finishing 2"].map(of);
+            assert!(first[1] < second[0] - 5.0, "{flank}: {first:?} {second:?}");
+            if !more.is_empty() {
+                assert!(of("roughing 1")[1] < first[0] + 1e-3);
+            }
+        }
+        let texts = &outcome.programs.as_ref().expect("programs").built.programs;
+        let heads = texts.iter().filter(|p| p.written.text.contains("FINISHING AREA 2 OF 2 OF THE WORM"));
+        assert_eq!(heads.count(), 3);
+    }
 }

@@ -632,10 +632,7 @@ fn the_page_is_complete_and_self_contained() {
     ] {
         assert!(page.contains(&format!("<h2>{heading}</h2>")), "{heading}");
     }
-    assert_holds(
-        &page,
-        &["twist-free-crowning", "within the tolerance of 1 µm", "K = −1.91605", "Way out: "],
-    );
+    assert_holds(&page, &["twist-free-crowning", "within the tolerance of 1 µm", "K = −1.91605", "Remedy: "]);
     assert_holds(&page, &["C<sub>β</sub>", "motions/dressing-left.csv", "@media print"]);
     assert_eq!(page.matches("<svg ").count(), 13);
     // Nothing is fetched: no script, no link, no image, no address but the name of the SVG namespace.

@@ -43,7 +43,7 @@ export const en = {
     omitted: (count: number) => `${count} more not shown`,
     value: "Value",
     allowed: "Allowed",
-    wayOut: "Way out",
+    wayOut: "Remedy",
     noPage: "There is no such page.",
     noPageWay: "Choose a view on the left.",
   },

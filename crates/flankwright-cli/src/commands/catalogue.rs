@@ -38,7 +38,7 @@ pub fn plan(
     let planned = plan_from_catalogue(loaded, catalogue, &bars);
     bars.finish();
     let plan = planned.map_err(|failure| Failure::of_run(loaded, failure))?;
-    let directory = output::directory(common, loaded, &loaded.job.job);
+    let directory = output::own_directory(common, loaded, &loaded.job.job)?;
     write_catalogue(&plan.ranking, &directory).map_err(unwritten)?;
     match plan.planned {
         Ok((variant, planned)) => outcome::deliver(common, &variant, Ok(*planned)),
@@ -180,7 +180,7 @@ fn ranking(outcome: &CatalogueOutcome, top: usize, written: &[PathBuf]) -> Strin
         && let Some(refused) = outcome.pairs.first().and_then(|pair| pair.refused.as_ref())
     {
         let _ = writeln!(text, "  {}: {}", refused.code, refused.text);
-        let _ = writeln!(text, "  way out: {}", refused.way_out);
+        let _ = writeln!(text, "  remedy: {}", refused.way_out);
     }
     if let Some(page) = written.last() {
         let _ = writeln!(text, "  report: {}", page.display());

@@ -134,7 +134,7 @@ fn summary(outcome: &ExploreOutcome, top: usize, written: &[PathBuf]) -> String 
         && let Some(refused) = outcome.candidates.first().and_then(|c| c.refused.as_ref())
     {
         let _ = writeln!(text, "  {}: {}", refused.code, refused.text);
-        let _ = writeln!(text, "  way out: {}", refused.way_out);
+        let _ = writeln!(text, "  remedy: {}", refused.way_out);
     }
     for offer in &outcome.levers {
         let keys: Vec<String> = offer.keys.iter().map(|(key, value)| format!("{key} = {value}")).collect();

@@ -52,8 +52,9 @@ pub fn run(arguments: &GearboxArguments) -> Result<Exit, Failure> {
     let outcome = run_gearbox(&loaded, &bars);
     bars.finish();
     let outcome = outcome.map_err(|failure| Failure::of_job_or_file(&loaded, failure))?;
-    let directory = output::directory(common, &loaded, &loaded.job.job);
+    let directory = output::own_directory(common, &loaded, &loaded.job.job)?;
     let written = write_gearbox(&loaded.job, &outcome, &directory).map_err(unwritten)?;
+    output::note_owner(common, &loaded, &directory)?;
     let result = &outcome.result;
     let verdict = Verdict::of(&result.job, &result.verdict);
     conclude(common, result, verdict, || summary(result, &written))

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::path::PathBuf;
 
-use flankwright::exchange::LoadedMillingJob;
+use flankwright::exchange::{AnyJob, LoadedMillingJob};
 use flankwright::workflow::milling::{MillingResult, run_milling, write_milling};
 
 use super::outcome::{Verdict, closing, conclude, opening, refuse, unwritten};
@@ -22,29 +22,30 @@ pub fn plan(loaded: &LoadedMillingJob, common: &CommonArguments) -> Result<Exit,
     let bars = Bars::new(common.quiet);
     let planned = run_milling(loaded, &bars);
     bars.finish();
-    let directory = output::directory(common, loaded, &job.job);
-    let outcome =
-        planned.map_err(|failure| refuse(loaded, &job.job, job.target.tolerance_um, failure, &directory))?;
+    let directory = output::own_directory(common, loaded, &job.job)?;
+    let outcome = planned.map_err(|failure| refuse(&AnyJob::Milling(loaded.clone()), failure, &directory))?;
     let written = write_milling(job, &outcome, &directory).map_err(unwritten)?;
+    output::note_owner(common, loaded, &directory)?;
     let result = &outcome.result;
-    let verdict = Verdict { job: &result.job, status: result.status, reason: result.reason.as_ref() };
+    let verdict = Verdict::of(&result.job, &result.verdict);
     conclude(common, result, verdict, || summary(result, &written))
 }
 
 fn summary(result: &MillingResult, written: &[PathBuf]) -> String {
     let worst = result.flanks.values().map(|flank| flank.max_deviation_um).fold(0.0, f64::max);
-    let verdict = Verdict { job: &result.job, status: result.status, reason: result.reason.as_ref() };
+    let verdict = Verdict::of(&result.job, &result.verdict);
     let mut text = opening(&verdict, worst, result.tolerance_um);
     for (name, flank) in &result.flanks {
         let [lowest, highest] = flank.stock_um;
         let _ = writeln!(
             text,
-            "  {name}: {} rows, {lowest:.3} to {highest:.3} um, rms {:.3} um; prediction within {:.4} um of the referee",
+            "  {name}: {} rows, {lowest:.3} to {highest:.3} um, rms {:.3} um; prediction and rays on this flank differ by {:.4} um",
             flank.rows.len(),
             flank.rms_deviation_um,
             flank.model_difference_um
         );
     }
+    let _ = writeln!(text, "  {}", result.verdict.scope_in_words());
     for operation in &result.operations {
         let _ = writeln!(
             text,

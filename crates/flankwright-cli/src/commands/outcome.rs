@@ -4,8 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use flankwright::exchange::job::JobInfo;
-use flankwright::exchange::{Loaded, LoadedJob};
+use flankwright::exchange::{AnyJob, LoadedJob};
 use flankwright::workflow::{
     JobResult, Outcome, ProgramsResult, Remark, RunFailure, Status, WriteError, write_outcome, write_refusal,
 };
@@ -25,11 +24,11 @@ pub fn deliver(
     loaded: &LoadedJob,
     run: Result<Outcome, RunFailure>,
 ) -> Result<Exit, Failure> {
-    let directory = output::directory(common, loaded, &loaded.job.job);
-    let refused =
-        |failure| refuse(loaded, &loaded.job.job, loaded.job.target.tolerance_um, failure, &directory);
+    let directory = output::own_directory(common, loaded, &loaded.job.job)?;
+    let refused = |failure| refuse(&AnyJob::Grinding(loaded.clone()), failure, &directory);
     let outcome = run.map_err(refused)?;
     let written = write_outcome(loaded, &outcome, &directory).map_err(unwritten)?;
+    output::note_owner(common, loaded, &directory)?;
     let result = &outcome.result;
     let verdict = Verdict::of(&result.job, &result.verdict);
     conclude(common, result, verdict, || summary(result, &written))
@@ -48,20 +47,23 @@ impl<'a> Verdict<'a> {
     }
 }
 
-/// Notes a refusal of the bodies in `result.json` and makes the failure of it.
-pub(super) fn refuse<J>(
-    loaded: &Loaded<J>,
-    job: &JobInfo,
-    tolerance_um: f64,
-    failure: RunFailure,
-    directory: &Path,
-) -> Failure {
-    if let RunFailure::NotProducible(finding) = &failure
-        && let Err(error) = write_refusal(job, tolerance_um, finding, directory)
-    {
-        return unwritten(error);
-    }
-    Failure::of_run(loaded, failure)
+/// Writes what a refusal of the bodies hands over and makes the failure of it.
+pub(super) fn refuse(job: &AnyJob, failure: RunFailure, directory: &Path) -> Failure {
+    let report = match &failure {
+        RunFailure::NotProducible(finding) => match write_refusal(job, finding, directory) {
+            Ok(written) => written.last().cloned(),
+            Err(error) => return unwritten(error),
+        },
+        RunFailure::BadInput(_) => None,
+    };
+    let failure = match job {
+        AnyJob::Grinding(loaded) => Failure::of_run(loaded, failure),
+        AnyJob::Tangential(loaded) => Failure::of_run(loaded, failure),
+        AnyJob::Gearbox(loaded) => Failure::of_run(loaded, failure),
+        AnyJob::Milling(loaded) => Failure::of_run(loaded, failure),
+        AnyJob::Skiving(loaded) => Failure::of_run(loaded, failure),
+    };
+    Failure { report, ..failure }
 }
 
 /// Prints what the arguments ask for; the exit status says whether the target is met.
@@ -88,6 +90,7 @@ pub(super) fn conclude(
 pub(super) fn unwritten(error: WriteError) -> Failure {
     match error {
         WriteError::Io { path, source } => Failure::cannot_write(&path.display().to_string(), &source),
+        WriteError::Busy { path } => Failure::busy(&path.display().to_string()),
         other => Failure::internal(other.to_string()),
     }
 }
@@ -97,6 +100,8 @@ pub(super) fn opening(verdict: &Verdict<'_>, worst_um: f64, tolerance_um: f64) -
     let met = match verdict.status {
         Status::Met => "target met".to_owned(),
         Status::NotJudged => "target NOT JUDGED".to_owned(),
+        // Something else is missed: the reason says what.
+        Status::Missed if worst_um <= tolerance_um => "target MISSED".to_owned(),
         Status::Missed => format!("target MISSED, largest deviation {worst_um:.3} um"),
     };
     let mut text = format!("{}: {met} (tolerance {tolerance_um} um)\n", verdict.job);
@@ -110,7 +115,7 @@ pub(super) fn opening(verdict: &Verdict<'_>, worst_um: f64, tolerance_um: f64) -
 pub(super) fn tell(text: &mut String, reason: &Remark) {
     // Writing to a text cannot fail.
     let _ = writeln!(text, "  {}: {}", reason.code, reason.text);
-    let _ = writeln!(text, "  way out: {}", reason.way_out);
+    let _ = writeln!(text, "  remedy: {}", reason.way_out);
 }
 
 /// The end of a summary: warnings, time, where the report is.
@@ -161,14 +166,14 @@ fn summary(result: &JobResult, written: &[PathBuf]) -> String {
         let s = &f.simulated_characteristics;
         let _ = writeln!(
             text,
-            "  {flank:<5} target: helix crowning {} um, profile crowning {} um, twist {} um",
+            "  {flank:<5} target, fitted over the whole field: helix crowning {} um, profile crowning {} um, twist {} um",
             fixed(t.helix_crowning_um, 2),
             fixed(t.profile_crowning_um, 2),
             fixed(t.twist_corner_um, 2)
         );
         let _ = writeln!(
             text,
-            "        simulated: helix crowning {} um, profile crowning {} um, twist {} um (corners), {} um (fit)",
+            "        simulated, fitted likewise: helix crowning {} um, profile crowning {} um, twist {} um (corners), {} um (fit)",
             fixed(s.helix_crowning_um, 3),
             fixed(s.profile_crowning_um, 3),
             fixed(s.twist_corner_um, 4),
@@ -202,11 +207,9 @@ fn summary(result: &JobResult, written: &[PathBuf]) -> String {
         );
     }
     let outside = result.flanks.values().map(|f| f.outside_class_um).fold(0.0, f64::max);
-    if outside > 0.0 {
-        let _ = writeln!(
-            text,
-            "  parts of the target outside the producible class: {outside:.3} um, best-fitted"
-        );
+    if outside >= 5e-4 {
+        let _ =
+            writeln!(text, "  parts of the target are best-fitted only: {outside:.3} um of them are left");
     }
     if let Some(control) = &result.control {
         for (flank, f) in &control.flanks {

@@ -17,7 +17,7 @@ use crate::progress::Bars;
 #[derive(Args, Debug)]
 #[command(after_help = "Example:\n  flankwright plan examples/twist-free-crowning.toml -o results\n\n\
     With a table [catalogue] in place of [worm] and [dresser] the best pair is chosen and planned; explore.html ranks all.\n\
-    Exit status 3: made, but outside the tolerance; 4: not producible with these bodies.")]
+    Exit status 3: made, but outside the tolerance; 4: not producible with these bodies; the report tells why, and what was tried.")]
 pub struct PlanArguments {
     /// The job file (TOML or JSON); `-` reads standard input
     #[arg(value_name = "JOB")]

@@ -206,6 +206,9 @@ fn summary(program: &CheckedProgram) -> String {
             );
         }
     }
+    if let Some(part) = &program.part {
+        let _ = writeln!(text, "  whole part: {}", part.statement);
+    }
     for remark in &program.remarks {
         let _ = writeln!(text, "  warning: {} ({})", remark.text, remark.way_out);
     }

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use flankwright::exchange::LoadedSkivingJob;
+use flankwright::exchange::{AnyJob, LoadedSkivingJob};
 use flankwright::workflow::JobFailure;
 use flankwright::workflow::skiving::{
     MeasurementResult, SkivingOutcome, SkivingResult, inspect_skiving, run_skiving, simulate_skiving,
@@ -56,23 +56,24 @@ fn deliver(
     run: Result<SkivingOutcome, JobFailure>,
 ) -> Result<Exit, Failure> {
     let job = &loaded.job;
-    let directory = output::directory(common, loaded, &job.job);
+    let directory = output::own_directory(common, loaded, &job.job)?;
     let outcome = match run {
         Ok(outcome) => outcome,
         Err(JobFailure::Job(failure)) => {
-            return Err(refuse(loaded, &job.job, job.target.tolerance_um, failure, &directory));
+            return Err(refuse(&AnyJob::Skiving(loaded.clone()), failure, &directory));
         }
         Err(failure) => return Err(Failure::of_job_or_file(loaded, failure)),
     };
     let written = write_skiving(job, &outcome, &directory).map_err(unwritten)?;
+    output::note_owner(common, loaded, &directory)?;
     let result = &outcome.result;
-    let verdict = Verdict { job: &result.job, status: result.status, reason: result.reason.as_ref() };
+    let verdict = Verdict::of(&result.job, &result.verdict);
     conclude(common, result, verdict, || summary(result, &written))
 }
 
 fn summary(result: &SkivingResult, written: &[PathBuf]) -> String {
     let worst = result.flanks.values().map(|flank| flank.max_deviation_um).fold(0.0, f64::max);
-    let verdict = Verdict { job: &result.job, status: result.status, reason: result.reason.as_ref() };
+    let verdict = Verdict::of(&result.job, &result.verdict);
     let mut text = opening(&verdict, worst, result.tolerance_um);
     for (name, tracks) in &result.tracks {
         let lean = tracks.iter().map(|track| track.off_flank_deg).fold(0.0, f64::max);

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::path::PathBuf;
 
-use flankwright::exchange::LoadedTangentialJob;
+use flankwright::exchange::{AnyJob, LoadedTangentialJob};
 use flankwright::workflow::RunFailure;
 use flankwright::workflow::tangential::{
     TangentialOutcome, TangentialResult, plan_tangential, simulate_tangential, write_tangential,
@@ -44,10 +44,10 @@ fn deliver(
     run: Result<TangentialOutcome, RunFailure>,
 ) -> Result<Exit, Failure> {
     let job = &loaded.job;
-    let directory = output::directory(common, loaded, &job.job);
-    let outcome =
-        run.map_err(|failure| refuse(loaded, &job.job, job.target.tolerance_um, failure, &directory))?;
+    let directory = output::own_directory(common, loaded, &job.job)?;
+    let outcome = run.map_err(|failure| refuse(&AnyJob::Tangential(loaded.clone()), failure, &directory))?;
     let written = write_tangential(loaded, &outcome, &directory).map_err(unwritten)?;
+    output::note_owner(common, loaded, &directory)?;
     let result = &outcome.result;
     let verdict = Verdict::of(&result.job, &result.verdict);
     conclude(common, result, verdict, || summary(result, &written))

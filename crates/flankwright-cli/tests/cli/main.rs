@@ -6,6 +6,7 @@ mod command;
 mod commands;
 mod control;
 mod every_key;
+mod everyday;
 mod examples;
 mod explore;
 mod gearbox;

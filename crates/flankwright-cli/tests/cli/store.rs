@@ -112,7 +112,7 @@ fn refused_files_are_told_and_the_others_go_on() {
     );
     let run = shop.store(&["import", &bad]);
     assert_eq!(run.exit, Some(2), "{run:?}");
-    assert!(run.stdout.contains("1 files refused") && run.stdout.contains("way out: "), "{run:?}");
+    assert!(run.stdout.contains("1 files refused") && run.stdout.contains("remedy: "), "{run:?}");
 }
 
 #[test]
@@ -343,4 +343,27 @@ fn a_folder_and_the_store_say_the_same_of_a_series() {
     assert_eq!((refused.exit, &refused.json()["error"]["code"]), (Some(2), &json!("no-measurements")));
     let refused = run(&["inspect", &shop.path("measured"), "--class", "12"]);
     assert!(refused.exit == Some(2) && refused.message().contains("1..=11"), "{refused:?}");
+}
+
+#[test]
+fn a_file_that_was_cut_off_is_no_store_and_stays_as_it_is() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("store.sqlite");
+    fs::write(&path, "").unwrap();
+    let place = path.to_str().unwrap();
+    for words in [&["check"][..], &["parts"], &["plans", "list"]] {
+        let refused = run(&[&["store"], words, &["--store", place, "--json"]].concat());
+        assert_eq!(refused.exit, Some(2), "{refused:?}");
+        assert_eq!(refused.json()["error"]["code"], "not-a-store", "{words:?}");
+    }
+    let catalogue = repository().join("examples/catalogue/bodies.toml");
+    let refused =
+        run(&["store", "catalogue", "add", catalogue.to_str().unwrap(), "--store", place, "--json"]);
+    assert_eq!(refused.json()["error"]["code"], "not-a-store");
+    assert_eq!(fs::metadata(&path).unwrap().len(), 0);
+    // A list makes no store either.
+    let none = directory.path().join("none/store.sqlite");
+    let refused = run(&["store", "parts", "--store", none.to_str().unwrap(), "--json"]);
+    assert_eq!(refused.json()["error"]["code"], "missing-store");
+    assert!(!none.parent().unwrap().exists());
 }

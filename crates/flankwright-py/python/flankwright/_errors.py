@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 Finding = Mapping[str, Any]
@@ -59,6 +61,25 @@ class NotProducible(FlankwrightError):
     """Each part is valid, but these bodies cannot make the target."""
 
     exit_status = 4
+    _refusal: Any = None
+
+    def write(self, directory: str | os.PathLike[str]) -> list[Path]:
+        """Writes ``result.json`` and ``report.html`` of the refused job: reason, bodies, for generating grinding the candidates that
+        were tried and the picture of what limits.
+
+        Args:
+            directory: Where to; it is made if missing.
+
+        Returns:
+            The paths, the report last.
+
+        Raises:
+            ValueError: no task on a job raised this, or it came from another process.
+            OSError: the files cannot be written.
+        """
+        if self._refusal is None:
+            raise ValueError("there is nothing to report: no plan or simulation of this process raised this")
+        return list(self._refusal.write(Path(directory)))
 
 
 class InternalError(FlankwrightError):
@@ -74,7 +95,7 @@ def _told(finding: Finding) -> str:
     if "sample" in finding:
         place = f"sample {finding['sample']}: "
     text = f"{place}{finding.get('message', '')} [{finding.get('code', '')}]"
-    for key, words in (("field", "field"), ("value", "value"), ("allowed", "allowed"), ("way_out", "way out")):
+    for key, words in (("field", "field"), ("value", "value"), ("allowed", "allowed"), ("way_out", "remedy")):
         if finding.get(key) is not None:
             text += f"\n  {words}: {finding[key]}"
     return text

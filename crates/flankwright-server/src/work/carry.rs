@@ -7,7 +7,7 @@ use std::io;
 use flankwright::numerics::Progress;
 use flankwright::workflow::cancel::{self, Ended};
 use flankwright::workflow::scene::Scene;
-use flankwright::workflow::{JobFailure, WriteError, carry_out};
+use flankwright::workflow::{JobFailure, RunFailure, WriteError, carry_out, write_refusal};
 use flankwright_store::{RunEnd, RunFile, RunState, StoreAddress};
 use flate2::Compression;
 use flate2::write::GzEncoder;
@@ -29,13 +29,25 @@ pub(super) struct Task {
     pub inputs: Vec<RunFile>,
 }
 
+/// Why a run has no result, and what it has written all the same: the report of a job that its bodies cannot make.
+struct Stopped {
+    failure: Failure,
+    files: Vec<RunFile>,
+}
+
+impl From<Failure> for Stopped {
+    fn from(failure: Failure) -> Self {
+        Self { failure, files: Vec::new() }
+    }
+}
+
 /// The end of a run.
 pub(super) fn carry(task: &Task, live: &Live, place: &StoreAddress, scratch: &Scratch) -> RunEnd {
     match cancel::run(live.cancelled(), live, |progress| carried(task, place, scratch, progress)) {
         Ended::Done(Ok((document, files))) => {
             RunEnd { state: RunState::Done, ended: now(), document: Some(document), files }
         }
-        Ended::Done(Err(failure)) => failed(&failure),
+        Ended::Done(Err(stopped)) => RunEnd { files: stopped.files, ..failed(&stopped.failure) },
         Ended::Cancelled => ended(live.ended_as()),
         Ended::Failed(words) => failed(&Failure::internal(scratch.tell(&words))),
     }
@@ -46,14 +58,17 @@ fn carried(
     place: &StoreAddress,
     scratch: &Scratch,
     progress: &dyn Progress,
-) -> Result<(Value, Vec<RunFile>), Failure> {
+) -> Result<(Value, Vec<RunFile>), Stopped> {
     let request: Request = serde_json::from_str(&task.request)
         .map_err(|error| Failure::internal(format!("the run cannot be read: {error}")))?;
     let none = Job::default();
     let shelf = Shelf::of_job(scratch, request.job.as_ref().unwrap_or(&none));
     let shelf = shelf.map_err(|error| unshelved(&error))?;
     let (document, hidden) = if task.inputs.is_empty() {
-        done(&request, &shelf, progress)?
+        done(&request, &shelf, progress).map_err(|failure| {
+            let files = results(&shelf, request.job.as_ref()).unwrap_or_default();
+            Stopped { failure, files }
+        })?
     } else {
         (measured::measured(&request, &task.inputs, &shelf, place, progress)?, Vec::new())
     };
@@ -78,7 +93,11 @@ fn done(request: &Request, shelf: &Shelf, progress: &dyn Progress) -> Result<(Va
     };
     let job = shelf.load(text).map_err(|error| Failure::of_error(&error, shelf))?;
     let told = |failure: JobFailure| refused_run(&failure, text, shelf);
-    let completed = carry_out(request.kind.task(), &job, progress).map_err(told)?;
+    let completed = carry_out(request.kind.task(), &job, progress);
+    if let Err(JobFailure::Job(RunFailure::NotProducible(finding))) = &completed {
+        write_refusal(&job, finding, &shelf.results()).map_err(|error| unwritten(&error))?;
+    }
+    let completed = completed.map_err(told)?;
     completed.write(&shelf.results()).map_err(|error| unwritten(&error))?;
     let document = completed.document().map_err(|error| Failure::internal(error.to_string()))?;
     // A result without its view in space is a result all the same.
@@ -106,9 +125,11 @@ fn packed(scene: &Scene) -> io::Result<Vec<u8>> {
 pub(super) fn unwritten(error: &WriteError) -> Failure {
     match error {
         WriteError::Io { source, .. } => Failure::disk(source),
-        WriteError::Table(_) | WriteError::Chart(_) | WriteError::Mesh(_) | WriteError::Json(_) => {
-            Failure::internal(error.to_string())
-        }
+        WriteError::Busy { .. }
+        | WriteError::Table(_)
+        | WriteError::Chart(_)
+        | WriteError::Mesh(_)
+        | WriteError::Json(_) => Failure::internal(error.to_string()),
     }
 }
 

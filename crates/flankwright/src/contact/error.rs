@@ -3,6 +3,9 @@
 use crate::geometry::{Flank, GeometryError};
 use thiserror::Error;
 
+/// det J / det J_0 below which the envelope counts as folding. A search that ends above it has failed for another reason.
+pub const FOLD_BEGINS: f64 = 0.3;
+
 /// What can go wrong between worm and workpiece. Lengths mm.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum ContactError {
@@ -85,7 +88,7 @@ pub enum ContactError {
     },
     /// The tool envelope folds: no flank is left at this point.
     #[error(
-        "the {flank} flank is undercut at length of roll {w:.4} mm, z = {z:.4} mm (determinant ratio {ratio:.3})"
+        "the envelope of the worm folds on the {flank} flank at length of roll {w:.4} mm, z = {z:.4} mm (determinant ratio {ratio:.3}): the worm would gouge the flank there"
     )]
     Undercut {
         /// Flank concerned.
@@ -97,6 +100,20 @@ pub enum ContactError {
         /// det J / det J_0 reached.
         ratio: f64,
     },
+    /// The search for the contact ends although the envelope is far from a fold.
+    #[error(
+        "the contact that grinds the {flank} flank at length of roll {w:.4} mm, z = {z:.4} mm was not found: the search does not settle, although the envelope is far from folding there (determinant ratio {ratio:.3}, a fold begins below {FOLD_BEGINS})"
+    )]
+    NotSettled {
+        /// Flank concerned.
+        flank: Flank,
+        /// Length of roll.
+        w: f64,
+        /// Axial position.
+        z: f64,
+        /// det J / det J_0 where the search ended.
+        ratio: f64,
+    },
     /// The unmodified contact does not exist at this point.
     #[error("no contact of worm and workpiece at length of roll {w:.4} mm, z = {z:.4} mm")]
     NoStart {
@@ -106,7 +123,9 @@ pub enum ContactError {
         z: f64,
     },
     /// The tool surface does not reach as far as the contact needs.
-    #[error("the worm surface is missing at its parameters ({p:.4}, {q:.4})")]
+    #[error(
+        "the contact leaves the part of the worm's flank that is made, at its parameters ({p:.4}, {q:.4})"
+    )]
     WormSurfaceMissing {
         /// First surface parameter.
         p: f64,
@@ -171,6 +190,7 @@ impl ContactError {
             Self::DiagonalRatioInfinite { .. } => "diagonal-ratio-infinite",
             Self::FeedDoesNotMoveContact { .. } => "feed-does-not-move-contact",
             Self::Undercut { .. } => "undercut",
+            Self::NotSettled { .. } => "contact-not-found",
             Self::NoStart { .. } => "no-start",
             Self::WormSurfaceMissing { .. } => "worm-surface-missing",
             Self::NotSmooth { .. } => "not-smooth",
@@ -185,7 +205,9 @@ impl ContactError {
     pub fn way_out(&self) -> &'static str {
         match self {
             Self::Geometry(e) => e.way_out(),
-            Self::InternalUnsupported { .. } => "use an external gear",
+            Self::InternalUnsupported { .. } => {
+                "worm grinding is for external gears; for a ring gear see the process \"five-axis-milling\""
+            }
             Self::AxesParallel { .. } | Self::NoCommonNormal { .. } => {
                 "change the worm's helix (threads, diameter, hand)"
             }
@@ -202,9 +224,12 @@ impl ContactError {
             Self::DiagonalRatioInfinite { .. } | Self::FeedDoesNotMoveContact { .. } => {
                 "choose another direction or ratio"
             }
-            Self::Undercut { .. } => "reduce the amount of the modification or choose another diagonal ratio",
+            Self::Undercut { .. } => "reduce the amount of the modification, or spread it over a longer way",
+            Self::NotSettled { .. } => {
+                "round the kinks of reliefs, or take smaller amounts; that the flank cannot be made is not shown"
+            }
             Self::WormSurfaceMissing { .. } => {
-                "dress a longer part of the worm or a larger part of its profile"
+                "reduce the amount of the modification; how far the worm is dressed is a limit of the planner"
             }
             Self::NotSmooth { .. } => {
                 "round the modification's kink with a transition or split the field there"

@@ -1,5 +1,6 @@
 //! The exact contact solver: what a tool surface really leaves on the workpiece flank (spec 20 section 14).
 
+use super::error::FOLD_BEGINS;
 pub use super::kernel::Measure;
 use super::kernel::{Evaluation, Kernel, Target, about_z, turned_z};
 use super::{ContactError, FlankPair, Pair, ToolSurface};
@@ -201,7 +202,7 @@ impl<'a, S: ToolSurface> ExactContact<'a, S> {
     /// Solves at (w_2, z_2) from the unmodified contact.
     ///
     /// # Errors
-    /// `NoStart`, `ContactBelowBase`, `WormSurfaceMissing`, `NotSmooth`, `Undercut`.
+    /// `NoStart`, `ContactBelowBase`, `WormSurfaceMissing`, `NotSmooth`, `Undercut`, `NotSettled`.
     pub fn solve(&self, w_2: f64, z_2: f64) -> Result<ContactSolution, ContactError> {
         self.solve_from(w_2, z_2, None, &mut None).map(|(solution, _)| solution)
     }
@@ -287,7 +288,10 @@ impl<'a, S: ToolSurface> ExactContact<'a, S> {
         Err(match lost {
             Lost::Surface { p, q } => ContactError::WormSurfaceMissing { p, q },
             Lost::Kink { p, q } => ContactError::NotSmooth { p, q },
-            Lost::Diverged => ContactError::Undercut { flank: self.pair.flank(), w, z, ratio: last },
+            Lost::Diverged if last < FOLD_BEGINS => {
+                ContactError::Undercut { flank: self.pair.flank(), w, z, ratio: last }
+            }
+            Lost::Diverged => ContactError::NotSettled { flank: self.pair.flank(), w, z, ratio: last },
         })
     }
 

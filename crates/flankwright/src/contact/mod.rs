@@ -15,7 +15,7 @@ mod tip_corner;
 mod working_area;
 
 pub use diagonal::{DiagonalLine, DiagonalRatio, LineMap, PointMap, WorkPoint};
-pub use error::ContactError;
+pub use error::{ContactError, FOLD_BEGINS};
 pub use exact::{ContactSolution, ExactContact, Measure, Sensitivities};
 pub use pair::{FlankPair, Pair};
 pub use relative_curvature::RelativeCurvature;

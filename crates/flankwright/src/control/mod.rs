@@ -20,4 +20,4 @@ pub use following::{FollowedSlide, FollowedWorm, Following, FollowingBin, Follow
 pub use interpolation::{ErrorBin, Extremes, Interpolation, InterpolationRun, PulseCounts};
 pub use rotation::{Rotation, RotationCounter, RotationRule};
 pub use slide::{Crossing, Crossings, Move, SlideCursor, SlideMotion, SlideState};
-pub use stroke::{StrokeControl, StrokeError, StrokeRecord, StrokeSpeeds, run_stroke};
+pub use stroke::{StrokeControl, StrokeError, StrokeRecord, StrokeSpeeds, run_stroke, run_there_and_back};

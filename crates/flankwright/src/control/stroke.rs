@@ -59,9 +59,9 @@ pub struct StrokeRecord {
     pub start: f64,
     /// Distance of samples, s.
     pub sample_time: f64,
-    /// Setpoint of the gearbox less the ideal angle, mean removed, rad.
+    /// Setpoint of the gearbox less the ideal angle, mean of the first stroke removed, rad.
     pub setpoint: Vec<f64>,
-    /// Actual less ideal angle, mean removed, rad.
+    /// Actual less ideal angle, mean of the first stroke removed, rad.
     pub actual: Vec<f64>,
     /// The means that were removed: setpoint and actual, rad. Centring the tooth space in the machine removes them there.
     pub means: [f64; 2],
@@ -142,6 +142,31 @@ pub fn run_stroke(
     speeds: &StrokeSpeeds,
     phase: f64,
 ) -> Result<StrokeRecord, StrokeError> {
+    let [record] = run_strokes(control, motion, speeds, phase)?;
+    Ok(record)
+}
+
+/// Simulates a stroke there and the one back behind it, without a stop but the reversal, the same pulses counted on. What was centred for
+/// the first holds for both: the means of the first are removed from either.
+///
+/// # Errors
+/// [`StrokeError`].
+pub fn run_there_and_back(
+    control: &StrokeControl,
+    motion: &GeneratingMotion,
+    speeds: &StrokeSpeeds,
+    phase: f64,
+) -> Result<[StrokeRecord; 2], StrokeError> {
+    run_strokes(control, motion, speeds, phase)
+}
+
+/// One stroke, or one there and one back.
+fn run_strokes<const STROKES: usize>(
+    control: &StrokeControl,
+    motion: &GeneratingMotion,
+    speeds: &StrokeSpeeds,
+    phase: f64,
+) -> Result<[StrokeRecord; STROKES], StrokeError> {
     let [first, last] = speeds.feed_range;
     let sense = (last - first).signum();
     let velocity = speeds.velocity();
@@ -150,10 +175,15 @@ pub fn run_stroke(
     let rise = lead_in / 3.0;
     let way = speeds.feed * (lead_in - 0.5 * rise);
     let duration = (last - first).abs() / speeds.feed;
-    let slide = SlideMotion::from_rest(
-        first - sense * way,
-        [(rise, velocity / rise), (lead_in - rise + duration, 0.0)],
-    )?;
+    let settling = lead_in - rise;
+    let there = [(rise, velocity / rise), (settling + duration, 0.0)];
+    // It runs on as far as it began before the flank, turns, and has settled when it is back at the flank's end.
+    let back = [(settling, 0.0), (2.0 * rise, -velocity / rise), (settling + duration, 0.0)];
+    let returns = STROKES > 1;
+    let pieces = there.into_iter().chain(back.into_iter().filter(|_| returns));
+    let slide = SlideMotion::from_rest(first - sense * way, pieces)?;
+    // When each stroke begins at its end of the flank.
+    let begins: [f64; STROKES] = std::array::from_fn(|k| lead_in + k as f64 * (duration + 2.0 * lead_in));
     let references = control.feed.references(&slide)?;
 
     let p = control.feed.settings.pulses_per_interval();
@@ -166,13 +196,18 @@ pub fn run_stroke(
     let gearbox = Gearbox::new(0, [LinearTerm::new(worm_ratio, 0), LinearTerm::new(shift_ratio, 0)]);
     let correction = match motion.delta_phi_2.is_zero() {
         true => None,
-        false => Some(CorrectionTable::new(motion, [first - sense * way, last], parts / TAU)?),
+        false => {
+            let beyond = if returns { sense * way } else { 0.0 };
+            Some(CorrectionTable::new(motion, [first - sense * way, last + beyond], parts / TAU)?)
+        }
     };
     let table = correction.as_ref().map(CorrectionTable::table).transpose()?;
 
     let step = control.servo.sample_time;
-    let samples = ((lead_in + duration) / step).ceil() as u64;
-    let skipped = (lead_in / step).floor() as u64;
+    // First and last sample of each stroke.
+    let windows =
+        begins.map(|begin| [(begin / step).floor() as u64, ((begin + duration) / step).ceil() as u64]);
+    let samples = windows.last().map_or(0, |window| window[1]);
     let mut pulses = PulseDrive::new(&control.feed, &control.rotation, &references)?;
     // Place of the slide at pulse position 0, in the middle of the staircase.
     let zero = slide.crossings(control.feed.pitch)?.next().map_or(first, |crossing| {
@@ -193,9 +228,9 @@ pub fn run_stroke(
     let mut servo = ServoLoop::new(control.servo)?.starting_at(begin, speed_of(at_rest).0)?;
     let mut closed = ClosedGearbox::new(parts, begin);
 
-    let kept = (samples - skipped) as usize + 1;
-    let (mut setpoints, mut actuals) = (Vec::with_capacity(kept), Vec::with_capacity(kept));
-    let (mut limited, mut greatest_torque) = (0u64, 0.0f64);
+    let mut setpoints: [Vec<f64>; STROKES] = std::array::from_fn(|_| Vec::new());
+    let mut actuals: [Vec<f64>; STROKES] = std::array::from_fn(|_| Vec::new());
+    let (mut limited, mut greatest_torque) = ([0u64; STROKES], [0.0f64; STROKES]);
     for k in 0..=samples {
         let time = k as f64 * step;
         pulses.advance(time)?;
@@ -219,31 +254,36 @@ pub fn run_stroke(
         let moment = Moment { time, worm_angle: wanted.worm_angle, workpiece_angle: wanted.work_angle };
         let before = servo.angle();
         let sample = servo.step(&setpoint, control.disturbances.torque(&moment)?)?;
-        if k >= skipped {
-            greatest_torque = greatest_torque.max(sample.torque.abs());
-            limited += u64::from(sample.limited);
-            setpoints.push(angle - wanted.work_angle);
-            actuals.push(before - wanted.work_angle);
+        if let Some(stroke) = windows.iter().position(|&[from, to]| (from..=to).contains(&k)) {
+            greatest_torque[stroke] = greatest_torque[stroke].max(sample.torque.abs());
+            limited[stroke] += u64::from(sample.limited);
+            setpoints[stroke].push(angle - wanted.work_angle);
+            actuals[stroke].push(before - wanted.work_angle);
         }
     }
     let means = [&mut setpoints, &mut actuals].map(|errors| {
-        let mean = errors.iter().sum::<f64>() / errors.len() as f64;
-        errors.iter_mut().for_each(|error| *error -= mean);
+        let mean = errors.first().map_or(0.0, |first| first.iter().sum::<f64>() / first.len() as f64);
+        errors.iter_mut().flatten().for_each(|error| *error -= mean);
         mean
     });
-    let count = actuals.len() as f64;
-    Ok(StrokeRecord {
-        start: skipped as f64 * step,
-        sample_time: step,
-        setpoint: setpoints,
-        actual: actuals,
-        means,
-        limited: limited as f64 / count,
-        greatest_torque,
-        interpolator: pulses.status(),
-        drive: *speeds,
-        origin: first - velocity * lead_in,
-    })
+    let interpolator = pulses.status();
+    Ok(std::array::from_fn(|k| {
+        let (setpoint, actual) = (std::mem::take(&mut setpoints[k]), std::mem::take(&mut actuals[k]));
+        let (feed_range, velocity) =
+            if k == 0 { ([first, last], velocity) } else { ([last, first], -velocity) };
+        StrokeRecord {
+            start: windows[k][0] as f64 * step,
+            sample_time: step,
+            limited: limited[k] as f64 / actual.len() as f64,
+            setpoint,
+            actual,
+            means,
+            greatest_torque: greatest_torque[k],
+            interpolator,
+            drive: StrokeSpeeds { feed_range, ..*speeds },
+            origin: feed_range[0] - velocity * begins[k],
+        }
+    }))
 }
 
 impl StrokeRecord {

@@ -13,7 +13,7 @@ mod stroke_study;
 mod strokes;
 mod tool;
 
-pub(super) use diameters::{dresser_diameters, worm_diameters};
+pub(super) use diameters::{dresser_diameters, root_clearance, worm_diameters};
 pub(super) use gear::check as drawing;
 
 use super::diagnostic::{Diagnostic, Problem};

@@ -158,7 +158,7 @@ impl fmt::Display for Diagnostic {
             ("key", &self.field),
             ("value", &self.value),
             ("allowed", &self.allowed),
-            ("way out", &self.way_out),
+            ("remedy", &self.way_out),
         ];
         for (name, part) in parts {
             if let Some(text) = part {

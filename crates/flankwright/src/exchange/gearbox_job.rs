@@ -74,11 +74,7 @@ impl GearboxJob {
         Diagnostic::new(Problem::ProcessNotAvailable, message)
             .field("job.process")
             .value(format!("\"{name}\""))
-            .allowed(format!(
-                "\"{}\", \"{}\"",
-                Process::GeneratingGrinding.name(),
-                Process::TangentialDressing.name()
-            ))
+            .allowed(Process::ElectronicGearbox.others_taken_by(command))
             .way_out(way_out)
     }
 }

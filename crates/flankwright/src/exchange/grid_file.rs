@@ -5,6 +5,7 @@
 use std::ops::Range;
 use std::path::Path;
 
+use super::decimal_comma::with_points;
 use super::diagnostic::{Diagnostic, JobError, Problem};
 use super::source::Source;
 
@@ -186,7 +187,7 @@ pub(super) fn parse_rows(text: &str, layout: Layout) -> Result<Vec<Row>, Diagnos
     let mut rows: Vec<Row> = Vec::new();
     let mut header = None;
     let mut offset = 0;
-    for line in text.split_inclusive('\n') {
+    for line in with_points(text).split_inclusive('\n') {
         let start = offset;
         offset += line.len();
         let line = line.trim_end();
@@ -244,7 +245,7 @@ fn values(
     if cells.len() != order.len() {
         return Err(layout
             .malformed(format!("a row of {} values", cells.len()))
-            .way_out("give three values with a decimal point, separated by commas")
+            .way_out("give three values with a decimal point, separated by commas; or with a decimal comma, all separated by semicolons, the titles too")
             .span(Some(span.clone())));
     }
     let mut row = [0.0; 3];

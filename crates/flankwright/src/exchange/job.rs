@@ -32,7 +32,7 @@ mod worm;
 pub use catalogue::{CatalogueSource, FreeQuantity, FreeWorm};
 pub use choices::{Flanks, Hand};
 pub use compensation::Compensation;
-pub use control::Control;
+pub use control::{Control, FeedSenses};
 pub use designed_for::DesignedFor;
 pub use diagonal_ratio::{
     DiagonalRatio, DiagonalRule, LineBlendCurve, LineSineCurve, PointsCurve, ShiftCurve, ShiftLaw, ShiftTable,

@@ -7,6 +7,7 @@ pub mod catalogue;
 mod checks;
 pub mod control;
 mod csv;
+mod decimal_comma;
 mod degrees;
 mod diagnostic;
 mod document;

@@ -1,6 +1,7 @@
 //! Reference pulses of a slide as a table: CSV with the columns tick and sign, one pulse a row. Reads it and keeps the place of
 //! every pulse; whether ticks rise and which signs there are is left to the gearbox.
 
+use super::decimal_comma::with_points;
 use std::ops::Range;
 use std::path::Path;
 
@@ -67,7 +68,7 @@ type Rows = (Vec<(u64, i64)>, Vec<Option<Range<usize>>>);
 fn rows(text: &str) -> Result<Rows, Diagnostic> {
     let ticks = format!("a whole number from 1 to 2^53 = {GREATEST_TICK}");
     let (mut references, mut places) = (Vec::new(), Vec::new());
-    for row in FORM.rows(text)? {
+    for row in FORM.rows(&with_points(text))? {
         let tick = row.parsed(0, &ticks, |tick: &u64| *tick <= GREATEST_TICK)?;
         references.push((tick, row.parsed(1, "1 or -1", |_: &i64| true)?));
         places.push(Some(row.place()));

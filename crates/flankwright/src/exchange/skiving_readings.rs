@@ -1,6 +1,7 @@
 //! Angles at which a light barrier switched, as a table: CSV with the columns flank, track, sense, revolution and angle_deg, one switch
 //! a row. Reads and writes it; whether there are as many switches as teeth is left to the evaluation.
 
+use super::decimal_comma::with_points;
 use std::path::Path;
 
 use super::csv::{Cell, Column, CsvError, CsvTable};
@@ -70,7 +71,7 @@ pub fn readings_table(readings: &[Reading]) -> Result<CsvTable, CsvError> {
 }
 
 fn rows(text: &str, tracks: usize) -> Result<Vec<Reading>, Diagnostic> {
-    FORM.rows(text)?.iter().map(|row| reading(row, tracks)).collect()
+    FORM.rows(&with_points(text))?.iter().map(|row| reading(row, tracks)).collect()
 }
 
 fn reading(row: &Row<'_, 5>, tracks: usize) -> Result<Reading, Diagnostic> {

@@ -71,6 +71,7 @@ mod tests {
             let other = ["normal_tooth_thickness", "span", "over_balls"].contains(&key);
             let removed = match key {
                 "modifications" => "edge_amounts",
+                "root_clearance" => "pitch_diameter",
                 _ if other => "profile_shift",
                 _ => key,
             };

@@ -24,6 +24,11 @@ pub(super) fn parse(text: &str) -> Result<Node, Diagnostic> {
                 .value(text.get(span.clone()).unwrap_or_default())
                 .way_out("delete one of the two"),
             Problem::NestedTooDeeply => too_deep(),
+            _ if decimal_comma(text, span.start) => {
+                Diagnostic::new(problem, "a comma inside a number: the decimal sign is a point")
+                    .allowed("a number with a decimal point, e.g. 2.5")
+                    .way_out("write a point in place of the comma")
+            }
             _ => Diagnostic::new(problem, format!("this is not TOML: {message}")).way_out(
                 "correct the text at this place; texts stand in quotes, lists in [ ], inline tables in { }",
             ),
@@ -32,6 +37,17 @@ pub(super) fn parse(text: &str) -> Result<Node, Diagnostic> {
     })?;
     let span = table.span();
     Ok(Node { kind: table_kind(table.into_inner(), 0)?, span })
+}
+
+/// Whether the fault at a place follows `key = 2,5`, on whatever side of the comma the parser noticed it.
+fn decimal_comma(text: &str, at: usize) -> bool {
+    let from = text.get(..at).and_then(|before| before.rfind('\n')).map_or(0, |end| end + 1);
+    let line = text.get(from..).unwrap_or_default().lines().next().unwrap_or_default();
+    let Some((_, value)) = line.split_once('=') else { return false };
+    let value = value.split('#').next().unwrap_or_default().trim().trim_start_matches(['+', '-']);
+    let Some((whole, rest)) = value.split_once(',') else { return false };
+    let digits = |part: &str| !part.is_empty() && part.bytes().all(|b| b.is_ascii_digit());
+    digits(whole) && digits(rest)
 }
 
 fn too_deep() -> Diagnostic {

@@ -198,17 +198,24 @@ impl Cutter {
         &self.steps
     }
 
-    /// The cutter in a spindle whose nose stands at this height above the tip, mm.
+    /// The cutter in a spindle of this diameter whose nose stands at this height above the tip, mm: the last cylinder of the tool.
     ///
     /// # Errors
-    /// [`GeometryError::InvalidNumber`] for a height that is not above the tip.
-    pub fn in_spindle(mut self, overhang: f64) -> Result<Self, GeometryError> {
-        if !(overhang > 0.0 && overhang.is_finite()) {
-            let (field, allowed) = ("tool_length", "> 0 mm");
-            return Err(GeometryError::InvalidNumber { field, value: overhang, allowed });
+    /// [`GeometryError::InvalidNumber`] for a height that is not above the tip and for a diameter that is none.
+    pub fn in_spindle(mut self, overhang: f64, diameter: f64) -> Result<Self, GeometryError> {
+        for (field, value) in [("tool_length", overhang), ("spindle_diameter", diameter)] {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(GeometryError::InvalidNumber { field, value, allowed: "> 0 mm" });
+            }
         }
         self.overhang = Some(overhang);
+        self.steps.push(ShankStep { radius: 0.5 * diameter, from: overhang });
         Ok(self)
+    }
+
+    /// Whether anything is known of what holds the cutter: shank, holder or spindle.
+    pub fn is_held(&self) -> bool {
+        !self.steps.is_empty()
     }
 
     /// Height above the tip up to which the tool is known to go, mm: to the nose of the spindle, else to the begin of its last step, at

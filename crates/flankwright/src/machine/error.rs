@@ -146,7 +146,7 @@ impl MachineError {
                 "look whether the directions of the axes span this pose, or take another machine".into()
             }
             Self::AxisLimit { axis, .. } => format!(
-                "move the zero of {axis}, clamp the body the other way round, or take smaller bodies or another machine"
+                "bring the way within the travel: move the zero of {axis} or where the body is clamped, take a smaller body (a narrower worm shortens the shift) or another machine"
             ),
         }
     }

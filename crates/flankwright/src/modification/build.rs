@@ -9,9 +9,8 @@ use super::limits;
 use super::node::Node;
 use super::point_cloud::PointCloud;
 use super::spec::{
-    CornerFace, CornerProfile, DirectedSpec, FlankChoice, FormulaSpec, GridSpec, HelixTracesSpec,
-    ModificationSpec, PointMethod, PointsSpec, PolynomialSpec, Reference, ReliefSpec, TriangularSpec,
-    WavinessSpec,
+    CornerProfile, DirectedSpec, FlankChoice, FormulaSpec, GridSpec, HelixTracesSpec, ModificationSpec,
+    PointMethod, PointsSpec, PolynomialSpec, Reference, ReliefSpec, TriangularSpec, WavinessSpec,
 };
 use super::traces::Traces;
 use super::warning::ModificationWarning;
@@ -94,8 +93,10 @@ impl<'a> Builder<'a> {
             S::HelixCrowningArc(s) => helix(z_m, arc(kind, -left("amount_um", s.amount_um)?, half_b)?),
             S::HelixCrowningTwoArc(s) => {
                 let apex = inside(kind, "apex_z_mm", s.apex_z_mm, [z_1, z_2])?;
-                let c_1 = left("amount_I_um", s.amount_1_um)? / (apex - z_1).powi(2);
-                let c_2 = left("amount_II_um", s.amount_2_um)? / (z_2 - apex).powi(2);
+                let [at_1, at_2] = s.amounts_um()?;
+                let [key_1, key_2] = s.keys();
+                let c_1 = left(key_1, at_1)? / (apex - z_1).powi(2);
+                let c_2 = left(key_2, at_2)? / (z_2 - apex).powi(2);
                 helix(apex, Curve::TwoParabolas { c_1, c_2 })
             }
             S::ProfileCrowningTwoArc(s) => {
@@ -116,8 +117,12 @@ impl<'a> Builder<'a> {
             }
             S::TipRelief(s) => self.relief(kind, s, left("amount_um", s.amount_um)?, tip)?,
             S::RootRelief(s) => self.relief(kind, s, left("amount_um", s.amount_um)?, root)?,
-            S::EndReliefI(s) => self.relief(kind, s, left("amount_um", s.amount_um)?, face_1)?,
-            S::EndReliefII(s) => self.relief(kind, s, left("amount_um", s.amount_um)?, face_2)?,
+            S::EndReliefI(s) | S::EndReliefNonDatumFace(s) => {
+                self.relief(kind, s, left("amount_um", s.amount_um)?, face_1)?
+            }
+            S::EndReliefII(s) | S::EndReliefDatumFace(s) => {
+                self.relief(kind, s, left("amount_um", s.amount_um)?, face_2)?
+            }
             S::TriangularEndRelief(s) => self.triangle(kind, s, left("amount_um", s.amount_um)?)?,
             S::DirectedCrowning(s) => self.directed(kind, s, left("amount_um", s.amount_um)?)?,
             S::Waviness(s) => self.waviness(kind, s)?,
@@ -213,10 +218,7 @@ impl<'a> Builder<'a> {
             CornerProfile::Tip => (1.0 / length_w, w_a),
             CornerProfile::Root => (-1.0 / length_w, w_f),
         };
-        let (b, z_c) = match s.corner_face {
-            CornerFace::I => (-1.0 / length_z, z_1),
-            CornerFace::II => (1.0 / length_z, z_2),
-        };
+        let (b, z_c) = if s.corner_face.is_datum() { (1.0 / length_z, z_2) } else { (-1.0 / length_z, z_1) };
         let curve = if exponent == 1.0 {
             Curve::Ramp { c, h: transition }
         } else {

@@ -18,6 +18,7 @@ mod build;
 mod curve;
 mod direction;
 mod error;
+mod faces;
 mod field;
 mod files;
 mod formula;

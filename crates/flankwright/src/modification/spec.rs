@@ -29,7 +29,7 @@ pub enum ModificationSpec {
     ProfileCrowningTwoArc(ProfileTwoArcSpec),
     /// Profile slope over the length of roll, zero at the root; positive removes at the tip.
     ProfileSlope(AmountSpec),
-    /// Helix slope, zero at face I; positive removes at face II.
+    /// Helix slope, zero at face I; positive removes at face II, the datum face.
     HelixSlope(AmountSpec),
     /// Bilinear twist (bias).
     Twist(AmountSpec),
@@ -37,12 +37,16 @@ pub enum ModificationSpec {
     TipRelief(ReliefSpec),
     /// Relief towards the root.
     RootRelief(ReliefSpec),
-    /// Relief towards face I (lower z).
+    /// Relief towards face I (lower z), the face opposite the datum face.
     #[serde(rename = "end_relief_I")]
     EndReliefI(ReliefSpec),
-    /// Relief towards face II (upper z).
+    /// Relief towards face II (upper z), the datum face.
     #[serde(rename = "end_relief_II")]
     EndReliefII(ReliefSpec),
+    /// Relief towards the datum face (upper z, face II).
+    EndReliefDatumFace(ReliefSpec),
+    /// Relief towards the face opposite the datum face (lower z, face I).
+    EndReliefNonDatumFace(ReliefSpec),
     /// Relief of one corner of the flank.
     TriangularEndRelief(TriangularSpec),
     /// Parabolic crowning across an oblique direction.
@@ -88,6 +92,8 @@ impl ModificationSpec {
             Self::RootRelief(_) => "root_relief",
             Self::EndReliefI(_) => "end_relief_I",
             Self::EndReliefII(_) => "end_relief_II",
+            Self::EndReliefDatumFace(_) => "end_relief_datum_face",
+            Self::EndReliefNonDatumFace(_) => "end_relief_non_datum_face",
             Self::TriangularEndRelief(_) => "triangular_end_relief",
             Self::DirectedCrowning(_) => "directed_crowning",
             Self::Waviness(_) => "waviness",
@@ -126,9 +132,12 @@ impl ModificationSpec {
             | Self::Twist(s) => (s.flank, s.reference),
             Self::HelixCrowningTwoArc(s) => (s.flank, s.reference),
             Self::ProfileCrowningTwoArc(s) => (s.flank, s.reference),
-            Self::TipRelief(s) | Self::RootRelief(s) | Self::EndReliefI(s) | Self::EndReliefII(s) => {
-                (s.flank, s.reference)
-            }
+            Self::TipRelief(s)
+            | Self::RootRelief(s)
+            | Self::EndReliefI(s)
+            | Self::EndReliefII(s)
+            | Self::EndReliefDatumFace(s)
+            | Self::EndReliefNonDatumFace(s) => (s.flank, s.reference),
             Self::TriangularEndRelief(s) => (s.flank, s.reference),
             Self::DirectedCrowning(s) => (s.flank, s.reference),
             Self::Waviness(s) => (s.flank, s.reference),
@@ -204,17 +213,23 @@ pub struct AmountSpec {
 }
 
 /// Two parabolas over the face width.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct HelixTwoArcSpec {
     /// Apex, mm, inside the field.
     pub apex_z_mm: f64,
-    /// Amount at face I, um.
-    #[serde(rename = "amount_I_um")]
-    pub amount_1_um: f64,
-    /// Amount at face II, um.
-    #[serde(rename = "amount_II_um")]
-    pub amount_2_um: f64,
+    /// Amount at face I (lower z), the face opposite the datum face, um; another name of `amount_non_datum_face_um`.
+    #[serde(default, rename = "amount_I_um", skip_serializing_if = "Option::is_none")]
+    pub amount_1_um: Option<f64>,
+    /// Amount at face II (upper z), the datum face, um; another name of `amount_datum_face_um`.
+    #[serde(default, rename = "amount_II_um", skip_serializing_if = "Option::is_none")]
+    pub amount_2_um: Option<f64>,
+    /// Amount at the datum face (upper z, face II), um.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub amount_datum_face_um: Option<f64>,
+    /// Amount at the face opposite the datum face (lower z, face I), um.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub amount_non_datum_face_um: Option<f64>,
     /// The flanks to which it applies.
     #[serde(default, skip_serializing_if = "FlankChoice::is_default")]
     pub flank: FlankChoice,
@@ -502,12 +517,18 @@ pub enum CornerProfile {
 /// Face of a corner.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub enum CornerFace {
-    /// Face I, lower z.
+    /// Face I (lower z), the face opposite the datum face.
     #[serde(rename = "I")]
     I,
-    /// Face II, upper z.
+    /// Face II (upper z), the datum face.
     #[serde(rename = "II")]
     II,
+    /// The datum face (upper z, face II).
+    #[serde(rename = "datum_face")]
+    DatumFace,
+    /// The face opposite the datum face (lower z, face I).
+    #[serde(rename = "non_datum_face")]
+    NonDatumFace,
 }
 
 /// How the space between scattered points is filled.

@@ -461,6 +461,20 @@ impl Tracked {
         Ok(runs)
     }
 
+    /// Blocks in which an axis moves faster than `limit` (mm/s or rad/s), each with its greatest speed.
+    pub fn faster(&self, axis: usize, limit: f64) -> Vec<(usize, f64)> {
+        let mut found: Vec<(usize, f64)> = Vec::new();
+        for segment in self.chains.iter().flatten() {
+            let speed = (segment.to[axis] - segment.from[axis]).abs() / segment.duration;
+            match found.last_mut() {
+                _ if speed <= limit => {}
+                Some((block, greatest)) if *block == segment.block => *greatest = greatest.max(speed),
+                _ => found.push((segment.block, speed)),
+            }
+        }
+        found
+    }
+
     /// Where the axes stand off the strokes of these blocks: along all other blocks and rapid moves, and at the first and the last place
     /// of each stroke. Block, from 1, and positions.
     pub fn beside(&self, machine: &Machine, strokes: &[[usize; 2]]) -> Vec<(usize, Positions)> {

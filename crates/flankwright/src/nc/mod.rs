@@ -28,6 +28,6 @@ pub use reader::{
 };
 pub use writer::{
     ClCutter, Decimals, FanucOptions, FeedWords, HalOptions, LinuxCncOptions, Rounding, RoundingBound,
-    TipDecimals, Warning, WriteOptions, Written, cl_with_notes, netlist_with_notes, rounding_bound, with_notes,
-    write, write_cl,
+    TipDecimals, Warning, WriteOptions, Written, cl_with_notes, netlist_with_notes, rounding_bound,
+    with_notes, write, write_cl,
 };

@@ -44,8 +44,9 @@ const SETTLED: f64 = 1e-13;
 const ROUNDING: f64 = 1e-12;
 /// Where the first secant on the rate of a length ends, mm: a bottom found is nearer than that.
 const BESIDE: f64 = 0.01;
-/// Check rays stand in every third cell in w and every fifth in z.
-const CHECK_STRIDES: (usize, usize) = (3, 5);
+/// Check rays stand in every third cell in w and every fifth in z, and in every cell in w on a few sections: a kink lies in one row of cells
+/// and would be passed over by a coarser sample.
+const CHECK_STRIDES: [(usize, usize); 2] = [(3, 5), (1, 25)];
 /// Rays per parcel of work; a parcel takes about a millisecond.
 const PARCEL: usize = 64;
 
@@ -94,9 +95,8 @@ pub fn dress(
     progress: &dyn Progress,
 ) -> Result<DressedFlank, RemovalError> {
     let cutter = Cutter::new(setup, meridian::TOLERANCE)?;
-    let (w_stride, z_stride) = CHECK_STRIDES;
     let mut feet: Vec<(f64, f64)> = (0..grid.count()).map(|i| grid.ray(i)).collect();
-    feet.extend(grid.cell_middles(w_stride, z_stride));
+    feet.extend(CHECK_STRIDES.iter().flat_map(|&(w_stride, z_stride)| grid.cell_middles(w_stride, z_stride)));
     progress.start("dressing", feet.len() as u64);
     let shots: Vec<Shot> = feet
         .par_chunks(PARCEL)

@@ -102,7 +102,9 @@ pub enum RemovalError {
         r: f64,
     },
     /// Rays without a length where a whole flank is wanted.
-    #[error("{stage}: {count} rays were not finished, first at w = {w:.4} mm, z = {z:.4} mm: {reason}")]
+    #[error(
+        "simulation of {stage}: {count} rays were not finished, first at length of roll {w:.4} mm, z = {z:.4} mm: {reason}"
+    )]
     RayUncut {
         /// Stage concerned.
         stage: Stage,
@@ -230,13 +232,15 @@ impl RemovalError {
             Self::ProfileFolds { .. } => "shorten the dresser profile or reduce its modification",
             Self::RayUncut { reason, .. } => match reason {
                 Uncut::NotReached => "check centre distance and phase, or allow more stock",
-                Uncut::StrokeTooShort => "lengthen the stroke at that end",
-                Uncut::ToolMissing => "lengthen the tool's profile or width, or shrink the field of rays",
+                Uncut::StrokeTooShort => "take smaller amounts, or a longer stroke where it is given",
+                Uncut::ToolMissing => {
+                    "take a tool with more profile or width there, or evaluate less of the flank"
+                }
                 Uncut::NoActiveThread => {
                     "index the workpiece between strokes or leave more threads on the worm"
                 }
                 Uncut::NotConverged => {
-                    "shorten the tool's tip if it undercuts there, or smooth the modification"
+                    "reduce the tool's tip diameter if it undercuts there, or round the kinks of the modification"
                 }
             },
             Self::ContactNotSeen { .. } => {

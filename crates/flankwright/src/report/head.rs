@@ -35,7 +35,7 @@ impl ReportHead {
         let headline = if self.way_out.is_empty() {
             self.headline.clone()
         } else {
-            format!("{} Way out: {}.", self.headline, self.way_out)
+            format!("{} Remedy: {}.", self.headline, self.way_out)
         };
         let warnings = (!self.warnings.is_empty())
             .then(|| Section::new("Warnings", vec![Block::Warnings(self.warnings.clone())]));

@@ -176,7 +176,7 @@ fn write_warnings(page: &mut String, warnings: &[Warning]) {
     for Warning { text, way_out } in warnings {
         let _ = write!(page, "<li><p>{}</p>", escape(text));
         if !way_out.is_empty() {
-            let _ = write!(page, "<p class=\"way-out\">Way out: {}</p>", escape(way_out));
+            let _ = write!(page, "<p class=\"way-out\">Remedy: {}</p>", escape(way_out));
         }
         page.push_str("</li>\n");
     }

@@ -43,6 +43,14 @@ impl GearOfRexs {
         {
             gear.form_diameter = gear.form_diameter.or(own.form_diameter);
             gear.evaluation = gear.evaluation.or(own.evaluation);
+            // Without a stated start the model's profile begins at its root, where there is no involute yet: the drawing knows better.
+            let begins = own.evaluation.and_then(|e| e.start_diameter).or(own.form_diameter);
+            if let (Some(begins), Some(evaluation)) = (begins, gear.evaluation.as_mut()) {
+                let inside = |d: f64| if gear.teeth > 0 { d < begins } else { d > begins };
+                if evaluation.start_diameter.is_some_and(inside) {
+                    evaluation.start_diameter = own.evaluation.and_then(|e| e.start_diameter);
+                }
+            }
         }
         let mut job = Job { gear, settings: None, compensation: None, ..template.job.clone() };
         job.target.modifications = Some(self.modifications);
@@ -136,7 +144,8 @@ fn lost_keys(gear: &JobGear, document: &RexsDocument) -> Option<RexsWarning> {
     if gear.evaluation.is_some() && back.evaluation.is_none() {
         lost.push("gear.evaluation");
     }
-    let message = format!("no place in the model for {}", lost.join(", "));
+    let exported = if lost.len() == 1 { "it is" } else { "they are" };
+    let message = format!("REXS has no attribute for {}; {exported} not exported", lost.join(" and "));
     (!lost.is_empty()).then(|| RexsWarning::new(RexsWarningKind::Lost, message))
 }
 

@@ -155,15 +155,18 @@ pub(super) fn equal_ratio_remark(prepared: &Prepared) -> Option<Remark> {
     let offers = equal_ratio_offers(prepared);
     let first = offers.first()?;
     let set = |offer: &EqualRatioOffer| {
-        let keys: Vec<String> = offer.keys.iter().map(|(key, value)| format!("{key} = {value}")).collect();
+        let keys: Vec<String> = offer.keys.iter().map(|(key, value)| format!("{key} = {value:.6}")).collect();
         keys.join(", ")
     };
     let others: Vec<String> =
-        offers[1..].iter().map(|o| format!("{} (ratio {})", set(o), o.diagonal_ratio)).collect();
+        offers[1..].iter().map(|o| format!("{} (ratio {:.6})", set(o), o.diagonal_ratio)).collect();
     let also = if others.is_empty() { String::new() } else { format!("; or {}", others.join("; or ")) };
     let not_dressed = match (&prepared.setup.tool, first.lever) {
         (Tool::Dressed(_), "cone_angle") => {
             "; dressed lines shift the values slightly, and the worm is not checked: `explore` with worm.cone_angle_deg shows whether it can be made"
+        }
+        (_, "cone_angle") => {
+            "; the worm is not checked: `explore` with worm.cone_angle_deg shows whether it can be made"
         }
         (Tool::Dressed(_), _) => "; dressed lines shift the values slightly",
         _ => "",
@@ -172,7 +175,7 @@ pub(super) fn equal_ratio_remark(prepared: &Prepared) -> Option<Remark> {
         code: "equal-ratio-offered",
         text: format!(
             "directed parts of the target ask for diagonal ratio {:.6} on the left flank and {:.6} on the right one; a worm with \
-             {} lays its lines onto both at {}{also}",
+             {} lays its lines onto both at {:.6}{also}",
             demanded.left,
             demanded.right,
             set(first),

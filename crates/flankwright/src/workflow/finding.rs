@@ -42,6 +42,14 @@ impl From<RunFailure> for JobFailure {
 }
 
 impl RunFailure {
+    /// The same failure with another finding.
+    pub(super) fn amended(self, change: impl FnOnce(Diagnostic) -> Diagnostic) -> Self {
+        match self {
+            Self::BadInput(finding) => Self::bad_input(change(*finding)),
+            Self::NotProducible(finding) => Self::not_producible(change(*finding)),
+        }
+    }
+
     /// A fault of the input.
     pub fn bad_input(finding: Diagnostic) -> Self {
         Self::BadInput(Box::new(finding))
@@ -126,7 +134,7 @@ impl From<&TangentialError> for RunFailure {
             TangentialError::UnknownVariable { .. } | TangentialError::NoLiveVariable { .. } => {
                 "dressing.variables"
             }
-            TangentialError::Undercut { .. } => "target",
+            TangentialError::Undercut { .. } | TangentialError::NotSettled { .. } => "target",
             TangentialError::NotConverged { .. } => "dressing.method",
         };
         Self::of_tangential_on(error, field)

@@ -28,7 +28,7 @@ pub(super) fn judge_flank(
         let text = format!(
             "plan and simulation of the {name} flank differ by {difference:.3} um, more than a tenth of the tolerance of {tolerance_um} um"
         );
-        let help = "round the edges of reliefs (transition_mm), take smaller amounts or another diagonal_ratio, or widen the tolerance";
+        let help = "round the edges of reliefs (transition_mm), take smaller amounts, or widen the tolerance";
         verdict.owe(
             format!("{name} flank: plan against simulation"),
             Remark::new("models-disagree", text, help),
@@ -78,18 +78,16 @@ pub(super) fn judge_clearance(verdict: &mut Verdict, clearance: Option<&Clearanc
     }
 }
 
-/// Notes the finishing areas beyond the first, which the programs neither dress nor grind.
-pub(super) fn owe_further_areas(verdict: &mut Verdict, areas: u32) {
-    for area in 2..=areas {
-        verdict.owe(
-            format!("programs: finishing area {area} of the worm"),
-            Remark::new(
-                "areas-without-program",
-                format!("the programs dress and use the first of {areas} finishing areas of the worm; area {area} of the worm is in no program"),
-                "set grinding.areas to 1",
-            ),
-        );
-    }
+/// Notes that a worm which a disc writes line by line is dressed by no program.
+pub(super) fn owe_line_dressing(verdict: &mut Verdict) {
+    verdict.owe(
+        "programs: dressing of the worm by lines",
+        Remark::new(
+            "dressing-without-program",
+            "the worm is dressed line by line in point contact; no program is written for it, only grinding programs are",
+            "take motions/dressing-lines-*.csv for the dressing, or a dresser with a profile (dresser.contact = \"line\")",
+        ),
+    );
 }
 
 /// Judges the flanks that were simulated from the texts of the programs. `share` is the deviation of a flank of the run over its
@@ -109,6 +107,10 @@ pub(super) fn judge_programs(
             let detail =
                 format!("{} of {} dressed, from the text", proof.threads.len(), proof.threads_of_worm);
             verdict.met(format!("programs for {controls}: threads of the worm"), detail);
+        }
+        if proof.areas > 1 {
+            let detail = format!("{0} of {0} dressed and ground with, from the texts", proof.areas);
+            verdict.met(format!("programs for {controls}: finishing areas of the worm"), detail);
         }
         verdict.met(
             format!("programs for {controls}: tooth spaces"),

@@ -4,10 +4,11 @@
 use super::finding::Remark;
 use super::line_dressing::LineDressingResult;
 use super::prepare::Prepared;
+use super::refusal::{exact_beyond_axis_limits, stated_ratio};
 use super::result::FlankResult;
 use crate::exchange::job::{DiagonalRatio, Job, Method};
 use crate::geometry::Flank;
-use crate::process::generating::{GrindingPlan, ProfilePlace, natural_twist};
+use crate::process::generating::{GrindingPlan, ProfilePlace, RatioReason, natural_twist};
 use std::collections::BTreeMap;
 
 /// A run whose target is missed.
@@ -29,7 +30,8 @@ const WORTH_NAMING: f64 = 0.1;
 
 /// The first cause that explains the miss.
 pub(super) fn missed(miss: &Miss<'_>) -> Remark {
-    twist_of_radial_feed(miss)
+    exact_ratio_beyond_axes(miss)
+        .or_else(|| twist_of_radial_feed(miss))
         .or_else(|| scallops(miss))
         .or_else(|| profile_without_ratio(miss))
         .or_else(|| third_degree_beside_a_given_dresser(miss))
@@ -47,6 +49,24 @@ impl Miss<'_> {
     fn largest(&self, figure: impl Fn(&FlankResult) -> f64) -> f64 {
         self.flanks.values().map(figure).fold(0.0, f64::max)
     }
+}
+
+/// A ratio would make the target; only the default limits of the correcting axes keep planning from it.
+fn exact_ratio_beyond_axes(miss: &Miss<'_>) -> Option<Remark> {
+    let choice = &miss.plan?.choice;
+    if choice.reason != RatioReason::LeastError {
+        return None;
+    }
+    let best = exact_beyond_axis_limits(&choice.candidates, miss.prepared.tolerance.tightest())?;
+    let refusal = best.refusal.as_ref()?;
+    Some(Remark::new(
+        "axis-limit",
+        format!(
+            "Planning kept to diagonal_ratio = {:.4} because at the ratio that would make the target, {:.4}, {refusal}.",
+            choice.ratio, best.ratio
+        ),
+        capitalised(&format!("{}.", stated_ratio(best))),
+    ))
 }
 
 fn twist_of_radial_feed(miss: &Miss<'_>) -> Option<Remark> {
@@ -73,7 +93,8 @@ fn twist_of_radial_feed(miss: &Miss<'_>) -> Option<Remark> {
             let half = (lines.face[1] - lines.face[0]) / 2.0;
             let crowning = -target.polynomial.coefficient(0, 2) * half.powi(2);
             let profile = natural_twist(lines, crowning).profile_crowning * 1e3;
-            Some(format!("{flank} flank {profile:.3} um"))
+            let worth = profile.abs() > WORTH_NAMING * miss.tolerance_um();
+            worth.then(|| format!("{flank} flank {profile:.2} um"))
         })
         .collect();
     let already = miss.job.grinding.method == Method::Diagonal
@@ -86,10 +107,14 @@ fn twist_of_radial_feed(miss: &Miss<'_>) -> Option<Remark> {
     Some(Remark::new(
         "natural-twist",
         format!("The radial feed brings a natural twist along: {}.", twists.join("; ")),
-        format!(
-            "{method} A dresser with so much less profile crowning would take out the natural profile crowning of the radial feed: {}.",
-            natural.join(", ")
-        ),
+        if natural.is_empty() {
+            method.to_owned()
+        } else {
+            format!(
+                "{method} Reduce the dresser's profile crowning to compensate the natural profile crowning of the radial feed: by {}.",
+                natural.join(", ")
+            )
+        },
     ))
 }
 
@@ -155,14 +180,22 @@ fn third_degree_beside_a_given_dresser(miss: &Miss<'_>) -> Option<Remark> {
     })
 }
 
+/// Parts of the target that are only best-fitted. At K = 0 the planner fits helix modifications by polynomials of third degree.
 fn outside_class(miss: &Miss<'_>) -> Option<Remark> {
     let outside = miss.largest(|f| f.outside_class_um);
     (outside > WORTH_NAMING * miss.tolerance_um()).then(|| {
-        Remark::new(
-            "outside-class",
-            format!("Parts of the target lie outside what the process can make; best-fitted, {outside:.3} um of them are left."),
-            "Use modifications of lower degree, reliefs of the profile only, or a wider tolerance.",
-        )
+        let (text, help) = if miss.ratio == 0.0 {
+            (
+                format!("With diagonal_ratio = 0 this planner makes of the target what a polynomial of third degree makes; best-fitted, {outside:.3} um are left."),
+                "Use method = \"diagonal\" with diagonal_ratio = \"auto\", round the reliefs (transition_mm), or widen the tolerance.",
+            )
+        } else {
+            (
+                format!("Parts of the target do not lie on the tool's lines at diagonal_ratio = {:.4}; best-fitted, {outside:.3} um of them are left.", miss.ratio),
+                "Let the modifications of both flanks ask for the same diagonal ratio, grind the flanks one by one (grinding.flanks), take smoother modifications, or widen the tolerance.",
+            )
+        };
+        Remark::new("outside-class", text, help)
     })
 }
 
@@ -183,7 +216,11 @@ fn worm_not_dressed(miss: &Miss<'_>) -> Option<Remark> {
             format!(
                 "The worm that this flank needs would make it within {ideal_um:.3} um; as dressed it leaves {dressed_um:.3} um. Part of the worm modification, for example a profile crowning that varies along the worm, is not made by the dressing motion."
             ),
-            "Give another diagonal_ratio (the candidates are judged on the worm before it is dressed), or dress the worm in points (dresser.contact = \"point\").",
+            if miss.job.grinding.method == Method::Radial {
+                "Use method = \"diagonal\", or dress the worm in points (dresser.contact = \"point\")."
+            } else {
+                "Give another diagonal_ratio (the candidates are judged on the worm before it is dressed), or dress the worm in points (dresser.contact = \"point\")."
+            },
         )
     })
 }
@@ -193,11 +230,11 @@ fn not_closer(miss: &Miss<'_>) -> Remark {
     let precompensated = grinding.precompensation.unwrap_or(grinding.method != Method::Radial);
     let help = match (&miss.job.settings, &miss.job.grinding.diagonal_ratio) {
         (Some(_), _) => "Change the settings, or let `plan` find them.",
-        (None, Some(DiagonalRatio::Number(_))) => {
-            "Use diagonal_ratio = \"auto\", leave precompensation on, or widen the tolerance."
-        }
         (None, _) if !precompensated => {
             "Set precompensation = true, take smoother modifications, or widen the tolerance."
+        }
+        (None, Some(DiagonalRatio::Number(_))) => {
+            "Use diagonal_ratio = \"auto\", take smoother modifications, or widen the tolerance."
         }
         _ => {
             "Take a worm with more threads or another diameter, smoother modifications, or a wider tolerance."
@@ -211,4 +248,10 @@ fn not_closer(miss: &Miss<'_>) -> Remark {
         ),
         help,
     )
+}
+
+fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().map_or_else(String::new, |c| c.to_uppercase().collect());
+    format!("{first}{}", letters.as_str())
 }

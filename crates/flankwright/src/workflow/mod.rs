@@ -13,6 +13,7 @@ mod equal_ratio_offers;
 mod executed_strokes;
 mod execution;
 mod explore;
+mod face_names;
 mod finding;
 mod flank_verdict;
 mod forward;
@@ -25,12 +26,14 @@ pub mod milling;
 mod miss;
 mod modified_flank;
 mod occupation;
+mod output_set;
 mod page;
 mod partition;
 mod prepare;
 mod preview;
 mod programs;
 mod referee;
+mod refusal;
 mod release;
 mod report_head;
 mod result;
@@ -77,11 +80,12 @@ pub use prepare::{Prepared, blank_of_job, gear_of_job, prepare, setup_of_job, to
 pub use preview::{Preview, PreviewChart, PreviewFlank, preview_job};
 pub use programs::{
     AxisResult, Built, BuiltProgram, CheckedAxis, CheckedFlank, CheckedProgram, CheckedStroke,
-    ClearanceResult, DressingWork, GrindingWork, Indexing, PassResult, ProgramResult, ProgramTask,
-    ProgramsResult, ProofResult, RunPrograms, ThreadProof, WormUse, check_program,
+    ClearanceResult, DressingWork, GrindingWork, Indexing, PassResult, ProgramChecker, ProgramResult,
+    ProgramTask, ProgramsResult, ProofResult, RunPrograms, ThreadProof, WormUse, check_program,
 };
 pub use referee::{StageReport, Verdict};
+pub use refusal::write_refusal;
 pub use result::{CandidateResult, CharacteristicsUm, FlankResult, JobResult, SettingsResult, Status};
 pub use run::{Outcome, plan_job, simulate_job};
 pub use task::{Completed, Task, carry_out};
-pub use write::{WriteError, write_outcome, write_refusal};
+pub use write::{WriteError, write_outcome};

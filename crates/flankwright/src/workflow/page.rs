@@ -52,10 +52,17 @@ pub(super) fn target_amounts(
                     !["kind", "amount_um", "flank", "w_mm", "z_mm", "f_um", "points"].contains(&key.as_str())
                         && !value.is_null()
                 })
-                .map(|(key, value)| format!("{key} = {value}"))
+                .map(|(key, value)| entry_in_words(key, value))
                 .collect::<Vec<_>>()
                 .join(", ");
-            TargetAmount { name: spec.kind().replace('_', " "), amount_um, detail }
+            let name = match spec {
+                Spec::EndReliefI(_) => "end relief at face I (not the datum face)".to_owned(),
+                Spec::EndReliefII(_) => "end relief at face II (datum face)".to_owned(),
+                Spec::EndReliefDatumFace(_) => "end relief at the datum face (face II)".to_owned(),
+                Spec::EndReliefNonDatumFace(_) => "end relief opposite the datum face (face I)".to_owned(),
+                _ => spec.kind().replace('_', " "),
+            };
+            TargetAmount { name, amount_um, detail }
         })
         .chain((target.twist_fit_um.abs() < 1e-9).then(|| TargetAmount {
             name: "twist".into(),
@@ -63,6 +70,21 @@ pub(super) fn target_amounts(
             detail: "no entry: zero twist is wanted".into(),
         }))
         .collect()
+}
+
+/// A key of a modification and its value as a drawing has them: `length_mm = 6.0` is "length 6 mm".
+fn entry_in_words(key: &str, value: &serde_json::Value) -> String {
+    let text = match value {
+        serde_json::Value::String(word) => word.replace('_', " "),
+        other => other.as_f64().map_or_else(|| other.to_string(), |number| format_significant(number, 6)),
+    };
+    let (name, unit) = match key.rsplit_once('_') {
+        Some((name, "mm")) => (name, " mm"),
+        Some((name, "um")) => (name, " µm"),
+        Some((name, "deg")) => (name, "°"),
+        _ => (key, ""),
+    };
+    format!("{} {text}{unit}", name.replace('_', " "))
 }
 
 /// Sections at the ends and in the middle, each with its own characteristic values.
@@ -103,6 +125,9 @@ fn trace_values(x: &[f64], f: &[f64]) -> (f64, f64) {
     (-c2, -2.0 * c1)
 }
 
+/// Parts outside the producible class below this are rounding, um.
+const LEAST_OUTSIDE_UM: f64 = 5e-4;
+
 pub(super) fn flank_report(
     amounts: Vec<TargetAmount>,
     f: &FlankResult,
@@ -111,9 +136,9 @@ pub(super) fn flank_report(
     let map = |rows: &Vec<Vec<f64>>| Topography::new(f.w_mm.clone(), f.z_mm.clone(), rows.clone());
     let (target, simulated) = (map(&f.target_um)?, map(&f.simulated_um)?);
     let (profiles, helices) = traces(&simulated, &target);
-    let outside = if f.outside_class_um > 0.0 {
+    let outside = if f.outside_class_um > LEAST_OUTSIDE_UM {
         vec![OutsideTerm {
-            name: "parts outside the producible class (normal)".into(),
+            name: "parts of the target that are best-fitted only (normal)".into(),
             wanted_um: f.outside_class_um,
             residual_um: f.outside_class_um,
         }]
@@ -234,7 +259,8 @@ fn tool_quantities(outcome: &Outcome, job: &Job) -> (Vec<Quantity>, Vec<Quantity
     }
     let lands = outcome.result.settings.largest_tip_land_mm;
     let least = lands.iter().flat_map(|lands| [lands.left, lands.right]).flatten().reduce(f64::min);
-    of_dresser.extend(least.map(|land| Quantity::number("widest tip land that clears", "b_A", land, "mm")));
+    of_dresser
+        .extend(least.map(|land| Quantity::number("largest tip land without collision", "b_A", land, "mm")));
     of_dresser.extend(
         job.dresser
             .as_ref()

@@ -41,8 +41,8 @@ pub struct Partition {
 /// Where the passes of a program use the tool, as the areas are laid out over its width.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct ToolAreas {
-    /// Added to z_V1 of the plan in the first finishing area, mm.
-    pub finishing: f64,
+    /// Added to z_V1 of the plan in every finishing area, mm.
+    pub finishing: Vec<f64>,
     /// z_V1 over z_V2 in every roughing area.
     pub roughing: Vec<MotionLaw>,
 }
@@ -138,14 +138,17 @@ impl Partition {
         let lines = Sides::from_fn(|flank| prepared.targets[flank].as_ref().map(|_| setup.lines[flank]));
         let finishing = finishing_area(prepared, &lines, ratio, shift).map_err(fault)?;
         let roughing = plain_area(&lines, job.grinding.roughing_ratio.unwrap_or(0.0)).map_err(fault)?;
+        // From one finishing area to the next the dresser has to come back to where the plan begins: no line of either lies there.
+        let apart = if setup.input.dresser.is_some() { setup.run_in() } else { 0.0 };
         let sets = |areas: usize| {
             [
                 AreaSet {
                     kind: AreaKind::Roughing,
                     plan: &roughing,
                     count: job.grinding.roughing_areas as usize,
+                    apart: 0.0,
                 },
-                AreaSet { kind: AreaKind::Finishing, plan: &finishing, count: areas },
+                AreaSet { kind: AreaKind::Finishing, plan: &finishing, count: areas, apart },
             ]
         };
         let asked = job.grinding.areas.map(|n| n as usize);
@@ -171,7 +174,7 @@ impl Partition {
         };
         Ok(Some(Self {
             area_length_mm: finishing.length(),
-            area_pitch_mm: finishing.pitch(),
+            area_pitch_mm: finishing.pitch() + apart,
             areas_that_fit: fit,
             areas: asked.unwrap_or(1),
             roughing_areas: job.grinding.roughing_areas as usize,
@@ -185,7 +188,7 @@ impl Partition {
     /// The shifts of the programs that use more than one area; `None` where all passes use the area of the plan. `shift` is the plan's
     /// own law of the tool shift.
     pub(super) fn tool_areas(&self, job: &Job, prepared: &Prepared, shift: &MotionLaw) -> Option<ToolAreas> {
-        if self.roughing_areas == 0 {
+        if self.roughing_areas == 0 && self.areas == 1 {
             return None;
         }
         // Areas of straight and of broken laws are laid out as if z_V1 were 0 at the first feed.
@@ -193,7 +196,7 @@ impl Partition {
         let planned = if laid_from_zero { shift.value(self.first_feed) } else { 0.0 };
         let ratio = job.grinding.roughing_ratio.unwrap_or(0.0);
         let law = |at: &f64| MotionLaw::polynomial(self.first_feed, vec![*at, ratio]);
-        let finishing = self.shifts_mm.get(self.roughing_areas).copied().unwrap_or(0.0) - planned;
+        let finishing = self.shifts_mm.iter().skip(self.roughing_areas).map(|at| at - planned).collect();
         let roughing = self.shifts_mm.iter().take(self.roughing_areas).map(law).collect();
         Some(ToolAreas { finishing, roughing })
     }

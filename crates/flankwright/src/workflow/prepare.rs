@@ -1,6 +1,7 @@
 //! From a checked job to bodies, targets and the task of planning. Every finding names the job's key.
 
 use super::equal_ratio_offers::free_lines;
+use super::face_names::face_names_remark;
 use super::finding::{Remark, RunFailure, generating_finding, geometry_finding, modification_finding};
 use super::shift::shift_of_job;
 use super::strokes::strokes_of_job;
@@ -416,6 +417,14 @@ pub fn tolerance_of_job(loaded: &LoadedJob) -> Result<ToleranceMap, Diagnostic> 
     ToleranceMap::new(w, z, mm).map_err(|e| modification_finding(&e, FIELD))
 }
 
+/// Every modification that stands in a job: of the target, of what is added to it, of tools.
+fn specs_of_job(job: &Job) -> Vec<&ModificationSpec> {
+    let mut specs: Vec<&ModificationSpec> = job.target.modifications.iter().flatten().collect();
+    specs.extend(job.compensation.iter().flat_map(|compensation| &compensation.modifications));
+    specs.extend(job.worm.modifications.iter().flatten());
+    specs
+}
+
 /// Overlaps of worm tip and gear root below this are rounding of the drawing, mm.
 const WORTH_SAYING: f64 = 1e-3;
 
@@ -490,6 +499,7 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
             .map(Some)
             .map_err(|e| RunFailure::bad_input(generating_finding(&e)))
     })?;
+    warnings.extend(face_names_remark(specs_of_job(job)));
     if let Some(compensation) = &job.compensation {
         warnings.push(Remark {
             code: "compensated",

@@ -79,6 +79,9 @@ pub fn run(
 const SECTIONS: usize = 3;
 /// The worm's spline may miss its rays by this much before a cell is halved, mm.
 const SPLINE_TOLERANCE: f64 = 1e-6;
+/// A second place in each cell at which its spline is judged: beside a kink the spline crosses the flank inside the cell, and a middle
+/// that happens to lie there would pass for fine.
+const BESIDE_MIDDLE: f64 = 0.25;
 /// Halvings of a cell at the most; reliefs with a kink in the slope end here.
 const HALVINGS: usize = 6;
 
@@ -87,7 +90,7 @@ fn sections(axis: &[f64]) -> Vec<f64> {
     (0..SECTIONS).map(|k| axis[k * (axis.len() - 1) / (SECTIONS - 1)]).collect()
 }
 
-/// Halves the cells over the profile and along the worm in which a spline misses the rays in the middle, until it does not:
+/// Halves the cells over the profile and along the worm in which a spline misses the rays, until it does not:
 /// reliefs bend the flank far more sharply than crownings.
 fn refined(dressing: &[Dressing<'_>], even: &RayGrid) -> Result<RayGrid, RemovalError> {
     let rays = |w: &[f64], z: &[f64]| {
@@ -109,7 +112,7 @@ fn refined(dressing: &[Dressing<'_>], even: &RayGrid) -> Result<RayGrid, Removal
     RayGrid::new(w, z)
 }
 
-/// The axis with every cell halved in which a spline through its values on the sections misses those in the middle.
+/// The axis with every cell halved in which a spline through its values on the sections misses those inside.
 fn halved(
     axis: &[f64],
     values: impl Fn(&[f64]) -> Result<Vec<Vec<f64>>, RemovalError>,
@@ -120,17 +123,21 @@ fn halved(
     let mut fresh = vec![true; x.len() - 1];
     for _ in 0..HALVINGS {
         let cells: Vec<usize> = (0..fresh.len()).filter(|&k| fresh[k]).collect();
-        let middles: Vec<f64> = cells.iter().map(|&k| 0.5 * (x[k] + x[k + 1])).collect();
+        let within =
+            |share: f64| -> Vec<f64> { cells.iter().map(|&k| x[k] + share * (x[k + 1] - x[k])).collect() };
+        let (middles, beside) = (within(0.5), within(BESIDE_MIDDLE));
         if middles.is_empty() {
             break;
         }
         let between = values(&middles)?;
+        let controls = values(&beside)?;
         let mut coarse = vec![false; middles.len()];
         for section in 0..SECTIONS {
             let along: Vec<f64> = f.iter().map(|values| values[section]).collect();
             let spline = CubicSpline::new(&x, &along)?;
-            for (k, &middle) in middles.iter().enumerate() {
-                coarse[k] |= (spline.value(middle) - between[k][section]).abs() > SPLINE_TOLERANCE;
+            let misses = |at: f64, ray: f64| (spline.value(at) - ray).abs() > SPLINE_TOLERANCE;
+            for (k, coarse) in coarse.iter_mut().enumerate() {
+                *coarse |= misses(middles[k], between[k][section]) || misses(beside[k], controls[k][section]);
             }
         }
         let mut next = (Vec::new(), Vec::new(), Vec::new());

@@ -9,6 +9,7 @@ use super::programs::ProgramsResult;
 use crate::exchange::job::Settings;
 use crate::geometry::Sides;
 use crate::metrology::{Characteristics, Topography};
+use crate::process::generating::Candidate;
 pub use crate::verdict::Status;
 use crate::verdict::Verdict;
 use serde::Serialize;
@@ -110,6 +111,20 @@ pub struct CandidateResult {
     pub ideal_error_um: f64,
     /// Why it is not allowed, if so.
     pub refused: Option<String>,
+}
+
+impl CandidateResult {
+    /// Of a candidate that planning judged.
+    pub(super) fn of(candidate: &Candidate) -> Self {
+        Self {
+            diagonal_ratio: candidate.ratio,
+            profile_crowning_by: candidate.place.name(),
+            score: candidate.score(),
+            worm_occupation_mm: candidate.occupation,
+            ideal_error_um: candidate.error * 1e3,
+            refused: candidate.refusal.as_ref().map(ToString::to_string),
+        }
+    }
 }
 
 /// Settings, with how the diagonal ratio was found.

@@ -5,7 +5,7 @@ use super::equal_ratio_offers::equal_ratio_remark;
 use super::execution::Execution;
 use super::finding::{Remark, RunFailure};
 use super::flank_verdict::{
-    judge_clearance, judge_control, judge_flank, judge_programs, leave_other_flanks, owe_further_areas,
+    judge_clearance, judge_control, judge_flank, judge_programs, leave_other_flanks, owe_line_dressing,
 };
 use super::gear_root::gear_root;
 use super::line_dressing::{LineDressingResult, WrittenFlank, line_dressing};
@@ -13,8 +13,9 @@ use super::miss::{Miss, missed};
 use super::partition::{Partition, StrokePlan};
 use super::prepare::{Prepared, prepare};
 use super::programs::{RunPrograms, programs_of_grinding};
-use super::release::Release;
 use super::referee::{self, Cutting};
+use super::refusal::{of_planning, of_simulation};
+use super::release::Release;
 use super::result::{CandidateResult, CharacteristicsUm, FlankResult, JobResult, SettingsResult};
 use super::tip_edge::{judge_tip_edge, tip_edge_depths};
 use super::tip_land::TipLands;
@@ -58,7 +59,8 @@ pub fn plan_job(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Outcome, 
     let ready = prepare(loaded)?;
     let prepared_at = begun.elapsed().as_secs_f64();
     let planning = Instant::now();
-    let plan = ready.task(&loaded.job).plan().map_err(|e| RunFailure::from(&e))?;
+    let plan = ready.task(&loaded.job).plan_or_tried();
+    let plan = plan.map_err(|refused| of_planning(&refused, &loaded.job, &ready))?;
     let planned_in = planning.elapsed().as_secs_f64();
     let execution = Execution::of_plan(&loaded.job, &ready, &plan);
     let timing = BTreeMap::from([("prepare", prepared_at), ("plan", planned_in)]);
@@ -101,7 +103,7 @@ fn finish(
     let cutting =
         Cutting { feed_per_revolution: job.grinding.feed_per_revolution, strokes: strokes.as_ref() };
     let verdicts = referee::run(&prepared.setup, &execution, cutting, progress)
-        .map_err(|e| RunFailure::of_removal(&e, "grinding"))?;
+        .map_err(|e| of_simulation(&e, job, &prepared))?;
     let gear_root = gear_root(&prepared, &execution)?;
     let tip_edge = tip_edge_depths(&prepared, &execution)?;
     timing.insert("referee", refereeing.elapsed().as_secs_f64());
@@ -193,7 +195,9 @@ fn finish(
     judge_programs(&mut verdict, made, tolerance, |name| flanks[name].tolerance_share);
     if let Some(made) = made {
         judge_clearance(&mut verdict, made.clearance.as_ref());
-        owe_further_areas(&mut verdict, job.grinding.areas.unwrap_or(1));
+        if written.iter().any(|(_, lines)| lines.is_some()) {
+            owe_line_dressing(&mut verdict);
+        }
     }
     if programs.is_some() {
         warnings.extend(Release::of(&verdict, job.output.programs_of_missed).remark(&verdict));
@@ -247,16 +251,7 @@ pub(super) fn settings_result(
             .filter(|demanded| demanded.iter().any(|(_, ratios)| !ratios.is_empty())),
         lead_correction_ratio: plan.map(|p| p.choice.lead_correction),
         profile_crowning_by: plan.map(|p| p.choice.place.name()),
-        candidates: candidates
-            .map(|c| CandidateResult {
-                diagonal_ratio: c.ratio,
-                profile_crowning_by: c.place.name(),
-                score: c.score(),
-                worm_occupation_mm: c.occupation,
-                ideal_error_um: c.error * 1e3,
-                refused: c.refusal.as_ref().map(ToString::to_string),
-            })
-            .collect(),
+        candidates: candidates.map(CandidateResult::of).collect(),
         centre_distance_mm: setup.pair.chain.centre_distance,
         crossed_axes_angle_deg: setup.pair.chain.crossed_axes_angle.to_degrees(),
         feed_stroke_mm: execution.feed_range,
@@ -283,15 +278,16 @@ fn tolerance_share(prepared: &Prepared, deviation: &Topography) -> f64 {
 pub fn ratio_reason(reason: RatioReason) -> &'static str {
     match reason {
         RatioReason::Given => "Given in the job.",
+        RatioReason::EqualSwivel => "The ratio at which both flanks ask for the same swivel of the dresser.",
         RatioReason::RadialSuffices => "The radial method makes this target without mixed residual.",
-        RatioReason::LeadCorrection => {
-            "Lead-correction ratio K*: the worm needs no part linear in the roll length, so that the dressing correction is least."
-        }
+        RatioReason::LeadCorrection => "Lead-correction ratio K*: needs the smallest dressing correction.",
         RatioReason::Compromise => {
-            "The flanks want different lead-correction ratios: least score between them."
+            "The flanks want different lead-correction ratios: the one with the smallest dressing corrections between them."
         }
-        RatioReason::LeastError => "No ratio is exact enough for the tolerance: the one of least error.",
-        RatioReason::Scan => "Least score of a scan over both signs.",
+        RatioReason::LeastError => {
+            "No allowed ratio is exact to half the tolerance on an ideal worm: the one of least error."
+        }
+        RatioReason::Scan => "Ratio with the smallest dressing corrections among those tried.",
         RatioReason::LinesOfTarget => {
             "The ratio that lays the tool's lines onto reliefs or waves of the target."
         }
@@ -376,11 +372,15 @@ fn line_dressing_warnings(written: &Sides<Option<WrittenFlank>>, root_radius: f6
 
 /// A ratio that the job gives overrides the limits; that it does is said.
 fn given_ratio_warning(plan: &GrindingPlan) -> Option<Remark> {
-    let given = plan.choice.candidates.first().filter(|_| plan.choice.reason == RatioReason::Given)?;
-    let refusal = given.refusal.as_ref()?;
+    let (code, whose) = match plan.choice.reason {
+        RatioReason::Given => ("given-ratio-beyond-limits", "the given diagonal ratio"),
+        RatioReason::EqualSwivel => ("swivel-ratio-beyond-limits", "the diagonal ratio of equal swivel"),
+        _ => return None,
+    };
+    let refusal = plan.choice.candidates.first()?.refusal.as_ref()?;
     Some(Remark {
-        code: "given-ratio-beyond-limits",
-        text: format!("the given diagonal ratio would not have been chosen: {refusal}"),
+        code,
+        text: format!("{whose} would not have been chosen: {refusal}"),
         way_out: "use diagonal_ratio = \"auto\", or check that the machine has the travel".into(),
     })
 }

@@ -1,13 +1,14 @@
-//! Writes what a run produced: result, tables, settings, report. Every file appears whole or not at all.
+//! Writes what a run produced: result, tables, settings, report, as one set ([`super::output_set`]).
 
 use super::elsewhere::standing_elsewhere;
+use super::output_set::{SetFile, write_set};
 use super::programs::RunPrograms;
 use super::release::Release;
 use super::run::Outcome;
 use super::{page, tables};
-use crate::exchange::job::{Job, JobInfo, OneOrSides};
+use crate::exchange::job::{Job, OneOrSides};
 use crate::exchange::mesh::MeshError;
-use crate::exchange::{CsvError, Diagnostic, LoadedJob, write_atomically};
+use crate::exchange::{CsvError, LoadedJob};
 use crate::geometry::{Flank, Sides};
 use crate::machine::Station;
 use crate::report::charts::ChartError;
@@ -24,6 +25,12 @@ pub enum WriteError {
         path: PathBuf,
         /// What the system says.
         source: std::io::Error,
+    },
+    /// Another run writes into the folder and does not come to an end.
+    #[error("another run is writing into {path}")]
+    Busy {
+        /// The folder.
+        path: PathBuf,
     },
     /// A table holds a value that is no number.
     #[error(transparent)]
@@ -46,26 +53,16 @@ pub(super) fn write_study(
     page: &str,
     directory: &Path,
 ) -> Result<Vec<PathBuf>, WriteError> {
-    let files = [
-        ("explore.json", json(document)?),
-        ("explore.csv", table.as_bytes().to_vec()),
-        ("explore.html", page.as_bytes().to_vec()),
-    ];
-    let mut written = Vec::with_capacity(files.len());
-    for (name, bytes) in files {
-        let path = directory.join(name);
-        let failed = |source| WriteError::Io { path: path.clone(), source };
-        std::fs::create_dir_all(directory).map_err(failed)?;
-        write_atomically(&path, &bytes).map_err(failed)?;
-        written.push(path);
-    }
-    Ok(written)
+    let document = json(document)?;
+    let files: [SetFile<'_>; 3] =
+        [("explore.json", &document), ("explore.csv", table.as_bytes()), ("explore.html", page.as_bytes())];
+    write_set(directory, &files, &[])
 }
 
 /// Writes all files of a run into `directory` (made if missing); returns the paths in the order written, the report last.
 ///
 /// # Errors
-/// [`WriteError`]; files written before the error stay.
+/// [`WriteError`]; the files of an earlier run stay.
 pub fn write_outcome(
     loaded: &LoadedJob,
     outcome: &Outcome,
@@ -145,23 +142,28 @@ pub(super) fn write_with_report(
         files.iter().map(|(path, what, _)| (path.clone(), *what)).collect();
     named.push(("report.html".into(), "this report"));
     files.push(("report.html".into(), "report", report(&named)?.into_bytes()));
-    let names: Vec<&str> = files.iter().map(|file| file.0.as_str()).collect();
-    remove_stale(directory, &names)?;
-    let mut written = Vec::with_capacity(files.len());
-    for (name, _, bytes) in files {
-        let path = directory.join(&name);
-        let failed = |source| WriteError::Io { path: path.clone(), source };
-        if let Some(parent) = path.parent() {
-            std::fs::create_dir_all(parent).map_err(failed)?;
-        }
-        write_atomically(&path, &bytes).map_err(failed)?;
-        written.push(path);
-    }
-    Ok(written)
+    let files: Vec<SetFile<'_>> = files.iter().map(|(name, _, bytes)| (name.as_str(), &bytes[..])).collect();
+    let programs = programs_there(directory);
+    let known: Vec<&str> = NAMES.into_iter().chain(programs.iter().map(String::as_str)).collect();
+    write_set(directory, &files, &known)
+}
+
+/// Programs that an earlier run may have written: of any operation and area, for a control that we write for.
+fn programs_there(directory: &Path) -> Vec<String> {
+    const OPERATIONS: [&str; 4] = ["dressing-", "grinding-", "milling-", "measuring-"];
+    const CONTROLS: [&str; 4] = ["-linuxcnc.ngc", "-linuxcnc.hal", "-siemens.mpf", "-fanuc.nc"];
+    // A folder that cannot be read holds nothing that could be removed.
+    let Ok(entries) = std::fs::read_dir(directory.join("programs")) else { return Vec::new() };
+    let names = entries.filter_map(|entry| entry.ok()?.file_name().into_string().ok());
+    let ours = |name: &String| {
+        OPERATIONS.iter().any(|start| name.starts_with(start))
+            && CONTROLS.iter().any(|end| name.ends_with(end))
+    };
+    names.filter(ours).map(|name| format!("programs/{name}")).collect()
 }
 
 /// Names that a run may write; what an earlier run left of them and this one does not write would contradict it.
-const NAMES: [&str; 31] = [
+const NAMES: [&str; 24] = [
     "result.json",
     "corrected-job.json",
     "traces.csv",
@@ -185,59 +187,8 @@ const NAMES: [&str; 31] = [
     "servo.csv",
     "set-ups.csv",
     "pulses.csv",
-    "programs/dressing-linuxcnc.ngc",
-    "programs/dressing-siemens.mpf",
-    "programs/dressing-fanuc.nc",
-    "programs/grinding-linuxcnc.ngc",
-    "programs/grinding-linuxcnc.hal",
-    "programs/grinding-siemens.mpf",
-    "programs/grinding-fanuc.nc",
     "report.html",
 ];
-
-/// Removes files of an earlier run that are not among those of this one.
-fn remove_stale(directory: &Path, written: &[&str]) -> Result<(), WriteError> {
-    for name in NAMES.iter().filter(|name| !written.contains(name)) {
-        let path = directory.join(name);
-        match std::fs::remove_file(&path) {
-            Err(source) if source.kind() != std::io::ErrorKind::NotFound => {
-                return Err(WriteError::Io { path, source });
-            }
-            _ => {}
-        }
-    }
-    Ok(())
-}
-
-/// Writes `result.json` of a job that these bodies cannot make: status, limit and way out.
-///
-/// # Errors
-/// [`WriteError`].
-pub fn write_refusal(
-    job: &JobInfo,
-    tolerance_um: f64,
-    finding: &Diagnostic,
-    directory: &Path,
-) -> Result<PathBuf, WriteError> {
-    let document = serde_json::json!({
-        "job": job.name,
-        "process": job.process.name(),
-        "version": env!("CARGO_PKG_VERSION"),
-        "status": "not_producible",
-        "tolerance_um": tolerance_um,
-        "reason": { "code": finding.code, "text": finding.message, "way_out": finding.way_out, "field": finding.field },
-        "warnings": [],
-        "settings": {},
-        "flanks": {},
-        "timing_s": {},
-    });
-    let path = directory.join("result.json");
-    let failed = |source| WriteError::Io { path: path.clone(), source };
-    std::fs::create_dir_all(directory).map_err(failed)?;
-    write_atomically(&path, &json(&document)?).map_err(failed)?;
-    remove_stale(directory, &["result.json"])?;
-    Ok(path)
-}
 
 fn with_settings(job: &Job, outcome: &Outcome) -> Job {
     let mut job = Job { settings: Some(outcome.execution.settings()), ..job.clone() };

@@ -28,7 +28,8 @@ fn bevel() -> String {
         .replace("diameter = 2.4", "diameter = 1.6")
         .replace("corner_radius = 0.5", "corner_radius = 0.4")
         .replace("rows = 14", "rows = 4")
-        .replace("contact_height = 3.0", "contact_height = 1.5")
+        .replace("contact_height = { from = 2.1, to = 3.0 }", "contact_height = 1.5")
+        .replace("face_width = 20.0", "face_width = 20.0\nstart_polar_angle_deg = 32.164839")
 }
 
 /// Fillets of a spur gear are the drawn ones; elsewhere they leave them by no more than the given um. Every ray is milled, and as was

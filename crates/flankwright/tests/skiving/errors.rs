@@ -182,7 +182,7 @@ fn evaluations() {
         readings(&flanks, &switched, &data, &[Sense::Positive], 1, &mut Noise::new(1))
     };
     let mut broken = ideal.clone();
-    broken.broken[3] = true;
+    broken.broken[..21].fill(true);
     assert_eq!(code(measured_tool(&flanks, &read(&broken), 0.0)), "trigger-count-mismatch");
     assert_eq!(code(measured_tool(&flanks, &[], 0.0)), "trigger-count-mismatch");
     let mut seen = read(&ideal);

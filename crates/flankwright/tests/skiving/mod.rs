@@ -1,7 +1,9 @@
 //! Skiving tools: virtual edges under the referee, injected errors found again, every refusal.
 
+mod broken;
 mod errors;
 mod monte_carlo;
+mod pieces;
 mod recovery;
 mod referee;
 pub mod samples;

@@ -44,6 +44,7 @@ fn scattered(threads: usize, seed: u64, count: usize) -> (Vec<Scatter>, Switches
         senses: &Sense::BOTH,
         revolutions: 2,
         radius_offset: 0.0,
+        clocking: 0.0,
         options: &OPTIONS,
         settings: (&Setting::USUAL, &limits),
     };

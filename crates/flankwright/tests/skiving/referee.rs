@@ -24,7 +24,7 @@ fn skived(
     let ball = |w: f64| {
         let x = edge.flank().edge_coordinate(w);
         let section = edge.section(w);
-        let normal = Vector3::from_fn(|k, _| edge.normal_series()[k].value(w));
+        let normal = Vector3::from_fn(|k, _| edge.piece(w).normal[k].value(w));
         let (profile, growth) = (errors.profile_at(x), errors.growth_at(x));
         (section.centre + normal * profile - section.growth() * growth, radius + growth)
     };

@@ -339,6 +339,7 @@ pub fn report() -> SkivingReport {
             }],
             files: vec![("result.json".into(), "all numbers".into())],
         },
+        verdict: flankwright::verdict::Verdict::new(),
         measured: Some(measured()),
         angles: vec![angles(OUTLIER)],
         strip: Some(strip()),

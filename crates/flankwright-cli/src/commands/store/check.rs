@@ -39,7 +39,7 @@ pub fn run(arguments: &CheckArguments) -> Result<Exit, Failure> {
         text += if health.faults.is_empty() {
             "  sound\n"
         } else {
-            "  way out: bring back a copy of the store, or import the files into a new one\n"
+            "  remedy: bring back a copy of the store, or import the files into a new one\n"
         };
         text
     })?;

@@ -75,7 +75,7 @@ fn text(report: &MeasurementReport) -> String {
         // Writing to a text cannot fail.
         let _ = writeln!(text, "  {}: {}: {}", refused.file, refused.finding.code, refused.finding.message);
         if let Some(way_out) = &refused.finding.way_out {
-            let _ = writeln!(text, "    way out: {way_out}");
+            let _ = writeln!(text, "    remedy: {way_out}");
         }
     }
     for file in &report.left_out {

@@ -1,6 +1,7 @@
 //! Diameters of worm and dresser, for whatever process and wherever a job names them: the pitch circle lies inside the
 //! tip circle. Knows no table of a job.
 
+use super::contradiction;
 use crate::exchange::diagnostic::{Diagnostic, Problem};
 use crate::exchange::node::shown_number;
 
@@ -53,5 +54,22 @@ pub(super) fn inside_tip(
             .allowed(format!("< {}", shown_number(tip)))
             .way_out(way_out),
         );
+    }
+}
+
+/// The clearance at the worm's root places a dresser that is not placed by its pitch diameter.
+pub(in crate::exchange) fn root_clearance(
+    pitch: Option<f64>,
+    clearance: Option<f64>,
+    findings: &mut Vec<Diagnostic>,
+) {
+    if let (Some(_), Some(clearance)) = (pitch, clearance) {
+        findings.push(contradiction(
+            "the pitch diameter already says how deep the dresser enters the worm",
+            "dresser.root_clearance",
+            shown_number(clearance),
+            "no key, or no dresser.pitch_diameter",
+            "leave one of the two out",
+        ));
     }
 }

@@ -1,6 +1,6 @@
 //! Contradictions between `[worm]`, `[dresser]` and `[dressing]`: who profiles the tool, and with what.
 
-use super::diameters::{dresser_diameters, inside_tip, worm_diameters};
+use super::diameters::{dresser_diameters, inside_tip, root_clearance, worm_diameters};
 use super::{contradiction, not_yet};
 use crate::exchange::diagnostic::{Diagnostic, Problem};
 use crate::exchange::job::{
@@ -18,6 +18,10 @@ pub(super) fn check(job: &Job, findings: &mut Vec<Diagnostic>) {
     match (&job.dresser, tool) {
         (Some(given), Tool::Dressed) => {
             dresser(given, findings);
+            // A dresser of another worm is placed by both.
+            if given.designed_for.is_none() {
+                root_clearance(given.pitch_diameter, given.root_clearance, findings);
+            }
             contact(given, &job.dressing, findings);
             if given.contact == DresserContact::Point && job.worm.cone_angle_deg != 0.0 {
                 findings.push(

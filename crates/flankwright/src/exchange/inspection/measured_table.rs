@@ -1,5 +1,6 @@
 //! Tables of measurements, of traces or of fields: the columns of the first line decide which.
 
+use crate::exchange::decimal_comma::with_points;
 use std::path::Path;
 
 use super::{Topography, Trace, field_table, trace_table};
@@ -31,15 +32,17 @@ pub fn read_measured_table(path: &Path) -> Result<MeasuredTable, JobError> {
 /// # Errors
 /// As [`read_measured_table`], without those of the file system.
 pub fn parse_measured_table(source: Source) -> Result<MeasuredTable, JobError> {
-    let head = source.text().lines().find(|line| !line.trim().is_empty() && !line.starts_with('#'));
+    let text = with_points(source.text());
+    let head = text.lines().find(|line| !line.trim().is_empty() && !line.starts_with('#'));
     let titles: Vec<&str> = head.unwrap_or_default().split(',').map(str::trim).collect();
     // What only fields have decides: everything else is taken, and complained of, as traces.
     let of_fields = ["w_mm", "z_mm"].iter().any(|title| titles.contains(title));
     let found = if of_fields {
-        field_table::fields(source.text()).map(MeasuredTable::Fields)
+        field_table::fields(&text).map(MeasuredTable::Fields)
     } else {
-        trace_table::traces(source.text()).map(MeasuredTable::Traces)
+        trace_table::traces(&text).map(MeasuredTable::Traces)
     };
+    drop(text);
     found.map_err(|finding| JobError::single(source, finding))
 }
 

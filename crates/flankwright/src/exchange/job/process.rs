@@ -59,16 +59,23 @@ impl Process {
     /// What a command answers to a job of this process if it does not take it; on the key `job.process`.
     pub fn refused_by(self, command: &str) -> Diagnostic {
         let name = self.name();
-        let others: Vec<String> = Process::ALL
-            .into_iter()
-            .filter(|process| *process != self)
-            .map(|process| format!("\"{}\"", process.name()))
-            .collect();
         let message = format!("`{command}` does not take a job of the process \"{name}\"");
         Diagnostic::new(Problem::ProcessNotAvailable, message)
             .field("job.process")
             .value(format!("\"{name}\""))
-            .allowed(others.join(", "))
-            .way_out("give a job of another process")
+            .allowed(self.others_taken_by(command))
+            .way_out("take a job of one of these processes, or another command for this one")
+    }
+
+    /// The processes whose jobs a command takes, this one left out.
+    pub(in crate::exchange) fn others_taken_by(self, command: &str) -> String {
+        let takes = |process: &Process| match command {
+            "explore" | "convert" => *process == Process::GeneratingGrinding,
+            "simulate" => !matches!(process, Process::ElectronicGearbox | Process::FiveAxisMilling),
+            "plan" | "program check" => *process != Process::ElectronicGearbox,
+            _ => true,
+        };
+        let others = Process::ALL.into_iter().filter(|process| *process != self && takes(process));
+        others.map(|process| format!("\"{}\"", process.name())).collect::<Vec<_>>().join(", ")
     }
 }

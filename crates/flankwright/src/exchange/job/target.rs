@@ -27,6 +27,7 @@ pub struct Target {
     /// Modifications that add up; amounts are transverse, positive = material removed. An empty list asks for
     /// the pure involute.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("maxItems" = 500))]
     pub modifications: Option<Vec<Modification>>,
     /// Table of values (CSV with the columns w_mm, z_mm, f_um), beside the job file: a full grid, or scattered points.
     #[serde(default, skip_serializing_if = "Option::is_none")]

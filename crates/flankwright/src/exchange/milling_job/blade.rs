@@ -20,6 +20,11 @@ pub struct Blade {
     #[serde(default = "whole_height")]
     #[schemars(schema_with = "height_schema")]
     pub active_height: [f64; 2],
+    /// Thickness of the blade at hub and tip, along the normal of the side that is milled and linear over the height: its back, which
+    /// the cutter keeps away from. Without it the back of the blade across the passage is not judged.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(schema_with = "thickness_schema")]
+    pub thickness: Option<[f64; 2]>,
     /// Straight lines between a curve on the hub and one on a cylinder.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub ruled: Option<RuledBlade>,
@@ -111,6 +116,10 @@ fn radii_schema(_: &mut SchemaGenerator) -> Schema {
 
 fn height_schema(_: &mut SchemaGenerator) -> Schema {
     pair_schema(0.0, 1.0, "give a share of the height, 0 at the hub and 1 at the tip")
+}
+
+fn thickness_schema(_: &mut SchemaGenerator) -> Schema {
+    pair_schema(1e-3, 1000.0, "give the thickness at hub and tip in mm, e.g. [4.0, 2.0], or leave it out")
 }
 
 fn azimuth_schema(_: &mut SchemaGenerator) -> Schema {

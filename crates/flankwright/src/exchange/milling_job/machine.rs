@@ -18,6 +18,10 @@ pub struct MillingMachine {
     /// From the nose of the spindle to the tip of the cutter.
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 2000, "x-way-out" = "give the distance from spindle nose to cutter tip in mm"))]
     pub tool_length: f64,
+    /// Diameter of the spindle's nose and of what is behind it, which is kept from the workpiece as a cylinder.
+    #[serde(default = "default_spindle_diameter")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 2000, "x-way-out" = "give the diameter of the spindle behind its nose in mm; 100 is the default"))]
+    pub spindle_diameter: f64,
     /// Whether the control leads the tip of the tool while rotary axes turn.
     #[serde(default)]
     pub rtcp: Rtcp,
@@ -72,6 +76,10 @@ pub enum PoleWay {
     Hold,
     /// The workpiece is tilted on the table.
     Mount,
+}
+
+fn default_spindle_diameter() -> f64 {
+    100.0
 }
 
 fn default_pole_cap() -> f64 {

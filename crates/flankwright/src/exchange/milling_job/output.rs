@@ -31,7 +31,13 @@ pub struct MillingOutput {
 
 impl Default for MillingOutput {
     fn default() -> Self {
-        Self { programs: Vec::new(), programs_of_missed: false, meshes: Vec::new(), tables: Vec::new(), cl: yes() }
+        Self {
+            programs: Vec::new(),
+            programs_of_missed: false,
+            meshes: Vec::new(),
+            tables: Vec::new(),
+            cl: yes(),
+        }
     }
 }
 

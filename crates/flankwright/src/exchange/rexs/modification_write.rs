@@ -110,7 +110,7 @@ impl Writer<'_> {
                 Ok(self.helix_crowning([amount; 2], self.field.face_middle(), "circular"))
             }
             M::HelixCrowningTwoArc(s) => {
-                let ends = [s.amount_1_um, s.amount_2_um].map(|amount| mm(amount, s.reference));
+                let ends = s.amounts_um().unwrap_or_default().map(|amount| mm(amount, s.reference));
                 Ok(self.helix_crowning(ends, s.apex_z_mm, "parabolic"))
             }
             M::HelixSlope(s) => {
@@ -131,7 +131,12 @@ impl Writer<'_> {
                     .number("position_of_profile_twist_datum_face", datum)
                     .number("position_of_profile_twist_non_datum_face", other))
             }
-            M::TipRelief(s) | M::RootRelief(s) | M::EndReliefI(s) | M::EndReliefII(s) => self.relief(spec, s),
+            M::TipRelief(s)
+            | M::RootRelief(s)
+            | M::EndReliefI(s)
+            | M::EndReliefII(s)
+            | M::EndReliefDatumFace(s)
+            | M::EndReliefNonDatumFace(s) => self.relief(spec, s),
             _ => self.sampled(spec),
         }
     }
@@ -212,7 +217,10 @@ impl Writer<'_> {
                 "root_relief_length_of_tangential_transition",
             ),
             _ => {
-                let at_one = matches!(spec, ModificationSpec::EndReliefI(_));
+                let at_one = matches!(
+                    spec,
+                    ModificationSpec::EndReliefI(_) | ModificationSpec::EndReliefNonDatumFace(_)
+                );
                 if self.place.faces((at_one, !at_one)).0 {
                     let draft = Draft::new("end_relief_datum_face")
                         .number("end_relief_depth_datum_face", depth)

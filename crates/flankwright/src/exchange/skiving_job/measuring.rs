@@ -35,6 +35,11 @@ pub struct ToolMeasuring {
     /// Travel of the axes while they measure; default without ends.
     #[serde(skip_serializing_if = "Travel::is_free")]
     pub travel: Travel,
+    /// How tooth 0 is clamped: its turn against its nominal angle, degrees, counter-clockwise > 0; known to half a pitch. By default
+    /// tooth 0 is the one that stands nearest to its nominal angle: the light of all tracks tells the clamping up to whole pitches.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("minimum" = -360, "maximum" = 360, "x-way-out" = "give the turn of tooth 0 in degrees, from -360 to 360, or leave it out"))]
+    pub clocking_deg: Option<f64>,
     /// Start of the random numbers of a simulated measurement.
     pub seed: u64,
 }
@@ -97,6 +102,7 @@ impl Default for ToolMeasuring {
             most_off_flank_deg: 15.0,
             body_depth: 5.0,
             travel: Travel::default(),
+            clocking_deg: None,
             seed: 1,
         }
     }

@@ -13,6 +13,10 @@ pub struct SkivingOutput {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[schemars(extend("uniqueItems" = true))]
     pub programs: Vec<Program>,
+    /// Whether measuring programs are written although the ideal edge misses the profile, so that their poses are in doubt; default false.
+    /// The verdict on a measured tool does not hold them back: it stands in their first lines.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub programs_of_missed: bool,
     /// Formats of tables.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[schemars(extend("uniqueItems" = true))]

@@ -5,7 +5,9 @@ use super::{
     Channel, Passes, ShiftRatio, ShiftRule, TangentialDressing, TangentialJob, TangentialSettings,
     VariableRule, Variables,
 };
-use crate::exchange::checks::{contradiction, dresser_diameters, every_job, not_yet, worm_diameters};
+use crate::exchange::checks::{
+    contradiction, dresser_diameters, every_job, not_yet, root_clearance, worm_diameters,
+};
 use crate::exchange::diagnostic::{Diagnostic, Problem};
 use crate::exchange::job::{Flanks, Gear, OneOrSides};
 use crate::exchange::node::shown_number;
@@ -19,6 +21,7 @@ pub(in crate::exchange) fn check(job: &TangentialJob) -> Vec<Diagnostic> {
     worm_diameters(job.worm.pitch_diameter, job.worm.tip_diameter, &mut findings);
     let dresser = &job.dresser;
     dresser_diameters("dresser", dresser.pitch_diameter, dresser.tip_diameter, &mut findings);
+    root_clearance(dresser.pitch_diameter, dresser.root_clearance, &mut findings);
     shift(job, &mut findings);
     passes(job, &mut findings);
     excluded(&job.dressing, &mut findings);

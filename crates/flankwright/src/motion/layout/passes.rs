@@ -28,6 +28,8 @@ struct Stroke {
     stroke: AxisPath,
     retraction: AxisPath,
     limits: PathLimits,
+    /// Greatest speed of infeed and retraction, mm/s.
+    infeed_speed: f64,
 }
 
 /// A way shorter than this is none, mm.
@@ -116,17 +118,19 @@ impl<'a> Writer<'a> {
         let stroke = along(&places, tolerance)?;
         let limits = PathLimits::new(self.machine, &stroke, &lengths(&stroke), pass.speed);
         // The worm goes on turning at its speed while the radial slide comes in and goes out.
-        let lead = match &pass.course {
+        // Infeed and retraction take the time of the slide's ramps throughout, so that no block asks more of the worm than its speed.
+        let (lead, infeed_speed) = match &pass.course {
             Course::Grinding(course) => {
                 let time = self.infeed_time(pass.clearance);
-                course.turning * sense * limits.speed * time
+                let slow = if time > 0.0 { pass.clearance / time } else { INFEED_SPEED };
+                (course.turning * sense * limits.speed * time, slow)
             }
-            Course::Dressing(_) => 0.0,
+            Course::Dressing(_) => (0.0, INFEED_SPEED),
         };
         let off = |v: f64, lead: f64| Waypoint { v, lift: pass.clearance, lead };
         let infeed = along(&[off(begin, -lead), place(begin)], tolerance)?;
         let retraction = along(&[place(end), off(end, lead)], tolerance)?;
-        Ok(Stroke { infeed, stroke, retraction, limits })
+        Ok(Stroke { infeed, stroke, retraction, limits, infeed_speed })
     }
 
     /// Time in which the radial slide moves by the clearance, s.
@@ -172,7 +176,7 @@ impl<'a> Writer<'a> {
             let limits = match limits {
                 Some(limits) => limits,
                 None => {
-                    own = PathLimits::new(self.machine, path, &lengths, INFEED_SPEED);
+                    own = PathLimits::new(self.machine, path, &lengths, paths.infeed_speed);
                     &own
                 }
             };

@@ -15,8 +15,8 @@ mod tip;
 mod unconfirmed;
 
 pub use cl::{ClCutter, write_cl};
-pub use notes::{cl_with_notes, netlist_with_notes, with_notes};
 pub(super) use cl::{cl_options, resolved};
+pub use notes::{cl_with_notes, netlist_with_notes, with_notes};
 pub use options::{
     Decimals, FanucOptions, FeedWords, HalOptions, LinuxCncOptions, Rounding, TipDecimals, Warning,
     WriteOptions, Written,

@@ -45,7 +45,10 @@ pub enum GeneratingError {
         ratio: f64,
     },
     /// A dressing or grinding axis leaves its range.
-    #[error("axis {axis} needs {value:.4} {unit}, its limit is {limit:.4} {unit}")]
+    #[error(
+        "{} by {value:.4} {unit} ({axis}); planning takes at most {limit:.4} {unit} on its own",
+        correction_in_words(axis)
+    )]
     AxisLimit {
         /// Axis.
         axis: &'static str,
@@ -437,12 +440,12 @@ impl GeneratingError {
                     .into()
             }
             Self::AxisLimit { .. } => {
-                "reduce the amount, choose another diagonal ratio, a worm with more threads, or the dresser for the profile crowning"
+                "that limit is a default of planning, not one of the machine, and no key changes it: a number as diagonal_ratio is not bound by it; or reduce the amount, or take a worm with more threads"
                     .into()
             }
             Self::DegenerateDirection { .. } => "choose another diagonal ratio".into(),
-            Self::EnvelopeBroken { .. } => "reduce the amount or choose another diagonal ratio".into(),
-            Self::ModelError { .. } => "choose another diagonal ratio or widen the tolerance".into(),
+            Self::EnvelopeBroken { .. } => "reduce the amount or choose another diagonal_ratio".into(),
+            Self::ModelError { .. } => "choose another diagonal_ratio or widen the tolerance".into(),
             Self::CounterFlankCut { largest: Some(largest), .. } => {
                 format!("take a dresser with a tip land of at most {largest:.3} mm, or leave more of the profile to the dresser")
             }
@@ -519,6 +522,7 @@ impl GeneratingError {
             Self::Contact(e) => !matches!(
                 e,
                 ContactError::Undercut { .. }
+                    | ContactError::NotSettled { .. }
                     | ContactError::WormSurfaceMissing { .. }
                     | ContactError::NoStart { .. }
                     | ContactError::NoRootFillet { .. }
@@ -548,5 +552,16 @@ impl GeneratingError {
             | Self::InvalidScan { .. } => true,
             _ => false,
         }
+    }
+}
+
+/// What a correcting axis would have to do, for the beginning of a sentence.
+fn correction_in_words(axis: &str) -> &'static str {
+    match axis {
+        "d_phi_S" => "dressing would have to turn the worm",
+        "d_gamma" => "dressing would have to swivel the dresser",
+        "d_d" => "dressing would have to move the dresser radially",
+        "d_v_yA" => "dressing would have to offset the dresser tangentially",
+        _ => "grinding would have to change the centre distance",
     }
 }

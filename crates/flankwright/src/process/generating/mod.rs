@@ -70,7 +70,9 @@ pub use quadratic::{
     Gauge, QuadraticDecomposition, QuadraticWorm, constant_only_profile_crowning, decompose_quadratic,
     product_functions,
 };
-pub use ratio::{Candidate, FlankResidual, RatioChoice, RatioReason, lead_correction_ratio};
+pub use ratio::{
+    Candidate, FlankResidual, LEAST_DETERMINANT, NoPlan, RatioChoice, RatioReason, lead_correction_ratio,
+};
 pub use setup::{DresserChoice, DressingLimits, GrindingSetup, ProfilePlace, SetupInput, Tool};
 pub use share::Command;
 pub use stroke_layout::{

@@ -5,7 +5,7 @@ use super::dressed::{DRESSING_MARGIN, DressedFlank, dress_flanks, dresser_of_pla
 use super::least_squares::FitNorm;
 use super::planning_grid::GroundError;
 use super::precompensation::{FREE_ROUNDS, ROUNDS, corrected, precompensate};
-use super::ratio::{Candidate, FlankResidual, RatioChoice, RatioReason, Rule};
+use super::ratio::{Candidate, FlankResidual, NoPlan, RatioChoice, RatioReason, Rule};
 use super::{
     DressingLimits, DressingRows, EqualSwivel, FeedLaw, FlankTarget, FreeCoefficients, GeneratingError,
     GrindingSetup, IdealPlan, MadeFlank, PlanGauge, PlanningGrid, ProfilePlace, ProfilePolicy, StrokedFlank,
@@ -157,6 +157,11 @@ impl PlanTask<'_> {
     /// When nothing is allowed: the reason of the best candidate. A given ratio is refused only if it cannot be evaluated or
     /// needs more worm than there is.
     pub fn choose(&self, grid: &PlanningGrid) -> Result<RatioChoice, GeneratingError> {
+        self.choose_or_tried(grid).map_err(|refused| refused.error)
+    }
+
+    /// As [`PlanTask::choose`]; a refusal brings along what was tried.
+    fn choose_or_tried(&self, grid: &PlanningGrid) -> Result<RatioChoice, Box<NoPlan>> {
         let rule = self.rule(grid);
         let place = *self.places.first().ok_or(GeneratingError::NoFlank)?;
         let (feed, rounds) = match (&self.law, self.ratio) {
@@ -198,7 +203,11 @@ impl PlanTask<'_> {
         Ok(RatioChoice {
             ratio,
             place,
-            reason: if self.law.is_some() { RatioReason::Law } else { RatioReason::Given },
+            reason: match (&self.law, self.ratio) {
+                (Some(_), _) => RatioReason::Law,
+                (None, Some(_)) => RatioReason::Given,
+                (None, None) => RatioReason::EqualSwivel,
+            },
             lead_correction: rule.lead_corrections(place),
             demanded: rule.demanded(),
             candidates: vec![candidate],
@@ -259,9 +268,22 @@ impl PlanTask<'_> {
     /// # Errors
     /// See [`GeneratingError`]; [`GeneratingError::is_bad_input`] tells impossible input from an unreachable target.
     pub fn plan(&self) -> Result<GrindingPlan, GeneratingError> {
+        self.plan_or_tried().map_err(|refused| refused.error)
+    }
+
+    /// As [`PlanTask::plan`]; a refusal brings along the candidates that were judged.
+    ///
+    /// # Errors
+    /// [`NoPlan`].
+    pub fn plan_or_tried(&self) -> Result<GrindingPlan, Box<NoPlan>> {
         let grid = self.planning_grid();
-        let choice = self.choose(&grid)?;
-        let mut policy = self.rule(&grid).policy(choice.place);
+        let choice = self.choose_or_tried(&grid)?;
+        let (candidates, failed) = (choice.candidates.clone(), choice.failed.clone());
+        self.plan_with(&grid, choice).map_err(|error| Box::new(NoPlan { error, candidates, failed }))
+    }
+
+    fn plan_with(&self, grid: &PlanningGrid, choice: RatioChoice) -> Result<GrindingPlan, GeneratingError> {
+        let mut policy = self.rule(grid).policy(choice.place);
         if self.gauge == PlanGauge::EqualSwivel {
             policy.gauge = self.swivel_constants(choice.ratio, choice.place)?;
         }
@@ -275,19 +297,19 @@ impl PlanTask<'_> {
             (true, false) => FREE_ROUNDS,
         };
         let (ideal, ideal_error, ideal_record) =
-            precompensate(self.setup, &self.targets, &grid, &feed, policy, rounds)?;
-        let mut best = self.equip(ideal, policy, &grid)?;
+            precompensate(self.setup, &self.targets, grid, &feed, policy, rounds)?;
+        let mut best = self.equip(ideal, policy, grid)?;
         let mut dressed_record = Sides::from_fn(|f| best.error.largest(f).into_iter().collect::<Vec<_>>());
         if self.precompensation {
             for _ in 0..OUTER_ROUNDS {
                 if best.error.max() - ideal_error.max() <= f64::min(0.1 * self.tolerance, 1e-5) {
                     break;
                 }
-                let command = corrected(self.setup, &grid, &best.ideal, &best.error);
+                let command = corrected(self.setup, grid, &best.ideal, &best.error);
                 let next = best
                     .ideal
                     .commanding(self.setup, &self.targets, command, policy)
-                    .and_then(|ideal| self.equip(ideal, policy, &grid));
+                    .and_then(|ideal| self.equip(ideal, policy, grid));
                 let Ok(next) = next else { break };
                 for flank in Flank::BOTH {
                     dressed_record[flank].extend(next.error.largest(flank));
@@ -307,7 +329,7 @@ impl PlanTask<'_> {
                 break flanks;
             }
             let margin = 2.0 * best.margin;
-            let (dresser, tools, error) = self.equip_with(&best.ideal, policy, &grid, margin)?;
+            let (dresser, tools, error) = self.equip_with(&best.ideal, policy, grid, margin)?;
             best = Equipped { ideal: best.ideal, dresser, flanks: tools, error, margin };
         };
         let between = if self.is_smooth() {

@@ -8,6 +8,7 @@ use super::{
     DressingLimits, DressingRows, FeedLaw, FlankLines, FlankTarget, GeneratingError, GrindingSetup,
     IdealPlan, PlanGauge, PlanningGrid, ProfilePlace, ProfilePolicy, Tool, radial_residual,
 };
+use crate::contact::FOLD_BEGINS;
 use crate::geometry::{Flank, Sides};
 use crate::numerics::Polynomial2;
 
@@ -74,6 +75,8 @@ impl Candidate {
 pub enum RatioReason {
     /// Given in the job.
     Given,
+    /// The ratio at which both flanks ask for the same swivel of the dresser.
+    EqualSwivel,
     /// The radial method suffices.
     RadialSuffices,
     /// K* is the same on both flanks (or one flank is ground).
@@ -109,6 +112,23 @@ pub struct RatioChoice {
     pub failed: Vec<(f64, GeneratingError)>,
 }
 
+/// Why there is no plan, with what was judged on the way.
+#[derive(Clone, Debug)]
+pub struct NoPlan {
+    /// The error.
+    pub error: GeneratingError,
+    /// Candidates that were judged, in order.
+    pub candidates: Vec<Candidate>,
+    /// Ratios that could not be judged.
+    pub failed: Vec<(f64, GeneratingError)>,
+}
+
+impl From<GeneratingError> for Box<NoPlan> {
+    fn from(error: GeneratingError) -> Self {
+        Box::new(NoPlan { error, candidates: Vec::new(), failed: Vec::new() })
+    }
+}
+
 /// K*: the ratio at which the worm needs no part linear in w, for target polynomial `a` with `p_2` in the profile.
 /// `None` when any direction does it (pure profile target) or none.
 pub fn lead_correction_ratio(lines: &FlankLines, a: &Polynomial2, p_2: f64) -> Option<f64> {
@@ -131,7 +151,7 @@ const GOLDEN: usize = 9;
 /// Ratios per sign in the scan.
 const SCAN: usize = 24;
 /// Least determinant ratio allowed.
-pub const LEAST_DETERMINANT: f64 = 0.3;
+pub const LEAST_DETERMINANT: f64 = FOLD_BEGINS;
 
 /// What the rule needs to know.
 pub(super) struct Rule<'a> {
@@ -367,24 +387,27 @@ impl Rule<'_> {
     /// Chooses K for the given places of the profile crowning.
     ///
     /// # Errors
-    /// When no candidate is allowed: the refusal of the best one.
-    pub fn choose(&self, places: &[ProfilePlace]) -> Result<RatioChoice, GeneratingError> {
+    /// When no candidate is allowed: the refusal of the best one, with all that were tried.
+    pub fn choose(&self, places: &[ProfilePlace]) -> Result<RatioChoice, Box<NoPlan>> {
         let mut choices = Vec::new();
-        let mut refusal = None;
+        let mut refusal: Option<Box<NoPlan>> = None;
         for &place in places {
-            match self.choose_for(place) {
-                Ok(choice) => choices.push(choice),
-                Err(error) => {
-                    refusal.get_or_insert(error);
+            match (self.choose_for(place), &mut refusal) {
+                (Ok(choice), _) => choices.push(choice),
+                (Err(further), Some(known)) => {
+                    known.candidates.extend(further.candidates);
+                    known.failed.extend(further.failed);
                 }
+                (Err(first), none) => *none = Some(first),
             }
         }
         let score = |c: &RatioChoice| best_of(&c.candidates).map_or(0.0, |b| b.score());
         let occupation = |c: &RatioChoice| best_of(&c.candidates).map_or(0.0, |b| b.occupation);
-        better(choices, score, occupation).ok_or_else(|| refusal.unwrap_or(GeneratingError::NoFlank))
+        better(choices, score, occupation)
+            .ok_or_else(|| refusal.unwrap_or_else(|| GeneratingError::NoFlank.into()))
     }
 
-    fn choose_for(&self, place: ProfilePlace) -> Result<RatioChoice, GeneratingError> {
+    fn choose_for(&self, place: ProfilePlace) -> Result<RatioChoice, Box<NoPlan>> {
         let which = self.which();
         let stars = self.lead_corrections(place);
         let level = |flank: Flank| self.setup.lines[flank].ratio_of_direction(0.0);
@@ -451,8 +474,13 @@ impl Rule<'_> {
                 return Ok(choice);
             }
         }
-        self.scan(&mut choice)?;
-        Ok(choice)
+        match self.scan(&mut choice) {
+            Ok(()) => Ok(choice),
+            Err(error) => {
+                let RatioChoice { candidates, failed, .. } = choice;
+                Err(Box::new(NoPlan { error, candidates, failed }))
+            }
+        }
     }
 
     fn scan(&self, choice: &mut RatioChoice) -> Result<(), GeneratingError> {

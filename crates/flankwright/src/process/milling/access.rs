@@ -1,7 +1,7 @@
-//! Whether tool and spindle have room in an internal gear (end of spec 50 section 8): from the tip along the axis to the opposite
-//! circle of tooth tips.
+//! Whether tool, holder and spindle have room in an internal gear (end of spec 50 section 8): as bodies of revolution in the whole ring
+//! where holder or spindle are known, else from the tip along the axis to the opposite circle of tooth tips.
 
-use super::{CutterLocation, FlankPlan, MillingError, PlanOptions, Space};
+use super::{CutterLocation, FlankPlan, MillingError, PlanOptions, Space, WallKind};
 use crate::geometry::Cutter;
 
 /// The ring of an internal gear: the cylinder of its tooth tips between the ends of its face. mm.
@@ -44,16 +44,31 @@ fn widest(cutter: &Cutter) -> f64 {
     cutter.steps().iter().fold(cutter.shape().radius(), |most, step| most.max(step.radius))
 }
 
-/// Refuses places of the flanks' and fillets' passes from which the tool would reach the teeth on the other side of an internal gear.
+/// Refuses places of the flanks' and fillets' passes from which the tool would reach the teeth on the other side of an internal gear, or
+/// holder and spindle any of its teeth and ends away from the space.
 ///
 /// # Errors
-/// [`MillingError::InternalAccess`]; those of the lead curve.
+/// [`MillingError::InternalAccess`], [`MillingError::RingMet`]; those of the lead curve.
 pub fn check_access(space: &Space, options: &PlanOptions, flanks: &[FlankPlan]) -> Result<(), MillingError> {
     let Some(ring) = Ring::of(space)? else { return Ok(()) };
     let cutter = &options.cutter;
     let (needed, beside) = (cutter.length(), widest(cutter));
     for flank in flanks {
         let refuse = |row: usize, column: usize, at: &CutterLocation| {
+            if cutter.is_held() {
+                for part in space.walls(WallKind::Ring, options.safety) {
+                    let kept = part.patch.keeps(cutter, &at.tip, &at.axis, part.wanted);
+                    kept.map_err(|near| MillingError::RingMet {
+                        side: flank.side,
+                        row,
+                        column,
+                        from: part.name,
+                        clearance: near.value,
+                        wanted: part.wanted,
+                    })?;
+                }
+                return Ok(());
+            }
             let free = ring.free(at, beside);
             if free >= needed {
                 return Ok(());

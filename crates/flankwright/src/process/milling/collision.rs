@@ -112,8 +112,26 @@ impl Ball {
     fn around(patch: &Patch) -> Self {
         let turn = nalgebra::Rotation3::from_axis_angle(&Vector3::z_axis(), patch.turn);
         let [a, b] = [patch.heights, patch.lengths].map(|[from, to]| 0.5 * (from + to));
-        let speeds = patch.surface.speed_bounds(patch.heights, patch.lengths);
-        let [x, y] = [patch.heights, patch.lengths].map(|[from, to]| 0.5 * (to - from));
-        Self { middle: turn * patch.surface.point(a, b), radius: speeds[0] * x + speeds[1] * y }
+        let middle = patch.surface.point(a, b);
+        Self { middle: turn * middle, radius: reach(patch, [patch.heights, patch.lengths], &middle, PIECES) }
     }
+}
+
+/// How often a piece without a bound is halved both ways.
+const PIECES: usize = 8;
+
+/// How far a piece of a patch reaches from a point, mm; one that is too large for a statement by its parts.
+fn reach(patch: &Patch, [heights, lengths]: [[f64; 2]; 2], from: &Vector3<f64>, halvings: usize) -> f64 {
+    let [a, b] = [heights, lengths].map(|[from, to]| 0.5 * (from + to));
+    let [x, y] = [heights, lengths].map(|[from, to]| 0.5 * (to - from));
+    let speeds = patch.surface.speed_bounds(heights, lengths);
+    let radius = speeds[0] * x + speeds[1] * y;
+    if radius.is_finite() || halvings == 0 {
+        return (patch.surface.point(a, b) - from).norm() + radius;
+    }
+    let halves = |[from, to]: [f64; 2], middle: f64| [[from, middle], [middle, to]];
+    let parts = halves(heights, a)
+        .into_iter()
+        .flat_map(|heights| halves(lengths, b).map(|lengths| [heights, lengths]));
+    parts.map(|part| reach(patch, part, from, halvings - 1)).fold(0.0, f64::max)
 }

@@ -5,7 +5,7 @@ use super::meeting::Line;
 use super::sweep::Sweep;
 use super::{
     ActiveFlank, ColumnPlane, CutterLocation, LeadPoint, MilledSide, MillingError, MillingPlan,
-    OperationKind, Orientation, PlanOptions, RootDepth, RootSection, Space,
+    OperationKind, Orientation, PlanOptions, RootDepth, RootSection, Space, SpaceFlank,
 };
 use crate::geometry::{Cutter, CutterShape, SurfaceJet};
 use crate::numerics::equidistant;
@@ -116,20 +116,26 @@ pub fn drawn_root(
 /// # Errors
 /// Those of [`drawn_root`].
 pub fn root_limits(space: &Space, options: &PlanOptions, u: f64) -> Result<Vec<Vector3<f64>>, MillingError> {
-    let Some((depth, _)) = options.root else { return Ok(Vec::new()) };
     let lead = space.lead.at(u)?;
-    let mut points = Vec::new();
-    for flank in &space.flanks {
-        let lowest = lowest_active(&flank.active.extended(), &lead)?;
-        let section = drawn_section(&lead, &lowest, options, options.orientation_on(flank.side()), depth)?;
-        let [from, to] = [section.lowest_active, section.fillet_start];
-        let straight = equidistant([0.0, 1.0], LIMITS).into_iter();
-        let straight = straight.map(|share| [0, 1].map(|k| from[k] + (to[k] - from[k]) * share));
-        let fillet = section.fillet(LIMITS).into_iter().map(|[point, _]| point);
-        let in_space = |[x, y]: [f64; 2]| lead.point + lead.abscissa() * x + lead.base_normal * y;
-        points.extend(straight.chain(fillet).map(in_space));
-    }
-    Ok(points)
+    let below = space.flanks.iter().map(|flank| drawn_below(flank, options, &lead));
+    Ok(below.collect::<Result<Vec<_>, _>>()?.concat())
+}
+
+/// As [`root_limits`], below one flank in the column plane of a lead point.
+pub(super) fn drawn_below(
+    flank: &SpaceFlank,
+    options: &PlanOptions,
+    lead: &LeadPoint,
+) -> Result<Vec<Vector3<f64>>, MillingError> {
+    let Some((depth, _)) = options.root else { return Ok(Vec::new()) };
+    let lowest = lowest_active(&flank.active.extended(), lead)?;
+    let section = drawn_section(lead, &lowest, options, options.orientation_on(flank.side()), depth)?;
+    let [from, to] = [section.lowest_active, section.fillet_start];
+    let straight = equidistant([0.0, 1.0], LIMITS).into_iter();
+    let straight = straight.map(|share| [0, 1].map(|k| from[k] + (to[k] - from[k]) * share));
+    let fillet = section.fillet(LIMITS).into_iter().map(|[point, _]| point);
+    let in_space = |[x, y]: [f64; 2]| lead.point + lead.abscissa() * x + lead.base_normal * y;
+    Ok(straight.chain(fillet).map(in_space).collect())
 }
 
 /// The lowest active point of a flank in the column plane of a lead point.

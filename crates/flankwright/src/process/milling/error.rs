@@ -164,7 +164,7 @@ pub enum MillingError {
     },
     /// The tool comes too near to something that it must not touch.
     #[error(
-        "row {row}, column {column}: the tool keeps {clearance:.4} mm from the {from}, wanted are {wanted} mm"
+        "row {row}, column {column}: the tool keeps {clearance:.4} mm from the {from}, wanted are {wanted:.3} mm"
     )]
     ToolGap {
         /// Row, from 0 at the root.
@@ -215,6 +215,24 @@ pub enum MillingError {
         free: f64,
         /// Length of tool and holder, mm.
         needed: f64,
+    },
+    /// Tool, holder or spindle come too near to the ring of an internal gear.
+    #[error(
+        "{side} flank, row {row}, column {column}: tool, holder or spindle keep {clearance:.3} mm from the {from}, wanted are {wanted} mm"
+    )]
+    RingMet {
+        /// The flank.
+        side: MilledSide,
+        /// Row, 0 at the root.
+        row: usize,
+        /// Column of the path.
+        column: usize,
+        /// What they come near to.
+        from: &'static str,
+        /// A distance that is too small, mm; < 0 inside.
+        clearance: f64,
+        /// What they should keep, mm.
+        wanted: f64,
     },
     /// No lead curve has the wanted row in its column planes.
     #[error(
@@ -310,7 +328,7 @@ impl MillingError {
             Self::ToolGap { .. } => "tool-gap",
             Self::Approach { .. } => "approach",
             Self::NoRetraction { .. } => "no-retraction",
-            Self::InternalAccess { .. } => "internal-access",
+            Self::InternalAccess { .. } | Self::RingMet { .. } => "internal-access",
             Self::RoughingNowhere { .. } => "roughing-nowhere",
             Self::NotMet { .. } => "not-met",
             Self::Collides { .. } => "tool-gap",
@@ -349,12 +367,15 @@ impl MillingError {
             Self::ToolShort { .. } => "take a tool with a longer cutting edge",
             Self::RootTool => "leave out `milling.root`, or mill with an end mill",
             Self::ToolGap { .. } | Self::Collides { .. } => {
-                "take a thinner tool, less tilt or a smaller contact height"
+                "take a thinner tool, less tilt or a smaller contact height, or begin the active flank higher above the root or hub"
             }
             Self::Approach { .. } => "take a smaller radius, or let the tool come in beside the face",
             Self::NoRetraction { .. } => "give a clearance body that the tool's axis crosses",
             Self::InternalAccess { .. } => {
                 "lean the axis out of the gear by a lead angle, or take a shorter tool and holder"
+            }
+            Self::RingMet { .. } => {
+                "lean the axis out of the gear by a lead angle, take a longer and thinner tool, or give the true `machine.spindle_diameter`"
             }
             Self::RoughingNowhere { .. } => "take a thinner cutter or a smaller allowance",
             Self::NotMet { .. } => "lay the rows closer",

@@ -3,12 +3,80 @@
 
 use super::wear::{HeightRule, HeightWindow};
 use super::{
-    CutterLocation, FlankGrid, GridPlace, LeadPoint, LocalContact, MillingError, Orientation, Patch,
-    greatest_contact_height,
+    Column, CutterLocation, FlankGrid, GridPlace, LeadPoint, LocalContact, MillingError, Obstacle,
+    Orientation, RootDepth, RootSection, greatest_contact_height,
 };
-use crate::geometry::{Cutter, CutterShape};
+use crate::geometry::{Cutter, CutterShape, in_tool};
 use crate::numerics::brent;
+use nalgebra::Vector3;
 use rayon::prelude::*;
+
+/// The finished bottom of the space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Bottom {
+    /// At this height above the lead point, mm.
+    Level(f64),
+    /// Where the fillet below the lowest active point of a column ends if a straight piece of this length lies between them, mm.
+    BelowFlank(f64),
+}
+
+/// Something that a cutter keeps away from while it finishes a flank.
+#[derive(Clone, Debug)]
+pub enum Kept<'a> {
+    /// A surface.
+    Surface(Obstacle<'a>),
+    /// Points in every column's plane, those of the drawn root below a flank.
+    Points {
+        /// What they belong to, for messages.
+        name: &'static str,
+        /// Column by column, mm.
+        columns: Vec<Vec<Vector3<f64>>>,
+        /// What the cutter has to keep, mm.
+        wanted: f64,
+    },
+}
+
+impl Kept<'_> {
+    /// What it is, and what is to be kept from it.
+    fn name_and_wanted(&self) -> (&'static str, f64) {
+        match self {
+            Self::Surface(obstacle) => (obstacle.name, obstacle.wanted),
+            Self::Points { name, wanted, .. } => (name, *wanted),
+        }
+    }
+
+    /// Whether a cutter at a place of a column keeps away.
+    fn keeps(&self, cutter: &Cutter, column: usize, at: &CutterLocation) -> bool {
+        match self {
+            Self::Surface(Obstacle { patch, wanted, .. }) => {
+                patch.keeps(cutter, &at.tip, &at.axis, *wanted).is_ok()
+            }
+            Self::Points { wanted, .. } => self.clearance(cutter, column, at) >= *wanted,
+        }
+    }
+
+    /// How far away it is, mm.
+    fn clearance(&self, cutter: &Cutter, column: usize, at: &CutterLocation) -> f64 {
+        match self {
+            Self::Surface(obstacle) => obstacle.patch.clearance(cutter, &at.tip, &at.axis).value,
+            Self::Points { columns, .. } => nearest(cutter, &at.tip, &at.axis, &columns[column]),
+        }
+    }
+}
+
+/// Distance of a cutter from the nearest of some points, mm.
+pub(super) fn nearest(
+    cutter: &Cutter,
+    tip: &Vector3<f64>,
+    axis: &Vector3<f64>,
+    points: &[Vector3<f64>],
+) -> f64 {
+    let distance = |point: &Vector3<f64>| {
+        let [rho, z] = in_tool(point, tip, axis);
+        cutter.distance(rho, z)
+    };
+    points.iter().map(distance).fold(f64::INFINITY, f64::min)
+}
 
 /// How a flank is finished.
 #[derive(Clone, Debug)]
@@ -19,10 +87,10 @@ pub struct FinishOptions<'a> {
     pub orientation: Orientation,
     /// Contact heights on a straight side.
     pub heights: &'a HeightRule,
-    /// Height above the lead point that the cutter's corner must not go below, mm.
-    pub bottom: Option<f64>,
-    /// The opposite flank and what the cutter keeps from it, mm.
-    pub opposite: Option<(Patch<'a>, f64)>,
+    /// The finished bottom, and what the cutter's corner keeps from it, mm.
+    pub bottom: Option<(Bottom, f64)>,
+    /// What limits the contact heights beside it: opposite flank, root body, drawn root.
+    pub kept: Vec<Kept<'a>>,
 }
 
 /// One row with the cutter at all of its points.
@@ -30,8 +98,8 @@ pub struct FinishOptions<'a> {
 pub struct FinishedRow {
     /// Contact height, mm; of corners, balls and barrels it follows from the axis and stands in the locations.
     pub contact_height: f64,
-    /// What root and edge allow, and the opposite flank where it does not let the wanted height pass; `None` for cutters without a
-    /// straight side.
+    /// What bottom and edge allow, and opposite flank and root body where they do not let the wanted height pass; `None` for cutters
+    /// without a straight side.
     pub window: Option<HeightWindow>,
     /// Whether the rule asked for a height outside of the window.
     pub limited: bool,
@@ -39,7 +107,7 @@ pub struct FinishedRow {
     pub locations: Vec<CutterLocation>,
 }
 
-/// Accuracy of a contact height that the opposite flank limits, mm; and clearances that count as the same, as those of all columns of a
+/// Accuracy of a contact height that a body limits, mm; and clearances that count as the same, as those of all columns of a
 /// cylinder are.
 const HEIGHT_STEP: f64 = 1e-6;
 const SAME: f64 = 1e-6;
@@ -48,7 +116,8 @@ const SAME: f64 = 1e-6;
 ///
 /// # Errors
 /// [`MillingError::GougeLocal`] where the cutter digs in around its contact, [`MillingError::WearWindow`] and others of the contact heights,
-/// [`MillingError::ToolGap`] where a cutter without a straight side comes too near to the opposite flank, and those of the locations.
+/// [`MillingError::ToolGap`] where a cutter without a straight side, or one at its least contact height, comes too near to what limits it,
+/// and those of the locations.
 pub fn finish(grid: &FlankGrid, options: &FinishOptions) -> Result<Vec<FinishedRow>, MillingError> {
     let shape = options.cutter.shape();
     let sided = has_side(shape, &options.orientation);
@@ -63,7 +132,9 @@ pub fn finish(grid: &FlankGrid, options: &FinishOptions) -> Result<Vec<FinishedR
     }
     let windows: Option<Vec<HeightWindow>> = if sided {
         let of_row = |row: usize| window(grid, row, options);
-        Some((0..rows).into_par_iter().map(of_row).collect::<Result<_, _>>()?)
+        // Collected before the first error is looked for: it is the same whatever the threads.
+        let all: Vec<_> = (0..rows).into_par_iter().map(of_row).collect();
+        Some(all.into_iter().collect::<Result<_, _>>()?)
     } else {
         None
     };
@@ -77,15 +148,11 @@ pub fn finish(grid: &FlankGrid, options: &FinishOptions) -> Result<Vec<FinishedR
             let place = &column.places[row];
             let location = locate(place, &column.lead, options, heights[row])?;
             LocalContact::new(&place.jet, &location, shape).check(&place.jet)?;
-            if let (false, Some((opposite, wanted))) = (sided, &options.opposite) {
-                let kept = opposite.keeps(options.cutter, &location.tip, &location.axis, *wanted);
-                kept.map_err(|near| MillingError::ToolGap {
-                    row,
-                    column: number,
-                    from: "opposite flank",
-                    clearance: near.value,
-                    wanted: *wanted,
-                })?;
+            let all: &[Kept] = if sided { &[] } else { &options.kept };
+            if let Some(met) = all.iter().find(|kept| !kept.keeps(options.cutter, number, &location)) {
+                let (from, wanted) = met.name_and_wanted();
+                let clearance = met.clearance(options.cutter, number, &location);
+                return Err(MillingError::ToolGap { row, column: number, from, clearance, wanted });
             }
             locations.push(location);
         }
@@ -96,7 +163,8 @@ pub fn finish(grid: &FlankGrid, options: &FinishOptions) -> Result<Vec<FinishedR
             locations,
         })
     };
-    (0..rows).into_par_iter().map(of_row).collect()
+    let all: Vec<_> = (0..rows).into_par_iter().map(of_row).collect();
+    all.into_iter().collect()
 }
 
 /// Where the straight side of a cutter begins, mm above the tip.
@@ -129,62 +197,106 @@ fn locate(
     )
 }
 
-/// Contact heights that all places of a row allow. How far the opposite flank limits them is looked for only where it does not let the
-/// wanted height pass.
-fn window(grid: &FlankGrid, row: usize, options: &FinishOptions) -> Result<HeightWindow, MillingError> {
+/// The contact height of a cutter at which its corner just keeps what it has to keep from the bottom, mm.
+fn above_bottom(
+    column: &Column,
+    row: usize,
+    options: &FinishOptions,
+    (bottom, keep): (Bottom, f64),
+) -> Result<f64, MillingError> {
     let CutterShape::Conical { corner_radius, .. } = *options.cutter.shape() else {
-        return Ok(HeightWindow { least: 0.0, greatest: 0.0 });
+        return Ok(f64::INFINITY);
     };
     let least = least_height(options.cutter.shape());
+    let axis = |place: &GridPlace| Ok::<_, MillingError>(locate(place, &column.lead, options, least)?.axis);
+    let level = match bottom {
+        Bottom::Level(height) => height,
+        Bottom::BelowFlank(straight) => {
+            let lowest = &column.places[0];
+            let section = RootSection::new(
+                &column.lead,
+                &lowest.jet.point,
+                &lowest.jet.normal,
+                &axis(lowest)?,
+                corner_radius,
+                options.cutter.cutting_length(),
+                RootDepth::Straight(straight),
+            )?;
+            section.lowest[1]
+        }
+    };
+    let place = &column.places[row];
+    let (point, normal) = (&place.jet.point, &place.jet.normal);
+    Ok(greatest_contact_height(&column.lead, point, normal, &axis(place)?, corner_radius, level + keep))
+}
+
+/// Contact heights that all places of a row allow. How far bodies limit them is looked for only where they do not let the wanted height
+/// pass.
+fn window(grid: &FlankGrid, row: usize, options: &FinishOptions) -> Result<HeightWindow, MillingError> {
+    if !matches!(options.cutter.shape(), CutterShape::Conical { .. }) {
+        return Ok(HeightWindow { least: 0.0, greatest: 0.0 });
+    }
+    let least = least_height(options.cutter.shape());
     let mut greatest = options.cutter.cutting_length();
-    for column in &grid.columns {
-        let place = &column.places[row];
-        let (point, normal) = (&place.jet.point, &place.jet.normal);
-        if let Some(bottom) = options.bottom {
-            let axis = locate(place, &column.lead, options, least)?.axis;
-            let limit = greatest_contact_height(&column.lead, point, normal, &axis, corner_radius, bottom);
-            greatest = greatest.min(limit);
+    if let Some(bottom) = options.bottom {
+        for column in &grid.columns {
+            greatest = greatest.min(above_bottom(column, row, options, bottom)?);
         }
     }
     let asked = options.heights.wanted(row, grid.rows()).unwrap_or(greatest);
-    let Some((opposite, wanted)) = &options.opposite else { return Ok(HeightWindow { least, greatest }) };
     if greatest < least {
         return Ok(HeightWindow { least, greatest });
     }
     let mut reached = asked.clamp(least, greatest);
     let mut limited = false;
+    for kept in &options.kept {
+        if let Some(height) = limit(grid, row, options, kept, [least, reached])? {
+            (reached, limited) = (height, true);
+        }
+    }
+    Ok(HeightWindow { least, greatest: if limited { reached } else { greatest } })
+}
+
+/// The contact height to which something limits a row, between the least one and the one that is to be reached; `None` where the latter
+/// is free.
+fn limit(
+    grid: &FlankGrid,
+    row: usize,
+    options: &FinishOptions,
+    kept: &Kept,
+    [least, asked]: [f64; 2],
+) -> Result<Option<f64>, MillingError> {
+    let (from, wanted) = kept.name_and_wanted();
     let tool = |column: usize, height: f64| {
         let column = &grid.columns[column];
         locate(&column.places[row], &column.lead, options, height)
     };
     // The deeper tool contains the other one: what it keeps falls with the height.
     let beyond = |column: usize, height: f64| {
-        let location = tool(column, height)?;
-        let kept = opposite.clearance(options.cutter, &location.tip, &location.axis);
-        Ok::<_, MillingError>(kept.value - wanted)
+        Ok::<_, MillingError>(kept.clearance(options.cutter, column, &tool(column, height)?) - wanted)
     };
     let mut narrow = Vec::new();
     for column in 0..grid.columns.len() {
-        let location = tool(column, reached)?;
-        if opposite.keeps(options.cutter, &location.tip, &location.axis, *wanted).is_err() {
-            narrow.push((column, beyond(column, reached)?));
+        if !kept.keeps(options.cutter, column, &tool(column, asked)?) {
+            narrow.push((column, beyond(column, asked)?));
         }
     }
     // The narrowest column first: the height that it allows is as a rule that of the row.
     narrow.sort_by(|a, b| a.1.total_cmp(&b.1));
-    for (column, kept) in narrow {
-        let deepest = if limited { beyond(column, reached)? } else { kept };
+    let mut reached = asked;
+    let mut limited = false;
+    for (column, at_asked) in narrow {
+        let deepest = if limited { beyond(column, reached)? } else { at_asked };
         if deepest >= -SAME {
             continue;
         }
         let highest = beyond(column, least)?;
         if highest < 0.0 {
-            let (from, clearance) = ("opposite flank", highest + wanted);
-            return Err(MillingError::ToolGap { row, column, from, clearance, wanted: *wanted });
+            return Err(MillingError::ToolGap { row, column, from, clearance: highest + wanted, wanted });
         }
-        let limit = brent([least, reached], [highest, deepest], HEIGHT_STEP, |h| beyond(column, h).ok());
-        reached = limit.unwrap_or(least);
+        let height = brent([least, reached], [highest, deepest], HEIGHT_STEP, |h| beyond(column, h).ok());
+        reached = height.unwrap_or(least);
         limited = true;
     }
-    Ok(HeightWindow { least, greatest: if limited { reached } else { greatest } })
+    Ok(limited.then_some(reached))
 }

@@ -1,7 +1,8 @@
 //! One space from blank to finished: roughing, both flanks row by row, the root, in the order in which they are cut.
 
 use super::bottom::bottom;
-use super::finish::{FinishOptions, finish};
+use super::drawn_limits::{across, check_drawn_root};
+use super::finish::{Bottom, FinishOptions, Kept, finish};
 use super::flank_plan::{FlankPlan, figures};
 use super::lines::{Lines, SpacingLaw, lay_lines};
 use super::middle::{Ended, Limits};
@@ -9,9 +10,10 @@ use super::path::{CutterPath, RowOrder, Traverse};
 use super::root_pass::{RootDepth, RootSection};
 use super::row_paths::RowPaths;
 use super::space::{Half, MilledSide, Space, SpaceFlank};
+use super::wall::{DOWN_TO, SPARE, along_blocks};
 use super::{
-    Column, CutterLocation, FlankGrid, HeightRule, MillingError, Orientation, Patch, RoughingLayer,
-    RoughingOptions, check_access, check_path, drawn_section, root_limits, rough,
+    Column, CutterLocation, FlankGrid, HeightRule, MillingError, Obstacle, Orientation, Patch, RoughingLayer,
+    RoughingOptions, WallKind, check_access, check_path, drawn_section, root_limits, rough,
 };
 use crate::geometry::{Cutter, Flank};
 use crate::numerics::extremes;
@@ -43,8 +45,8 @@ pub struct PlanOptions {
     pub order: RowOrder,
     /// Root: its depth, and whether the bottom between the fillets is milled as well.
     pub root: Option<(RootDepth, bool)>,
-    /// Height of the finished bottom above the lead point that rows keep away from by the safety distance, mm.
-    pub bottom: Option<f64>,
+    /// The finished bottom, which rows keep away from by the safety distance, where the job draws one.
+    pub bottom: Option<Bottom>,
     /// Clearing: allowance, greatest depth of a layer and greatest distance of passes, mm.
     pub roughing: Option<[f64; 3]>,
     /// Radius of the quarter circles on which the cutter comes to rows and leaves them, mm; without it there are none.
@@ -163,6 +165,7 @@ pub fn plan(space: &Space, options: &PlanOptions) -> Result<MillingPlan, Milling
         operations.push(Operation { kind: OperationKind::Bottom, paths });
     }
     check_access(space, options, &flanks)?;
+    check_drawn_root(space, options, &flanks, &operations)?;
     operations.sort_by_key(|operation| operation.kind.stage());
     for operation in &operations {
         check(space, options, operation)?;
@@ -178,16 +181,29 @@ fn plan_flank(
 ) -> Result<(FlankPlan, Vec<Operation>), MillingError> {
     let side = flank.side();
     let orientation = options.orientation_on(side);
-    let finishing = FinishOptions {
+    let wanted = options.safety + SPARE;
+    let opposite = space.opposite(flank.side);
+    let across_space = opposite.map(|opposite| Obstacle {
+        name: "opposite flank",
+        patch: opposite.patch(0.0),
+        wanted,
+        between: true,
+    });
+    let mut finishing = FinishOptions {
         cutter: &options.cutter,
         orientation,
         heights: &options.heights,
-        bottom: options.bottom.map(|bottom| bottom + options.safety),
-        opposite: space.opposite(flank.side).map(|opposite| (opposite.patch(0.0), options.safety)),
+        bottom: options.bottom.map(|bottom| (bottom, options.safety)),
+        kept: across_space
+            .into_iter()
+            .chain(space.walls(WallKind::Base, wanted))
+            .map(Kept::Surface)
+            .collect(),
     };
     let (active, lead) = (flank.active.extended(), space.lead.clone());
     let lines =
         lay_lines(&active, &*lead, None, &options.lines, options.spacing, &finishing, options.overrun)?;
+    finishing.kept.extend(across(opposite, options, &lines.path.columns, wanted)?);
     let rows = finish(&lines.path, &finishing)?;
     let figures = figures(&lines.path, &rows, options);
     let root = match options.root {
@@ -249,8 +265,11 @@ fn roughing(
     let last = plan.rows.len() - 1;
     let top = columns.iter().map(|column| height(column, last)).fold(f64::NEG_INFINITY, f64::max);
     let lowest = columns.iter().map(|column| height(column, 0)).fold(f64::INFINITY, f64::min);
-    let layers =
-        RoughingOptions { allowance, top, bottom: options.bottom.unwrap_or(lowest), step_down, step_over };
+    let bottom = match options.bottom {
+        Some(Bottom::Level(height)) => height,
+        Some(Bottom::BelowFlank(_)) | None => lowest,
+    };
+    let layers = RoughingOptions { allowance, top, bottom, step_down, step_over };
     // Beside the face the cutter stays between the flanks as if they went on, or it would cut across their ends.
     let lengths = columns.iter().flat_map(|column| column.places.iter().map(|place| place.length));
     let lengths = extremes(lengths);
@@ -281,8 +300,18 @@ fn check(space: &Space, options: &PlanOptions, operation: &Operation) -> Result<
         // Roughing keeps its allowance from the flanks of the space; to a hundredth of a millimetre, as it was laid.
         OperationKind::Roughing => (None, 0.0),
     };
-    let obstacles = space.obstacles(on, safety);
+    // Passes of the root come down to the root body, and roughing as near as its allowance.
+    let from_base = match operation.kind {
+        OperationKind::Flank(_) => along_blocks(options.safety),
+        OperationKind::Fillet(_) | OperationKind::Bottom | OperationKind::Roughing => -DOWN_TO,
+    };
     let cutter = options.cutter_of(operation.kind);
+    let mut obstacles = space.obstacles(on, safety);
+    obstacles.extend(space.walls(WallKind::Base, from_base));
+    obstacles.extend(space.walls(WallKind::Blade, along_blocks(options.safety)));
+    if cutter.is_held() {
+        obstacles.extend(space.walls(WallKind::Ring, along_blocks(options.safety)));
+    }
     for (number, path) in operation.paths.iter().enumerate() {
         check_path(cutter, &path.places, &obstacles).map_err(|collision| MillingError::Collides {
             kind: operation.kind,

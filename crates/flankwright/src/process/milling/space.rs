@@ -1,7 +1,7 @@
 //! A space to be milled: its flanks, what stands around it, and the frames along its bottom. A double-helical gear has two of them,
 //! one for each half.
 
-use super::{ActiveFlank, HIDDEN, LeadCurve, Obstacle, Patch};
+use super::{ActiveFlank, HIDDEN, LeadCurve, Obstacle, Patch, Wall, WallKind};
 use crate::geometry::{Flank, Frustum};
 use std::sync::Arc;
 
@@ -75,6 +75,8 @@ pub struct Space {
     pub lands: Vec<Land>,
     /// Flanks of the other half of a double-helical gear.
     pub other_half: Vec<SpaceFlank>,
+    /// Bodies beside the flanks: root body or hub, other blades, the ring of an internal gear.
+    pub walls: Vec<Wall>,
 }
 
 /// How deep the search on the flank that the cutter touches may find it: what curvature and blocks do there is less and judged by
@@ -110,7 +112,12 @@ impl Space {
         self.flanks.iter().find(|flank| flank.side != side)
     }
 
-    /// All that a cutter on one flank (or on none) must keep away from by `safety` mm.
+    /// Walls of a kind, to keep `wanted` mm from.
+    pub fn walls(&self, kind: WallKind, wanted: f64) -> impl Iterator<Item = Obstacle<'_>> {
+        self.walls.iter().filter(move |wall| wall.kind == kind).map(move |wall| wall.obstacle(wanted))
+    }
+
+    /// All that a cutter on one flank (or on none) must keep away from by `safety` mm, beside the walls.
     pub fn obstacles(&self, on: Option<Flank>, safety: f64) -> Vec<Obstacle<'_>> {
         let keep = |name, patch| Obstacle { name, patch, wanted: safety, between: true };
         let mut all = Vec::new();

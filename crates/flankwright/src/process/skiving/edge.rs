@@ -1,6 +1,7 @@
 //! The virtual edge: the rounding whose points make the finished flank, found so that its centres lie where the rake face wants them
 //! (spec 60 section 4).
 
+use super::pieces::pieces;
 use super::{
     Conjugate, ContactPlace, EdgeSection, ProfilePlace, SkivedFlank, SkivingError, SkivingPair, conjugate,
 };
@@ -15,6 +16,8 @@ const STEPS: usize = 600;
 const ROOT: f64 = 1e-8;
 /// Nodes of the centre curve: its coefficients have ended by then.
 const NODES: usize = 25;
+/// How often a piece is halved that its nodes do not resolve.
+const HALVED: usize = 5;
 /// What the identities may miss, and where an unresolved curve shows (spec 60 section 4: measured 1e-10 at most).
 const IDENTITY: f64 = 1e-8;
 /// Way of the continuation from node to node, rad: first reach, and the largest before everything is looked through again.
@@ -31,28 +34,50 @@ pub struct VirtualEdge {
     flank: SkivedFlank,
     pair: SkivingPair,
     nodes: Vec<ContactPlace>,
-    centre: [Chebyshev; 3],
-    normal: [Chebyshev; 3],
-    growth: [Chebyshev; 3],
+    pieces: Vec<EdgePiece>,
     cutting: f64,
 }
 
+/// A stretch of an edge on which everything is smooth: series over the length of roll.
+#[derive(Clone, Debug)]
+pub struct EdgePiece {
+    range: [f64; 2],
+    /// The centre curve c.
+    pub centre: [Chebyshev; 3],
+    /// The contact normal n_m.
+    pub normal: [Chebyshev; 3],
+    /// v of [`EdgeSection::growth`].
+    pub growth: [Chebyshev; 3],
+}
+
 impl VirtualEdge {
-    /// The edge that makes a flank.
+    /// The edge that makes a flank. Where slope or bend of its modification jump, the edge ends and goes on in another piece.
     ///
     /// # Errors
     /// [`SkivingError::NoContact`], [`SkivingError::ContactOffRounding`], [`SkivingError::RoundingTooLarge`],
     /// [`SkivingError::CuttingDirectionAmbiguous`], [`SkivingError::LeverTooSmall`].
     pub fn new(pair: &SkivingPair, flank: SkivedFlank) -> Result<Self, SkivingError> {
-        let [from, to] = flank.range();
-        let mut nodes: Vec<ContactPlace> = Vec::with_capacity(NODES);
-        for w in Chebyshev::nodes(from, to, NODES) {
-            let near = nodes.last().map(|place: &ContactPlace| {
-                let (here, there) = (flank.at(w), flank.at(place.w));
-                place.turn + rest_turn(pair, &here) - rest_turn(pair, &there)
-            });
-            nodes.push(contact_place(pair, &flank, w, near)?);
+        let mut edge =
+            Self { pair: pair.clone(), nodes: Vec::new(), pieces: Vec::new(), cutting: 0.0, flank };
+        for range in pieces(&edge.flank) {
+            edge.append(range, 0)?;
         }
+        edge.cutting = edge.cutting_sense()?;
+        Ok(edge)
+    }
+
+    /// Goes on by a piece; one that its nodes do not resolve in two.
+    fn append(&mut self, [from, to]: [f64; 2], halved: usize) -> Result<(), SkivingError> {
+        let first = self.nodes.len();
+        for w in Chebyshev::nodes(from, to, NODES) {
+            let near = self.nodes.last().map(|place: &ContactPlace| {
+                let (here, there) = (self.flank.at(w), self.flank.at(place.w));
+                place.turn + rest_turn(&self.pair, &here) - rest_turn(&self.pair, &there)
+            });
+            let place = contact_place(&self.pair, &self.flank, w, near)?;
+            self.nodes.push(place);
+        }
+        let nodes = &self.nodes[first..];
         let series = |of: &dyn Fn(&ContactPlace) -> Vector3<f64>| -> [Chebyshev; 3] {
             std::array::from_fn(|k| {
                 let values: Vec<f64> = nodes.iter().map(|place| of(place)[k]).collect();
@@ -60,17 +85,24 @@ impl VirtualEdge {
             })
         };
         let (centre, normal) = (series(&|place| place.centre), series(&|place| place.normal));
-        let growth = centre.clone();
-        let mut edge = Self { pair: pair.clone(), nodes, centre, normal, growth, cutting: 0.0, flank };
-        let sections =
-            edge.nodes.iter().map(|place| edge.checked_section(place)).collect::<Result<Vec<_>, _>>()?;
+        let mut piece = EdgePiece { range: [from, to], growth: centre.clone(), centre, normal };
+        let sections: Result<Vec<_>, _> = nodes.iter().map(|at| self.checked_section(&piece, at)).collect();
+        let sections = match sections {
+            Err(SkivingError::NoContact { .. }) if halved < HALVED && self.flank.is_modified() => {
+                self.nodes.truncate(first);
+                let middle = 0.5 * (from + to);
+                self.append([from, middle], halved + 1)?;
+                return self.append([middle, to], halved + 1);
+            }
+            other => other?,
+        };
         let growths: Vec<Vector3<f64>> = sections.iter().map(EdgeSection::growth).collect();
-        edge.growth = std::array::from_fn(|k| {
+        piece.growth = std::array::from_fn(|k| {
             let values: Vec<f64> = growths.iter().map(|v| v[k]).collect();
             Chebyshev::interpolate(from, to, &values)
         });
-        edge.cutting = edge.cutting_sense()?;
-        Ok(edge)
+        self.pieces.push(piece);
+        Ok(())
     }
 
     /// Which flank of the workpiece it makes.
@@ -93,19 +125,15 @@ impl VirtualEdge {
         self.cutting
     }
 
-    /// Series of the centre curve c over the length of roll.
-    pub fn centre_series(&self) -> &[Chebyshev; 3] {
-        &self.centre
+    /// The smooth pieces of the edge, ascending.
+    pub fn pieces(&self) -> &[EdgePiece] {
+        &self.pieces
     }
 
-    /// Series of the contact normal n_m over the length of roll.
-    pub fn normal_series(&self) -> &[Chebyshev; 3] {
-        &self.normal
-    }
-
-    /// Series of v of [`EdgeSection::growth`] over the length of roll.
-    pub fn growth_series(&self) -> &[Chebyshev; 3] {
-        &self.growth
+    /// The piece at a length of roll; beyond the ends the nearest.
+    pub fn piece(&self, w: f64) -> &EdgePiece {
+        let after = self.pieces.partition_point(|piece| piece.range[1] < w);
+        &self.pieces[after.min(self.pieces.len() - 1)]
     }
 
     /// The contact at a length of roll, solved anew.
@@ -123,9 +151,13 @@ impl VirtualEdge {
 
     /// The section of the edge at a length of roll, from the series.
     pub fn section(&self, w: f64) -> EdgeSection {
-        let jets = self.centre.each_ref().map(|series| series.jet(w));
+        self.section_in(self.piece(w), w)
+    }
+
+    fn section_in(&self, piece: &EdgePiece, w: f64) -> EdgeSection {
+        let jets = piece.centre.each_ref().map(|series| series.jet(w));
         let at = |k: usize| Vector3::new(jets[0][k], jets[1][k], jets[2][k]);
-        let normal = Vector3::from_fn(|k, _| self.normal[k].value(w));
+        let normal = Vector3::from_fn(|k, _| piece.normal[k].value(w));
         self.section_at(at(0), at(1), &normal.normalize())
     }
 
@@ -165,11 +197,11 @@ impl VirtualEdge {
     }
 
     /// The section at a node, if it stands up to everything that is known of it.
-    fn checked_section(&self, place: &ContactPlace) -> Result<EdgeSection, SkivingError> {
+    fn checked_section(&self, piece: &EdgePiece, place: &ContactPlace) -> Result<EdgeSection, SkivingError> {
         let w = place.w;
-        let section = self.section(w);
+        let section = self.section_in(piece, w);
         let radius = self.pair.tool().rounding().radius;
-        let jets = self.centre.each_ref().map(|series| series.jet(w));
+        let jets = piece.centre.each_ref().map(|series| series.jet(w));
         let [first, second] = [1, 2].map(|k| Vector3::new(jets[0][k], jets[1][k], jets[2][k]));
         let curvature = first.cross(&second).norm() / first.norm().powi(3);
         if radius * curvature >= 1.0 {
@@ -201,6 +233,13 @@ impl VirtualEdge {
             sense = speed.signum();
         }
         Ok(sense)
+    }
+}
+
+impl EdgePiece {
+    /// From which length of roll to which it reaches, mm.
+    pub fn range(&self) -> [f64; 2] {
+        self.range
     }
 }
 

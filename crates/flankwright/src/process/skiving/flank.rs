@@ -73,6 +73,19 @@ impl SkivedFlank {
         &self.helicoid
     }
 
+    /// Whether it is more than the involute.
+    pub(super) fn is_modified(&self) -> bool {
+        self.modified.is_some()
+    }
+
+    /// The modification along the profile: value, slope, bend.
+    pub(super) fn modification_jet(&self, w: f64) -> [f64; 3] {
+        self.modified.as_ref().map_or([0.0; 3], |modified| {
+            let jet = modified.offset().jet(w, 0.0);
+            [jet.f, jet.fu, jet.fuu]
+        })
+    }
+
     /// Lengths of roll [w_0, w_1], mm.
     pub fn range(&self) -> [f64; 2] {
         self.range

@@ -9,12 +9,13 @@ pub mod evaluation;
 mod flank;
 pub mod measuring;
 mod pair;
+mod pieces;
 mod setting;
 mod track;
 pub mod wear;
 
 pub use contact::{Conjugate, conjugate};
-pub use edge::VirtualEdge;
+pub use edge::{EdgePiece, VirtualEdge};
 pub use edge_place::{ContactPlace, EdgeSection};
 pub use error::SkivingError;
 pub use flank::{ProfilePlace, SkivedFlank};

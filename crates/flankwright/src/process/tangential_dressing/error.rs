@@ -53,7 +53,7 @@ pub enum TangentialError {
     },
     /// The envelope folds: the true surface lies deeper than it.
     #[error(
-        "the {flank} flank is undercut at radius {radius:.4} mm, z = {z:.4} mm (determinant ratio {ratio:.3})"
+        "the envelope of the worm folds on the {flank} flank at radius {radius:.4} mm, z = {z:.4} mm (determinant ratio {ratio:.3}): the worm would gouge the flank there"
     )]
     Undercut {
         /// Flank concerned.
@@ -63,6 +63,20 @@ pub enum TangentialError {
         /// Axial position on the gear.
         z: f64,
         /// Last ratio of the determinants that a continuation reached.
+        ratio: f64,
+    },
+    /// The search for the contact ends although the envelope is far from a fold.
+    #[error(
+        "the contact that grinds the {flank} flank at radius {radius:.4} mm, z = {z:.4} mm was not found: the search does not settle, although the envelope is far from folding there (determinant ratio {ratio:.3})"
+    )]
+    NotSettled {
+        /// Flank concerned.
+        flank: Flank,
+        /// Radius on the gear.
+        radius: f64,
+        /// Axial position on the gear.
+        z: f64,
+        /// Ratio of the determinants where the search ended.
         ratio: f64,
     },
     /// None of the free variables moves the flank.
@@ -94,6 +108,7 @@ impl TangentialError {
             Self::UnknownVariable { .. } => "unknown-variable",
             Self::OutsideTool { .. } => "outside-tool",
             Self::Undercut { .. } => "undercut",
+            Self::NotSettled { .. } => "contact-not-found",
             Self::NoLiveVariable { .. } => "no-live-variable",
             Self::NotConverged { .. } => "not-converged",
         }
@@ -114,6 +129,9 @@ impl TangentialError {
             }
             Self::Undercut { .. } => {
                 "reduce the amount of the modification, raise the form diameter, or let other channels make it"
+            }
+            Self::NotSettled { .. } => {
+                "take smaller amounts, or let other channels make them; that the flank cannot be made is not shown"
             }
             Self::NoLiveVariable { .. } => "free a variable that moves the flank, such as dX2, FC2 or Fp2",
             Self::NotConverged { .. } => {

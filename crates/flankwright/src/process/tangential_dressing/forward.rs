@@ -205,6 +205,9 @@ impl<'a> TangentialFlank<'a> {
             ContactError::Undercut { w, z, ratio, .. } => {
                 TangentialError::Undercut { flank, radius: self.model.radius(flank, w), z, ratio }
             }
+            ContactError::NotSettled { w, z, ratio, .. } => {
+                TangentialError::NotSettled { flank, radius: self.model.radius(flank, w), z, ratio }
+            }
             // The dresser leaves no envelope where the contact would be. The solver says where on the tool; the first point of the
             // grid that fails says where on the gear.
             ContactError::WormSurfaceMissing { .. } => {

@@ -7,11 +7,13 @@
 mod block;
 mod body;
 mod outcome;
+mod rapids;
 mod search;
 mod tree;
 
 pub use body::CutterPart;
 pub use outcome::{MillStatistics, MilledRay, MilledRays, Unmilled};
+pub use rapids::{RapidHit, Rapids, rapid_hits};
 
 use super::{RemovalError, error};
 use crate::geometry::Cutter;

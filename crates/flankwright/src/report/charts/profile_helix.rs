@@ -95,8 +95,9 @@ struct Row<'a> {
     heading: &'static str,
     coordinate: &'static str,
     section: &'static str,
-    lower: &'static str,
-    upper: &'static str,
+    /// Name of that end and what it is.
+    lower: [&'static str; 2],
+    upper: [&'static str; 2],
     traces: Vec<(&'a str, &'a [SectionTrace])>,
 }
 
@@ -114,7 +115,7 @@ pub fn profile_helix_diagram(diagram: &ProfileHelixDiagram) -> Result<Svg, Chart
         .fold((0.0_f64, 0.0_f64), |(lo, hi), &f| (lo.min(f), hi.max(f)));
     let (lo, hi) = if hi - lo > LEAST_SPAN { (lo, hi) } else { (-0.5, 0.5) };
 
-    let row = |heading, coordinate, section, ends: [&'static str; 2], helices: bool| Row {
+    let row = |heading, coordinate, section, ends: [[&'static str; 2]; 2], helices: bool| Row {
         heading,
         coordinate,
         section,
@@ -127,8 +128,8 @@ pub fn profile_helix_diagram(diagram: &ProfileHelixDiagram) -> Result<Svg, Chart
             .collect(),
     };
     let rows: Vec<Row> = [
-        row("Profile", "w [mm]", "z", ["root", "tip"], false),
-        row("Helix", "z [mm]", "w", ["face I", "face II"], true),
+        row("Profile", "w [mm]", "z", [["", "root"], ["tip", ""]], false),
+        row("Helix", "z [mm]", "w", [["face I", "(not datum)"], ["face II", "(datum)"]], true),
     ]
     .into_iter()
     .filter(|row| row.traces.iter().any(|(_, traces)| !traces.is_empty()))
@@ -211,8 +212,12 @@ impl Row<'_> {
         frame.ordinate(canvas, &axis);
         frame.ordinate_title(canvas, &axis, self.coordinate, 36.0);
         let end = TextStyle::new(11.0, Anchor::Start).muted();
-        canvas.text([frame.right() + 5.0, frame.top + 9.0], self.upper, end);
-        canvas.text([frame.right() + 5.0, frame.bottom()], self.lower, end);
+        for (lines, below) in [(self.upper, frame.top + 9.0), (self.lower, frame.bottom() - 13.0)] {
+            for (text, y) in lines.into_iter().zip([below, below + 13.0]).filter(|(text, _)| !text.is_empty())
+            {
+                canvas.text([frame.right() + 5.0, y], text, end);
+            }
+        }
 
         let slot = frame.width / traces.len() as f64;
         let margin = (0.14 * slot).clamp(6.0, 24.0);

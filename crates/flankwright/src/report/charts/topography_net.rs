@@ -153,8 +153,10 @@ fn draw_floor(canvas: &mut Canvas, view: &View, drop: f64) {
     let side = TextStyle::new(TICK_SIZE, Anchor::Start).muted();
     let [x, y] = at(0.0, 0.0);
     canvas.text([x - 10.0, y + 2.0], "face I", TextStyle { anchor: Anchor::End, ..side });
+    canvas.text([x - 10.0, y + 15.0], "(not datum)", TextStyle { anchor: Anchor::End, ..side });
     let [x, y] = at(1.0, 0.0);
     canvas.text([x + 12.0, y + 26.0], "face II, root", side);
+    canvas.text([x + 12.0, y + 39.0], "(datum face)", side);
     let [x, y] = at(1.0, 1.0);
     canvas.text([x + 34.0, y + 1.0], "tip", side);
 }

@@ -1,6 +1,6 @@
 //! The banner and the summary table: what was asked for, what comes out, how far apart they are.
 
-use super::data::{Characteristics, FlankReport, GeneratingReport};
+use super::data::{Characteristics, FlankReport, GeneratingReport, TargetAmount};
 use crate::report::charts::{format_fixed, format_significant};
 use crate::report::{Banner, Block, Column, Fact, Stamp, Table};
 use crate::verdict::Status;
@@ -112,49 +112,78 @@ fn amounts(flanks: &[(String, &FlankReport)]) -> Table {
     Table { caption: "Target".to_owned(), columns, rows, note: "Positive: material removed.".to_owned() }
 }
 
-/// Name, symbol, and the value in [`Characteristics`] of one row of the table.
-type Row = (&'static str, fn(&Characteristics) -> Option<f64>);
+/// Name and symbol, the kind of modification that asks for it by its amount, and the value in [`Characteristics`].
+type Row = (&'static str, &'static str, fn(&Characteristics) -> Option<f64>);
 
 const ROWS: [Row; 8] = [
-    ("Helix crowning C_β", |c| c.helix_crowning_um),
-    ("Profile crowning C_α", |c| c.profile_crowning_um),
-    ("Helix slope C_Hβ", |c| c.helix_slope_um),
-    ("Profile slope C_Hα", |c| c.profile_slope_um),
-    ("Twist, corners, transverse", |c| c.twist_corner_um),
-    ("Twist, corners, normal", |c| c.twist_corner_normal_um),
-    ("Twist, least squares, transverse", |c| c.twist_fit_um),
-    ("Twist, least squares, normal", |c| c.twist_fit_normal_um),
+    ("Helix crowning C_β", "helix crowning", |c| c.helix_crowning_um),
+    ("Profile crowning C_α", "profile crowning", |c| c.profile_crowning_um),
+    ("Helix slope C_Hβ", "helix slope", |c| c.helix_slope_um),
+    ("Profile slope C_Hα", "profile slope", |c| c.profile_slope_um),
+    ("Twist, corners, transverse", "twist", |c| c.twist_corner_um),
+    ("Twist, corners, normal", "", |c| c.twist_corner_normal_um),
+    ("Twist, least squares, transverse", "", |c| c.twist_fit_um),
+    ("Twist, least squares, normal", "", |c| c.twist_fit_normal_um),
 ];
+
+/// Where the values of a column come from.
+enum Source<'a> {
+    /// The amounts of the job.
+    Asked(&'a [TargetAmount]),
+    /// A fit over the whole field.
+    Fitted(&'a Characteristics),
+}
+
+impl Source<'_> {
+    fn is_fitted(&self) -> bool {
+        matches!(self, Self::Fitted(_))
+    }
+
+    fn value(&self, (_, kind, of): &Row) -> Option<f64> {
+        match self {
+            Self::Fitted(values) => of(values),
+            Self::Asked(amounts) => {
+                let asked: Vec<f64> = amounts
+                    .iter()
+                    .filter(|amount| amount.name == *kind)
+                    .filter_map(|a| a.amount_um)
+                    .collect();
+                (!asked.is_empty()).then(|| asked.iter().sum())
+            }
+        }
+    }
+}
 
 fn characteristics(flanks: &[(String, &FlankReport)]) -> Table {
     let mut columns = vec![Column::symbols("Characteristic")];
-    let mut sources: Vec<&Characteristics> = Vec::new();
+    let mut sources: Vec<Source<'_>> = Vec::new();
     for (side, flank) in flanks {
+        columns.push(Column::number(format!("{} asked", capitalised(side)), "µm"));
+        sources.push(Source::Asked(&flank.amounts));
         let stages = [
-            ("target", Some(&flank.target_values)),
+            ("target field", Some(&flank.target_values)),
             ("planned", flank.planned_values.as_ref()),
             ("simulated", flank.simulated_values.as_ref()),
         ];
         for (stage, values) in stages {
             if let Some(values) = values {
                 columns.push(Column::number(format!("{} {stage}", capitalised(side)), "µm"));
-                sources.push(values);
+                sources.push(Source::Fitted(values));
             }
         }
     }
     let rows = ROWS
         .iter()
-        .filter(|(_, value)| sources.iter().any(|values| value(values).is_some()))
-        .map(|(name, value)| {
-            let mut row = vec![(*name).to_owned()];
+        .filter(|row| sources.iter().any(|source| source.is_fitted() && source.value(row).is_some()))
+        .map(|row| {
             let cell =
-                |values: &&Characteristics| value(values).map_or("–".to_owned(), |v| format_fixed(v, 3));
-            row.extend(sources.iter().map(cell));
-            row
+                |source: &Source<'_>| source.value(row).map_or("–".to_owned(), |v| format_fixed(v, 3));
+            std::iter::once(row.0.to_owned()).chain(sources.iter().map(cell)).collect()
         })
         .collect();
-    let note = "Crownings and slopes are transverse. Planned: analytic model; simulated: material removal (referee).";
-    Table { caption: "Characteristic values".to_owned(), columns, rows, note: note.to_owned() }
+    let note = "Least squares over the whole evaluated field, reliefs included: a relief shows here as crowning and slope as well. What the job asks for stands under Asked and in the table above. Crownings and slopes are transverse. Planned: analytic model; simulated: material removal (referee).";
+    let caption = "Characteristic values, fitted over the whole field".to_owned();
+    Table { caption, columns, rows, note: note.to_owned() }
 }
 
 fn deviations(flanks: &[(String, &FlankReport)], tolerance_um: f64) -> Table {
@@ -190,7 +219,7 @@ fn outside(flanks: &[(String, &FlankReport)]) -> Table {
         })
         .collect();
     Table {
-        caption: "Terms that this process can't make".to_owned(),
+        caption: "Terms that this plan does not carry".to_owned(),
         columns: vec![
             Column::text("Flank"),
             Column::text("Term"),

@@ -28,7 +28,8 @@ fn panels(flanks: &Flanks, pick: impl Fn(&FlankReport) -> Option<Topography>) ->
 
 const INTRODUCTION: &str = "All values are normal to the flank, positive where material is left standing. Target, \
      planned and simulated flank share one scale; the deviation, what comes out minus target, has its own. w is the length of \
-     roll; face I lies at the least z, face II at the greatest.";
+     roll; face II is the datum face and lies at the greatest z, face I lies opposite at the least: left and right are the flanks \
+     that a viewer sees who looks at the datum face. Drawings often call the datum face I.";
 
 /// A picture of both flanks by itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -122,8 +123,7 @@ pub(super) fn diagram(flanks: &Flanks) -> Result<Vec<Block>, ChartError> {
         target_name: "target".to_owned(),
         simulated_name: if simulated { "simulated" } else { "planned" }.to_owned(),
     })?;
-    let caption =
-        "Values normal to the flank, one scale for all traces. Face I: least z, face II: greatest z.";
+    let caption = "Values normal to the flank, one scale for all traces. Face II: datum face, greatest z; face I: opposite, least z.";
     Ok(vec![Block::Figure(Figure { svg, caption: caption.to_owned() })])
 }
 

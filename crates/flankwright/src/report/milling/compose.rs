@@ -2,6 +2,7 @@
 
 use super::{MillingReport, Titled, deviations, orientation, rows, tables};
 use crate::report::charts::{ChartError, drawing};
+use crate::report::head::scope_blocks;
 use crate::report::{Block, Figure, PlanReport, Section, Table};
 
 impl MillingReport {
@@ -12,6 +13,7 @@ impl MillingReport {
     pub fn to_page(&self) -> Result<PlanReport, ChartError> {
         let mut sections = vec![
             Section::new("Flanks", vec![Block::Table(tables::deviations(self))]),
+            Section::new("Scope of the verdict", scope_blocks(&self.verdict)),
             Section::new("Workpiece, cutter and paths", self.view_blocks()?),
             Section::new("Deviations", deviations::blocks(&self.flanks)?),
             Section::new("Rows", rows::blocks(&self.flanks)?),

@@ -3,12 +3,15 @@
 use super::{MateView, OrientationView, ProgramsView};
 use crate::report::charts::Drawing;
 use crate::report::{Quantity, ReportHead};
+use crate::verdict::Verdict;
 
 /// The whole page.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MillingReport {
     /// The answer, warnings and files.
     pub head: ReportHead,
+    /// What was judged, and what was not.
+    pub verdict: Verdict,
     /// Largest deviation allowed, um.
     pub tolerance_um: f64,
     /// Workpiece and cutter.

@@ -123,9 +123,9 @@ fn program_table(report: &ProgramsReport) -> Table {
         ]
     };
     let clamped = if report.work_reversed {
-        " The workpiece is clamped with its +z into the −z of its spindle (datum face down)."
+        " The workpiece is clamped with its +z into the −z of its spindle (datum face down; the datum face is face II, at upper z)."
     } else {
-        ""
+        " The workpiece is clamped with its +z along that of its spindle (datum face up; the datum face is face II, at upper z)."
     };
     Table {
         caption: format!("Programs for the machine {}", report.machine),

@@ -2,6 +2,7 @@
 
 use super::{SkivingReport, conventional, poses};
 use crate::report::charts::ChartError;
+use crate::report::head::scope_blocks;
 use crate::report::{Block, PlanReport, Section, Table};
 
 impl SkivingReport {
@@ -16,6 +17,7 @@ impl SkivingReport {
                 sections.push(Section::new(title, blocks));
             }
         };
+        add("Scope of the verdict", scope_blocks(&self.verdict));
         if let Some(measured) = &self.measured {
             add("Measured deviations", measured.blocks()?);
         }

@@ -5,12 +5,15 @@ use super::{
     PitchView, PoseRow, ProfileView, ProgramsView, StripView, ToothView,
 };
 use crate::report::{Quantity, ReportHead};
+use crate::verdict::Verdict;
 
 /// The whole page. What is none or empty is left out.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SkivingReport {
     /// The answer, warnings and files.
     pub head: ReportHead,
+    /// What was judged and what was not.
+    pub verdict: Verdict,
     /// Deviations of all teeth.
     pub measured: Option<MeasuredView>,
     /// Switching angles of single teeth over the radius.

@@ -161,6 +161,6 @@ fn figures_table(figures: &[UncertainFigure]) -> Result<Table, ChartError> {
             Column::number("Standard deviation", ""),
         ],
         rows: figures.iter().map(row).collect::<Result<_, ChartError>>()?,
-        note: if unknown { "A dash: not told by this measurement.".into() } else { String::new() },
+        note: if unknown { "–: not determined by this measurement.".into() } else { String::new() },
     })
 }

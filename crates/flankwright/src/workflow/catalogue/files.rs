@@ -303,7 +303,7 @@ fn ranking(outcome: &CatalogueOutcome) -> Table {
         rows: outcome.pairs.iter().take(ROWS).map(row).collect(),
         note: format!(
             "Ranked: {}. Of two flanks the larger value. Limit: largest share of an axis limit. Error: largest distance from the wanted \
-             profile. Land: widest tip land that spares the counter flank. To: pitch diameter down to which the pair makes the profile.{more}",
+             profile. Land: largest tip land that spares the counter flank. To: pitch diameter down to which the pair makes the profile.{more}",
             outcome.ranking
         ),
     }

@@ -62,6 +62,9 @@ pub struct ControlFlankResult {
     pub torque_limited_share: f64,
     /// Greatest torque.
     pub greatest_torque_n_m: f64,
+    /// Largest difference of the flanks that a stroke of either sense would leave by itself; absent where one sense grinds.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub senses_apart_um: Option<f64>,
 }
 
 /// The control and what it costs.

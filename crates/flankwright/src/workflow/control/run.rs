@@ -5,8 +5,11 @@ use super::result::{ControlFlankResult, ControlResult, ErrorTrace, Trace};
 use super::setup::{
     disturbances, interpolation, of_servo, on_field, rotation, rotation_refused, servo_parameters,
 };
-use crate::control::{FlankPlaces, StrokeControl, StrokeError, StrokeRecord, StrokeSpeeds, run_stroke};
-use crate::exchange::job::{Control, Job};
+use crate::control::{
+    ControlledFlank, FlankPlaces, StrokeControl, StrokeError, StrokeRecord, StrokeSpeeds, run_stroke,
+    run_there_and_back,
+};
+use crate::exchange::job::{Control, FeedSenses, Job};
 use crate::exchange::{Diagnostic, LoadedJob};
 use crate::geometry::Flank;
 use crate::geometry::Sides;
@@ -61,15 +64,21 @@ pub(in crate::workflow) fn control_of_grinding(
     let (mut flanks, mut alarms) = (BTreeMap::new(), Vec::new());
     for flank in Flank::BOTH {
         let (Some(executed), Some(verdict)) = (&execution.flanks[flank], &verdicts[flank]) else { continue };
-        let record =
-            run_stroke(&stroke, motion, &speeds, motion.phase[flank]).map_err(|error| match error {
-                StrokeError::Control(error) => of_servo(&error, &control.servo, BELOW),
-                StrokeError::Gearbox(error) => on_field(&error, "control.worm"),
-            })?;
+        let phase = motion.phase[flank];
+        let records = match control.feed_senses {
+            FeedSenses::One => run_stroke(&stroke, motion, &speeds, phase).map(|record| vec![record]),
+            FeedSenses::Both => run_there_and_back(&stroke, motion, &speeds, phase).map(Vec::from),
+        };
+        let records = records.map_err(|error| match error {
+            StrokeError::Control(error) => of_servo(&error, &control.servo, BELOW),
+            StrokeError::Gearbox(error) => on_field(&error, "control.worm"),
+        })?;
         // The slide is the same for both flanks, and so are its pulses.
-        alarms = interpolator_alarms(&control.feed, &record.interpolator);
+        alarms = records
+            .last()
+            .map_or(Vec::new(), |record| interpolator_alarms(&control.feed, &record.interpolator));
         let deviation = verdict.simulated.minus(&executed.target);
-        flanks.insert(flank.name(), flank_result(prepared, execution, flank, &record, &deviation)?);
+        flanks.insert(flank.name(), flank_result(prepared, execution, flank, &records, &deviation)?);
     }
     let turn_um = TAU * arm_um;
     let result = ControlResult {
@@ -103,9 +112,13 @@ fn speeds(
     let [first, last] = execution.feed_range;
     let duration = (last - first).abs() / feed;
     let step = control.servo.sample_time_us * 1e-6;
-    let samples = duration / step;
+    let strokes = match control.feed_senses {
+        FeedSenses::One => 1.0,
+        FeedSenses::Both => 2.0,
+    };
+    let samples = strokes * duration / step;
     if samples > MOST_SAMPLES {
-        let least = duration / MOST_SAMPLES * 1e6;
+        let least = strokes * duration / MOST_SAMPLES * 1e6;
         let message = format!("a stroke of {duration:.1} s would have {samples:.1e} samples of the servo");
         let finding = Diagnostic::with_code("too-many-samples", message)
             .field("control.servo.sample_time_us".to_owned())
@@ -149,11 +162,11 @@ fn flank_result(
     prepared: &Prepared,
     execution: &Execution,
     flank: Flank,
-    record: &StrokeRecord,
+    records: &[StrokeRecord],
     deviation: &Topography,
 ) -> Result<ControlFlankResult, RunFailure> {
     let (pair, motion) = (&prepared.setup.pair.flanks[flank], &execution.motion);
-    let places = FlankPlaces { pair, motion, record };
+    let places = Strokes(records.iter().map(|record| FlankPlaces { pair, motion, record }).collect());
     let count = pair.work.teeth.abs() as usize;
     let all: Vec<usize> = (0..count).collect();
     let left = places.flank(&deviation.w, &deviation.z, &all);
@@ -187,7 +200,11 @@ fn flank_result(
     let sample = sample.map_err(|error| RunFailure::of_removal(&error, "control"))?;
     let mut difference = 0.0f64;
     for tooth in [0, count / 2] {
-        let rays = by_rays(prepared, execution, flank, record, &sample, tooth)?;
+        let mut rays = vec![f64::INFINITY; sample.count()];
+        for record in records {
+            let of_stroke = by_rays(prepared, execution, flank, record, &sample, tooth)?;
+            rays.iter_mut().zip(of_stroke).for_each(|(least, f)| *least = least.min(f));
+        }
         for (k, f) in rays.iter().enumerate() {
             let (w, z) = sample.ray(k);
             difference = difference.max((f - 1e3 * places.deviation(w, z, tooth)).abs());
@@ -210,11 +227,39 @@ fn flank_result(
         helices,
         model_difference_um: difference,
         sample: 2 * sample.count(),
-        error: error_trace(record, arm_um),
-        means_um: record.means.map(|mean| mean * arm_um),
-        torque_limited_share: record.limited,
-        greatest_torque_n_m: record.greatest_torque,
+        error: records.first().map(|record| error_trace(record, arm_um)).unwrap_or_default(),
+        means_um: records.first().map_or([0.0; 2], |record| record.means.map(|mean| mean * arm_um)),
+        torque_limited_share: records.iter().map(|record| record.limited).fold(0.0, f64::max),
+        greatest_torque_n_m: records.iter().map(|record| record.greatest_torque).fold(0.0, f64::max),
+        senses_apart_um: places.apart(&deviation.w, &deviation.z, &all),
     })
+}
+
+/// The places of a flank under one stroke, or under one there and one back: the deeper of them stays.
+struct Strokes<'a>(Vec<FlankPlaces<'a>>);
+
+impl Strokes<'_> {
+    fn flank(&self, w: &[f64], z: &[f64], teeth: &[usize]) -> ControlledFlank {
+        let mut all = self.0.iter().map(|places| places.flank(w, z, teeth));
+        let first = all.next().unwrap_or(ControlledFlank { w: w.to_vec(), z: z.to_vec(), teeth: Vec::new() });
+        all.fold(first, |mut deepest, other| {
+            let pairs = deepest.teeth.iter_mut().flatten().zip(other.teeth.iter().flatten());
+            pairs.for_each(|(least, f)| *least = least.min(*f));
+            deepest
+        })
+    }
+
+    fn deviation(&self, w: f64, z: f64, tooth: usize) -> f64 {
+        self.0.iter().map(|places| places.deviation(w, z, tooth)).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Largest difference of the flanks that either sense would leave by itself, um; `None` of one sense.
+    fn apart(&self, w: &[f64], z: &[f64], teeth: &[usize]) -> Option<f64> {
+        let [there, back] = self.0.as_slice() else { return None };
+        let (there, back) = (there.flank(w, z, teeth), back.flank(w, z, teeth));
+        let pairs = there.teeth.iter().flatten().zip(back.teeth.iter().flatten());
+        Some(pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max))
+    }
 }
 
 /// Rays of one tooth under the motion that was really driven less those under the ideal one, um. The bodies are unmodified: what a

@@ -41,15 +41,16 @@ pub(super) fn of_grinding(
         return Ok((derived, Vec::new()));
     }
     let cylindrical = gear.is_cylindrical() && job.worm.cone_angle_deg == 0.0;
-    if !cylindrical || gear.external_sign() < 0.0 {
-        let remark = Remark {
-            code: "geometry-only",
-            text: "worm, dresser and target are checked for external cylindrical gears and cylindrical worms only".into(),
-            way_out: "the gear's own data above are complete".into(),
-        };
-        return Ok((derived, vec![remark]));
-    }
     let ready = prepare(loaded)?;
+    if !cylindrical {
+        let mut remarks = ready.warnings;
+        remarks.push(Remark {
+            code: "geometry-only",
+            text: "of conical gears and worms the data of worm, contact and dresser are not listed".into(),
+            way_out: "plan the job; its report has them".into(),
+        });
+        return Ok((derived, remarks));
+    }
     tool_sections(&mut derived, &ready.setup);
     Ok((derived, ready.warnings))
 }
@@ -129,12 +130,16 @@ fn gear_sections(derived: &mut DerivedGeometry, drawing: &JobGear, gear: &Gear) 
         derived.quantity(keys[6], keys[7], gear.normal_base_pitch(flank), "mm");
     }
     let blank = blank_of_job(drawing);
-    if let Some(span) = best_span(gear, &blank) {
+    // The drawing's own measure, where it states one: it is what the shop will measure.
+    let drawn = drawing.span.as_ref().and_then(|span| gear.span(span.teeth).ok());
+    if let Some(span) = drawn.or_else(|| best_span(gear, &blank)) {
         derived.quantity("span_teeth", "teeth spanned k", span.teeth, "");
         derived.quantity("span_mm", "span W_k", span.length, "mm");
     }
-    let ball = BALL_FACTOR * gear.data().normal_module;
-    if let Some(balls) = gear.over_balls(ball, 0.0).ok().filter(|b| blank.check_balls(gear, b).is_ok()) {
+    let drawn = drawing.over_balls.as_ref().map(|balls| balls.ball);
+    let ball = drawn.unwrap_or(BALL_FACTOR * gear.data().normal_module);
+    let touches = |b: &_| drawn.is_some() || blank.check_balls(gear, b).is_ok();
+    if let Some(balls) = gear.over_balls(ball, 0.0).ok().filter(touches) {
         derived.quantity("ball_diameter_mm", "ball diameter D_M", ball, "mm");
         derived.quantity("over_balls_mm", "size over balls M_dK", balls.size, "mm");
     }

@@ -4,6 +4,7 @@ mod gears;
 mod processes;
 
 use super::finding::{JobFailure, Remark};
+use super::programs::machine_of_job;
 use crate::exchange::AnyJob;
 use crate::exchange::catalogue::catalogue_of_job;
 use serde::Serialize;
@@ -98,6 +99,7 @@ impl DerivedGeometry {
 /// # Errors
 /// [`JobFailure`]: bodies or targets that cannot exist, a file that the job names.
 pub fn derived_geometry(job: &AnyJob) -> Result<(DerivedGeometry, Vec<Remark>), JobFailure> {
+    check_machine(job)?;
     Ok(match job {
         AnyJob::Grinding(loaded) => {
             let catalogue = catalogue_of_job(loaded)?;
@@ -108,4 +110,17 @@ pub fn derived_geometry(job: &AnyJob) -> Result<(DerivedGeometry, Vec<Remark>), 
         AnyJob::Milling(loaded) => (processes::of_milling(loaded)?, Vec::new()),
         AnyJob::Skiving(loaded) => (processes::of_skiving(loaded)?, Vec::new()),
     })
+}
+
+/// Reads the machine description that a job names, so that a file that is missing or wrong is told before anything is planned.
+fn check_machine(job: &AnyJob) -> Result<(), JobFailure> {
+    let read = match job {
+        AnyJob::Grinding(loaded) => loaded.job.machine.as_ref().map(|m| machine_of_job(loaded, &m.file)),
+        AnyJob::Tangential(loaded) => loaded.job.machine.as_ref().map(|m| machine_of_job(loaded, &m.file)),
+        AnyJob::Milling(loaded) => loaded.job.machine.as_ref().map(|m| machine_of_job(loaded, &m.file)),
+        AnyJob::Skiving(loaded) => loaded.job.machine.as_ref().map(|m| machine_of_job(loaded, &m.file)),
+        AnyJob::Gearbox(_) => None,
+    };
+    read.transpose()?;
+    Ok(())
 }

@@ -143,8 +143,12 @@ pub fn measurements_in(folder: &Path) -> std::io::Result<MeasuredFolder> {
     let mut found = MeasuredFolder::default();
     for entry in std::fs::read_dir(folder)? {
         let path = entry?.path();
-        let reason = if path.is_dir() {
-            "folders inside of a folder are not searched"
+        // Results of this program are no parts that were forgotten.
+        let made = path.extension().is_some_and(|ending| ending == "inspected" || ending == "out");
+        let reason = if path.is_dir() && made {
+            continue;
+        } else if path.is_dir() {
+            "subfolder skipped"
         } else if !is_measurement(&path) {
             continue;
         } else if ending(&path) == TABLE {

@@ -164,7 +164,7 @@ pub(super) fn of_job(
     let way_out = match (&last.result.correction, &last.result.no_correction) {
         (Some(_), _) => "grind the next part by corrected-job.json".into(),
         (None, Some(why)) => {
-            format!("look at clamping, machine and measurement; there is no correction: {why}")
+            format!("look at clamping, machine and measurement; no correction: {why}")
         }
         (None, None) => "look at clamping, machine and measurement".into(),
     };

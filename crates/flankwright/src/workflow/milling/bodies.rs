@@ -1,27 +1,28 @@
 //! From a checked job of five-axis milling to the space that is milled, what it is milled with, and how. Every finding names the
 //! job's key.
 
+use super::bladed::bladed;
 use super::cylindrical::cylindrical;
 use super::finding::failure;
 use super::lands::lands;
+use super::mate_flank::form_angles;
+use super::walls::{below_root_body, root_cone};
 use crate::exchange::milling_job::{
     self as job, BevelFlank, ContactHeight, GridChoice, MilledBody, MillingCutter, MillingJob, RootBottom,
-    RowDistances, RowSequence, Spaces, Traversal, read_point_grid,
+    RowDistances, RowSequence, Spaces, Traversal,
 };
 use crate::exchange::{Diagnostic, LoadedMillingJob, Problem};
 use crate::geometry::{
-    BevelData, BevelGear, BladeData, Cutter, EaseOff, EaseOffAmounts, Flank, GridSurface, Hand, Modified,
-    NormalOffset, NormalSide, Octoid, OffsetBase, RuledBlade, SphericalInvolute, Spiral, SplineCurve,
-    Surface,
+    BevelGear, Cutter, EaseOff, EaseOffAmounts, Flank, Frustum, Modified, NormalOffset, Octoid, OffsetBase,
+    SphericalInvolute, Surface,
 };
 use crate::numerics::{equidistant, extremes};
 use crate::process::milling::{
-    ActiveFlank, CurveOnCone, CutDirection, DensityLimits, DistanceLimits, FootOnHub, HeightLimits,
-    HeightRule, Land, LeadCurve, Lines, MilledSide, Orientation, PlanOptions, Retraction, RootDepth,
-    RowOrder, SkewPlanes, Space, SpaceFlank, SpacingLaw, Traverse, lead_range,
+    ActiveFlank, Bottom, CurveOnCone, CutDirection, DensityLimits, DistanceLimits, HeightLimits, HeightRule,
+    Land, LeadCurve, Lines, MilledSide, Orientation, PlanOptions, Retraction, RootDepth, RowOrder,
+    SkewPlanes, Space, SpaceFlank, SpacingLaw, Traverse, WallKind, lead_range,
 };
-use crate::workflow::finding::{RunFailure, geometry_finding};
-use nalgebra::Vector3;
+use crate::workflow::finding::{Remark, RunFailure, geometry_finding};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -42,6 +43,10 @@ pub struct MillingBodies {
     pub milled: usize,
     /// Section of the body before milling as (radius, position), mm: tip at both ends, bore or rim at the last and the first end.
     pub blank: [[f64; 2]; 4],
+    /// The body between the teeth, whether or not it is milled: root cylinder or cone, hub of a blade.
+    pub floor: Frustum,
+    /// Bodies that the job does not tell of, so that nothing keeps cutters away from them: what is not judged.
+    pub unknown: Vec<Remark>,
 }
 
 /// Where a flank lies.
@@ -98,6 +103,15 @@ pub(super) struct Body {
     pub spaces: usize,
     pub retraction: Retraction,
     pub blank: [[f64; 2]; 4],
+    pub floor: Frustum,
+    /// What is not known of it.
+    pub unknown: Vec<Remark>,
+}
+
+/// A body between teeth from its radii and positions at both ends, its material towards the axis (+1) or outside (-1).
+pub(super) fn floor(ends: [[f64; 2]; 2], outward: f64) -> Frustum {
+    let [radii, positions] = [0, 1].map(|k| [ends[0][k], ends[1][k]]);
+    Frustum { radii, positions, turns: [0.0; 2], outward }
 }
 
 /// Bodies and options of a job.
@@ -106,10 +120,10 @@ pub(super) struct Body {
 /// [`RunFailure`] with a finding on the key concerned.
 pub fn prepare_milling(loaded: &LoadedMillingJob) -> Result<MillingBodies, RunFailure> {
     let job = &loaded.job;
-    let spindle = job.machine.as_ref().map(|machine| machine.tool_length);
+    let spindle = job.machine.as_ref().map(|machine| (machine.tool_length, machine.spindle_diameter));
     let cutter = |cutter: &MillingCutter, table: &str| {
         let body = cutter.body().and_then(|body| match spindle {
-            Some(tool_length) => body.in_spindle(tool_length),
+            Some((tool_length, diameter)) => body.in_spindle(tool_length, diameter),
             None => Ok(body),
         });
         body.map_err(|error| RunFailure::bad_input(geometry_finding(&error, table)))
@@ -134,6 +148,16 @@ pub fn prepare_milling(loaded: &LoadedMillingJob) -> Result<MillingBodies, RunFa
         Spaces::All => body.spaces,
         Spaces::One => 1,
     };
+    let mut unknown = body.unknown;
+    let all = [Some(&finishing), bottom_cutter.as_ref(), roughing_cutter.as_ref()];
+    let free = all.into_iter().flatten().any(|cutter| !cutter.is_held());
+    if free && body.parts.iter().flat_map(|part| &part.walls).any(|wall| wall.kind == WallKind::Ring) {
+        unknown.push(Remark {
+            code: "holder-not-judged",
+            text: "neither shank nor spindle of a cutter is known, so that only its edges are kept from the other side of the ring".into(),
+            way_out: "list neck, shank and holder in `shank`, or give [machine] with `tool_length` and `spindle_diameter`".into(),
+        });
+    }
     Ok(MillingBodies {
         parts: body.parts,
         pitch: TAU / body.spaces as f64,
@@ -142,6 +166,8 @@ pub fn prepare_milling(loaded: &LoadedMillingJob) -> Result<MillingBodies, RunFa
         spaces: body.spaces,
         milled,
         blank: body.blank,
+        floor: body.floor,
+        unknown,
     })
 }
 
@@ -213,9 +239,9 @@ fn options(
             RowSequence::RootToTip => RowOrder::RootToTip,
         },
         root: milling.root.as_ref().map(|root| (depth(root), root.bottom_pass)),
-        bottom: milling.root.as_ref().and_then(|root| match root.depth() {
-            RootBottom::Height(height) => Some(height),
-            RootBottom::Straight(_) => None,
+        bottom: milling.root.as_ref().map(|root| match root.depth() {
+            RootBottom::Height(height) => Bottom::Level(height),
+            RootBottom::Straight(straight) => Bottom::BelowFlank(straight),
         }),
         roughing: milling.roughing.as_ref().map(|r| [r.allowance, r.step_down, r.step_over]),
         approach_radius: milling.approach_radius,
@@ -245,26 +271,15 @@ pub(super) fn part(
     let skew = job.milling.skew_deg;
     let lead =
         if skew == 0.0 { lead } else { Arc::new(SkewPlanes { curve: lead, angle: skew.to_radians() }) };
-    Space { flanks, lead, pitch: TAU / spaces as f64, lands, other_half: Vec::new() }
+    Space { flanks, lead, pitch: TAU / spaces as f64, lands, other_half: Vec::new(), walls: Vec::new() }
 }
 
 fn conical(job: &MillingJob, given: &job::BevelGear) -> Result<Body, RunFailure> {
     let on_bevel = |error: &_| RunFailure::bad_input(geometry_finding(error, "bevel"));
-    let data = BevelData {
-        outer_transverse_module: given.outer_transverse_module,
-        teeth: given.teeth,
-        pitch_angle: given.pitch_cone_angle_deg.to_radians(),
-        pressure_angle: given.pressure_angle_deg.to_radians(),
-        face_width: given.face_width,
-        addendum_factor: given.addendum_factor,
-        dedendum_factor: given.dedendum_factor,
-        spiral: given.spiral.as_ref().map(|spiral| Spiral {
-            mean_angle: spiral.mean_spiral_angle_deg.to_radians(),
-            cutter_radius: spiral.cutter_radius,
-            hand: if spiral.hand.sign() > 0.0 { Hand::Right } else { Hand::Left },
-        }),
-        form_angle: given.start_polar_angle_deg.map(f64::to_radians),
-    };
+    let mut data = given.data();
+    if let Some(angles) = form_angles(job)? {
+        data.form_angle = Some(angles[0]);
+    }
     let gear = BevelGear::new(data).map_err(|error| on_bevel(&error))?;
     let ease = job.target.ease_off.as_ref().map(|ease| EaseOffAmounts {
         length_crowning: 1e-3 * ease.lengthwise_um,
@@ -303,94 +318,14 @@ fn conical(job: &MillingJob, given: &job::BevelGear) -> Result<Body, RunFailure>
     let (root_sin, root_cos) = gear.root_angle().sin_cos();
     let hub = |r: f64| [0.5 * r * root_sin, r * root_cos];
     let lead = Arc::new(CurveOnCone { cone_angle: gear.root_angle(), line: gear.line().clone() });
+    let mut space = part(job, flanks, lead, spaces, lands);
+    space.walls.push(root_cone(&gear, below_root_body(job, 0.0)));
     Ok(Body {
-        parts: vec![part(job, flanks, lead, spaces, lands)],
+        parts: vec![space],
+        unknown: Vec::new(),
         spaces,
         retraction: Retraction::OutsideCone { half_angle: gear.tip_angle(), distance: CLEARANCE },
         blank: [[inner * sin, inner * cos], [outer * sin, outer * cos], hub(outer), hub(inner)],
-    })
-}
-
-/// A blade's surface with the curve at its foot.
-struct BladeSide {
-    surface: Arc<dyn Surface>,
-    foot: Arc<dyn LeadCurve>,
-    /// Largest radius, mm.
-    tip: f64,
-    /// Ends along the axis, mm.
-    ends: [f64; 2],
-}
-
-fn bladed(loaded: &LoadedMillingJob, given: &job::Blade) -> Result<Body, RunFailure> {
-    let blade = match (&given.ruled, &given.points) {
-        (Some(ruled), _) => ruled_side(given, ruled)?,
-        (None, Some(points)) => point_side(loaded, points)?,
-        (None, None) => {
-            let finding = Diagnostic::new(Problem::MissingKey, "the blade has no surface")
-                .field("blade")
-                .way_out("give one of `ruled` and `points`");
-            return Err(RunFailure::bad_input(finding));
-        }
-    };
-    let active = ActiveFlank {
-        surface: blade.surface,
-        heights: HeightLimits::Constant(given.active_height),
-        face: [0.0, 1.0],
-        kink: None,
-    };
-    let side = given.side().map_or(Flank::Left, job::BladeSide::flank);
-    let ([from, to], [start, end]) = (given.hub_radius, blade.ends);
-    let spaces = given.count as usize;
-    let flanks = vec![SpaceFlank { side, active }];
-    Ok(Body {
-        parts: vec![part(&loaded.job, flanks, blade.foot, spaces, Vec::new())],
-        spaces,
-        retraction: Retraction::Outside(blade.tip + CLEARANCE),
-        blank: [[blade.tip, start], [blade.tip, end], [0.5 * to, end], [0.5 * from, start]],
-    })
-}
-
-fn normal_side(side: job::BladeSide) -> NormalSide {
-    if side.sign() > 0.0 { NormalSide::Along } else { NormalSide::Against }
-}
-
-fn ruled_side(given: &job::Blade, ruled: &job::RuledBlade) -> Result<BladeSide, RunFailure> {
-    let data = BladeData {
-        hub_radius: given.hub_radius,
-        tip_radius: ruled.tip_radius,
-        length: ruled.length,
-        hub_azimuth: ruled.azimuth_deg.map(f64::to_radians),
-        tip_lead: ruled.tip_lead_deg.map(f64::to_radians),
-        side: normal_side(ruled.side),
-    };
-    let blade = RuledBlade::of_data(&data)
-        .map_err(|error| RunFailure::bad_input(geometry_finding(&error, "blade")))?;
-    Ok(BladeSide {
-        foot: Arc::new(FootOnHub { curve: blade.hub().clone() }),
-        surface: Arc::new(blade),
-        tip: ruled.tip_radius,
-        ends: [0.0, ruled.length],
-    })
-}
-
-fn point_side(loaded: &LoadedMillingJob, points: &job::BladePoints) -> Result<BladeSide, RunFailure> {
-    let refused = |message: String| {
-        let finding = Diagnostic::new(Problem::InvalidTable, format!("{}: {message}", points.file));
-        RunFailure::bad_input(finding.field("blade.points.file").way_out("correct the table of points"))
-    };
-    let grid = read_point_grid(&loaded.beside(&points.file), points).map_err(|error| {
-        refused(error.diagnostics.first().map_or_else(|| error.to_string(), |d| d.message.to_string()))
-    })?;
-    let rows: Vec<Vec<Vector3<f64>>> =
-        grid.points.iter().map(|row| row.iter().map(|p| Vector3::from(*p)).collect()).collect();
-    let surface = GridSurface::new(&rows, normal_side(points.side))
-        .map_err(|error| RunFailure::bad_input(geometry_finding(&error, "blade")))?;
-    let foot = SplineCurve::new(surface.lengths(), &rows[0]).map_err(|error| refused(error.to_string()))?;
-    let all = rows.iter().flatten();
-    Ok(BladeSide {
-        surface: Arc::new(surface),
-        foot: Arc::new(FootOnHub { curve: Arc::new(foot) }),
-        tip: extremes(all.clone().map(|p| p.xy().norm()))[1],
-        ends: extremes(all.map(|p| p.z)),
+        floor: floor([inner, outer].map(|r| [r * root_sin, r * root_cos]), 1.0),
     })
 }

@@ -1,26 +1,36 @@
-//! `program check` of a milling job: a text of any origin is read, followed on the machine, and its cutters are milled against the
-//! flanks of the job beside those of the job's own paths.
+//! `program check` of a milling job: a text of any origin is read, followed on the machine, proven for the whole part, and its cutters are
+//! milled against the flanks of the job's first space beside those of the job's own paths.
 
-use super::bodies::prepare_milling;
+use super::bodies::{MillingBodies, prepare_milling};
 use super::finding::failure;
 use super::of_job::{machining, work};
-use super::programs::CheckedMotion;
-use super::referee::{DEPTH, STOCK, rays, referee};
+use super::programs::{CheckedMotion, MillingWork, ROUNDING};
+use super::referee::{DEPTH, RefereedFlank, STOCK, rays, referee};
+use super::whole_program::{ProgramUnderTest, text_tolerance};
 use crate::exchange::machine::LoadedMachine;
+use crate::exchange::milling_job::{MillingJob, MillingMachine};
 use crate::exchange::{Diagnostic, LoadedMillingJob, Problem};
 use crate::geometry::Cutter;
 use crate::nc::Dialect;
 use crate::numerics::Progress;
-use crate::process::milling::plan_all;
-use crate::removal::{Milling, Unmilled, mill};
+use crate::process::milling::{MillingPlan, plan_all};
+use crate::removal::{MillPath, Milling, mill};
 use crate::workflow::finding::{Remark, RunFailure};
 use crate::workflow::programs::{CheckedFlank, CheckedProgram, Moved, figures};
 use std::collections::BTreeMap;
 use std::io::BufRead;
 
-/// Blocks of a hundredth of a millimetre with the usual four decimals: by so much of its speed an axis seems too fast where the plan
-/// is at its limit.
-const ROUNDING: f64 = 0.01;
+/// A job made ready, so that texts can be held against it one after the other.
+pub struct MillingCheck<'a> {
+    job: &'a MillingJob,
+    given: &'a MillingMachine,
+    machine: &'a LoadedMachine,
+    bodies: MillingBodies,
+    plan: MillingPlan,
+    work: MillingWork<'a>,
+    /// The flanks of the job's own paths.
+    own: Vec<RefereedFlank>,
+}
 
 /// Checks a text against a job.
 ///
@@ -33,59 +43,93 @@ pub(in crate::workflow) fn check_milling(
     loaded: &LoadedMillingJob,
     progress: &dyn Progress,
 ) -> Result<CheckedProgram, RunFailure> {
-    let job = &loaded.job;
-    let Some(given) = &job.machine else {
-        let text = "a program can only be followed with the mount and the tool length of the job";
-        let finding = Diagnostic::new(Problem::MissingKey, text).field("machine");
-        return Err(RunFailure::bad_input(finding.way_out("give the table [machine] in the job")));
-    };
-    let bodies = prepare_milling(loaded)?;
-    let made = plan_all(&bodies.parts, &bodies.options).map_err(|error| failure(&error))?;
-    let work = work(job, &bodies, &made);
-    let found = machining(given, machine, &[]).follow_text(&work, text, dialect)?;
-    let counts = [job.simulation.rays_profile, job.simulation.rays_length];
-    let own = referee(&bodies, &made, counts, progress)?;
+    MillingCheck::new(loaded, machine, progress)?.check(text, dialect, progress)
+}
 
-    let CheckedMotion { read, paths, ranges, ways, speeds, duration, words, remarks } = found;
-    let moved = Moved { ranges: &ranges, ways: &ways, speeds: &speeds, duration, rounding: ROUNDING };
-    let mut checked = figures(&read, dialect, machine, &words, &moved);
-    checked.kind = Some("milling");
-    checked.remarks.extend(remarks);
-    let cutters: Vec<Cutter> = work.tools.iter().map(|tool| tool.cutter.clone()).collect();
-    let setup = Milling { cutters: &cutters, paths: &paths, stock: STOCK, depth: DEPTH };
-    let mut flanks = BTreeMap::new();
-    for (plan, flank) in made.flanks.iter().zip(&own) {
-        let rays = rays(plan, &flank.heights, &flank.lengths);
-        let milled =
-            mill(&setup, &rays, progress).map_err(|error| RunFailure::of_removal(&error, "milling"))?;
-        let (mut max_deviation_um, mut difference_um) = (0.0f64, 0.0f64);
-        let mut unmilled: Vec<Unmilled> = Vec::new();
-        for (ray, wanted) in milled.rays.iter().zip(&flank.simulated) {
-            match ray {
-                Ok(ray) => {
-                    max_deviation_um = max_deviation_um.max(1e3 * ray.length.abs());
-                    let difference = wanted.map_or(0.0, |wanted| 1e3 * (ray.length - wanted).abs());
-                    difference_um = difference_um.max(difference);
-                }
-                // A side that slides along itself while the cutter is drawn back: the ray tells nothing.
-                Err(Unmilled::NotSettled) => {}
-                Err(reason) => unmilled.push(*reason),
-            }
-        }
-        if let Some(reason) = unmilled.first() {
-            checked.remarks.push(Remark {
-                code: "flank-not-milled",
-                text: format!(
-                    "{} flank: {} of {} rays are not milled by the program: {reason}",
-                    flank.side,
-                    unmilled.len(),
-                    rays.len()
-                ),
-                way_out: "see that the program mills the space about +y with the tools of the job".into(),
-            });
-        }
-        flanks.insert(flank.side.name(), CheckedFlank { max_deviation_um, difference_um });
+impl<'a> MillingCheck<'a> {
+    /// Plans the job.
+    ///
+    /// # Errors
+    /// [`RunFailure`]: a job without a machine table or that cannot be planned.
+    pub fn new(
+        loaded: &'a LoadedMillingJob,
+        machine: &'a LoadedMachine,
+        progress: &dyn Progress,
+    ) -> Result<Self, RunFailure> {
+        let job = &loaded.job;
+        let Some(given) = &job.machine else {
+            let text = "a program can only be followed with the mount and the tool length of the job";
+            let finding = Diagnostic::new(Problem::MissingKey, text).field("machine");
+            return Err(RunFailure::bad_input(finding.way_out("give the table [machine] in the job")));
+        };
+        let bodies = prepare_milling(loaded)?;
+        let plan = plan_all(&bodies.parts, &bodies.options).map_err(|error| failure(&error))?;
+        let work = work(job, &bodies, &plan);
+        let counts = [job.simulation.rays_profile, job.simulation.rays_length];
+        let own = referee(&bodies, &plan, counts, progress)?;
+        Ok(Self { job, given, machine, bodies, plan, work, own })
     }
-    checked.flanks = Some(flanks);
-    Ok(checked)
+
+    /// What a text does to axes and part.
+    ///
+    /// # Errors
+    /// [`RunFailure`]: a text that is no program for this machine and job.
+    pub fn check(
+        &self,
+        text: impl BufRead,
+        dialect: Dialect,
+        progress: &dyn Progress,
+    ) -> Result<CheckedProgram, RunFailure> {
+        let Self { job, given, machine, bodies, plan: made, work, own } = self;
+        let found = machining(given, machine, &[]).follow_text(work, text, dialect)?;
+        let CheckedMotion { read, moves, ranges, ways, speeds, duration, words, remarks, limits } = found;
+        let moved = Moved { ranges: &ranges, ways: &ways, speeds: &speeds, duration, rounding: ROUNDING };
+        let mut checked = figures(&read, dialect, machine, &words, &moved);
+        checked.kind = Some("milling");
+        // The limits of the axes are told with their blocks instead.
+        checked.remarks.clear();
+        checked.remarks.extend(limits.into_iter().map(|fault| Remark {
+            code: fault.code,
+            text: format!("block {}: {}", fault.block, fault.text),
+            way_out: fault.way_out,
+        }));
+        checked.remarks.extend(remarks);
+        let under_test = ProgramUnderTest {
+            bodies,
+            plan: made,
+            work,
+            moves: &moves,
+            tool_length: given.tool_length,
+            tolerance: text_tolerance(job, given),
+        };
+        let proof = under_test.prove(progress)?;
+        let told =
+            proof.faults.iter().map(|fault| Remark::new(fault.code, fault.text.clone(), fault.way_out));
+        checked.remarks.extend(told);
+        checked.part = Some(proof);
+        let cutter_of = |number: u32| work.tools.iter().position(|tool| tool.number == number).unwrap_or(0);
+        let paths: Vec<MillPath> = moves
+            .iter()
+            .map(|made| MillPath { cutter: cutter_of(made.tool), places: made.places.clone() })
+            .collect();
+        let cutters: Vec<Cutter> = work.tools.iter().map(|tool| tool.cutter.clone()).collect();
+        let setup = Milling { cutters: &cutters, paths: &paths, stock: STOCK, depth: DEPTH };
+        let mut flanks = BTreeMap::new();
+        for (plan, flank) in made.flanks.iter().zip(own) {
+            let rays = rays(plan, &flank.heights, &flank.lengths);
+            let milled =
+                mill(&setup, &rays, progress).map_err(|error| RunFailure::of_removal(&error, "milling"))?;
+            let (mut max_deviation_um, mut difference_um) = (0.0f64, 0.0f64);
+            for (ray, wanted) in milled.rays.iter().zip(&flank.simulated) {
+                // Rays that no cutter meets are told with the whole part.
+                let Ok(ray) = ray else { continue };
+                max_deviation_um = max_deviation_um.max(1e3 * ray.length.abs());
+                let difference = wanted.map_or(0.0, |wanted| 1e3 * (ray.length - wanted).abs());
+                difference_um = difference_um.max(difference);
+            }
+            flanks.insert(flank.side.name(), CheckedFlank { max_deviation_um, difference_um });
+        }
+        checked.flanks = Some(flanks);
+        Ok(checked)
+    }
 }

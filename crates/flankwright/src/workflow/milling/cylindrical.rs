@@ -1,8 +1,9 @@
 //! Cylindrical gears of a job as spaces to be milled: one, or the two halves of a double-helical gear (spec 50 section 1.5).
 
-use super::bodies::{Body, CLEARANCE, part, with_offset};
+use super::bodies::{Body, CLEARANCE, floor, part, with_offset};
 use super::finding::failure;
 use super::lands::lands;
+use super::walls::{below_root_body, ring, root_cylinder};
 use crate::exchange::LoadedMillingJob;
 use crate::exchange::job::Gear as Drawing;
 use crate::exchange::milling_job::MillingGear;
@@ -65,6 +66,7 @@ pub(super) fn cylindrical(loaded: &LoadedMillingJob, given: &MillingGear) -> Res
     };
     let flanks = extents.iter().map(|extent| teeth.flanks(extent)).collect::<Result<Vec<_>, _>>()?;
     let mut radius = root;
+    let other = if sign > 0.0 { 0.3 * root } else { root + 4.0 * drawing.normal_module };
     if let Some(row) = job.milling.lead_through_row {
         let rows = job.milling.rows.unwrap_or(row + 1);
         let on_root = HelixOnCylinder { radius: root, turn_per_length: twist, external_sign: sign };
@@ -79,6 +81,12 @@ pub(super) fn cylindrical(loaded: &LoadedMillingJob, given: &MillingGear) -> Res
         };
         let lands = lands(flanks, spaces, &extent.face, place, sign);
         let mut space = part(job, flanks.clone(), helix.clone(), spaces, lands);
+        let below = below_root_body(job, sign * (radius - root));
+        space.walls.push(root_cylinder(root - sign * below, [-half, half], sign));
+        if sign < 0.0 {
+            let turns = [-half, half].map(|z| place(z)[2]);
+            space.walls.extend(ring([tip, other], [-half, half], turns, space.pitch));
+        }
         if let Some(plane) = extent.mirror() {
             let lead: Arc<dyn LeadCurve> = Arc::new(MirroredLead { curve: space.lead, plane });
             space.lead = lead;
@@ -95,8 +103,15 @@ pub(super) fn cylindrical(loaded: &LoadedMillingJob, given: &MillingGear) -> Res
     }
     let retraction =
         if sign > 0.0 { Retraction::Outside(tip + CLEARANCE) } else { Retraction::Inside(tip - CLEARANCE) };
-    let other = if sign > 0.0 { 0.3 * root } else { root + 4.0 * drawing.normal_module };
-    Ok(Body { parts, spaces, retraction, blank: [[tip, -half], [tip, half], [other, half], [other, -half]] })
+    let unknown = Vec::new();
+    Ok(Body {
+        parts,
+        spaces,
+        retraction,
+        unknown,
+        blank: [[tip, -half], [tip, half], [other, half], [other, -half]],
+        floor: floor([[root, -half], [root, half]], sign),
+    })
 }
 
 fn on_gear(error: &crate::geometry::GeometryError) -> RunFailure {

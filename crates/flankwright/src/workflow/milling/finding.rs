@@ -27,7 +27,8 @@ pub(super) fn failure(error: &MillingError) -> RunFailure {
         MillingError::AxisNone { .. }
         | MillingError::GougeLocal { .. }
         | MillingError::ToolGap { .. }
-        | MillingError::InternalAccess { .. } => ("cutter", false),
+        | MillingError::InternalAccess { .. }
+        | MillingError::RingMet { .. } => ("cutter", false),
         _ => ("milling", false),
     };
     let finding =

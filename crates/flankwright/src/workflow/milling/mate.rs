@@ -1,6 +1,7 @@
 //! A bevel gear rolled against its mate: the wanted flanks of both, where they touch, and beside it what their ease-offs say.
 
 use super::bodies::MillingBodies;
+use super::mate_flank::{form_angles, start_of_flank};
 use super::result::{MateFlankResult, MateResult, PatternResult};
 use crate::contact::{
     ConjugateFlanks, ContactError, ContactPattern, FlankPlaces, GapField, RollCourse, RolledGear, RolledPair,
@@ -9,11 +10,11 @@ use crate::contact::{
 use crate::exchange::Diagnostic;
 use crate::exchange::milling_job::{self as job, BevelFlank, MillingJob};
 use crate::geometry::{
-    BevelGear, EaseOff, EaseOffAmounts, Flank, Modified, NormalOffset, Octoid, OffsetBase, SphericalInvolute,
-    Surface,
+    BevelData, BevelGear, EaseOff, EaseOffAmounts, Flank, Modified, NormalOffset, Octoid, OffsetBase,
+    SphericalInvolute, Surface,
 };
 use crate::numerics::equidistant;
-use crate::workflow::finding::{RunFailure, geometry_finding};
+use crate::workflow::finding::{Remark, RunFailure, geometry_finding};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -24,6 +25,8 @@ pub struct MateOutcome {
     pub result: MateResult,
     /// The flanks that are milled.
     pub flanks: Vec<MateFlank>,
+    /// What the mate needs and is not there.
+    pub remark: Option<Remark>,
 }
 
 /// A flank with its contact.
@@ -54,8 +57,10 @@ pub(super) fn roll(job: &MillingJob, bodies: &MillingBodies) -> Result<Option<Ma
         BevelGear::new(data).map_err(|error| RunFailure::bad_input(geometry_finding(&error, table)))
     };
     // A checked job has teeth for which there is a pitch cone.
-    let Some(data) = mate.data(bevel) else { return Ok(None) };
-    let gears = [made(bevel.data(), "bevel")?, made(data, "mate")?];
+    let (Some(data), Some(angles)) = (mate.data(bevel), form_angles(job)?) else { return Ok(None) };
+    let begins = |data, angle| BevelData { form_angle: Some(angle), ..data };
+    let gears = [made(begins(bevel.data(), angles[0]), "bevel")?, made(begins(data, angles[1]), "mate")?];
+    let (start, remark) = start_of_flank(&gears[0], &gears[1]);
     let amounts = [job.target.ease_off.unwrap_or_default(), mate.ease_off];
     let shaft_angle = gears[0].data().pitch_angle + gears[1].data().pitch_angle;
     let radius = gears[1].mean_distance() * gears[1].data().pitch_angle.sin();
@@ -98,9 +103,10 @@ pub(super) fn roll(job: &MillingJob, bodies: &MillingBodies) -> Result<Option<Ma
         shaft_angle_deg: shaft_angle.to_degrees(),
         mean_pitch_radius_mm: radius,
         marking_um: mate.marking_um,
+        start_of_flank: start,
         flanks: results,
     };
-    Ok(Some(MateOutcome { result, flanks }))
+    Ok(Some(MateOutcome { result, flanks, remark }))
 }
 
 fn ease_off(

@@ -1,14 +1,17 @@
 //! Five-axis milling from a checked job to its result: bodies and options, the plan, the referee's rays with what was predicted for
 //! them, and the files of a run.
 
+mod bladed;
 mod bodies;
 pub(in crate::workflow) mod chain;
 mod check;
 mod cylindrical;
 mod finding;
+mod judge;
 mod lands;
 mod machine_remarks;
 mod mate;
+mod mate_flank;
 mod meshes;
 mod model;
 mod of_job;
@@ -17,6 +20,7 @@ pub(in crate::workflow) mod orientation;
 mod orientation_result;
 mod page;
 pub(in crate::workflow) mod part_mesh;
+mod part_rays;
 mod program_result;
 pub mod programs;
 mod referee;
@@ -24,12 +28,17 @@ mod result;
 mod root;
 mod run;
 mod tables;
+mod walls;
 mod wear;
+mod whole_part;
+mod whole_program;
 mod write;
 
 pub use bodies::{FlankRange, MillingBodies, prepare_milling};
+pub use check::MillingCheck;
 pub(in crate::workflow) use check::check_milling;
 pub use mate::{MateFlank, MateOutcome};
+pub use mate_flank::needed_polar_angle;
 pub use model::MillingModel;
 pub use of_job::MillingTexts;
 pub use orientation::{ComparedOrientations, OrientationCurve};
@@ -37,9 +46,10 @@ pub use orientation_result::{OrientationFigures, OrientationResult, RotaryFigure
 pub use program_result::{MountTilt, ProgramOperation, ProgramResult};
 pub use referee::{RefereedFlank, referee};
 pub use result::{
-    CutterResult, DistancesResult, FlankResult, MateFlankResult, MateResult, MillingResult, OperationResult,
-    OutOfReachResult, PatternResult, RootDeviationResult, RootResult, RowResult, WearResult,
+    CutterResult, DistancesResult, FlankResult, MateFlankResult, MateResult, MateStartResult, MillingResult,
+    OperationResult, OutOfReachResult, PatternResult, RootDeviationResult, RootResult, RowResult, WearResult,
 };
 pub use root::{RefereedRoot, referee_root};
 pub use run::{MillingOutcome, run_milling};
+pub use whole_program::{PartProof, ProgramFault};
 pub use write::write_milling;

@@ -9,12 +9,14 @@ use super::programs::{
     ToolWork,
 };
 use super::referee::{DEPTH, RefereedFlank, STOCK, rays as rays_of};
+use super::whole_program::{PartProof, ProgramUnderTest, text_tolerance};
 use crate::exchange::job::Program as DialectName;
 use crate::exchange::machine::LoadedMachine;
 use crate::exchange::milling_job::{CutterUse, MillingJob, MillingMachine, PoleWay};
 use crate::nc::TipControl;
 use crate::numerics::Progress;
 use crate::process::milling::{MillingPlan, OperationKind};
+use crate::verdict::{Remark, Verdict};
 use crate::workflow::finding::RunFailure;
 use crate::workflow::programs::dialects;
 
@@ -27,6 +29,8 @@ pub struct MillingTexts {
     pub machine: Option<LoadedMachine>,
     /// What was proven of each.
     pub proofs: Vec<RayProof>,
+    /// What each does to the whole part.
+    pub parts: Vec<PartProof>,
     /// Cutter locations, where the job wants them.
     pub locations: Option<CutterLocationText>,
 }
@@ -88,25 +92,39 @@ pub(super) fn texts(
         }
     }
     let proofs = programs.prove(&work, &rays, &planned, [STOCK, DEPTH], progress)?;
-    Ok(MillingTexts { programs: Some(programs), machine: Some(machine), proofs, locations })
+    let of_program = |program: &MillingProgram| {
+        let (moves, tool_length) = (program.moves(), given.tool_length);
+        let tolerance = text_tolerance(job, given);
+        ProgramUnderTest { bodies, plan, work: &work, moves, tool_length, tolerance }.prove(progress)
+    };
+    let parts = programs.programs.iter().map(of_program).collect::<Result<Vec<_>, _>>()?;
+    Ok(MillingTexts { programs: Some(programs), machine: Some(machine), proofs, parts, locations })
+}
+
+/// Which cutter of the job does an operation, and how fast, mm/min.
+pub(super) fn purpose_and_feed(job: &MillingJob, kind: OperationKind) -> (CutterUse, f64) {
+    let feed = job.milling.feed_mm_per_min;
+    match kind {
+        OperationKind::Roughing => {
+            let own = job.milling.roughing.as_ref().and_then(|roughing| roughing.feed_mm_per_min);
+            (CutterUse::Roughing, own.unwrap_or(feed))
+        }
+        OperationKind::Bottom => (CutterUse::Bottom, feed),
+        OperationKind::Flank(_) | OperationKind::Fillet(_) => (CutterUse::Finishing, feed),
+    }
 }
 
 /// The plan as work for tools.
 pub(super) fn work<'a>(job: &'a MillingJob, bodies: &MillingBodies, plan: &MillingPlan) -> MillingWork<'a> {
     let milling = &job.milling;
-    let roughing_feed = milling.roughing.as_ref().and_then(|roughing| roughing.feed_mm_per_min);
     let tools = plan.operations.iter().map(|operation| {
-        let (purpose, feed) = match operation.kind {
-            OperationKind::Roughing => (CutterUse::Roughing, roughing_feed),
-            OperationKind::Bottom => (CutterUse::Bottom, None),
-            OperationKind::Flank(_) | OperationKind::Fillet(_) => (CutterUse::Finishing, None),
-        };
+        let (purpose, feed) = purpose_and_feed(job, operation.kind);
         ToolWork {
             kind: operation.kind,
             cutter: bodies.options.cutter_of(operation.kind).clone(),
             number: job.cutter_for(purpose).1,
             spindle_rpm: milling.spindle_rpm,
-            feed: feed.unwrap_or(milling.feed_mm_per_min),
+            feed,
             plunge_feed: milling.plunge_feed(),
             paths: operation.paths.clone(),
         }
@@ -121,10 +139,41 @@ pub(super) fn work<'a>(job: &'a MillingJob, bodies: &MillingBodies, plan: &Milli
 }
 
 impl MillingTexts {
+    /// Notes what was proven of the texts.
+    pub(super) fn judge(&self, verdict: &mut Verdict) {
+        if self.programs.is_none() {
+            return verdict.leave("programs", "the job names no machine");
+        }
+        for proof in &self.proofs {
+            let control = proof.dialect.name();
+            let detail = format!("{:.4} um from those of the plan", proof.difference_um);
+            verdict.met(format!("program for {control}: flanks of the first space"), detail);
+        }
+        for (proof, part) in self.proofs.iter().zip(&self.parts) {
+            let item = format!("program for {}: whole part and rapid moves", proof.dialect.name());
+            match part.faults.first() {
+                None => verdict.met(
+                    item,
+                    format!(
+                        "{} spaces under {} rays, {} rapid moves",
+                        part.spaces[0], part.rays, part.rapid_moves
+                    ),
+                ),
+                Some(fault) => {
+                    let detail = format!("{} faults in the text", part.faults.len());
+                    verdict.missed(item, detail, Remark::new(fault.code, fault.text.clone(), fault.way_out));
+                }
+            }
+        }
+        for left in self.parts.first().iter().flat_map(|part| &part.not_covered) {
+            verdict.leave(format!("programs: {left}"), "the proof does not cover it");
+        }
+    }
+
     /// What the result says of the programs.
     pub(super) fn results(&self) -> Vec<ProgramResult> {
         let (Some(programs), Some(machine)) = (&self.programs, &self.machine) else { return Vec::new() };
-        let of = |(program, proof): (&MillingProgram, &RayProof)| {
+        let of = |((program, proof), part): ((&MillingProgram, &RayProof), &PartProof)| {
             let motion = &*program.motion;
             let operations = motion.operations.iter().enumerate();
             ProgramResult {
@@ -156,8 +205,9 @@ impl MillingTexts {
                 straight_blocks_um: 1e3 * motion.straight.tip,
                 proof_difference_um: proof.difference_um,
                 proof_allowed_um: proof.allowed_um,
+                part: part.clone(),
             }
         };
-        programs.programs.iter().zip(&self.proofs).map(of).collect()
+        programs.programs.iter().zip(&self.proofs).zip(&self.parts).map(of).collect()
     }
 }

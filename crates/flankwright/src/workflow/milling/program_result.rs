@@ -1,5 +1,6 @@
 //! NC programs in a milling job's `result.json`.
 
+use super::whole_program::PartProof;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -31,6 +32,8 @@ pub struct ProgramResult {
     pub proof_difference_um: f64,
     /// What rounding and straight blocks explain of it.
     pub proof_allowed_um: f64,
+    /// What the text does to the whole part.
+    pub part: PartProof,
 }
 
 /// One operation of a program, over all spaces.

@@ -4,8 +4,8 @@ use super::orientation_result::OrientationResult;
 use super::program_result::ProgramResult;
 use crate::contact::ContactPattern;
 use crate::geometry::CutterShape;
+use crate::verdict::Verdict;
 use crate::workflow::finding::Remark;
-use crate::workflow::result::Status;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -18,13 +18,11 @@ pub struct MillingResult {
     pub process: &'static str,
     /// Version of flankwright.
     pub version: &'static str,
-    /// Verdict.
-    pub status: Status,
+    /// Status, reason and scope.
+    #[serde(flatten)]
+    pub verdict: Verdict,
     /// Tolerance of the job.
     pub tolerance_um: f64,
-    /// Why the target is missed, if it is.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub reason: Option<Remark>,
     /// Warnings.
     pub warnings: Vec<Remark>,
     /// Spaces of the workpiece, and how many of them are milled.
@@ -96,6 +94,9 @@ pub struct OperationResult {
     pub places: usize,
     /// Way of the tip in the material.
     pub way_mm: f64,
+    /// Feed of the contact for each cutting edge; absent where the job does not tell their number.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub feed_per_tooth_mm: Option<f64>,
 }
 
 /// One flank. Arrays over rays are row-major [height][length].
@@ -115,6 +116,8 @@ pub struct FlankResult {
     pub simulated_um: Vec<Option<f64>>,
     /// Rays that no cutter meets, by reason.
     pub unmilled: BTreeMap<String, usize>,
+    /// How many of them because a cutter digs in deeper than the ray begins.
+    pub gouged: usize,
     /// What the other half of a double-helical gear keeps the cutter from; absent where there is nothing.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub out_of_reach: Option<OutOfReachResult>,
@@ -230,6 +233,10 @@ pub struct RootResult {
 pub struct RootDeviationResult {
     /// Rays.
     pub rays: usize,
+    /// Rays at which a cutter digs into the drawn root, deeper than the drawn section is off what is swept.
+    pub gouged: usize,
+    /// Rays that no cutter reaches.
+    pub not_reached: usize,
     /// Deepest place below the drawn section (or least stock).
     pub min_um: Option<f64>,
     /// Highest stock: the roof between passes.
@@ -257,8 +264,22 @@ pub struct MateResult {
     pub mean_pitch_radius_mm: f64,
     /// Gaps up to here show contact.
     pub marking_um: f64,
+    /// Where the milled flank begins and where the mate needs it to.
+    pub start_of_flank: MateStartResult,
     /// Flanks that are milled.
     pub flanks: BTreeMap<&'static str, MateFlankResult>,
+}
+
+/// Polar angles of the flank, degrees.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct MateStartResult {
+    /// Where the flank that is milled begins.
+    pub active_deg: f64,
+    /// Where the tip of the mate engages; absent where it reaches below the base cone.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub needed_deg: Option<f64>,
+    /// Whether all that the mate needs is milled.
+    pub covered: bool,
 }
 
 /// Contact on one flank of the gear, without load.

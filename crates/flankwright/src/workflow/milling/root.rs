@@ -77,7 +77,24 @@ pub fn referee_root(
     Ok(parts)
 }
 
+/// How far below the drawn root a cut counts as a gouge, mm: where the tooth is not straight what is swept goes up to 7 um below the
+/// drawn section by itself (spec 50 section 7).
+const GOUGED: f64 = 0.01;
+
 impl RefereedRoot {
+    /// Rays at which a cutter digs into the drawn root.
+    pub fn gouged(&self) -> usize {
+        let beyond = self.unmilled.iter().filter(|(reason, _)| matches!(reason, Unmilled::TooDeep { .. }));
+        let deep = self.simulated.iter().flatten().filter(|left| **left < -GOUGED);
+        beyond.map(|(_, count)| count).sum::<usize>() + deep.count()
+    }
+
+    /// Rays that no cutter reaches, or only grazes.
+    pub fn not_reached(&self) -> usize {
+        let short = self.unmilled.iter().filter(|(reason, _)| !matches!(reason, Unmilled::TooDeep { .. }));
+        short.map(|(_, count)| count).sum()
+    }
+
     /// Name of the part in results: `left_fillet`, `bottom`.
     pub fn name(&self) -> String {
         match self.part {
@@ -99,6 +116,8 @@ impl RefereedRoot {
         let differences = both.filter_map(|(found, planned)| Some(1e3 * ((*found)? - (*planned)?).abs()));
         RootDeviationResult {
             rays: self.points.len(),
+            gouged: self.gouged(),
+            not_reached: self.not_reached(),
             min_um: ends(&found).map(|[least, _]| least),
             max_um: ends(&found).map(|[_, most]| most),
             rms_um: (!found.is_empty()).then(|| root_mean_square(&found)),

@@ -2,23 +2,28 @@
 
 use super::bodies::{MillingBodies, prepare_milling};
 use super::finding::failure;
+use super::judge::{Judged, verdict};
 use super::mate::{self, MateOutcome};
-use super::of_job::{MillingTexts, texts};
+use super::of_job::{MillingTexts, purpose_and_feed, texts};
 use super::orientation::{ComparedOrientations, orientations};
-use super::referee::{RefereedFlank, referee};
+use super::part_rays::{Closeness, PartSurface, part_rays};
+use super::referee::{DEPTH, RefereedFlank, mill_paths, referee};
 use super::result::{
     CutterResult, DistancesResult, FlankResult, MillingResult, OperationResult, OutOfReachResult, RootResult,
     RowResult, WearResult,
 };
 use super::root::{RefereedRoot, referee_root};
 use super::wear::histograms;
+use super::whole_part::WholePart;
 use crate::exchange::LoadedMillingJob;
 use crate::exchange::milling_job::{MilledBody, MillingJob};
 use crate::numerics::{Progress, extremes, root_mean_square};
 use crate::process::milling::{FlankPlan, MillingPlan, NeighbourDistances, Operation, plan_all};
+use crate::removal::{Milling, Unmilled};
+use crate::workflow::face_names::face_names_remark;
 use crate::workflow::finding::{Remark, RunFailure};
 use crate::workflow::programs::machine_of_job;
-use crate::workflow::result::Status;
+use crate::workflow::release::Release;
 use crate::workflow::run::parquet_warning;
 use std::collections::BTreeMap;
 use std::time::Instant;
@@ -71,6 +76,7 @@ pub fn run_milling(loaded: &LoadedMillingJob, progress: &dyn Progress) -> Result
     let counts = [job.simulation.rays_profile, job.simulation.rays_length];
     let flanks = referee(&bodies, &made, counts, progress)?;
     let root = referee_root(&bodies, &made, counts[1], progress)?;
+    let part = beside(&bodies, &made, 1e-3 * job.target.tolerance_um, progress)?;
     timing.insert("referee", begun.elapsed().as_secs_f64());
 
     let begun = Instant::now();
@@ -99,22 +105,25 @@ pub fn run_milling(loaded: &LoadedMillingJob, progress: &dyn Progress) -> Result
         }
     }
     let tolerance_um = job.target.tolerance_um;
-    let missed = results.values().any(|flank| {
-        flank.max_deviation_um.is_nan() || flank.max_deviation_um > tolerance_um || !flank.unmilled.is_empty()
-    });
-    let worst = results.values().map(|flank| flank.max_deviation_um).fold(0.0, f64::max);
-    let reason = missed.then(|| reason(&results, worst, tolerance_um));
+    let lacking = mate.as_ref().and_then(|mate| mate.remark.as_ref());
+    let found =
+        Judged { bodies: &bodies, flanks: &results, root: &root, part: &part, mate: lacking, tolerance_um };
+    let mut verdict = verdict(&found);
+    texts.judge(&mut verdict);
+    let mut warnings = warnings(job, &made, &flanks, (&bodies, mate.as_ref()));
+    if texts.programs.is_some() || texts.locations.is_some() {
+        warnings.extend(Release::of(&verdict, job.output.programs_of_missed).remark(&verdict));
+    }
     let result = MillingResult {
         job: job.job.name.clone(),
         process: "five-axis-milling",
         version: env!("CARGO_PKG_VERSION"),
-        status: if missed { Status::Missed } else { Status::Met },
+        verdict,
         tolerance_um,
-        reason,
-        warnings: warnings(job, &made, &flanks, &root),
+        warnings,
         spaces: [bodies.spaces, bodies.milled],
         cutter: CutterResult::new(bodies.options.cutter.shape(), bodies.options.cutter.cutting_length()),
-        operations: made.operations.iter().map(operation_result).collect(),
+        operations: made.operations.iter().map(|operation| operation_result(job, operation)).collect(),
         flanks: results,
         root: root.iter().map(|part| (part.name(), part.result())).collect(),
         mate: mate.as_ref().map(|mate| mate.result.clone()),
@@ -124,37 +133,34 @@ pub fn run_milling(loaded: &LoadedMillingJob, progress: &dyn Progress) -> Result
     Ok(MillingOutcome { result, bodies, plan: made, flanks, root, mate, orientations, texts })
 }
 
-fn reason(results: &BTreeMap<&'static str, FlankResult>, worst: f64, tolerance_um: f64) -> Remark {
-    let unmilled: usize = results.values().flat_map(|flank| flank.unmilled.values()).sum();
-    if unmilled > 0 {
-        return Remark {
-            code: "flank-not-milled",
-            text: format!("{unmilled} places of the flanks are not reached by the cutter"),
-            way_out: "lengthen the overrun, or check tilt and contact heights".into(),
-        };
-    }
-    Remark {
-        code: "above-tolerance",
-        text: format!("the flank deviates by {worst:.3} um, the tolerance is {tolerance_um} um"),
-        way_out: "lay more rows and columns, or allow a larger tolerance".into(),
-    }
+/// Everything of the part beside the flanks that are milled in a space, under the paths of that space: what they do not enter there
+/// no path of another space enters.
+fn beside(
+    bodies: &MillingBodies,
+    plan: &MillingPlan,
+    tolerance: f64,
+    progress: &dyn Progress,
+) -> Result<WholePart, RunFailure> {
+    let mut rays = part_rays(bodies, plan, Closeness::Coarse, tolerance)?;
+    let own = |surface: PartSurface| plan.flanks.iter().any(|made| PartSurface::Flank(made.side) == surface);
+    rays.retain(|at| at.space > 0 || !own(at.surface));
+    rays.iter_mut().for_each(|at| at.stock = None);
+    let (cutters, paths) = mill_paths(bodies, plan);
+    // What is above the surface does not matter.
+    let setup = Milling { cutters: &cutters, paths: &paths, stock: tolerance, depth: DEPTH };
+    WholePart::of(&setup, &rays, tolerance, progress)
 }
 
 fn warnings(
     job: &MillingJob,
     plan: &MillingPlan,
     refereed: &[RefereedFlank],
-    root: &[RefereedRoot],
+    (bodies, mate): (&MillingBodies, Option<&MateOutcome>),
 ) -> Vec<Remark> {
     let mut warnings: Vec<Remark> = parquet_warning(&job.output.tables).into_iter().collect();
-    let unmilled: usize = root.iter().flat_map(|part| &part.unmilled).map(|(_, count)| count).sum();
-    if unmilled > 0 {
-        warnings.push(Remark {
-            code: "root-not-milled",
-            text: format!("{unmilled} places of the drawn root are not reached by the cutters"),
-            way_out: "lengthen the overrun, or give another cutter for the bottom".into(),
-        });
-    }
+    warnings.extend(face_names_remark(job.target.modifications.iter().flatten()));
+    warnings.extend(bodies.unknown.iter().cloned());
+    warnings.extend(mate.and_then(|mate| mate.remark.clone()));
     for (flank, rays) in plan.flanks.iter().zip(refereed) {
         if let Some(left) = out_of_reach(flank, rays) {
             warnings.push(Remark {
@@ -192,7 +198,7 @@ fn warnings(
             warnings.push(Remark {
                 code: "contact-height-limited",
                 text: format!(
-                    "{} flank: rows {} touch at another height than asked for, because root, edge or opposite flank limit it",
+                    "{} flank, rows {}: contact height changed; limited by root or hub, cutting edge or opposite flank",
                     flank.side,
                     limited.join(", ")
                 ),
@@ -203,7 +209,9 @@ fn warnings(
     warnings
 }
 
-fn operation_result(operation: &Operation) -> OperationResult {
+fn operation_result(job: &MillingJob, operation: &Operation) -> OperationResult {
+    let (purpose, feed) = purpose_and_feed(job, operation.kind);
+    let teeth = job.cutter_for(purpose).0.teeth;
     let way = |path: &crate::process::milling::CutterPath| {
         path.places.windows(2).map(|pair| (pair[1].tip - pair[0].tip).norm()).sum::<f64>()
     };
@@ -212,6 +220,7 @@ fn operation_result(operation: &Operation) -> OperationResult {
         paths: operation.paths.len(),
         places: operation.paths.iter().map(|path| path.places.len()).sum(),
         way_mm: operation.paths.iter().map(way).sum(),
+        feed_per_tooth_mm: teeth.map(|teeth| feed / (job.milling.spindle_rpm * f64::from(teeth))),
     }
 }
 
@@ -247,7 +256,11 @@ fn flank_result(
     let differences =
         simulated.iter().zip(&planned).filter_map(|(found, wanted)| Some(((*found)? - (*wanted)?).abs()));
     let mut unmilled = BTreeMap::new();
+    let mut gouged = 0;
     for (reason, count) in &refereed.unmilled {
+        if matches!(reason, Unmilled::TooDeep { .. }) {
+            gouged += count;
+        }
         *unmilled.entry(reason.to_string()).or_insert(0) += count;
     }
     let rows = plan.rows.iter().zip(&plan.figures).enumerate().map(|(row, (finished, figures))| RowResult {
@@ -280,6 +293,7 @@ fn flank_result(
         referee_error_um: refereed.error_um,
         simulated_um: simulated,
         unmilled,
+        gouged,
         out_of_reach: out_of_reach(plan, refereed),
         lead_range: plan.lines.range,
         overrun_columns: plan.lines.first,

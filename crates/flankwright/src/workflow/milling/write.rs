@@ -3,6 +3,7 @@
 use super::run::MillingOutcome;
 use super::{meshes, page, tables};
 use crate::exchange::milling_job::MillingJob;
+use crate::workflow::release::Release;
 use crate::workflow::write::{NamedFile, WriteError, json, write_with_report};
 use std::path::{Path, PathBuf};
 
@@ -28,13 +29,14 @@ pub fn write_milling(
             tables::places(&outcome.plan)?.text().into(),
         ),
     ];
+    let release = Release::of(&outcome.result.verdict, job.output.programs_of_missed);
     for program in outcome.texts.programs.iter().flat_map(|programs| &programs.programs) {
-        let text = program.written.text.clone().into_bytes();
-        files.push((program.file.clone(), "NC program: milling all spaces", text));
+        let text = release.program(&program.written.text, program.dialect);
+        files.extend(text.map(|text| (program.file.clone(), "NC program: milling all spaces", text)));
     }
     if let Some(locations) = &outcome.texts.locations {
-        let text = locations.text.clone().into_bytes();
-        files.push((locations.file.clone(), "cutter locations of all spaces", text));
+        let text = release.cutter_locations(&locations.text);
+        files.extend(text.map(|text| (locations.file.clone(), "cutter locations of all spaces", text)));
     }
     files.extend(meshes::files(outcome, &job.output.meshes)?);
     write_with_report(files, directory, |named| page::html_page(job, outcome, named))

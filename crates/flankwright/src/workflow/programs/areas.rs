@@ -1,17 +1,18 @@
-//! Areas of the worm in programs: where roughing passes run, what is dressed for them, and the check from the texts that every pass
-//! keeps to its area (spec 25 section 8).
+//! Areas of the worm in programs: where finishing and roughing passes run, what is dressed for them, and the check from the texts that
+//! every pass keeps to its area (spec 25 section 8).
 
 use super::build::Built;
 use super::proof::{ReadBack, Sought};
-use super::result::WormUse;
+use super::result::{AreaUse, WormUse};
 use super::task::{DressingWork, GrindingWork, ProgramTask};
 use crate::exchange::Diagnostic;
 use crate::exchange::job::Job;
-use crate::geometry::Sides;
+use crate::geometry::{Flank, Sides};
 use crate::kinematics::{GeneratingMotion, LawError, MotionLaw, PiecewisePolynomial};
 use crate::machine::Station;
 use crate::motion::{MotionError, ReadStroke, Tracked, track};
-use crate::numerics::equidistant;
+use crate::numerics::{equidistant, extremes};
+use crate::process::dressing::DresserTool;
 use crate::process::generating::FlankLines;
 use crate::verdict::Remark;
 use crate::workflow::execution::Execution;
@@ -21,6 +22,10 @@ use crate::workflow::prepare::Prepared;
 
 /// Points of a law over the finishing area, and over the passage to a roughing area.
 const POINTS: [usize; 2] = [513, 65];
+/// Rolls at which a dresser's line is looked at.
+const ROLLS: usize = 9;
+/// Least way from one finishing area to the next, mm.
+const LEAST_PASSAGE: f64 = 1.0;
 /// Distance of the points where the dresser stands still, mm.
 const APART: f64 = 2.0;
 /// How far a pass may leave its area, mm: digits of a text and the contact that its stock moves.
@@ -33,7 +38,7 @@ pub(super) struct ProgramAreas {
     lines: Sides<Option<FlankLines>>,
     /// z_1 that the plan uses, both flanks, mm.
     planned: [f64; 2],
-    /// Length of the passage between finishing and roughing area, mm.
+    /// Length of the passage between two areas, mm.
     passage: f64,
 }
 
@@ -48,6 +53,9 @@ impl ProgramAreas {
         let Some(areas) = partition.and_then(|p| p.tool_areas(job, prepared, shift)) else { return Ok(None) };
         let setup = &prepared.setup;
         let lines = Sides::from_fn(|flank| prepared.targets[flank].as_ref().map(|_| setup.lines[flank]));
+        if areas.finishing.is_empty() {
+            return Ok(None);
+        }
         let Some(planned) = hull(lines.iter().filter_map(|(_, l)| l.as_ref()).map(|l| l.occupation(shift)))
         else {
             return Ok(None);
@@ -60,9 +68,19 @@ impl ProgramAreas {
         self.areas.roughing.clone()
     }
 
-    /// A grinding stroke of the plan in the finishing area.
+    /// z_V1 of the plan in the first finishing area.
+    fn first(&self) -> f64 {
+        self.areas.finishing.first().copied().unwrap_or(0.0)
+    }
+
+    /// z_V1 of every finishing area less that of the first, mm.
+    pub fn apart(&self) -> Vec<f64> {
+        self.areas.finishing.iter().map(|at| at - self.first()).collect()
+    }
+
+    /// A grinding stroke of the plan in the first finishing area.
     pub fn placed_grinding(&self, work: &mut GrindingWork) {
-        work.motion.shift = work.motion.shift.raised(self.areas.finishing);
+        work.motion.shift = work.motion.shift.raised(self.first());
     }
 
     /// Worm positions v_zS that have to be dressed for a range of z_1, where `driven` belongs to the plan's own: v_zS falls as z_1
@@ -71,25 +89,53 @@ impl ProgramAreas {
         [driven[0] + self.planned[1] - z_1[1], driven[1] + self.planned[0] - z_1[0]]
     }
 
-    /// A dressing stroke of the plan in the finishing area, driven on over the roughing areas. These are dressed with the dresser where
-    /// it stands in the middle of the finishing area; from there to here it goes without a jump.
+    /// Worm positions v_zS at which a dresser touches the lines that the plan grinds with on these flanks.
+    fn core(&self, tool: &DresserTool, flanks: &[Flank], shift: &MotionLaw) -> Option<[f64; 2]> {
+        hull(flanks.iter().filter_map(|&flank| {
+            let lines = self.lines[flank].as_ref()?;
+            let used = lines.line_range(shift);
+            // It touches the roll w at z_1 = b(w) - v_zS, which lies on the line z_1 + t_1 w.
+            let of = |w: f64| tool.flanks[flank].line.value(w) + lines.t_1 * w;
+            let rolls = equidistant(lines.worm_rolls(shift), ROLLS);
+            let [least, most] = extremes(rolls.into_iter().map(of));
+            Some([least - used[1], most - used[0]])
+        }))
+    }
+
+    /// A dressing stroke of the plan in every finishing area, driven on over the roughing areas. These are dressed with the dresser
+    /// where it stands in the middle of the finishing area; from one area to the next it goes without a jump.
     ///
     /// # Errors
-    /// None for laws that a plan makes.
-    pub fn placed_dressing(&self, work: &mut DressingWork) -> Result<(), RunFailure> {
+    /// Areas so near to each other that the dresser has no way from one to the next.
+    pub fn placed_dressing(
+        &self,
+        work: &mut DressingWork,
+        (tool, flanks): (&DresserTool, &[Flank]),
+        shift: &MotionLaw,
+    ) -> Result<(), RunFailure> {
         let driven = work.interval;
+        let refused = |code: &'static str, text: String, way_out: String| {
+            let finding = Diagnostic::with_code(code, text);
+            RunFailure::not_producible(finding.field("grinding.areas").way_out(way_out))
+        };
+        let core = self.core(tool, flanks, shift).unwrap_or(driven);
+        let sections = sections(driven, core, &self.areas.finishing, self.passage).ok_or_else(|| {
+            refused(
+                "areas-too-near",
+                "neighbouring finishing areas leave the dresser no way from one to the next".into(),
+                "take a wider worm or fewer areas".into(),
+            )
+        })?;
         let ranges = self.areas.roughing.iter().filter_map(|law| self.touched(law)).collect::<Vec<_>>();
-        let own = driven.map(|v| v + self.areas.finishing);
+        let own = hull(sections.iter().map(|section| section.range)).unwrap_or(driven);
         let whole = ranges.iter().map(|&z_1| self.dressed_for(driven, z_1)).chain([own]);
         let whole = hull(whole).unwrap_or(own);
         let middle = 0.5 * (driven[0] + driven[1]);
         for law in &mut work.motion.correction {
             let constant = law.value(middle);
-            let extended = extended(law, driven, self.areas.finishing, whole, (constant, self.passage));
-            *law = extended.map_err(|error| {
-                let finding = Diagnostic::with_code(error.code(), error.to_string());
-                RunFailure::not_producible(finding.field("grinding.roughing_areas").way_out(error.way_out()))
-            })?;
+            let extended = extended(law, driven, &sections, whole, (constant, self.passage));
+            *law = extended
+                .map_err(|error| refused(error.code(), error.to_string(), error.way_out().to_owned()))?;
         }
         work.interval = whole;
         Ok(())
@@ -100,10 +146,10 @@ impl ProgramAreas {
         hull(self.lines.iter().filter_map(|(_, lines)| lines.as_ref()).map(|lines| lines.occupation(law)))
     }
 
-    /// What was read from a text as if the finishing area lay where the plan has it: a worm is a screw, so that its area, its dressing
-    /// and its grinding may be moved along it together.
-    pub fn as_planned(&self, read: &ReadBack) -> ReadBack {
-        let by = self.areas.finishing;
+    /// What was read from a text as if its finishing area, `apart` of the first, lay where the plan has it: a worm is a screw, so that
+    /// its area, its dressing and its grinding may be moved along it together.
+    pub fn as_planned(&self, read: &ReadBack, apart: f64) -> ReadBack {
+        let by = self.first() + apart;
         let mut read = read.clone();
         for stroke in &mut read.grinding {
             stroke.motion.shift = stroke.motion.shift.raised(-by);
@@ -140,8 +186,11 @@ impl ProgramAreas {
             let faults = match program.station {
                 Station::Dresser => self.undressed(&sought, &tracked, driven).map_err(refused)?,
                 Station::Work => {
-                    let (found, faults) = self.ground(&sought, &tracked).map_err(refused)?;
-                    uses.extend(found.into_iter().map(|found| WormUse { file: program.file.clone(), ..found }));
+                    let (found, faults) =
+                        self.ground(&sought, &tracked, Some(program.area)).map_err(refused)?;
+                    uses.extend(
+                        found.into_iter().map(|found| WormUse { file: program.file.clone(), ..found }),
+                    );
                     faults
                 }
             };
@@ -169,7 +218,9 @@ impl ProgramAreas {
         for (work, &driven) in sought.dressing.iter().zip(driven) {
             let roughing = self.areas.roughing.iter().filter_map(|law| self.touched(law));
             let wanted = roughing.map(|z_1| self.dressed_for(driven, z_1));
-            let wanted: Vec<[f64; 2]> = wanted.chain([driven.map(|v| v + self.areas.finishing)]).collect();
+            // Between two finishing areas nothing is ground; at the ends of all the plan's own margin belongs to it.
+            let finishing = hull(self.areas.finishing.iter().map(|by| driven.map(|v| v + by)));
+            let wanted: Vec<[f64; 2]> = wanted.chain(finishing).collect();
             let strokes =
                 tracked.dressing(sought.machine, &sought.technology.dressing, &work.motion.chain)?;
             for [from, to] in wanted {
@@ -185,7 +236,8 @@ impl ProgramAreas {
         Ok(faults)
     }
 
-    /// What the passes of a grinding program touch, and which of them leave their areas.
+    /// What the passes of a grinding program touch, and which of them leave their areas. `area`: the finishing area, from 0, that it
+    /// is for; `None`: that of its first finishing pass.
     ///
     /// # Errors
     /// [`MotionError::NotFollowed`].
@@ -193,6 +245,7 @@ impl ProgramAreas {
         &self,
         sought: &Sought<'_>,
         tracked: &Tracked,
+        area: Option<usize>,
     ) -> Result<(Vec<WormUse>, Vec<Remark>), MotionError> {
         let (mut uses, mut faults) = (Vec::new(), Vec::new());
         for work in &sought.grinding {
@@ -201,6 +254,18 @@ impl ProgramAreas {
             for stroke in &strokes {
                 self.touches(stroke, work, &sought.technology.roughing, &mut uses, &mut faults);
             }
+        }
+        let finishing = |used: &&WormUse| used.kind == AreaUse::Finishing;
+        let own = area.or(uses.iter().find(finishing).map(|used| used.number));
+        for used in uses.iter().filter(finishing).filter(|used| Some(used.number) != own) {
+            let text = format!(
+                "the pass of blocks {} to {} grinds on finishing area {} of the worm, the program on area {}",
+                used.blocks[0],
+                used.blocks[1],
+                used.number + 1,
+                own.map_or(1, |own| own + 1)
+            );
+            faults.push(off_area("pass-on-wrong-area", text));
         }
         Ok((uses, faults))
     }
@@ -219,31 +284,36 @@ impl ProgramAreas {
         let stands_off =
             (stroke.motion.delta_d.value(middle) - work.motion.delta_d.value(middle)) * work.per_distance;
         let roughing = stands_off > 0.5 * least;
-        let laws: Vec<&MotionLaw> =
-            if roughing { self.areas.roughing.iter().collect() } else { vec![&work.motion.shift] };
+        let finishing: Vec<MotionLaw> =
+            self.apart().into_iter().map(|by| work.motion.shift.raised(by)).collect();
+        // Without areas of their own roughing passes use the finishing area.
+        let apart_from = roughing && !self.areas.roughing.is_empty();
+        let laws: &[MotionLaw] = if apart_from { &self.areas.roughing } else { &finishing };
         let [first, last] = stroke.blocks;
         for (flank, lines) in self.lines.iter() {
             let Some(lines) = lines else { continue };
             let found = lines.line_range(&stroke.motion.shift);
             let touched =
                 format!("touches worm lines {:.3} to {:.3} mm of the {flank} flank", found[0], found[1]);
-            let finishing = lines.line_range(&work.motion.shift);
-            let overlap = found[1].min(finishing[1]) - found[0].max(finishing[0]);
-            if roughing && overlap > SAME_AREA {
+            let overlap = finishing.iter().map(|law| {
+                let lines = lines.line_range(law);
+                found[1].min(lines[1]) - found[0].max(lines[0])
+            });
+            let overlap = overlap.fold(f64::NEG_INFINITY, f64::max);
+            if apart_from && overlap > SAME_AREA {
                 let text = format!(
                     "the roughing pass of blocks {first} to {last} {touched}, {overlap:.3} mm of which belong to the finishing area"
                 );
                 faults.push(off_area("pass-on-wrong-area", text));
                 continue;
             }
-            let apart = |law: &&MotionLaw| {
+            let apart = |law: &MotionLaw| {
                 let wanted = lines.line_range(law);
                 (wanted[0] - found[0]).abs().max((wanted[1] - found[1]).abs())
             };
             let Some(area) = laws.iter().position(|law| apart(law) <= SAME_AREA) else {
-                let text = format!(
-                    "the pass of blocks {first} to {last} {touched}, which is no area of the layout"
-                );
+                let text =
+                    format!("the pass of blocks {first} to {last} {touched}, which is no area of the layout");
                 faults.push(off_area("pass-on-wrong-area", text));
                 continue;
             };
@@ -251,7 +321,9 @@ impl ProgramAreas {
                 file: String::new(),
                 blocks: stroke.blocks,
                 flank: flank.name(),
-                area: if roughing { format!("roughing {}", area + 1) } else { "finishing 1".to_owned() },
+                area: format!("{} {}", if apart_from { "roughing" } else { "finishing" }, area + 1),
+                kind: if apart_from { AreaUse::Roughing } else { AreaUse::Finishing },
+                number: area,
                 z_1_mm: lines.occupation(&stroke.motion.shift),
                 lines_mm: found,
             });
@@ -268,28 +340,78 @@ fn hull(ranges: impl Iterator<Item = [f64; 2]>) -> Option<[f64; 2]> {
     ranges.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])
 }
 
-/// A law of the range `driven` moved along by `by`, and on over `whole`: over a passage to a constant value, with two continuous
-/// derivatives.
+/// A stretch of v_zS over which a law is that of the plan, moved along by `by`.
+struct Section {
+    range: [f64; 2],
+    by: f64,
+}
+
+/// The stretches of all finishing areas by v_zS: each with the margin that the plan drives, and between two of them a passage. `core`
+/// is what the plan needs of `driven`. `None` where a passage has no room.
+fn sections(driven: [f64; 2], core: [f64; 2], finishing: &[f64], passage: f64) -> Option<Vec<Section>> {
+    let mut by = finishing.to_vec();
+    by.sort_by(f64::total_cmp);
+    let mut sections: Vec<Section> =
+        by.iter().map(|&by| Section { range: driven.map(|v| v + by), by }).collect();
+    for k in 1..sections.len() {
+        let (end, begin) = (core[1] + by[k - 1], core[0] + by[k]);
+        let room = begin - end;
+        if room <= LEAST_PASSAGE {
+            return None;
+        }
+        let (middle, half) = (0.5 * (end + begin), 0.5 * room.min(passage));
+        sections[k - 1].range[1] = sections[k - 1].range[1].min(middle - half);
+        sections[k].range[0] = sections[k].range[0].max(middle + half);
+    }
+    Some(sections)
+}
+
+/// From 1 to 0 over 0 .. 1, with two continuous derivatives.
+fn falling(u: f64) -> f64 {
+    1.0 - u * u * u * (10.0 + u * (6.0 * u - 15.0))
+}
+
+/// A law of the range `driven` in every section, from one to the next over a passage, and on over `whole`: over a passage to a constant
+/// value. Two derivatives are continuous.
 fn extended(
     law: &MotionLaw,
     driven: [f64; 2],
-    by: f64,
+    sections: &[Section],
     whole: [f64; 2],
     (constant, passage): (f64, f64),
 ) -> Result<MotionLaw, LawError> {
-    let own = driven.map(|v| v + by);
-    let beyond = |end: usize, x: f64| {
-        let [value, slope, _] = law.jet(driven[end]);
-        let u = ((x - own[end]).abs() / passage).min(1.0);
-        let share = 1.0 - u * u * u * (10.0 + u * (6.0 * u - 15.0));
-        constant + share * (value + slope * (x - own[end]) - constant)
+    let (Some(first), Some(last)) = (sections.first(), sections.last()) else { return Ok(law.clone()) };
+    let own = [first.range[0], last.range[1]];
+    // Beyond its range a law goes on along its tangent.
+    let tangent = |section: &Section, v: f64| {
+        let at = (v - section.by).clamp(driven[0], driven[1]);
+        let [value, slope, _] = law.jet(at);
+        value + slope * (v - section.by - at)
     };
-    let mut x: Vec<f64> = equidistant(own, POINTS[0]);
-    let value = |v: f64| match v {
-        v if v < own[0] => beyond(0, v),
-        v if v > own[1] => beyond(1, v),
-        v => law.value(v - by),
+    let value = |v: f64| {
+        let next = sections.partition_point(|section| section.range[1] < v);
+        let Some(section) = sections.get(next) else {
+            let share = falling(((v - own[1]) / passage).min(1.0));
+            return constant + share * (tangent(last, v) - constant);
+        };
+        if v >= section.range[0] {
+            return tangent(section, v);
+        }
+        let Some(before) = next.checked_sub(1).map(|k| &sections[k]) else {
+            let share = falling(((own[0] - v) / passage).min(1.0));
+            return constant + share * (tangent(first, v) - constant);
+        };
+        let share = falling((v - before.range[1]) / (section.range[0] - before.range[1]));
+        share * tangent(before, v) + (1.0 - share) * tangent(section, v)
     };
+    let mut x: Vec<f64> = Vec::new();
+    for (k, section) in sections.iter().enumerate() {
+        if k > 0 {
+            let between = equidistant([sections[k - 1].range[1], section.range[0]], POINTS[1]);
+            x.extend(&between[1..between.len() - 1]);
+        }
+        x.extend(equidistant(section.range, POINTS[0]));
+    }
     for (end, sense) in [(0, -1.0), (1, 1.0)] {
         let length = sense * (whole[end] - own[end]);
         if length <= 0.0 {

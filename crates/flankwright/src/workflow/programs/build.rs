@@ -5,7 +5,7 @@ use super::task::{DressingWork, GrindingWork, ProgramTask};
 use super::technology::Technology;
 use crate::exchange::Diagnostic;
 use crate::exchange::machine::{Control, ControlCoupling};
-use crate::kinematics::MotionLaw;
+use crate::kinematics::{Dresser, MotionLaw, Workpiece};
 use crate::machine::{Positions, Station};
 use crate::motion::{
     AxisWords, Coupling, Course, DressingCourse, GrindingCourse, Layout, LayoutOptions, MotionError, Pass,
@@ -25,6 +25,8 @@ pub struct BuiltProgram {
     pub dialect: Dialect,
     /// Dressing or grinding.
     pub station: Station,
+    /// Finishing area of the worm that it grinds with, from 0; 0 for dressing, which serves all.
+    pub area: usize,
     /// Path below the directory of the run.
     pub file: String,
     /// The text, and what rounding did.
@@ -83,10 +85,10 @@ impl ProgramTask<'_> {
         let mut warnings = Vec::new();
         for &name in self.dialects {
             let control = control_of(self.machine, name)?;
-            let stations =
-                [(Station::Dresser, !self.dressing.is_empty()), (Station::Work, !self.grinding.is_empty())];
-            for (station, _) in stations.into_iter().filter(|(_, wanted)| *wanted) {
-                let made = self.program(dialect_of(name), control, station)?;
+            let dressing = (!self.dressing.is_empty()).then_some((Station::Dresser, 0));
+            let areas = if self.grinding.is_empty() { 0 } else { self.areas.len() };
+            for part in dressing.into_iter().chain((0..areas).map(|area| (Station::Work, area))) {
+                let made = self.program(dialect_of(name), control, part)?;
                 warnings.extend(warnings_of(&made));
                 programs.push(made);
             }
@@ -98,7 +100,7 @@ impl ProgramTask<'_> {
         &self,
         dialect: Dialect,
         control: &Control,
-        station: Station,
+        (station, area): (Station, usize),
     ) -> Result<BuiltProgram, RunFailure> {
         let machine = &self.machine.machine;
         let axes = machine.axes_at(station).map_err(|e| failure(&e.into()))?;
@@ -107,12 +109,13 @@ impl ProgramTask<'_> {
         let half = |digits: u8| 0.5 * 10f64.powi(-i32::from(digits));
         let (what, passes) = match station {
             Station::Dresser => ("dressing", self.dressing_passes()),
-            Station::Work => ("grinding", self.grinding_passes()),
+            Station::Work => ("grinding", self.grinding_passes(self.areas.get(area).copied().unwrap_or(0.0))),
         };
+        let several = station == Station::Work && self.areas.len() > 1;
         let gearbox = control.coupling == ControlCoupling::Gearbox && station == Station::Work;
         let options = LayoutOptions {
-            name: program_name(self.job, station),
-            comments: comments(self, station),
+            name: program_name(self.job, station, several.then_some(area)),
+            comments: comments(self, station, several.then_some(area)),
             tolerance: control.chord_tolerance_um.unwrap_or(CHORD_TOLERANCE_UM) * 1e-3,
             swivel: self.technology.swivel,
             coupling: if gearbox {
@@ -128,7 +131,7 @@ impl ProgramTask<'_> {
         if control.modulo {
             layout.program = split_turns(&layout.program).map_err(|e| refused(&e, dialect))?;
         }
-        let next = u32::from(station == Station::Work);
+        let next = if station == Station::Work { 1 + area as u32 } else { 0 };
         let mut write_options =
             WriteOptions { decimals, incremental_rotary: control.modulo, ..WriteOptions::default() };
         write_options.fanuc = FanucOptions {
@@ -153,7 +156,12 @@ impl ProgramTask<'_> {
         Ok(BuiltProgram {
             dialect,
             station,
-            file: format!("programs/{what}-{}.{}", dialect.name(), ending_of(dialect)),
+            area,
+            file: if several {
+                format!("programs/{what}-area-{}-{}.{}", area + 1, dialect.name(), ending_of(dialect))
+            } else {
+                format!("programs/{what}-{}.{}", dialect.name(), ending_of(dialect))
+            },
             written,
             read: read.blocks,
             words,
@@ -182,13 +190,19 @@ impl ProgramTask<'_> {
         passes
     }
 
-    /// The grinding passes of all strokes, each with every index stroke.
-    fn grinding_passes(&self) -> Vec<Pass> {
+    /// The grinding passes of all strokes in a finishing area, each with every index stroke.
+    fn grinding_passes(&self, area: f64) -> Vec<Pass> {
         let technology = &self.technology;
         let mut passes = Vec::new();
         for work in &self.grinding {
-            let indexed: Vec<GrindingWork> =
-                self.indexing.offsets.iter().map(|&offset| self.indexing.with_offset(work, offset)).collect();
+            let mut work = work.clone();
+            work.motion.shift = work.motion.shift.raised(area);
+            let indexed: Vec<GrindingWork> = self
+                .indexing
+                .offsets
+                .iter()
+                .map(|&offset| self.indexing.with_offset(&work, offset))
+                .collect();
             for (k, stock) in technology.roughing.iter().enumerate() {
                 let shift = technology.roughing_shift.get(k % technology.roughing_shift.len().max(1));
                 passes.extend(indexed.iter().map(|work| {
@@ -229,16 +243,20 @@ fn dressing_pass(work: &DressingWork, technology: &Technology, name: String, sto
     let room = |end: f64| technology.worm_end.map_or(0.0, |edge| (edge - end).max(0.0));
     let [from, to] = work.interval;
     let screw = motion.chain.screw_parameter.abs();
+    let course = Course::Dressing(DressingCourse {
+        motion,
+        interval: work.interval,
+        mounts: technology.dressing,
+        contacts: work.contacts.clone(),
+    });
+    let clear = technology.dresser.map_or([0.0; 2], |cylinders| {
+        [cylinders.run_out::<Dresser>(&course, from, -1.0), cylinders.run_out::<Dresser>(&course, to, 1.0)]
+    });
     Pass {
         name,
-        course: Course::Dressing(DressingCourse {
-            motion,
-            interval: work.interval,
-            mounts: technology.dressing,
-            contacts: work.contacts.clone(),
-        }),
+        course,
         range: [from, to],
-        room: [room(-from), room(to)],
+        room: [room(-from).max(clear[0]), room(to).max(clear[1])],
         speed: screw * technology.dressing_speed,
         clearance: technology.clearance,
         times: 1,
@@ -275,24 +293,28 @@ fn grinding_pass(
         per_distance: work.per_distance,
     });
     let room = technology.cylinders.map_or([0.0; 2], |cylinders| {
-        [cylinders.run_out(&course, from, -1.0), cylinders.run_out(&course, to, 1.0)]
+        [
+            cylinders.run_out::<Workpiece>(&course, from, -1.0),
+            cylinders.run_out::<Workpiece>(&course, to, 1.0),
+        ]
     });
     Pass { name, course, range: [from, to], room, speed, clearance: technology.clearance, times: 1 }
 }
 
-/// [A-Z0-9_]{1,24} of the job's name and D or G.
-fn program_name(job: &str, station: Station) -> String {
+/// [A-Z0-9_]{1,24} of the job's name and D or G, with the number of the area where there are several.
+fn program_name(job: &str, station: Station, area: Option<usize>) -> String {
     let letter = if station == Station::Dresser { "D" } else { "G" };
+    let number = area.map_or(String::new(), |area| (area + 1).to_string());
     let word: String = job
         .chars()
         .map(|c| if c.is_ascii_alphanumeric() { c.to_ascii_uppercase() } else { '_' })
-        .take(22)
+        .take(22 - number.len().min(21))
         .collect();
-    format!("{word}_{letter}")
+    format!("{word}_{letter}{number}")
 }
 
 /// What the head of a program says.
-fn comments(task: &ProgramTask<'_>, station: Station) -> Vec<String> {
+fn comments(task: &ProgramTask<'_>, station: Station, area: Option<usize>) -> Vec<String> {
     let plain = |text: &str| -> String {
         let kept = text.to_ascii_uppercase();
         let kept = kept
@@ -308,8 +330,13 @@ fn comments(task: &ProgramTask<'_>, station: Station) -> Vec<String> {
     };
     let mut lines =
         vec![format!("{} {what}", plain(task.job)), format!("MACHINE {}", plain(&task.machine.file.name))];
-    if station == Station::Work && task.technology.grinding.counterpart.reversed {
-        lines.push("WORKPIECE CLAMPED WITH ITS DATUM FACE DOWN".into());
+    if let Some(area) = area {
+        lines.push(format!("FINISHING AREA {} OF {} OF THE WORM", area + 1, task.areas.len()));
+    }
+    if station == Station::Work {
+        lines.push("DATUM FACE IS FACE II THE ONE AT UPPER Z OF THE JOB".into());
+        let way = if task.technology.grinding.counterpart.reversed { "DOWN" } else { "UP" };
+        lines.push(format!("WORKPIECE CLAMPED WITH ITS DATUM FACE {way}"));
     }
     lines
 }
@@ -322,7 +349,7 @@ fn warnings_of(program: &BuiltProgram) -> Vec<Remark> {
             warnings.push(Remark {
                 code: "program-time-not-kept",
                 text: format!(
-                    "{}, {}: LinuxCNC takes longer than programmed for {} of {} blocks, which are over before the axes reach their speed",
+                    "{}, {}: on LinuxCNC {} of {} blocks are too short to reach the programmed feed; the cycle time will be longer",
                     program.file, pass.name, pass.short_blocks, pass.blocks
                 ),
                 way_out: "raise chord_tolerance_um of the control for fewer blocks, or lower the speed".into(),

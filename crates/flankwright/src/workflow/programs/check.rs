@@ -1,7 +1,7 @@
 //! `program check`: what a program does on a machine: axes, travel, speed, time, strokes, and with a job the flank that it leaves.
 
-use super::of_grinding::follow_on_grinding;
-use super::of_tangential::follow_on_tangential;
+use super::of_grinding::OnGrinding;
+use super::of_tangential::OnTangential;
 use super::result::{CheckedAxis, CheckedProgram};
 use crate::exchange::machine::LoadedMachine;
 use crate::exchange::{AnyJob, Diagnostic, GearboxJob, LoadedSkivingJob};
@@ -16,7 +16,10 @@ use std::io::{BufRead, Read as _};
 
 /// A program that cannot be read, as a finding with its place in the message.
 fn unreadable(error: &ReadError, dialect: Dialect) -> RunFailure {
-    let text = format!("no program for {}: {error}", dialect.name());
+    // What is allowed stands beside the message.
+    let told = error.to_string();
+    let place = told.split("; allowed: ").next().unwrap_or_default();
+    let text = format!("no program for {}: {place}", dialect.name());
     RunFailure::bad_input(
         Diagnostic::with_code(error.code(), text).allowed(error.allowed).way_out(error.way_out()),
     )
@@ -61,30 +64,78 @@ pub fn check_program(
     if let Some(AnyJob::Skiving(loaded)) = job {
         return check_measuring(text, dialect, machine, loaded, progress);
     }
-    let words = words_of(machine, dialect).map_err(|e| refused(&e))?;
-    let found = match netlist.filter(|_| dialect == Dialect::LinuxCnc) {
-        Some(netlist) => read_with_netlist(text, netlist, &words.words),
-        None => read(text, dialect, &words.words),
-    };
-    let found = found.map_err(|e| unreadable(&e, dialect))?;
-    let tracked =
-        track(&found.blocks, &machine.machine, &words, &Positions::default()).map_err(|e| refused(&e))?;
-    let mut checked = figures(&found, dialect, machine, &words, &Moved::of(&tracked));
-    if let Some(job) = job {
-        let followed = match job {
-            AnyJob::Grinding(loaded) => follow_on_grinding(loaded, &machine.machine, &tracked, progress)?,
-            AnyJob::Tangential(loaded) => follow_on_tangential(loaded, &machine.machine, &tracked, progress)?,
-            AnyJob::Gearbox(_) => return Err(RunFailure::bad_input(GearboxJob::refused_by("program check"))),
-            AnyJob::Milling(_) => return Ok(checked),
-            AnyJob::Skiving(_) => return Ok(checked),
+    if let Some(AnyJob::Gearbox(_)) = job {
+        return Err(RunFailure::bad_input(GearboxJob::refused_by("program check")));
+    }
+    ProgramChecker::new(machine, job, progress)?.check((text, netlist), dialect)
+}
+
+/// The bodies that a program is followed on.
+enum Bodies {
+    Grinding(Box<OnGrinding>),
+    Tangential(Box<OnTangential>),
+}
+
+/// Checks any number of programs on one machine and, of grinding and tangential dressing, on the bodies of one job, whose own run is made
+/// once.
+pub struct ProgramChecker<'a> {
+    machine: &'a LoadedMachine,
+    bodies: Option<Bodies>,
+}
+
+impl<'a> ProgramChecker<'a> {
+    /// On a machine alone, or with a job of grinding or tangential dressing; jobs of other processes have no bodies here.
+    ///
+    /// # Errors
+    /// Those of the job's own run.
+    pub fn new(
+        machine: &'a LoadedMachine,
+        job: Option<&AnyJob>,
+        progress: &dyn Progress,
+    ) -> Result<Self, RunFailure> {
+        let bodies = match job {
+            Some(AnyJob::Grinding(loaded)) => {
+                Some(Bodies::Grinding(Box::new(OnGrinding::new(loaded, progress)?)))
+            }
+            Some(AnyJob::Tangential(loaded)) => {
+                Some(Bodies::Tangential(Box::new(OnTangential::new(loaded, progress)?)))
+            }
+            Some(AnyJob::Gearbox(_) | AnyJob::Milling(_) | AnyJob::Skiving(_)) | None => None,
+        };
+        Ok(Self { machine, bodies })
+    }
+
+    /// Reads a program of a dialect and follows it; `netlist`: the HAL netlist of a LinuxCNC program whose gears are in one.
+    ///
+    /// # Errors
+    /// [`RunFailure`]: a text that is no program, axes that the machine has not, no stroke on these bodies.
+    pub fn check(
+        &self,
+        (text, netlist): (impl BufRead, Option<&str>),
+        dialect: Dialect,
+    ) -> Result<CheckedProgram, RunFailure> {
+        let machine = self.machine;
+        let words = words_of(machine, dialect).map_err(|e| refused(&e))?;
+        let found = match netlist.filter(|_| dialect == Dialect::LinuxCnc) {
+            Some(netlist) => read_with_netlist(text, netlist, &words.words),
+            None => read(text, dialect, &words.words),
+        };
+        let found = found.map_err(|e| unreadable(&e, dialect))?;
+        let tracked =
+            track(&found.blocks, &machine.machine, &words, &Positions::default()).map_err(|e| refused(&e))?;
+        let mut checked = figures(&found, dialect, machine, &words, &Moved::of(&tracked));
+        let followed = match &self.bodies {
+            Some(Bodies::Grinding(on)) => on.follow(&machine.machine, &tracked)?,
+            Some(Bodies::Tangential(on)) => on.follow(&machine.machine, &tracked)?,
+            None => return Ok(checked),
         };
         checked.kind = Some(followed.kind);
         checked.strokes = followed.strokes;
         checked.flanks = Some(followed.flanks);
         checked.threads = followed.threads;
         checked.remarks.extend(followed.faults);
+        Ok(checked)
     }
-    Ok(checked)
 }
 
 /// The same of a program that measures a skiving tool, and whether it measures that of the job.
@@ -200,6 +251,7 @@ pub(in crate::workflow) fn figures(
         strokes: Vec::new(),
         flanks: None,
         threads: Vec::new(),
+        part: None,
         remarks,
     }
 }

@@ -1,17 +1,18 @@
-//! Worm and workpiece as bodies of revolution: how long a stroke runs in and out, and the check from the texts that the worm comes in,
-//! goes out and travels clear of the blank. Knows no flank.
+//! Worm, workpiece and dresser as bodies of revolution: how long a stroke runs in and out, and the check from the texts that the worm
+//! comes in, goes out and travels clear of the blank and of the dresser. Knows no flank.
 
 use super::build::Built;
 use super::result::ClearanceResult;
 use super::task::ProgramTask;
 use crate::exchange::Diagnostic;
-use crate::kinematics::{Pose, Workpiece, Worm};
+use crate::kinematics::{Dresser, Pose, Workpiece, Worm};
 use crate::machine::{Machine, Mounts, Station};
 use crate::motion::{Course, MotionError, Tracked, Waypoint, track};
 use crate::numerics::equidistant;
 use crate::verdict::Remark;
 use crate::workflow::finding::RunFailure;
 use nalgebra::Vector3;
+use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
 /// Clearance of worm and blank where a stroke begins and ends, mm: above any stock.
@@ -58,12 +59,12 @@ impl Cylinders {
         around.map(of).fold(f64::INFINITY, f64::min)
     }
 
-    /// How far a grinding stroke has to run on beyond `end` (mm) in the sense of `sense` until worm and blank are clear of each other;
-    /// 0 for a stroke that never becomes so.
-    pub fn run_out(&self, course: &Course, end: f64, sense: f64) -> f64 {
+    /// How far a stroke has to run on beyond `end` (mm) in the sense of `sense` until the bodies are clear of each other; 0 for one that
+    /// never becomes so.
+    pub fn run_out<Body: 'static>(&self, course: &Course, end: f64, sense: f64) -> f64 {
         let clear = |x: f64| {
             let place = course.place(&Waypoint { v: end + sense * x, ..Waypoint::default() });
-            self.gap::<Workpiece>(&course.mounts().bodies(&place.pose)) >= CLEARANCE
+            self.gap::<Body>(&course.mounts().bodies(&place.pose)) >= CLEARANCE
         };
         let steps = (LONGEST / STEP) as usize;
         let Some(first) = (0..=steps).map(|k| k as f64 * STEP).find(|&x| clear(x)) else { return 0.0 };
@@ -114,29 +115,45 @@ pub(super) fn beside<Body: 'static>(
     Ok(found)
 }
 
-/// Checks from the texts that worm and blank are clear of each other beside the strokes. `None` without a grinding program.
+/// Checks from the texts that worm, blank and dresser are clear of each other beside the strokes. `None` where no bodies are known.
 ///
 /// # Errors
 /// A text that cannot be followed; a place with less than the clearance.
-pub(super) fn check(
-    task: &ProgramTask<'_>,
-    built: &Built,
-    cylinders: &Cylinders,
-) -> Result<Option<ClearanceResult>, RunFailure> {
+pub(super) fn check(task: &ProgramTask<'_>, built: &Built) -> Result<Option<ClearanceResult>, RunFailure> {
     let machine = &task.machine.machine;
+    let technology = &task.technology;
     let mut least = f64::INFINITY;
-    for program in built.programs.iter().filter(|program| program.station == Station::Work) {
+    let mut checked = BTreeSet::new();
+    for program in &built.programs {
         let refused = |error: MotionError| {
             let finding = Diagnostic::with_code(error.code(), format!("{}: {error}", program.file));
             RunFailure::not_producible(finding.field("machine").way_out(error.way_out()))
         };
         let tracked = track(&program.read, machine, &program.words, &program.start).map_err(refused)?;
-        let Some(work) = task.grinding.first() else { continue };
-        let mounts = &task.technology.grinding;
-        let strokes = tracked.grinding(machine, mounts, &work.motion, work.phase).map_err(refused)?;
-        let blocks: Vec<[usize; 2]> = strokes.iter().map(|stroke| stroke.blocks).collect();
-        let of = (machine, Station::Work, mounts);
-        let found = beside::<Workpiece>(&tracked, of, &blocks, (cylinders, "blank", CLEARANCE));
+        let found = match program.station {
+            Station::Work => {
+                let (Some(cylinders), Some(work)) = (&technology.cylinders, task.grinding.first()) else {
+                    continue;
+                };
+                let mounts = &technology.grinding;
+                let strokes = tracked.grinding(machine, mounts, &work.motion, work.phase).map_err(refused)?;
+                let blocks: Vec<[usize; 2]> = strokes.iter().map(|stroke| stroke.blocks).collect();
+                let of = (machine, Station::Work, mounts);
+                checked.insert("workpiece");
+                beside::<Workpiece>(&tracked, of, &blocks, (cylinders, "blank", CLEARANCE))
+            }
+            Station::Dresser => {
+                let (Some(cylinders), Some(work)) = (&technology.dresser, task.dressing.first()) else {
+                    continue;
+                };
+                let mounts = &technology.dressing;
+                let strokes = tracked.dressing(machine, mounts, &work.motion.chain).map_err(refused)?;
+                let blocks: Vec<[usize; 2]> = strokes.iter().map(|stroke| stroke.blocks).collect();
+                let of = (machine, Station::Dresser, mounts);
+                checked.insert("dresser");
+                beside::<Dresser>(&tracked, of, &blocks, (cylinders, "dresser", CLEARANCE))
+            }
+        };
         let found = found.map_err(refused)?;
         least = least.min(found.least);
         if let Some(fault) = found.faults.first() {
@@ -145,12 +162,19 @@ pub(super) fn check(
             return Err(RunFailure::not_producible(finding.field("machine").way_out(way_out)));
         }
     }
+    let mut not_checked: Vec<&'static str> = vec!["clamping", "machine parts"];
+    if !checked.contains("dresser") && !task.dressing.is_empty() {
+        not_checked.insert(0, "dresser");
+    }
+    let bodies: Vec<&'static str> = std::iter::once("worm").chain(checked).collect();
     Ok(least.is_finite().then(|| ClearanceResult {
         statement: format!(
-            "from the program text: worm and blank stay {least:.3} mm or more apart at the ends of the strokes, in approach, retraction and rapid moves ({CLEARANCE} mm are kept); dresser, clamping and parts of the machine are not checked"
+            "from the program text: {} stay {least:.3} mm or more apart at the ends of the strokes, in approach, retraction and rapid moves ({CLEARANCE} mm are kept); {} are not checked",
+            bodies.join(", "),
+            not_checked.join(", ")
         ),
-        checked: vec!["worm", "workpiece"],
-        not_checked: vec!["dresser", "clamping", "machine parts"],
+        checked: bodies,
+        not_checked,
         least_mm: least,
         kept_mm: CLEARANCE,
     }))

@@ -2,17 +2,18 @@
 //! has it. Knows no process.
 
 use super::check::refused;
-use super::clearance;
-use super::indexing::Found;
+use super::clearance::{self, CLEARANCE};
+use super::indexing::{Found, shown_blocks};
 use super::proof::{Judge, ReadBack, RunFlank, Sought, nearest};
 use super::result::{CheckedFlank, CheckedStroke, ThreadProof};
 use crate::geometry::Sides;
-use crate::kinematics::Workpiece;
+use crate::kinematics::{Dresser, Workpiece};
 use crate::machine::{Role, Station};
+use crate::metrology::Topography;
 use crate::motion::{MotionError, ReadStroke, Tracked};
 use crate::verdict::Remark;
 use crate::workflow::finding::RunFailure;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 /// What a program does to the bodies.
 pub(super) struct Followed {
@@ -55,7 +56,22 @@ pub(super) fn follow(
     let mut strokes = Vec::new();
     let mut threads = Vec::new();
     let mut faults;
-    let mut left: Vec<Sides<Option<crate::metrology::Topography>>> = Vec::new();
+    let mut left: Vec<(Vec<[usize; 2]>, Sides<Option<Topography>>)> = Vec::new();
+    // What the strokes of these blocks cannot finish is a fault of theirs.
+    let mut judged = |strokes: Vec<[usize; 2]>, read: &ReadBack, area: f64| match judge.flanks(read, area) {
+        Ok(flanks) => {
+            left.push((strokes, flanks));
+            None
+        }
+        Err(RunFailure::BadInput(finding) | RunFailure::NotProducible(finding)) => {
+            let text = format!(
+                "blocks {} leave no whole flank: {}",
+                shown_blocks(strokes.into_iter()),
+                finding.message
+            );
+            Some(Remark::new("flank-not-finished", text, "correct the strokes of these blocks"))
+        }
+    };
     if grinds {
         let found = sought.ground(tracked).map_err(refused)?;
         let all = tracked.grinding(
@@ -73,20 +89,17 @@ pub(super) fn follow(
         if let Some(cylinders) = &sought.technology.cylinders {
             let of = (sought.machine, Station::Work, &sought.technology.grinding);
             let blocks: Vec<[usize; 2]> = strokes.iter().map(|stroke| stroke.blocks).collect();
-            let kept = clearance::CLEARANCE;
-            let beside = clearance::beside::<Workpiece>(tracked, of, &blocks, (cylinders, "blank", kept));
+            let beside =
+                clearance::beside::<Workpiece>(tracked, of, &blocks, (cylinders, "blank", CLEARANCE));
             faults.extend(beside.map_err(refused)?.faults);
         }
         for served in &found.served {
-            left.push(
-                judge.flanks(&ReadBack {
-                    dressing: sought.own_dressing(),
-                    grinding: served.strokes.clone(),
-                })?,
-            );
+            let read = ReadBack { dressing: sought.own_dressing(), grinding: served.strokes.clone() };
+            let blocks = served.strokes.iter().map(|stroke| stroke.blocks).collect();
+            faults.extend(judged(blocks, &read, sought.area_of(&served.strokes)));
         }
-        let offsets: BTreeSet<i64> = found.served.iter().map(|served| i64::from(served.place)).collect();
-        let (spaces, teeth) = (sought.indexing.spaces(&offsets), sought.indexing.teeth.unsigned_abs());
+        let (spaces, teeth) =
+            (sought.indexing.spaces_of(&found.served), sought.indexing.teeth.unsigned_abs());
         if spaces != teeth {
             faults.push(Remark::new(
                 "spaces-not-ground",
@@ -104,22 +117,40 @@ pub(super) fn follow(
         if strokes.is_empty() {
             return Err(nothing("dressing"));
         }
+        let mut unfinished = Vec::new();
         if let Some(best) = nearest(&found.served) {
-            left.push(
-                judge
-                    .flanks(&ReadBack { dressing: best.strokes.clone(), grinding: sought.own_grinding() })?,
-            );
+            for &area in sought.areas {
+                let read = ReadBack { dressing: best.strokes.clone(), grinding: sought.own_grinding(area) };
+                let blocks = best.strokes.iter().map(|stroke| stroke.blocks).collect();
+                unfinished.extend(judged(blocks, &read, area));
+            }
         }
         let of_threads;
         (threads, of_threads) = sought.threads(&found.served, judge)?;
         faults = found.faults;
+        faults.extend(unfinished);
         faults.extend(of_threads);
+        if let Some(cylinders) = &sought.technology.dresser {
+            let of = (sought.machine, Station::Dresser, &sought.technology.dressing);
+            let blocks: Vec<[usize; 2]> = strokes.iter().map(|stroke| stroke.blocks).collect();
+            let beside =
+                clearance::beside::<Dresser>(tracked, of, &blocks, (cylinders, "dresser", CLEARANCE));
+            faults.extend(beside.map_err(refused)?.faults);
+        }
     }
     let mut checked: BTreeMap<&'static str, CheckedFlank> = BTreeMap::new();
-    for left in &left {
+    for (blocks, left) in &left {
         for (flank, left) in left.iter() {
             let (Some(left), Some(run)) = (left, &flanks[flank]) else { continue };
             let [difference_um, max_deviation_um] = run.differences_um(left);
+            if difference_um > OFF * tolerance_um && max_deviation_um > tolerance_um {
+                let [w, z] = run.worst(left);
+                let text = format!(
+                    "blocks {}: the {flank} flank that they leave deviates by {max_deviation_um:.4} um at w = {w:.3}, z = {z:.3} mm, {difference_um:.4} um of it by the program; the tolerance is {tolerance_um} um",
+                    shown_blocks(blocks.iter().copied())
+                );
+                faults.push(Remark::new("flank-off", text, "correct the axes of these blocks"));
+            }
             let of = checked.entry(flank.name()).or_insert(CheckedFlank { max_deviation_um, difference_um });
             of.max_deviation_um = of.max_deviation_um.max(max_deviation_um);
             of.difference_um = of.difference_um.max(difference_um);
@@ -138,6 +169,7 @@ pub(super) fn follow(
             }
         }
     }
+    faults.extend(sought.too_fast(tracked, if grinds { Station::Work } else { Station::Dresser }));
     let kind = if grinds { "grinding" } else { "dressing" };
     Ok(Followed { kind, strokes, flanks: checked, threads, faults })
 }

@@ -86,7 +86,7 @@ impl Indexing {
     }
 
     /// Tooth spaces that strokes with these offsets grind.
-    pub fn spaces(&self, offsets: &BTreeSet<i64>) -> u32 {
+    fn spaces(&self, offsets: &BTreeSet<i64>) -> u32 {
         let g = self.common_divisor();
         let met: BTreeSet<i64> = self
             .active
@@ -94,6 +94,12 @@ impl Indexing {
             .flat_map(|&a| offsets.iter().map(move |o| (i64::from(a) + o).rem_euclid(g)))
             .collect();
         self.teeth.unsigned_abs() / g as u32 * met.len() as u32
+    }
+
+    /// Tooth spaces that finishing strokes grind.
+    pub fn spaces_of(&self, ground: &[Served<GeneratingMotion>]) -> u32 {
+        let offsets: BTreeSet<i64> = ground.iter().map(|served| i64::from(served.place)).collect();
+        self.spaces(&offsets)
     }
 }
 
@@ -135,7 +141,7 @@ pub struct Found<M> {
     pub faults: Vec<Remark>,
 }
 
-fn shown_blocks(blocks: impl Iterator<Item = [usize; 2]>) -> String {
+pub(super) fn shown_blocks(blocks: impl Iterator<Item = [usize; 2]>) -> String {
     let all: Vec<String> = blocks.map(|[from, to]| format!("{from} to {to}")).collect();
     if all.is_empty() { "none".into() } else { all.join(", ") }
 }

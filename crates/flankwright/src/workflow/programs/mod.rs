@@ -18,8 +18,8 @@ mod task;
 mod technology;
 
 pub use build::{Built, BuiltProgram};
-pub use check::check_program;
 pub(in crate::workflow) use check::{Moved, figures};
+pub use check::{ProgramChecker, check_program};
 pub(in crate::workflow) use control::{control_of, decimals_of, dialect_of, ending_of, name_of, words_of};
 pub use indexing::Indexing;
 pub(super) use of_grinding::programs_of_grinding;

@@ -24,7 +24,7 @@ use crate::workflow::finding::{Remark, RunFailure};
 use crate::workflow::partition::StrokePlan;
 use crate::workflow::prepare::Prepared;
 use crate::workflow::referee::{self, Cutting, Verdict};
-use crate::workflow::run::{plan_job, simulate_job};
+use crate::workflow::run::{Outcome, plan_job, simulate_job};
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
 
@@ -62,8 +62,12 @@ impl Strokes {
         let data = setup.pair.work.data();
         let two_flanks = job.dressing.flanks == DressingFlanks::Two;
         let areas = ProgramAreas::of_job(job, prepared, execution)?;
+        let technology = Technology::of_grinding(machine, setup, job.grinding.feed_per_revolution);
         let mut strokes = Self {
-            technology: Technology::of_grinding(machine, setup, job.grinding.feed_per_revolution),
+            technology: match largest_dresser(job, prepared) {
+                Some(radius) => technology.with_dresser(radius, setup.worm_module()),
+                None => technology,
+            },
             coupling: GearCoupling {
                 threads: worm.data().teeth.unsigned_abs(),
                 teeth: data.teeth,
@@ -77,22 +81,35 @@ impl Strokes {
             areas: None,
         };
         if let Some(areas) = areas {
-            strokes.place(areas)?;
+            strokes.place(areas, prepared, execution)?;
         }
         Ok(strokes)
     }
 
     /// What was read from a text as if its areas lay where the plan has them; `None` without areas.
-    fn as_planned(&self, read: &ReadBack) -> Option<ReadBack> {
-        self.areas.as_ref().map(|(areas, _)| areas.as_planned(read))
+    fn as_planned(&self, read: &ReadBack, area: f64) -> Option<ReadBack> {
+        self.areas.as_ref().map(|(areas, _)| areas.as_planned(read, area))
+    }
+
+    /// z_V1 of every finishing area less that of the first, mm.
+    fn areas_apart(&self) -> Vec<f64> {
+        self.areas.as_ref().map_or(vec![0.0], |(areas, _)| areas.apart())
     }
 
     /// Lays the strokes into the areas of the worm.
-    fn place(&mut self, areas: ProgramAreas) -> Result<(), RunFailure> {
+    fn place(
+        &mut self,
+        areas: ProgramAreas,
+        prepared: &Prepared,
+        execution: &Execution,
+    ) -> Result<(), RunFailure> {
         let driven = self.dressing.iter().map(|(work, _)| work.interval).collect();
         self.technology.roughing_shift = areas.roughing_shift();
-        for (work, _) in &mut self.dressing {
-            areas.placed_dressing(work)?;
+        for (work, of) in &mut self.dressing {
+            let flanks: Vec<Flank> = of.iter().map(|(flank, _)| *flank).collect();
+            if let Some(tool) = dresser_of(prepared, execution, of) {
+                areas.placed_dressing(work, (tool, &flanks), &execution.motion.shift)?;
+            }
         }
         for (work, _) in &mut self.grinding {
             areas.placed_grinding(work);
@@ -142,6 +159,7 @@ pub(in crate::workflow) fn programs_of_grinding(
         grinding: strokes.grinding.iter().map(|(work, _)| work.clone()).collect(),
         indexing: strokes.indexing.clone(),
         coupling: strokes.coupling,
+        areas: strokes.areas_apart(),
     };
     let flanks = flanks_of(execution, verdicts);
     let judge = Referee { prepared, execution, cutting, strokes: &strokes };
@@ -150,9 +168,7 @@ pub(in crate::workflow) fn programs_of_grinding(
     if let Some((areas, driven)) = &strokes.areas {
         programs.result.worm_use = areas.check(&task, &programs.built, driven)?;
     }
-    if let Some(cylinders) = &strokes.technology.cylinders {
-        programs.result.clearance = clearance::check(&task, &programs.built, cylinders)?;
-    }
+    programs.result.clearance = clearance::check(&task, &programs.built)?;
     if execution.flanks.iter().any(|(_, f)| f.as_ref().is_some_and(|f| f.made().is_some())) {
         programs.warnings.push(Remark {
             code: "dressing-without-program",
@@ -164,46 +180,62 @@ pub(in crate::workflow) fn programs_of_grinding(
     Ok(Some(programs))
 }
 
-/// Follows a program on the bodies of a job: its own run, by its settings if it has some, and what the program makes of it.
-///
-/// # Errors
-/// Those of the run; of [`follow`].
-pub(super) fn follow_on_grinding(
-    loaded: &LoadedJob,
-    machine: &Machine,
-    tracked: &Tracked,
-    progress: &dyn Progress,
-) -> Result<Followed, RunFailure> {
-    let mut plain = loaded.clone();
-    plain.job.machine = None;
-    let run = if plain.job.settings.is_some() {
-        simulate_job(&plain, progress)?
-    } else {
-        plan_job(&plain, progress)?
-    };
-    let (prepared, execution) = (&run.prepared, &run.execution);
-    let clamped = loaded.job.machine.clone().unwrap_or_default();
-    let cutting = Cutting { feed_per_revolution: None, strokes: run.result.settings.strokes.as_ref() };
-    let strokes = Strokes::new(&loaded.job, &clamped, prepared, execution, cutting.strokes)?;
-    let sought = Sought {
-        machine,
-        technology: &strokes.technology,
-        indexing: &strokes.indexing,
-        dressing: strokes.dressing.iter().map(|(work, _)| work).collect(),
-        grinding: strokes.grinding.iter().map(|(work, _)| work).collect(),
-    };
-    let judge = Referee { prepared, execution, cutting, strokes: &strokes };
-    let tolerance_um = prepared.tolerance.tightest() * 1e3;
-    let mut followed = follow(tracked, &sought, &flanks_of(execution, &run.verdicts), tolerance_um, &judge)?;
-    if let Some((areas, driven)) = &strokes.areas {
-        let off = if followed.kind == "grinding" {
-            areas.ground(&sought, tracked).map(|(_, faults)| faults)
+/// The run of a job with its strokes, for programs to be followed on its bodies.
+pub(super) struct OnGrinding {
+    run: Outcome,
+    strokes: Strokes,
+}
+
+impl OnGrinding {
+    /// Its own run, by its settings if it has some.
+    ///
+    /// # Errors
+    /// Those of the run.
+    pub fn new(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Self, RunFailure> {
+        let mut plain = loaded.clone();
+        plain.job.machine = None;
+        let run = if plain.job.settings.is_some() {
+            simulate_job(&plain, progress)?
         } else {
-            areas.undressed(&sought, tracked, driven)
+            plan_job(&plain, progress)?
         };
-        followed.faults.extend(off.map_err(|error| refused(&error))?);
+        let clamped = loaded.job.machine.clone().unwrap_or_default();
+        let indexed = run.result.settings.strokes.as_ref();
+        let strokes = Strokes::new(&loaded.job, &clamped, &run.prepared, &run.execution, indexed)?;
+        Ok(Self { run, strokes })
     }
-    Ok(followed)
+
+    /// Follows a program and says what it makes of the flanks.
+    ///
+    /// # Errors
+    /// Those of [`follow`].
+    pub fn follow(&self, machine: &Machine, tracked: &Tracked) -> Result<Followed, RunFailure> {
+        let Self { run, strokes } = self;
+        let (prepared, execution) = (&run.prepared, &run.execution);
+        let cutting = Cutting { feed_per_revolution: None, strokes: run.result.settings.strokes.as_ref() };
+        let areas_apart = strokes.areas_apart();
+        let sought = Sought {
+            machine,
+            technology: &strokes.technology,
+            indexing: &strokes.indexing,
+            areas: &areas_apart,
+            dressing: strokes.dressing.iter().map(|(work, _)| work).collect(),
+            grinding: strokes.grinding.iter().map(|(work, _)| work).collect(),
+        };
+        let judge = Referee { prepared, execution, cutting, strokes };
+        let tolerance_um = prepared.tolerance.tightest() * 1e3;
+        let flanks = flanks_of(execution, &run.verdicts);
+        let mut followed = follow(tracked, &sought, &flanks, tolerance_um, &judge)?;
+        if let Some((areas, driven)) = &strokes.areas {
+            let off = if followed.kind == "grinding" {
+                areas.ground(&sought, tracked, None).map(|(_, faults)| faults)
+            } else {
+                areas.undressed(&sought, tracked, driven)
+            };
+            followed.faults.extend(off.map_err(|error| refused(&error))?);
+        }
+        Ok(followed)
+    }
 }
 
 /// Contacts of the dresser with a worm flank along a stroke, each carried back along the thread to v_zS = 0.
@@ -226,6 +258,28 @@ fn contacts(
         }
     }
     contacts
+}
+
+/// Tip radius of the largest dresser, mm; `None` for a tool that is not dressed.
+fn largest_dresser(job: &Job, prepared: &Prepared) -> Option<f64> {
+    let first = prepared.setup.input.dresser.as_ref().map(|choice| choice.tip_diameter)?;
+    let others = job.dresser.iter().flat_map(|dresser| &dresser.others).map(|other| other.tip_diameter);
+    Some(0.5 * others.fold(first, f64::max))
+}
+
+/// The dresser of a stroke, by the flanks and their strokes that it makes.
+fn dresser_of<'a>(
+    prepared: &'a Prepared,
+    execution: &'a Execution,
+    of: &[(Flank, usize)],
+) -> Option<&'a DresserTool> {
+    let &(flank, number) = of.first()?;
+    match &execution.flanks[flank].as_ref()?.tool {
+        ExecutedTool::Stroked(strokes) => {
+            prepared.setup.strokes.as_ref()?.dressers.get(strokes.strokes.get(number)?.place.dresser)
+        }
+        _ => execution.dresser.as_ref(),
+    }
 }
 
 /// The dressing strokes, each with the flanks and their strokes that it makes.
@@ -352,10 +406,10 @@ fn dressed_by(
 }
 
 impl Judge for Referee<'_> {
-    fn flanks(&self, read: &ReadBack) -> Result<Sides<Option<Topography>>, RunFailure> {
+    fn flanks(&self, read: &ReadBack, area: f64) -> Result<Sides<Option<Topography>>, RunFailure> {
         let mut flanks = Sides { left: None, right: None };
         let cutting = Cutting { feed_per_revolution: None, ..self.cutting };
-        let planned = self.strokes.as_planned(read);
+        let planned = self.strokes.as_planned(read, area);
         let read = planned.as_ref().unwrap_or(read);
         let dressed = dressed_by(self.execution, &read.dressing, self.strokes);
         for (stroke, (_, of)) in read.grinding.iter().zip(&self.strokes.grinding) {
@@ -374,9 +428,13 @@ impl Judge for Referee<'_> {
         Ok(flanks)
     }
 
-    fn thread(&self, dressing: &[ReadStroke<DressingMotion>]) -> Result<Sides<Option<Vec<f64>>>, RunFailure> {
+    fn thread(
+        &self,
+        dressing: &[ReadStroke<DressingMotion>],
+        area: f64,
+    ) -> Result<Sides<Option<Vec<f64>>>, RunFailure> {
         let read = ReadBack { dressing: dressing.to_vec(), grinding: Vec::new() };
-        let planned = self.strokes.as_planned(&read);
+        let planned = self.strokes.as_planned(&read, area);
         let dressing = planned.as_ref().map_or(dressing, |read| &read.dressing);
         let run = dressed_by(self.execution, dressing, self.strokes);
         referee::worm_rays(&self.prepared.setup, &run, THREAD_GRID)
@@ -412,6 +470,7 @@ mod tests {
             grinding: strokes.grinding.iter().map(|(work, _)| work.clone()).collect(),
             indexing: strokes.indexing.clone(),
             coupling: strokes.coupling,
+            areas: strokes.areas_apart(),
         };
         let built = task.build().unwrap();
         let flanks = flanks_of(&run.execution, &run.verdicts);

@@ -1,5 +1,6 @@
 //! The programs of a run of tangential dressing: its passes as work for a machine, and its referee asked with motions from a text.
 
+use super::clearance::{self, Cylinders};
 use super::follow::{Followed, follow};
 use super::indexing::Indexing;
 use super::proof::{Judge, ReadBack, RunFlank, Sought, THREAD_GRID};
@@ -18,10 +19,12 @@ use crate::numerics::{Progress, Silent, equidistant, extremes};
 use crate::process::tangential_dressing::TangentialFlank;
 use crate::workflow::finding::RunFailure;
 use crate::workflow::tangential::{
-    DrivenMotions, TangentialPrepared, TangentialRun, plan_tangential, referee, simulate_tangential,
-    worm_rays,
+    DrivenMotions, TangentialOutcome, TangentialPrepared, TangentialRun, plan_tangential, referee,
+    simulate_tangential, worm_rays,
 };
 
+/// The worm is one area.
+const ONE_AREA: [f64; 1] = [0.0];
 /// Contacts looked at along the line in which the dresser touches a flank.
 const CONTACTS: usize = 5;
 
@@ -55,10 +58,13 @@ pub(in crate::workflow) fn programs_of_tangential(
             feed: pair.flanks.left.feed_coupling,
             crossed_axes_angle: pair.chain.crossed_axes_angle,
         },
+        areas: vec![0.0],
     };
     let given = job.grinding.feed_per_revolution.is_some();
     let judge = Rays { ready, runs, passes: &strokes.passes };
-    Ok(Some(RunPrograms::new(&task, given, &flanks_of(runs), &judge)?))
+    let mut programs = RunPrograms::new(&task, given, &flanks_of(runs), &judge)?;
+    programs.result.clearance = clearance::check(&task, &programs.built)?;
+    Ok(Some(programs))
 }
 
 /// The strokes of a run, pass by pass.
@@ -80,7 +86,16 @@ impl Strokes {
         let worm = ready.model.pair.worm.data();
         let hand = if worm.helix_angle < 0.0 { -1.0 } else { 1.0 };
         let sizes = (hand, ready.worm_tip_radius, worm.normal_module, job.worm.width);
-        let technology = Technology::new(machine, sizes, job.grinding.feed_per_revolution);
+        let technology = Technology {
+            cylinders: Some(Cylinders {
+                worm_radius: ready.worm_tip_radius,
+                worm_half_width: job.worm.width.map(|width| 0.5 * width),
+                radius: 0.5 * ready.blank.tip_diameter,
+                half_width: 0.5 * ready.blank.face_width,
+            }),
+            ..Technology::new(machine, sizes, job.grinding.feed_per_revolution)
+        }
+        .with_dresser(0.5 * job.dresser.tip_diameter, worm.normal_module);
         let mut strokes = Self {
             technology,
             indexing: Indexing::new(worm.teeth.unsigned_abs(), ready.model.pair.work.data().teeth, None),
@@ -117,34 +132,48 @@ struct Rays<'a> {
     passes: &'a [Vec<Flank>],
 }
 
-/// Follows a program on the bodies of a job: its own run, by its settings if it has some, and what the program makes of it.
-///
-/// # Errors
-/// Those of the run; of [`follow`].
-pub(super) fn follow_on_tangential(
-    loaded: &LoadedTangentialJob,
-    machine: &Machine,
-    tracked: &Tracked,
-    progress: &dyn Progress,
-) -> Result<Followed, RunFailure> {
-    let mut plain = loaded.clone();
-    plain.job.machine = None;
-    let run = if plain.job.settings.is_some() {
-        simulate_tangential(&plain, progress)?
-    } else {
-        plan_tangential(&plain, progress)?
-    };
-    let clamped = loaded.job.machine.clone().unwrap_or_default();
-    let strokes = Strokes::new(&loaded.job, &clamped, &run.prepared, &run.flanks)?;
-    let sought = Sought {
-        machine,
-        technology: &strokes.technology,
-        indexing: &strokes.indexing,
-        dressing: strokes.dressing.iter().collect(),
-        grinding: strokes.grinding.iter().collect(),
-    };
-    let judge = Rays { ready: &run.prepared, runs: &run.flanks, passes: &strokes.passes };
-    follow(tracked, &sought, &flanks_of(&run.flanks), loaded.job.target.tolerance_um, &judge)
+/// The run of a job with its strokes, for programs to be followed on its bodies.
+pub(super) struct OnTangential {
+    run: TangentialOutcome,
+    strokes: Strokes,
+    tolerance_um: f64,
+}
+
+impl OnTangential {
+    /// Its own run, by its settings if it has some.
+    ///
+    /// # Errors
+    /// Those of the run.
+    pub fn new(loaded: &LoadedTangentialJob, progress: &dyn Progress) -> Result<Self, RunFailure> {
+        let mut plain = loaded.clone();
+        plain.job.machine = None;
+        let run = if plain.job.settings.is_some() {
+            simulate_tangential(&plain, progress)?
+        } else {
+            plan_tangential(&plain, progress)?
+        };
+        let clamped = loaded.job.machine.clone().unwrap_or_default();
+        let strokes = Strokes::new(&loaded.job, &clamped, &run.prepared, &run.flanks)?;
+        Ok(Self { run, strokes, tolerance_um: loaded.job.target.tolerance_um })
+    }
+
+    /// Follows a program and says what it makes of the flanks.
+    ///
+    /// # Errors
+    /// Those of [`follow`].
+    pub fn follow(&self, machine: &Machine, tracked: &Tracked) -> Result<Followed, RunFailure> {
+        let Self { run, strokes, tolerance_um } = self;
+        let sought = Sought {
+            machine,
+            technology: &strokes.technology,
+            indexing: &strokes.indexing,
+            areas: &ONE_AREA,
+            dressing: strokes.dressing.iter().collect(),
+            grinding: strokes.grinding.iter().collect(),
+        };
+        let judge = Rays { ready: &run.prepared, runs: &run.flanks, passes: &strokes.passes };
+        follow(tracked, &sought, &flanks_of(&run.flanks), *tolerance_um, &judge)
+    }
 }
 
 /// Motions of a pass over all that its flanks need.
@@ -201,7 +230,7 @@ fn work_of_pass(
 }
 
 impl Judge for Rays<'_> {
-    fn flanks(&self, read: &ReadBack) -> Result<Sides<Option<Topography>>, RunFailure> {
+    fn flanks(&self, read: &ReadBack, _: f64) -> Result<Sides<Option<Topography>>, RunFailure> {
         let mut flanks = Sides { left: None, right: None };
         for ((dressing, grinding), pass) in read.dressing.iter().zip(&read.grinding).zip(self.passes) {
             let driven = DrivenMotions {
@@ -221,7 +250,11 @@ impl Judge for Rays<'_> {
         Ok(flanks)
     }
 
-    fn thread(&self, dressing: &[ReadStroke<DressingMotion>]) -> Result<Sides<Option<Vec<f64>>>, RunFailure> {
+    fn thread(
+        &self,
+        dressing: &[ReadStroke<DressingMotion>],
+        _: f64,
+    ) -> Result<Sides<Option<Vec<f64>>>, RunFailure> {
         let mut lengths = Sides { left: None, right: None };
         for (stroke, pass) in dressing.iter().zip(self.passes) {
             for &flank in pass {

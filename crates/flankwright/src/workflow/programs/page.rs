@@ -32,7 +32,9 @@ pub(in crate::workflow) fn programs_report(programs: &RunPrograms) -> ProgramsRe
         stations: [Station::Dresser, Station::Work]
             .into_iter()
             .filter_map(|station| {
-                let of: Vec<Shown<'_>> = all.iter().copied().filter(|(b, _)| b.station == station).collect();
+                // The programs of further areas drive the same at another place along the worm.
+                let shown = |(built, _): &Shown<'_>| built.station == station && built.area == 0;
+                let of: Vec<Shown<'_>> = all.iter().copied().filter(shown).collect();
                 station_report(&programs.machine.machine, &of)
             })
             .collect(),

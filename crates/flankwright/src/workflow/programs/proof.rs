@@ -7,13 +7,14 @@ use super::task::ProgramTask;
 use crate::exchange::Diagnostic;
 use crate::geometry::Sides;
 use crate::kinematics::{DressingMotion, GeneratingMotion};
-use crate::machine::{Machine, Station};
+use crate::machine::{Machine, Role, Station};
 use crate::metrology::Topography;
-use crate::motion::{MotionError, ReadStroke, Tracked, track};
+use crate::motion::{MotionError, PassReport, ReadStroke, Tracked, track};
 use crate::nc::{Block, Dialect};
 use crate::verdict::Remark;
 use crate::workflow::finding::RunFailure;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
 
 /// Finishing strokes of one thread and one index stroke, one for each stroke of the run.
 #[derive(Clone, Debug)]
@@ -26,17 +27,21 @@ pub struct ReadBack {
 
 /// The referee of a process, asked with motions from a text.
 pub(in crate::workflow) trait Judge {
-    /// The flanks that these strokes leave.
+    /// The flanks that these strokes leave; `area`: z_V1 of their finishing area less that of the first, mm.
     ///
     /// # Errors
     /// Those of the stages.
-    fn flanks(&self, read: &ReadBack) -> Result<Sides<Option<Topography>>, RunFailure>;
+    fn flanks(&self, read: &ReadBack, area: f64) -> Result<Sides<Option<Topography>>, RunFailure>;
 
-    /// Lengths of rays on a coarse grid over the worm flank that these dressing strokes leave, mm.
+    /// Lengths of rays on a coarse grid over the worm flank that these dressing strokes leave in a finishing area, mm.
     ///
     /// # Errors
     /// Those of dressing.
-    fn thread(&self, dressing: &[ReadStroke<DressingMotion>]) -> Result<Sides<Option<Vec<f64>>>, RunFailure>;
+    fn thread(
+        &self,
+        dressing: &[ReadStroke<DressingMotion>],
+        area: f64,
+    ) -> Result<Sides<Option<Vec<f64>>>, RunFailure>;
 }
 
 /// A flank of the run itself.
@@ -58,11 +63,27 @@ impl RunFlank {
     }
 }
 
+impl RunFlank {
+    /// Where a flank deviates most from the target: w and z, mm.
+    pub fn worst(&self, left: &Topography) -> [f64; 2] {
+        let apart = left.minus(&self.rays);
+        let off = self.deviation.f.iter().zip(&apart.f).map(|(d, a)| (d + a).abs());
+        let columns = self.deviation.z.len().max(1);
+        let worst = off.enumerate().max_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(k, _)| k);
+        let at = |values: &[f64], k: usize| values.get(k).copied().unwrap_or(f64::NAN);
+        [at(&self.deviation.w, worst / columns), at(&self.deviation.z, worst % columns)]
+    }
+}
+
 /// Largest value; a value that is no number is infinite.
 fn largest(of: &Topography) -> f64 {
     if of.f.iter().any(|f| f.is_nan()) { f64::INFINITY } else { of.largest() }
 }
 
+/// What digits may add to a speed, as a share.
+const SPEED_ROUNDING: f64 = 1e-3;
+/// A dressing stroke turns the worm with its thread at the given speed, and beside it by its corrections.
+const DRESSING_TURNS: f64 = 1.1;
 /// Rays of the coarse grid for every thread of the worm: over the profile and along the worm.
 pub(in crate::workflow) const THREAD_GRID: [usize; 2] = [5, 9];
 /// What the referee's own surface and solution may add to a comparison of two of its runs, um.
@@ -95,6 +116,8 @@ pub(in crate::workflow) struct Sought<'a> {
     pub machine: &'a Machine,
     pub technology: &'a super::Technology,
     pub indexing: &'a Indexing,
+    /// z_V1 of every finishing area less that of the first, mm.
+    pub areas: &'a [f64],
     pub dressing: Vec<&'a super::DressingWork>,
     pub grinding: Vec<&'a super::GrindingWork>,
 }
@@ -106,6 +129,7 @@ impl<'a> Sought<'a> {
             machine: &task.machine.machine,
             technology: &task.technology,
             indexing: &task.indexing,
+            areas: &task.areas,
             dressing: task.dressing.iter().collect(),
             grinding: task.grinding.iter().collect(),
         }
@@ -144,16 +168,26 @@ impl<'a> Sought<'a> {
         self.dressing.iter().map(own).collect()
     }
 
-    /// The grinding strokes of the job itself.
-    pub fn own_grinding(&self) -> Vec<ReadStroke<GeneratingMotion>> {
+    /// The grinding strokes of the job itself in a finishing area.
+    pub fn own_grinding(&self, area: f64) -> Vec<ReadStroke<GeneratingMotion>> {
         let own = |work: &&super::GrindingWork| {
-            let motion = work.motion.clone();
+            let mut motion = work.motion.clone();
+            motion.shift = motion.shift.raised(area);
             ReadStroke { motion, range: work.feeds, index: 0, blocks: [0, 0], duration: 0.0 }
         };
         self.grinding.iter().map(own).collect()
     }
 
-    /// Every thread of the worm under the coarse grid of rays: what each differs by from the worm of the job's own motions, um.
+    /// The finishing area, by z_V1 less that of the first, in which a stroke of a text stands.
+    pub fn area_of(&self, strokes: &[ReadStroke<GeneratingMotion>]) -> f64 {
+        let (Some(stroke), Some(work)) = (strokes.first(), self.grinding.first()) else { return 0.0 };
+        let middle = 0.5 * (work.feeds[0] + work.feeds[1]);
+        let at = stroke.motion.shift.value(middle) - work.motion.shift.value(middle);
+        let nearest = self.areas.iter().copied().min_by(|a, b| (a - at).abs().total_cmp(&(b - at).abs()));
+        nearest.unwrap_or(0.0)
+    }
+
+    /// Every thread of the worm under the coarse grid of rays in every finishing area: what each differs by from the worm of the job's own motions, um.
     ///
     /// # Errors
     /// Those of dressing with the job's own motions.
@@ -167,31 +201,63 @@ impl<'a> Sought<'a> {
         if served.is_empty() {
             return Ok((proofs, faults));
         }
-        let own = judge.thread(&self.own_dressing())?;
+        let own_dressing = self.own_dressing();
+        let own: Vec<_> =
+            self.areas.iter().map(|&area| judge.thread(&own_dressing, area)).collect::<Result<_, _>>()?;
         for thread in served {
             let blocks: Vec<[usize; 2]> = thread.strokes.iter().map(|stroke| stroke.blocks).collect();
-            let lengths = match judge.thread(&thread.strokes) {
-                Ok(lengths) => lengths,
-                Err(RunFailure::BadInput(finding) | RunFailure::NotProducible(finding)) => {
-                    faults.push(Remark::new(
-                        "thread-not-finished",
-                        format!("{}: {}", self.named(thread.place, &blocks), finding.message),
-                        "correct the index angle and the ends of the stroke",
-                    ));
-                    continue;
+            let mut difference_um: BTreeMap<&'static str, f64> = BTreeMap::new();
+            let mut finished = true;
+            for (&area, own) in self.areas.iter().zip(&own) {
+                let lengths = match judge.thread(&thread.strokes, area) {
+                    Ok(lengths) => lengths,
+                    Err(RunFailure::BadInput(finding) | RunFailure::NotProducible(finding)) => {
+                        faults.push(Remark::new(
+                            "thread-not-finished",
+                            format!("{}: {}", self.named(thread.place, &blocks), finding.message),
+                            "correct the index angle and the ends of the stroke",
+                        ));
+                        finished = false;
+                        break;
+                    }
+                };
+                for (flank, lengths) in lengths.iter() {
+                    let (Some(lengths), Some(own)) = (lengths, &own[flank]) else { continue };
+                    let apart = lengths.iter().zip(own).map(|(a, b)| (a - b).abs());
+                    let apart =
+                        apart.fold(0.0, |most: f64, x| if x.is_nan() { f64::INFINITY } else { most.max(x) });
+                    let of = difference_um.entry(flank.name()).or_insert(0.0);
+                    *of = of.max(apart * 1e3);
                 }
-            };
-            let mut difference_um = BTreeMap::new();
-            for (flank, lengths) in lengths.iter() {
-                let (Some(lengths), Some(own)) = (lengths, &own[flank]) else { continue };
-                let apart = lengths.iter().zip(own).map(|(a, b)| (a - b).abs());
-                let apart =
-                    apart.fold(0.0, |most: f64, x| if x.is_nan() { f64::INFINITY } else { most.max(x) });
-                difference_um.insert(flank.name(), apart * 1e3);
             }
-            proofs.push(ThreadProof { thread: thread.place + 1, blocks, difference_um });
+            if finished {
+                proofs.push(ThreadProof { thread: thread.place + 1, blocks, difference_um });
+            }
         }
         Ok((proofs, faults))
+    }
+
+    /// Blocks that turn the worm faster than the job has it: while it grinds at its peripheral speed, while it is dressed at that speed.
+    pub fn too_fast(&self, tracked: &Tracked, station: Station) -> Vec<Remark> {
+        let Some(worm) = self.machine.role(Role::Worm) else { return Vec::new() };
+        let technology = self.technology;
+        let (given, what) = match station {
+            Station::Work => (technology.worm_speed, "machine.cutting_speed_m_per_s"),
+            Station::Dresser => {
+                (technology.dressing_speed * DRESSING_TURNS, "machine.dressing_worm_speed_rpm")
+            }
+        };
+        let rpm = |speed: f64| speed * 60.0 / TAU;
+        let found = tracked.faster(worm, given * (1.0 + SPEED_ROUNDING));
+        let fault = |(block, speed): (usize, f64)| {
+            let text = format!(
+                "block {block}: the worm would turn at {:.1} 1/min; {what} allows {:.1} 1/min",
+                rpm(speed),
+                rpm(given)
+            );
+            Remark::new("worm-too-fast", text, "give the block more time")
+        };
+        found.into_iter().map(fault).collect()
     }
 
     /// A thread as people name it, with its blocks.
@@ -256,7 +322,7 @@ fn prove(
     let files = programs.iter().map(|p| p.file.as_str()).collect::<Vec<_>>().join(" and ");
     let sought = Sought::of_task(task);
     let mut dressed = Vec::new();
-    let mut ground = Vec::new();
+    let mut ground: Vec<(usize, Vec<Served<GeneratingMotion>>)> = Vec::new();
     for program in programs {
         let refused = |error: MotionError| not_followed(program, &error);
         let tracked =
@@ -269,20 +335,31 @@ fn prove(
             }
             Station::Work => {
                 let found = sought.ground(&tracked).map_err(refused)?;
-                ground = found.served;
+                let (spaces, teeth) =
+                    (sought.indexing.spaces_of(&found.served), task.indexing.teeth.unsigned_abs());
+                if spaces != teeth {
+                    let text = format!("{}: {spaces} of {teeth} tooth spaces are ground", program.file);
+                    return Err(not_proven(text, "give every index stroke of the pass"));
+                }
+                ground.push((program.area, found.served));
                 found.faults
             }
         };
-        if let Some(fault) = faults.first() {
+        let too_fast = sought.too_fast(&tracked, program.station);
+        if let Some(fault) = faults.iter().chain(&too_fast).next() {
             return Err(not_proven(format!("{}: {}", program.file, fault.text), &fault.way_out));
         }
     }
-    let passes = || programs.iter().flat_map(|p| &p.layout.passes);
-    let chords = programs
-        .iter()
-        .map(|p| p.layout.passes.iter().map(|pass| pass.chord_deviation).fold(0.0, f64::max))
-        .sum::<f64>();
-    let rounding = passes().map(|pass| pass.rounding).fold(0.0, f64::max) * programs.len() as f64;
+    // Dressing and grinding add up; of the programs of several areas the worst counts.
+    let of_stations = |value: &dyn Fn(&PassReport) -> f64| -> f64 {
+        let worst = |station: Station| {
+            let of_station = programs.iter().filter(|p| p.station == station);
+            of_station.flat_map(|p| &p.layout.passes).map(value).fold(0.0, f64::max)
+        };
+        worst(Station::Dresser) + worst(Station::Work)
+    };
+    let chords = of_stations(&|pass| pass.chord_deviation);
+    let rounding = of_stations(&|pass| pass.rounding);
     // A lead that a control takes in few digits turns the workpiece over the whole feed.
     let leads = programs.iter().map(|p| p.written.rounding.lead_ratio).fold(0.0, f64::max);
     let swept = task.grinding.iter().map(|work| (work.feeds[1] - work.feeds[0]) * work.per_turn);
@@ -291,14 +368,20 @@ fn prove(
     let fine = "lower chord_tolerance_um of the control or give it more decimals; nothing was written";
     let dressing = nearest(&dressed).map_or(Vec::new(), |served| served.strokes.clone());
     let mut of_flanks: BTreeMap<&'static str, FlankProof> = BTreeMap::new();
-    for served in &ground {
+    for (area, served) in ground.iter().flat_map(|(area, all)| all.iter().map(move |served| (area, served))) {
         let read = ReadBack { dressing: dressing.clone(), grinding: served.strokes.clone() };
-        for (flank, left) in judge.flanks(&read)?.iter() {
+        let apart = task.areas.get(*area).copied().unwrap_or(0.0);
+        for (flank, left) in judge.flanks(&read, apart)?.iter() {
             let (Some(left), Some(run)) = (left, &flanks[flank]) else { continue };
             let [difference_um, max_deviation_um] = run.differences_um(left);
             if difference_um > allowed {
+                let on = if task.areas.len() > 1 {
+                    format!(" in finishing area {}", area + 1)
+                } else {
+                    String::new()
+                };
                 let text = format!(
-                    "read back from {files}, the {flank} flank differs by {difference_um:.4} um from the planned one; blocks and digits explain {allowed:.4} um"
+                    "read back and simulated, {files} deviate from the plan by {difference_um:.4} um on the {flank} flank{on}; segmentation and rounding account for {allowed:.4} um"
                 );
                 return Err(not_proven(text, fine));
             }
@@ -315,18 +398,13 @@ fn prove(
         if let Some((flank, &um)) = thread.difference_um.iter().find(|(_, um)| **um > allowed) {
             let named = sought.named(thread.thread - 1, &thread.blocks);
             let text = format!(
-                "read back from {files}, the {flank} flank of {named} differs by {um:.4} um from the planned one; blocks and digits explain {allowed:.4} um"
+                "read back and simulated, {files} deviate from the plan by {um:.4} um on the {flank} flank of {named}; segmentation and rounding account for {allowed:.4} um"
             );
             return Err(not_proven(text, fine));
         }
     }
-    let offsets: BTreeSet<i64> = ground.iter().map(|served| i64::from(served.place)).collect();
-    let spaces = task.indexing.spaces(&offsets);
     let teeth = task.indexing.teeth.unsigned_abs();
-    if !ground.is_empty() && spaces != teeth {
-        let text = format!("{files}: {spaces} of {teeth} tooth spaces are ground");
-        return Err(not_proven(text, "give every index stroke of the pass"));
-    }
+    let index_strokes = ground.first().map_or(0, |(_, served)| served.len());
     let largest = of_flanks.values().map(|f| f.max_deviation_um).fold(0.0, f64::max);
     let mut statement = format!("proven from the program text: max deviation {largest:.4} um");
     if !threads.is_empty() {
@@ -343,10 +421,15 @@ fn prove(
         statement.push_str("; the worm is dressed by no program");
     }
     statement.push_str(&format!(
-        "; {spaces} of {teeth} tooth spaces ground in {} index stroke{} of a pass",
-        ground.len(),
-        if ground.len() == 1 { "" } else { "s" }
+        "; {teeth} of {teeth} tooth spaces ground in {index_strokes} index stroke{} of a pass",
+        if index_strokes == 1 { "" } else { "s" }
     ));
+    if task.areas.len() > 1 {
+        statement.push_str(&format!(
+            "; {0} of {0} finishing areas of the worm dressed, and ground with by a program each",
+            task.areas.len()
+        ));
+    }
     let not_covered = not_covered(task);
     statement.push_str(&format!("; not proven: {}", not_covered.join(", ")));
     Ok(ProofResult {
@@ -356,8 +439,9 @@ fn prove(
         threads_of_worm: task.indexing.threads,
         threads,
         thread_rays: THREAD_GRID,
-        tooth_spaces: spaces,
-        index_strokes: ground.len(),
+        areas: task.areas.len(),
+        tooth_spaces: teeth,
+        index_strokes,
         not_covered,
         chords_um: chords * 1e3,
         rounding_um: rounding * 1e3,
@@ -367,9 +451,11 @@ fn prove(
 
 /// What a proof says nothing of.
 fn not_covered(task: &ProgramTask<'_>) -> Vec<String> {
-    let beside = match task.technology.cylinders {
-        Some(_) => "approach, retraction and rapids against dresser, clamping and parts of the machine",
-        None => "approach, retraction and rapids against other bodies",
-    };
-    [beside, "finishing areas after the first"].map(String::from).to_vec()
+    let mut not = vec!["approach, retraction and rapids against clamping and parts of the machine"];
+    if task.technology.dresser.is_none() && !task.dressing.is_empty() {
+        not.push(
+            "approach, retraction and rapids of the worm against the dresser, for want of the worm's width",
+        );
+    }
+    not.into_iter().map(String::from).collect()
 }

@@ -5,6 +5,7 @@ use super::task::ProgramTask;
 use crate::machine::{Joint, Station};
 use crate::nc::Word;
 use crate::workflow::finding::Remark;
+use crate::workflow::milling::PartProof;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -42,6 +43,15 @@ pub struct ClearanceResult {
     pub kept_mm: f64,
 }
 
+/// What an area of the worm is used for by a pass.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AreaUse {
+    /// It takes off stock on an area of its own.
+    Roughing,
+    /// It grinds on an area that carries the modification.
+    Finishing,
+}
+
 /// What a grinding pass touches on the worm, from its text. mm.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct WormUse {
@@ -53,6 +63,12 @@ pub struct WormUse {
     pub flank: &'static str,
     /// "roughing" or "finishing" and the number of the area.
     pub area: String,
+    /// Which of both.
+    #[serde(skip)]
+    pub kind: AreaUse,
+    /// Number of the area among its kind, from 0.
+    #[serde(skip)]
+    pub number: usize,
     /// Worm positions z_1 from and to.
     pub z_1_mm: [f64; 2],
     /// Worm lines z_1 + t_1 w_1 from and to; no line serves both roughing and finishing.
@@ -142,6 +158,8 @@ pub struct ProofResult {
     pub threads: Vec<ThreadProof>,
     /// Rays on each flank of each thread, over the profile and along the worm.
     pub thread_rays: [usize; 2],
+    /// Finishing areas of the worm: each is dressed, and ground with by a program of its own.
+    pub areas: usize,
     /// Tooth spaces that the finishing strokes grind.
     pub tooth_spaces: u32,
     /// Strokes of a pass between which the workpiece is indexed.
@@ -228,7 +246,10 @@ pub struct CheckedProgram {
     /// Threads of the worm that a dressing program dresses; empty without a job and for other programs.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub threads: Vec<ThreadProof>,
-    /// What does not fit the machine.
+    /// What a milling program does to the whole part; absent for other programs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub part: Option<PartProof>,
+    /// What does not fit machine or job.
     pub remarks: Vec<Remark>,
 }
 

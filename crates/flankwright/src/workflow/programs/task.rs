@@ -61,6 +61,8 @@ pub struct ProgramTask<'a> {
     pub indexing: Indexing,
     /// Couplings of the bodies.
     pub coupling: GearCoupling,
+    /// z_V1 of every finishing area of the worm less that of the first, mm: each has a grinding program of its own.
+    pub areas: Vec<f64>,
 }
 
 /// The machine that a job names.

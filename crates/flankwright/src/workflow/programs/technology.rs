@@ -39,6 +39,8 @@ pub struct Technology {
     pub roughing_shift: Vec<MotionLaw>,
     /// Worm and blank, which a grinding stroke begins and ends clear of each other; `None`: it runs in for its speed only.
     pub cylinders: Option<Cylinders>,
+    /// Worm and dresser, which a dressing stroke begins and ends clear of each other; `None` for a worm without a stated width.
+    pub dresser: Option<Cylinders>,
 }
 
 /// Defaults: cutting speed in m/s, speeds in 1/min, clearance in mm, feed in mm per revolution.
@@ -63,6 +65,16 @@ impl Technology {
             half_width: 0.5 * blank.face_width,
         };
         Self { cylinders: Some(cylinders), ..Self::new(job, sizes, feed_per_revolution) }
+    }
+
+    /// With the dresser of this tip radius as a disc of its reach, for a worm with a stated width.
+    pub fn with_dresser(mut self, radius: f64, module: f64) -> Self {
+        self.dresser = self.cylinders.filter(|worm| worm.worm_half_width.is_some()).map(|worm| Cylinders {
+            radius,
+            half_width: DRESSER_REACH * module,
+            ..worm
+        });
+        self
     }
 
     /// As the job says; `worm` gives hand (+1 right), tip radius, module and width of the worm.
@@ -94,6 +106,7 @@ impl Technology {
             worm_end: width.map(|width| 0.5 * width + DRESSER_REACH * module),
             roughing_shift: Vec::new(),
             cylinders: None,
+            dresser: None,
         }
     }
 }

@@ -8,7 +8,8 @@ use crate::exchange::skiving_job::SkivingJob;
 use crate::geometry::Sides;
 use crate::numerics::root_mean_square;
 use crate::process::skiving::evaluation::{
-    Deviations, Evaluation, MeasuredTool, Repeated, correction, evaluate, measured_tool, tool_as_measured,
+    Deviations, Evaluation, MeasuredTool, MissingSwitch, Repeated, correction, evaluate_measured,
+    measured_tool, measured_tool_near, tool_as_measured,
 };
 use crate::process::skiving::measuring::{
     BarrierData, Noise, Reading, RealTool, Sense, Switches, nominal_angle, readings, switches,
@@ -81,7 +82,8 @@ pub(super) fn simulated(
         measuring.revolutions,
         &mut noise,
     );
-    let measured = measured_tool(&bodies.flanks, &seen, bodies.radius_offset).map_err(on)?;
+    let measured =
+        measured_tool_near(&bodies.flanks, &seen, bodies.radius_offset, bodies.clocking).map_err(on)?;
     let still = noiseless(bodies, &tool).map_err(on)?;
     let measurement = Measurement::of(bodies, seen, measured, switched)?;
     Ok(Measurement {
@@ -119,7 +121,7 @@ pub(super) fn evaluated(
     field: &ReadingsFile<'_>,
 ) -> Result<Measurement, RunFailure> {
     same_senses(&seen, field)?;
-    let measured = measured_tool(&bodies.flanks, &seen, bodies.radius_offset)
+    let measured = measured_tool_near(&bodies.flanks, &seen, bodies.radius_offset, bodies.clocking)
         .map_err(|error| of_readings(&error, field))?;
     let switched = switches_of(bodies, &measured);
     Measurement::of(bodies, seen, measured, switched)
@@ -131,7 +133,7 @@ fn noiseless(bodies: &SkivingBodies, tool: &RealTool) -> Result<Evaluation, Skiv
     let switched = switches(&bodies.flanks, &bodies.beam, &ideal, tool)?;
     let seen = readings(&bodies.flanks, &switched, &ideal, &[Sense::Positive], 1, &mut Noise::new(0));
     let found = measured_tool(&bodies.flanks, &seen, 0.0)?;
-    evaluate(&bodies.flanks, &found.deviations, &bodies.options)
+    evaluate_measured(&bodies.flanks, &found, &bodies.options)
 }
 
 /// Delay and hysteresis drop out of tracks that were measured in both senses: such tracks do not go with others.
@@ -171,6 +173,10 @@ fn switches_of(bodies: &SkivingBodies, measured: &MeasuredTool) -> Switches {
             Sense::BOTH.map(|sense| {
                 let offset = bodies.radius_offset * (lever * sense.sign()).signum();
                 let turn = |tooth: usize| {
+                    let switch = MissingSwitch { flank, track: number, tooth };
+                    if measured.missing.contains(&switch) {
+                        return None;
+                    }
                     let f = measured.deviations.of[flank][number][tooth];
                     Some(nominal_angle(pose, tooth, teeth) + (offset - f) / lever)
                 };
@@ -221,7 +227,7 @@ impl Measurement {
         switches: Switches,
     ) -> Result<Self, RunFailure> {
         let on = |error: SkivingError| failure(&error);
-        let evaluation = evaluate(&bodies.flanks, &measured.deviations, &bodies.options).map_err(on)?;
+        let evaluation = evaluate_measured(&bodies.flanks, &measured, &bodies.options).map_err(on)?;
         let correction =
             correction(&bodies.flanks, &evaluation, (&bodies.free, &bodies.setting_limits)).map_err(on)?;
         let resharpening = resharpening(bodies, &measured, &evaluation)?;
@@ -256,6 +262,7 @@ impl Measurement {
             senses: &self.taken.senses,
             revolutions: self.taken.revolutions,
             radius_offset: bodies.radius_offset,
+            clocking: self.evaluation.clocking,
             options: &bodies.options,
             settings: (&bodies.free, &bodies.setting_limits),
         }

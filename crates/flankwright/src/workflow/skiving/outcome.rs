@@ -4,12 +4,12 @@ use super::measurement::Measurement;
 use super::prepare::SkivingBodies;
 use super::referee::{Left, UnderReferee};
 use super::result::{
-    CorrectionResult, MeasurementResult, MountingResult, PitchResult, ProfileResult, ResharpeningResult,
-    SkivedFlankResult, SkivingSettings, ToothOnFlank, TrackResult,
+    CorrectionResult, MeasurementResult, MissingResult, MountingResult, PitchResult, ProfileResult,
+    ResharpeningResult, SkivedFlankResult, SkivingSettings, ToothOnFlank, TrackResult,
 };
 use crate::geometry::{Flank, Sides};
 use crate::numerics::{extremes, power_series, root_mean_square};
-use crate::process::skiving::evaluation::{Deviations, Evaluation};
+use crate::process::skiving::evaluation::{Deviations, Evaluation, MissingSwitch};
 use crate::process::skiving::{MeasuringTrack, Setting, SettingFit};
 use std::collections::BTreeMap;
 
@@ -92,8 +92,14 @@ fn flank_result(
         um(&m.correction.residual[from..from + tracks.len()])
     });
     let plus = |values: &[f64]| -> Vec<f64> { values.iter().zip(&target).map(|(f, t)| f + t).collect() };
+    // Broken teeth and those without a switch do not count for the mean tooth.
+    let counts = |tooth: usize| measurement.is_none_or(|m| m.evaluation.counting[tooth]);
     let means = |left: &Left| -> Vec<f64> {
-        let mean = |teeth: &Vec<f64>| 1e3 * teeth.iter().sum::<f64>() / teeth.len() as f64;
+        let mean = |teeth: &Vec<f64>| {
+            let taken: Vec<f64> =
+                teeth.iter().enumerate().filter(|(tooth, _)| counts(*tooth)).map(|(_, f)| *f).collect();
+            1e3 * taken.iter().sum::<f64>() / taken.len().max(1) as f64
+        };
         left[flank].iter().map(mean).collect()
     };
     let simulated = means(&left.now);
@@ -115,7 +121,8 @@ fn flank_result(
     }
 }
 
-/// Largest difference between referee and prediction without noise: of the mean tooth, and of any tooth, um.
+/// Largest difference between referee and prediction without noise: of the mean tooth, and of any whole tooth, um. A broken one is off
+/// by more than a linear prediction tells.
 fn model_difference(
     bodies: &SkivingBodies,
     measurement: Option<&Measurement>,
@@ -129,10 +136,11 @@ fn model_difference(
             let f = measurement.map_or(0.0, |m| m.told.of[flank][number][tooth]);
             contact.modification - f
         };
-        let teeth = left[flank][number].iter().enumerate();
+        let counts = |tooth: &usize| measurement.is_none_or(|m| m.evaluation.counting[*tooth]);
+        let teeth = left[flank][number].iter().enumerate().filter(|(tooth, _)| counts(tooth));
         let differences: Vec<f64> = teeth.map(|(tooth, found)| 1e3 * (found - told(tooth))).collect();
         each = each.max(extremes(differences.iter().map(|d| d.abs()))[1]);
-        of_mean = of_mean.max((differences.iter().sum::<f64>() / differences.len() as f64).abs());
+        of_mean = of_mean.max((differences.iter().sum::<f64>() / differences.len().max(1) as f64).abs());
     }
     [of_mean, each]
 }
@@ -141,15 +149,20 @@ fn model_difference(
 pub(super) fn measurement_result(bodies: &SkivingBodies, m: &Measurement) -> MeasurementResult {
     let by_flank = |of: &Sides<Vec<f64>>| Flank::BOTH.into_iter().map(|f| (f.name(), um(&of[f]))).collect();
     let evaluation = &m.evaluation;
+    let missing = &m.measured.missing;
     let sigma = m.deviations(bodies);
     MeasurementResult {
         readings: m.readings.len(),
         readings_each: m.measured.readings_each,
-        deviation_um: of_teeth(&m.measured.deviations),
-        remaining_um: of_teeth(&evaluation.remaining),
+        deviation_um: of_teeth(&m.measured.deviations, missing),
+        remaining_um: of_teeth(&evaluation.remaining, missing),
+        missing: missing
+            .iter()
+            .map(|s| MissingResult { flank: s.flank.name(), track: s.track + 1, tooth: s.tooth })
+            .collect(),
         sense_difference_um: m.measured.sense_difference.as_ref().map(by_flank),
         clocking_deg: evaluation.clocking.to_degrees(),
-        pitch: pitch(bodies, evaluation),
+        pitch: pitch(bodies, evaluation, &m.measured.incomplete()),
         mounting: mounting(evaluation),
         profile: profile(bodies, evaluation),
         correction: correction(bodies, &m.correction, &evaluation.profile.workpiece),
@@ -165,27 +178,47 @@ fn um(values: &[f64]) -> Vec<f64> {
     values.iter().map(|mm| 1e3 * mm).collect()
 }
 
-fn of_teeth(deviations: &Deviations) -> BTreeMap<&'static str, Vec<Vec<f64>>> {
-    let of_flank =
-        |flank: Flank| (flank.name(), deviations.of[flank].iter().map(|teeth| um(teeth)).collect());
+fn of_teeth(
+    deviations: &Deviations,
+    missing: &[MissingSwitch],
+) -> BTreeMap<&'static str, Vec<Vec<Option<f64>>>> {
+    let of_flank = |flank: Flank| {
+        let of_track = |(track, teeth): (usize, &Vec<f64>)| {
+            let there = |tooth: usize| !missing.contains(&MissingSwitch { flank, track, tooth });
+            teeth.iter().enumerate().map(|(tooth, mm)| there(tooth).then_some(1e3 * mm)).collect()
+        };
+        (flank.name(), deviations.of[flank].iter().enumerate().map(of_track).collect())
+    };
     Flank::BOTH.into_iter().map(of_flank).collect()
 }
 
-fn pitch(bodies: &SkivingBodies, evaluation: &Evaluation) -> PitchResult {
+fn pitch(bodies: &SkivingBodies, evaluation: &Evaluation, incomplete: &[usize]) -> PitchResult {
     let p = &evaluation.pitch;
     let middle = bodies.flanks.left.tracks.len() / 2;
     let radius = |flank: Flank| bodies.flanks[flank].tracks[middle].0.radius();
     let radius = 0.5 * (radius(Flank::Left) + radius(Flank::Right));
     let [cos, sin] = p.first_harmonic;
+    let teeth = bodies.teeth();
+    let known = |tooth: usize| !incomplete.contains(&tooth);
+    let of_known = |values: &[f64], known: &dyn Fn(usize) -> bool| -> Vec<Option<f64>> {
+        values.iter().enumerate().map(|(tooth, mm)| known(tooth).then_some(1e3 * mm)).collect()
+    };
     PitchResult {
-        single_um: um(&p.single),
-        cumulative_um: um(&p.cumulative),
+        single_um: (0..teeth)
+            .map(|tooth| (known(tooth) && known((tooth + 1) % teeth)).then_some(1e3 * p.single[tooth]))
+            .collect(),
+        // Tooth 0 is where it counts from.
+        cumulative_um: of_known(&p.cumulative, &|tooth| known(tooth) && known(0)),
         largest_single_um: 1e3 * p.largest_single,
         total_um: 1e3 * p.total,
         first_harmonic_um: 1e3 * radius * cos.hypot(sin),
         first_harmonic_deg: sin.atan2(cos).to_degrees(),
-        thickness_um: um(&p.thickness),
-        centre_deg: p.centres[middle].iter().map(|angle| angle.to_degrees()).collect(),
+        thickness_um: of_known(&p.thickness, &known),
+        centre_deg: p.centres[middle]
+            .iter()
+            .enumerate()
+            .map(|(tooth, angle)| known(tooth).then_some(angle.to_degrees()))
+            .collect(),
     }
 }
 

@@ -49,6 +49,8 @@ pub struct SkivingBodies {
     pub setting_limits: SettingLimits,
     /// r_L - r_eff of a measurement in one sense, mm.
     pub radius_offset: f64,
+    /// How tooth 0 is known to be clamped, rad; the nearest pitch to it counts.
+    pub clocking: f64,
 }
 
 impl SkivingBodies {
@@ -125,6 +127,7 @@ pub fn prepare_skiving(loaded: &LoadedSkivingJob) -> Result<SkivingBodies, RunFa
             ],
         },
         radius_offset: job.evaluation.switching_radius.map_or(0.0, |radius| beam.radius - radius),
+        clocking: job.measuring.clocking_deg.unwrap_or(0.0).to_radians(),
         beam,
     })
 }

@@ -7,7 +7,7 @@ use crate::geometry::{Flank, Sides};
 use crate::kinematics::SkivingMotion;
 use crate::numerics::Progress;
 use crate::process::skiving::measuring::RealTool;
-use crate::process::skiving::{MeasuringTrack, VirtualEdge};
+use crate::process::skiving::{EdgePiece, MeasuringTrack, VirtualEdge};
 use crate::removal::Skiving;
 use crate::workflow::finding::RunFailure;
 use nalgebra::{Rotation3, Vector3};
@@ -20,6 +20,9 @@ pub(super) type Left = Sides<Vec<Vec<f64>>>;
 /// than a pitch.
 const LEAST_PASSING: f64 = 8.0 * std::f64::consts::PI / 180.0;
 const PITCHES: f64 = 1.25;
+/// Share of the edge by which a piece begins behind the end of the one before, and by which it may cut beside itself.
+const SEAM: f64 = 1e-9;
+const BESIDE: f64 = 0.05;
 
 /// What a tool leaves with a motion, clocked by an angle.
 ///
@@ -41,17 +44,32 @@ pub(super) fn skived(
         let mut of_tracks = vec![Vec::with_capacity(teeth); lengths.len()];
         for tooth in 0..teeth {
             let ball = |w: f64| ball(edge, tool, tooth, clocking, w);
-            let skiving = Skiving {
-                flank: edge.flank().helicoid().flank(),
-                motion,
-                edge: &ball,
-                places: edge.flank().range(),
-                tool_angles: [motion.tool_angle - passing, motion.tool_angle + passing],
-            };
-            let found =
-                skiving.profile(&lengths).map_err(|error| RunFailure::of_removal(&error, "skiving"))?;
-            for ((of_track, place), w) in of_tracks.iter_mut().zip(found).zip(&lengths) {
-                of_track.push(place.ok_or_else(|| not_cut(flank, tooth, *w))?.left);
+            let whole = edge.flank().range();
+            let mut least: Vec<Option<f64>> = vec![None; lengths.len()];
+            for places in places_of(edge) {
+                let near = |w: f64| reaches(places, whole, w);
+                let wanted: Vec<usize> = (0..lengths.len()).filter(|&k| near(lengths[k])).collect();
+                if wanted.is_empty() {
+                    continue;
+                }
+                let skiving = Skiving {
+                    flank: edge.flank().helicoid().flank(),
+                    motion,
+                    edge: &ball,
+                    places,
+                    tool_angles: [motion.tool_angle - passing, motion.tool_angle + passing],
+                };
+                let of_piece: Vec<f64> = wanted.iter().map(|&k| lengths[k]).collect();
+                let found =
+                    skiving.profile(&of_piece).map_err(|error| RunFailure::of_removal(&error, "skiving"))?;
+                // Of all pieces that come by the one that cuts deepest leaves the flank.
+                for (k, place) in wanted.into_iter().zip(found) {
+                    let left = place.map(|place| place.left);
+                    least[k] = least[k].into_iter().chain(left).reduce(f64::min);
+                }
+            }
+            for ((of_track, left), w) in of_tracks.iter_mut().zip(least).zip(&lengths) {
+                of_track.push(left.ok_or_else(|| not_cut(flank, tooth, *w))?);
             }
             progress.advance(1);
         }
@@ -59,6 +77,23 @@ pub(super) fn skived(
     })?;
     progress.finish();
     Ok(left)
+}
+
+/// From where to where each smooth piece of an edge reaches. Where one ends and the next begins belongs to the first.
+fn places_of(edge: &VirtualEdge) -> Vec<[f64; 2]> {
+    let whole = edge.flank().range();
+    let inset = SEAM * (whole[1] - whole[0]);
+    let of_piece = |(number, piece): (usize, &EdgePiece)| {
+        let [from, to] = piece.range();
+        [if number == 0 { from } else { from + inset }, to]
+    };
+    edge.pieces().iter().enumerate().map(of_piece).collect()
+}
+
+/// Whether a piece may cut at a length of roll: within it, or a little beside, where a setting that is off moves it.
+fn reaches(piece: [f64; 2], whole: [f64; 2], w: f64) -> bool {
+    let beside = BESIDE * (whole[1] - whole[0]);
+    piece[0] - beside <= w && w <= piece[1] + beside
 }
 
 fn not_cut(flank: Flank, tooth: usize, w: f64) -> RunFailure {

@@ -62,7 +62,10 @@ pub(super) fn warnings(found: &Findings<'_>) -> Vec<Remark> {
     if !mounting.left_out.is_empty() {
         let teeth: Vec<String> = mounting.left_out.iter().map(ToString::to_string).collect();
         let (which, verb) = if teeth.len() == 1 { ("tooth", "stands") } else { ("teeth", "stand") };
-        let text = format!("{which} {} {verb} out and does not count for the mounting", teeth.join(", "));
+        let text = format!(
+            "{which} {} {verb} out and does not count for clocking, means, mounting and correction",
+            teeth.join(", ")
+        );
         let text = if teeth.len() == 1 { text } else { text.replace("does not", "do not") };
         warn("teeth-left-out", text, "look there for chips and built-up edges");
     }
@@ -111,6 +114,16 @@ fn of_readings(
             delay.to_degrees()
         );
         warn("latency-not-removed", text, "measure in both senses, or do not use the clocking");
+    }
+    if let Some(first) = measurement.measured.missing.first() {
+        let text = format!(
+            "{} switches are missing, the first that of tooth {} on track {} of the {} flank; these teeth count for nothing",
+            measurement.measured.missing.len(),
+            first.tooth,
+            first.track + 1,
+            first.flank
+        );
+        warn("switches-missing", text, "look whether these teeth are broken off, else measure again");
     }
     let wanted = (job.measuring.senses.list(), job.measuring.revolutions);
     if (taken.senses.as_slice(), taken.revolutions) != wanted {

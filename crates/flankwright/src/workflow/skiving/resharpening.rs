@@ -191,8 +191,10 @@ mod tests {
                 wobble: [1.5e-4, -8e-5],
                 deviation_per_noise: [1.0; 4],
                 deviation: [1.0; 4],
+                constants: Sides::both(Vec::new()),
                 left_out: Vec::new(),
             },
+            counting: vec![true; 3],
             remaining: deviations(-2e-3),
             profile: ProfileVerdict {
                 track_means: Sides::both(Vec::new()),

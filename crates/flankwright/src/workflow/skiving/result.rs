@@ -2,8 +2,8 @@
 
 use super::programs::ToolProgramResult;
 use crate::process::skiving::wear::WearTrend;
+use crate::verdict::Verdict;
 use crate::workflow::finding::Remark;
-use crate::workflow::result::Status;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -16,13 +16,11 @@ pub struct SkivingResult {
     pub process: &'static str,
     /// Version of flankwright.
     pub version: &'static str,
-    /// Missed if the tool is worn, teeth leave their band, or the workpiece's profile its tolerance.
-    pub status: Status,
+    /// Status, reason and scope.
+    #[serde(flatten)]
+    pub verdict: Verdict,
     /// Tolerance of the workpiece's profile.
     pub tolerance_um: f64,
-    /// Why it is missed, if so.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub reason: Option<Remark>,
     /// Warnings.
     pub warnings: Vec<Remark>,
     /// How tool and workpiece stand while they skive.
@@ -153,12 +151,15 @@ pub struct MeasurementResult {
     pub readings: usize,
     /// Of which each deviation is the mean.
     pub readings_each: usize,
-    /// Standard deviation of a deviation, by flank and track.
+    /// Standard deviation of a deviation, by flank and track, as barrier and encoder scatter.
     pub sigma_um: BTreeMap<&'static str, Vec<f64>>,
-    /// f: deviations normal to the flank, [track][tooth], > 0 = material beyond the nominal edge.
-    pub deviation_um: BTreeMap<&'static str, Vec<Vec<f64>>>,
+    /// f: deviations normal to the flank, [track][tooth], > 0 = material beyond the nominal edge; null where a tooth did not switch.
+    pub deviation_um: BTreeMap<&'static str, Vec<Vec<Option<f64>>>>,
     /// f_r: the same without clocking and mounting.
-    pub remaining_um: BTreeMap<&'static str, Vec<Vec<f64>>>,
+    pub remaining_um: BTreeMap<&'static str, Vec<Vec<Option<f64>>>>,
+    /// Switches that are not there; absent where all are.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub missing: Vec<MissingResult>,
     /// f(-) - f(+) of every track, where both senses were measured: delay and hysteresis of the barrier.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sense_difference_um: Option<BTreeMap<&'static str, Vec<f64>>>,
@@ -176,14 +177,25 @@ pub struct MeasurementResult {
     pub resharpening: ResharpeningResult,
 }
 
-/// Pitch, thickness, tooth centres.
+/// A switch that is not there.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct MissingResult {
+    /// Flank.
+    pub flank: &'static str,
+    /// Track.
+    pub track: usize,
+    /// Tooth.
+    pub tooth: usize,
+}
+
+/// Pitch, thickness, tooth centres; null for teeth without a switch.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PitchResult {
     /// f_p,k of every tooth.
-    pub single_um: Vec<f64>,
+    pub single_um: Vec<Option<f64>>,
     /// F_p,k of every tooth.
-    pub cumulative_um: Vec<f64>,
-    /// f_p,max.
+    pub cumulative_um: Vec<Option<f64>>,
+    /// f_p,max; as F_p and the first harmonic without teeth that stand out.
     pub largest_single_um: f64,
     /// F_p.
     pub total_um: f64,
@@ -192,9 +204,9 @@ pub struct PitchResult {
     /// And where it is greatest.
     pub first_harmonic_deg: f64,
     /// Deviation of every tooth's thickness.
-    pub thickness_um: Vec<f64>,
+    pub thickness_um: Vec<Option<f64>>,
     /// Centre of every tooth at the middle track.
-    pub centre_deg: Vec<f64>,
+    pub centre_deg: Vec<Option<f64>>,
 }
 
 /// Eccentricity and wobble, with standard deviations.
@@ -208,14 +220,14 @@ pub struct MountingResult {
     pub wobble_urad: [f64; 2],
     /// Their standard deviations; absent where the measurement does not tell.
     pub wobble_sigma_urad: Option<[f64; 2]>,
-    /// Teeth that were left out.
+    /// Teeth that stand out: left out of clocking, means, mounting and correction.
     pub left_out: Vec<usize>,
 }
 
 /// Profile of the edges.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ProfileResult {
-    /// Mean of every track over the teeth, by flank.
+    /// Mean of every track over the whole teeth, by flank.
     pub track_mean_um: BTreeMap<&'static str, Vec<f64>>,
     /// Compensation curve: coefficients of 1, x, x^2, ...
     pub curve_um: BTreeMap<&'static str, Vec<f64>>,

@@ -9,13 +9,14 @@ use super::real_tool::real_tool;
 use super::remarks::{Findings, warnings};
 use super::result::SkivingResult;
 use super::scan::{Scan, scan};
-use super::verdict::reason;
+use super::verdict::{Judged, is_sound, verdict};
 use super::{conventional, history, monte_carlo, referee};
 use crate::exchange::skiving_job::SkivingJob;
 use crate::exchange::{Diagnostic, LoadedSkivingJob, Problem, read_skiving_readings};
 use crate::numerics::Progress;
+use crate::verdict::Verdict;
 use crate::workflow::finding::{JobFailure, RunFailure};
-use crate::workflow::result::Status;
+use crate::workflow::release::Release;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -32,6 +33,8 @@ pub struct SkivingOutcome {
     pub scan: Option<Scan>,
     /// Measuring programs.
     pub programs: Vec<ToolProgram>,
+    /// Whether tracks and poses are those of an edge that makes the flank: programs of others are written on request only.
+    pub sound: bool,
     /// The measurement as a line of the tool's history, and what is known since.
     pub history: Option<history::Noted>,
 }
@@ -176,20 +179,29 @@ fn run(
     let flanks = flank_results(&bodies, measurement.as_ref(), &left);
     let measured = measurement.as_ref().map(|m| measurement_result(&bodies, m));
     let tolerance_um = job.target.tolerance_um;
-    let reason = reason(&bodies, measurement.as_ref().zip(measured.as_ref()), &flanks, tolerance_um);
+    let judged = Judged {
+        job,
+        bodies: &bodies,
+        measured: measurement.as_ref().zip(measured.as_ref()),
+        flanks: &flanks,
+        programs: programs.iter().map(|program| program.file.clone()).collect(),
+    };
+    let (verdict, sound) = (verdict(&judged), is_sound(&judged));
     let history = history::noted(loaded, &bodies, measured.as_ref(), measurement.as_ref())?;
     let correction = measured.as_ref().map(|m| &m.correction);
     let found =
         Findings { job, bodies: &bodies, measurement: measurement.as_ref(), flanks: &flanks, correction };
     let mut warnings = warnings(&found);
     warnings.extend(history.iter().flat_map(|noted| noted.remarks.clone()));
+    if !programs.is_empty() {
+        warnings.extend(release(&verdict, sound, job).remark(&verdict));
+    }
     let result = SkivingResult {
         job: job.job.name.clone(),
         process: "skiving-tool-measuring",
         version: env!("CARGO_PKG_VERSION"),
-        status: if reason.is_some() { Status::Missed } else { Status::Met },
+        verdict,
         tolerance_um,
-        reason,
         warnings,
         settings: settings(&bodies),
         flanks,
@@ -204,7 +216,13 @@ fn run(
         programs: programs.iter().map(ToolProgram::result).collect(),
         timing_s: timing,
     };
-    Ok(SkivingOutcome { result, bodies, measurement, scan, programs, history })
+    Ok(SkivingOutcome { result, bodies, measurement, scan, programs, sound, history })
+}
+
+/// Measuring programs are there to find out about a tool, however it turns out: they are written with the verdict in their first lines.
+/// Only where the ideal edge does not make the flank their poses are in doubt, and they are written on request.
+pub(super) fn release(verdict: &Verdict, sound: bool, job: &SkivingJob) -> Release {
+    Release::of(verdict, sound || job.output.programs_of_missed)
 }
 
 /// flanks x tracks x (revolutions x 60/rpm x senses + time of a move), spec 60 section 7.

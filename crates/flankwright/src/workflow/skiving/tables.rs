@@ -3,6 +3,11 @@
 use super::result::{MeasurementResult, MonteCarloResult, ScanResult, SkivingResult};
 use crate::exchange::{Cell, Column, CsvError, CsvTable};
 
+/// A number, or nothing where a tooth did not switch.
+fn known(value: Option<f64>) -> Cell<'static> {
+    value.map_or(Cell::Empty, Cell::Number)
+}
+
 /// Tracks and poses.
 ///
 /// # Errors
@@ -89,20 +94,24 @@ pub fn profile(result: &SkivingResult) -> Result<CsvTable, CsvError> {
 /// # Errors
 /// A value that is not finite.
 pub fn deviations(measurement: &MeasurementResult) -> Result<CsvTable, CsvError> {
-    let mut table = CsvTable::labelled(
-        "flank",
-        &[
-            Column::new("track", ""),
-            Column::new("tooth", ""),
-            Column::new("deviation", "um"),
-            Column::new("remaining", "um"),
-        ],
-    );
+    let mut table = CsvTable::new(&[
+        Column::new("flank", ""),
+        Column::new("track", ""),
+        Column::new("tooth", ""),
+        Column::new("deviation", "um"),
+        Column::new("remaining", "um"),
+    ]);
     for (flank, tracks) in &measurement.deviation_um {
         for (track, teeth) in tracks.iter().enumerate() {
             for (tooth, f) in teeth.iter().enumerate() {
                 let remaining = measurement.remaining_um[flank][track][tooth];
-                table.push_labelled(flank, &[(track + 1) as f64, tooth as f64, *f, remaining])?;
+                table.push_cells(&[
+                    Cell::Word(flank),
+                    Cell::Number((track + 1) as f64),
+                    Cell::Number(tooth as f64),
+                    known(*f),
+                    known(remaining),
+                ])?;
             }
         }
     }
@@ -123,8 +132,13 @@ pub fn pitch(measurement: &MeasurementResult) -> Result<CsvTable, CsvError> {
     ]);
     let p = &measurement.pitch;
     for tooth in 0..p.single_um.len() {
-        let row = [tooth as f64, p.single_um[tooth], p.cumulative_um[tooth], p.thickness_um[tooth]];
-        table.push(&[row.as_slice(), &[p.centre_deg[tooth]]].concat())?;
+        table.push_cells(&[
+            Cell::Number(tooth as f64),
+            known(p.single_um[tooth]),
+            known(p.cumulative_um[tooth]),
+            known(p.thickness_um[tooth]),
+            known(p.centre_deg[tooth]),
+        ])?;
     }
     Ok(table)
 }

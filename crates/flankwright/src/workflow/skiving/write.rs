@@ -1,6 +1,6 @@
 //! Writes what a run produced. Every file appears whole or not at all.
 
-use super::run::SkivingOutcome;
+use super::run::{SkivingOutcome, release};
 use super::{page, tables};
 use crate::exchange::readings_table;
 use crate::exchange::skiving_job::SkivingJob;
@@ -50,9 +50,11 @@ pub fn write_skiving(
     if let Some(scan) = &result.scan {
         files.push(("motions/scan.csv".into(), "scan of a stylus", tables::scan(scan)?.text().into()));
     }
+    let release = release(&result.verdict, outcome.sound, job);
     for program in &outcome.programs {
-        let text = program.written.text.clone().into_bytes();
-        files.push((program.file.clone(), "NC program: measuring the tool", text));
+        if let Some(text) = release.program(&program.written.text, program.dialect) {
+            files.push((program.file.clone(), "NC program: measuring the tool", text));
+        }
     }
     if let Some(found) = &result.monte_carlo {
         files.push((

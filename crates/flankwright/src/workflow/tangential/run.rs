@@ -15,8 +15,9 @@ use crate::geometry::{Flank, Sides};
 use crate::numerics::Progress;
 use crate::process::tangential_dressing::{FitLimits, TangentialError};
 use crate::verdict::Verdict;
-use crate::workflow::finding::RunFailure;
-use crate::workflow::flank_verdict::{judge_flank, judge_programs, leave_other_flanks};
+use crate::workflow::face_names::face_names_remark;
+use crate::workflow::finding::{Remark, RunFailure};
+use crate::workflow::flank_verdict::{judge_clearance, judge_flank, judge_programs, leave_other_flanks};
 use crate::workflow::programs::{RunPrograms, programs_of_tangential};
 use crate::workflow::release::Release;
 use crate::workflow::run::output_warnings;
@@ -95,7 +96,8 @@ fn finish(
     let failed = |e: TangentialError| RunFailure::from(&e);
     let mut runs = Sides::both(()).map(|_, ()| None);
     let mut flanks = BTreeMap::new();
-    let mut warnings = Vec::new();
+    let mut warnings: Vec<Remark> =
+        face_names_remark(job.target.modifications.iter().flatten()).into_iter().collect();
     let refereeing = Instant::now();
     for pass in &passes {
         let wanted = |flank: Flank, w: f64, z: f64| ready.wanted(flank, w, z);
@@ -134,6 +136,9 @@ fn finish(
     leave_other_flanks(&mut verdict, &flanks);
     let made = programs.as_ref().map(|programs| &programs.result);
     judge_programs(&mut verdict, made, tolerance, |name| flanks[name].flank.tolerance_share);
+    if let Some(made) = made {
+        judge_clearance(&mut verdict, made.clearance.as_ref());
+    }
     if programs.is_some() {
         warnings.extend(Release::of(&verdict, job.output.programs_of_missed).remark(&verdict));
     }

@@ -47,8 +47,8 @@ impl Completed {
         match self {
             Self::Grinding(_, outcome, _) => Some(outcome.result.verdict.status()),
             Self::Tangential(_, outcome) => Some(outcome.result.verdict.status()),
-            Self::Milling(_, outcome) => Some(outcome.result.status),
-            Self::Skiving(_, outcome) => Some(outcome.result.status),
+            Self::Milling(_, outcome) => Some(outcome.result.verdict.status()),
+            Self::Skiving(_, outcome) => Some(outcome.result.verdict.status()),
             Self::Gearbox(_, outcome) => Some(outcome.result.verdict.status()),
             Self::Inspection(found) => Some(found.result.verdict.status()),
             Self::Exploration(_) | Self::Catalogue(_) | Self::FreeWorm(_) | Self::DressingStudy(_) => None,

@@ -8,9 +8,7 @@ use super::terms::{Coefficient, coefficients, polynomial, powers};
 use crate::contact::DiagonalLine;
 use crate::geometry::Flank;
 use crate::metrology::{Characteristics, Topography};
-use crate::modification::{
-    CornerFace, CornerProfile, Modification, ModificationSpec, NoFiles, TriangularSpec,
-};
+use crate::modification::{CornerProfile, Modification, ModificationSpec, NoFiles, TriangularSpec};
 use crate::numerics::Polynomial2;
 use crate::process::generating::{
     FlankLines, Gauge, GeneratingError, QuadraticDecomposition, decompose_diagonal, decompose_quadratic,
@@ -209,7 +207,7 @@ pub(super) fn waviness(file: &Reference<'_>, block: &Value, ledger: &mut Ledger)
 /// (s_w, s_z) of the corner at which a relief is deepest.
 fn corner_signs(relief: &TriangularSpec) -> [f64; 2] {
     let sign = |positive: bool| if positive { 1.0 } else { -1.0 };
-    [sign(relief.corner_profile == CornerProfile::Tip), sign(relief.corner_face == CornerFace::II)]
+    [sign(relief.corner_profile == CornerProfile::Tip), sign(relief.corner_face.is_datum())]
 }
 
 /// tan(rho_2) of the lines on which a relief is constant: x = 1 + s_w (w - w_c)/L_w + s_z (z - z_c)/L_z.

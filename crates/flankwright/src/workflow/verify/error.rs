@@ -55,7 +55,7 @@ impl VerifyError {
             },
             Self::NotJson { .. } => "correct the file at this line",
             Self::UnknownSchema { .. } => {
-                "give a file of one of the schemas 10, 20, 25, 26, 28, 30, 40, 50, 60, 70, 85"
+                "give one of the reference files (tests/reference in the source), or one of the same form"
             }
         }
     }

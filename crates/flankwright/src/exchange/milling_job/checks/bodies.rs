@@ -23,6 +23,7 @@ pub(super) fn check(job: &MillingJob, findings: &mut Vec<Diagnostic>) {
     }
     if let Some(body) = &job.blade {
         blade(body, job.milling.flanks, findings);
+        passage(job, findings);
     }
     target(job, findings);
 }
@@ -185,6 +186,19 @@ fn blade(blade: &Blade, flanks: Option<Flanks>, findings: &mut Vec<Diagnostic>) 
             format!("\"{word}\""),
             "no key",
             "leave `flanks` out; `side` in [blade] says which side it is",
+        ));
+    }
+}
+
+/// A blade has one flank, and a passage between a side and a back is not cleared here.
+fn passage(job: &MillingJob, findings: &mut Vec<Diagnostic>) {
+    if job.milling.roughing.is_some() {
+        findings.push(contradiction(
+            "passages between blades are not cleared: the space between both flanks of a gear is",
+            "milling.roughing",
+            "a table beside [blade]".into(),
+            "no table with [blade]",
+            "leave [milling.roughing] and [roughing_cutter] out, and clear the passage by another job",
         ));
     }
 }

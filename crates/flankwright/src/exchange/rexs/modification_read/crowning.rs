@@ -78,10 +78,10 @@ impl Reader<'_> {
             Form::One { amount, circular: true } => ModificationSpec::HelixCrowningArc(self.amount(amount)),
             Form::Two { apex } => ModificationSpec::HelixCrowningTwoArc(HelixTwoArcSpec {
                 apex_z_mm: apex,
-                amount_1_um: 1e3 * one,
-                amount_2_um: 1e3 * two,
+                amount_1_um: Some(1e3 * one),
+                amount_2_um: Some(1e3 * two),
                 flank: self.flank(),
-                reference: Reference::Transverse,
+                ..HelixTwoArcSpec::default()
             }),
         })
     }

@@ -39,14 +39,10 @@ impl PathReason {
             Self::Fold | Self::ContactLost => {
                 "reduce the amount, take a worm with more threads or smaller diameter, or let the dresser's profile make it"
             }
-            Self::OutOfDresser => {
-                "reduce the amount, or continue the dresser's profile further beyond the used range"
-            }
-            Self::AxisLimit(_) => "reduce the amount, or widen the limit of that axis",
+            Self::OutOfDresser => "reduce the amount: the dresser's profile ends before the contact",
+            Self::AxisLimit(_) => "reduce the amount: the axis has reached its range",
             Self::Limit => "reduce the amount, or take a dresser with a narrower tip",
-            Self::GivenUp => {
-                "start nearer to the solution, or replace a pitch point by a radius map or a fixed axis"
-            }
+            Self::GivenUp => "reduce the amount, or replace a pitch point by a radius map or a fixed axis",
         }
     }
 }

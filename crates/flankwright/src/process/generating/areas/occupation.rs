@@ -25,6 +25,8 @@ pub struct AreaSet<'a> {
     pub plan: &'a AreaPlan,
     /// How many.
     pub count: usize,
+    /// Least way along the worm between the lines of two of them, mm: what a dresser takes to go from one to the next.
+    pub apart: f64,
 }
 
 /// What a place on the worm is used for.
@@ -79,15 +81,19 @@ impl Occupation {
         number("width_to", to, to.is_finite() && to > from, "above width_from")?;
         let count = sets.iter().fold(0usize, |n, set| n.saturating_add(set.count));
         number("areas", count as f64, (1..=MOST_AREAS).contains(&count), "1 .. 10000")?;
-        let areas: Vec<(AreaKind, &AreaPlan)> =
-            sets.iter().flat_map(|set| std::iter::repeat_n((set.kind, set.plan), set.count)).collect();
+        let areas: Vec<(&AreaSet<'_>, usize)> =
+            sets.iter().flat_map(|set| (0..set.count).map(move |k| (set, k))).collect();
         let mut places = Vec::new();
         let mut shifts = Vec::new();
         let mut start = from;
         let mut end = from;
         let mut last_line = Sides::both(f64::NEG_INFINITY);
         let mut ratio = 0.0_f64;
-        for (area, &(kind, plan)) in areas.iter().enumerate() {
+        for (area, &(set, number)) in areas.iter().enumerate() {
+            let (kind, plan) = (set.kind, set.plan);
+            if number > 0 {
+                start += set.apart;
+            }
             let origin = plan.z_1()[0];
             for (flank, extent) in plan.extents.iter() {
                 let Some(extent) = extent else { continue };

@@ -2,7 +2,7 @@
 
 use super::polygon::{Corner, clip, rectangle};
 use crate::geometry::Flank;
-use crate::modification::{CornerFace, CornerProfile, TriangularSpec};
+use crate::modification::{CornerProfile, TriangularSpec};
 use crate::process::generating::{FlankLines, GeneratingError};
 
 /// Which lines a region needs.
@@ -44,10 +44,8 @@ impl Region {
             CornerProfile::Tip => (1.0, lines.roll[1]),
             CornerProfile::Root => (-1.0, lines.roll[0]),
         };
-        let (s_z, z_c) = match relief.corner_face {
-            CornerFace::II => (1.0, lines.face[1]),
-            CornerFace::I => (-1.0, lines.face[0]),
-        };
+        let (s_z, z_c) =
+            if relief.corner_face.is_datum() { (1.0, lines.face[1]) } else { (-1.0, lines.face[0]) };
         // A rounded start (exponent 1) begins h earlier; a power law begins at x = 0.
         let reach = if relief.exponent > 1.0 { 1.0 } else { 1.0 + h };
         let x = |[w, z]: Corner| reach + s_w * (w - w_c) / l_w + s_z * (z - z_c) / l_z;

@@ -1,6 +1,6 @@
 //! How much the results of a measurement scatter: the same tool measured again and again with other noise, each time evaluated whole.
 
-use super::{Evaluation, MeasuredTool, ProfileOptions, correction, evaluate, measured_tool};
+use super::{Evaluation, MeasuredTool, ProfileOptions, correction, evaluate_measured, measured_tool_near};
 use crate::geometry::{Flank, Sides};
 use crate::numerics::Progress;
 use crate::process::skiving::measuring::{BarrierData, FlankTracks, Noise, Sense, Switches, readings};
@@ -20,8 +20,10 @@ pub struct Repeated<'a> {
     pub senses: &'a [Sense],
     /// Revolutions in each sense.
     pub revolutions: usize,
-    /// r_L - r_eff, mm; see [`measured_tool`].
+    /// r_L - r_eff, mm; see [`measured_tool_near`].
     pub radius_offset: f64,
+    /// How the tool is clamped, rad, so that its teeth keep their numbers; see [`measured_tool_near`].
+    pub clocking: f64,
     /// What the tool is judged by.
     pub options: &'a ProfileOptions,
     /// Settings that the correction may change, and how far.
@@ -69,7 +71,7 @@ pub struct Scatter {
 /// Repeats a measurement; the random numbers of repetition k begin at `seed` + k.
 ///
 /// # Errors
-/// Those of [`measured_tool`], [`evaluate`] and [`correction`].
+/// Those of [`measured_tool_near`], [`evaluate`] and [`correction`].
 pub fn repeat(
     measurement: &Repeated<'_>,
     count: usize,
@@ -105,16 +107,16 @@ impl Repeated<'_> {
     /// The tool as it is measured with the noise that begins at `seed`.
     ///
     /// # Errors
-    /// Those of [`measured_tool`].
+    /// Those of [`measured_tool_near`].
     pub fn measured(&self, seed: u64) -> Result<MeasuredTool, SkivingError> {
         let mut noise = Noise::new(seed);
         let seen = readings(self.flanks, self.switches, self.data, self.senses, self.revolutions, &mut noise);
-        measured_tool(self.flanks, &seen, self.radius_offset)
+        measured_tool_near(self.flanks, &seen, self.radius_offset, self.clocking)
     }
 
     fn once(&self, seed: u64) -> Result<Vec<(Quantity, f64)>, SkivingError> {
         let measured = self.measured(seed)?;
-        let found = evaluate(self.flanks, &measured.deviations, self.options)?;
+        let found = evaluate_measured(self.flanks, &measured, self.options)?;
         let fit = correction(self.flanks, &found, self.settings)?;
         Ok(results(&found, self.settings.0, &fit))
     }

@@ -1,5 +1,4 @@
-//! How the tool is mounted: eccentricity and wobble as the rigid motion that fits best, once more without the teeth that stand out
-//! (spec 60 section 8).
+//! How the tool is mounted: eccentricity and wobble as the rigid motion that fits the whole teeth best (spec 60 section 8).
 
 use super::Deviations;
 use crate::geometry::Sides;
@@ -11,26 +10,25 @@ use std::f64::consts::TAU;
 /// Eccentricity and wobble of a mounted tool. mm, rad.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mounting {
-    /// e in the spindle's x and y.
+    /// e in the spindle's x and y, as it stands with tooth 0 at its nominal angle.
     pub eccentricity: [f64; 2],
-    /// om about the spindle's x and y.
+    /// om about the same.
     pub wobble: [f64; 2],
     /// Standard deviations of [e_x, e_y, om_x, om_y] for a standard deviation of 1 mm of every f, mm/mm and rad/mm; infinite where the
     /// measurement does not tell.
     pub deviation_per_noise: [f64; 4],
-    /// Standard deviations of the same from what the fit leaves, tooth by tooth, mm and rad: teeth scatter more than readings. Infinite
-    /// where the measurement does not tell.
+    /// Standard deviations of the same from what the fit leaves, tooth by tooth, mm and rad: teeth scatter more than readings; and from
+    /// what a linear evaluation is off, which no scatter shows. Infinite where the measurement does not tell.
     pub deviation: [f64; 4],
-    /// Teeth that were left out of the fit.
+    /// C: what is left on each track in the mean, clocking included where the deviations include it, mm.
+    pub constants: Sides<Vec<f64>>,
+    /// Teeth that stand out and were left out of the fit.
     pub left_out: Vec<usize>,
 }
 
-/// A residual that makes a tooth stand out: never below the first, mm, and the median of all times the second (a normal
-/// distribution's 3.5 standard deviations).
-const SURE: f64 = 1e-3;
-const OUTLIER: f64 = 3.5 * 1.4826;
-/// The share of the teeth that may be left out.
-const SHARE: usize = 4;
+/// Standard deviation of what a linear evaluation is off, as a share of how far the teeth deviate: 0.026 to 0.050 um at most of 16 to
+/// 26 um (spec 60 section 15), evenly up to there.
+const LINEARISATION: f64 = 1.1e-3;
 /// Relative size of a singular value below which a direction is not observed.
 const RANK: f64 = 1e-12;
 
@@ -42,24 +40,23 @@ impl Mounting {
     }
 }
 
-/// The mounting from deviations without clocking.
-pub fn mounting(flanks: &Sides<FlankTracks>, clocked: &Deviations) -> Mounting {
-    let teeth = clocked.teeth();
-    let first = fit(flanks, clocked, &vec![true; teeth]);
-    let residuals = first.residuals(flanks, clocked);
-    let mut sizes: Vec<f64> = residuals.iter().map(|(_, r)| r.abs()).collect();
-    let limit = SURE.max(OUTLIER * median(&mut sizes));
-    let mut used = vec![true; teeth];
-    for (tooth, residual) in residuals {
-        if residual.abs() > limit {
-            used[tooth] = false;
-        }
+/// The mounting from the deviations of the teeth in use, with or without their clocking.
+pub(super) fn mounting(
+    flanks: &Sides<FlankTracks>,
+    deviations: &Deviations,
+    used: &[bool],
+    left_out: Vec<usize>,
+) -> Mounting {
+    let fit = fit(flanks, deviations, used);
+    let v = &fit.values;
+    Mounting {
+        eccentricity: [v[0], v[1]],
+        wobble: [v[2], v[3]],
+        deviation_per_noise: fit.deviations,
+        deviation: fit.of_teeth,
+        constants: fit.constants,
+        left_out,
     }
-    let left_out: Vec<usize> = (0..teeth).filter(|&tooth| !used[tooth]).collect();
-    if left_out.is_empty() || left_out.len() > teeth / SHARE {
-        return first.into_mounting(Vec::new());
-    }
-    fit(flanks, clocked, &used).into_mounting(left_out)
 }
 
 /// A fit with the means that belong to it.
@@ -68,30 +65,6 @@ struct Fit {
     deviations: [f64; 4],
     of_teeth: [f64; 4],
     constants: Sides<Vec<f64>>,
-}
-
-impl Fit {
-    fn residuals(&self, flanks: &Sides<FlankTracks>, clocked: &Deviations) -> Vec<(usize, f64)> {
-        let teeth = clocked.teeth();
-        clocked
-            .iter()
-            .map(|(flank, track, tooth, f)| {
-                let rigid = (row(&flanks[flank].tracks[track].0, tooth, teeth) * self.values).x;
-                (tooth, f - rigid - self.constants[flank][track])
-            })
-            .collect()
-    }
-
-    fn into_mounting(self, left_out: Vec<usize>) -> Mounting {
-        let v = &self.values;
-        Mounting {
-            eccentricity: [v[0], v[1]],
-            wobble: [v[2], v[3]],
-            deviation_per_noise: self.deviations,
-            deviation: self.of_teeth,
-            left_out,
-        }
-    }
 }
 
 /// n.e + om.(m x n) as a row for [e_x, e_y, om_x, om_y], the tooth turned to its place.
@@ -139,24 +112,29 @@ fn fit(flanks: &Sides<FlankTracks>, clocked: &Deviations, used: &[bool]) -> Fit 
     let mut constants = Sides { left: Vec::new(), right: Vec::new() };
     // What is left of a tooth comes from one cause on all its tracks: the sums of each tooth scatter, not single numbers.
     let mut sums = vec![Vector4::zeros(); teeth];
+    let mut linear = Matrix4::zeros();
     for (flank, number, mean_row, mean) in means {
+        let (mut in_step, mut a_quarter_later, mut largest) = (Vector4::zeros(), Vector4::zeros(), 0.0f64);
         let track = &flanks[flank].tracks[number].0;
         for tooth in (0..teeth).filter(|&tooth| used[tooth]) {
             let row = row(track, tooth, teeth) - mean_row;
             let left = clocked.of[flank][number][tooth] - mean - (row * values).x;
             sums[tooth] += row.transpose() * left;
+            let (sin, cos) = (TAU * tooth as f64 / teeth as f64).sin_cos();
+            in_step += row.transpose() * cos;
+            a_quarter_later += row.transpose() * sin;
+            largest = largest.max((clocked.of[flank][number][tooth] - mean).abs());
+        }
+        // It goes around with the teeth as the mounting does, on every track as it likes.
+        let off = LINEARISATION * largest;
+        for wave in [in_step * off, a_quarter_later * off] {
+            linear += wave * wave.transpose();
         }
         constants[flank].push(mean - (mean_row * values).x);
     }
     let scattered = sums.iter().map(|sum| sum * sum.transpose()).sum::<Matrix4<f64>>();
     // Four unknowns are taken from as many teeth as there are.
-    let scattered = covariance * scattered * covariance * (count / (count - 4.0).max(1.0));
+    let scattered = covariance * (scattered * (count / (count - 4.0).max(1.0)) + linear) * covariance;
     let of_teeth = std::array::from_fn(|k| told(scattered[(k, k)].max(0.0).sqrt()));
     Fit { values, deviations, of_teeth, constants }
-}
-
-fn median(values: &mut [f64]) -> f64 {
-    values.sort_by(f64::total_cmp);
-    let half = values.len() / 2;
-    if values.len() % 2 == 1 { values[half] } else { 0.5 * (values[half - 1] + values[half]) }
 }

@@ -4,6 +4,7 @@ use super::Deviations;
 use crate::geometry::{Flank, Sides};
 use crate::numerics::extremes;
 use crate::process::skiving::measuring::FlankTracks;
+use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
 
 /// Pitch of the tooth centres and thickness at the middle track. mm, rad.
@@ -13,7 +14,7 @@ pub struct Pitch {
     pub single: Vec<f64>,
     /// F_p,k: from tooth 0 to each tooth.
     pub cumulative: Vec<f64>,
-    /// f_p,max.
+    /// f_p,max; as F_p of whole teeth only.
     pub largest_single: f64,
     /// F_p.
     pub total: f64,
@@ -25,8 +26,8 @@ pub struct Pitch {
     pub centres: Vec<Vec<f64>>,
 }
 
-/// Pitch from tooth position angles a' [rad].
-pub fn pitch(flanks: &Sides<FlankTracks>, angles: &Deviations) -> Pitch {
+/// Pitch from tooth position angles a' [rad]; the largest deviations and the first harmonic are those of the teeth that `count`.
+pub(super) fn pitch(flanks: &Sides<FlankTracks>, angles: &Deviations, counting: &[bool]) -> Pitch {
     let tracks = &flanks.left.tracks;
     let middle = tracks.len() / 2;
     let radius = 0.5 * (tracks[middle].0.radius() + flanks.right.tracks[middle].0.radius());
@@ -41,18 +42,33 @@ pub fn pitch(flanks: &Sides<FlankTracks>, angles: &Deviations) -> Pitch {
     let count = at.len();
     let single: Vec<f64> = (0..count).map(|k| radius * (at[(k + 1) % count] - at[k])).collect();
     let cumulative: Vec<f64> = at.iter().map(|centre| radius * (centre - at[0])).collect();
-    let harmonic = |wave: fn(f64) -> f64| {
-        let sum: f64 = at.iter().enumerate().map(|(k, c)| c * wave(TAU * k as f64 / count as f64)).sum();
-        2.0 / count as f64 * sum
-    };
-    let [least, greatest] = extremes(cumulative.iter().copied());
+    let taken = |tooth: &usize| counting[*tooth];
+    let next = |tooth: usize| (tooth + 1) % count;
+    let both = |tooth: &usize| counting[*tooth] && counting[next(*tooth)];
+    let [least, greatest] = extremes((0..count).filter(taken).map(|k| cumulative[k]));
     Pitch {
-        largest_single: extremes(single.iter().map(|x| x.abs()))[1],
+        largest_single: (0..count).filter(both).map(|k| single[k].abs()).fold(0.0, f64::max),
         total: greatest - least,
-        first_harmonic: [harmonic(f64::cos), harmonic(f64::sin)],
+        first_harmonic: first_harmonic(at, counting),
         thickness: of_track(middle, |a, b| a - b).into_iter().map(|x| x * radius).collect(),
         single,
         cumulative,
         centres,
     }
+}
+
+/// Cosine and sine part of the wave of one period that fits the teeth which count best. Of all teeth these are the sums of Fourier.
+fn first_harmonic(centres: &[f64], counting: &[bool]) -> [f64; 2] {
+    let count = centres.len() as f64;
+    let (mut normal, mut right) = (Matrix3::zeros(), Vector3::zeros());
+    for (tooth, centre) in centres.iter().enumerate().filter(|(tooth, _)| counting[*tooth]) {
+        let (sin, cos) = (TAU * tooth as f64 / count).sin_cos();
+        let row = Vector3::new(1.0, cos, sin);
+        normal += row * row.transpose();
+        right += row * *centre;
+    }
+    normal.try_inverse().map_or([0.0; 2], |inverse| {
+        let wave: Vector3<f64> = inverse * right;
+        [wave[1], wave[2]]
+    })
 }

@@ -22,7 +22,7 @@ pub struct ProfileOptions {
 /// Profiles of both flanks. mm.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ProfileVerdict {
-    /// Mean over all teeth of every track.
+    /// Mean over the whole teeth of every track.
     pub track_means: Sides<Vec<f64>>,
     /// Compensation curve: coefficients of 1, x, x^2, ...
     pub curve: Sides<Vec<f64>>,
@@ -34,13 +34,14 @@ pub struct ProfileVerdict {
     pub workpiece: Sides<Vec<f64>>,
 }
 
-/// Judges what remains of the deviations without clocking and mounting.
+/// Judges what remains of the deviations without clocking and mounting: means of the teeth that count, bands of all that were measured.
 ///
 /// # Errors
 /// [`SkivingError::TooFewTracks`], [`SkivingError::InvalidNumber`].
-pub fn profile_verdict(
+pub(super) fn profile_verdict(
     flanks: &Sides<FlankTracks>,
     remaining: &Deviations,
+    (counting, present): (&[bool], &[bool]),
     options: &ProfileOptions,
 ) -> Result<ProfileVerdict, SkivingError> {
     for (field, value) in [("band_um", options.band), ("wear_limit_um", options.wear_limit)] {
@@ -48,9 +49,11 @@ pub fn profile_verdict(
             return Err(SkivingError::InvalidNumber { field, value: 1e3 * value, allowed: "> 0 um" });
         }
     }
-    let track_means = remaining.of.map(|_, tracks| {
-        tracks.iter().map(|teeth| teeth.iter().sum::<f64>() / teeth.len() as f64).collect::<Vec<f64>>()
-    });
+    let mean = |teeth: &Vec<f64>| {
+        let taken = || teeth.iter().zip(counting).filter(|(_, counts)| **counts).map(|(f, _)| *f);
+        taken().sum::<f64>() / taken().count().max(1) as f64
+    };
+    let track_means = remaining.of.map(|_, tracks| tracks.iter().map(mean).collect::<Vec<f64>>());
     let curve = Sides::try_from_fn(|flank| {
         let places: Vec<f64> = flanks[flank].tracks.iter().map(|(track, _)| track.place).collect();
         polynomial(&places, &track_means[flank], options.degree)
@@ -62,8 +65,8 @@ pub fn profile_verdict(
                 (teeth[tooth] - power_series(&curve[flank], track.place)[0]).abs() > 0.5 * options.band
             })
         };
-        out_of_band
-            .extend((0..remaining.teeth()).filter(|&tooth| outside(tooth)).map(|tooth| (flank, tooth)));
+        let teeth = (0..remaining.teeth()).filter(|&tooth| present[tooth] && outside(tooth));
+        out_of_band.extend(teeth.map(|tooth| (flank, tooth)));
     }
     let worn = track_means.map(|_, means| means.iter().any(|mean| *mean < -options.wear_limit));
     let workpiece = track_means.map(|_, means| means.iter().map(|mean| -mean).collect());

@@ -94,8 +94,9 @@ impl RealTool {
         let by_roll = |jet: [f64; 3]| [jet[0], jet[1] * slope, jet[2] * slope * slope];
         let (profile, growth) =
             (by_roll(power_series(&errors.profile, x)), by_roll(power_series(&errors.growth, x)));
-        let [c, n, v] = [edge.centre_series(), edge.normal_series(), edge.growth_series()]
-            .map(|series| series.each_ref().map(|s| s.jet(w)));
+        let piece = edge.piece(w);
+        let [c, n, v] =
+            [&piece.centre, &piece.normal, &piece.growth].map(|series| series.each_ref().map(|s| s.jet(w)));
         let moved = |k: usize, order: usize| {
             let product = |f: &[f64; 3], g: &[f64; 3]| match order {
                 0 => f[0] * g[0],

@@ -320,8 +320,7 @@ fn reason(tests: &[TestedCharacteristic]) -> String {
         return "nothing was measured that could be corrected".into();
     }
     if tests.iter().all(|t| t.test.is_err()) {
-        return "one tooth does not tell what all teeth share: measure three or four, evenly around the gear"
-            .into();
+        return "at least 3 teeth must be measured, evenly around the gear".into();
     }
     "nothing that all teeth share is large enough for the settings that may be turned".into()
 }

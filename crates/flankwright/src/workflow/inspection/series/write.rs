@@ -1,15 +1,15 @@
-//! Writes a series: document, table, sheets, page. Every file appears whole or not at all.
+//! Writes a series: document, table, sheets, page. All files of one series stand together.
 
 use super::{InspectionSeries, page, tables};
-use crate::exchange::write_atomically;
 use crate::report::html;
+use crate::workflow::output_set::{SetFile, write_set};
 use crate::workflow::write::{WriteError, json};
 use std::path::{Path, PathBuf};
 
 /// Writes `series.json`, `series.csv`, the sheets and `series.html` into `directory` (made if missing); returns their paths, the page last.
 ///
 /// # Errors
-/// [`WriteError`]; files written before the error stay.
+/// [`WriteError`]; the files of an earlier run stay.
 pub fn write_inspection_series(
     series: &InspectionSeries,
     directory: &Path,
@@ -21,12 +21,6 @@ pub fn write_inspection_series(
     ];
     let first = first.iter().map(|(name, bytes)| (*name, bytes.as_slice()));
     let sheets = series.sheets.iter().map(|(name, text)| (name.as_str(), text.as_bytes()));
-    let files = first.chain(sheets).chain([("series.html", page.as_bytes())]);
-    let mut written = Vec::with_capacity(series.sheets.len() + 3);
-    for (name, bytes) in files {
-        let path = directory.join(name);
-        write_atomically(&path, bytes).map_err(|source| WriteError::Io { path: path.clone(), source })?;
-        written.push(path);
-    }
-    Ok(written)
+    let files: Vec<SetFile<'_>> = first.chain(sheets).chain([("series.html", page.as_bytes())]).collect();
+    write_set(directory, &files, &[])
 }

@@ -98,10 +98,10 @@ impl Filling<'_> {
         };
         let datum = match self.face.datum {
             crate::exchange::inspection::DatumFace::PlusZ => {
-                "+z (upper face); left and right as seen from +z"
+                "+z, upper face (face II); left and right as seen from +z"
             }
             crate::exchange::inspection::DatumFace::MinusZ => {
-                "−z (lower face); left and right as seen from +z"
+                "−z, lower face (face I); left and right as seen from +z"
             }
         };
         let counting = self.inspection.pitch.as_ref().and_then(|pitch| pitch.counting);

@@ -29,14 +29,15 @@ pub fn html_page(
     let result = &outcome.result;
     let answer = Answer {
         process: "Five-axis milling",
-        status: result.status,
-        reason: result.reason.as_ref(),
+        status: result.verdict.status(),
+        reason: result.verdict.reason(),
         warnings: &result.warnings,
         headline: headline(result),
         figures: figures(result),
     };
     let report = MillingReport {
         head: report_head(&job.job, answer, files),
+        verdict: result.verdict.clone(),
         tolerance_um: result.tolerance_um,
         bodies: bodies(result),
         views: views::views(&outcome.bodies, &outcome.plan),
@@ -51,15 +52,15 @@ pub fn html_page(
 }
 
 fn headline(result: &MillingResult) -> String {
-    if let Some(reason) = &result.reason {
+    if let Some(reason) = result.verdict.reason() {
         return format!("{}.", reason.text);
     }
     let [spaces, milled] = result.spaces;
     let flanks: Vec<&str> = result.flanks.keys().copied().collect();
     let of = if milled == spaces {
-        format!("all {spaces} spaces")
+        format!("all {spaces} tooth spaces")
     } else {
-        format!("{milled} of {spaces} spaces")
+        format!("{milled} of {spaces} tooth spaces")
     };
     let out_of_reach =
         |flank: &super::result::FlankResult| flank.out_of_reach.map_or(0.0, |left| left.length_mm);
@@ -70,14 +71,14 @@ fn headline(result: &MillingResult) -> String {
         String::new()
     };
     format!(
-        "The rays find at most {} µm on {} in {of}, {} µm are allowed.{left}",
+        "Largest deviation {} µm (tolerance {} µm), {}, {of}.{left}",
         format_significant(largest(result, |flank| flank.max_deviation_um), 4),
+        format_significant(result.tolerance_um, 4),
         match flanks[..] {
-            [one] => format!("the {one} flank"),
+            [one] => format!("{one} flank"),
             [_, _] => "both flanks".to_owned(),
             _ => "all flanks".to_owned(),
         },
-        format_significant(result.tolerance_um, 4),
     )
 }
 
@@ -91,7 +92,10 @@ fn figures(result: &MillingResult) -> Vec<(String, String)> {
         ("largest deviation".into(), um(largest(result, |flank| flank.max_deviation_um))),
         ("tolerance".into(), um(result.tolerance_um)),
         ("rms".into(), um(largest(result, |flank| flank.rms_deviation_um))),
-        ("prediction off by".into(), um(largest(result, |flank| flank.model_difference_um))),
+        (
+            "flanks: prediction and rays differ by".into(),
+            um(largest(result, |flank| flank.model_difference_um)),
+        ),
         ("warnings".into(), result.warnings.len().to_string()),
     ]
 }
@@ -114,8 +118,8 @@ fn cutter_words(cutter: &CutterResult) -> String {
 fn bodies(result: &MillingResult) -> Vec<Quantity> {
     let [spaces, milled] = result.spaces.map(|count| count as i64);
     let mut list = vec![
-        Quantity::count("spaces", "z", spaces),
-        Quantity::count("of them milled", "", milled),
+        Quantity::count("tooth spaces", "z", spaces),
+        Quantity::count("tooth spaces milled", "", milled),
         Quantity::text("cutter of the flanks", cutter_words(&result.cutter)),
         Quantity::number("its cutting length", "l_c", result.cutter.cutting_length, "mm"),
     ];

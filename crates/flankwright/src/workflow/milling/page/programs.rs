@@ -54,11 +54,16 @@ fn proof(results: &[ProgramResult]) -> Vec<String> {
     let of = |result: &ProgramResult| {
         format!(
             "{}: {} blocks. Read back by a reader that shares no code with the writer and milled again by rays, the text leaves the \
-             planned flanks within {} µm; digits and straight blocks explain up to {} µm.",
+             planned flanks of the first space within {} µm; digits and straight blocks explain up to {} µm. The whole part: {}; {}.",
             result.file,
             result.blocks,
             um(result.proof_difference_um),
-            um(result.proof_allowed_um)
+            um(result.proof_allowed_um),
+            result.part.statement,
+            match result.part.faults.len() {
+                0 => "nothing is wrong".to_owned(),
+                count => format!("{count} faults"),
+            }
         )
     };
     results.iter().map(of).collect()

@@ -32,7 +32,7 @@ impl View {
     }
 }
 
-/// The space from the front, from the side and askew.
+/// The space from the front, from the side and obliquely.
 pub(super) fn views(bodies: &MillingBodies, plan: &MillingPlan) -> Vec<Drawing> {
     // The space opens away from the base body.
     let opening = plan.flanks.first().and_then(|flank| {
@@ -60,7 +60,7 @@ pub(super) fn views(bodies: &MillingBodies, plan: &MillingPlan) -> Vec<Drawing> 
             up: y,
         },
         View {
-            title: "The space askew",
+            title: "The space, oblique view",
             subtitle: "one space, dots where paths begin".into(),
             axes: None,
             right,

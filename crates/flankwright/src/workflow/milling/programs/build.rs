@@ -236,6 +236,11 @@ impl MillingMachining<'_> {
 }
 
 impl MillingProgram {
+    /// The motions of the text on the workpiece.
+    pub fn moves(&self) -> &[FollowedMove] {
+        &self.moves
+    }
+
     /// The axes at the ends of all blocks of the first space, with the time, s.
     pub fn first_space(&self) -> Vec<(f64, Positions)> {
         let mut time = 0.0;

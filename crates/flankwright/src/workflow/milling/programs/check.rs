@@ -2,7 +2,7 @@
 
 use super::drive::rapid_seconds;
 use super::failure::of_motion;
-use super::follow::Follower;
+use super::follow::{FollowedMove, Follower};
 use super::passes::all_passes;
 use super::task::{MillingMachining, MillingWork};
 use crate::exchange::Diagnostic;
@@ -12,7 +12,7 @@ use crate::machine::Positions;
 use crate::motion::milling::{CutterPlace as Place, MillingSetup, PoleStrategy, choose};
 use crate::motion::{AxisWords, MotionError};
 use crate::nc::{Dialect, ReadProgram, read};
-use crate::removal::{CutterPlace, MillPath};
+use crate::removal::CutterPlace;
 use crate::workflow::finding::{Remark, RunFailure};
 use crate::workflow::programs::control_of;
 use std::io::BufRead;
@@ -22,8 +22,8 @@ use std::io::BufRead;
 pub struct CheckedMotion {
     /// The text as a reader found it.
     pub read: ReadProgram,
-    /// Paths of the cutters on the workpiece, index of an operation with that tool as index of the cutter.
-    pub paths: Vec<MillPath>,
+    /// The motions of the text on the workpiece.
+    pub moves: Vec<FollowedMove>,
     /// Range of every axis; `None` for one that does not move with the others.
     pub ranges: Vec<Option<[f64; 2]>>,
     /// Whole way of every axis.
@@ -36,6 +36,21 @@ pub struct CheckedMotion {
     pub words: AxisWords,
     /// Places under tip control that the axes do not reach.
     pub remarks: Vec<Remark>,
+    /// Blocks that leave a travel or are faster than an axis: code and sentence for the worst of each axis.
+    pub limits: Vec<AxisFault>,
+}
+
+/// An axis that a block takes beyond what it can.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AxisFault {
+    /// Code.
+    pub code: &'static str,
+    /// Number of the first such block, from 1.
+    pub block: usize,
+    /// What it does.
+    pub text: String,
+    /// What helps.
+    pub way_out: String,
 }
 
 impl MillingMachining<'_> {
@@ -71,27 +86,20 @@ impl MillingMachining<'_> {
             return Err(refused(MotionError::NotFollowed { block: 1, reason: "it moves no tool".into() }));
         }
         let mut walk = Walk::new(&setup);
-        let mut paths: Vec<MillPath> = Vec::new();
         for made in &moves {
-            let cutter = work.tools.iter().position(|tool| tool.number == made.tool).ok_or_else(|| {
+            if !work.tools.iter().any(|tool| tool.number == made.tool) {
                 let numbers: Vec<String> = work.tools.iter().map(|tool| tool.number.to_string()).collect();
                 let text = format!("the program takes tool {}, which the job does not have", made.tool);
                 let finding = Diagnostic::with_code("unknown-tool", text).allowed(numbers.join(", "));
-                RunFailure::bad_input(finding.way_out("call the tools by the numbers of the job's cutters"))
-            })?;
-            let (Some(first), Some(last)) = (made.places.first(), made.places.last()) else { continue };
-            walk.go(last, made.at, made.seconds)?;
-            let goes_on = |path: &&mut MillPath| {
-                path.cutter == cutter
-                    && path.places.last().is_some_and(|end| end.tip == first.tip && end.axis == first.axis)
-            };
-            match paths.last_mut().filter(goes_on) {
-                Some(path) => path.places.extend(made.places.iter().skip(1)),
-                None => paths.push(MillPath { cutter, places: made.places.clone() }),
+                let finding = finding.way_out("call the tools by the numbers of the job's cutters");
+                return Err(RunFailure::bad_input(finding));
+            }
+            if let Some(last) = made.places.last() {
+                walk.go(last, made)?;
             }
         }
-        let Walk { ranges, ways, speeds, duration, remarks, .. } = walk;
-        Ok(CheckedMotion { read: found, paths, ranges, ways, speeds, duration, words, remarks })
+        let Walk { ranges, ways, speeds, duration, remarks, limits, .. } = walk;
+        Ok(CheckedMotion { read: found, moves, ranges, ways, speeds, duration, words, remarks, limits })
     }
 }
 
@@ -104,7 +112,14 @@ struct Walk<'a> {
     speeds: Vec<f64>,
     duration: f64,
     remarks: Vec<Remark>,
+    limits: Vec<AxisFault>,
+    /// Axes with a fault: beyond the travel, too fast.
+    faulty: Vec<[bool; 2]>,
 }
+
+/// Blocks of a hundredth of a millimetre with the usual four decimals: by so much of its speed an axis seems too fast where the plan
+/// is at its limit.
+pub(in crate::workflow::milling) const ROUNDING: f64 = 0.01;
 
 impl<'a> Walk<'a> {
     fn new(setup: &'a MillingSetup<'a>) -> Self {
@@ -117,16 +132,14 @@ impl<'a> Walk<'a> {
             speeds: vec![0.0; count],
             duration: 0.0,
             remarks: Vec::new(),
+            limits: Vec::new(),
+            faulty: vec![[false; 2]; count],
         }
     }
 
-    /// To the end of a motion; `at` where the block says it.
-    fn go(
-        &mut self,
-        end: &CutterPlace,
-        at: Option<Positions>,
-        seconds: Option<f64>,
-    ) -> Result<(), RunFailure> {
+    /// To the end of a motion.
+    fn go(&mut self, end: &CutterPlace, made: &FollowedMove) -> Result<(), RunFailure> {
+        let (at, seconds) = (made.at, made.seconds);
         let from = self.at;
         let to = match at {
             Some(at) => at,
@@ -164,9 +177,32 @@ impl<'a> Walk<'a> {
             self.ways[axis] += way;
             if let Some(seconds) = seconds.filter(|seconds| *seconds > 0.0) {
                 self.speeds[axis] = self.speeds[axis].max(way / seconds);
+                self.too_fast(axis, way / seconds, made.block);
             }
+            self.beyond(axis, to[axis], made.block);
         }
         self.at = Some(to);
         Ok(())
+    }
+
+    fn beyond(&mut self, number: usize, value: f64, block: usize) {
+        let axis = &self.setup.machine().axes()[number];
+        let Some(error) = axis.beyond(value).filter(|_| !self.faulty[number][0]) else { return };
+        self.faulty[number][0] = true;
+        let text = error.to_string();
+        self.limits.push(AxisFault { code: error.code(), block, text, way_out: error.way_out() });
+    }
+
+    fn too_fast(&mut self, number: usize, speed: f64, block: usize) {
+        let axis = &self.setup.machine().axes()[number];
+        let most = axis.limits.velocity.filter(|most| speed > most * (1.0 + ROUNDING));
+        let Some(most) = most.filter(|_| !self.faulty[number][1]) else { return };
+        self.faulty[number][1] = true;
+        let [moves, allows] = [speed, most].map(|value| axis.joint.shown(value));
+        let (name, unit) = (&axis.name, axis.joint.unit());
+        let text =
+            format!("{name} would move at {moves:.4} {unit}/s; the machine allows {allows:.4} {unit}/s");
+        let way_out = "give the block more time: the control slows down all axes of it".into();
+        self.limits.push(AxisFault { code: "axis-too-fast", block, text, way_out });
     }
 }

@@ -11,8 +11,12 @@ use nalgebra::Vector3;
 /// One motion that ends where all is known.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FollowedMove {
+    /// Number of the block, from 1.
+    pub block: usize,
     /// Number of the tool.
     pub tool: u32,
+    /// Speed of its spindle, rad/s; none before a block says it.
+    pub spindle: Option<f64>,
     /// Whether it is rapid.
     pub rapid: bool,
     /// Places of the cutter, workpiece coordinates: begin (if it is known) and end; of a block of axis values so many between that
@@ -42,6 +46,7 @@ pub(super) struct Follower<'a> {
 #[derive(Default)]
 struct State {
     tool: u32,
+    spindle: Option<f64>,
     at: Positions,
     /// Places of the program's axes that have a value.
     known: u16,
@@ -82,7 +87,9 @@ impl Follower<'_> {
                         self.axes(from.as_ref(), &to).map_err(|_| refused("the axes stand nowhere"))?;
                     state.place = places.last().copied();
                     let rapid = seconds.is_none();
-                    moves.push(FollowedMove { tool: state.tool, rapid, places, at: Some(to), seconds });
+                    let (tool, spindle) = (state.tool, state.spindle);
+                    let at = Some(to);
+                    moves.push(FollowedMove { block: k + 1, tool, spindle, rapid, places, at, seconds });
                 }
                 Block::Tip(motion) => {
                     let axis = match motion.orientation {
@@ -122,9 +129,12 @@ impl Follower<'_> {
                     };
                     let rapid = motion.pace == Pace::Rapid;
                     let places = state.place.into_iter().chain([to]).collect();
-                    moves.push(FollowedMove { tool: state.tool, rapid, places, at: None, seconds });
+                    let (tool, spindle) = (state.tool, state.spindle);
+                    let at = None;
+                    moves.push(FollowedMove { block: k + 1, tool, spindle, rapid, places, at, seconds });
                     state.place = Some(to);
                 }
+                Block::Spindle { spindle: 0, speed } => state.spindle = Some(*speed),
                 Block::Comment(_)
                 | Block::Spindle { .. }
                 | Block::Dwell(_)

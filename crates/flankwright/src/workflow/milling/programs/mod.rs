@@ -20,7 +20,8 @@ mod steps;
 mod task;
 
 pub use build::{MillingProgram, MillingPrograms};
-pub use check::CheckedMotion;
+pub(super) use check::ROUNDING;
+pub use check::{AxisFault, CheckedMotion};
 pub use cutter_locations::CutterLocationText;
 pub(in crate::workflow) use failure::of_motion;
 pub use figures::{OperationFigures, RowFigures, StraightKept};

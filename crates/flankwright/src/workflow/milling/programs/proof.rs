@@ -70,7 +70,7 @@ impl MillingPrograms {
                 let same = difference <= allowed_um;
                 if !same {
                     return Err(not_proven(format!(
-                        "read back from {}, ray {k} differs by {difference:.4} um from the planned one; blocks and digits explain \
+                        "read back and simulated, {} deviates from the plan by {difference:.4} um at ray {k}; segmentation and rounding account for \
                          {allowed_um:.4} um",
                         program.file
                     )));

@@ -49,23 +49,32 @@ fn worst(bodies: &SkivingBodies, m: &Measurement) -> Vec<WorstTooth> {
         }
     }
     all.sort_by(|a, b| b.3.abs().total_cmp(&a.3.abs()));
+    let incomplete = m.measured.incomplete();
+    all.retain(|(_, tooth, ..)| !incomplete.contains(tooth));
     let out = |flank: Flank, tooth: usize| evaluation.profile.out_of_band.contains(&(flank, tooth));
     let left_out = |tooth: usize| evaluation.mounting.left_out.contains(&tooth);
     let marked = all.iter().filter(|(flank, tooth, ..)| out(*flank, *tooth) || left_out(*tooth)).take(WORST);
-    let mut rows: Vec<WorstTooth> = marked
-        .map(|&(flank, tooth, track, off)| WorstTooth {
-            tooth,
-            flank: Some(flank),
-            track: Some(track),
-            from_curve_um: Some(off),
-            why: match (out(flank, tooth), left_out(tooth)) {
-                (true, true) => "out of the band; left out of the mounting fit",
-                (true, false) => "out of the band",
-                _ => "left out of the mounting fit",
-            }
-            .into(),
-        })
-        .collect();
+    let lacking = incomplete.iter().take(WORST).map(|&tooth| WorstTooth {
+        tooth,
+        flank: None,
+        track: None,
+        from_curve_um: None,
+        why: "did not switch on every track; the lines show the mean tooth where it lacks".into(),
+    });
+    let mut rows: Vec<WorstTooth> = lacking.collect();
+    let marked = marked.map(|&(flank, tooth, track, off)| WorstTooth {
+        tooth,
+        flank: Some(flank),
+        track: Some(track),
+        from_curve_um: Some(off),
+        why: match (out(flank, tooth), left_out(tooth)) {
+            (true, true) => "out of the band; left out of means, mounting and correction",
+            (true, false) => "out of the band",
+            _ => "stands out; left out of means, mounting and correction",
+        }
+        .into(),
+    });
+    rows.extend(marked);
     for flank in Flank::BOTH {
         let largest = all.iter().find(|(f, tooth, ..)| *f == flank && !out(*f, *tooth) && !left_out(*tooth));
         rows.extend(largest.map(|&(_, tooth, track, off)| WorstTooth {
@@ -100,11 +109,12 @@ pub(super) fn pitch(outcome: &SkivingOutcome) -> Option<PitchView> {
     };
     let mounting = &result.mounting;
     let [e, om] = [mounting.eccentricity_sigma_um, mounting.wobble_sigma_urad];
+    let um = |values: &[f64]| -> Vec<f64> { values.iter().map(|mm| 1e3 * mm).collect() };
     let centre_um: Vec<f64> = m.evaluation.pitch.centres[middle].iter().map(|a| of_angle(*a)).collect();
     Some(PitchView {
         radius_mm,
-        single_um: result.pitch.single_um.clone(),
-        cumulative_um: result.pitch.cumulative_um.clone(),
+        single_um: um(&m.evaluation.pitch.single),
+        cumulative_um: um(&m.evaluation.pitch.cumulative),
         centre_um,
         harmonic_um: m.evaluation.pitch.first_harmonic.map(of_angle),
         outliers: mounting.left_out.clone(),

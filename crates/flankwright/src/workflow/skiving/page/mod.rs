@@ -27,14 +27,15 @@ pub fn html_page(
     let result = &outcome.result;
     let answer = Answer {
         process: "Measuring a skiving tool in the machine",
-        status: result.status,
-        reason: result.reason.as_ref(),
+        status: result.verdict.status(),
+        reason: result.verdict.reason(),
         warnings: &result.warnings,
         headline: headline(result),
         figures: figures(result),
     };
     let report = SkivingReport {
         head: report_head(&job.job, answer, files),
+        verdict: result.verdict.clone(),
         measured: outcome.measurement.as_ref().map(|m| measured::deviations(&outcome.bodies, m, result)),
         angles: angles::angles(outcome),
         strip: strip::strip(outcome),
@@ -54,7 +55,7 @@ pub fn html_page(
 }
 
 fn headline(result: &SkivingResult) -> String {
-    if let Some(reason) = &result.reason {
+    if let Some(reason) = result.verdict.reason() {
         return sentence(reason);
     }
     let worst = result.flanks.values().map(|flank| flank.max_deviation_um).fold(0.0, f64::max);

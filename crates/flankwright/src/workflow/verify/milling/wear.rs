@@ -7,8 +7,8 @@ use super::case::MilledCase;
 use super::cutter::of_shape;
 use crate::geometry::CutterShape;
 use crate::process::milling::{
-    FinishOptions, FinishedRow, FlankGrid, HeightRule, Orientation, Patch, RowLoad, RowSpacing,
-    WearHistogram, finish,
+    Bottom, FinishOptions, FinishedRow, FlankGrid, HeightRule, Kept, Obstacle, Orientation, Patch, RowLoad,
+    RowSpacing, WearHistogram, finish,
 };
 use serde_json::Value;
 
@@ -43,6 +43,7 @@ pub(in super::super::super) fn wear(reference: &Reference<'_>, block: &Value, le
             lengths: opposite.face,
             turn: 0.0,
         };
+        let opposite = Obstacle { name: "opposite flank", patch, wanted, between: true };
         let at = case.lead_parameters(COLUMNS)?;
         let grid = FlankGrid::build(&case.flank, &*case.lead, &at, rows, RowSpacing::Arc)?;
         let finished =
@@ -51,8 +52,8 @@ pub(in super::super::super) fn wear(reference: &Reference<'_>, block: &Value, le
                     cutter: &cutter,
                     orientation: Orientation::default(),
                     heights,
-                    bottom: of_root.then_some(wanted),
-                    opposite: of_opposite.then_some((patch, wanted)),
+                    bottom: of_root.then_some((Bottom::Level(0.0), wanted)),
+                    kept: of_opposite.then_some(Kept::Surface(opposite)).into_iter().collect(),
                 };
                 Ok(finish(&grid, &options)?)
             };

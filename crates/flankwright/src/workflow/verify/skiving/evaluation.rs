@@ -6,7 +6,7 @@ use super::super::ledger::Ledger;
 use super::super::reference::Tolerances;
 use super::measurement::Measured;
 use crate::geometry::{Flank, Sides};
-use crate::process::skiving::evaluation::{Evaluation, ProfileOptions, correction, evaluate};
+use crate::process::skiving::evaluation::{Evaluation, ProfileOptions, correction, evaluate_all_teeth};
 use crate::process::skiving::{Setting, SettingLimits};
 use serde_json::{Value, json};
 
@@ -24,7 +24,7 @@ pub(super) fn check_evaluation(
     let [band, wear_limit] =
         [number(&mut expected, "band_um", ledger)?, number(&mut expected, "wear_limit_um", ledger)?];
     let options = ProfileOptions { degree: DEGREE, band: 1e-3 * band, wear_limit: 1e-3 * wear_limit };
-    let found = evaluate(&measured.flanks, &measured.deviations, &options)?;
+    let found = evaluate_all_teeth(&measured.flanks, &measured.deviations, &options)?;
     let [um, rad] = ["evaluation_um", "evaluation_rad"].map(|key| tolerances.get(key));
     let micrometres = |list: &[f64]| -> Vec<f64> { list.iter().map(|x| 1e3 * x).collect() };
     let (pitch, mounting, profile) = (&found.pitch, &found.mounting, &found.profile);

@@ -85,7 +85,7 @@ fn crowned(setup: &Setup<'_>, case: &mut Expected<'_>, ledger: &mut Ledger) -> O
         }
         (None, Err(error)) => return Err(error.into()),
         (Some(expected), Ok(_)) => ledger.equal(case.case(), "error", expected, Value::Null),
-        (Some(expected), Err(TangentialError::Undercut { .. })) => {
+        (Some(expected), Err(TangentialError::Undercut { .. } | TangentialError::NotSettled { .. })) => {
             let found = folded(setup, flank, &settings, &grid.of(model, flank));
             ledger.equal(case.case(), "error", expected, found.into());
         }
@@ -101,7 +101,7 @@ fn folded(setup: &Setup<'_>, flank: Flank, settings: &TangentialSettings, grid: 
     let ground = TangentialFlank::new(&setup.model, flank, &[flank], settings, Measure::Arc);
     let folds = |&(w, z): &(f64, f64)| {
         let found = ground.solve_beyond_tool(&RollGrid { w: vec![w], z: vec![z] });
-        matches!(found, Err(TangentialError::Undercut { .. }))
+        matches!(found, Err(TangentialError::Undercut { .. } | TangentialError::NotSettled { .. }))
     };
     let points: Vec<(f64, f64)> = grid.points().filter(folds).collect();
     let (w, z) = points.first().copied().unwrap_or((f64::NAN, f64::NAN));

@@ -117,7 +117,8 @@ fn given_sign(item: &mut Expected<'_>, ledger: &mut Ledger) -> Option<Flank> {
 /// A refusal in the files' words.
 fn name_in_files(error: &TangentialError) -> &'static str {
     match error {
-        TangentialError::Undercut { .. } => "Undercut",
+        // The files know one word for both.
+        TangentialError::Undercut { .. } | TangentialError::NotSettled { .. } => "Undercut",
         TangentialError::OutsideTool { .. } => "OutsideTool",
         other => other.code(),
     }

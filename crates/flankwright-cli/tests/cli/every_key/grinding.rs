@@ -1,0 +1,84 @@
+//! The walk of generating grinding. Its jobs are small: a narrow gear, few points, one thread where it matters. The keys of `[inspection]`,
+//! which say how a measured gear is judged and corrected, are not walked.
+
+use super::of_files::FileWalk;
+use serde_json::{Value, json};
+
+/// Keys that change nothing.
+const EXCEPTIONS: [(&str, &str); 19] = [
+    ("job.name", "a name"),
+    ("job.description", "a comment"),
+    ("job.process", "says which keys there are"),
+    ("machine.file", "the name of a file; without it the job is refused"),
+    ("target.file", "the name of a file; without it the job is refused"),
+    ("catalogue.file", "the name of a file; without it the job is refused"),
+    ("catalogue.worms_csv", "the name of a file; without it the job is refused"),
+    ("catalogue.dressers_csv", "the name of a file; without it the job is refused"),
+    ("control.servo.disturbances.kind", "says which keys there are"),
+    ("grinding.diagonal_ratio.curve.kind", "says which keys there are"),
+    ("target.tolerance_map", "the name of a file; its table is walked"),
+    (
+        "settings.strokes.left.touching_mm",
+        "with the area it says whether strokes leave a gap, which is refused",
+    ),
+    (
+        "settings.strokes.right.touching_mm",
+        "with the area it says whether strokes leave a gap, which is refused",
+    ),
+    ("explore.catalogue.free", "says what `from` and `to` are"),
+    ("dresser.contact", "says which keys there are"),
+    ("control.feed.mode", "a stroke feeds in one sense; the modes differ where a slide turns"),
+    (
+        "output.meshes",
+        "not written by this version, which a warning tells; which of them makes no difference",
+    ),
+    ("compensation.rounds", "counts measurements; a warning repeats it"),
+    ("compensation.settings", "notes which corrections were made; the modifications carry them out"),
+];
+
+/// Words, and numbers that a check would refuse if they were changed alone.
+fn values() -> Vec<(&'static str, Value)> {
+    vec![
+        ("worm.hand", json!("left")),
+        ("worm.tool", json!("made")),
+        ("worm.tool", json!("given")),
+        ("dresser.modification", json!("none")),
+        ("dressing.flanks", json!("two")),
+        ("dressing.profile_crowning_by", json!("diagonal")),
+        ("dressing.profile_crowning_by", json!("correction")),
+        ("dressing.conditions", json!("fix-gamma")),
+        ("dressing.conditions", json!("fix-d")),
+        ("dressing.degrees_of_freedom", json!("v_y")),
+        ("grinding.diagonal_ratio.curve.flank", json!("left")),
+        ("control.feed.counter_limit", json!(3)),
+        ("grinding.method", json!("radial")),
+        ("grinding.flanks", json!("left")),
+        ("grinding.diagonal_ratio", json!("auto")),
+        ("grinding.gauge", json!("equal-swivel")),
+        ("output.tables", json!("parquet")),
+        ("output.programs", json!("siemens")),
+        ("control.workpiece.rate", json!("bresenham")),
+        ("control.servo.disturbances.axis", json!("worm")),
+        ("explore.dressing.flank", json!("right")),
+        ("explore.dressing.over", json!("profile")),
+        ("explore.dressing.deviations.distribution", json!("uniform")),
+        ("dressing.gear_root.along", json!("follows")),
+        ("dresser.others.modification", json!({ "kind": "profile_crowning", "amount_um": 0.5 })),
+    ]
+}
+
+#[test]
+fn every_key_of_generating_grinding_counts() {
+    let (ignored, mut missing) = FileWalk {
+        definition: "Job",
+        folder: "grinding",
+        exceptions: &EXCEPTIONS,
+        values: values(),
+        echoes: &["job", "version", "timing_s", "tolerance_um"],
+    }
+    .run();
+    // What `fit` decides shows on targets that take many seconds to fit; `tests/least_squares.rs` of the library compares both.
+    missing.retain(|key| !key.starts_with("inspection.") && key != "target.fit");
+    assert!(ignored.is_empty(), "without effect: {ignored:?}");
+    assert!(missing.is_empty(), "in no job of the walk: {missing:?}");
+}

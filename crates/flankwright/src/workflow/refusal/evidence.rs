@@ -1,0 +1,224 @@
+//! What a refused job of generating grinding shows: the candidates that planning judged, and pictures of what limits.
+
+use super::super::prepare::{Prepared, prepare};
+use super::super::result::CandidateResult;
+use crate::exchange::job::DiagonalRatio;
+use crate::exchange::{Diagnostic, LoadedJob};
+use crate::geometry::Flank;
+use crate::numerics::equidistant;
+use crate::process::generating::{Candidate, FeedLaw, GeneratingError};
+use crate::report::Figure;
+use crate::report::charts::{ChartError, LineChart, Panel, Series, YScale, line_chart};
+use serde::Serialize;
+
+/// A ratio that could not be judged.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub(super) struct FailedRatio {
+    /// K.
+    pub diagonal_ratio: f64,
+    /// Code of the reason.
+    pub code: &'static str,
+    /// The reason.
+    pub text: String,
+}
+
+/// What was found on the way to a refusal.
+pub(super) struct Evidence {
+    prepared: Prepared,
+    candidates: Vec<Candidate>,
+    failed: Vec<(f64, GeneratingError)>,
+    tolerance_um: f64,
+    /// The ratio that the job gives.
+    given: Option<f64>,
+}
+
+/// Places at which a curve is drawn.
+const PLACES: usize = 41;
+/// Ordinates that differ by more than this factor are drawn in decades.
+const DECADES: f64 = 50.0;
+
+impl Evidence {
+    /// Goes the way of planning again. A job whose bodies cannot even be put together shows none.
+    pub fn of_job(loaded: &LoadedJob) -> Option<Self> {
+        let prepared = prepare(loaded).ok()?;
+        let (candidates, failed) = match &loaded.job.settings {
+            // Settings were run, nothing was chosen.
+            Some(_) => (Vec::new(), Vec::new()),
+            None => match prepared.task(&loaded.job).plan_or_tried() {
+                Ok(plan) => (plan.choice.candidates, plan.choice.failed),
+                Err(refused) => (refused.candidates, refused.failed),
+            },
+        };
+        let tolerance_um = prepared.tolerance.tightest() * 1e3;
+        let given = match loaded.job.grinding.diagonal_ratio {
+            Some(DiagonalRatio::Number(ratio)) => Some(ratio),
+            _ => None,
+        };
+        Some(Self { prepared, candidates, failed, tolerance_um, given })
+    }
+
+    /// The candidates in the order in which they were judged.
+    pub fn candidates(&self) -> Vec<CandidateResult> {
+        self.candidates.iter().map(CandidateResult::of).collect()
+    }
+
+    /// Ratios that could not be judged.
+    pub fn failed(&self) -> Vec<FailedRatio> {
+        self.failed
+            .iter()
+            .map(|(ratio, error)| FailedRatio {
+                diagonal_ratio: *ratio,
+                code: error.code(),
+                text: error.to_string(),
+            })
+            .collect()
+    }
+
+    /// The pictures of what limits.
+    ///
+    /// # Errors
+    /// A number that is not finite.
+    pub fn figures(&self, finding: &Diagnostic) -> Result<Vec<Figure>, ChartError> {
+        let on_machine = finding.field.as_deref().is_some_and(|field| field.starts_with("machine"));
+        let mut figures = Vec::new();
+        if !on_machine {
+            figures.extend(self.over_the_ratio(finding.code)?);
+        }
+        figures.extend(self.reach()?);
+        Ok(figures)
+    }
+
+    /// What the candidates need over the ratio, with the limit that refuses them.
+    fn over_the_ratio(&self, code: &str) -> Result<Option<Figure>, ChartError> {
+        if let ("worm-too-short", Some(width)) = (code, self.prepared.setup.input.worm_width) {
+            return self.width_needed(width).map(Some);
+        }
+        if self.candidates.len() < 2 {
+            return Ok(None);
+        }
+        let quantity = match code {
+            "axis-limit" => Quantity {
+                title: "Share of the axis limits of planning that each diagonal ratio needs",
+                ordinate: "largest share",
+                value: Candidate::score,
+                limit: 1.0,
+                limit_name: "limit",
+            },
+            _ => Quantity {
+                title: "Residual of each diagonal ratio on an ideal worm",
+                ordinate: "largest residual [µm]",
+                value: |c| c.error * 1e3,
+                limit: self.tolerance_um / 2.0,
+                limit_name: "half the tolerance",
+            },
+        };
+        quantity.figure(&self.candidates).map(Some)
+    }
+
+    /// The width of the worm that a ratio needs, which follows from the bodies alone.
+    fn width_needed(&self, width: f64) -> Result<Figure, ChartError> {
+        let setup = &self.prepared.setup;
+        let which: Vec<Flank> =
+            Flank::BOTH.into_iter().filter(|&flank| self.prepared.targets[flank].is_some()).collect();
+        let tried =
+            self.candidates.iter().map(|c| c.ratio).chain(self.failed.iter().map(|(ratio, _)| *ratio));
+        let most = tried.chain(self.given).map(f64::abs).fold(1.0, f64::max);
+        let ratios = equidistant([-most, most], PLACES);
+        let needed = |&ratio: &f64| {
+            let [from, to] = setup.occupation(&FeedLaw::Ratio(ratio).law(setup, &which), &which);
+            to - from + 2.0 * setup.run_in()
+        };
+        let series = vec![
+            Series::new("needed", ratios.clone(), ratios.iter().map(needed).collect()).bare(),
+            Series::limit("width of the worm", vec![-most, most], vec![width; 2]),
+        ];
+        let svg = line_chart(&LineChart {
+            title: "Width of the worm that each diagonal ratio needs".into(),
+            x_title: "diagonal ratio K".into(),
+            panels: vec![Panel::linear("width [mm]", 0.0, series)],
+        })?;
+        Ok(Figure { svg, caption: "Run-in and run-out included.".into() })
+    }
+
+    /// The diameter of the worm that grinds each diameter of the gear, beside its tip and root.
+    fn reach(&self) -> Result<Option<Figure>, ChartError> {
+        let setup = &self.prepared.setup;
+        if !(setup.pair.worm.is_cylindrical() && setup.pair.work.is_cylindrical()) {
+            return Ok(None);
+        }
+        let [from, to, ..] = setup.input.evaluation;
+        let diameters = equidistant([from, to], PLACES);
+        let mut series: Vec<Series> = Vec::new();
+        for flank in Flank::BOTH.into_iter().filter(|&flank| self.prepared.targets[flank].is_some()) {
+            let pair = &setup.pair.flanks[flank];
+            let needed: Option<Vec<f64>> = diameters
+                .iter()
+                .map(|d| {
+                    let w = pair.work.length_of_roll(d / 2.0).ok()?;
+                    Some(2.0 * pair.worm.radius(pair.worm_roll(w, 0.0, 0.0)))
+                })
+                .collect();
+            let Some(needed) = needed else { continue };
+            series.push(Series::new(format!("{flank} flank"), diameters.clone(), needed).bare());
+        }
+        if series.is_empty() {
+            return Ok(None);
+        }
+        for (name, radius) in
+            [("tip of the worm", setup.worm_tip_radius), ("root of the worm", setup.worm_root_radius)]
+        {
+            series.push(Series::limit(name, vec![from, to], vec![2.0 * radius; 2]));
+        }
+        let svg = line_chart(&LineChart {
+            title: "Reach of the worm".into(),
+            x_title: "diameter of the gear [mm]".into(),
+            panels: vec![Panel::linear("diameter of the worm [mm]", 0.0, series)],
+        })?;
+        let caption = "Diameter of the worm that grinds each evaluated diameter of the gear, without modification; a modification moves it a little.".into();
+        Ok(Some(Figure { svg, caption }))
+    }
+}
+
+/// A figure of the candidates with its limit.
+struct Quantity {
+    title: &'static str,
+    ordinate: &'static str,
+    value: fn(&Candidate) -> f64,
+    limit: f64,
+    limit_name: &'static str,
+}
+
+impl Quantity {
+    fn figure(&self, candidates: &[Candidate]) -> Result<Figure, ChartError> {
+        let mut places: Vec<&'static str> = candidates.iter().map(|c| c.place.name()).collect();
+        places.sort_unstable();
+        places.dedup();
+        let mut series = Vec::new();
+        for place in &places {
+            let mut points: Vec<(f64, f64, bool)> = candidates
+                .iter()
+                .filter(|c| c.place.name() == *place)
+                .map(|c| (c.ratio, (self.value)(c), c.refusal.is_none()))
+                .collect();
+            points.sort_by(|a, b| a.0.total_cmp(&b.0));
+            points.dedup_by(|b, a| b.0 == a.0);
+            let name = if places.len() > 1 { format!("crowning by {place}") } else { "candidates".into() };
+            let x = points.iter().map(|p| p.0).collect();
+            let y = points.iter().map(|p| p.1).collect();
+            series.push(Series::new(name, x, y).marked(points.iter().map(|p| p.2).collect()));
+        }
+        let values = || series.iter().flat_map(|s: &Series| &s.y).copied();
+        let (least, most) = (values().fold(f64::INFINITY, f64::min), values().fold(0.0, f64::max));
+        let scale =
+            if most > DECADES * least.max(f64::MIN_POSITIVE) { YScale::Logarithmic } else { YScale::Linear };
+        let ratios = || series.iter().flat_map(|s| &s.x).copied();
+        let ends = [ratios().fold(f64::INFINITY, f64::min), ratios().fold(f64::NEG_INFINITY, f64::max)];
+        series.push(Series::limit(self.limit_name, ends.to_vec(), vec![self.limit; 2]));
+        let svg = line_chart(&LineChart {
+            title: self.title.into(),
+            x_title: "diagonal ratio K".into(),
+            panels: vec![Panel { scale, ..Panel::linear(self.ordinate, 0.0, series) }],
+        })?;
+        Ok(Figure { svg, caption: "Filled: allowed; open: refused. The table tells why.".into() })
+    }
+}
