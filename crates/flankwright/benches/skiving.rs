@@ -66,6 +66,7 @@ fn skiving(criterion: &mut Criterion) {
         senses: &Sense::BOTH,
         revolutions: 2,
         radius_offset: 0.0,
+        clocking: 0.0,
         options: &bodies.options,
         settings: (&bodies.free, &bodies.setting_limits),
     };

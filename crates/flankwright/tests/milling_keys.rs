@@ -199,7 +199,7 @@ fn jobs() -> Vec<Value> {
     let blade = json!({ "count": 9, "hub_radius": [40.0, 55.0], "active_height": [0.3, 1.0], "thickness": [4.0, 2.0],
         "ruled": { "tip_radius": 75.0, "length": 60.0, "azimuth_deg": [0.5, 34.4], "tip_lead_deg": [2.86, 11.46], "side": "left" } });
     let ball = json!({ "shape": "ball", "diameter": 6.0, "cutting_length": 40.0 });
-    let barrel = json!({ "shape": "barrel", "diameter": 6.0, "profile_radius": 40.0, "largest_diameter_height": 3.0,
+    let barrel = json!({ "shape": "barrel", "diameter": 6.0, "profile_radius": 25.0, "largest_diameter_height": 3.0,
         "cutting_length": 40.0 });
     vec![
         whole,
@@ -247,7 +247,7 @@ fn every_key_of_five_axis_milling_counts() {
                 }
             })
         };
-        let found: Vec<bool> = todo.par_iter().map(|place| counts(*place)).collect();
+        let found: Vec<bool> = todo.par_iter().map(|place| counts(place)).collect();
         for (place, counts) in todo.into_iter().zip(found) {
             missing.remove(&key(place));
             if counts {

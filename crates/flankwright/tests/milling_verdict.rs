@@ -151,7 +151,9 @@ fn program_check_sees_all_spaces_root_and_rapid_moves() {
     let later = &cuts[cuts.len() / 2..cuts.len() / 2 + 8];
     let found = faults(&changed(later, &|line| moved(line, 'X', 3.0)));
     assert!(
-        found.iter().any(|fault| fault.code == "flank-gouged" && fault.space.is_some_and(|space| space > 1)),
+        found
+            .iter()
+            .any(|fault| fault.code.ends_with("-gouged") && fault.space.is_some_and(|space| space > 1)),
         "{found:#?}"
     );
     // The pass of the bottom 5 mm too deep in the last space.
@@ -162,6 +164,9 @@ fn program_check_sees_all_spaces_root_and_rapid_moves() {
         let line = moved(line, 'Z', -20.0).replace("G93 G1", "G94 G0");
         line.split(' ').filter(|word| !word.starts_with('F')).collect::<Vec<_>>().join(" ")
     };
-    let found = faults(&changed(&cuts[cuts.len() / 3..=cuts.len() / 3], &rapid));
+    // One that goes through the space, not one that comes down beside the gear.
+    let y = |k: usize| lines[k].split(' ').find(|word| word.starts_with('Y'));
+    let through = cuts[cuts.len() / 3..].iter().find(|&&k| y(k) != y(k - 1)).unwrap();
+    let found = faults(&changed(&[*through], &rapid));
     assert!(found.iter().any(|fault| fault.code == "rapid-collision"), "{found:#?}");
 }

@@ -180,7 +180,10 @@ fn run_strokes<const STROKES: usize>(
     // It runs on as far as it began before the flank, turns, and has settled when it is back at the flank's end.
     let back = [(settling, 0.0), (2.0 * rise, -velocity / rise), (settling + duration, 0.0)];
     let returns = STROKES > 1;
-    let pieces = there.into_iter().chain(back.into_iter().filter(|_| returns));
+    let step = control.servo.sample_time;
+    let mut pieces: Vec<_> = there.into_iter().chain(back.into_iter().filter(|_| returns)).collect();
+    // The last sample may lie behind the flank's end.
+    pieces.push((step, 0.0));
     let slide = SlideMotion::from_rest(first - sense * way, pieces)?;
     // When each stroke begins at its end of the flank.
     let begins: [f64; STROKES] = std::array::from_fn(|k| lead_in + k as f64 * (duration + 2.0 * lead_in));
@@ -197,13 +200,12 @@ fn run_strokes<const STROKES: usize>(
     let correction = match motion.delta_phi_2.is_zero() {
         true => None,
         false => {
-            let beyond = if returns { sense * way } else { 0.0 };
+            let beyond = if returns { sense * way } else { velocity * step };
             Some(CorrectionTable::new(motion, [first - sense * way, last + beyond], parts / TAU)?)
         }
     };
     let table = correction.as_ref().map(CorrectionTable::table).transpose()?;
 
-    let step = control.servo.sample_time;
     // First and last sample of each stroke.
     let windows =
         begins.map(|begin| [(begin / step).floor() as u64, ((begin + duration) / step).ceil() as u64]);

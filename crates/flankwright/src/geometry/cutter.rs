@@ -45,6 +45,8 @@ pub struct Cutter {
     cutting_length: f64,
     steps: Vec<ShankStep>,
     overhang: Option<f64>,
+    /// Height at which the cutting part ends, mm.
+    top: f64,
 }
 
 /// How far a corner may be larger than the radius before a ball is no ball: rounding of numbers in files.
@@ -180,7 +182,7 @@ impl Cutter {
             need("cutter shank radius", step.radius, step.radius > 0.0, "> 0 mm")?;
             need("cutter shank from", step.from, step.from > 0.0, "> 0 mm above the tip")?;
         }
-        Ok(Self { shape, cutting_length, steps, overhang: None })
+        Ok(Self { shape, cutting_length, steps, overhang: None, top: f64::INFINITY })
     }
 
     /// The cutting part.
@@ -218,6 +220,26 @@ impl Cutter {
         !self.steps.is_empty()
     }
 
+    /// The cutter whose cutting part goes on upwards to this height only, mm: for a cutter of which nothing else is known, in a bore that it
+    /// would cross otherwise.
+    pub fn ending_at(mut self, height: f64) -> Self {
+        self.top = self.cutting_length.max(height);
+        self
+    }
+
+    /// Height to which the cutting part is taken to go on, mm; infinite as a rule.
+    pub fn top(&self) -> f64 {
+        self.top
+    }
+
+    /// The cutting part up to its end. Next to the end the distance is below the true one.
+    #[inline(always)]
+    fn edges(&self, rho: f64, z: f64) -> Support {
+        let support = self.shape.support(rho, z);
+        let above = z - self.top;
+        if above > support.distance { Support { distance: above, slope: [0.0, 1.0] } } else { support }
+    }
+
     /// Height above the tip up to which the tool is known to go, mm: to the nose of the spindle, else to the begin of its last step, at
     /// least to the end of its edges.
     pub fn length(&self) -> f64 {
@@ -226,16 +248,16 @@ impl Cutter {
     }
 
     /// Distance of a point in tool coordinates from the whole tool, mm, as [`CutterShape::distance`] has it; the cutting part is
-    /// taken to go on upwards.
+    /// taken to go on upwards to its [`top`](Self::top).
     pub fn distance(&self, rho: f64, z: f64) -> f64 {
-        let shape = self.shape.distance(rho, z);
-        self.steps.iter().fold(shape, |least, step| least.min(step.support(rho, z).distance))
+        let edges = self.edges(rho, z).distance;
+        self.steps.iter().fold(edges, |least, step| least.min(step.support(rho, z).distance))
     }
 
     /// Distances and slopes of its convex parts: cutting part, neck, shank and holder.
     #[inline]
     pub fn supports(&self, rho: f64, z: f64) -> impl Iterator<Item = Support> {
-        std::iter::once(self.shape.support(rho, z)).chain(self.steps.iter().map(move |s| s.support(rho, z)))
+        std::iter::once(self.edges(rho, z)).chain(self.steps.iter().map(move |s| s.support(rho, z)))
     }
 }
 
@@ -277,8 +299,13 @@ mod tests {
             along(13).flat_map(move |u| along(17).map(move |v| (8.0 * u, 14.0 * v - 4.0)))
         };
         for shape in shapes() {
-            let cutter = Cutter::new(shape, 10.0, vec![step]).unwrap();
-            for (rho, z) in places() {
+            let whole = Cutter::new(shape, 10.0, vec![step]).unwrap();
+            let bare = Cutter::new(shape, 6.0, Vec::new()).unwrap().ending_at(7.0);
+            let above = |z: f64| bare.distance(0.5, z);
+            assert!(above(8.0) >= 1.0 && above(6.9) < 1.0, "{shape:?}");
+            for (cutter, (rho, z)) in
+                [&whole, &bare].into_iter().flat_map(|cutter| places().map(move |place| (cutter, place)))
+            {
                 let parts: Vec<Support> = cutter.supports(rho, z).collect();
                 let least = parts.iter().map(|part| part.distance).fold(f64::INFINITY, f64::min);
                 assert_eq!(least, cutter.distance(rho, z));

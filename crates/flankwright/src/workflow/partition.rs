@@ -9,7 +9,7 @@ use crate::exchange::job::Job;
 use crate::geometry::Sides;
 use crate::kinematics::MotionLaw;
 use crate::process::generating::areas::{AreaKind, AreaPlan, AreaSet, AreaTask, Occupation, WormExtent};
-use crate::process::generating::{FlankLines, GeneratingError, Strokes};
+use crate::process::generating::{FlankLines, GeneratingError, GrindingSetup, Strokes};
 use crate::report::charts::WormOccupationChart;
 use serde::Serialize;
 
@@ -139,7 +139,8 @@ impl Partition {
         let finishing = finishing_area(prepared, &lines, ratio, shift).map_err(fault)?;
         let roughing = plain_area(&lines, job.grinding.roughing_ratio.unwrap_or(0.0)).map_err(fault)?;
         // From one finishing area to the next the dresser has to come back to where the plan begins: no line of either lies there.
-        let apart = if setup.input.dresser.is_some() { setup.run_in() } else { 0.0 };
+        let apart =
+            if setup.input.dresser.is_some() { passage(setup) + 2.0 * beside_area(setup) } else { 0.0 };
         let sets = |areas: usize| {
             [
                 AreaSet {
@@ -205,6 +206,17 @@ impl Partition {
     pub fn chart(&self) -> &WormOccupationChart {
         &self.chart
     }
+}
+
+/// Length over which the dresser goes from one finishing area to the next, mm.
+pub(super) fn passage(setup: &GrindingSetup) -> f64 {
+    setup.run_in()
+}
+
+/// How far the dresser goes on as in a finishing area beside it, mm: stock and corrections move the lines that are touched, and it reaches
+/// beyond the line on which it stands.
+pub(super) fn beside_area(setup: &GrindingSetup) -> f64 {
+    0.25 * setup.run_in()
 }
 
 /// More areas than this are not counted.

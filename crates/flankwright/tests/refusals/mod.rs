@@ -255,6 +255,6 @@ variables = "source"
     assert!(page.contains("not producible") && page.contains("Bodies") && page.contains(finding.code));
     // A file in the place of the directory is told as such.
     let file = directory.path().join("report.html");
-    let error = write_refusal(&loaded, &finding, &file).err().expect("an error");
+    let error = write_refusal(&loaded, &finding, &file).expect_err("an error");
     assert!(error.to_string().contains("report.html: it is a file, not a directory"), "{error}");
 }

@@ -1,7 +1,7 @@
 //! How far a cutter stays away from a piece of a surface, exactly (spec 50 section 9): boxes of parameters are halved until what
 //! they can still hide is below a bound; the best point is then polished.
 
-use super::probe::Probe;
+use super::probe::{Moves, Probe};
 use crate::geometry::{Cutter, Surface};
 use nalgebra::{Rotation3, Vector3};
 use std::collections::BinaryHeap;
@@ -37,7 +37,7 @@ impl Patch<'_> {
     /// The cutter seen from the patch: turned back instead of the surface forwards.
     fn probe<'a>(&'a self, cutter: &'a Cutter, tip: &Vector3<f64>, axis: &Vector3<f64>) -> Probe<'a> {
         let back = Rotation3::from_axis_angle(&Vector3::z_axis(), -self.turn);
-        Probe { cutter, tip: back * tip, axis: back * axis, patch: *self }
+        Probe { cutter, tip: back * tip, axis: back * axis, moves: Moves::default(), patch: *self }
     }
 
     /// The least distance of a cutter with its tip and unit axis there.
@@ -68,6 +68,11 @@ impl Patch<'_> {
         Clearance { value, lower_bound: bound.min(value), place }
     }
 
+    /// A point of it, mm.
+    pub fn point(&self, [height, length]: [f64; 2]) -> Vector3<f64> {
+        Rotation3::from_axis_angle(&Vector3::z_axis(), self.turn) * self.surface.point(height, length)
+    }
+
     /// Whether the cutter keeps more than `wanted` mm; otherwise a place where it does not, or not for certain, with the distance
     /// there. Cheaper than the clearance itself, because what is far away is seen to be so at once.
     pub fn keeps(
@@ -77,7 +82,18 @@ impl Patch<'_> {
         axis: &Vector3<f64>,
         wanted: f64,
     ) -> Result<(), Clearance> {
-        let probe = self.probe(cutter, tip, axis);
+        self.keeps_moving(cutter, (tip, axis), &Moves::default(), wanted)
+    }
+
+    /// The same wherever the cutter moves to from there. The distance told is then what is certain.
+    pub(super) fn keeps_moving(
+        &self,
+        cutter: &Cutter,
+        (tip, axis): (&Vector3<f64>, &Vector3<f64>),
+        moves: &Moves,
+        wanted: f64,
+    ) -> Result<(), Clearance> {
+        let probe = self.probe(cutter, tip, axis).moving(moves, self.turn);
         let mut pieces = vec![probe.whole()];
         while let Some(piece) = pieces.pop() {
             if piece.least >= wanted {

@@ -17,6 +17,7 @@ use super::{
 };
 use crate::geometry::{Cutter, Flank};
 use crate::numerics::extremes;
+use rayon::prelude::*;
 
 /// What a space is milled with and how.
 #[derive(Clone, Debug)]
@@ -312,12 +313,11 @@ fn check(space: &Space, options: &PlanOptions, operation: &Operation) -> Result<
     if cutter.is_held() {
         obstacles.extend(space.walls(WallKind::Ring, along_blocks(options.safety)));
     }
-    for (number, path) in operation.paths.iter().enumerate() {
-        check_path(cutter, &path.places, &obstacles).map_err(|collision| MillingError::Collides {
-            kind: operation.kind,
-            path: number,
-            collision,
-        })?;
-    }
-    Ok(())
+    // Collected before the first error is looked for: it is the same whatever the threads.
+    let all: Vec<_> =
+        operation.paths.par_iter().map(|path| check_path(cutter, &path.places, &obstacles)).collect();
+    let met = all.into_iter().enumerate().find_map(|(path, checked)| Some((path, checked.err()?)));
+    met.map_or(Ok(()), |(path, collision)| {
+        Err(MillingError::Collides { kind: operation.kind, path, collision })
+    })
 }

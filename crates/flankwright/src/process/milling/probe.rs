@@ -6,13 +6,15 @@
 //!
 //!     d >= d(m) - |g S_a| h_a - |g S_b| h_b - |r|.
 //!
+//! A cutter that moves a little to both sides changes d by what g sees of that motion, as if the surface moved instead.
+//!
 //! Near the nearest point g is perpendicular to the surface, and what a box can hide falls with the square of its size; spec 50's
 //! bound d(m) - L_a h_a - L_b h_b falls with the size alone. Of a cutter with a shank the least bound of its parts counts.
 
-use super::Patch;
+use super::{CutterPlace, Patch};
 use crate::geometry::{Cutter, Support, in_tool};
 use crate::numerics::brent;
-use nalgebra::Vector3;
+use nalgebra::{Rotation3, Vector3};
 use std::cmp::Ordering;
 
 /// A box of parameters with what it cannot be below, and the nearest of its points that have been looked at. mm.
@@ -60,25 +62,85 @@ pub(super) struct Probe<'a> {
     pub cutter: &'a Cutter,
     pub tip: Vector3<f64>,
     pub axis: Vector3<f64>,
+    pub moves: Moves,
     pub patch: Patch<'a>,
 }
 
+/// A motion from a place to both sides, straight at the tip.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Moves {
+    /// What it shifts at most, mm.
+    shift: Vector3<f64>,
+    /// What it turns about the tip at most, rad.
+    turn: Vector3<f64>,
+    /// How much less it turns to one of the sides, rad.
+    uneven: f64,
+}
+
+impl Moves {
+    /// From the middle of a piece of a block to both ends.
+    pub fn between(middle: &CutterPlace, [from, to]: [&CutterPlace; 2]) -> Self {
+        let angle = |end: &CutterPlace| middle.axis.cross(&end.axis).norm().atan2(middle.axis.dot(&end.axis));
+        let angles = [angle(from), angle(to)];
+        let across = from.axis.cross(&to.axis);
+        let turn =
+            across.try_normalize(0.0).map_or_else(Vector3::zeros, |unit| unit * angles[0].max(angles[1]));
+        Self { shift: 0.5 * (to.tip - from.tip), turn, uneven: (angles[0] - angles[1]).abs() }
+    }
+
+    /// How far a point within `radius` of one that lies there from the tip moves at most, mm.
+    pub fn of(&self, arm: &Vector3<f64>, radius: f64) -> f64 {
+        let turns = self.turn.norm();
+        self.shift.norm() + if turns > 0.0 { turns * (arm.norm() + radius) } else { 0.0 }
+    }
+
+    /// What a distance with this slope changes at most by the motion, at all points within `radius` of one that lies there from the tip.
+    /// The axis turns by an angle that is not quite in proportion to the shift, and a point leaves its tangent: both are of second order.
+    fn changes(&self, gradient: &Vector3<f64>, arm: &Vector3<f64>, radius: f64) -> f64 {
+        let level = gradient.dot(&(self.shift + self.turn.cross(arm))).abs();
+        let angle = self.turn.norm();
+        if angle == 0.0 {
+            return level;
+        }
+        let shift = self.shift.norm();
+        let aside = self.uneven + angle * angle * (0.5 + angle);
+        let sharp = level + angle * (radius + shift) + aside * (arm.norm() + radius + shift);
+        sharp.min(self.of(arm, radius))
+    }
+}
+
 impl Probe<'_> {
+    /// The same on its way, of a patch that is turned by so much.
+    pub fn moving(self, moves: &Moves, turn: f64) -> Self {
+        let back = Rotation3::from_axis_angle(&Vector3::z_axis(), -turn);
+        Self { moves: Moves { shift: back * moves.shift, turn: back * moves.turn, ..*moves }, ..self }
+    }
+
     fn distance(&self, [height, length]: [f64; 2]) -> f64 {
         let [rho, z] = in_tool(&self.patch.surface.point(height, length), &self.tip, &self.axis);
         self.cutter.distance(rho, z)
     }
 
     /// Distances of the cutter's convex parts from the surface at a place, each with its slopes over height and length.
-    fn supports(&self, [height, length]: [f64; 2]) -> impl Iterator<Item = (f64, [f64; 2])> {
+    fn supports(&self, place: [f64; 2]) -> impl Iterator<Item = (f64, [f64; 2])> {
+        self.moving_supports(place, 0.0).map(|(distance, slopes, _)| (distance, slopes))
+    }
+
+    /// The same with what the motion changes at most in the place and around it by a radius: there and all around.
+    fn moving_supports(
+        &self,
+        [height, length]: [f64; 2],
+        radius: f64,
+    ) -> impl Iterator<Item = (f64, [f64; 2], [f64; 2])> {
         let jet = self.patch.surface.jet(height, length);
         let [rho, z] = in_tool(&jet.point, &self.tip, &self.axis);
         // On the axis any radial direction will do, because no distance falls with the radius: none is the simplest.
         let outwards = (jet.point - self.tip - self.axis * z) / if rho > 0.0 { rho } else { 1.0 };
-        let axis = self.axis;
+        let (axis, arm, moves) = (self.axis, jet.point - self.tip, self.moves);
         self.cutter.supports(rho, z).map(move |Support { distance, slope }| {
             let gradient = outwards * slope[0] + axis * slope[1];
-            (distance, [gradient.dot(&jet.by_height), gradient.dot(&jet.by_length)])
+            let slopes = [gradient.dot(&jet.by_height), gradient.dot(&jet.by_length)];
+            (distance, slopes, [0.0, radius].map(|radius| moves.changes(&gradient, &arm, radius)))
         })
     }
 
@@ -101,8 +163,10 @@ impl Probe<'_> {
         let [heights, lengths] = [0, 1].map(|k| [middle[k] - half[k], middle[k] + half[k]]);
         let speeds = self.patch.surface.speed_bounds(heights, lengths);
         let reach = [speeds[0] * half[0], speeds[1] * half[1]];
-        let distance = self.distance(middle);
-        let least = distance - reach[0] - reach[1];
+        let point = self.patch.surface.point(middle[0], middle[1]);
+        let [rho, z] = in_tool(&point, &self.tip, &self.axis);
+        let (distance, arm) = (self.cutter.distance(rho, z), point - self.tip);
+        let least = distance - reach[0] - reach[1] - self.moves.of(&arm, reach[0] + reach[1]);
         let mut piece = Piece { least, nearest: distance, place: middle, half, middle, reach };
         if least < enough {
             self.sharpen(&mut piece, [heights, lengths]);
@@ -116,9 +180,10 @@ impl Probe<'_> {
         let (half, radius) = (piece.half, piece.radius());
         let mut least = f64::INFINITY;
         let mut downwards = [0.0; 2];
-        for (distance, slopes) in self.supports(piece.middle) {
+        for (distance, slopes, [here, around]) in self.moving_supports(piece.middle, radius) {
             let falls = slopes[0].abs() * half[0] + slopes[1].abs() * half[1] + off;
-            let bound = distance - radius.min(falls);
+            let bound = distance - radius.min(falls) - around;
+            piece.nearest = piece.nearest.min(distance - here);
             if bound < least {
                 least = bound;
                 downwards = slopes.map(|slope| -slope.signum());

@@ -8,7 +8,7 @@ use crate::geometry::{Cutter, CutterShape};
 /// The part of a cutter that a ray meets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CutterPart {
-    /// The cutting part, taken to go on upwards.
+    /// The cutting part, taken to go on upwards as far as its cutter says.
     Edges,
     /// Neck, shank or holder: index of the step of the cutter.
     Shank(usize),
@@ -31,6 +31,8 @@ pub(super) struct Part {
     /// A radius that is typical of its curvature across the axis, mm.
     pub radius: f64,
     body: Body,
+    /// Height at which it ends, mm.
+    top: f64,
 }
 
 impl Part {
@@ -50,13 +52,24 @@ impl Part {
             name: CutterPart::Shank(i),
             radius: step.radius,
             body: Body::Step { radius: step.radius, from: step.from },
+            top: f64::INFINITY,
         });
-        std::iter::once(Self { name: CutterPart::Edges, radius, body }).chain(steps).collect()
+        std::iter::once(Self { name: CutterPart::Edges, radius, body, top: cutter.top() })
+            .chain(steps)
+            .collect()
     }
 
-    /// Distance at radius rho and height z, mm, negative inside, with its derivatives by rho and by z.
+    /// Distance at radius rho and height z, mm, negative inside, with its derivatives by rho and by z. What ends at a height is the
+    /// common part of two convex bodies: the greater distance, which is convex as both are.
     #[inline]
     pub fn distance(&self, rho: f64, z: f64) -> [f64; 3] {
+        let endless = self.endless(rho, z);
+        let above = z - self.top;
+        if above > endless[0] { [above, 0.0, 1.0] } else { endless }
+    }
+
+    #[inline]
+    fn endless(&self, rho: f64, z: f64) -> [f64; 3] {
         match self.body {
             Body::Conical { rho_c, corner, sin, cos } => {
                 let (x, y) = (rho - rho_c, z - corner);

@@ -17,6 +17,9 @@ use nalgebra::Vector3;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
+/// A blade's length parameters from end to end; its surface goes on beyond them.
+const FACE: [f64; 2] = [0.0, 1.0];
+
 /// The back of a blade as seen from the side that is milled: against its normal by a thickness that is linear over the height. mm.
 #[derive(Clone, Copy, Debug)]
 struct Back {
@@ -78,7 +81,7 @@ pub(super) fn bladed(loaded: &LoadedMillingJob, given: &job::Blade) -> Result<Bo
     let active = ActiveFlank {
         surface: blade.surface,
         heights: HeightLimits::Constant(given.active_height),
-        face: [0.0, 1.0],
+        face: FACE,
         kink: None,
     };
     let side = given.side().map_or(Flank::Left, job::BladeSide::flank);
@@ -104,9 +107,13 @@ pub(super) fn bladed(loaded: &LoadedMillingJob, given: &job::Blade) -> Result<Bo
 /// The blades on both sides of the one that is milled, from hub to tip, and all backs that are known.
 fn beside(blade: &BladeSide, count: usize) -> Vec<Wall> {
     let pitch = TAU / count as f64;
-    let wall = |name, surface: &Arc<dyn Surface>, turn| {
-        let [heights, lengths] = surface.domain();
-        Wall { name, kind: WallKind::Blade, surface: surface.clone(), heights, lengths, turn }
+    let wall = |name, surface: &Arc<dyn Surface>, turn| Wall {
+        name,
+        kind: WallKind::Blade,
+        surface: surface.clone(),
+        heights: [0.0, 1.0],
+        lengths: FACE,
+        turn,
     };
     let turns: &[f64] = if count > 1 { &[pitch, -pitch] } else { &[] };
     let mut walls: Vec<Wall> =

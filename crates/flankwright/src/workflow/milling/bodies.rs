@@ -128,11 +128,11 @@ pub fn prepare_milling(loaded: &LoadedMillingJob) -> Result<MillingBodies, RunFa
         });
         body.map_err(|error| RunFailure::bad_input(geometry_finding(&error, table)))
     };
-    let finishing = cutter(&job.cutter, "cutter")?;
+    let mut finishing = cutter(&job.cutter, "cutter")?;
     let other =
         |given: &Option<MillingCutter>, table| given.as_ref().map(|given| cutter(given, table)).transpose();
-    let bottom_cutter = other(&job.bottom_cutter, "bottom_cutter")?;
-    let roughing_cutter = other(&job.roughing_cutter, "roughing_cutter")?;
+    let mut bottom_cutter = other(&job.bottom_cutter, "bottom_cutter")?;
+    let mut roughing_cutter = other(&job.roughing_cutter, "roughing_cutter")?;
     let body = match job.body() {
         Some(MilledBody::Gear(gear)) => cylindrical(loaded, gear)?,
         Some(MilledBody::Bevel(bevel)) => conical(job, bevel)?,
@@ -149,9 +149,12 @@ pub fn prepare_milling(loaded: &LoadedMillingJob) -> Result<MillingBodies, RunFa
         Spaces::One => 1,
     };
     let mut unknown = body.unknown;
-    let all = [Some(&finishing), bottom_cutter.as_ref(), roughing_cutter.as_ref()];
-    let free = all.into_iter().flatten().any(|cutter| !cutter.is_held());
-    if free && body.parts.iter().flat_map(|part| &part.walls).any(|wall| wall.kind == WallKind::Ring) {
+    let all = [Some(&mut finishing), bottom_cutter.as_mut(), roughing_cutter.as_mut()];
+    let free: Vec<_> = all.into_iter().flatten().filter(|cutter| !cutter.is_held()).collect();
+    let in_ring = body.parts.iter().flat_map(|part| &part.walls).any(|wall| wall.kind == WallKind::Ring);
+    if in_ring && !free.is_empty() {
+        let bore = body.blank[0][0];
+        free.into_iter().for_each(|cutter| *cutter = cutter.clone().ending_at(bore));
         unknown.push(Remark {
             code: "holder-not-judged",
             text: "neither shank nor spindle of a cutter is known, so that only its edges are kept from the other side of the ring".into(),

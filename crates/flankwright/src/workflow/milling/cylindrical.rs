@@ -3,7 +3,7 @@
 use super::bodies::{Body, CLEARANCE, floor, part, with_offset};
 use super::finding::failure;
 use super::lands::lands;
-use super::walls::{below_root_body, ring, root_cylinder};
+use super::walls::{below_root_body, ring, root_cylinder, root_in_ring};
 use crate::exchange::LoadedMillingJob;
 use crate::exchange::job::Gear as Drawing;
 use crate::exchange::milling_job::MillingGear;
@@ -82,10 +82,13 @@ pub(super) fn cylindrical(loaded: &LoadedMillingJob, given: &MillingGear) -> Res
         let lands = lands(flanks, spaces, &extent.face, place, sign);
         let mut space = part(job, flanks.clone(), helix.clone(), spaces, lands);
         let below = below_root_body(job, sign * (radius - root));
-        space.walls.push(root_cylinder(root - sign * below, [-half, half], sign));
+        let (foot, ends) = (root - sign * below, [-half, half]);
         if sign < 0.0 {
-            let turns = [-half, half].map(|z| place(z)[2]);
-            space.walls.extend(ring([tip, other], [-half, half], turns, space.pitch));
+            let turns = ends.map(|z| place(z)[2]);
+            space.walls.push(root_in_ring(foot, ends, turns, space.pitch));
+            space.walls.extend(ring([tip, other], ends, turns, space.pitch));
+        } else {
+            space.walls.push(root_cylinder(foot, ends));
         }
         if let Some(plane) = extent.mirror() {
             let lead: Arc<dyn LeadCurve> = Arc::new(MirroredLead { curve: space.lead, plane });

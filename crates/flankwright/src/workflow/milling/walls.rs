@@ -27,9 +27,23 @@ fn around(name: &'static str, [radii, positions]: [[f64; 2]; 2], outward: f64) -
     }
 }
 
-/// The cylinder on which the teeth of a cylindrical gear stand, inside (`outward` 1) or outside (-1) of it the material.
-pub(super) fn root_cylinder(radius: f64, ends: [f64; 2], outward: f64) -> Wall {
-    around("root body", [[radius; 2], ends], outward)
+/// The cylinder on which the teeth of an external gear stand.
+pub(super) fn root_cylinder(radius: f64, ends: [f64; 2]) -> Wall {
+    around("root body", [[radius; 2], ends], 1.0)
+}
+
+/// The cylinder that the teeth of an internal gear stand on, about the space at +y, whose middle turns with the teeth: by `turns` at both
+/// ends. What lies across the bore belongs to the [`ring`].
+pub(super) fn root_in_ring(radius: f64, ends: [f64; 2], turns: [f64; 2], pitch: f64) -> Wall {
+    let surface = Frustum { radii: [radius; 2], positions: ends, turns, outward: -1.0 };
+    Wall {
+        name: "root body",
+        kind: WallKind::Base,
+        surface: Arc::new(surface),
+        heights: [-pitch, pitch],
+        lengths: [0.0, 1.0],
+        turn: 0.0,
+    }
 }
 
 /// The root cone of a bevel gear over its face, so many mm below the drawn one.

@@ -17,7 +17,7 @@ use crate::process::generating::FlankLines;
 use crate::verdict::Remark;
 use crate::workflow::execution::Execution;
 use crate::workflow::finding::RunFailure;
-use crate::workflow::partition::{Partition, ToolAreas};
+use crate::workflow::partition::{Partition, ToolAreas, beside_area, passage};
 use crate::workflow::prepare::Prepared;
 
 /// Points of a law over the finishing area, and over the passage to a roughing area.
@@ -38,8 +38,9 @@ pub(super) struct ProgramAreas {
     lines: Sides<Option<FlankLines>>,
     /// z_1 that the plan uses, both flanks, mm.
     planned: [f64; 2],
-    /// Length of the passage between two areas, mm.
+    /// Length of the passage between two areas, and of what lies between it and each of them, mm.
     passage: f64,
+    beside: f64,
 }
 
 impl ProgramAreas {
@@ -60,7 +61,7 @@ impl ProgramAreas {
         else {
             return Ok(None);
         };
-        Ok(Some(Self { areas, lines, planned, passage: setup.run_in() }))
+        Ok(Some(Self { areas, lines, planned, passage: passage(setup), beside: beside_area(setup) }))
     }
 
     /// z_V1 over z_V2 of the roughing strokes, one law for each area.
@@ -119,6 +120,7 @@ impl ProgramAreas {
             RunFailure::not_producible(finding.field("grinding.areas").way_out(way_out))
         };
         let core = self.core(tool, flanks, shift).unwrap_or(driven);
+        let core = [core[0] - self.beside, core[1] + self.beside];
         let sections = sections(driven, core, &self.areas.finishing, self.passage).ok_or_else(|| {
             refused(
                 "areas-too-near",

@@ -29,6 +29,14 @@ pub(super) struct Followed {
     pub faults: Vec<Remark>,
 }
 
+/// What strokes leave.
+struct LeftBy {
+    /// First and last block of each stroke.
+    blocks: Vec<[usize; 2]>,
+    /// Distance of the flanks from nominal, where they leave one.
+    flanks: Sides<Option<Topography>>,
+}
+
 /// A thread counts as off beyond this share of the tolerance, if the flank leaves its tolerance by that.
 const OFF: f64 = 0.1;
 
@@ -56,17 +64,17 @@ pub(super) fn follow(
     let mut strokes = Vec::new();
     let mut threads = Vec::new();
     let mut faults;
-    let mut left: Vec<(Vec<[usize; 2]>, Sides<Option<Topography>>)> = Vec::new();
+    let mut left: Vec<LeftBy> = Vec::new();
     // What the strokes of these blocks cannot finish is a fault of theirs.
-    let mut judged = |strokes: Vec<[usize; 2]>, read: &ReadBack, area: f64| match judge.flanks(read, area) {
+    let mut judged = |blocks: Vec<[usize; 2]>, read: &ReadBack, area: f64| match judge.flanks(read, area) {
         Ok(flanks) => {
-            left.push((strokes, flanks));
+            left.push(LeftBy { blocks, flanks });
             None
         }
         Err(RunFailure::BadInput(finding) | RunFailure::NotProducible(finding)) => {
             let text = format!(
                 "blocks {} leave no whole flank: {}",
-                shown_blocks(strokes.into_iter()),
+                shown_blocks(blocks.into_iter()),
                 finding.message
             );
             Some(Remark::new("flank-not-finished", text, "correct the strokes of these blocks"))
@@ -139,8 +147,8 @@ pub(super) fn follow(
         }
     }
     let mut checked: BTreeMap<&'static str, CheckedFlank> = BTreeMap::new();
-    for (blocks, left) in &left {
-        for (flank, left) in left.iter() {
+    for LeftBy { blocks, flanks: of_blocks } in &left {
+        for (flank, left) in of_blocks.iter() {
             let (Some(left), Some(run)) = (left, &flanks[flank]) else { continue };
             let [difference_um, max_deviation_um] = run.differences_um(left);
             if difference_um > OFF * tolerance_um && max_deviation_um > tolerance_um {

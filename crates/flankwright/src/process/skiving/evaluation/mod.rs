@@ -25,7 +25,7 @@ use crate::geometry::{Flank, Sides};
 use mounting::mounting;
 use pitch::pitch;
 use profile::profile_verdict;
-use standing_out::standing_out;
+use standing_out::{beyond_median, standing_out};
 
 /// Whose deviations make clocking, means, pitch and correction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -112,7 +112,12 @@ fn of_teeth(
     let teeth = deviations.teeth();
     let mut present = vec![true; teeth];
     missing.iter().for_each(|switch| present[switch.tooth] = false);
-    let left_out = standing_out(deviations, &present);
+    let left_out = match rule {
+        Counting::Whole => standing_out(deviations, &present),
+        Counting::All => {
+            beyond_median(flanks, deviations, &mounting(flanks, deviations, &present, Vec::new()))
+        }
+    };
     let whole: Vec<bool> = (0..teeth).map(|tooth| present[tooth] && !left_out.contains(&tooth)).collect();
     let mut mounting = mounting(flanks, deviations, &whole, left_out);
     let clocking = match rule {

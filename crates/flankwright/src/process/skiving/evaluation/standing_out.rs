@@ -5,10 +5,10 @@
 //! own small errors. So the wave that fits half of the teeth closest is the start (least trimmed squares, from waves through three teeth
 //! each); whatever lies further from it than chance explains stands out.
 
-use super::Deviations;
-use crate::geometry::Flank;
+use super::{Deviations, Mounting};
+use crate::geometry::{Flank, Sides};
 use crate::numerics::{root_mean_square, student_quantile};
-use crate::process::skiving::measuring::Noise;
+use crate::process::skiving::measuring::{FlankTracks, Noise};
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
 
@@ -42,6 +42,26 @@ pub(super) fn standing_out(deviations: &Deviations, present: &[bool]) -> Vec<usi
     let Some(start) = waves.closest_half(&there) else { return Vec::new() };
     let kept = waves.kept(&there, start);
     there.into_iter().filter(|tooth| !kept.contains(tooth)).collect()
+}
+
+/// The teeth that spec 60 section 8 leaves out of the mounting: with a residual of the fit to all teeth beyond 3.5 standard deviations, these
+/// from the median, unless that is more than a quarter of them. It takes the random errors of some whole teeth for damage, and finds
+/// nothing where many are broken.
+pub(super) fn beyond_median(
+    flanks: &Sides<FlankTracks>,
+    deviations: &Deviations,
+    all: &Mounting,
+) -> Vec<usize> {
+    let teeth = deviations.teeth();
+    let residuals = deviations.map(|flank, track, tooth, f| {
+        f - all.rigid_part(&flanks[flank].tracks[track].0, tooth, teeth) - all.constants[flank][track]
+    });
+    let limit =
+        SURE.max(3.5 * OF_MEDIAN * median(&mut residuals.iter().map(|(.., r)| r.abs()).collect::<Vec<_>>()));
+    let far =
+        |tooth: usize| residuals.iter().any(|(_, _, of, residual)| of == tooth && residual.abs() > limit);
+    let found: Vec<usize> = (0..teeth).filter(|&tooth| far(tooth)).collect();
+    if found.len() > teeth / 4 { Vec::new() } else { found }
 }
 
 /// All rows of a measurement over the same teeth.
