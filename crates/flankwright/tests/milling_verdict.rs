@@ -114,6 +114,44 @@ fn cutters_in_the_root_body_are_noticed() {
     }
 }
 
+/// A line with a word that is greater by so much.
+fn moved(line: &str, letter: char, by: f64) -> String {
+    let word = |word: &str| match word.strip_prefix(letter).and_then(|text| text.parse::<f64>().ok()) {
+        Some(value) => format!("{letter}{:.4}", value + by),
+        None => word.to_owned(),
+    };
+    line.split(' ').map(word).collect::<Vec<_>>().join(" ")
+}
+
+/// Backs of blades are judged where the job says how thick the blades are: the plan keeps off them, a row that is shifted through the
+/// blade does not.
+#[test]
+fn backs_of_blades_are_judged() {
+    let (loaded, outcome) = run("blade-on-head-head", &[("rows = 20", "rows = 6")]);
+    let verdict = &outcome.result.verdict;
+    assert!(verdict.judged().iter().any(|one| one.item == "backs of the blades"), "{verdict:?}");
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../machines/five-axis-head-head.toml");
+    let machine = read_machine(&file).unwrap();
+    let check = MillingCheck::new(&loaded, &machine, &Silent).unwrap();
+    let programs = &outcome.texts.programs.as_ref().unwrap().programs;
+    let text = &programs.iter().find(|program| program.dialect == Dialect::LinuxCnc).unwrap().written.text;
+    let lines: Vec<&str> = text.lines().collect();
+    let cuts: Vec<usize> = (0..lines.len()).filter(|&k| lines[k].contains(" G1 ")).collect();
+    let row = &cuts[cuts.len() / 2..cuts.len() / 2 + 12];
+    let shifted = |[x, y]: [f64; 2]| {
+        let line = |k: usize| match row.contains(&k) {
+            true => moved(&moved(lines[k], 'X', x), 'Y', y),
+            false => lines[k].to_owned(),
+        };
+        (0..lines.len()).map(line).collect::<Vec<_>>().join("\n") + "\n"
+    };
+    let gouged = [[-7.0, 0.0], [7.0, 0.0], [0.0, -7.0], [0.0, 7.0]].map(|by| {
+        let checked = check.check(shifted(by).as_bytes(), Dialect::LinuxCnc, &Silent).unwrap();
+        checked.part.unwrap().faults.iter().any(|fault| fault.code == "back-gouged")
+    });
+    assert!(gouged.contains(&true), "{gouged:?}");
+}
+
 /// Damages of a program that a look at the first space's flanks does not show.
 #[test]
 fn program_check_sees_all_spaces_root_and_rapid_moves() {
@@ -139,13 +177,6 @@ fn program_check_sees_all_spaces_root_and_rapid_moves() {
     let changed = |which: &[usize], change: &dyn Fn(&str) -> String| -> String {
         let line = |k: usize| if which.contains(&k) { change(lines[k]) } else { lines[k].to_owned() };
         (0..lines.len()).map(line).collect::<Vec<_>>().join("\n") + "\n"
-    };
-    let moved = |line: &str, letter: char, by: f64| -> String {
-        let word = |word: &str| match word.strip_prefix(letter).and_then(|text| text.parse::<f64>().ok()) {
-            Some(value) => format!("{letter}{:.4}", value + by),
-            None => word.to_owned(),
-        };
-        line.split(' ').map(word).collect::<Vec<_>>().join(" ")
     };
     // Rows of a later space by 3 mm in X: the second half of the cuts with the first tool.
     let later = &cuts[cuts.len() / 2..cuts.len() / 2 + 8];

@@ -378,14 +378,25 @@ fn time_of_axes_never_runs_backwards() {
 
 /// The lead of a spur gear is rounding; no control is asked for a ratio of 1e-15.
 #[test]
-fn spur_gears_run_by_radial_feed() {
+fn spur_gears_run_by_radial_feed_on_every_machine_and_control() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    for machine in ["no-swivel", "eight-axis"] {
+    for machine in ["no-swivel", "eight-axis", "tangential-slide", "xyzabc"] {
         let file = root.join("machines").join(format!("{machine}.toml")).display().to_string();
-        let text = format!("{SPUR}\n[machine]\nfile = {file:?}\n[output]\nprograms = [\"siemens\"]\n");
-        let loaded = parse_job(Source::new("spur.toml".to_owned(), &text)).expect("a job");
-        let outcome = plan_job(&loaded, &Silent).unwrap_or_else(|e| panic!("{machine}: {e:?}"));
-        assert_eq!(outcome.result.programs.expect("programs").proofs.len(), 1);
+        for teeth in [23, 24, 25, 30, 40] {
+            let pitch = 3.0 * f64::from(teeth);
+            let gear = SPUR
+                .replace("teeth = 24", &format!("teeth = {teeth}"))
+                .replace("tip_diameter = 78.0", &format!("tip_diameter = {:?}", pitch + 6.0))
+                .replace("root_diameter = 64.5", &format!("root_diameter = {:?}", pitch - 7.5))
+                .replace("form_diameter = 68.2", &format!("form_diameter = {:?}", pitch - 3.8));
+            let text = format!("{gear}\n[machine]\nfile = {file:?}\n");
+            let loaded = parse_job(Source::new("spur.toml".to_owned(), &text)).expect("a job");
+            let outcome = plan_job(&loaded, &Silent).unwrap_or_else(|e| panic!("{machine}, {teeth}: {e:?}"));
+            assert!(outcome.result.verdict.is_accepted(), "{machine}, {teeth}: {:?}", outcome.result.verdict);
+            let programs = outcome.result.programs.expect("programs");
+            let proven: usize = programs.proofs.iter().map(|proof| proof.controls.len()).sum();
+            assert_eq!(proven, 3, "{machine}, {teeth}");
+        }
     }
 }
 

@@ -141,7 +141,7 @@ fn faces_by_number_are_explained_and_stand_in_the_programs() {
             .starts_with("end_relief_I means the face opposite the datum face (lower z, face I)")
     );
     for words in [
-        "end relief at face I (not the datum face)",
+        "End relief at face I (not the datum face)",
         "face II is the datum face",
         "(datum face)",
         "(not datum)",

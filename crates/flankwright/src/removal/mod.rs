@@ -41,7 +41,7 @@ pub use in_time::{TimedGrinding, grind_in_time};
 pub use line_dress::{LineCut, LineDressed, LinePasses, dress_lines};
 pub use mill::{
     CutterPart, CutterPlace, MillPath, MillStatistics, MilledRay, MilledRays, Milling, NormalRay, RapidHit,
-    Rapids, Unmilled, mill, rapid_hits,
+    Rapids, Swept, Unmilled, mill, rapid_hits,
 };
 pub use root::{RootGrinding, RootRay};
 pub use skive::{SkivedPlace, Skiving};

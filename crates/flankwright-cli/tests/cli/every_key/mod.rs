@@ -5,6 +5,8 @@ mod gearbox;
 mod grinding;
 mod modifications;
 mod of_files;
+mod skiving;
+mod tangential;
 
 use crate::command::{run, run_with};
 use serde_json::{Value, json};

@@ -48,6 +48,9 @@ struct Outcome {
     tables: BTreeMap<String, Vec<u8>>,
 }
 
+/// A command that is run behind the first, with the tables that it reads.
+type Then = (String, Vec<String>);
+
 impl FileWalk {
     /// Walks the keys; gives those that change nothing, and those that no job gives.
     pub fn run(&self) -> (BTreeSet<String>, BTreeSet<String>) {
@@ -157,7 +160,7 @@ impl FileWalk {
     }
 
     /// The jobs of the folder in the order of their names.
-    fn jobs(&self) -> Vec<(Walked, Option<(String, Vec<String>)>)> {
+    fn jobs(&self) -> Vec<(Walked, Option<Then>)> {
         let folder = repository().join("crates/flankwright-cli/tests/cli/every_key").join(self.folder);
         let mut paths: Vec<_> =
             std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();

@@ -309,7 +309,9 @@ fn check(space: &Space, options: &PlanOptions, operation: &Operation) -> Result<
     let cutter = options.cutter_of(operation.kind);
     let mut obstacles = space.obstacles(on, safety);
     obstacles.extend(space.walls(WallKind::Base, from_base));
-    obstacles.extend(space.walls(WallKind::Blade, along_blocks(options.safety)));
+    for kind in [WallKind::Blade, WallKind::Back] {
+        obstacles.extend(space.walls(kind, along_blocks(options.safety)));
+    }
     if cutter.is_held() {
         obstacles.extend(space.walls(WallKind::Ring, along_blocks(options.safety)));
     }

@@ -10,8 +10,10 @@ use std::sync::Arc;
 pub enum WallKind {
     /// The body that the teeth or blades stand on. Fillet and bottom come down to it.
     Base,
-    /// Blades beside the passage, and the back of the blade that is milled.
+    /// Blades beside the passage, seen from it.
     Blade,
+    /// Backs of blades, whose material lies where their normals point to.
+    Back,
     /// Teeth and ends of an internal gear away from the space, which tool, holder and spindle have to stay clear of.
     Ring,
 }

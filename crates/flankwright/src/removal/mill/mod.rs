@@ -72,40 +72,72 @@ const ROUNDING: f64 = 1e-12;
 /// Rays per parcel of work; a parcel takes about a millisecond.
 const PARCEL: usize = 64;
 
+/// Motions made ready for rays: their blocks, and a tree over them for each cutter.
+pub struct Swept<'a> {
+    setup: Milling<'a>,
+    blocks: Vec<Block>,
+    trees: Vec<Tree>,
+}
+
+impl<'a> Swept<'a> {
+    /// Makes motions ready.
+    ///
+    /// # Errors
+    /// [`RemovalError::InvalidNumber`] for stock or depth, [`RemovalError::EmptyPath`], [`RemovalError::UnknownCutter`],
+    /// [`RemovalError::InvalidCutterPlace`], [`RemovalError::AxisTurnsBack`].
+    pub fn new(setup: &Milling<'a>) -> Result<Self, RemovalError> {
+        error::positive("milling stock", setup.stock)?;
+        error::positive("depth below the flank", setup.depth)?;
+        let blocks = blocks(setup)?;
+        let trees = trees(setup, &blocks);
+        Ok(Self { setup: *setup, blocks, trees })
+    }
+
+    /// What the motions were made from.
+    pub fn setup(&self) -> &Milling<'a> {
+        &self.setup
+    }
+
+    /// Shortens the rays by the cutters along all blocks.
+    ///
+    /// # Errors
+    /// [`RemovalError::InvalidRay`]. Rays that no cutter meets are no error here; see [`MilledRays::lengths`].
+    pub fn mill(&self, rays: &[NormalRay], progress: &dyn Progress) -> Result<MilledRays, RemovalError> {
+        let rays =
+            rays.iter().enumerate().map(|(i, ray)| checked_ray(i, ray)).collect::<Result<Vec<_>, _>>()?;
+        let Self { setup, blocks, trees } = self;
+        progress.start("milling", rays.len() as u64);
+        let shots: Vec<(Result<MilledRay, Unmilled>, MillStatistics)> = rays
+            .par_chunks(PARCEL)
+            .map_init(Stores::default, |stores, parcel| {
+                let shots: Vec<_> =
+                    parcel.iter().map(|ray| shoot(setup, blocks, trees, ray, stores)).collect();
+                progress.advance(parcel.len() as u64);
+                shots
+            })
+            .flatten_iter()
+            .collect();
+        progress.finish();
+        let nothing = MillStatistics { blocks: blocks.len() as u64, ..MillStatistics::default() };
+        let statistics = shots.iter().fold(nothing, |sum, shot| sum + shot.1);
+        Ok(MilledRays {
+            rays: shots.into_iter().map(|shot| shot.0).collect(),
+            error_um: (TOLERANCE + ROUNDING) * 1e3,
+            statistics,
+        })
+    }
+}
+
 /// Shortens the rays by the cutters along all of their blocks.
 ///
 /// # Errors
-/// [`RemovalError::InvalidNumber`] for stock or depth, [`RemovalError::EmptyPath`], [`RemovalError::UnknownCutter`],
-/// [`RemovalError::InvalidCutterPlace`], [`RemovalError::AxisTurnsBack`], [`RemovalError::InvalidRay`]. Rays that no cutter meets are
-/// no error here; see [`MilledRays::lengths`].
+/// Those of [`Swept::new`] and [`Swept::mill`].
 pub fn mill(
     setup: &Milling<'_>,
     rays: &[NormalRay],
     progress: &dyn Progress,
 ) -> Result<MilledRays, RemovalError> {
-    error::positive("milling stock", setup.stock)?;
-    error::positive("depth below the flank", setup.depth)?;
-    let rays = rays.iter().enumerate().map(|(i, ray)| checked_ray(i, ray)).collect::<Result<Vec<_>, _>>()?;
-    let blocks = blocks(setup)?;
-    let trees = trees(setup, &blocks);
-    progress.start("milling", rays.len() as u64);
-    let shots: Vec<(Result<MilledRay, Unmilled>, MillStatistics)> = rays
-        .par_chunks(PARCEL)
-        .map_init(Stores::default, |stores, parcel| {
-            let shots: Vec<_> = parcel.iter().map(|ray| shoot(setup, &blocks, &trees, ray, stores)).collect();
-            progress.advance(parcel.len() as u64);
-            shots
-        })
-        .flatten_iter()
-        .collect();
-    progress.finish();
-    let nothing = MillStatistics { blocks: blocks.len() as u64, ..MillStatistics::default() };
-    let statistics = shots.iter().fold(nothing, |sum, shot| sum + shot.1);
-    Ok(MilledRays {
-        rays: shots.into_iter().map(|shot| shot.0).collect(),
-        error_um: (TOLERANCE + ROUNDING) * 1e3,
-        statistics,
-    })
+    Swept::new(setup)?.mill(rays, progress)
 }
 
 /// Stores that a thread uses again for every ray.

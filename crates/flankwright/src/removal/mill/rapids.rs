@@ -5,7 +5,7 @@ use super::block::Block;
 use super::body::Part;
 use super::search::Search;
 use super::tree::Tree;
-use super::{Milling, NormalRay, Stores, blocks, trees};
+use super::{NormalRay, Stores, Swept};
 use crate::geometry::Cutter;
 use crate::numerics::Progress;
 use crate::removal::{RemovalError, error};
@@ -17,7 +17,7 @@ use std::f64::consts::TAU;
 #[derive(Clone, Copy)]
 pub struct Rapids<'a> {
     /// All moves in the order of time, each a path of its own.
-    pub milling: Milling<'a>,
+    pub swept: &'a Swept<'a>,
     /// Whether each of them is rapid.
     pub rapid: &'a [bool],
     /// Whether a place lies in the body before anything is milled.
@@ -51,10 +51,9 @@ const WIDEST: f64 = 500.0;
 pub fn rapid_hits(setup: &Rapids<'_>, progress: &dyn Progress) -> Result<Vec<RapidHit>, RemovalError> {
     error::positive("step of rapid moves", setup.step)?;
     error::positive("length of the tool", setup.reach)?;
-    let all = blocks(&setup.milling)?;
-    let trees = trees(&setup.milling, &all);
+    let Swept { setup: milling, blocks: all, trees } = setup.swept;
     let tools: Vec<Vec<Vector3<f64>>> =
-        setup.milling.cutters.iter().map(|cutter| points(cutter, setup.reach, setup.step)).collect();
+        milling.cutters.iter().map(|cutter| points(cutter, setup.reach, setup.step)).collect();
     // The blocks of a path stand one after the other.
     let mut moves: Vec<&[Block]> = all.chunk_by(|a, b| a.path == b.path).collect();
     moves.retain(|blocks| setup.rapid.get(blocks[0].path).copied().unwrap_or(false));
@@ -63,8 +62,8 @@ pub fn rapid_hits(setup: &Rapids<'_>, progress: &dyn Progress) -> Result<Vec<Rap
         .par_iter()
         .map_init(Stores::default, |stores, blocks| {
             let path = blocks[0].path;
-            let tool = &tools[setup.milling.paths[path].cutter];
-            let found = first_place(setup, blocks, tool, |point| stands(&all, &trees, point, path, stores));
+            let tool = &tools[milling.paths[path].cutter];
+            let found = first_place(setup, blocks, tool, |point| stands(all, trees, point, path, stores));
             progress.advance(1);
             found.map(|place| RapidHit { path, place })
         })

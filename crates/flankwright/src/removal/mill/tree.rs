@@ -39,6 +39,13 @@ pub(super) struct Tree {
 /// Branches that wait, with a reused store.
 pub(super) type Waiting = Vec<usize>;
 
+/// Where a block lies among others: the middle of its tips, and that of its axes to scale.
+fn key(block: &Block) -> [f64; 6] {
+    let middle = |[from, to]: [Vector3<f64>; 2], scale: f64| (from + to) * (0.5 * scale);
+    let (tip, axis) = (middle(block.tips(), 1.0), middle(block.axes(), LEVER));
+    [tip.x, tip.y, tip.z, axis.x, axis.y, axis.z]
+}
+
 /// Length that makes a change of axis comparable with one of the tip when branches are parted, mm.
 const LEVER: f64 = 5.0;
 
@@ -47,33 +54,30 @@ impl Tree {
     pub fn new(parts: Vec<Part>, blocks: &[Block], mut members: Vec<usize>) -> Self {
         let mut tree = Self { parts, nodes: Vec::with_capacity(2 * members.len()) };
         if !members.is_empty() {
-            tree.grow(blocks, &mut members);
+            let keys: Vec<[f64; 6]> = blocks.iter().map(key).collect();
+            tree.grow(blocks, &keys, &mut members);
         }
         tree
     }
 
-    fn grow(&mut self, blocks: &[Block], members: &mut [usize]) -> usize {
+    fn grow(&mut self, blocks: &[Block], keys: &[[f64; 6]], members: &mut [usize]) -> usize {
         let place = self.nodes.len();
         self.nodes.push(Node::around(blocks, members));
         if members.len() > 1 {
-            let key = |i: usize, direction: usize| {
-                let ends = if direction < 3 { blocks[i].tips() } else { blocks[i].axes() };
-                let scale = if direction < 3 { 1.0 } else { LEVER };
-                0.5 * scale * (ends[0][direction % 3] + ends[1][direction % 3])
-            };
-            let extent = |direction: usize| {
-                let (low, high) =
-                    members.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &i| {
-                        let value = key(i, direction);
-                        (low.min(value), high.max(value))
-                    });
-                high - low
-            };
+            let mut ends = [[f64::INFINITY, f64::NEG_INFINITY]; 6];
+            for &i in members.iter() {
+                for ([low, high], value) in ends.iter_mut().zip(keys[i]) {
+                    (*low, *high) = (low.min(value), high.max(value));
+                }
+            }
+            let extent = |direction: usize| ends[direction][1] - ends[direction][0];
             let widest = (1..6).fold(0, |best, d| if extent(d) > extent(best) { d } else { best });
             // The index decides between equal places, so that the tree is the same on every machine.
-            members.sort_by(|&i, &j| key(i, widest).total_cmp(&key(j, widest)).then(i.cmp(&j)));
-            let (low, high) = members.split_at_mut(members.len() / 2);
-            let fork = [self.grow(blocks, low), self.grow(blocks, high)];
+            let order = |&i: &usize, &j: &usize| keys[i][widest].total_cmp(&keys[j][widest]).then(i.cmp(&j));
+            let half = members.len() / 2;
+            members.select_nth_unstable_by(half, order);
+            let (low, high) = members.split_at_mut(half);
+            let fork = [self.grow(blocks, keys, low), self.grow(blocks, keys, high)];
             self.nodes[place].content = Content::Fork(fork);
         }
         place

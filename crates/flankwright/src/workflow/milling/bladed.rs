@@ -107,20 +107,23 @@ pub(super) fn bladed(loaded: &LoadedMillingJob, given: &job::Blade) -> Result<Bo
 /// The blades on both sides of the one that is milled, from hub to tip, and all backs that are known.
 fn beside(blade: &BladeSide, count: usize) -> Vec<Wall> {
     let pitch = TAU / count as f64;
-    let wall = |name, surface: &Arc<dyn Surface>, turn| Wall {
+    let wall = |(name, kind), surface: &Arc<dyn Surface>, turn| Wall {
         name,
-        kind: WallKind::Blade,
+        kind,
         surface: surface.clone(),
         heights: [0.0, 1.0],
         lengths: FACE,
         turn,
     };
     let turns: &[f64] = if count > 1 { &[pitch, -pitch] } else { &[] };
-    let mut walls: Vec<Wall> =
-        turns.iter().map(|turn| wall("neighbouring blade", &blade.surface, *turn)).collect();
+    let mut walls: Vec<Wall> = turns
+        .iter()
+        .map(|turn| wall(("neighbouring blade", WallKind::Blade), &blade.surface, *turn))
+        .collect();
     if let Some(back) = &blade.back {
-        walls.push(wall("back of the blade", back, 0.0));
-        walls.extend(turns.iter().map(|turn| wall("back of the neighbouring blade", back, *turn)));
+        walls.push(wall(("back of the blade", WallKind::Back), back, 0.0));
+        let beside = ("back of the neighbouring blade", WallKind::Back);
+        walls.extend(turns.iter().map(|turn| wall(beside, back, *turn)));
     }
     walls
 }

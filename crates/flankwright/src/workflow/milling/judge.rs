@@ -2,7 +2,7 @@
 //! part that a cutter could enter, and the programs.
 
 use super::bodies::MillingBodies;
-use super::part_rays::{PartSurface, has_blades};
+use super::part_rays::PartSurface;
 use super::result::FlankResult;
 use super::root::RefereedRoot;
 use super::whole_part::WholePart;
@@ -47,9 +47,6 @@ pub(super) fn verdict(found: &Judged<'_>) -> Verdict {
     let unknown = &found.bodies.unknown;
     for remark in unknown {
         verdict.leave(item_of(remark), remark.text.as_str());
-    }
-    if has_blades(found.bodies) && !unknown.iter().any(|remark| remark.code == "blade-back-not-judged") {
-        verdict.leave("backs of the blades", "the plan keeps clear of them, no ray stands on them");
     }
     if let Some(remark) = found.mate {
         verdict.owe("flank that the mate needs", remark.clone());

@@ -5,7 +5,7 @@ use super::bodies::MillingBodies;
 use super::finding::failure;
 use crate::geometry::Surface;
 use crate::numerics::equidistant;
-use crate::process::milling::{MilledSide, MillingPlan, RootPart, Space, SpaceFlank, drawn_root};
+use crate::process::milling::{MilledSide, MillingPlan, RootPart, Space, SpaceFlank, WallKind, drawn_root};
 use crate::removal::NormalRay;
 use crate::workflow::finding::RunFailure;
 use nalgebra::{Rotation3, Vector3};
@@ -20,6 +20,8 @@ pub(super) enum PartSurface {
     Floor,
     /// A fillet or the bottom as the job draws it.
     Drawn(RootPart),
+    /// The backs of blades.
+    Back,
     /// The tops of the teeth.
     Tip,
     /// The ends of the teeth at both faces.
@@ -35,6 +37,7 @@ impl PartSurface {
             Self::Floor => "root body".into(),
             Self::Drawn(RootPart::Fillet(side)) => format!("{side} fillet"),
             Self::Drawn(RootPart::Bottom) => "bottom of the root".into(),
+            Self::Back => "backs of the blades".into(),
             Self::Tip => "tips of teeth".into(),
             Self::End => "ends of teeth".into(),
         }
@@ -42,7 +45,7 @@ impl PartSurface {
 }
 
 /// Whether the body has blades: one flank beside every passage.
-pub(super) fn has_blades(bodies: &MillingBodies) -> bool {
+fn has_blades(bodies: &MillingBodies) -> bool {
     bodies.parts.iter().all(|space| space.flanks.len() < 2)
 }
 
@@ -76,6 +79,8 @@ const ALONG: [usize; 2] = [5, 61];
 const MOST_HEIGHTS: usize = 41;
 /// Rays across the floor between two flanks, and across a tip.
 const ACROSS: [usize; 2] = [9, 3];
+/// Rays over the height of a blade's back.
+const BACK: usize = 9;
 /// Rays on every fillet and on the bottom of a drawn root.
 const DRAWN: [usize; 2] = [7, 9];
 /// Share of a tip's width next to an edge that has no ray: there the flank is judged.
@@ -98,6 +103,7 @@ pub(super) fn part_rays(
             first.extend(flank_rays(plan, flank, (along, tolerance), closeness)?);
         }
         first.extend(floor_rays(bodies, space, along)?);
+        first.extend(back_rays(space, along));
         if closeness == Closeness::Rows && bodies.options.root.is_some() {
             first.extend(drawn_rays(bodies, plan, space, along)?);
         }
@@ -280,6 +286,21 @@ fn drawn_rays(
         }
     }
     Ok(rays)
+}
+
+/// The back of the blade of a passage, from hub to tip.
+fn back_rays(space: &Space, along: usize) -> Vec<PartRay> {
+    let mut rays = Vec::new();
+    for wall in space.walls.iter().filter(|wall| wall.kind == WallKind::Back && wall.turn == 0.0) {
+        for height in equidistant(wall.heights, BACK) {
+            for length in equidistant(wall.lengths, along) {
+                let jet = wall.surface.jet(height, length);
+                let ray = NormalRay { point: jet.point, normal: -jet.normal };
+                rays.push(PartRay { ray, surface: PartSurface::Back, space: 0, stock: None });
+            }
+        }
+    }
+    rays
 }
 
 /// Tops of the teeth on one side of the space: with those of all spaces they are all there are.

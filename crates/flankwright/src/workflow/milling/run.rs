@@ -19,7 +19,7 @@ use crate::exchange::LoadedMillingJob;
 use crate::exchange::milling_job::{MilledBody, MillingJob};
 use crate::numerics::{Progress, extremes, root_mean_square};
 use crate::process::milling::{FlankPlan, MillingPlan, NeighbourDistances, Operation, plan_all};
-use crate::removal::{Milling, Unmilled};
+use crate::removal::{Milling, Swept, Unmilled};
 use crate::workflow::face_names::face_names_remark;
 use crate::workflow::finding::{Remark, RunFailure};
 use crate::workflow::programs::machine_of_job;
@@ -148,7 +148,8 @@ fn beside(
     let (cutters, paths) = mill_paths(bodies, plan);
     // What is above the surface does not matter.
     let setup = Milling { cutters: &cutters, paths: &paths, stock: tolerance, depth: DEPTH };
-    WholePart::of(&setup, &rays, tolerance, progress)
+    let swept = Swept::new(&setup).map_err(|error| RunFailure::of_removal(&error, "milling"))?;
+    WholePart::of(&swept, &rays, tolerance, progress)
 }
 
 fn warnings(

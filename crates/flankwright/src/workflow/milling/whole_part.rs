@@ -3,7 +3,7 @@
 use super::bodies::MillingBodies;
 use super::part_rays::{PartRay, PartSurface};
 use crate::numerics::Progress;
-use crate::removal::{MilledRay, Milling, Unmilled, mill};
+use crate::removal::{MilledRay, Swept, Unmilled};
 use crate::workflow::finding::RunFailure;
 
 /// What is wrong with a surface in a space.
@@ -65,14 +65,15 @@ impl WholePart {
     /// # Errors
     /// [`RunFailure`] for motions that the referee cannot follow.
     pub fn of(
-        setup: &Milling<'_>,
+        swept: &Swept<'_>,
         rays: &[PartRay],
         tolerance: f64,
         progress: &dyn Progress,
     ) -> Result<Self, RunFailure> {
         let normals: Vec<_> = rays.iter().map(|at| at.ray).collect();
         let milled =
-            mill(setup, &normals, progress).map_err(|error| RunFailure::of_removal(&error, "milling"))?;
+            swept.mill(&normals, progress).map_err(|error| RunFailure::of_removal(&error, "milling"))?;
+        let setup = swept.setup();
         let mut whole = Self { faults: Vec::new(), surfaces: Vec::new(), milled: milled.rays };
         for k in 0..rays.len() {
             let (at, found) = (&rays[k], whole.milled[k]);
@@ -152,6 +153,7 @@ impl PartFault {
             (FaultKind::Gouge, PartSurface::Drawn(_)) => "root-gouged",
             (FaultKind::Gouge, PartSurface::Tip | PartSurface::End) => "tooth-gouged",
             (FaultKind::Gouge, PartSurface::Flank(_)) => "flank-gouged",
+            (FaultKind::Gouge, PartSurface::Back) => "back-gouged",
             (FaultKind::Stock, _) => "stock-left",
             (FaultKind::NotMilled, _) => "flank-not-milled",
         }

@@ -2,7 +2,7 @@
 //! against the stock that stands at their time; feeds and spindle against the job.
 
 use super::bodies::MillingBodies;
-use super::part_rays::{Closeness, PartRay, PartSurface, has_blades, part_rays, spacing};
+use super::part_rays::{Closeness, PartRay, PartSurface, part_rays, spacing};
 use super::programs::{FollowedMove, MillingWork};
 use super::referee::{DEPTH, STOCK, mill_paths};
 use super::whole_part::{FaultKind, PartFault, WholePart, allowed};
@@ -10,7 +10,7 @@ use crate::exchange::milling_job::{MillingJob, MillingMachine};
 use crate::geometry::Cutter;
 use crate::numerics::Progress;
 use crate::process::milling::MillingPlan;
-use crate::removal::{MillPath, MilledRay, Milling, Rapids, mill, rapid_hits};
+use crate::removal::{MillPath, MilledRay, Milling, Rapids, Swept, mill, rapid_hits};
 use crate::workflow::finding::RunFailure;
 use nalgebra::Vector3;
 use serde::Serialize;
@@ -116,10 +116,11 @@ impl ProgramUnderTest<'_> {
         let cutters: Vec<Cutter> = self.work.tools.iter().map(|tool| tool.cutter.clone()).collect();
         let paths = self.paths();
         let setup = Milling { cutters: &cutters, paths: &paths, stock: STOCK, depth: DEPTH };
-        let whole = WholePart::of(&setup, &rays, self.tolerance, progress)?;
+        let swept = Swept::new(&setup).map_err(|error| RunFailure::of_removal(&error, "milling"))?;
+        let whole = WholePart::of(&swept, &rays, self.tolerance, progress)?;
         let mut faults: Vec<ProgramFault> = whole.faults.iter().map(|fault| self.part_fault(fault)).collect();
         faults.extend(self.rapid_cuts(&setup, &rays, &whole, progress)?);
-        faults.extend(self.rapid_collisions(&setup, progress)?);
+        faults.extend(self.rapid_collisions(&swept, progress)?);
         faults.extend(self.feeds());
         faults.extend(self.spindles());
         // One fault of a block says enough of it.
@@ -189,7 +190,7 @@ impl ProgramUnderTest<'_> {
             "the first positioning of each tool, which comes from outside".to_owned(),
             "spindle, clamping and parts of the machine".to_owned(),
         ];
-        if has_blades(self.bodies) {
+        if self.bodies.unknown.iter().any(|remark| remark.code == "blade-back-not-judged") {
             left.push("backs of the blades".into());
         }
         left
@@ -306,13 +307,12 @@ impl ProgramUnderTest<'_> {
 
     fn rapid_collisions(
         &self,
-        setup: &Milling<'_>,
+        swept: &Swept<'_>,
         progress: &dyn Progress,
     ) -> Result<Vec<ProgramFault>, RunFailure> {
         let rapid: Vec<bool> = self.moves.iter().map(|made| made.rapid).collect();
         let body = |point: &Vector3<f64>| in_blank(&self.bodies.blank, point);
-        let rapids =
-            Rapids { milling: *setup, rapid: &rapid, body: &body, reach: self.tool_length, step: RAPID_STEP };
+        let rapids = Rapids { swept, rapid: &rapid, body: &body, reach: self.tool_length, step: RAPID_STEP };
         let hits =
             rapid_hits(&rapids, progress).map_err(|error| RunFailure::of_removal(&error, "milling"))?;
         Ok(hits.into_iter().map(|hit| self.collision(self.moves[hit.path].block, hit.place, None)).collect())
