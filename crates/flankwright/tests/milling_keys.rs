@@ -9,15 +9,18 @@ use serde_json::{Value, json};
 use std::collections::BTreeSet;
 
 /// Keys that change nothing here, each with the reason; those below one that ends with a point as well.
-const EXCEPTIONS: [(&str, &str); 15] = [
+const EXCEPTIONS: [(&str, &str); 18] = [
     ("job.", "names and comments; the process says which keys there are"),
-    ("target.modifications", "its kinds are those of every process, one of them is walked below"),
+    ("target.modifications.", "their own keys are walked once for all processes"),
     ("gear.cone_angle_deg", "0 is its only value here, all others are refused"),
     ("gear.normal_tooth_thickness", "stands for profile_shift, as in every process"),
     ("gear.span.", "stands for profile_shift, as in every process"),
     ("gear.over_balls.", "stands for profile_shift, as in every process"),
     ("gear.normal_pressure_angle_deg.", "both sides of the number that is walked"),
     ("blade.points.", "a table of points; its size must be that of the file, its side is that of ruled"),
+    ("cutter.shape", "says which keys there are"),
+    ("mate.teeth", "must fit the cone angles, all others are refused"),
+    ("machine.spindle_diameter", "walked in `spindles_are_kept_from_the_whole_ring`"),
     ("mate.pitch_cone_angle_deg", "must be what the teeth ask for, all others are refused"),
     ("mate.shaft_angle_deg", "must be what the teeth ask for, all others are refused"),
     ("output.", "which files are written"),
@@ -31,7 +34,8 @@ const EXCEPTIONS: [(&str, &str); 15] = [
 ];
 
 fn excepted(key: &str) -> bool {
-    let below = |name: &str| key == name || name.ends_with('.') && key.starts_with(name);
+    let below =
+        |name: &str| key == name.trim_end_matches('.') || name.ends_with('.') && key.starts_with(name);
     EXCEPTIONS.iter().any(|(name, _)| below(name))
 }
 
@@ -121,6 +125,13 @@ fn others(key: &str, value: &Value) -> Vec<Value> {
         "file" => &["five-axis-bc-table.toml"],
         _ => &[],
     };
+    // Numbers that decide something.
+    let near = match key.rsplit('.').next().unwrap() {
+        "row_min" | "row_min_mean" => Some(6.5),
+        "column_min" | "column_min_mean" => Some(5.8),
+        "from" => Some(12.0),
+        _ => None,
+    };
     match value {
         Value::Bool(yes) => vec![json!(!yes)],
         Value::Number(number) if number.is_i64() || number.is_u64() => {
@@ -129,7 +140,8 @@ fn others(key: &str, value: &Value) -> Vec<Value> {
         }
         Value::Number(number) => {
             let x = number.as_f64().unwrap();
-            [x * 1.01, x * 0.3, x * 2.0, x + 0.1, x * 30.0, x * 0.01].iter().map(|x| json!(x)).collect()
+            let all = [x * 1.01, x * 0.3, x * 2.0, x + 0.1, x * 30.0, x * 0.01];
+            near.into_iter().chain(all).map(|x| json!(x)).collect()
         }
         _ => words.iter().map(|word| json!(word)).collect(),
     }
@@ -174,7 +186,8 @@ fn jobs() -> Vec<Value> {
     halves["face_width"] = json!(41.0);
     halves["double_helical"] = json!({ "gap": 6.0, "apex": 0.5 });
     let mut held = cutter.clone();
-    held["shank"] = json!([{ "diameter": 5.5, "from": 17.0 }]);
+    held["cutting_length"] = json!(9.0);
+    held["shank"] = json!([{ "diameter": 30.0, "from": 17.0 }]);
     let density = json!({ "row_max": 8.0, "row_max_mean": 8.0, "row_min": 0.5, "row_min_mean": 0.5,
         "column_max": 6.2, "column_max_mean": 6.0, "column_min": 0.3, "column_min_mean": 0.3 });
     let by_limits = json!({ "density": density, "scallop_um": 800.0, "chord_um": 500.0, "feed_mm_per_min": 1200.0,
@@ -198,6 +211,8 @@ fn jobs() -> Vec<Value> {
         "pressure_angle_deg": 20.0, "face_width": 20.0, "flank": "spherical-involute" });
     let blade = json!({ "count": 9, "hub_radius": [40.0, 55.0], "active_height": [0.3, 1.0], "thickness": [4.0, 2.0],
         "ruled": { "tip_radius": 75.0, "length": 60.0, "azimuth_deg": [0.5, 34.4], "tip_lead_deg": [2.86, 11.46], "side": "left" } });
+    let mut high = blade.clone();
+    high["active_height"] = json!([0.6, 1.0]);
     let ball = json!({ "shape": "ball", "diameter": 6.0, "cutting_length": 40.0 });
     let barrel = json!({ "shape": "barrel", "diameter": 6.0, "profile_radius": 25.0, "largest_diameter_height": 3.0,
         "cutting_length": 40.0 });
@@ -215,7 +230,7 @@ fn jobs() -> Vec<Value> {
         pair,
         job("bevel", &straight, 900.0, &cone, milling(json!({ "contact_height": 1.0 }))),
         job("blade", &blade, 1000.0, &ball, milling(json!({ "tilt_deg": 14.0, "columns": 9 }))),
-        job("blade", &blade, 1000.0, &barrel, milling(json!({ "tilt_deg": 2.0, "columns": 9 }))),
+        job("blade", &high, 1000.0, &barrel, milling(json!({ "tilt_deg": 2.0, "columns": 9 }))),
     ]
 }
 

@@ -102,16 +102,11 @@ fn summary(result: &GearboxResult, written: &[PathBuf]) -> String {
         of_set_ups(&mut text, explored);
     }
     let tolerance = result.tolerance_um.map_or_else(String::new, |um| format!(" (tolerance {um} um)"));
-    let _ = writeln!(
-        text,
-        "  target {}{tolerance}. {}",
-        result.verdict.status().words(),
-        result.verdict.scope_in_words()
-    );
+    let _ = writeln!(text, "  target {}{tolerance}", result.verdict.status().words());
     if let Some(reason) = result.verdict.reason() {
         tell(&mut text, reason);
     }
-    closing(&mut text, &result.warnings, &result.timing_s, written);
+    closing(&mut text, &result.verdict, &result.warnings, &result.timing_s, written);
     text
 }
 

@@ -187,7 +187,7 @@ fn summary(result: &GearInspectionResult, written: &[PathBuf]) -> String {
         );
     }
     let warnings: Vec<Remark> = result.warnings.iter().take(SHOWN).cloned().collect();
-    closing(&mut text, &warnings, &result.timing_s, written);
+    closing(&mut text, &result.verdict, &warnings, &result.timing_s, written);
     if result.warnings.len() > SHOWN {
         let _ = writeln!(text, "  {} more warnings are in result.json", result.warnings.len() - SHOWN);
     }

@@ -45,7 +45,6 @@ fn summary(result: &MillingResult, written: &[PathBuf]) -> String {
             flank.model_difference_um
         );
     }
-    let _ = writeln!(text, "  {}", result.verdict.scope_in_words());
     for operation in &result.operations {
         let _ = writeln!(
             text,
@@ -64,6 +63,6 @@ fn summary(result: &MillingResult, written: &[PathBuf]) -> String {
             program.proof_allowed_um
         );
     }
-    closing(&mut text, &result.warnings, &result.timing_s, written);
+    closing(&mut text, &result.verdict, &result.warnings, &result.timing_s, written);
     text
 }

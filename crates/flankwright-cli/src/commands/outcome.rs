@@ -118,13 +118,15 @@ pub(super) fn tell(text: &mut String, reason: &Remark) {
     let _ = writeln!(text, "  remedy: {}", reason.way_out);
 }
 
-/// The end of a summary: warnings, time, where the report is.
+/// The end of a summary: what the verdict covers, warnings, time, where the report is.
 pub(super) fn closing(
     text: &mut String,
+    verdict: &flankwright::verdict::Verdict,
     warnings: &[Remark],
     timing: &BTreeMap<&'static str, f64>,
     written: &[PathBuf],
 ) {
+    let _ = writeln!(text, "  {}", verdict.scope_in_words());
     for warning in warnings {
         let _ = writeln!(text, "  warning: {} ({})", warning.text, warning.way_out);
     }
@@ -221,6 +223,6 @@ fn summary(result: &JobResult, written: &[PathBuf]) -> String {
         }
     }
     text += &proven(result.programs.as_ref());
-    closing(&mut text, &result.warnings, &result.timing_s, written);
+    closing(&mut text, &result.verdict, &result.warnings, &result.timing_s, written);
     text
 }

@@ -96,7 +96,7 @@ fn summary(result: &SkivingResult, written: &[PathBuf]) -> String {
         );
     }
     let _ = writeln!(text, "  measuring takes {:.0} s", result.measuring_time_s);
-    closing(&mut text, &result.warnings, &result.timing_s, written);
+    closing(&mut text, &result.verdict, &result.warnings, &result.timing_s, written);
     text
 }
 

@@ -90,6 +90,6 @@ fn summary(result: &TangentialResult, written: &[PathBuf]) -> String {
         }
     }
     text += &proven(result.programs.as_ref());
-    closing(&mut text, &result.warnings, &result.timing_s, written);
+    closing(&mut text, &result.verdict, &result.warnings, &result.timing_s, written);
     text
 }

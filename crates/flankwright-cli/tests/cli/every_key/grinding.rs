@@ -57,6 +57,7 @@ fn values() -> Vec<(&'static str, Value)> {
         ("grinding.gauge", json!("equal-swivel")),
         ("output.tables", json!("parquet")),
         ("output.programs", json!("siemens")),
+        ("control.feed_senses", json!("both")),
         ("control.workpiece.rate", json!("bresenham")),
         ("control.servo.disturbances.axis", json!("worm")),
         ("explore.dressing.flank", json!("right")),

@@ -103,6 +103,8 @@ const SLOWER: f64 = 0.2;
 const NO_WAY: f64 = 1e-3;
 /// Turn of the axis below which a move is straight, rad.
 const STRAIGHT: f64 = 1e-6;
+/// Places on a move, and on the axis of a cutter, at which it is looked for the blank.
+const QUARTERS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 /// Share by which a spindle may turn at another speed.
 const SPINDLE: f64 = 0.01;
 
@@ -374,11 +376,15 @@ impl ProgramUnderTest<'_> {
     /// Whether the axis of the cutter, up to the end of its edges, comes into the blank on a move.
     fn cuts(&self, made: &FollowedMove) -> bool {
         let cutter = &self.work.tools[self.cutter(made.tool)].cutter;
-        let heights = [0.0, 0.25, 0.5, 0.75, 1.0].map(|share| share * cutter.cutting_length());
-        let count = made.places.len();
-        let at = [0, count / 2, count.saturating_sub(1)];
-        at.into_iter().filter_map(|k| made.places.get(k)).any(|place| {
-            heights.iter().any(|height| in_blank(&self.bodies.blank, &(place.tip + place.axis * *height)))
+        let heights = QUARTERS.map(|share| share * cutter.cutting_length());
+        let within = |tip: Vector3<f64>, axis: Vector3<f64>| {
+            heights.iter().any(|height| in_blank(&self.bodies.blank, &(tip + axis * *height)))
+        };
+        made.places.windows(2).any(|ends| {
+            QUARTERS.into_iter().any(|share| {
+                let at = |from: &Vector3<f64>, to: &Vector3<f64>| from.lerp(to, share);
+                within(at(&ends[0].tip, &ends[1].tip), at(&ends[0].axis, &ends[1].axis))
+            })
         })
     }
 
