@@ -2,7 +2,7 @@
 //! part that a cutter could enter, and the programs.
 
 use super::bodies::MillingBodies;
-use super::part_rays::PartSurface;
+use super::part_rays::{PartSurface, THIN_BACKS, has_thin_backs};
 use super::result::FlankResult;
 use super::root::RefereedRoot;
 use super::whole_part::WholePart;
@@ -47,6 +47,9 @@ pub(super) fn verdict(found: &Judged<'_>) -> Verdict {
     let unknown = &found.bodies.unknown;
     for remark in unknown {
         verdict.leave(item_of(remark), remark.text.as_str());
+    }
+    if has_thin_backs(found.bodies) {
+        verdict.leave(THIN_BACKS, "the plan keeps clear of them; a ray would come out on the other side");
     }
     if let Some(remark) = found.mate {
         verdict.owe("flank that the mate needs", remark.clone());

@@ -3,6 +3,7 @@
 
 use super::bodies::MillingBodies;
 use super::finding::failure;
+use super::referee::DEPTH;
 use crate::geometry::Surface;
 use crate::numerics::equidistant;
 use crate::process::milling::{MilledSide, MillingPlan, RootPart, Space, SpaceFlank, WallKind, drawn_root};
@@ -10,6 +11,9 @@ use crate::removal::NormalRay;
 use crate::workflow::finding::RunFailure;
 use nalgebra::{Rotation3, Vector3};
 use std::f64::consts::TAU;
+
+/// Places without a ray, for scopes.
+pub(super) const THIN_BACKS: &str = "backs of blades of 1 mm and less";
 
 /// A surface of the part.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,6 +85,8 @@ const MOST_HEIGHTS: usize = 41;
 const ACROSS: [usize; 2] = [9, 3];
 /// Rays over the height of a blade's back.
 const BACK: usize = 9;
+/// Thickness of a blade over the depth of the rays from which on its back has any.
+const THINNEST: f64 = 1.05;
 /// Rays on every fillet and on the bottom of a drawn root.
 const DRAWN: [usize; 2] = [7, 9];
 /// Share of a tip's width next to an edge that has no ray: there the flank is judged.
@@ -288,19 +294,37 @@ fn drawn_rays(
     Ok(rays)
 }
 
-/// The back of the blade of a passage, from hub to tip.
-fn back_rays(space: &Space, along: usize) -> Vec<PartRay> {
-    let mut rays = Vec::new();
+/// Places on the back of the blade of a passage, each with the thickness of the blade there, mm.
+fn back_places(space: &Space, along: usize) -> Vec<(NormalRay, f64)> {
+    let own = space.flanks.first().map(|flank| &flank.active.surface);
+    let mut places = Vec::new();
     for wall in space.walls.iter().filter(|wall| wall.kind == WallKind::Back && wall.turn == 0.0) {
         for height in equidistant(wall.heights, BACK) {
             for length in equidistant(wall.lengths, along) {
                 let jet = wall.surface.jet(height, length);
-                let ray = NormalRay { point: jet.point, normal: -jet.normal };
-                rays.push(PartRay { ray, surface: PartSurface::Back, space: 0, stock: None });
+                let thickness = own.map_or(0.0, |own| (own.point(height, length) - jet.point).norm());
+                places.push((NormalRay { point: jet.point, normal: -jet.normal }, thickness));
             }
         }
     }
-    rays
+    places
+}
+
+/// Whether a ray on the back of a blade would come out on the other side, where the cutter mills.
+fn is_thin(thickness: f64) -> bool {
+    thickness < THINNEST * DEPTH
+}
+
+/// Whether backs of blades have places without a ray, because the blade is thinner than rays are deep.
+pub(super) fn has_thin_backs(bodies: &MillingBodies) -> bool {
+    let places = bodies.parts.iter().flat_map(|space| back_places(space, COARSE[1]));
+    places.into_iter().any(|(_, thickness)| is_thin(thickness))
+}
+
+/// The back of the blade of a passage, from hub to tip, where it is thick enough.
+fn back_rays(space: &Space, along: usize) -> Vec<PartRay> {
+    let thick = back_places(space, along).into_iter().filter(|(_, thickness)| !is_thin(*thickness));
+    thick.map(|(ray, _)| PartRay { ray, surface: PartSurface::Back, space: 0, stock: None }).collect()
 }
 
 /// Tops of the teeth on one side of the space: with those of all spaces they are all there are.

@@ -2,7 +2,7 @@
 //! against the stock that stands at their time; feeds and spindle against the job.
 
 use super::bodies::MillingBodies;
-use super::part_rays::{Closeness, PartRay, PartSurface, part_rays, spacing};
+use super::part_rays::{Closeness, PartRay, PartSurface, THIN_BACKS, has_thin_backs, part_rays, spacing};
 use super::programs::{FollowedMove, MillingWork};
 use super::referee::{DEPTH, STOCK, mill_paths};
 use super::whole_part::{FaultKind, PartFault, WholePart, allowed};
@@ -194,6 +194,9 @@ impl ProgramUnderTest<'_> {
         ];
         if self.bodies.unknown.iter().any(|remark| remark.code == "blade-back-not-judged") {
             left.push("backs of the blades".into());
+        }
+        if has_thin_backs(self.bodies) {
+            left.push(THIN_BACKS.into());
         }
         left
     }
