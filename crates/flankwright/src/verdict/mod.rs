@@ -43,6 +43,14 @@ impl Status {
     }
 }
 
+/// Plan and simulation may differ by this share of the tolerance; beyond it one of them is wrong, and nothing says which.
+const AGREEMENT: f64 = 0.1;
+
+/// Whether plan and simulation that differ by so much agree, both in the unit of the tolerance.
+pub(crate) fn agree(difference: f64, tolerance: f64) -> bool {
+    difference <= AGREEMENT * tolerance
+}
+
 /// A statement beside the numbers of a run: a warning, or the reason of a verdict.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Remark {

@@ -5,11 +5,8 @@ use super::finding::Remark;
 use super::programs::{ClearanceResult, ProgramsResult};
 use super::result::FlankResult;
 use crate::geometry::Flank;
-use crate::verdict::Verdict;
+use crate::verdict::{Verdict, agree};
 use std::collections::BTreeMap;
-
-/// Plan and simulation may differ by this share of the tolerance; beyond it one of them is wrong, and nothing says which.
-const AGREEMENT: f64 = 0.1;
 
 /// Judges one flank on its simulation: `met` by the rule of its process, then whether plan and simulation agree.
 pub(super) fn judge_flank(
@@ -23,8 +20,7 @@ pub(super) fn judge_flank(
     let detail = format!("{:.4} of {tolerance_um} um", flank.max_deviation_um);
     verdict.judge(format!("{name} flank"), met, detail, missed);
     let difference = flank.model_difference_um;
-    let agree = difference <= AGREEMENT * tolerance_um;
-    if !agree {
+    if !agree(difference, tolerance_um) {
         let text = format!(
             "plan and simulation of the {name} flank differ by {difference:.3} um, more than a tenth of the tolerance of {tolerance_um} um"
         );

@@ -5,16 +5,14 @@ use super::bodies::{MillingBodies, prepare_milling};
 use super::finding::failure;
 use super::of_job::{machining, work};
 use super::programs::{CheckedMotion, MillingWork, ROUNDING};
-use super::referee::{DEPTH, RefereedFlank, STOCK, rays, referee};
+use super::referee::{RefereedFlank, STOCK, rays, referee, swept};
 use super::whole_program::{ProgramUnderTest, text_tolerance};
 use crate::exchange::machine::LoadedMachine;
 use crate::exchange::milling_job::{MillingJob, MillingMachine};
 use crate::exchange::{Diagnostic, LoadedMillingJob, Problem};
-use crate::geometry::Cutter;
 use crate::nc::Dialect;
 use crate::numerics::Progress;
 use crate::process::milling::{MillingPlan, plan_all};
-use crate::removal::{MillPath, Milling, mill};
 use crate::workflow::finding::{Remark, RunFailure};
 use crate::workflow::programs::{CheckedFlank, CheckedProgram, Moved, figures};
 use std::collections::BTreeMap;
@@ -94,11 +92,14 @@ impl<'a> MillingCheck<'a> {
             way_out: fault.way_out,
         }));
         checked.remarks.extend(remarks);
+        let (cutters, paths) = (work.cutters(), work.paths(&moves));
+        let swept = swept(&cutters, &paths, STOCK)?;
         let under_test = ProgramUnderTest {
             bodies,
             plan: made,
             work,
             moves: &moves,
+            swept: &swept,
             tool_length: given.tool_length,
             tolerance: text_tolerance(job, given),
         };
@@ -107,18 +108,11 @@ impl<'a> MillingCheck<'a> {
             proof.faults.iter().map(|fault| Remark::new(fault.code, fault.text.clone(), fault.way_out));
         checked.remarks.extend(told);
         checked.part = Some(proof);
-        let cutter_of = |number: u32| work.tools.iter().position(|tool| tool.number == number).unwrap_or(0);
-        let paths: Vec<MillPath> = moves
-            .iter()
-            .map(|made| MillPath { cutter: cutter_of(made.tool), places: made.places.clone() })
-            .collect();
-        let cutters: Vec<Cutter> = work.tools.iter().map(|tool| tool.cutter.clone()).collect();
-        let setup = Milling { cutters: &cutters, paths: &paths, stock: STOCK, depth: DEPTH };
         let mut flanks = BTreeMap::new();
         for (plan, flank) in made.flanks.iter().zip(own) {
             let rays = rays(plan, &flank.heights, &flank.lengths);
             let milled =
-                mill(&setup, &rays, progress).map_err(|error| RunFailure::of_removal(&error, "milling"))?;
+                swept.mill(&rays, progress).map_err(|error| RunFailure::of_removal(&error, "milling"))?;
             let (mut max_deviation_um, mut difference_um) = (0.0f64, 0.0f64);
             for (ray, wanted) in milled.rays.iter().zip(&flank.simulated) {
                 // Rays that no cutter meets are told with the whole part.

@@ -7,11 +7,8 @@ use super::result::FlankResult;
 use super::root::RefereedRoot;
 use super::whole_part::WholePart;
 use crate::process::milling::{MilledSide, RootPart};
-use crate::verdict::{Remark, Verdict};
+use crate::verdict::{Remark, Verdict, agree};
 use std::collections::BTreeMap;
-
-/// Plan and simulation may differ by this share of the tolerance; beyond it one of them is wrong, and nothing says which.
-const AGREEMENT: f64 = 0.1;
 
 /// What was found.
 pub(super) struct Judged<'a> {
@@ -113,7 +110,7 @@ fn judge_flank(verdict: &mut Verdict, name: &str, flank: &FlankResult, tolerance
     let difference = flank.model_difference_um;
     if flank.planned_um.iter().all(Option::is_none) {
         verdict.leave(item, "nothing is predicted between fewer than four columns");
-    } else if difference <= AGREEMENT * tolerance_um {
+    } else if agree(difference, tolerance_um) {
         verdict.met(item, format!("{difference:.4} um apart"));
     } else {
         let text = format!(

@@ -8,7 +8,7 @@ use super::programs::{
     AtPole, CutterLocationText, MillingMachining, MillingProgram, MillingPrograms, MillingWork, RayProof,
     ToolWork,
 };
-use super::referee::{DEPTH, RefereedFlank, STOCK, rays as rays_of};
+use super::referee::{DEPTH, RefereedFlank, STOCK, rays as rays_of, swept};
 use super::whole_program::{PartProof, ProgramUnderTest, text_tolerance};
 use crate::exchange::job::Program as DialectName;
 use crate::exchange::machine::LoadedMachine;
@@ -92,10 +92,13 @@ pub(super) fn texts(
         }
     }
     let proofs = programs.prove(&work, &rays, &planned, [STOCK, DEPTH], progress)?;
+    let cutters = work.cutters();
     let of_program = |program: &MillingProgram| {
         let (moves, tool_length) = (program.moves(), given.tool_length);
         let tolerance = text_tolerance(job, given);
-        ProgramUnderTest { bodies, plan, work: &work, moves, tool_length, tolerance }.prove(progress)
+        let paths = work.paths(moves);
+        let swept = &swept(&cutters, &paths, STOCK)?;
+        ProgramUnderTest { bodies, plan, work: &work, moves, swept, tool_length, tolerance }.prove(progress)
     };
     let parts = programs.programs.iter().map(of_program).collect::<Result<Vec<_>, _>>()?;
     Ok(MillingTexts { programs: Some(programs), machine: Some(machine), proofs, parts, locations })

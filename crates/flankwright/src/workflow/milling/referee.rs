@@ -7,7 +7,7 @@ use crate::numerics::{Progress, equidistant};
 use crate::process::milling::{
     FlankModel, FlankPlan, Half, MilledSide, MillingError, MillingPlan, OperationKind, Prediction,
 };
-use crate::removal::{CutterPlace, MillPath, MillStatistics, MilledRay, Milling, NormalRay, Unmilled, mill};
+use crate::removal::{CutterPlace, MillPath, MillStatistics, MilledRay, Milling, NormalRay, Swept, Unmilled};
 use crate::workflow::finding::RunFailure;
 use rayon::prelude::*;
 
@@ -53,6 +53,19 @@ pub(super) fn mill_paths(bodies: &MillingBodies, plan: &MillingPlan) -> (Vec<Cut
     (cutters, paths)
 }
 
+/// Motions of cutters made ready for rays that begin `stock` mm outside the surface.
+///
+/// # Errors
+/// [`RunFailure`] for motions that the referee cannot follow.
+pub(super) fn swept<'a>(
+    cutters: &'a [Cutter],
+    paths: &'a [MillPath],
+    stock: f64,
+) -> Result<Swept<'a>, RunFailure> {
+    let setup = Milling { cutters, paths, stock, depth: DEPTH };
+    Swept::new(&setup).map_err(|error| RunFailure::of_removal(&error, "milling"))
+}
+
 /// Why rays were not milled, with their number.
 pub(super) fn unmilled<'a>(
     rays: impl IntoIterator<Item = &'a Result<MilledRay, Unmilled>>,
@@ -89,13 +102,13 @@ pub fn referee(
     progress: &dyn Progress,
 ) -> Result<Vec<RefereedFlank>, RunFailure> {
     let (cutters, paths) = mill_paths(bodies, plan);
-    let setup = Milling { cutters: &cutters, paths: &paths, stock: STOCK, depth: DEPTH };
+    let swept = swept(&cutters, &paths, STOCK)?;
     let of_flank = |flank: &FlankPlan| {
         let heights = equidistant(flank.active.height_span(), counts[0]);
         let lengths = equidistant(flank.active.face, counts[1]);
         let rays = rays(flank, &heights, &lengths);
         let milled =
-            mill(&setup, &rays, progress).map_err(|error| RunFailure::of_removal(&error, "milling"))?;
+            swept.mill(&rays, progress).map_err(|error| RunFailure::of_removal(&error, "milling"))?;
         let judged = judged(flank, &heights, &lengths, &milled.rays)?;
         let length = |(ray, judged): (&Result<MilledRay, Unmilled>, &bool)| match ray {
             Ok(ray) if *judged => Some(ray.length),

@@ -3,11 +3,11 @@
 
 use super::bodies::MillingBodies;
 use super::finding::failure;
-use super::referee::{DEPTH, STOCK, mill_paths, unmilled};
+use super::referee::{STOCK, mill_paths, swept, unmilled};
 use super::result::RootDeviationResult;
 use crate::numerics::{Progress, equidistant, extremes, root_mean_square};
 use crate::process::milling::{FlankPlan, MillingPlan, RootModel, RootPart, RootPoint, drawn_root};
-use crate::removal::{Milling, NormalRay, Unmilled, mill};
+use crate::removal::{NormalRay, Unmilled};
 use crate::workflow::finding::RunFailure;
 use rayon::prelude::*;
 
@@ -55,7 +55,7 @@ pub fn referee_root(
     // Passes of halves end short of the face; what their last places leave is not predicted.
     let model = RootModel::new(plan, &bodies.options).filter(|_| bodies.parts.len() == 1);
     let (cutters, paths) = mill_paths(bodies, plan);
-    let setup = Milling { cutters: &cutters, paths: &paths, stock: STOCK, depth: DEPTH };
+    let swept = swept(&cutters, &paths, STOCK)?;
     let mut parts: Vec<RefereedRoot> = Vec::new();
     for point in &all {
         if parts.iter().any(|known| known.part == point.part) {
@@ -65,7 +65,7 @@ pub fn referee_root(
         let rays: Vec<NormalRay> =
             points.iter().map(|at| NormalRay { point: at.point, normal: at.normal }).collect();
         let milled =
-            mill(&setup, &rays, progress).map_err(|error| RunFailure::of_removal(&error, "milling"))?;
+            swept.mill(&rays, progress).map_err(|error| RunFailure::of_removal(&error, "milling"))?;
         parts.push(RefereedRoot {
             part: point.part,
             simulated: milled.rays.iter().map(|ray| ray.as_ref().ok().map(|ray| ray.length)).collect(),

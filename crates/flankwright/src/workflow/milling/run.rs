@@ -7,7 +7,7 @@ use super::mate::{self, MateOutcome};
 use super::of_job::{MillingTexts, purpose_and_feed, texts};
 use super::orientation::{ComparedOrientations, orientations};
 use super::part_rays::{Closeness, PartSurface, part_rays};
-use super::referee::{DEPTH, RefereedFlank, mill_paths, referee};
+use super::referee::{RefereedFlank, mill_paths, referee, swept};
 use super::result::{
     CutterResult, DistancesResult, FlankResult, MillingResult, OperationResult, OutOfReachResult, RootResult,
     RowResult, WearResult,
@@ -19,7 +19,7 @@ use crate::exchange::LoadedMillingJob;
 use crate::exchange::milling_job::{MilledBody, MillingJob};
 use crate::numerics::{Progress, extremes, root_mean_square};
 use crate::process::milling::{FlankPlan, MillingPlan, NeighbourDistances, Operation, plan_all};
-use crate::removal::{Milling, Swept, Unmilled};
+use crate::removal::Unmilled;
 use crate::workflow::face_names::face_names_remark;
 use crate::workflow::finding::{Remark, RunFailure};
 use crate::workflow::programs::machine_of_job;
@@ -147,9 +147,7 @@ fn beside(
     rays.iter_mut().for_each(|at| at.stock = None);
     let (cutters, paths) = mill_paths(bodies, plan);
     // What is above the surface does not matter.
-    let setup = Milling { cutters: &cutters, paths: &paths, stock: tolerance, depth: DEPTH };
-    let swept = Swept::new(&setup).map_err(|error| RunFailure::of_removal(&error, "milling"))?;
-    WholePart::of(&swept, &rays, tolerance, progress)
+    WholePart::of(&swept(&cutters, &paths, tolerance)?, &rays, tolerance, progress)
 }
 
 fn warnings(

@@ -3,11 +3,10 @@
 
 use super::bodies::MillingBodies;
 use super::part_rays::{Closeness, PartRay, PartSurface, THIN_BACKS, has_thin_backs, part_rays, spacing};
-use super::programs::{FollowedMove, MillingWork};
-use super::referee::{DEPTH, STOCK, mill_paths};
+use super::programs::{FollowedMove, MillingWork, OBLIQUE};
+use super::referee::{STOCK, mill_paths, swept};
 use super::whole_part::{FaultKind, PartFault, WholePart, allowed};
 use crate::exchange::milling_job::{MillingJob, MillingMachine};
-use crate::geometry::Cutter;
 use crate::numerics::Progress;
 use crate::process::milling::MillingPlan;
 use crate::removal::{MillPath, MilledRay, Milling, Rapids, Swept, mill, rapid_hits};
@@ -71,6 +70,8 @@ pub(super) struct ProgramUnderTest<'a> {
     pub plan: &'a MillingPlan,
     pub work: &'a MillingWork<'a>,
     pub moves: &'a [FollowedMove],
+    /// The same made ready for rays, each a path of its own; see [`swept`].
+    pub swept: &'a Swept<'a>,
     /// From the nose of the spindle to the tip, mm.
     pub tool_length: f64,
     /// Tolerance of the job with what its text may add, mm; see [`text_tolerance`].
@@ -82,9 +83,6 @@ pub(super) fn text_tolerance(job: &MillingJob, given: &MillingMachine) -> f64 {
     1e-3 * (job.target.tolerance_um + OBLIQUE * given.position_tolerance_um + DIGITS_UM)
 }
 
-/// A displaced cutter changes the length of a ray by more than its own displacement where it cuts the ray at an angle: on scallops of
-/// up to 45 degrees.
-const OBLIQUE: f64 = std::f64::consts::SQRT_2;
 /// What four decimals of positions and angles move a cutter by, um.
 const DIGITS_UM: f64 = 0.3;
 
@@ -115,14 +113,10 @@ impl ProgramUnderTest<'_> {
     /// [`RunFailure`] for motions that the referee cannot follow.
     pub fn prove(&self, progress: &dyn Progress) -> Result<PartProof, RunFailure> {
         let rays = self.rays(progress)?;
-        let cutters: Vec<Cutter> = self.work.tools.iter().map(|tool| tool.cutter.clone()).collect();
-        let paths = self.paths();
-        let setup = Milling { cutters: &cutters, paths: &paths, stock: STOCK, depth: DEPTH };
-        let swept = Swept::new(&setup).map_err(|error| RunFailure::of_removal(&error, "milling"))?;
-        let whole = WholePart::of(&swept, &rays, self.tolerance, progress)?;
+        let whole = WholePart::of(self.swept, &rays, self.tolerance, progress)?;
         let mut faults: Vec<ProgramFault> = whole.faults.iter().map(|fault| self.part_fault(fault)).collect();
-        faults.extend(self.rapid_cuts(&setup, &rays, &whole, progress)?);
-        faults.extend(self.rapid_collisions(&swept, progress)?);
+        faults.extend(self.rapid_cuts(&rays, &whole, progress)?);
+        faults.extend(self.rapid_collisions(progress)?);
         faults.extend(self.feeds());
         faults.extend(self.spindles());
         // One fault of a block says enough of it.
@@ -174,10 +168,10 @@ impl ProgramUnderTest<'_> {
             return Ok(rays);
         }
         let (cutters, paths) = mill_paths(self.bodies, self.plan);
-        let own = Milling { cutters: &cutters, paths: &paths, stock: STOCK, depth: DEPTH };
+        let own = swept(&cutters, &paths, STOCK)?;
         let normals: Vec<_> = drawn.iter().map(|&k| rays[k].ray).collect();
         let left =
-            mill(&own, &normals, progress).map_err(|error| RunFailure::of_removal(&error, "milling"))?.rays;
+            own.mill(&normals, progress).map_err(|error| RunFailure::of_removal(&error, "milling"))?.rays;
         for space in 0..self.bodies.milled {
             for (&k, left) in drawn.iter().zip(&left) {
                 let most = left.ok().map(|ray| ray.length.max(0.0) + self.tolerance);
@@ -199,18 +193,6 @@ impl ProgramUnderTest<'_> {
             left.push(THIN_BACKS.into());
         }
         left
-    }
-
-    /// Index of the cutter of a tool.
-    fn cutter(&self, number: u32) -> usize {
-        self.work.tools.iter().position(|tool| tool.number == number).unwrap_or(0)
-    }
-
-    /// Every move as a path of its own.
-    fn paths(&self) -> Vec<MillPath> {
-        let of =
-            |made: &FollowedMove| MillPath { cutter: self.cutter(made.tool), places: made.places.clone() };
-        self.moves.iter().map(of).collect()
     }
 
     fn part_fault(&self, fault: &PartFault) -> ProgramFault {
@@ -245,7 +227,6 @@ impl ProgramUnderTest<'_> {
     /// Rapid moves that shorten a ray which no move before or behind them shortens as far.
     fn rapid_cuts(
         &self,
-        setup: &Milling<'_>,
         rays: &[PartRay],
         whole: &WholePart,
         progress: &dyn Progress,
@@ -260,6 +241,7 @@ impl ProgramUnderTest<'_> {
         if set.is_empty() {
             return Ok(Vec::new());
         }
+        let setup = self.swept.setup();
         let slow: Vec<MillPath> = setup
             .paths
             .iter()
@@ -310,14 +292,16 @@ impl ProgramUnderTest<'_> {
         number.rem_euclid(self.bodies.spaces.max(1) as i64) as usize + 1
     }
 
-    fn rapid_collisions(
-        &self,
-        swept: &Swept<'_>,
-        progress: &dyn Progress,
-    ) -> Result<Vec<ProgramFault>, RunFailure> {
+    fn rapid_collisions(&self, progress: &dyn Progress) -> Result<Vec<ProgramFault>, RunFailure> {
         let rapid: Vec<bool> = self.moves.iter().map(|made| made.rapid).collect();
         let body = |point: &Vector3<f64>| in_blank(&self.bodies.blank, point);
-        let rapids = Rapids { swept, rapid: &rapid, body: &body, reach: self.tool_length, step: RAPID_STEP };
+        let rapids = Rapids {
+            swept: self.swept,
+            rapid: &rapid,
+            body: &body,
+            reach: self.tool_length,
+            step: RAPID_STEP,
+        };
         let hits =
             rapid_hits(&rapids, progress).map_err(|error| RunFailure::of_removal(&error, "milling"))?;
         Ok(hits.into_iter().map(|hit| self.collision(self.moves[hit.path].block, hit.place, None)).collect())
@@ -378,7 +362,7 @@ impl ProgramUnderTest<'_> {
 
     /// Whether the axis of the cutter, up to the end of its edges, comes into the blank on a move.
     fn cuts(&self, made: &FollowedMove) -> bool {
-        let cutter = &self.work.tools[self.cutter(made.tool)].cutter;
+        let cutter = &self.work.tools[self.work.tool(made.tool)].cutter;
         let heights = QUARTERS.map(|share| share * cutter.cutting_length());
         let within = |tip: Vector3<f64>, axis: Vector3<f64>| {
             heights.iter().any(|height| in_blank(&self.bodies.blank, &(tip + axis * *height)))
@@ -397,7 +381,7 @@ impl ProgramUnderTest<'_> {
         let mut known: Vec<u32> = Vec::new();
         for made in self.moves.iter().filter(|made| !made.rapid) {
             let turns = made.spindle.unwrap_or(0.0) * 30.0 / PI;
-            let wanted = self.work.tools[self.cutter(made.tool)].spindle_rpm;
+            let wanted = self.work.tools[self.work.tool(made.tool)].spindle_rpm;
             let right = (turns - wanted).abs() <= SPINDLE * wanted;
             if right || known.contains(&made.tool) || !self.cuts(made) {
                 continue;

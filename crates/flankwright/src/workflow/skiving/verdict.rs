@@ -8,13 +8,11 @@ use crate::exchange::skiving_job::SkivingJob;
 use crate::geometry::Flank;
 use crate::numerics::{bisect, normal_upper_tail, power_series};
 use crate::process::skiving::MeasuringTrack;
-use crate::verdict::{Remark, Verdict};
+use crate::verdict::{Remark, Verdict, agree};
 use std::collections::BTreeMap;
 
 /// Probability with which noise alone takes any of several figures further than their guard band.
 const LEVEL: f64 = 0.05;
-/// Prediction and referee may differ by this share of the tolerance; beyond it one of them is wrong, and nothing says which.
-const AGREEMENT: f64 = 0.1;
 /// Teeth of which one may stand out without a doubt about the others.
 const PER_BROKEN: usize = 3;
 
@@ -75,7 +73,7 @@ pub(super) fn verdict(found: &Judged<'_>) -> Verdict {
 pub(super) fn is_sound(found: &Judged<'_>) -> bool {
     let tolerance = found.job.target.tolerance_um;
     found.flanks.values().all(|flank| {
-        flank.model_difference_um[0] <= AGREEMENT * tolerance
+        agree(flank.model_difference_um[0], tolerance)
             && (found.measured.is_some() || flank.max_deviation_um <= tolerance)
     })
 }
@@ -262,7 +260,7 @@ fn of_workpiece(found: &Judged<'_>, verdict: &mut Verdict) {
         };
         note(verdict, figure, || above_tolerance(flank, tolerance));
         let difference = flank.model_difference_um[0];
-        if difference > AGREEMENT * tolerance {
+        if !agree(difference, tolerance) {
             let text = format!(
                 "prediction and simulation of the {name} flank differ by {difference:.3} um, more than a tenth of the tolerance of {tolerance} um"
             );

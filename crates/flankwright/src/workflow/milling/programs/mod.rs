@@ -27,6 +27,7 @@ pub(in crate::workflow) use failure::of_motion;
 pub use figures::{OperationFigures, RowFigures, StraightKept};
 pub use follow::FollowedMove;
 pub use pole::AtPole;
+pub(super) use proof::OBLIQUE;
 pub use proof::RayProof;
 pub use steps::{DrivenMotion, Step, StepKind, ToolRun};
 pub(in crate::workflow) use task::clamping;

@@ -4,7 +4,6 @@ use super::build::{MillingProgram, MillingPrograms};
 use super::failure::{not_proven, of_removal};
 use super::steps::StepKind;
 use super::task::MillingWork;
-use crate::geometry::Cutter;
 use crate::nc::Dialect;
 use crate::numerics::Progress;
 use crate::removal::{CutterPlace, MillPath, Milling, NormalRay, Unmilled, mill};
@@ -23,7 +22,7 @@ pub struct RayProof {
 
 /// A displaced cutter changes the length of a ray by more than its own displacement where it cuts the ray at an angle: on scallops of
 /// up to 45 degrees.
-const OBLIQUE: f64 = std::f64::consts::SQRT_2;
+pub(in crate::workflow::milling) const OBLIQUE: f64 = std::f64::consts::SQRT_2;
 /// Error of rays and comparison, um.
 const MARGIN_UM: f64 = 0.01;
 
@@ -45,7 +44,7 @@ impl MillingPrograms {
             let text = format!("{} rays with {} planned lengths", rays.len(), planned.len());
             return Err(not_proven(text));
         }
-        let cutters: Vec<Cutter> = work.tools.iter().map(|tool| tool.cutter.clone()).collect();
+        let cutters = work.cutters();
         let mut proofs = Vec::new();
         for program in &self.programs {
             let paths = program.first_space_paths();

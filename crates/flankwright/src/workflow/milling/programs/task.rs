@@ -1,5 +1,6 @@
 //! What milling programs are made from: paths of cutters in one space, how often the space is repeated, the machine. Knows no text.
 
+use super::follow::FollowedMove;
 use super::pole::AtPole;
 use crate::exchange::job::Program as DialectName;
 use crate::exchange::machine::LoadedMachine;
@@ -9,6 +10,7 @@ use crate::kinematics::{Pose, Workpiece};
 use crate::machine::StationSpindle;
 use crate::nc::TipControl;
 use crate::process::milling::{CutterPath, OperationKind, Retraction};
+use crate::removal::MillPath;
 use nalgebra::{Matrix3, Vector3};
 
 /// One operation of a cutter in the space about +y.
@@ -43,6 +45,24 @@ pub struct MillingWork<'a> {
     pub pitch: f64,
     /// Where the cutter is out of the workpiece.
     pub retraction: Retraction,
+}
+
+impl MillingWork<'_> {
+    /// The cutters, one for each of the tools.
+    pub fn cutters(&self) -> Vec<Cutter> {
+        self.tools.iter().map(|tool| tool.cutter.clone()).collect()
+    }
+
+    /// Index of the first tool with this number.
+    pub fn tool(&self, number: u32) -> usize {
+        self.tools.iter().position(|tool| tool.number == number).unwrap_or(0)
+    }
+
+    /// Every move of a text as a path of its own.
+    pub(in crate::workflow) fn paths(&self, moves: &[FollowedMove]) -> Vec<MillPath> {
+        let of = |made: &FollowedMove| MillPath { cutter: self.tool(made.tool), places: made.places.clone() };
+        moves.iter().map(of).collect()
+    }
 }
 
 /// The machine and how it is told.
