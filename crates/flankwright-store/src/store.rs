@@ -239,7 +239,9 @@ mod tests {
         let store = Store::connect_read_only(&address, "read-only".to_owned()).await.unwrap();
         assert!(store.parts(&PartFilter::default()).await.unwrap().is_empty());
         assert!(store.health().await.unwrap().faults.is_empty());
-        let error = store.pool.write().await.map(drop).unwrap_err();
+        // Where nothing can be written a transaction begins as one that reads: the statement itself is refused.
+        let error = store.remove_run(1).await.unwrap_err();
+        assert_eq!(error.code(), "store-failed");
         assert!(error.to_string().contains("readonly"), "{error}");
         store.close().await;
         // What stands in a log only would be missing.

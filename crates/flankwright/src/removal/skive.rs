@@ -66,19 +66,26 @@ impl Skiving<'_> {
             let found = tried.iter().filter(|ball| ball.off.is_finite());
             let start = found.min_by(|a, b| near(a).total_cmp(&near(b)))?;
             let places = [(start.place - AROUND * step).max(first), (start.place + AROUND * step).min(last)];
-            let best_angle = |place: f64| {
+            let best_angle = |rounding: &Rounding| {
                 let turn = self.angle_step();
                 let [from, to] = [start.tool_angle - AROUND * turn, start.tool_angle + AROUND * turn];
-                golden_section(from, to, SEARCH, |angle| self.left_by(w, place, angle))
+                golden_section(from, to, SEARCH, |angle| self.left_by(w, rounding, angle))
             };
             let place = golden_section(places[0], places[1], SEARCH, |place| {
-                self.left_by(w, place, best_angle(place))
+                let rounding = self.rounding(place);
+                self.left_by(w, &rounding, best_angle(&rounding))
             });
-            let tool_angle = best_angle(place);
-            let left = self.left_by(w, place, tool_angle);
+            let rounding = self.rounding(place);
+            let tool_angle = best_angle(&rounding);
+            let left = self.left_by(w, &rounding, tool_angle);
             left.is_finite().then_some(SkivedPlace { left, place, tool_angle })
         };
         Ok(lengths_of_roll.par_iter().map(of_roll).collect())
+    }
+
+    fn rounding(&self, place: f64) -> Rounding {
+        let (centre, radius) = (self.edge)(place);
+        Rounding { place, centre, radius }
     }
 
     fn angle_step(&self) -> f64 {
@@ -87,34 +94,34 @@ impl Skiving<'_> {
 
     /// The ball of a place where it comes nearest to the material.
     fn deepest(&self, place: f64) -> Ball {
+        let rounding = self.rounding(place);
         let mut best = Ball { place, tool_angle: f64::NAN, w: f64::NAN, off: f64::INFINITY };
         for tool_angle in equidistant(self.tool_angles, ANGLES) {
-            let ball = self.ball(place, tool_angle);
+            let ball = self.ball(&rounding, tool_angle);
             if ball.off < best.off {
                 best = ball;
             }
         }
         let turn = self.angle_step();
         let [from, to] = [best.tool_angle - turn, best.tool_angle + turn];
-        let angle = golden_section(from, to, TRIAL, |angle| self.ball(place, angle).off);
-        let refined = self.ball(place, angle);
+        let angle = golden_section(from, to, TRIAL, |angle| self.ball(&rounding, angle).off);
+        let refined = self.ball(&rounding, angle);
         if refined.off < best.off { refined } else { best }
     }
 
     /// A ball at an angle of the tool: foot and distance of its surface from the flank of its own space.
-    fn ball(&self, place: f64, tool_angle: f64) -> Ball {
-        let (centre, radius) = (self.edge)(place);
-        let at = self.in_workpiece(&centre, tool_angle);
+    fn ball(&self, rounding: &Rounding, tool_angle: f64) -> Ball {
+        let at = self.in_workpiece(&rounding.centre, tool_angle);
         let seen = self.flank.deviation(&at);
         let own = self.flank.nearest_space(&at) == 0 && seen.f_n.is_finite();
-        let off = if own { seen.f_n - radius } else { f64::INFINITY };
-        Ball { place, tool_angle, w: seen.w, off }
+        let off = if own { seen.f_n - rounding.radius } else { f64::INFINITY };
+        Ball { place: rounding.place, tool_angle, w: seen.w, off }
     }
 
     /// What a ball leaves at a length of roll: its own circle across the helix, along which the feed takes it.
-    fn left_by(&self, w: f64, place: f64, tool_angle: f64) -> f64 {
-        let ball = self.ball(place, tool_angle);
-        let radius = (self.edge)(place).1;
+    fn left_by(&self, w: f64, rounding: &Rounding, tool_angle: f64) -> f64 {
+        let ball = self.ball(rounding, tool_angle);
+        let radius = rounding.radius;
         let (aside, high) = (self.across_helix(0.5 * (w + ball.w)) * (w - ball.w), ball.off + radius);
         if radius == 0.0 {
             // A sharp edge leaves points only; next to them its neighbours do.
@@ -139,6 +146,13 @@ impl Skiving<'_> {
         let pose = self.motion.chain().pose(&state).inverse();
         pose.point(&Point::from_vector(*point)).xyz
     }
+}
+
+/// A ball of the rounding, in tool coordinates.
+struct Rounding {
+    place: f64,
+    centre: Vector3<f64>,
+    radius: f64,
 }
 
 /// A ball of the rounding on its way.
