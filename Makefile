@@ -32,7 +32,7 @@ test: setup
 	@scripts/docs
 	@PROGRAM=target/debug/flankwright scripts/browser
 	@PROGRAM=target/debug/flankwright scripts/api-fuzz
-	@FUZZ_SEED=1 scripts/fuzz 60
+	@FUZZ_SEED=1 scripts/fuzz 20
 
 # The Python package in an environment of its own.
 python: setup
