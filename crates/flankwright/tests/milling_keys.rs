@@ -121,6 +121,7 @@ fn others(key: &str, value: &Value) -> Vec<Value> {
         "hand" => &["left"],
         "flank" => &["octoid"],
         "side" => &["right"],
+        "name" => &["collar"],
         "shape" => &["torus", "cone", "ball"],
         "file" => &["five-axis-bc-table.toml"],
         _ => &[],
@@ -180,7 +181,8 @@ fn jobs() -> Vec<Value> {
         { "kind": "helix_crowning", "amount_um": 10.0, "flank": "both" }]);
     whole["machine"] = json!({ "file": "five-axis-ac-table.toml",
         "mount": { "turned_over": false, "height": 40.0, "offset": [1.0, 2.0] }, "tool_length": 100.0,
-        "spindle_diameter": 100.0, "rtcp": "off", "position_tolerance_um": 0.5, "pole": "slow" });
+        "spindle_diameter": 100.0, "rtcp": "off", "position_tolerance_um": 0.5, "pole": "slow", "body_clearance": 1.0,
+        "clamping": [{ "name": "nut", "z": [11.0, 30.0], "diameter": 60.0, "end_diameter": 50.0 }] });
     whole["output"] = json!({ "programs": ["siemens"] });
     let mut halves = gear.clone();
     halves["face_width"] = json!(41.0);

@@ -217,8 +217,8 @@ fn orientation() -> OrientationView {
 fn orientations_are_told_side_by_side() {
     let told = page(&report());
     let section = told.split("<h2>Orientation of the cutter").nth(1).unwrap().split("<h2>").next().unwrap();
-    assert!(section.contains("42.00 deg along the row, 26.00 deg less than"), "{section}");
-    assert!(section.contains("at most 4.00 deg instead of 16.00 deg"), "{section}");
+    assert!(section.contains("42.00° along the row, 26.00° less than"), "{section}");
+    assert!(section.contains("at most 4.00° instead of 16.00°"), "{section}");
     assert!(section.contains("does not generally save rotary motion"));
     assert!(section.contains("beyond the travel of A"));
     // What the machine does not reach has no line.

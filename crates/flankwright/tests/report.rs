@@ -389,8 +389,8 @@ fn programs_stand_with_their_proof() {
     assert_holds(
         &page,
         &[
-            "linuxcnc and fanuc: proven from the program text: max deviation 0.0123 um.",
-            "siemens: proven from the program text: max deviation 0.0119 um.",
+            "linuxcnc and fanuc: proven from the program text: max deviation 0.0123 µm.",
+            "siemens: proven from the program text: max deviation 0.0119 µm.",
             "programs/grinding-siemens.mpf",
             "grinder &lt;8&gt;",
             "datum face down",

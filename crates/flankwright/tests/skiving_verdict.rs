@@ -2,6 +2,7 @@
 //! profiles with reliefs, arcs and grids, for a ring and an external gear.
 
 use flankwright::exchange::{AnyJob, Source, parse_any_job};
+use flankwright::geometry::Flank;
 use flankwright::numerics::Silent;
 use flankwright::verdict::{Status, Verdict};
 use flankwright::workflow::skiving::{SkivingOutcome, run_skiving};
@@ -81,6 +82,19 @@ fn a_broken_tooth_is_named_and_the_others_are_judged() {
     let out: Vec<usize> = measured.profile.out_of_band.iter().map(|edge| edge.tooth).collect();
     assert_eq!(out, [3]);
     assert!(measured.pitch.total_um < 30.0, "{}", measured.pitch.total_um);
+    // The chip asks for its own depth, some seven times what is missing under a clearance of 8 degrees; the rest for no more than before.
+    let (ground, before) = (&measured.resharpening, &whole.resharpening);
+    let [broken] = ground.broken[..] else { panic!("{ground:?}") };
+    assert_eq!((broken.flank, broken.tooth), (Flank::Left, 3));
+    assert!((broken.missing_um - 400.0).abs() < 3.0, "{broken:?}");
+    assert!((2.5..3.1).contains(&broken.depth_mm) && ground.depth_mm == broken.depth_mm, "{ground:?}");
+    let rest = ground.without_broken.depth_mm;
+    assert!(
+        rest > 0.0 && rest < before.depth_mm + 2e-3 && rest < 0.05 * ground.depth_mm,
+        "{ground:?} {before:?}"
+    );
+    assert!(before.broken.is_empty() && before.without_broken.depth_mm == before.depth_mm);
+    assert!(result.warnings.iter().any(|warning| warning.code == "chips-to-grind-off"));
     let off = measured.correction.centre_distance_um - whole.correction.centre_distance_um;
     assert!(off.abs() < 0.3, "{off}");
     let mut broken = ring();
@@ -89,6 +103,8 @@ fn a_broken_tooth_is_named_and_the_others_are_judged() {
     assert_eq!((result.verdict.status(), reason(&result.verdict)), (Status::NotJudged, "switches-missing"));
     let measured = result.measurement.unwrap();
     assert!(measured.missing.len() == 10 && measured.missing.iter().all(|switch| switch.tooth == 3));
+    assert_eq!((&measured.resharpening.not_covered[..], measured.resharpening.broken.len()), (&[3][..], 0));
+    assert!(result.warnings.iter().any(|warning| warning.code == "resharpening-not-covered"));
     assert!(measured.deviation_um["left"][0][3].is_none() && measured.deviation_um["left"][0][4].is_some());
     let off = measured.correction.centre_distance_um - whole.correction.centre_distance_um;
     assert!(off.abs() < 0.3, "{off}");

@@ -5,6 +5,7 @@ import { flanksOfDocument } from "../plan/surfaces";
 
 export type RunTab =
   | "summary"
+  | "reason"
   | "flank"
   | "motions"
   | "process"
@@ -25,12 +26,19 @@ export function sheetsOf(run: Run): string[] {
   return run.files.map((file) => file.name).filter((name) => name === "sheet.html" || /^sheets\/.*\.html$/.test(name));
 }
 
+/** Whether a run has something to show beside its state: a result, or what a refused job wrote. */
+export function hasTabs(run: Run): boolean {
+  return run.state === "done" || (run.state === "failed" && reportOf(run) !== undefined);
+}
+
 export function tabsOf(run: Run): RunTab[] {
   const document = run.document ?? {};
+  const isRefused = run.state === "failed";
   const isStudy = run.kind === "explore";
   const has: Record<RunTab, boolean> = {
-    study: isStudy,
-    summary: !isStudy,
+    study: isStudy && !isRefused,
+    summary: !isStudy && !isRefused,
+    reason: isRefused,
     inspection: sheetsOf(run).length > 0,
     systematic: Array.isArray(document["rounds"]) && document["rounds"].length > 0,
     flank: Object.keys(flanksOfDocument(document)).length > 0,

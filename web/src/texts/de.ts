@@ -263,6 +263,7 @@ export const de: Texts = {
     filter: "Nach Namen filtern",
     allKinds: "alle Arten",
     summary: "Überblick",
+    reason: "Grund",
     flank: "Flanke",
     motions: "Bilder",
     process: "Prozess",
@@ -281,6 +282,7 @@ export const de: Texts = {
     stage: "Schritt",
     ofTotal: (done, total) => `${done} von ${total}`,
     failedTitle: "Dieser Lauf ist gescheitert.",
+    refusalReport: "Bericht: was begrenzt, Kandidaten, Körper",
     exit: (status) =>
       status === 2 ? "Fehlerhafte Eingabe" : status === 4 ? "Mit diesen Körpern nicht herstellbar" : "Fehler des Programms",
     interruptedTitle: "Der Server endete, während dieser Lauf unterwegs war.",

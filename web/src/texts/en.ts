@@ -259,6 +259,7 @@ export const en = {
     filter: "Filter by name",
     allKinds: "all kinds",
     summary: "Summary",
+    reason: "Reason",
     flank: "Flank",
     motions: "Charts",
     process: "Process",
@@ -277,6 +278,7 @@ export const en = {
     stage: "Stage",
     ofTotal: (done: number, total: number) => `${done} of ${total}`,
     failedTitle: "This run failed.",
+    refusalReport: "Report: what limits, candidates, bodies",
     exit: (status: number) =>
       status === 2 ? "Bad input" : status === 4 ? "Not producible with these bodies" : "Fault of the program",
     interruptedTitle: "The server ended while this run was under way.",

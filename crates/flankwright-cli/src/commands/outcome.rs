@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 
 use flankwright::exchange::{AnyJob, LoadedJob};
 use flankwright::workflow::{
-    JobResult, Outcome, ProgramsResult, Remark, RunFailure, Status, WriteError, write_outcome, write_refusal,
+    ControlResult, JobResult, Outcome, ProgramsResult, Remark, RunFailure, Status, WriteError, write_outcome,
+    write_refusal,
 };
 use serde::Serialize;
 
@@ -147,6 +148,19 @@ pub(super) fn fixed(x: f64, decimals: usize) -> String {
     }
 }
 
+/// What the job's control leaves, a line for each flank.
+pub(super) fn controlled(control: Option<&ControlResult>) -> String {
+    let flanks = control.iter().flat_map(|control| &control.flanks);
+    flanks
+        .map(|(flank, f)| {
+            format!(
+                "  {flank:<5} gearbox and servo leave {:.3} um (rms {:.3}), pitch {:.3}/{:.3} um (single/cumulative); deviation with them {:.3} um\n",
+                f.largest_um, f.rms_um, f.single_pitch_um, f.cumulative_pitch_um, f.deviation_with_control_um
+            )
+        })
+        .collect()
+}
+
 /// What was proven from the texts of programs, a line for each text that says something of its own.
 pub(super) fn proven(programs: Option<&ProgramsResult>) -> String {
     let proofs = programs.iter().flat_map(|programs| &programs.proofs);
@@ -213,15 +227,7 @@ fn summary(result: &JobResult, written: &[PathBuf]) -> String {
         let _ =
             writeln!(text, "  parts of the target are best-fitted only: {outside:.3} um of them are left");
     }
-    if let Some(control) = &result.control {
-        for (flank, f) in &control.flanks {
-            let _ = writeln!(
-                text,
-                "  {flank:<5} gearbox and servo leave {:.3} um (rms {:.3}), pitch {:.3}/{:.3} um (single/cumulative); deviation with them {:.3} um",
-                f.largest_um, f.rms_um, f.single_pitch_um, f.cumulative_pitch_um, f.deviation_with_control_um
-            );
-        }
-    }
+    text += &controlled(result.control.as_ref());
     text += &proven(result.programs.as_ref());
     closing(&mut text, &result.verdict, &result.warnings, &result.timing_s, written);
     text

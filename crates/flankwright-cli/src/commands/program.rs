@@ -38,7 +38,7 @@ pub enum DialectArgument {
 #[derive(Args, Debug)]
 #[command(
     after_help = "Example:\n  flankwright program check out/programs/grinding-siemens.mpf --machine machines/no-swivel.toml --job job.toml\n\n\
-    Without --job the flank is not asked for. Exit status 3: the program leaves the travel or the speed of an axis, or the flank its tolerance."
+    Without --job the flank is not asked for. Exit status 3: the program leaves the travel or the speed of an axis,\n    or the flank its tolerance, or a skiving tool is not measured as the job asks."
 )]
 pub struct ProgramArguments {
     /// What to do with the program
@@ -206,8 +206,18 @@ fn summary(program: &CheckedProgram) -> String {
             );
         }
     }
+    for body in &program.bodies {
+        let _ = writeln!(
+            text,
+            "  {} and {}: {:.3} mm apart or more, over all blocks (block {})",
+            body.of, body.body, body.least_mm, body.block
+        );
+    }
     if let Some(part) = &program.part {
         let _ = writeln!(text, "  whole part: {}", part.statement);
+    }
+    if let Some(measuring) = &program.measuring {
+        let _ = writeln!(text, "  measurement: {}", measuring.statement);
     }
     for remark in &program.remarks {
         let _ = writeln!(text, "  warning: {} ({})", remark.text, remark.way_out);

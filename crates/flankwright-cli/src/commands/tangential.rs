@@ -9,7 +9,7 @@ use flankwright::workflow::tangential::{
     TangentialOutcome, TangentialResult, plan_tangential, simulate_tangential, write_tangential,
 };
 
-use super::outcome::{Verdict, closing, conclude, fixed, opening, proven, refuse, unwritten};
+use super::outcome::{Verdict, closing, conclude, controlled, fixed, opening, proven, refuse, unwritten};
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
@@ -89,6 +89,7 @@ fn summary(result: &TangentialResult, written: &[PathBuf]) -> String {
             let _ = writeln!(text, "        radial feed would leave {} um of twist, {left}", fixed(twist, 3));
         }
     }
+    text += &controlled(result.control.as_ref());
     text += &proven(result.programs.as_ref());
     closing(&mut text, &result.verdict, &result.warnings, &result.timing_s, written);
     text

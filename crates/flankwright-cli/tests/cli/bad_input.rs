@@ -1417,7 +1417,7 @@ const TRAIN_CASES: &[Case] = &[
     ),
 ];
 
-/// Changes to the example with a sound table [control].
+/// Changes to a job of either grinding process with a sound table [control].
 const CONTROL_CASES: &[Case] = &[
     case(
         "feed_per_revolution = 0.3\n",
@@ -1507,10 +1507,22 @@ fn train_job() -> String {
 
 /// The example with a sound table [control].
 fn control_job() -> String {
+    with_control(&job())
+}
+
+/// The template of tangential dressing with the same one.
+fn tangential_control_job() -> String {
+    let job = tangential_job();
+    let feed = "[grinding]\nfeed_per_revolution = 0.3\n";
+    assert!(job.contains("[grinding]\n"));
+    with_control(&job.replacen("[grinding]\n", feed, 1))
+}
+
+fn with_control(job: &str) -> String {
     let control = "[control]\nfeed = { pulses_per_metre = 100000 }\nworkpiece = { pulses_per_revolution = 36000 }\n\
         worm = { pulses_per_revolution = 4096 }\n\
         servo = { inertia_kg_m2 = 0.12, torque_limit_n_m = 60.0, bandwidth_hz = 40.0 }\n[grid]";
-    job().replacen("[grid]", control, 1)
+    job.replacen("[grid]", control, 1)
 }
 
 fn without_comments(text: &str) -> String {
@@ -1532,11 +1544,12 @@ fn every_case_of_the_electronic_gearbox_is_told_in_full() {
     told_in_full(&gearbox_job(), GEARBOX_CASES);
     told_in_full(&train_job(), TRAIN_CASES);
     told_in_full(&control_job(), CONTROL_CASES);
+    told_in_full(&tangential_control_job(), CONTROL_CASES);
 }
 
 #[test]
 fn jobs_with_trains_and_control_are_sound() {
-    for text in [gearbox_job(), train_job(), control_job()] {
+    for text in [gearbox_job(), train_job(), control_job(), tangential_control_job()] {
         let (human, machine) = check("job.toml", text.as_bytes());
         assert_eq!((human.exit, machine.exit), (Some(0), Some(0)), "{}", human.stderr);
     }

@@ -1,4 +1,4 @@
-//! Grinding jobs through the control that they describe.
+//! Jobs of both grinding processes through the control that they describe.
 
 use crate::command::{example, run, write_job};
 use serde_json::Value;
@@ -44,6 +44,73 @@ fn a_soft_loop_misses_the_target_and_says_so() {
     let result: Value = serde_json::from_slice(&std::fs::read(out.join("result.json")).unwrap()).unwrap();
     assert_eq!(result["status"], "missed");
     assert_eq!(result["reason"]["code"], "control-above-tolerance");
+}
+
+/// The example of tangential dressing on a coarse grid.
+fn tangential_job(directory: &Path, replacements: &[(&str, &str)]) -> String {
+    let text = example("tangential/with-control.toml").replace("_points = 21", "_points = 5");
+    write_job(directory, text, replacements)
+}
+
+#[test]
+fn tangential_dressing_tells_what_the_control_costs() {
+    let directory = tempfile::tempdir().unwrap();
+    let out = directory.path().join("out");
+    let file = tangential_job(directory.path(), &[]);
+    let told = run(&["plan", &file, "-o", out.to_str().unwrap()]);
+    assert_eq!(told.exit, Some(0), "{told:?}");
+    for words in [
+        "left  gearbox and servo leave 0.",
+        "right gearbox and servo leave 0.",
+        "left flank with gearbox and servo",
+    ] {
+        assert!(told.stdout.contains(words), "{words}: {}", told.stdout);
+    }
+    let page = std::fs::read_to_string(out.join("report.html")).unwrap();
+    assert!(page.contains("Gearbox and servo") && page.contains("Mean deviation of each tooth"));
+    // The settings that it writes keep their control.
+    let settings = out.join("settings.json");
+    let again = directory.path().join("again");
+    let simulated = run(&["simulate", settings.to_str().unwrap(), "-o", again.to_str().unwrap()]);
+    assert_eq!(simulated.exit, Some(0), "{simulated:?}");
+    let control = |folder: &Path| -> Value {
+        let result: Value =
+            serde_json::from_slice(&std::fs::read(folder.join("result.json")).unwrap()).unwrap();
+        result["control"]["flanks"]["left"]["largest_um"].clone()
+    };
+    let [planned, simulated] = [control(&out), control(&again)].map(|um| um.as_f64().unwrap());
+    assert!((planned - simulated).abs() < 1e-3, "{planned} {simulated}");
+}
+
+#[test]
+fn a_soft_loop_misses_the_target_of_tangential_dressing() {
+    let directory = tempfile::tempdir().unwrap();
+    let file = tangential_job(
+        directory.path(),
+        &[("bandwidth_hz = 60.0", "bandwidth_hz = 8.0"), ("torque_n_m = 0.15", "torque_n_m = 1.5")],
+    );
+    let run = run(&["plan", &file, "--json", "-o", directory.path().join("out").to_str().unwrap()]);
+    assert_eq!(run.exit, Some(3), "{run:?}");
+    let result = run.json();
+    assert_eq!(result["status"], "missed");
+    assert_eq!(result["reason"]["code"], "control-above-tolerance");
+}
+
+/// Each pass has a stroke of its own, and so an alarm of its own, which says of which flank.
+#[test]
+fn alarms_of_passes_name_their_flanks() {
+    let directory = tempfile::tempdir().unwrap();
+    let file = tangential_job(directory.path(), &[("clock_hz = 10e6", "clock_hz = 50.4e3")]);
+    let run = run(&["plan", &file, "--json", "-o", directory.path().join("out").to_str().unwrap()]);
+    let result = run.json();
+    let warnings = result["warnings"].as_array().unwrap();
+    let alarms = warnings.iter().filter(|w| w["code"] == "interpolator-too-fast");
+    let alarms: Vec<&str> = alarms.map(|w| w["text"].as_str().unwrap()).collect();
+    let [left, right] = alarms.as_slice() else { panic!("{warnings:?}") };
+    assert!(
+        left.starts_with("left flank: alarm: ") && right.starts_with("right flank: alarm: "),
+        "{alarms:?}"
+    );
 }
 
 #[test]

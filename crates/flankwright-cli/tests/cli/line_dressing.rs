@@ -1,6 +1,6 @@
 //! A worm that a disc in point contact writes line by line, as a user of the command meets it: files, figures, refusals.
 
-use crate::command::{Run, check, example, replaced, run, write_job};
+use crate::command::{Run, check, example, replaced, repository, run, write_job};
 use serde_json::Value;
 use std::path::Path;
 
@@ -97,6 +97,62 @@ fn scallops_count_in_the_verdict() {
     let reason = &run.json()["reason"];
     assert_eq!(reason["code"], "scallops-above-tolerance");
     assert!(reason["way_out"].as_str().unwrap().contains("dressing.scallop_um"));
+}
+
+/// The job of few lines, with a machine and two threads.
+fn small_job(directory: &Path) -> String {
+    let path = repository().join("crates/flankwright-cli/tests/cli/every_key/grinding/line-dressing.toml");
+    let text = std::fs::read_to_string(path).unwrap();
+    let machine = repository().join("machines/eight-axis.toml").display().to_string();
+    let text = replaced(
+        text,
+        &[
+            ("threads = 1", "threads = 2"),
+            ("tolerance_um = 5.0", "tolerance_um = 10.0"),
+            ("scallop_um = 4.0", "scallop_um = 8.0"),
+            ("{ left = 85.0, right = 85.0 }", "80.0"),
+        ],
+    );
+    let text = format!("{text}\n[machine]\nfile = {machine:?}\n[output]\nprograms = [\"siemens\"]\n");
+    write_job(directory, text, &[])
+}
+
+#[test]
+fn lines_on_all_threads_become_a_proven_program() {
+    let directory = tempfile::tempdir().unwrap();
+    let job = small_job(directory.path());
+    let out = directory.path().join("out");
+    let plan = run(&["plan", &job, "-o", out.to_str().unwrap(), "--json"]);
+    assert_eq!(plan.exit, Some(0), "{plan:?}");
+    let result = plan.json();
+    let lines = &result["programs"]["proofs"][0]["lines"][0];
+    assert_eq!((&lines["flank"], &lines["threads"]), (&"left".into(), &2.into()));
+    assert_eq!(lines["lines"], result["flanks"]["left"]["line_dressing"]["lines"]);
+    let report = std::fs::read_to_string(out.join("report.html")).unwrap();
+    assert!(report.contains("dressing the left flank by lines"));
+
+    let program = out.join("programs/dressing-left-siemens.mpf");
+    let machine = repository().join("machines/eight-axis.toml");
+    let checked = |program: &Path| {
+        let (program, machine) = (program.to_str().unwrap(), machine.to_str().unwrap());
+        run(&["program", "check", program, "--machine", machine, "--job", &job, "--quiet", "--json"])
+    };
+    let sound = checked(&program);
+    assert_eq!(sound.exit, Some(0), "{sound:?}");
+    assert_eq!(sound.json()["threads"].as_array().map(Vec::len), Some(2));
+
+    // Without its second thread the text is refused by name.
+    let text = std::fs::read_to_string(&program).unwrap();
+    let from = text.find("; DRESSING LEFT FLANK BY LINES THREAD 2").unwrap();
+    let to = from + text[from..].find("M2=5").unwrap();
+    let damaged = directory.path().join("damaged.mpf");
+    std::fs::write(&damaged, text[..from].to_owned() + &text[to..]).unwrap();
+    let refused = checked(&damaged);
+    assert_eq!(refused.exit, Some(3), "{refused:?}");
+    let answer = refused.json();
+    let remarks = answer["remarks"].as_array().unwrap();
+    let missing = remarks.iter().find(|r| r["code"] == "line-missing").unwrap_or_else(|| panic!("{answer}"));
+    assert!(missing["text"].as_str().unwrap().contains("thread 2 of 2"), "{missing}");
 }
 
 #[test]

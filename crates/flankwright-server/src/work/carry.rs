@@ -66,22 +66,31 @@ fn carried(
     let shelf = shelf.map_err(|error| unshelved(&error))?;
     let (document, hidden) = if task.inputs.is_empty() {
         done(&request, &shelf, progress).map_err(|failure| {
+            // The failure is told whatever becomes of its files.
             let files = results(&shelf, request.job.as_ref()).unwrap_or_default();
-            Stopped { failure, files }
+            Stopped { failure, files: with_charts(files).unwrap_or_default() }
         })?
     } else {
         (measured::measured(&request, &task.inputs, &shelf, place, progress)?, Vec::new())
     };
     let unread =
         |error: io::Error| Failure::internal(format!("the results cannot be read: {}", error.kind()));
-    let mut files = results(&shelf, request.job.as_ref()).map_err(unread)?;
+    let mut files = with_charts(results(&shelf, request.job.as_ref()).map_err(unread)?)?;
+    files.extend(hidden);
+    Ok((told(document, &shelf), files))
+}
+
+/// Files of a run and, not listed, which charts they hold and where; none where there is no file.
+fn with_charts(mut files: Vec<RunFile>) -> Result<Vec<RunFile>, Failure> {
+    if files.is_empty() {
+        return Ok(files);
+    }
     let placed = charts::of_result(|name| {
         files.iter().find(|file| file.name == name).map(|file| file.bytes.as_slice())
     });
     let placed = serde_json::to_vec(&placed).map_err(|error| Failure::internal(error.to_string()))?;
     files.push(RunFile { name: CHARTS.to_owned(), bytes: placed });
-    files.extend(hidden);
-    Ok((told(document, &shelf), files))
+    Ok(files)
 }
 
 /// The document of a job, and files that are not listed.

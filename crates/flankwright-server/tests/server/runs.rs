@@ -218,3 +218,31 @@ fn previews_do_not_wait_for_runs() {
         served.post(&format!("/api/runs/{id}/cancel"), &Value::Null);
     }
 }
+
+/// A job that its bodies cannot make fails with its reason, and its report stands beside it with the picture of what limits.
+#[test]
+fn a_refused_run_offers_its_report() {
+    let served = Served::new();
+    let mut job = served.example("twist-free-crowning");
+    job["text"] = job["text"].as_str().unwrap().replace("\nwidth = 100.0", "\nwidth = 20.0").into();
+    let id = served.begin("plan", &job);
+    let run = served.ended(id);
+    assert_eq!((&run["state"], &run["failure"]["exit"]), (&json!("failed"), &json!(4)), "{run}");
+    assert_eq!(run["failure"]["errors"][0]["code"], "worm-too-short");
+    let files: Vec<&str> =
+        run["files"].as_array().unwrap().iter().map(|f| f["name"].as_str().unwrap()).collect();
+    assert_eq!(files, ["report.html", "result.json"]);
+    let report = served.get(&format!("/api/runs/{id}/files/report.html"));
+    assert!(report.header("content-security-policy").unwrap().starts_with("sandbox; default-src 'none'"));
+    for part in ["not producible", "What limits", "Candidates tried", "Bodies"] {
+        assert!(report.text().contains(part), "{part}");
+    }
+    assert!(!report.text().contains("flankwright-"), "the report names the folder of the run");
+    let charts: Vec<&str> =
+        run["charts"].as_array().unwrap().iter().map(|c| c["name"].as_str().unwrap()).collect();
+    assert_eq!(charts, ["width-of-the-worm-that-each-diagonal-ratio-needs", "reach-of-the-worm"]);
+    for name in charts {
+        assert!(served.get(&format!("/api/runs/{id}/charts/{name}")).text().starts_with("<svg"), "{name}");
+    }
+    assert_eq!(&served.get(&format!("/api/runs/{id}/archive")).body[..4], b"PK\x03\x04");
+}

@@ -148,7 +148,8 @@ impl FlankPlaces<'_> {
 
     /// When phi_2 has a value.
     fn time_of(&self, angle: f64) -> f64 {
-        let mut time = 0.0;
+        // Laws of the feed need not hold beyond the stroke.
+        let mut time = self.record.start;
         for _ in 0..STEPS {
             let [at, rate] = self.work_angle(time);
             let step = (angle - at) / rate;

@@ -2,6 +2,7 @@
 //! of diameters.
 
 mod catalogue;
+mod clamping;
 mod control;
 mod diameters;
 mod explore;
@@ -13,6 +14,8 @@ mod stroke_study;
 mod strokes;
 mod tool;
 
+pub(super) use clamping::check as clamping_bodies;
+pub(super) use control::check as control_of_job;
 pub(super) use diameters::{dresser_diameters, root_clearance, worm_diameters};
 pub(super) use gear::check as drawing;
 
@@ -34,7 +37,8 @@ pub(super) fn check(job: &Job) -> Vec<Diagnostic> {
     strokes::check(job, &mut findings);
     grinding::check(job, &mut findings);
     explore::check(job, &mut findings);
-    control::check(job, &mut findings);
+    control::check(job.control.as_ref(), job.grinding.feed_per_revolution, &mut findings);
+    clamping::check(job.machine.as_ref().map_or(&[], |machine| &machine.clamping), &mut findings);
     settings(job, &mut findings);
     findings
 }

@@ -47,7 +47,7 @@ pub use gear_root::{GearRoot, RootAlong};
 pub use grid::Grid;
 pub use grinding::{Grinding, Method};
 pub use inspection::{Band, CorrectionLimits, CorrectionSetting, Inspection};
-pub use machine::{Clamping, Machine};
+pub use machine::{BODY_CLEARANCE, Clamping, ClampingBody, Machine};
 pub use measured_gear::{DressingDeviation, SimulatedMeasurement};
 pub use one_or_sides::OneOrSides;
 pub(in crate::exchange) use one_or_sides::{one_or_sides_schema, pressure_angle_schema};

@@ -1,6 +1,6 @@
 //! The job file of tangential dressing as types: one table of the file, one file here. A `TangentialJob` has the right
 //! keys, types and ranges; contradictions between entries are found by [`super::read_any_job`]. What both processes say in
-//! the same words (gear, grid, output) is taken from [`super::job`]. Knows nothing of what a variable does to a flank.
+//! the same words (gear, control, grid, output) is taken from [`super::job`]. Knows nothing of what a variable does to a flank.
 
 mod channel;
 mod checks;
@@ -31,7 +31,7 @@ pub use worm::TangentialWorm;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::job::{Gear, Grid, Hand, JobInfo, Machine, Output};
+use super::job::{Control, Gear, Grid, Hand, JobInfo, Machine, Output};
 
 /// A job of tangential dressing: a worm is dressed by one motion along its axis, modified as function of the position of the
 /// dresser, and grinds the gear with a shift that follows the feed.
@@ -56,6 +56,9 @@ pub struct TangentialJob {
     /// The machine for which programs are written.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub machine: Option<Machine>,
+    /// The control that couples the axes; without one they move exactly as commanded.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub control: Option<Control>,
     /// Points of the result grid.
     #[serde(default)]
     pub grid: Grid,

@@ -16,7 +16,7 @@ pub fn job_template(process: Process) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exchange::{AnyJob, Source, job_schema, parse_any_job, parse_job, schema};
+    use crate::exchange::{AnyJob, Source, job_schema, parse_any_job, schema};
 
     #[test]
     fn templates_are_valid_jobs() {
@@ -133,22 +133,36 @@ mod tests {
     }
 
     #[test]
-    fn the_control_of_a_grinding_job_is_valid() {
-        let template = job_template(Process::GeneratingGrinding);
+    fn the_control_of_a_job_is_valid() {
+        let of_grinding = job_template(Process::GeneratingGrinding);
+        let feed = "# feed_per_revolution = 0.3";
+        let of_tangential = job_template(Process::TangentialDressing).replace(feed, &feed[2..]);
+        for template in [of_grinding, &of_tangential] {
+            control_is_valid(template);
+        }
+    }
+
+    fn control_is_valid(template: &str) {
         let from = template.find("# [control]").unwrap();
         let to = from + template[from..].find("\n\n").unwrap();
         let control: String =
             template[from..to].lines().map(|line| line.trim_start_matches("# ").to_owned() + "\n").collect();
         let text = template[..from].to_owned() + &control + &template[to..];
         let read = parse_any_job(Source::new("new.toml", &text));
-        let Ok(AnyJob::Grinding(loaded)) = read else { panic!("{}", read.unwrap_err()) };
+        let control_of = |job: AnyJob| match job {
+            AnyJob::Grinding(loaded) => loaded.job.control,
+            AnyJob::Tangential(loaded) => loaded.job.control,
+            other => panic!("{:?}", other.info().process),
+        };
+        let control = control_of(read.unwrap_or_else(|error| panic!("{error}")));
+        assert!(control.is_some());
         // What the template calls defaults is what stands in for them.
         let short = text.replace(
             ", clock_hz = 1e6, pulses_per_interval = 16, mode = \"no-backlash\", counter_limit = 16777215",
             "",
         );
         assert_ne!(short, text);
-        let short = parse_job(Source::new("new.toml", &short)).unwrap_or_else(|error| panic!("{error}"));
-        assert_eq!(short.job.control, loaded.job.control);
+        let short = parse_any_job(Source::new("new.toml", &short)).unwrap_or_else(|error| panic!("{error}"));
+        assert_eq!(control_of(short), control);
     }
 }

@@ -12,6 +12,7 @@ mod sides;
 mod skiving_tool;
 mod surface;
 mod thickness;
+mod turned_body;
 mod worm;
 
 pub use bevel::{BevelData, BevelGear, CircularLine, FlankLine, Hand, Octoid, SphericalInvolute, Spiral};
@@ -30,4 +31,5 @@ pub use surface::{
     SplineCurve, Surface, SurfaceJet,
 };
 pub use thickness::{OverBalls, Span, ThicknessMeasure};
+pub use turned_body::TurnedBody;
 pub use worm::{WormChoice, WormForGear, check_mating, worm_for_gear};

@@ -44,7 +44,23 @@ pub struct Machine {
 /// Directions are unit vectors, frames orthogonal, up to this.
 const UNIT: f64 = 1e-9;
 
+/// What a machine with longer ways has beyond its travel, mm and rad: more than any part is large, and no further solution of the axes.
+const LONGER: [f64; 2] = [5000.0, std::f64::consts::FRAC_PI_3];
+
 impl Machine {
+    /// The same machine with longer ways of these axes, to learn how far a motion would go that it cannot make.
+    pub fn with_longer_ways(&self, longer: &[usize]) -> Self {
+        let mut parts = self.parts.clone();
+        for (_, axis) in parts.axes.iter_mut().enumerate().filter(|(number, _)| longer.contains(number)) {
+            let more = match axis.joint {
+                Joint::Linear => LONGER[0],
+                Joint::Rotary => LONGER[1],
+            };
+            axis.travel = axis.travel.map(|[from, to]| [from - more, to + more]);
+        }
+        Self { parts }
+    }
+
     /// Checks the parts.
     ///
     /// # Errors

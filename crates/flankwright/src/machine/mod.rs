@@ -5,6 +5,7 @@
 //! limb_station(q). Mounts turn poses of bodies into it ([`Mount`]).
 
 mod axis;
+mod carried;
 mod choice;
 mod description;
 mod error;

@@ -1,13 +1,13 @@
 //! What two bodies do against each other in a stroke, and how far a pose of the machine is off it on the flank.
 
-use super::{DressingCourse, GrindingCourse};
+use super::{DressingCourse, GrindingCourse, LineCourse};
 use crate::kinematics::Pose;
 use crate::machine::{Mounts, Station, StationSpindle, ToolSpindle};
 
 /// A place of a stroke.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Waypoint {
-    /// Path parameter: z_V2 in grinding, v_zS in dressing, mm.
+    /// Path parameter: z_V2 in grinding, v_zS in dressing, t on a line, mm.
     pub v: f64,
     /// Added to the centre distance, mm: the tool stands off.
     pub lift: f64,
@@ -31,6 +31,8 @@ pub enum Course {
     Grinding(GrindingCourse),
     /// Worm on dresser.
     Dressing(DressingCourse),
+    /// Worm on a disc that writes one line of it.
+    Line(LineCourse),
 }
 
 impl Course {
@@ -38,7 +40,7 @@ impl Course {
     pub fn station(&self) -> Station {
         match self {
             Self::Grinding(_) => Station::Work,
-            Self::Dressing(_) => Station::Dresser,
+            Self::Dressing(_) | Self::Line(_) => Station::Dresser,
         }
     }
 
@@ -47,6 +49,7 @@ impl Course {
         match self {
             Self::Grinding(course) => &course.mounts,
             Self::Dressing(course) => &course.mounts,
+            Self::Line(course) => &course.mounts,
         }
     }
 
@@ -55,6 +58,7 @@ impl Course {
         match self {
             Self::Grinding(course) => course.place(at),
             Self::Dressing(course) => course.place(at),
+            Self::Line(course) => course.place(at),
         }
     }
 
@@ -64,6 +68,7 @@ impl Course {
         match self {
             Self::Grinding(course) => course.off(pose, near),
             Self::Dressing(course) => course.off(pose, near),
+            Self::Line(course) => course.off(pose, near),
         }
     }
 }

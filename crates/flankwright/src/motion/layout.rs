@@ -3,7 +3,7 @@
 use super::path::AxisPath;
 use super::speed::{Braked, PathLimits};
 use super::trace::AxisTrace;
-use super::{AxisWords, Course, MotionError, Waypoint};
+use super::{AxisWords, Course, LineCourse, MotionError, Waypoint};
 use crate::machine::{Machine, Positions, Role, Station};
 use crate::nc::{Block, Header, Program};
 
@@ -29,6 +29,24 @@ pub struct Pass {
     pub clearance: f64,
     /// How often it is driven, at least once.
     pub times: usize,
+}
+
+/// All lines of a disc on one thread of the worm, one after the other.
+pub struct LinePass<'a> {
+    /// Its name, as comments have it.
+    pub name: String,
+    /// How many lines, at least one.
+    pub count: usize,
+    /// A line by its number in driving order, from 0.
+    pub line: &'a (dyn Fn(usize) -> Result<LineCourse, MotionError> + Sync),
+    /// Screw parameter of the worm, mm/rad.
+    pub screw: f64,
+    /// Greatest speed of the disc on its way against the worm, mm/s.
+    pub speed: f64,
+    /// Lift with which the disc goes over from one line to the next inside the thread space, mm of centre distance.
+    pub hop: f64,
+    /// Lift that brings the disc out of the thread space, mm, above `hop`.
+    pub clearance: f64,
 }
 
 /// The gear of an electronic gearbox that leads the workpiece.
@@ -120,15 +138,38 @@ pub fn lay_out(
     passes: &[Pass],
     options: &LayoutOptions,
 ) -> Result<Layout, MotionError> {
-    if !(options.tolerance.is_finite() && options.tolerance > 0.0) {
-        let (field, value, allowed) = ("chord tolerance", options.tolerance, "above 0 mm");
-        return Err(MotionError::InvalidNumber { field, value, allowed });
-    }
+    check_tolerance(options)?;
     let mut writer = passes::Writer::new(machine, words, options)?;
     for pass in passes {
         writer.pass(pass)?;
     }
     writer.finish(passes.first().map(|pass| pass.course.station()))
+}
+
+/// Lays out the lines of a disc on all threads one after the other.
+///
+/// # Errors
+/// [`MotionError`].
+pub fn lay_out_lines(
+    machine: &Machine,
+    words: &AxisWords,
+    passes: &[LinePass<'_>],
+    options: &LayoutOptions,
+) -> Result<Layout, MotionError> {
+    check_tolerance(options)?;
+    let mut writer = passes::Writer::new(machine, words, options)?;
+    for pass in passes {
+        writer.lines(pass)?;
+    }
+    writer.finish((!passes.is_empty()).then_some(Station::Dresser))
+}
+
+fn check_tolerance(options: &LayoutOptions) -> Result<(), MotionError> {
+    if options.tolerance.is_finite() && options.tolerance > 0.0 {
+        return Ok(());
+    }
+    let (field, value, allowed) = ("chord tolerance", options.tolerance, "above 0 mm");
+    Err(MotionError::InvalidNumber { field, value, allowed })
 }
 
 /// The way between two waypoints as path length: mm of the parameter, or of the lift where the parameter stands.

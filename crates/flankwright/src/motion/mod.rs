@@ -9,6 +9,7 @@ mod drive;
 mod error;
 mod grinding_course;
 mod layout;
+mod line_course;
 pub mod milling;
 mod path;
 mod read_back;
@@ -21,9 +22,12 @@ pub use course::{BodyPlace, Course, Waypoint};
 pub use dressing_course::{DressingCourse, dresser_contacts};
 pub use error::MotionError;
 pub use grinding_course::GrindingCourse;
-pub use layout::{Coupling, Layout, LayoutOptions, Pass, PassReport, WorkGear, in_words, lay_out};
+pub use layout::{
+    Coupling, Layout, LayoutOptions, LinePass, Pass, PassReport, WorkGear, in_words, lay_out, lay_out_lines,
+};
+pub use line_course::{BesideLine, LineContact, LineCourse};
 pub use path::AxisPath;
-pub use read_back::{ReadStroke, Tracked, track};
+pub use read_back::{DressingPlace, ReadStroke, Tracked, track};
 pub use s_curve::SCurve;
 pub use speed::{Braked, PathLimits};
 pub use trace::{AxisTrace, TraceRow};

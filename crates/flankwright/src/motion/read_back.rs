@@ -11,6 +11,10 @@ use crate::nc::{Block, Coupling, CurveTable, Gear, GearSynchronisation, Targets}
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
+mod places;
+
+pub use places::DressingPlace;
+
 /// A block that interpolates, between two positions.
 #[derive(Clone, Debug)]
 struct Segment {
@@ -473,6 +477,13 @@ impl Tracked {
             }
         }
         found
+    }
+
+    /// All moves whose ends are known: block, from 1, and its ends. Between them the axes go straight, but for one that a gear leads.
+    pub fn moves(&self) -> impl Iterator<Item = (usize, [&Positions; 2])> {
+        let blocks =
+            self.chains.iter().flatten().map(|segment| (segment.block, [&segment.from, &segment.to]));
+        blocks.chain(self.rapids.iter().map(|(block, [from, to])| (*block, [from, to])))
     }
 
     /// Where the axes stand off the strokes of these blocks: along all other blocks and rapid moves, and at the first and the last place

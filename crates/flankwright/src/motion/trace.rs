@@ -28,6 +28,8 @@ pub struct AxisTrace {
 const RAMP_ROWS: usize = 24;
 /// Most instants of the part of a path at constant speed.
 const MOST_ROWS: usize = 400;
+/// Instants of either ramp and of what lies between them, where a path is one of thousands.
+const SKETCH_ROWS: [usize; 2] = [2, 2];
 
 impl AxisTrace {
     /// Time of the last row, s.
@@ -75,6 +77,22 @@ impl AxisTrace {
 
     /// All axes follow a path; `lengths` are the path lengths of its nodes, which `curve` covers.
     pub(super) fn path(&mut self, machine: &Machine, path: &AxisPath, lengths: &[f64], curve: &SCurve) {
+        let inner = (4 * path.nodes.len()).clamp(16, MOST_ROWS);
+        self.rows_of(machine, (path, lengths, curve), [RAMP_ROWS, inner]);
+    }
+
+    /// The same in few instants, for one path of thousands.
+    pub(super) fn sketch(&mut self, machine: &Machine, path: &AxisPath, lengths: &[f64], curve: &SCurve) {
+        self.rows_of(machine, (path, lengths, curve), SKETCH_ROWS);
+    }
+
+    /// Instants of either ramp and of the part between them.
+    fn rows_of(
+        &mut self,
+        machine: &Machine,
+        (path, lengths, curve): (&AxisPath, &[f64], &SCurve),
+        [ramp_rows, inner]: [usize; 2],
+    ) {
         let begun = self.duration();
         let total = curve.duration();
         let ramp = if curve.speed > 0.0 {
@@ -85,10 +103,9 @@ impl AxisTrace {
         // A path too short to reach its speed is all ramps; what rounding leaves between them must not run backwards.
         let ramp = ramp.clamp(0.0, 0.5 * total);
         let steady = (total - 2.0 * ramp).max(0.0);
-        let inner = (4 * path.nodes.len()).clamp(16, MOST_ROWS);
-        let up = (0..=RAMP_ROWS).map(|k| ramp * k as f64 / RAMP_ROWS as f64);
+        let up = (0..=ramp_rows).map(|k| ramp * k as f64 / ramp_rows as f64);
         let along = (1..inner).map(|k| ramp + steady * k as f64 / inner as f64);
-        let down = (0..=RAMP_ROWS).map(|k| total - ramp + ramp * k as f64 / RAMP_ROWS as f64);
+        let down = (0..=ramp_rows).map(|k| total - ramp + ramp * k as f64 / ramp_rows as f64);
         let mut last = 0.0f64;
         for t in up.chain(along).chain(down) {
             last = t.max(last).min(total);

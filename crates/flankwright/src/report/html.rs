@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use super::charts::{escape, indices};
 use super::data::{Banner, Block, ColumnKind, Fact, Figure, PlanReport, Section, Stamp, Table, Warning};
+use super::typeset::typeset;
 use crate::verdict::Status;
 
 const STYLE: &str = include_str!("style.css");
@@ -38,7 +39,7 @@ fn facts(page: &mut String, class: &str, facts: &[Fact]) {
     }
     let _ = writeln!(page, "<dl class=\"{class}\">");
     for Fact { label, text } in facts {
-        let _ = writeln!(page, "<div><dt>{}</dt><dd>{}</dd></div>", escape(label), escape(text));
+        let _ = writeln!(page, "<div><dt>{}</dt><dd>{}</dd></div>", typeset(label), typeset(text));
     }
     page.push_str("</dl>\n");
 }
@@ -56,7 +57,7 @@ fn banner(page: &mut String, banner: &Banner) {
         "<section class=\"banner {class}\">\n<div class=\"word\"><span aria-hidden=\"true\">{sign}</span>{}</div>\n\
          <div class=\"what\">\n<p>{}</p>",
         banner.status.words(),
-        escape(&banner.headline)
+        typeset(&banner.headline)
     );
     facts(page, "figures", &banner.figures);
     page.push_str("</div>\n</section>\n");
@@ -67,10 +68,10 @@ fn write_section(page: &mut String, section: &Section) {
     for block in &section.blocks {
         match block {
             Block::Heading(text) => {
-                let _ = writeln!(page, "<h3>{}</h3>", escape(text));
+                let _ = writeln!(page, "<h3>{}</h3>", typeset(text));
             }
             Block::Paragraph(text) => {
-                let _ = writeln!(page, "<p>{}</p>", escape(text));
+                let _ = writeln!(page, "<p>{}</p>", typeset(text));
             }
             Block::Table(table) => write_table(page, table),
             Block::Tables(tables) => {
@@ -93,7 +94,7 @@ fn write_section(page: &mut String, section: &Section) {
 fn write_table(page: &mut String, table: &Table) {
     page.push_str("<div class=\"table\">\n<table>\n");
     if !table.caption.is_empty() {
-        let _ = writeln!(page, "<caption>{}</caption>", escape(&table.caption));
+        let _ = writeln!(page, "<caption>{}</caption>", typeset(&table.caption));
     }
     page.push_str("<thead><tr>");
     for column in &table.columns {
@@ -120,7 +121,7 @@ fn write_table(page: &mut String, table: &Table) {
                 ColumnKind::Link if !text.is_empty() => {
                     format!("<a href=\"{}\">{}</a>", reference(text), escape(text))
                 }
-                _ => escape(text),
+                _ => typeset(text),
             };
             let _ = write!(page, "<td{}>{text}</td>", class(kind));
         }
@@ -128,7 +129,7 @@ fn write_table(page: &mut String, table: &Table) {
     }
     page.push_str("</tbody>\n</table>\n");
     if !table.note.is_empty() {
-        let _ = writeln!(page, "<p class=\"note\">{}</p>", escape(&table.note));
+        let _ = writeln!(page, "<p class=\"note\">{}</p>", typeset(&table.note));
     }
     page.push_str("</div>\n");
 }
@@ -166,7 +167,7 @@ fn with_indices(text: &str) -> String {
 fn write_figure(page: &mut String, figure: &Figure) {
     let _ = writeln!(page, "<figure>\n{}", figure.svg);
     if !figure.caption.is_empty() {
-        let _ = writeln!(page, "<figcaption>{}</figcaption>", escape(&figure.caption));
+        let _ = writeln!(page, "<figcaption>{}</figcaption>", typeset(&figure.caption));
     }
     page.push_str("</figure>\n");
 }
@@ -174,9 +175,9 @@ fn write_figure(page: &mut String, figure: &Figure) {
 fn write_warnings(page: &mut String, warnings: &[Warning]) {
     page.push_str("<ul class=\"warnings\">\n");
     for Warning { text, way_out } in warnings {
-        let _ = write!(page, "<li><p>{}</p>", escape(text));
+        let _ = write!(page, "<li><p>{}</p>", typeset(text));
         if !way_out.is_empty() {
-            let _ = write!(page, "<p class=\"way-out\">Remedy: {}</p>", escape(way_out));
+            let _ = write!(page, "<p class=\"way-out\">Remedy: {}</p>", typeset(way_out));
         }
         page.push_str("</li>\n");
     }

@@ -40,6 +40,7 @@ mod cells;
 mod data;
 mod flank_pictures;
 mod head;
+mod typeset;
 
 pub use data::{
     Banner, Block, Column, ColumnKind, Fact, Figure, PlanReport, Quantity, QuantityValue, Section, Stamp,

@@ -56,7 +56,22 @@ pub(super) fn judge_control(verdict: &mut Verdict, control: Option<&ControlResul
                 "Take a stiffer loop (control.servo.bandwidth_hz), finer encoders and scales, or reduce the disturbances; the report shows which of them counts.",
             )
         });
+        let difference = flank.model_difference_um;
+        if !agree(difference, tolerance_um) {
+            let text = format!(
+                "what gearbox and servo leave on the {name} flank by closed form and by rays differs by {difference:.3} um, more than a tenth of the tolerance of {tolerance_um} um"
+            );
+            let help = "Take a stiffer loop or reduce the disturbances, so that less is left, or widen the tolerance.";
+            verdict.owe(
+                format!("{name} flank with gearbox and servo: closed form against rays"),
+                Remark::new("models-disagree", text, help),
+            );
+        }
     }
+    verdict.leave(
+        "dressing of the worm through gearbox and servo",
+        "[control] is that of grinding; axes of dressing move as commanded",
+    );
 }
 
 /// Says what of approach, retraction and rapid moves was checked; texts that fail the check are not written.
@@ -65,23 +80,29 @@ pub(super) fn judge_clearance(verdict: &mut Verdict, clearance: Option<&Clearanc
     match clearance {
         Some(clearance) => {
             verdict.met(item, format!("{:.3} mm apart or more", clearance.least_mm));
-            verdict.leave(
-                format!("collisions with {}", clearance.not_checked.join(", ")),
-                "only worm and blank are checked, as bodies of revolution",
-            );
+            for body in &clearance.bodies {
+                let detail = format!("{:.3} mm of {} or more, over all blocks", body.least_mm, body.of);
+                verdict.met(format!("{} clear of the worm's side in the programs", body.body), detail);
+            }
+            for item in &clearance.not_checked {
+                verdict.leave(
+                    format!("collisions with {item}"),
+                    "no body of the job or of the machine's description stands for it, or its place is not known",
+                );
+            }
         }
         None => verdict.leave(item, "their clearance is not checked for this process"),
     }
 }
 
-/// Notes that a worm which a disc writes line by line is dressed by no program.
+/// Notes that a worm which a disc writes line by line is dressed by no program: its passes use more areas than the lines reach.
 pub(super) fn owe_line_dressing(verdict: &mut Verdict) {
     verdict.owe(
         "programs: dressing of the worm by lines",
         Remark::new(
             "dressing-without-program",
-            "the worm is dressed line by line in point contact; no program is written for it, only grinding programs are",
-            "take motions/dressing-lines-*.csv for the dressing, or a dresser with a profile (dresser.contact = \"line\")",
+            "the lines of a disc in point contact reach the one area of the plan; on several areas no program is written for them, only grinding programs are",
+            "leave grinding.areas and grinding.roughing_areas out, take motions/dressing-lines-*.csv for the dressing, or a dresser with a profile (dresser.contact = \"line\")",
         ),
     );
 }
@@ -103,6 +124,24 @@ pub(super) fn judge_programs(
             let detail =
                 format!("{} of {} dressed, from the text", proof.threads.len(), proof.threads_of_worm);
             verdict.met(format!("programs for {controls}: threads of the worm"), detail);
+        }
+        for lines in &proof.lines {
+            let off_um = lines.line_difference_um.max(lines.ray_difference_um);
+            let item = format!("programs for {controls}: lines on the {} flank of the worm", lines.flank);
+            let detail = format!(
+                "{} on each of {} threads counted, within {off_um:.4} um of the plan's, from the text",
+                lines.lines, lines.threads
+            );
+            verdict.judge(item, share(lines.flank) + off_um / tolerance_um <= 1.0, detail, || {
+                Remark::new(
+                    "program-above-tolerance",
+                    format!(
+                        "from the text of {} the worm is up to {off_um:.4} um off the plan's on its {} flank, which takes the flank of the gear out of its tolerance of {tolerance_um} um",
+                        lines.file, lines.flank
+                    ),
+                    "mend what the plan misses; if the plan is met, lower chord_tolerance_um of the control",
+                )
+            });
         }
         if proof.areas > 1 {
             let detail = format!("{0} of {0} dressed and ground with, from the texts", proof.areas);

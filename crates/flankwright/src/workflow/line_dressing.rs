@@ -4,13 +4,14 @@
 use super::execution::{ExecutedFlank, Execution};
 use super::finding::RunFailure;
 use super::prepare::Prepared;
-use crate::contact::{DiagonalLine, ModifiedThread};
+use crate::contact::{DiagonalLine, ModifiedThread, ToolSurface};
 use crate::exchange::Diagnostic;
 use crate::exchange::job::Job;
-use crate::geometry::{Flank, Sides};
-use crate::kinematics::{DressingPath, DressingPosition};
+use crate::geometry::{Flank, InvoluteFlank, Sides};
+use crate::kinematics::{DressingPath, DressingPosition, LawError, MotionLaw, Point};
+use crate::motion::LineContact;
 use crate::numerics::{Progress, TensorSpline, equidistant, extremes};
-use crate::process::dressing::{DressingError, LineDressing, LinePlan, TipDisc};
+use crate::process::dressing::{DressingError, DressingLine, LineDressing, LinePlan, TipDisc};
 use crate::process::generating::{GeneratingError, MadeFlank};
 use crate::removal::{LinePasses, RayGrid, RemovalError, Statistics, dress_lines};
 use serde::Serialize;
@@ -22,10 +23,96 @@ pub struct WrittenFlank {
     pub plan: LinePlan,
     /// Positions of the disc along every line, in the order in which they are driven: t and position.
     pub positions: Vec<Vec<(f64, DressingPosition)>>,
+    /// Where the disc touches the worm at some places of every line, t ascending.
+    pub contacts: Vec<Vec<LineContact>>,
+    /// The bodies.
+    pub bodies: LineBodies,
+    /// The referee's rays.
+    pub sample: LineSample,
     /// The same in figures.
     pub result: LineDressingResult,
     /// What the referee looked at.
     pub statistics: Statistics,
+}
+
+impl WrittenFlank {
+    /// The motion along a line over ascending t: splines through its positions.
+    ///
+    /// # Errors
+    /// Those of [`MotionLaw::spline`].
+    pub fn path(&self, line: usize) -> Result<DressingPath, LawError> {
+        let mut along = self.positions[line].clone();
+        along.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let t: Vec<f64> = along.iter().map(|(t, _)| *t).collect();
+        let law = |of: fn(&DressingPosition) -> f64| {
+            let values: Vec<f64> = along.iter().map(|(_, at)| of(at)).collect();
+            MotionLaw::spline(&t, &values)
+        };
+        let held = along.first().map(|(_, at)| [at.crossing_angle, at.offset]).unwrap_or_default();
+        Ok(DressingPath {
+            domain: self.plan.lines[line].range,
+            worm_angle: law(|at| at.worm_angle)?,
+            worm_shift: law(|at| at.worm_shift)?,
+            centre_distance: law(|at| at.centre_distance)?,
+            crossing_angle: held[0],
+            offset: held[1],
+        })
+    }
+}
+
+/// Worm and disc of line dressing. mm.
+#[derive(Clone, Debug)]
+pub struct LineBodies {
+    /// The flank that is written.
+    pub worm: InvoluteFlank,
+    /// The other flank of the thread space.
+    pub counter: InvoluteFlank,
+    /// Tip radius of the worm.
+    pub worm_tip_radius: f64,
+    /// Radius at which the threads are counted as wide as they are nominally.
+    pub worm_pitch_radius: f64,
+    /// Screw parameter of the flank, mm/rad.
+    pub screw: f64,
+    /// The disc.
+    pub disc: TipDisc,
+    /// f_n1 that is wanted.
+    pub wanted: TensorSpline,
+}
+
+/// Rays of the referee that cross one pitch of the lines at several places, and what the lines of the run leave on them.
+#[derive(Clone, Debug)]
+pub struct LineSample {
+    /// Where they stand.
+    pub grid: RayGrid,
+    /// Height over the wanted flank, mm, row-major `[w][z]`.
+    pub over: Vec<f64>,
+}
+
+impl LineSample {
+    /// The same rays on other lines.
+    ///
+    /// # Errors
+    /// [`RemovalError`]; rays that no line finishes.
+    pub fn over(
+        grid: &RayGrid,
+        bodies: &LineBodies,
+        paths: &[DressingPath],
+        progress: &dyn Progress,
+    ) -> Result<(Vec<f64>, Statistics), RemovalError> {
+        let passes = LinePasses {
+            worm: &bodies.worm,
+            centre_radius: bodies.disc.centre_radius(),
+            tip_radius: bodies.disc.tip_radius(),
+            paths,
+            stock: STOCK * bodies.disc.tip_radius(),
+        };
+        let dressed = dress_lines(&passes, grid, progress)?;
+        let over = dressed.lengths()?.into_iter().enumerate().map(|(k, f)| {
+            let (w, z) = grid.ray(k);
+            f - bodies.wanted.value(w, z)
+        });
+        Ok((over.collect(), dressed.statistics))
+    }
 }
 
 /// Figures of line dressing in `result.json`.
@@ -75,6 +162,8 @@ const RAYS: usize = 9;
 const INSET: f64 = 0.06;
 /// Stock of the referee as a share of the tip radius.
 const STOCK: f64 = 0.3;
+/// Places of a line at which its contact is noted; between them the contact moves evenly over the rounded tip.
+const CONTACTS: usize = 5;
 
 /// Plans the lines of all flanks that are ground and has a sample of them refereed; nothing for a worm that is dressed otherwise.
 ///
@@ -168,8 +257,22 @@ fn written(
         }
         positions.push(along);
     }
-    let (over, statistics) =
-        sample(&task, &plan, &paths, made, progress).map_err(|e| RunFailure::of_removal(&e, "dressing"))?;
+    let contacts =
+        plan.lines.iter().map(|line| contacts(&task, line)).collect::<Result<_, _>>().map_err(fault)?;
+    let bodies = LineBodies {
+        worm,
+        counter: task.counter,
+        worm_tip_radius: setup.worm_tip_radius,
+        worm_pitch_radius: setup.worm_pitch_radius,
+        screw: setup.pair.worm.screw_parameter(flank),
+        disc,
+        wanted: made.spline.clone(),
+    };
+    let refereed = |e: RemovalError| RunFailure::of_removal(&e, "dressing");
+    let grid = sample(&task, &plan).map_err(refereed)?;
+    let (left, statistics) = LineSample::over(&grid, &bodies, &paths, progress).map_err(refereed)?;
+    let over = extremes(left.iter().copied());
+    let sample = LineSample { grid, over: left };
     let result = LineDressingResult {
         line_direction_deg: task.direction.rho.to_degrees(),
         lines: plan.lines.len(),
@@ -184,17 +287,27 @@ fn written(
         crossing_angle_deg: task.crossing_angle.to_degrees(),
         nodes_per_line: plan.nodes,
     };
-    Ok(WrittenFlank { plan, positions, result, statistics })
+    Ok(WrittenFlank { plan, positions, contacts, bodies, sample, result, statistics })
 }
 
-/// Least and greatest height over the wanted flank on rays that cross one pitch of the lines at several places, mm.
-fn sample(
+/// Where the disc touches the worm at some places of a line.
+fn contacts(
     task: &LineDressing<'_, TensorSpline>,
-    plan: &LinePlan,
-    paths: &[DressingPath],
-    made: &MadeFlank,
-    progress: &dyn Progress,
-) -> Result<([f64; 2], Statistics), RemovalError> {
+    line: &DressingLine,
+) -> Result<Vec<LineContact>, DressingError> {
+    let at = |t: f64| {
+        let (w, z) = line.point(t);
+        let pose = task.touch(w, z, 0.0)?.position.pose().inverse();
+        let flank = task.worm.flank.flank;
+        let jet = task.worm.jet(w, z).ok_or(DressingError::SurfaceUndefined { flank, w, z })?;
+        let point = pose.point(&Point::from_vector(jet.p)).xyz;
+        Ok(LineContact { t, point, normal: pose.rotation() * jet.n.normalize() })
+    };
+    equidistant(line.range, CONTACTS).into_iter().map(at).collect()
+}
+
+/// Rays that cross one pitch of the lines at several places.
+fn sample(task: &LineDressing<'_, TensorSpline>, plan: &LinePlan) -> Result<RayGrid, RemovalError> {
     let (sin, cos) = task.direction.rho.sin_cos();
     let [w, z] = task.area.map(|[from, to]| {
         let inset = INSET * (to - from);
@@ -209,18 +322,5 @@ fn sample(
         places.iter().flat_map(|x| equidistant([x - half, x + half], RAYS)).collect()
     };
     let along_worm = cos.abs() > sin.abs();
-    let grid = RayGrid::new(across(&w, sin, !along_worm), across(&z, cos, along_worm))?;
-    let passes = LinePasses {
-        worm: &task.worm.flank,
-        centre_radius: task.disc.centre_radius(),
-        tip_radius: task.disc.tip_radius(),
-        paths,
-        stock: STOCK * task.disc.tip_radius(),
-    };
-    let dressed = dress_lines(&passes, &grid, progress)?;
-    let over = dressed.lengths()?.into_iter().enumerate().map(|(k, f)| {
-        let (w, z) = grid.ray(k);
-        f - made.spline.value(w, z)
-    });
-    Ok((extremes(over), dressed.statistics))
+    RayGrid::new(across(&w, sin, !along_worm), across(&z, cos, along_worm))
 }

@@ -79,9 +79,10 @@ pub use partition::{Partition, StrokePlan};
 pub use prepare::{Prepared, blank_of_job, gear_of_job, prepare, setup_of_job, tolerance_of_job};
 pub use preview::{Preview, PreviewChart, PreviewFlank, preview_job};
 pub use programs::{
-    AxisResult, Built, BuiltProgram, CheckedAxis, CheckedFlank, CheckedProgram, CheckedStroke,
-    ClearanceResult, DressingWork, GrindingWork, Indexing, PassResult, ProgramChecker, ProgramResult,
-    ProgramTask, ProgramsResult, ProofResult, RunPrograms, ThreadProof, WormUse, check_program,
+    AxisResult, BodyClearance, Built, BuiltProgram, CheckedAxis, CheckedFlank, CheckedMeasuring,
+    CheckedProgram, CheckedStroke, ClearanceResult, DressingWork, GrindingWork, Indexing, PassResult,
+    ProgramChecker, ProgramResult, ProgramTask, ProgramsResult, ProofResult, RunPrograms, ThreadProof,
+    WormUse, check_program,
 };
 pub use referee::{StageReport, Verdict};
 pub use refusal::write_refusal;

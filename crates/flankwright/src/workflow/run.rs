@@ -112,7 +112,7 @@ fn finish(
     if control.is_some() {
         timing.insert("control", controlling.elapsed().as_secs_f64());
     }
-    let programs = programs_of_grinding(loaded, &prepared, &execution, &verdicts, cutting)?;
+    let programs = programs_of_grinding(loaded, &prepared, &execution, &verdicts, (cutting, &written))?;
     if let Some(programs) = &programs {
         timing.insert("programs", programs.seconds[0]);
         timing.insert("proof of the programs", programs.seconds[1]);
@@ -195,7 +195,9 @@ fn finish(
     judge_programs(&mut verdict, made, tolerance, |name| flanks[name].tolerance_share);
     if let Some(made) = made {
         judge_clearance(&mut verdict, made.clearance.as_ref());
-        if written.iter().any(|(_, lines)| lines.is_some()) {
+        if written.iter().any(|(_, lines)| lines.is_some())
+            && made.proofs.iter().any(|proof| proof.lines.is_empty())
+        {
             owe_line_dressing(&mut verdict);
         }
     }

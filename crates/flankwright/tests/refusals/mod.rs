@@ -114,6 +114,35 @@ fn a_refused_plan_writes_a_report() {
     assert!(page.matches("<svg").count() >= 2);
 }
 
+/// A machine whose travel is too short: the message tells the whole way, and the report draws the axis with its travel.
+#[test]
+fn a_travel_that_is_too_short_is_drawn() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let machine = include_str!("../../../../machines/eight-axis.toml");
+    let (before, shift) = machine.split_once("[axes.V1]").expect("the shift");
+    let shift = shift.replacen("min_mm = -140", "min_mm = -20", 1).replacen("max_mm = 140", "max_mm = 20", 1);
+    std::fs::write(directory.path().join("short.toml"), format!("{before}[axes.V1]{shift}")).expect("a file");
+    let text = include_str!("../../../../examples/twist-free-crowning.toml")
+        .replace("../machines/eight-axis.toml", "short.toml");
+    let path = directory.path().join("job.toml");
+    let loaded =
+        parse_job(Source::new(path.display().to_string(), &text)).unwrap_or_else(|e| panic!("{e:?}"));
+    let finding = refused(&loaded);
+    assert_eq!((finding.code, finding.field.as_deref()), ("axis-limit", Some("machine")));
+    let way = finding.message.split_once("the whole way needs V1 from ").expect("the way").1;
+    let numbers: Vec<f64> =
+        way.split(|c: char| !"-.0123456789".contains(c)).filter_map(|word| word.parse().ok()).collect();
+    let [from, to, least, greatest] = numbers[..] else { panic!("{way}") };
+    assert_eq!((least, greatest), (-20.0, 20.0));
+    assert!(from < -20.0 && to > 20.0 && to - from < 400.0, "{way}");
+    let out = directory.path().join("out");
+    let written = write_refusal(&AnyJob::Grinding(loaded), &finding, &out).expect("files");
+    let page = std::fs::read_to_string(written.last().expect("a page")).expect("a page");
+    let limits = page.split("What limits").nth(1).expect("the section");
+    assert!(limits.contains("aria-label=\"Axis V1, word Y\""));
+    assert!(limits.contains("Its travel is -20.0 to 20.0 mm."));
+}
+
 /// The worm of this planet gear reaches d 49.27 mm.
 fn planet(form_diameter: f64, worm_tip: f64) -> LoadedJob {
     job(&format!(

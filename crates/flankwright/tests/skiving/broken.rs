@@ -14,11 +14,11 @@ use flankwright::process::skiving::{Setting, SettingLimits};
 use std::f64::consts::TAU;
 
 /// The crossed-axes angle hardly acts on a ring.
-const SETTINGS: [Setting; 2] = [Setting::CentreDistance, Setting::ToolAngle];
-const OPTIONS: ProfileOptions = ProfileOptions { degree: 2, band: 10e-3, wear_limit: 10e-3 };
+pub(super) const SETTINGS: [Setting; 2] = [Setting::CentreDistance, Setting::ToolAngle];
+pub(super) const OPTIONS: ProfileOptions = ProfileOptions { degree: 2, band: 10e-3, wear_limit: 10e-3 };
 
 /// A tool with small errors of its own, mounted off its axis.
-fn tool(teeth: usize, noise: &mut Noise) -> RealTool {
+pub(super) fn tool(teeth: usize, noise: &mut Noise) -> RealTool {
     let mut tool = RealTool::ideal(teeth);
     tool.eccentricity = [12e-3, -7e-3];
     tool.wobble = [5e-5, -3e-5];
@@ -58,8 +58,8 @@ fn third(teeth: usize, side_by_side: bool, noise: &mut Noise) -> Vec<usize> {
     list
 }
 
-/// What a fit makes of every tooth and track, and the change of the centre distance, mm.
-fn close(flanks: &Sides<FlankTracks>, whole: &Evaluation, other: &Evaluation, name: &str) {
+/// What a fit makes of every tooth and track, and the change of the setting, mm.
+pub(super) fn close(flanks: &Sides<FlankTracks>, whole: &Evaluation, other: &Evaluation, name: &str) {
     let teeth = whole.clocked.teeth();
     for k in 0..2 {
         let off = other.mounting.eccentricity[k] - whole.mounting.eccentricity[k];
@@ -81,6 +81,8 @@ fn close(flanks: &Sides<FlankTracks>, whole: &Evaluation, other: &Evaluation, na
     };
     let (a, b) = (change(whole), change(other));
     assert!((a[0] - b[0]).abs() < 0.3e-3, "{name}: centre distance {} {}", a[0], b[0]);
+    let radius = flanks.left.edge.pair().tool().pitch_radius();
+    assert!((a[3] - b[3]).abs() * radius < 0.3e-3, "{name}: tool angle {} {}", a[3], b[3]);
 }
 
 /// The acceptance: mounting and correction of a tool of which a third is chipped by 25 to 400 um are those of the whole one.

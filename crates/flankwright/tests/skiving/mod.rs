@@ -1,6 +1,7 @@
 //! Skiving tools: virtual edges under the referee, injected errors found again, every refusal.
 
 mod broken;
+mod chips;
 mod errors;
 mod monte_carlo;
 mod pieces;

@@ -156,14 +156,19 @@ impl Sample {
     }
 
     pub fn flanks(&self) -> Sides<FlankTracks> {
+        self.flanks_at(&default_track_places())
+    }
+
+    /// With tracks at places of one's own.
+    pub fn flanks_at(&self, places: &[f64]) -> Sides<FlankTracks> {
         let beam = self.beam();
         self.edges().map(|flank, edge| {
-            let track = |(number, place): (usize, f64)| {
-                let track = MeasuringTrack::new(edge, place).unwrap();
+            let track = |(number, place): (usize, &f64)| {
+                let track = MeasuringTrack::new(edge, *place).unwrap();
                 let poses = measuring_poses(&track, &beam, PoseKind::Tangent, (flank, number)).unwrap();
                 (track, poses[0])
             };
-            let tracks = default_track_places().into_iter().enumerate().map(track).collect();
+            let tracks = places.iter().enumerate().map(track).collect();
             FlankTracks { edge: edge.clone(), tracks }
         })
     }

@@ -167,7 +167,8 @@ fn the_most_worn_edge_decides_how_much_is_ground_off() {
         let tilt = section.rake_normal.z;
         assert_eq!(found.axial_depth, found.depth / tilt);
         for (flank, of) in found.each.iter() {
-            assert!(of.iter().all(|depth| *depth > 0.0 && *depth <= found.depth * (1.0 + 1e-12)));
+            let asked = |depth: &f64| *depth > 0.0 && *depth <= found.depth * (1.0 + 1e-12);
+            assert!(of.iter().all(|depth| depth.as_ref().is_some_and(asked)));
             assert!(found.recession[flank].iter().all(|f| *f < 0.0 && *f > -found.depth));
         }
         // Edges that have not grown ask for nothing.

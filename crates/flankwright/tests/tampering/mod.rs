@@ -1,7 +1,9 @@
 //! Tampering: random damages of written programs must be noticed with block and place, harmless edits must not. What counts as a damage is
 //! decided by numbers of the text itself, never by the check that is under test. `TAMPER_SEED` chooses other damages.
 
+mod edits;
 mod milling;
+mod skiving;
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};

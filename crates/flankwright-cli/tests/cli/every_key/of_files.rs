@@ -1,12 +1,15 @@
 //! Walks of jobs that lie in files: for processes whose keys no few jobs give. The first line of a file says the command that runs it
 //! and, behind it, the tables whose keys are walked there; `# then:` in the second line does the same for the settings that it writes.
+//! `inspect-measured` is `inspect` with a measured file, which the job itself simulates before.
 
 use super::{changed, key, keys_of_schema, leaves, others, without};
-use crate::command::{repository, run, run_with};
+use crate::command::{Run, repository, run, run_with};
 use flankwright::exchange::{Document, Source};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
+use std::sync::Arc;
+use tempfile::TempDir;
 
 /// Refusals of a value before anything is made of it. They do not show that a key does anything.
 const OF_FORM: [&str; 7] = [
@@ -39,13 +42,47 @@ struct Walked {
     command: String,
     tables: Vec<String>,
     job: Value,
+    /// The measured gear that the command reads.
+    measured: Option<Arc<TempDir>>,
 }
+
+/// The command that reads a measured gear, and the file in which the job's own simulation writes it.
+const WITH_MEASURED: &str = "inspect-measured";
+const MEASURED: &str = "measured-1.csv";
 
 /// What a run gave without what repeats the job.
 #[derive(PartialEq)]
 struct Outcome {
     result: Value,
     tables: BTreeMap<String, Vec<u8>>,
+}
+
+impl Walked {
+    /// Has the job simulate the measured gear that its command reads, if it reads one.
+    fn measure(&mut self) {
+        if self.command != WITH_MEASURED {
+            return;
+        }
+        let directory = tempfile::tempdir().unwrap();
+        let out = directory.path().to_str().unwrap();
+        let answer =
+            run_with(&["inspect", "--job", "-", "--json", "-o", out], self.job.to_string().as_bytes());
+        assert!(directory.path().join(MEASURED).is_file(), "{}: {answer:?}", self.name);
+        self.measured = Some(Arc::new(directory));
+    }
+
+    /// Runs a job as its file says.
+    fn run(&self, job: &Value, out: &str) -> Run {
+        let input = job.to_string();
+        let measured = self.measured.as_ref().map(|of| of.path().join(MEASURED).display().to_string());
+        let mut arguments = match (self.command.as_str(), &measured) {
+            (WITH_MEASURED, Some(file)) => vec!["inspect", file, "--job", "-"],
+            ("inspect", _) => vec!["inspect", "--job", "-"],
+            (command, _) => vec![command, "-"],
+        };
+        arguments.extend(["--json", "-o", out]);
+        run_with(&arguments, input.as_bytes())
+    }
 }
 
 /// A command that is run behind the first, with the tables that it reads.
@@ -64,13 +101,14 @@ impl FileWalk {
         let (mut counted, mut ignored) = (BTreeSet::new(), BTreeSet::new());
         let mut jobs = self.jobs();
         jobs.reverse();
-        while let Some((walked, then)) = jobs.pop() {
+        while let Some((mut walked, then)) = jobs.pop() {
+            walked.measure();
             let (before, settings) =
                 self.outcome(&walked).unwrap_or_else(|why| panic!("{}: {why}", walked.name));
             assert!(before.result.is_object(), "{}: {}", walked.name, before.result);
             if let (Some((command, tables)), Some(job)) = (then, settings) {
                 let name = format!("{} and then {command}", walked.name);
-                jobs.push((Walked { name, command, tables, job }, None));
+                jobs.push((Walked { name, command, tables, job, measured: None }, None));
             }
             let mut paths = Vec::new();
             leaves(&walked.job, &mut Vec::new(), &mut paths);
@@ -130,8 +168,8 @@ impl FileWalk {
         let own = self.values.iter().filter(|(name, _)| *name == key).map(|(_, value)| value.clone());
         own.chain(others(value)).filter(|other| other != value).any(|other| {
             let job = changed(&walked.job, path, &other);
-            let other =
-                Walked { job, name: String::new(), tables: Vec::new(), command: walked.command.clone() };
+            let (command, measured) = (walked.command.clone(), walked.measured.clone());
+            let other = Walked { job, name: String::new(), tables: Vec::new(), command, measured };
             self.outcome(&other).is_ok_and(|(after, _)| after != *before)
         })
     }
@@ -148,7 +186,7 @@ impl FileWalk {
             std::fs::copy(file.as_str().unwrap(), &own).unwrap();
             *file = Value::from(own.to_str().unwrap());
         }
-        let answer = run_with(&[&walked.command, "-", "--json", "-o", out], job.to_string().as_bytes());
+        let answer = walked.run(&job, out);
         assert!(matches!(answer.exit, Some(0 | 2 | 3 | 4)), "{answer:?}");
         let mut result = answer.json();
         if !result["error"].is_null() {
@@ -191,7 +229,7 @@ impl FileWalk {
             let name = path.file_name().unwrap().to_str().unwrap().to_owned();
             let document = Document::parse(Source::new(name.as_str(), &text));
             let job = document.unwrap_or_else(|error| panic!("{name}: {error}")).to_value();
-            (Walked { name, command, tables, job }, then)
+            (Walked { name, command, tables, job, measured: None }, then)
         };
         paths.iter().map(|path| read(path)).collect()
     }

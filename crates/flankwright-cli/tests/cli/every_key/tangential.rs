@@ -4,11 +4,12 @@ use super::of_files::FileWalk;
 use serde_json::{Value, json};
 
 /// Keys that change nothing.
-const EXCEPTIONS: [(&str, &str); 9] = [
+const EXCEPTIONS: [(&str, &str); 10] = [
     ("job.name", "a name"),
     ("job.description", "a comment"),
     ("job.process", "says which keys there are"),
     ("machine.file", "the name of a file; without it the job is refused"),
+    ("control.servo.disturbances.kind", "says which keys there are"),
     ("target.modifications", "their own keys are walked once for all processes"),
     ("settings.both.splines.intervals", "must fit the number of coefficients, or the job is refused"),
     ("settings.left.splines.intervals", "must fit the number of coefficients, or the job is refused"),
@@ -34,9 +35,15 @@ fn values() -> Vec<(&'static str, Value)> {
         ("dressing.measure", json!("arc")),
         ("dressing.weights", json!("source")),
         ("dressing.splines.channel", json!("dA")),
+        ("control.feed.counter_limit", json!(3)),
+        ("control.feed.mode", json!("one-way")),
+        ("control.feed_senses", json!("one")),
+        ("control.workpiece.rate", json!("bresenham")),
+        ("control.servo.disturbances.axis", json!("worm")),
         ("grinding.flanks", json!("left")),
         ("grinding.shift_ratio", json!(1.3)),
         ("output.programs", json!("siemens")),
+        ("machine.clamping.name", json!("centre")),
         ("output.tables", json!("parquet")),
         ("settings.both.splines.channel", json!("dA")),
         ("settings.left.splines.channel", json!("dA")),

@@ -1,12 +1,16 @@
-//! Contradictions in `[control]`.
+//! Contradictions in `[control]`, whichever process grinds.
 
 use crate::exchange::control::check_servo;
 use crate::exchange::diagnostic::{Diagnostic, Problem};
-use crate::exchange::job::Job;
+use crate::exchange::job::Control;
 
-pub(super) fn check(job: &Job, findings: &mut Vec<Diagnostic>) {
-    let Some(control) = &job.control else { return };
-    if job.grinding.feed_per_revolution.is_none() {
+pub(in crate::exchange) fn check(
+    control: Option<&Control>,
+    feed_per_revolution: Option<f64>,
+    findings: &mut Vec<Diagnostic>,
+) {
+    let Some(control) = control else { return };
+    if feed_per_revolution.is_none() {
         findings.push(
             Diagnostic::new(
                 Problem::MissingKey,

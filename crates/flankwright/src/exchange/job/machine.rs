@@ -1,5 +1,6 @@
 //! `[machine]`: which machine, how the bodies are clamped in it, how fast it works.
 
+use crate::geometry::TurnedBody;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -51,6 +52,44 @@ pub struct Machine {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[schemars(extend("maxItems" = 20), inner(range(min = 1, max = 1000)))]
     pub dressing_stock_um: Vec<f64>,
+    /// What holds the gear: arbor, nut, fixture, centre, as bodies of revolution about its axis, from which programs keep the worm away; default none.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[schemars(extend("maxItems" = 20))]
+    pub clamping: Vec<ClampingBody>,
+    /// Distance that programs keep from the clamping and from the machine's bodies; default 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("minimum" = 0.1, "maximum" = 100, "x-way-out" = "give a distance in mm, e.g. 1"))]
+    pub body_clearance: Option<f64>,
+}
+
+/// Distance from clamping and bodies of the machine where a job gives none, mm.
+pub const BODY_CLEARANCE: f64 = 1.0;
+
+/// A cylinder or a frustum of a cone about the axis of the workpiece. Lengths in mm.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ClampingBody {
+    /// Its name.
+    #[schemars(extend("minLength" = 1, "maxLength" = 60))]
+    pub name: String,
+    /// From where to where it reaches along the axis of the workpiece, ascending, from the origin of its coordinates: of cylindrical gears the middle of the face.
+    #[schemars(inner(range(min = -10_000, max = 10_000)))]
+    pub z: [f64; 2],
+    /// Its diameter, of a cone that at the lower z.
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 10_000, "x-way-out" = "give the diameter in mm"))]
+    pub diameter: f64,
+    /// Diameter of a cone at the higher z; default that of a cylinder.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("minimum" = 0, "maximum" = 10_000, "x-way-out" = "give the diameter in mm, or leave it out for a cylinder"))]
+    pub end_diameter: Option<f64>,
+}
+
+impl ClampingBody {
+    /// The body in coordinates of the workpiece; `None` for one without length.
+    pub fn body(&self) -> Option<TurnedBody> {
+        let end = self.end_diameter.unwrap_or(self.diameter);
+        TurnedBody::about_z(self.z, [0.5 * self.diameter, 0.5 * end])
+    }
 }
 
 /// How a body sits in its spindle.

@@ -1,9 +1,9 @@
 //! Contradictions between the entries of a machine description that are each in range.
 
-use super::{AxisEntry, AxisType, Control, MachineFile};
+use super::{AxisEntry, AxisType, Control, MachineFile, body};
 use crate::exchange::diagnostic::{Diagnostic, Problem};
 
-fn contradiction(field: String, message: String, allowed: &str, way_out: &str) -> Diagnostic {
+pub(super) fn contradiction(field: String, message: String, allowed: &str, way_out: &str) -> Diagnostic {
     Diagnostic::new(Problem::InvalidMachine, message).field(field).allowed(allowed).way_out(way_out)
 }
 
@@ -35,6 +35,7 @@ pub(super) fn check(file: &MachineFile) -> Vec<Diagnostic> {
     for (name, axis) in &file.axes {
         travel(name, axis, &mut findings);
     }
+    body::check(file, &mut findings);
     findings
 }
 

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{AxisEntry, Controls};
+use super::{AxisEntry, BodyEntry, Controls};
 
 /// A machine. Lengths in mm, angles in degrees, times in s.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -25,6 +25,10 @@ pub struct MachineFile {
     pub axes: BTreeMap<String, AxisEntry>,
     /// The limbs.
     pub chains: Chains,
+    /// Spindles, head, table, tailstock as bodies of revolution, from which programs keep away; default none.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[schemars(extend("maxItems" = 20))]
+    pub bodies: Vec<BodyEntry>,
     /// The controls for which programs are written; default none.
     #[serde(default)]
     pub controls: Controls,

@@ -8,7 +8,7 @@ mod grid;
 mod mate;
 
 use super::MillingJob;
-use crate::exchange::checks::{contradiction, name};
+use crate::exchange::checks::{clamping_bodies, contradiction, name};
 use crate::exchange::diagnostic::{Diagnostic, Problem};
 
 /// All contradictions in a job; without places, which the caller knows.
@@ -20,6 +20,7 @@ pub(in crate::exchange) fn check(job: &MillingJob) -> Vec<Diagnostic> {
     grid::check(job, &mut findings);
     contact::check(job, &mut findings);
     mate::check(job, &mut findings);
+    clamping_bodies(job.machine.as_ref().map_or(&[], |machine| &machine.clamping), &mut findings);
     rays(job, &mut findings);
     if !job.output.programs.is_empty() && job.machine.is_none() {
         findings.push(contradiction(

@@ -4,6 +4,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Serialize};
 
 use super::pair_schema;
+use crate::exchange::job::ClampingBody;
 
 /// The machine. Lengths in mm.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -36,6 +37,14 @@ pub struct MillingMachine {
     #[serde(default = "default_pole_cap")]
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 20, "x-way-out" = "give the angle in degrees; 2 is the default"))]
     pub pole_cap_deg: f64,
+    /// What holds the workpiece: arbor, nut, chuck, as bodies of revolution about its axis, from which tool, holder and spindle are kept away; default none.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[schemars(extend("maxItems" = 20))]
+    pub clamping: Vec<ClampingBody>,
+    /// Distance that tool, holder and spindle keep from the clamping; default 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("minimum" = 0.1, "maximum" = 100, "x-way-out" = "give a distance in mm, e.g. 1"))]
+    pub body_clearance: Option<f64>,
 }
 
 /// How the workpiece sits on the table.

@@ -6,7 +6,8 @@ use super::{
     VariableRule, Variables,
 };
 use crate::exchange::checks::{
-    contradiction, dresser_diameters, every_job, not_yet, root_clearance, worm_diameters,
+    clamping_bodies, contradiction, control_of_job, dresser_diameters, every_job, not_yet, root_clearance,
+    worm_diameters,
 };
 use crate::exchange::diagnostic::{Diagnostic, Problem};
 use crate::exchange::job::{Flanks, Gear, OneOrSides};
@@ -25,8 +26,10 @@ pub(in crate::exchange) fn check(job: &TangentialJob) -> Vec<Diagnostic> {
     shift(job, &mut findings);
     passes(job, &mut findings);
     excluded(&job.dressing, &mut findings);
+    control_of_job(job.control.as_ref(), job.grinding.feed_per_revolution, &mut findings);
     let splines = job.dressing.splines.iter().map(|spline| spline.channel);
     spline_twice("dressing", splines, &mut findings);
+    clamping_bodies(job.machine.as_ref().map_or(&[], |machine| &machine.clamping), &mut findings);
     if let Some(settings) = &job.settings {
         values(settings, &mut findings);
     }

@@ -24,7 +24,7 @@ pub struct TangentialGrinding {
     /// F_T0, the shift of the tool in the middle of the feed.
     #[serde(default)]
     pub shift_offset: ShiftOffset,
-    /// Axial feed per revolution of the gear, mm, for the programs; default 0.3.
+    /// Axial feed per revolution of the gear, mm: for the programs, default 0.3, and for `[control]`, which needs it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 100,
         "x-way-out" = "give the axial feed in mm per revolution of the gear, e.g. 0.3"))]

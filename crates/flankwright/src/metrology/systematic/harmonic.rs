@@ -1,7 +1,6 @@
 //! The first harmonic of the rotation in the means of the teeth: run-out and wobble of the clamping, not of the process.
 
-use crate::numerics::fisher_upper;
-use nalgebra::{Matrix3, Vector3};
+use crate::numerics::{Harmonic, fisher_upper};
 
 /// c + A cos(theta) + B sin(theta) through the means of the teeth.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,19 +28,14 @@ impl FirstHarmonic {
         if teeth.len() < TEETH {
             return None;
         }
-        let (mut normal, mut right) = (Matrix3::zeros(), Vector3::zeros());
-        for (m, angle) in teeth.iter().zip(angles) {
-            let row = Vector3::new(1.0, angle.cos(), angle.sin());
-            normal += row * row.transpose();
-            right += row * *m;
-        }
+        let rows = || angles.iter().map(|angle| Harmonic::row(*angle)).zip(teeth.iter().copied());
+        let fit = Harmonic::over(rows().map(|(row, _)| row))?;
         // Sums of squares of numbers up to 1: a share of 1e-12 is one of 1e-6 in the numbers.
-        let values = normal.symmetric_eigenvalues();
+        let values = fit.normal.symmetric_eigenvalues();
         if values.min() <= 1e-12 * values.max() {
             return None;
         }
-        let inverse = normal.try_inverse()?;
-        let x = inverse * right;
+        let x = fit.through(rows());
         let count = teeth.len() as f64;
         let mean = teeth.iter().sum::<f64>() / count;
         let fitted = |angle: f64| x[0] + x[1] * angle.cos() + x[2] * angle.sin();
@@ -55,7 +49,7 @@ impl FirstHarmonic {
             f,
             p: fisher_upper(f, 2.0, freedom),
             mean: x[0],
-            uncertainty: (after / freedom * inverse[(0, 0)]).sqrt(),
+            uncertainty: (after / freedom * fit.inverse[(0, 0)]).sqrt(),
         })
     }
 }

@@ -74,7 +74,7 @@ impl GearBlocks {
 fn per_turn(course: &Course) -> f64 {
     match course {
         Course::Grinding(course) => course.per_turn,
-        Course::Dressing(_) => 1.0,
+        Course::Dressing(_) | Course::Line(_) => 1.0,
     }
 }
 

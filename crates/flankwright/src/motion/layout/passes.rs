@@ -9,6 +9,8 @@ use super::{
 use crate::motion::Course;
 use crate::nc::Word;
 
+mod lines;
+
 /// The program so far.
 pub(super) struct Writer<'a> {
     machine: &'a Machine,
@@ -65,7 +67,8 @@ impl<'a> Writer<'a> {
     /// One pass as often as it is driven.
     pub fn pass(&mut self, pass: &Pass) -> Result<(), MotionError> {
         let stroke = self.stroke(pass)?;
-        self.check_words(pass.course.station(), &stroke)?;
+        let paths = [&stroke.infeed, &stroke.stroke, &stroke.retraction];
+        self.check_words(pass.course.station(), &paths)?;
         let gear = match &self.options.coupling {
             Coupling::Gearbox(gear) if pass.course.station() == Station::Work => {
                 let paths = [&stroke.infeed, &stroke.stroke, &stroke.retraction];
@@ -91,7 +94,7 @@ impl<'a> Writer<'a> {
             speed: stroke.limits.speed,
             braked: stroke.limits.braked.clone(),
             chord_deviation: stroke.stroke.deviation + gear.as_ref().map_or(0.0, |gear| gear.deviation),
-            short_blocks: self.short_blocks(&stroke),
+            short_blocks: self.short_blocks(&stroke.stroke, stroke.limits.speed),
             rounding: self.rounding(&pass.course, &stroke.stroke),
             time,
             path: stroke.stroke,
@@ -125,7 +128,7 @@ impl<'a> Writer<'a> {
                 let slow = if time > 0.0 { pass.clearance / time } else { INFEED_SPEED };
                 (course.turning * sense * limits.speed * time, slow)
             }
-            Course::Dressing(_) => (0.0, INFEED_SPEED),
+            Course::Dressing(_) | Course::Line(_) => (0.0, INFEED_SPEED),
         };
         let off = |v: f64, lead: f64| Waypoint { v, lift: pass.clearance, lead };
         let infeed = along(&[off(begin, -lead), place(begin)], tolerance)?;
@@ -219,15 +222,12 @@ impl<'a> Writer<'a> {
     }
 
     /// Every axis that moves has a word, or stands where it is said.
-    fn check_words(&mut self, station: Station, paths: &Stroke) -> Result<(), MotionError> {
+    fn check_words(&mut self, station: Station, paths: &[&AxisPath]) -> Result<(), MotionError> {
         for axis in driven(self.machine, station)? {
             if self.words.is_moved(axis) {
                 continue;
             }
-            let travel = [&paths.infeed, &paths.stroke, &paths.retraction]
-                .map(|path| path.range(axis))
-                .into_iter()
-                .fold(0.0, f64::max);
+            let travel = paths.iter().map(|path| path.range(axis)).fold(0.0, f64::max);
             let described = &self.machine.axes()[axis];
             if travel > STANDS_STILL {
                 return Err(MotionError::NoWord {
@@ -236,7 +236,7 @@ impl<'a> Writer<'a> {
                     unit: described.joint.unit(),
                 });
             }
-            let value = paths.stroke.nodes.first().map_or(0.0, |node| node.1[axis]);
+            let value = paths.iter().find_map(|path| path.nodes.first()).map_or(0.0, |node| node.1[axis]);
             match self.at_rest.iter().find(|(known, _)| *known == axis) {
                 Some((_, known)) if (known - value).abs() > STANDS_STILL => {
                     return Err(MotionError::NoWord {
@@ -257,11 +257,11 @@ impl<'a> Writer<'a> {
     }
 
     /// Blocks between run-in and run-out that are over before an axis could reach its speed and stop again.
-    fn short_blocks(&self, stroke: &Stroke) -> usize {
-        let lengths = lengths(&stroke.stroke);
-        let nodes = &stroke.stroke.nodes;
+    fn short_blocks(&self, path: &AxisPath, speed: f64) -> usize {
+        let lengths = lengths(path);
+        let nodes = &path.nodes;
         let short = |k: &usize| {
-            let time = (lengths[k + 1] - lengths[*k]) / stroke.limits.speed;
+            let time = (lengths[k + 1] - lengths[*k]) / speed;
             self.machine.axes().iter().enumerate().any(|(axis, described)| {
                 let speed = (nodes[k + 1].1[axis] - nodes[*k].1[axis]).abs() / time;
                 described.limits.acceleration.is_some_and(|a| time < 2.0 * speed / a)

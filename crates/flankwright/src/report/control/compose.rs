@@ -100,7 +100,7 @@ fn table(flanks: &[(Flank, &ControlFlankReport)]) -> Table {
             })
             .collect(),
         note: format!(
-            "Over all teeth. The last but two: rays of unmodified bodies in the motion that was really driven, on {} places.",
+            "Over all teeth. The last but two: rays of the flank in the motion that was really driven less those in the ideal one, on {} places.",
             flanks.iter().map(|(_, f)| f.model_difference_um.1).max().unwrap_or(0)
         ),
     }

@@ -128,7 +128,7 @@ fn program_table(report: &ProgramsReport) -> Table {
         " The workpiece is clamped with its +z along that of its spindle (datum face up; the datum face is face II, at upper z)."
     };
     Table {
-        caption: format!("Programs for the machine {}", report.machine),
+        caption: format!("Programs for the machine {}", report.machine.replace('_', " ")),
         columns: vec![
             Column::name("File"),
             Column::text("Control"),

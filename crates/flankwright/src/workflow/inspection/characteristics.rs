@@ -72,6 +72,36 @@ pub fn characteristic_key(name: &str, flank: Option<Flank>, tooth: Option<u32>, 
     words.into_iter().flatten().collect::<Vec<_>>().join(".")
 }
 
+/// The word of a characteristic as pages print it: `fHα, left flank, mean` for `fHa.left.mean`.
+pub fn characteristic_in_words(key: &str) -> String {
+    let mut words = key.split('.');
+    let symbol = words.next().unwrap_or_default();
+    let mut printed = vec![match symbol {
+        "x-span" => "x from the span".to_owned(),
+        "x-balls" => "x over balls".to_owned(),
+        "class" => "class".to_owned(),
+        _ => match symbol
+            .strip_suffix('a')
+            .map(|of| (of, 'α'))
+            .or(symbol.strip_suffix('b').map(|of| (of, 'β')))
+        {
+            Some((of @ ("fH" | "F" | "ff" | "C"), index)) => format!("{of}{index}"),
+            _ => symbol.to_owned(),
+        },
+    }];
+    printed.extend(words.filter_map(|word| match word {
+        "left" | "right" => Some(format!("{word} flank")),
+        SINGLE => None,
+        "max" => Some("largest".to_owned()),
+        _ => Some(match (word.strip_prefix("tooth-"), word.strip_prefix("single-")) {
+            (Some(tooth), _) => format!("tooth {tooth}"),
+            (None, Some(number)) => format!("measurement {number}"),
+            (None, None) => word.to_owned(),
+        }),
+    }));
+    printed.join(", ")
+}
+
 /// All figures of a part: single teeth, what was made of them (slopes are judged by their mean, total and form deviations by the largest),
 /// pitch, run-out, thickness, class. With a class of ISO 1328-1 its tolerances are the limits, where the standard has them for the gear.
 pub fn part_characteristics(found: &GearInspection, class: Option<i32>) -> Vec<PartCharacteristic> {
@@ -216,5 +246,26 @@ impl List {
             lower_limit,
             upper_limit,
         });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::characteristic_in_words;
+
+    #[test]
+    fn words_of_pages_are_no_keys() {
+        for (key, words) in [
+            ("fHa.left.mean", "fHα, left flank, mean"),
+            ("Fb.right.max", "Fβ, right flank, largest"),
+            ("ffb.right.tooth-18.single", "ffβ, right flank, tooth 18"),
+            ("fHa.o.left.single-2", "fHα, o, left flank, measurement 2"),
+            ("fKo.left.range", "fKo, left flank, range"),
+            ("Fr.single", "Fr"),
+            ("fp.left.single", "fp, left flank"),
+            ("x-span.single", "x from the span"),
+        ] {
+            assert_eq!(characteristic_in_words(key), words);
+        }
     }
 }

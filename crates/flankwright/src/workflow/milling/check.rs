@@ -2,6 +2,7 @@
 //! milled against the flanks of the job's first space beside those of the job's own paths.
 
 use super::bodies::{MillingBodies, prepare_milling};
+use super::clamping::Clamping;
 use super::finding::failure;
 use super::of_job::{machining, work};
 use super::programs::{CheckedMotion, MillingWork, ROUNDING};
@@ -81,7 +82,14 @@ impl<'a> MillingCheck<'a> {
         let Self { job, given, machine, bodies, plan: made, work, own } = self;
         let found = machining(given, machine, &[]).follow_text(work, text, dialect)?;
         let CheckedMotion { read, moves, ranges, ways, speeds, duration, words, remarks, limits } = found;
-        let moved = Moved { ranges: &ranges, ways: &ways, speeds: &speeds, duration, rounding: ROUNDING };
+        let moved = Moved {
+            ranges: &ranges,
+            ways: &ways,
+            speeds: &speeds,
+            duration,
+            rounding: ROUNDING,
+            tracked: None,
+        };
         let mut checked = figures(&read, dialect, machine, &words, &moved);
         checked.kind = Some("milling");
         // The limits of the axes are told with their blocks instead.
@@ -102,6 +110,7 @@ impl<'a> MillingCheck<'a> {
             swept: &swept,
             tool_length: given.tool_length,
             tolerance: text_tolerance(job, given),
+            clamping: Clamping::of_job(given),
         };
         let proof = under_test.prove(progress)?;
         let told =

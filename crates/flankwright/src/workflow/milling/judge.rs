@@ -51,7 +51,6 @@ pub(super) fn verdict(found: &Judged<'_>) -> Verdict {
     if let Some(remark) = found.mate {
         verdict.owe("flank that the mate needs", remark.clone());
     }
-    verdict.leave("spindle, clamping and parts of the machine", "they are not bodies of the job");
     verdict
 }
 

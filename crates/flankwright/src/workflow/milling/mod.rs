@@ -5,6 +5,7 @@ mod bladed;
 mod bodies;
 pub(in crate::workflow) mod chain;
 mod check;
+mod clamping;
 mod cylindrical;
 mod finding;
 mod judge;

@@ -2,6 +2,7 @@
 //! referee's rays.
 
 use super::bodies::MillingBodies;
+use super::clamping::{Clamping, TOO_CLOSE};
 use super::machine_remarks::remarks;
 use super::program_result::{MountTilt, ProgramOperation, ProgramResult};
 use super::programs::{
@@ -98,7 +99,9 @@ pub(super) fn texts(
         let tolerance = text_tolerance(job, given);
         let paths = work.paths(moves);
         let swept = &swept(&cutters, &paths, STOCK)?;
-        ProgramUnderTest { bodies, plan, work: &work, moves, swept, tool_length, tolerance }.prove(progress)
+        let clamping = Clamping::of_job(given);
+        ProgramUnderTest { bodies, plan, work: &work, moves, swept, tool_length, tolerance, clamping }
+            .prove(progress)
     };
     let parts = programs.programs.iter().map(of_program).collect::<Result<Vec<_>, _>>()?;
     Ok(MillingTexts { programs: Some(programs), machine: Some(machine), proofs, parts, locations })
@@ -145,6 +148,7 @@ impl MillingTexts {
     /// Notes what was proven of the texts.
     pub(super) fn judge(&self, verdict: &mut Verdict) {
         if self.programs.is_none() {
+            verdict.leave("spindle, clamping and parts of the machine", "the job names no machine");
             return verdict.leave("programs", "the job names no machine");
         }
         for proof in &self.proofs {
@@ -154,7 +158,8 @@ impl MillingTexts {
         }
         for (proof, part) in self.proofs.iter().zip(&self.parts) {
             let item = format!("program for {}: whole part and rapid moves", proof.dialect.name());
-            match part.faults.first() {
+            let mut faults = part.faults.iter().filter(|fault| fault.code != TOO_CLOSE);
+            match faults.next() {
                 None => verdict.met(
                     item,
                     format!(
@@ -163,7 +168,21 @@ impl MillingTexts {
                     ),
                 ),
                 Some(fault) => {
-                    let detail = format!("{} faults in the text", part.faults.len());
+                    let detail = format!("{} faults in the text", 1 + faults.count());
+                    verdict.missed(item, detail, Remark::new(fault.code, fault.text.clone(), fault.way_out));
+                }
+            }
+        }
+        for (proof, part) in self.proofs.iter().zip(&self.parts) {
+            let Some(nearest) = part.clamping.first() else { continue };
+            let item = format!(
+                "program for {}: tool, holder and spindle against the clamping",
+                proof.dialect.name()
+            );
+            match part.faults.iter().find(|fault| fault.code == TOO_CLOSE) {
+                None => verdict.met(item, format!("{:.2} mm to {} or more", nearest.least_mm, nearest.body)),
+                Some(fault) => {
+                    let detail = format!("{:.2} mm to {}", nearest.least_mm, nearest.body);
                     verdict.missed(item, detail, Remark::new(fault.code, fault.text.clone(), fault.way_out));
                 }
             }

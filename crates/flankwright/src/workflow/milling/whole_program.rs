@@ -2,6 +2,7 @@
 //! against the stock that stands at their time; feeds and spindle against the job.
 
 use super::bodies::MillingBodies;
+use super::clamping::Clamping;
 use super::part_rays::{Closeness, PartRay, PartSurface, THIN_BACKS, has_thin_backs, part_rays, spacing};
 use super::programs::{FollowedMove, MillingWork, OBLIQUE};
 use super::referee::{STOCK, mill_paths, swept};
@@ -11,6 +12,7 @@ use crate::numerics::Progress;
 use crate::process::milling::MillingPlan;
 use crate::removal::{MillPath, MilledRay, Milling, Rapids, Swept, mill, rapid_hits};
 use crate::workflow::finding::RunFailure;
+use crate::workflow::programs::BodyClearance;
 use nalgebra::Vector3;
 use serde::Serialize;
 use std::f64::consts::PI;
@@ -34,6 +36,12 @@ pub struct PartProof {
     pub rapid_moves: usize,
     /// Distance of the places and points of the tool that were looked at on them.
     pub rapid_resolution_mm: f64,
+    /// How near tool, holder and spindle come to the clamping over all moves, the nearest first; empty where the job names none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub clamping: Vec<BodyClearance>,
+    /// Distance that is kept from it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub clamping_kept_mm: Option<f64>,
     /// What the proof says nothing of.
     pub not_covered: Vec<String>,
     /// What is wrong.
@@ -76,6 +84,8 @@ pub(super) struct ProgramUnderTest<'a> {
     pub tool_length: f64,
     /// Tolerance of the job with what its text may add, mm; see [`text_tolerance`].
     pub tolerance: f64,
+    /// What holds the workpiece.
+    pub clamping: Clamping<'a>,
 }
 
 /// A flank from a text may be off by the tolerance of the job and by what straight blocks and digits may add, mm.
@@ -117,6 +127,8 @@ impl ProgramUnderTest<'_> {
         let mut faults: Vec<ProgramFault> = whole.faults.iter().map(|fault| self.part_fault(fault)).collect();
         faults.extend(self.rapid_cuts(&rays, &whole, progress)?);
         faults.extend(self.rapid_collisions(progress)?);
+        let beside = self.clamping.beside(self.work, self.moves);
+        faults.extend(beside.faults);
         faults.extend(self.feeds());
         faults.extend(self.spindles());
         // One fault of a block says enough of it.
@@ -136,11 +148,12 @@ impl ProgramUnderTest<'_> {
         let statement = format!(
             "all {} spaces ({} of them milled): {} under {} rays, {ray_spacing_mm:.2} mm apart at most, depth to \
              {DEPTH_RESOLUTION} mm; {rapid_moves} rapid moves of tool, shank and holder against the stock that stands, every \
-             {RAPID_STEP} mm; not covered: {}",
+             {RAPID_STEP} mm; {}not covered: {}",
             spaces[0],
             spaces[1],
             surfaces.join(", "),
             rays.len(),
+            self.clamping.statement(&beside.least),
             not_covered.join(", ")
         );
         Ok(PartProof {
@@ -152,6 +165,8 @@ impl ProgramUnderTest<'_> {
             depth_resolution_mm: DEPTH_RESOLUTION,
             rapid_moves,
             rapid_resolution_mm: RAPID_STEP,
+            clamping_kept_mm: (!beside.least.is_empty()).then_some(self.clamping.kept),
+            clamping: beside.least,
             not_covered,
             faults,
         })
@@ -184,7 +199,7 @@ impl ProgramUnderTest<'_> {
     fn not_covered(&self) -> Vec<String> {
         let mut left = vec![
             "the first positioning of each tool, which comes from outside".to_owned(),
-            "spindle, clamping and parts of the machine".to_owned(),
+            self.clamping.not_covered().to_owned(),
         ];
         if self.bodies.unknown.iter().any(|remark| remark.code == "blade-back-not-judged") {
             left.push("backs of the blades".into());

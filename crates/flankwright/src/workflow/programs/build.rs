@@ -1,10 +1,12 @@
 //! From the motions of a run to programs: the passes, laid out for every control, written and read back.
 
 use super::control::{control_of, decimals_of, dialect_of, ending_of, words_of};
+use super::lines::LineWork;
 use super::task::{DressingWork, GrindingWork, ProgramTask};
 use super::technology::Technology;
 use crate::exchange::Diagnostic;
 use crate::exchange::machine::{Control, ControlCoupling};
+use crate::geometry::Flank;
 use crate::kinematics::{Dresser, MotionLaw, Workpiece};
 use crate::machine::{Positions, Station};
 use crate::motion::{
@@ -27,6 +29,8 @@ pub struct BuiltProgram {
     pub station: Station,
     /// Finishing area of the worm that it grinds with, from 0; 0 for dressing, which serves all.
     pub area: usize,
+    /// The flank that it dresses line by line; `None` for other programs.
+    pub lines: Option<Flank>,
     /// Path below the directory of the run.
     pub file: String,
     /// The text, and what rounding did.
@@ -48,6 +52,26 @@ pub struct Built {
     pub programs: Vec<BuiltProgram>,
     /// Remarks.
     pub warnings: Vec<Remark>,
+}
+
+/// What a program of a run is for.
+#[derive(Clone, Copy, Debug)]
+enum Part<'a> {
+    /// All dressing strokes.
+    Dressing,
+    /// The lines of one flank, and their number among the programs of lines.
+    Lines(&'a LineWork<'a>, usize),
+    /// The grinding strokes of a finishing area.
+    Grinding(usize),
+}
+
+impl Part<'_> {
+    fn station(self) -> Station {
+        match self {
+            Self::Dressing | Self::Lines(..) => Station::Dresser,
+            Self::Grinding(_) => Station::Work,
+        }
+    }
 }
 
 /// Chord tolerance where the control gives none, um (spec 80 section 2 rule 6).
@@ -85,9 +109,10 @@ impl ProgramTask<'_> {
         let mut warnings = Vec::new();
         for &name in self.dialects {
             let control = control_of(self.machine, name)?;
-            let dressing = (!self.dressing.is_empty()).then_some((Station::Dresser, 0));
+            let dressing = (!self.dressing.is_empty()).then_some(Part::Dressing);
+            let lines = self.lines.iter().enumerate().map(|(k, work)| Part::Lines(work, k));
             let areas = if self.grinding.is_empty() { 0 } else { self.areas.len() };
-            for part in dressing.into_iter().chain((0..areas).map(|area| (Station::Work, area))) {
+            for part in dressing.into_iter().chain(lines).chain((0..areas).map(Part::Grinding)) {
                 let made = self.program(dialect_of(name), control, part)?;
                 warnings.extend(warnings_of(&made));
                 programs.push(made);
@@ -100,22 +125,20 @@ impl ProgramTask<'_> {
         &self,
         dialect: Dialect,
         control: &Control,
-        (station, area): (Station, usize),
+        part: Part<'_>,
     ) -> Result<BuiltProgram, RunFailure> {
+        let station = part.station();
+        let area = if let Part::Grinding(area) = part { area } else { 0 };
         let machine = &self.machine.machine;
         let axes = machine.axes_at(station).map_err(|e| failure(&e.into()))?;
         let words = words_of(self.machine, control, &axes).map_err(|e| failure(&e))?;
         let decimals = decimals_of(control).unwrap_or_default();
         let half = |digits: u8| 0.5 * 10f64.powi(-i32::from(digits));
-        let (what, passes) = match station {
-            Station::Dresser => ("dressing", self.dressing_passes()),
-            Station::Work => ("grinding", self.grinding_passes(self.areas.get(area).copied().unwrap_or(0.0))),
-        };
         let several = station == Station::Work && self.areas.len() > 1;
         let gearbox = control.coupling == ControlCoupling::Gearbox && station == Station::Work;
         let options = LayoutOptions {
-            name: program_name(self.job, station, several.then_some(area)),
-            comments: comments(self, station, several.then_some(area)),
+            name: program_name(self.job, part, several),
+            comments: comments(self, part, several),
             tolerance: control.chord_tolerance_um.unwrap_or(CHORD_TOLERANCE_UM) * 1e-3,
             swivel: self.technology.swivel,
             coupling: if gearbox {
@@ -127,11 +150,25 @@ impl ProgramTask<'_> {
             dresser_speed: if station == Station::Dresser { self.technology.dresser_speed } else { 0.0 },
             half_unit: [half(decimals.mm), half(decimals.deg).to_radians()],
         };
-        let mut layout = lay_out(machine, &words, &passes, &options).map_err(|e| failure(&e))?;
+        let laid_out = match part {
+            Part::Dressing => lay_out(machine, &words, &self.dressing_passes(), &options),
+            Part::Lines(work, _) => {
+                work.lay_out(machine, &words, (&self.indexing, &self.technology), &options)
+            }
+            Part::Grinding(area) => {
+                let passes = self.grinding_passes(self.areas.get(area).copied().unwrap_or(0.0));
+                lay_out(machine, &words, &passes, &options)
+            }
+        };
+        let mut layout = laid_out.map_err(|e| failure(&e))?;
         if control.modulo {
             layout.program = split_turns(&layout.program).map_err(|e| refused(&e, dialect))?;
         }
-        let next = if station == Station::Work { 1 + area as u32 } else { 0 };
+        let next = match part {
+            Part::Dressing | Part::Lines(_, 0) => 0,
+            Part::Grinding(area) => 1 + area,
+            Part::Lines(_, k) => self.areas.len() + k,
+        } as u32;
         let mut write_options =
             WriteOptions { decimals, incremental_rotary: control.modulo, ..WriteOptions::default() };
         write_options.fanuc = FanucOptions {
@@ -157,9 +194,14 @@ impl ProgramTask<'_> {
             dialect,
             station,
             area,
-            file: if several {
-                format!("programs/{what}-area-{}-{}.{}", area + 1, dialect.name(), ending_of(dialect))
-            } else {
+            lines: if let Part::Lines(work, _) = part { Some(work.flank) } else { None },
+            file: {
+                let what = match part {
+                    Part::Dressing => "dressing".to_owned(),
+                    Part::Lines(work, _) => format!("dressing-{}", work.flank),
+                    Part::Grinding(area) if several => format!("grinding-area-{}", area + 1),
+                    Part::Grinding(_) => "grinding".to_owned(),
+                };
                 format!("programs/{what}-{}.{}", dialect.name(), ending_of(dialect))
             },
             written,
@@ -301,10 +343,14 @@ fn grinding_pass(
     Pass { name, course, range: [from, to], room, speed, clearance: technology.clearance, times: 1 }
 }
 
-/// [A-Z0-9_]{1,24} of the job's name and D or G, with the number of the area where there are several.
-fn program_name(job: &str, station: Station, area: Option<usize>) -> String {
-    let letter = if station == Station::Dresser { "D" } else { "G" };
-    let number = area.map_or(String::new(), |area| (area + 1).to_string());
+/// [A-Z0-9_]{1,24} of the job's name and D or G, with the number of the area where there are several, or the letter of the flank of lines.
+fn program_name(job: &str, part: Part<'_>, several: bool) -> String {
+    let letter = if part.station() == Station::Dresser { "D" } else { "G" };
+    let number = match part {
+        Part::Grinding(area) if several => (area + 1).to_string(),
+        Part::Lines(work, _) => work.flank.name().to_ascii_uppercase().chars().take(1).collect(),
+        _ => String::new(),
+    };
     let word: String = job
         .chars()
         .map(|c| if c.is_ascii_alphanumeric() { c.to_ascii_uppercase() } else { '_' })
@@ -314,7 +360,7 @@ fn program_name(job: &str, station: Station, area: Option<usize>) -> String {
 }
 
 /// What the head of a program says.
-fn comments(task: &ProgramTask<'_>, station: Station, area: Option<usize>) -> Vec<String> {
+fn comments(task: &ProgramTask<'_>, part: Part<'_>, several: bool) -> Vec<String> {
     let plain = |text: &str| -> String {
         let kept = text.to_ascii_uppercase();
         let kept = kept
@@ -324,16 +370,22 @@ fn comments(task: &ProgramTask<'_>, station: Station, area: Option<usize>) -> Ve
             .collect::<String>();
         kept.split_whitespace().collect::<Vec<_>>().join(" ")
     };
-    let what = match station {
-        Station::Dresser => "DRESSING",
-        Station::Work => "GRINDING",
+    let what = match part {
+        Part::Dressing => "DRESSING".to_owned(),
+        Part::Lines(work, _) => work.name(),
+        Part::Grinding(_) => "GRINDING".to_owned(),
     };
     let mut lines =
         vec![format!("{} {what}", plain(task.job)), format!("MACHINE {}", plain(&task.machine.file.name))];
-    if let Some(area) = area {
+    if let Part::Lines(work, _) = part {
+        lines.push(format!("{} LINES ON EACH THREAD", work.count()));
+    }
+    if let Part::Grinding(area) = part
+        && several
+    {
         lines.push(format!("FINISHING AREA {} OF {} OF THE WORM", area + 1, task.areas.len()));
     }
-    if station == Station::Work {
+    if part.station() == Station::Work {
         lines.push("DATUM FACE IS FACE II THE ONE AT UPPER Z OF THE JOB".into());
         let way = if task.technology.grinding.counterpart.reversed { "DOWN" } else { "UP" };
         lines.push(format!("WORKPIECE CLAMPED WITH ITS DATUM FACE {way}"));

@@ -2,17 +2,19 @@
 
 use super::of_grinding::OnGrinding;
 use super::of_tangential::OnTangential;
+use super::proof::SPEED_ROUNDING;
 use super::result::{CheckedAxis, CheckedProgram};
+use super::surroundings::Surroundings;
 use crate::exchange::machine::LoadedMachine;
-use crate::exchange::{AnyJob, Diagnostic, GearboxJob, LoadedSkivingJob};
-use crate::machine::{Positions, Role};
+use crate::exchange::{AnyJob, Diagnostic, GearboxJob};
+use crate::machine::{Positions, Role, Station};
 use crate::motion::{AxisWords, MotionError, Tracked, axis_words, track};
-use crate::nc::{Dialect, MAXIMUM_BYTES, ReadError, ReadProgram, Word, read, read_with_netlist};
+use crate::nc::{Block, Dialect, ReadError, ReadProgram, Word, read, read_with_netlist};
 use crate::numerics::Progress;
 use crate::workflow::finding::{Remark, RunFailure};
 use crate::workflow::milling::check_milling;
-use crate::workflow::skiving::prove_text;
-use std::io::{BufRead, Read as _};
+use crate::workflow::skiving::SkivingCheck;
+use std::io::BufRead;
 
 /// A program that cannot be read, as a finding with its place in the message.
 fn unreadable(error: &ReadError, dialect: Dialect) -> RunFailure {
@@ -62,7 +64,7 @@ pub fn check_program(
         return check_milling(text, dialect, machine, loaded, progress);
     }
     if let Some(AnyJob::Skiving(loaded)) = job {
-        return check_measuring(text, dialect, machine, loaded, progress);
+        return SkivingCheck::new(loaded, machine)?.check(text, dialect);
     }
     if let Some(AnyJob::Gearbox(_)) = job {
         return Err(RunFailure::bad_input(GearboxJob::refused_by("program check")));
@@ -124,9 +126,9 @@ impl<'a> ProgramChecker<'a> {
         let tracked =
             track(&found.blocks, &machine.machine, &words, &Positions::default()).map_err(|e| refused(&e))?;
         let mut checked = figures(&found, dialect, machine, &words, &Moved::of(&tracked));
-        let followed = match &self.bodies {
-            Some(Bodies::Grinding(on)) => on.follow(&machine.machine, &tracked)?,
-            Some(Bodies::Tangential(on)) => on.follow(&machine.machine, &tracked)?,
+        let (followed, technology) = match &self.bodies {
+            Some(Bodies::Grinding(on)) => (on.follow(&machine.machine, &tracked)?, on.technology()),
+            Some(Bodies::Tangential(on)) => (on.follow(&machine.machine, &tracked)?, on.technology()),
             None => return Ok(checked),
         };
         checked.kind = Some(followed.kind);
@@ -134,28 +136,29 @@ impl<'a> ProgramChecker<'a> {
         checked.flanks = Some(followed.flanks);
         checked.threads = followed.threads;
         checked.remarks.extend(followed.faults);
+        let station = if followed.kind == "grinding" { Station::Work } else { Station::Dresser };
+        let around = Surroundings::new(machine, technology).follow(&tracked, station);
+        checked.bodies = around.least;
+        checked.remarks.extend(around.faults.into_iter().map(|(_, _, fault)| fault));
         Ok(checked)
     }
 }
 
-/// The same of a program that measures a skiving tool, and whether it measures that of the job.
-fn check_measuring(
-    mut text: impl BufRead,
+/// Reads a program of a dialect and follows its axes on a machine: figures, words of the axes, blocks.
+///
+/// # Errors
+/// [`RunFailure`]: a text that is no program, axes that the machine has not.
+pub(in crate::workflow) fn checked_axes(
+    text: impl BufRead,
     dialect: Dialect,
     machine: &LoadedMachine,
-    loaded: &LoadedSkivingJob,
-    progress: &dyn Progress,
-) -> Result<CheckedProgram, RunFailure> {
-    let mut whole = String::new();
-    text.by_ref().take(MAXIMUM_BYTES as u64 + 1).read_to_string(&mut whole).map_err(|error| {
-        let finding =
-            Diagnostic::with_code("unreadable-file", format!("the program cannot be read: {error}"));
-        RunFailure::bad_input(finding.way_out("give a text file"))
-    })?;
-    let mut checked = check_program((whole.as_bytes(), None), dialect, machine, None, progress)?;
-    let (kind, _) = prove_text(loaded, machine, dialect, &whole)?;
-    checked.kind = Some(kind);
-    Ok(checked)
+) -> Result<(CheckedProgram, AxisWords, Vec<Block>), RunFailure> {
+    let words = words_of(machine, dialect).map_err(|e| refused(&e))?;
+    let found = read(text, dialect, &words.words).map_err(|e| unreadable(&e, dialect))?;
+    let tracked =
+        track(&found.blocks, &machine.machine, &words, &Positions::default()).map_err(|e| refused(&e))?;
+    let checked = figures(&found, dialect, machine, &words, &Moved::of(&tracked));
+    Ok((checked, words, found.blocks))
 }
 
 /// What the axes of a machine do, by their numbers: mm or rad, s.
@@ -170,12 +173,28 @@ pub(in crate::workflow) struct Moved<'a> {
     pub duration: f64,
     /// By which share a speed may be above the limit because its block is rounded.
     pub rounding: f64,
+    /// The motion itself, to tell the block of what does not fit; `None` where that is told otherwise.
+    pub tracked: Option<&'a Tracked>,
 }
 
 impl<'a> Moved<'a> {
     fn of(tracked: &'a Tracked) -> Self {
         let Tracked { ranges, ways, speeds, duration, .. } = tracked;
-        Self { ranges, ways, speeds, duration: *duration, rounding: 1e-9 }
+        Self { ranges, ways, speeds, duration: *duration, rounding: SPEED_ROUNDING, tracked: Some(tracked) }
+    }
+
+    /// "block N: " of the greatest speed of an axis above a limit.
+    fn block_of_speed(&self, axis: usize, limit: f64) -> String {
+        let faster = self.tracked.map(|tracked| tracked.faster(axis, limit)).unwrap_or_default();
+        let worst = faster.into_iter().max_by(|a, b| a.1.total_cmp(&b.1));
+        worst.map_or_else(String::new, |(block, _)| format!("block {block}: "))
+    }
+
+    /// "block N: " of the first place at which an axis stands so.
+    fn block_at(&self, axis: usize, value: f64) -> String {
+        let mut moves = self.tracked.into_iter().flat_map(Tracked::moves);
+        let first = moves.find(|(_, ends)| ends.iter().any(|at| at[axis] == value));
+        first.map_or_else(String::new, |(block, _)| format!("block {block}: "))
     }
 }
 
@@ -202,7 +221,7 @@ pub(in crate::workflow) fn figures(
             if let Some(error) = axis.beyond(value) {
                 remarks.push(Remark {
                     code: error.code(),
-                    text: error.to_string(),
+                    text: format!("{}{error}", moved.block_at(number, value)),
                     way_out: error.way_out(),
                 });
                 break;
@@ -212,7 +231,8 @@ pub(in crate::workflow) fn figures(
             remarks.push(Remark {
                 code: "axis-too-fast",
                 text: format!(
-                    "{} would move at {:.4} {unit}/s; the machine allows {:.4} {unit}/s",
+                    "{}{} would move at {:.4} {unit}/s; the machine allows {:.4} {unit}/s",
+                    moved.block_of_speed(number, most),
                     axis.name,
                     shown(speed),
                     shown(most),
@@ -251,7 +271,9 @@ pub(in crate::workflow) fn figures(
         strokes: Vec::new(),
         flanks: None,
         threads: Vec::new(),
+        bodies: Vec::new(),
         part: None,
+        measuring: None,
         remarks,
     }
 }

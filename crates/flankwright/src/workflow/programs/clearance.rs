@@ -2,7 +2,8 @@
 //! comes in, goes out and travels clear of the blank and of the dresser. Knows no flank.
 
 use super::build::Built;
-use super::result::ClearanceResult;
+use super::result::{BodyClearance, ClearanceResult};
+use super::surroundings::{self, Surroundings};
 use super::task::ProgramTask;
 use crate::exchange::Diagnostic;
 use crate::kinematics::{Dresser, Pose, Workpiece, Worm};
@@ -162,20 +163,41 @@ pub(super) fn check(task: &ProgramTask<'_>, built: &Built) -> Result<Option<Clea
             return Err(RunFailure::not_producible(finding.field("machine").way_out(way_out)));
         }
     }
-    let mut not_checked: Vec<&'static str> = vec!["clamping", "machine parts"];
+    let around = Surroundings::new(task.machine, technology);
+    let around_worm = surroundings::check(task, built, &around)?;
+    let mut not_checked: Vec<&'static str> = around.not_covered();
+    not_checked.extend(around.exchanged());
     if !checked.contains("dresser") && !task.dressing.is_empty() {
         not_checked.insert(0, "dresser");
     }
     let bodies: Vec<&'static str> = std::iter::once("worm").chain(checked).collect();
     Ok(least.is_finite().then(|| ClearanceResult {
         statement: format!(
-            "from the program text: {} stay {least:.3} mm or more apart at the ends of the strokes, in approach, retraction and rapid moves ({CLEARANCE} mm are kept); {} are not checked",
+            "from the program text: {} stay {least:.3} mm or more apart at the ends of the strokes, in approach, retraction and rapid moves ({CLEARANCE} mm are kept){}; not checked: {}",
             bodies.join(", "),
-            not_checked.join(", ")
+            clear_of(&around_worm, around.kept()),
+            if not_checked.is_empty() { "the first move of a program".to_owned() } else { not_checked.join(", ") }
         ),
         checked: bodies,
         not_checked,
+        bodies_kept_mm: (!around_worm.is_empty()).then(|| around.kept()),
+        bodies: around_worm,
         least_mm: least,
         kept_mm: CLEARANCE,
     }))
+}
+
+/// What the worm's side keeps clear of over all blocks, in words; nothing without such bodies.
+fn clear_of(bodies: &[BodyClearance], kept: f64) -> String {
+    let Some(nearest) = bodies.first() else { return String::new() };
+    let names: Vec<&str> = bodies.iter().map(|body| body.body.as_str()).collect();
+    format!(
+        "; over all blocks, strokes included, the worm and what its spindle carries stay clear of {}: least distance {:.3} mm, of {} and {} in block {} of {} ({kept} mm are kept)",
+        names.join(", "),
+        nearest.least_mm,
+        nearest.of,
+        nearest.body,
+        nearest.block,
+        nearest.file
+    )
 }

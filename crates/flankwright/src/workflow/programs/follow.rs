@@ -6,6 +6,7 @@ use super::clearance::{self, CLEARANCE};
 use super::indexing::{Found, shown_blocks};
 use super::proof::{Judge, ReadBack, RunFlank, Sought, nearest};
 use super::result::{CheckedFlank, CheckedStroke, ThreadProof};
+use super::single_blocks::{jumps_of_dressing, jumps_of_grinding};
 use crate::geometry::Sides;
 use crate::kinematics::{Dresser, Workpiece};
 use crate::machine::{Role, Station};
@@ -38,7 +39,7 @@ struct LeftBy {
 }
 
 /// A thread counts as off beyond this share of the tolerance, if the flank leaves its tolerance by that.
-const OFF: f64 = 0.1;
+pub(super) const OFF: f64 = 0.1;
 
 /// Finds the strokes of a program on these bodies and asks the referee for their flank. Of several strokes for the same thread or offset
 /// the one nearest to the job's own finishes.
@@ -101,6 +102,7 @@ pub(super) fn follow(
                 clearance::beside::<Workpiece>(tracked, of, &blocks, (cylinders, "blank", CLEARANCE));
             faults.extend(beside.map_err(refused)?.faults);
         }
+        faults.extend(jumps_of_grinding(&sought.grinding, &found.served, tolerance_um));
         for served in &found.served {
             let read = ReadBack { dressing: sought.own_dressing(), grinding: served.strokes.clone() };
             let blocks = served.strokes.iter().map(|stroke| stroke.blocks).collect();
@@ -111,7 +113,10 @@ pub(super) fn follow(
         if spaces != teeth {
             faults.push(Remark::new(
                 "spaces-not-ground",
-                format!("{spaces} of {teeth} tooth spaces are ground by every finishing stroke"),
+                format!(
+                    "{spaces} of {teeth} tooth spaces are ground by every finishing stroke; strokes are at blocks {}",
+                    shown_blocks(strokes.iter().map(|stroke| stroke.blocks))
+                ),
                 "give every index stroke of the pass",
             ));
         }
@@ -136,6 +141,7 @@ pub(super) fn follow(
         let of_threads;
         (threads, of_threads) = sought.threads(&found.served, judge)?;
         faults = found.faults;
+        faults.extend(jumps_of_dressing(&sought.dressing, &found.served, tolerance_um));
         faults.extend(unfinished);
         faults.extend(of_threads);
         if let Some(cylinders) = &sought.technology.dresser {

@@ -26,6 +26,9 @@ pub struct Indexing {
 
 /// Places along a stroke at which it is compared with one of the job.
 const PLACES: usize = 9;
+/// Places a block, and most of them.
+const PLACES_A_BLOCK: usize = 2;
+const MOST_PLACES: usize = 10_000;
 /// Two strokes of the job nearer to each other than this cannot be told apart by a text, mm.
 const SAME: f64 = 1e-4;
 /// A stroke may leave a flank this far below the finished one before it is a fault of its own, mm: above what blocks and digits explain.
@@ -189,6 +192,12 @@ pub fn ground_offsets(
     sorted(&names, beside.collect(), &offsets, named, "ground")
 }
 
+/// Places at which a stroke is compared with the job's: every block has some, so that none goes too deep unseen.
+fn places_along<M>(stroke: &ReadStroke<M>) -> usize {
+    let blocks = stroke.blocks[1].saturating_sub(stroke.blocks[0]) + 1;
+    (PLACES_A_BLOCK * blocks).clamp(PLACES, MOST_PLACES)
+}
+
 fn beside_dressing(
     indexing: &Indexing,
     work: &DressingWork,
@@ -203,13 +212,13 @@ fn beside_dressing(
     let turned = stroke.motion.correction[0].value(middle) - work.motion.correction[0].value(middle);
     let threads = (-turned / indexing.pitch()).round();
     stroke.motion.correction[0] = stroke.motion.correction[0].raised(threads * indexing.pitch());
-    let places = equidistant([from, to], PLACES);
+    let places = equidistant([from, to], places_along(&stroke));
     let stock = crate::numerics::extremes(places.into_iter().flat_map(|v| dressing_stock(work, &stroke, v)));
     Beside { stroke, place: (threads as i64).rem_euclid(i64::from(indexing.threads)), stock }
 }
 
 /// What a stroke leaves at the contacts of the job's, mm: how far it stands off along the worm's normals.
-fn dressing_stock(work: &DressingWork, stroke: &ReadStroke<DressingMotion>, v: f64) -> Vec<f64> {
+pub(super) fn dressing_stock(work: &DressingWork, stroke: &ReadStroke<DressingMotion>, v: f64) -> Vec<f64> {
     let moved = stroke.motion.position(v).pose().then(&work.motion.position(v).pose().inverse());
     let along =
         Pose::<Worm, Worm>::rz(-v / work.motion.chain.screw_parameter).then(&Pose::<Worm, Worm>::tz(-v));
@@ -228,7 +237,7 @@ fn grinding_stock(work: &GrindingWork, stroke: &ReadStroke<GeneratingMotion>) ->
     if from.partial_cmp(&to) != Some(std::cmp::Ordering::Less) {
         return [f64::INFINITY; 2];
     }
-    crate::numerics::extremes(equidistant([from, to], PLACES).into_iter().flat_map(|v| {
+    crate::numerics::extremes(equidistant([from, to], places_along(stroke)).into_iter().flat_map(|v| {
         let (is, wanted) = (&stroke.motion, &work.motion);
         let lifted = work.per_distance * (is.delta_d.value(v) - wanted.delta_d.value(v));
         let turned = work.per_turn * (is.delta_phi_2.value(v) - wanted.delta_phi_2.value(v)).abs();

@@ -1,26 +1,30 @@
 //! The programs of a generating-grinding run: its strokes as work for a machine, and its referee asked with motions from a text.
 
 use super::areas::ProgramAreas;
+use super::beyond_travel::BeyondTravel;
 use super::check::refused;
 use super::clearance;
 use super::follow::{Followed, follow};
 use super::indexing::Indexing;
+use super::lines::{LineWork, follow_lines};
 use super::proof::{Judge, ReadBack, RunFlank, Sought, THREAD_GRID};
 use super::run_programs::{RunPrograms, dialects};
 use super::task::{DressingWork, GrindingWork, ProgramTask, machine_of_job};
 use super::technology::Technology;
 use crate::contact::ToolSurface;
 use crate::exchange::LoadedJob;
-use crate::exchange::job::{DressingFlanks, Job, Machine as JobMachine};
+use crate::exchange::job::{DressingFlanks, Job, Machine as JobMachine, Program as DialectName};
+use crate::exchange::machine::LoadedMachine;
 use crate::geometry::{Flank, Sides};
 use crate::kinematics::{DressingMotion, Point, Pose, Worm};
-use crate::machine::{GearCoupling, Machine};
+use crate::machine::{GearCoupling, Machine, Role, Station};
 use crate::metrology::Topography;
 use crate::motion::{ReadStroke, Tracked};
 use crate::numerics::{Chebyshev, Progress, Silent, equidistant};
 use crate::process::dressing::{DressedWorm, DresserTool};
 use crate::workflow::execution::{ExecutedTool, Execution};
 use crate::workflow::finding::{Remark, RunFailure};
+use crate::workflow::line_dressing::WrittenFlank;
 use crate::workflow::partition::StrokePlan;
 use crate::workflow::prepare::Prepared;
 use crate::workflow::referee::{self, Cutting, Verdict};
@@ -91,6 +95,32 @@ impl Strokes {
         self.areas.as_ref().map(|(areas, _)| areas.as_planned(read, area))
     }
 
+    /// The flanks that are dressed line by line; none where passes use more than one area, which the lines of the plan do not reach.
+    fn lines<'a>(&self, written: &'a Sides<Option<WrittenFlank>>) -> Vec<LineWork<'a>> {
+        if self.areas.is_some() { Vec::new() } else { LineWork::of_run(written) }
+    }
+
+    /// The strokes as work for a machine.
+    fn task<'a>(
+        &self,
+        loaded: &'a LoadedJob,
+        (machine, dialects): (&'a LoadedMachine, &'a [DialectName]),
+        written: &'a Sides<Option<WrittenFlank>>,
+    ) -> ProgramTask<'a> {
+        ProgramTask {
+            job: &loaded.job.job.name,
+            machine,
+            dialects,
+            technology: self.technology.clone(),
+            dressing: self.dressing.iter().map(|(work, _)| work.clone()).collect(),
+            lines: self.lines(written),
+            grinding: self.grinding.iter().map(|(work, _)| work.clone()).collect(),
+            indexing: self.indexing.clone(),
+            coupling: self.coupling,
+            areas: self.areas_apart(),
+        }
+    }
+
     /// z_V1 of every finishing area less that of the first, mm.
     fn areas_apart(&self) -> Vec<f64> {
         self.areas.as_ref().map_or(vec![0.0], |(areas, _)| areas.apart())
@@ -145,22 +175,13 @@ pub(in crate::workflow) fn programs_of_grinding(
     prepared: &Prepared,
     execution: &Execution,
     verdicts: &Sides<Option<Verdict>>,
-    cutting: Cutting<'_>,
+    (cutting, written): (Cutting<'_>, &Sides<Option<WrittenFlank>>),
 ) -> Result<Option<RunPrograms>, RunFailure> {
     let Some(job_machine) = &loaded.job.machine else { return Ok(None) };
     let machine = machine_of_job(loaded, &job_machine.file)?;
     let strokes = Strokes::new(&loaded.job, job_machine, prepared, execution, cutting.strokes)?;
-    let task = ProgramTask {
-        job: &loaded.job.job.name,
-        machine: &machine,
-        dialects: &dialects(&loaded.job.output.programs, &machine),
-        technology: strokes.technology.clone(),
-        dressing: strokes.dressing.iter().map(|(work, _)| work.clone()).collect(),
-        grinding: strokes.grinding.iter().map(|(work, _)| work.clone()).collect(),
-        indexing: strokes.indexing.clone(),
-        coupling: strokes.coupling,
-        areas: strokes.areas_apart(),
-    };
+    let dialects = dialects(&loaded.job.output.programs, &machine);
+    let task = strokes.task(loaded, (&machine, &dialects), written);
     let flanks = flanks_of(execution, verdicts);
     let judge = Referee { prepared, execution, cutting, strokes: &strokes };
     let feed_given = loaded.job.grinding.feed_per_revolution.is_some();
@@ -169,7 +190,9 @@ pub(in crate::workflow) fn programs_of_grinding(
         programs.result.worm_use = areas.check(&task, &programs.built, driven)?;
     }
     programs.result.clearance = clearance::check(&task, &programs.built)?;
-    if execution.flanks.iter().any(|(_, f)| f.as_ref().is_some_and(|f| f.made().is_some())) {
+    if task.lines.is_empty()
+        && execution.flanks.iter().any(|(_, f)| f.as_ref().is_some_and(|f| f.made().is_some()))
+    {
         programs.warnings.push(Remark {
             code: "dressing-without-program",
             text: "the worm is a table: no dressing strokes lead to it, only grinding programs are written"
@@ -178,6 +201,25 @@ pub(in crate::workflow) fn programs_of_grinding(
         });
     }
     Ok(Some(programs))
+}
+
+/// The axes that the programs of a job would drive beyond the travel of its machine; none without a machine, and none for flanks of the
+/// worm that are dressed line by line.
+pub(in crate::workflow) fn beyond_travel_of_grinding(
+    loaded: &LoadedJob,
+    prepared: &Prepared,
+    execution: &Execution,
+) -> Vec<BeyondTravel> {
+    let found = || {
+        let job_machine = loaded.job.machine.as_ref()?;
+        let machine = machine_of_job(loaded, &job_machine.file).ok()?;
+        let plan = StrokePlan::of_job(&loaded.job).ok()?;
+        let strokes = Strokes::new(&loaded.job, job_machine, prepared, execution, plan.as_ref()).ok()?;
+        let dialects = dialects(&loaded.job.output.programs, &machine);
+        let written = Sides::both(None);
+        Some(strokes.task(loaded, (&machine, &dialects), &written).beyond_travel())
+    };
+    found().unwrap_or_default()
 }
 
 /// The run of a job with its strokes, for programs to be followed on its bodies.
@@ -205,6 +247,11 @@ impl OnGrinding {
         Ok(Self { run, strokes })
     }
 
+    /// How the job clamps its bodies.
+    pub fn technology(&self) -> &Technology {
+        &self.strokes.technology
+    }
+
     /// Follows a program and says what it makes of the flanks.
     ///
     /// # Errors
@@ -224,6 +271,17 @@ impl OnGrinding {
         };
         let judge = Referee { prepared, execution, cutting, strokes };
         let tolerance_um = prepared.tolerance.tightest() * 1e3;
+        let lines = strokes.lines(&run.written);
+        let turns = machine.role(Role::Work).and_then(|axis| tracked.ranges[axis]);
+        if !lines.is_empty() && turns.is_none_or(|[from, to]| to <= from) {
+            let deviation = Sides::from_fn(|flank: Flank| {
+                run.result.flanks.get(flank.name()).map_or(0.0, |flank| flank.max_deviation_um)
+            });
+            let on = (machine, &strokes.technology, &strokes.indexing);
+            let mut followed = follow_lines(tracked, on, &lines, &deviation, tolerance_um)?;
+            followed.faults.extend(sought.too_fast(tracked, Station::Dresser));
+            return Ok(followed);
+        }
         let flanks = flanks_of(execution, &run.verdicts);
         let mut followed = follow(tracked, &sought, &flanks, tolerance_um, &judge)?;
         if let Some((areas, driven)) = &strokes.areas {
@@ -447,7 +505,6 @@ mod tests {
     use super::super::proof::proofs;
     use super::*;
     use crate::exchange::read_job;
-    use crate::machine::{Role, Station};
     use crate::nc::Block;
     use std::path::Path;
 
@@ -467,6 +524,7 @@ mod tests {
             dialects: &dialects(&[], &machine)[..1],
             technology: strokes.technology.clone(),
             dressing: strokes.dressing.iter().map(|(work, _)| work.clone()).collect(),
+            lines: Vec::new(),
             grinding: strokes.grinding.iter().map(|(work, _)| work.clone()).collect(),
             indexing: strokes.indexing.clone(),
             coupling: strokes.coupling,

@@ -1,6 +1,6 @@
 //! The programs of a run of tangential dressing: its passes as work for a machine, and its referee asked with motions from a text.
 
-use super::clearance::{self, Cylinders};
+use super::clearance;
 use super::follow::{Followed, follow};
 use super::indexing::Indexing;
 use super::proof::{Judge, ReadBack, RunFlank, Sought, THREAD_GRID};
@@ -15,12 +15,12 @@ use crate::kinematics::DressingMotion;
 use crate::machine::{GearCoupling, Machine};
 use crate::metrology::Topography;
 use crate::motion::{ReadStroke, Tracked, dresser_contacts};
-use crate::numerics::{Progress, Silent, equidistant, extremes};
-use crate::process::tangential_dressing::TangentialFlank;
+use crate::numerics::{Progress, Silent, equidistant};
+use crate::process::tangential_dressing::{TangentialFlank, TangentialStrokes};
 use crate::workflow::finding::RunFailure;
 use crate::workflow::tangential::{
-    DrivenMotions, TangentialOutcome, TangentialPrepared, TangentialRun, plan_tangential, referee,
-    simulate_tangential, worm_rays,
+    DrivenMotions, TangentialOutcome, TangentialPass, TangentialPrepared, TangentialRun, passes_of_runs,
+    plan_tangential, referee, simulate_tangential, worm_rays,
 };
 
 /// The worm is one area.
@@ -49,6 +49,7 @@ pub(in crate::workflow) fn programs_of_tangential(
         dialects: &dialects(&job.output.programs, &machine),
         technology: strokes.technology.clone(),
         dressing: strokes.dressing.clone(),
+        lines: Vec::new(),
         grinding: strokes.grinding.clone(),
         indexing: strokes.indexing.clone(),
         coupling: GearCoupling {
@@ -84,18 +85,8 @@ impl Strokes {
         runs: &Sides<Option<TangentialRun>>,
     ) -> Result<Self, RunFailure> {
         let worm = ready.model.pair.worm.data();
-        let hand = if worm.helix_angle < 0.0 { -1.0 } else { 1.0 };
-        let sizes = (hand, ready.worm_tip_radius, worm.normal_module, job.worm.width);
-        let technology = Technology {
-            cylinders: Some(Cylinders {
-                worm_radius: ready.worm_tip_radius,
-                worm_half_width: job.worm.width.map(|width| 0.5 * width),
-                radius: 0.5 * ready.blank.tip_diameter,
-                half_width: 0.5 * ready.blank.face_width,
-            }),
-            ..Technology::new(machine, sizes, job.grinding.feed_per_revolution)
-        }
-        .with_dresser(0.5 * job.dresser.tip_diameter, worm.normal_module);
+        let technology = Technology::of_tangential(machine, ready, job)
+            .with_dresser(0.5 * job.dresser.tip_diameter, worm.normal_module);
         let mut strokes = Self {
             technology,
             indexing: Indexing::new(worm.teeth.unsigned_abs(), ready.model.pair.work.data().teeth, None),
@@ -103,12 +94,9 @@ impl Strokes {
             dressing: Vec::new(),
             grinding: Vec::new(),
         };
-        for run in runs.iter().filter_map(|(_, run)| run.as_ref()) {
-            if strokes.passes.contains(&run.pass) {
-                continue;
-            }
-            let (dressing, grinding) = work_of_pass(ready, runs, &run.pass)?;
-            strokes.passes.push(run.pass.clone());
+        for pass in passes_of_runs(runs) {
+            let (dressing, grinding) = work_of_pass(ready, &pass)?;
+            strokes.passes.push(pass.flanks());
             strokes.dressing.push(dressing);
             strokes.grinding.push(grinding);
         }
@@ -157,6 +145,11 @@ impl OnTangential {
         Ok(Self { run, strokes, tolerance_um: loaded.job.target.tolerance_um })
     }
 
+    /// How the job clamps its bodies.
+    pub fn technology(&self) -> &Technology {
+        &self.strokes.technology
+    }
+
     /// Follows a program and says what it makes of the flanks.
     ///
     /// # Errors
@@ -179,19 +172,12 @@ impl OnTangential {
 /// Motions of a pass over all that its flanks need.
 fn work_of_pass(
     ready: &TangentialPrepared,
-    runs: &Sides<Option<TangentialRun>>,
-    pass: &[Flank],
+    of_pass: &TangentialPass<'_>,
 ) -> Result<(DressingWork, GrindingWork), RunFailure> {
-    let of_pass: Vec<(Flank, &TangentialRun)> =
-        pass.iter().filter_map(|&flank| Some((flank, runs[flank].as_ref()?))).collect();
-    let first = of_pass.first().map(|(flank, run)| {
-        (TangentialFlank::new(&ready.model, *flank, pass, &run.settings, Measure::Ray), *run)
-    });
-    let Some((flank, run)) = first else { return Err(RunFailure::no_settings()) };
-    let ends = |f: &dyn Fn(&TangentialRun) -> [f64; 2]| extremes(of_pass.iter().flat_map(|(_, run)| f(run)));
-    let mut strokes = run.strokes;
-    strokes.dressing = ends(&|run| run.strokes.dressing);
-    strokes.feed = ends(&|run| run.strokes.feed);
+    let first = of_pass.runs.first().zip(of_pass.ground(ready));
+    let Some((&(first, run), flank)) = first else { return Err(RunFailure::no_settings()) };
+    let pass = of_pass.flanks();
+    let strokes = TangentialStrokes { dressing: of_pass.dressing(), feed: of_pass.feed(), ..run.strokes };
     let driven = DrivenMotions::of_flank(&flank, &strokes)?;
     let pair = &ready.model.pair;
     let sin_an = |flank: Flank| pair.work.data().pressure_angle[flank].sin();
@@ -200,11 +186,12 @@ fn work_of_pass(
         let f = pair.work.flank(flank);
         f.base_radius * f.base_helix_angle.cos()
     });
-    let shown = match pass {
+    let shown = match pass.as_slice() {
         [only] => format!("{} FLANK", only.name().to_uppercase()),
         _ => "BOTH FLANKS".to_owned(),
     };
     let contacts = of_pass
+        .runs
         .iter()
         .flat_map(|(flank, run)| {
             let rolls = equidistant(run.strokes.worm_rolls, CONTACTS);
@@ -220,7 +207,7 @@ fn work_of_pass(
     };
     let grinding = GrindingWork {
         name: format!("GRINDING {shown}"),
-        phase: driven.grinding.phase[pass[0]],
+        phase: driven.grinding.phase[first],
         motion: driven.grinding,
         feeds: driven.feed,
         per_turn: per_turn.fold(0.0, f64::max),

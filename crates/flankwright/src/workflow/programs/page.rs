@@ -3,6 +3,7 @@
 use super::build::BuiltProgram;
 use super::result::{AxisResult, ProgramResult, ProofResult};
 use super::run_programs::RunPrograms;
+use crate::geometry::Flank;
 use crate::machine::{Axis, Machine, Role, Station};
 use crate::motion::{PassReport, TraceRow};
 use crate::nc::{Block, Word};
@@ -31,9 +32,12 @@ pub(in crate::workflow) fn programs_report(programs: &RunPrograms) -> ProgramsRe
         programs: all.iter().map(|(_, result)| row(result)).collect(),
         stations: [Station::Dresser, Station::Work]
             .into_iter()
-            .filter_map(|station| {
+            .flat_map(|station| [None, Some(Flank::Left), Some(Flank::Right)].map(|lines| (station, lines)))
+            .filter_map(|(station, lines)| {
                 // The programs of further areas drive the same at another place along the worm.
-                let shown = |(built, _): &Shown<'_>| built.station == station && built.area == 0;
+                let shown = |(built, _): &Shown<'_>| {
+                    built.station == station && built.area == 0 && built.lines == lines
+                };
                 let of: Vec<Shown<'_>> = all.iter().copied().filter(shown).collect();
                 station_report(&programs.machine.machine, &of)
             })
@@ -60,11 +64,19 @@ fn proof(proof: &ProofResult) -> ProofReport {
     }
 }
 
+/// What a program does, in words.
+fn job_of(result: &ProgramResult) -> String {
+    match result.lines_of_flank {
+        Some(flank) => format!("{} the {flank} flank by lines", result.job),
+        None => result.job.into(),
+    }
+}
+
 fn row(result: &ProgramResult) -> ProgramRow {
     ProgramRow {
         file: result.file.clone(),
         control: result.control.into(),
-        job: result.job.into(),
+        job: job_of(result),
         blocks: result.blocks,
         time_s: result.duration_s,
     }
@@ -89,8 +101,11 @@ fn station_report(machine: &Machine, programs: &[Shown<'_>]) -> Option<StationRe
         }
     }
     Some(StationReport {
-        job: result.job.into(),
+        job: job_of(result),
         parameter: match built.station {
+            Station::Dresser if built.lines.is_some() => {
+                "worm position v_zS, the speed being the least along a line".into()
+            }
             Station::Dresser => "worm position v_zS".into(),
             Station::Work => "feed z_V2".into(),
         },
@@ -189,7 +204,7 @@ fn spindles(built: &BuiltProgram) -> Vec<SpindleRow> {
 }
 
 /// Curves of an axis in mm or deg; `None` if it jumps, as one without limits does.
-fn chart(axis: &Axis, word: &str, number: usize, rows: &[TraceRow]) -> Option<AxisChart> {
+pub(super) fn chart(axis: &Axis, word: &str, number: usize, rows: &[TraceRow]) -> Option<AxisChart> {
     let shown = |x: f64| axis.joint.shown(x);
     let curve = |of: &dyn Fn(&TraceRow) -> f64| -> Option<Vec<f64>> {
         rows.iter().map(|row| Some(shown(of(row))).filter(|x| x.abs() < JUMP)).collect()

@@ -2,7 +2,9 @@
 
 use super::build::{Built, BuiltProgram};
 use super::indexing::{Found, Indexing, Served, dressed_threads, ground_offsets};
+use super::lines::{NOT_COVERED, prove_lines};
 use super::result::{FlankProof, ProofResult, ThreadProof};
+use super::surroundings::Surroundings;
 use super::task::ProgramTask;
 use crate::exchange::Diagnostic;
 use crate::geometry::Sides;
@@ -81,22 +83,22 @@ fn largest(of: &Topography) -> f64 {
 }
 
 /// What digits may add to a speed, as a share.
-const SPEED_ROUNDING: f64 = 1e-3;
+pub(super) const SPEED_ROUNDING: f64 = 1e-3;
 /// A dressing stroke turns the worm with its thread at the given speed, and beside it by its corrections.
 const DRESSING_TURNS: f64 = 1.1;
 /// Rays of the coarse grid for every thread of the worm: over the profile and along the worm.
 pub(in crate::workflow) const THREAD_GRID: [usize; 2] = [5, 9];
 /// What the referee's own surface and solution may add to a comparison of two of its runs, um.
-const MARGIN_UM: f64 = 0.005;
+pub(super) const MARGIN_UM: f64 = 0.005;
 /// Chords count twice: as they stand, and with their corners rounded.
-const CHORDS: f64 = 2.0;
+pub(super) const CHORDS: f64 = 2.0;
 
-fn not_followed(program: &BuiltProgram, error: &MotionError) -> RunFailure {
+pub(super) fn not_followed(program: &BuiltProgram, error: &MotionError) -> RunFailure {
     let finding = Diagnostic::with_code(error.code(), format!("{}: {error}", program.file));
     RunFailure::not_producible(finding.field("machine").way_out(error.way_out()))
 }
 
-fn not_proven(text: String, way_out: &str) -> RunFailure {
+pub(super) fn not_proven(text: String, way_out: &str) -> RunFailure {
     let finding = Diagnostic::with_code("program-not-proven", text).field("machine");
     RunFailure::not_producible(finding.way_out(way_out.to_owned()))
 }
@@ -323,7 +325,7 @@ fn prove(
     let sought = Sought::of_task(task);
     let mut dressed = Vec::new();
     let mut ground: Vec<(usize, Vec<Served<GeneratingMotion>>)> = Vec::new();
-    for program in programs {
+    for program in programs.iter().filter(|program| program.lines.is_none()) {
         let refused = |error: MotionError| not_followed(program, &error);
         let tracked =
             track(&program.read, sought.machine, &program.words, &program.start).map_err(refused)?;
@@ -353,7 +355,7 @@ fn prove(
     // Dressing and grinding add up; of the programs of several areas the worst counts.
     let of_stations = |value: &dyn Fn(&PassReport) -> f64| -> f64 {
         let worst = |station: Station| {
-            let of_station = programs.iter().filter(|p| p.station == station);
+            let of_station = programs.iter().filter(|p| p.station == station && p.lines.is_none());
             of_station.flat_map(|p| &p.layout.passes).map(value).fold(0.0, f64::max)
         };
         worst(Station::Dresser) + worst(Station::Work)
@@ -390,7 +392,8 @@ fn prove(
             of.difference_um = of.difference_um.max(difference_um);
         }
     }
-    let (threads, faults) = sought.threads(&dressed, judge)?;
+    let (lines, threads_of_lines) = prove_lines(task, programs, &sought)?;
+    let (mut threads, faults) = sought.threads(&dressed, judge)?;
     if let Some(fault) = faults.first() {
         return Err(not_proven(format!("{files}: {}", fault.text), &fault.way_out));
     }
@@ -417,9 +420,13 @@ fn prove(
             THREAD_GRID[0],
             THREAD_GRID[1]
         ));
-    } else {
+    } else if lines.is_empty() {
         statement.push_str("; the worm is dressed by no program");
     }
+    for of_flank in &lines {
+        statement.push_str(&format!("; {}", of_flank.statement()));
+    }
+    threads.extend(threads_of_lines);
     statement.push_str(&format!(
         "; {teeth} of {teeth} tooth spaces ground in {index_strokes} index stroke{} of a pass",
         if index_strokes == 1 { "" } else { "s" }
@@ -430,7 +437,10 @@ fn prove(
             task.areas.len()
         ));
     }
-    let not_covered = not_covered(task);
+    let mut not_covered = not_covered(task);
+    if !lines.is_empty() {
+        not_covered.extend(NOT_COVERED.map(String::from));
+    }
     statement.push_str(&format!("; not proven: {}", not_covered.join(", ")));
     Ok(ProofResult {
         controls: vec![dialect.name()],
@@ -438,6 +448,7 @@ fn prove(
         flanks: of_flanks,
         threads_of_worm: task.indexing.threads,
         threads,
+        lines,
         thread_rays: THREAD_GRID,
         areas: task.areas.len(),
         tooth_spaces: teeth,
@@ -451,11 +462,15 @@ fn prove(
 
 /// What a proof says nothing of.
 fn not_covered(task: &ProgramTask<'_>) -> Vec<String> {
-    let mut not = vec!["approach, retraction and rapids against clamping and parts of the machine"];
+    let around = Surroundings::new(task.machine, &task.technology);
+    let unknown = around.not_covered().join(" and ");
+    let unknown = (!unknown.is_empty()).then(|| format!("approach, retraction and rapids against {unknown}"));
+    let mut not: Vec<String> = unknown.into_iter().chain(around.exchanged().map(String::from)).collect();
     if task.technology.dresser.is_none() && !task.dressing.is_empty() {
         not.push(
-            "approach, retraction and rapids of the worm against the dresser, for want of the worm's width",
+            "approach, retraction and rapids of the worm against the dresser, for want of the worm's width"
+                .into(),
         );
     }
-    not.into_iter().map(String::from).collect()
+    not
 }

@@ -37,10 +37,33 @@ pub struct ClearanceResult {
     pub checked: Vec<&'static str>,
     /// What was not.
     pub not_checked: Vec<&'static str>,
+    /// How near the worm and what its spindle carries come to clamping and machine over all blocks, the nearest first; empty where the
+    /// job and the machine's description name no such bodies.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub bodies: Vec<BodyClearance>,
+    /// Distance that is kept from them, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bodies_kept_mm: Option<f64>,
     /// Least distance, mm.
     pub least_mm: f64,
     /// Distance that is kept, mm.
     pub kept_mm: f64,
+}
+
+/// How near something comes to a body of clamping or machine.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct BodyClearance {
+    /// Its name.
+    pub body: String,
+    /// What comes near to it: the worm or a body that the worm's spindle carries.
+    pub of: String,
+    /// Least distance, mm, known to 0.02 mm.
+    pub least_mm: f64,
+    /// The program in which that is; empty where one text alone is checked.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub file: String,
+    /// Its block, from 1.
+    pub block: usize,
 }
 
 /// What an area of the worm is used for by a pass.
@@ -84,6 +107,9 @@ pub struct ProgramResult {
     pub control: &'static str,
     /// "dressing" or "grinding".
     pub job: &'static str,
+    /// The flank of the worm that a program dresses line by line; absent for others.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lines_of_flank: Option<&'static str>,
     /// Blocks that move axes.
     pub blocks: usize,
     /// Time of the whole program, ramps included.
@@ -130,7 +156,7 @@ pub struct PassResult {
     pub driven_mm: [f64; 2],
     /// Straight blocks of the stroke.
     pub blocks: usize,
-    /// Speed of the feed or the worm position.
+    /// Speed of the feed or the worm position; of lines the least speed along one.
     pub speed_mm_per_s: f64,
     /// Share of the wanted speed that the axes allow, where they slow it down.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -156,7 +182,10 @@ pub struct ProofResult {
     pub threads_of_worm: u32,
     /// Threads whose dressing was counted and put under rays; empty for a worm that no program dresses.
     pub threads: Vec<ThreadProof>,
-    /// Rays on each flank of each thread, over the profile and along the worm.
+    /// Flanks of the worm that are dressed line by line; empty for other worms.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub lines: Vec<LinesProof>,
+    /// Rays on each flank of each thread, over the profile and along the worm; a flank that is dressed by lines has its own.
     pub thread_rays: [usize; 2],
     /// Finishing areas of the worm: each is dressed, and ground with by a program of its own.
     pub areas: usize,
@@ -171,6 +200,43 @@ pub struct ProofResult {
     /// What the digits may add, dressing and grinding added up.
     pub rounding_um: f64,
     /// Difference from the run's own flank that blocks and digits explain.
+    pub allowed_difference_um: f64,
+}
+
+/// One flank of the worm whose lines were found in a text.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LinesProof {
+    /// "left" or "right".
+    pub flank: &'static str,
+    /// The program.
+    pub file: String,
+    /// Lines on each thread, all of them counted.
+    pub lines: usize,
+    /// Threads on which they were counted.
+    pub threads: usize,
+    /// Rays of the referee on each thread, across the lines at several places.
+    pub rays: usize,
+    /// Largest distance of a line from that of the plan, along the normal of the worm.
+    pub line_difference_um: f64,
+    /// Largest distance of a line from its place across the lines.
+    pub aside_um: f64,
+    /// Largest difference of a ray from that on the lines of the run.
+    pub ray_difference_um: f64,
+    /// Greatest height over the wanted worm flank on these rays.
+    pub scallop_um: f64,
+    /// Greatest depth below it.
+    pub undercut_um: f64,
+    /// Least distance of the disc from the worm's tip cylinder where it is outside the thread space.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub outside_mm: Option<f64>,
+    /// Least distance of its rounded tip from the counter flank inside the thread space, beside the lines.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub inside_mm: Option<f64>,
+    /// Deviation of straight blocks.
+    pub chords_um: f64,
+    /// What the digits may add.
+    pub rounding_um: f64,
+    /// Difference of a line from the plan's that blocks and digits explain.
     pub allowed_difference_um: f64,
 }
 
@@ -246,11 +312,36 @@ pub struct CheckedProgram {
     /// Threads of the worm that a dressing program dresses; empty without a job and for other programs.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub threads: Vec<ThreadProof>,
+    /// How near the worm and what its spindle carries come to clamping and machine; empty without a job or such bodies.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub bodies: Vec<BodyClearance>,
     /// What a milling program does to the whole part; absent for other programs.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub part: Option<PartProof>,
+    /// What a program that measures a skiving tool does for the measurement of the job; absent for other programs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub measuring: Option<CheckedMeasuring>,
     /// What does not fit machine or job.
     pub remarks: Vec<Remark>,
+}
+
+/// Recordings or scans of a checked program.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CheckedMeasuring {
+    /// Recordings or edges that the job wants.
+    pub wanted: usize,
+    /// Those that are as it wants them.
+    pub sound: usize,
+    /// Greatest way of the flank between where the ideal tool touches and its nominal place.
+    pub difference_um: f64,
+    /// Greatest distance of the beam's axis from where the contacts want it.
+    pub axis_distance_um: f64,
+    /// What digits explain of both.
+    pub allowed_um: f64,
+    /// In words.
+    pub statement: String,
+    /// What the check says nothing of.
+    pub not_covered: Vec<String>,
 }
 
 /// One axis of a checked program. mm or degrees, per second.
@@ -347,6 +438,7 @@ fn program_result(task: &ProgramTask<'_>, program: &BuiltProgram) -> ProgramResu
             Station::Dresser => "dressing",
             Station::Work => "grinding",
         },
+        lines_of_flank: program.lines.map(crate::geometry::Flank::name),
         blocks: program.layout.program.blocks().iter().filter(moves).count(),
         duration_s: trace.duration(),
         axes,

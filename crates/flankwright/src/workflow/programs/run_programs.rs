@@ -46,7 +46,7 @@ impl RunPrograms {
         judge: &impl Judge,
     ) -> Result<Self, RunFailure> {
         let begun = Instant::now();
-        let built = task.build()?;
+        let built = task.build().map_err(|failure| task.with_ways(failure))?;
         let written = begun.elapsed().as_secs_f64();
         let proofs = proofs(task, &built, flanks, judge)?;
         let result = ProgramsResult::new(task, &built, proofs);

@@ -1,6 +1,7 @@
 //! What programs are made from: a machine, its controls, the motions of a run. Knows no text.
 
 use super::indexing::Indexing;
+use super::lines::LineWork;
 use super::technology::Technology;
 use crate::exchange::job::Program as DialectName;
 use crate::exchange::machine::{LoadedMachine, read_machine};
@@ -55,6 +56,8 @@ pub struct ProgramTask<'a> {
     pub technology: Technology,
     /// Dressing strokes in their order.
     pub dressing: Vec<DressingWork>,
+    /// Flanks of the worm that a disc writes line by line.
+    pub(in crate::workflow) lines: Vec<LineWork<'a>>,
     /// Grinding strokes in their order.
     pub grinding: Vec<GrindingWork>,
     /// Threads of the worm and index strokes of the workpiece: each stroke is driven for every one of them.

@@ -1,10 +1,12 @@
 //! How fast a machine works and how the bodies are clamped in it, as a job says.
 
 use super::clearance::Cylinders;
-use crate::exchange::job::{Clamping, Machine as JobMachine};
+use crate::exchange::TangentialJob;
+use crate::exchange::job::{BODY_CLEARANCE, Clamping, ClampingBody, Machine as JobMachine};
 use crate::kinematics::MotionLaw;
 use crate::machine::{Mount, Mounts};
 use crate::process::generating::GrindingSetup;
+use crate::workflow::tangential::TangentialPrepared;
 use std::f64::consts::TAU;
 
 /// Speeds, clamping and passes. mm, rad, s.
@@ -41,9 +43,13 @@ pub struct Technology {
     pub cylinders: Option<Cylinders>,
     /// Worm and dresser, which a dressing stroke begins and ends clear of each other; `None` for a worm without a stated width.
     pub dresser: Option<Cylinders>,
+    /// What holds the gear.
+    pub clamping: Vec<ClampingBody>,
+    /// Distance that programs keep from it and from the machine's bodies, mm.
+    pub body_clearance: f64,
 }
 
-/// Defaults: cutting speed in m/s, speeds in 1/min, clearance in mm, feed in mm per revolution.
+/// Defaults: cutting speed in m/s, speeds in 1/min, clearances in mm, feed in mm per revolution.
 const CUTTING_SPEED: f64 = 50.0;
 const DRESSING_WORM_SPEED: f64 = 60.0;
 const DRESSER_SPEED: f64 = 4000.0;
@@ -65,6 +71,20 @@ impl Technology {
             half_width: 0.5 * blank.face_width,
         };
         Self { cylinders: Some(cylinders), ..Self::new(job, sizes, feed_per_revolution) }
+    }
+
+    /// As the job says, for the worm of a run of tangential dressing.
+    pub fn of_tangential(machine: &JobMachine, ready: &TangentialPrepared, job: &TangentialJob) -> Self {
+        let worm = ready.model.pair.worm.data();
+        let hand = if worm.helix_angle < 0.0 { -1.0 } else { 1.0 };
+        let sizes = (hand, ready.worm_tip_radius, worm.normal_module, job.worm.width);
+        let cylinders = Cylinders {
+            worm_radius: ready.worm_tip_radius,
+            worm_half_width: job.worm.width.map(|width| 0.5 * width),
+            radius: 0.5 * ready.blank.tip_diameter,
+            half_width: 0.5 * ready.blank.face_width,
+        };
+        Self { cylinders: Some(cylinders), ..Self::new(machine, sizes, job.grinding.feed_per_revolution) }
     }
 
     /// With the dresser of this tip radius as a disc of its reach, for a worm with a stated width.
@@ -107,6 +127,8 @@ impl Technology {
             roughing_shift: Vec::new(),
             cylinders: None,
             dresser: None,
+            clamping: job.clamping.clone(),
+            body_clearance: job.body_clearance.unwrap_or(BODY_CLEARANCE),
         }
     }
 }

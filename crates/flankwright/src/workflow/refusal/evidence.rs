@@ -1,6 +1,8 @@
 //! What a refused job of generating grinding shows: the candidates that planning judged, and pictures of what limits.
 
+use super::super::execution::Execution;
 use super::super::prepare::{Prepared, prepare};
+use super::super::programs::{BeyondTravel, beyond_travel_of_grinding};
 use super::super::result::CandidateResult;
 use crate::exchange::job::DiagonalRatio;
 use crate::exchange::{Diagnostic, LoadedJob};
@@ -8,7 +10,7 @@ use crate::geometry::Flank;
 use crate::numerics::equidistant;
 use crate::process::generating::{Candidate, FeedLaw, GeneratingError};
 use crate::report::Figure;
-use crate::report::charts::{ChartError, LineChart, Panel, Series, YScale, line_chart};
+use crate::report::charts::{ChartError, LineChart, Panel, Series, YScale, axis_chart, line_chart};
 use serde::Serialize;
 
 /// A ratio that could not be judged.
@@ -30,6 +32,8 @@ pub(super) struct Evidence {
     tolerance_um: f64,
     /// The ratio that the job gives.
     given: Option<f64>,
+    /// Axes of the machine whose travel does not suffice, where that is what refused the job.
+    beyond: Vec<BeyondTravel>,
 }
 
 /// Places at which a curve is drawn.
@@ -39,22 +43,31 @@ const DECADES: f64 = 50.0;
 
 impl Evidence {
     /// Goes the way of planning again. A job whose bodies cannot even be put together shows none.
-    pub fn of_job(loaded: &LoadedJob) -> Option<Self> {
+    pub fn of_job(loaded: &LoadedJob, finding: &Diagnostic) -> Option<Self> {
         let prepared = prepare(loaded).ok()?;
-        let (candidates, failed) = match &loaded.job.settings {
+        let (execution, candidates, failed) = match &loaded.job.settings {
             // Settings were run, nothing was chosen.
-            Some(_) => (Vec::new(), Vec::new()),
+            Some(settings) => {
+                (Execution::of_settings(loaded, &prepared, settings).ok(), Vec::new(), Vec::new())
+            }
             None => match prepared.task(&loaded.job).plan_or_tried() {
-                Ok(plan) => (plan.choice.candidates, plan.choice.failed),
-                Err(refused) => (refused.candidates, refused.failed),
+                Ok(plan) => {
+                    let execution = Execution::of_plan(&loaded.job, &prepared, &plan);
+                    (Some(execution), plan.choice.candidates, plan.choice.failed)
+                }
+                Err(refused) => (None, refused.candidates, refused.failed),
             },
+        };
+        let beyond = match execution.filter(|_| finding.code == "axis-limit" && is_of_machine(finding)) {
+            Some(execution) => beyond_travel_of_grinding(loaded, &prepared, &execution),
+            None => Vec::new(),
         };
         let tolerance_um = prepared.tolerance.tightest() * 1e3;
         let given = match loaded.job.grinding.diagonal_ratio {
             Some(DiagonalRatio::Number(ratio)) => Some(ratio),
             _ => None,
         };
-        Some(Self { prepared, candidates, failed, tolerance_um, given })
+        Some(Self { prepared, candidates, failed, tolerance_um, given, beyond })
     }
 
     /// The candidates in the order in which they were judged.
@@ -79,10 +92,18 @@ impl Evidence {
     /// # Errors
     /// A number that is not finite.
     pub fn figures(&self, finding: &Diagnostic) -> Result<Vec<Figure>, ChartError> {
-        let on_machine = finding.field.as_deref().is_some_and(|field| field.starts_with("machine"));
         let mut figures = Vec::new();
-        if !on_machine {
+        if !is_of_machine(finding) {
             figures.extend(self.over_the_ratio(finding.code)?);
+        }
+        for of in &self.beyond {
+            let Some(chart) = &of.chart else { continue };
+            let ([a, b], [from, to]) = (of.needed, of.travel);
+            let caption = format!(
+                "{} over {} as the bodies need it, on a machine with longer ways: {a:.1} to {b:.1} {}. Its travel is {from:.1} to {to:.1} {}.",
+                of.axis, of.file, of.unit, of.unit
+            );
+            figures.push(Figure { svg: axis_chart(chart)?, caption });
         }
         figures.extend(self.reach()?);
         Ok(figures)
@@ -177,6 +198,11 @@ impl Evidence {
         let caption = "Diameter of the worm that grinds each evaluated diameter of the gear, without modification; a modification moves it a little.".into();
         Ok(Some(Figure { svg, caption }))
     }
+}
+
+/// Whether the machine refuses the job, not its bodies.
+fn is_of_machine(finding: &Diagnostic) -> bool {
+    finding.field.as_deref().is_some_and(|field| field.starts_with("machine"))
 }
 
 /// A figure of the candidates with its limit.

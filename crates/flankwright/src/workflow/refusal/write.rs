@@ -23,7 +23,7 @@ pub fn write_refusal(
     // Bodies that cannot be put together are the reason itself.
     let bodies = derived_geometry(job).ok().map(|(bodies, _)| bodies);
     let evidence = match job {
-        AnyJob::Grinding(loaded) => Evidence::of_job(loaded),
+        AnyJob::Grinding(loaded) => Evidence::of_job(loaded, finding),
         _ => None,
     };
     let document = serde_json::json!({

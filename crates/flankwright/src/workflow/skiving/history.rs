@@ -92,7 +92,8 @@ fn record(
     measurement: &Measurement,
 ) -> HistoryRecord {
     let sigma = measurement.deviations(bodies);
-    let teeth = bodies.teeth() as f64;
+    // The means are those of the whole teeth.
+    let teeth = measurement.evaluation.count().max(1) as f64;
     let flank = |flank: Flank| {
         let noise = 1e3 * root_mean_square(&sigma[flank]) / teeth.sqrt();
         RecordedFlank {

@@ -2,7 +2,7 @@
 
 use super::finding::{failure, of_readings};
 use super::prepare::SkivingBodies;
-use super::resharpening::Resharpening;
+use super::resharpening::{Resharpening, states};
 use crate::exchange::Diagnostic;
 use crate::exchange::skiving_job::SkivingJob;
 use crate::geometry::Sides;
@@ -14,7 +14,7 @@ use crate::process::skiving::evaluation::{
 use crate::process::skiving::measuring::{
     BarrierData, Noise, Reading, RealTool, Sense, Switches, nominal_angle, readings, switches,
 };
-use crate::process::skiving::wear::{GrowthOptions, ToothPositions, WearError, edge_growths, regrind};
+use crate::process::skiving::wear::{GrowthOptions, ToothPositions, WearError, edge_growths, regrind_edges};
 use crate::process::skiving::{MeasuringTrack, SettingFit, SkivingError};
 use crate::workflow::finding::RunFailure;
 use std::collections::{BTreeMap, BTreeSet};
@@ -205,8 +205,10 @@ fn resharpening(
         resolution: GROWTH_RESOLUTION,
     };
     let growths = edge_growths(&bodies.flanks, &evaluation.remaining, &options).map_err(on)?;
-    let depth = regrind(&bodies.flanks, &growths.growth).map_err(on)?;
-    Ok(Resharpening::new(evaluation, &growths, &depth))
+    let incomplete = measured.incomplete();
+    let states = states(evaluation, &growths, &incomplete);
+    let depth = regrind_edges(&bodies.flanks, &states).map_err(on)?;
+    Ok(Resharpening::new(evaluation, &growths, (&states, &depth), &incomplete))
 }
 
 /// Standard deviation of a mean deviation on every track, mm.

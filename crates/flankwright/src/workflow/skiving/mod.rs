@@ -2,6 +2,7 @@
 //! and of the workpiece to come, correction of the setting, calibration, scan, history, files.
 
 mod calibration;
+mod check;
 mod conventional;
 pub(in crate::workflow) mod finding;
 mod history;
@@ -24,11 +25,13 @@ mod tables;
 mod verdict;
 mod write;
 
+pub use check::SkivingCheck;
 pub use measurement::{Measurement, Taken};
 pub use model::MeasuringModel;
 pub use prepare::{SkivingBodies, prepare_skiving};
-pub(in crate::workflow) use program_work::prove_text;
-pub use resharpening::{DecidingEdge, EdgeResharpening, Resharpening, ToothResharpening};
+pub use resharpening::{
+    BrokenEdge, DecidingCause, DecidingEdge, EdgeResharpening, Resharpening, ToothResharpening, WithoutBroken,
+};
 pub use result::*;
 pub use run::{SkivingOutcome, inspect_skiving, run_skiving, simulate_skiving};
 pub use write::write_skiving;

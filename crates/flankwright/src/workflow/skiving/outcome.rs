@@ -169,6 +169,9 @@ pub(super) fn measurement_result(bodies: &SkivingBodies, m: &Measurement) -> Mea
         resharpening: ResharpeningResult {
             depth_mm: m.resharpening.depth_mm,
             axial_depth_mm: m.resharpening.axial_depth_mm,
+            without_broken: m.resharpening.without_broken,
+            broken: m.resharpening.broken.clone(),
+            not_covered: m.resharpening.not_covered.clone(),
         },
         sigma_um: by_flank(&sigma),
     }

@@ -1,16 +1,14 @@
-//! From a job to its measuring programs, and any text held against the job.
+//! From a job to its measuring programs.
 
-use super::prepare::{SkivingBodies, prepare_skiving};
+use super::prepare::SkivingBodies;
 use super::programs::{
-    MeasuringWork, Proof, Retreat, ScanWork, ToolMachining, ToolProgram, measuring_programs, prove_measuring,
-    prove_scan, scan_programs,
+    MeasuringWork, Retreat, ScanWork, ToolMachining, ToolProgram, measuring_programs, scan_programs,
 };
 use super::scan::Scan;
 use crate::exchange::LoadedSkivingJob;
 use crate::exchange::machine::LoadedMachine;
 use crate::exchange::skiving_job::{SkivingJob, SkivingMachine, Stylus};
 use crate::machine::Mount;
-use crate::nc::Dialect;
 use crate::numerics::Progress;
 use crate::workflow::finding::RunFailure;
 use crate::workflow::programs::machine_of_job;
@@ -45,33 +43,8 @@ pub(super) fn programs(
     Ok(programs)
 }
 
-/// Holds any text against the measurement of a job, or against its scan.
-///
-/// # Errors
-/// [`RunFailure`]: a text that measures something else, a job without `[machine]`.
-pub(in crate::workflow) fn prove_text(
-    loaded: &LoadedSkivingJob,
-    machine: &LoadedMachine,
-    dialect: Dialect,
-    text: &str,
-) -> Result<(&'static str, Proof), RunFailure> {
-    let job = &loaded.job;
-    let bodies = prepare_skiving(loaded)?;
-    let none = SkivingMachine::default();
-    let machining = machining(job, job.machine.as_ref().unwrap_or(&none), machine);
-    let measured = prove_measuring(&measuring_work(job, &bodies), &machining, dialect, text);
-    match (measured, &job.stylus) {
-        (Ok(proof), _) => Ok(("measuring", proof)),
-        (Err(failure), None) => Err(failure),
-        (Err(failure), Some(given)) => {
-            let scan = super::scan::scan(&bodies, given, None)?;
-            let work = scan_work(job, &bodies, given, &scan);
-            prove_scan(&work, &machining, dialect, text).map(|proof| ("scan", proof)).map_err(|_| failure)
-        }
-    }
-}
-
-fn machining<'a>(
+/// The machine of a job, and how its tool sits in it.
+pub(super) fn machining<'a>(
     job: &'a SkivingJob,
     given: &SkivingMachine,
     machine: &'a LoadedMachine,
@@ -85,7 +58,8 @@ fn machining<'a>(
     }
 }
 
-fn measuring_work<'a>(job: &'a SkivingJob, bodies: &'a SkivingBodies) -> MeasuringWork<'a> {
+/// What a job measures at the light barrier.
+pub(super) fn measuring_work<'a>(job: &'a SkivingJob, bodies: &'a SkivingBodies) -> MeasuringWork<'a> {
     MeasuringWork {
         job: &job.job.name,
         flanks: &bodies.flanks,
@@ -96,7 +70,8 @@ fn measuring_work<'a>(job: &'a SkivingJob, bodies: &'a SkivingBodies) -> Measuri
     }
 }
 
-fn scan_work<'a>(
+/// What a job scans.
+pub(super) fn scan_work<'a>(
     job: &'a SkivingJob,
     bodies: &'a SkivingBodies,
     given: &'a Stylus,

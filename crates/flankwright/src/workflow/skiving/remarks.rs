@@ -2,6 +2,7 @@
 
 use super::measurement::Measurement;
 use super::prepare::SkivingBodies;
+use super::resharpening::Resharpening;
 use super::result::{CalibrationResult, CorrectionResult, SkivedFlankResult};
 use crate::exchange::skiving_job::SkivingJob;
 use crate::process::skiving::measuring::Sense;
@@ -69,6 +70,7 @@ pub(super) fn warnings(found: &Findings<'_>) -> Vec<Remark> {
         let text = if teeth.len() == 1 { text } else { text.replace("does not", "do not") };
         warn("teeth-left-out", text, "look there for chips and built-up edges");
     }
+    of_resharpening(&measurement.resharpening, &mut warn);
     if let Some(correction) = found.correction.filter(|correction| !correction.at_limit.is_empty()) {
         let text = format!("the correction ends at the limit of {}", correction.at_limit.join(", "));
         let way_out =
@@ -76,6 +78,36 @@ pub(super) fn warnings(found: &Findings<'_>) -> Vec<Remark> {
         warn("correction-at-limit", text, way_out);
     }
     warnings
+}
+
+/// What broken teeth do to the depth of the next grinding.
+fn of_resharpening(found: &Resharpening, warn: &mut impl FnMut(&'static str, String, &str)) {
+    let deepest = found.broken.iter().max_by(|a, b| a.depth_mm.total_cmp(&b.depth_mm));
+    if let Some(edge) = deepest.filter(|edge| edge.depth_mm > 0.0) {
+        let text = format!(
+            "the chip of tooth {} ({} edge, {:.0} um missing) asks for at least {:.0} um off the rake faces; the edges that are not broken ask for {:.0} um",
+            edge.tooth,
+            edge.flank,
+            edge.missing_um,
+            1e3 * edge.depth_mm,
+            1e3 * found.without_broken.depth_mm
+        );
+        let way_out = "look how far the chips reach down the clearance faces before grinding; or grind for the whole edges and leave the chips";
+        warn("chips-to-grind-off", text, way_out);
+    }
+    if !found.not_covered.is_empty() {
+        let teeth: Vec<String> = found.not_covered.iter().map(ToString::to_string).collect();
+        let which = if teeth.len() == 1 { "tooth" } else { "teeth" };
+        let text = format!(
+            "the depth of resharpening does not count {which} {}: without all switches it is not known how deep they are broken",
+            teeth.join(", ")
+        );
+        warn(
+            "resharpening-not-covered",
+            text,
+            "measure these breaks another way, or leave these teeth broken",
+        );
+    }
 }
 
 fn of_calibration(

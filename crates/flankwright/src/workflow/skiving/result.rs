@@ -1,6 +1,7 @@
 //! `result.json` of measuring a skiving tool, with units in the key names. Teeth count from 0, tracks from 1.
 
 use super::programs::ToolProgramResult;
+use super::resharpening::{BrokenEdge, WithoutBroken};
 use crate::process::skiving::wear::WearTrend;
 use crate::verdict::Verdict;
 use crate::workflow::finding::Remark;
@@ -242,12 +243,18 @@ pub struct ProfileResult {
 }
 
 /// What grinding the tool again has to take off.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ResharpeningResult {
-    /// Depth off the rake faces along their normal.
+    /// Depth off the rake faces along their normal: for worn and broken edges.
     pub depth_mm: f64,
     /// The same along the tool's axis.
     pub axial_depth_mm: f64,
+    /// The same without the broken edges, whose chips then stay.
+    pub without_broken: WithoutBroken,
+    /// Broken edges, each with the depth that takes its chip away.
+    pub broken: Vec<BrokenEdge>,
+    /// Teeth that lack a switch: how deep they are broken is not known, and the depth does not count them.
+    pub not_covered: Vec<usize>,
 }
 
 /// A tooth's flank.

@@ -170,7 +170,7 @@ fn worn(
             format!(
                 "the tool is worn ({flank} flank): {missing:.2} um are missing on a track in the mean, {limit} um are allowed"
             ),
-            "grind the tool again; resharpening.csv tells how deep",
+            "grind the tool again; resharpening.csv tells how deep, with and without broken edges",
         )
     });
 }

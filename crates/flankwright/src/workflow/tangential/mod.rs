@@ -3,6 +3,7 @@
 
 mod flank;
 mod page;
+mod passes;
 mod plan;
 mod prepare;
 mod preview;
@@ -16,6 +17,7 @@ mod tables;
 mod write;
 
 pub use flank::TangentialRun;
+pub(super) use passes::{TangentialPass, passes_of_runs};
 pub use prepare::{TangentialPrepared, WantedFlank, prepare_tangential};
 pub(super) use preview::{PreviewedPass, preview_passes};
 pub(super) use referee::{DrivenMotions, referee, worm_rays};

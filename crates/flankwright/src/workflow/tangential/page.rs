@@ -15,6 +15,7 @@ use crate::report::tangential::{
     VariableRow,
 };
 use crate::report::{Quantity, Section, Warning, html};
+use crate::workflow::control::control_report;
 use crate::workflow::page::{
     TWO_CALCULATIONS, flank_report, gear_quantities, grinding_motion, motion_over, referee_stages,
     target_amounts,
@@ -103,7 +104,16 @@ fn common(
             Some(motion_over(&motion, (from, to)))
         }),
         strokes: Sides { left: Vec::new(), right: Vec::new() },
-        control: None,
+        control: result
+            .control
+            .as_ref()
+            .map(|control| {
+                control_report(control, |flank| {
+                    let f = &result.flanks.get(flank.name())?.flank;
+                    Some((f.w_mm.clone(), f.z_mm.clone()))
+                })
+            })
+            .transpose()?,
         programs: outcome.programs.as_ref().map(programs_report),
         warnings: result
             .warnings

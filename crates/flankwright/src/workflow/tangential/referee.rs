@@ -10,7 +10,7 @@ use crate::removal::{
     WormModification, dress_in_strokes, grind,
 };
 use crate::workflow::finding::RunFailure;
-use crate::workflow::referee::{StageReport, Verdict, rayed, stock};
+use crate::workflow::referee::{RayedWorm, StageReport, Verdict, rayed, stock};
 
 /// Distance of the outermost worm rays from the ends of the dressed length, mm.
 const WORM_MARGIN: f64 = 0.5;
@@ -25,6 +25,8 @@ pub struct Refereed {
     pub sample: (RayGrid, Vec<f64>),
     /// Bound of the sample's own error, um.
     pub sample_error_um: f64,
+    /// The worm that the rays of the gear met.
+    pub(in crate::workflow) worm: RayedWorm,
 }
 
 /// Motions that are really driven.
@@ -124,5 +126,6 @@ pub fn referee(
         },
         sample_error_um: asked.error_um,
         sample: (sample, asked.lengths().map_err(refused)?),
+        worm: dressed,
     })
 }

@@ -3,6 +3,7 @@
 use super::plan::PassPlan;
 use crate::exchange::tangential_job::TangentialSettings;
 use crate::verdict::Verdict;
+use crate::workflow::control::ControlResult;
 use crate::workflow::finding::Remark;
 use crate::workflow::programs::ProgramsResult;
 use crate::workflow::result::FlankResult;
@@ -31,6 +32,9 @@ pub struct TangentialResult {
     pub flanks: BTreeMap<&'static str, TangentialFlankResult>,
     /// The passes in their order.
     pub passes: Vec<PassResult>,
+    /// What gearbox and servo leave; absent unless the job describes its control.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub control: Option<ControlResult>,
     /// NC programs with their proof; absent without a machine.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub programs: Option<ProgramsResult>,

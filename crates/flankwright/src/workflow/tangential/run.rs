@@ -15,9 +15,12 @@ use crate::geometry::{Flank, Sides};
 use crate::numerics::Progress;
 use crate::process::tangential_dressing::{FitLimits, TangentialError};
 use crate::verdict::Verdict;
+use crate::workflow::control::control_of_tangential;
 use crate::workflow::face_names::face_names_remark;
 use crate::workflow::finding::{Remark, RunFailure};
-use crate::workflow::flank_verdict::{judge_clearance, judge_flank, judge_programs, leave_other_flanks};
+use crate::workflow::flank_verdict::{
+    judge_clearance, judge_control, judge_flank, judge_programs, leave_other_flanks,
+};
 use crate::workflow::programs::{RunPrograms, programs_of_tangential};
 use crate::workflow::release::Release;
 use crate::workflow::run::output_warnings;
@@ -119,6 +122,11 @@ fn finish(
     let lengths = worm_lengths(&passes, &runs);
     check_worm_width(job, &runs, &passes, lengths)?;
     warnings.extend(shared_pass_warning(&passes));
+    let controlling = Instant::now();
+    let (control, alarms) = control_of_tangential(loaded, &ready, &runs)?.unzip();
+    if control.is_some() {
+        timing.insert("control", controlling.elapsed().as_secs_f64());
+    }
     let programs = programs_of_tangential(loaded, &ready, &runs)?;
     if let Some(programs) = &programs {
         timing.insert("programs", programs.seconds[0]);
@@ -126,6 +134,7 @@ fn finish(
     }
     warnings.extend(output_warnings(&job.output, job.machine.is_some()));
     warnings.extend(programs.iter().flat_map(|programs| programs.warnings.iter().cloned()));
+    warnings.extend(alarms.unwrap_or_default());
     let sensitivities = sensitivities(job, &ready, &passes).map_err(failed)?;
     let tolerance = job.target.tolerance_um;
     let mut verdict = Verdict::new();
@@ -134,6 +143,7 @@ fn finish(
         judge_flank(&mut verdict, name, flank, tolerance, met, || missed(job, &flanks, &passes));
     }
     leave_other_flanks(&mut verdict, &flanks);
+    judge_control(&mut verdict, control.as_ref(), tolerance);
     let made = programs.as_ref().map(|programs| &programs.result);
     judge_programs(&mut verdict, made, tolerance, |name| flanks[name].flank.tolerance_share);
     if let Some(made) = made {
@@ -152,6 +162,7 @@ fn finish(
         settings: settings_result(job, &ready, &passes, lengths),
         flanks,
         passes: passes.iter().filter_map(|p| p.plan.as_ref().map(PassResult::from)).collect(),
+        control,
         programs: programs.as_ref().map(|programs| programs.result.clone()),
         sensitivities,
         timing_s: timing,

@@ -25,7 +25,7 @@ use crate::geometry::{Flank, Sides};
 use mounting::mounting;
 use pitch::pitch;
 use profile::profile_verdict;
-use standing_out::{beyond_median, standing_out};
+use standing_out::{StandingOut, beyond_median, standing_out};
 
 /// Whose deviations make clocking, means, pitch and correction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,6 +53,8 @@ pub struct Evaluation {
     pub profile: ProfileVerdict,
     /// Teeth that count for clocking, means, mounting and correction: measured whole, and not standing out.
     pub counting: Vec<bool>,
+    /// The edges that stand out, of the teeth that are left out: the left flank first, teeth ascending.
+    pub standing_out: Vec<(Flank, usize)>,
 }
 
 impl Evaluation {
@@ -112,12 +114,13 @@ fn of_teeth(
     let teeth = deviations.teeth();
     let mut present = vec![true; teeth];
     missing.iter().for_each(|switch| present[switch.tooth] = false);
-    let left_out = match rule {
+    let found = match rule {
         Counting::Whole => standing_out(deviations, &present),
         Counting::All => {
             beyond_median(flanks, deviations, &mounting(flanks, deviations, &present, Vec::new()))
         }
     };
+    let StandingOut { teeth: left_out, edges: standing_out } = found;
     let whole: Vec<bool> = (0..teeth).map(|tooth| present[tooth] && !left_out.contains(&tooth)).collect();
     let mut mounting = mounting(flanks, deviations, &whole, left_out);
     let clocking = match rule {
@@ -151,5 +154,5 @@ fn of_teeth(
     let remaining = clocked
         .map(|flank, track, tooth, f| f - mounting.rigid_part(&flanks[flank].tracks[track].0, tooth, teeth));
     let profile = profile_verdict(flanks, &remaining, (&counting, &present), options)?;
-    Ok(Evaluation { clocking, clocked, pitch, mounting, remaining, profile, counting })
+    Ok(Evaluation { clocking, clocked, pitch, mounting, remaining, profile, counting, standing_out })
 }

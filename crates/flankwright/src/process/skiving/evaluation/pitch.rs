@@ -2,9 +2,8 @@
 
 use super::Deviations;
 use crate::geometry::{Flank, Sides};
-use crate::numerics::extremes;
+use crate::numerics::{Harmonic, extremes};
 use crate::process::skiving::measuring::FlankTracks;
-use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
 
 /// Pitch of the tooth centres and thickness at the middle track. mm, rad.
@@ -60,15 +59,12 @@ pub(super) fn pitch(flanks: &Sides<FlankTracks>, angles: &Deviations, counting: 
 /// Cosine and sine part of the wave of one period that fits the teeth which count best. Of all teeth these are the sums of Fourier.
 fn first_harmonic(centres: &[f64], counting: &[bool]) -> [f64; 2] {
     let count = centres.len() as f64;
-    let (mut normal, mut right) = (Matrix3::zeros(), Vector3::zeros());
-    for (tooth, centre) in centres.iter().enumerate().filter(|(tooth, _)| counting[*tooth]) {
-        let (sin, cos) = (TAU * tooth as f64 / count).sin_cos();
-        let row = Vector3::new(1.0, cos, sin);
-        normal += row * row.transpose();
-        right += row * *centre;
-    }
-    normal.try_inverse().map_or([0.0; 2], |inverse| {
-        let wave: Vector3<f64> = inverse * right;
+    let rows = || {
+        let taken = centres.iter().enumerate().filter(|(tooth, _)| counting[*tooth]);
+        taken.map(|(tooth, centre)| (Harmonic::row(TAU * tooth as f64 / count), *centre))
+    };
+    Harmonic::over(rows().map(|(row, _)| row)).map_or([0.0; 2], |fit| {
+        let wave = fit.through(rows());
         [wave[1], wave[2]]
     })
 }

@@ -7,7 +7,7 @@
 
 use super::{Deviations, Mounting};
 use crate::geometry::{Flank, Sides};
-use crate::numerics::{root_mean_square, student_quantile};
+use crate::numerics::{Harmonic, root_mean_square, student_quantile};
 use crate::process::skiving::measuring::{FlankTracks, Noise};
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
@@ -32,16 +32,39 @@ const OF_MEDIAN: f64 = 1.4826;
 /// First number of the triples' random sequence.
 const SEED: u64 = 60;
 
-/// Teeth that stand out among those with `present`, ascending.
-pub(super) fn standing_out(deviations: &Deviations, present: &[bool]) -> Vec<usize> {
+/// What stands out.
+#[derive(Clone, Debug, Default)]
+pub(super) struct StandingOut {
+    /// Teeth, ascending.
+    pub teeth: Vec<usize>,
+    /// Which of their edges do, the left flank first, teeth ascending.
+    pub edges: Vec<(Flank, usize)>,
+}
+
+/// What stands out among the teeth with `present`.
+pub(super) fn standing_out(deviations: &Deviations, present: &[bool]) -> StandingOut {
     let waves = Waves::new(deviations);
     let there: Vec<usize> = (0..present.len()).filter(|&tooth| present[tooth]).collect();
     if there.len() < FEWEST {
-        return Vec::new();
+        return StandingOut::default();
     }
-    let Some(start) = waves.closest_half(&there) else { return Vec::new() };
-    let kept = waves.kept(&there, start);
-    there.into_iter().filter(|tooth| !kept.contains(tooth)).collect()
+    let Some(start) = waves.closest_half(&there) else { return StandingOut::default() };
+    let Kept { teeth, far } = waves.kept(&there, start);
+    // Rows are those of the left flank first.
+    let left = deviations.of.left.len();
+    let edge = |(row, tooth): (usize, usize)| (if row < left { Flank::Left } else { Flank::Right }, tooth);
+    StandingOut {
+        teeth: there.into_iter().filter(|tooth| !teeth.contains(tooth)).collect(),
+        edges: in_order(far.into_iter().map(edge)),
+    }
+}
+
+/// Each edge once, the left flank first, teeth ascending.
+fn in_order(edges: impl Iterator<Item = (Flank, usize)>) -> Vec<(Flank, usize)> {
+    let mut edges: Vec<(Flank, usize)> = edges.collect();
+    edges.sort_by_key(|(flank, tooth)| (*flank == Flank::Right, *tooth));
+    edges.dedup();
+    edges
 }
 
 /// The teeth that spec 60 section 8 leaves out of the mounting: with a residual of the fit to all teeth beyond 3.5 standard deviations, these
@@ -51,17 +74,21 @@ pub(super) fn beyond_median(
     flanks: &Sides<FlankTracks>,
     deviations: &Deviations,
     all: &Mounting,
-) -> Vec<usize> {
+) -> StandingOut {
     let teeth = deviations.teeth();
     let residuals = deviations.map(|flank, track, tooth, f| {
         f - all.rigid_part(&flanks[flank].tracks[track].0, tooth, teeth) - all.constants[flank][track]
     });
     let limit =
         SURE.max(3.5 * OF_MEDIAN * median(&mut residuals.iter().map(|(.., r)| r.abs()).collect::<Vec<_>>()));
-    let far =
-        |tooth: usize| residuals.iter().any(|(_, _, of, residual)| of == tooth && residual.abs() > limit);
+    let far = residuals.iter().filter(|(.., residual)| residual.abs() > limit);
+    let edges = in_order(far.map(|(flank, _, tooth, _)| (flank, tooth)));
+    let far = |tooth: usize| edges.iter().any(|(_, of)| *of == tooth);
     let found: Vec<usize> = (0..teeth).filter(|&tooth| far(tooth)).collect();
-    if found.len() > teeth / 4 { Vec::new() } else { found }
+    if found.len() > teeth / 4 {
+        return StandingOut::default();
+    }
+    StandingOut { teeth: found, edges }
 }
 
 /// All rows of a measurement over the same teeth.
@@ -75,21 +102,15 @@ impl<'a> Waves<'a> {
     fn new(deviations: &'a Deviations) -> Self {
         let rows = Flank::BOTH.into_iter().flat_map(|flank| deviations.of[flank].iter().map(Vec::as_slice));
         let teeth = deviations.teeth();
-        let basis = |tooth: usize| {
-            let (sin, cos) = (TAU * tooth as f64 / teeth as f64).sin_cos();
-            Vector3::new(1.0, cos, sin)
-        };
+        let basis = |tooth: usize| Harmonic::row(TAU * tooth as f64 / teeth as f64);
         Self { rows: rows.collect(), basis: (0..teeth).map(basis).collect() }
     }
 
     /// Least squares on each row over some teeth, and the inverse normal matrix.
     fn fit(&self, teeth: &[usize]) -> Option<(Vec<Vector3<f64>>, Matrix3<f64>)> {
-        let normal: Matrix3<f64> = teeth.iter().map(|&k| self.basis[k] * self.basis[k].transpose()).sum();
-        let inverse = normal.try_inverse()?;
-        let of_row = |row: &&[f64]| -> Vector3<f64> {
-            inverse * teeth.iter().map(|&k| self.basis[k] * row[k]).sum::<Vector3<f64>>()
-        };
-        Some((self.rows.iter().map(of_row).collect(), inverse))
+        let fit = Harmonic::over(teeth.iter().map(|&k| self.basis[k]))?;
+        let of_row = |row: &&[f64]| fit.through(teeth.iter().map(|&k| (self.basis[k], row[k])));
+        Some((self.rows.iter().map(of_row).collect(), fit.inverse))
     }
 
     fn off(&self, waves: &[Vector3<f64>], row: usize, tooth: usize) -> f64 {
@@ -149,10 +170,11 @@ impl<'a> Waves<'a> {
     }
 
     /// The teeth that chance explains, from a start of whole ones.
-    fn kept(&self, there: &[usize], start: Vec<usize>) -> Vec<usize> {
+    fn kept(&self, there: &[usize], start: Vec<usize>) -> Kept {
         let mut fitted = start;
         let mut measure = there.to_vec();
         let mut kept = there.to_vec();
+        let mut far = Vec::new();
         for _ in 0..STEPS {
             let Some((waves, inverse)) = self.fit(&fitted) else { break };
             let sigma: Vec<f64> = (0..self.rows.len())
@@ -161,13 +183,16 @@ impl<'a> Waves<'a> {
             let freedom = measure.len().saturating_sub(3).max(1) as f64;
             let tests = (there.len() * self.rows.len()) as f64;
             let factor = student_quantile(1.0 - FAMILY / tests, freedom).min(CERTAIN);
-            let whole = |tooth: usize| {
+            let is_far = |row: usize, tooth: usize| {
                 let lever = self.basis[tooth].dot(&(inverse * self.basis[tooth]));
-                (0..self.rows.len()).all(|row| {
-                    let limit = SURE.max(factor * sigma[row] * (1.0 + lever).sqrt());
-                    self.off(&waves, row, tooth).abs() <= limit
-                })
+                let limit = SURE.max(factor * sigma[row] * (1.0 + lever).sqrt());
+                self.off(&waves, row, tooth).abs() > limit
             };
+            far = (0..self.rows.len())
+                .flat_map(|row| there.iter().map(move |&tooth| (row, tooth)))
+                .filter(|&(row, tooth)| is_far(row, tooth))
+                .collect();
+            let whole = |tooth: usize| far.iter().all(|&(_, of)| of != tooth);
             let next: Vec<usize> = there.iter().copied().filter(|&tooth| whole(tooth)).collect();
             if next == kept && fitted == kept {
                 break;
@@ -176,8 +201,14 @@ impl<'a> Waves<'a> {
             fitted.clone_from(&next);
             measure = next;
         }
-        kept
+        Kept { teeth: kept, far }
     }
+}
+
+/// The teeth that chance explains, and rows and teeth that it does not.
+struct Kept {
+    teeth: Vec<usize>,
+    far: Vec<(usize, usize)>,
 }
 
 /// Standard deviation of distances of which a third may be anything: by their median, which does not ask for the rest, and by the root of

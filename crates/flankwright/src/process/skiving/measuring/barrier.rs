@@ -39,9 +39,13 @@ const LONGEST_WAY: f64 = 0.25;
 const LONGEST_TURN: f64 = 0.1;
 /// What a converged touch may miss, mm.
 const RESIDUAL: f64 = 1e-11;
+/// Material that no whole edge lacks, mm: one with less at its end is chipped there. A deep chip moves the touch along the edge, past the
+/// end of tracks that lie beside it; then the end itself switches.
+const CHIPPED: f64 = 20e-3;
 
 impl Barrier<'_> {
-    /// Where a tooth of a tool switches, from the nominal place of a track on. The switch is at `radius` from the beam's axis, mm.
+    /// Where a tooth of a tool switches, from the nominal place of a track on. The switch is at `radius` from the beam's axis, mm. An edge
+    /// that is chipped at its end switches there where the touch would lie beyond it.
     ///
     /// # Errors
     /// [`SkivingError::NoTrigger`], [`SkivingError::EdgeEndTouched`], [`SkivingError::BodyTouched`].
@@ -54,10 +58,15 @@ impl Barrier<'_> {
         radius: f64,
     ) -> Result<Touch, SkivingError> {
         let start = nominal_angle(self.pose, tooth, tool.teeth());
-        let touch = self.anywhere(edge, tool, tooth, radius, [track.contact.w, start])?;
+        let mut touch = self.anywhere(edge, tool, tooth, radius, [track.contact.w, start])?;
         let [from, to] = edge.flank().range();
         if !(from..=to).contains(&touch.w) {
-            return Err(SkivingError::EdgeEndTouched { tooth, w: touch.w, from, to });
+            let end = touch.w.clamp(from, to);
+            let profile = tool.edges[edge.side()][tooth].profile_at(edge.flank().edge_coordinate(end));
+            if profile > -CHIPPED {
+                return Err(SkivingError::EdgeEndTouched { tooth, w: touch.w, from, to });
+            }
+            touch = self.at_end(edge, tool, tooth, radius, [end, touch.turn])?;
         }
         let [least, greatest] = edge.section(touch.w).range;
         if !(least..=greatest).contains(&touch.angle) {
@@ -111,14 +120,51 @@ impl Barrier<'_> {
             w -= step[0].clamp(-longest, longest);
             turn -= step[1].clamp(-LONGEST_TURN * pitch, LONGEST_TURN * pitch);
             if step[1].abs() < LAST * turn.abs().max(1.0) && step[0].abs() < LAST_ROLL {
-                let at = self.gap(edge, tool, tooth, [w, turn]);
-                let residual = (at.distance - radius).abs().max(at.by_roll.abs());
-                let angle = edge.section(w).angle_of(&tool.direction_in_tooth(tooth, &at.towards_beam));
-                return if residual < RESIDUAL {
-                    Ok(Touch { turn, w, angle, residual })
-                } else {
-                    Err(SkivingError::NoTrigger { tooth })
-                };
+                return self.settled((edge, tool), tooth, radius, [w, turn], true);
+            }
+        }
+        Err(SkivingError::NoTrigger { tooth })
+    }
+
+    /// The touch where a search came to rest: inside the edge, where rolling brings nothing nearer, or at an end of it.
+    fn settled(
+        &self,
+        (edge, tool): (&VirtualEdge, &RealTool),
+        tooth: usize,
+        radius: f64,
+        [w, turn]: [f64; 2],
+        inside: bool,
+    ) -> Result<Touch, SkivingError> {
+        let at = self.gap(edge, tool, tooth, [w, turn]);
+        let slope = if inside { at.by_roll.abs() } else { 0.0 };
+        let residual = (at.distance - radius).abs().max(slope);
+        let angle = edge.section(w).angle_of(&tool.direction_in_tooth(tooth, &at.towards_beam));
+        if residual < RESIDUAL {
+            Ok(Touch { turn, w, angle, residual })
+        } else {
+            Err(SkivingError::NoTrigger { tooth })
+        }
+    }
+
+    /// The touch of an end of the edge, from a turn on.
+    fn at_end(
+        &self,
+        edge: &VirtualEdge,
+        tool: &RealTool,
+        tooth: usize,
+        radius: f64,
+        [w, mut turn]: [f64; 2],
+    ) -> Result<Touch, SkivingError> {
+        let pitch = std::f64::consts::TAU / tool.teeth() as f64;
+        for _ in 0..STEPS {
+            let at = self.gap(edge, tool, tooth, [w, turn]);
+            let step = (at.distance - radius) / at.by_turn;
+            if !step.is_finite() {
+                break;
+            }
+            turn -= step.clamp(-LONGEST_TURN * pitch, LONGEST_TURN * pitch);
+            if step.abs() < LAST * turn.abs().max(1.0) {
+                return self.settled((edge, tool), tooth, radius, [w, turn], false);
             }
         }
         Err(SkivingError::NoTrigger { tooth })

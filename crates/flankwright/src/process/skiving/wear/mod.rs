@@ -12,6 +12,6 @@ mod trend;
 pub use error::WearError;
 pub use forecast::{Forecast, NoForecast};
 pub use growth::{Attribution, GrowthOptions, Growths, ToothPositions, edge_growths, worn_since};
-pub use regrind::{DecidingPlace, Regrind, regrind};
-pub use rounding::{depth_of_rounding, recession, renewing_depth};
+pub use regrind::{DecidingPlace, EdgeState, GroundDepth, Regrind, RegrindCause, regrind, regrind_edges};
+pub use rounding::{chip_depth, depth_of_rounding, recession, renewing_depth};
 pub use trend::{WearPoint, WearTrend};

@@ -13,6 +13,9 @@
 //!
 //! which grows with th: the end of the rounding at theta_hi decides. Without a chamfer on the clearance face that is
 //! drho (1 - cos theta_c): the depth at which the worn rounding ends less the depth at which a fresh one does.
+//!
+//! A chip is not of that shape. What is known of it is how much less the edge comes out at the contact, so that a fresh edge fits below it
+//! at the earliest where it stands back by as much there.
 
 use crate::geometry::EdgeRounding;
 use crate::process::skiving::EdgeSection;
@@ -28,6 +31,13 @@ pub fn depth_of_rounding(section: &EdgeSection, rounding: &EdgeRounding, growth:
 pub fn renewing_depth(section: &EdgeSection, growth: f64) -> f64 {
     let (half, end) = (0.5 * section.clearance_angle, 0.5 * section.range[1]);
     growth.max(0.0) * 2.0 * half.sin() * end.sin() / (half - end).cos()
+}
+
+/// Depth along the rake normal that has to be ground off at least so that a fresh edge stands below a chip which has taken `missing`,
+/// normal to the flank at the contact, mm; 0 where nothing is missing.
+pub fn chip_depth(section: &EdgeSection, missing: f64) -> f64 {
+    let below = section.clearance_angle - section.contact_angle;
+    if missing > 0.0 { missing * section.clearance_angle.sin() / below.sin().max(0.0) } else { 0.0 }
 }
 
 /// How far the fresh edge stands behind the nominal one at an angle of the rounding once the rake face has been ground down by `depth`,

@@ -1,5 +1,6 @@
 //! Fills the page of a series from its document.
 
+use super::super::characteristics::characteristic_in_words;
 use super::super::files::LeftOutFile;
 use super::InspectionSeries;
 use super::result::{
@@ -110,7 +111,7 @@ fn part(of: &SeriesPartResult) -> PartRow {
         exceeded: of
             .exceeded
             .iter()
-            .cloned()
+            .map(|key| characteristic_in_words(key))
             .chain(of.not_judged.iter().map(|item| format!("{item}: not judged")))
             .collect::<Vec<_>>()
             .join(", "),
@@ -121,7 +122,7 @@ fn part(of: &SeriesPartResult) -> PartRow {
 fn characteristic(of: &SeriesCharacteristic) -> CharacteristicRow {
     let micrometres = of.unit == "um";
     CharacteristicRow {
-        key: of.key.clone(),
+        key: characteristic_in_words(&of.key),
         unit: if micrometres { "µm".into() } else { String::new() },
         decimals: if micrometres { 2 } else { 4 },
         limits: [of.lower_limit, of.upper_limit],

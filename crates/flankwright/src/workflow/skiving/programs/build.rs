@@ -121,7 +121,7 @@ pub fn prove_scan(
     scanned(&laid, &target, work, machining, (&target.read(text)?.blocks, bound))
 }
 
-fn laid_measuring<'a>(
+pub(super) fn laid_measuring<'a>(
     work: &MeasuringWork<'_>,
     machining: &ToolMachining<'a>,
     dialect: Dialect,
@@ -133,7 +133,7 @@ fn laid_measuring<'a>(
     Ok((laid, target))
 }
 
-fn laid_scan<'a>(
+pub(super) fn laid_scan<'a>(
     work: &ScanWork<'_>,
     machining: &ToolMachining<'a>,
     dialect: Dialect,

@@ -32,7 +32,7 @@ pub(super) struct Course<'m> {
     pub at: Option<Positions>,
     /// Where the tool stands drawn back.
     back: Option<Positions>,
-    room: Room,
+    pub room: Room,
 }
 
 /// An axis that would go less, mm or rad, stands: that is what inverse kinematics leave of an axis that does not move.

@@ -34,6 +34,8 @@ pub struct Recording {
 pub(super) struct MeasuringCourse<'m> {
     pub course: Course<'m>,
     pub recordings: Vec<Recording>,
+    /// Ways over which the spindle has its speed before and behind what counts, rad: to run up and to brake, at least a pitch.
+    pub steady: [f64; 2],
     /// Greatest distance of a contact from a rotary axis, mm.
     pub lever: f64,
 }
@@ -50,9 +52,8 @@ pub(super) fn measuring_course<'m>(
 ) -> Result<MeasuringCourse<'m>, RunFailure> {
     let edges = Sides { left: &work.flanks.left.edge, right: &work.flanks.right.edge };
     let course = Course::new(machining, &edges, work.beam)?;
-    let mut laid = MeasuringCourse { course, recordings: Vec::new(), lever: 0.0 };
     let pitch = TAU / work.teeth() as f64;
-    let run_up = laid.course.run_up(laid.course.stander.turning, work.speed)?;
+    let run_up = course.run_up(course.stander.turning, work.speed)?;
     // The run-up is half a turn, less what brings it to the middle between two nominal places.
     if run_up > PI - pitch {
         return Err(invalid(
@@ -62,6 +63,8 @@ pub(super) fn measuring_course<'m>(
         ));
     }
     let turning = Turning { pitch, brake: run_up.max(pitch), stands_to_switch };
+    let steady = [turning.brake.min(PI - pitch), turning.brake];
+    let mut laid = MeasuringCourse { course, recordings: Vec::new(), steady, lever: 0.0 };
     for flank in [Flank::Left, Flank::Right] {
         for (track, (of, pose)) in work.flanks[flank].tracks.iter().enumerate() {
             let place = format!("{flank} flank, track {}", track + 1);

@@ -5,6 +5,7 @@
 mod build;
 mod course;
 mod failure;
+mod judge;
 mod measuring;
 mod proof;
 mod replay;
@@ -15,6 +16,7 @@ mod scan_proof;
 mod stand;
 mod target;
 mod task;
+mod text_check;
 
 pub use build::{ToolProgram, measuring_programs, prove_measuring, prove_scan, scan_programs};
 pub use measuring::Recording;
@@ -22,3 +24,4 @@ pub use proof::Proof;
 pub use result::{RecordingResult, ScanResult, ToolProgramResult};
 pub use scan::Scanned;
 pub use task::{MeasuringWork, Retreat, ScanWork, ToolMachining};
+pub use text_check::{TextBlocks, TextJudgement, check_measuring, check_scan, looks_like_scan};

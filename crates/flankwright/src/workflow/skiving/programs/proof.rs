@@ -4,8 +4,11 @@
 use super::failure::{not_proven, of_skiving};
 use super::measuring::{MeasuringCourse, Recording};
 use super::replay::Move;
+use super::stand::Stander;
 use super::task::MeasuringWork;
-use crate::process::skiving::measuring::{Barrier, Beam, RealTool};
+use crate::machine::Positions;
+use crate::process::skiving::SkivingError;
+use crate::process::skiving::measuring::{Barrier, Beam, MeasuringPose, RealTool};
 use crate::workflow::finding::RunFailure;
 use nalgebra::Vector3;
 
@@ -26,7 +29,7 @@ pub struct Proof {
 /// Error of the proof's own numbers: mm at places of some 1000 mm, and rad.
 pub(super) const OWN_ROUNDING: f64 = 1e-9;
 /// How far a speed may be off, as a share: what six digits of the feed leave.
-const SPEED: f64 = 1e-6;
+pub(super) const SPEED: f64 = 1e-6;
 
 impl Proof {
     pub(super) fn new(allowed: f64) -> Self {
@@ -73,7 +76,6 @@ pub(super) fn prove(
         let text = format!("{} recordings in the text, {} planned", found.len(), laid.recordings.len());
         return Err(not_proven(text));
     }
-    let ideal = RealTool::ideal(work.teeth());
     let mut proof = Proof::new(allowed);
     for (wanted, moves) in laid.recordings.iter().zip(found) {
         let Recording { flank, track, .. } = *wanted;
@@ -81,22 +83,49 @@ pub(super) fn prove(
         turns(laid, wanted, moves, work.speed, angle).map_err(|reason| {
             not_proven(format!("{place}, {:?} sense: {reason}", wanted.sense).to_lowercase())
         })?;
-        let Some(mut at) = moves.first().map(|first| first.from) else { continue };
-        let stander = &laid.course.stander;
-        at[stander.turning] = wanted.nominal;
-        let stands = stander.tool(&at)?;
-        let (of, planned) = &work.flanks[flank].tracks[track];
-        let (edge, pose) = (&work.flanks[flank].edge, stands.pose(planned));
-        let barrier = Barrier { beam: work.beam, pose: &pose };
-        let touch =
-            barrier.touch(edge, &ideal, of, 0, work.beam.radius).map_err(|error| of_skiving(&error))?;
-        let contact = &of.contact;
-        let axis = pose.to_machine(pose.turn, &(contact.point + contact.normal * work.beam.radius));
-        let lean = stands.lean.abs() * contact.point.norm();
-        let axis = off_axis(work.beam, &axis) + lean;
-        proof.add([contact.lever * (touch.turn - pose.turn), axis], &place)?;
+        let Some(first) = moves.first() else { continue };
+        let (pose, axis) = at_nominal(&laid.course.stander, work, wanted, &first.from)?;
+        let difference = off_nominal(work, wanted, &pose).map_err(|error| of_skiving(&error))?;
+        proof.add([difference, axis], &place)?;
     }
     Ok(proof)
+}
+
+/// The tool as the axes stand, with its spindle at the nominal place of a recording; and how far the beam's axis lies from where the
+/// contact wants it, mm.
+///
+/// # Errors
+/// Positions that are not finite.
+pub(super) fn at_nominal(
+    stander: &Stander<'_>,
+    work: &MeasuringWork<'_>,
+    wanted: &Recording,
+    at: &Positions,
+) -> Result<(MeasuringPose, f64), RunFailure> {
+    let mut at = *at;
+    at[stander.turning] = wanted.nominal;
+    let stands = stander.tool(&at)?;
+    let (of, planned) = &work.flanks[wanted.flank].tracks[wanted.track];
+    let (contact, pose) = (&of.contact, stands.pose(planned));
+    let axis = pose.to_machine(pose.turn, &(contact.point + contact.normal * work.beam.radius));
+    let lean = stands.lean.abs() * contact.point.norm();
+    Ok((pose, off_axis(work.beam, &axis) + lean))
+}
+
+/// How far the ideal tool switches from the nominal place of a recording in a pose, on the flank, mm.
+///
+/// # Errors
+/// A tool that does not switch there.
+pub(super) fn off_nominal(
+    work: &MeasuringWork<'_>,
+    wanted: &Recording,
+    pose: &MeasuringPose,
+) -> Result<f64, SkivingError> {
+    let (of, _) = &work.flanks[wanted.flank].tracks[wanted.track];
+    let barrier = Barrier { beam: work.beam, pose };
+    let ideal = RealTool::ideal(work.teeth());
+    let touch = barrier.touch(&work.flanks[wanted.flank].edge, &ideal, of, 0, work.beam.radius)?;
+    Ok(of.contact.lever * (touch.turn - pose.turn))
 }
 
 /// Whether nothing but the spindle moves, from where to where and as fast as it has to.

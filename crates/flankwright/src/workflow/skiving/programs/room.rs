@@ -71,25 +71,57 @@ impl Room {
         [from, to]: [&Positions; 2],
         place: &str,
     ) -> Result<(), RunFailure> {
-        let unit = self.beam.unit();
-        for k in 0..=PLACES {
-            let share = k as f64 / PLACES as f64;
+        let distance = self.nearest(stander, [from, to])?;
+        if distance < self.clear {
+            let text = format!(
+                "{place}: on its way the tool's axis comes as near as {distance:.3} mm to the beam, {:.3} mm leave it free",
+                self.clear
+            );
+            let finding = Diagnostic::with_code("beam-not-free", text).field("machine.retreat");
+            let way_out = "draw the tool back farther, or move the light barrier";
+            return Err(RunFailure::not_producible(finding.way_out(way_out)));
+        }
+        Ok(())
+    }
+
+    /// Distance of a point from the beam's axis, mm.
+    pub fn distance(&self, point: &Vector3<f64>) -> f64 {
+        self.beam.unit().cross(&(point - self.beam.point)).norm()
+    }
+
+    /// Distance of beam and tool axis at which the tool is out of the beam, mm.
+    pub fn clear(&self) -> f64 {
+        self.clear
+    }
+
+    /// Least distance of the tool's axis, in the plane of its rake face, from the beam on a straight way of the axes, mm.
+    ///
+    /// # Errors
+    /// Positions that are not finite.
+    pub fn nearest(&self, stander: &Stander<'_>, [from, to]: [&Positions; 2]) -> Result<f64, RunFailure> {
+        let at_share = |share: f64| -> Result<f64, RunFailure> {
             let mut at = *from;
             for &axis in &stander.machine.tool().axes {
                 at[axis] += share * (to[axis] - from[axis]);
             }
-            let origin = stander.tool(&at)?.position - self.beam.point;
-            let distance = unit.cross(&origin).norm();
-            if distance < self.clear {
-                let text = format!(
-                    "{place}: on its way the tool's axis comes as near as {distance:.3} mm to the beam, {:.3} mm leave it free",
-                    self.clear
-                );
-                let finding = Diagnostic::with_code("beam-not-free", text).field("machine.retreat");
-                let way_out = "draw the tool back farther, or move the light barrier";
-                return Err(RunFailure::not_producible(finding.way_out(way_out)));
+            Ok(self.distance(&stander.tool(&at)?.position))
+        };
+        let (mut least, mut found) = (f64::INFINITY, 0.0);
+        for k in 0..=PLACES {
+            let share = k as f64 / PLACES as f64;
+            let distance = at_share(share)?;
+            if distance < least {
+                (least, found) = (distance, share);
             }
         }
-        Ok(())
+        // Between the places beside the nearest one.
+        let step = 1.0 / PLACES as f64;
+        for k in 1..PLACES {
+            let share = found + step * (2.0 * k as f64 / PLACES as f64 - 1.0);
+            if (0.0..=1.0).contains(&share) {
+                least = least.min(at_share(share)?);
+            }
+        }
+        Ok(least)
     }
 }

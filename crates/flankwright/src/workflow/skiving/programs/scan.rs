@@ -26,6 +26,8 @@ pub struct Scanned {
 pub(super) struct ScanCourse<'m> {
     pub course: Course<'m>,
     pub scanned: Vec<Scanned>,
+    /// Time from place to place of each, s.
+    pub times: Vec<Vec<f64>>,
     /// Greatest distance of a contact from a rotary axis, mm.
     pub lever: f64,
 }
@@ -42,6 +44,7 @@ pub(super) fn scan_course<'m>(
     let mut laid = ScanCourse {
         course: Course::new(machining, &edges, work.stylus)?,
         scanned: Vec::with_capacity(2 * work.teeth.len()),
+        times: Vec::with_capacity(2 * work.teeth.len()),
         lever: 0.0,
     };
     for flank in [Flank::Left, Flank::Right] {
@@ -67,6 +70,7 @@ impl ScanCourse<'_> {
         let begin = self.course.approach(&first.pose, true, name)?;
         self.course.output(true);
         let mut before = (first, begin);
+        let mut times = Vec::with_capacity(rest.len());
         for (k, place) in rest.iter().enumerate() {
             let here = format!("{name}, place {}", k + 2);
             let at = self.course.stander.stand(&place.pose, Some(&before.1), &here)?;
@@ -74,8 +78,10 @@ impl ScanCourse<'_> {
             let way = (place.track.contact.point - before.0.track.contact.point).norm();
             let seconds = (way / speed).max(self.least_time(&before.1, &at));
             self.course.straight(at, seconds);
+            times.push(seconds);
             before = (place, at);
         }
+        self.times.push(times);
         self.course.output(false);
         self.course.draw_back(&before.0.pose, name)
     }

@@ -4,9 +4,11 @@
 use super::failure::{not_proven, of_skiving};
 use super::proof::{Proof, off_axis};
 use super::replay::Move;
-use super::scan::ScanCourse;
+use super::scan::{ScanCourse, Scanned};
+use super::stand::Stander;
 use super::task::ScanWork;
-use crate::process::skiving::measuring::{Barrier, RealTool};
+use crate::machine::Positions;
+use crate::process::skiving::measuring::{Barrier, RealTool, ScanPlace};
 use crate::workflow::finding::RunFailure;
 use std::f64::consts::TAU;
 
@@ -31,21 +33,13 @@ pub(super) fn prove_scans(
     for (scanned, moves) in laid.scanned.iter().zip(found) {
         let name = format!("{} flank, tooth {}", scanned.flank, scanned.tooth);
         let edge = &work.edges[scanned.flank];
-        let tooth_turn = TAU * scanned.tooth as f64 / work.count() as f64;
         let Some(first) = moves.first().filter(|_| moves.len() + 1 == scanned.places.len()) else {
             let text = format!("{name}: {} blocks for {} places", moves.len(), scanned.places.len());
             return Err(not_proven(text));
         };
         let stands = std::iter::once(&first.from).chain(moves.iter().map(|part| &part.to));
         for (k, (at, place)) in stands.zip(&scanned.places).enumerate() {
-            let (stands, contact) = (stander.tool(at)?, &place.track.contact);
-            let pose = stands.pose(&place.pose);
-            let barrier = Barrier { beam: work.stylus, pose: &pose };
-            let (gap, _) = barrier.distance(edge, &ideal, scanned.tooth, [contact.w, pose.turn]);
-            let axis = pose.to_machine(pose.turn + tooth_turn, &(contact.point + contact.normal * radius));
-            let lean = stands.lean.abs() * contact.point.norm();
-            let axis = off_axis(work.stylus, &axis) + lean;
-            proof.add([gap - radius, axis], &format!("{name}, place {}", k + 1))?;
+            proof.add(off_edge(stander, work, scanned, place, at)?, &format!("{name}, place {}", k + 1))?;
         }
         for (part, places) in moves.iter().zip(scanned.places.windows(2)) {
             let mut middle = part.from;
@@ -63,4 +57,28 @@ pub(super) fn prove_scans(
     }
     proof.between_places = Some(between);
     Ok(proof)
+}
+
+/// How far a place of a scan is off with the axes as they stand, mm: the gap between edge and stylus, and the stylus' axis from where the
+/// contact wants it.
+///
+/// # Errors
+/// Positions that are not finite.
+pub(super) fn off_edge(
+    stander: &Stander<'_>,
+    work: &ScanWork<'_>,
+    scanned: &Scanned,
+    place: &ScanPlace,
+    at: &Positions,
+) -> Result<[f64; 2], RunFailure> {
+    let radius = work.stylus.radius;
+    let tooth_turn = TAU * scanned.tooth as f64 / work.count() as f64;
+    let (stands, contact) = (stander.tool(at)?, &place.track.contact);
+    let pose = stands.pose(&place.pose);
+    let barrier = Barrier { beam: work.stylus, pose: &pose };
+    let (edge, ideal) = (&work.edges[scanned.flank], RealTool::ideal(work.count()));
+    let (gap, _) = barrier.distance(edge, &ideal, scanned.tooth, [contact.w, pose.turn]);
+    let axis = pose.to_machine(pose.turn + tooth_turn, &(contact.point + contact.normal * radius));
+    let lean = stands.lean.abs() * contact.point.norm();
+    Ok([gap - radius, off_axis(work.stylus, &axis) + lean])
 }

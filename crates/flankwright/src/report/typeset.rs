@@ -1,0 +1,114 @@
+//! Text of results as a page prints it: units and the symbols of ISO 1328 that command and files spell in plain letters.
+
+use super::charts::escape;
+
+/// Symbols in plain letters, and printed.
+const SYMBOLS: [(&str, &str); 10] = [
+    ("fHa", "f<sub>Hα</sub>"),
+    ("fHb", "f<sub>Hβ</sub>"),
+    ("ffa", "f<sub>fα</sub>"),
+    ("ffb", "f<sub>fβ</sub>"),
+    ("Fa", "F<sub>α</sub>"),
+    ("Fb", "F<sub>β</sub>"),
+    ("Ca", "C<sub>α</sub>"),
+    ("Cb", "C<sub>β</sub>"),
+    ("fKo", "f<sub>Ko</sub>"),
+    ("fKu", "f<sub>Ku</sub>"),
+];
+
+/// Escaped text: a number's `um` and `deg` as µm and °, symbols with their indices. What stands in quotes of any kind, in keys and in names
+/// of files stays as it is.
+pub(super) fn typeset(text: &str) -> String {
+    let mut page = String::with_capacity(text.len() + 16);
+    let mut before: Option<&str> = None;
+    // Spaces stay with the word that they follow, so that all of them are kept.
+    for piece in text.split_inclusive(' ') {
+        let word = piece.trim_end_matches(' ');
+        let space = &piece[word.len()..];
+        let follows_number = before.is_some_and(ends_a_number);
+        let end = word.find(|c: char| !c.is_ascii_alphanumeric()).unwrap_or(word.len());
+        let (start, rest) = word.split_at(end);
+        match start {
+            "um" if follows_number && is_mark(rest) => {
+                page += "µm";
+                page += &escape(rest);
+            }
+            "deg" if follows_number && is_mark(rest) => {
+                // No space before the sign of degrees.
+                page.truncate(page.trim_end_matches(' ').len());
+                page += "°";
+                page += &escape(rest);
+            }
+            _ => page += &symbols(word),
+        }
+        page += space;
+        if !word.is_empty() {
+            before = Some(word);
+        }
+    }
+    page
+}
+
+/// Whether a word ends with a digit, so that a unit may follow.
+fn ends_a_number(word: &str) -> bool {
+    word.ends_with(|c: char| c.is_ascii_digit())
+}
+
+/// What may follow a unit: nothing, a mark of a sentence, or a further unit below the line.
+fn is_mark(rest: &str) -> bool {
+    rest.is_empty() || rest.starts_with([',', ';', '.', ':', ')', '/', '|'])
+}
+
+/// A word, with its index if it is a symbol.
+fn symbols(word: &str) -> String {
+    let is_letter = |c: char| c.is_ascii_alphanumeric();
+    let start = word.find(is_letter).unwrap_or(word.len());
+    let (before, rest) = word.split_at(start);
+    let end = rest.find(|c| !is_letter(c)).unwrap_or(rest.len());
+    let (name, after) = rest.split_at(end);
+    let plain = before.chars().all(|c| c == '(') && after.chars().all(|c| ",;.:)".contains(c));
+    match SYMBOLS.iter().find(|(symbol, _)| *symbol == name) {
+        Some((_, printed)) if plain => format!("{}{printed}{}", escape(before), escape(after)),
+        _ => escape(word),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::typeset;
+
+    #[test]
+    fn units_of_numbers_are_printed() {
+        assert_eq!(typeset("at most 1.5 um, 3 um."), "at most 1.5 µm, 3 µm.");
+        assert_eq!(typeset("turns 18.16 deg along, 90 deg/s (0.5 deg)"), "turns 18.16° along, 90°/s (0.5°)");
+        assert_eq!(typeset("5.2 of 4.5 um"), "5.2 of 4.5 µm");
+        assert_eq!(typeset("2  um  wide "), "2  µm  wide ");
+    }
+
+    #[test]
+    fn what_is_no_unit_of_a_number_stays() {
+        for text in [
+            "raise chord_tolerance_um of the control",
+            "largest change um: 3",
+            "3 umbrellas, 4 degrees",
+            "axis 3 um_limit",
+            "`tolerance_um = 3`",
+            "ü 3\u{a0}um",
+        ] {
+            assert_eq!(typeset(text), text);
+        }
+        assert_eq!(typeset("a < b & 3 um"), "a &lt; b &amp; 3 µm");
+    }
+
+    #[test]
+    fn symbols_get_their_indices() {
+        assert_eq!(
+            typeset("fHa 5.2 of 4.5 um, Fb (fHb)"),
+            "f<sub>Hα</sub> 5.2 of 4.5 µm, F<sub>β</sub> (f<sub>Hβ</sub>)"
+        );
+        assert_eq!(typeset("fHa, left"), "f<sub>Hα</sub>, left");
+        for text in ["fHa.left.mean", "fHalpha", "Fa-1", "programs/Fa.nc"] {
+            assert_eq!(typeset(text), text);
+        }
+    }
+}
