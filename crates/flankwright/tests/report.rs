@@ -400,7 +400,7 @@ fn programs_stand_with_their_proof() {
             "to 83 %, C2 acceleration",
             "X (linuxcnc, fanuc); X1 (siemens)",
             "X1, radial",
-            "A1 at 3.1468 deg",
+            "A1 at 3.1468°",
             "B3 (spindle 1) at 4000 1/min",
             "the control counts X1 the other way",
             "Axis X1, word X",

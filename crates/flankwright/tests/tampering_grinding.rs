@@ -258,8 +258,12 @@ fn damage(text: &Text, dice: &mut Dice) -> Option<(String, String)> {
                 format!("line {}: {letter} off by {by:.3} deg", at + 1)
             } else {
                 let there = deep + 0.05 * (deep - off).signum();
-                for (k, x) in [(at, there), (at + 1, deep)] {
-                    text.lines[k] = text.lines[k].replacen("G1 ", &format!("G1 X{x:.6} "), 1);
+                if text.lines[at].contains(" X") {
+                    text.lines[at] = with(&text.lines[at], 'X', |value| value + there - deep);
+                } else {
+                    for (k, x) in [(at, there), (at + 1, deep)] {
+                        text.lines[k] = text.lines[k].replacen("G1 ", &format!("G1 X{x:.6} "), 1);
+                    }
                 }
                 format!("line {}: 0.05 mm too deep", at + 1)
             }

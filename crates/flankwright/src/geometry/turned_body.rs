@@ -18,6 +18,8 @@ pub struct TurnedBody {
 const ACCURACY: f64 = 1e-4;
 /// Below this distance two bodies are one in the other, mm.
 const TOUCH: f64 = 1e-7;
+/// Share of a direction across the axis below which it counts as along the axis.
+const ALONG: f64 = 1e-9;
 /// Most corners that are looked for. Discs are round, so that each corner brings the search a share of the way: some thirty do for bodies
 /// a metre long.
 const MOST_CORNERS: usize = 500;
@@ -53,9 +55,15 @@ impl TurnedBody {
 
     /// A point of the body that lies farthest in a direction.
     fn farthest(&self, direction: &Vector3<f64>) -> Vector3<f64> {
-        let across = direction - self.axis * self.axis.dot(direction);
+        let square = |to: &Vector3<f64>| to - self.axis * self.axis.dot(to);
+        let across = square(direction);
         let length = across.norm();
-        let outwards = if length > 0.0 { across / length } else { Vector3::zeros() };
+        // Where little is left of the direction, rounding takes it off the square to the axis: once more.
+        let outwards = if length > ALONG * direction.norm() {
+            square(&(across / length)).normalize()
+        } else {
+            Vector3::zeros()
+        };
         let [first, second] = [0, 1].map(|k| self.ends[k] + outwards * self.radii[k]);
         if first.dot(direction) > second.dot(direction) { first } else { second }
     }
@@ -158,6 +166,21 @@ mod tests {
         let cone = TurnedBody::about_z([0.0, 40.0], [10.0, 40.0]).unwrap();
         near(worm.distance(&turned([0.0; 3], [0.0, 132.0, 0.0], cone), f64::INFINITY), 2.0);
         assert_eq!(worm.distance(&turned([1.0, 0.2, 0.0], [100.0, 0.0, 10.0], nut), f64::INFINITY), 0.0);
+    }
+
+    /// A rod that points at the axis of a nut: the direction of its end is that of its axis but for rounding.
+    #[test]
+    fn rods_that_point_at_a_nut_are_as_far_as_their_ends() {
+        let nut = TurnedBody::about_z([7.0, 25.0], [60.0; 2]).unwrap();
+        for k in 0..40 {
+            let (sin, cos) = f64::from(9 * k).to_radians().sin_cos();
+            for z in [7.5, 8.0, 9.0, 10.5] {
+                let at = |radius: f64| Vector3::new(radius * sin, radius * cos, z);
+                let rod = TurnedBody::new([at(71.5), at(170.0)], [0.5; 2]).unwrap();
+                near(rod.distance(&nut, f64::INFINITY), 11.5);
+                near(nut.distance(&rod, f64::INFINITY), 11.5);
+            }
+        }
     }
 
     /// Points on both surfaces never lie nearer to each other than what is said, and some lie as near.

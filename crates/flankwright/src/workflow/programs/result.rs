@@ -57,7 +57,7 @@ pub struct BodyClearance {
     pub body: String,
     /// What comes near to it: the worm or a body that the worm's spindle carries.
     pub of: String,
-    /// Least distance, mm, known to 0.02 mm.
+    /// Least distance, mm: never more than 0.02 mm above the true one.
     pub least_mm: f64,
     /// The program in which that is; empty where one text alone is checked.
     #[serde(skip_serializing_if = "String::is_empty")]
