@@ -1,7 +1,7 @@
 //! What two bodies do against each other in a stroke, and how far a pose of the machine is off it on the flank.
 
 use super::{DressingCourse, GrindingCourse, LineCourse};
-use crate::kinematics::Pose;
+use crate::kinematics::{DressingPosition, Pose};
 use crate::machine::{Mounts, Station, StationSpindle, ToolSpindle};
 
 /// A place of a stroke.
@@ -22,6 +22,13 @@ pub struct BodyPlace {
     pub pose: Pose<ToolSpindle, StationSpindle>,
     /// Angles of tool and counterpart, rad, full turns kept.
     pub angles: [f64; 2],
+}
+
+impl BodyPlace {
+    /// Worm and dresser at a position; the dresser, a body of revolution, has no angle.
+    pub(super) fn of_dressing(mounts: &Mounts, position: &DressingPosition) -> Self {
+        Self { pose: mounts.spindles(&position.pose()), angles: [position.worm_angle, 0.0] }
+    }
 }
 
 /// The motion of the bodies in a stroke.

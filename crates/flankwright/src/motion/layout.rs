@@ -138,7 +138,6 @@ pub fn lay_out(
     passes: &[Pass],
     options: &LayoutOptions,
 ) -> Result<Layout, MotionError> {
-    check_tolerance(options)?;
     let mut writer = passes::Writer::new(machine, words, options)?;
     for pass in passes {
         writer.pass(pass)?;
@@ -156,20 +155,11 @@ pub fn lay_out_lines(
     passes: &[LinePass<'_>],
     options: &LayoutOptions,
 ) -> Result<Layout, MotionError> {
-    check_tolerance(options)?;
     let mut writer = passes::Writer::new(machine, words, options)?;
     for pass in passes {
         writer.lines(pass)?;
     }
     writer.finish((!passes.is_empty()).then_some(Station::Dresser))
-}
-
-fn check_tolerance(options: &LayoutOptions) -> Result<(), MotionError> {
-    if options.tolerance.is_finite() && options.tolerance > 0.0 {
-        return Ok(());
-    }
-    let (field, value, allowed) = ("chord tolerance", options.tolerance, "above 0 mm");
-    Err(MotionError::InvalidNumber { field, value, allowed })
 }
 
 /// The way between two waypoints as path length: mm of the parameter, or of the lift where the parameter stands.

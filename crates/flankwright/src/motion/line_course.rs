@@ -123,8 +123,7 @@ impl LineCourse {
     }
 
     pub(super) fn place(&self, at: &Waypoint) -> BodyPlace {
-        let position = self.position(at);
-        BodyPlace { pose: self.mounts.spindles(&position.pose()), angles: [position.worm_angle, 0.0] }
+        BodyPlace::of_dressing(&self.mounts, &self.position(at))
     }
 
     pub(super) fn off(&self, pose: &Pose<ToolSpindle, StationSpindle>, near: &Waypoint) -> Option<f64> {

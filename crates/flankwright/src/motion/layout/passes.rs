@@ -45,6 +45,10 @@ impl<'a> Writer<'a> {
         words: &'a AxisWords,
         options: &'a LayoutOptions,
     ) -> Result<Self, MotionError> {
+        if !(options.tolerance.is_finite() && options.tolerance > 0.0) {
+            let (field, value, allowed) = ("chord tolerance", options.tolerance, "above 0 mm");
+            return Err(MotionError::InvalidNumber { field, value, allowed });
+        }
         let mut blocks: Vec<Block> = options.comments.iter().map(|text| comment(text)).collect();
         if options.dresser_speed != 0.0
             && let Some(spindle) = spindle_of(machine, words, Role::Dresser)

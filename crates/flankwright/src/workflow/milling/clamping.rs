@@ -6,6 +6,7 @@ use super::whole_program::ProgramFault;
 use crate::exchange::job::{BODY_CLEARANCE, ClampingBody};
 use crate::exchange::milling_job::MillingMachine;
 use crate::geometry::{Cutter, CutterShape, TurnedBody};
+use crate::numerics::least_over;
 use crate::removal::CutterPlace;
 use crate::workflow::programs::BodyClearance;
 use nalgebra::{Rotation3, Vector3};
@@ -14,8 +15,6 @@ use nalgebra::{Rotation3, Vector3};
 const HIDDEN: f64 = 0.01;
 /// The last cylinder of a tool goes on so far, mm.
 const UPWARDS: f64 = 1000.0;
-/// Pieces of a straight move below which its least distance counts by its bound: a share of the move.
-const LEAST_SHARE: f64 = 1e-6;
 /// Faults of one body that are told.
 const MOST_OF_A_BODY: usize = 20;
 
@@ -111,29 +110,13 @@ impl Approach<'_> {
 
     /// The least distance over a straight move, mm, above it by [`HIDDEN`] at most; infinite where it is not below `enough`.
     fn over(&self, ends: [&CutterPlace; 2], enough: f64) -> f64 {
-        let mut found = f64::INFINITY;
-        let mut open = vec![[0.0, 1.0]];
-        while let Some([first, last]) = open.pop() {
+        least_over(enough, HIDDEN, |[first, last], needed| {
             let [from, to] = [first, last].map(|share| between(ends, share));
             let middle = between(ends, 0.5 * (first + last));
             let moved = way(self.part, &middle, &from).max(way(self.part, &middle, &to));
-            let needed = found.min(enough);
             let at = self.at(&middle, needed + moved);
-            found = found.min(at);
-            if found <= 0.0 {
-                return 0.0;
-            }
-            if at - moved >= found.min(enough) - HIDDEN {
-                continue;
-            }
-            if last - first < LEAST_SHARE {
-                found = (at - moved).clamp(0.0, found);
-                continue;
-            }
-            let share = 0.5 * (first + last);
-            open.extend([[first, share], [share, last]]);
-        }
-        if found < enough { found } else { f64::INFINITY }
+            [at, at - moved]
+        })
     }
 
     /// Calls `near` with every move that may come nearer than `enough` says, which may fall meanwhile.

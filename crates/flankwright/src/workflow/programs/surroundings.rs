@@ -12,14 +12,13 @@ use crate::geometry::TurnedBody;
 use crate::kinematics::{Dresser, Workpiece, Worm};
 use crate::machine::{Joint, Machine, Mount, Positions, Role, Station};
 use crate::motion::{MotionError, Tracked, track};
+use crate::numerics::least_over;
 use crate::verdict::Remark;
 use crate::workflow::finding::RunFailure;
 use std::collections::BTreeMap;
 
 /// What a least distance is known to beside the accuracy of one distance, mm.
 const HIDDEN: f64 = 0.01;
-/// Most places that are looked at between two positions; what is left then counts by its bound.
-const MOST_PLACES: usize = 4096;
 /// A worm of unknown width counts as this long, mm.
 const ENDLESS: f64 = 1000.0;
 
@@ -365,28 +364,10 @@ impl Search<'_> {
         if far.is_finite() && self.distance(0.5, 0.5, far) >= far {
             return f64::INFINITY;
         }
-        let mut found = self.distance(0.0, 0.0, enough).min(self.distance(1.0, 1.0, enough));
-        let mut open = vec![[0.0, 1.0]];
-        let mut looked = 0;
-        while let Some([first, last]) = open.pop() {
-            let [at, bound] = self.part([first, last], turning);
-            found = found.min(at);
-            if found <= 0.0 {
-                return 0.0;
-            }
-            if bound >= found.min(enough) - HIDDEN {
-                continue;
-            }
-            looked += 1;
-            if looked >= MOST_PLACES {
-                let bounds = open.iter().map(|&part| self.part(part, turning)[1]);
-                found = bounds.fold(found.min(bound), f64::min).max(0.0);
-                break;
-            }
-            let middle = 0.5 * (first + last);
-            open.push([middle, last]);
-            open.push([first, middle]);
-        }
+        // Where the block is nearest at an end, this says so at once and exactly.
+        let ends = self.distance(0.0, 0.0, enough).min(self.distance(1.0, 1.0, enough));
+        let inside = least_over(enough.min(ends), HIDDEN, |part, _| self.part(part, turning));
+        let found = ends.min(inside);
         if found < enough { found } else { f64::INFINITY }
     }
 }
