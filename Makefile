@@ -3,6 +3,9 @@
 CARGO ?= cargo
 DEMO ?= examples/twist-free-crowning.toml
 
+# The time at which a stage of `make test` begins.
+begins = @date '+at %T: $(1)'
+
 .PHONY: demo test fuzz setup web python notebooks docs browser api-fuzz load format check instructions milling-speed clean
 
 setup:
@@ -22,17 +25,27 @@ demo: web
 test: export PROPTEST_RNG_SEED ?= 1
 test: setup
 	@scripts/postgresql install
+	$(call begins,format and clippy)
 	$(CARGO) fmt --all -- --check
 	$(CARGO) fmt --manifest-path fuzz/Cargo.toml -- --check
 	$(CARGO) clippy --workspace --all-targets -- -D warnings
+	$(call begins,web pages)
 	@scripts/web test
+	$(call begins,Rust)
+	$(CARGO) test --workspace --no-run
+	$(call begins,tests of Rust)
 	$(CARGO) test --workspace --no-fail-fast
+	$(call begins,Python)
 	@scripts/python test
+	$(call begins,notebooks and documentation)
 	@scripts/notebooks
 	@scripts/docs
+	$(call begins,browser and interface of the server)
 	@PROGRAM=target/debug/flankwright scripts/browser
 	@PROGRAM=target/debug/flankwright scripts/api-fuzz
+	$(call begins,fuzzing)
 	@FUZZ_SEED=1 scripts/fuzz 20
+	$(call begins,end)
 
 # The Python package in an environment of its own.
 python: setup

@@ -54,6 +54,7 @@ def test_what_remains_is_what_the_change_leaves(tool: fw.ToolMeasurement, evalua
 
 def test_repetitions_scatter_as_the_result_says(tool: fw.ToolMeasurement, found: Any) -> None:
     other = fw.ToolMeasurement(tool.job.replace({"measuring.seed": 7}))
+    assert other.deviations is not None
     # Equal but for rounding.
     np.testing.assert_allclose(tool.repeat([7])[0], other.deviations, rtol=0.0, atol=1e-9)
     many = tool.repeat(range(200))

@@ -82,6 +82,13 @@ fn a_net_states_its_scale_and_its_sides() {
 }
 
 #[test]
+fn corner_values_of_a_tiny_net_are_powers_of_ten() {
+    let text = text_of(&net(both(|_| field(|w, z| 1e-7 * crowned(w, z)))));
+    assert_holds(&text, &["−2.1·10⁻⁶"]);
+    assert!(!text.contains("0.00000"), "{text}");
+}
+
+#[test]
 fn a_map_labels_its_isolines_and_its_bar() {
     let svg = map(both(|side| field(|w, z| 1000.0 * ripple(w, z, side))));
     let text = text_of(&svg);

@@ -152,8 +152,9 @@ fn draw_floor(canvas: &mut Canvas, view: &View, drop: f64) {
     canvas.text([x + 34.0, y + 18.0], "w [mm]", TextStyle::new(TICK_SIZE, Anchor::Start));
     let side = TextStyle::new(TICK_SIZE, Anchor::Start).muted();
     let [x, y] = at(0.0, 0.0);
-    canvas.text([x - 10.0, y + 2.0], "face I", TextStyle { anchor: Anchor::End, ..side });
-    canvas.text([x - 10.0, y + 15.0], "(not datum)", TextStyle { anchor: Anchor::End, ..side });
+    // Below the number of the scale at this corner.
+    canvas.text([x - 6.0, y + 30.0], "face I", TextStyle { anchor: Anchor::Middle, ..side });
+    canvas.text([x - 6.0, y + 43.0], "(not datum)", TextStyle { anchor: Anchor::Middle, ..side });
     let [x, y] = at(1.0, 0.0);
     canvas.text([x + 12.0, y + 26.0], "face II, root", side);
     canvas.text([x + 12.0, y + 39.0], "(datum face)", side);
@@ -210,7 +211,7 @@ struct Corner {
 /// The corners, the hindmost first: the surface may hide it.
 fn corners(view: &View, size: f64) -> [Corner; 4] {
     let (last_i, last_j) = (view.field.w_mm().len() - 1, view.field.z_mm().len() - 1);
-    let decimals = if size > LEAST_SPAN { (2 - decimal_exponent(size)).clamp(0, 9) as usize } else { 0 };
+    let decimals = if size > LEAST_SPAN { (2 - decimal_exponent(size)).clamp(0, 6) as usize } else { 0 };
     [(last_i, 0), (last_i, last_j), (0, 0), (0, last_j)].map(|(i, j)| {
         let foot = view.at(view.z_share(j), view.w_share(i), 0.0);
         let head = view.surface(i, j);
@@ -218,7 +219,8 @@ fn corners(view: &View, size: f64) -> [Corner; 4] {
         let hindmost = i == last_i && j == 0;
         // The hindmost value stands at the top, clear of the surface; the others beside the middle.
         let y = if hindmost { foot[1].min(head[1]) } else { 0.5 * (foot[1] + head[1]) + 3.0 };
-        let value = format_fixed(view.field.f_um()[i][j], decimals);
+        let value = view.field.f_um()[i][j];
+        let value = if size < 1e-4 { format_significant(value, 2) } else { format_fixed(value, decimals) };
         Corner { foot, head, value, value_at: [foot[0] + shift, y], anchor }
     })
 }
