@@ -220,7 +220,7 @@ fn corners(view: &View, size: f64) -> [Corner; 4] {
         // The hindmost value stands at the top, clear of the surface; the others beside the middle.
         let y = if hindmost { foot[1].min(head[1]) } else { 0.5 * (foot[1] + head[1]) + 3.0 };
         let value = view.field.f_um()[i][j];
-        let value = if size < 1e-4 { format_significant(value, 2) } else { format_fixed(value, decimals) };
+        let value = if size < 1e-4 { format_significant(value, 1) } else { format_fixed(value, decimals) };
         Corner { foot, head, value, value_at: [foot[0] + shift, y], anchor }
     })
 }
