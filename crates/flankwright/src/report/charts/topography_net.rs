@@ -115,9 +115,8 @@ pub fn topography_net(net: &TopographyNet) -> Result<Svg, ChartError> {
         corners.iter().for_each(|corner| corner.draw_value(&mut canvas));
         if !flat {
             let bar = round_below(0.4 * (hi - lo));
-            let label = format!("{} µm", format_fixed(bar, decimals_of(bar)));
-            let label = if bar < 1e-4 { format!("{} µm", format_significant(bar, 1)) } else { label };
-            vertical_bar(&mut canvas, left + 10.0, 76.0, per_um * bar, &label);
+            let label = printed(bar, bar, decimals_of);
+            vertical_bar(&mut canvas, left + 10.0, 76.0, per_um * bar, &format!("{label} µm"));
         }
     }
     Ok(canvas.finish())
@@ -199,6 +198,11 @@ fn thinned(count: usize) -> Vec<usize> {
     (0..lines).map(|k| (k * (count - 1) + (lines - 1) / 2) / (lines - 1)).collect()
 }
 
+/// A value beside others up to `size`: with the decimals of that size, or a power of ten where these would be zeros.
+fn printed(value: f64, size: f64, decimals: impl Fn(f64) -> usize) -> String {
+    if size < 1e-4 { format_significant(value, 1) } else { format_fixed(value, decimals(size)) }
+}
+
 /// A corner of the net: foot on the plane, head on the surface, and the place of its value.
 struct Corner {
     foot: [f64; 2],
@@ -211,7 +215,6 @@ struct Corner {
 /// The corners, the hindmost first: the surface may hide it.
 fn corners(view: &View, size: f64) -> [Corner; 4] {
     let (last_i, last_j) = (view.field.w_mm().len() - 1, view.field.z_mm().len() - 1);
-    let decimals = if size > LEAST_SPAN { (2 - decimal_exponent(size)).clamp(0, 6) as usize } else { 0 };
     [(last_i, 0), (last_i, last_j), (0, 0), (0, last_j)].map(|(i, j)| {
         let foot = view.at(view.z_share(j), view.w_share(i), 0.0);
         let head = view.surface(i, j);
@@ -219,8 +222,8 @@ fn corners(view: &View, size: f64) -> [Corner; 4] {
         let hindmost = i == last_i && j == 0;
         // The hindmost value stands at the top, clear of the surface; the others beside the middle.
         let y = if hindmost { foot[1].min(head[1]) } else { 0.5 * (foot[1] + head[1]) + 3.0 };
-        let value = view.field.f_um()[i][j];
-        let value = if size < 1e-4 { format_significant(value, 1) } else { format_fixed(value, decimals) };
+        let value =
+            printed(view.field.f_um()[i][j], size, |size| (2 - decimal_exponent(size)).max(0) as usize);
         Corner { foot, head, value, value_at: [foot[0] + shift, y], anchor }
     })
 }
