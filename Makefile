@@ -27,7 +27,6 @@ test: setup
 	@scripts/postgresql install
 	$(call begins,format and clippy)
 	$(CARGO) fmt --all -- --check
-	$(CARGO) fmt --manifest-path fuzz/Cargo.toml -- --check
 	$(CARGO) clippy --workspace --all-targets -- -D warnings
 	$(call begins,web pages)
 	@scripts/web test
@@ -43,8 +42,6 @@ test: setup
 	$(call begins,browser and interface of the server)
 	@PROGRAM=target/debug/flankwright scripts/browser
 	@PROGRAM=target/debug/flankwright scripts/api-fuzz
-	$(call begins,fuzzing)
-	@FUZZ_SEED=1 scripts/fuzz 20
 	$(call begins,end)
 
 # The Python package in an environment of its own.
@@ -70,7 +67,6 @@ browser api-fuzz load: web
 
 format:
 	$(CARGO) fmt --all
-	$(CARGO) fmt --manifest-path fuzz/Cargo.toml
 
 # Quick look while writing.
 check:

@@ -114,8 +114,8 @@ fn evaluated(inspection: &Inspection, design: Option<Design<'_>>) {
         told_in_full(error.code(), &error.to_string(), error.way_out());
     }
     assert!(found.traces.len() <= inspection.traces.len());
-    for (quantity, value) in &found.judged {
-        assert!(value.is_finite(), "{quantity:?} is {value}");
+    for judged in &found.judged {
+        assert!(judged.value.is_finite(), "{judged:?}");
     }
     let numbers = format!("{:?}", (&found.traces, &found.pitch, &found.thickness));
     assert!(!numbers.contains("NaN") && !numbers.contains("inf"), "{numbers}");
