@@ -170,7 +170,12 @@ fn places_keep_what_the_referee_leaves() {
             let grid =
                 RayGrid::equidistant([at(pitch_radius - 1.5), at(pitch_radius + 3.0)], 4, [-2.0, 2.0], 5)
                     .unwrap();
-            let places = FlankPlaces { pair: &pair.flanks[flank], motion: &motion, record: &record };
+            let places = FlankPlaces {
+                pair: &pair.flanks[flank],
+                motion: &motion,
+                record: &record,
+                slopes: &|_, _| [0.0; 2],
+            };
             for tooth in [0, 1, 11] {
                 let simulated = by_rays(&pair, flank, &motion, &record, &grid, tooth);
                 let (mut worst, mut largest) = (0.0f64, 0.0f64);

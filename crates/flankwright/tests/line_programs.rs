@@ -62,11 +62,13 @@ fn text(changes: &[(&str, &str)], more: &str) -> String {
     format!("{text}\n[machine]\nfile = {:?}\n{more}\n", machine().display().to_string())
 }
 
-fn job(changes: &[(&str, &str)], more: &str) -> LoadedJob {
+/// That job.
+pub fn job(changes: &[(&str, &str)], more: &str) -> LoadedJob {
     parse_job(Source::new("line-programs.toml", &text(changes, more))).unwrap_or_else(|e| panic!("{e}"))
 }
 
-fn planned(loaded: &LoadedJob) -> Outcome {
+/// Its plan.
+pub fn planned(loaded: &LoadedJob) -> Outcome {
     plan_job(loaded, &Silent).unwrap_or_else(|e| panic!("{e:?}"))
 }
 

@@ -1,6 +1,7 @@
 //! The written programs in LinuxCNC itself (spec 80 sections 4 and 9): `rs274` interprets them, the Python module `gcode` gives
 //! their targets with all digits. Without `scripts/linuxcnc-client` these tests say so and check nothing.
 
+use crate::line_programs::{job, planned};
 use crate::nc::client::{ABSENT, Client};
 use crate::nc::helical_row;
 use crate::nc::programs::{self, A, C, Draw, X, Z, program, random, stroke};
@@ -9,6 +10,7 @@ use flankwright::nc::{
     AxisMotion, AxisWord, Block, Decimals, Dialect, FeedWords, Header, Program, Targets, WriteOptions, read,
     split_turns, write_checked,
 };
+use flankwright::workflow::Outcome;
 use flankwright::workflow::milling::{run_milling, write_milling};
 use std::io::Write as _;
 use std::path::PathBuf;
@@ -223,6 +225,16 @@ impl Found {
         assert_eq!(comments, written + 1, "the name is a comment as well");
     }
 
+    /// Every LinuxCNC program of a run of generating grinding; the number of motions.
+    fn add_run(&mut self, client: &Client, directory: &tempfile::TempDir, outcome: &Outcome) -> usize {
+        let before = self.motions;
+        let programs = &outcome.programs.as_ref().expect("programs").built.programs;
+        for made in programs.iter().filter(|made| made.dialect == Dialect::LinuxCnc) {
+            self.add(client, directory, &made.layout.program, &made.written.text);
+        }
+        self.motions - before
+    }
+
     fn tell(&self) {
         println!(
             "{} motions: rs274 within {:.3e}, gcode within {:.4} of half a digit",
@@ -240,12 +252,18 @@ fn the_programs_of_the_examples_mean_the_same_in_linuxcnc() {
         let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(format!("../../examples/{example}.toml"));
         let loaded = flankwright::exchange::read_job(&path).expect("an example");
         let outcome = flankwright::workflow::plan_job(&loaded, &flankwright::numerics::Silent);
-        let programs = outcome.expect("a plan").programs.expect("programs");
-        let of_client = programs.built.programs.iter().filter(|p| p.dialect == Dialect::LinuxCnc);
-        let before = found.motions;
-        of_client.for_each(|made| found.add(&client, &directory, &made.layout.program, &made.written.text));
-        assert!(found.motions > before + 10, "{example}");
+        assert!(found.add_run(&client, &directory, &outcome.expect("a plan")) > 10, "{example}");
     }
+    found.tell();
+}
+
+/// Line dressing goes from line to line with many short motions, and stops between two threads.
+#[test]
+fn programs_of_line_dressing_mean_the_same_in_linuxcnc() {
+    let Some((client, directory)) = client("programs of line dressing") else { return };
+    let mut found = Found::default();
+    let outcome = planned(&job(&[("\"siemens\"", "\"linuxcnc\"")], ""));
+    assert!(found.add_run(&client, &directory, &outcome) > 100);
     found.tell();
 }
 

@@ -9,8 +9,12 @@ use nalgebra::{Matrix2, Vector2};
 use num_dual::Dual64;
 use std::f64::consts::TAU;
 
-/// Where and when places of one flank are ground, in closed form: contacts of the unmodified bodies, passes at the real feed.
-#[derive(Clone, Copy, Debug)]
+/// Slopes df/dw and df/dz of a normal deviation of the flank at (w, z), mm/mm.
+pub type FlankSlopes<'a> = dyn Fn(f64, f64) -> [f64; 2] + 'a;
+
+/// Where and when places of one flank are ground, in closed form: contacts of the unmodified bodies, moved by the slopes of the flank that
+/// is left; passes at the real feed.
+#[derive(Clone, Copy)]
 pub struct FlankPlaces<'a> {
     /// Contact relations of the flank.
     pub pair: &'a FlankPair,
@@ -18,6 +22,9 @@ pub struct FlankPlaces<'a> {
     pub motion: &'a GeneratingMotion,
     /// The stroke with its errors.
     pub record: &'a StrokeRecord,
+    /// Slopes of the flank that the stroke leaves without errors. Where a flank is inclined by what tool and motion leave together, its
+    /// contact lies millimetres of feed beside the one of unmodified bodies, which is many turns of the gear.
+    pub slopes: &'a FlankSlopes<'a>,
 }
 
 /// What the control leaves on one flank of all teeth, um, normal, positive = material left.
@@ -84,8 +91,15 @@ impl FlankPlaces<'_> {
         // Contact relations are linear: differences over 1 mm are derivatives.
         let angle = pair.work_angle(w, z);
         let by_roll = pair.work_angle(w + 1.0, pair.work_z(w + 1.0, shift, feed)) - angle;
-        let by_feed = (pair.work_angle(w, z + 1.0) - angle) * (pair.c_zv22 + ratio * pair.c_zv12);
-        Place { feed, angle, gap, rates: [by_roll, by_feed] }
+        let z_by_feed = pair.c_zv22 + ratio * pair.c_zv12;
+        let by_feed = (pair.work_angle(w, z + 1.0) - angle) * z_by_feed;
+        // f(x) = min over d of c(x + d) + d.H.d/2, c what a pose leaves at its own contact: H d = -grad f, in (w_2, z_V2).
+        let [f_w, f_z] = (self.slopes)(w, z);
+        let z_by_roll = pair.work_z(w + 1.0, shift, feed) - z;
+        let slope = Vector2::new(f_w + f_z * z_by_roll, f_z * z_by_feed);
+        let moved = gap.try_inverse().map_or(Vector2::zeros(), |inverse| -(inverse * slope));
+        let angle = angle + by_roll * moved.x + by_feed * moved.y;
+        Place { feed: feed + moved.y, angle, gap, rates: [by_roll, by_feed] }
     }
 
     fn deviation_of(&self, place: &Place, tooth: usize) -> f64 {

@@ -13,7 +13,7 @@ mod rotation;
 mod slide;
 mod stroke;
 
-pub use at_flank::{ControlledFlank, FlankPlaces};
+pub use at_flank::{ControlledFlank, FlankPlaces, FlankSlopes};
 pub use budget::{BudgetInput, ErrorBound, ErrorBudget};
 pub use error::ControlError;
 pub use following::{FollowedSlide, FollowedWorm, Following, FollowingBin, FollowingError, FollowingRecord};

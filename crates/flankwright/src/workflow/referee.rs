@@ -53,6 +53,22 @@ pub struct Verdict {
     /// Height of the true feed marks over the envelope on a sample of rays, mm, or why they could not be followed; `None`
     /// without a feed.
     pub feed_mark: Option<Result<f64, RemovalError>>,
+    /// The worm flank that the dresser left; `None` for a tool that is not dressed.
+    pub(in crate::workflow) dressed: Option<DressedSurface>,
+}
+
+impl Verdict {
+    /// f_n1 of the worm that ground the flank: as the dresser left it, or as the table has it.
+    pub(in crate::workflow) fn worm<'a>(
+        &'a self,
+        tool: &'a ExecutedTool,
+    ) -> Option<&'a dyn WormModification> {
+        match (tool, &self.dressed) {
+            (_, Some(dressed)) => Some(dressed),
+            (ExecutedTool::Made(made), None) => Some(&made.spline),
+            (ExecutedTool::Dressed(_) | ExecutedTool::Stroked(_), None) => None,
+        }
+    }
 }
 
 /// Spacing of the worm's rays: over the profile and along the worm, mm (spec 28 section 5).
@@ -313,9 +329,12 @@ fn run_flank(
     let simulated = Topography { f: ground.lengths()?, ..executed.target.clone() };
     Ok(Some(Verdict {
         simulated,
-        dressing: dressed.map(|d| StageReport { statistics: d.statistics, error_um: d.surface.error_um }),
+        dressing: dressed
+            .as_ref()
+            .map(|d| StageReport { statistics: d.statistics, error_um: d.surface.error_um }),
         grinding: StageReport { statistics: ground.statistics, error_um: ground.error_um },
         feed_mark,
+        dressed: dressed.map(|dressed| dressed.surface),
     }))
 }
 

@@ -1,19 +1,14 @@
-//! A run of generating grinding as the control sees it: one pass for all flanks. The worm of the rays in time is unmodified: what a
-//! modification does to the effect of an error is of second order.
+//! A run of generating grinding as the control sees it: one pass for all flanks, ground by the worm that the dresser left.
 
-use super::pass::{ControlledPass, ControlledRun, GroundFlank};
+use super::pass::{ControlledPass, ControlledRun, GoesOn, GroundFlank};
 use super::result::ControlResult;
 use crate::exchange::LoadedJob;
 use crate::geometry::{Flank, Sides};
-use crate::removal::Unmodified;
 use crate::workflow::execution::Execution;
 use crate::workflow::finding::{Remark, RunFailure};
 use crate::workflow::prepare::Prepared;
 use crate::workflow::programs::Technology;
-use crate::workflow::referee::Verdict;
-
-/// Largest length of a ray that counts as this flank's, mm.
-const STOCK: f64 = 0.1;
+use crate::workflow::referee::{Verdict, stock};
 
 /// What the job's control leaves, with the alarms of its interpolator; `None` for a job without one.
 ///
@@ -34,8 +29,9 @@ pub(in crate::workflow) fn control_of_grinding(
         Some(GroundFlank {
             flank,
             deviation: verdict.simulated.minus(&executed.target),
-            worm: Box::new(Unmodified),
-            stock: STOCK,
+            simulated: &verdict.simulated,
+            worm: GoesOn(verdict.worm(&executed.tool)?),
+            stock: stock(prepared.setup.pair.worm.flank(flank), executed.target.largest()),
         })
     };
     let pass = ControlledPass {

@@ -1,12 +1,11 @@
 //! A run of tangential dressing as the control sees it: each pass with its own motion and stroke. Variables of dressing and grinding that
 //! cancel each other on the flank may each be large, so the worm of the rays in time is the one that the dresser left.
 
-use super::pass::{ControlledPass, ControlledRun, GroundFlank};
+use super::pass::{ControlledPass, ControlledRun, GoesOn, GroundFlank};
 use super::result::ControlResult;
 use crate::exchange::LoadedTangentialJob;
 use crate::geometry::Sides;
 use crate::kinematics::GeneratingMotion;
-use crate::removal::{DressedSurface, WormModification};
 use crate::workflow::finding::{Remark, RunFailure};
 use crate::workflow::programs::Technology;
 use crate::workflow::referee::stock;
@@ -48,29 +47,9 @@ fn controlled<'a>(
     let ground = pass.runs.iter().map(|&(flank, run)| GroundFlank {
         flank,
         deviation: run.simulated.minus(&run.target),
-        worm: Box::new(GoesOn(&run.refereed.worm.surface)),
+        simulated: &run.simulated,
+        worm: GoesOn(&run.refereed.worm.surface),
         stock: stock(ready.model.pair.worm.flank(flank), run.target.largest()),
     });
     ControlledPass { motion, feed_range: pass.feed(), flanks: ground.collect() }
-}
-
-/// The worm flank as the dresser left it, beyond the part with rays as at its border: a ray looks at the instants before and behind its
-/// contact as well, where it meets the worm beside the part that is used.
-struct GoesOn<'a>(&'a DressedSurface);
-
-impl WormModification for GoesOn<'_> {
-    fn jet(&self, w: f64, z: f64) -> [f64; 3] {
-        let [[from_w, to_w], [from_z, to_z]] = self.0.domain();
-        let (at_w, at_z) = (w.max(from_w).min(to_w), z.max(from_z).min(to_z));
-        let [f, by_w, by_z] = self.0.jet(at_w, at_z);
-        [f, if at_w == w { by_w } else { 0.0 }, if at_z == z { by_z } else { 0.0 }]
-    }
-
-    fn creases(&self) -> &[f64] {
-        self.0.creases()
-    }
-
-    fn error_um(&self) -> f64 {
-        self.0.error_um()
-    }
 }

@@ -5,6 +5,7 @@ use crate::exchange::job::Control;
 use crate::geometry::Flank;
 use crate::kinematics::GeneratingMotion;
 use crate::metrology::Topography;
+use crate::numerics::TensorSpline;
 use crate::removal::WormModification;
 
 /// A run that goes through a control. mm, rad, s.
@@ -39,10 +40,48 @@ pub(super) struct GroundFlank<'a> {
     pub flank: Flank,
     /// Simulated less target, normal.
     pub deviation: Topography,
+    /// The flank that the rays left, normal.
+    pub simulated: &'a Topography,
     /// f_n1 of the worm whose rays in time judge what the control leaves.
-    pub worm: Box<dyn WormModification + 'a>,
+    pub worm: GoesOn<'a>,
     /// Largest length of a ray that counts as this flank's.
     pub stock: f64,
+}
+
+/// A worm flank beyond the part that is known as at its border: a ray looks at the instants before and behind its contact as well, where
+/// it meets the worm beside the part that is used.
+pub(super) struct GoesOn<'a>(pub &'a dyn WormModification);
+
+impl WormModification for GoesOn<'_> {
+    fn jet(&self, w: f64, z: f64) -> [f64; 3] {
+        let [[from_w, to_w], [from_z, to_z]] = self.0.domain();
+        let (at_w, at_z) = (w.max(from_w).min(to_w), z.max(from_z).min(to_z));
+        let [f, by_w, by_z] = self.0.jet(at_w, at_z);
+        [f, if at_w == w { by_w } else { 0.0 }, if at_z == z { by_z } else { 0.0 }]
+    }
+
+    fn creases(&self) -> &[f64] {
+        self.0.creases()
+    }
+
+    fn error_um(&self) -> f64 {
+        self.0.error_um()
+    }
+}
+
+impl GroundFlank<'_> {
+    /// Slopes of the flank that is left, by a spline through its grid; none where the grid is too coarse for one.
+    pub fn slopes(&self) -> impl Fn(f64, f64) -> [f64; 2] {
+        let rows: Vec<Vec<f64>> =
+            self.simulated.f.chunks(self.simulated.z.len()).map(<[f64]>::to_vec).collect();
+        let spline = TensorSpline::new(&self.simulated.w, &self.simulated.z, &rows).ok();
+        move |w, z| {
+            spline.as_ref().map_or([0.0; 2], |spline| {
+                let jet = spline.jet(w, z);
+                [jet.fu, jet.fv]
+            })
+        }
+    }
 }
 
 impl ControlledPass<'_> {

@@ -117,7 +117,9 @@ impl ControlledRun<'_> {
         records: &[StrokeRecord],
     ) -> Result<ControlFlankResult, RunFailure> {
         let (pair, motion, deviation) = (&self.pair.flanks[ground.flank], pass.motion, &ground.deviation);
-        let places = Strokes(records.iter().map(|record| FlankPlaces { pair, motion, record }).collect());
+        let slopes = ground.slopes();
+        let places = records.iter().map(|record| FlankPlaces { pair, motion, record, slopes: &slopes });
+        let places = Strokes(places.collect());
         let count = pair.work.teeth.abs() as usize;
         let all: Vec<usize> = (0..count).collect();
         let left = places.flank(&deviation.w, &deviation.z, &all);
@@ -213,7 +215,7 @@ impl ControlledRun<'_> {
             let setup = TimedGrinding {
                 worm: pair.worm.flank(flank),
                 area: WormArea { w: [1e-3, 1e4], z: [-1e4, 1e4] },
-                modification: &*ground.worm,
+                modification: &ground.worm,
                 work: pair.work.flank(flank),
                 pose: &pose,
                 span: [record.start, last],

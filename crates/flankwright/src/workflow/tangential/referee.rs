@@ -123,6 +123,7 @@ pub fn referee(
             }),
             grinding: StageReport { statistics: ground.statistics, error_um: ground.error_um },
             feed_mark: None,
+            dressed: None,
         },
         sample_error_um: asked.error_um,
         sample: (sample, asked.lengths().map_err(refused)?),
