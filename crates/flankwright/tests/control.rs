@@ -7,7 +7,7 @@ use flankwright::control::servo::{
     Disturbance, Disturbances, Drive, Gains, Quantisation, ServoParameters, Spindle,
 };
 use flankwright::control::{
-    FlankPlaces, Interpolation, Rotation, StrokeControl, StrokeRecord, StrokeSpeeds, run_stroke,
+    FlankPlaces, FlankSlopes, Interpolation, Rotation, StrokeControl, StrokeRecord, StrokeSpeeds, run_stroke,
     run_there_and_back,
 };
 use flankwright::geometry::{Flank, Gear, GearData, Sides, WormChoice, worm_for_gear};
@@ -174,7 +174,7 @@ fn places_keep_what_the_referee_leaves() {
                 pair: &pair.flanks[flank],
                 motion: &motion,
                 record: &record,
-                slopes: &|_, _| [0.0; 2],
+                slopes: FlankSlopes { ground: &|_, _| [0.0; 2], worm: &|_, _| [0.0; 2] },
             };
             for tooth in [0, 1, 11] {
                 let simulated = by_rays(&pair, flank, &motion, &record, &grid, tooth);

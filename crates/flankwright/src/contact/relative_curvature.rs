@@ -4,6 +4,9 @@
 use super::FlankPair;
 use nalgebra::{Matrix2, Vector2, Vector3};
 
+/// Steps of the place of a displaced contact: each multiplies its error by the curvature of the modification over that of the gap.
+const DISPLACEMENTS: usize = 6;
+
 /// Quadratic form of the gap of worm and workpiece over the two contact parameters (dw_2, dz_V2), at one contact point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RelativeCurvature {
@@ -65,13 +68,45 @@ impl FlankPair {
 impl RelativeCurvature {
     /// -(1/2) c^T H^-1 c: how much deeper than first order a worm modification with slopes (f_w, f_z) digs, mm (<= 0).
     pub fn second_order(&self, f_w: f64, f_z: f64) -> f64 {
-        let [rolled, cos, tan] = self.worm;
-        let slope = self.e_r1 * (rolled * f_w) + self.g_1 * (cos * (f_z + tan * f_w));
-        let c = Vector2::from_fn(|i, _| f_w * self.dw_1[i] + f_z * self.dz_1[i] - slope.dot(&self.u[i]));
+        let across = self.across_worm([f_w, f_z]);
+        let c = Vector2::from_fn(|i, _| f_w * self.dw_1[i] + f_z * self.dz_1[i] - across[i]);
         match self.h.try_inverse() {
             Some(inverse) => -0.5 * c.dot(&(inverse * c)),
             None => f64::NEG_INFINITY,
         }
+    }
+
+    /// How a function on the worm with slopes (f_w, f_z) changes when a place of the workpiece moves by dw_2 or dz_V2 below the worm at rest.
+    fn across_worm(&self, [f_w, f_z]: [f64; 2]) -> Vector2<f64> {
+        Vector2::from_fn(|i, _| {
+            let [by_w, by_z] = self.worm_step(&self.u[i]);
+            f_w * by_w + f_z * by_z
+        })
+    }
+
+    /// (dw_1, dz_1) of a step in the common tangent plane, on the worm at rest.
+    fn worm_step(&self, step: &Vector3<f64>) -> [f64; 2] {
+        let [rolled, cos, tan] = self.worm;
+        let along = cos * step.dot(&self.g_1);
+        [rolled * step.dot(&self.e_r1) + tan * along, along]
+    }
+
+    /// Where a place of the workpiece is really ground, as (dw_2, dz_V2) from its contact of unmodified bodies, when the flank that is left
+    /// has the slopes `ground` by these parameters: H d = df_1/dx - grad f, from f(x) = min over d of f_1(y(x, d)) + m(x + d) + d.H.d/2 with f_1
+    /// of the worm at the place y opposite of x and what the motion adds, m. `worm` gives (f_w, f_z) of f_1 at (dw_1, dz_1) from the contact's place
+    /// on the worm. `None` where H has no inverse.
+    pub fn displaced(&self, ground: [f64; 2], worm: impl Fn([f64; 2]) -> [f64; 2]) -> Option<[f64; 2]> {
+        let inverse = self.h.try_inverse()?;
+        let ground = Vector2::from(ground);
+        let mut at = Vector2::zeros();
+        for _ in 0..DISPLACEMENTS {
+            let step = self.u[0] * at.x + self.u[1] * at.y;
+            let [by_w, by_z] = self.worm_step(&step);
+            let moved = |d: [f64; 2]| d[0] * at.x + d[1] * at.y;
+            let slopes = worm([moved(self.dw_1) - by_w, moved(self.dz_1) - by_z]);
+            at = inverse * (self.across_worm(slopes) - ground);
+        }
+        Some(at.into())
     }
 
     /// Height of the feed marks at feed step `f`, mm (spec 20 section 9).

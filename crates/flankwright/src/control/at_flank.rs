@@ -9,11 +9,18 @@ use nalgebra::{Matrix2, Vector2};
 use num_dual::Dual64;
 use std::f64::consts::TAU;
 
-/// Slopes df/dw and df/dz of a normal deviation of the flank at (w, z), mm/mm.
-pub type FlankSlopes<'a> = dyn Fn(f64, f64) -> [f64; 2] + 'a;
+/// Slopes df/dw and df/dz of normal deviations at (w, z), mm/mm. Where worm and motion incline the flank, its contact lies millimetres of feed
+/// beside the one of unmodified bodies, which is many turns of the gear; also where the two cancel each other on the flank.
+#[derive(Clone, Copy)]
+pub struct FlankSlopes<'a> {
+    /// Of the flank that the stroke leaves without errors.
+    pub ground: &'a dyn Fn(f64, f64) -> [f64; 2],
+    /// Of the worm flank.
+    pub worm: &'a dyn Fn(f64, f64) -> [f64; 2],
+}
 
-/// Where and when places of one flank are ground, in closed form: contacts of the unmodified bodies, moved by the slopes of the flank that
-/// is left; passes at the real feed.
+/// Where and when places of one flank are ground, in closed form: contacts of the unmodified bodies, moved by the slopes
+/// of worm and flank; passes at the real feed.
 #[derive(Clone, Copy)]
 pub struct FlankPlaces<'a> {
     /// Contact relations of the flank.
@@ -22,9 +29,8 @@ pub struct FlankPlaces<'a> {
     pub motion: &'a GeneratingMotion,
     /// The stroke with its errors.
     pub record: &'a StrokeRecord,
-    /// Slopes of the flank that the stroke leaves without errors. Where a flank is inclined by what tool and motion leave together, its
-    /// contact lies millimetres of feed beside the one of unmodified bodies, which is many turns of the gear.
-    pub slopes: &'a FlankSlopes<'a>,
+    /// How worm and flank are inclined.
+    pub slopes: FlankSlopes<'a>,
 }
 
 /// What the control leaves on one flank of all teeth, um, normal, positive = material left.
@@ -87,19 +93,21 @@ impl FlankPlaces<'_> {
             }
         }
         let shift = motion.shift.value(feed);
-        let gap = pair.relative_curvature(pair.worm_roll(w, shift, feed), w, ratio).h;
+        let worm_roll = pair.worm_roll(w, shift, feed);
+        let worm_z = pair.worm_z(worm_roll, shift, feed);
+        let curvature = pair.relative_curvature(worm_roll, w, ratio);
         // Contact relations are linear: differences over 1 mm are derivatives.
         let angle = pair.work_angle(w, z);
         let by_roll = pair.work_angle(w + 1.0, pair.work_z(w + 1.0, shift, feed)) - angle;
         let z_by_feed = pair.c_zv22 + ratio * pair.c_zv12;
         let by_feed = (pair.work_angle(w, z + 1.0) - angle) * z_by_feed;
-        // f(x) = min over d of c(x + d) + d.H.d/2, c what a pose leaves at its own contact: H d = -grad f, in (w_2, z_V2).
-        let [f_w, f_z] = (self.slopes)(w, z);
+        let [f_w, f_z] = (self.slopes.ground)(w, z);
         let z_by_roll = pair.work_z(w + 1.0, shift, feed) - z;
-        let slope = Vector2::new(f_w + f_z * z_by_roll, f_z * z_by_feed);
-        let moved = gap.try_inverse().map_or(Vector2::zeros(), |inverse| -(inverse * slope));
-        let angle = angle + by_roll * moved.x + by_feed * moved.y;
-        Place { feed: feed + moved.y, angle, gap, rates: [by_roll, by_feed] }
+        let ground = [f_w + f_z * z_by_roll, f_z * z_by_feed];
+        let worm = |[dw, dz]: [f64; 2]| (self.slopes.worm)(worm_roll + dw, worm_z + dz);
+        let [dw, dv] = curvature.displaced(ground, worm).unwrap_or_default();
+        let angle = angle + by_roll * dw + by_feed * dv;
+        Place { feed: feed + dv, angle, gap: curvature.h, rates: [by_roll, by_feed] }
     }
 
     fn deviation_of(&self, place: &Place, tooth: usize) -> f64 {

@@ -70,6 +70,14 @@ impl WormModification for GoesOn<'_> {
 }
 
 impl GroundFlank<'_> {
+    /// Slopes of the worm that grinds it.
+    pub fn worm_slopes(&self) -> impl Fn(f64, f64) -> [f64; 2] {
+        |w, z| {
+            let [_, by_w, by_z] = self.worm.jet(w, z);
+            [by_w, by_z]
+        }
+    }
+
     /// Slopes of the flank that is left, by a spline through its grid; none where the grid is too coarse for one.
     pub fn slopes(&self) -> impl Fn(f64, f64) -> [f64; 2] {
         let rows: Vec<Vec<f64>> =

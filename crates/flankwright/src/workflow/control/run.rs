@@ -8,8 +8,8 @@ use super::setup::{
 };
 use crate::contact::Pair;
 use crate::control::{
-    ControlledFlank, FlankPlaces, StrokeControl, StrokeError, StrokeRecord, StrokeSpeeds, run_stroke,
-    run_there_and_back,
+    ControlledFlank, FlankPlaces, FlankSlopes, StrokeControl, StrokeError, StrokeRecord, StrokeSpeeds,
+    run_stroke, run_there_and_back,
 };
 use crate::exchange::Diagnostic;
 use crate::exchange::job::{Control, FeedSenses};
@@ -117,8 +117,9 @@ impl ControlledRun<'_> {
         records: &[StrokeRecord],
     ) -> Result<ControlFlankResult, RunFailure> {
         let (pair, motion, deviation) = (&self.pair.flanks[ground.flank], pass.motion, &ground.deviation);
-        let slopes = ground.slopes();
-        let places = records.iter().map(|record| FlankPlaces { pair, motion, record, slopes: &slopes });
+        let (left_by_stroke, of_worm) = (ground.slopes(), ground.worm_slopes());
+        let slopes = FlankSlopes { ground: &left_by_stroke, worm: &of_worm };
+        let places = records.iter().map(|record| FlankPlaces { pair, motion, record, slopes });
         let places = Strokes(places.collect());
         let count = pair.work.teeth.abs() as usize;
         let all: Vec<usize> = (0..count).collect();
