@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
+use ::verify::{FileReport, VerifyOptions, VerifySummary, verify_file};
 use flankwright::exchange::Diagnostic;
-use flankwright::workflow::verify::{FileReport, VerifyOptions, VerifySummary, verify_file};
 use pyo3::prelude::*;
 
 use crate::failure::Failure;

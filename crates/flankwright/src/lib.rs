@@ -159,7 +159,7 @@
 //! ```
 //!
 //! [`workflow::write_outcome`] writes result, tables, settings and report; [`workflow::simulate_job`] runs settings that
-//! stand in a job; [`workflow::verify`] recomputes reference files.
+//! stand in a job; the crate `flankwright-verify` recomputes reference files.
 //!
 //! # The rooms
 //!
@@ -167,36 +167,30 @@
 //! [`removal`], the referee, never from [`contact`] or [`process`] (`tests/layers.rs` enforces both). `ARCHITECTURE.md`
 //! tells what each may not know.
 
-pub mod numerics;
+pub use contact;
+pub use control;
+pub use foundation::{geometry, inverse, kinematics, modification, numerics};
+pub use machine;
+pub use metrology;
+pub use motion;
+pub use nc;
+pub use referee as removal;
 
-pub mod geometry;
+/// The processes, each a crate of its own.
+pub mod process {
+    pub use grinding::{correction, dressing, generating, tangential_dressing};
+    pub use milling;
+    pub use skiving;
+}
 
-pub mod modification;
+/// Files of jobs, bodies and measured gears.
+pub mod exchange {
+    pub use ::job::*;
+    pub use measured_files::{inspection, rexs};
+}
 
-pub mod kinematics;
+pub use verdict;
 
-pub mod inverse;
-
-pub mod machine;
-
-pub mod contact;
-
-pub mod removal;
-
-pub mod metrology;
-
-pub mod control;
-
-pub mod process;
-
-pub mod nc;
-
-pub mod motion;
-
-pub mod exchange;
-
-pub mod verdict;
-
-pub mod report;
+pub use report;
 
 pub mod workflow;

@@ -1,6 +1,6 @@
 //! The search for the clearance of a cutter from a surface, against sampling: every surface, every cutter, poses by chance.
 
-use crate::surfaces::cases::{between, offset, samples};
+use crate::surface_cases::{between, offset, samples};
 use flankwright::geometry::{Cutter, CutterShape, Modified, ShankStep, Surface, in_tool};
 use flankwright::process::milling::{HIDDEN, Patch};
 use nalgebra::{Rotation3, Vector3};

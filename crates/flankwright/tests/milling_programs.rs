@@ -1,7 +1,7 @@
 //! Programs of five-axis milling from planned spaces: helical, spur and straight bevel gears on machines of `machines/`, with and
 //! without tool centre point control, for every control; read back, compared, milled by rays, and interpreted by LinuxCNC.
 
-use crate::nc::client::{ABSENT, Client};
+use crate::peer::client::{ABSENT, Client};
 use flankwright::exchange::job::Program as DialectName;
 use flankwright::exchange::machine::{LoadedMachine, read_machine};
 use flankwright::exchange::milling_job::{MillingMount, Rtcp};

@@ -1,7 +1,7 @@
 //! Programs that measure a skiving tool in its machine: written for every control, read back, followed by forward kinematics, and
 //! judged by where the ideal tool switches the beam (spec 60 sections 6, 7 and 11).
 
-use crate::nc::client::{ABSENT, Client};
+use crate::peer::client::{ABSENT, Client};
 use crate::skiving::samples::{CROWNED, RING, STEPPED, Sample};
 use flankwright::exchange::job::Program as DialectName;
 use flankwright::exchange::machine::{LoadedMachine, read_machine};

@@ -23,7 +23,7 @@ pub fn of_target(target: &str) -> Vec<Vec<u8>> {
     let own = package().join("seeds").join(target);
     let mut folders = Vec::from_iter(own.is_dir().then_some(own));
     folders.extend(match target {
-        "job" => vec![root.join("examples"), root.join("crates/flankwright/src/exchange/template")],
+        "job" => vec![root.join("examples"), root.join("crates/job/src/template")],
         "machine" => vec![root.join("machines")],
         "catalogue" => vec![root.join("examples/catalogue")],
         _ => vec![],

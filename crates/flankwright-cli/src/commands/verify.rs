@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
+use ::verify::{VerifyOptions, VerifySummary, verify_file};
 use clap::Args;
 use flankwright::exchange::Diagnostic;
-use flankwright::workflow::verify::{VerifyOptions, VerifySummary, verify_file};
 
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;

@@ -47,7 +47,6 @@ pub mod tangential;
 mod task;
 mod tip_edge;
 mod tip_land;
-pub mod verify;
 mod write;
 
 pub use catalogue::{

@@ -14,7 +14,7 @@ use flankwright::exchange::{
     JobError, job_template, read_any_job, read_grid_target, read_points, read_reference_train,
     read_skiving_readings, read_tolerances, read_traces,
 };
-use flankwright::workflow::verify::{VerifyError, VerifyOptions, verify_file};
+use verify::{VerifyError, VerifyOptions, verify_file};
 
 /// An error as a user gets it.
 #[derive(Clone, Debug, PartialEq)]

@@ -3,7 +3,6 @@
 
 mod bladed;
 mod bodies;
-pub(in crate::workflow) mod chain;
 mod check;
 mod clamping;
 mod cylindrical;
@@ -17,7 +16,7 @@ mod meshes;
 mod model;
 mod of_job;
 
-pub(in crate::workflow) mod orientation;
+mod orientation;
 mod orientation_result;
 mod page;
 pub(in crate::workflow) mod part_mesh;
@@ -42,7 +41,7 @@ pub use mate::{MateFlank, MateOutcome};
 pub use mate_flank::needed_polar_angle;
 pub use model::MillingModel;
 pub use of_job::MillingTexts;
-pub use orientation::{ComparedOrientations, OrientationCurve};
+pub use orientation::{ComparedOrientations, OrientationCurve, RotaryCourse, rotary_course};
 pub use orientation_result::{OrientationFigures, OrientationResult, RotaryFigures};
 pub use program_result::{MountTilt, ProgramOperation, ProgramResult};
 pub use referee::{RefereedFlank, referee};

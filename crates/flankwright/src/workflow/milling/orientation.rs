@@ -2,13 +2,13 @@
 //! lines of the flank, and along lines that an irregular patch has sheared; on the job's own flank and machine.
 
 use super::bodies::MillingBodies;
-use super::chain::{Chain, Places, chain};
 use super::orientation_result::{OrientationFigures, OrientationResult};
 use super::programs::clamping;
 use crate::exchange::machine::LoadedMachine;
 use crate::exchange::milling_job::{MilledBody, MillingJob, MillingMount};
 use crate::exchange::{Diagnostic, Problem};
 use crate::kinematics::{Direction, Point};
+use crate::machine::five_axis::{Chain, Places, chain};
 use crate::machine::{Machine, Positions};
 use crate::motion::MotionError;
 use crate::motion::milling::{
@@ -20,7 +20,7 @@ use crate::process::milling::{
 use crate::workflow::finding::RunFailure;
 
 /// Rotary axes along a row.
-pub(in crate::workflow) struct RotaryCourse {
+pub struct RotaryCourse {
     /// How smoothly they run.
     pub figures: RowSmoothness,
     /// The axes at all places.
@@ -33,10 +33,7 @@ pub(in crate::workflow) struct RotaryCourse {
 ///
 /// # Errors
 /// [`MotionError`] for a place that the machine does not reach.
-pub(in crate::workflow) fn rotary_course(
-    setup: &MillingSetup<'_>,
-    row: &[OrientedPlace],
-) -> Result<RotaryCourse, MotionError> {
+pub fn rotary_course(setup: &MillingSetup<'_>, row: &[OrientedPlace]) -> Result<RotaryCourse, MotionError> {
     let place = |at: &OrientedPlace| CutterPlace {
         contact: Point::from_vector(at.jet.point),
         tip: Point::from_vector(at.location.tip),

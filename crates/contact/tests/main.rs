@@ -1,0 +1,6 @@
+//! Contact against reference numbers, properties and bodies rolled step by step.
+
+mod gear_root;
+mod pairs;
+mod properties;
+mod rolled_pair;

@@ -1,0 +1,180 @@
+//! Bevel flanks: octoid against reference and spherical involute, and pairs that mesh.
+
+use super::cases::{bevel_data, bevel_gear, number, reference, vector};
+use foundation::geometry::{BevelData, BevelGear, Flank, Hand, Octoid, SphericalInvolute, Spiral, Surface};
+use foundation::numerics::brent;
+use nalgebra::{Rotation3, Vector3};
+use std::f64::consts::PI;
+
+/// Signed distance of a point from a flank along the flank's normal: Newton on both parameters.
+fn deviation(surface: &dyn Surface, point: &Vector3<f64>, start: [f64; 2]) -> f64 {
+    let [mut a, mut b] = start;
+    for _ in 0..50 {
+        let jet = surface.jet(a, b);
+        let miss = point - jet.point;
+        let (s_a, s_b) = (jet.by_height, jet.by_length);
+        let (aa, ab, bb) = (s_a.dot(&s_a), s_a.dot(&s_b), s_b.dot(&s_b));
+        let (m_a, m_b) = (s_a.dot(&miss), s_b.dot(&miss));
+        let determinant = aa * bb - ab * ab;
+        let step = [(bb * m_a - ab * m_b) / determinant, (aa * m_b - ab * m_a) / determinant];
+        a += step[0];
+        b += step[1];
+        if step[0].abs() < 1e-14 && step[1].abs() < 1e-12 {
+            break;
+        }
+    }
+    let jet = surface.jet(a, b);
+    (point - jet.point).dot(&jet.normal)
+}
+
+#[test]
+fn the_octoid_is_that_of_the_reference() {
+    let reference = reference();
+    let gear = bevel_gear("straight_bevel");
+    let octoid = Octoid::new(&gear, Flank::Left);
+    let involute = SphericalInvolute::new(&gear, Flank::Left);
+    let distance = number(&reference["octoid"]["R_mm"]);
+    let items = reference["octoid"]["items"].as_array().unwrap();
+    assert_eq!(items.len(), 6);
+    let eta = PI / (2.0 * 16.0);
+    for item in items {
+        let theta = number(&item["theta_deg"]).to_radians();
+        let height = octoid.height_of(theta).unwrap();
+        assert!((-(height + eta) - number(&item["gamma_rad"])).abs() < 1e-12);
+        assert!((octoid.polar_angle(height) - theta).abs() < 1e-14);
+        let jet = octoid.jet(height, distance);
+        assert!((jet.point - vector(&item["P_octoid_mm"])).norm() < 1e-10);
+        assert!((jet.normal - vector(&item["n_octoid"])).norm() < 1e-12);
+        let start = [gear.roll_angle(theta).unwrap(), distance];
+        let difference = 1e3 * deviation(&involute, &jet.point, start);
+        let expected = number(&item["normal_difference_um"]);
+        assert!((difference - expected).abs() < 1e-4, "{difference} against {expected} um");
+    }
+}
+
+#[test]
+fn both_octoid_flanks_are_mirror_images_and_share_the_pitch_point() {
+    let gear = bevel_gear("straight_bevel");
+    let [left, right] = Flank::BOTH.map(|flank| Octoid::new(&gear, flank));
+    for height in [-0.1, 0.0, 0.3] {
+        let (l, r) = (left.point(height, 60.0), right.point(height, 60.0));
+        assert!((l - Vector3::new(-r.x, r.y, r.z)).norm() < 1e-13 && l.x > 0.0);
+    }
+    let pitch = left.point(0.0, 60.0);
+    let involute = SphericalInvolute::new(&gear, Flank::Left);
+    let omega = gear.pitch_roll() / gear.base_angle().sin();
+    assert!((pitch - involute.point(omega, 60.0)).norm() < 1e-13);
+}
+
+#[test]
+fn undercut_begins_where_the_reference_has_it() {
+    let gear = bevel_gear("straight_bevel");
+    let octoid = Octoid::new(&gear, Flank::Left);
+    let lowest = octoid.lowest_polar_angle();
+    assert!((lowest.to_degrees() - 31.2803).abs() < 5e-5, "{}", lowest.to_degrees());
+    let [from, to] = octoid.domain()[0];
+    let mut angle = lowest;
+    for i in 1..200 {
+        let next = octoid.polar_angle(from + (to - from) * f64::from(i) / 200.0);
+        assert!(next > angle, "the polar angle grows on the regular branch");
+        angle = next;
+    }
+    assert!(octoid.polar_angle(from - 1e-3) > lowest, "and turns back below it");
+}
+
+#[test]
+fn the_regular_branch_reaches_below_every_base_cone() {
+    let mut gears = 0;
+    for delta in (2..80).step_by(6) {
+        for alpha in (5..45).step_by(4) {
+            let [delta, alpha] = [delta, alpha].map(|angle| f64::from(angle).to_radians());
+            let data = BevelData { addendum_factor: 0.1, ..BevelData::new(1.0, 40, delta, alpha, 0.1) };
+            let Ok(gear) = BevelGear::new(data) else { continue };
+            let octoid = Octoid::new(&gear, Flank::Left);
+            assert!(octoid.lowest_polar_angle() < gear.base_angle(), "{delta} {alpha}");
+            assert!(
+                octoid.height_of(gear.form_angle()).is_ok() && octoid.height_of(gear.tip_angle()).is_ok()
+            );
+            gears += 1;
+        }
+    }
+    assert!(gears > 80, "{gears}");
+}
+
+/// A member of a pair turned by its angle, in the frame of the first at its middle position.
+struct Member {
+    gear: BevelGear,
+    flank: SphericalInvolute,
+    to_common: Rotation3<f64>,
+}
+
+impl Member {
+    fn new(data: BevelData, to_common: Rotation3<f64>) -> Self {
+        let gear = BevelGear::new(data).unwrap();
+        let flank = SphericalInvolute::new(&gear, Flank::Left);
+        Self { gear, flank, to_common }
+    }
+
+    fn pose(&self, angle: f64) -> Rotation3<f64> {
+        self.to_common * Rotation3::from_axis_angle(&Vector3::z_axis(), angle)
+    }
+}
+
+/// The largest distance of contact points of the first member from the flank of the second, mm.
+fn worst_of_pair(spiral: Option<f64>) -> f64 {
+    let input = &reference()["cases"]["straight_bevel"]["input"];
+    let (z_1, z_2) = (16u32, 24u32);
+    let delta_1 = f64::from(z_1).atan2(f64::from(z_2));
+    let delta_2 = PI / 2.0 - delta_1;
+    let data = |teeth, pitch_angle, hand| {
+        let spiral = spiral.map(|mean_angle| Spiral { mean_angle, cutter_radius: 60.0, hand });
+        BevelData { teeth, pitch_angle, spiral, ..bevel_data(input) }
+    };
+    // The axis of the second lies on the other side of the pitch line (0, sin delta_1, cos delta_1); its y points back.
+    let shaft: f64 = delta_1 + delta_2;
+    let (sin, cos) = shaft.sin_cos();
+    let to_common = Rotation3::from_basis_unchecked(&[
+        Vector3::new(-1.0, 0.0, 0.0),
+        Vector3::new(0.0, -cos, sin),
+        Vector3::new(0.0, sin, cos),
+    ]);
+    let first = Member::new(data(z_1, delta_1, Hand::Right), Rotation3::identity());
+    let second = Member::new(data(z_2, delta_2, Hand::Left), to_common);
+    let pitch_line = Vector3::new(0.0, delta_1.sin(), delta_1.cos());
+    let (mut worst, mut contacts) = (0.0f64, 0);
+    for step in -20..=20 {
+        let angle = 0.015 * f64::from(step);
+        let pose_1 = first.pose(angle);
+        // A tooth of the second stands in the space of the first.
+        let pose_2 = second.pose(-angle * f64::from(z_1) / f64::from(z_2) + PI / f64::from(z_2));
+        for distance in [53.0, 58.0, 62.0, 67.0, 71.0] {
+            // Contact: the members roll about the pitch line, so that the normal has no part along that motion.
+            let rolling = |omega: f64| {
+                let jet = first.flank.jet(omega, distance);
+                Some((pose_1 * jet.normal).dot(&pitch_line.cross(&(pose_1 * jet.point))))
+            };
+            let [from, to] = first.gear.heights();
+            let ends = [rolling(from).unwrap(), rolling(to).unwrap()];
+            let Some(omega) = brent([from, to], ends, 0.0, rolling) else { continue };
+            let point = pose_2.inverse() * (pose_1 * first.flank.point(omega, distance));
+            let theta = point.x.hypot(point.y).atan2(point.z);
+            let Ok(omega_2) = second.gear.roll_angle(theta) else { continue };
+            worst = worst.max((point - second.flank.point(omega_2, distance)).norm());
+            contacts += 1;
+        }
+    }
+    assert!(contacts > 40, "only {contacts} places of contact");
+    worst
+}
+
+#[test]
+fn straight_pairs_are_conjugate() {
+    let worst = worst_of_pair(None);
+    assert!(worst < 2e-13, "{worst:e}");
+}
+
+#[test]
+fn spiral_pairs_are_conjugate() {
+    let worst = worst_of_pair(Some(35f64.to_radians()));
+    assert!(worst < 2e-13, "{worst:e}");
+}

@@ -1,0 +1,81 @@
+//! What a plan may choose from: who carries the profile, what counts as standing on the tool's lines, which of the equal
+//! decompositions is made. Plain data.
+
+use super::ProfilePlace;
+use super::least_squares::FitNorm;
+use foundation::geometry::Sides;
+
+/// Who carries the profile, and whether the dresser may be made for it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ProfilePolicy {
+    /// Place of the u^2 part.
+    pub place: ProfilePlace,
+    /// The dresser is made for this job (`[dresser] modification = "target"`).
+    pub free_dresser: bool,
+    /// Parts of the target that are no polynomials stand on the tool's lines as they are when these miss them by no more
+    /// than this; else they are best-fitted. Transverse, mm.
+    pub line_tolerance: f64,
+    /// What a best fit makes small.
+    pub norm: FitNorm,
+    /// What the dressing motion has to meet.
+    pub dressing: DressingRows,
+    /// Free coefficients of the decomposition per flank; `None`: gauge `centred`.
+    pub gauge: Sides<Option<FreeCoefficients>>,
+}
+
+/// What the dressing motion has to meet at every position of the worm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum DressingRows {
+    /// Each flank with a motion of its own.
+    Alone(FlankRows),
+    /// Both flanks with one motion: two pitch points on each.
+    BothFlanks,
+}
+
+impl Default for DressingRows {
+    fn default() -> Self {
+        Self::Alone(FlankRows::default())
+    }
+}
+
+/// The rows of one flank; with the pitch points four in all.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FlankRows {
+    /// Pitch points of the profile, 3 or 4.
+    pub points: usize,
+    /// The dresser radius made for the largest length of roll stays there.
+    pub map: bool,
+    /// The head part of the dresser leaves the worm its tip radius.
+    pub head: bool,
+    /// Corrections d_phi_S, d_gamma, d_d, d_v_yA that stay 0.
+    pub fixed: [bool; 4],
+}
+
+impl Default for FlankRows {
+    fn default() -> Self {
+        Self { points: 3, map: true, head: false, fixed: [false; 4] }
+    }
+}
+
+/// The free coefficients of a decomposition, in centred variables, transverse (spec 25 section 4).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FreeCoefficients {
+    /// K_10, mm/mm.
+    pub k_10: f64,
+    /// Share of u^2 in the profile, mm/mm^2; `None`: by the place of the profile crowning.
+    pub k_20: Option<f64>,
+    /// K_K0, mm.
+    pub k_k0: f64,
+}
+
+/// Which of the decompositions with the same flank is made (spec 25 section 4).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum PlanGauge {
+    /// F_K and its slope vanish in the middle of the flank.
+    #[default]
+    Centred,
+    /// These free coefficients on both flanks.
+    Given(FreeCoefficients),
+    /// The diagonal ratio and the constants at which one dresser swivels alike on both flanks.
+    EqualSwivel,
+}

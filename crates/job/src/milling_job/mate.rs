@@ -1,0 +1,93 @@
+//! `[mate]`: the gear that a bevel gear is rolled against (spec 50 sections 1.2 and 1.3).
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::{BevelGear, EaseOffAmounts};
+use foundation::geometry::{BevelData, Hand, Spiral};
+
+/// The conjugate mate of `[bevel]`: module, face, proportions and flank line are those of the gear, its hand is the opposite one. The
+/// shaft angle is by default 90 degrees; at most one of `shaft_angle_deg` and `pitch_cone_angle_deg` says otherwise.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Mate {
+    /// Number of teeth.
+    #[schemars(extend("minimum" = 3, "maximum" = 2000, "x-way-out" = "give the number of teeth of the mating gear"))]
+    pub teeth: u32,
+    /// Angle of its pitch cone, degrees.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 90,
+        "x-way-out" = "give the pitch cone angle of the mating gear in degrees, or leave it out"))]
+    pub pitch_cone_angle_deg: Option<f64>,
+    /// Angle between both axes, degrees.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 180,
+        "x-way-out" = "give the angle between both axes in degrees; 90 is the default"))]
+    pub shaft_angle_deg: Option<f64>,
+    /// Its ease-off, over its own height and length.
+    #[serde(default)]
+    pub ease_off: EaseOffAmounts,
+    /// Thickness of the marking compound: contact shows where the gap is not wider, um.
+    #[serde(default = "default_marking")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 100, "x-way-out" = "give the thickness in micrometres; 6 is the default"))]
+    pub marking_um: f64,
+    /// Roll positions for each mesh period.
+    #[serde(default = "default_positions")]
+    #[schemars(extend("minimum" = 8, "maximum" = 200, "x-way-out" = "24 positions are the default"))]
+    pub roll_positions: usize,
+}
+
+/// By how much given angles may miss those that the numbers of teeth ask for, degrees: drawings round them.
+const ROUNDED_DEG: f64 = 0.01;
+
+/// An angle of a mate that does not fit its teeth, degrees.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct MisfitAngle {
+    pub(super) key: &'static str,
+    pub(super) given: f64,
+    pub(super) wanted: f64,
+}
+
+impl Mate {
+    /// The pitch cone angle with which both gears roll on one pitch line, degrees; `None` if there is none below 90.
+    pub fn conjugate_angle_deg(&self, bevel: &BevelGear) -> Option<f64> {
+        let sine =
+            f64::from(self.teeth) / f64::from(bevel.teeth) * bevel.pitch_cone_angle_deg.to_radians().sin();
+        (sine < 1.0).then(|| sine.asin().to_degrees())
+    }
+
+    /// Its drawing, rad; `None` as [`Self::conjugate_angle_deg`].
+    pub fn data(&self, bevel: &BevelGear) -> Option<BevelData> {
+        let gear = bevel.data();
+        let opposite = |spiral: Spiral| Spiral {
+            hand: if spiral.hand == Hand::Right { Hand::Left } else { Hand::Right },
+            ..spiral
+        };
+        Some(BevelData {
+            teeth: self.teeth,
+            pitch_angle: self.conjugate_angle_deg(bevel)?.to_radians(),
+            spiral: gear.spiral.map(opposite),
+            form_angle: None,
+            ..gear
+        })
+    }
+
+    /// The angle of the job that does not fit, if one does not.
+    pub(super) fn misfit(&self, bevel: &BevelGear) -> Option<MisfitAngle> {
+        let own = self.conjugate_angle_deg(bevel)?;
+        let (key, given, wanted) = match (self.pitch_cone_angle_deg, self.shaft_angle_deg) {
+            (Some(given), _) => ("mate.pitch_cone_angle_deg", given, own),
+            (None, Some(given)) => ("mate.shaft_angle_deg", given, own + bevel.pitch_cone_angle_deg),
+            (None, None) => ("mate.teeth", 90.0, own + bevel.pitch_cone_angle_deg),
+        };
+        ((given - wanted).abs() > ROUNDED_DEG).then_some(MisfitAngle { key, given, wanted })
+    }
+}
+
+fn default_marking() -> f64 {
+    6.0
+}
+
+fn default_positions() -> usize {
+    24
+}

@@ -1,0 +1,190 @@
+//! Why a REXS file cannot be read or written, each with the data of the case.
+
+use foundation::geometry::{Flank, GeometryError};
+use foundation::modification::{EvaluationError, ModificationError};
+use thiserror::Error;
+
+/// Errors of REXS files.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum RexsError {
+    /// The file is absent or cannot be read.
+    #[error("the file `{file}` cannot be read: {cause}")]
+    Unreadable {
+        /// Its path.
+        file: String,
+        /// What the system says.
+        cause: String,
+    },
+    /// More bytes, packed or unpacked, than a model has.
+    #[error("{what}: {found}; at most {most} are read")]
+    FileTooLarge {
+        /// What there is too much of.
+        what: &'static str,
+        /// How much there is, at least.
+        found: usize,
+        /// How much is read.
+        most: usize,
+    },
+    /// Neither XML nor JSON nor a packed file, or not well-formed.
+    #[error("the file is no REXS file: {what}")]
+    NotRexs {
+        /// What was found.
+        what: String,
+    },
+    /// The file declares entities or a document type.
+    #[error("the file declares a document type; entities are not expanded")]
+    EntitiesRefused,
+    /// The structure is not that of a REXS file.
+    #[error("{place}: {what}")]
+    Structure {
+        /// Where.
+        place: String,
+        /// What is wrong there.
+        what: String,
+    },
+    /// An attribute that must be there is absent.
+    #[error("{component} has no attribute `{attribute}`")]
+    MissingAttribute {
+        /// The component.
+        component: String,
+        /// The attribute.
+        attribute: &'static str,
+    },
+    /// A value of another type than the attribute has, or out of range.
+    #[error("the attribute `{attribute}` of {component} cannot be {value:?}; allowed: {allowed}")]
+    BadValue {
+        /// The component.
+        component: String,
+        /// The attribute.
+        attribute: String,
+        /// The value as given.
+        value: String,
+        /// What would be allowed.
+        allowed: &'static str,
+    },
+    /// A unit that the attribute cannot have.
+    #[error("the attribute `{attribute}` of {component} has the unit {unit:?}; allowed: {allowed}")]
+    UnknownUnit {
+        /// The component.
+        component: String,
+        /// The attribute.
+        attribute: String,
+        /// The unit as given.
+        unit: String,
+        /// Units that are converted.
+        allowed: &'static str,
+    },
+    /// A gear whose flanks nobody names.
+    #[error("no relation `flank` says which flanks the gear {gear} has")]
+    NoFlankRelation {
+        /// Number of the gear's component.
+        gear: i32,
+    },
+    /// Lists that belong together are of different lengths.
+    #[error("{component}: {what}")]
+    ArrayLength {
+        /// The component.
+        component: String,
+        /// The lengths.
+        what: String,
+    },
+    /// Points of a topography that make no grid.
+    #[error(
+        "{component}: {points} points, but {coordinates} coordinates with {diameters} diameters each make a grid"
+    )]
+    GridIncomplete {
+        /// The component.
+        component: String,
+        /// Points given.
+        points: usize,
+        /// Different coordinates along the face.
+        coordinates: usize,
+        /// Different diameters.
+        diameters: usize,
+    },
+    /// A crowning with two amounts and no highest point.
+    #[error("{component} has different amounts at its two ends and no highest point")]
+    TwoArcCrowning {
+        /// The component.
+        component: String,
+    },
+    /// Something that the format has no place for.
+    #[error("{what} cannot be expressed in REXS: {reason}")]
+    NotExpressibleInRexs {
+        /// The body or the modification.
+        what: String,
+        /// Why.
+        reason: String,
+    },
+    /// Numbers that make no gear.
+    #[error("the gear {gear} is none: {error}")]
+    NoGear {
+        /// Number of the gear's component; 0 for one that is to be written.
+        gear: i32,
+        /// What is wrong with it.
+        error: GeometryError,
+    },
+    /// A modification that is wrong by itself.
+    #[error("a modification of the {flank} flank cannot be built: {error}")]
+    Modification {
+        /// The flank.
+        flank: Flank,
+        /// What is wrong with it.
+        error: ModificationError,
+    },
+    /// A modification without a value somewhere on the flank.
+    #[error("a modification of the {flank} flank has no value: {error}")]
+    NoValue {
+        /// The flank.
+        flank: Flank,
+        /// Where and why.
+        error: EvaluationError,
+    },
+}
+
+impl RexsError {
+    /// A stable name of the error, for scripts.
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Unreadable { .. } => "unreadable-file",
+            Self::FileTooLarge { .. } => "file-too-large",
+            Self::NotRexs { .. } => "not-rexs",
+            Self::EntitiesRefused => "entities-refused",
+            Self::Structure { .. } => "rexs-structure",
+            Self::MissingAttribute { .. } => "missing-attribute",
+            Self::BadValue { .. } => "bad-value",
+            Self::UnknownUnit { .. } => "unknown-unit",
+            Self::NoFlankRelation { .. } => "no-flank-relation",
+            Self::ArrayLength { .. } => "array-length",
+            Self::GridIncomplete { .. } => "grid-incomplete",
+            Self::TwoArcCrowning { .. } => "two-arc-crowning",
+            Self::NotExpressibleInRexs { .. } => "not-expressible-in-rexs",
+            Self::NoGear { .. } => "no-gear",
+            Self::Modification { .. } => "modification",
+            Self::NoValue { .. } => "no-value",
+        }
+    }
+
+    /// What the user can do about it, in one sentence.
+    pub fn way_out(&self) -> &'static str {
+        match self {
+            Self::Unreadable { .. } => "check the path and the permissions of the file",
+            Self::FileTooLarge { .. } => "export only the gear, without load spectra and results",
+            Self::NotRexs { .. } => "give a .rexs, .rexsj or .rexsz file in UTF-8",
+            Self::EntitiesRefused => "remove the document type from the file",
+            Self::Structure { .. } => {
+                "have the file checked against the schema of REXS 2.0 by the program that wrote it"
+            }
+            Self::MissingAttribute { .. } => "state the attribute in the program that wrote the file",
+            Self::BadValue { .. } => "correct the value in the program that wrote the file",
+            Self::UnknownUnit { .. } => "export the file with the units of the schema",
+            Self::NoFlankRelation { .. } => "export the gear with its flanks and the relation between them",
+            Self::ArrayLength { .. } => "give one coordinate, one diameter and one amount for each point",
+            Self::GridIncomplete { .. } => "give every diameter at every coordinate, each once",
+            Self::TwoArcCrowning { .. } => "state the highest point of the crowning",
+            Self::NotExpressibleInRexs { .. } => "leave it out, or hand it over in a file of its own",
+            Self::NoGear { .. } => "correct the data of the gear",
+            Self::Modification { .. } | Self::NoValue { .. } => "correct the modification in the job",
+        }
+    }
+}

@@ -1,0 +1,422 @@
+//! What can keep a flank from being milled (spec 50 section 15).
+
+use super::location::TouchFault;
+use super::plan::OperationKind;
+use super::{Collision, LimitBody, MilledSide};
+use foundation::geometry::GeometryError;
+use thiserror::Error;
+
+/// Errors of milling. mm, rad inside; degrees in messages.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum MillingError {
+    /// A body is impossible.
+    #[error(transparent)]
+    Geometry(#[from] GeometryError),
+    /// A lead curve leaves its base body or has no direction.
+    #[error("at u = {u} the lead curve leaves the base body (t.N = {sine:e}, allowed 1e-9)")]
+    LeadOffBase {
+        /// Parameter of the curve.
+        u: f64,
+        /// t.N there.
+        sine: f64,
+    },
+    /// A column plane does not meet the flank.
+    #[error(
+        "the column plane at u = {u} does not meet the flank at height {height} (looked for near length {start})"
+    )]
+    ColumnNoSection {
+        /// Parameter of the lead curve.
+        u: f64,
+        /// Height parameter.
+        height: f64,
+        /// Where the search began.
+        start: f64,
+    },
+    /// A column is not ended by a body.
+    #[error("the column at u = {u} does not reach {body:?}")]
+    ColumnNoLimit {
+        /// Parameter of the lead curve.
+        u: f64,
+        /// The body.
+        body: LimitBody,
+    },
+    /// A column or path of one half of a double-helical gear runs into the other half.
+    #[error("length {length} lies beyond the middle of the gear at {kink}")]
+    ColumnKink {
+        /// Length reached, mm.
+        length: f64,
+        /// Where the halves meet, mm.
+        kink: f64,
+    },
+    /// No column plane holds a point of the face's end.
+    #[error("no column plane holds the flank's point at height {height}, length {length}")]
+    RangeNotFound {
+        /// Height parameter.
+        height: f64,
+        /// Length parameter.
+        length: f64,
+    },
+    /// Rows cannot be spaced because the weight along the column is not smooth.
+    #[error("rows cannot be spaced on the column at u = {u}: the weight is known to {tail:e} only")]
+    SpacingNotSmooth {
+        /// Parameter of the lead curve.
+        u: f64,
+        /// What the series misses, relative.
+        tail: f64,
+    },
+    /// No axis in the column plane has the angle that the cutter's cone needs.
+    #[error(
+        "at u = {u} no axis in the column plane suits a half angle of {:.4} deg: the normal leaves the plane by {:.4} deg",
+        half_angle.to_degrees(), out_of_plane.to_degrees()
+    )]
+    AxisNone {
+        /// Parameter of the lead curve.
+        u: f64,
+        /// Half angle of the cutter, rad.
+        half_angle: f64,
+        /// Angle of the normal out of the plane, rad.
+        out_of_plane: f64,
+    },
+    /// The wanted contact is not on the cutter.
+    #[error("at u = {u} the contact is not on the cutter: {fault}")]
+    ContactOffTool {
+        /// Parameter of the lead curve.
+        u: f64,
+        /// Why.
+        fault: TouchFault,
+    },
+    /// The cutter digs into the flank around its contact.
+    #[error("the cutter digs into the flank at ({:.3}, {:.3}, {:.3}) mm: least curvature of the gap {least:.6} 1/mm", point[0], point[1], point[2])]
+    GougeLocal {
+        /// The contact, mm.
+        point: [f64; 3],
+        /// Least eigenvalue, 1/mm.
+        least: f64,
+    },
+    /// Limits of the density that contradict themselves.
+    #[error("{name} = {value} mm is not usable; allowed: {allowed}")]
+    DensityInput {
+        /// Name of the limit.
+        name: &'static str,
+        /// Its value, mm.
+        value: f64,
+        /// Allowed range in words.
+        allowed: &'static str,
+    },
+    /// More rows or columns than a program can have.
+    #[error("the limits ask for {needed:.0} {lines}, at most {} are possible", super::density::MOST_LINES)]
+    DensitySize {
+        /// What is counted.
+        lines: &'static str,
+        /// How many are needed.
+        needed: f64,
+    },
+    /// The corner of the tool is too large for the given depth.
+    #[error(
+        "at u = {u} the corner radius {corner_radius} mm is too large for the depth of the root: the straight piece would be {straight:.4} mm"
+    )]
+    RootCorner {
+        /// Parameter of the lead curve.
+        u: f64,
+        /// h_b, mm.
+        straight: f64,
+        /// r_c, mm.
+        corner_radius: f64,
+    },
+    /// The fillets of both flanks overlap.
+    #[error(
+        "at u = {u} the fillets of both flanks overlap by {overlap:.4} mm each with the corner radius {corner_radius} mm"
+    )]
+    RootOverlap {
+        /// Parameter of the lead curve.
+        u: f64,
+        /// How far the lowest point lies beyond the middle, mm.
+        overlap: f64,
+        /// r_c, mm.
+        corner_radius: f64,
+    },
+    /// The bottom pass does not fit.
+    #[error(
+        "at u = {u} no bottom pass fits: half width {half_width:.4} mm, tool radius {radius} mm, lean of the axis {:.4} deg",
+        lean.to_degrees()
+    )]
+    RootBottom {
+        /// Parameter of the lead curve.
+        u: f64,
+        /// Half of the distance of the fillets' lowest points, mm.
+        half_width: f64,
+        /// R_2, mm.
+        radius: f64,
+        /// nu, rad.
+        lean: f64,
+    },
+    /// The cutting edge is too short for the root pass.
+    #[error(
+        "at u = {u} the root pass needs {needed:.4} mm of cutting edge, the tool has {cutting_length} mm"
+    )]
+    ToolShort {
+        /// Parameter of the lead curve.
+        u: f64,
+        /// h_b + r_c, mm.
+        needed: f64,
+        /// l_c, mm.
+        cutting_length: f64,
+    },
+    /// The tool comes too near to something that it must not touch.
+    #[error(
+        "row {row}, column {column}: the tool keeps {clearance:.4} mm from the {from}, wanted are {wanted:.3} mm"
+    )]
+    ToolGap {
+        /// Row, from 0 at the root.
+        row: usize,
+        /// Column, from 0.
+        column: usize,
+        /// What it comes near to.
+        from: &'static str,
+        /// Clearance, mm; < 0 inside.
+        clearance: f64,
+        /// Clearance wanted, mm.
+        wanted: f64,
+    },
+    /// An approach on an arc does not fit into the gap.
+    #[error(
+        "an approach on a radius of {radius} mm does not fit: the cutter is free to move {room:.4} mm before it comes too near to the opposite flank"
+    )]
+    Approach {
+        /// Radius of the arc, mm.
+        radius: f64,
+        /// Clearance to the opposite flank without what is to be kept from it, mm.
+        room: f64,
+    },
+    /// The axis of the cutter does not lead out of the workpiece.
+    #[error(
+        "the cutter cannot be drawn back along its axis ({:.4}, {:.4}, {:.4}) from ({:.3}, {:.3}, {:.3}) mm",
+        axis[0], axis[1], axis[2], tip[0], tip[1], tip[2]
+    )]
+    NoRetraction {
+        /// Tip, mm.
+        tip: [f64; 3],
+        /// Axis.
+        axis: [f64; 3],
+    },
+    /// The spindle does not fit into an internal gear.
+    #[error(
+        "{side} flank, row {row}, column {column}: from its tip the tool is free for {free:.3} mm up to the teeth on the other side, \
+         tool and holder need {needed:.3} mm"
+    )]
+    InternalAccess {
+        /// The flank.
+        side: MilledSide,
+        /// Row, 0 at the root.
+        row: usize,
+        /// Column of the path.
+        column: usize,
+        /// Free length along the axis, mm.
+        free: f64,
+        /// Length of tool and holder, mm.
+        needed: f64,
+    },
+    /// Tool, holder or spindle come too near to the ring of an internal gear.
+    #[error(
+        "{side} flank, row {row}, column {column}: tool, holder or spindle keep {clearance:.3} mm from the {from}, wanted are {wanted} mm"
+    )]
+    RingMet {
+        /// The flank.
+        side: MilledSide,
+        /// Row, 0 at the root.
+        row: usize,
+        /// Column of the path.
+        column: usize,
+        /// What they come near to.
+        from: &'static str,
+        /// A distance that is too small, mm; < 0 inside.
+        clearance: f64,
+        /// What they should keep, mm.
+        wanted: f64,
+    },
+    /// No lead curve has the wanted row in its column planes.
+    #[error(
+        "no lead curve with a radius of {from:.2} to {to:.2} mm has the normals of that row in its column planes"
+    )]
+    NoSuchLead {
+        /// Least radius looked at, mm.
+        from: f64,
+        /// Greatest radius looked at, mm.
+        to: f64,
+    },
+    /// The normal of a point does not meet the cutter that runs beside it.
+    #[error("the normal at ({:.3}, {:.3}, {:.3}) mm does not meet the cutter of the next row", point[0], point[1], point[2])]
+    NotMet {
+        /// The point, mm.
+        point: [f64; 3],
+    },
+    /// On its way the tool comes too near to something.
+    #[error("{kind}, path {path}: after place {} the tool keeps {:.4} mm from the {}, wanted are {} mm", collision.block, collision.clearance.value, collision.name, collision.wanted)]
+    Collides {
+        /// The operation.
+        kind: OperationKind,
+        /// Number of its path, from 0.
+        path: usize,
+        /// Where and what.
+        collision: Box<Collision>,
+    },
+    /// The root needs a cylindrical tool with a corner.
+    #[error("the root is milled with a cylindrical tool (end mill, torus or ball)")]
+    RootTool,
+    /// The roughing cutter is too thick for the space.
+    #[error(
+        "the roughing cutter finds no room between the flanks from {top:.3} mm down to {bottom:.3} mm above the lead curve"
+    )]
+    RoughingNowhere {
+        /// Height of the first layer, mm.
+        top: f64,
+        /// Height of the last layer, mm.
+        bottom: f64,
+    },
+    /// No contact height suits a row.
+    #[error("row {row} allows no contact height: from {least:.4} to {greatest:.4} mm above the tip")]
+    WearWindow {
+        /// Row, from 0 at the root.
+        row: usize,
+        /// Least height, mm.
+        least: f64,
+        /// Greatest height, mm.
+        greatest: f64,
+    },
+    /// The list of contact heights is of another length than the rows.
+    #[error("{given} contact heights are given for {rows} rows")]
+    HeightCount {
+        /// Heights given.
+        given: usize,
+        /// Number of rows.
+        rows: usize,
+    },
+    /// A contact height of the caller's is not possible.
+    #[error("row {row}: the contact height {height} mm is outside of {least:.4} to {greatest:.4} mm")]
+    HeightOutside {
+        /// Row, from 0 at the root.
+        row: usize,
+        /// The height, mm.
+        height: f64,
+        /// Least height, mm.
+        least: f64,
+        /// Greatest height, mm.
+        greatest: f64,
+    },
+}
+
+impl MillingError {
+    /// A stable name of the error.
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Geometry(error) => error.code(),
+            Self::LeadOffBase { .. } => "lead-off-base",
+            Self::ColumnNoSection { .. } => "column-no-section",
+            Self::ColumnNoLimit { .. } => "column-no-limit",
+            Self::ColumnKink { .. } => "column-kink",
+            Self::RangeNotFound { .. } => "range-not-found",
+            Self::SpacingNotSmooth { .. } => "spacing-not-smooth",
+            Self::AxisNone { .. } => "axis-none",
+            Self::ContactOffTool { .. } => "tool",
+            Self::GougeLocal { .. } => "gouge-local",
+            Self::DensityInput { .. } => "density-input",
+            Self::DensitySize { .. } => "density-size",
+            Self::RootCorner { .. } => "root-corner",
+            Self::RootOverlap { .. } => "root-overlap",
+            Self::RootBottom { .. } => "root-bottom",
+            Self::ToolShort { .. } => "tool-short",
+            Self::ToolGap { .. } => "tool-gap",
+            Self::Approach { .. } => "approach",
+            Self::NoRetraction { .. } => "no-retraction",
+            Self::InternalAccess { .. } | Self::RingMet { .. } => "internal-access",
+            Self::RoughingNowhere { .. } => "roughing-nowhere",
+            Self::NotMet { .. } => "not-met",
+            Self::Collides { .. } => "tool-gap",
+            Self::RootTool => "root-tool",
+            Self::NoSuchLead { .. } => "no-such-lead",
+            Self::WearWindow { .. } => "wear-window",
+            Self::HeightCount { .. } => "height-count",
+            Self::HeightOutside { .. } => "height-outside",
+        }
+    }
+
+    /// What helps, in one sentence.
+    pub fn way_out(&self) -> &'static str {
+        match self {
+            Self::Geometry(error) => error.way_out(),
+            Self::LeadOffBase { .. } => "give a lead curve that lies on the base body",
+            Self::ColumnNoSection { .. } => "shorten the overrun or the skew of the column planes",
+            Self::ColumnNoLimit { .. } => "check the bodies that end the flank at root and tip",
+            Self::ColumnKink { .. } => {
+                "mill each half alone and end its columns before the middle of the gear"
+            }
+            Self::RangeNotFound { .. } => "check the lead curve: its planes must cross the ends of the face",
+            Self::SpacingNotSmooth { .. } => "space the rows by equal arcs",
+            Self::AxisNone { .. } => "take a cutter with a smaller half angle, or planes set askew",
+            Self::ContactOffTool { .. } => {
+                "change the tilt or the contact height, or take a cutter that is rounded there"
+            }
+            Self::GougeLocal { .. } => {
+                "take a ball, a torus or a barrel whose profile is more curved than the flank is hollow"
+            }
+            Self::DensityInput { .. } => "give limits > 0 mm, the lower ones not above the upper ones",
+            Self::DensitySize { .. } => "allow larger distances, scallops or chords",
+            Self::RootCorner { .. } => "take a smaller corner radius or a deeper root",
+            Self::RootOverlap { .. } => "take a smaller corner radius or a shallower root",
+            Self::RootBottom { .. } => "take a thinner tool for the bottom",
+            Self::ToolShort { .. } => "take a tool with a longer cutting edge",
+            Self::RootTool => "leave out `milling.root`, or mill with an end mill",
+            Self::ToolGap { .. } | Self::Collides { .. } => {
+                "take a thinner tool, less tilt or a smaller contact height, or begin the active flank higher above the root or hub"
+            }
+            Self::Approach { .. } => "take a smaller radius, or let the tool come in beside the face",
+            Self::NoRetraction { .. } => "give a clearance body that the tool's axis crosses",
+            Self::InternalAccess { .. } => {
+                "lean the axis out of the gear by a lead angle, or take a shorter tool and holder"
+            }
+            Self::RingMet { .. } => {
+                "lean the axis out of the gear by a lead angle, take a longer and thinner tool, or give the true `machine.spindle_diameter`"
+            }
+            Self::RoughingNowhere { .. } => "take a thinner cutter or a smaller allowance",
+            Self::NotMet { .. } => "lay the rows closer",
+            Self::NoSuchLead { .. } => {
+                "choose another row, or leave `lead_through_row` out: on spur gears all normals lie in the planes"
+            }
+            Self::WearWindow { .. } => "take a thinner tool or one with a smaller corner radius",
+            Self::HeightCount { .. } => "give one contact height for each row, the root's first",
+            Self::HeightOutside { .. } => "give a height inside the row's window, or the rule `ramp`",
+        }
+    }
+}
+
+impl std::fmt::Display for TouchFault {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        match self {
+            Self::Height { height, allowed: [from, to] } => {
+                write!(f, "height {height} mm, the straight side goes from {from:.4} to {to:.4} mm")
+            }
+            Self::UpperEdge { angle } => {
+                write!(
+                    f,
+                    "its upper edge would cut, the side leans {:.6} deg into the flank",
+                    angle.to_degrees()
+                )
+            }
+            Self::SharpCorner => f.write_str("a sharp corner would have to touch"),
+            Self::Arc { height, allowed: [from, to] } => {
+                write!(f, "height {height:.4} mm, the arc goes from {from:.4} to {to:.4} mm")
+            }
+        }
+    }
+}
+
+impl std::fmt::Display for OperationKind {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        match self {
+            Self::Roughing => f.write_str("roughing"),
+            Self::Flank(side) => write!(f, "{side} flank"),
+            Self::Fillet(side) => write!(f, "fillet of the {side} flank"),
+            Self::Bottom => f.write_str("bottom"),
+        }
+    }
+}

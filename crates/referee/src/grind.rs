@@ -1,0 +1,499 @@
+//! Stage two: normal rays of the workpiece, shortened by the worm over the real generating motion (spec 20 section 9).
+//!
+//! The worm's surface is the involute flank moved by f_n1(w_1, z_1) along its normals, where f_n1 is what stage one's
+//! rays left. A ray's length in a pose is where it meets that surface; its least value over both parameters of the
+//! motion, or over the turns that a real feed makes, is what is left. Every ray searches the whole motion for itself.
+
+use super::active_threads::{ActiveThreads, ThreadRule};
+use super::descent::{Bottom, Slope, descend, descend_along};
+use super::ground_flank::{GroundFlank, GroundRay};
+use super::sweep::{Candidate, Scratch, Sweep};
+use super::{RayGrid, RemovalError, Stage, Statistics, Uncut, WormArea, WormModification, error};
+use foundation::geometry::InvoluteFlank;
+use foundation::kinematics::{GeneratingMotion, Pose, Workpiece, Worm};
+use foundation::numerics::{Progress, Scalar};
+use nalgebra::{Vector2, Vector3};
+use num_dual::Dual64;
+use rayon::prelude::*;
+
+/// Which instants of the motion there are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum GrindingMode {
+    /// Every rotation at every feed: the envelope, as an endlessly slow feed leaves it.
+    Continuous,
+    /// The feed advances with the turning workpiece: z_V2 = start + feed phi_2/(2 pi), one pass per turn and tooth.
+    FeedMarks {
+        /// Feed per workpiece revolution, mm; its sign is the sense of z_V2 against phi_2.
+        feed_per_revolution: f64,
+        /// z_V2 at phi_2 = 0, mm; it decides where the marks lie.
+        start: f64,
+    },
+}
+
+/// What the stage is given. mm.
+#[derive(Clone, Copy)]
+pub struct Grinding<'a> {
+    /// The unmodified worm flank.
+    pub worm: &'a InvoluteFlank,
+    /// The part of it that exists; the modification's own domain limits it further.
+    pub area: WormArea,
+    /// f_n1 on it.
+    pub modification: &'a dyn WormModification,
+    /// The workpiece flank on whose normals the rays stand.
+    pub work: &'a InvoluteFlank,
+    /// The motion that is really driven.
+    pub motion: &'a GeneratingMotion,
+    /// First and last feed z_V2 of the stroke.
+    pub feed_range: [f64; 2],
+    /// Largest length, up or down, that counts as this flank's stock; below a quarter of the normal base pitch.
+    pub stock: f64,
+    /// Which threads cut.
+    pub threads: ActiveThreads<'a>,
+    /// Envelope or true feed marks.
+    pub mode: GrindingMode,
+}
+
+/// Bottoms whose foot is nearer than this to a crease of the worm may have others beside them, mm of roll: contacts on both sides of
+/// an angle of 0.01 rad lie no further apart.
+const BESIDE_CREASE: f64 = 0.6;
+/// Ways along the path of contact at which these are looked for, mm.
+const CREASE_STRIDES: [f64; 8] = [-0.6, -0.3, -0.15, -0.07, 0.07, 0.15, 0.3, 0.6];
+/// Largest slope of the gap along a ray that counts as meeting the worm from its front (spec 20 section 9).
+const FACING: f64 = -0.3;
+/// Rounding of a length, mm: coordinates of some 100 mm and roll angles of some 10 rad on base radii of some 10 mm.
+const ROUNDING: f64 = 1e-12;
+/// Edge of a tile in rays: small enough for a tight ball, large enough to share the bound.
+const TILE: usize = 4;
+
+/// Shapes and motion in the form that the search uses.
+pub(super) struct Engagement<'a> {
+    pub setup: &'a Grinding<'a>,
+    pub area: WormArea,
+    /// Normal base pitch, mm.
+    base_pitch: f64,
+    phase: f64,
+    /// d phi_1/d phi_2 at a fixed feed, negative.
+    ratio: f64,
+    /// `None` where every thread cuts.
+    threads: Option<ThreadRule>,
+}
+
+/// A ray in workpiece coordinates.
+pub(super) struct Ray {
+    pub point: Vector3<f64>,
+    pub normal: Vector3<f64>,
+    pub w: f64,
+}
+
+/// Length of a ray at one instant with its rates by angle and feed, and the worm point it ends on.
+#[derive(Clone, Copy)]
+pub(super) struct Length {
+    pub lam: f64,
+    pub rates: Vector2<f64>,
+    pub foot: [f64; 2],
+}
+
+impl Slope for Length {
+    fn value(&self) -> f64 {
+        self.lam
+    }
+
+    fn gradient(&self) -> Vector2<f64> {
+        self.rates
+    }
+}
+
+/// One ray's result with the residue of its minimum, mm.
+struct Shot {
+    index: usize,
+    ray: Result<GroundRay, Uncut>,
+    residue: f64,
+}
+
+/// A value with its derivative along one direction, and the foot.
+struct Gap {
+    value: Dual64,
+    foot: [f64; 2],
+}
+
+/// Shortens the rays of `grid` by the worm over the whole stroke.
+///
+/// # Errors
+/// [`RemovalError::InvalidNumber`] for stroke, stock, area or feed, [`RemovalError::FlanksDiffer`],
+/// [`RemovalError::InternalUnsupported`], [`RemovalError::NoActiveThread`]. Rays that the worm does not finish are no error
+/// here; see [`GroundFlank::lengths`].
+pub fn grind(
+    setup: &Grinding<'_>,
+    grid: &RayGrid,
+    progress: &dyn Progress,
+) -> Result<GroundFlank, RemovalError> {
+    let engagement = Engagement::new(setup)?;
+    let sweep = Sweep::new(&engagement, grid.w())?;
+    progress.start("grinding", grid.count() as u64);
+    let parts: Vec<(Vec<Shot>, Statistics)> = tiles(grid)
+        .par_iter()
+        .map_init(
+            || (sweep.scratch(), Vec::new()),
+            |(scratch, found), tile| {
+                let part = engagement.shoot_tile(&sweep, grid, tile, scratch, found);
+                progress.advance(tile.len() as u64);
+                part
+            },
+        )
+        .collect();
+    progress.finish();
+
+    let mut statistics = Statistics { poses: sweep.count() as u64, ..Statistics::default() };
+    let mut residue: f64 = 0.0;
+    let mut rays = vec![Err(Uncut::NotReached); grid.count()];
+    for (shots, part) in parts {
+        statistics = statistics + part;
+        for shot in shots {
+            residue = residue.max(shot.residue);
+            rays[shot.index] = shot.ray;
+        }
+    }
+    let error_um = (residue + ROUNDING) * 1e3 + setup.modification.error_um();
+    Ok(GroundFlank { grid: grid.clone(), rays, error_um, statistics })
+}
+
+/// Ray indices of the tiles that cover the grid.
+fn tiles(grid: &RayGrid) -> Vec<Vec<usize>> {
+    let (rows, columns) = (grid.w().len(), grid.z().len());
+    let mut tiles = Vec::new();
+    for i in (0..rows).step_by(TILE) {
+        for j in (0..columns).step_by(TILE) {
+            let row = |r: usize| (j..(j + TILE).min(columns)).map(move |c| r * columns + c);
+            tiles.push((i..(i + TILE).min(rows)).flat_map(row).collect());
+        }
+    }
+    tiles
+}
+
+impl<'a> Engagement<'a> {
+    pub fn new(setup: &'a Grinding<'a>) -> Result<Self, RemovalError> {
+        if setup.worm.flank != setup.work.flank {
+            return Err(RemovalError::FlanksDiffer { worm: setup.worm.flank, work: setup.work.flank });
+        }
+        if setup.worm.external_sign < 0.0 || setup.work.external_sign < 0.0 {
+            return Err(RemovalError::InternalUnsupported { stage: Stage::Grinding });
+        }
+        error::range("feed range z_V2", setup.feed_range)?;
+        error::positive("grinding stock", setup.stock)?;
+        let work = setup.work;
+        let circumference = 2.0 * std::f64::consts::PI * work.base_radius;
+        let base_pitch = circumference * work.base_helix_angle.cos() / work.teeth;
+        if setup.stock > 0.25 * base_pitch {
+            return Err(RemovalError::InvalidNumber {
+                field: "grinding stock",
+                value: setup.stock,
+                allowed: "up to a quarter of the normal base pitch",
+            });
+        }
+        if let GrindingMode::FeedMarks { feed_per_revolution, start } = setup.mode {
+            error::positive("magnitude of the feed per revolution", feed_per_revolution.abs())?;
+            if !start.is_finite() {
+                return Err(RemovalError::InvalidNumber {
+                    field: "start of the feed",
+                    value: start,
+                    allowed: "finite",
+                });
+            }
+        }
+        let area = setup.area.within(setup.modification.domain())?;
+        let phase = setup.motion.phase[work.flank];
+        let (z_1, z_2) = (setup.motion.threads, setup.motion.teeth);
+        let threads = ThreadRule::new(setup.threads, z_1, z_2)?;
+        Ok(Self { setup, area, base_pitch, phase, ratio: -z_2 / z_1, threads })
+    }
+
+    /// X_SV at workpiece angle `angle` and feed `feed`: the worm angle that the coupling gives to them.
+    pub fn pose<T: Scalar>(&self, angle: T, feed: T) -> Pose<Worm, Workpiece, T> {
+        let motion = self.setup.motion;
+        let at_rest = motion.state(T::from(0.0), feed, self.phase).work_angle;
+        motion.chain.pose(&motion.state((angle - at_rest) * self.ratio, feed, self.phase))
+    }
+
+    /// Deviation of a worm-frame point from the modified worm; `None` where there is no worm beside it.
+    #[inline]
+    pub fn gap(&self, x: &Vector3<f64>) -> Option<f64> {
+        let at = self.setup.worm.deviation(x);
+        // NaN inside the base cylinder fails the test of the area.
+        self.area.covers(at.w, at.z).then(|| at.f_n - self.setup.modification.value(at.w, at.z))
+    }
+
+    /// The same with a derivative along one direction, continued beyond the area.
+    fn gap_along(&self, x: &Vector3<Dual64>) -> Gap {
+        let at = self.setup.worm.deviation(x);
+        let [f, f_w, f_z] = self.setup.modification.jet(at.w.re, at.z.re);
+        let moved = Dual64::new(f, f_w * at.w.eps + f_z * at.z.eps);
+        Gap { value: at.f_n - moved, foot: [at.w.re, at.z.re] }
+    }
+
+    /// Exact length of a ray at (angle, feed); `None` where it does not meet the worm's front.
+    pub fn length(&self, ray: &Ray, at: Vector2<f64>, guess: f64) -> Option<Length> {
+        let moving = [(1.0, 0.0), (0.0, 1.0)].map(|(by_angle, by_feed)| {
+            let pose = self.pose(Dual64::new(at[0], by_angle), Dual64::new(at[1], by_feed));
+            let point = pose.rotation() * ray.point.map(Dual64::from_re) + pose.translation();
+            (point, pose.rotation() * ray.normal.map(Dual64::from_re))
+        });
+        let (point, normal) = (moving[0].0.map(|x| x.re), moving[0].1.map(|x| x.re));
+        let mut lam = guess;
+        // Quadratic convergence on an almost linear function: three steps.
+        for _ in 0..20 {
+            let end = Vector3::from_fn(|k, _| Dual64::new(point[k] + lam * normal[k], normal[k]));
+            let gap = self.gap_along(&end);
+            let slope = gap.value.eps;
+            if slope.is_nan() || slope > FACING {
+                return None;
+            }
+            let step = -gap.value.re / slope;
+            lam += step;
+            if step.abs() < ROUNDING {
+                let rate = |(p, n): &(Vector3<Dual64>, Vector3<Dual64>)| {
+                    let end = Vector3::from_fn(|k, _| p[k] + n[k] * lam);
+                    -self.gap_along(&end).value.eps / slope
+                };
+                let rates = Vector2::new(rate(&moving[0]), rate(&moving[1]));
+                return Some(Length { lam, rates, foot: gap.foot });
+            }
+        }
+        None
+    }
+
+    fn shoot_tile(
+        &self,
+        sweep: &Sweep,
+        grid: &RayGrid,
+        tile: &[usize],
+        scratch: &mut Scratch,
+        found: &mut Vec<Candidate>,
+    ) -> (Vec<Shot>, Statistics) {
+        let mut statistics = Statistics { rays: tile.len() as u64, ..Statistics::default() };
+        let rays: Vec<Ray> = tile
+            .iter()
+            .map(|&index| {
+                let (w, z) = grid.ray(index);
+                let frame = self.setup.work.frame(w, z);
+                Ray { point: self.setup.work.point_in(&frame, w, z), normal: frame.n, w }
+            })
+            .collect();
+        let centre = rays.iter().map(|ray| ray.point).sum::<Vector3<f64>>() / rays.len() as f64;
+        let radius = rays.iter().map(|ray| (ray.point - centre).norm()).fold(0.0, f64::max);
+        let dip = |ray: &Ray| sweep.hidden_dip(ray.w, self.base_pitch);
+        let reach = self.setup.stock + rays.iter().map(dip).fold(0.0, f64::max);
+        sweep.select(self, &centre, radius + reach, rays.len(), scratch, &mut statistics);
+        let shots = tile
+            .iter()
+            .zip(&rays)
+            .map(|(&index, ray)| {
+                let dip = dip(ray);
+                sweep.candidates(self, &ray.point, self.setup.stock + dip, scratch, found);
+                let (ray, residue) = self.shorten(ray, sweep, found, dip, &mut statistics.exact);
+                Shot { index, ray, residue }
+            })
+            .collect();
+        (shots, statistics)
+    }
+
+    /// The least length over all candidates.
+    fn shorten(
+        &self,
+        ray: &Ray,
+        sweep: &Sweep,
+        candidates: &[Candidate],
+        dip: f64,
+        exact: &mut u64,
+    ) -> (Result<GroundRay, Uncut>, f64) {
+        let mut best: Option<(GroundRay, f64)> = None;
+        let mut broken: Option<(f64, Uncut)> = None;
+        for candidate in candidates {
+            if best.is_some_and(|(found, _)| candidate.gap - dip > found.f) {
+                continue;
+            }
+            match self.finish(ray, sweep, candidate, exact) {
+                Ok(Some((found, residue))) => {
+                    if best.is_none_or(|(other, _)| found.f < other.f) {
+                        best = Some((found, residue));
+                    }
+                }
+                // The ray passes the worm sideways in this pose: no hit.
+                Ok(None) => {}
+                Err(reason) => {
+                    if broken.is_none_or(|(gap, _)| candidate.gap < gap) {
+                        broken = Some((candidate.gap, reason));
+                    }
+                }
+            }
+        }
+        match (best, broken) {
+            // Where a dip breaks off below the best bottom, an edge of tool or stroke decides what is left.
+            (Some((found, _)), Some((gap, reason))) if gap < found.f => (Err(reason), 0.0),
+            (Some((found, _)), _) if found.f.abs() > self.setup.stock => (Err(Uncut::NotReached), 0.0),
+            (Some((found, residue)), _) => (Ok(found), residue),
+            (None, Some((_, reason))) => (Err(reason), 0.0),
+            (None, None) => (Err(Uncut::NotReached), 0.0),
+        }
+    }
+
+    /// From a candidate of the scan to the length that the mode leaves.
+    fn finish(
+        &self,
+        ray: &Ray,
+        sweep: &Sweep,
+        candidate: &Candidate,
+        exact: &mut u64,
+    ) -> Result<Option<(GroundRay, f64)>, Uncut> {
+        let start = Vector2::new(candidate.angle, candidate.feed);
+        let mut count = 0;
+        let mut evaluate = |x: Vector2<f64>, guess: f64| {
+            count += 1;
+            self.length(ray, x, guess)
+        };
+        let finished = match evaluate(start, candidate.gap) {
+            None => Ok(None),
+            Some(first) => self
+                .deepest(start, sweep, first.lam, &mut evaluate)
+                .ok_or(Uncut::NotConverged)
+                .and_then(|bottom| self.judged(&bottom).map(|()| bottom))
+                .and_then(|bottom| {
+                    let threads = self.threads.as_ref().map(|rule| (rule, self.thread(ray, &bottom)));
+                    if threads.is_some_and(|(rule, first)| !rule.ever_cuts(first)) {
+                        return Err(Uncut::NoActiveThread);
+                    }
+                    match self.setup.mode {
+                        GrindingMode::Continuous => {
+                            Ok(Some((ground(bottom.x, &bottom.sample), bottom.residue)))
+                        }
+                        GrindingMode::FeedMarks { feed_per_revolution, start } => {
+                            let cuts = |turn: f64| threads.is_none_or(|(rule, first)| rule.cuts(first, turn));
+                            self.least_pass(&bottom, feed_per_revolution, start, cuts, &mut evaluate)
+                                .map(Some)
+                        }
+                    }
+                }),
+        };
+        *exact += count;
+        finished
+    }
+
+    /// The bottom below a start; beside a crease of the worm the deepest of those that lie side by side.
+    fn deepest(
+        &self,
+        start: Vector2<f64>,
+        sweep: &Sweep,
+        guess: f64,
+        evaluate: &mut impl FnMut(Vector2<f64>, f64) -> Option<Length>,
+    ) -> Option<Bottom<Length>> {
+        let scale = Vector2::from(sweep.step);
+        let mut best = descend(start, scale, guess, &mut *evaluate);
+        let creases = self.setup.modification.creases();
+        let roll = best.as_ref().map(|bottom| bottom.sample.foot[0]);
+        if !creases.iter().any(|crease| roll.is_none_or(|roll| (roll - crease).abs() < BESIDE_CREASE)) {
+            return best;
+        }
+        let from = best.as_ref().map_or(start, |bottom| bottom.x);
+        for stride in CREASE_STRIDES {
+            // A turn of the workpiece moves the foot along the path of contact by about its base radius.
+            let turned = from + Vector2::new(stride / self.setup.work.base_radius, 0.0);
+            let other = descend(turned, scale, guess, &mut *evaluate);
+            let deeper = |bottom: &Bottom<Length>| {
+                self.judged(bottom).is_ok()
+                    && best.as_ref().is_none_or(|best| bottom.sample.lam < best.sample.lam)
+            };
+            if other.as_ref().is_some_and(deeper) {
+                best = other;
+            }
+        }
+        best
+    }
+
+    /// The thread on which a bottom lies when phi_2 is the bottom's own angle, no whole turns added.
+    fn thread(&self, ray: &Ray, bottom: &Bottom<Length>) -> i64 {
+        let pose = self.pose(bottom.x[0], bottom.x[1]);
+        let end = ray.point + ray.normal * bottom.sample.lam;
+        self.setup.worm.nearest_space(&(pose.rotation() * end + pose.translation()))
+    }
+
+    /// Whether the bottom lies within stroke and worm.
+    fn judged(&self, bottom: &Bottom<Length>) -> Result<(), Uncut> {
+        let [from, to] = self.setup.feed_range;
+        if !self.area.covers(bottom.sample.foot[0], bottom.sample.foot[1]) {
+            return Err(Uncut::ToolMissing);
+        }
+        if bottom.x[1] < from || bottom.x[1] > to {
+            return Err(Uncut::StrokeTooShort);
+        }
+        Ok(())
+    }
+
+    /// The least length over the turns of a real feed in which a thread cuts. Round the envelope's bottom the length of a
+    /// pass grows with its distance from there, so that the search goes outwards on both sides until it grows.
+    fn least_pass(
+        &self,
+        bottom: &Bottom<Length>,
+        feed: f64,
+        start: f64,
+        cuts: impl Fn(f64) -> bool,
+        evaluate: &mut impl FnMut(Vector2<f64>, f64) -> Option<Length>,
+    ) -> Result<(GroundRay, f64), Uncut> {
+        let per_angle = feed / (2.0 * std::f64::consts::PI);
+        let direction = Vector2::new(1.0, per_angle);
+        let h = &bottom.hessian;
+        let curvature = direction.dot(&(h * direction));
+        let mut pass = |turn: f64| -> Result<(GroundRay, f64), Uncut> {
+            // Feed by which this pass misses the bottom at the bottom's angle, and the angle it should be met at instead.
+            let missed = start + feed * turn + per_angle * bottom.x[0] - bottom.x[1];
+            let turned = -(h[(0, 1)] + per_angle * h[(1, 1)]) * missed / curvature;
+            let origin = bottom.x + Vector2::new(0.0, missed) + direction * turned;
+            let (x, sample, residue) =
+                descend_along(origin, direction, curvature, bottom.sample.lam, &mut *evaluate)
+                    .ok_or(Uncut::NotConverged)?;
+            let [from, to] = self.setup.feed_range;
+            if x[1] < from || x[1] > to {
+                return Err(Uncut::StrokeTooShort);
+            }
+            if !self.area.covers(sample.foot[0], sample.foot[1]) {
+                return Err(Uncut::ToolMissing);
+            }
+            Ok((ground(x, &sample), residue))
+        };
+        // Some turn among as many as there are threads cuts, or the bottom would have been given up before.
+        let period = self.threads.as_ref().map_or(1, ThreadRule::period);
+        let next = |turn: f64, side: f64| (0..period).map(|k| turn + side * k as f64).find(|&k| cuts(k));
+        let middle = (bottom.x[1] - start - per_angle * bottom.x[0]) / feed;
+        let nearest = [-1.0, 1.0]
+            .into_iter()
+            .filter_map(|side| next(middle.round(), side))
+            .min_by(|a, b| (a - middle).abs().total_cmp(&(b - middle).abs()))
+            .ok_or(Uncut::NoActiveThread)?;
+        let mut best = pass(nearest);
+        for side in [-1.0, 1.0] {
+            let mut last = best;
+            let mut turn = nearest;
+            // Passes that are not there (end of stroke, end of worm) leave the field to the others.
+            while let Some(after) = next(turn + side, side) {
+                turn = after;
+                let Ok(found) = pass(turn) else { break };
+                if last.is_ok_and(|(other, _)| found.0.f >= other.f) {
+                    break;
+                }
+                if best.is_ok_and(|(other, _): (GroundRay, f64)| found.0.f < other.f) || best.is_err() {
+                    best = Ok(found);
+                }
+                last = Ok(found);
+            }
+        }
+        best
+    }
+}
+
+fn ground(x: Vector2<f64>, sample: &Length) -> GroundRay {
+    GroundRay {
+        f: sample.lam,
+        feed: x[1],
+        work_angle: x[0],
+        worm_roll: sample.foot[0],
+        worm_z: sample.foot[1],
+    }
+}

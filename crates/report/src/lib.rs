@@ -1,0 +1,49 @@
+//! What a person reads: charts drawn as SVG and the self-contained HTML report.
+//!
+//! The room turns finished numbers into pictures and pages. It must not know how a number came about: no
+//! process, no contact, no removal, no workflow. [`charts`] draws, [`PlanReport`] is the page as data
+//! (a banner and an ordered list of sections, the same for every process), [`html`] writes it, and
+//! [`generating`] composes the page of diagonal generating grinding; [`tangential`] adds the sections of tangential dressing,
+//! [`programs`] the one on NC programs, [`control`] the one on gearbox and servo; [`gearbox`] composes the page of the electronic
+//! gearbox, [`milling`] that of five-axis milling, [`skiving`] that of measuring a power-skiving tool, [`measured_gear`] that of an
+//! inspected gear, [`inspection_series`] that of a series of them; [`inspection_sheet`] draws the sheets of measured gears.
+//!
+//! ```
+//! use crate::{Banner, Block, PlanReport, Section, html};
+//! use verdict::Status;
+//!
+//! let page = PlanReport {
+//!     title: "housing <A>".into(),
+//!     subtitle: None,
+//!     facts: vec![],
+//!     banner: Banner { status: Status::Met.into(), headline: "within 1 um".into(), figures: vec![] },
+//!     sections: vec![Section::new("Result", vec![Block::Paragraph("All is well.".into())])],
+//! };
+//! let text = html::render(&page);
+//! assert!(text.contains("housing &lt;A&gt;"));
+//! ```
+
+pub mod charts;
+pub mod control;
+pub mod gearbox;
+pub mod generating;
+pub mod html;
+pub mod inspection_series;
+pub mod inspection_sheet;
+pub mod measured_gear;
+pub mod milling;
+pub mod programs;
+pub mod skiving;
+pub mod tangential;
+
+mod cells;
+mod data;
+mod flank_pictures;
+mod head;
+mod typeset;
+
+pub use data::{
+    Banner, Block, Column, ColumnKind, Fact, Figure, PlanReport, Quantity, QuantityValue, Section, Stamp,
+    Table, Warning,
+};
+pub use head::ReportHead;
