@@ -1,5 +1,5 @@
-//! flankwright plans, simulates and proves the manufacture of gear teeth. This version covers diagonal and radial
-//! generating grinding of cylindrical gears with worms that a disc has dressed.
+//! flankwright plans, simulates and proves the manufacture of gear teeth: generating grinding with its dressing, tangential dressing,
+//! five-axis milling, measuring of skiving tools, the electronic gearbox, and the inspection of gears.
 //!
 //! A process maps settings to a flank; planning inverts that map; a simulation that shares no formula with it is the
 //! referee. This page goes that way once: a gear, the flank that is wanted, what the conventional method makes of it,
@@ -163,9 +163,8 @@
 //!
 //! # The rooms
 //!
-//! The modules are layers, listed from the ground up; a module imports only from modules above it in this list, and
-//! [`removal`], the referee, never from [`contact`] or [`process`] (`tests/layers.rs` enforces both). `ARCHITECTURE.md`
-//! tells what each may not know.
+//! Mathematics, contact, referee, machines, programs, processes and files are crates of their own, re-exported here as modules; what each of
+//! them may know stands in `ARCHITECTURE.md`, and `tests/crates.rs` holds it. [`removal`] is the referee.
 
 pub use contact;
 pub use control;
