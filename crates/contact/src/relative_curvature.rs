@@ -92,8 +92,8 @@ impl RelativeCurvature {
     }
 
     /// Where a place of the workpiece is really ground, as (dw_2, dz_V2) from its contact of unmodified bodies, when the flank that is left
-    /// has the slopes `ground` by these parameters: H d = df_1/dx - grad f, from f(x) = min over d of f_1(y(x, d)) + m(x + d) + d.H.d/2 with f_1
-    /// of the worm at the place y opposite of x and what the motion adds, m. `worm` gives (f_w, f_z) of f_1 at (dw_1, dz_1) from the contact's place
+    /// has the slopes `ground` by these parameters: H d = -(df_1/dx + grad f), from f(x) = min over d of -f_1(y(x, d)) + m(x + d) + d.H.d/2 with
+    /// f_1 of the worm at the place y opposite of x (what stands on the worm is missing on the flank) and what the motion adds, m. `worm` gives (f_w, f_z) of f_1 at (dw_1, dz_1) from the contact's place
     /// on the worm. `None` where H has no inverse.
     pub fn displaced(&self, ground: [f64; 2], worm: impl Fn([f64; 2]) -> [f64; 2]) -> Option<[f64; 2]> {
         let inverse = self.h.try_inverse()?;
@@ -104,7 +104,7 @@ impl RelativeCurvature {
             let [by_w, by_z] = self.worm_step(&step);
             let moved = |d: [f64; 2]| d[0] * at.x + d[1] * at.y;
             let slopes = worm([moved(self.dw_1) - by_w, moved(self.dz_1) - by_z]);
-            at = inverse * (self.across_worm(slopes) - ground);
+            at = -(inverse * (self.across_worm(slopes) + ground));
         }
         Some(at.into())
     }

@@ -19,8 +19,11 @@ const ERRORS: [(&str, Shown); 24] = [
     ("E_GEOM_INPUT", Shown::Here(face_to_the_apex)),
     ("E_GEOM_BASE", Shown::Here(flank_line_out_of_reach)),
     ("E_GEOM_POINTED", Shown::Here(pointed_tooth)),
-    ("E_UNDERCUT", Shown::In("surfaces/errors.rs", "octoids_below_their_regular_branch")),
-    ("E_GRID_SIZE", Shown::In("surfaces/errors.rs", "grids_that_are_no_surface")),
+    (
+        "E_UNDERCUT",
+        Shown::In("../../foundation/tests/surfaces/errors.rs", "octoids_below_their_regular_branch"),
+    ),
+    ("E_GRID_SIZE", Shown::In("../../foundation/tests/surfaces/errors.rs", "grids_that_are_no_surface")),
     ("E_LEAD_OFF_BASE", Shown::Here(lead_off_base)),
     ("E_COLUMN_NO_SECTION", Shown::Here(column_beside_the_flank)),
     ("E_COLUMN_KINK", Shown::Here(column_across_the_kink)),

@@ -51,7 +51,7 @@ fn the_control_is_judged_on_every_flank() {
     for (name, f) in &control.flanks {
         // Out of balance once a turn, the threads of the worm, and the steps of encoders and scales.
         assert!((0.1..0.6).contains(&f.largest_um), "{name}: {}", f.largest_um);
-        assert!(f.model_difference_um < 0.05, "{name}: {}", f.model_difference_um);
+        assert!(f.model_difference_um < 0.01, "{name}: {}", f.model_difference_um);
         assert_eq!((f.tooth_means_um.len(), f.topography_um.len(), f.senses_apart_um), (19, 5, None));
         let process = result.flanks[name].flank.max_deviation_um;
         assert!(f.deviation_with_control_um <= f.largest_um + process + 1e-9);
@@ -132,10 +132,8 @@ fn a_pass_is_one_stroke() {
     assert!(!near(needed_left, needed_right), "{needed_left:?} {needed_right:?}");
 }
 
-/// The automotive gear: dresser and grinding each turn the flank by more than a tenth of a millimetre, against each other. Rays on an
-/// unmodified worm would stand far beside the flank; on the worm that was dressed they find an error as large as the closed form says. Its
-/// phase is another one: the closed form has the contact where it would be without corrections, millimetres of feed from where it is, which
-/// is many turns of the gear.
+/// The automotive gear: dresser and grinding each turn the flank by more than a tenth of a millimetre, against each other, and thereby move
+/// its contacts by millimetres of feed. Closed form and rays find the same error only where both know it.
 #[test]
 fn corrections_that_cancel_each_other_do_not_disturb_the_rays() {
     let control = r#"
@@ -161,9 +159,8 @@ helix_points = 5
     assert!(result.passes.iter().all(|pass| turned(pass) > 0.1), "{:?}", result.passes);
     let control = result.control.expect("a control");
     for (name, f) in &control.flanks {
-        assert!(f.largest_um > 0.05, "{name}: {}", f.largest_um);
-        // Two waves of one amplitude are at most twice that apart.
-        let most = 2.1 * f.largest_um.max(0.2);
-        assert!(f.model_difference_um < most, "{name}: {} of {}", f.model_difference_um, f.largest_um);
+        assert!(f.largest_um > 0.9, "{name}: {}", f.largest_um);
+        // What the curvature of the modifications changes of the gap's is left out.
+        assert!(f.model_difference_um < 0.03, "{name}: {} of {}", f.model_difference_um, f.largest_um);
     }
 }

@@ -9,7 +9,7 @@
 //! inspected gear, [`inspection_series`] that of a series of them; [`inspection_sheet`] draws the sheets of measured gears.
 //!
 //! ```
-//! use crate::{Banner, Block, PlanReport, Section, html};
+//! use report::{Banner, Block, PlanReport, Section, html};
 //! use verdict::Status;
 //!
 //! let page = PlanReport {

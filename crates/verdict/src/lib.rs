@@ -4,7 +4,7 @@
 //! A run lists its items one by one; [`Verdict::status`] follows from the list:
 //!
 //! ```
-//! use crate::{Remark, Status, Verdict};
+//! use verdict::{Remark, Status, Verdict};
 //! let mut verdict = Verdict::new();
 //! assert_eq!((verdict.status(), verdict.is_accepted()), (Status::NotJudged, true)); // nothing was asked
 //! verdict.met("left flank", "0.31 of 1 um");

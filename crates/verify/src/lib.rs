@@ -2,12 +2,12 @@
 //! files and the library's public functions; contains no formula of its own beyond units and file conventions.
 //!
 //! ```no_run
-//! use crate::{VerifyOptions, VerifySummary, verify_file};
+//! use verify::{VerifyOptions, VerifySummary, verify_file};
 //!
 //! let report = verify_file("tests/reference/10-gears.json".as_ref(), &VerifyOptions::default())?;
 //! let summary = VerifySummary::new(vec![report]);
 //! assert_eq!(summary.exit_code(), 0);
-//! # Ok::<(), crate::VerifyError>(())
+//! # Ok::<(), verify::VerifyError>(())
 //! ```
 
 mod areas;

@@ -3,7 +3,7 @@
 /// When a measurement began, by its date and the beginning of its time of day; the date alone where the time is none.
 ///
 /// ```
-/// use crate::inspection::measured_at;
+/// use measured_files::inspection::measured_at;
 /// let at = measured_at("13.10.25", Some("08:21:31   /   08:34:28"));
 /// assert_eq!(at.as_deref(), Some("2025-10-13T08:21:31"));
 /// ```
@@ -17,7 +17,7 @@ pub fn measured_at(date: &str, time: Option<&str>) -> Option<String> {
 /// be read in two ways is not guessed at.
 ///
 /// ```
-/// use crate::inspection::sortable_date;
+/// use measured_files::inspection::sortable_date;
 /// assert_eq!(sortable_date("13.10.25").as_deref(), Some("2025-10-13"));
 /// assert_eq!(sortable_date("3.4.2024 08:21").as_deref(), Some("2024-04-03T08:21:00"));
 /// assert_eq!(sortable_date("04/05/2024"), None);

@@ -16,7 +16,7 @@ pub fn format_fixed(value: f64, decimals: usize) -> String {
 /// At most `digits` significant digits, trailing zeros removed; beyond 1e-4 .. 1e7 as a power of ten.
 ///
 /// ```
-/// use crate::charts::format_significant;
+/// use report::charts::format_significant;
 /// assert_eq!(format_significant(-1.916051, 4), "−1.916");
 /// assert_eq!(format_significant(2.4e-11, 2), "2.4·10⁻¹¹");
 /// ```
