@@ -98,12 +98,12 @@ impl FlankPlaces<'_> {
         let curvature = pair.relative_curvature(worm_roll, w, ratio);
         // Contact relations are linear: differences over 1 mm are derivatives.
         let angle = pair.work_angle(w, z);
-        let by_roll = pair.work_angle(w + 1.0, pair.work_z(w + 1.0, shift, feed)) - angle;
+        let z_beside = pair.work_z(w + 1.0, shift, feed);
+        let by_roll = pair.work_angle(w + 1.0, z_beside) - angle;
         let z_by_feed = pair.c_zv22 + ratio * pair.c_zv12;
         let by_feed = (pair.work_angle(w, z + 1.0) - angle) * z_by_feed;
         let [f_w, f_z] = (self.slopes.ground)(w, z);
-        let z_by_roll = pair.work_z(w + 1.0, shift, feed) - z;
-        let ground = [f_w + f_z * z_by_roll, f_z * z_by_feed];
+        let ground = [f_w + f_z * (z_beside - z), f_z * z_by_feed];
         let worm = |[dw, dz]: [f64; 2]| (self.slopes.worm)(worm_roll + dw, worm_z + dz);
         let [dw, dv] = curvature.displaced(ground, worm).unwrap_or_default();
         let angle = angle + by_roll * dw + by_feed * dv;

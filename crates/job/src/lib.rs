@@ -1,6 +1,5 @@
-//! What crosses the border of the library as files: job documents with the place of every value, their
-//! JSON schema, tables, meshes. Reads and writes files; knows the shapes and targets that a job describes, but
-//! neither plans nor reports anything.
+//! Files of jobs: documents of every process with the place of every value, their JSON schema, machines, catalogues, tables, meshes.
+//! Reads and writes files; knows the shapes and targets that a job describes, but neither plans nor reports anything.
 
 pub mod bounded;
 pub mod catalogue;

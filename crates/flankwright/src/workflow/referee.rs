@@ -63,11 +63,19 @@ impl Verdict {
         &'a self,
         tool: &'a ExecutedTool,
     ) -> Option<&'a dyn WormModification> {
-        match (tool, &self.dressed) {
-            (_, Some(dressed)) => Some(dressed),
-            (ExecutedTool::Made(made), None) => Some(&made.spline),
-            (ExecutedTool::Dressed(_) | ExecutedTool::Stroked(_), None) => None,
-        }
+        worm_function(tool, self.dressed.as_ref())
+    }
+}
+
+/// f_n1 of the worm that grinds a flank: the surface that its dressing left, or its table, which is the tool itself where none was dressed.
+fn worm_function<'a>(
+    tool: &'a ExecutedTool,
+    dressed: Option<&'a DressedSurface>,
+) -> Option<&'a dyn WormModification> {
+    match (tool, dressed) {
+        (_, Some(dressed)) => Some(dressed),
+        (ExecutedTool::Made(made), None) => Some(&made.spline),
+        (ExecutedTool::Dressed(_) | ExecutedTool::Stroked(_), None) => None,
     }
 }
 
@@ -302,15 +310,11 @@ fn run_flank(
     let (worm, work) = (setup.pair.worm.flank(flank), setup.pair.work.flank(flank));
     let stock = stock(worm, executed.target.largest());
     let dressed = on_worm(setup, execution, flank, |stages, w, z| rayed(stages, w, z, progress))?;
-    // A tool that is not dressed is given by its table: the spline through it is the tool itself.
-    let (modification, area): (&dyn WormModification, WormArea) = match (&executed.tool, &dressed) {
-        (_, Some(dressed)) => (&dressed.surface, dressed.area),
-        (ExecutedTool::Made(made), None) => {
-            let [w, z] = made.spline.domain();
-            (&made.spline, WormArea { w, z })
-        }
-        (ExecutedTool::Dressed(_) | ExecutedTool::Stroked(_), None) => return Ok(None),
+    let Some(modification) = worm_function(&executed.tool, dressed.as_ref().map(|worm| &worm.surface)) else {
+        return Ok(None);
     };
+    let [w, z] = modification.domain();
+    let area = dressed.as_ref().map_or(WormArea { w, z }, |worm| worm.area);
     let grid = RayGrid::new(executed.target.w.clone(), executed.target.z.clone())?;
     let grinding = Grinding {
         worm,

@@ -1,4 +1,4 @@
-//! Inspected flanks as surfaces, what of them is systematic, and the closed loop of settings.
+//! The closed loop of settings: what grinding and dressing change of a measured flank, and corrections by it.
 
 mod correction;
 mod dressing;
