@@ -14,12 +14,5 @@ pub fn job(data: &[u8]) {
 }
 
 fn json(job: &AnyJob) -> String {
-    let text = match job {
-        AnyJob::Grinding(loaded) => serde_json::to_string(&loaded.job),
-        AnyJob::Tangential(loaded) => serde_json::to_string(&loaded.job),
-        AnyJob::Gearbox(loaded) => serde_json::to_string(&loaded.job),
-        AnyJob::Milling(loaded) => serde_json::to_string(&loaded.job),
-        AnyJob::Skiving(loaded) => serde_json::to_string(&loaded.job),
-    };
-    text.expect("a job as JSON")
+    job.to_json().expect("a job as JSON")
 }

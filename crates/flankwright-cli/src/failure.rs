@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::io::{self, IsTerminal, Write as _};
 use std::path::PathBuf;
 
-use flankwright::exchange::{Diagnostic, JobError, Loaded, Source};
+use flankwright::exchange::{Diagnostic, Document, JobError, Source};
 use flankwright::workflow::{JobFailure, RunFailure};
 use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteDiagnostic, NamedSource, Report};
 use serde_json::{Value, json};
@@ -48,14 +48,14 @@ impl Failure {
     }
 
     /// A failure of a job, found by any layer; the diagnostic's field decides the place shown.
-    pub fn of_job<J>(exit: Exit, loaded: &Loaded<J>, diagnostic: Diagnostic) -> Self {
-        Self { exit, ..loaded.error(diagnostic).into() }
+    pub fn of_job(exit: Exit, document: &Document, diagnostic: Diagnostic) -> Self {
+        Self { exit, ..document.error(diagnostic).into() }
     }
 
     /// A job that the workflow refused or could not make.
-    pub fn of_run<J>(loaded: &Loaded<J>, failure: RunFailure) -> Self {
+    pub fn of_run(document: &Document, failure: RunFailure) -> Self {
         let (exit, finding) = refusal(failure);
-        Self::of_job(exit, loaded, finding)
+        Self::of_job(exit, document, finding)
     }
 
     /// A run without a job that was refused.
@@ -65,10 +65,10 @@ impl Failure {
     }
 
     /// A job of which an entry or a file that it names is at fault.
-    pub fn of_job_or_file<J>(loaded: &Loaded<J>, failure: JobFailure) -> Self {
+    pub fn of_job_or_file(document: &Document, failure: JobFailure) -> Self {
         match failure {
             JobFailure::File(error) => Self::from(*error),
-            JobFailure::Job(failure) => Self::of_run(loaded, failure),
+            JobFailure::Job(failure) => Self::of_run(document, failure),
         }
     }
 

@@ -3,11 +3,11 @@
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use flankwright::exchange::job::{JobInfo, Process};
+use flankwright::exchange::job::JobInfo;
 use flankwright::exchange::{
-    AnyJob, Diagnostic, GearboxJob, Loaded, LoadedGearboxJob, LoadedJob, Problem, Source, parse_any_job,
-    read_any_job, write_atomically,
+    AnyJob, Diagnostic, Document, LoadedJob, Source, parse_any_job, read_any_job, write_atomically,
 };
+use flankwright::processes;
 use serde::Serialize;
 
 use crate::arguments::CommonArguments;
@@ -32,7 +32,7 @@ pub fn print(text: &str) -> Result<(), Failure> {
 ///
 /// # Errors
 /// As [`print()`]; a value that JSON cannot hold is an internal error.
-pub fn print_json(value: &impl Serialize) -> Result<(), Failure> {
+pub fn print_json(value: &(impl Serialize + ?Sized)) -> Result<(), Failure> {
     print(&json_text(value)?)
 }
 
@@ -40,7 +40,7 @@ pub fn print_json(value: &impl Serialize) -> Result<(), Failure> {
 ///
 /// # Errors
 /// A value that JSON cannot hold is an internal error.
-pub fn json_text(value: &impl Serialize) -> Result<String, Failure> {
+pub fn json_text(value: &(impl Serialize + ?Sized)) -> Result<String, Failure> {
     serde_json::to_string_pretty(value)
         .map(|text| text + "\n")
         .map_err(|error| Failure::internal(format!("the result cannot be written as JSON: {error}")))
@@ -73,43 +73,21 @@ pub fn load_any_job(path: &Path) -> Result<AnyJob, Failure> {
 /// # Errors
 /// As [`load_any_job`]; a job of another process.
 pub fn load_grinding_job(path: &Path, command: &str) -> Result<LoadedJob, Failure> {
-    match load_any_job(path)? {
-        AnyJob::Grinding(loaded) => Ok(loaded),
-        AnyJob::Tangential(loaded) => {
-            let name = loaded.job.job.process.name();
-            let message = format!("`{command}` does not take a job of the process \"{name}\"");
-            let finding = Diagnostic::new(Problem::ProcessNotAvailable, message)
-                .field("job.process")
-                .value(format!("\"{name}\""))
-                .allowed(format!("\"{}\"", Process::GeneratingGrinding.name()))
-                .way_out(
-                    "take `flankwright plan`, which compares methods and shows sensitivities in its report",
-                );
-            Err(loaded.error(finding).into())
-        }
-        AnyJob::Gearbox(loaded) => Err(gearbox_only(&loaded, command)),
-        AnyJob::Milling(loaded) => Err(refused(&loaded, Process::FiveAxisMilling, command)),
-        AnyJob::Skiving(loaded) => Err(refused(&loaded, Process::SkivingToolMeasuring, command)),
-    }
-}
-
-/// What a command that plans or simulates a flank answers to a job of the electronic gearbox.
-pub fn gearbox_only(loaded: &LoadedGearboxJob, command: &str) -> Failure {
-    loaded.error(GearboxJob::refused_by(command)).into()
+    let job = load_any_job(path)?;
+    job.of().cloned().ok_or_else(|| refused(&job, command))
 }
 
 /// What a command answers to a job of a process that it does not take.
-pub fn refused<J>(loaded: &Loaded<J>, process: Process, command: &str) -> Failure {
-    loaded.error(process.refused_by(command)).into()
+pub fn refused(job: &AnyJob, command: &str) -> Failure {
+    job.error(processes().refused(command, job)).into()
 }
 
 /// Where the files of a job go: as told, else `<job name>.out/` beside the job. A job that lies in such a folder itself, as
 /// `settings.json` does, has its own beside it: `<job name>.settings.out/`.
-pub fn directory<J>(common: &CommonArguments, loaded: &Loaded<J>, job: &JobInfo) -> PathBuf {
+pub fn directory(common: &CommonArguments, document: &Document, job: &JobInfo) -> PathBuf {
     let beside = || {
-        let own = loaded.beside(&format!("{}.out", job.name));
-        let (Some(folder), Some(stem)) =
-            (own.parent(), Path::new(loaded.document.source().name()).file_stem())
+        let own = document.source().beside(&format!("{}.out", job.name));
+        let (Some(folder), Some(stem)) = (own.parent(), Path::new(document.source().name()).file_stem())
         else {
             return own;
         };
@@ -128,17 +106,17 @@ const OWNER: &str = ".job";
 ///
 /// # Errors
 /// Two job files of one name, without `-o`.
-pub fn own_directory<J>(
+pub fn own_directory(
     common: &CommonArguments,
-    loaded: &Loaded<J>,
+    document: &Document,
     job: &JobInfo,
 ) -> Result<PathBuf, Failure> {
-    let directory = directory(common, loaded, job);
+    let directory = directory(common, document, job);
     if common.output.is_some() {
         return Ok(directory);
     }
     let (own, owner) =
-        (owner_name(loaded), std::fs::read_to_string(directory.join(OWNER)).unwrap_or_default());
+        (owner_name(document), std::fs::read_to_string(directory.join(OWNER)).unwrap_or_default());
     let owner = owner.trim();
     if owner.is_empty() || own.as_deref() == Some(owner) || !directory.with_file_name(owner).is_file() {
         return Ok(directory);
@@ -149,15 +127,15 @@ pub fn own_directory<J>(
         .value(format!("\"{}\"", job.name))
         .allowed("a name of its own for each job file of a folder")
         .way_out("change job.name, or say with `-o DIR` where the files shall go");
-    Err(loaded.error(finding).into())
+    Err(document.error(finding).into())
 }
 
 /// Notes in a folder that no `-o` chose whose results it holds.
 ///
 /// # Errors
 /// The folder cannot be written.
-pub fn note_owner<J>(common: &CommonArguments, loaded: &Loaded<J>, directory: &Path) -> Result<(), Failure> {
-    match owner_name(loaded) {
+pub fn note_owner(common: &CommonArguments, document: &Document, directory: &Path) -> Result<(), Failure> {
+    match owner_name(document) {
         Some(name) if common.output.is_none() => {
             write_file(&directory.join(OWNER), format!("{name}\n").as_bytes())
         }
@@ -166,8 +144,8 @@ pub fn note_owner<J>(common: &CommonArguments, loaded: &Loaded<J>, directory: &P
 }
 
 /// The job file by its name; none for standard input.
-fn owner_name<J>(loaded: &Loaded<J>) -> Option<String> {
-    let name = loaded.document.source().name();
+fn owner_name(document: &Document) -> Option<String> {
+    let name = document.source().name();
     let file = Path::new(name).file_name().filter(|_| name != "-")?;
     file.to_str().map(str::to_owned)
 }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use flankwright::exchange::inspection::{DatumFace, SlopeReference};
-use flankwright::exchange::{AnyJob, Diagnostic};
+use flankwright::exchange::{Diagnostic, Job, SkivingJob};
 use flankwright::geometry::Sides;
 use flankwright::numerics::Progress;
 use flankwright::workflow::inspection::series::{
@@ -11,7 +11,7 @@ use flankwright::workflow::inspection::series::{
 };
 use flankwright::workflow::inspection::{SheetOptions, Statements, inspect_for_job, inspect_gear};
 use flankwright::workflow::skiving::inspect_skiving;
-use flankwright::workflow::{Completed, JobFailure};
+use flankwright::workflow::{Carried, JobFailure, RunFailure};
 use pyo3::prelude::*;
 
 use crate::failure::Failure;
@@ -68,29 +68,22 @@ pub fn inspect(
     let statements = statements(stated).map_err(|failure| failure.raised(py))?;
     let job = job.map(Bound::get);
     let work = |progress: &dyn Progress| -> Result<Held, JobFailure> {
-        Ok(Held::Completed(match job.map(|job| &job.job) {
-            None => Completed::Inspection(Box::new(inspect_gear(&file, &statements, tolerance_class)?)),
-            Some(AnyJob::Skiving(loaded)) => {
-                Completed::Skiving(loaded.clone(), Box::new(inspect_skiving(loaded, &file, progress)?))
-            }
-            Some(AnyJob::Grinding(loaded)) => Completed::Inspection(Box::new(inspect_for_job(
-                loaded,
-                &file,
-                &statements,
-                tolerance_class,
-                progress,
-            )?)),
-            Some(other) => {
-                let process = other.info().process.name();
-                let message =
-                    "measurements are compared with a job of generating grinding or of a skiving tool";
-                let finding = Diagnostic::with_code("process-not-available", message).field("job.process");
-                let finding = finding.value(process).allowed("generating-grinding, skiving-tool-measuring");
-                let finding =
-                    finding.way_out("leave the job out, or take the one by which the part was made");
-                return Err(flankwright::workflow::RunFailure::bad_input(finding).into());
-            }
-        }))
+        let Some(job) = job.map(|job| &job.job) else {
+            return Ok(Held::Completed(Box::new(inspect_gear(&file, &statements, tolerance_class)?)));
+        };
+        if let Some(loaded) = job.of::<SkivingJob>() {
+            return Ok(Held::Completed(Carried::boxed(loaded, inspect_skiving(loaded, &file, progress)?)));
+        }
+        if let Some(loaded) = job.of::<Job>() {
+            let found = inspect_for_job(loaded, &file, &statements, tolerance_class, progress)?;
+            return Ok(Held::Completed(Box::new(found)));
+        }
+        let message = "measurements are compared with a job of generating grinding or of a skiving tool";
+        let finding = Diagnostic::with_code("process-not-available", message).field("job.process");
+        let finding =
+            finding.value(job.info().process.name()).allowed("generating-grinding, skiving-tool-measuring");
+        let finding = finding.way_out("leave the job out, or take the one by which the part was made");
+        Err(RunFailure::bad_input(finding).into())
     };
     let done = watched(py, progress, |progress| CoreResult::of(|| work(progress)))?;
     done.map_err(|failure| Failure::from(&failure).raised(py))

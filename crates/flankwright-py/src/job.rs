@@ -2,11 +2,11 @@
 
 use std::path::PathBuf;
 
-use flankwright::exchange::job::Process;
 use flankwright::exchange::{
     AnyJob, Diagnostic, Document, JobError, Source, job_schema, job_template, parse_any_job,
 };
-use flankwright::workflow::derived_geometry;
+use flankwright::processes;
+use flankwright::workflow::{AnyProcess, derived_geometry};
 use pyo3::prelude::*;
 use serde_json::{Value, json};
 
@@ -64,7 +64,7 @@ impl CoreJob {
     }
 
     #[getter]
-    fn process(&self) -> &'static str {
+    fn process(&self) -> &str {
         self.job.info().process.name()
     }
 
@@ -100,9 +100,8 @@ pub fn schema() -> String {
 /// A commented job of a process.
 #[pyfunction]
 pub fn template(py: Python<'_>, process: &str) -> PyResult<&'static str> {
-    let known = Process::ALL.into_iter().find(|known| known.name() == process);
-    known.map(job_template).ok_or_else(|| {
-        let names = Process::ALL.map(Process::name).join(", ");
+    job_template(process).ok_or_else(|| {
+        let names = processes().all().map(AnyProcess::name).collect::<Vec<_>>().join(", ");
         let finding = Diagnostic::with_code("unknown-value", format!("there is no process \"{process}\""));
         let finding = finding.field("process").value(process.to_owned()).allowed(names);
         Failure::bad_input(&finding.way_out("choose one of these")).raised(py)

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use flankwright::workflow::inspection::series::{InspectionSeries, write_inspection_series};
-use flankwright::workflow::{Completed, FlankResult};
+use flankwright::workflow::{FlankMaps, TaskOutcome};
 use numpy::ndarray::Array2;
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pyo3::exceptions::PyOSError;
@@ -25,10 +25,9 @@ pub struct CoreResult {
 }
 
 /// What tasks come to.
-#[expect(clippy::large_enum_variant, reason = "each is held by itself")]
 pub enum Held {
     /// A task on a job.
-    Completed(Completed),
+    Completed(Box<dyn TaskOutcome>),
     /// A series of measured parts.
     Series(Box<InspectionSeries>),
 }
@@ -83,29 +82,24 @@ impl CoreResult {
 
     /// The flanks of a ground gear: name, then `w`, `z` (mm) and `target`, `planned`, `simulated` (um, normal) over them.
     fn flanks<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let flanks: Vec<(&str, &FlankResult)> = match &self.held {
-            Held::Completed(Completed::Grinding(_, outcome, _)) => {
-                outcome.result.flanks.iter().map(|(name, flank)| (*name, flank)).collect()
-            }
-            Held::Completed(Completed::Tangential(_, outcome)) => {
-                outcome.result.flanks.iter().map(|(name, of)| (*name, &of.flank)).collect()
-            }
-            Held::Completed(_) | Held::Series(_) => Vec::new(),
+        let flanks: Vec<FlankMaps<'_>> = match &self.held {
+            Held::Completed(completed) => completed.flanks(),
+            Held::Series(_) => Vec::new(),
         };
         let all = PyDict::new(py);
-        for (name, flank) in flanks {
+        for flank in flanks {
             let one = PyDict::new(py);
-            one.set_item("w", PyArray1::from_slice(py, &flank.w_mm))?;
-            one.set_item("z", PyArray1::from_slice(py, &flank.z_mm))?;
+            one.set_item("w", PyArray1::from_slice(py, flank.w_mm))?;
+            one.set_item("z", PyArray1::from_slice(py, flank.z_mm))?;
             for (key, rows) in [
-                ("target", &flank.target_um),
-                ("planned", &flank.planned_um),
-                ("simulated", &flank.simulated_um),
+                ("target", flank.target_um),
+                ("planned", flank.planned_um),
+                ("simulated", flank.simulated_um),
             ] {
                 let array: Option<Bound<'py, PyArray2<f64>>> = array(rows).map(|rows| rows.into_pyarray(py));
                 one.set_item(key, array)?;
             }
-            all.set_item(name, one)?;
+            all.set_item(flank.name, one)?;
         }
         Ok(all)
     }

@@ -2,7 +2,7 @@
 
 use flankwright::contact::Measure;
 use flankwright::exchange::tangential_job::DeviationMeasure;
-use flankwright::exchange::{AnyJob, Diagnostic};
+use flankwright::exchange::{Diagnostic, TangentialJob};
 use flankwright::geometry::Flank;
 use flankwright::process::tangential_dressing::{
     Channel, FitGrid, LARGEST_EXPONENT, RollGrid, TangentialError, TangentialFlank, TangentialSettings,
@@ -83,7 +83,7 @@ impl CoreTangential {
         radii: bool,
     ) -> PyResult<Self> {
         let flank = flank_of(py, flank)?;
-        let AnyJob::Tangential(loaded) = &job.get().job else {
+        let Some(loaded) = job.get().job.of::<TangentialJob>() else {
             let finding =
                 Diagnostic::with_code("process-not-available", "this is no job of tangential dressing");
             let finding = finding.field("job.process").allowed("\"tangential-dressing\"");

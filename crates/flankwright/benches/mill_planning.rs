@@ -4,7 +4,7 @@
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use flankwright::exchange::mesh::{PatchSide, patch, stl};
-use flankwright::exchange::{AnyJob, read_any_job};
+use flankwright::exchange::{MillingJob, read_job_of};
 use flankwright::geometry::CutterShape;
 use flankwright::numerics::equidistant;
 use flankwright::process::milling::{
@@ -24,7 +24,7 @@ fn root() -> PathBuf {
 
 fn example(name: &str) -> MillingBodies {
     let path = root().join(format!("examples/milling/{name}.toml"));
-    let Ok(AnyJob::Milling(job)) = read_any_job(&path) else { panic!("{name} is a job of milling") };
+    let Ok(job) = read_job_of::<MillingJob>(&path) else { panic!("{name} is a job of milling") };
     prepare_milling(&job).unwrap_or_else(|failure| panic!("{name}: {failure:?}"))
 }
 

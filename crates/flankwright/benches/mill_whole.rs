@@ -3,7 +3,7 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use flankwright::exchange::machine::read_machine;
-use flankwright::exchange::{AnyJob, Source, parse_any_job};
+use flankwright::exchange::{MillingJob, Source, parse_job_of};
 use flankwright::nc::Dialect;
 use flankwright::numerics::Silent;
 use flankwright::workflow::milling::{MillingCheck, run_milling};
@@ -15,7 +15,7 @@ fn whole_gear(c: &mut Criterion) {
     let machines = root.join("machines");
     let text = std::fs::read_to_string(root.join("examples/milling/spur-on-ac-table.toml")).expect("a job");
     let text = text.replace("../../machines", machines.to_str().expect("a path"));
-    let Ok(AnyJob::Milling(loaded)) = parse_any_job(Source::new("job.toml", &text)) else {
+    let Ok(loaded) = parse_job_of::<MillingJob>(Source::new("job.toml", &text)) else {
         panic!("no milling job")
     };
     let machine = read_machine(&machines.join("five-axis-ac-table.toml")).expect("a machine");

@@ -5,10 +5,11 @@ use flankwright::exchange::machine::read_machine;
 use flankwright::exchange::read_job;
 use flankwright::geometry::Flank;
 use flankwright::kinematics::{DressingPosition, GeneratingChain, GeneratingState};
-use flankwright::machine::Station;
-use flankwright::machine::{DressingRule, Mounts};
-use flankwright::motion::{Coupling, Course, DressingCourse, dresser_contacts};
-use flankwright::motion::{GrindingCourse, LayoutOptions, Pass, axis_words, lay_out};
+use flankwright::machine::{DressingRule, Mounts, Station};
+use flankwright::motion::{
+    Coupling, Course, DressingCourse, GrindingCourse, LayoutOptions, Pass, axis_words, dresser_contacts,
+    lay_out,
+};
 use flankwright::nc::{Dialect, WriteOptions, write_checked};
 use flankwright::numerics::{Silent, equidistant};
 use flankwright::workflow::plan_job;

@@ -2,8 +2,7 @@
 //! noise, the referee on a whole tool. What is told in brackets is the wanted limit.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use flankwright::exchange::skiving_job::SkivingJob;
-use flankwright::exchange::{AnyJob, Loaded, read_any_job};
+use flankwright::exchange::{Loaded, SkivingJob, read_job_of};
 use flankwright::geometry::Flank;
 use flankwright::numerics::Silent;
 use flankwright::process::skiving::VirtualEdge;
@@ -15,7 +14,7 @@ use std::path::Path;
 
 fn example(name: &str) -> (Loaded<SkivingJob>, SkivingBodies) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../examples/skiving/{name}.toml"));
-    let Ok(AnyJob::Skiving(loaded)) = read_any_job(&path) else { panic!("{name} is a job of skiving") };
+    let Ok(loaded) = read_job_of::<SkivingJob>(&path) else { panic!("{name} is a job of skiving") };
     let bodies = prepare_skiving(&loaded).unwrap_or_else(|failure| panic!("{name}: {failure:?}"));
     (loaded, bodies)
 }

@@ -164,7 +164,11 @@
 //! # The rooms
 //!
 //! Mathematics, contact, referee, machines, programs, processes and files are crates of their own, re-exported here as modules; what each of
-//! them may know stands in `ARCHITECTURE.md`, and `tests/crates.rs` holds it. [`removal`] is the referee.
+//! them may know stands in `ARCHITECTURE.md`, and `tests/crates.rs` holds it. [`removal`] is the referee. [`processes`] is the registry.
+
+pub mod exchange;
+mod registry;
+pub mod workflow;
 
 pub use contact;
 pub use control;
@@ -174,22 +178,15 @@ pub use metrology;
 pub use motion;
 pub use nc;
 pub use referee as removal;
+pub use registry::{TooLate, add_process, processes};
+pub use report;
+pub use verdict;
 
 /// The processes, each a crate of its own.
 pub mod process {
-    pub use grinding::{correction, dressing, generating, tangential_dressing};
+    pub use dressing;
+    pub use generating::{self, correction};
     pub use milling;
     pub use skiving;
+    pub use tangential_dressing;
 }
-
-/// Files of jobs, bodies and measured gears.
-pub mod exchange {
-    pub use ::job::*;
-    pub use measured_files::{inspection, rexs};
-}
-
-pub use verdict;
-
-pub use report;
-
-pub mod workflow;

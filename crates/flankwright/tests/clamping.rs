@@ -2,7 +2,7 @@
 //! distances follow from the words of the texts and the diameters of the bodies.
 
 use flankwright::exchange::machine::parse_machine;
-use flankwright::exchange::{AnyJob, Diagnostic, Source, parse_any_job};
+use flankwright::exchange::{AnyJob, Diagnostic, Job, Source, parse_any_job};
 use flankwright::nc::Dialect;
 use flankwright::numerics::Silent;
 use flankwright::workflow::tangential::plan_tangential;
@@ -89,10 +89,9 @@ fn job(process: &str, machine: &Path, more: &str) -> AnyJob {
 }
 
 fn planned(job: &AnyJob) -> Result<RunPrograms, RunFailure> {
-    let programs = match job {
-        AnyJob::Grinding(loaded) => plan_job(loaded, &Silent)?.programs,
-        AnyJob::Tangential(loaded) => plan_tangential(loaded, &Silent)?.programs,
-        other => panic!("{other:?}"),
+    let programs = match job.of() {
+        Some(loaded) => plan_job(loaded, &Silent)?.programs,
+        None => plan_tangential(job.of().expect("a job of tangential dressing"), &Silent)?.programs,
     };
     Ok(programs.expect("a job with a machine"))
 }
@@ -161,7 +160,7 @@ fn a_thin_nut_passes_with_its_least_distance_in_both_processes() {
 #[test]
 fn the_verdict_lists_the_nut_or_that_nothing_stands_for_it() {
     let verdict = |job: AnyJob| {
-        let AnyJob::Grinding(loaded) = job else { panic!("a grinding job") };
+        let Some(loaded) = job.of::<Job>().cloned() else { panic!("a grinding job") };
         plan_job(&loaded, &Silent).expect("a plan").result.verdict
     };
     let with = verdict(clamped(GRINDING, THIN_NUT));

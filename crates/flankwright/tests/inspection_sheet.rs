@@ -5,11 +5,11 @@ use flankwright::exchange::inspection::{Inspection, TraceKind, inspection_of, pa
 use flankwright::geometry::{Flank, Sides};
 use flankwright::metrology::inspection::{BandFit, KBand};
 use flankwright::report::charts::{ChartError, format_fixed};
-use flankwright::report::inspection_sheet as drawing;
 use flankwright::workflow::inspection::{
     EvaluatedGear, SheetOptions, Statements, evaluate_inspection, inspect_gear, inspection_sheet, sheet_data,
     sheet_pages,
 };
+use inspection::page::sheet as drawing;
 use std::path::Path;
 
 struct Sheet {

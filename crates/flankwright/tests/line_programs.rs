@@ -203,7 +203,7 @@ fn damaged_texts_are_noticed() {
         .unwrap_or_else(|e| panic!("{e}"));
     let checker = ProgramChecker::new(&machine, Some(&any), &Silent).unwrap_or_else(|e| panic!("{e:?}"));
     let check = |text: &str| {
-        checker.check((text.as_bytes(), None), Dialect::Siemens).unwrap_or_else(|e| panic!("{e:?}"))
+        checker.check((text.as_bytes(), None), Dialect::Siemens, &Silent).unwrap_or_else(|e| panic!("{e:?}"))
     };
     let lines: Vec<&str> = text_of_run.lines().collect();
     let strokes = strokes(&lines);

@@ -4,7 +4,7 @@
 use crate::line_programs::{job, planned};
 use crate::peer::client::Client;
 use crate::peer::{Found, PRINTED, canonical, client, compare, wanted};
-use flankwright::exchange::{AnyJob, read_any_job};
+use flankwright::exchange::{MillingJob, read_job_of};
 use flankwright::nc::{Dialect, read};
 use flankwright::workflow::Outcome;
 use flankwright::workflow::milling::{run_milling, write_milling};
@@ -54,7 +54,7 @@ fn the_programs_of_milling_examples_mean_the_same_in_linuxcnc() {
     for example in examples {
         let path =
             PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(format!("../../examples/milling/{example}.toml"));
-        let Ok(AnyJob::Milling(loaded)) = read_any_job(&path) else { panic!("{example} is no milling job") };
+        let Ok(loaded) = read_job_of::<MillingJob>(&path) else { panic!("{example} is no milling job") };
         let outcome = run_milling(&loaded, &flankwright::numerics::Silent).expect("a plan");
         let written = directory.path().join(example);
         write_milling(&loaded.job, &outcome, &written).expect("files");

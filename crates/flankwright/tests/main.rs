@@ -69,5 +69,6 @@ mod tangential;
 mod tangential_control;
 mod tangential_referee;
 mod targets;
+mod templates;
 mod variable_ratio;
 mod verdicts;

@@ -1,7 +1,7 @@
 //! How rows begin and end: in the middle of double-helical gears against the reference of spec 50 section 1.5, on arcs of approach, and
 //! what rays find there.
 
-use flankwright::exchange::{AnyJob, LoadedMillingJob, Source, parse_any_job};
+use flankwright::exchange::{LoadedMillingJob, Source, parse_job_of};
 use flankwright::geometry::Flank;
 use flankwright::numerics::Silent;
 use flankwright::process::milling::{
@@ -16,10 +16,7 @@ fn loaded(example: &str, changes: &[(&str, &str)]) -> LoadedMillingJob {
         assert!(text.contains(from), "{from}");
         text = text.replacen(from, to, 1);
     }
-    match parse_any_job(Source::new(example, &text)).unwrap() {
-        AnyJob::Milling(loaded) => loaded,
-        other => panic!("{other:?}"),
-    }
+    parse_job_of(Source::new(example, &text)).unwrap()
 }
 
 fn bodies(changes: &[(&str, &str)]) -> MillingBodies {

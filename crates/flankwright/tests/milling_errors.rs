@@ -1,8 +1,9 @@
 //! Every error of spec 50 section 15: what provokes it, its code, what it says and its way out. Where a job can provoke it a job does,
 //! and its exit status is looked at.
 
-use flankwright::exchange::job::Process;
-use flankwright::exchange::{AnyJob, LoadedMillingJob, Source, job_template, parse_any_job};
+use flankwright::exchange::{
+    LoadedMillingJob, MillingJob, Source, job_template, parse_any_job, parse_job_of,
+};
 use flankwright::geometry::CutterShape;
 use flankwright::numerics::Silent;
 use flankwright::process::milling::{
@@ -128,9 +129,8 @@ fn replaced(text: &str, replacements: &[(&str, &str)]) -> String {
 }
 
 fn loaded(text: &str) -> LoadedMillingJob {
-    match parse_any_job(Source::new("job.toml", text)) {
-        Ok(AnyJob::Milling(loaded)) => loaded,
-        Ok(_) => panic!("no job of milling"),
+    match parse_job_of::<MillingJob>(Source::new("job.toml", text)) {
+        Ok(loaded) => loaded,
         Err(error) => panic!("{error}"),
     }
 }
@@ -163,7 +163,7 @@ fn without_machine(text: &str) -> String {
 
 /// The spur gear of module 8 with 20 teeth, an end mill of 6 mm, its root milled; few rays.
 fn spur() -> String {
-    let text = without_machine(job_template(Process::FiveAxisMilling));
+    let text = without_machine(job_template("five-axis-milling").expect("a template"));
     replaced(&text, &[("rays_profile = 81", "rays_profile = 3"), ("rays_length = 61", "rays_length = 3")])
 }
 

@@ -1,7 +1,7 @@
 //! Every key of a milling job counts: another value changes a figure or a text beside the echo of the job and the timings, or the job is
 //! refused at the key. The schema says which keys there are; one that no job here gives is missing from the walk and fails it.
 
-use flankwright::exchange::{AnyJob, Source, job_schema, parse_any_job};
+use flankwright::exchange::{MillingJob, Source, job_schema, parse_job_of};
 use flankwright::numerics::Silent;
 use flankwright::workflow::milling::run_milling;
 use rayon::prelude::*;
@@ -92,9 +92,8 @@ fn outcome(job: &Value) -> Result<(Value, Vec<String>), String> {
     // Machines are looked for beside the job.
     let name = format!("{}/../../machines/job.json", env!("CARGO_MANIFEST_DIR"));
     let text = job.to_string();
-    let loaded = match parse_any_job(Source::new(&*name, &text)) {
-        Ok(AnyJob::Milling(loaded)) => loaded,
-        Ok(other) => panic!("{other:?}"),
+    let loaded = match parse_job_of::<MillingJob>(Source::new(&*name, &text)) {
+        Ok(loaded) => loaded,
         Err(error) => return Err(format!("{:?}", error.diagnostics.first().and_then(|d| d.field.clone()))),
     };
     let made = run_milling(&loaded, &Silent).map_err(|failure| format!("{failure:?}"))?;

@@ -1,8 +1,8 @@
 //! What cutters must not touch beside the flanks: root body, hub, backs of blades, the ring of an internal gear. Every place of a plan is
 //! looked at by samples of the tool as a body of revolution against bodies that are written down here from the job's numbers.
 
-use flankwright::exchange::milling_job::{MilledBody, MillingJob};
-use flankwright::exchange::{AnyJob, LoadedMillingJob, Source, parse_any_job};
+use flankwright::exchange::milling_job::MilledBody;
+use flankwright::exchange::{LoadedMillingJob, MillingJob, Source, parse_any_job, parse_job_of};
 use flankwright::geometry::CutterShape;
 use flankwright::numerics::Silent;
 use flankwright::process::milling::{CutterPlace, MillingError, MillingPlan, OperationKind, plan_all};
@@ -22,9 +22,8 @@ fn text(example: &str, changes: &[(&str, &str)]) -> String {
 }
 
 fn loaded(text: &str) -> LoadedMillingJob {
-    match parse_any_job(Source::new("job.toml", text)) {
-        Ok(AnyJob::Milling(loaded)) => loaded,
-        Ok(other) => panic!("{other:?}"),
+    match parse_job_of::<MillingJob>(Source::new("job.toml", text)) {
+        Ok(loaded) => loaded,
         Err(error) => panic!("{error}\n{text}"),
     }
 }

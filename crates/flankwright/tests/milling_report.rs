@@ -1,13 +1,13 @@
 //! The page of five-axis milling: every section present, well-formed, and nothing drawn from numbers that are none.
 
-use flankwright::report::charts::{
-    ChartError, ContourMap, Drawing, DrawingLayer, DrawingLook, DrawingNote, MapFrame, MapMark,
-    NamedTopography, Svg, Topography, contour_map_in, drawing,
-};
-use flankwright::report::milling::{
+use flankwright::process::milling::page::{
     AxisCourse, CourseChart, CourseLine, DensityRow, FlankFigures, FlankView, MateFlankView, MateView,
     MillingReport, OperationRow, OrientationView, OrientedRowView, PatternFigures, ProgramsView, RotaryView,
     RowView, Titled, WearView,
+};
+use flankwright::report::charts::{
+    ChartError, ContourMap, Drawing, DrawingLayer, DrawingLook, DrawingNote, MapFrame, MapMark,
+    NamedTopography, Svg, Topography, contour_map_in, drawing,
 };
 use flankwright::report::{Column, PlanReport, Quantity, ReportHead, Table, Warning, html};
 use flankwright::verdict::{Status, Verdict};

@@ -1,7 +1,7 @@
 //! Verdicts of milling: what of the part was judged, what a cutter enters, and which programs are written for it.
 
 use flankwright::exchange::machine::{LoadedMachine, read_machine};
-use flankwright::exchange::{AnyJob, LoadedMillingJob, Source, parse_any_job};
+use flankwright::exchange::{LoadedMillingJob, MillingJob, Source, parse_job_of};
 use flankwright::nc::Dialect;
 use flankwright::numerics::Silent;
 use flankwright::verdict::Status;
@@ -18,8 +18,8 @@ pub fn example(name: &str, changes: &[(&str, &str)]) -> LoadedMillingJob {
         assert!(text.contains(from), "{name} has no {from}");
         text = text.replace(from, to);
     }
-    match parse_any_job(Source::new("job.toml", &text)) {
-        Ok(AnyJob::Milling(loaded)) => loaded,
+    match parse_job_of::<MillingJob>(Source::new("job.toml", &text)) {
+        Ok(loaded) => loaded,
         other => panic!("{other:?}"),
     }
 }

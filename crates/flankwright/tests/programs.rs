@@ -1,6 +1,6 @@
 //! From a job to programs that are proven: the examples on the shipped machines, and what a machine cannot do.
 
-use flankwright::exchange::{AnyJob, LoadedJob, Source, parse_any_job, parse_job};
+use flankwright::exchange::{AnyJob, LoadedJob, Source, TangentialJob, parse_any_job, parse_job};
 use flankwright::nc::Dialect;
 use flankwright::numerics::Silent;
 use flankwright::workflow::tangential::plan_tangential;
@@ -263,7 +263,7 @@ fn every_thread_of_the_worm_is_dressed_and_proven() {
         .map(|p| p.written.text.clone())
         .expect("a dressing program");
     let machine = &programs.machine;
-    let any = AnyJob::Grinding(loaded);
+    let any = AnyJob::from(loaded);
     let checked = |text: &str| -> CheckedProgram {
         check_program((text.as_bytes(), None), Dialect::Siemens, machine, Some(&any), &Silent)
             .expect("a program")
@@ -355,7 +355,7 @@ fn index_strokes_of_left_out_threads_grind_every_space() {
     let second = text.find("INDEX 1").expect("the second index stroke");
     let cut = text[..second].rfind('\n').map_or(0, |k| k + 1);
     let half = format!("{}M30\n", &text[..cut]);
-    let any = AnyJob::Grinding(loaded);
+    let any = AnyJob::from(loaded);
     let check = |text: &str| {
         check_program((text.as_bytes(), None), Dialect::Siemens, &programs.machine, Some(&any), &Silent)
             .expect("a program")
@@ -437,7 +437,10 @@ fn the_proof_judges_in_the_measure_of_the_job() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let file = root.join("machines/no-swivel.toml").display().to_string();
     let text = format!("{ARC}\n[machine]\nfile = {file:?}\n[output]\nprograms = [\"siemens\"]\n");
-    let AnyJob::Tangential(loaded) = parse_any_job(Source::new("arc.toml".to_owned(), &text)).expect("a job")
+    let Some(loaded) = parse_any_job(Source::new("arc.toml".to_owned(), &text))
+        .expect("a job")
+        .of::<TangentialJob>()
+        .cloned()
     else {
         panic!("a job of tangential dressing")
     };

@@ -1,6 +1,7 @@
 //! Charts and pages: well-formed, complete, escaped, repeatable, and refusing what can't be drawn.
 
-use crate::report_sample::{self, crowned, field, programs::swinging, ripple, spread};
+use crate::report_sample::programs::swinging;
+use crate::report_sample::{self, crowned, field, ripple, spread};
 use flankwright::geometry::{Flank, Sides};
 use flankwright::report::charts::{
     AxisChart, AxisChartLimits, ChartError, ContourMap, DressingSectionChart, FlankSections, LevelScale,

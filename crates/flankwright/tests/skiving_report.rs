@@ -3,10 +3,10 @@
 
 use crate::skiving_report_sample::{BROKEN, OUTLIER, PLACES, TEETH, report};
 use flankwright::geometry::{Flank, Sides};
+use flankwright::process::skiving::page::{SkivingReport, ToothMark};
 use flankwright::report::charts::{
     ChartError, LineChart, LineFrame, Marks, Panel, Series, Svg, line_chart_in,
 };
-use flankwright::report::skiving::{SkivingReport, ToothMark};
 use flankwright::report::{Block, PlanReport, Section, Table, html};
 
 const SECTIONS: [&str; 16] = [
@@ -262,7 +262,7 @@ fn a_value_that_is_no_number_is_refused_in_every_section() {
     }
 }
 
-fn first(report: &mut SkivingReport, spoil: fn(&mut flankwright::report::skiving::TrackDeviations)) {
+fn first(report: &mut SkivingReport, spoil: fn(&mut flankwright::process::skiving::page::TrackDeviations)) {
     report.measured.iter_mut().for_each(|m| spoil(&mut m.flanks[Flank::Right].tracks[2]));
 }
 

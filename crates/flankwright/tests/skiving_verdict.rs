@@ -1,7 +1,7 @@
 //! What a run of measuring a skiving tool says of its tool: the guard band of its own scatter, broken teeth and missing switches, and
 //! profiles with reliefs, arcs and grids, for a ring and an external gear.
 
-use flankwright::exchange::{AnyJob, Source, parse_any_job};
+use flankwright::exchange::{SkivingJob, Source, parse_any_job};
 use flankwright::geometry::Flank;
 use flankwright::numerics::Silent;
 use flankwright::verdict::{Status, Verdict};
@@ -39,7 +39,9 @@ fn stepped() -> Value {
 }
 
 fn ran(job: &Value) -> SkivingOutcome {
-    let AnyJob::Skiving(loaded) = parse_any_job(Source::new("job.json", &job.to_string())).unwrap() else {
+    let Some(loaded) =
+        parse_any_job(Source::new("job.json", &job.to_string())).unwrap().of::<SkivingJob>().cloned()
+    else {
         panic!("another process")
     };
     run_skiving(&loaded, &Silent).unwrap_or_else(|failure| panic!("{failure:?}"))

@@ -344,7 +344,7 @@ fn tampered(job: &str, plan: impl Fn(&AnyJob) -> RunPrograms) {
         })
         .collect();
     let checker = ProgramChecker::new(&programs.machine, Some(&any), &Silent).expect("a run");
-    let check = |text: &str| checker.check((text.as_bytes(), None), Dialect::Fanuc);
+    let check = |text: &str| checker.check((text.as_bytes(), None), Dialect::Fanuc, &Silent);
     for text in &texts {
         let checked = check(&text.whole()).expect("the program itself");
         assert!(checked.remarks.is_empty(), "{:?}", checked.remarks);
@@ -379,19 +379,17 @@ fn tampered(job: &str, plan: impl Fn(&AnyJob) -> RunPrograms) {
 
 #[test]
 fn damaged_programs_of_generating_grinding_are_noticed() {
-    tampered(GRINDING, |job| match job {
-        AnyJob::Grinding(loaded) => plan_job(loaded, &Silent).expect("a plan").programs.expect("programs"),
-        _ => panic!("a grinding job"),
+    tampered(GRINDING, |job| {
+        let loaded = job.of().expect("a grinding job");
+        plan_job(loaded, &Silent).expect("a plan").programs.expect("programs")
     });
 }
 
 #[test]
 fn damaged_programs_of_tangential_dressing_are_noticed() {
-    tampered(TANGENTIAL, |job| match job {
-        AnyJob::Tangential(loaded) => {
-            plan_tangential(loaded, &Silent).expect("a plan").programs.expect("programs")
-        }
-        _ => panic!("a job of tangential dressing"),
+    tampered(TANGENTIAL, |job| {
+        let loaded = job.of().expect("a job of tangential dressing");
+        plan_tangential(loaded, &Silent).expect("a plan").programs.expect("programs")
     });
 }
 
@@ -399,12 +397,10 @@ fn damaged_programs_of_tangential_dressing_are_noticed() {
 #[test]
 fn damaged_programs_of_both_flanks_by_tangential_dressing_are_noticed() {
     let job = TANGENTIAL.replace("flanks = \"right\"", "flanks = \"both\"");
-    tampered(&job, |job| match job {
-        AnyJob::Tangential(loaded) => {
-            let programs = plan_tangential(loaded, &Silent).expect("a plan").programs.expect("programs");
-            assert_eq!(programs.built.programs.iter().map(|one| one.layout.passes.len()).sum::<usize>(), 10);
-            programs
-        }
-        _ => panic!("a job of tangential dressing"),
+    tampered(&job, |job| {
+        let loaded = job.of().expect("a job of tangential dressing");
+        let programs = plan_tangential(loaded, &Silent).expect("a plan").programs.expect("programs");
+        assert_eq!(programs.built.programs.iter().map(|one| one.layout.passes.len()).sum::<usize>(), 10);
+        programs
     });
 }

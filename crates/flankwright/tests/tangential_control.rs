@@ -1,7 +1,7 @@
 //! What a control leaves on gears ground with a tangentially dressed worm: every pass through gearbox and servo with its own motion, judged
 //! by rays that the worm shortens which the dresser left.
 
-use flankwright::exchange::{AnyJob, LoadedTangentialJob, Source, parse_any_job};
+use flankwright::exchange::{LoadedTangentialJob, Source, TangentialJob, parse_any_job};
 use flankwright::numerics::Silent;
 use flankwright::verdict::Status;
 use flankwright::workflow::tangential::{TangentialResult, plan_tangential, simulate_tangential};
@@ -16,7 +16,7 @@ fn job(example: &str, changes: &[(&str, &str)]) -> LoadedTangentialJob {
         text = text.replacen(from, to, 1);
     }
     let job = parse_any_job(Source::new("job.toml", &text)).unwrap_or_else(|e| panic!("{e}"));
-    let AnyJob::Tangential(loaded) = job else { panic!("another process") };
+    let Some(loaded) = job.of::<TangentialJob>().cloned() else { panic!("another process") };
     loaded
 }
 

@@ -1,7 +1,6 @@
 //! What a target can be beside the catalogue of modifications: formulas, helix traces, tables that are grids or clouds;
 //! and the tolerances that come with it.
 
-use flankwright::exchange::job::Process;
 use flankwright::exchange::{LoadedJob, job_template, read_job};
 use flankwright::modification::{
     EvaluationField, Modification, ModificationError, ModificationSpec, Smoothness,
@@ -298,7 +297,7 @@ fn traces_are_checked() {
 
 /// The template with another target and the given files beside it.
 fn job(target: &str, files: &[(&str, String)]) -> (tempfile::TempDir, LoadedJob) {
-    let template = job_template(Process::GeneratingGrinding);
+    let template = job_template("generating-grinding").expect("a template");
     let (begin, end) = (template.find("[target]").unwrap(), template.find("[worm]").unwrap());
     let directory = tempfile::tempdir().unwrap();
     let path = directory.path().join("job.toml");

@@ -1,57 +1,28 @@
-//! Contradictions between entries of a job that are each in range. Knows the job, no geometry beyond the order
-//! of diameters.
+//! Contradictions between entries of a job that are each in range, as far as jobs of several processes share them. Knows no geometry
+//! beyond the order of diameters.
 
-mod catalogue;
-mod clamping;
-mod control;
-mod diameters;
-mod explore;
-mod gear;
-mod gear_root;
-mod grinding;
-mod profile_parts;
-mod stroke_study;
-mod strokes;
-mod tool;
+pub mod clamping;
+pub mod control;
+pub mod diameters;
+pub mod gear;
 
-pub(super) use clamping::check as clamping_bodies;
-pub(super) use control::check as control_of_job;
-pub(super) use diameters::{dresser_diameters, root_clearance, worm_diameters};
-pub(super) use gear::check as drawing;
+pub use clamping::check as clamping_bodies;
+pub use control::check as control_of_job;
+pub use diameters::{dresser_diameters, inside_tip, root_clearance, worm_diameters};
+pub use gear::check as drawing;
 
 use super::diagnostic::{Diagnostic, Problem};
-use super::job::{Gear, Grid, Job, JobInfo};
-use super::node::shown_number;
-
-/// All contradictions in a job; without places, which the caller knows.
-pub(super) fn check(job: &Job) -> Vec<Diagnostic> {
-    let mut findings = Vec::new();
-    every_job(&job.job, &job.gear, &job.grid, &mut findings);
-    target(job, &mut findings);
-    catalogue::check(job, &mut findings);
-    // Without a worm there is nothing to say about it.
-    if !job.worm.is_absent() {
-        tool::check(job, &mut findings);
-        gear_root::check(job, &mut findings);
-    }
-    strokes::check(job, &mut findings);
-    grinding::check(job, &mut findings);
-    explore::check(job, &mut findings);
-    control::check(job.control.as_ref(), job.grinding.feed_per_revolution, &mut findings);
-    clamping::check(job.machine.as_ref().map_or(&[], |machine| &machine.clamping), &mut findings);
-    settings(job, &mut findings);
-    findings
-}
+use super::tables::{Gear, Grid, JobInfo};
 
 /// What a job of any process must be free of.
-pub(super) fn every_job(info: &JobInfo, gear: &Gear, grid: &Grid, findings: &mut Vec<Diagnostic>) {
+pub fn every_job(info: &JobInfo, gear: &Gear, grid: &Grid, findings: &mut Vec<Diagnostic>) {
     name(info, findings);
     gear::check(gear, findings);
     points(grid, findings);
 }
 
 /// Entries that are each in range and contradict each other.
-pub(super) fn contradiction(
+pub fn contradiction(
     message: &str,
     field: impl Into<Box<str>>,
     value: String,
@@ -77,68 +48,8 @@ fn points(grid: &Grid, findings: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Largest coefficient of a setting in its own unit: beyond it no machine follows.
-const LARGEST_COEFFICIENT: f64 = 1e6;
-
-/// Strokes that have a length, coefficients that no machine exceeds.
-fn settings(job: &Job, findings: &mut Vec<Diagnostic>) {
-    let Some(settings) = &job.settings else { return };
-    let mut lists = vec![
-        ("delta_d_um".to_owned(), &settings.delta_d_um),
-        ("delta_phi_2_urad".to_owned(), &settings.delta_phi_2_urad),
-    ];
-    for (flank, given) in [("left", &settings.left), ("right", &settings.right)] {
-        let Some(s) = given else { continue };
-        for (key, list) in [
-            ("d_phi_S_deg", &s.d_phi_s_deg),
-            ("d_gamma_deg", &s.d_gamma_deg),
-            ("d_d_mm", &s.d_d_mm),
-            ("d_v_yA_mm", &s.d_v_ya_mm),
-            ("profile_um", &s.profile_um),
-        ] {
-            lists.push((format!("{flank}.{key}"), list));
-        }
-    }
-    let tables = &settings.strokes;
-    for (flank, strokes) in [("left", &tables.left), ("right", &tables.right)] {
-        for (k, s) in strokes.iter().enumerate() {
-            for (key, list) in [
-                ("d_phi_S_deg", &s.d_phi_s_deg),
-                ("d_gamma_deg", &s.d_gamma_deg),
-                ("d_d_mm", &s.d_d_mm),
-                ("d_v_yA_mm", &s.d_v_ya_mm),
-            ] {
-                lists.push((format!("strokes.{flank}[{k}].{key}"), list));
-            }
-        }
-    }
-    for (key, list) in lists {
-        for (i, c) in list.iter().enumerate().filter(|(_, c)| c.abs() > LARGEST_COEFFICIENT) {
-            findings.push(
-                Diagnostic::new(Problem::InvalidNumber, "a coefficient that no machine follows")
-                    .field(format!("settings.{key}[{i}]"))
-                    .value(shown_number(*c))
-                    .allowed(format!("-{LARGEST_COEFFICIENT:e} to {LARGEST_COEFFICIENT:e}"))
-                    .way_out("check the unit of the coefficient"),
-            );
-        }
-    }
-    for (flank, given) in [("left", &settings.left), ("right", &settings.right)] {
-        let Some(given) = given else { continue };
-        if given.v_to_mm <= given.v_from_mm {
-            findings.push(
-                Diagnostic::new(Problem::InvalidJob, "the dressing stroke has no length")
-                    .field(format!("settings.{flank}.v_to_mm"))
-                    .value(shown_number(given.v_to_mm))
-                    .allowed(format!("> v_from_mm = {}", shown_number(given.v_from_mm)))
-                    .way_out("give the stroke from its smaller to its larger worm position"),
-            );
-        }
-    }
-}
-
 /// A name that can be that of a directory.
-pub(super) fn name(info: &JobInfo, findings: &mut Vec<Diagnostic>) {
+pub fn name(info: &JobInfo, findings: &mut Vec<Diagnostic>) {
     let name = &info.name;
     let plain = |c: char| c.is_alphanumeric() || matches!(c, '-' | '_' | '.' | ' ');
     // The name becomes a directory: nothing that leads elsewhere or that a file system trims.
@@ -153,27 +64,8 @@ pub(super) fn name(info: &JobInfo, findings: &mut Vec<Diagnostic>) {
     }
 }
 
-fn target(job: &Job, findings: &mut Vec<Diagnostic>) {
-    let allowed = "either `modifications = [ ... ]` or `file = \"grid.csv\"`";
-    match (&job.target.modifications, &job.target.file) {
-        (None, None) => findings.push(
-            Diagnostic::new(Problem::MissingKey, "`target` does not say which flank is wanted")
-                .field("target.modifications")
-                .allowed(allowed)
-                .way_out("add `modifications`; an empty list asks for the pure involute"),
-        ),
-        (Some(_), Some(file)) => findings.push(
-            Diagnostic::new(Problem::InvalidJob, "the target is given twice")
-                .field("target.file")
-                .value(format!("{file:?}"))
-                .allowed(allowed)
-                .way_out("keep one of them; a grid can also be an entry of the list (kind = \"grid\")"),
-        ),
-        _ => {}
-    }
-}
-
-pub(super) fn not_yet(field: &str, what: &str) -> Diagnostic {
+/// A part of the format that this version does not carry out.
+pub fn not_yet(field: &str, what: &str) -> Diagnostic {
     Diagnostic::new(
         Problem::NotYetSupported,
         format!("{what}: part of the job format, but not yet supported"),

@@ -56,7 +56,7 @@ impl Double {
 }
 
 /// Radians of a text in degrees; `None` if it is no finite number.
-pub(super) fn radians_of(text: &str) -> Option<f64> {
+pub fn radians_of(text: &str) -> Option<f64> {
     let single = text.parse::<f64>().ok().filter(|x| x.is_finite())?;
     let Some((digits, exponent)) = decimal(text).filter(|(_, exponent)| exponent.abs() <= FARTHEST) else {
         return Some(single.to_radians());
@@ -66,7 +66,7 @@ pub(super) fn radians_of(text: &str) -> Option<f64> {
 }
 
 /// Text in degrees from which [`radians_of`] makes the same radians; as short as it can be. Exact for angles above 1e-30.
-pub(super) fn degrees_text(radians: f64) -> String {
+pub fn degrees_text(radians: f64) -> String {
     let plain = radians.to_degrees().to_string();
     if radians_of(&plain) == Some(radians) {
         return plain;
@@ -115,7 +115,7 @@ fn with_point(whole: &str, exponent: i32) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use skiving::measuring::Noise;
+    use foundation::numerics::Noise;
 
     #[test]
     fn every_angle_comes_back_bit_for_bit() {

@@ -13,7 +13,7 @@ use super::source::Source;
 pub enum Problem {
     /// The file is absent, a directory, or cannot be read.
     UnreadableFile,
-    /// The file is larger than [`super::MAXIMUM_BYTES`].
+    /// The file is larger than [`crate::source::MAXIMUM_BYTES`].
     FileTooLarge,
     /// The bytes are no text: invalid UTF-8 or control characters.
     InvalidText,

@@ -42,7 +42,9 @@ impl Document {
     }
 
     /// Parses a text of another format.
-    pub(super) fn parse_with(
+    /// # Errors
+    /// Those of `parse`.
+    pub fn parse_with(
         source: Source,
         parse: impl FnOnce(&str) -> Result<Node, Diagnostic>,
     ) -> Result<Self, JobError> {
@@ -87,8 +89,23 @@ impl Document {
         }
     }
 
-    pub(super) fn root(&self) -> &Node {
+    /// The tree of the values.
+    pub fn root(&self) -> &Node {
         &self.root
+    }
+
+    /// A finding with the place of its key in this document, where it has none yet.
+    pub fn placed(&self, finding: Diagnostic) -> Diagnostic {
+        if finding.span.is_some() {
+            return finding;
+        }
+        let span = finding.field.as_ref().and_then(|field| self.nearest_span(field));
+        finding.span(span)
+    }
+
+    /// An error about this document; the key of the finding decides its place.
+    pub fn error(&self, finding: Diagnostic) -> JobError {
+        JobError::single(self.source.clone(), self.placed(finding))
     }
 }
 

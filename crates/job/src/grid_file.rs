@@ -11,7 +11,7 @@ use super::source::Source;
 
 /// What a table of three numbers a row holds.
 #[derive(Clone, Copy)]
-pub(super) struct Layout {
+pub struct Layout {
     /// Names of the columns, of a grid over w and z their two and the value's.
     pub columns: [&'static str; 3],
     /// Fewest different w_mm and z_mm of a grid.
@@ -180,10 +180,10 @@ fn parse(text: &str, layout: Layout) -> Result<GridTarget, Diagnostic> {
 }
 
 /// A row of the table with its place in the text.
-pub(super) type Row = ([f64; 3], Range<usize>);
+pub type Row = ([f64; 3], Range<usize>);
 
 /// All rows of a table in the order of the text.
-pub(super) fn parse_rows(text: &str, layout: Layout) -> Result<Vec<Row>, Diagnostic> {
+pub fn parse_rows(text: &str, layout: Layout) -> Result<Vec<Row>, Diagnostic> {
     let mut rows: Vec<Row> = Vec::new();
     let mut header = None;
     let mut offset = 0;

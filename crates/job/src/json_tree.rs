@@ -11,7 +11,7 @@ use super::diagnostic::{Diagnostic, Problem};
 use super::node::{Entry, Kind, MAXIMUM_DEPTH, Node};
 
 /// Parses a JSON document, strictly: no comments, no trailing commas, no loose words.
-pub(super) fn parse(text: &str) -> Result<Node, Diagnostic> {
+pub fn parse(text: &str) -> Result<Node, Diagnostic> {
     let strict = ParseOptions {
         allow_comments: false,
         allow_loose_object_property_names: false,

@@ -7,18 +7,18 @@ use serde_json::Value;
 
 /// Tables and lists nested deeper than this are refused; a job needs 6 levels, sums of modifications a few
 /// more, and readers that recurse stay far from the end of their stack.
-pub(super) const MAXIMUM_DEPTH: usize = 64;
+pub const MAXIMUM_DEPTH: usize = 64;
 
 /// A value and its place in the text.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Node {
+pub struct Node {
     pub kind: Kind,
     pub span: Range<usize>,
 }
 
 /// What a value is.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Kind {
+pub enum Kind {
     Null,
     Bool(bool),
     Integer(i64),
@@ -34,7 +34,7 @@ pub(super) enum Kind {
 
 /// A key of a table with its value.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Entry {
+pub struct Entry {
     pub key: String,
     pub key_span: Range<usize>,
     pub value: Node,
@@ -115,7 +115,7 @@ impl Node {
 }
 
 /// A number as a person would write it: plain where short, with exponent where long.
-pub(super) fn shown_number(value: f64) -> String {
+pub fn shown_number(value: f64) -> String {
     let magnitude = value.abs();
     if value.is_finite() && magnitude != 0.0 && !(1e-4..1e9).contains(&magnitude) {
         format!("{value:e}")

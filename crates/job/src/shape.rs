@@ -11,16 +11,16 @@ use super::node::{Entry, Kind, Node};
 
 /// What messages call a document, and where an example of it is.
 #[derive(Clone, Copy)]
-pub(super) struct Subject {
+pub struct Subject<'a> {
     /// E.g. `the job`.
-    pub document: &'static str,
+    pub document: &'a str,
     /// A half sentence.
-    pub example: &'static str,
+    pub example: &'a str,
 }
 
 /// All findings about a document. `form` is what the document has to meet: `schema` itself or a part of it; references
 /// lead into `schema`.
-pub(super) fn check(root: &Node, schema: &Value, form: &Value, subject: Subject) -> Vec<Diagnostic> {
+pub fn check(root: &Node, schema: &Value, form: &Value, subject: Subject<'_>) -> Vec<Diagnostic> {
     let mut walk = Walk { schema, subject, findings: Vec::new() };
     walk.node(root, form, "", None);
     walk.findings
@@ -30,7 +30,7 @@ pub(super) fn check(root: &Node, schema: &Value, form: &Value, subject: Subject)
 const SIMILAR: f64 = 0.75;
 
 /// The known name nearest to the given one, if any is near.
-pub(super) fn nearest<'a>(given: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+pub fn nearest<'a>(given: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let given = given.to_lowercase();
     known
         .into_iter()
@@ -42,7 +42,7 @@ pub(super) fn nearest<'a>(given: &str, known: impl IntoIterator<Item = &'a str>)
 
 struct Walk<'s> {
     schema: &'s Value,
-    subject: Subject,
+    subject: Subject<'s>,
     findings: Vec<Diagnostic>,
 }
 
@@ -350,7 +350,7 @@ fn joined(path: &str, key: &str) -> String {
 }
 
 /// Keys come from the file and may be of any length.
-pub(super) fn shortened(text: &str) -> String {
+pub fn shortened(text: &str) -> String {
     const LONGEST: usize = 120;
     if text.chars().count() <= LONGEST {
         text.to_owned()

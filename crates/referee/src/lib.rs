@@ -7,26 +7,26 @@
 //! find a contact: every length here comes from a ray that meets a body in a pose of the real motion, so that an error
 //! in a closed form shows as a difference instead of cancelling out.
 
-mod active_threads;
+pub mod active_threads;
 mod descent;
-mod dress;
-mod dressed_flank;
-mod error;
-mod exact_worm;
+pub mod dress;
+pub mod dressed_flank;
+pub mod error;
+pub mod exact_worm;
 mod fit;
-mod grid;
-mod grind;
+pub mod grid;
+pub mod grind;
 mod ground_flank;
-mod in_time;
-mod line_dress;
+pub mod in_time;
+pub mod line_dress;
 mod meridian;
-mod mill;
-mod root;
-mod skive;
-mod statistics;
-mod strokes;
+pub mod mill;
+pub mod root;
+pub mod skive;
+pub mod statistics;
+pub mod strokes;
 mod sweep;
-mod worm_surface;
+pub mod worm_surface;
 
 pub use active_threads::ActiveThreads;
 pub use dress::{Dressing, dress};

@@ -4,41 +4,37 @@ use crate::charts::{ChartError, check_values, format_fixed, format_significant};
 use foundation::geometry::Flank;
 
 /// What stands where there is no number.
-pub(crate) const NONE: &str = "–";
+pub const NONE: &str = "–";
 
 /// A number with fixed decimals; the error names `what`.
-pub(crate) fn fixed(what: &str, value: f64, decimals: usize) -> Result<String, ChartError> {
+pub fn fixed(what: &str, value: f64, decimals: usize) -> Result<String, ChartError> {
     check_values(what, &[value])?;
     Ok(format_fixed(value, decimals))
 }
 
 /// A number with significant digits.
-pub(crate) fn significant(what: &str, value: f64, digits: usize) -> Result<String, ChartError> {
+pub fn significant(what: &str, value: f64, digits: usize) -> Result<String, ChartError> {
     check_values(what, &[value])?;
     Ok(format_significant(value, digits))
 }
 
 /// As [`fixed`], a dash where there is no number.
-pub(crate) fn fixed_or_none(what: &str, value: Option<f64>, decimals: usize) -> Result<String, ChartError> {
+pub fn fixed_or_none(what: &str, value: Option<f64>, decimals: usize) -> Result<String, ChartError> {
     value.map_or_else(|| Ok(NONE.to_owned()), |value| fixed(what, value, decimals))
 }
 
 /// As [`significant`], a dash where there is no number.
-pub(crate) fn significant_or_none(
-    what: &str,
-    value: Option<f64>,
-    digits: usize,
-) -> Result<String, ChartError> {
+pub fn significant_or_none(what: &str, value: Option<f64>, digits: usize) -> Result<String, ChartError> {
     value.map_or_else(|| Ok(NONE.to_owned()), |value| significant(what, value, digits))
 }
 
 /// A word that stands out in black and white.
-pub(crate) fn yes_no(yes: bool) -> String {
+pub fn yes_no(yes: bool) -> String {
     if yes { "YES" } else { "no" }.to_owned()
 }
 
 /// "Left flank", "Right flank".
-pub(crate) fn flank_title(flank: Flank) -> &'static str {
+pub fn flank_title(flank: Flank) -> &'static str {
     match flank {
         Flank::Left => "Left flank",
         Flank::Right => "Right flank",

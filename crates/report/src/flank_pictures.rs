@@ -4,15 +4,15 @@ use super::charts::{
     ChartError, ContourMap, LevelScale, NamedTopography, Topography, TopographyNet, contour_map,
     topography_net,
 };
-use super::{Block, Figure};
+use crate::data::{Block, Figure};
 
 /// Smallest and largest value of all topographies and zero, um.
-pub(super) fn range_with_zero<'a>(topographies: impl Iterator<Item = &'a Topography>) -> (f64, f64) {
+pub fn range_with_zero<'a>(topographies: impl Iterator<Item = &'a Topography>) -> (f64, f64) {
     topographies.map(Topography::range_um).fold((0.0_f64, 0.0_f64), |(lo, hi), (a, b)| (lo.min(a), hi.max(b)))
 }
 
 /// The flanks as nets, and the same as contour maps.
-pub(super) fn net_and_map(
+pub fn net_and_map(
     name: &str,
     panels: &[NamedTopography],
     range_um: Option<(f64, f64)>,

@@ -31,7 +31,7 @@ pub struct ReportHead {
 
 impl ReportHead {
     /// The page: warnings, the sections of the process, files.
-    pub(super) fn page(&self, sections: Vec<Section>) -> PlanReport {
+    pub fn page(&self, sections: Vec<Section>) -> PlanReport {
         let headline = if self.way_out.is_empty() {
             self.headline.clone()
         } else {
@@ -64,7 +64,7 @@ impl ReportHead {
 }
 
 /// What a verdict judged and what it did not, as a table; empty for a verdict without items.
-pub(super) fn scope_blocks(verdict: &Verdict) -> Vec<Block> {
+pub fn scope_blocks(verdict: &Verdict) -> Vec<Block> {
     let judged = verdict.judged().iter().map(|one| (&one.item, one.status.words(), &one.detail));
     let not_judged = verdict.not_judged().iter().map(|one| {
         let how = if one.asked { "not judged, asked for" } else { "not judged" };

@@ -25,22 +25,15 @@
 
 pub mod charts;
 pub mod control;
-pub mod gearbox;
 pub mod generating;
 pub mod html;
-pub mod inspection_series;
-pub mod inspection_sheet;
-pub mod measured_gear;
-pub mod milling;
 pub mod programs;
-pub mod skiving;
-pub mod tangential;
 
-mod cells;
-mod data;
-mod flank_pictures;
-mod head;
-mod typeset;
+pub mod cells;
+pub mod data;
+pub mod flank_pictures;
+pub mod head;
+pub mod typeset;
 
 pub use data::{
     Banner, Block, Column, ColumnKind, Fact, Figure, PlanReport, Quantity, QuantityValue, Section, Stamp,

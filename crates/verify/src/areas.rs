@@ -6,10 +6,10 @@ use super::ledger::Ledger;
 use super::reference::{Reference, Tolerances};
 use foundation::geometry::{Flank, Sides};
 use foundation::modification::{CornerFace, CornerProfile, FlankChoice, TriangularSpec};
-use grinding::generating::areas::{
+use generating::areas::{
     AreaPlan, AreaTask, FeedInterval, FeedSegment, Region, SharedLines, conflicts, feed_intervals,
 };
-use grinding::generating::{EqualSwivel, FlankLines, GeneratingError, Strokes, SwivelSide};
+use generating::{EqualSwivel, FlankLines, GeneratingError, Strokes, SwivelSide};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -60,7 +60,7 @@ pub(super) fn equal_swivel(file: &Reference<'_>, block: &Value, ledger: &mut Led
             ];
             Ok::<_, GeneratingError>(SwivelSide { lines, second_degree, gain: gain[flank] })
         })?;
-        match grinding::generating::equal_swivel(&sides)? {
+        match generating::equal_swivel(&sides)? {
             EqualSwivel::Ratio(ratio) => {
                 item.number("K_ZV1", ratio, relative * ratio.abs(), ledger);
                 let rates = sides.map(|_, side| side.rate(ratio));

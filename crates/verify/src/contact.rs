@@ -6,7 +6,7 @@ use super::expected::Expected;
 use super::ledger::Ledger;
 use super::reference::{self, Reference, Tolerances};
 use super::step_simulation::StepSimulation;
-use ::contact::{ContactError, DiagonalLine, DiagonalRatio, ExactContact, FlankPair, ModifiedThread, Pair};
+use contact::{ContactError, DiagonalLine, DiagonalRatio, ExactContact, FlankPair, ModifiedThread, Pair};
 use foundation::geometry::{Flank, GeometryError};
 use foundation::kinematics::MotionLaw;
 use foundation::numerics::Polynomial2;

@@ -5,15 +5,15 @@ use super::gear_sets::{Set, entries, named};
 use super::ledger::Ledger;
 use super::reference::{Reference, Tolerances};
 use super::terms::{Coefficient, coefficients, polynomial, powers};
-use ::contact::DiagonalLine;
-use ::metrology::{Characteristics, Topography};
+use contact::DiagonalLine;
 use foundation::geometry::Flank;
 use foundation::modification::{CornerProfile, Modification, ModificationSpec, NoFiles, TriangularSpec};
 use foundation::numerics::Polynomial2;
-use grinding::generating::{
+use generating::{
     FlankLines, Gauge, GeneratingError, QuadraticDecomposition, decompose_diagonal, decompose_quadratic,
     decompose_radial, product_functions, radial_residual,
 };
+use metrology::{Characteristics, Topography};
 use serde_json::Value;
 
 const UM: f64 = 1e-3;

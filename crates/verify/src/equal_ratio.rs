@@ -5,9 +5,9 @@ use super::bodies::{BaseTolerances, Body, base_data};
 use super::expected::Expected;
 use super::ledger::Ledger;
 use super::reference::{self, Reference, Tolerances};
-use ::contact::DiagonalLine;
+use contact::DiagonalLine;
 use foundation::geometry::{Sides, WormChoice};
-use grinding::generating::{EqualRatio, EqualRatioSearch, GeneratingError, Lever, generatrix};
+use generating::{EqualRatio, EqualRatioSearch, GeneratingError, Lever, generatrix};
 use serde::Deserialize;
 use serde_json::Value;
 

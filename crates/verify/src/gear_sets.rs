@@ -3,11 +3,11 @@
 use super::expected::Expected;
 use super::ledger::Ledger;
 use super::reference::{self, Reference};
-use ::contact::{ContactError, DiagonalLine, Pair};
+use contact::{ContactError, DiagonalLine, Pair};
 use foundation::geometry::{Flank, Gear, GearData, GeometryError, Sides};
 use foundation::kinematics::GeneratingChain;
 use foundation::modification::EvaluationField;
-use grinding::generating::{FlankLines, GeneratingError};
+use generating::{FlankLines, GeneratingError};
 use serde::Deserialize;
 use serde_json::Value;
 

@@ -4,7 +4,7 @@ use super::bodies::{Body, ChainInput};
 use super::expected::Expected;
 use super::ledger::Ledger;
 use super::reference::{self, Reference, Tolerances};
-use ::contact::{ContactError, ContactSolution, ExactContact, Measure, ModifiedThread, Pair, Sensitivities};
+use contact::{ContactError, ContactSolution, ExactContact, Measure, ModifiedThread, Pair, Sensitivities};
 use foundation::geometry::Flank;
 use foundation::kinematics::{GeneratingMotion, MotionLaw};
 use foundation::numerics::Polynomial2;

@@ -6,16 +6,16 @@ use super::gear_sets::{Set, entries, named};
 use super::ledger::Ledger;
 use super::reference::{Reference, Tolerances};
 use super::terms::{Coefficient, coefficients, polynomial as read_polynomial};
-use ::contact::{ContactError, ExactContact, ModifiedThread, ThreadFunction, Unmodified};
-use ::metrology::{Characteristics, Topography};
+use contact::{ContactError, ExactContact, ModifiedThread, ThreadFunction, Unmodified};
 use foundation::geometry::{Flank, Sides};
 use foundation::kinematics::{GeneratingMotion, MotionLaw};
 use foundation::numerics::Polynomial2;
-use grinding::generating::{
+use generating::{
     ClassFit, FlankLines, Gauge, GeneratingError, LocalEnvelope, QuadraticWorm,
     constant_only_profile_crowning, decompose_quadratic, kinematic_compliance, motion_of_flanks,
     natural_twist as first_order_twist,
 };
+use metrology::{Characteristics, Topography};
 use serde_json::Value;
 
 const UM: f64 = 1e-3;

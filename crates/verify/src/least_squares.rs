@@ -8,10 +8,10 @@ use super::ledger::Ledger;
 use super::reference::{Reference, Tolerances};
 use foundation::geometry::{Flank, Sides};
 use foundation::modification::{Modification, ModificationSpec, NoFiles};
-use grinding::generating::least_squares::{
+use generating::least_squares::{
     Candidates, FitNorm, FitQuality, FitSettings, FlankFit, FunctionClass, Objective, Samples, search_ratio,
 };
-use grinding::generating::{FlankLines, GeneratingError};
+use generating::{FlankLines, GeneratingError};
 use serde_json::Value;
 
 const UM: f64 = 1e-3;

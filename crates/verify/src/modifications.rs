@@ -4,7 +4,7 @@ use super::expected::Expected;
 use super::gear_sets::{Hand, Set, entries, named};
 use super::ledger::Ledger;
 use super::reference::{self, Reference};
-use ::contact::{DiagonalLine, DiagonalRatio, FlankPair};
+use contact::{DiagonalLine, DiagonalRatio, FlankPair};
 use foundation::geometry::{Flank, GeometryError};
 use foundation::modification::{EvaluationField, Modification, ModificationSpec};
 use serde::Deserialize;

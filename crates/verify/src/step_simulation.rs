@@ -1,7 +1,7 @@
 //! Remainders between two feed positions or two roll steps, simulated with the chain and the unmodified worm flank alone
 //! (spec 20 section 9). Knows no closed form of them.
 
-use ::contact::{FlankPair, Pair};
+use contact::{FlankPair, Pair};
 use foundation::geometry::Flank;
 use foundation::kinematics::{GeneratingMotion, Point};
 use foundation::numerics::golden_section;

@@ -5,10 +5,10 @@ use super::expected::Expected;
 use super::gear_sets::{Set, entries, named};
 use super::ledger::Ledger;
 use super::reference::{Reference, Tolerances};
-use ::contact::{ExactContact, ModifiedThread};
+use contact::{ExactContact, ModifiedThread};
 use foundation::geometry::Flank;
 use foundation::kinematics::{MotionLaw, PiecewisePolynomial};
-use grinding::generating::{
+use generating::{
     CurveLaw, FlankLines, GeneratingError, LineFunctions, LineWorm, VariableRatio, WantedCurve,
 };
 use serde_json::Value;

@@ -4,9 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use flankwright::exchange::job::JobInfo;
-use flankwright::exchange::{AnyJob, Loaded};
 use flankwright::workflow::{DerivedGeometry, Remark, derived_geometry};
-use serde::Serialize;
 use serde_json::json;
 
 use crate::arguments::CommonArguments;
@@ -33,29 +31,16 @@ pub struct CheckArguments {
 /// Everything that is wrong with the job.
 pub fn run(arguments: &CheckArguments) -> Result<Exit, Failure> {
     let job = output::load_any_job(&arguments.job)?;
-    match &job {
-        AnyJob::Grinding(loaded) => show(&arguments.common, &job, loaded, &loaded.job.job),
-        AnyJob::Tangential(loaded) => show(&arguments.common, &job, loaded, &loaded.job.job),
-        AnyJob::Gearbox(loaded) => show(&arguments.common, &job, loaded, &loaded.job.job),
-        AnyJob::Milling(loaded) => show(&arguments.common, &job, loaded, &loaded.job.job),
-        AnyJob::Skiving(loaded) => show(&arguments.common, &job, loaded, &loaded.job.job),
-    }
-}
-
-fn show<J: Serialize>(
-    common: &CommonArguments,
-    job: &AnyJob,
-    loaded: &Loaded<J>,
-    info: &JobInfo,
-) -> Result<Exit, Failure> {
+    let (common, document, info) = (&arguments.common, job.document(), job.info());
     let (derived, warnings) =
-        derived_geometry(job).map_err(|failure| Failure::of_job_or_file(loaded, failure))?;
-    let directory = output::directory(common, loaded, info).display().to_string();
-    let file = loaded.document.source().name();
+        derived_geometry(&job).map_err(|failure| Failure::of_job_or_file(document, failure))?;
+    let directory = output::directory(common, document, info).display().to_string();
+    let file = document.source().name();
     if common.json {
+        let value = job.to_value().map_err(|error| Failure::internal(error.to_string()))?;
         output::print_json(&json!({
             "file": file,
-            "job": loaded.job,
+            "job": value,
             "derived": derived.to_json(),
             "warnings": warnings,
             "output_directory": directory,

@@ -109,7 +109,7 @@ fn to_model(arguments: &ConvertArguments) -> Result<Exit, Failure> {
         Form::Rexsz => (RexsFormat::Xml, true, "rexsz"),
     };
     let (bytes, remarks) = rexs_of_job(&loaded, format, packed, &author)
-        .map_err(|failure| Failure::of_job_or_file(&loaded, failure))?;
+        .map_err(|failure| Failure::of_job_or_file(&loaded.document, failure))?;
     tell(&remarks, &arguments.common);
     deliver(arguments, ending, &bytes)
 }

@@ -3,17 +3,19 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use flankwright::exchange::job::Process;
-use flankwright::exchange::{AnyJob, Diagnostic, Loaded, LoadedSkivingJob, Problem};
+use flankwright::exchange::{AnyJob, Diagnostic, Job, Problem, ProcessJob, SkivingJob};
 use flankwright::workflow::inspection::SheetOptions;
+use flankwright::workflow::skiving::inspect_skiving;
+use flankwright::workflow::{Carried, Task};
 
 use super::measured_gear::Asked;
 use super::statements::StatementArguments;
-use super::{measured_gear, skiving};
+use super::{measured_gear, outcome};
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::output;
+use crate::progress::Bars;
 
 /// Arguments of `inspect`.
 #[derive(Args, Debug)]
@@ -69,28 +71,28 @@ pub fn run(arguments: &InspectArguments) -> Result<Exit, Failure> {
     match (file, &arguments.job) {
         (Some(folder), None) if folder.is_dir() => measured_gear::series(folder, asked),
         (Some(file), None) => measured_gear::alone(file, &asked),
-        (_, Some(job)) => match output::load_any_job(job)? {
-            AnyJob::Skiving(loaded) => {
-                nothing_stated(&loaded, &asked)?;
-                of_tool(&loaded, file, asked.common)
-            }
-            AnyJob::Grinding(loaded) => match file {
-                Some(file) => measured_gear::for_job(file, &loaded, &asked),
-                None => {
-                    nothing_stated(&loaded, &asked)?;
-                    measured_gear::simulated(&loaded, &asked)
-                }
-            },
-            AnyJob::Tangential(loaded) => Err(other_process(&loaded, loaded.job.job.process)),
-            AnyJob::Gearbox(loaded) => Err(other_process(&loaded, loaded.job.job.process)),
-            AnyJob::Milling(loaded) => Err(other_process(&loaded, loaded.job.job.process)),
-        },
+        (_, Some(job)) => for_job(&output::load_any_job(job)?, file, &asked),
         (None, None) => Err(Failure::internal("neither a measurement nor a job".into())),
     }
 }
 
+fn for_job(job: &AnyJob, file: Option<&Path>, asked: &Asked<'_>) -> Result<Exit, Failure> {
+    if job.of::<SkivingJob>().is_some() {
+        nothing_stated(job, asked)?;
+        return of_tool(job, file, asked.common);
+    }
+    let Some(loaded) = job.of::<Job>() else { return Err(other_process(job)) };
+    match file {
+        Some(file) => measured_gear::for_job(file, loaded, asked),
+        None => {
+            nothing_stated(job, asked)?;
+            measured_gear::simulated(loaded, asked)
+        }
+    }
+}
+
 /// Statements belong to files of measuring machines.
-fn nothing_stated<J>(loaded: &Loaded<J>, asked: &Asked<'_>) -> Result<(), Failure> {
+fn nothing_stated(job: &AnyJob, asked: &Asked<'_>) -> Result<(), Failure> {
     if asked.statements.is_empty() {
         return Ok(());
     }
@@ -100,33 +102,30 @@ fn nothing_stated<J>(loaded: &Loaded<J>, asked: &Asked<'_>) -> Result<(), Failur
         .value("stated where no gear was measured")
         .allowed("with the measurement of a gear")
         .way_out("leave them out, or name the file of the measurement");
-    Err(Failure::of_job(Exit::BadInput, loaded, finding))
+    Err(Failure::of_job(Exit::BadInput, job.document(), finding))
 }
 
-fn of_tool(
-    loaded: &LoadedSkivingJob,
-    file: Option<&Path>,
-    common: &CommonArguments,
-) -> Result<Exit, Failure> {
-    let Some(file) = file else {
+fn of_tool(job: &AnyJob, file: Option<&Path>, common: &CommonArguments) -> Result<Exit, Failure> {
+    let (Some(file), Some(loaded)) = (file, job.of::<SkivingJob>()) else {
         let finding = Diagnostic::new(Problem::MissingKey, "there is no measurement of the tool")
             .field("FILE")
             .way_out("name the file of switching angles; `flankwright simulate` writes one");
-        return Err(Failure::of_job(Exit::BadInput, loaded, finding));
+        return Err(Failure::of_job(Exit::BadInput, job.document(), finding));
     };
-    skiving::inspect(loaded, file, common)
+    let bars = Bars::new(common.quiet);
+    let done = inspect_skiving(loaded, file, &bars);
+    bars.finish();
+    let done = done.map(|outcome| Carried::boxed(loaded, outcome));
+    outcome::deliver(Task::Inspect, job, common, outcome::ROWS, done)
 }
 
-fn other_process<J>(loaded: &Loaded<J>, process: Process) -> Failure {
-    let message = format!("`inspect` does not take a job of the process \"{}\"", process.name());
+fn other_process(job: &AnyJob) -> Failure {
+    let name = job.info().process.name();
+    let message = format!("`inspect` does not take a job of the process \"{name}\"");
     let finding = Diagnostic::new(Problem::ProcessNotAvailable, message)
         .field("job.process")
-        .value(format!("\"{}\"", process.name()))
-        .allowed(format!(
-            "\"{}\", \"{}\"",
-            Process::GeneratingGrinding.name(),
-            Process::SkivingToolMeasuring.name()
-        ))
+        .value(format!("\"{name}\""))
+        .allowed(format!("\"{}\", \"{}\"", Job::NAME, SkivingJob::NAME))
         .way_out("give the job by which the gear was ground, or for whose tool the angles were taken");
-    loaded.error(finding).into()
+    job.error(finding).into()
 }

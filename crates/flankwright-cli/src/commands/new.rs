@@ -2,8 +2,8 @@
 
 use clap::builder::PossibleValuesParser;
 use clap::{Args, builder::TypedValueParser};
-use flankwright::exchange::job::Process;
-use flankwright::exchange::{AnyJob, Source, job_template, parse_any_job};
+use flankwright::exchange::{JobFormat, Source, parse_any_job};
+use flankwright::processes;
 
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;
@@ -19,17 +19,16 @@ use crate::output;
 pub struct NewArguments {
     /// The process to plan
     #[arg(value_name = "PROCESS", value_parser = process_parser())]
-    pub process: Process,
+    pub process: JobFormat,
     /// Arguments that every command has.
     #[command(flatten)]
     pub common: CommonArguments,
 }
 
-fn process_parser() -> impl TypedValueParser<Value = Process> {
-    PossibleValuesParser::new(Process::ALL.map(Process::name)).try_map(|name| {
-        let found = Process::ALL.into_iter().find(|process| process.name() == name);
-        found.ok_or_else(|| format!("no process is called {name}"))
-    })
+fn process_parser() -> impl TypedValueParser<Value = JobFormat> {
+    let formats = processes().formats();
+    PossibleValuesParser::new(formats.formats().iter().map(|format| format.name))
+        .try_map(|name| formats.format(&name).copied().ok_or_else(|| format!("no process is called {name}")))
 }
 
 /// Prints the example job, or writes it to the directory told.
@@ -37,22 +36,17 @@ fn process_parser() -> impl TypedValueParser<Value = Process> {
 /// # Errors
 /// The output cannot be written.
 pub fn run(arguments: &NewArguments) -> Result<Exit, Failure> {
-    let toml = job_template(arguments.process);
+    let format = &arguments.process;
     let (text, ending) = if arguments.common.json {
-        let text = match parse_any_job(Source::new("example.toml", toml))? {
-            AnyJob::Grinding(loaded) => output::json_text(&loaded.job)?,
-            AnyJob::Tangential(loaded) => output::json_text(&loaded.job)?,
-            AnyJob::Gearbox(loaded) => output::json_text(&loaded.job)?,
-            AnyJob::Milling(loaded) => output::json_text(&loaded.job)?,
-            AnyJob::Skiving(loaded) => output::json_text(&loaded.job)?,
-        };
-        (text, "json")
+        let job = parse_any_job(Source::new("example.toml", format.template))?;
+        let text = job.to_json().map_err(|error| Failure::internal(error.to_string()))?;
+        (text + "\n", "json")
     } else {
-        (toml.to_owned(), "toml")
+        (format.template.to_owned(), "toml")
     };
     match &arguments.common.output {
         Some(directory) => {
-            let path = directory.join(format!("{}.{ending}", arguments.process.name()));
+            let path = directory.join(format!("{}.{ending}", format.name));
             output::write_file(&path, text.as_bytes())?;
         }
         None => output::print(&text)?,

@@ -3,15 +3,13 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use flankwright::exchange::AnyJob;
-use flankwright::workflow::plan_job;
+use flankwright::workflow::Task;
 
-use super::{catalogue, milling, outcome, skiving, tangential};
+use super::outcome;
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::output;
-use crate::progress::Bars;
 
 /// Arguments of `plan`.
 #[derive(Args, Debug)]
@@ -32,18 +30,6 @@ pub struct PlanArguments {
 /// # Errors
 /// Everything that is wrong with the job, a target that these bodies cannot make, files that cannot be written.
 pub fn run(arguments: &PlanArguments) -> Result<Exit, Failure> {
-    let loaded = match output::load_any_job(&arguments.job)? {
-        AnyJob::Grinding(loaded) => loaded,
-        AnyJob::Tangential(loaded) => return tangential::plan(&loaded, &arguments.common),
-        AnyJob::Gearbox(loaded) => return Err(output::gearbox_only(&loaded, "plan")),
-        AnyJob::Milling(loaded) => return milling::plan(&loaded, &arguments.common),
-        AnyJob::Skiving(loaded) => return skiving::plan(&loaded, &arguments.common),
-    };
-    if let Some(catalogue) = catalogue::of_job(&loaded)? {
-        return catalogue::plan(&loaded, &catalogue, &arguments.common);
-    }
-    let bars = Bars::new(arguments.common.quiet);
-    let planned = plan_job(&loaded, &bars);
-    bars.finish();
-    outcome::deliver(&arguments.common, &loaded, planned)
+    let job = output::load_any_job(&arguments.job)?;
+    outcome::run("plan", Task::Plan, &job, &arguments.common, outcome::ROWS)
 }

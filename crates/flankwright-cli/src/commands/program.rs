@@ -6,8 +6,9 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use flankwright::exchange::machine::read_machine;
-use flankwright::exchange::{AnyJob, Diagnostic, Problem, Source, open_regular};
+use flankwright::exchange::{Diagnostic, Problem, Source, open_regular};
 use flankwright::nc::{Dialect, MAXIMUM_BYTES, detect_dialect};
+use flankwright::processes;
 use flankwright::workflow::{CheckedProgram, RunFailure, check_program};
 
 use crate::arguments::CommonArguments;
@@ -101,8 +102,9 @@ fn check(arguments: &ProgramArguments) -> Result<Exit, Failure> {
         }
     };
     let job = arguments.job.as_ref().map(|path| output::load_any_job(path)).transpose()?;
-    if let Some(AnyJob::Gearbox(loaded)) = &job {
-        return Err(output::gearbox_only(loaded, "program check"));
+    if let Some(job) = job.as_ref().filter(|job| !processes().of(job).is_ok_and(|p| p.takes("program check")))
+    {
+        return Err(output::refused(job, "program check"));
     }
     let file = open_regular(&arguments.file).map_err(failed)?;
     let size = file.metadata().map_err(failed)?.len();
@@ -124,12 +126,7 @@ fn check(arguments: &ProgramArguments) -> Result<Exit, Failure> {
     bars.finish();
     let checked = checked.map_err(|failure| match (failure, &job) {
         // What names a key is about the job.
-        (failure, Some(AnyJob::Grinding(loaded))) if names_key(&failure) => Failure::of_run(loaded, failure),
-        (failure, Some(AnyJob::Tangential(loaded))) if names_key(&failure) => {
-            Failure::of_run(loaded, failure)
-        }
-        (failure, Some(AnyJob::Milling(loaded))) if names_key(&failure) => Failure::of_run(loaded, failure),
-        (failure, Some(AnyJob::Skiving(loaded))) if names_key(&failure) => Failure::of_run(loaded, failure),
+        (failure, Some(job)) if names_key(&failure) => Failure::of_run(job.document(), failure),
         (RunFailure::BadInput(finding), _) => Failure::new(Exit::BadInput, in_file(&name, *finding)),
         (RunFailure::NotProducible(finding), _) => {
             Failure::new(Exit::NotProducible, in_file(&name, *finding))
@@ -140,12 +137,8 @@ fn check(arguments: &ProgramArguments) -> Result<Exit, Failure> {
     } else if !arguments.common.quiet {
         output::print(&summary(&checked))?;
     }
-    let tolerance = match &job {
-        Some(AnyJob::Grinding(loaded)) => loaded.job.target.tolerance_um,
-        Some(AnyJob::Tangential(loaded)) => loaded.job.target.tolerance_um,
-        Some(AnyJob::Milling(loaded)) => loaded.job.target.tolerance_um,
-        Some(AnyJob::Gearbox(_) | AnyJob::Skiving(_)) | None => f64::INFINITY,
-    };
+    let tolerance =
+        job.as_ref().and_then(|job| processes().of(job).ok()?.tolerance_um(job)).unwrap_or(f64::INFINITY);
     let flanks = checked.flanks.iter().flatten();
     let met = flanks.map(|(_, f)| f.max_deviation_um).all(|um| um <= tolerance);
     Ok(if met && checked.remarks.is_empty() { Exit::Done } else { Exit::TargetMissed })

@@ -3,16 +3,13 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use flankwright::exchange::AnyJob;
-use flankwright::exchange::job::Process;
-use flankwright::workflow::simulate_job;
+use flankwright::workflow::Task;
 
-use super::{outcome, skiving, tangential};
+use super::outcome;
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::output;
-use crate::progress::Bars;
 
 /// Arguments of `simulate`.
 #[derive(Args, Debug)]
@@ -34,17 +31,6 @@ pub struct SimulateArguments {
 /// # Errors
 /// As `plan`; a job without settings.
 pub fn run(arguments: &SimulateArguments) -> Result<Exit, Failure> {
-    let loaded = match output::load_any_job(&arguments.job)? {
-        AnyJob::Grinding(loaded) => loaded,
-        AnyJob::Tangential(loaded) => return tangential::simulate(&loaded, &arguments.common),
-        AnyJob::Gearbox(loaded) => return Err(output::gearbox_only(&loaded, "simulate")),
-        AnyJob::Milling(loaded) => {
-            return Err(output::refused(&loaded, Process::FiveAxisMilling, "simulate"));
-        }
-        AnyJob::Skiving(loaded) => return skiving::simulate(&loaded, &arguments.common),
-    };
-    let bars = Bars::new(arguments.common.quiet);
-    let simulated = simulate_job(&loaded, &bars);
-    bars.finish();
-    outcome::deliver(&arguments.common, &loaded, simulated)
+    let job = output::load_any_job(&arguments.job)?;
+    outcome::run("simulate", Task::Simulate, &job, &arguments.common, outcome::ROWS)
 }

@@ -4,7 +4,6 @@
 use std::time::{Duration, Instant};
 
 use crate::command::{check, example, run, run_with};
-use flankwright::exchange::job::Process;
 use flankwright::exchange::job_template;
 use serde_json::Value;
 
@@ -1487,13 +1486,13 @@ fn job() -> String {
 
 /// The template of tangential dressing without its comments and empty lines.
 fn tangential_job() -> String {
-    let text = without_comments(job_template(Process::TangentialDressing));
+    let text = without_comments(job_template("tangential-dressing").expect("a template"));
     text.lines().filter(|line| !line.is_empty()).map(|line| line.to_owned() + "\n").collect()
 }
 
 /// The template of the electronic gearbox without its comments and empty lines.
 fn gearbox_job() -> String {
-    let text = without_comments(job_template(Process::ElectronicGearbox));
+    let text = without_comments(job_template("electronic-gearbox").expect("a template"));
     text.lines().filter(|line| !line.is_empty()).map(|line| line.to_owned() + "\n").collect()
 }
 

@@ -1,8 +1,8 @@
 //! `new`, `schema`, `check` and the help of every command.
 
 use crate::command::{example, repository, run, run_with};
-use flankwright::exchange::job::Process;
-use flankwright::exchange::{Document, Source, job_template, parse_any_job};
+use flankwright::exchange::{Document, Source, parse_any_job};
+use flankwright::processes;
 use serde_json::{Value, json};
 
 const EXAMPLES: [&str; 3] = ["automotive-bias.toml", "radial-feed-crowning.toml", "twist-free-crowning.toml"];
@@ -114,11 +114,12 @@ fn the_schema_admits_every_template_and_tells_the_processes_apart() {
     let schema = run(&["schema"]).json();
     let validator = jsonschema::draft202012::new(&schema).expect("a valid schema");
     let errors = |job: &Value| validator.iter_errors(job).map(|e| e.to_string()).collect::<Vec<_>>();
-    for process in Process::ALL {
+    for format in processes().formats().formats() {
+        let process = format.name;
         // As written and with all defaults.
-        let template = Source::new("new.toml", job_template(process));
+        let template = Source::new("new.toml", format.template);
         let written = Document::parse(template).expect("a template").to_value();
-        for job in [written, run(&["new", process.name(), "--json"]).json()] {
+        for job in [written, run(&["new", process, "--json"]).json()] {
             assert!(validator.is_valid(&job), "{process:?}: {:?}", errors(&job));
         }
     }

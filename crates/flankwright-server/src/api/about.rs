@@ -6,30 +6,20 @@ use axum::Json;
 use axum::extract::State;
 use axum::http::header::{CACHE_CONTROL, CONTENT_TYPE};
 use axum::response::{IntoResponse, Response};
-use flankwright::exchange::job::Process;
 use flankwright::exchange::job_schema;
+use flankwright::processes;
+use flankwright::workflow::AnyProcess;
 
 use crate::app::App;
 use crate::openapi::openapi;
 use crate::wire::{About, ProcessSummary};
 
-/// What people call a process.
-fn title(process: Process) -> &'static str {
-    match process {
-        Process::GeneratingGrinding => "Generating grinding",
-        Process::TangentialDressing => "Tangential dressing",
-        Process::FiveAxisMilling => "Five-axis milling",
-        Process::SkivingToolMeasuring => "Measuring a skiving tool",
-        Process::ElectronicGearbox => "Electronic gearbox",
-    }
-}
-
 /// Version, processes, how busy the server is.
 #[utoipa::path(get, path = "/api/about", responses((status = 200, body = About)))]
 pub async fn about(State(app): State<Arc<App>>) -> Json<About> {
-    let processes =
-        Process::ALL.map(|process| ProcessSummary { name: process.name(), title: title(process) });
-    Json(About { version: env!("CARGO_PKG_VERSION"), processes: processes.into(), queue: app.work.queue() })
+    let summary = |process: &dyn AnyProcess| ProcessSummary { name: process.name(), title: process.title() };
+    let processes = processes().all().map(summary).collect();
+    Json(About { version: env!("CARGO_PKG_VERSION"), processes, queue: app.work.queue() })
 }
 
 /// This interface.

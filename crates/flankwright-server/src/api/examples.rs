@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use axum::Json;
-use flankwright::exchange::job::Process;
 use flankwright::exchange::{Document, Source, job_template};
+use flankwright::processes;
 use serde_json::Value;
 
 use super::error::{Answer, Refused};
@@ -27,7 +27,7 @@ static EXAMPLES: LazyLock<Vec<ExampleSummary>> = LazyLock::new(|| {
 const FIRST: &str = "twist-free-crowning";
 
 fn order(process: &str) -> usize {
-    Process::ALL.iter().position(|known| known.name() == process).unwrap_or(Process::ALL.len())
+    processes().all().position(|known| known.name() == process).unwrap_or(usize::MAX)
 }
 
 fn tree(path: &str, text: &str) -> Option<Value> {
@@ -88,9 +88,8 @@ fn named(value: &Value, job: &str, files: &mut BTreeMap<String, String>) {
 #[utoipa::path(get, path = "/api/templates/{process}", params(("process" = String, Path, description = "its word in a job")),
     responses((status = 200, body = TemplateAnswer), (status = 404, body = crate::wire::Failure)))]
 pub async fn template(InPath(process): InPath<String>) -> Answer<Json<TemplateAnswer>> {
-    let known = Process::ALL.into_iter().find(|known| known.name() == process);
-    let process = known.ok_or_else(|| Refused::absent("process"))?;
-    Ok(Json(TemplateAnswer { text: job_template(process) }))
+    let text = job_template(&process).ok_or_else(|| Refused::absent("process"))?;
+    Ok(Json(TemplateAnswer { text }))
 }
 
 static MACHINES: LazyLock<Vec<MachineSummary>> = LazyLock::new(|| {

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use flankwright::exchange::AnyJob;
+use flankwright::exchange::{AnyJob, Job as GrindingJob, SkivingJob};
 use flankwright::numerics::Progress;
 use flankwright::workflow::inspection::series::{
     PartsOfFolder, SeriesOptions, inspect_series, measured_parts_in, write_inspection_series,
@@ -53,7 +53,7 @@ pub(super) fn measured(
     let job = job.map_err(|error| Failure::of_error(&error, shelf))?;
     let options = request.options.clone().unwrap_or_default();
     let (sheet, statements) = options.taken().map_err(|(key, allowed)| wrong_option(key, allowed))?;
-    let document = if let Some(AnyJob::Skiving(loaded)) = &job {
+    let document = if let Some(loaded) = job.as_ref().and_then(AnyJob::of::<SkivingJob>) {
         if options != InspectOptions::default() {
             return Err(wrong_option("options", "nothing for a skiving tool: they are about measured gears"));
         }
@@ -94,13 +94,14 @@ fn gears(
         Some(file) => PartsOfFolder { parts: vec![file], left_out: Vec::new() },
         None => measured_parts_in(folder)?,
     };
-    let gear = match (job, found.parts.as_slice()) {
-        (None, [one]) => inspect_gear(one, statements, sheet.tolerance_class)?,
-        (Some(AnyJob::Grinding(loaded)), [one]) => {
+    let grinding = job.and_then(AnyJob::of::<GrindingJob>);
+    let gear = match (job, grinding, found.parts.as_slice()) {
+        (None, _, [one]) => inspect_gear(one, statements, sheet.tolerance_class)?,
+        (Some(_), Some(loaded), [one]) => {
             inspect_for_job(loaded, one, statements, sheet.tolerance_class, progress)?
         }
-        (Some(AnyJob::Grinding(_)), _) => return Err(several("the gear")),
-        (Some(_), _) => {
+        (Some(_), Some(_), _) => return Err(several("the gear")),
+        (Some(_), None, _) => {
             let finding = Finding::new(
                 "process-not-available",
                 "measured gears are compared with a job of generating grinding",
@@ -108,7 +109,7 @@ fn gears(
             );
             return Err(Unmeasured::Wrong(Box::new(Failure::single(finding.field("job.process")))));
         }
-        (None, _) => {
+        (None, _, _) => {
             let options = SeriesOptions {
                 sheet: sheet.clone(),
                 statements: statements.clone(),

@@ -124,8 +124,7 @@ fn file(path: &str) -> Vec<u8> {
 
 /// All readers of files.
 pub fn all() -> Vec<Reader> {
-    use flankwright::exchange::job::Process;
-    let gearbox = job_template(Process::ElectronicGearbox).as_bytes().to_vec();
+    let gearbox = job_template("electronic-gearbox").expect("a template").as_bytes().to_vec();
     let reader = |name, ending, sample, read| Reader { name, ending, sample, read };
     vec![
         reader("a job", "toml", gearbox, job),

@@ -4,13 +4,12 @@ mod internal_access;
 mod random_gears;
 mod root_rays;
 
-use flankwright::exchange::{AnyJob, LoadedMillingJob, Source, parse_any_job};
+use flankwright::exchange::{LoadedMillingJob, MillingJob, Source, parse_job_of};
 
 /// A job that is read without findings.
 fn job(text: &str) -> LoadedMillingJob {
-    match parse_any_job(Source::new("job.toml", text)) {
-        Ok(AnyJob::Milling(loaded)) => loaded,
-        Ok(other) => panic!("{other:?}"),
+    match parse_job_of::<MillingJob>(Source::new("job.toml", text)) {
+        Ok(loaded) => loaded,
         Err(error) => panic!("{error}\n{text}"),
     }
 }

@@ -84,7 +84,7 @@ fn a_refused_plan_writes_a_report() {
     let finding = refused(&loaded);
     let directory = tempfile::tempdir().expect("a directory");
     std::fs::write(directory.path().join("topography.csv"), "of an earlier run").expect("a file");
-    let written = write_refusal(&AnyJob::Grinding(loaded), &finding, directory.path()).expect("files");
+    let written = write_refusal(&AnyJob::from(loaded), &finding, directory.path()).expect("files");
     let names: Vec<_> = written.iter().filter_map(|path| path.file_name()?.to_str()).collect();
     assert_eq!(names, ["result.json", "report.html"]);
     assert!(!directory.path().join("topography.csv").exists(), "a result of an earlier run stays");
@@ -136,7 +136,7 @@ fn a_travel_that_is_too_short_is_drawn() {
     assert_eq!((least, greatest), (-20.0, 20.0));
     assert!(from < -20.0 && to > 20.0 && to - from < 400.0, "{way}");
     let out = directory.path().join("out");
-    let written = write_refusal(&AnyJob::Grinding(loaded), &finding, &out).expect("files");
+    let written = write_refusal(&AnyJob::from(loaded), &finding, &out).expect("files");
     let page = std::fs::read_to_string(written.last().expect("a page")).expect("a page");
     let limits = page.split("What limits").nth(1).expect("the section");
     assert!(limits.contains("aria-label=\"Axis V1, word Y\""));

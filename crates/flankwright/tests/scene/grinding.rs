@@ -2,7 +2,7 @@
 
 use super::bodies::{Extent, holds_its_volume, on_flanks};
 use super::checks::{body, check, examples, in_body, job, off_mesh, vertices};
-use flankwright::exchange::{AnyJob, LoadedJob};
+use flankwright::exchange::{Job, LoadedJob};
 use flankwright::geometry::{Flank, Gear};
 use flankwright::numerics::Silent;
 use flankwright::process::dressing::DressedWorm;
@@ -18,7 +18,7 @@ const FACETS: f64 = 0.03;
 
 /// The run of a job that takes one worm.
 fn run(path: &Path) -> Option<(LoadedJob, Outcome)> {
-    let AnyJob::Grinding(loaded) = job(path) else { return None };
+    let Some(loaded) = job(path).of::<Job>().cloned() else { return None };
     if loaded.job.catalogue.is_some() {
         return None;
     }

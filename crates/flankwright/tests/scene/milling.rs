@@ -1,7 +1,7 @@
 //! Scenes of five-axis milling.
 
 use super::checks::{check, examples, in_body, job, off_mesh, vertices};
-use flankwright::exchange::AnyJob;
+use flankwright::exchange::MillingJob;
 use flankwright::numerics::Silent;
 use flankwright::workflow::milling::run_milling;
 use flankwright::workflow::scene::scene_of_milling;
@@ -13,7 +13,7 @@ const FACETS: f64 = 0.1;
 #[test]
 fn every_example_of_milling_has_a_scene() {
     for path in examples("milling") {
-        let AnyJob::Milling(loaded) = job(&path) else { panic!("{}", path.display()) };
+        let Some(loaded) = job(&path).of::<MillingJob>().cloned() else { panic!("{}", path.display()) };
         let outcome = run_milling(&loaded, &Silent).unwrap_or_else(|e| panic!("{}: {e:?}", path.display()));
         let scene =
             scene_of_milling(&loaded, &outcome).unwrap_or_else(|e| panic!("{}: {e:?}", path.display()));

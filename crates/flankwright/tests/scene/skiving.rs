@@ -1,7 +1,7 @@
 //! Scenes of measuring skiving tools.
 
 use super::checks::{body, check, examples, in_body, job, off_mesh, vertices};
-use flankwright::exchange::AnyJob;
+use flankwright::exchange::SkivingJob;
 use flankwright::numerics::Silent;
 use flankwright::workflow::scene::scene_of_skiving;
 use flankwright::workflow::skiving::run_skiving;
@@ -10,7 +10,7 @@ use nalgebra::Vector3;
 #[test]
 fn every_example_of_measuring_a_skiving_tool_has_a_scene() {
     for path in examples("skiving") {
-        let AnyJob::Skiving(loaded) = job(&path) else { panic!("{}", path.display()) };
+        let Some(loaded) = job(&path).of::<SkivingJob>().cloned() else { panic!("{}", path.display()) };
         let outcome = run_skiving(&loaded, &Silent).unwrap_or_else(|_| panic!("{}", path.display()));
         let scene =
             scene_of_skiving(&loaded, &outcome).unwrap_or_else(|e| panic!("{}: {e:?}", path.display()));

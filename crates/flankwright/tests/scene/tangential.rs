@@ -2,7 +2,7 @@
 
 use super::bodies::{Extent, holds_its_volume, on_flanks};
 use super::checks::{body, check, examples, in_body, job, off_mesh, vertices};
-use flankwright::exchange::AnyJob;
+use flankwright::exchange::TangentialJob;
 use flankwright::geometry::{Flank, Gear};
 use flankwright::numerics::Silent;
 use flankwright::workflow::scene::scene_of_tangential;
@@ -19,7 +19,7 @@ fn off(gear: &Gear, point: &Vector3<f64>) -> f64 {
 #[test]
 fn every_example_of_tangential_dressing_has_a_scene() {
     for path in examples("tangential") {
-        let AnyJob::Tangential(loaded) = job(&path) else { panic!("{}", path.display()) };
+        let Some(loaded) = job(&path).of::<TangentialJob>().cloned() else { panic!("{}", path.display()) };
         let outcome = match loaded.job.settings {
             Some(_) => simulate_tangential(&loaded, &Silent),
             None => plan_tangential(&loaded, &Silent),

@@ -1,7 +1,7 @@
 //! A measured skiving tool as the page takes it: 41 teeth, five tracks, one tooth that stands out. Made up, but as large as real ones.
 
 use flankwright::geometry::{Flank, Sides};
-use flankwright::report::skiving::{
+use flankwright::process::skiving::page::{
     AngleEdge, AngleStation, AngleTrack, AngleView, ConventionalRow, CorrectionsView, DataSheet,
     EdgeSectionView, FlankDeviations, FlankProfile, HistoryRow, HistoryView, MeasuredView, MonteCarloRow,
     MonteCarloView, PitchView, PoseRow, ProfileView, ProgramRow, ProgramsView, SettingChange, SkivingReport,

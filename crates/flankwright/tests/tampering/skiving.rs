@@ -4,7 +4,7 @@
 use super::edits::{harmless, moves, with, word};
 use super::{Answer, COUNT, Tampered, all_accepted, all_noticed, below, between, random, sign};
 use flankwright::exchange::machine::{LoadedMachine, read_machine};
-use flankwright::exchange::{AnyJob, LoadedSkivingJob, Source, parse_any_job};
+use flankwright::exchange::{LoadedSkivingJob, SkivingJob, Source, parse_job_of};
 use flankwright::nc::Dialect;
 use flankwright::workflow::skiving::SkivingCheck;
 use rand_chacha::ChaCha8Rng;
@@ -17,8 +17,8 @@ fn root() -> PathBuf {
 
 fn job(name: &str) -> LoadedSkivingJob {
     let text = std::fs::read_to_string(root().join(format!("examples/skiving/{name}.toml"))).unwrap();
-    match parse_any_job(Source::new("job.toml", &text)) {
-        Ok(AnyJob::Skiving(loaded)) => loaded,
+    match parse_job_of::<SkivingJob>(Source::new("job.toml", &text)) {
+        Ok(loaded) => loaded,
         other => panic!("{other:?}"),
     }
 }

@@ -13,6 +13,7 @@ mod knots;
 mod least_over;
 mod minimum;
 mod monotone_root;
+mod noise;
 mod polynomial;
 mod powers;
 mod probability;
@@ -36,6 +37,7 @@ pub use knots::SplineError;
 pub use least_over::least_over;
 pub use minimum::least_value;
 pub use monotone_root::monotone_root;
+pub use noise::Noise;
 pub use polynomial::Polynomial2;
 pub use powers::power_series;
 pub use probability::{

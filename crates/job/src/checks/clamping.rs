@@ -2,10 +2,10 @@
 
 use super::contradiction;
 use crate::diagnostic::Diagnostic;
-use crate::job::ClampingBody;
 use crate::node::shown_number;
+use crate::tables::ClampingBody;
 
-pub(crate) fn check(bodies: &[ClampingBody], findings: &mut Vec<Diagnostic>) {
+pub fn check(bodies: &[ClampingBody], findings: &mut Vec<Diagnostic>) {
     for (number, body) in bodies.iter().enumerate() {
         let field = |key: &str| format!("machine.clamping[{number}].{key}");
         let [from, to] = body.z;

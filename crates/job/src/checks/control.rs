@@ -2,13 +2,9 @@
 
 use crate::control::check_servo;
 use crate::diagnostic::{Diagnostic, Problem};
-use crate::job::Control;
+use crate::tables::Control;
 
-pub(crate) fn check(
-    control: Option<&Control>,
-    feed_per_revolution: Option<f64>,
-    findings: &mut Vec<Diagnostic>,
-) {
+pub fn check(control: Option<&Control>, feed_per_revolution: Option<f64>, findings: &mut Vec<Diagnostic>) {
     let Some(control) = control else { return };
     if feed_per_revolution.is_none() {
         findings.push(

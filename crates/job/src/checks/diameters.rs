@@ -6,7 +6,7 @@ use crate::diagnostic::{Diagnostic, Problem};
 use crate::node::shown_number;
 
 /// `[worm]`: at least one diameter, the pitch circle inside the tip circle.
-pub(crate) fn worm_diameters(pitch: Option<f64>, tip: Option<f64>, findings: &mut Vec<Diagnostic>) {
+pub fn worm_diameters(pitch: Option<f64>, tip: Option<f64>, findings: &mut Vec<Diagnostic>) {
     if pitch.is_none() && tip.is_none() {
         findings.push(
             Diagnostic::new(Problem::MissingKey, "`worm` has no diameter")
@@ -19,13 +19,13 @@ pub(crate) fn worm_diameters(pitch: Option<f64>, tip: Option<f64>, findings: &mu
 }
 
 /// A dresser, `at` in the job: the pitch circle inside the tip circle.
-pub(crate) fn dresser_diameters(at: &str, pitch: Option<f64>, tip: f64, findings: &mut Vec<Diagnostic>) {
+pub fn dresser_diameters(at: &str, pitch: Option<f64>, tip: f64, findings: &mut Vec<Diagnostic>) {
     let way_out = "leave `pitch_diameter` out: the disc tip then touches the worm root";
     inside_tip(at, pitch, Some(tip), way_out, findings);
 }
 
 /// The pitch circle of a body inside its tip circle, where both are given.
-pub(super) fn inside_tip(
+pub fn inside_tip(
     at: &str,
     pitch: Option<f64>,
     tip: Option<f64>,
@@ -49,7 +49,7 @@ pub(super) fn inside_tip(
 }
 
 /// The clearance at the worm's root places a dresser that is not placed by its pitch diameter.
-pub(crate) fn root_clearance(pitch: Option<f64>, clearance: Option<f64>, findings: &mut Vec<Diagnostic>) {
+pub fn root_clearance(pitch: Option<f64>, clearance: Option<f64>, findings: &mut Vec<Diagnostic>) {
     if let (Some(_), Some(clearance)) = (pitch, clearance) {
         findings.push(contradiction(
             "the pitch diameter already says how deep the dresser enters the worm",

@@ -2,10 +2,10 @@
 //! the flank. Knows no geometry beyond that order.
 
 use crate::diagnostic::{Diagnostic, Problem};
-use crate::job::Gear;
 use crate::node::shown_number;
+use crate::tables::Gear;
 
-pub(crate) fn check(gear: &Gear, findings: &mut Vec<Diagnostic>) {
+pub fn check(gear: &Gear, findings: &mut Vec<Diagnostic>) {
     thickness(gear, findings);
     diameters(gear, findings);
     evaluation(gear, findings);

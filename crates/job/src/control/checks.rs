@@ -7,7 +7,7 @@ use crate::diagnostic::{Diagnostic, Problem};
 use crate::node::shown_number;
 
 /// All contradictions of the table at `path`; `worm`: whether the job has a worm whose angle a torque can follow.
-pub(crate) fn check_servo(path: &str, servo: &Servo, worm: bool, findings: &mut Vec<Diagnostic>) {
+pub fn check_servo(path: &str, servo: &Servo, worm: bool, findings: &mut Vec<Diagnostic>) {
     const GAINS: &str = "exactly one of bandwidth_hz, gains";
     match (servo.bandwidth_hz, &servo.gains) {
         (None, None) => findings.push(

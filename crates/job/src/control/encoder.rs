@@ -38,7 +38,7 @@ pub enum RotationRate {
     Binary,
 }
 
-pub(crate) fn encoder_pulses_schema(_: &mut schemars::SchemaGenerator) -> Schema {
+pub fn encoder_pulses_schema(_: &mut schemars::SchemaGenerator) -> Schema {
     json_schema!({
         "type": "integer", "minimum": 1, "maximum": 1_u32 << 31,
         "x-way-out": "give the pulses per revolution of the encoder, e.g. 36000"

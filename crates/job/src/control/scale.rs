@@ -76,21 +76,21 @@ fn default_counter_limit() -> u32 {
 }
 
 /// Pulses of a scale: pitches from 1 nm to 1 m.
-pub(crate) fn scale_pulses_schema(_: &mut schemars::SchemaGenerator) -> Schema {
+pub fn scale_pulses_schema(_: &mut schemars::SchemaGenerator) -> Schema {
     json_schema!({
         "type": "number", "exclusiveMinimum": 0, "maximum": 1e9,
         "x-way-out": "give the pulses per metre of the scale, e.g. 100000 for a pitch of 10 um"
     })
 }
 
-pub(crate) fn clock_schema(_: &mut schemars::SchemaGenerator) -> Schema {
+pub fn clock_schema(_: &mut schemars::SchemaGenerator) -> Schema {
     json_schema!({
         "type": "number", "exclusiveMinimum": 0, "maximum": 1e9,
         "x-way-out": "give the clock of the interpolator in Hz, e.g. 1e6"
     })
 }
 
-pub(crate) fn pulses_per_interval_schema(_: &mut schemars::SchemaGenerator) -> Schema {
+pub fn pulses_per_interval_schema(_: &mut schemars::SchemaGenerator) -> Schema {
     json_schema!({
         "type": "integer", "minimum": 2, "maximum": 256,
         "x-way-out": "give the pulses per reference interval, the reference pulse included, e.g. 16"

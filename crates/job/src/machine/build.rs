@@ -3,8 +3,8 @@
 use nalgebra::Vector3;
 
 use super::{AxisEntry, AxisType, ChainEntry, Control, Controls, MachineFile, Roles};
-use crate::job::Program;
-use ::machine::{Axis, AxisLimits, InvalidMachine, Joint, Limb, Machine, MachineParts, Role};
+use crate::tables::Program;
+use machine::{Axis, AxisLimits, InvalidMachine, Joint, Limb, Machine, MachineParts, Role};
 
 impl Roles {
     /// Roles that are played, with the names of their axes.

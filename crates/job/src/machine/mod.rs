@@ -4,9 +4,9 @@ mod axis;
 mod body;
 mod build;
 mod checks;
-mod control;
+pub mod control;
 mod description;
-mod read;
+pub mod read;
 
 pub use axis::{AxisEntry, AxisType};
 pub use body::BodyEntry;

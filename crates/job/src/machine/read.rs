@@ -9,10 +9,10 @@ use serde_json::Value;
 use super::{MachineFile, checks};
 use crate::diagnostic::{Diagnostic, JobError, Problem};
 use crate::document::Document;
-use crate::shape::Subject;
+use crate::schema;
+use crate::shape::{self, Subject};
 use crate::source::Source;
-use crate::{schema, shape};
-use ::machine::Machine;
+use machine::Machine;
 
 /// A checked machine and the document it came from.
 #[derive(Clone, Debug, PartialEq)]

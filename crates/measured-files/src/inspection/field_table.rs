@@ -4,9 +4,8 @@ use std::collections::HashMap;
 
 use super::Topography;
 use super::trace_table::{READING, reading_numbers};
-use job::Diagnostic;
-use job::csv::{Cell, Column, CsvError, CsvTable};
 use job::table_rows::TableForm;
+use job::{Cell, Column, CsvError, CsvTable, Diagnostic};
 
 /// The columns of the table.
 pub(super) const FORM: TableForm<5> = TableForm {

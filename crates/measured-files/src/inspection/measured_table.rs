@@ -4,8 +4,7 @@ use job::decimal_comma::with_points;
 use std::path::Path;
 
 use super::{Topography, Trace, field_table, trace_table};
-use job::JobError;
-use job::Source;
+use job::{JobError, Source};
 
 /// What a table of measurements holds.
 #[derive(Clone, Debug, PartialEq)]

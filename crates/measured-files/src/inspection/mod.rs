@@ -4,23 +4,23 @@
 //! Deviations are stored with the sign of the material, f > 0 standing, in the section of the file; positions along the face count from its
 //! middle towards +z, positions along the profile are lengths of roll.
 
-mod conditions;
-mod date;
+pub mod conditions;
+pub mod date;
 mod encoding;
-mod error;
+pub mod error;
 mod field_table;
-mod gear;
+pub mod gear;
 #[expect(clippy::module_inception, reason = "the inspection is the model that this room is about")]
-mod inspection;
-mod klingelnberg;
-mod measured_table;
+pub mod inspection;
+pub mod klingelnberg;
+pub mod measured_table;
 mod other_end;
-mod result;
-mod tables;
-mod trace;
-mod trace_table;
+pub mod result;
+pub mod tables;
+pub mod trace;
+pub mod trace_table;
 mod undefined;
-mod warning;
+pub mod warning;
 
 pub use conditions::{
     Conditions, CountingDirection, DatumFace, FlankConditions, LeadPositions, ProfilePositions, Section,

@@ -214,9 +214,7 @@ mod tests {
             let c = ResultCode::of(code);
             (c.characteristic, c.position, c.flank, c.statistic)
         };
-        use Characteristic as C;
-        use Position as P;
-        use Statistic as S;
+        use {Characteristic as C, Position as P, Statistic as S};
         let (left, right) = (Some(Flank::Left), Some(Flank::Right));
         assert_eq!(of(10112), (C::HelixSlope, P::Middle, left, S::Tooth(2)));
         assert_eq!(of(10523), (C::HelixTotal, P::InnerOrBottom, right, S::Tooth(3)));

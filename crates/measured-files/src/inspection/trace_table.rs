@@ -5,9 +5,8 @@ use std::collections::HashMap;
 use std::hash::Hash;
 
 use super::{Trace, TraceKind, Zero};
-use job::csv::{Cell, Column, CsvError, CsvTable};
 use job::table_rows::{Row, TableForm};
-use job::{Diagnostic, Problem};
+use job::{Cell, Column, CsvError, CsvTable, Diagnostic, Problem};
 
 /// The columns of the table.
 const FORM: TableForm<6> = TableForm {

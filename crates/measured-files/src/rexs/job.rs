@@ -8,7 +8,7 @@ use super::warning::{RexsWarning, RexsWarningKind};
 use crate::inspection::DatumFace;
 use foundation::geometry::{Flank, GearData, Sides, ThicknessMeasure};
 use foundation::modification::{FlankChoice, ModificationSpec};
-use job::job::{Evaluation, Gear as JobGear, OneOrSides};
+use job::tables::{Evaluation, Gear as JobGear, OneOrSides};
 
 /// Ends nearer than this are one, mm.
 const SAME_MM: f64 = 1e-9;

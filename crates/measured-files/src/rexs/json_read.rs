@@ -9,7 +9,7 @@ use super::document::{
 };
 use super::error::RexsError;
 use super::xml_read::allowed;
-use job::mesh::xml::is_allowed;
+use job::xml::is_allowed;
 
 /// Reads a model.
 pub(super) fn document(text: &str) -> Result<RexsDocument, RexsError> {

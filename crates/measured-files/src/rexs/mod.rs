@@ -7,21 +7,21 @@
 mod attributes;
 mod coded;
 mod deviations;
-mod document;
-mod error;
+pub mod document;
+pub mod error;
 mod flank;
-mod from_gear;
-mod gear;
+pub mod from_gear;
+pub mod gear;
 mod job;
 mod json_read;
 mod json_write;
 mod load_spectrum;
 mod modification_read;
 mod modification_write;
-mod package;
+pub mod package;
 mod topography;
 mod values;
-mod warning;
+pub mod warning;
 mod xml_read;
 mod xml_write;
 

@@ -1,11 +1,10 @@
 //! Modifications as components of REXS. Kinds that it does not know are sampled into a topography and told.
 
-use super::attributes;
 use super::document::{Attribute, Value};
 use super::error::RexsError;
 use super::flank::FlankPlace;
-use super::topography;
 use super::warning::{RexsWarning, RexsWarningKind};
+use super::{attributes, topography};
 use foundation::modification::{
     EvaluationField, GridSpec, Modification, ModificationFiles, ModificationSpec, Reference, ReliefSpec,
 };
@@ -71,7 +70,7 @@ pub(super) struct Writer<'a> {
 impl Writer<'_> {
     /// The component of a modification that is right by itself.
     pub fn write(&mut self, spec: &ModificationSpec) -> Result<Draft, RexsError> {
-        use ModificationSpec as M;
+        use foundation::modification::ModificationSpec as M;
         // A table need not cover the field: REXS states its own places.
         if let M::Grid(table) = spec
             && table.file.is_none()

@@ -10,7 +10,7 @@ use super::document::{RexsDocument, RexsFormat};
 use super::error::RexsError;
 use super::warning::RexsWarning;
 use super::{json_read, json_write, xml_read, xml_write};
-use job::bounded::{Unread, read_bounded};
+use job::{Unread, read_bounded};
 
 /// Largest file that is read, packed or unpacked: 64 MiB.
 pub const MAXIMUM_FILE_BYTES: usize = 64 << 20;

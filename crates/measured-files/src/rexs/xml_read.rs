@@ -9,13 +9,12 @@ use std::collections::HashSet;
 use roxmltree::{Document, Error, Node, ParsingOptions};
 
 use super::attributes::{self, Form};
-use super::coded;
 use super::document::{
     Attribute, Component, ComponentRef, Content, Opaque, Relation, RexsDocument, RexsFormat, Value,
 };
 use super::error::RexsError;
-use super::load_spectrum;
-use job::mesh::xml::escape;
+use super::{coded, load_spectrum};
+use job::xml::escape;
 
 /// Most elements, texts and comments of a file; each takes some ten times its text in memory.
 const MOST_NODES: u32 = 4_000_000;

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use super::document::{Attribute, Content, Opaque, RexsDocument, RexsFormat, Value};
 use super::warning::{RexsWarning, RexsWarningKind};
-use job::mesh::xml::escape;
+use job::xml::escape;
 
 /// The text of a model. What stands in another form of file is left out and told.
 pub(super) fn xml(document: &RexsDocument, warnings: &mut Vec<RexsWarning>) -> String {

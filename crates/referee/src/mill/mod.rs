@@ -6,8 +6,8 @@
 
 mod block;
 mod body;
-mod outcome;
-mod rapids;
+pub mod outcome;
+pub mod rapids;
 mod search;
 mod tree;
 

@@ -6,38 +6,38 @@ use super::svg::{Anchor, Canvas, Stroke, TextStyle};
 use super::text::text_width;
 
 /// Size of tick labels.
-pub(crate) const TICK_SIZE: f64 = 12.0;
+pub const TICK_SIZE: f64 = 12.0;
 
 /// The rectangle that data are drawn in.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Frame {
-    pub(crate) left: f64,
-    pub(crate) top: f64,
-    pub(crate) width: f64,
-    pub(crate) height: f64,
+pub struct Frame {
+    pub left: f64,
+    pub top: f64,
+    pub width: f64,
+    pub height: f64,
 }
 
 impl Frame {
-    pub(crate) fn right(&self) -> f64 {
+    pub fn right(&self) -> f64 {
         self.left + self.width
     }
 
-    pub(crate) fn bottom(&self) -> f64 {
+    pub fn bottom(&self) -> f64 {
         self.top + self.height
     }
 
     /// The place of a point given by its shares of both axes.
-    pub(crate) fn at(&self, x_share: f64, y_share: f64) -> [f64; 2] {
+    pub fn at(&self, x_share: f64, y_share: f64) -> [f64; 2] {
         [self.left + x_share * self.width, self.bottom() - y_share * self.height]
     }
 
-    pub(crate) fn outline(&self, canvas: &mut Canvas) {
+    pub fn outline(&self, canvas: &mut Canvas) {
         let stroke = Stroke::solid(INK, 0.9);
         canvas.rect([self.left, self.top], [self.width, self.height], "none", Some(stroke));
     }
 
     /// Light lines at the ticks, drawn before the data.
-    pub(crate) fn grid(&self, canvas: &mut Canvas, x: &Axis, y: &Axis) {
+    pub fn grid(&self, canvas: &mut Canvas, x: &Axis, y: &Axis) {
         let stroke = Stroke::solid(GRID, 0.8);
         for (share, _) in x.ticks() {
             canvas.line(self.at(share, 0.0), self.at(share, 1.0), stroke);
@@ -48,7 +48,7 @@ impl Frame {
     }
 
     /// A line at zero, if zero is on the ordinate.
-    pub(crate) fn zero_line(&self, canvas: &mut Canvas, y: &Axis) {
+    pub fn zero_line(&self, canvas: &mut Canvas, y: &Axis) {
         let share = y.share(0.0);
         if share > 1e-9 && share < 1.0 - 1e-9 {
             canvas.line(self.at(0.0, share), self.at(1.0, share), Stroke::solid(FAINT, 1.3));
@@ -56,7 +56,7 @@ impl Frame {
     }
 
     /// Ticks and labels of the abscissa below the frame, with its title unless that is empty.
-    pub(crate) fn abscissa(&self, canvas: &mut Canvas, axis: &Axis, title: &str) {
+    pub fn abscissa(&self, canvas: &mut Canvas, axis: &Axis, title: &str) {
         let style = TextStyle::new(TICK_SIZE, Anchor::Middle);
         let mut free_from = f64::NEG_INFINITY;
         for (share, label) in axis.ticks() {
@@ -76,7 +76,7 @@ impl Frame {
     }
 
     /// Ticks and labels of the ordinate on the left.
-    pub(crate) fn ordinate(&self, canvas: &mut Canvas, axis: &Axis) {
+    pub fn ordinate(&self, canvas: &mut Canvas, axis: &Axis) {
         let mut free_below = f64::INFINITY;
         for (share, label) in axis.ticks() {
             let [x, y] = self.at(0.0, share);
@@ -89,14 +89,14 @@ impl Frame {
     }
 
     /// Title of the ordinate, upright beside it, `distance` left of the frame.
-    pub(crate) fn ordinate_title(&self, canvas: &mut Canvas, axis: &Axis, title: &str, distance: f64) {
+    pub fn ordinate_title(&self, canvas: &mut Canvas, axis: &Axis, title: &str, distance: f64) {
         let at = [self.left - distance, self.top + 0.5 * self.height];
         canvas.text(at, &with_factor(title, axis), TextStyle::new(TICK_SIZE, Anchor::Middle).turned(-90.0));
     }
 }
 
 /// The axis title with the power of ten that was taken out of its labels.
-pub(crate) fn with_factor(title: &str, axis: &Axis) -> String {
+pub fn with_factor(title: &str, axis: &Axis) -> String {
     match axis.factor() {
         None => title.to_owned(),
         Some(factor) => format!("{title} {factor}"),
@@ -104,7 +104,7 @@ pub(crate) fn with_factor(title: &str, axis: &Axis) -> String {
 }
 
 /// A vertical bar that stands for a length, with its label to the right (or left).
-pub(crate) fn vertical_bar(canvas: &mut Canvas, x: f64, top: f64, length: f64, label: &str) {
+pub fn vertical_bar(canvas: &mut Canvas, x: f64, top: f64, length: f64, label: &str) {
     let stroke = Stroke::solid(INK, 1.4);
     canvas.line([x, top], [x, top + length], stroke);
     for y in [top, top + length] {
@@ -114,7 +114,7 @@ pub(crate) fn vertical_bar(canvas: &mut Canvas, x: f64, top: f64, length: f64, l
 }
 
 /// A horizontal bar that stands for a length, with its label to the right.
-pub(crate) fn horizontal_bar(canvas: &mut Canvas, left: f64, y: f64, length: f64, label: &str) {
+pub fn horizontal_bar(canvas: &mut Canvas, left: f64, y: f64, length: f64, label: &str) {
     let stroke = Stroke::solid(INK, 1.4);
     canvas.line([left, y], [left + length, y], stroke);
     for x in [left, left + length] {

@@ -122,7 +122,7 @@ fn range(values: &[f64]) -> (f64, f64) {
 }
 
 /// Share of a limit in per cent, for readers: what is less than a thousandth is no matter of limits.
-pub(crate) fn share_of_limit(share: f64) -> String {
+pub fn share_of_limit(share: f64) -> String {
     if share > 0.0 && share < 1e-3 {
         return "< 0.1".to_owned();
     }

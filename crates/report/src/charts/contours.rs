@@ -8,16 +8,16 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::topography::Topography;
 
 /// A polyline in (z, w), mm.
-pub(crate) type Line = Vec<[f64; 2]>;
+pub type Line = Vec<[f64; 2]>;
 
 /// The lines f = level inside the grid. A closed line repeats its first point.
-pub(crate) fn isolines(field: &Topography, level: f64) -> Vec<Line> {
+pub fn isolines(field: &Topography, level: f64) -> Vec<Line> {
     let rows: Vec<&[f64]> = field.f_um().iter().map(Vec::as_slice).collect();
     march(field.z_mm(), field.w_mm(), &rows, level)
 }
 
 /// Closed loops around f >= level, closed along the border of the grid where needed; fill them by the even-odd rule.
-pub(crate) fn region_above(field: &Topography, level: f64) -> Vec<Line> {
+pub fn region_above(field: &Topography, level: f64) -> Vec<Line> {
     // A border of minus infinity at the place of the outermost nodes closes every loop.
     let pad = |values: &[f64]| {
         let mut padded = vec![values[0]];

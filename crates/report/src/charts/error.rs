@@ -3,10 +3,10 @@
 use thiserror::Error;
 
 /// Largest magnitude that a chart accepts; anything above is a fault of the caller, not a quantity of gears.
-pub(crate) const LARGEST: f64 = 1e12;
+pub const LARGEST: f64 = 1e12;
 
 /// Ranges below this are constant for a chart: nothing in metrology is as small, and reciprocals stay finite.
-pub(crate) const LEAST_SPAN: f64 = 1e-100;
+pub const LEAST_SPAN: f64 = 1e-100;
 
 /// Data that can't be drawn. A chart is either right or refused, never a broken picture.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -76,7 +76,7 @@ impl ChartError {
 }
 
 /// All values finite and of a physical size.
-pub(crate) fn check_values(quantity: &str, values: &[f64]) -> Result<(), ChartError> {
+pub fn check_values(quantity: &str, values: &[f64]) -> Result<(), ChartError> {
     match values.iter().position(|v| !(-LARGEST..=LARGEST).contains(v)) {
         None => Ok(()),
         Some(index) => {
@@ -86,7 +86,7 @@ pub(crate) fn check_values(quantity: &str, values: &[f64]) -> Result<(), ChartEr
 }
 
 /// At least `least` values.
-pub(crate) fn check_count(quantity: &str, actual: usize, least: usize) -> Result<(), ChartError> {
+pub fn check_count(quantity: &str, actual: usize, least: usize) -> Result<(), ChartError> {
     if actual >= least {
         return Ok(());
     }
@@ -94,7 +94,7 @@ pub(crate) fn check_count(quantity: &str, actual: usize, least: usize) -> Result
 }
 
 /// Two lists of equal length.
-pub(crate) fn check_length(quantity: &str, expected: usize, actual: usize) -> Result<(), ChartError> {
+pub fn check_length(quantity: &str, expected: usize, actual: usize) -> Result<(), ChartError> {
     if actual == expected {
         return Ok(());
     }
@@ -102,7 +102,7 @@ pub(crate) fn check_length(quantity: &str, expected: usize, actual: usize) -> Re
 }
 
 /// Strictly increasing coordinates.
-pub(crate) fn check_ascending(quantity: &str, values: &[f64]) -> Result<(), ChartError> {
+pub fn check_ascending(quantity: &str, values: &[f64]) -> Result<(), ChartError> {
     match values.windows(2).position(|pair| pair[1] <= pair[0]) {
         None => Ok(()),
         Some(before) => Err(ChartError::NotAscending { quantity: quantity.to_owned(), index: before + 1 }),

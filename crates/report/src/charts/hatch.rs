@@ -2,7 +2,7 @@
 
 /// Which way hatching lines lean, seen on the page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Lean {
+pub enum Lean {
     /// Like a slash: rising to the right.
     Forward,
     /// Like a backslash.
@@ -10,7 +10,7 @@ pub(crate) enum Lean {
 }
 
 /// Lines at 45 degrees, `pitch` apart (along the page's axes), clipped to closed loops by the even-odd rule.
-pub(crate) fn hatch_lines(loops: &[Vec<[f64; 2]>], pitch: f64, lean: Lean) -> Vec<Vec<[f64; 2]>> {
+pub fn hatch_lines(loops: &[Vec<[f64; 2]>], pitch: f64, lean: Lean) -> Vec<Vec<[f64; 2]>> {
     // A backslash is a slash in the mirrored page.
     let side = if lean == Lean::Forward { 1.0 } else { -1.0 };
     let sums = loops.iter().flatten().map(|p| side * p[0] + p[1]);

@@ -8,31 +8,31 @@
 
 mod axes;
 mod axis_chart;
-mod contour_map;
-mod contours;
-mod drawing;
+pub mod contour_map;
+pub mod contours;
+pub mod drawing;
 mod dressing_section;
-mod error;
+pub mod error;
 mod hatch;
-mod line_chart;
+pub mod line_chart;
 mod line_legend;
 mod line_marks;
-mod numbers;
-mod palette;
-mod polar_chart;
-mod profile_helix;
-mod scale;
-mod signal_strip;
-mod svg;
-mod text;
+pub mod numbers;
+pub mod palette;
+pub mod polar_chart;
+pub mod profile_helix;
+pub mod scale;
+pub mod signal_strip;
+pub mod svg;
+pub mod text;
 mod thinning;
-mod topography;
-mod topography_net;
+pub mod topography;
+pub mod topography_net;
 mod worm_occupation;
 
 pub use axis_chart::{AxisChart, AxisChartLimits, axis_chart};
 pub use contour_map::{ContourMap, MapFrame, MapMark, contour_map, contour_map_in};
-pub(crate) use contours::region_above;
+pub use contours::region_above;
 pub use drawing::{Drawing, DrawingLayer, DrawingLook, DrawingNote, drawing};
 pub use dressing_section::{
     DressingSectionChart, MarkedClearance, SectionKind, SectionStretch, SpaceFlank, dressing_section_chart,
@@ -51,9 +51,9 @@ pub use worm_occupation::{
     OccupationBar, OccupationKind, OccupationRow, WormOccupationChart, worm_occupation_chart,
 };
 
-pub(crate) use axis_chart::share_of_limit;
-pub(crate) use error::{check_ascending, check_length, check_values};
-pub(crate) use palette::{FAINT, INK, MUTED};
-pub(crate) use scale::round_below;
-pub(crate) use svg::{Anchor, Canvas, Stroke, TextStyle, escape};
-pub(crate) use text::{indices, text_width};
+pub use axis_chart::share_of_limit;
+pub use error::{check_ascending, check_length, check_values};
+pub use palette::{FAINT, INK, MUTED};
+pub use scale::round_below;
+pub use svg::{Anchor, Canvas, Stroke, TextStyle, escape};
+pub use text::{indices, text_width};

@@ -37,7 +37,7 @@ pub fn format_significant(value: f64, digits: usize) -> String {
 }
 
 /// "10⁻³" for -3.
-pub(crate) fn power_of_ten(exponent: i32) -> String {
+pub fn power_of_ten(exponent: i32) -> String {
     const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let mut text = String::from("10");
     if exponent < 0 {
@@ -48,7 +48,7 @@ pub(crate) fn power_of_ten(exponent: i32) -> String {
 }
 
 /// Floor of the decimal logarithm of a value other than 0.
-pub(crate) fn decimal_exponent(value: f64) -> i32 {
+pub fn decimal_exponent(value: f64) -> i32 {
     // The relative margin keeps 0.001 = 10^-3 from falling to -4 by rounding.
     (value.abs().log10() + 1e-12).floor() as i32
 }

@@ -1,28 +1,28 @@
 //! Colours and line styles. Whatever they say must also be said by dash, marker, hatching or label.
 
 /// Dark text and axes.
-pub(crate) const INK: &str = "#1c1f23";
+pub const INK: &str = "#1c1f23";
 /// Secondary text.
-pub(crate) const MUTED: &str = "#565b61";
+pub const MUTED: &str = "#565b61";
 /// Grid lines and helper outlines.
-pub(crate) const FAINT: &str = "#c9cdd1";
+pub const FAINT: &str = "#c9cdd1";
 /// Grid lines inside a plot.
-pub(crate) const GRID: &str = "#e3e5e8";
+pub const GRID: &str = "#e3e5e8";
 /// First data colour.
-pub(crate) const BLUE: &str = "#1f4e79";
+pub const BLUE: &str = "#1f4e79";
 /// Second data colour.
-pub(crate) const RUST: &str = "#b4541a";
+pub const RUST: &str = "#b4541a";
 
 /// How one series of a line chart looks.
-pub(crate) struct SeriesStyle {
-    pub(crate) color: &'static str,
-    pub(crate) dash: &'static str,
-    pub(crate) marker: Marker,
+pub struct SeriesStyle {
+    pub color: &'static str,
+    pub dash: &'static str,
+    pub marker: Marker,
 }
 
 /// Shape that marks points of a series.
 #[derive(Clone, Copy)]
-pub(crate) enum Marker {
+pub enum Marker {
     Disc,
     Square,
     Triangle,
@@ -32,7 +32,7 @@ pub(crate) enum Marker {
 }
 
 /// The style of the k-th series. After six the colours start again with other dashes and markers: 36 differ.
-pub(crate) fn series_style(k: usize) -> SeriesStyle {
+pub fn series_style(k: usize) -> SeriesStyle {
     let styles = [
         (BLUE, "", Marker::Disc),
         (RUST, "6 3", Marker::Square),
@@ -55,7 +55,7 @@ const MATERIAL: [[u8; 3]; 5] =
 
 /// Colour of a signed value, `share` = value / largest magnitude in -1 .. 1. Lightness falls with the magnitude on
 /// both sides, so that the order survives a grey copy; the sign is told by hatching and labels.
-pub(crate) fn signed_color(share: f64) -> String {
+pub fn signed_color(share: f64) -> String {
     let stops = if share < 0.0 { &RELIEF } else { &MATERIAL };
     let place = share.abs().min(1.0) * (stops.len() - 1) as f64;
     let below = (place.floor() as usize).min(stops.len() - 2);

@@ -7,7 +7,7 @@ use super::numbers::{decimal_exponent, format_fixed, power_of_ten};
 use super::topography::Topography;
 
 /// The smallest of 1, 2, 5 x 10^k that divides `span` into at most `count` steps.
-pub(crate) fn round_step(span: f64, count: usize) -> f64 {
+pub fn round_step(span: f64, count: usize) -> f64 {
     let raw = span / count.max(1) as f64;
     let power = 10f64.powi(decimal_exponent(raw));
     let factor = [1.0, 2.0, 5.0].into_iter().find(|m| m * power >= raw * (1.0 - 1e-9)).unwrap_or(10.0);
@@ -15,20 +15,20 @@ pub(crate) fn round_step(span: f64, count: usize) -> f64 {
 }
 
 /// The largest of 1, 2, 5 x 10^k that does not exceed `limit`: the length of a scale bar.
-pub(crate) fn round_below(limit: f64) -> f64 {
+pub fn round_below(limit: f64) -> f64 {
     let power = 10f64.powi(decimal_exponent(limit));
     let factor = [5.0, 2.0].into_iter().find(|m| m * power <= limit * (1.0 + 1e-9)).unwrap_or(1.0);
     factor * power
 }
 
 /// Decimals that a multiple of `step` needs.
-pub(crate) fn decimals_of(step: f64) -> usize {
+pub fn decimals_of(step: f64) -> usize {
     (-decimal_exponent(step)).clamp(0, 12) as usize
 }
 
 /// An axis: its range, its ticks and how their values are written.
 #[derive(Clone, Debug)]
-pub(crate) struct Axis {
+pub struct Axis {
     lo: f64,
     hi: f64,
     step: f64,
@@ -40,7 +40,7 @@ pub(crate) struct Axis {
 impl Axis {
     /// Range widened to whole steps. Constant data get a range around their value; `least_span` keeps rounding
     /// noise from being blown up to a full axis.
-    pub(crate) fn rounded(lo: f64, hi: f64, count: usize, least_span: f64) -> Self {
+    pub fn rounded(lo: f64, hi: f64, count: usize, least_span: f64) -> Self {
         let size = lo.abs().max(hi.abs());
         let noise = (size * 1e-9).max(LEAST_SPAN);
         let least = if hi - lo > noise { least_span } else { least_span.max(size * 0.2) };
@@ -58,14 +58,14 @@ impl Axis {
     }
 
     /// Exactly the range of the data (coordinates of a grid), ticks inside.
-    pub(crate) fn tight(lo: f64, hi: f64, count: usize) -> Self {
+    pub fn tight(lo: f64, hi: f64, count: usize) -> Self {
         let constant = hi - lo <= (lo.abs().max(hi.abs()) * 1e-12).max(LEAST_SPAN);
         let (lo, hi) = if constant { (lo - 0.5, lo + 0.5) } else { (lo, hi) };
         Self::linear(lo, hi, round_step(hi - lo, count))
     }
 
     /// As [`Axis::tight`] with steps of at least 1, for counts.
-    pub(crate) fn counts(lo: f64, hi: f64, count: usize) -> Self {
+    pub fn counts(lo: f64, hi: f64, count: usize) -> Self {
         let axis = Self::tight(lo, hi, count);
         Self { step: axis.step.max(1.0), ..axis }
     }
@@ -77,7 +77,7 @@ impl Axis {
     }
 
     /// Whole decades around positive data, twelve at most; what lies below is drawn at the lower end.
-    pub(crate) fn decades(lo: f64, hi: f64) -> Self {
+    pub fn decades(lo: f64, hi: f64) -> Self {
         let hi = hi.max(LEAST_SPAN);
         let lo = lo.max(1e-12 * hi);
         let lo = f64::from(decimal_exponent(lo));
@@ -87,13 +87,13 @@ impl Axis {
     }
 
     /// Place of a value as a share of the axis, 0 .. 1.
-    pub(crate) fn share(&self, value: f64) -> f64 {
+    pub fn share(&self, value: f64) -> f64 {
         let value = if self.logarithmic { value.max(f64::MIN_POSITIVE).log10() } else { value };
         ((value - self.lo) / (self.hi - self.lo)).clamp(0.0, 1.0)
     }
 
     /// Ticks: place as a share of the axis, and label.
-    pub(crate) fn ticks(&self) -> Vec<(f64, String)> {
+    pub fn ticks(&self) -> Vec<(f64, String)> {
         let first = (self.lo / self.step - 1e-6).ceil() as i64;
         let last = (self.hi / self.step + 1e-6).floor() as i64;
         (first..=last)
@@ -117,7 +117,7 @@ impl Axis {
     }
 
     /// "×10⁻⁶" if a power was taken out of the labels.
-    pub(crate) fn factor(&self) -> Option<String> {
+    pub fn factor(&self) -> Option<String> {
         (self.exponent != 0).then(|| format!("×{}", power_of_ten(self.exponent)))
     }
 }
@@ -175,12 +175,12 @@ impl LevelScale {
     }
 
     /// Largest magnitude on the scale, um.
-    pub(crate) fn size(&self) -> f64 {
+    pub fn size(&self) -> f64 {
         self.lo_um.abs().max(self.hi_um.abs())
     }
 
     /// A level as text, with the decimals of the step.
-    pub(crate) fn label(&self, level: f64) -> String {
+    pub fn label(&self, level: f64) -> String {
         if level == 0.0 {
             return "0".to_owned();
         }
@@ -191,7 +191,7 @@ impl LevelScale {
     }
 
     /// A value between the levels as text, to about a hundredth of a step.
-    pub(crate) fn precise_label(&self, value: f64) -> String {
+    pub fn precise_label(&self, value: f64) -> String {
         if self.step_um < 1e-5 {
             return super::numbers::format_significant(value, 3);
         }

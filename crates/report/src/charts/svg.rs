@@ -32,7 +32,7 @@ impl std::fmt::Display for Svg {
 }
 
 /// Text for XML and HTML, in content and in quoted attributes. Control characters, which XML forbids, become blanks.
-pub(crate) fn escape(text: &str) -> String {
+pub fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len() + 8);
     for c in text.chars() {
         match c {
@@ -51,14 +51,14 @@ pub(crate) fn escape(text: &str) -> String {
 
 /// A line: colour, width, dash pattern ("" = solid).
 #[derive(Clone, Copy)]
-pub(crate) struct Stroke<'a> {
-    pub(crate) color: &'a str,
-    pub(crate) width: f64,
-    pub(crate) dash: &'a str,
+pub struct Stroke<'a> {
+    pub color: &'a str,
+    pub width: f64,
+    pub dash: &'a str,
 }
 
 impl<'a> Stroke<'a> {
-    pub(crate) const fn solid(color: &'a str, width: f64) -> Self {
+    pub const fn solid(color: &'a str, width: f64) -> Self {
         Self { color, width, dash: "" }
     }
 
@@ -71,7 +71,7 @@ impl<'a> Stroke<'a> {
 
 /// Where a text hangs at its point.
 #[derive(Clone, Copy, PartialEq)]
-pub(crate) enum Anchor {
+pub enum Anchor {
     Start,
     Middle,
     End,
@@ -79,47 +79,47 @@ pub(crate) enum Anchor {
 
 /// How a text looks.
 #[derive(Clone, Copy)]
-pub(crate) struct TextStyle {
-    pub(crate) size: f64,
-    pub(crate) anchor: Anchor,
-    pub(crate) bold: bool,
-    pub(crate) color: &'static str,
+pub struct TextStyle {
+    pub size: f64,
+    pub anchor: Anchor,
+    pub bold: bool,
+    pub color: &'static str,
     /// Degrees clockwise about the point.
-    pub(crate) turn: f64,
+    pub turn: f64,
     /// White outline for labels that lie on lines.
-    pub(crate) halo: bool,
+    pub halo: bool,
     /// Underscores stay what they are: texts of files, not symbols with indices.
-    pub(crate) verbatim: bool,
+    pub verbatim: bool,
 }
 
 impl TextStyle {
-    pub(crate) const fn new(size: f64, anchor: Anchor) -> Self {
+    pub const fn new(size: f64, anchor: Anchor) -> Self {
         Self { size, anchor, bold: false, color: INK, turn: 0.0, halo: false, verbatim: false }
     }
 
-    pub(crate) const fn bold(self) -> Self {
+    pub const fn bold(self) -> Self {
         Self { bold: true, ..self }
     }
 
-    pub(crate) const fn muted(self) -> Self {
+    pub const fn muted(self) -> Self {
         Self { color: MUTED, ..self }
     }
 
-    pub(crate) const fn turned(self, degrees: f64) -> Self {
+    pub const fn turned(self, degrees: f64) -> Self {
         Self { turn: degrees, ..self }
     }
 
-    pub(crate) const fn halo(self) -> Self {
+    pub const fn halo(self) -> Self {
         Self { halo: true, ..self }
     }
 
-    pub(crate) const fn verbatim(self) -> Self {
+    pub const fn verbatim(self) -> Self {
         Self { verbatim: true, ..self }
     }
 }
 
 /// A chart in the making.
-pub(crate) struct Canvas {
+pub struct Canvas {
     width: f64,
     height: f64,
     /// Unit of the size of the whole; empty for points.
@@ -129,16 +129,16 @@ pub(crate) struct Canvas {
 }
 
 impl Canvas {
-    pub(crate) fn new(width: f64, height: f64, title: &str) -> Self {
+    pub fn new(width: f64, height: f64, title: &str) -> Self {
         Self { width, height, unit: "", title: title.to_owned(), body: String::new() }
     }
 
     /// A page whose unit is the millimetre.
-    pub(crate) fn millimetres(width: f64, height: f64, title: &str) -> Self {
+    pub fn millimetres(width: f64, height: f64, title: &str) -> Self {
         Self { unit: "mm", body: String::with_capacity(1 << 16), ..Self::new(width, height, title) }
     }
 
-    pub(crate) fn line(&mut self, a: [f64; 2], b: [f64; 2], stroke: Stroke) {
+    pub fn line(&mut self, a: [f64; 2], b: [f64; 2], stroke: Stroke) {
         let style = stroke.attributes();
         let _ = writeln!(
             self.body,
@@ -150,7 +150,7 @@ impl Canvas {
         );
     }
 
-    pub(crate) fn rect(&mut self, corner: [f64; 2], size: [f64; 2], fill: &str, stroke: Option<Stroke>) {
+    pub fn rect(&mut self, corner: [f64; 2], size: [f64; 2], fill: &str, stroke: Option<Stroke>) {
         let style = stroke.map(|s| s.attributes()).unwrap_or_default();
         let _ = writeln!(
             self.body,
@@ -163,12 +163,12 @@ impl Canvas {
     }
 
     /// Several open lines in one element.
-    pub(crate) fn polylines(&mut self, lines: &[Vec<[f64; 2]>], stroke: Stroke) {
+    pub fn polylines(&mut self, lines: &[Vec<[f64; 2]>], stroke: Stroke) {
         self.path(lines, false, "none", Some(stroke));
     }
 
     /// Closed loops filled by the even-odd rule.
-    pub(crate) fn loops(&mut self, loops: &[Vec<[f64; 2]>], fill: &str, stroke: Option<Stroke>) {
+    pub fn loops(&mut self, loops: &[Vec<[f64; 2]>], fill: &str, stroke: Option<Stroke>) {
         self.path(loops, true, fill, stroke);
     }
 
@@ -193,7 +193,7 @@ impl Canvas {
         let _ = writeln!(self.body, "\" fill=\"{fill}\"{rule}{style} stroke-linejoin=\"round\"/>");
     }
 
-    pub(crate) fn disc(&mut self, centre: [f64; 2], radius: f64, fill: &str, stroke: Stroke) {
+    pub fn disc(&mut self, centre: [f64; 2], radius: f64, fill: &str, stroke: Stroke) {
         let style = stroke.attributes();
         let _ = writeln!(
             self.body,
@@ -204,7 +204,7 @@ impl Canvas {
         );
     }
 
-    pub(crate) fn text(&mut self, at: [f64; 2], text: &str, style: TextStyle) {
+    pub fn text(&mut self, at: [f64; 2], text: &str, style: TextStyle) {
         let anchor = match style.anchor {
             Anchor::Start => "",
             Anchor::Middle => " text-anchor=\"middle\"",
@@ -232,7 +232,7 @@ impl Canvas {
     }
 
     /// Title and subtitle in the upper left corner.
-    pub(crate) fn heading(&mut self, subtitle: &str) {
+    pub fn heading(&mut self, subtitle: &str) {
         let title = self.title.clone();
         self.text([0.0, 18.0], &title, TextStyle::new(15.0, Anchor::Start).bold());
         if !subtitle.is_empty() {
@@ -240,7 +240,7 @@ impl Canvas {
         }
     }
 
-    pub(crate) fn finish(self) -> Svg {
+    pub fn finish(self) -> Svg {
         let (width, height, unit) = (place(self.width), place(self.height), self.unit);
         let title = escape(&self.title);
         Svg(format!(

@@ -2,7 +2,7 @@
 //! Helvetica, enough to keep labels apart).
 
 /// Width of a text set at `size`, in the unit of `size`.
-pub(crate) fn text_width(text: &str, size: f64) -> f64 {
+pub fn text_width(text: &str, size: f64) -> f64 {
     size * text.chars().map(share_of_em).sum::<f64>()
 }
 
@@ -23,7 +23,7 @@ fn share_of_em(c: char) -> f64 {
 /// Splits a text at the indices of its symbols: pieces and whether they stand below the line. A symbol is one or two
 /// letters, an underscore and up to four letters or digits (`C_Hα`, `z_V2`); any other underscore stays as it is, so
 /// that names of files survive.
-pub(crate) fn indices(text: &str) -> Vec<(String, bool)> {
+pub fn indices(text: &str) -> Vec<(String, bool)> {
     let chars: Vec<char> = text.chars().collect();
     let mut pieces: Vec<(String, bool)> = vec![(String::new(), false)];
     let mut k = 0;
@@ -53,27 +53,27 @@ pub(crate) fn indices(text: &str) -> Vec<(String, bool)> {
 
 /// A rectangle that a label occupies; labels that would overlap an earlier one are left out or moved.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Area {
-    pub(crate) x: f64,
-    pub(crate) y: f64,
-    pub(crate) width: f64,
-    pub(crate) height: f64,
+pub struct Area {
+    pub x: f64,
+    pub y: f64,
+    pub width: f64,
+    pub height: f64,
 }
 
 impl Area {
     /// The area around a centre.
-    pub(crate) fn around(x: f64, y: f64, width: f64, height: f64) -> Self {
+    pub fn around(x: f64, y: f64, width: f64, height: f64) -> Self {
         Self { x: x - 0.5 * width, y: y - 0.5 * height, width, height }
     }
 
-    pub(crate) fn overlaps(&self, other: &Area) -> bool {
+    pub fn overlaps(&self, other: &Area) -> bool {
         self.x < other.x + other.width
             && other.x < self.x + self.width
             && self.y < other.y + other.height
             && other.y < self.y + self.height
     }
 
-    pub(crate) fn contains(&self, other: &Area) -> bool {
+    pub fn contains(&self, other: &Area) -> bool {
         other.x >= self.x
             && other.y >= self.y
             && other.x + other.width <= self.x + self.width

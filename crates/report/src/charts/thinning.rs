@@ -3,7 +3,7 @@
 /// A line on the page with fewer points: in every column of the page the first, the lowest, the highest and the last point stay,
 /// and of those only what a straight line misses by more than `tolerance`. Peaks keep their height to that tolerance. Points go
 /// from left to right; `column` and `tolerance` are lengths on the page.
-pub(crate) fn thinned(points: &[[f64; 2]], column: f64, tolerance: f64) -> Vec<[f64; 2]> {
+pub fn thinned(points: &[[f64; 2]], column: f64, tolerance: f64) -> Vec<[f64; 2]> {
     straightened(&by_columns(points, column), tolerance)
 }
 

@@ -65,7 +65,7 @@ impl Topography {
     }
 
     /// The same with the other sign.
-    pub(crate) fn negated(&self) -> Self {
+    pub fn negated(&self) -> Self {
         let f_um = self.f_um.iter().map(|row| row.iter().map(|f| -f).collect()).collect();
         Self { w_mm: self.w_mm.clone(), z_mm: self.z_mm.clone(), f_um }
     }
@@ -95,7 +95,7 @@ impl Topography {
     }
 
     /// The values over w at helix index `j`.
-    pub(crate) fn profile(&self, j: usize) -> Vec<f64> {
+    pub fn profile(&self, j: usize) -> Vec<f64> {
         self.f_um.iter().map(|row| row[j]).collect()
     }
 }
@@ -117,7 +117,7 @@ impl NamedTopography {
 }
 
 /// Smallest and largest value over all panels.
-pub(crate) fn common_range(panels: &[NamedTopography]) -> (f64, f64) {
+pub fn common_range(panels: &[NamedTopography]) -> (f64, f64) {
     panels
         .iter()
         .map(|panel| panel.topography.range_um())

@@ -5,7 +5,7 @@ use crate::charts::{
     ChartError, LineChart, NamedTopography, Panel, Series, TopographyNet, format_fixed, format_significant,
     line_chart, topography_net,
 };
-use crate::{Block, Column, Figure, Table};
+use crate::data::{Block, Column, Figure, Table};
 use foundation::geometry::Flank;
 
 const INTRODUCTION: &str = "The stroke was simulated with the control of the job instead of ideal couplings: scales and encoders are \

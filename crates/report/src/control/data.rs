@@ -1,7 +1,7 @@
 //! The figures of a control, as the report takes them. Plain numbers with their units in the names.
 
-use crate::Quantity;
 use crate::charts::Topography;
+use crate::data::Quantity;
 use foundation::geometry::Sides;
 use serde::Serialize;
 

@@ -6,9 +6,9 @@ use crate::charts::{
     ChartError, dressing_section_chart, format_fixed, format_significant, worm_occupation_chart,
 };
 use crate::control::ControlReport;
+use crate::data::{Block, Column, Fact, Figure, PlanReport, Section, Table};
 use crate::head::scope_blocks;
 use crate::programs::ProgramsReport;
-use crate::{Block, Column, Fact, Figure, PlanReport, Section, Table};
 
 impl GeneratingReport {
     /// Arranges the figures as a page.

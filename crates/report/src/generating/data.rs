@@ -4,8 +4,8 @@ use serde::Serialize;
 
 use crate::charts::{DressingSectionChart, SectionTrace, Topography, WormOccupationChart};
 use crate::control::ControlReport;
+use crate::data::{Quantity, Stamp, Warning};
 use crate::programs::ProgramsReport;
-use crate::{Quantity, Stamp, Warning};
 use foundation::geometry::Sides;
 use verdict::Verdict;
 

@@ -1,4 +1,4 @@
-//! The report of diagonal generating grinding: typed figures in, a [`PlanReport`](super::PlanReport) out.
+//! The report of diagonal generating grinding: typed figures in, a [`PlanReport`](crate::data::PlanReport) out.
 //!
 //! The workflow fills [`GeneratingReport`] with finished numbers; this room only arranges them. Whatever is absent
 //! (`None`, an empty list) leaves no trace on the page.

@@ -4,7 +4,7 @@ use super::data::{ConvergenceRound, DressingMotion, GrindingMotion};
 use crate::charts::{
     ChartError, LineChart, Panel, Series, Svg, YScale, format_fixed, format_significant, line_chart,
 };
-use crate::{Block, Column, Figure, Table};
+use crate::data::{Block, Column, Figure, Table};
 use foundation::geometry::{Flank, Sides};
 
 /// Rows of a table on the page; the files hold all of them.

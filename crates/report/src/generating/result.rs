@@ -2,7 +2,7 @@
 
 use super::data::{Characteristics, FlankReport, GeneratingReport, TargetAmount};
 use crate::charts::{format_fixed, format_significant};
-use crate::{Banner, Block, Column, Fact, Stamp, Table};
+use crate::data::{Banner, Block, Column, Fact, Stamp, Table};
 use verdict::Status;
 
 /// Largest of a figure over the flanks that have it.

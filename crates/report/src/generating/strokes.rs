@@ -2,7 +2,7 @@
 
 use super::data::{DressingMotion, StrokeReport};
 use crate::charts::{ChartError, LineChart, Panel, Series, format_fixed, line_chart};
-use crate::{Block, Column, Figure, Table};
+use crate::data::{Block, Column, Figure, Table};
 use foundation::geometry::{Flank, Sides};
 
 /// Table and charts of the strokes of each flank; empty without strokes.

@@ -6,8 +6,8 @@ use crate::charts::{
     ChartError, ContourMap, FlankSections, LevelScale, NamedTopography, ProfileHelixDiagram, SectionTrace,
     Svg, Topography, contour_map, profile_helix_diagram,
 };
+use crate::data::{Block, Figure};
 use crate::flank_pictures::{net_and_map, range_with_zero};
-use crate::{Block, Figure};
 use foundation::geometry::{Flank, Sides};
 
 type Flanks = Sides<Option<FlankReport>>;

@@ -4,7 +4,7 @@ use super::data::{
     AxisRow, PassTable, ProgramRow, ProgramsReport, ProofReport, RestingAxis, SpindleRow, StationReport,
 };
 use crate::charts::{ChartError, axis_chart, format_fixed, format_significant, share_of_limit};
-use crate::{Block, Column, Figure, Table};
+use crate::data::{Block, Column, Figure, Table};
 
 impl ProgramsReport {
     /// The content of the section, in reading order; nothing without programs.

@@ -3,11 +3,11 @@
 use super::super::expected::Expected;
 use super::super::ledger::Ledger;
 use super::super::reference::Tolerances;
-use ::contact::Pair;
+use contact::Pair;
+use dressing::{DresserTool, DressingError, GeometricRange, WormSeat};
 use foundation::geometry::{Flank, Gear, GearData, Sides, ThicknessMeasure, WormChoice, worm_for_gear};
 use foundation::kinematics::DressingChain;
-use grinding::dressing::{DresserTool, DressingError, GeometricRange, WormSeat};
-use grinding::generating::GeneratingError;
+use generating::GeneratingError;
 use serde_json::Value;
 use std::f64::consts::{FRAC_PI_2, PI};
 

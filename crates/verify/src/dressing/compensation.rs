@@ -5,8 +5,8 @@ use super::super::ledger::Ledger;
 use super::super::reference::Tolerances;
 use super::bodies::Bodies;
 use super::{UM, corrections};
+use dressing::{Compensation, Condition, DressingError, SoftCondition};
 use foundation::geometry::Flank;
-use grinding::dressing::{Compensation, Condition, DressingError, SoftCondition};
 use serde_json::Value;
 
 /// Block `compensation`, left flank, all points of the same weight.

@@ -6,12 +6,12 @@ use super::super::reference::Tolerances;
 use super::bodies::Bodies;
 use super::profiles::profile_rolls;
 use super::{UM, corrections, limits};
-use foundation::geometry::Flank;
-use foundation::kinematics::DressingCorrection;
-use grinding::dressing::{
+use dressing::{
     Condition, ConditionSolver, DressedProfile, DressingError, PathReason, ProfilePoint, TiltChart,
     head_gradient, stretch,
 };
+use foundation::geometry::Flank;
+use foundation::kinematics::DressingCorrection;
 use serde_json::Value;
 
 /// Allowed difference of the share of the target that a path without solution reaches.

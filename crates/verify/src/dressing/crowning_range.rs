@@ -5,12 +5,12 @@ use super::super::ledger::Ledger;
 use super::super::reference::Tolerances;
 use super::UM;
 use super::bodies::Bodies;
-use foundation::geometry::Flank;
-use foundation::kinematics::DressingCorrection;
-use grinding::dressing::{
+use dressing::{
     CrowningEnd, CrowningLimits, CrowningRows, DressedProfile, DresserSection, DressingError, PathReason,
     ThreadSpace, pitch_rolls,
 };
+use foundation::geometry::Flank;
+use foundation::kinematics::DressingCorrection;
 use serde_json::Value;
 
 /// Tip land of the entries `with_tip_land_1mm_...`, mm.

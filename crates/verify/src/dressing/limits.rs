@@ -6,10 +6,10 @@ use super::super::ledger::Ledger;
 use super::super::reference::Tolerances;
 use super::bodies::{Bodies, OtherWorm};
 use super::conditions::crowned;
+use dressing::{DresserSection, DressingError, ThreadSpace, WormFlank};
 use foundation::geometry::Flank;
 use foundation::kinematics::DressingCorrection;
-use grinding::dressing::{DresserSection, DressingError, ThreadSpace, WormFlank};
-use grinding::generating::GeneratingError;
+use generating::GeneratingError;
 use serde_json::Value;
 
 /// Tip land at which the files list the clearance of a profile crowning, mm.

@@ -5,11 +5,11 @@ use super::super::ledger::Ledger;
 use super::super::reference::Tolerances;
 use super::bodies::Bodies;
 use super::{UM, corrections};
-use ::contact::ContactError;
+use contact::ContactError;
+use dressing::{DressedWorm, dressing_motion, quasi_static_modification};
 use foundation::geometry::Flank;
 use foundation::numerics::Chebyshev;
-use grinding::dressing::{DressedWorm, dressing_motion, quasi_static_modification};
-use grinding::generating::GeneratingError;
+use generating::GeneratingError;
 use serde_json::Value;
 
 /// Nodes that represent a parabola exactly.

@@ -3,11 +3,10 @@
 use super::super::expected::Expected;
 use super::super::ledger::Ledger;
 use super::super::reference::Tolerances;
-use super::UM;
 use super::bodies::{Bodies, OtherWorm};
-use super::corrections;
+use super::{UM, corrections};
+use dressing::{DressingError, angle_of_least_stretch, fit_profile_along, uncorrected_profile};
 use foundation::geometry::Flank;
-use grinding::dressing::{DressingError, angle_of_least_stretch, fit_profile_along, uncorrected_profile};
 use serde_json::Value;
 
 /// Bracket of the profile angle around that of the case (spec 30 section 12), degrees.

@@ -5,12 +5,12 @@ use super::super::ledger::Ledger;
 use super::super::reference::Tolerances;
 use super::bodies::Bodies;
 use super::{UM, corrections};
-use foundation::geometry::{Flank, ProfileOffset, Sides};
-use foundation::kinematics::DressingChain;
-use grinding::dressing::{
+use dressing::{
     ContactLine, DressedProfile, DresserTool, DressingError, NominalContact, ProfilePoint, full_tip_land,
     nominal_contact, stretch,
 };
+use foundation::geometry::{Flank, ProfileOffset, Sides};
+use foundation::kinematics::DressingChain;
 use serde_json::Value;
 use std::sync::Arc;
 

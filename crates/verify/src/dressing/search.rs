@@ -5,12 +5,12 @@ use super::super::ledger::Ledger;
 use super::super::reference::Tolerances;
 use super::bodies::{Bodies, OtherWorm};
 use super::{UM, corrections};
-use foundation::geometry::{Flank, Sides, WormChoice};
-use foundation::numerics::Silent;
-use grinding::dressing::catalogue::{
+use dressing::catalogue::{
     CatalogueDresser, CatalogueSearch, CatalogueWorm, DresserSize, PairLimits, RankedPair, Wanted, Workshop,
 };
-use grinding::dressing::{DressingError, WormSeat};
+use dressing::{DressingError, WormSeat};
+use foundation::geometry::{Flank, Sides, WormChoice};
+use foundation::numerics::Silent;
 use serde_json::Value;
 
 /// The files look at each worm in its own width only; no width enters without undermining.

@@ -5,10 +5,10 @@ use super::super::ledger::Ledger;
 use super::super::reference::Tolerances;
 use super::bodies::Bodies;
 use super::{UM, corrections};
-use foundation::geometry::Flank;
-use grinding::dressing::{
+use dressing::{
     ActiveArea, DressingError, Measurement, MultiStroke, Recovery, Stroke, influence, recover_deviation,
 };
+use foundation::geometry::Flank;
 use serde_json::Value;
 
 /// Height of the wanted parabola of block `multi_stroke`, mm, as its key `wanted` says.

@@ -3,7 +3,7 @@
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::case::check_each;
-use ::control::{BudgetInput, ErrorBudget};
+use control::{BudgetInput, ErrorBudget};
 use serde::Deserialize;
 use serde_json::Value;
 

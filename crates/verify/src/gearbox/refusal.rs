@@ -2,7 +2,7 @@
 
 use super::super::expected::Expected;
 use super::super::ledger::Ledger;
-use ::control::ControlError;
+use control::ControlError;
 use serde_json::Value;
 use std::fmt::Display;
 

@@ -4,7 +4,7 @@ use super::super::expected::Expected;
 use super::super::ledger::Ledger;
 use super::super::reference::{Reference, read};
 use super::refusal::Refusal;
-use ::control::{Interpolation, SlideMotion};
+use control::{Interpolation, SlideMotion};
 use electronic_gearbox::pulse::{Mode, Settings};
 use serde::Deserialize;
 use serde_json::Value;

@@ -5,8 +5,8 @@ use super::super::given::{Checked, MOST, count, number, requires};
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::each_case::each_case;
-use ::metrology::Topography;
-use ::metrology::areal::{ArealDegree, ArealFeatures, ArealField, ArealFit, ArealPoint};
+use metrology::Topography;
+use metrology::areal::{ArealDegree, ArealFeatures, ArealField, ArealFit, ArealPoint};
 use serde_json::Value;
 
 const UM: f64 = 1e-3;

@@ -8,7 +8,7 @@ use super::each_case::each_case;
 use super::grinding::{Grinding, UM, key, unit};
 use foundation::geometry::Flank;
 use foundation::numerics::equidistant;
-use grinding::correction::{Correction, CorrectionTask, FlankPoint, Setting, SettingInfluence, Weighting};
+use generating::correction::{Correction, CorrectionTask, FlankPoint, Setting, SettingInfluence, Weighting};
 use serde_json::Value;
 
 /// Singular values of no meaning are some roundings of the first.

@@ -11,7 +11,7 @@ use super::loop_input::{Hidden, bounds, settings_used};
 use foundation::geometry::Flank;
 use foundation::kinematics::MotionLaw;
 use foundation::numerics::root_mean_square;
-use grinding::correction::{ClosedLoop, Correction, FlankPoint, Setting, SettingInfluence, SettingsFlank};
+use generating::correction::{ClosedLoop, Correction, FlankPoint, Setting, SettingInfluence, SettingsFlank};
 use serde_json::Value;
 
 /// What the second round may differ by where a wave was hidden that a forward model does not know, um (spec 85 section 14).
@@ -74,7 +74,7 @@ fn check_columns(
     }
     let columns = influence.columns(&Setting::USUAL, points)?;
     for (key, row) in [("J_first_row", 0), ("J_last_row", points.len() - 1)] {
-        let per_unit = |(column, setting): (&grinding::correction::Column, Setting)| {
+        let per_unit = |(column, setting): (&generating::correction::Column, Setting)| {
             column.values[row] * unit(setting) / UM
         };
         let row: Vec<f64> = columns.iter().zip(Setting::USUAL).map(per_unit).collect();

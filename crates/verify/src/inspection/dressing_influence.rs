@@ -7,7 +7,7 @@ use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::each_case::each_case;
 use foundation::geometry::Flank;
-use grinding::correction::{DressingInfluence, FlankDressing, TwoFlankPattern};
+use generating::correction::{DressingInfluence, FlankDressing, TwoFlankPattern};
 use serde_json::{Value, json};
 
 const UM: f64 = 1e-3;

@@ -4,8 +4,8 @@ use super::super::expected::Expected;
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::evaluation_case::{check_each, mm};
-use ::metrology::inspection::{BallContact, Eccentricity, FlankAngles, eccentricity, run_out_from_pitch};
 use foundation::geometry::Sides;
+use metrology::inspection::{BallContact, Eccentricity, FlankAngles, eccentricity, run_out_from_pitch};
 use serde::Deserialize;
 use serde_json::Value;
 

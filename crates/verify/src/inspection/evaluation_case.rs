@@ -3,7 +3,7 @@
 use super::super::expected::Expected;
 use super::super::ledger::Ledger;
 use super::super::reference::{Tolerances, read};
-use ::metrology::inspection::InspectionError;
+use metrology::inspection::InspectionError;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 

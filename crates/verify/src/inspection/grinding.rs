@@ -3,12 +3,12 @@
 use super::super::expected::Expected;
 use super::super::given::{Checked, MOST, count, number, whole};
 use super::super::ledger::Ledger;
-use ::contact::Pair;
+use contact::Pair;
 use foundation::geometry::{Flank, Gear, GearData, Sides, WormChoice, worm_for_gear};
 use foundation::modification::EvaluationField;
 use foundation::numerics::equidistant;
-use grinding::correction::{FlankPoint, Setting, SettingUnit};
-use grinding::generating::FlankLines;
+use generating::FlankLines;
+use generating::correction::{FlankPoint, Setting, SettingUnit};
 
 /// A micrometre, mm.
 pub(super) const UM: f64 = 1e-3;

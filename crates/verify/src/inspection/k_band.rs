@@ -3,7 +3,7 @@
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::evaluation_case::{check_each, deviations_mm, flag, mm};
-use ::metrology::inspection::{BandFit, InspectionError, KBand, TraceSamples};
+use metrology::inspection::{BandFit, InspectionError, KBand, TraceSamples};
 use serde::Deserialize;
 use serde_json::Value;
 

@@ -4,7 +4,7 @@ use super::super::expected::{Expected, numbers};
 use super::super::given::{Checked, number};
 use super::super::ledger::Ledger;
 use super::grinding::{setting, unit};
-use grinding::correction::Setting;
+use generating::correction::Setting;
 use serde_json::Value;
 
 /// What was wrong with the machine.

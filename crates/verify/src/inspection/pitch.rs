@@ -4,7 +4,7 @@ use super::super::expected::Expected;
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::evaluation_case::{check_each, mm};
-use ::metrology::inspection::{PitchDeviations, PitchEvaluation};
+use metrology::inspection::{PitchDeviations, PitchEvaluation};
 use serde::Deserialize;
 use serde_json::Value;
 

@@ -6,8 +6,8 @@ use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::areal::{features_um, field, grid};
 use super::each_case::each_case;
-use ::metrology::areal::{ArealDegree, ArealField, ArealFit, Reconstruction, Trace, Zeros};
 use foundation::numerics::equidistant;
+use metrology::areal::{ArealDegree, ArealField, ArealFit, Reconstruction, Trace, Zeros};
 use serde_json::Value;
 
 const UM: f64 = 1e-3;

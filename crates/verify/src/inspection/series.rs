@@ -3,7 +3,7 @@
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::evaluation_case::check_each;
-use ::metrology::inspection::{SpecificationLimits, evaluate_series};
+use metrology::inspection::{SpecificationLimits, evaluate_series};
 use serde::Deserialize;
 use serde_json::Value;
 

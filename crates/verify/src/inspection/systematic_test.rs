@@ -5,7 +5,7 @@ use super::super::given::{Checked, number};
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::each_case::each_case;
-use ::metrology::systematic::{
+use metrology::systematic::{
     Decision, SystematicOptions, SystematicTest, systematic_test as test_systematic,
 };
 use serde_json::Value;

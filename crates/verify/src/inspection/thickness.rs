@@ -3,8 +3,8 @@
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::evaluation_case::check_each;
-use ::metrology::inspection::{BallContact, ThicknessSizes, measured_thickness, round_to};
 use foundation::geometry::{Gear, GearData, Sides};
+use metrology::inspection::{BallContact, ThicknessSizes, measured_thickness, round_to};
 use serde::Deserialize;
 use serde_json::Value;
 

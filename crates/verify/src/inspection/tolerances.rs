@@ -3,9 +3,7 @@
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::evaluation_case::{check_each, check_refusals};
-use ::metrology::inspection::{
-    InspectionError, ToleranceGear, ToleranceQuantity, Tolerances, reached_classes,
-};
+use metrology::inspection::{InspectionError, ToleranceGear, ToleranceQuantity, Tolerances, reached_classes};
 use serde::Deserialize;
 use serde_json::Value;
 use std::collections::BTreeMap;

@@ -4,11 +4,11 @@ use super::super::expected::Expected;
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::evaluation_case::{check_each, check_refusals, deviations_mm, flag};
-use ::metrology::inspection::{
+use foundation::geometry::Flank;
+use metrology::inspection::{
     EvaluationRange, InspectionError, Relief, SlopeReference, SlopeRule, TraceEvaluation, TraceSamples,
     evaluate_trace,
 };
-use foundation::geometry::Flank;
 use serde::Deserialize;
 use serde_json::Value;
 

@@ -3,8 +3,8 @@
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::evaluation_case::check_each;
-use ::metrology::inspection::{PlacedSlope, SlopeReference, SlopeRule, SlopeSign, trace_twist};
 use foundation::geometry::Flank;
+use metrology::inspection::{PlacedSlope, SlopeReference, SlopeRule, SlopeSign, trace_twist};
 use serde::Deserialize;
 use serde_json::Value;
 

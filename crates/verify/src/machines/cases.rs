@@ -4,11 +4,11 @@ use super::super::expected::Expected;
 use super::super::ledger::Ledger;
 use super::super::reference::{Reference, read};
 use super::input::{JobName, MountsInput, PoseInput, RuleInput, machine, positions};
-use ::machine::{
+use foundation::kinematics::{Direction, Point, Pose};
+use machine::{
     Follower, GearCoupling, Joint, Machine, MachineError, Mount, Mounts, Role, Station, StationSpindle,
     ToolSpindle,
 };
-use foundation::kinematics::{Direction, Point, Pose};
 use serde::Deserialize;
 use serde_json::Value;
 use std::error::Error;

@@ -1,14 +1,15 @@
 //! What the cases of machine chains are given: machines, poses, mounts, rules, axis positions.
 
 use super::super::reference::Reference;
-use ::machine::{
+use foundation::kinematics::{
+    Dresser, DressingPosition, GeneratingChain, GeneratingState, Pose, Workpiece, Worm,
+};
+use job::Source;
+use job::machine::{LoadedMachine, parse_machine};
+use machine::{
     DressingRule, Joint, Machine, MachineError, Mount, Mounts, Positions, Station, StationSpindle,
     ToolSpindle,
 };
-use foundation::kinematics::Dresser;
-use foundation::kinematics::{DressingPosition, GeneratingChain, GeneratingState, Pose, Workpiece, Worm};
-use job::Source;
-use job::machine::{LoadedMachine, parse_machine};
 use serde::Deserialize;
 use serde_json::Value;
 use std::collections::BTreeMap;

@@ -5,7 +5,7 @@ use super::super::ledger::Ledger;
 use super::super::reference::{Reference, Tolerances};
 use super::cases::{each, pose_rows};
 use super::input::{JobName, MountsInput, PoseInput, RuleInput, axis_key, machine, period};
-use ::machine::{Follower, Machine, Positions, Solution};
+use machine::{Follower, Machine, Positions, Solution};
 use serde::Deserialize;
 use serde_json::Value;
 

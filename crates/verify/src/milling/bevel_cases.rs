@@ -3,10 +3,10 @@
 use super::super::given::Checked;
 use super::case::Body;
 use super::cylinder_cases::side;
-use ::milling::{ActiveFlank, CurveOnCone, HeightLimits};
 use foundation::geometry::{
     BevelData, BevelGear, EaseOff, EaseOffAmounts, Flank, Hand, Modified, SphericalInvolute, Spiral, Surface,
 };
+use milling::{ActiveFlank, CurveOnCone, HeightLimits};
 use serde::Deserialize;
 use std::sync::Arc;
 

@@ -1,8 +1,8 @@
 //! Ruled blades on a conical hub (spec 50 section 1.6).
 
 use super::super::given::Checked;
-use ::milling::{ActiveFlank, FootOnHub, HeightLimits};
 use foundation::geometry::{BladeData, NormalSide, RuledBlade};
+use milling::{ActiveFlank, FootOnHub, HeightLimits};
 use serde::Deserialize;
 use std::sync::Arc;
 

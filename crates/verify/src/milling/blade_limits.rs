@@ -4,8 +4,8 @@ use super::super::given::{check_block, check_items, number, tolerance};
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::case::{MilledCase, located};
-use ::milling::{Column, ColumnPlane, LocalContact};
 use foundation::geometry::CutterShape;
+use milling::{Column, ColumnPlane, LocalContact};
 use serde_json::Value;
 
 /// Block `blade_limits`.

@@ -9,11 +9,11 @@ use super::blade_cases::BladeInput;
 use super::cutter::Tool;
 use super::cylinder_cases::CylinderInput;
 use super::{columns, flank, residual};
-use ::milling::{
-    ActiveFlank, CutterLocation, GridPlace, LeadCurve, LeadPoint, MillingError, Orientation, lead_range,
-};
 use foundation::geometry::{BevelGear, Cutter, Helicoid};
 use foundation::numerics::equidistant;
+use milling::{
+    ActiveFlank, CutterLocation, GridPlace, LeadCurve, LeadPoint, MillingError, Orientation, lead_range,
+};
 use serde::Deserialize;
 use serde_json::Value;
 use std::sync::Arc;

@@ -1,9 +1,9 @@
 //! Machines by the names that the file has for them.
 
 use super::super::given::Checked;
-use ::machine::Machine;
-pub(super) use ::machine::five_axis::Places;
-use ::machine::five_axis::{self, Chain};
+use machine::Machine;
+pub(super) use machine::five_axis::Places;
+use machine::five_axis::{self, Chain};
 
 /// The machine of that name.
 pub(super) fn chain(name: &str, places: &Places) -> Checked<Machine> {

@@ -6,7 +6,7 @@ use super::super::given::{
 };
 use super::super::ledger::Ledger;
 use super::case::{Body, MilledCase, located};
-use ::milling::{Column, CutterLocation, FlankGrid, GridPlace, MillingError, NeighbourDistances, RowSpacing};
+use milling::{Column, CutterLocation, FlankGrid, GridPlace, MillingError, NeighbourDistances, RowSpacing};
 use nalgebra::Vector3;
 use serde_json::Value;
 

@@ -2,8 +2,8 @@
 
 use super::super::given::Checked;
 use super::case::Body;
-use ::milling::{ActiveFlank, HeightLimits, HelixOnCylinder};
 use foundation::geometry::{Flank, Gear, GearData, Helicoid, Sides};
+use milling::{ActiveFlank, HeightLimits, HelixOnCylinder};
 use serde::Deserialize;
 use std::sync::Arc;
 

@@ -5,7 +5,7 @@ use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::case::MilledCase;
 use super::columns::distances;
-use ::milling::{DensityLimits, DistanceLimits, RowSpacing, dense_grid};
+use milling::{DensityLimits, DistanceLimits, RowSpacing, dense_grid};
 use serde_json::Value;
 
 /// Block `density`.

@@ -6,8 +6,8 @@ use super::super::reference::Reference;
 use super::case::{MilledCase, located};
 use super::referee::extremes;
 use super::spur_stock::stock_um;
-use ::milling::{ColumnPlane, GridPlace, LocalContact, MillingError, RowSpacing, Section, row_heights};
 use foundation::numerics::equidistant;
+use milling::{ColumnPlane, GridPlace, LocalContact, MillingError, RowSpacing, Section, row_heights};
 use serde_json::Value;
 
 /// Rays between two rows: as many as the file's figures have, a cusp between two of them is not seen (0.02 um).

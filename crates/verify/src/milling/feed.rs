@@ -7,8 +7,8 @@ use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::rotary::degrees;
 use super::row::{RowInput, course};
-use ::machine::Positions;
-use ::motion::milling::{BlockTime, block_times, straight_error, straight_runs};
+use machine::Positions;
+use motion::milling::{BlockTime, block_times, straight_error, straight_runs};
 use nalgebra::Vector3;
 use serde_json::Value;
 

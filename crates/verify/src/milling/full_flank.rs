@@ -5,8 +5,8 @@ use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::case::MilledCase;
 use super::referee::{extremes, left_um, rays, row_paths};
-use ::milling::{FlankGrid, RowSpacing};
 use foundation::numerics::equidistant;
+use milling::{FlankGrid, RowSpacing};
 use serde_json::Value;
 
 /// Block `full_flank`.

@@ -8,9 +8,9 @@ use super::super::reference::Reference;
 use super::case::MilledCase;
 use super::columns::row_law;
 use super::near_foot::foot;
-use ::milling::FlankGrid;
 use foundation::geometry::{GridSurface, NormalSide, Surface};
 use foundation::numerics::equidistant;
+use milling::FlankGrid;
 use nalgebra::Vector3;
 use serde_json::Value;
 

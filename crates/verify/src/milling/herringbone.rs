@@ -6,9 +6,9 @@ use super::super::reference::Reference;
 use super::case::{Body, MilledCase, located};
 use super::cutter::{EDGES, of_shape};
 use super::cylinder_cases::side;
-use ::milling::{ActiveFlank, Column, ColumnPlane, LeadCurve, Patch, lead_range};
 use foundation::geometry::{Cutter, CutterShape, Mirrored};
 use foundation::numerics::brent;
+use milling::{ActiveFlank, Column, ColumnPlane, LeadCurve, Patch, lead_range};
 use serde_json::Value;
 
 /// What follows the name of the case.

@@ -6,8 +6,8 @@ use super::super::reference::Reference;
 use super::case::{MilledCase, located};
 use super::cutter::end_mill;
 use super::referee::{extremes, left_um, rays, row_paths};
-use ::milling::{Column, ColumnPlane, FlankGrid, LocalContact, RowSpacing};
 use foundation::numerics::equidistant;
+use milling::{Column, ColumnPlane, FlankGrid, LocalContact, RowSpacing};
 use serde_json::Value;
 
 /// Rays across the flank; its ends, where the gouge is deepest, are among them.

@@ -4,8 +4,8 @@ use super::super::given::{check_block, number, tolerance};
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::case::{Body, MilledCase};
-use ::milling::{ColumnPlane, HelixOnCylinder, LeadCurve};
 use foundation::numerics::brent;
+use milling::{ColumnPlane, HelixOnCylinder, LeadCurve};
 use serde_json::Value;
 
 /// Block `helical_zero_eps_lead_radius`.

@@ -10,10 +10,10 @@ use super::super::reference::Reference;
 use super::case::MilledCase;
 use super::chain::{Places, chain};
 use super::rotary::degrees;
-use ::milling::{AxisChoice, Orientation, OrientedRow, RowCutter};
-use ::motion::milling::{MillingSetup, RowSmoothness};
 use flankwright::workflow::milling::{RotaryCourse, rotary_course};
 use foundation::kinematics::Pose;
+use milling::{AxisChoice, Orientation, OrientedRow, RowCutter};
+use motion::milling::{MillingSetup, RowSmoothness};
 use serde_json::Value;
 use std::f64::consts::PI;
 

@@ -4,8 +4,8 @@ use super::super::given::{Checked, check_block, compare_texts, requires};
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::row::{RowInput, course};
-use ::motion::milling::{AxisCourse, BlockTime, block_times};
-use ::nc::{
+use motion::milling::{AxisCourse, BlockTime, block_times};
+use nc::{
     AxisMotion, AxisWord, Block, Decimals, Dialect, FeedWords, Header, Orientation, Pace, Program, Targets,
     TipControl, TipMotion, WriteOptions, write, write_cl,
 };

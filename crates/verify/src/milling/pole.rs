@@ -5,9 +5,9 @@ use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::chain::{Places, chain};
 use super::rotary::{degrees, place};
-use ::machine::Positions;
-use ::motion::milling::{MillingSetup, PoleStrategy, choose, smoothness};
 use foundation::kinematics::Pose;
+use machine::Positions;
+use motion::milling::{MillingSetup, PoleStrategy, choose, smoothness};
 use nalgebra::Vector3;
 use serde_json::Value;
 

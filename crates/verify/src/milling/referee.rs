@@ -2,10 +2,10 @@
 
 use super::super::given::Checked;
 use super::case::{MilledCase, located};
-use ::milling::FlankGrid;
-use ::referee::{CutterPlace, MillPath, Milling, NormalRay, mill};
 use foundation::geometry::Cutter;
 use foundation::numerics::Silent;
+use milling::FlankGrid;
+use referee::{CutterPlace, MillPath, Milling, NormalRay, mill};
 
 /// How far outside of the flank material is assumed, and how far below it gouges are looked for, mm.
 const STOCK: f64 = 2.0;

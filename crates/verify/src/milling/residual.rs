@@ -5,8 +5,8 @@ use super::super::given::{Checked, MOST, check_items, count, number, tolerance};
 use super::super::ledger::Ledger;
 use super::case::{MilledCase, located};
 use super::referee::{extremes, left_um, rays, row_paths};
-use ::milling::{ColumnPlane, FlankGrid, GridPlace, LocalContact, RowSpacing, row_distance};
 use foundation::numerics::equidistant;
+use milling::{ColumnPlane, FlankGrid, GridPlace, LocalContact, RowSpacing, row_distance};
 
 /// Compares predictions and rays of some gaps between rows.
 pub(super) fn residual(case: &MilledCase, expected: &mut Expected<'_>, ledger: &mut Ledger) -> Checked {

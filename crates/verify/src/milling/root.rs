@@ -7,8 +7,8 @@ use super::super::reference::Reference;
 use super::case::{MilledCase, located};
 use super::cutter::{EDGES, end_mill};
 use super::swept_root::swept_um;
-use ::milling::{Clearance, Column, HIDDEN, Patch, RootDepth, RootSection, RowSpacing};
 use foundation::geometry::{Cutter, CutterShape};
+use milling::{Clearance, Column, HIDDEN, Patch, RootDepth, RootSection, RowSpacing};
 use serde_json::Value;
 
 /// A root pass: the column, the cutter, the section.

@@ -4,9 +4,9 @@ use super::super::given::{array, check_block, check_items, compare_vector, numbe
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::chain::{Places, chain};
-use ::machine::{AxisSolutions, MachineError, Positions};
-use ::motion::milling::{CutterPlace, MillingSetup};
 use foundation::kinematics::{Direction, Point, Pose};
+use machine::{AxisSolutions, MachineError, Positions};
+use motion::milling::{CutterPlace, MillingSetup};
 use nalgebra::Vector3;
 use serde_json::Value;
 

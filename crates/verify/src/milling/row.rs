@@ -5,11 +5,11 @@ use super::super::reference::Reference;
 use super::case::{MilledCase, located};
 use super::chain::{Places, chain};
 use super::cutter::{EDGES, of_shape};
-use ::machine::{Machine, Positions};
-use ::milling::{Column, RowSpacing};
-use ::motion::milling::{AxisCourse, CutterPlace, MillingSetup, PoleStrategy, choose};
 use foundation::geometry::CutterShape;
 use foundation::kinematics::{Direction, Point, Pose};
+use machine::{Machine, Positions};
+use milling::{Column, RowSpacing};
+use motion::milling::{AxisCourse, CutterPlace, MillingSetup, PoleStrategy, choose};
 use nalgebra::Vector3;
 use serde::Deserialize;
 

@@ -9,8 +9,8 @@ use super::case::MilledCase;
 use super::columns::row_law;
 use super::cutter::Tool;
 use super::referee::{extremes, left_um, rays, row_paths};
-use ::milling::FlankGrid;
 use foundation::numerics::equidistant;
+use milling::FlankGrid;
 use serde_json::Value;
 
 /// Heights of the rays.

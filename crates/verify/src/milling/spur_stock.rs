@@ -5,9 +5,9 @@ use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::case::{MilledCase, located};
 use super::referee::{left_um, rays};
-use ::milling::{Column, ColumnPlane};
-use ::referee::{CutterPlace, MillPath};
 use foundation::geometry::Cutter;
+use milling::{Column, ColumnPlane};
+use referee::{CutterPlace, MillPath};
 use serde_json::Value;
 
 /// Block `spur_exact_stock`.

@@ -3,11 +3,11 @@
 use super::super::given::Checked;
 use super::case::{MilledCase, located};
 use super::referee::left_um;
-use ::milling::{Column, ColumnPlane, RootSection};
-use ::referee::{CutterPlace, MillPath, NormalRay};
 use foundation::geometry::{Cutter, CutterShape};
 use foundation::numerics::equidistant;
+use milling::{Column, ColumnPlane, RootSection};
 use nalgebra::Vector3;
+use referee::{CutterPlace, MillPath, NormalRay};
 
 /// Rays on each part of the section.
 const RAYS: usize = 41;

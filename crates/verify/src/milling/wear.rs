@@ -5,11 +5,11 @@ use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::case::MilledCase;
 use super::cutter::of_shape;
-use ::milling::{
+use foundation::geometry::CutterShape;
+use milling::{
     Bottom, FinishOptions, FinishedRow, FlankGrid, HeightRule, Kept, Obstacle, Orientation, Patch, RowLoad,
     RowSpacing, WearHistogram, finish,
 };
-use foundation::geometry::CutterShape;
 use serde_json::Value;
 
 /// Columns over the range.

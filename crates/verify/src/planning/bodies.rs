@@ -3,7 +3,7 @@
 use super::super::ledger::Ledger;
 use foundation::geometry::{Blank, Flank, Gear, GearData, Sides, WormChoice};
 use foundation::modification::{Modification, ModificationSpec, NoFiles};
-use grinding::generating::{
+use generating::{
     DresserChoice, DressingLimits, FlankTarget, GeneratingError, GrindingSetup, ProfilePlace, SetupInput,
 };
 use serde::Deserialize;

@@ -4,10 +4,10 @@ use super::super::expected::{Expected, numbers};
 use super::super::ledger::Ledger;
 use super::super::reference::Tolerances;
 use super::{UM, spans};
-use ::contact::{ContactSolution, ExactContact, ModifiedThread, ThreadFunction, ToolSurface};
+use contact::{ContactSolution, ExactContact, ModifiedThread, ThreadFunction, ToolSurface};
 use foundation::geometry::Flank;
 use foundation::numerics::{Chebyshev, root_mean_square};
-use grinding::generating::{
+use generating::{
     DressedFlank, FlankTarget, GeneratingError, GrindingPlan, GrindingSetup, IdealWorm, PlannedTool,
 };
 

@@ -16,8 +16,8 @@ use bodies::Input;
 use flank::PlannedFlank;
 use foundation::geometry::Flank;
 use foundation::kinematics::MotionLaw;
-use grinding::generating::least_squares::FitNorm;
-use grinding::generating::{
+use generating::least_squares::FitNorm;
+use generating::{
     Candidate, DressingRows, GeneratingError, GrindingPlan, GrindingSetup, PlanGauge, PlanTask, PlanningGrid,
     RatioChoice,
 };

@@ -6,10 +6,10 @@ use super::super::ledger::Ledger;
 use super::super::reference::Tolerances;
 use super::example::SkivingExample;
 use super::measurement::Measured;
-use ::skiving::VirtualEdge;
-use ::skiving::measuring::{Barrier, RealTool, dark_band};
 use foundation::geometry::Flank;
 use foundation::numerics::brent;
+use skiving::VirtualEdge;
+use skiving::measuring::{Barrier, RealTool, dark_band};
 use std::f64::consts::TAU;
 
 /// The files locate a touch along the edge by central differences over this share of its range; that place lies some 1e-5 um beside the

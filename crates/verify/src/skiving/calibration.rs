@@ -4,9 +4,9 @@ use super::super::expected::Expected;
 use super::super::given::{Checked, array, check_object, number, vectors};
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
-use ::skiving::measuring::{Approach, BeamLine, Calibration, Mandrel, Observation};
 use nalgebra::{Vector2, Vector3};
 use serde_json::Value;
+use skiving::measuring::{Approach, BeamLine, Calibration, Mandrel, Observation};
 
 /// The order of the observations: through in Y, an approach in X, at each height.
 const ORDER: [Approach; 3] = [Approach::Y, Approach::Y, Approach::X];

@@ -6,13 +6,13 @@ use super::super::ledger::Ledger;
 use super::super::reference::{Reference, Tolerances};
 use super::band::by_differences;
 use super::example::SkivingExample;
-use ::skiving::measuring::{
-    Barrier, Beam, EdgeErrors, RealTool, conventional_pose, conventional_reading, first_order_deviation,
-};
-use ::skiving::{MeasuringTrack, SkivingError, default_track_places};
 use foundation::geometry::Sides;
 use nalgebra::Vector3;
 use serde_json::Value;
+use skiving::measuring::{
+    Barrier, Beam, EdgeErrors, RealTool, conventional_pose, conventional_reading, first_order_deviation,
+};
+use skiving::{MeasuringTrack, SkivingError, default_track_places};
 
 /// Growth of the rounding that the files ask for, mm.
 const GROWTH: f64 = 0.01;

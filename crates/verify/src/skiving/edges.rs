@@ -4,8 +4,8 @@ use super::super::expected::Expected;
 use super::super::given::{Checked, check_object, compare_vector, number};
 use super::super::ledger::Ledger;
 use super::super::reference::Tolerances;
-use ::skiving::{MeasuringTrack, VirtualEdge};
 use serde_json::Value;
+use skiving::{MeasuringTrack, VirtualEdge};
 
 /// Compares every track of an edge; `sharp` is the same edge without rounding.
 pub(super) fn check_edges(

@@ -5,10 +5,10 @@ use super::super::given::{Checked, check_object, number, requires};
 use super::super::ledger::Ledger;
 use super::super::reference::Tolerances;
 use super::measurement::Measured;
-use ::skiving::evaluation::{Evaluation, ProfileOptions, correction, evaluate_all_teeth};
-use ::skiving::{Setting, SettingLimits};
 use foundation::geometry::{Flank, Sides};
 use serde_json::{Value, json};
+use skiving::evaluation::{Evaluation, ProfileOptions, correction, evaluate_all_teeth};
+use skiving::{Setting, SettingLimits};
 
 /// Degree of the compensation curve (spec 60 section 8).
 const DEGREE: usize = 2;

@@ -6,10 +6,6 @@ use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::edges::check_edges;
 use super::poses::check_poses;
-use ::skiving::measuring::{Beam, FlankTracks, PoseKind, measuring_poses};
-use ::skiving::{
-    MeasuringTrack, PairData, SkivingPair, VirtualEdge, default_track_places, setting_sensitivity,
-};
 use foundation::geometry::{
     ConeRake, EdgeRounding, Flank, Gear, GearData, NormalOffset, OffsetBounds, PlaneRake, RakeFace, Sides,
     SkivingTool,
@@ -18,6 +14,10 @@ use foundation::numerics::Jet2;
 use nalgebra::Vector3;
 use serde::Deserialize;
 use serde_json::Value;
+use skiving::measuring::{Beam, FlankTracks, PoseKind, measuring_poses};
+use skiving::{
+    MeasuringTrack, PairData, SkivingPair, VirtualEdge, default_track_places, setting_sensitivity,
+};
 use std::sync::Arc;
 
 #[derive(Deserialize)]

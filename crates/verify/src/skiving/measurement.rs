@@ -8,14 +8,14 @@ use super::band::check_band;
 use super::evaluation::{check_corrections, check_evaluation};
 use super::example::{SkivingExample, beam};
 use super::noise::check_noise;
-use ::skiving::evaluation::{Deviations, measured_tool};
-use ::skiving::measuring::{
-    BarrierData, Beam, EdgeErrors, FlankTracks, Noise, RealTool, Sense, Switches, first_order_deviation,
-    readings, switches,
-};
 use foundation::geometry::{Flank, Sides};
 use serde::Deserialize;
 use serde_json::Value;
+use skiving::evaluation::{Deviations, measured_tool};
+use skiving::measuring::{
+    BarrierData, Beam, EdgeErrors, FlankTracks, Noise, RealTool, Sense, Switches, first_order_deviation,
+    readings, switches,
+};
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]

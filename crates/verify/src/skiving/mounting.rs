@@ -6,10 +6,10 @@ use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::example::SkivingExample;
 use super::measurement::Measured;
-use ::skiving::evaluation::{ProfileOptions, evaluate};
-use ::skiving::measuring::RealTool;
 use foundation::numerics::extremes;
 use serde_json::Value;
+use skiving::evaluation::{ProfileOptions, evaluate};
+use skiving::measuring::RealTool;
 
 /// Neither bands nor wear are asked for here.
 const WIDE: ProfileOptions = ProfileOptions { degree: 2, band: 1.0, wear_limit: 1.0 };

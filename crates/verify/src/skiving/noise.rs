@@ -5,11 +5,11 @@ use super::super::given::{Checked, check_object};
 use super::super::ledger::Ledger;
 use super::super::reference::Tolerances;
 use super::measurement::Measured;
-use ::skiving::evaluation::measured_tool;
-use ::skiving::measuring::{BarrierData, Noise, Sense, readings, switches};
 use foundation::geometry::Flank;
 use foundation::numerics::{extremes, root_mean_square};
 use serde::Deserialize;
+use skiving::evaluation::measured_tool;
+use skiving::measuring::{BarrierData, Noise, Sense, readings, switches};
 use std::f64::consts::TAU;
 
 #[derive(Deserialize)]

@@ -5,10 +5,10 @@ use super::super::given::{Checked, check_object, compare_vector, number};
 use super::super::ledger::Ledger;
 use super::super::reference::Tolerances;
 use super::example::SkivingExample;
-use ::skiving::MeasuringTrack;
-use ::skiving::measuring::{MeasuringPose, PoseKind, measuring_poses, nearest_other_flank};
 use foundation::geometry::Flank;
 use serde_json::Value;
+use skiving::MeasuringTrack;
+use skiving::measuring::{MeasuringPose, PoseKind, measuring_poses, nearest_other_flank};
 
 /// Depth of the clearance faces that may cast a shadow, mm (spec 60 section 6).
 const BODY: f64 = 5.0;

@@ -4,8 +4,8 @@ use super::super::expected::Expected;
 use super::super::given::{Checked, check_block};
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
-use ::skiving::measuring::Noise;
 use serde_json::Value;
+use skiving::measuring::Noise;
 
 /// Correctly rounded logarithms and sines differ by a unit in the last place at most between libraries.
 const LAST_PLACE: f64 = 1e-14;

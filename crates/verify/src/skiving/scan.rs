@@ -5,9 +5,9 @@ use super::super::given::{Checked, check_object, number, text};
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::example::SkivingExample;
-use ::skiving::measuring::{ScanAxes, scan_curve};
 use foundation::geometry::Flank;
 use serde_json::Value;
+use skiving::measuring::{ScanAxes, scan_curve};
 
 /// The stylus touches tangentially: what may be left of l.n.
 const TANGENCY: f64 = 1e-14;

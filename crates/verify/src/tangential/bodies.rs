@@ -5,15 +5,15 @@ use super::super::gear_sets::Hand;
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::{Outcome, Setup, UM, with_setup};
-use ::contact::Measure;
+use contact::Measure;
 use foundation::geometry::{Flank, Gear, GearData, Revolution, Sides};
-use grinding::tangential_dressing::{
-    FitGrid, ProfileKind, ShiftOffset, ShiftRatio, TangentialError, TangentialFlank, TangentialInput,
-    TangentialModel, TangentialSettings, Weights,
-};
 use serde::Deserialize;
 use serde_json::Value;
 use std::f64::consts::FRAC_PI_2;
+use tangential_dressing::{
+    FitGrid, ProfileKind, ShiftOffset, ShiftRatio, TangentialError, TangentialFlank, TangentialInput,
+    TangentialModel, TangentialSettings, Weights,
+};
 
 /// The bodies as the file describes them.
 #[derive(Deserialize)]

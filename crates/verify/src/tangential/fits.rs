@@ -4,14 +4,14 @@ use super::super::expected::Expected;
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::{Outcome, Setup, UM, given_settings, given_sign, given_variables, with_setup};
-use ::contact::Measure;
+use contact::Measure;
 use foundation::geometry::Flank;
-use grinding::tangential_dressing::{
+use serde_json::Value;
+use std::error::Error;
+use tangential_dressing::{
     EdgeAmounts, FitGrid, FitLimits, FitMethod, FitTask, Judged, ProfileKind, TangentialError,
     TangentialModel, TangentialSettings, Variable, Weights,
 };
-use serde_json::Value;
-use std::error::Error;
 
 /// The grid of the source, that of own fits, and the one between whose points nothing hides.
 const COARSE: FitGrid = FitGrid::Radii(5);

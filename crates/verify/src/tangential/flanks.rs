@@ -4,14 +4,14 @@ use super::super::expected::Expected;
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::{Outcome, Setup, UM, given_settings, name_in_files, with_setup};
-use ::contact::Measure;
+use contact::Measure;
 use foundation::geometry::Flank;
-use grinding::tangential_dressing::{
+use serde_json::Value;
+use std::error::Error;
+use tangential_dressing::{
     FlankPoint, ProfileKind, RollGrid, TangentialError, TangentialFlank, TangentialModel, TangentialSettings,
     Variable,
 };
-use serde_json::Value;
-use std::error::Error;
 
 /// Value of the single variable in `table3_linear_um` and `table3_finite_um` (spec 40 section 9.4), mm.
 const DELTA: f64 = -0.05;

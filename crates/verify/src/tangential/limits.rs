@@ -4,13 +4,13 @@ use super::super::expected::Expected;
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::{Outcome, Setup, UM, given_settings, given_sign, name_in_files, with_setup};
-use ::contact::Measure;
+use contact::Measure;
 use foundation::geometry::Flank;
-use grinding::tangential_dressing::{
+use serde_json::Value;
+use tangential_dressing::{
     EdgeAmounts, FitGrid, ProfileKind, RollGrid, TangentialError, TangentialFlank, TangentialSettings,
     Variable,
 };
-use serde_json::Value;
 
 /// Block `undercut`: settings that must be refused at one point.
 pub(crate) fn undercut(file: &Reference<'_>, block: &Value, ledger: &mut Ledger) {

@@ -16,12 +16,12 @@ use super::ledger::Ledger;
 use super::reference::{Reference, Tolerances};
 use bodies::Input;
 use foundation::geometry::Flank;
-use grinding::tangential_dressing::{
-    ProfileKind, RollGrid, TangentialError, TangentialModel, TangentialSettings, Variable,
-};
 use serde::Deserialize;
 use serde_json::Value;
 use std::error::Error;
+use tangential_dressing::{
+    ProfileKind, RollGrid, TangentialError, TangentialModel, TangentialSettings, Variable,
+};
 
 const UM: f64 = 1e-3;
 

@@ -2,10 +2,10 @@
 //! every line it did not understand, and turns what it understood into the model of this room.
 
 mod block;
-mod convert;
+pub mod convert;
 mod header;
 mod number;
-mod read;
+pub mod read;
 mod reader;
 mod settings;
 mod tables;

@@ -7,7 +7,7 @@ use super::{FileKind, KlingelnbergFile};
 use crate::inspection::InspectionError;
 use crate::inspection::encoding::decode;
 use foundation::geometry::Sides;
-use job::bounded::{Unread, read_bounded};
+use job::{Unread, read_bounded};
 
 /// Largest file that is read: 16 MiB.
 pub const MAXIMUM_FILE_BYTES: usize = 16 << 20;

@@ -3,7 +3,7 @@
 use super::super::*;
 use super::gear::{agree, author, kinds, plain, spec};
 use crate::inspection::DatumFace;
-use ::job::job::Gear as JobGear;
+use ::job::tables::Gear as JobGear;
 use foundation::geometry::Flank;
 use foundation::modification::NoFiles;
 use serde_json::json;
@@ -63,7 +63,7 @@ fn thickness_becomes_profile_shift() {
     let body = RexsGear::of_job(&gear, &[]).unwrap().body().unwrap();
     let balls = body.over_balls(4.5, 0.0).unwrap();
     gear.profile_shift = None;
-    gear.over_balls = Some(::job::job::OverBalls { ball: 4.5, size: balls.size });
+    gear.over_balls = Some(::job::tables::OverBalls { ball: 4.5, size: balls.size });
     let found = RexsGear::of_job(&gear, &[]).unwrap();
     assert!((found.profile_shift - 0.125).abs() < 1e-9);
 }

@@ -1,0 +1,192 @@
+//! Deviations of the dressing axes found from what was measured on the worm, with their uncertainty (spec 30 section 14).
+//! Knows no distribution of the deviations.
+
+use crate::axes::deviation::{AXIS_NAMES, check_correction, check_rolls, sum};
+use crate::{ConditionSolver, DressedProfile, DresserTool, DressingError};
+use foundation::geometry::Flank;
+use foundation::inverse::{GaussNewton, gauss_newton};
+use foundation::kinematics::DressingCorrection;
+use nalgebra::{DMatrix, DVector};
+
+/// A measured profile of one flank of the worm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measurement<'a> {
+    /// Flank of the worm.
+    pub flank: Flank,
+    /// The correction DK at which it was meant to be dressed; profiles at different known DK tell more.
+    pub dk: DressingCorrection,
+    /// Lengths of roll, mm.
+    pub w: &'a [f64],
+    /// Measured normal modification there, mm; positive = material left.
+    pub f: &'a [f64],
+}
+
+/// What is known beforehand.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Recovery {
+    /// Standard deviation of a measured value, mm.
+    pub noise: f64,
+    /// Components of the deviation that are held at a value, rad or mm.
+    pub held: [Option<f64>; 4],
+}
+
+/// Deviations and how well they are known.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RecoveredDeviation {
+    /// Deviation of the axes from the corrections of the measurements, rad, rad, mm, mm.
+    pub deviation: DressingCorrection,
+    /// Standard deviation of each component from the given noise and the derivatives at the known corrections; 0 for a held one.
+    pub standard_deviation: DressingCorrection,
+    /// Singular values of these derivatives in the scaled unknowns (see [`ConditionSolver::scale`]), mm, descending.
+    pub singular_values: Vec<f64>,
+    /// Root mean square of what the deviations do not explain, mm.
+    pub residual_rms: f64,
+}
+
+/// A component is not determined where its standard deviation exceeds one scaled unknown (1 mm at the worm's pitch circle, 1/20 rad, 1 mm,
+/// 5 mm): more than any machine deviates by.
+const LARGEST_DEVIATION: f64 = 1.0;
+/// Singular values below this share of the largest are rounding errors of the derivatives.
+const CUT: f64 = 1e-12;
+
+/// Deviations that explain the measurements best: least squares over all measured points, exact model.
+///
+/// # Errors
+/// [`DressingError::InvalidNumber`] for measurements that are absent, uneven or not finite, noise that is not above 0, and if all components
+/// are held; [`DressingError::NotIdentifiable`] where the measurements do not tell the components apart, as on one flank alone; those of
+/// [`DressedProfile::at_roll`] at the corrections given; [`DressingError::NotConverged`].
+pub fn recover_deviation(
+    tool: &DresserTool,
+    reference_radius: f64,
+    measurements: &[Measurement<'_>],
+    known: &Recovery,
+) -> Result<RecoveredDeviation, DressingError> {
+    check(measurements, known)?;
+    let scale = ConditionSolver::new(tool, reference_radius).scale();
+    let free: Vec<usize> = (0..4).filter(|&j| known.held[j].is_none()).collect();
+    let deviation = |x: &DVector<f64>| -> DressingCorrection {
+        let mut at = known.held.map(|held| held.unwrap_or(0.0));
+        for (k, &j) in free.iter().enumerate() {
+            at[j] = x[k] * scale[j];
+        }
+        at
+    };
+    let count: usize = measurements.iter().map(|m| m.w.len()).sum();
+    let rows = |x: &DVector<f64>| -> Result<(DVector<f64>, DMatrix<f64>), DressingError> {
+        let off = deviation(x);
+        let (mut residual, mut jacobian) = (DVector::zeros(count), DMatrix::zeros(count, free.len()));
+        let mut row = 0;
+        for m in measurements {
+            let profile = DressedProfile::new(tool, m.flank, sum(&m.dk, &off));
+            for (at, f) in profile.at_rolls(m.w)?.iter().zip(m.f) {
+                residual[row] = at.f - f;
+                for (k, &j) in free.iter().enumerate() {
+                    jacobian[(row, k)] = at.df_dk[j] * scale[j];
+                }
+                row += 1;
+            }
+        }
+        Ok((residual, jacobian))
+    };
+    let start = DVector::zeros(free.len());
+    // The derivatives of section 14 are those at the known corrections. A problem without a solution is refused before the iteration
+    // runs away along its free direction.
+    let uncertainty = Uncertainty::of(&rows(&start)?.1, known.noise, &free, &scale)?;
+    let options = GaussNewton { cut: CUT, ..GaussNewton::default() };
+    let what = "deviations of the axes";
+    let found = gauss_newton(start, None, &options, |x| rows(x).ok())
+        .ok_or(DressingError::NotConverged { what, last: options.longest_step })?;
+    let (residual, jacobian) = rows(&found.x)?;
+    if !found.converged {
+        let last = (jacobian.transpose() * &residual).norm();
+        return Err(DressingError::NotConverged { what, last });
+    }
+    Ok(RecoveredDeviation {
+        deviation: deviation(&found.x),
+        standard_deviation: uncertainty.standard_deviation,
+        singular_values: uncertainty.singular_values,
+        residual_rms: (residual.norm_squared() / count as f64).sqrt(),
+    })
+}
+
+/// What the derivatives say of the accuracy.
+struct Uncertainty {
+    standard_deviation: DressingCorrection,
+    singular_values: Vec<f64>,
+}
+
+impl Uncertainty {
+    /// Standard deviations: roots of the diagonal of noise^2 (J^T J)^-1.
+    fn of(
+        jacobian: &DMatrix<f64>,
+        noise: f64,
+        free: &[usize],
+        scale: &DressingCorrection,
+    ) -> Result<Self, DressingError> {
+        // A square matrix has as many singular values as unknowns even where there are fewer rows.
+        let unknowns = free.len();
+        let square = if jacobian.nrows() < unknowns {
+            jacobian.clone().resize_vertically(unknowns, 0.0)
+        } else {
+            jacobian.clone()
+        };
+        let svd = square.svd(false, true);
+        let largest = svd.singular_values.max();
+        let mut scaled = vec![0.0_f64; unknowns];
+        if let Some(directions) = &svd.v_t {
+            for (sigma, direction) in svd.singular_values.iter().zip(directions.row_iter()) {
+                for (k, part) in direction.iter().enumerate() {
+                    // A direction without any part of a component leaves it alone, even where it is free itself.
+                    if part.abs() > CUT {
+                        scaled[k] += (noise * part / sigma.max(f64::MIN_POSITIVE)).powi(2);
+                    }
+                    if *sigma <= CUT * largest && part.abs() > CUT {
+                        scaled[k] = f64::INFINITY;
+                    }
+                }
+            }
+        }
+        let mut singular_values: Vec<f64> = svd.singular_values.iter().copied().collect();
+        singular_values.sort_by(|a, b| b.total_cmp(a));
+        let worst = (0..unknowns).max_by(|&a, &b| scaled[a].total_cmp(&scaled[b]));
+        if let Some(k) = worst.filter(|&k| scaled[k].sqrt() > LARGEST_DEVIATION || scaled[k].is_nan()) {
+            return Err(DressingError::NotIdentifiable {
+                component: AXIS_NAMES[free[k]],
+                standard_deviation: scaled[k].sqrt() * scale[free[k]],
+                singular_values,
+            });
+        }
+        let mut standard_deviation = [0.0; 4];
+        for (k, &j) in free.iter().enumerate() {
+            standard_deviation[j] = scaled[k].sqrt() * scale[j];
+        }
+        Ok(Self { standard_deviation, singular_values })
+    }
+}
+
+fn check(measurements: &[Measurement<'_>], known: &Recovery) -> Result<(), DressingError> {
+    let invalid = |field, value, allowed| Err(DressingError::InvalidNumber { field, value, allowed });
+    if measurements.is_empty() {
+        return invalid("number of measured profiles", 0.0, "at least 1");
+    }
+    if !(known.noise.is_finite() && known.noise > 0.0) {
+        return invalid("standard deviation of a measured value", known.noise, "finite numbers above 0");
+    }
+    if known.held.iter().all(Option::is_some) {
+        return invalid("number of held components", 4.0, "at most 3");
+    }
+    if let Some(value) = known.held.into_iter().flatten().find(|x| !x.is_finite()) {
+        return invalid("held component", value, "finite numbers");
+    }
+    for m in measurements {
+        check_correction("correction of a measured profile", &m.dk)?;
+        check_rolls(m.w)?;
+        if m.f.len() != m.w.len() {
+            return invalid("number of measured values", m.f.len() as f64, "one for each length of roll");
+        }
+        if let Some(&value) = m.f.iter().find(|f| !f.is_finite()) {
+            return invalid("measured modification", value, "finite numbers");
+        }
+    }
+    Ok(())
+}

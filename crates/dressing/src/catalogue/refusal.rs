@@ -1,0 +1,129 @@
+//! Why a pair of worm and dresser does not make a target: one variant a reason, each with its data, a stable code and a way out.
+
+use crate::DressingError;
+use foundation::geometry::Flank;
+use thiserror::Error;
+
+/// A reason against a pair. Lengths mm, angles deg.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum Refusal {
+    /// The bodies do not stand together or no correction makes the profile.
+    #[error(transparent)]
+    Dressing(#[from] DressingError),
+    /// A correction is beyond its range.
+    #[error("{axis} = {value:.4} {unit} on the {flank} flank exceeds its limit {limit} {unit}")]
+    AxisLimit {
+        /// Flank concerned.
+        flank: Flank,
+        /// Name of the axis.
+        axis: &'static str,
+        /// Value needed.
+        value: f64,
+        /// Limit.
+        limit: f64,
+        /// Unit.
+        unit: &'static str,
+    },
+    /// The profile would be stretched too far.
+    #[error("the profile of the {flank} flank is stretched by P = {stretch:.5}, beyond {limit}")]
+    Stretch {
+        /// Flank concerned.
+        flank: Flank,
+        /// P.
+        stretch: f64,
+        /// Limit of |P|.
+        limit: f64,
+    },
+    /// The dressed profile is too far from the wanted one.
+    #[error(
+        "the {flank} flank misses the wanted profile by {error_um:.3} um between the pitch points, more than {allowed_um} um"
+    )]
+    ProfileError {
+        /// Flank concerned.
+        flank: Flank,
+        /// Largest distance, um.
+        error_um: f64,
+        /// Tolerance, um.
+        allowed_um: f64,
+    },
+    /// The contact needs radii of the dresser at which it has no profile.
+    #[error(
+        "the {flank} flank needs the dresser's profile between radii {from:.3} and {to:.3} mm; it has {has_from:.3} to \
+         {has_to:.3} mm"
+    )]
+    FlankTooShort {
+        /// Flank concerned.
+        flank: Flank,
+        /// Smallest radius needed.
+        from: f64,
+        /// Largest radius needed.
+        to: f64,
+        /// Smallest radius there is.
+        has_from: f64,
+        /// Largest radius there is.
+        has_to: f64,
+    },
+    /// The tip land does not fit between the flanks of the thread space.
+    #[error(
+        "dressing the {flank} flank a tip land of {needed} mm touches the counter flank; {}",
+        largest.map_or_else(|| "no land is narrow enough".to_owned(), |b| format!("at most {b:.4} mm fit"))
+    )]
+    TipLand {
+        /// Flank concerned.
+        flank: Flank,
+        /// Largest land, if there is one.
+        largest: Option<f64>,
+        /// Land needed.
+        needed: f64,
+    },
+    /// Dressing the worm of now cuts into the worm that shall be left later.
+    #[error(
+        "dressing the {flank} flank cuts {cut:.4} mm into the worm of {pitch_diameter:.3} mm pitch diameter at z = {b:.1} mm"
+    )]
+    Undermined {
+        /// Flank concerned.
+        flank: Flank,
+        /// Depth of the cut.
+        cut: f64,
+        /// Pitch diameter of the later worm.
+        pitch_diameter: f64,
+        /// Where along the worm.
+        b: f64,
+    },
+}
+
+impl Refusal {
+    /// Stable kebab-case code.
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Dressing(e) => e.code(),
+            Self::AxisLimit { .. } => "axis-limit",
+            Self::Stretch { .. } => "stretch-limit",
+            Self::ProfileError { .. } => "profile-error",
+            Self::FlankTooShort { .. } => "dresser-flank-too-short",
+            Self::TipLand { .. } => "tip-land",
+            Self::Undermined { .. } => "undermined",
+        }
+    }
+
+    /// What would help, in one sentence.
+    pub fn way_out(&self) -> &'static str {
+        match self {
+            Self::Dressing(e) => e.way_out(),
+            Self::AxisLimit { .. } => {
+                "take a worm whose diameter and threads are nearer to those the dresser was designed for, or a dresser with more of the crowning in it"
+            }
+            Self::Stretch { .. } => {
+                "take a worm of another profile angle or a diameter nearer to the one the dresser was designed for"
+            }
+            Self::ProfileError { .. } => {
+                "take a dresser that carries more of the crowning, a smaller dresser or a worm with fewer threads"
+            }
+            Self::FlankTooShort { .. } => "take a dresser with a longer flank or one designed for this worm",
+            Self::TipLand { .. } => "take a dresser with a narrower tip land",
+            Self::Undermined { .. } => {
+                "end the life of the worm at a larger diameter, or take a dresser with a narrower tip land"
+            }
+        }
+    }
+}

@@ -1,0 +1,33 @@
+//! Which correction meets what is asked of the dressed worm: rows, their solution exactly and by compensation, along the worm, and how
+//! far they can be met (spec 30 sections 8 to 11). Knows no neighbouring body of the dresser.
+
+pub(super) mod along;
+pub(super) mod compensation;
+pub mod crowning_range;
+pub mod path_reason;
+pub mod profile_fit;
+pub mod rows;
+pub mod sets;
+pub mod solver;
+pub mod topological;
+pub mod two_flanks;
+
+pub use along::{ConditionsAlong, RowAlong};
+pub use compensation::{Compensated, Compensation, SoftCondition};
+pub use crowning_range::{CrowningEnd, CrowningLimits, CrowningPoint, CrowningRange, CrowningRows};
+pub use path_reason::PathReason;
+pub use profile_fit::{
+    ProfileFit, fit_profile, fit_profile_along, fit_profile_on_path, profile_error, refit_profile,
+    uncorrected_profile,
+};
+pub use rows::Condition;
+pub use sets::{
+    PitchPoint, four_points, map_of_upper_end, shift_through, three_points, three_points_with_map,
+    two_flank_points, two_points,
+};
+pub use solver::ConditionSolver;
+pub use topological::{
+    NodePlan, NodeSolution, pitch_rolls, residue_of_motion, solve_conditions_along, solve_conditions_at,
+    solve_dressing_motion, solve_node,
+};
+pub use two_flanks::{TwoFlankWish, solve_two_flank_motion, solve_two_flank_node, two_flank_rolls};

@@ -1,0 +1,206 @@
+//! Topological dressing: the correction DK(v) along the worm for a wanted modification f*(w, b) (spec 30 section 10). Knows no
+//! gear and no reason for the targets.
+
+use crate::{
+    Condition, ConditionSolver, ConditionsAlong, DressedProfile, DressedWorm, DresserTool, DressingError,
+    FlankDresser, PathReason, three_points_with_map,
+};
+use foundation::geometry::Flank;
+use foundation::kinematics::DressingCorrection;
+use foundation::numerics::Chebyshev;
+
+/// The solved rows at one worm position.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NodeSolution {
+    /// Worm position v_zS, mm.
+    pub v: f64,
+    /// DK there.
+    pub dk: DressingCorrection,
+}
+
+/// How DK(v) is found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NodePlan {
+    /// Interval of v, mm.
+    pub interval: (f64, f64),
+    /// Number of Chebyshev nodes.
+    pub nodes: usize,
+}
+
+/// Rounds of the fixed point on the targets, and how far the contact may still move in the last but one, mm. Targets that
+/// change by 1 um a mm are then met to 1e-6 um.
+const ROUNDS: usize = 40;
+const ROUND_TOLERANCE: f64 = 1e-9;
+/// A fixed point that still moves by more than this is none, mm: rounding stops others somewhat above the tolerance.
+const UNSETTLED: f64 = 1e-6;
+
+/// The three lengths of roll of the pitch points: both ends and the middle of the used range.
+pub fn pitch_rolls(tool: &DresserTool, flank: Flank) -> [f64; 3] {
+    let range = tool.flanks[flank].range;
+    [range.w_nf, range.middle(), range.w_na]
+}
+
+/// Solves four conditions at one worm position v, from a correction nearby. Their targets are taken where the dresser touches,
+/// by a fixed point: the contact moves little when the targets do.
+///
+/// # Errors
+/// Those of [`ConditionSolver::solve`], with v filled in; [`DressingError::NoZero`] where the fixed point does not settle because
+/// the targets change along the worm faster than the contact line follows.
+pub fn solve_conditions_at(
+    solver: &ConditionSolver<'_>,
+    v: f64,
+    start: &DressingCorrection,
+    conditions: &dyn ConditionsAlong,
+) -> Result<DressingCorrection, DressingError> {
+    let tool = solver.tool();
+    // A first guess of the places tells the lengths of roll; the places on those follow from the start.
+    let somewhere = |dresser: &FlankDresser| dresser.line.value(dresser.designed.middle()) - v;
+    let mut rows = conditions.at(v, &[somewhere(&tool.flanks.left); 4]);
+    let guessed = rows.map(|row| row.flank().map_or(0.0, |flank| somewhere(&tool.flanks[flank])));
+    rows = conditions.at(v, &guessed);
+    let mut dk = *start;
+    let mut b = places(tool, &rows, &dk, v)?;
+    let mut moved = f64::INFINITY;
+    for _ in 0..ROUNDS {
+        rows = conditions.at(v, &b);
+        dk = solver.solve(&rows, &dk).map_err(|error| error.at_position(v))?;
+        let next = places(tool, &rows, &dk, v)?;
+        let step = (0..4).map(|i| (next[i] - b[i]).abs()).fold(0.0, f64::max);
+        b = next;
+        if step < ROUND_TOLERANCE || (step < UNSETTLED && step >= moved) {
+            return Ok(dk);
+        }
+        moved = step;
+    }
+    if moved < UNSETTLED {
+        return Ok(dk);
+    }
+    let flank = rows.iter().find_map(Condition::flank).unwrap_or(Flank::Left);
+    Err(DressingError::NoZero { flank, v, fraction: 0.0, reason: PathReason::GivenUp })
+}
+
+/// Worm z of the places where the dresser touches at the pitch points; 0 for the other rows.
+fn places(
+    tool: &DresserTool,
+    rows: &[Condition; 4],
+    dk: &DressingCorrection,
+    v: f64,
+) -> Result<[f64; 4], DressingError> {
+    let mut b = [0.0; 4];
+    for (b, row) in b.iter_mut().zip(rows) {
+        if let Condition::Point { flank, w, .. } = *row {
+            *b = DressedProfile::new(tool, flank, *dk).at_roll(w)?.b - v;
+        }
+    }
+    Ok(b)
+}
+
+/// DK(v) as Chebyshev series over the plan's interval; nodes are solved outwards from the middle, each from its neighbour.
+///
+/// # Errors
+/// Those of [`solve_conditions_at`] at the first node that fails; [`DressingError::InvalidNumber`] for a plan without nodes or
+/// length.
+pub fn solve_conditions_along(
+    solver: &ConditionSolver<'_>,
+    plan: &NodePlan,
+    conditions: &dyn ConditionsAlong,
+) -> Result<([Chebyshev; 4], Vec<NodeSolution>), DressingError> {
+    follow_nodes(plan, |v, start| solve_conditions_at(solver, v, start, conditions))
+}
+
+/// The 3-point rows with the radius map: f(w_i) = wanted(b_0, b_1, b_2)_i, w_i = [`pitch_rolls`].
+struct ThreePoints<'a> {
+    dresser: &'a FlankDresser,
+    wanted: &'a dyn Fn([f64; 3]) -> [f64; 3],
+}
+
+impl ConditionsAlong for ThreePoints<'_> {
+    fn at(&self, _: f64, &[b_0, b_1, b_2, _]: &[f64; 4]) -> [Condition; 4] {
+        three_points_with_map(self.dresser, (self.wanted)([b_0, b_1, b_2]))
+    }
+}
+
+/// Solves the 3-point rows with the radius map at one worm position v: f(w_i) = wanted(b_0 - v, b_1 - v, b_2 - v)_i, w_i
+/// = [`pitch_rolls`].
+///
+/// # Errors
+/// Those of [`solve_conditions_at`].
+pub fn solve_node(
+    tool: &DresserTool,
+    flank: Flank,
+    reference_radius: f64,
+    v: f64,
+    start: &DressingCorrection,
+    wanted: &dyn Fn([f64; 3]) -> [f64; 3],
+) -> Result<DressingCorrection, DressingError> {
+    let rows = ThreePoints { dresser: &tool.flanks[flank], wanted };
+    solve_conditions_at(&ConditionSolver::new(tool, reference_radius), v, start, &rows)
+}
+
+/// DK(v) of the 3-point rows with the radius map as Chebyshev series over the plan's interval.
+///
+/// # Errors
+/// Those of [`solve_conditions_along`].
+pub fn solve_dressing_motion(
+    tool: &DresserTool,
+    flank: Flank,
+    reference_radius: f64,
+    plan: &NodePlan,
+    wanted: &dyn Fn([f64; 3]) -> [f64; 3],
+) -> Result<([Chebyshev; 4], Vec<NodeSolution>), DressingError> {
+    let rows = ThreePoints { dresser: &tool.flanks[flank], wanted };
+    solve_conditions_along(&ConditionSolver::new(tool, reference_radius), plan, &rows)
+}
+
+/// What the exact envelope of a motion leaves beyond the wanted modification at worm points (w, b), mm normal: the part of the
+/// target that three points and one line of contact cannot follow, and what the motion itself adds.
+///
+/// # Errors
+/// [`DressingError::OutOfDresser`] for a point that the motion does not dress.
+pub fn residue_of_motion(
+    tool: &DresserTool,
+    flank: Flank,
+    corrections: &[Chebyshev; 4],
+    wanted: &dyn Fn(f64, f64) -> f64,
+    points: &[(f64, f64)],
+) -> Result<Vec<f64>, DressingError> {
+    let dressed = DressedWorm::new(tool, flank, corrections);
+    let (from, to) = tool.flanks[flank].profile.interval();
+    let left = |&(w, b): &(f64, f64)| {
+        let (f, ..) = dressed.modification(w, b).ok_or(DressingError::OutOfDresser { flank, w, from, to })?;
+        Ok(f - wanted(w, b))
+    };
+    points.iter().map(left).collect()
+}
+
+/// DK(v) through the nodes of a plan, each solved from its neighbour, outwards from the middle.
+pub(crate) fn follow_nodes(
+    plan: &NodePlan,
+    mut solve: impl FnMut(f64, &DressingCorrection) -> Result<DressingCorrection, DressingError>,
+) -> Result<([Chebyshev; 4], Vec<NodeSolution>), DressingError> {
+    let (from, to) = plan.interval;
+    if !(from.is_finite() && to.is_finite() && from < to) {
+        let (field, allowed) = ("worm position from", "finite and below the end of the dressed length");
+        return Err(DressingError::InvalidNumber { field, value: from, allowed });
+    }
+    if plan.nodes == 0 {
+        let (field, allowed) = ("nodes of the dressing motion", "1 or more");
+        return Err(DressingError::InvalidNumber { field, value: 0.0, allowed });
+    }
+    let nodes = Chebyshev::nodes(from, to, plan.nodes);
+    let middle = plan.nodes / 2;
+    let mut solved: Vec<Option<DressingCorrection>> = vec![None; plan.nodes];
+    let mut order: Vec<(usize, Option<usize>)> = vec![(middle, None)];
+    order.extend((middle + 1..plan.nodes).map(|k| (k, Some(k - 1))));
+    order.extend((0..middle).rev().map(|k| (k, Some(k + 1))));
+    for (k, neighbour) in order {
+        let start = neighbour.and_then(|n| solved[n]).unwrap_or([0.0; 4]);
+        solved[k] = Some(solve(nodes[k], &start)?);
+    }
+    let values: Vec<DressingCorrection> = solved.into_iter().flatten().collect();
+    let series = std::array::from_fn(|j| {
+        Chebyshev::interpolate(from, to, &values.iter().map(|dk| dk[j]).collect::<Vec<_>>())
+    });
+    let solutions = nodes.iter().zip(&values).map(|(&v, &dk)| NodeSolution { v, dk }).collect();
+    Ok((series, solutions))
+}

@@ -1,0 +1,8 @@
+//! A dresser on worms that it was not designed for (spec 30 section 12).
+
+pub mod other_worm;
+pub(super) mod settled;
+pub mod stretch_angle;
+
+pub use other_worm::WormSeat;
+pub use stretch_angle::{StretchAngle, angle_of_least_stretch};

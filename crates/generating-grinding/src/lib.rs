@@ -1,0 +1,9 @@
+//! Generating grinding as a process: its job, the plan and its proof, simulation of settings, studies, catalogues of worms and dressers,
+//! NC programs, scene and page. The mathematics is that of `generating` and `dressing`.
+
+pub mod catalogue;
+pub mod job;
+mod process;
+pub mod workflow;
+
+pub use process::GeneratingGrinding;

@@ -1,0 +1,112 @@
+//! Generating grinding in the registry of processes.
+
+use crate::catalogue::catalogue_of_job;
+use crate::job::{Job, LoadedJob};
+use crate::workflow::derived::of_grinding;
+use crate::workflow::programs::{BodiesCheck, OnGrinding};
+use crate::workflow::refusal::Evidence;
+use crate::workflow::{
+    PlannedPair, explore_job, plan_from_catalogue, plan_job, preview_job, rank_catalogue, simulate_job,
+    study_dressing, study_free_worm,
+};
+use foundation::numerics::Progress;
+use job::Diagnostic;
+use job::machine::LoadedMachine;
+use run::program_check::ProgramCheck;
+use run::{Carried, DerivedGeometry, JobFailure, Preview, Process, Remark, RunFailure, Task, TaskOutcome};
+
+/// What carries out `inspect` for a job: measuring the simulated machine is the room of inspection, which stands above this one.
+pub type InspectSimulated = fn(&LoadedJob, &dyn Progress) -> Result<Box<dyn TaskOutcome>, JobFailure>;
+
+/// Generating grinding with a dressed worm.
+pub struct GeneratingGrinding {
+    /// How the simulated machine of a job is measured and corrected.
+    pub inspect: InspectSimulated,
+}
+
+impl Process for GeneratingGrinding {
+    type Job = Job;
+
+    fn title(&self) -> &'static str {
+        "Generating grinding"
+    }
+
+    fn tasks(&self) -> &'static [Task] {
+        &Task::ALL
+    }
+
+    fn takes(&self, _command: &str) -> bool {
+        true
+    }
+
+    fn carry_out(
+        &self,
+        task: Task,
+        loaded: &LoadedJob,
+        progress: &dyn Progress,
+    ) -> Result<Box<dyn TaskOutcome>, JobFailure> {
+        match task {
+            Task::Plan => plan(loaded, progress),
+            Task::Simulate => Ok(Carried::boxed(loaded, simulate_job(loaded, progress)?)),
+            Task::Explore => explore(loaded, progress),
+            Task::Inspect => (self.inspect)(loaded, progress),
+        }
+    }
+
+    fn derived(&self, loaded: &LoadedJob) -> Result<(DerivedGeometry, Vec<Remark>), JobFailure> {
+        let catalogue = catalogue_of_job(loaded)?;
+        Ok(of_grinding(loaded, catalogue.as_ref())?)
+    }
+
+    fn machine_file<'a>(&self, job: &'a Job) -> Option<&'a str> {
+        job.machine.as_ref().map(|machine| machine.file.as_str())
+    }
+
+    fn tolerance_um(&self, job: &Job) -> Option<f64> {
+        Some(job.target.tolerance_um)
+    }
+
+    fn preview(&self, loaded: &LoadedJob) -> Option<Result<Preview, JobFailure>> {
+        Some(preview_job(loaded).map_err(JobFailure::from))
+    }
+
+    fn program_check<'a>(
+        &self,
+        loaded: &'a LoadedJob,
+        machine: &'a LoadedMachine,
+        progress: &dyn Progress,
+    ) -> Option<Result<Box<dyn ProgramCheck + 'a>, RunFailure>> {
+        let made = OnGrinding::new(loaded, progress);
+        Some(made.map(|bodies| Box::new(BodiesCheck { machine, bodies }) as Box<dyn ProgramCheck>))
+    }
+
+    fn evidence(&self, loaded: &LoadedJob, finding: &Diagnostic) -> Option<Box<dyn run::Evidence>> {
+        Evidence::of_job(loaded, finding).map(|found| Box::new(found) as Box<dyn run::Evidence>)
+    }
+}
+
+fn plan(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Box<dyn TaskOutcome>, JobFailure> {
+    let Some(catalogue) = catalogue_of_job(loaded)? else {
+        return Ok(Carried::boxed(loaded, plan_job(loaded, progress)?));
+    };
+    let plan = plan_from_catalogue(loaded, &catalogue, progress)?;
+    let (variant, outcome) = plan.planned?;
+    Ok(Box::new(PlannedPair {
+        planned: Carried { loaded: variant, outcome: *outcome },
+        ranking: plan.ranking,
+    }))
+}
+
+fn explore(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Box<dyn TaskOutcome>, JobFailure> {
+    if let Some(catalogue) = catalogue_of_job(loaded)? {
+        return Ok(if loaded.job.explore.is_some() {
+            Box::new(study_free_worm(loaded, &catalogue, progress)?)
+        } else {
+            Box::new(rank_catalogue(loaded, &catalogue, progress)?)
+        });
+    }
+    if loaded.job.explore.as_ref().is_some_and(|explore| explore.dressing.is_some()) {
+        return Ok(Box::new(study_dressing(loaded, progress)?));
+    }
+    Ok(Box::new(explore_job(loaded, progress)?))
+}

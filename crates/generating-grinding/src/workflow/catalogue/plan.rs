@@ -1,0 +1,114 @@
+//! The best pair of a catalogue, planned: the ranking knows the profile only, the plan and its referee decide.
+
+use super::outcome::CatalogueOutcome;
+use super::ranked;
+use super::task::Task;
+use super::variant::job_of_pair;
+use crate::catalogue::LoadedCatalogue;
+use crate::job::LoadedJob;
+use crate::workflow::run::{Outcome, plan_job};
+use foundation::numerics::Progress;
+use job::Diagnostic;
+use run::RunFailure;
+use verdict::{Remark, Status};
+
+/// Pairs that are planned until one meets the tolerance.
+const TRIED: usize = 6;
+
+/// A plan with worm and dresser from a catalogue.
+pub struct CataloguePlan {
+    /// The ranking of all pairs.
+    pub ranking: CatalogueOutcome,
+    /// The job with the pair that was taken, and its plan; or why no pair of the catalogue could be planned.
+    pub planned: Result<(LoadedJob, Box<Outcome>), RunFailure>,
+}
+
+/// Plans the first pair of the ranking whose plan meets the tolerance; if none of the first does, the one that misses it least.
+///
+/// # Errors
+/// As [`super::rank_catalogue`].
+pub fn plan_from_catalogue(
+    loaded: &LoadedJob,
+    catalogue: &LoadedCatalogue,
+    progress: &dyn Progress,
+) -> Result<CataloguePlan, RunFailure> {
+    let task = Task::new(loaded, catalogue)?;
+    let (pairs, lives) = ranked(&task, progress);
+    let ranking = CatalogueOutcome::new(loaded, &catalogue.catalogue, &task, &pairs, lives);
+    let bodies = &catalogue.catalogue;
+    let mut passed: Vec<String> = Vec::new();
+    let mut best: Option<(f64, usize, LoadedJob, Outcome)> = None;
+    let mut refusal = None;
+    for (k, pair) in pairs.iter().take_while(|pair| pair.is_ok()).take(TRIED).enumerate() {
+        let (worm, dresser) = (&bodies.worm[pair.worm], &bodies.dresser[pair.dresser]);
+        let variant = job_of_pair(loaded, &task, worm, dresser);
+        match plan_job(&variant, progress) {
+            Ok(outcome) => {
+                let flanks = outcome.result.flanks.values();
+                let miss = flanks.map(|f| f.max_deviation_um).fold(0.0, f64::max);
+                let met = outcome.result.verdict.status() == Status::Met;
+                if !met {
+                    passed
+                        .push(format!("{} with {} misses it by up to {miss:.3} um", worm.name, dresser.name));
+                }
+                if met || best.as_ref().is_none_or(|(least, ..)| miss < *least) {
+                    best = Some((miss, k + 1, variant, outcome));
+                }
+                if met {
+                    break;
+                }
+            }
+            Err(RunFailure::NotProducible(finding)) => {
+                passed.push(format!("{} with {}: {}", worm.name, dresser.name, finding.message));
+                refusal.get_or_insert(RunFailure::NotProducible(finding));
+            }
+            Err(failure @ RunFailure::BadInput(_)) => return Err(failure),
+        }
+    }
+    let planned = match best {
+        Some((_, rank, variant, mut outcome)) => {
+            outcome.result.warnings.insert(0, remark(&ranking, rank, passed));
+            Ok((variant, Box::new(outcome)))
+        }
+        None => Err(refusal.unwrap_or_else(|| nothing_fits(&ranking))),
+    };
+    Ok(CataloguePlan { ranking, planned })
+}
+
+/// Which pair was taken and which were passed over.
+fn remark(ranking: &CatalogueOutcome, rank: usize, mut passed: Vec<String>) -> Remark {
+    let (worm, dresser) =
+        ranking.pairs.get(rank - 1).map_or(("", ""), |p| (p.worm.as_str(), p.dresser.as_str()));
+    passed.retain(|text| !text.starts_with(&format!("{worm} with {dresser}")));
+    let others =
+        if passed.is_empty() { String::new() } else { format!("; passed over: {}", passed.join("; ")) };
+    Remark {
+        code: "chosen-from-catalogue",
+        text: format!(
+            "worm {worm} and dresser {dresser} are number {rank} of {} pairs that make the profile, of {} in the catalogue{others}",
+            ranking.ok,
+            ranking.pairs.len()
+        ),
+        way_out: "explore.html ranks all pairs; to plan another one, give it as [worm] and [dresser]".into(),
+    }
+}
+
+/// The finding where no pair makes the profile: the reason of the first one.
+fn nothing_fits(ranking: &CatalogueOutcome) -> RunFailure {
+    let first = ranking.pairs.first();
+    let text = match first.and_then(|pair| Some((pair, pair.refused.as_ref()?))) {
+        Some((pair, refused)) => format!(
+            "none of the {} pairs of the catalogue makes the profile; the nearest, worm {} with dresser {}: {}",
+            ranking.pairs.len(),
+            pair.worm,
+            pair.dresser,
+            refused.text
+        ),
+        None => "the catalogue has no pair".into(),
+    };
+    let advice = first.and_then(|pair| pair.refused.as_ref()).map_or("", |refused| refused.way_out.as_str());
+    let finding = Diagnostic::with_code("no-pair-fits", text).field("catalogue").way_out(format!(
+        "{advice}; [explore] catalogue = {{ free = .. }} shows which worms the dressers would serve"
+    ));
+    RunFailure::not_producible(finding)
+}

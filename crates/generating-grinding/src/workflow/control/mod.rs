@@ -1,0 +1,12 @@
+//! A run through a real gearbox and servo instead of ideal couplings: what the control that the job describes leaves on the flank of every
+//! tooth, beside what the process leaves (spec 70). Grinding goes through it, after the dresser of either process.
+
+pub mod of_grinding;
+pub mod page;
+pub mod pass;
+pub mod result;
+pub mod run;
+
+pub use of_grinding::control_of_grinding;
+pub use page::control_report;
+pub use result::{ControlFlankResult, ControlResult, ErrorTrace, Trace};

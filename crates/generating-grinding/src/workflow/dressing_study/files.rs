@@ -1,0 +1,417 @@
+//! `explore.json`, `explore.csv` and `explore.html` of a dressing study. Every file appears whole or not at all.
+
+use super::axis_files::{
+    deviation_chart, deviation_figures, deviation_table, quantile_figures, stroke_chart, stroke_figures,
+    stroke_table,
+};
+use super::{
+    CrowningCurve, CrowningPoint, DressingStudyOutcome, ProfileCurve, StudyCurves, WormCurve, WormPoint,
+};
+use crate::job::StudyOver;
+use crate::workflow::explore::Refused;
+use job::{Cell, Column, CsvError, CsvTable};
+use report::charts::{ChartError, LineChart, Panel, Series, Svg, format_significant, line_chart};
+use report::{Banner, Block, Column as PageColumn, Fact, Figure, PlanReport, Section, Stamp, Table, html};
+use run::{WriteError, write_study};
+use std::path::{Path, PathBuf};
+
+/// Writes the files of a study into `directory` (made if missing); returns their paths, the page last.
+///
+/// # Errors
+/// [`WriteError`]; files written before the error stay.
+pub fn write_dressing_study(
+    outcome: &DressingStudyOutcome,
+    directory: &Path,
+) -> Result<Vec<PathBuf>, WriteError> {
+    write_study(outcome, table(outcome)?.text(), &html::render(&page(outcome)?), directory)
+}
+
+/// All points of all curves.
+fn table(outcome: &DressingStudyOutcome) -> Result<CsvTable, CsvError> {
+    match &outcome.curves {
+        StudyCurves::Crowning(curves) => crowning_table(curves),
+        StudyCurves::Profile(curves) => profile_table(curves),
+        StudyCurves::Worms(curves) => worm_table(curves),
+        StudyCurves::Strokes(curves) => stroke_table(curves),
+        StudyCurves::Deviations(curves) => deviation_table(curves),
+    }
+}
+
+/// A quantity of a point with its name and unit in tables, and its title in charts.
+type Quantity = (Column, &'static str, fn(&CrowningPoint) -> f64);
+
+/// Quantities over the crowning, in the order of the figures of spec 30 section 21.
+const QUANTITIES: [Quantity; 8] = [
+    (Column::new("d_phi_S", "deg"), "Δφ_S [°]", |p| p.d_phi_s_deg),
+    (Column::new("d_gamma", "deg"), "Δγ [°]", |p| p.d_gamma_deg),
+    (Column::new("d_d", "mm"), "Δd [mm]", |p| p.d_d_mm),
+    (Column::new("d_v_yA", "mm"), "Δv_yA [mm]", |p| p.d_v_ya_mm),
+    (Column::new("v_zS", "mm"), "v_zS [mm]", |p| p.v_zs_mm),
+    (Column::new("stretch", "percent"), "profile stretch P [%]", |p| 100.0 * p.stretch),
+    (Column::new("rho", "deg"), "direction of the contact line ρ [°]", |p| p.rho_deg),
+    (Column::new("deviation_from_parabola", "um"), "deviation from the parabola [µm]", |p| p.deviation_um),
+];
+
+fn crowning_table(curves: &[CrowningCurve]) -> Result<CsvTable, CsvError> {
+    let mut columns = vec![Column::new("bodies", ""), Column::new("crowning", "um")];
+    columns.extend(QUANTITIES.iter().map(|(column, ..)| *column));
+    let mut table = CsvTable::new(&columns);
+    for curve in curves {
+        for point in &curve.points {
+            let mut row = vec![Cell::Word(&curve.bodies), Cell::Number(point.crowning_um)];
+            row.extend(QUANTITIES.iter().map(|(_, _, value)| Cell::Number(value(point))));
+            table.push_cells(&row)?;
+        }
+    }
+    Ok(table)
+}
+
+fn profile_table(curves: &[ProfileCurve]) -> Result<CsvTable, CsvError> {
+    let mut table = CsvTable::new(&[
+        Column::new("curve", ""),
+        Column::new("w", "mm"),
+        Column::new("f_n", "um"),
+        Column::new("shift", "mm"),
+        Column::new("b", "mm"),
+        Column::new("r_A", "mm"),
+    ]);
+    for c in curves {
+        for i in 0..c.w_mm.len() {
+            let numbers = [c.w_mm[i], c.f_n_um[i], c.shift_mm[i], c.b_mm[i], c.r_a_mm[i]];
+            let mut row = vec![Cell::Word(&c.name)];
+            row.extend(numbers.map(Cell::Number));
+            table.push_cells(&row)?;
+        }
+    }
+    Ok(table)
+}
+
+/// A quantity of a worm that may be absent.
+type OfWorm = (Column, &'static str, fn(&WormPoint) -> Option<f64>);
+
+/// Quantities over worms.
+const OF_WORMS: [OfWorm; 9] = [
+    (Column::new("uncorrected_crowning", "um"), "profile crowning without corrections [µm]", |p| {
+        p.uncorrected_crowning_um
+    }),
+    (Column::new("stretch", "percent"), "profile stretch P [%]", |p| Some(100.0 * p.stretch)),
+    (Column::new("d_phi_S", "deg"), "Δφ_S [°]", |p| Some(p.d_phi_s_deg)),
+    (Column::new("d_gamma", "deg"), "Δγ [°]", |p| Some(p.d_gamma_deg)),
+    (Column::new("d_d", "mm"), "Δd [mm]", |p| Some(p.d_d_mm)),
+    (Column::new("d_v_yA", "mm"), "Δv_yA [mm]", |p| Some(p.d_v_ya_mm)),
+    (Column::new("error", "um"), "deviation of the profile with corrections [µm]", |p| Some(p.error_um)),
+    (Column::new("largest_tip_land", "mm"), "largest tip land of the dresser [mm]", |p| {
+        p.largest_tip_land_mm
+    }),
+    (Column::new("angle_without_stretch", "deg"), "pressure angle for P = 0 [°]", |p| {
+        p.angle_without_stretch_deg
+    }),
+];
+
+fn worm_table(curves: &[WormCurve]) -> Result<CsvTable, CsvError> {
+    let mut columns = vec![Column::new("bodies", ""), Column::new("value", "")];
+    columns.extend(OF_WORMS.iter().map(|(column, ..)| *column));
+    let mut table = CsvTable::new(&columns);
+    for curve in curves {
+        for point in &curve.points {
+            let mut row = vec![Cell::Word(&curve.bodies), Cell::Number(point.value)];
+            row.extend(OF_WORMS.iter().map(|(_, _, value)| value(point).map_or(Cell::Empty, Cell::Number)));
+            table.push_cells(&row)?;
+        }
+    }
+    Ok(table)
+}
+
+/// Quantities over the worms, a panel each; those that no worm has are left out. `None` without points.
+fn worm_chart(
+    title: &str,
+    x_title: &str,
+    curves: &[WormCurve],
+    quantities: &[OfWorm],
+) -> Result<Option<Svg>, ChartError> {
+    let mut panels = Vec::new();
+    for (_, title, value) in quantities {
+        let mut series = Vec::new();
+        for c in curves {
+            let (x, y): (Vec<f64>, Vec<f64>) =
+                c.points.iter().filter_map(|p| value(p).map(|y| (p.value, y))).unzip();
+            if !x.is_empty() {
+                series.push(Series::new(label(&c.bodies), x, y));
+            }
+        }
+        if !series.is_empty() {
+            panels.push(Panel::linear(*title, 0.0, series));
+        }
+    }
+    if panels.is_empty() {
+        return Ok(None);
+    }
+    line_chart(&LineChart { title: title.into(), x_title: x_title.into(), panels }).map(Some)
+}
+
+/// Worms on which the dresser does not work.
+fn worms_missing(curves: &[WormCurve]) -> Table {
+    let rows = curves.iter().flat_map(|c| {
+        c.missing.iter().map(|(value, refused)| {
+            vec![
+                label(&c.bodies),
+                format_significant(*value, 6),
+                format!("{}: {}", refused.code, refused.text),
+            ]
+        })
+    });
+    let rows: Vec<Vec<String>> = rows.collect();
+    let note = if rows.is_empty() { "The dresser works on all worms of the study." } else { "" };
+    Table {
+        caption: String::new(),
+        columns: vec![
+            PageColumn::symbols("Bodies"),
+            PageColumn::number("Worm", ""),
+            PageColumn::text("Why the dresser does not work there"),
+        ],
+        rows,
+        note: format!("{note} All points stand in explore.csv."),
+    }
+}
+
+/// A curve's name in the legend; a study without comparison has one curve.
+pub fn label(bodies: &str) -> String {
+    if bodies.is_empty() { "worm and dresser of the job".into() } else { bodies.into() }
+}
+
+/// The axis corrections with the axial position, and stretch, direction and deviation below: `None` without points.
+fn crowning_chart(
+    title: &str,
+    curves: &[CrowningCurve],
+    quantities: &[Quantity],
+) -> Result<Option<Svg>, ChartError> {
+    if curves.iter().all(|c| c.points.is_empty()) {
+        return Ok(None);
+    }
+    let panel = |(_, title, value): &Quantity| {
+        let drawn = curves.iter().filter(|c| !c.points.is_empty());
+        let series = drawn.map(|c| {
+            let x = c.points.iter().map(|p| p.crowning_um).collect();
+            Series::new(label(&c.bodies), x, c.points.iter().map(value).collect())
+        });
+        Panel::linear(*title, 0.0, series.collect())
+    };
+    let panels = quantities.iter().map(panel).collect();
+    let chart =
+        LineChart { title: title.into(), x_title: "profile crowning on the gear c_αV [µm]".into(), panels };
+    line_chart(&chart).map(Some)
+}
+
+/// Modification, shift of the points and contact line over the length of roll: `None` without points.
+fn profile_chart(curves: &[ProfileCurve]) -> Result<Option<Svg>, ChartError> {
+    let drawn: Vec<&ProfileCurve> = curves.iter().filter(|c| c.refused.is_none()).collect();
+    if drawn.is_empty() {
+        return Ok(None);
+    }
+    let panel = |title: &str, least: f64, value: fn(&ProfileCurve) -> &Vec<f64>| {
+        let series = drawn.iter().map(|c| {
+            let marks = vec![true; c.w_mm.len()];
+            Series::new(c.name.clone(), c.w_mm.clone(), value(c).clone()).marked(marks)
+        });
+        Panel::linear(title, least, series.collect())
+    };
+    let chart = LineChart {
+        title: "Dressed profile".into(),
+        x_title: "length of roll on the worm w_FS [mm]".into(),
+        panels: vec![
+            panel("normal modification f_nFS [µm]", 0.1, |c| &c.f_n_um),
+            panel("shift of the point on the worm [mm]", 0.01, |c| &c.shift_mm),
+            panel("contact line b [mm]", 0.1, |c| &c.b_mm),
+        ],
+    };
+    line_chart(&chart).map(Some)
+}
+
+fn page(outcome: &DressingStudyOutcome) -> Result<PlanReport, ChartError> {
+    let mut sections = Vec::new();
+    let mut figure = |title: &str, svg: Option<Svg>, caption: &str| {
+        if let Some(svg) = svg {
+            let block = Block::Figure(Figure { svg, caption: caption.into() });
+            sections.push(Section::new(title, vec![block]));
+        }
+    };
+    let (what, result) = match &outcome.curves {
+        StudyCurves::Crowning(curves) => {
+            figure(
+                "Corrections",
+                crowning_chart(
+                    "Corrections of dressing over the profile crowning",
+                    curves,
+                    &QUANTITIES[..5],
+                )?,
+                "Three-point method with the radius map: ends and middle of the profile are met, the dresser radius made for the \
+                 largest length of roll stays there. v_zS lets the contact line pass through the middle of the profile at worm z = 0.",
+            );
+            figure(
+                "Profile",
+                crowning_chart("Profile stretch, contact line and deviation", curves, &QUANTITIES[5..])?,
+                "P > 0: the profile is stretched. The deviation is the largest distance of the dressed profile from the parabola through \
+                 its three points, normal to the flank.",
+            );
+            ("profile crowning", crowning_ends(curves))
+        }
+        StudyCurves::Profile(curves) => {
+            figure(
+                "Profile",
+                profile_chart(curves)?,
+                "Each point belongs to one radius of the dresser, the same radii in all curves; the shift is how far its point on the worm \
+                 lies from the one it was made for. b is the worm z of the contact.",
+            );
+            ("dressed profile", profile_figures(curves))
+        }
+        StudyCurves::Worms(curves) => {
+            let x = if outcome.over == StudyOver::WormDiameter.name() {
+                "pitch diameter of the worm d_S [mm]"
+            } else {
+                "pressure angle of the worm α_nS [°]"
+            };
+            figure(
+                "Profile",
+                worm_chart("The dresser on other worms: profile", x, curves, &OF_WORMS[..2])?,
+                "Above what comes about with nominal crossing angle and offset, distance and phase set to both ends of the profile; below \
+                 the stretch with corrections, by the three-point method with the radius map.",
+            );
+            figure(
+                "Corrections",
+                worm_chart("The dresser on other worms: corrections", x, curves, &OF_WORMS[2..7])?,
+                "Corrections against the nominal kinematics of each worm with which its profile is straight at both ends and in the middle.",
+            );
+            figure(
+                "Limits",
+                worm_chart(
+                    "The dresser on other worms: tip land and angle without stretch",
+                    x,
+                    curves,
+                    &OF_WORMS[7..],
+                )?,
+                "The largest tip land that spares the counter flank, and the pressure angle of the worm for which this dresser needs no stretch.",
+            );
+            ("dresser on other worms", worms_missing(curves))
+        }
+        StudyCurves::Strokes(curves) => {
+            for curve in curves {
+                figure(
+                    "Strokes",
+                    stroke_chart(curve)?,
+                    "Each stroke lays an active area of the dresser on its range by three points and the end of the area on the end of the \
+                     range. The finished profile is the least of all strokes.",
+                );
+            }
+            ("dressing in several strokes", stroke_figures(curves))
+        }
+        StudyCurves::Deviations(curves) => {
+            figure(
+                "Profile",
+                deviation_chart(curves)?,
+                "Exact change of the dressed profile against the nominal kinematics, positive = material left.",
+            );
+            ("deviations of the axes", deviation_figures(curves))
+        }
+    };
+    sections.push(Section::new("Table", vec![Block::Table(result)]));
+    if let StudyCurves::Deviations(curves) = &outcome.curves {
+        sections.push(Section::new("Random deviations", vec![Block::Table(quantile_figures(curves))]));
+    }
+    let status = if outcome.is_producible() { Stamp::Study } else { Stamp::NotProducible };
+    Ok(PlanReport {
+        title: outcome.job.clone(),
+        subtitle: Some(format!("Study of dressing: {what}")),
+        facts: vec![
+            Fact::new("Process", outcome.process.clone()),
+            Fact::new("Flank", outcome.flank),
+            Fact::new("Version", outcome.version),
+        ],
+        banner: Banner { status, headline: headline(outcome), figures: Vec::new() },
+        sections,
+    })
+}
+
+fn headline(outcome: &DressingStudyOutcome) -> String {
+    let refusals: Vec<&Refused> = match &outcome.curves {
+        StudyCurves::Crowning(curves) => curves.iter().filter_map(|c| c.refused.as_ref()).collect(),
+        StudyCurves::Profile(curves) => curves.iter().filter_map(|c| c.refused.as_ref()).collect(),
+        StudyCurves::Worms(curves) => curves.iter().flat_map(|c| &c.missing).map(|(_, r)| r).collect(),
+        StudyCurves::Strokes(curves) => curves.iter().filter_map(|c| c.refused.as_ref()).collect(),
+        StudyCurves::Deviations(curves) => curves.iter().filter_map(|c| c.refused.as_ref()).collect(),
+    };
+    match refusals.first() {
+        None => "all bodies of the study can be dressed".into(),
+        Some(first) => format!("{} bodies of the study cannot be dressed: {}", refusals.len(), first.text),
+    }
+}
+
+/// Where the curves end and the largest corrections on the way.
+fn crowning_ends(curves: &[CrowningCurve]) -> Table {
+    let rows = curves.iter().map(|c| {
+        let um =
+            |p: Option<&CrowningPoint>| p.map_or_else(String::new, |p| format_significant(p.crowning_um, 5));
+        let reason = |end: &Option<super::CurveEnd>| {
+            end.as_ref().map_or_else(|| "end of the study".into(), |end| end.reason.clone())
+        };
+        let largest = |value: fn(&CrowningPoint) -> f64| {
+            format_significant(c.points.iter().map(|p| value(p).abs()).fold(0.0, f64::max), 4)
+        };
+        vec![
+            label(&c.bodies),
+            um(c.points.first()),
+            c.refused.as_ref().map_or_else(|| reason(&c.least), |r| format!("{}: {}", r.code, r.text)),
+            um(c.points.last()),
+            reason(&c.most),
+            c.with_tip_land.as_ref().map_or_else(String::new, |ends| {
+                let of = |end: &super::CurveEnd| {
+                    format!("{} ({})", format_significant(end.crowning_um, 5), end.reason)
+                };
+                format!("{} .. {}", of(&ends[0]), of(&ends[1]))
+            }),
+            largest(|p| p.d_phi_s_deg),
+            largest(|p| p.d_gamma_deg),
+            largest(|p| p.d_d_mm),
+            largest(|p| p.d_v_ya_mm),
+        ]
+    });
+    Table {
+        caption: String::new(),
+        columns: vec![
+            PageColumn::symbols("Bodies"),
+            PageColumn::number("Least crowning", "µm"),
+            PageColumn::text("Ends with"),
+            PageColumn::number("Largest crowning", "µm"),
+            PageColumn::text("Ends with"),
+            PageColumn::text("With the tip land, µm"),
+            PageColumn::number("max |Δφ_S|", "°"),
+            PageColumn::number("max |Δγ|", "°"),
+            PageColumn::number("max |Δd|", "mm"),
+            PageColumn::number("max |Δv_yA|", "mm"),
+        ],
+        rows: rows.collect(),
+        note: "All points stand in explore.csv.".into(),
+    }
+}
+
+fn profile_figures(curves: &[ProfileCurve]) -> Table {
+    let rows = curves.iter().map(|c| {
+        let mut row = vec![c.name.clone()];
+        match &c.point {
+            Some(point) => {
+                row.extend(QUANTITIES.iter().map(|(_, _, value)| format_significant(value(point), 5)));
+            }
+            None => {
+                row.push(c.refused.as_ref().map_or_else(String::new, |r| format!("{}: {}", r.code, r.text)))
+            }
+        }
+        row
+    });
+    let mut columns = vec![PageColumn::symbols("Curve")];
+    columns.extend(QUANTITIES.iter().map(|(_, title, _)| PageColumn::symbols(*title)));
+    Table {
+        caption: String::new(),
+        columns,
+        rows: rows.collect(),
+        note: "All points stand in explore.csv.".into(),
+    }
+}

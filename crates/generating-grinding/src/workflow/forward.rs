@@ -1,0 +1,180 @@
+//! The flank that a process leaves whose axes are off, many times over: bodies, plan and grid are made once, then every set of deviations
+//! costs the exact contact alone. Proven by nobody; the referee is a run.
+
+use super::execution::{ExecutedTool, Execution, shifted};
+use super::influence::influence;
+use super::prepare::{Prepared, prepare};
+use crate::job::{Job, LoadedJob};
+use crate::workflow::generating_finding;
+use dressing::DressedWorm;
+use foundation::geometry::{Flank, Sides};
+use foundation::kinematics::GeneratingMotion;
+use generating::PlanningGrid;
+use generating::correction::{Setting, SettingsFlank};
+use job::{AnyJob, Diagnostic, Problem};
+use metrology::Topography;
+use run::{JobFailure, RunFailure};
+
+/// Orders of the deviations over the feed.
+const ORDERS: u8 = 6;
+const ARCSEC: f64 = std::f64::consts::PI / 180.0 / 3600.0;
+const DEG: f64 = std::f64::consts::PI / 180.0;
+
+/// What may be off.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Deviation {
+    /// Coefficient k of the centre distance over q^k, where q runs from -1 to 1 over the face width, um.
+    RadialFeed(u8),
+    /// Coefficient k of the workpiece's angle over q^k, arcsec.
+    WorkAngle(u8),
+    /// Crossing angle of worm and workpiece, degrees.
+    CrossingAngle,
+    /// An axis of dressing, all along the worm: d_phi_S and d_gamma in degrees, d_d and d_v_yA in um.
+    Dressing(usize),
+}
+
+const DRESSING: [(&str, f64); 4] = [
+    ("dressing_phi_s_deg", DEG),
+    ("dressing_gamma_deg", DEG),
+    ("dressing_d_um", 1e-3),
+    ("dressing_v_ya_um", 1e-3),
+];
+
+impl Deviation {
+    /// All of them.
+    pub fn all() -> Vec<Self> {
+        let orders = |of: fn(u8) -> Self| (0..ORDERS).map(of);
+        let grinding = orders(Self::RadialFeed).chain(orders(Self::WorkAngle)).chain([Self::CrossingAngle]);
+        grinding.chain((0..DRESSING.len()).map(Self::Dressing)).collect()
+    }
+
+    /// Stable name with the unit, e.g. `radial_feed_1_um`.
+    pub fn name(self) -> String {
+        match self {
+            Self::RadialFeed(k) => format!("radial_feed_{k}_um"),
+            Self::WorkAngle(k) => format!("work_angle_{k}_arcsec"),
+            Self::CrossingAngle => "crossing_angle_deg".to_owned(),
+            Self::Dressing(axis) => DRESSING[axis].0.to_owned(),
+        }
+    }
+}
+
+/// A planned process, ready to be run with deviations.
+pub struct ForwardModel {
+    loaded: LoadedJob,
+    prepared: Prepared,
+    execution: Execution,
+    grid: PlanningGrid,
+    target: Sides<Option<Topography>>,
+}
+
+impl ForwardModel {
+    /// Plans a job of generating grinding, or takes the settings that stand in it; evaluates on a grid of `points`: along the profile, along
+    /// the helix.
+    ///
+    /// # Errors
+    /// [`JobFailure`] as for a plan; another process, bodies from a catalogue, a tool that is dressed in strokes, a law of the feed in place
+    /// of a diagonal ratio, a grid of fewer than 2 points.
+    pub fn new(job: &AnyJob, points: [usize; 2]) -> Result<Self, JobFailure> {
+        let Some(loaded) = job.of::<Job>() else {
+            return Err(RunFailure::other_process(job, "\"generating-grinding\"").into());
+        };
+        if loaded.job.catalogue.is_some() {
+            let finding =
+                Diagnostic::new(Problem::NotYetSupported, "a forward model needs bodies, not a catalogue");
+            let finding =
+                finding.field("catalogue").way_out("plan the job and take the bodies that it has chosen");
+            return Err(RunFailure::bad_input(finding).into());
+        }
+        if let Some(few) = points.iter().find(|&&n| n < 2) {
+            let finding = Diagnostic::new(Problem::InvalidNumber, "a grid has at least two points each way");
+            let finding = finding.field("points").value(few.to_string()).allowed("2 or more");
+            return Err(RunFailure::bad_input(finding.way_out("take 9 x 9")).into());
+        }
+        let prepared = prepare(loaded)?;
+        let execution = match &loaded.job.settings {
+            Some(settings) => Execution::of_settings(loaded, &prepared, settings)?,
+            None => {
+                let plan = prepared.task(&loaded.job).plan().map_err(|e| generating_finding::failure(&e))?;
+                Execution::of_plan(&loaded.job, &prepared, &plan)
+            }
+        };
+        influence(&prepared, &execution, loaded)?;
+        let stroked = |flank: Flank| execution.flanks[flank].as_ref().is_some_and(|f| f.strokes().is_some());
+        if Flank::BOTH.into_iter().any(stroked) {
+            let finding =
+                Diagnostic::new(Problem::NotYetSupported, "this tool is dressed in several strokes");
+            let finding = finding.field("dressing.strokes").way_out("plan it in one stroke");
+            return Err(RunFailure::bad_input(finding).into());
+        }
+        let grid = PlanningGrid::new(&prepared.setup, points[0], points[1]);
+        let target = Sides::try_from_fn(|flank| -> Result<_, RunFailure> {
+            let Some(target) = &prepared.targets[flank] else { return Ok(None) };
+            let values = grid.target(flank, target, prepared.setup.lines[flank].cos_b2);
+            let values = values.map_err(|e| generating_finding::failure(&e))?;
+            Ok(Topography::new(grid.w[flank].clone(), grid.z.clone(), values))
+        })?;
+        Ok(Self { loaded: loaded.clone(), prepared, execution, grid, target })
+    }
+
+    /// The target, normal, mm; `None` for a flank that is not ground.
+    pub fn target(&self) -> &Sides<Option<Topography>> {
+        &self.target
+    }
+
+    /// The flank with deviations, each in the unit of its name: normal, mm, row-major over the length of roll and the axial position.
+    /// `None` for a flank that is not ground.
+    ///
+    /// # Errors
+    /// [`RunFailure`]: a value that is not finite, deviations of dressing where nothing is dressed, a contact that is not found.
+    pub fn flanks(&self, deviations: &[(Deviation, f64)]) -> Result<Sides<Option<Vec<f64>>>, RunFailure> {
+        if let Some((of, value)) = deviations.iter().find(|(_, value)| !value.is_finite()) {
+            let finding = Diagnostic::new(Problem::InvalidNumber, "a deviation is not finite");
+            let finding = finding.field(of.name()).value(value.to_string()).allowed("finite numbers");
+            return Err(RunFailure::bad_input(finding.way_out("leave the sample out")));
+        }
+        let motion = self.motion(deviations)?;
+        let mut dressing = [0.0; 4];
+        for (of, value) in deviations {
+            if let Deviation::Dressing(axis) = of {
+                dressing[*axis] += value * DRESSING[*axis].1;
+            }
+        }
+        Sides::try_from_fn(|flank| {
+            let Some(executed) = &self.execution.flanks[flank] else { return Ok(None) };
+            let setup = &self.prepared.setup;
+            let ground = match (&executed.tool, &self.execution.dresser) {
+                (ExecutedTool::Dressed(of), Some(dresser)) => {
+                    let corrections =
+                        std::array::from_fn(|axis| shifted(&of.corrections[axis], dressing[axis]));
+                    self.grid.ground(setup, flank, &motion, &DressedWorm::new(dresser, flank, &corrections))
+                }
+                (ExecutedTool::Made(made), _) if dressing == [0.0; 4] => {
+                    self.grid.ground(setup, flank, &motion, &made.surface(setup, flank))
+                }
+                _ => {
+                    let finding = Diagnostic::new(Problem::InvalidJob, "nothing is dressed in this process");
+                    let finding = finding.field("dressing").value("deviations of the dressing axes");
+                    return Err(RunFailure::bad_input(finding.allowed("none").way_out("leave them out")));
+                }
+            };
+            let ground = ground.map_err(|e| generating_finding::failure(&e))?;
+            Ok(Some(ground.iter().map(|g| g.f_n).collect()))
+        })
+    }
+
+    fn motion(&self, deviations: &[(Deviation, f64)]) -> Result<GeneratingMotion, RunFailure> {
+        let influence = influence(&self.prepared, &self.execution, &self.loaded)?;
+        let (mut settings, mut crossing) = (Vec::new(), 0.0);
+        for (of, value) in deviations {
+            match of {
+                Deviation::RadialFeed(k) => settings.push((Setting::RadialFeed(*k), value * 1e-3)),
+                Deviation::WorkAngle(k) => settings.push((Setting::WorkAngle(*k), value * ARCSEC)),
+                Deviation::CrossingAngle => crossing += value * DEG,
+                Deviation::Dressing(_) => {}
+            }
+        }
+        let flank = SettingsFlank::new(&self.prepared.setup.pair, &influence, &self.execution.motion);
+        Ok(flank.motion(&settings, crossing))
+    }
+}

@@ -1,0 +1,204 @@
+//! Worm, workpiece and dresser as bodies of revolution: how long a stroke runs in and out, and the check from the texts that the worm
+//! comes in, goes out and travels clear of the blank and of the dresser. Knows no flank.
+
+use super::build::Built;
+use super::result::ClearanceResult;
+use super::surroundings::{self, Surroundings};
+use super::task::ProgramTask;
+use foundation::kinematics::{Dresser, Pose, Workpiece, Worm};
+use foundation::numerics::equidistant;
+use job::Diagnostic;
+use machine::{Machine, Mounts, Station};
+use motion::{Course, MotionError, Tracked, Waypoint, track};
+use nalgebra::Vector3;
+use run::RunFailure;
+use run::program_check::BodyClearance;
+use std::collections::BTreeSet;
+use std::f64::consts::TAU;
+use verdict::Remark;
+
+/// Clearance of worm and blank where a stroke begins and ends, mm: above any stock.
+pub const CLEARANCE: f64 = 1.0;
+/// What places of the blank and of a text may be off, mm: chords of its circle and of its length, digits of the control.
+const SAMPLED: f64 = 0.05;
+/// Longest run-in, mm, and the step in which it is looked for.
+const LONGEST: f64 = 300.0;
+const STEP: f64 = 1.0;
+/// Halvings of a step: below a micrometre.
+const HALVINGS: usize = 12;
+/// Places around the blank and along it.
+const AROUND: usize = 360;
+const ALONG: usize = 21;
+
+/// A worm and what stands against it, as cylinders. mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cylinders {
+    /// Largest tip radius of the worm.
+    pub worm_radius: f64,
+    /// Half the width of the worm; `None` for one without a stated width, which is endless.
+    pub worm_half_width: Option<f64>,
+    /// Tip radius of the gear or of the dresser.
+    pub radius: f64,
+    /// Half its face width.
+    pub half_width: f64,
+}
+
+impl Cylinders {
+    /// Least distance of the gear or the dresser from the worm, mm; negative where they overlap.
+    pub fn gap<Body: 'static>(&self, pose: &Pose<Worm, Body>) -> f64 {
+        let faces = equidistant([-self.half_width, self.half_width], ALONG);
+        let around = (0..AROUND).map(|k| (TAU * k as f64 / AROUND as f64).sin_cos());
+        let of = |(sin, cos): (f64, f64)| {
+            let rim = |z: &f64| {
+                let at = Vector3::new(self.radius * cos, self.radius * sin, *z);
+                let at = pose.rotation() * at + pose.translation();
+                let radial = at.x.hypot(at.y) - self.worm_radius;
+                let axial = self.worm_half_width.map_or(f64::NEG_INFINITY, |half| at.z.abs() - half);
+                if axial > 0.0 { radial.max(0.0).hypot(axial) } else { radial }
+            };
+            faces.iter().map(rim).fold(f64::INFINITY, f64::min)
+        };
+        around.map(of).fold(f64::INFINITY, f64::min)
+    }
+
+    /// How far a stroke has to run on beyond `end` (mm) in the sense of `sense` until the bodies are clear of each other; 0 for one that
+    /// never becomes so.
+    pub fn run_out<Body: 'static>(&self, course: &Course, end: f64, sense: f64) -> f64 {
+        let clear = |x: f64| {
+            let place = course.place(&Waypoint { v: end + sense * x, ..Waypoint::default() });
+            self.gap::<Body>(&course.mounts().bodies(&place.pose)) >= CLEARANCE
+        };
+        let steps = (LONGEST / STEP) as usize;
+        let Some(first) = (0..=steps).map(|k| k as f64 * STEP).find(|&x| clear(x)) else { return 0.0 };
+        let (mut low, mut high) = ((first - STEP).max(0.0), first);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            if clear(middle) { high = middle } else { low = middle }
+        }
+        high
+    }
+}
+
+/// Least distance of two bodies beside the strokes of a program, and where it is too small.
+#[derive(Debug, Default)]
+pub struct Beside {
+    /// Least distance, mm; infinite where the program does nothing beside its strokes.
+    pub least: f64,
+    /// Places with less than is kept, one for each block.
+    pub faults: Vec<Remark>,
+}
+
+/// Follows a program wherever no stroke grinds or dresses: approach, infeed, retraction, rapid moves, and the first and the last place of
+/// every stroke. `strokes`: first and last block of each, from 1.
+///
+/// # Errors
+/// [`MotionError`]: axes without a pose.
+pub fn beside<Body: 'static>(
+    tracked: &Tracked,
+    (machine, station, mounts): (&Machine, Station, &Mounts),
+    strokes: &[[usize; 2]],
+    (cylinders, body, kept): (&Cylinders, &str, f64),
+) -> Result<Beside, MotionError> {
+    let mut found = Beside { least: f64::INFINITY, faults: Vec::new() };
+    let mut last = 0;
+    for (block, positions) in tracked.beside(machine, strokes) {
+        let pose = machine.pose(station, &positions)?;
+        let gap = cylinders.gap::<Body>(&mounts.bodies(&pose));
+        found.least = found.least.min(gap);
+        if gap < kept - SAMPLED && block != last {
+            last = block;
+            found.faults.push(Remark::new(
+                "program-not-clear",
+                format!("block {block}: worm and {body} come to {gap:.3} mm of each other where no stroke works; {kept} mm are kept"),
+                "raise machine.clearance, or let the strokes begin and end further out",
+            ));
+        }
+    }
+    Ok(found)
+}
+
+/// Checks from the texts that worm, blank and dresser are clear of each other beside the strokes. `None` where no bodies are known.
+///
+/// # Errors
+/// A text that cannot be followed; a place with less than the clearance.
+pub fn check(task: &ProgramTask<'_>, built: &Built) -> Result<Option<ClearanceResult>, RunFailure> {
+    let machine = &task.machine.machine;
+    let technology = &task.technology;
+    let mut least = f64::INFINITY;
+    let mut checked = BTreeSet::new();
+    for program in &built.programs {
+        let refused = |error: MotionError| {
+            let finding = Diagnostic::with_code(error.code(), format!("{}: {error}", program.file));
+            RunFailure::not_producible(finding.field("machine").way_out(error.way_out()))
+        };
+        let tracked = track(&program.read, machine, &program.words, &program.start).map_err(refused)?;
+        let found = match program.station {
+            Station::Work => {
+                let (Some(cylinders), Some(work)) = (&technology.cylinders, task.grinding.first()) else {
+                    continue;
+                };
+                let mounts = &technology.grinding;
+                let strokes = tracked.grinding(machine, mounts, &work.motion, work.phase).map_err(refused)?;
+                let blocks: Vec<[usize; 2]> = strokes.iter().map(|stroke| stroke.blocks).collect();
+                let of = (machine, Station::Work, mounts);
+                checked.insert("workpiece");
+                beside::<Workpiece>(&tracked, of, &blocks, (cylinders, "blank", CLEARANCE))
+            }
+            Station::Dresser => {
+                let (Some(cylinders), Some(work)) = (&technology.dresser, task.dressing.first()) else {
+                    continue;
+                };
+                let mounts = &technology.dressing;
+                let strokes = tracked.dressing(machine, mounts, &work.motion.chain).map_err(refused)?;
+                let blocks: Vec<[usize; 2]> = strokes.iter().map(|stroke| stroke.blocks).collect();
+                let of = (machine, Station::Dresser, mounts);
+                checked.insert("dresser");
+                beside::<Dresser>(&tracked, of, &blocks, (cylinders, "dresser", CLEARANCE))
+            }
+        };
+        let found = found.map_err(refused)?;
+        least = least.min(found.least);
+        if let Some(fault) = found.faults.first() {
+            let finding = Diagnostic::with_code(fault.code, format!("{}, {}", program.file, fault.text));
+            let way_out = format!("{}; nothing was written", fault.way_out);
+            return Err(RunFailure::not_producible(finding.field("machine").way_out(way_out)));
+        }
+    }
+    let around = Surroundings::new(task.machine, technology);
+    let around_worm = surroundings::check(task, built, &around)?;
+    let mut not_checked: Vec<&'static str> = around.not_covered();
+    not_checked.extend(around.exchanged());
+    if !checked.contains("dresser") && !task.dressing.is_empty() {
+        not_checked.insert(0, "dresser");
+    }
+    let bodies: Vec<&'static str> = std::iter::once("worm").chain(checked).collect();
+    Ok(least.is_finite().then(|| ClearanceResult {
+        statement: format!(
+            "from the program text: {} stay {least:.3} mm or more apart at the ends of the strokes, in approach, retraction and rapid moves ({CLEARANCE} mm are kept){}; not checked: {}",
+            bodies.join(", "),
+            clear_of(&around_worm, around.kept()),
+            if not_checked.is_empty() { "the first move of a program".to_owned() } else { not_checked.join(", ") }
+        ),
+        checked: bodies,
+        not_checked,
+        bodies_kept_mm: (!around_worm.is_empty()).then(|| around.kept()),
+        bodies: around_worm,
+        least_mm: least,
+        kept_mm: CLEARANCE,
+    }))
+}
+
+/// What the worm's side keeps clear of over all blocks, in words; nothing without such bodies.
+fn clear_of(bodies: &[BodyClearance], kept: f64) -> String {
+    let Some(nearest) = bodies.first() else { return String::new() };
+    let names: Vec<&str> = bodies.iter().map(|body| body.body.as_str()).collect();
+    format!(
+        "; over all blocks, strokes included, the worm and what its spindle carries stay clear of {}: least distance {:.3} mm, of {} and {} in block {} of {} ({kept} mm are kept)",
+        names.join(", "),
+        nearest.least_mm,
+        nearest.of,
+        nearest.body,
+        nearest.block,
+        nearest.file
+    )
+}

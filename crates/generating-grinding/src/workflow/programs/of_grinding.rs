@@ -1,0 +1,561 @@
+//! The programs of a generating-grinding run: its strokes as work for a machine, and its referee asked with motions from a text.
+
+use super::areas::ProgramAreas;
+use super::beyond_travel::BeyondTravel;
+use super::clearance;
+use super::follow::{Followed, follow};
+use super::indexing::Indexing;
+use super::lines::{LineWork, follow_lines};
+use super::proof::{Judge, ReadBack, RunFlank, Sought, THREAD_GRID};
+use super::run_programs::RunPrograms;
+use super::task::{DressingWork, GrindingWork, ProgramTask};
+use super::technology::Technology;
+use crate::job::{DressingFlanks, Job, LoadedJob};
+use crate::workflow::execution::{ExecutedTool, Execution};
+use crate::workflow::line_dressing::WrittenFlank;
+use crate::workflow::partition::StrokePlan;
+use crate::workflow::prepare::Prepared;
+use crate::workflow::referee::{self, Cutting, Verdict};
+use crate::workflow::run::{Outcome, plan_job, simulate_job};
+use contact::ToolSurface;
+use dressing::{DressedWorm, DresserTool};
+use foundation::geometry::{Flank, Sides};
+use foundation::kinematics::{DressingMotion, Point, Pose, Worm};
+use foundation::numerics::{Chebyshev, Progress, Silent, equidistant};
+use job::machine::LoadedMachine;
+use job::tables::{Machine as JobMachine, Program as DialectName};
+use machine::{GearCoupling, Machine, Role, Station};
+use metrology::Topography;
+use motion::{ReadStroke, Tracked};
+use nalgebra::Vector3;
+use run::RunFailure;
+use run::program_check::{dialects, machine_of_job, refused};
+use std::f64::consts::TAU;
+use verdict::Remark;
+
+/// Contacts looked at along the line in which the dresser touches a flank.
+const CONTACTS: usize = 5;
+/// Where along a stroke they are looked at, as shares of it.
+const PLACES: [f64; 3] = [0.1, 0.5, 0.9];
+/// Phases of two flanks closer than this (rad) are one motion.
+const SAME_PHASE: f64 = 1e-9;
+
+/// The strokes of a run with the bodies that they move.
+struct Strokes {
+    technology: Technology,
+    coupling: GearCoupling,
+    indexing: Indexing,
+    /// Dressing strokes, each with the flanks and their strokes that it makes.
+    dressing: Vec<(DressingWork, Vec<(Flank, usize)>)>,
+    /// Grinding strokes, each with the flanks that it makes.
+    grinding: Vec<(GrindingWork, Vec<Flank>)>,
+    /// The areas of the worm, if passes use more than one, and the worm positions that the plan dresses.
+    areas: Option<(ProgramAreas, Vec<[f64; 2]>)>,
+}
+
+impl Strokes {
+    fn new(
+        job: &Job,
+        machine: &JobMachine,
+        prepared: &Prepared,
+        execution: &Execution,
+        plan: Option<&StrokePlan>,
+    ) -> Result<Self, RunFailure> {
+        let setup = &prepared.setup;
+        let worm = &setup.pair.worm;
+        let any = &setup.pair.flanks.left;
+        let data = setup.pair.work.data();
+        let two_flanks = job.dressing.flanks == DressingFlanks::Two;
+        let areas = ProgramAreas::of_job(job, prepared, execution)?;
+        let technology = Technology::of_grinding(machine, setup, job.grinding.feed_per_revolution);
+        let mut strokes = Self {
+            technology: match largest_dresser(job, prepared) {
+                Some(radius) => technology.with_dresser(radius, setup.worm_module()),
+                None => technology,
+            },
+            coupling: GearCoupling {
+                threads: worm.data().teeth.unsigned_abs(),
+                teeth: data.teeth,
+                shift: any.shift_coupling,
+                feed: any.feed_coupling,
+                crossed_axes_angle: setup.pair.chain.crossed_axes_angle,
+            },
+            indexing: Indexing::new(worm.data().teeth.unsigned_abs(), data.teeth, plan),
+            dressing: dressing_work(prepared, execution, two_flanks),
+            grinding: grinding_work(prepared, execution),
+            areas: None,
+        };
+        if let Some(areas) = areas {
+            strokes.place(areas, prepared, execution)?;
+        }
+        Ok(strokes)
+    }
+
+    /// What was read from a text as if its areas lay where the plan has them; `None` without areas.
+    fn as_planned(&self, read: &ReadBack, area: f64) -> Option<ReadBack> {
+        self.areas.as_ref().map(|(areas, _)| areas.as_planned(read, area))
+    }
+
+    /// The flanks that are dressed line by line; none where passes use more than one area, which the lines of the plan do not reach.
+    fn lines<'a>(&self, written: &'a Sides<Option<WrittenFlank>>) -> Vec<LineWork<'a>> {
+        if self.areas.is_some() { Vec::new() } else { LineWork::of_run(written) }
+    }
+
+    /// The strokes as work for a machine.
+    fn task<'a>(
+        &self,
+        loaded: &'a LoadedJob,
+        (machine, dialects): (&'a LoadedMachine, &'a [DialectName]),
+        written: &'a Sides<Option<WrittenFlank>>,
+    ) -> ProgramTask<'a> {
+        ProgramTask {
+            job: &loaded.job.job.name,
+            machine,
+            dialects,
+            technology: self.technology.clone(),
+            dressing: self.dressing.iter().map(|(work, _)| work.clone()).collect(),
+            lines: self.lines(written),
+            grinding: self.grinding.iter().map(|(work, _)| work.clone()).collect(),
+            indexing: self.indexing.clone(),
+            coupling: self.coupling,
+            areas: self.areas_apart(),
+        }
+    }
+
+    /// z_V1 of every finishing area less that of the first, mm.
+    fn areas_apart(&self) -> Vec<f64> {
+        self.areas.as_ref().map_or(vec![0.0], |(areas, _)| areas.apart())
+    }
+
+    /// Lays the strokes into the areas of the worm.
+    fn place(
+        &mut self,
+        areas: ProgramAreas,
+        prepared: &Prepared,
+        execution: &Execution,
+    ) -> Result<(), RunFailure> {
+        let driven = self.dressing.iter().map(|(work, _)| work.interval).collect();
+        self.technology.roughing_shift = areas.roughing_shift();
+        for (work, of) in &mut self.dressing {
+            let flanks: Vec<Flank> = of.iter().map(|(flank, _)| *flank).collect();
+            if let Some(tool) = dresser_of(prepared, execution, of) {
+                areas.placed_dressing(work, (tool, &flanks), &execution.motion.shift)?;
+            }
+        }
+        for (work, _) in &mut self.grinding {
+            areas.placed_grinding(work);
+        }
+        self.areas = Some((areas, driven));
+        Ok(())
+    }
+}
+
+/// The flanks of a run.
+fn flanks_of(execution: &Execution, verdicts: &Sides<Option<Verdict>>) -> Sides<Option<RunFlank>> {
+    Sides::from_fn(|flank| {
+        let (executed, verdict) = (execution.flanks[flank].as_ref()?, verdicts[flank].as_ref()?);
+        let rays = verdict.simulated.clone();
+        Some(RunFlank { deviation: rays.minus(&executed.target), rays })
+    })
+}
+
+/// The referee of a run.
+struct Referee<'a> {
+    prepared: &'a Prepared,
+    execution: &'a Execution,
+    cutting: Cutting<'a>,
+    strokes: &'a Strokes,
+}
+
+/// Programs of a run whose job names a machine; `None` for one that names none.
+///
+/// # Errors
+/// [`RunFailure`]: a machine that is none or cannot do it; programs that are not proven.
+pub fn programs_of_grinding(
+    loaded: &LoadedJob,
+    prepared: &Prepared,
+    execution: &Execution,
+    verdicts: &Sides<Option<Verdict>>,
+    (cutting, written): (Cutting<'_>, &Sides<Option<WrittenFlank>>),
+) -> Result<Option<RunPrograms>, RunFailure> {
+    let Some(job_machine) = &loaded.job.machine else { return Ok(None) };
+    let machine = machine_of_job(&loaded.document, &job_machine.file)?;
+    let strokes = Strokes::new(&loaded.job, job_machine, prepared, execution, cutting.strokes)?;
+    let dialects = dialects(&loaded.job.output.programs, &machine);
+    let task = strokes.task(loaded, (&machine, &dialects), written);
+    let flanks = flanks_of(execution, verdicts);
+    let judge = Referee { prepared, execution, cutting, strokes: &strokes };
+    let feed_given = loaded.job.grinding.feed_per_revolution.is_some();
+    let mut programs = RunPrograms::new(&task, feed_given, &flanks, &judge)?;
+    if let Some((areas, driven)) = &strokes.areas {
+        programs.result.worm_use = areas.check(&task, &programs.built, driven)?;
+    }
+    programs.result.clearance = clearance::check(&task, &programs.built)?;
+    if task.lines.is_empty()
+        && execution.flanks.iter().any(|(_, f)| f.as_ref().is_some_and(|f| f.made().is_some()))
+    {
+        programs.warnings.push(Remark {
+            code: "dressing-without-program",
+            text: "the worm is a table: no dressing strokes lead to it, only grinding programs are written"
+                .into(),
+            way_out: "take motions/dressing-lines-*.csv, or a dresser with a profile".into(),
+        });
+    }
+    Ok(Some(programs))
+}
+
+/// The axes that the programs of a job would drive beyond the travel of its machine; none without a machine, and none for flanks of the
+/// worm that are dressed line by line.
+pub fn beyond_travel_of_grinding(
+    loaded: &LoadedJob,
+    prepared: &Prepared,
+    execution: &Execution,
+) -> Vec<BeyondTravel> {
+    let found = || {
+        let job_machine = loaded.job.machine.as_ref()?;
+        let machine = machine_of_job(&loaded.document, &job_machine.file).ok()?;
+        let plan = StrokePlan::of_job(&loaded.job).ok()?;
+        let strokes = Strokes::new(&loaded.job, job_machine, prepared, execution, plan.as_ref()).ok()?;
+        let dialects = dialects(&loaded.job.output.programs, &machine);
+        let written = Sides::both(None);
+        Some(strokes.task(loaded, (&machine, &dialects), &written).beyond_travel())
+    };
+    found().unwrap_or_default()
+}
+
+/// The run of a job with its strokes, for programs to be followed on its bodies.
+pub struct OnGrinding {
+    run: Outcome,
+    strokes: Strokes,
+}
+
+impl OnGrinding {
+    /// Its own run, by its settings if it has some.
+    ///
+    /// # Errors
+    /// Those of the run.
+    pub fn new(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Self, RunFailure> {
+        let mut plain = loaded.clone();
+        plain.job.machine = None;
+        let run = if plain.job.settings.is_some() {
+            simulate_job(&plain, progress)?
+        } else {
+            plan_job(&plain, progress)?
+        };
+        let clamped = loaded.job.machine.clone().unwrap_or_default();
+        let indexed = run.result.settings.strokes.as_ref();
+        let strokes = Strokes::new(&loaded.job, &clamped, &run.prepared, &run.execution, indexed)?;
+        Ok(Self { run, strokes })
+    }
+
+    /// How the job clamps its bodies.
+    pub fn technology(&self) -> &Technology {
+        &self.strokes.technology
+    }
+
+    /// Follows a program and says what it makes of the flanks.
+    ///
+    /// # Errors
+    /// Those of [`follow`].
+    pub fn follow(&self, machine: &Machine, tracked: &Tracked) -> Result<Followed, RunFailure> {
+        let Self { run, strokes } = self;
+        let (prepared, execution) = (&run.prepared, &run.execution);
+        let cutting = Cutting { feed_per_revolution: None, strokes: run.result.settings.strokes.as_ref() };
+        let areas_apart = strokes.areas_apart();
+        let sought = Sought {
+            machine,
+            technology: &strokes.technology,
+            indexing: &strokes.indexing,
+            areas: &areas_apart,
+            dressing: strokes.dressing.iter().map(|(work, _)| work).collect(),
+            grinding: strokes.grinding.iter().map(|(work, _)| work).collect(),
+        };
+        let judge = Referee { prepared, execution, cutting, strokes };
+        let tolerance_um = prepared.tolerance.tightest() * 1e3;
+        let lines = strokes.lines(&run.written);
+        let turns = machine.role(Role::Work).and_then(|axis| tracked.ranges[axis]);
+        if !lines.is_empty() && turns.is_none_or(|[from, to]| to <= from) {
+            let deviation = Sides::from_fn(|flank: Flank| {
+                run.result.flanks.get(flank.name()).map_or(0.0, |flank| flank.max_deviation_um)
+            });
+            let on = (machine, &strokes.technology, &strokes.indexing);
+            let mut followed = follow_lines(tracked, on, &lines, &deviation, tolerance_um)?;
+            followed.faults.extend(sought.too_fast(tracked, Station::Dresser));
+            return Ok(followed);
+        }
+        let flanks = flanks_of(execution, &run.verdicts);
+        let mut followed = follow(tracked, &sought, &flanks, tolerance_um, &judge)?;
+        if let Some((areas, driven)) = &strokes.areas {
+            let off = if followed.kind == "grinding" {
+                areas.ground(&sought, tracked, None).map(|(_, faults)| faults)
+            } else {
+                areas.undressed(&sought, tracked, driven)
+            };
+            followed.faults.extend(off.map_err(|error| refused(&error))?);
+        }
+        Ok(followed)
+    }
+}
+
+/// Contacts of the dresser with a worm flank along a stroke, each carried back along the thread to v_zS = 0.
+fn contacts(
+    dresser: &DresserTool,
+    flank: Flank,
+    corrections: &[Chebyshev; 4],
+) -> Vec<(Vector3<f64>, Vector3<f64>)> {
+    let worm = DressedWorm::new(dresser, flank, corrections);
+    let (range, (from, to)) = (worm.range(), corrections[0].interval());
+    let screw = dresser.flanks[flank].chain.screw_parameter;
+    let mut contacts = Vec::with_capacity(CONTACTS * PLACES.len());
+    for v in PLACES.map(|share| from + share * (to - from)) {
+        let back = Pose::<Worm, Worm>::tz(v).then(&Pose::<Worm, Worm>::rz(v / screw));
+        for w in equidistant([range.w_nf, range.w_na], CONTACTS) {
+            let (t, _) = worm.start(w, 0.0);
+            if let Some(jet) = worm.jet(t, v) {
+                contacts.push((back.point(&Point::from_vector(jet.p)).xyz, back.rotation() * jet.n));
+            }
+        }
+    }
+    contacts
+}
+
+/// Tip radius of the largest dresser, mm; `None` for a tool that is not dressed.
+fn largest_dresser(job: &Job, prepared: &Prepared) -> Option<f64> {
+    let first = prepared.setup.input.dresser.as_ref().map(|choice| choice.tip_diameter)?;
+    let others = job.dresser.iter().flat_map(|dresser| &dresser.others).map(|other| other.tip_diameter);
+    Some(0.5 * others.fold(first, f64::max))
+}
+
+/// The dresser of a stroke, by the flanks and their strokes that it makes.
+fn dresser_of<'a>(
+    prepared: &'a Prepared,
+    execution: &'a Execution,
+    of: &[(Flank, usize)],
+) -> Option<&'a DresserTool> {
+    let &(flank, number) = of.first()?;
+    match &execution.flanks[flank].as_ref()?.tool {
+        ExecutedTool::Stroked(strokes) => {
+            prepared.setup.strokes.as_ref()?.dressers.get(strokes.strokes.get(number)?.place.dresser)
+        }
+        _ => execution.dresser.as_ref(),
+    }
+}
+
+/// The dressing strokes, each with the flanks and their strokes that it makes.
+fn dressing_work(
+    prepared: &Prepared,
+    execution: &Execution,
+    two_flanks: bool,
+) -> Vec<(DressingWork, Vec<(Flank, usize)>)> {
+    let mut works = Vec::new();
+    let sin_an = |flank: Flank| prepared.setup.lines[flank].sin_an.abs();
+    let shown = |flank: Flank| flank.name().to_uppercase();
+    for flank in Flank::BOTH {
+        let Some(executed) = &execution.flanks[flank] else { continue };
+        match (&executed.tool, &execution.dresser) {
+            (ExecutedTool::Dressed(dressing), Some(dresser)) => {
+                let both = two_flanks && execution.flanks.iter().all(|(_, f)| f.is_some());
+                if both && flank == Flank::Right {
+                    continue;
+                }
+                let flanks: Vec<Flank> = if both { Flank::BOTH.to_vec() } else { vec![flank] };
+                let name = if both {
+                    "DRESSING BOTH FLANKS".to_owned()
+                } else {
+                    format!("DRESSING {} FLANK", shown(flank))
+                };
+                let work = DressingWork {
+                    name,
+                    motion: dressing.motion.clone(),
+                    interval: dressing.driven,
+                    contacts: flanks
+                        .iter()
+                        .flat_map(|&flank| contacts(dresser, flank, &dressing.corrections))
+                        .collect(),
+                    per_distance: flanks.iter().map(|&f| sin_an(f)).fold(0.0, f64::max),
+                };
+                works.push((work, flanks.into_iter().map(|flank| (flank, 0)).collect()));
+            }
+            (ExecutedTool::Stroked(strokes), _) => {
+                let Some(layout) = &prepared.setup.strokes else { continue };
+                for (k, stroke) in strokes.strokes.iter().enumerate() {
+                    let Some(dresser) = layout.dressers.get(stroke.place.dresser) else { continue };
+                    let work = DressingWork {
+                        name: format!(
+                            "DRESSING {} FLANK STROKE {} DRESSER {}",
+                            shown(flank),
+                            k + 1,
+                            stroke.place.dresser + 1
+                        ),
+                        motion: stroke.motion.clone(),
+                        interval: stroke.driven,
+                        contacts: contacts(dresser, flank, &stroke.corrections),
+                        per_distance: sin_an(flank),
+                    };
+                    works.push((work, vec![(flank, k)]));
+                }
+            }
+            _ => {}
+        }
+    }
+    works
+}
+
+/// The grinding strokes, each with the flanks that it makes.
+fn grinding_work(prepared: &Prepared, execution: &Execution) -> Vec<(GrindingWork, Vec<Flank>)> {
+    let setup = &prepared.setup;
+    let ground: Vec<Flank> = Flank::BOTH.into_iter().filter(|&f| execution.flanks[f].is_some()).collect();
+    let phase = &execution.motion.phase;
+    let apart = phase.left - phase.right;
+    let together = (apart - TAU * (apart / TAU).round()).abs() < SAME_PHASE;
+    let groups: Vec<Vec<Flank>> =
+        if together { vec![ground] } else { ground.into_iter().map(|f| vec![f]).collect() };
+    groups
+        .into_iter()
+        .filter(|flanks| !flanks.is_empty())
+        .map(|flanks| {
+            let name = match flanks.as_slice() {
+                [only] => format!("GRINDING {} FLANK", only.name().to_uppercase()),
+                _ => "GRINDING BOTH FLANKS".to_owned(),
+            };
+            let largest =
+                |f: &dyn Fn(Flank) -> f64| flanks.iter().map(|&flank| f(flank).abs()).fold(0.0, f64::max);
+            let per_turn = largest(&|flank| {
+                let f = setup.pair.work.flank(flank);
+                f.base_radius * f.base_helix_angle.cos()
+            });
+            let work = GrindingWork {
+                name,
+                motion: execution.motion.clone(),
+                phase: phase[flanks[0]],
+                feeds: execution.feed_range,
+                per_turn,
+                per_distance: largest(&|flank| setup.lines[flank].sin_an),
+            };
+            (work, flanks)
+        })
+        .collect()
+}
+
+/// The run with the dressing motions of a text in place of its own.
+fn dressed_by(
+    execution: &Execution,
+    dressing: &[ReadStroke<DressingMotion>],
+    strokes: &Strokes,
+) -> Execution {
+    let mut run = execution.clone();
+    for (stroke, (_, of)) in dressing.iter().zip(&strokes.dressing) {
+        for &(flank, number) in of {
+            match run.flanks[flank].as_mut().map(|f| &mut f.tool) {
+                Some(ExecutedTool::Dressed(dressing)) => {
+                    dressing.motion = stroke.motion.clone();
+                    dressing.driven = stroke.range;
+                }
+                Some(ExecutedTool::Stroked(strokes)) => {
+                    if let Some(one) = strokes.strokes.get_mut(number) {
+                        one.motion = stroke.motion.clone();
+                        one.driven = stroke.range;
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+    run
+}
+
+impl Judge for Referee<'_> {
+    fn flanks(&self, read: &ReadBack, area: f64) -> Result<Sides<Option<Topography>>, RunFailure> {
+        let mut flanks = Sides { left: None, right: None };
+        let cutting = Cutting { feed_per_revolution: None, ..self.cutting };
+        let planned = self.strokes.as_planned(read, area);
+        let read = planned.as_ref().unwrap_or(read);
+        let dressed = dressed_by(self.execution, &read.dressing, self.strokes);
+        for (stroke, (_, of)) in read.grinding.iter().zip(&self.strokes.grinding) {
+            let mut run = dressed.clone();
+            run.motion = stroke.motion.clone();
+            run.feed_range = stroke.range;
+            for flank in Flank::BOTH.into_iter().filter(|flank| !of.contains(flank)) {
+                run.flanks[flank] = None;
+            }
+            let verdicts = referee::run(&self.prepared.setup, &run, cutting, &Silent)
+                .map_err(|e| RunFailure::of_removal(&e, "machine"))?;
+            for &flank in of {
+                flanks[flank] = verdicts[flank].as_ref().map(|v| v.simulated.clone());
+            }
+        }
+        Ok(flanks)
+    }
+
+    fn thread(
+        &self,
+        dressing: &[ReadStroke<DressingMotion>],
+        area: f64,
+    ) -> Result<Sides<Option<Vec<f64>>>, RunFailure> {
+        let read = ReadBack { dressing: dressing.to_vec(), grinding: Vec::new() };
+        let planned = self.strokes.as_planned(&read, area);
+        let dressing = planned.as_ref().map_or(dressing, |read| &read.dressing);
+        let run = dressed_by(self.execution, dressing, self.strokes);
+        referee::worm_rays(&self.prepared.setup, &run, THREAD_GRID)
+            .map_err(|e| RunFailure::of_removal(&e, "machine"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::proof::proofs;
+    use super::*;
+    use job::read_job_of;
+    use nc::Block;
+    use std::path::Path;
+
+    /// A text that says something else than the plan is not written, however small the difference.
+    #[test]
+    fn programs_that_differ_from_the_plan_are_not_proven() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+        let mut loaded =
+            read_job_of::<crate::job::Job>(&root.join("examples/twist-free-crowning.toml")).unwrap();
+        let job_machine = loaded.job.machine.take().unwrap();
+        (loaded.job.grid.profile_points, loaded.job.grid.helix_points) = (5, 5);
+        let machine = machine_of_job(&loaded.document, &job_machine.file).unwrap();
+        let run = plan_job(&loaded, &Silent).unwrap();
+        let strokes = Strokes::new(&loaded.job, &job_machine, &run.prepared, &run.execution, None).unwrap();
+        let task = ProgramTask {
+            job: "TEST",
+            machine: &machine,
+            dialects: &dialects(&[], &machine)[..1],
+            technology: strokes.technology.clone(),
+            dressing: strokes.dressing.iter().map(|(work, _)| work.clone()).collect(),
+            lines: Vec::new(),
+            grinding: strokes.grinding.iter().map(|(work, _)| work.clone()).collect(),
+            indexing: strokes.indexing.clone(),
+            coupling: strokes.coupling,
+            areas: strokes.areas_apart(),
+        };
+        let built = task.build().unwrap();
+        let flanks = flanks_of(&run.execution, &run.verdicts);
+        let cutting = Cutting { feed_per_revolution: None, strokes: None };
+        let judge =
+            Referee { prepared: &run.prepared, execution: &run.execution, cutting, strokes: &strokes };
+        let prove = |built: &crate::workflow::programs::build::Built| proofs(&task, built, &flanks, &judge);
+        assert_eq!(prove(&built).unwrap().len(), 1);
+        let radial = machine.machine.role(Role::Radial).unwrap();
+        for station in [Station::Dresser, Station::Work] {
+            let mut changed = built.clone();
+            let program = changed.programs.iter_mut().find(|p| p.station == station).unwrap();
+            let word = program.words.place(radial).unwrap();
+            for block in &mut program.read {
+                if let Block::Linear { target, .. } = block
+                    && let Some(value) = target.get(word)
+                {
+                    target.set(word, value + 2e-4);
+                }
+            }
+            let error = match prove(&changed) {
+                Err(RunFailure::NotProducible(finding)) => finding,
+                other => panic!("{station:?}: {other:?}"),
+            };
+            assert_eq!(error.code, "program-not-proven", "{error:?}");
+        }
+    }
+}

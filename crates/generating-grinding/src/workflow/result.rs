@@ -1,0 +1,189 @@
+//! `result.json`: what a plan or a simulation came to, with units in the key names (spec 90 section 3).
+
+use super::gear_root::GearRootResult;
+use super::line_dressing::LineDressingResult;
+use super::partition::{Partition, StrokePlan};
+use crate::job::Settings;
+use crate::workflow::control::result::ControlResult;
+use crate::workflow::programs::result::ProgramsResult;
+use foundation::geometry::Sides;
+use generating::Candidate;
+use run::{CharacteristicsUm, FlankMaps};
+use serde::Serialize;
+use std::collections::BTreeMap;
+pub use verdict::Status;
+use verdict::{Remark, Verdict};
+
+/// One flank.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FlankResult {
+    /// Lengths of roll of the grid.
+    pub w_mm: Vec<f64>,
+    /// Axial positions of the grid.
+    pub z_mm: Vec<f64>,
+    /// Target, normal, `[profile][helix]`.
+    pub target_um: Vec<Vec<f64>>,
+    /// Exact contact with the worm as dressed, normal.
+    pub planned_um: Vec<Vec<f64>>,
+    /// What the referee's rays left, normal.
+    pub simulated_um: Vec<Vec<f64>>,
+    /// Largest |simulated - target|.
+    pub max_deviation_um: f64,
+    /// Largest |simulated - target| over the tolerance at its place; plus what the lines of a disc in point contact leave of the
+    /// worm, over the tightest tolerance. The target is met up to 1.
+    pub tolerance_share: f64,
+    /// Root mean square of simulated - target.
+    pub rms_deviation_um: f64,
+    /// Largest |planned - simulated|.
+    pub model_difference_um: f64,
+    /// Bound of the referee's own error.
+    pub referee_error_um: f64,
+    /// Height of the true feed marks over the envelope (sample of rays); absent without a feed per revolution.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub feed_mark_um: Option<f64>,
+    /// How the worm flank is written line by line; absent for every other tool.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub line_dressing: Option<LineDressingResult>,
+    /// Characteristics of the target.
+    pub target_characteristics: CharacteristicsUm,
+    /// Characteristics of the simulated flank.
+    pub simulated_characteristics: CharacteristicsUm,
+    /// Largest part of the target outside the producible class, normal.
+    pub outside_class_um: f64,
+    /// Largest |planned - target| inside the cells of the grid, where reliefs or waves stand on the tool's lines.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub planned_between_um: Option<f64>,
+    /// Least det J / det J_0.
+    pub least_determinant_ratio: f64,
+}
+
+impl FlankResult {
+    /// Its values over the grid.
+    pub fn maps(&self, name: &'static str) -> FlankMaps<'_> {
+        FlankMaps {
+            name,
+            w_mm: &self.w_mm,
+            z_mm: &self.z_mm,
+            target_um: &self.target_um,
+            planned_um: &self.planned_um,
+            simulated_um: &self.simulated_um,
+        }
+    }
+}
+
+/// One candidate of the diagonal ratio.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CandidateResult {
+    /// K.
+    pub diagonal_ratio: f64,
+    /// Place of the profile crowning.
+    pub profile_crowning_by: &'static str,
+    /// Largest share of an axis limit.
+    pub score: f64,
+    /// Worm length used.
+    pub worm_occupation_mm: f64,
+    /// Largest error of the ideal worm.
+    pub ideal_error_um: f64,
+    /// Why it is not allowed, if so.
+    pub refused: Option<String>,
+}
+
+impl CandidateResult {
+    /// Of a candidate that planning judged.
+    pub fn of(candidate: &Candidate) -> Self {
+        Self {
+            diagonal_ratio: candidate.ratio,
+            profile_crowning_by: candidate.place.name(),
+            score: candidate.score(),
+            worm_occupation_mm: candidate.occupation,
+            ideal_error_um: candidate.error * 1e3,
+            refused: candidate.refusal.as_ref().map(ToString::to_string),
+        }
+    }
+}
+
+/// Settings, with how the diagonal ratio was found.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SettingsResult {
+    /// The settings that `simulate` takes.
+    #[serde(flatten)]
+    pub settings: Settings,
+    /// Why this diagonal ratio; absent for a simulation.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub diagonal_ratio_reason: Option<String>,
+    /// Ratio at which the worm needs no part linear in w, per flank.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lead_correction_ratio: Option<Sides<Option<f64>>>,
+    /// Place of the profile crowning.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub profile_crowning_by: Option<&'static str>,
+    /// Candidates judged.
+    pub candidates: Vec<CandidateResult>,
+    /// Centre distance of worm and workpiece.
+    pub centre_distance_mm: f64,
+    /// Crossed-axes angle of worm and workpiece.
+    pub crossed_axes_angle_deg: f64,
+    /// Feed stroke z_V2, overrun included.
+    pub feed_stroke_mm: [f64; 2],
+    /// Areas on the tool; absent for conical bodies.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub partition: Option<Partition>,
+    /// Strokes of a pass, where threads are left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub strokes: Option<StrokePlan>,
+    /// Part of the worm that is used, z_1.
+    pub worm_occupation_mm: [f64; 2],
+    /// Length of that part.
+    pub worm_length_mm: f64,
+    /// Pitch diameter of the worm.
+    pub worm_pitch_diameter_mm: f64,
+    /// Root diameter of the worm.
+    pub worm_root_diameter_mm: f64,
+    /// Nominal centre distance of dresser and worm; absent for a tool that is not dressed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dressing_centre_distance_mm: Option<f64>,
+    /// Widest tip land of the dresser that spares the other flank while the left or right one is dressed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub largest_tip_land_mm: Option<Sides<Option<f64>>>,
+    /// Nominal crossing angle of dresser and worm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dressing_crossing_angle_deg: Option<f64>,
+    /// Ratios that lay the tool's lines onto reliefs and waves of the target, per flank; absent where there are none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub demanded_ratios: Option<Sides<Vec<f64>>>,
+}
+
+/// The whole document.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct JobResult {
+    /// Name of the job.
+    pub job: String,
+    /// Process.
+    pub process: String,
+    /// Version of flankwright.
+    pub version: &'static str,
+    /// Status, reason and scope.
+    #[serde(flatten)]
+    pub verdict: Verdict,
+    /// Tolerance of the job.
+    pub tolerance_um: f64,
+    /// Warnings.
+    pub warnings: Vec<Remark>,
+    /// Settings.
+    pub settings: SettingsResult,
+    /// Flanks that are ground.
+    pub flanks: BTreeMap<&'static str, FlankResult>,
+    /// The root of the gear; absent unless the worm's tip grinds it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gear_root: Option<GearRootResult>,
+    /// What gearbox and servo leave; absent unless the job describes its control.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub control: Option<ControlResult>,
+    /// NC programs with their proof; absent without a machine.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub programs: Option<ProgramsResult>,
+    /// Largest error of the ideal worm by round of precompensation, per flank.
+    pub ideal_error_by_round_um: Sides<Vec<f64>>,
+    /// Seconds per stage; the only part that differs between two runs.
+    pub timing_s: BTreeMap<&'static str, f64>,
+}

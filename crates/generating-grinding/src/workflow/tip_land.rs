@@ -1,0 +1,204 @@
+//! Whether the dresser spares the counter flank while it dresses, and how wide its tip land may be (spec 28 section 2, spec 30
+//! section 13).
+
+use super::executed_strokes::ExecutedStrokes;
+use super::execution::Execution;
+use super::prepare::Prepared;
+use crate::job::{DressingFlanks, Job};
+use crate::workflow::generating_finding;
+use dressing::{SectionOutline, SectionPart};
+use foundation::geometry::{Flank, Sides};
+use generating::{GeneratingError, GrindingSetup, LeastRoom};
+use report::charts::{
+    DressingSectionChart, MarkedClearance, SectionKind, SectionStretch, SpaceFlank, format_significant,
+};
+use run::RunFailure;
+use verdict::Remark;
+
+/// The largest tip lands by flank, mm: absent where no flank is dressed alone.
+pub struct TipLands {
+    pub largest: Sides<Option<f64>>,
+    /// The dresser in the thread space where it has least room.
+    pub pictures: Vec<DressingSectionChart>,
+    pub warnings: Vec<Remark>,
+}
+
+/// Threads that are left out behind an active one at least.
+fn left_out(job: &Job) -> u32 {
+    let Some(active) = &job.grinding.active_threads else { return 0 };
+    let mut sorted = active.clone();
+    sorted.sort_unstable();
+    let next = sorted.iter().skip(1).copied().chain(sorted.first().map(|first| first + job.worm.threads));
+    sorted.iter().zip(next).map(|(here, next)| next - here - 1).min().unwrap_or(0)
+}
+
+impl TipLands {
+    /// Of a process with all its settings. A plan whose dresser cuts into the counter flank is refused; of given settings it is
+    /// said.
+    ///
+    /// # Errors
+    /// [`GeneratingError::CounterFlankCut`] for a plan.
+    pub fn of_execution(
+        job: &Job,
+        prepared: &Prepared,
+        execution: &Execution,
+        planned: bool,
+    ) -> Result<Self, RunFailure> {
+        let mut found =
+            Self { largest: Sides { left: None, right: None }, pictures: Vec::new(), warnings: Vec::new() };
+        // Both flanks at once: the flank across the space is dressed as well.
+        let (Some(dresser), DressingFlanks::One) = (&execution.dresser, job.dressing.flanks) else {
+            return Ok(found);
+        };
+        let given = job.dresser.as_ref().and_then(|d| d.tip_land);
+        let left_out = left_out(job);
+        for flank in Flank::BOTH {
+            let Some(executed) = &execution.flanks[flank] else { continue };
+            if let Some(strokes) = executed.strokes() {
+                found.of_strokes(&prepared.setup, strokes, flank, given, left_out);
+                continue;
+            }
+            let (Some(dressing), Some(choice)) = (executed.dressing(), &prepared.setup.input.dresser) else {
+                continue;
+            };
+            let tip_radius = 0.5 * choice.tip_diameter;
+            let room = LeastRoom::of_motion(dresser, tip_radius, flank, &dressing.corrections, left_out);
+            let room = match room {
+                Ok(room) => room,
+                Err(error) => {
+                    found.warnings.push(Remark {
+                        code: "tip-land-unknown",
+                        text: format!("the clearance of the {} flank is not known: {error}", flank.other()),
+                        way_out: error.way_out(),
+                    });
+                    continue;
+                }
+            };
+            found.largest[flank] = room.tip_land;
+            if room.tip_land.is_none_or(|largest| given.is_some_and(|land| land > largest)) {
+                let cut = GeneratingError::CounterFlankCut { flank, land: given, largest: room.tip_land };
+                if planned {
+                    return Err(generating_finding::on_field(&cut, "dresser.tip_land"));
+                }
+                found.warnings.push(Remark {
+                    code: cut.code(),
+                    text: cut.to_string(),
+                    way_out: cut.way_out(),
+                });
+            }
+            let land = given.or(room.tip_land).unwrap_or(0.0);
+            // A section that cannot be drawn takes nothing from the figures.
+            if let Ok(outline) = room.outline(&prepared.setup, (dresser, tip_radius), flank, land, left_out) {
+                found.pictures.push(picture(&outline, flank, land));
+            }
+        }
+        Ok(found)
+    }
+
+    /// The same for a flank that is dressed in strokes. A dresser may stand back outside its active areas, which no job describes: what
+    /// is found for a whole one is said and not decided upon.
+    fn of_strokes(
+        &mut self,
+        setup: &GrindingSetup,
+        strokes: &ExecutedStrokes,
+        flank: Flank,
+        given: Option<f64>,
+        left_out: u32,
+    ) {
+        let Some(layout) = &setup.strokes else { return };
+        let mut least: Option<f64> = None;
+        for (k, stroke) in strokes.strokes.iter().enumerate() {
+            let number = stroke.place.dresser;
+            let (Some(tool), Some(&tip)) = (layout.dressers.get(number), layout.tip_radii.get(number)) else {
+                continue;
+            };
+            let room = LeastRoom::of_motion(tool, tip, flank, &stroke.corrections, left_out);
+            // The tip land of the job is that of its first dresser.
+            let land = given.filter(|_| number == 0);
+            match room {
+                Ok(LeastRoom { tip_land: Some(here), .. }) if land.is_none_or(|land| land <= here) => {
+                    least = Some(least.map_or(here, |land| land.min(here)));
+                }
+                Ok(LeastRoom { tip_land, .. }) => {
+                    let cut = GeneratingError::CounterFlankCut { flank, land, largest: tip_land };
+                    self.warnings.push(Remark {
+                        code: cut.code(),
+                        text: format!("stroke {}: {cut}", k + 1),
+                        way_out: "let the dresser stand back there, or leave out threads of the worm".into(),
+                    });
+                }
+                Err(error) => self.warnings.push(Remark {
+                    code: "tip-land-unknown",
+                    text: format!(
+                        "stroke {}: the clearance of the {} flank is not known: {error}",
+                        k + 1,
+                        flank.other()
+                    ),
+                    way_out: error.way_out(),
+                }),
+            }
+        }
+        self.largest[flank] = least;
+    }
+}
+
+/// The picture of a section: the dresser dresses `flank` with a tip land, mm.
+fn picture(outline: &SectionOutline, flank: Flank, land: f64) -> DressingSectionChart {
+    let space = |side: Flank| SpaceFlank {
+        name: format!("{side} flank{}", if side == flank { ", dressed" } else { "" }),
+        line_mm: outline.space[side].clone(),
+        used_radius_mm: outline.used_radii[side],
+        clearance: outline.closest[side].filter(|_| side != flank).map(|(at, [dresser, worm])| {
+            MarkedClearance {
+                normal_mm: at.f,
+                dresser_mm: dresser,
+                flank_mm: worm,
+                dresser_radius_mm: at.circle[0],
+            }
+        }),
+    };
+    let mut flanks = [space(Flank::Left), space(Flank::Right)];
+    let first = |flank: &SpaceFlank| flank.line_mm.first().map_or(0.0, |point| point[0]);
+    if first(&flanks[0]) > first(&flanks[1]) {
+        flanks.reverse();
+    }
+    let kind = |part: &SectionPart| match part {
+        SectionPart::ActiveFlank => SectionKind::ActiveFlank,
+        SectionPart::TipLand => SectionKind::TipLand,
+        SectionPart::CounterFlank => SectionKind::CounterFlank,
+    };
+    DressingSectionChart {
+        title: format!("Dressing the {flank} flank: section through the thread space"),
+        subtitle: format!("where there is least room; tip land {} mm", format_significant(land, 4)),
+        flanks,
+        dresser: outline
+            .dresser
+            .iter()
+            .map(|(part, line)| SectionStretch { kind: kind(part), line_mm: line.clone() })
+            .collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::Job;
+    use job::{ProcessJob, Source, parse_job_of};
+
+    #[test]
+    fn the_narrowest_gap_between_active_threads_counts() {
+        let text = Job::TEMPLATE;
+        let mut job = parse_job_of::<Job>(Source::new("job.toml", text)).unwrap().job;
+        job.worm.threads = 7;
+        for (active, expected) in [
+            (None, 0),
+            (Some(vec![0, 1, 3]), 0),
+            (Some(vec![0, 2, 4]), 1),
+            (Some(vec![5, 2]), 2),
+            (Some(vec![3]), 6),
+        ] {
+            job.grinding.active_threads = active;
+            assert_eq!(left_out(&job), expected);
+        }
+    }
+}

@@ -1,0 +1,88 @@
+//! Generating grinding with a dressed worm (specs 25 and 28): settings -> flank by the exact contact, and back by
+//! decomposition and precompensation.
+
+pub mod areas;
+pub mod carried;
+pub mod correction;
+pub mod curve_law;
+pub mod decomposition;
+pub mod dressed;
+pub mod equal_ratio;
+mod equal_swivel;
+pub mod error;
+pub mod feed_law;
+mod fit_levers;
+pub mod fit_shift;
+pub mod free_lines;
+pub mod gear_root;
+pub mod ideal_plan;
+pub mod least_squares;
+mod line_functions;
+pub mod lines;
+mod local_envelope;
+pub mod made;
+mod motion;
+pub mod natural_twist;
+pub mod plan;
+pub mod planning_grid;
+pub mod policy;
+mod precompensation;
+mod quadratic;
+pub mod ratio;
+mod ratio_nodes;
+pub mod setup;
+mod share;
+pub mod stroke_layout;
+pub mod stroked;
+pub mod strokes;
+pub mod target;
+pub mod tip_land;
+mod variable_ratio;
+pub mod workshop;
+pub mod worm_function;
+
+pub use carried::{Carried, FieldSpline, misfit_of_lines};
+pub use curve_law::{CurveLaw, WantedCurve};
+pub use decomposition::{Decomposition, decompose_diagonal, decompose_radial, radial_residual};
+pub use dressed::{
+    DressedFlank, dress_flanks, dresser_of_plan, dresser_profile, dressing_interval, finished_area,
+};
+pub use equal_ratio::{
+    EqualRatio, EqualRatioSearch, Lever, RatioRoot, WormLine, generatrix, worm_at_crossing_angle,
+};
+pub use equal_swivel::{EqualSwivel, SwivelSide, equal_swivel};
+pub use error::GeneratingError;
+pub use feed_law::FeedLaw;
+pub use fit_levers::{AllowedLever, FlankDemand, LeverBodies, LeverFit, LeverSearch};
+pub use fit_shift::{DEFAULT_NODES, ShiftCoordinates, ShiftFit, fit_shift};
+pub use free_lines::{FreeLines, equal_ratio_lines, lines_for_ratio};
+pub use gear_root::{GearRootChoice, GroundRoot, WormTip};
+pub use ideal_plan::IdealPlan;
+pub use line_functions::{LineFunctions, LineWorm};
+pub use lines::FlankLines;
+pub use local_envelope::{LocalEnvelope, kinematic_compliance};
+pub use made::MadeFlank;
+pub use motion::{common_motion, motion_of_flanks};
+pub use natural_twist::{NaturalTwist, natural_twist};
+pub use plan::{FlankPlan, GrindingPlan, PlanTask, PlannedTool};
+pub use planning_grid::PlanningGrid;
+pub use policy::{DressingRows, FlankRows, FreeCoefficients, PlanGauge, ProfilePolicy};
+pub use quadratic::{
+    Gauge, QuadraticDecomposition, QuadraticWorm, constant_only_profile_crowning, decompose_quadratic,
+    product_functions,
+};
+pub use ratio::{
+    Candidate, FlankResidual, LEAST_DETERMINANT, NoPlan, RatioChoice, RatioReason, lead_correction_ratio,
+};
+pub use setup::{DresserChoice, DressingLimits, GrindingSetup, ProfilePlace, SetupInput, Tool};
+pub use share::Command;
+pub use stroke_layout::{
+    AreaOfDresser, DressedSection, GivenDresser, StrokeChoice, StrokeLayout, StrokePlace,
+};
+pub use stroked::StrokedFlank;
+pub use strokes::Strokes;
+pub use target::{Carrier, ClassFit, FlankTarget};
+pub use tip_land::LeastRoom;
+pub use variable_ratio::VariableRatio;
+pub use workshop::GearWorkshop;
+pub use worm_function::IdealWorm;

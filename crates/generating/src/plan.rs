@@ -1,0 +1,507 @@
+//! The whole plan of generating grinding: ratio, precompensated decomposition, dressing motion, planned flank
+//! (spec 28 section 4; everything but the referee).
+
+use super::dressed::{DRESSING_MARGIN, DressedFlank, dress_flanks, dresser_of_plan, finished_area};
+use super::least_squares::FitNorm;
+use super::planning_grid::GroundError;
+use super::precompensation::{FREE_ROUNDS, ROUNDS, corrected, precompensate};
+use super::ratio::{Candidate, FlankResidual, NoPlan, RatioChoice, RatioReason, Rule};
+use super::{
+    DressingLimits, DressingRows, EqualSwivel, FeedLaw, FlankTarget, FreeCoefficients, GeneratingError,
+    GrindingSetup, IdealPlan, MadeFlank, PlanGauge, PlanningGrid, ProfilePlace, ProfilePolicy, StrokedFlank,
+    SwivelSide, Tool, equal_swivel,
+};
+use contact::{ContactError, ContactSolution};
+use dressing::DresserTool;
+use foundation::geometry::{Flank, Sides};
+use foundation::kinematics::{GeneratingMotion, MotionLaw};
+
+/// What is to be planned.
+#[derive(Clone, Debug)]
+pub struct PlanTask<'a> {
+    /// The bodies.
+    pub setup: &'a GrindingSetup,
+    /// Target per flank; `None` for a flank that is not ground.
+    pub targets: Sides<Option<FlankTarget>>,
+    /// Tolerance, mm.
+    pub tolerance: f64,
+    /// Limits of the correcting axes.
+    pub limits: DressingLimits,
+    /// Diagonal ratio given in the job; 0 = radial; `None` = auto.
+    pub ratio: Option<f64>,
+    /// A law z_V1 = F(z_V2) in place of a ratio.
+    pub law: Option<MotionLaw>,
+    /// Places allowed for the profile crowning, in order of preference.
+    pub places: Vec<ProfilePlace>,
+    /// Whether the dresser is made for this job.
+    pub free_dresser: bool,
+    /// Whether the command is corrected by the exact flank.
+    pub precompensation: bool,
+    /// What the best fit of parts outside the class makes small.
+    pub norm: FitNorm,
+    /// Which of the equal decompositions is made.
+    pub gauge: PlanGauge,
+    /// What the dressing motion has to meet.
+    pub dressing: DressingRows,
+    /// Result grid: points over the profile and over the face width.
+    pub grid: (usize, usize),
+}
+
+/// The flank of a planned tool.
+#[derive(Clone, Debug)]
+pub enum PlannedTool {
+    /// As its dresser leaves it.
+    Dressed(Box<DressedFlank>),
+    /// As several strokes leave it.
+    Stroked(Box<StrokedFlank>),
+    /// As a table.
+    Made(MadeFlank),
+}
+
+/// One planned flank on the result grid.
+#[derive(Clone, Debug)]
+pub struct FlankPlan {
+    /// The flank of the tool.
+    pub tool: PlannedTool,
+    /// Lengths of roll, mm.
+    pub w: Vec<f64>,
+    /// Axial positions, mm.
+    pub z: Vec<f64>,
+    /// Target, normal, mm, row-major `[w][z]`.
+    pub target: Vec<f64>,
+    /// Planned flank (exact contact with the worm as dressed), normal, mm.
+    pub planned: Vec<ContactSolution>,
+}
+
+/// A finished plan.
+#[derive(Clone, Debug)]
+pub struct GrindingPlan {
+    /// Ratio and why.
+    pub choice: RatioChoice,
+    /// Profile policy used.
+    pub policy: ProfilePolicy,
+    /// Worm functions and motion.
+    pub ideal: IdealPlan,
+    /// The dresser with its profile, the first of several; `None` for a tool that is not dressed.
+    pub dresser: Option<DresserTool>,
+    /// Planned flanks.
+    pub flanks: Sides<Option<FlankPlan>>,
+    /// Largest error on the planning grid per flank by round of precompensation (ideal worm), mm.
+    pub ideal_error_by_round: Sides<Vec<f64>>,
+    /// The same by outer round (worm as dressed), mm.
+    pub dressed_error_by_round: Sides<Vec<f64>>,
+    /// Least determinant ratio on the result grid.
+    pub determinant: f64,
+    /// Largest error of the planned flank inside the cells of the result grid, per flank, normal, mm; 0 where polynomials
+    /// tell the whole plan.
+    pub between: Sides<f64>,
+}
+
+/// Largest margin dressed beyond the occupation, mm.
+const LARGEST_DRESSING_MARGIN: f64 = 48.0;
+/// Distance of the contacts from the ends of the finished worm, mm: room for the search of whoever checks the plan.
+const CONTACT_MARGIN: f64 = 1.5;
+/// Outer rounds with the worm as dressed.
+const OUTER_ROUNDS: usize = 3;
+
+/// The dresser, the tool's flanks and the errors that they leave.
+type Equipment = (Option<DresserTool>, Sides<Option<PlannedTool>>, GroundError);
+
+/// A plan with its tool.
+struct Equipped {
+    ideal: IdealPlan,
+    dresser: Option<DresserTool>,
+    flanks: Sides<Option<PlannedTool>>,
+    error: GroundError,
+    /// Length of the tool beyond the occupation, mm.
+    margin: f64,
+}
+
+/// Points of the planning grid over profile and face width: for polynomials (spec 28 section 3), and where reliefs and waves
+/// stand on the tool's lines.
+const PLANNING_GRIDS: [[usize; 2]; 2] = [[9, 9], [17, 41]];
+
+impl PlanTask<'_> {
+    fn rule<'a>(&'a self, grid: &'a PlanningGrid) -> Rule<'a> {
+        Rule {
+            setup: self.setup,
+            targets: &self.targets,
+            grid,
+            limits: self.limits,
+            tolerance: self.tolerance,
+            free_dresser: self.free_dresser,
+            norm: self.norm,
+            gauge: self.gauge,
+            dressing: self.dressing,
+        }
+    }
+
+    /// Whether polynomials tell the whole plan.
+    fn is_smooth(&self) -> bool {
+        let bare = |t: &Option<FlankTarget>| t.as_ref().is_none_or(|t| t.rest.is_empty());
+        self.law.is_none()
+            && self.targets.iter().all(|(_, t)| bare(t))
+            && matches!(self.setup.tool, Tool::Dressed(_))
+            && self.setup.strokes.is_none()
+    }
+
+    /// The grid on which the plan is judged.
+    pub fn planning_grid(&self) -> PlanningGrid {
+        let [nw, nz] = PLANNING_GRIDS[usize::from(!self.is_smooth())];
+        PlanningGrid::new(self.setup, nw, nz)
+    }
+
+    /// Chooses the diagonal ratio by the rule, or judges the given one.
+    ///
+    /// # Errors
+    /// When nothing is allowed: the reason of the best candidate. A given ratio is refused only if it cannot be evaluated or
+    /// needs more worm than there is.
+    pub fn choose(&self, grid: &PlanningGrid) -> Result<RatioChoice, GeneratingError> {
+        self.choose_or_tried(grid).map_err(|refused| refused.error)
+    }
+
+    /// As [`PlanTask::choose`]; a refusal brings along what was tried.
+    fn choose_or_tried(&self, grid: &PlanningGrid) -> Result<RatioChoice, Box<NoPlan>> {
+        let rule = self.rule(grid);
+        let place = *self.places.first().ok_or(GeneratingError::NoFlank)?;
+        let (feed, rounds) = match (&self.law, self.ratio) {
+            (Some(law), _) => (FeedLaw::Law(law.clone()), ROUNDS),
+            (None, Some(ratio)) => (FeedLaw::Ratio(ratio), 0),
+            (None, None) if self.gauge == PlanGauge::EqualSwivel => match self.swivel_ratio(place)? {
+                EqualSwivel::Ratio(ratio) => (FeedLaw::Ratio(ratio), 0),
+                EqualSwivel::Every => return rule.choose(&self.places),
+            },
+            (None, None) => return rule.choose(&self.places),
+        };
+        let which = rule.which();
+        let shift = feed.law(self.setup, &which);
+        let [from, to] = self.setup.occupation(&shift, &which);
+        // The mean slope stands for a law.
+        let [first, last] = self.setup.feed_range(&shift, &which);
+        let mean = (shift.value(last) - shift.value(first)) / (last - first);
+        let ratio = feed.ratio().unwrap_or(mean);
+        rule.check_width(to - from, ratio)?;
+        let candidate = match feed {
+            FeedLaw::Ratio(ratio) if ratio != 0.0 => rule.judge(ratio, place)?,
+            _ => {
+                let policy = rule.policy(place);
+                let (plan, error, _) = precompensate(self.setup, &self.targets, grid, &feed, policy, rounds)?;
+                let occupation = plan.occupation[1] - plan.occupation[0];
+                Candidate {
+                    ratio,
+                    place,
+                    dressing_share: 0.0,
+                    delta_d_share: 0.0,
+                    occupation,
+                    error: error.max(),
+                    residuals: FlankResidual::of(self.setup, &plan, &error),
+                    determinant: error.determinant,
+                    refusal: None,
+                }
+            }
+        };
+        Ok(RatioChoice {
+            ratio,
+            place,
+            reason: match (&self.law, self.ratio) {
+                (Some(_), _) => RatioReason::Law,
+                (None, Some(_)) => RatioReason::Given,
+                (None, None) => RatioReason::EqualSwivel,
+            },
+            lead_correction: rule.lead_corrections(place),
+            demanded: rule.demanded(),
+            candidates: vec![candidate],
+            failed: Vec::new(),
+        })
+    }
+
+    /// Both flanks as the question of equal swivel has them.
+    fn swivel_sides(&self, place: ProfilePlace) -> Result<Sides<SwivelSide>, GeneratingError> {
+        Sides::try_from_fn(|flank| {
+            let target = self.targets[flank].as_ref().ok_or(GeneratingError::NoFlank)?;
+            SwivelSide::of_target(self.setup, flank, &target.polynomial, place == ProfilePlace::Diagonal)
+        })
+    }
+
+    fn swivel_ratio(&self, place: ProfilePlace) -> Result<EqualSwivel, GeneratingError> {
+        equal_swivel(&self.swivel_sides(place)?)
+    }
+
+    /// Constants at which neither flank asks for a swivel in the middle of the tool.
+    fn swivel_constants(
+        &self,
+        ratio: f64,
+        place: ProfilePlace,
+    ) -> Result<Sides<Option<FreeCoefficients>>, GeneratingError> {
+        let sides = self.swivel_sides(place)?;
+        let origin = FeedLaw::Ratio(ratio).law(self.setup, &Flank::BOTH).value(0.0);
+        Ok(sides.map(|_, side| {
+            let lines = &side.lines;
+            let t = lines.work_direction(ratio);
+            let middle = (t * lines.w_m + lines.z_m) / t.hypot(1.0);
+            let [k_10, k_11] = side.linear_part(ratio, origin, 0.0, 0.0);
+            Some(FreeCoefficients { k_10: k_10 + k_11 * middle, k_20: None, k_k0: 0.0 })
+        }))
+    }
+
+    /// Judges one constant ratio by the same rule, with the better of the allowed places of the profile crowning.
+    ///
+    /// # Errors
+    /// Only if the ratio cannot be evaluated; what forbids it stands in [`Candidate::refusal`].
+    pub fn judge(&self, grid: &PlanningGrid, ratio: f64) -> Result<Candidate, GeneratingError> {
+        self.rule(grid).judge_places(ratio, &self.places)
+    }
+
+    /// Ratios worth a study, ascending: the scan of the rule over both signs (spec 28 section 2), 0, the lead-correction
+    /// ratios K* and those that directed parts of the target demand.
+    pub fn worth_studying(&self, grid: &PlanningGrid) -> Vec<f64> {
+        self.rule(grid).worth_studying(&self.places)
+    }
+
+    /// Ratios that lay the tool's lines onto the directed parts of the target, per flank.
+    pub fn demanded(&self, grid: &PlanningGrid) -> Sides<Vec<f64>> {
+        self.rule(grid).demanded()
+    }
+
+    /// Plans.
+    ///
+    /// # Errors
+    /// See [`GeneratingError`]; [`GeneratingError::is_bad_input`] tells impossible input from an unreachable target.
+    pub fn plan(&self) -> Result<GrindingPlan, GeneratingError> {
+        self.plan_or_tried().map_err(|refused| refused.error)
+    }
+
+    /// As [`PlanTask::plan`]; a refusal brings along the candidates that were judged.
+    ///
+    /// # Errors
+    /// [`NoPlan`].
+    pub fn plan_or_tried(&self) -> Result<GrindingPlan, Box<NoPlan>> {
+        let grid = self.planning_grid();
+        let choice = self.choose_or_tried(&grid)?;
+        let (candidates, failed) = (choice.candidates.clone(), choice.failed.clone());
+        self.plan_with(&grid, choice).map_err(|error| Box::new(NoPlan { error, candidates, failed }))
+    }
+
+    fn plan_with(&self, grid: &PlanningGrid, choice: RatioChoice) -> Result<GrindingPlan, GeneratingError> {
+        let mut policy = self.rule(grid).policy(choice.place);
+        if self.gauge == PlanGauge::EqualSwivel {
+            policy.gauge = self.swivel_constants(choice.ratio, choice.place)?;
+        }
+        let feed = match &self.law {
+            Some(law) => FeedLaw::Law(law.clone()),
+            None => FeedLaw::Ratio(choice.ratio),
+        };
+        let rounds = match (self.precompensation, self.is_smooth()) {
+            (false, _) => 0,
+            (true, true) => ROUNDS,
+            (true, false) => FREE_ROUNDS,
+        };
+        let (ideal, ideal_error, ideal_record) =
+            precompensate(self.setup, &self.targets, grid, &feed, policy, rounds)?;
+        let mut best = self.equip(ideal, policy, grid)?;
+        let mut dressed_record = Sides::from_fn(|f| best.error.largest(f).into_iter().collect::<Vec<_>>());
+        if self.precompensation {
+            for _ in 0..OUTER_ROUNDS {
+                if best.error.max() - ideal_error.max() <= f64::min(0.1 * self.tolerance, 1e-5) {
+                    break;
+                }
+                let command = corrected(self.setup, grid, &best.ideal, &best.error);
+                let next = best
+                    .ideal
+                    .commanding(self.setup, &self.targets, command, policy)
+                    .and_then(|ideal| self.equip(ideal, policy, grid));
+                let Ok(next) = next else { break };
+                for flank in Flank::BOTH {
+                    dressed_record[flank].extend(next.error.largest(flank));
+                }
+                if next.error.max() >= best.error.max() {
+                    break;
+                }
+                best = next;
+            }
+        }
+        let result_grid = PlanningGrid::new(self.setup, self.grid.0, self.grid.1);
+        let flanks = loop {
+            let flank_plan = |flank: Flank| self.flank_plan(flank, &best, &result_grid);
+            let (left, right) = rayon::join(|| flank_plan(Flank::Left), || flank_plan(Flank::Right));
+            let flanks = Sides { left: left?, right: right? };
+            if best.margin >= LARGEST_DRESSING_MARGIN || self.within_finished_area(&best, &flanks) {
+                break flanks;
+            }
+            let margin = 2.0 * best.margin;
+            let (dresser, tools, error) = self.equip_with(&best.ideal, policy, grid, margin)?;
+            best = Equipped { ideal: best.ideal, dresser, flanks: tools, error, margin };
+        };
+        let between = if self.is_smooth() {
+            Sides::both(0.0)
+        } else {
+            let inner = result_grid.between();
+            let ground = |flank: Flank| {
+                best.flanks[flank]
+                    .as_ref()
+                    .map(|tool| tool.ground(self.setup, flank, &inner, &best.ideal.motion))
+            };
+            let shift = &best.ideal.motion.shift;
+            let error = GroundError::of(self.setup, &self.targets, &inner, shift, ground, |_, _| None)?;
+            Sides::from_fn(|flank| error.largest(flank).unwrap_or(0.0))
+        };
+        let determinant = flanks
+            .iter()
+            .filter_map(|(_, f)| f.as_ref())
+            .flat_map(|f| f.planned.iter().map(|p| p.determinant_ratio))
+            .fold(f64::INFINITY, f64::min);
+        Ok(GrindingPlan {
+            choice,
+            policy,
+            ideal: best.ideal,
+            dresser: best.dresser,
+            flanks,
+            ideal_error_by_round: ideal_record,
+            dressed_error_by_round: dressed_record,
+            determinant,
+            between,
+        })
+    }
+
+    /// Makes the tool for an ideal plan; where the contact shift of a large modification leaves its length, more of it is made.
+    fn equip(
+        &self,
+        ideal: IdealPlan,
+        policy: ProfilePolicy,
+        grid: &PlanningGrid,
+    ) -> Result<Equipped, GeneratingError> {
+        let mut margin = DRESSING_MARGIN;
+        loop {
+            match self.equip_with(&ideal, policy, grid, margin) {
+                Ok((dresser, flanks, error)) => {
+                    return Ok(Equipped { ideal, dresser, flanks, error, margin });
+                }
+                Err(GeneratingError::Contact(ContactError::WormSurfaceMissing { .. }))
+                    if margin < LARGEST_DRESSING_MARGIN =>
+                {
+                    margin *= 2.0;
+                }
+                Err(error) => return Err(error),
+            }
+        }
+    }
+
+    fn equip_with(
+        &self,
+        ideal: &IdealPlan,
+        policy: ProfilePolicy,
+        grid: &PlanningGrid,
+        margin: f64,
+    ) -> Result<Equipment, GeneratingError> {
+        let dresser = match (&self.setup.tool, &self.setup.strokes) {
+            (Tool::Dressed(_), Some(layout)) => layout.dressers.first().cloned(),
+            (Tool::Dressed(_), None) => Some(dresser_of_plan(self.setup, ideal, policy)?),
+            (Tool::Made | Tool::Given(_), _) => None,
+        };
+        let flanks = match (&dresser, &self.setup.strokes) {
+            (Some(_), Some(layout)) => {
+                let dress = |flank: Flank| {
+                    let worm = ideal.worms[flank].as_ref();
+                    worm.map(|_| StrokedFlank::solve(self.setup, layout, ideal, flank, margin)).transpose()
+                };
+                let (left, right) = rayon::join(|| dress(Flank::Left), || dress(Flank::Right));
+                let tool = |stroked: StrokedFlank| PlannedTool::Stroked(Box::new(stroked));
+                Sides { left: left?.map(tool), right: right?.map(tool) }
+            }
+            (Some(dresser), None) => {
+                let Sides { left, right } = dress_flanks(self.setup, ideal, dresser, policy, margin)?;
+                let tool = |dressed: DressedFlank| PlannedTool::Dressed(Box::new(dressed));
+                Sides { left: left.map(tool), right: right.map(tool) }
+            }
+            (None, _) => {
+                let make = |flank: Flank| {
+                    let worm = ideal.worms[flank].as_ref();
+                    worm.map(|_| MadeFlank::of_plan(self.setup, ideal, flank, margin)).transpose()
+                };
+                let (left, right) = rayon::join(|| make(Flank::Left), || make(Flank::Right));
+                Sides { left: left?.map(PlannedTool::Made), right: right?.map(PlannedTool::Made) }
+            }
+        };
+        let ground = |flank: Flank| {
+            flanks[flank].as_ref().map(|tool| tool.ground(self.setup, flank, grid, &ideal.motion))
+        };
+        let foot = |flank: Flank, at: &ContactSolution| flanks[flank].as_ref()?.foot(at);
+        let error = GroundError::of(self.setup, &self.targets, grid, &ideal.motion.shift, ground, foot)?;
+        Ok((dresser, flanks, error))
+    }
+
+    /// Whether every contact on the tool lies inside the finished area with [`CONTACT_MARGIN`] to spare.
+    fn within_finished_area(&self, best: &Equipped, flanks: &Sides<Option<FlankPlan>>) -> bool {
+        flanks.iter().filter_map(|(flank, plan)| plan.as_ref().map(|plan| (flank, plan))).all(
+            |(flank, plan)| {
+                let [from, to] = plan.tool.length(self.setup, best.dresser.as_ref(), flank);
+                plan.planned.iter().all(|at| {
+                    plan.tool
+                        .foot(at)
+                        .is_some_and(|(_, z)| z > from + CONTACT_MARGIN && z < to - CONTACT_MARGIN)
+                })
+            },
+        )
+    }
+
+    fn flank_plan(
+        &self,
+        flank: Flank,
+        best: &Equipped,
+        grid: &PlanningGrid,
+    ) -> Result<Option<FlankPlan>, GeneratingError> {
+        let (Some(tool), Some(target)) = (&best.flanks[flank], &self.targets[flank]) else {
+            return Ok(None);
+        };
+        let planned = tool.ground(self.setup, flank, grid, &best.ideal.motion)?;
+        let wanted = grid.target(flank, target, self.setup.lines[flank].cos_b2)?;
+        Ok(Some(FlankPlan {
+            tool: tool.clone(),
+            w: grid.w[flank].clone(),
+            z: grid.z.clone(),
+            target: wanted,
+            planned,
+        }))
+    }
+}
+
+impl PlannedTool {
+    /// The exact flank that this tool leaves, by grid point.
+    ///
+    /// # Errors
+    /// Those of the exact contact.
+    pub fn ground(
+        &self,
+        setup: &GrindingSetup,
+        flank: Flank,
+        grid: &PlanningGrid,
+        motion: &GeneratingMotion,
+    ) -> Result<Vec<ContactSolution>, GeneratingError> {
+        match self {
+            Self::Dressed(dressed) => grid.ground(setup, flank, motion, &dressed.worm),
+            Self::Stroked(stroked) => stroked.ground(setup, flank, grid, motion),
+            Self::Made(made) => grid.ground(setup, flank, motion, &made.surface(setup, flank)),
+        }
+    }
+
+    /// The point (w_1, z_1) of the unmodified flank under a contact, mm.
+    fn foot(&self, at: &ContactSolution) -> Option<(f64, f64)> {
+        let (p, q) = at.tool;
+        match self {
+            Self::Dressed(dressed) => dressed.worm.envelope_point(p, q).map(|foot| (foot.w, foot.b)),
+            Self::Stroked(_) | Self::Made(_) => Some((p, q)),
+        }
+    }
+
+    /// From where to where on the tool the flank is finished, z_1, mm.
+    fn length(&self, setup: &GrindingSetup, dresser: Option<&DresserTool>, flank: Flank) -> [f64; 2] {
+        match (self, dresser) {
+            (Self::Dressed(dressed), Some(dresser)) => {
+                finished_area(setup, dresser, flank, &dressed.corrections).1
+            }
+            (Self::Dressed(_), None) => [0.0; 2],
+            (Self::Stroked(stroked), _) => stroked.area.1,
+            (Self::Made(made), _) => made.spline.domain()[1],
+        }
+    }
+}

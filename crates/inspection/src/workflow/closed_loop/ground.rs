@@ -1,0 +1,107 @@
+//! The flank that a job's plan leaves, by rays, on the machine as it should be or with its deviations. Knows no measurement.
+
+use foundation::geometry::Sides;
+use foundation::numerics::Progress;
+use generating::correction::{Setting, SettingsFlank};
+use generating_grinding::job::{LoadedJob, SimulatedMeasurement};
+use generating_grinding::workflow::execution::Execution;
+use generating_grinding::workflow::generating_finding;
+use generating_grinding::workflow::influence::influence;
+use generating_grinding::workflow::partition::StrokePlan;
+use generating_grinding::workflow::prepare::{Prepared, prepare};
+use generating_grinding::workflow::referee::{self, Cutting};
+use job::{Diagnostic, Problem};
+use metrology::Topography;
+use run::RunFailure;
+
+/// A planned job.
+pub(super) struct Ground {
+    /// Bodies and targets.
+    pub prepared: Prepared,
+    /// Motions.
+    pub execution: Execution,
+    /// What the rays leave, normal, mm; `None` for a flank that is not ground.
+    pub simulated: Sides<Option<Topography>>,
+}
+
+/// Plans a job and lets the referee grind it.
+pub(super) fn ground(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Ground, RunFailure> {
+    let prepared = prepare(loaded)?;
+    let plan = prepared.task(&loaded.job).plan().map_err(|e| generating_finding::failure(&e))?;
+    let execution = Execution::of_plan(&loaded.job, &prepared, &plan);
+    let simulated = by_rays(loaded, &prepared, &execution, progress)?;
+    Ok(Ground { prepared, execution, simulated })
+}
+
+impl Ground {
+    /// What the same settings leave on a machine with deviations, normal, mm.
+    pub fn with_deviations(
+        &self,
+        loaded: &LoadedJob,
+        of: &SimulatedMeasurement,
+        progress: &dyn Progress,
+    ) -> Result<Sides<Option<Topography>>, RunFailure> {
+        let mut execution = self.execution.clone();
+        execution.motion = self.motion(loaded, of)?;
+        let dressing = of.dressing.values();
+        if dressing != [0.0; 4] && !execution.shift_dressing(dressing) {
+            let finding = Diagnostic::new(Problem::InvalidJob, "this tool is not dressed in one stroke")
+                .field("inspection.simulated.dressing")
+                .value("deviations of the dressing axes")
+                .allowed("none")
+                .way_out("leave the table out");
+            return Err(RunFailure::bad_input(finding));
+        }
+        by_rays(loaded, &self.prepared, &execution, progress)
+    }
+
+    /// The grinding motion with its deviations.
+    fn motion(
+        &self,
+        loaded: &LoadedJob,
+        of: &SimulatedMeasurement,
+    ) -> Result<foundation::kinematics::GeneratingMotion, RunFailure> {
+        let setup = &self.prepared.setup;
+        let influence = influence(&self.prepared, &self.execution, loaded)?;
+        let flank = SettingsFlank::new(&setup.pair, &influence, &self.execution.motion);
+        let orders = |values: &[f64], unit: f64, setting: fn(u8) -> Setting| {
+            let each = values.iter().zip(0u8..);
+            each.map(|(value, k)| (setting(k), value * unit)).collect::<Vec<(Setting, f64)>>()
+        };
+        let arcsec = (1.0_f64 / 3600.0).to_radians();
+        let mut settings = orders(&of.radial_feed_um, 1e-3, Setting::RadialFeed);
+        settings.extend(orders(&of.work_angle_arcsec, arcsec, Setting::WorkAngle));
+        Ok(flank.motion(&settings, of.crossing_angle_deg.to_radians()))
+    }
+}
+
+/// What settings do, and what inspections evaluate, is known for cylinders.
+///
+/// # Errors
+/// [`RunFailure::BadInput`] for cones.
+pub(super) fn check_cylinders(prepared: &Prepared, loaded: &LoadedJob) -> Result<(), RunFailure> {
+    let pair = &prepared.setup.pair;
+    if pair.work.is_cylindrical() && pair.worm.is_cylindrical() {
+        return Ok(());
+    }
+    let message = "measurements are judged against jobs of cylindrical gears and worms";
+    let finding = Diagnostic::new(Problem::InvalidJob, message)
+        .field("gear.cone_angle_deg")
+        .value(loaded.job.gear.cone_angle_deg)
+        .allowed("0")
+        .way_out("inspect the measurement without `--job`");
+    Err(RunFailure::bad_input(finding))
+}
+
+fn by_rays(
+    loaded: &LoadedJob,
+    prepared: &Prepared,
+    execution: &Execution,
+    progress: &dyn Progress,
+) -> Result<Sides<Option<Topography>>, RunFailure> {
+    let strokes = StrokePlan::of_job(&loaded.job)?;
+    let cutting = Cutting { feed_per_revolution: None, strokes: strokes.as_ref() };
+    let verdicts = referee::run(&prepared.setup, execution, cutting, progress)
+        .map_err(|e| RunFailure::of_removal(&e, "grinding"))?;
+    Ok(verdicts.map(|_, verdict| verdict.as_ref().map(|verdict| verdict.simulated.clone())))
+}

@@ -1,0 +1,53 @@
+//! Measured gears, from files to figures: what was read, evaluated after ISO 1328-1, judged by classes, beside what the measuring machine
+//! printed; and for a job, what the process has to do with it.
+
+mod areal;
+mod assemble;
+mod averaged;
+mod bands;
+mod characteristics;
+mod closed_loop;
+pub mod convert;
+mod drawn;
+mod evaluate;
+mod files;
+mod judgement;
+mod middle;
+mod page;
+mod printed;
+mod readings;
+mod result;
+pub mod run;
+pub mod series;
+pub mod sheet;
+mod standing_out;
+mod statements;
+mod summary;
+mod surface;
+mod tables;
+mod twist;
+pub mod write;
+
+pub use bands::Bands;
+pub use characteristics::{PartCharacteristic, PartIdentity, characteristic_key, part_characteristics};
+pub use closed_loop::{
+    CharacteristicResult, CorrectedSettingResult, CorrectionResult, DifferenceResult, MachineChange,
+    MeasuredFlankResult, ProofResult, Round, RoundResult,
+};
+pub use convert::{GearOfRexs, gear_of_rexs, rexs_of_job};
+pub use drawn::DrawnGear;
+pub use evaluate::{
+    Design, EvaluatedGear, EvaluatedPitch, EvaluatedTrace, JudgedValue, LeftOut, evaluate_inspection,
+};
+pub use files::{
+    LeftOutFile, MeasuredFiles, MeasuredFolder, files_of_measurement, is_measurement, measurements_in,
+    read_measurement,
+};
+pub use result::{
+    ArealResult, BandResult, ClassResult, GearInspectionResult, LinesResult, PitchInspectionResult,
+    PrintedResult, SummaryResult, ThicknessResult, TraceInspectionResult, TwistResult,
+};
+pub use run::{GearInspection, inspect_for_job, inspect_gear, inspect_simulated};
+pub use sheet::{SheetOptions, inspection_sheet, sheet_data, sheet_pages};
+pub use statements::Statements;
+pub use write::write_gear_inspection;

@@ -1,0 +1,171 @@
+//! The job file of five-axis milling as types: one table of the file, one file here. A `MillingJob` has the right keys, types and
+//! ranges; contradictions between entries are found by [`job::read_any_job`]. What other processes say in the same words is taken
+//! from [`generating_grinding::job`]. Knows nothing of how a cutter is led along a flank.
+
+mod bevel;
+mod blade;
+mod checks;
+mod contact_height;
+mod cutter;
+mod density;
+mod gear;
+mod machine;
+mod mate;
+mod milling;
+mod output;
+mod point_grid;
+mod root;
+mod roughing;
+mod simulation;
+mod target;
+#[cfg(test)]
+mod tests;
+
+pub use self::milling::{CutSense, Milling, RowDistances, RowSequence, Spaces, Traversal};
+pub use bevel::{BevelFlank, BevelGear, BevelSpiral};
+pub use blade::{Blade, BladePoints, BladeSide, RuledBlade};
+pub use contact_height::{ContactHeight, HeightRamp};
+pub use cutter::{CutterForm, CutterShank, MillingCutter};
+pub use density::{Density, GridChoice};
+pub use gear::{DoubleHelical, MillingGear};
+pub use machine::{MillingMachine, MillingMount, PoleWay, Rtcp};
+pub use mate::Mate;
+pub use output::MillingOutput;
+pub use point_grid::{PointGrid, parse_point_grid, read_point_grid};
+pub use root::{MilledRoot, RootBottom};
+pub use roughing::Roughing;
+pub use simulation::MillingSimulation;
+pub use target::{EaseOffAmounts, MillingTarget};
+
+use job::{Diagnostic, Loaded, ProcessJob};
+use schemars::{JsonSchema, Schema, json_schema};
+use serde::{Deserialize, Serialize};
+
+use foundation::geometry::Flank;
+use job::tables::JobInfo;
+
+/// A job of five-axis milling: a cutter finishes the flanks of a gear, a bevel gear or a blade row by row.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend(
+    "if" = { "required": ["gear"] },
+    "then" = { "not": { "anyOf": [{ "required": ["bevel"] }, { "required": ["blade"] }] } },
+    "else" = { "if": { "required": ["bevel"] }, "then": { "not": { "required": ["blade"] } }, "else": { "required": ["blade"] } }
+))]
+pub struct MillingJob {
+    /// Name and process.
+    pub job: JobInfo,
+    /// The workpiece, if it is a cylindrical gear.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gear: Option<MillingGear>,
+    /// The workpiece, if it is a bevel gear.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bevel: Option<BevelGear>,
+    /// The workpiece, if it has blades.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub blade: Option<Blade>,
+    /// The gear that a bevel gear is rolled against.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mate: Option<Mate>,
+    /// The wanted flank.
+    #[serde(default)]
+    pub target: MillingTarget,
+    /// The cutter that finishes the flanks.
+    pub cutter: MillingCutter,
+    /// The cutter of the bottom pass; default `cutter`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bottom_cutter: Option<MillingCutter>,
+    /// The cutter that clears the space; default `cutter`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub roughing_cutter: Option<MillingCutter>,
+    /// How the flanks are milled.
+    pub milling: Milling,
+    /// Rays of the simulation, which are the points of the result.
+    #[serde(default)]
+    pub simulation: MillingSimulation,
+    /// The machine for which programs are written; without one there are cutter locations only.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub machine: Option<MillingMachine>,
+    /// What to write beside result and report.
+    #[serde(default)]
+    pub output: MillingOutput,
+}
+
+/// The workpiece of a job.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum MilledBody<'a> {
+    /// A cylindrical gear.
+    Gear(&'a MillingGear),
+    /// A bevel gear.
+    Bevel(&'a BevelGear),
+    /// Blades.
+    Blade(&'a Blade),
+}
+
+/// What a cutter does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CutterUse {
+    /// It finishes flanks.
+    Finishing,
+    /// It mills the bottom of the space.
+    Bottom,
+    /// It clears the space.
+    Roughing,
+}
+
+impl MillingJob {
+    /// The workpiece; `None` only for a job that was built in code without one.
+    pub fn body(&self) -> Option<MilledBody<'_>> {
+        let gear = self.gear.as_ref().map(MilledBody::Gear);
+        let bevel = || self.bevel.as_ref().map(MilledBody::Bevel);
+        gear.or_else(bevel).or_else(|| self.blade.as_ref().map(MilledBody::Blade))
+    }
+
+    /// Flanks that are milled: as `milling.flanks` has it, by default both; of a blade the side that its table describes.
+    pub fn flanks(&self) -> Vec<Flank> {
+        if let Some(blade) = &self.blade {
+            return blade.side().map(BladeSide::flank).into_iter().collect();
+        }
+        let flanks = self.milling.flanks.unwrap_or_default();
+        [Flank::Left, Flank::Right].into_iter().filter(|flank| flanks.includes(*flank)).collect()
+    }
+
+    /// The cutter for a purpose and its number in programs: its own, else 1 for `cutter`, 2 for `bottom_cutter`, 3 for
+    /// `roughing_cutter`. Without a table of its own a purpose is served by `cutter`.
+    pub fn cutter_for(&self, purpose: CutterUse) -> (&MillingCutter, u32) {
+        let own = match purpose {
+            CutterUse::Finishing => None,
+            CutterUse::Bottom => self.bottom_cutter.as_ref().map(|cutter| (cutter, 2)),
+            CutterUse::Roughing => self.roughing_cutter.as_ref().map(|cutter| (cutter, 3)),
+        };
+        let (cutter, usual) = own.unwrap_or((&self.cutter, 1));
+        (cutter, cutter.number.unwrap_or(usual))
+    }
+}
+
+/// Two numbers of one range each.
+fn pair_schema(least: f64, most: f64, way_out: &str) -> Schema {
+    json_schema!({
+        "type": "array",
+        "items": { "type": "number", "minimum": least, "maximum": most, "x-way-out": way_out },
+        "minItems": 2,
+        "maxItems": 2
+    })
+}
+
+/// A checked job of five-axis milling.
+pub type LoadedMillingJob = Loaded<MillingJob>;
+
+impl ProcessJob for MillingJob {
+    const NAME: &'static str = "five-axis-milling";
+    const ABOUT: &'static str = "Five-axis milling of gears and blades.";
+    const TEMPLATE: &'static str = include_str!("job/template.toml");
+
+    fn info(&self) -> &JobInfo {
+        &self.job
+    }
+
+    fn contradictions(&self) -> Vec<Diagnostic> {
+        checks::check(self)
+    }
+}

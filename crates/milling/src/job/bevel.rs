@@ -1,0 +1,127 @@
+//! `[bevel]`: a bevel gear, straight or spiral (spec 50 sections 1.2 and 1.4).
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use foundation::geometry::{self, BevelData, Spiral};
+use job::tables::Hand;
+
+/// Drawing data of a bevel gear whose cones have one apex. Lengths in mm.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BevelGear {
+    /// Transverse module at the outer end.
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 100,
+        "x-way-out" = "give the outer transverse module of the drawing in mm"))]
+    pub outer_transverse_module: f64,
+    /// Number of teeth.
+    #[schemars(extend("minimum" = 3, "maximum" = 2000, "x-way-out" = "give the number of teeth of the drawing"))]
+    pub teeth: u32,
+    /// Angle of the pitch cone, degrees.
+    #[schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 90,
+        "x-way-out" = "give the pitch cone angle of the drawing in degrees"))]
+    pub pitch_cone_angle_deg: f64,
+    /// Pressure angle, degrees.
+    #[serde(default = "default_pressure_angle")]
+    #[schemars(extend("minimum" = 5, "maximum" = 45,
+        "x-way-out" = "give the pressure angle of the drawing in degrees, e.g. 20.0"))]
+    pub pressure_angle_deg: f64,
+    /// Width of the teeth along the pitch cone, from its outer end inwards.
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 5000, "x-way-out" = "give the face width in mm"))]
+    pub face_width: f64,
+    /// Outer addendum over the module.
+    #[serde(default = "default_addendum")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 5, "x-way-out" = "it is a coefficient; 1 is the default"))]
+    pub addendum_factor: f64,
+    /// Outer dedendum over the module.
+    #[serde(default = "default_dedendum")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 5, "x-way-out" = "it is a coefficient; 1.25 is the default"))]
+    pub dedendum_factor: f64,
+    /// The profile.
+    #[serde(default)]
+    pub flank: BevelFlank,
+    /// Curved teeth; without it the teeth are straight.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub spiral: Option<BevelSpiral>,
+    /// Angle between the axis and the ray from the apex on which the active flank begins, degrees; default 0.12 of the way from root
+    /// or base cone, whichever is wider, to the tip cone.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 180,
+        "x-way-out" = "give an angle between root cone and tip cone in degrees, or leave it out"))]
+    pub start_polar_angle_deg: Option<f64>,
+}
+
+/// Profile of a bevel tooth.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum BevelFlank {
+    /// The involute on the sphere.
+    #[default]
+    SphericalInvolute,
+    /// Cut by plane flanks of a crown gear.
+    Octoid,
+}
+
+/// Teeth whose flank line on the developed pitch cone is a circle.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BevelSpiral {
+    /// Spiral angle in the middle of the face, degrees.
+    #[schemars(extend("minimum" = 0, "maximum" = 70,
+        "x-way-out" = "give the mean spiral angle in degrees; its hand stands in `hand`"))]
+    pub mean_spiral_angle_deg: f64,
+    /// Radius of the circle, that of the face-milling cutter which the flank line comes from, mm.
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 5000, "x-way-out" = "give the radius of the cutter in mm"))]
+    pub cutter_radius: f64,
+    /// Hand of the spiral.
+    pub hand: Hand,
+}
+
+impl BevelGear {
+    /// The drawing as geometry takes it: rad.
+    pub fn data(&self) -> BevelData {
+        let spiral = |spiral: &BevelSpiral| Spiral {
+            mean_angle: spiral.mean_spiral_angle_deg.to_radians(),
+            cutter_radius: spiral.cutter_radius,
+            hand: if spiral.hand.sign() > 0.0 { geometry::Hand::Right } else { geometry::Hand::Left },
+        };
+        BevelData {
+            outer_transverse_module: self.outer_transverse_module,
+            teeth: self.teeth,
+            pitch_angle: self.pitch_cone_angle_deg.to_radians(),
+            pressure_angle: self.pressure_angle_deg.to_radians(),
+            face_width: self.face_width,
+            addendum_factor: self.addendum_factor,
+            dedendum_factor: self.dedendum_factor,
+            spiral: self.spiral.as_ref().map(spiral),
+            form_angle: self.start_polar_angle_deg.map(f64::to_radians),
+        }
+    }
+
+    /// R_e: outer cone distance, mm.
+    pub fn outer_cone_distance(&self) -> f64 {
+        let sine = self.pitch_cone_angle_deg.to_radians().sin();
+        self.outer_transverse_module * f64::from(self.teeth) / (2.0 * sine)
+    }
+
+    /// Angles of root cone and tip cone, degrees.
+    pub fn cone_angles_deg(&self) -> [f64; 2] {
+        let by = |factor: f64| {
+            (factor * self.outer_transverse_module / self.outer_cone_distance()).atan().to_degrees()
+        };
+        let pitch = self.pitch_cone_angle_deg;
+        [pitch - by(self.dedendum_factor), pitch + by(self.addendum_factor)]
+    }
+}
+
+fn default_pressure_angle() -> f64 {
+    20.0
+}
+
+fn default_addendum() -> f64 {
+    1.0
+}
+
+fn default_dedendum() -> f64 {
+    1.25
+}

@@ -1,0 +1,69 @@
+//! Five-axis milling in the registry of processes.
+
+use crate::job::{LoadedMillingJob, MillingJob};
+use crate::workflow::derived::of_milling;
+use crate::workflow::{MillingCheck, run_milling};
+use foundation::numerics::Progress;
+use job::machine::LoadedMachine;
+use run::program_check::ProgramCheck;
+use run::{Carried, DerivedGeometry, JobFailure, Process, Remark, RunFailure, Task, TaskOutcome};
+
+/// Five-axis milling.
+pub struct FiveAxisMilling;
+
+impl Process for FiveAxisMilling {
+    type Job = MillingJob;
+
+    fn title(&self) -> &'static str {
+        "Five-axis milling"
+    }
+
+    fn tasks(&self) -> &'static [Task] {
+        &[Task::Plan]
+    }
+
+    fn carry_out(
+        &self,
+        task: Task,
+        loaded: &LoadedMillingJob,
+        progress: &dyn Progress,
+    ) -> Result<Box<dyn TaskOutcome>, JobFailure> {
+        debug_assert_eq!(task, Task::Plan);
+        Ok(Carried::boxed(loaded, run_milling(loaded, progress)?))
+    }
+
+    fn takes(&self, command: &str) -> bool {
+        match command {
+            "program check" => true,
+            "convert" => false,
+            other => Task::ALL
+                .into_iter()
+                .find(|task| task.name() == other)
+                .is_none_or(|task| self.tasks().contains(&task)),
+        }
+    }
+
+    fn derived(&self, loaded: &LoadedMillingJob) -> Result<(DerivedGeometry, Vec<Remark>), JobFailure> {
+        Ok((of_milling(loaded)?, Vec::new()))
+    }
+
+    fn machine_file<'a>(&self, job: &'a MillingJob) -> Option<&'a str> {
+        job.machine.as_ref().map(|machine| machine.file.as_str())
+    }
+
+    fn tolerance_um(&self, job: &MillingJob) -> Option<f64> {
+        Some(job.target.tolerance_um)
+    }
+
+    fn program_check<'a>(
+        &self,
+        loaded: &'a LoadedMillingJob,
+        machine: &'a LoadedMachine,
+        progress: &dyn Progress,
+    ) -> Option<Result<Box<dyn ProgramCheck + 'a>, RunFailure>> {
+        Some(
+            MillingCheck::new(loaded, machine, progress)
+                .map(|check| Box::new(check) as Box<dyn ProgramCheck>),
+        )
+    }
+}

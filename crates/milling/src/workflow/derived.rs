@@ -1,0 +1,37 @@
+//! What follows from a job of five-axis milling before anything is planned.
+
+use crate::Half;
+use crate::job::LoadedMillingJob;
+use crate::workflow::prepare_milling;
+use foundation::geometry::Flank;
+use run::{DerivedGeometry, RunFailure};
+
+/// Of a job of five-axis milling: what the lead curve has to cover, where the active flank lies.
+///
+/// # Errors
+/// Bodies that do not fit, column planes that do not meet the flank.
+pub fn of_milling(loaded: &LoadedMillingJob) -> Result<DerivedGeometry, RunFailure> {
+    let bodies = prepare_milling(loaded)?;
+    let mut derived = DerivedGeometry::default();
+    derived.section("workpiece");
+    derived.quantity("spaces", "tooth spaces", bodies.spaces as u64, "");
+    derived.quantity("milled_spaces", "of these milled", bodies.milled as u64, "");
+    for flank in bodies.ranges()? {
+        derived.section(match (flank.side.half, flank.side.flank) {
+            (None, Flank::Left) => "left flank",
+            (None, Flank::Right) => "right flank",
+            (Some(Half::Upper), Flank::Left) => "left flank of the upper half",
+            (Some(Half::Upper), Flank::Right) => "right flank of the upper half",
+            (Some(Half::Lower), Flank::Left) => "left flank of the lower half",
+            (Some(Half::Lower), Flank::Right) => "right flank of the lower half",
+        });
+        let [[root, tip], [low, high], [from, to]] = [flank.heights, flank.radii, flank.lead];
+        derived.quantity("height_at_root", "height parameter at the root", root, "");
+        derived.quantity("height_at_tip", "height parameter at the tip", tip, "");
+        derived.quantity("least_radius_mm", "least radius of the active flank", low, "mm");
+        derived.quantity("greatest_radius_mm", "greatest radius of the active flank", high, "mm");
+        derived.quantity("lead_from", "lead curve from", from, "");
+        derived.quantity("lead_to", "lead curve to", to, "");
+    }
+    Ok(derived)
+}

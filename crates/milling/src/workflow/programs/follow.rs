@@ -1,0 +1,168 @@
+//! Blocks as a reader found them, followed: positions of the axes or places of the tip -> where the cutter stands on the workpiece.
+
+use foundation::kinematics::{Direction, Point};
+use machine::{Positions, Station};
+use motion::milling::MillingSetup;
+use motion::{AxisWords, MotionError};
+use nalgebra::Vector3;
+use nc::{Block, Orientation, Pace};
+use referee::CutterPlace;
+
+/// One motion that ends where all is known.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FollowedMove {
+    /// Number of the block, from 1.
+    pub block: usize,
+    /// Number of the tool.
+    pub tool: u32,
+    /// Speed of its spindle, rad/s; none before a block says it.
+    pub spindle: Option<f64>,
+    /// Whether it is rapid.
+    pub rapid: bool,
+    /// Places of the cutter, workpiece coordinates: begin (if it is known) and end; of a block of axis values so many between that
+    /// straight pieces are within 10 nm.
+    pub places: Vec<CutterPlace>,
+    /// The axes at its end; `None` under tip control.
+    pub at: Option<Positions>,
+    /// Time that the block states, s.
+    pub seconds: Option<f64>,
+}
+
+/// Deviation of a straight piece, mm.
+const PIECE: f64 = 1e-5;
+/// Distance from the tip at which the turn of the axis counts for that, mm.
+const LEVER: f64 = 50.0;
+/// Most pieces of a block.
+const MOST_PIECES: f64 = 4096.0;
+
+/// Follows blocks.
+pub(super) struct Follower<'a> {
+    pub setup: &'a MillingSetup<'a>,
+    pub words: &'a AxisWords,
+    pub tool_length: f64,
+}
+
+/// Where everything is.
+#[derive(Default)]
+struct State {
+    tool: u32,
+    spindle: Option<f64>,
+    at: Positions,
+    /// Places of the program's axes that have a value.
+    known: u16,
+    place: Option<CutterPlace>,
+    speed: Option<f64>,
+}
+
+impl Follower<'_> {
+    /// All motions of a program.
+    ///
+    /// # Errors
+    /// [`MotionError::NotFollowed`] for blocks that no milling program has.
+    pub fn follow(&self, blocks: &[Block]) -> Result<Vec<FollowedMove>, MotionError> {
+        let five: Vec<usize> = self.setup.axes().rotary.into_iter().chain(self.setup.axes().linear).collect();
+        let all = five
+            .iter()
+            .filter_map(|&axis| self.words.place(axis))
+            .fold(0u16, |mask, place| mask | 1 << place);
+        let mut state = State::default();
+        let mut moves = Vec::new();
+        for (k, block) in blocks.iter().enumerate() {
+            let refused = |reason: &str| MotionError::NotFollowed { block: k + 1, reason: reason.into() };
+            match block {
+                Block::Tool { number, .. } => state = State { tool: *number, ..State::default() },
+                Block::TipControlOff => state.known = 0,
+                Block::TipSpeed(speed) => state.speed = Some(*speed),
+                Block::Rapid(target) | Block::Linear { target, .. } => {
+                    let seconds =
+                        if let Block::Linear { duration, .. } = block { Some(*duration) } else { None };
+                    let to = self.words.positions(self.setup.machine(), &state.at, target);
+                    let from = (state.known & all == all).then_some(state.at);
+                    state.known |= target.mask();
+                    state.at = to;
+                    if state.known & all != all {
+                        continue;
+                    }
+                    let places =
+                        self.axes(from.as_ref(), &to).map_err(|_| refused("the axes stand nowhere"))?;
+                    state.place = places.last().copied();
+                    let rapid = seconds.is_none();
+                    let (tool, spindle) = (state.tool, state.spindle);
+                    let at = Some(to);
+                    moves.push(FollowedMove { block: k + 1, tool, spindle, rapid, places, at, seconds });
+                }
+                Block::Tip(motion) => {
+                    let axis = match motion.orientation {
+                        Orientation::Direction(parts) => {
+                            let axis = Direction::from_vector(Vector3::from(parts).normalize());
+                            self.setup.clamping().inverse().direction(&axis).xyz
+                        }
+                        Orientation::Angles(angles) => {
+                            for (place, value) in angles.iter() {
+                                let number = *self
+                                    .words
+                                    .numbers
+                                    .get(place)
+                                    .ok_or_else(|| refused("an unknown axis"))?;
+                                state.at[number] = self.setup.machine().axes()[number].nc_sign * value;
+                            }
+                            let stands = self.setup.stands(&state.at);
+                            stands.map_err(|_| refused("the axes stand nowhere"))?.1.xyz
+                        }
+                        Orientation::Kept => match state.place {
+                            Some(place) => place.axis,
+                            None => return Err(refused("the tool points nowhere")),
+                        },
+                    };
+                    let tip =
+                        self.setup.clamping().inverse().point(&Point::from_vector(motion.tip.into())).xyz;
+                    let to = CutterPlace { tip, axis };
+                    let way = state.place.map_or(0.0, |from| (from.tip - tip).norm());
+                    let seconds = match motion.pace {
+                        Pace::Rapid => None,
+                        Pace::Duration(seconds) => Some(seconds),
+                        Pace::Speed(speed) => {
+                            state.speed = Some(speed);
+                            Some(way / speed)
+                        }
+                        Pace::Kept => state.speed.map(|speed| way / speed),
+                    };
+                    let rapid = motion.pace == Pace::Rapid;
+                    let places = state.place.into_iter().chain([to]).collect();
+                    let (tool, spindle) = (state.tool, state.spindle);
+                    let at = None;
+                    moves.push(FollowedMove { block: k + 1, tool, spindle, rapid, places, at, seconds });
+                    state.place = Some(to);
+                }
+                Block::Spindle { spindle: 0, speed } => state.spindle = Some(*speed),
+                Block::Comment(_)
+                | Block::Spindle { .. }
+                | Block::Dwell(_)
+                | Block::Stop
+                | Block::TipControlOn(_)
+                | Block::End => {}
+                _ => return Err(refused("no block of a milling program")),
+            }
+        }
+        Ok(moves)
+    }
+
+    /// Places of the cutter on a straight block of the axes.
+    fn axes(
+        &self,
+        from: Option<&Positions>,
+        to: &Positions,
+    ) -> Result<Vec<CutterPlace>, machine::MachineError> {
+        let place = |at: &Positions| {
+            let (tip, axis) = self.setup.stands(at)?;
+            Ok(CutterPlace { tip: tip.xyz, axis: axis.xyz.normalize() })
+        };
+        let Some(from) = from else { return Ok(vec![place(to)?]) };
+        let reach = Point::new(0.0, 0.0, -self.tool_length);
+        let bound = self.setup.machine().straight_bound(Station::Work, [from, to], &reach)?;
+        let bend = bound.chord() + LEVER * bound.turn.powi(2) / 8.0;
+        let pieces = (bend / PIECE).sqrt().ceil().clamp(1.0, MOST_PIECES) as usize;
+        let at = |k: usize| super::drive::between(self.setup, from, to, k as f64 / pieces as f64);
+        (0..=pieces).map(|k| place(&at(k))).collect()
+    }
+}

@@ -1,0 +1,33 @@
+//! NC programs of milling jobs and their proof: paths of cutters -> passes with safe links -> positions of the axes -> text of every
+//! control -> read back -> places of the cutter -> rays (spec 50 sections 8, 11 to 13). Nothing leaves this room that was not read
+//! back and compared.
+
+mod blocks;
+mod build;
+mod check;
+mod cutter_locations;
+mod drive;
+mod failure;
+mod figures;
+mod follow;
+mod linking;
+mod links;
+mod passes;
+mod pole;
+mod proof;
+mod safe_room;
+mod steps;
+mod task;
+
+pub use build::{MillingProgram, MillingPrograms};
+pub(super) use check::ROUNDING;
+pub use check::{AxisFault, CheckedMotion};
+pub use cutter_locations::CutterLocationText;
+pub use failure::of_motion;
+pub use figures::{OperationFigures, RowFigures, StraightKept};
+pub use follow::FollowedMove;
+pub use pole::AtPole;
+pub(super) use proof::OBLIQUE;
+pub use proof::RayProof;
+pub use steps::{DrivenMotion, Step, StepKind, ToolRun};
+pub use task::{MillingMachining, MillingWork, ToolWork, clamping};

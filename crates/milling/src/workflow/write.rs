@@ -1,0 +1,42 @@
+//! Writes what a milling run produced. Every file appears whole or not at all.
+
+use super::run::MillingOutcome;
+use super::{meshes, page, tables};
+use crate::job::MillingJob;
+use run::{NamedFile, Release, WriteError, json, write_with_report};
+use std::path::{Path, PathBuf};
+
+/// Writes all files of a run into `directory` (made if missing); returns the paths in the order written, the report last.
+///
+/// # Errors
+/// [`WriteError`]; files written before the error stay.
+pub fn write_milling(
+    job: &MillingJob,
+    outcome: &MillingOutcome,
+    directory: &Path,
+) -> Result<Vec<PathBuf>, WriteError> {
+    let mut files: Vec<NamedFile> = vec![
+        ("result.json".into(), "result with rows and flanks", json(&outcome.result)?),
+        (
+            "topography.csv".into(),
+            "prediction and deviation at every ray",
+            tables::topography(&outcome.result)?.text().into(),
+        ),
+        (
+            "motions/places.csv".into(),
+            "places of the cutter in one space",
+            tables::places(&outcome.plan)?.text().into(),
+        ),
+    ];
+    let release = Release::of(&outcome.result.verdict, job.output.programs_of_missed);
+    for program in outcome.texts.programs.iter().flat_map(|programs| &programs.programs) {
+        let text = release.program(&program.written.text, program.dialect);
+        files.extend(text.map(|text| (program.file.clone(), "NC program: milling all spaces", text)));
+    }
+    if let Some(locations) = &outcome.texts.locations {
+        let text = release.cutter_locations(&locations.text);
+        files.extend(text.map(|text| (locations.file.clone(), "cutter locations of all spaces", text)));
+    }
+    files.extend(meshes::files(outcome, &job.output.meshes)?);
+    write_with_report(files, directory, |named| page::html_page(job, outcome, named))
+}

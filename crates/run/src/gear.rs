@@ -1,0 +1,90 @@
+//! The gear of a job as bodies, and what is wanted of its flanks: for every process that makes one.
+
+use super::finding::{geometry_finding, modification_finding};
+use foundation::geometry::{Blank, Flank, Gear, GearData, ThicknessMeasure};
+use foundation::modification::{
+    EvaluationField, GridTable, Modification, ModificationFiles, ModificationSpec,
+};
+use job::tables::Gear as JobGear;
+use job::{Diagnostic, Loaded, read_grid_target, read_points, read_traces};
+
+/// Grid and point files named in a job, beside the job file.
+struct Beside<'a, J>(&'a Loaded<J>);
+
+impl<J> ModificationFiles for Beside<'_, J> {
+    fn grid(&self, file: &str) -> Result<GridTable, String> {
+        let table = read_grid_target(&self.0.beside(file)).map_err(|e| e.to_string())?;
+        Ok(GridTable { w_mm: table.w_mm, z_mm: table.z_mm, f_um: table.f_um })
+    }
+
+    fn traces(&self, file: &str) -> Result<GridTable, String> {
+        let table = read_traces(&self.0.beside(file)).map_err(|e| e.to_string())?;
+        Ok(GridTable { w_mm: table.w_mm, z_mm: table.z_mm, f_um: table.f_um })
+    }
+
+    fn points(&self, file: &str) -> Result<Vec<[f64; 3]>, String> {
+        read_points(&self.0.beside(file)).map_err(|e| e.to_string())
+    }
+}
+
+/// The tables that the modifications of a job lie in.
+pub fn job_files<J>(loaded: &Loaded<J>) -> impl ModificationFiles + '_ {
+    Beside(loaded)
+}
+
+/// The gear of the table `[gear]` of a job, with its thickness measure turned into the profile shift.
+///
+/// # Errors
+/// A finding on the key concerned.
+pub fn gear_of_job(g: &JobGear) -> Result<Gear, Diagnostic> {
+    let data = GearData {
+        teeth: g.teeth,
+        normal_module: g.normal_module,
+        pressure_angle: g.normal_pressure_angle_deg.sides().map(|_, a| a.to_radians()),
+        helix_angle: g.helix_angle_deg.to_radians(),
+        profile_shift: 0.0,
+        cone_angle: g.cone_angle_deg.to_radians(),
+    };
+    let measure = if let Some(s) = g.normal_tooth_thickness {
+        ThicknessMeasure::NormalThickness(s)
+    } else if let Some(span) = &g.span {
+        ThicknessMeasure::Span { teeth: span.teeth, length: span.length }
+    } else if let Some(balls) = &g.over_balls {
+        ThicknessMeasure::OverBalls { ball: balls.ball, size: balls.size }
+    } else {
+        ThicknessMeasure::ProfileShift(g.profile_shift.unwrap_or(0.0))
+    };
+    let profile_shift = measure.profile_shift(data).map_err(|e| geometry_finding(&e, "gear"))?;
+    Gear::new(GearData { profile_shift, ..data }).map_err(|e| geometry_finding(&e, "gear"))
+}
+
+/// Diameters and face width of the table `[gear]` of a job.
+pub fn blank_of_job(gear: &JobGear) -> Blank {
+    Blank {
+        face_width: gear.face_width,
+        tip_diameter: gear.tip_diameter,
+        root_diameter: gear.root_diameter,
+        tip_form_diameter: gear.tip_diameter,
+        form_diameter: gear.root_form_diameter(),
+        rack_addendum: None,
+    }
+}
+
+/// Modifications of the list `target.modifications` on a flank; a finding names the entry.
+pub fn specs_of_flank<J>(
+    loaded: &Loaded<J>,
+    specs: &[ModificationSpec],
+    flank: Flank,
+    field: &EvaluationField,
+) -> Result<Modification, Diagnostic> {
+    Modification::for_flank(specs, flank, field, &Beside(loaded)).map_err(|error| {
+        // The position of the offending entry makes the message point into the file.
+        let index = specs.iter().position(|spec| {
+            spec.flank().includes(flank)
+                && Modification::build_with_files(spec, field, &Beside(loaded)).is_err()
+        });
+        let entry =
+            index.map_or("target.modifications".to_string(), |i| format!("target.modifications[{i}]"));
+        modification_finding(&error, &entry)
+    })
+}

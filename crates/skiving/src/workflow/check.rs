@@ -1,0 +1,112 @@
+//! `program check` of a job that measures a skiving tool: a text of any origin is read and followed on the machine; its recordings at the
+//! light barrier or its scans are found by where the tool stands, and judged with the ways between them.
+
+use super::prepare::{SkivingBodies, prepare_skiving};
+use super::program_work::{machining, measuring_work, scan_work};
+use super::programs::{
+    TextBlocks, TextJudgement, ToolProgram, check_measuring, check_scan, looks_like_scan, measuring_programs,
+    scan_programs,
+};
+use crate::job::{LoadedSkivingJob, SkivingMachine};
+use foundation::numerics::Progress;
+use job::machine::LoadedMachine;
+use job::{Diagnostic, Problem};
+use nc::Dialect;
+use run::RunFailure;
+use run::program_check::{CheckedMeasuring, CheckedProgram, ProgramCheck, checked_axes};
+use std::io::BufRead;
+
+/// A job made ready, so that texts can be held against it one after the other.
+pub struct SkivingCheck<'a> {
+    loaded: &'a LoadedSkivingJob,
+    given: &'a SkivingMachine,
+    machine: &'a LoadedMachine,
+    bodies: SkivingBodies,
+}
+
+impl<'a> SkivingCheck<'a> {
+    /// Prepares the job's tool and tracks.
+    ///
+    /// # Errors
+    /// [`RunFailure`]: a job without a machine table or whose bodies cannot be.
+    pub fn new(loaded: &'a LoadedSkivingJob, machine: &'a LoadedMachine) -> Result<Self, RunFailure> {
+        let Some(given) = &loaded.job.machine else {
+            let text = "a program can only be followed with the tool length and the retreat of the job";
+            let finding = Diagnostic::new(Problem::MissingKey, text).field("machine");
+            return Err(RunFailure::bad_input(finding.way_out("give the table [machine] in the job")));
+        };
+        Ok(Self { loaded, given, machine, bodies: prepare_skiving(loaded)? })
+    }
+
+    /// The job's own programs, without the lines that tell its verdict.
+    ///
+    /// # Errors
+    /// [`RunFailure`]: a machine that does not reach a pose, a text that is not proven.
+    pub fn programs(&self) -> Result<Vec<ToolProgram>, RunFailure> {
+        let job = &self.loaded.job;
+        let machining = machining(job, self.given, self.machine);
+        let mut programs = measuring_programs(&measuring_work(job, &self.bodies), &machining)?;
+        if let Some(given) = &job.stylus {
+            let scan = super::scan::scan(&self.bodies, given, None)?;
+            programs.extend(scan_programs(&scan_work(job, &self.bodies, given, &scan), &machining)?);
+        }
+        Ok(programs)
+    }
+
+    /// What a text does to axes and measurement.
+    ///
+    /// # Errors
+    /// [`RunFailure`]: a text that is no program for this machine, a job that the machine cannot carry out.
+    pub fn check(&self, text: impl BufRead, dialect: Dialect) -> Result<CheckedProgram, RunFailure> {
+        let job = &self.loaded.job;
+        let (mut checked, words, blocks) = checked_axes(text, dialect, self.machine)?;
+        let machining = machining(job, self.given, self.machine);
+        let text = TextBlocks { dialect, words: &words, blocks: &blocks };
+        let scanned = job.stylus.as_ref().filter(|_| looks_like_scan(&machining, &text));
+        let (kind, judged) = match scanned {
+            Some(given) => {
+                let scan = super::scan::scan(&self.bodies, given, None)?;
+                let work = scan_work(job, &self.bodies, given, &scan);
+                ("scan", check_scan(&work, &machining, &text)?)
+            }
+            None => ("measuring", check_measuring(&measuring_work(job, &self.bodies), &machining, &text)?),
+        };
+        let TextJudgement { sound: [sound, wanted], difference, axis_distance, allowed, faults } = judged;
+        checked.kind = Some(kind);
+        // Limits of the axes are told with their blocks instead.
+        checked.remarks = faults;
+        let [difference_um, axis_distance_um, allowed_um] =
+            [difference, axis_distance, allowed].map(|x| x * 1e3);
+        let what = if kind == "scan" { "edges scanned" } else { "recordings made" };
+        checked.measuring = Some(CheckedMeasuring {
+            wanted,
+            sound,
+            difference_um,
+            axis_distance_um,
+            allowed_um,
+            statement: format!(
+                "{sound} of {wanted} {what} as the job wants them; the ideal tool touches within {difference_um:.6} um of its nominal places, digits explain {allowed_um:.6} um"
+            ),
+            not_covered: [
+                "bodies of the machine, of the light barrier's housing and of the workpiece",
+                "what the tool's own errors do to the places of its switches",
+                "ways on which axes do not keep to a straight line in rapid motion",
+            ]
+            .map(str::to_owned)
+            .to_vec(),
+        });
+        Ok(checked)
+    }
+}
+
+impl ProgramCheck for SkivingCheck<'_> {
+    fn check(
+        &self,
+        text: &mut dyn BufRead,
+        _: Option<&str>,
+        dialect: Dialect,
+        _: &dyn Progress,
+    ) -> Result<CheckedProgram, RunFailure> {
+        SkivingCheck::check(self, text, dialect)
+    }
+}

@@ -1,0 +1,86 @@
+//! Tangential dressing in the registry of processes.
+
+use crate::job::{LoadedTangentialJob, TangentialJob};
+use crate::workflow::derived::of_tangential;
+use crate::workflow::previewed::preview_tangential;
+use crate::workflow::programs::OnTangential;
+use crate::workflow::{plan_tangential, simulate_tangential};
+use foundation::numerics::Progress;
+use generating_grinding::workflow::programs::BodiesCheck;
+use job::machine::LoadedMachine;
+use run::program_check::ProgramCheck;
+use run::{Carried, DerivedGeometry, JobFailure, Preview, Process, Remark, RunFailure, Task, TaskOutcome};
+
+/// Tangential dressing.
+pub struct TangentialDressing;
+
+impl Process for TangentialDressing {
+    type Job = TangentialJob;
+
+    fn title(&self) -> &'static str {
+        "Tangential dressing"
+    }
+
+    fn tasks(&self) -> &'static [Task] {
+        &[Task::Plan, Task::Simulate]
+    }
+
+    fn carry_out(
+        &self,
+        task: Task,
+        loaded: &LoadedTangentialJob,
+        progress: &dyn Progress,
+    ) -> Result<Box<dyn TaskOutcome>, JobFailure> {
+        let outcome = match task {
+            Task::Simulate => simulate_tangential(loaded, progress)?,
+            Task::Plan | Task::Explore | Task::Inspect => plan_tangential(loaded, progress)?,
+        };
+        Ok(Carried::boxed(loaded, outcome))
+    }
+
+    fn takes(&self, command: &str) -> bool {
+        match command {
+            "program check" => true,
+            "convert" => false,
+            other => Task::ALL
+                .into_iter()
+                .find(|task| task.name() == other)
+                .is_none_or(|task| self.tasks().contains(&task)),
+        }
+    }
+
+    fn instead(&self, command: &str) -> &'static str {
+        match command {
+            "explore" | "convert" => {
+                "take `flankwright plan`, which compares methods and shows sensitivities in its report"
+            }
+            _ => "take a job of one of these processes, or another command for this one",
+        }
+    }
+
+    fn derived(&self, loaded: &LoadedTangentialJob) -> Result<(DerivedGeometry, Vec<Remark>), JobFailure> {
+        Ok((of_tangential(loaded)?, Vec::new()))
+    }
+
+    fn machine_file<'a>(&self, job: &'a TangentialJob) -> Option<&'a str> {
+        job.machine.as_ref().map(|machine| machine.file.as_str())
+    }
+
+    fn tolerance_um(&self, job: &TangentialJob) -> Option<f64> {
+        Some(job.target.tolerance_um)
+    }
+
+    fn preview(&self, loaded: &LoadedTangentialJob) -> Option<Result<Preview, JobFailure>> {
+        Some(preview_tangential(loaded).map_err(JobFailure::from))
+    }
+
+    fn program_check<'a>(
+        &self,
+        loaded: &'a LoadedTangentialJob,
+        machine: &'a LoadedMachine,
+        progress: &dyn Progress,
+    ) -> Option<Result<Box<dyn ProgramCheck + 'a>, RunFailure>> {
+        let made = OnTangential::new(loaded, progress);
+        Some(made.map(|bodies| Box::new(BodiesCheck { machine, bodies }) as Box<dyn ProgramCheck>))
+    }
+}

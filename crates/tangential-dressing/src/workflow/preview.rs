@@ -1,0 +1,61 @@
+//! Passes as planned, without their referee.
+
+use super::plan::{plan_pass, result_grid, task_of};
+use super::prepare::prepare_tangential;
+use super::remarks::flank_warnings;
+use super::settings::{SettledPass, job_settings};
+use crate::job::{LoadedTangentialJob, TangentialSettings};
+use crate::{FitLimits, TangentialError};
+use foundation::geometry::Flank;
+use foundation::numerics::Silent;
+use metrology::Topography;
+use run::RunFailure;
+use verdict::Remark;
+
+/// A flank as planned.
+pub struct PreviewedPass {
+    pub flank: Flank,
+    /// What is wanted, in the measure of the job, mm.
+    pub target: Topography,
+    /// What the exact contact gives, in the measure of the job, mm.
+    pub planned: Topography,
+    /// Cosine of the base helix angle.
+    pub cos_b: f64,
+}
+
+/// All passes of a job.
+pub struct Previewed {
+    pub settings: TangentialSettings,
+    pub flanks: Vec<PreviewedPass>,
+    pub warnings: Vec<Remark>,
+}
+
+/// Plans all passes of a job.
+///
+/// # Errors
+/// As the plan.
+pub fn preview_passes(loaded: &LoadedTangentialJob) -> Result<Previewed, RunFailure> {
+    let job = &loaded.job;
+    let ready = prepare_tangential(loaded)?;
+    let mut passes = Vec::with_capacity(ready.passes.len());
+    let mut flanks = Vec::new();
+    let mut warnings = Vec::new();
+    for pass in &ready.passes {
+        let plan = plan_pass(job, &ready, pass, &Silent)?;
+        let wanted = |flank: Flank, w: f64, z: f64| ready.wanted(flank, w, z);
+        let task = task_of(job, &ready, pass, &wanted, FitLimits::STEADY);
+        let judged = task
+            .judge(&plan.settings, result_grid(job))
+            .map_err(|error: TangentialError| RunFailure::from(&error))?;
+        for of in &judged {
+            let over = |f: Vec<f64>| Topography { w: of.grid.w.clone(), z: of.grid.z.clone(), f };
+            let planned = over(of.points.iter().map(|point| point.deviation).collect());
+            let target = over(of.points.iter().zip(&of.error).map(|(p, e)| p.deviation - e).collect());
+            let cos_b = ready.model.pair.work.flank(of.flank).base_helix_angle.cos();
+            warnings.extend(flank_warnings(of));
+            flanks.push(PreviewedPass { flank: of.flank, target, planned, cos_b });
+        }
+        passes.push(SettledPass { flanks: pass.clone(), settings: plan.settings.clone(), plan: Some(plan) });
+    }
+    Ok(Previewed { settings: job_settings(job, &ready, &passes), flanks, warnings })
+}
