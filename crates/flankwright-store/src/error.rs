@@ -128,8 +128,7 @@ impl StoreError {
             | Self::Failed { address, .. }
             | Self::Damaged { address, .. } => Some(address),
         };
-        let finding =
-            Diagnostic::with_code(self.code(), self.to_string()).field("store").way_out(self.way_out());
+        let finding = Diagnostic::of(self).field("store");
         match (address, self) {
             (Some(address), Self::NewerStore { known, .. }) => {
                 finding.value(address).allowed(format!("tables up to version {known}"))

@@ -84,20 +84,18 @@ impl RunFailure {
 
     /// A fault of a motion law given at `field`.
     pub(super) fn of_law(error: &LawError, field: &str) -> Self {
-        let finding = Diagnostic::with_code(error.code(), error.to_string());
-        Self::bad_input(finding.field(field).way_out(error.way_out()))
+        Self::bad_input(Diagnostic::of(error).field(field))
     }
 
     /// What stopped the referee, on the table whose motion it ran.
     pub(super) fn of_removal(error: &RemovalError, field: &str) -> Self {
-        let finding = Diagnostic::with_code(error.code(), error.to_string());
-        Self::not_producible(finding.field(field).way_out(error.way_out().to_string()))
+        Self::not_producible(Diagnostic::of(error).field(field))
     }
 
     /// A fault of tangential dressing that belongs to `field`.
     pub(super) fn of_tangential_on(error: &TangentialError, field: &str) -> Self {
-        let finding = Diagnostic::with_code(error.code(), error.to_string());
-        let finding = finding.field(field.to_owned()).way_out(error.way_out());
+        let finding = Diagnostic::of(error);
+        let finding = finding.field(field.to_owned());
         if error.is_bad_input() { Self::bad_input(finding) } else { Self::not_producible(finding) }
     }
 
@@ -161,8 +159,7 @@ pub(super) fn geometry_finding(error: &GeometryError, table: &str) -> Diagnostic
         }
         _ => table.to_string(),
     };
-    let finding =
-        Diagnostic::with_code(error.code(), error.to_string()).field(field).way_out(error.way_out());
+    let finding = Diagnostic::of(error).field(field);
     match error {
         GeometryError::InvalidNumber { value, allowed, .. } => finding.value(value).allowed(*allowed),
         GeometryError::InvalidGeometry { value, allowed, .. } => {
@@ -207,10 +204,10 @@ pub(super) fn generating_finding(error: &GeneratingError) -> Diagnostic {
 }
 
 fn finding(error: &GeneratingError, field: &str) -> Diagnostic {
-    Diagnostic::with_code(error.code(), error.to_string()).field(field).way_out(error.way_out())
+    Diagnostic::of(error).field(field)
 }
 
 /// An error of a modification as a finding on its entry.
 pub(super) fn modification_finding(error: &ModificationError, entry: &str) -> Diagnostic {
-    Diagnostic::with_code(error.code(), error.to_string()).field(entry.to_string()).way_out(error.way_out())
+    Diagnostic::of(error).field(entry.to_string())
 }

@@ -29,8 +29,7 @@ fn unreadable(error: &ReadError, dialect: Dialect) -> RunFailure {
 
 /// Axes that cannot be followed, as a finding.
 pub(super) fn refused(error: &MotionError) -> RunFailure {
-    let finding = Diagnostic::with_code(error.code(), error.to_string());
-    RunFailure::bad_input(finding.way_out(error.way_out()))
+    RunFailure::bad_input(Diagnostic::of(error))
 }
 
 /// The words that a control has for the axes of a machine.
@@ -222,7 +221,7 @@ pub(in crate::workflow) fn figures(
                 remarks.push(Remark {
                     code: error.code(),
                     text: format!("{}{error}", moved.block_at(number, value)),
-                    way_out: error.way_out(),
+                    way_out: error.way_out().into(),
                 });
                 break;
             }
