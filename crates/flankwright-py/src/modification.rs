@@ -50,7 +50,7 @@ impl CoreModification {
         let (w, z) = places(py, &w, &z)?;
         let values: Result<Vec<f64>, _> =
             py.detach(|| w.iter().zip(z).map(|(&w, &z)| self.modification.value(w, z)).collect());
-        let values = values.map_err(|error| Failure::bad_input(&Diagnostic::of(error)).raised(py))?;
+        let values = values.map_err(|error| Failure::bad_input(&Diagnostic::of(&error)).raised(py))?;
         Ok(values.into_pyarray(py))
     }
 

@@ -7,25 +7,28 @@ use std::path::Path;
 use toml_edit::DocumentMut;
 
 /// Each crate with the crates of this project that its sources depend on. The referee shares no formula with what it judges: it stands
-/// on the foundation alone, and neither contact nor a process knows it.
-const CRATES: [(&str, &[&str]); 23] = [
+/// on the foundation alone, and neither contact nor a process knows it. `finding` holds no formula, only how an error tells its code and
+/// its way out: it is open to every crate but those that depend on none of ours.
+const CRATES: [(&str, &[&str]); 25] = [
     ("electronic-gearbox", &[]),
+    ("finding-derive", &[]),
+    ("finding", &["finding-derive"]),
     ("nc", &[]),
     ("verdict", &[]),
     ("workspace-features", &[]),
-    ("foundation", &["workspace-features"]),
-    ("contact", &["foundation"]),
-    ("referee", &["foundation"]),
-    ("metrology", &["foundation"]),
-    ("machine", &["foundation"]),
-    ("motion", &["foundation", "machine", "nc"]),
-    ("control", &["contact", "electronic-gearbox", "foundation"]),
-    ("grinding", &["contact", "foundation"]),
-    ("milling", &["foundation"]),
-    ("skiving", &["foundation"]),
-    ("report", &["foundation", "verdict"]),
-    ("job", &["foundation", "machine", "skiving"]),
-    ("measured-files", &["foundation", "job"]),
+    ("foundation", &["finding", "workspace-features"]),
+    ("contact", &["finding", "foundation"]),
+    ("referee", &["finding", "foundation"]),
+    ("metrology", &["finding", "foundation"]),
+    ("machine", &["finding", "foundation"]),
+    ("motion", &["finding", "foundation", "machine", "nc"]),
+    ("control", &["contact", "electronic-gearbox", "finding", "foundation"]),
+    ("grinding", &["contact", "finding", "foundation"]),
+    ("milling", &["finding", "foundation"]),
+    ("skiving", &["finding", "foundation"]),
+    ("report", &["finding", "foundation", "verdict"]),
+    ("job", &["finding", "foundation", "machine", "skiving"]),
+    ("measured-files", &["finding", "foundation", "job"]),
     (
         "flankwright",
         &[
@@ -54,6 +57,7 @@ const CRATES: [(&str, &[&str]); 23] = [
             "contact",
             "control",
             "electronic-gearbox",
+            "finding",
             "flankwright",
             "foundation",
             "grinding",
@@ -68,7 +72,7 @@ const CRATES: [(&str, &[&str]); 23] = [
             "skiving",
         ],
     ),
-    ("flankwright-store", &["flankwright"]),
+    ("flankwright-store", &["finding", "flankwright"]),
     ("flankwright-server", &["flankwright", "flankwright-store"]),
     ("flankwright-cli", &["flankwright", "flankwright-server", "flankwright-store", "verify"]),
     ("flankwright-py", &["electronic-gearbox", "flankwright", "verify"]),

@@ -41,7 +41,7 @@ pub fn run(arguments: &VerifyArguments) -> Result<Exit, Failure> {
     let mut reports = Vec::with_capacity(arguments.files.len());
     for file in &arguments.files {
         let report = verify_file(file, &options)
-            .map_err(|error| Failure::new(Exit::BadInput, Diagnostic::of(error)))?;
+            .map_err(|error| Failure::new(Exit::BadInput, Diagnostic::of(&error)))?;
         reports.push(report);
     }
     let summary = VerifySummary::new(reports);

@@ -67,7 +67,7 @@ fn class_has_limits(found: &GearInspection, class: i32) -> Result<(), Diagnostic
     tolerances
         .rounded(ToleranceQuantity::ProfileSlope, class)
         .map(drop)
-        .map_err(|error| Diagnostic::of(error).field("class").value(class))
+        .map_err(|error| Diagnostic::of(&error).field("class").value(class))
 }
 
 impl From<PartCharacteristic> for CharacteristicValue {

@@ -32,5 +32,5 @@ pub(super) fn influence<'a>(
         return Err(RunFailure::bad_input(finding));
     }
     SettingInfluence::new(&setup.lines, execution.ratio, loaded.job.gear.face_width)
-        .map_err(|e| RunFailure::bad_input(Diagnostic::of(e).field("grinding.diagonal_ratio")))
+        .map_err(|e| RunFailure::bad_input(Diagnostic::of(&e).field("grinding.diagonal_ratio")))
 }

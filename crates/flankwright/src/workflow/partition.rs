@@ -73,7 +73,7 @@ impl StrokePlan {
         let numbers: Vec<usize> = active.iter().map(|&a| a as usize).collect();
         let teeth = job.gear.teeth.unsigned_abs() as usize;
         let strokes = Strokes::new(job.worm.threads as usize, teeth, &numbers)
-            .map_err(|e| RunFailure::bad_input(Diagnostic::of(e).field("grinding.active_threads")))?;
+            .map_err(|e| RunFailure::bad_input(Diagnostic::of(&e).field("grinding.active_threads")))?;
         Ok(Some(Self {
             active_threads: active.clone(),
             strokes_per_pass: strokes.per_pass(),

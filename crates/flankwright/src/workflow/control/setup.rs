@@ -209,5 +209,6 @@ pub(in crate::workflow) fn control_refused(error: &ControlError, field: &str) ->
 
 /// A fault of the gearbox on a key of the job.
 pub(in crate::workflow) fn on_field(error: &GearboxError, field: &str) -> RunFailure {
-    RunFailure::bad_input(Diagnostic::of(error).field(field))
+    let finding = Diagnostic::with_code(error.code(), error.to_string());
+    RunFailure::bad_input(finding.field(field).way_out(error.way_out()))
 }

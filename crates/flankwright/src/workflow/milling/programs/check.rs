@@ -77,7 +77,7 @@ impl MillingMachining<'_> {
             RunFailure::bad_input(finding.way_out(error.way_out()))
         })?;
         let follower = Follower { setup: &setup, words: &words, tool_length: self.tool_length };
-        let refused = |error: MotionError| -> RunFailure { RunFailure::bad_input(Diagnostic::of(error)) };
+        let refused = |error: MotionError| -> RunFailure { RunFailure::bad_input(Diagnostic::of(&error)) };
         let moves = follower.follow(&found.blocks).map_err(refused)?;
         if moves.is_empty() {
             return Err(refused(MotionError::NotFollowed { block: 1, reason: "it moves no tool".into() }));
