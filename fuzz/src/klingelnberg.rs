@@ -24,7 +24,7 @@ fn read(bytes: &[u8]) -> Option<KlingelnbergFile> {
     let file = match parse_klingelnberg(bytes) {
         Ok(file) => file,
         Err(error) => {
-            told_in_full(error.code(), &error.to_string(), error.way_out());
+            told_in_full(error.code(), &error.to_string(), &error.way_out());
             return None;
         }
     };
@@ -89,7 +89,7 @@ fn kept_before_a_cut(bytes: &[u8], file: &KlingelnbergFile) {
 fn whole(files: &[(&str, &KlingelnbergFile)]) {
     let inspection = match inspection_of(files) {
         Ok(inspection) => inspection,
-        Err(error) => return told_in_full(error.code(), &error.to_string(), error.way_out()),
+        Err(error) => return told_in_full(error.code(), &error.to_string(), &error.way_out()),
     };
     for trace in &inspection.traces {
         assert_eq!(trace.abscissa_mm.len(), trace.f_um.len());
@@ -107,11 +107,11 @@ fn whole(files: &[(&str, &KlingelnbergFile)]) {
 fn evaluated(inspection: &Inspection, design: Option<Design<'_>>) {
     let found = match evaluate_inspection(inspection, design) {
         Ok(found) => found,
-        Err(error) => return told_in_full(error.code(), &error.to_string(), error.way_out()),
+        Err(error) => return told_in_full(error.code(), &error.to_string(), &error.way_out()),
     };
     for (what, error) in &found.left_out.0 {
         assert!(!what.is_empty());
-        told_in_full(error.code(), &error.to_string(), error.way_out());
+        told_in_full(error.code(), &error.to_string(), &error.way_out());
     }
     assert!(found.traces.len() <= inspection.traces.len());
     for judged in &found.judged {

@@ -40,7 +40,7 @@ fn on_the_field(modification: &Modification) {
                     assert!((jet.f - value).abs() <= 1e-9 * scale, "{value} and {} at {w}, {z}", jet.f);
                 }
                 (Err(error), _) | (_, Err(error)) => {
-                    told_in_full(error.code(), &error.to_string(), error.way_out());
+                    told_in_full(error.code(), &error.to_string(), &error.way_out());
                 }
             }
         }

@@ -30,7 +30,7 @@ pub fn rexs_packed(data: &[u8]) {
 }
 
 fn refused(error: &RexsError) {
-    told_in_full(error.code(), &error.to_string(), error.way_out());
+    told_in_full(error.code(), &error.to_string(), &error.way_out());
 }
 
 fn any(data: &[u8]) {

@@ -1,5 +1,6 @@
 //! Errors of contact (spec 20 section 11), each with its data, a stable code and a way out.
 
+use finding::Finding;
 use foundation::geometry::{Flank, GeometryError};
 use thiserror::Error;
 
@@ -7,19 +8,24 @@ use thiserror::Error;
 pub const FOLD_BEGINS: f64 = 0.3;
 
 /// What can go wrong between worm and workpiece. Lengths mm.
-#[derive(Clone, Debug, PartialEq, Error)]
+#[derive(Clone, Debug, PartialEq, Error, Finding)]
 pub enum ContactError {
     /// A body is impossible by itself.
     #[error(transparent)]
+    #[finding(transparent)]
     Geometry(#[from] GeometryError),
     /// Internal gears cannot be ground by a worm here.
     #[error("an internal gear ({teeth} teeth) cannot be ground by a worm")]
+    #[finding(code = "internal-unsupported")]
+    #[way_out("worm grinding is for external gears; for a ring gear see the process \"five-axis-milling\"")]
     InternalUnsupported {
         /// Number of teeth.
         teeth: i32,
     },
     /// The axes are parallel.
     #[error("the axes of worm and workpiece are parallel (crossed-axes angle {angle_deg} deg)")]
+    #[finding(code = "axes-parallel")]
+    #[way_out("change the worm's helix (threads, diameter, hand)")]
     AxesParallel {
         /// gamma in degrees.
         angle_deg: f64,
@@ -28,6 +34,8 @@ pub enum ContactError {
     #[error(
         "worm and workpiece have no common normal on the {flank} flank at crossed-axes angle {angle_deg} deg"
     )]
+    #[finding(code = "no-common-normal")]
+    #[way_out("change the worm's helix (threads, diameter, hand)")]
     NoCommonNormal {
         /// Flank concerned.
         flank: Flank,
@@ -36,6 +44,8 @@ pub enum ContactError {
     },
     /// With a conical body both flanks need the same rack.
     #[error("the flanks mesh on different racks (helix angles {left_deg} and {right_deg} deg)")]
+    #[finding(code = "racks-not-congruent")]
+    #[way_out("grind the flanks one by one or use the design crossed-axes angle")]
     RacksNotCongruent {
         /// beta_w1 of the left flank, degrees.
         left_deg: f64,
@@ -46,6 +56,8 @@ pub enum ContactError {
     #[error(
         "the contact for length of roll {w_2} mm needs length of roll {w_1} mm on the worm, below its base circle"
     )]
+    #[finding(code = "contact-below-base")]
+    #[way_out("raise the form diameter of the gear or use a larger worm")]
     ContactBelowBase {
         /// Length of roll on the workpiece.
         w_2: f64,
@@ -54,6 +66,8 @@ pub enum ContactError {
     },
     /// The evaluation range of the workpiece would need a worm flank below its base circle.
     #[error("the range needs length of roll {w_1} mm on the worm, below its base circle")]
+    #[finding(code = "worm-below-base")]
+    #[way_out("raise the form diameter of the gear or use a larger worm")]
     WormBelowBase {
         /// Smallest length of roll needed on the worm.
         w_1: f64,
@@ -62,6 +76,8 @@ pub enum ContactError {
     #[error(
         "direction {direction_deg} deg runs along the contact path: the worm has no line of its own for it"
     )]
+    #[finding(code = "direction-is-contact-path")]
+    #[way_out("let the grinding motion make this part of the modification")]
     DirectionIsContactPath {
         /// Direction rho, degrees.
         direction_deg: f64,
@@ -70,18 +86,24 @@ pub enum ContactError {
     #[error(
         "direction {direction_deg} deg is a profile direction: the diagonal ratio is not determined by it"
     )]
+    #[finding(code = "direction-is-profile")]
+    #[way_out("let the dresser profile make this part of the modification")]
     DirectionIsProfile {
         /// Direction rho, degrees.
         direction_deg: f64,
     },
     /// The wanted direction needs an infinite diagonal ratio.
     #[error("direction {direction_deg} deg needs an infinite diagonal ratio")]
+    #[finding(code = "diagonal-ratio-infinite")]
+    #[way_out("choose another direction or ratio")]
     DiagonalRatioInfinite {
         /// Direction rho_2, degrees.
         direction_deg: f64,
     },
     /// The feed does not move the contact over the flank.
     #[error("at diagonal ratio {ratio} the feed does not move the contact over the flank")]
+    #[finding(code = "feed-does-not-move-contact")]
+    #[way_out("choose another direction or ratio")]
     FeedDoesNotMoveContact {
         /// Diagonal ratio.
         ratio: f64,
@@ -90,6 +112,8 @@ pub enum ContactError {
     #[error(
         "the envelope of the worm folds on the {flank} flank at length of roll {w:.4} mm, z = {z:.4} mm (determinant ratio {ratio:.3}): the worm would gouge the flank there"
     )]
+    #[finding(code = "undercut")]
+    #[way_out("reduce the amount of the modification, or spread it over a longer way")]
     Undercut {
         /// Flank concerned.
         flank: Flank,
@@ -104,6 +128,10 @@ pub enum ContactError {
     #[error(
         "the contact that grinds the {flank} flank at length of roll {w:.4} mm, z = {z:.4} mm was not found: the search does not settle, although the envelope is far from folding there (determinant ratio {ratio:.3}, a fold begins below {FOLD_BEGINS})"
     )]
+    #[finding(code = "contact-not-found")]
+    #[way_out(
+        "round the kinks of reliefs, or take smaller amounts; that the flank cannot be made is not shown"
+    )]
     NotSettled {
         /// Flank concerned.
         flank: Flank,
@@ -116,6 +144,8 @@ pub enum ContactError {
     },
     /// The unmodified contact does not exist at this point.
     #[error("no contact of worm and workpiece at length of roll {w:.4} mm, z = {z:.4} mm")]
+    #[finding(code = "no-start")]
+    #[way_out("raise the form diameter of the gear or use a larger worm")]
     NoStart {
         /// Length of roll.
         w: f64,
@@ -126,6 +156,8 @@ pub enum ContactError {
     #[error(
         "the contact leaves the part of the worm's flank that is made, at its parameters ({p:.4}, {q:.4})"
     )]
+    #[finding(code = "worm-surface-missing")]
+    #[way_out("reduce the amount of the modification; how far the worm is dressed is a limit of the planner")]
     WormSurfaceMissing {
         /// First surface parameter.
         p: f64,
@@ -134,6 +166,8 @@ pub enum ContactError {
     },
     /// The tool surface has a point and a normal but no finite derivatives.
     #[error("the worm surface has no curvature at its parameters ({p:.4}, {q:.4}): an edge or a kink")]
+    #[finding(code = "not-smooth")]
+    #[way_out("round the modification's kink with a transition or split the field there")]
     NotSmooth {
         /// First surface parameter.
         p: f64,
@@ -142,6 +176,8 @@ pub enum ContactError {
     },
     /// The edge of the worm cannot be that round.
     #[error("a corner radius of {radius} mm does not fit on the worm: below {most:.4} mm it would")]
+    #[finding(code = "corner-radius-too-large")]
+    #[way_out("give a smaller corner radius, or a larger root diameter of the gear")]
     CornerTooLarge {
         /// Radius wanted, mm.
         radius: f64,
@@ -150,6 +186,8 @@ pub enum ContactError {
     },
     /// The edge of the worm leaves no envelope in the tooth space.
     #[error("the edge of the worm on its {flank} flank leaves no root fillet at z = {z:.4} mm")]
+    #[finding(code = "no-root-fillet")]
+    #[way_out("give a smaller corner radius, or a larger root diameter of the gear")]
     NoRootFillet {
         /// Flank concerned.
         flank: Flank,
@@ -158,12 +196,16 @@ pub enum ContactError {
     },
     /// Two gears that are rolled against each other never face each other with these flanks.
     #[error("the {flank} flanks of both gears never come together")]
+    #[finding(code = "flanks-do-not-mesh")]
+    #[way_out("compare teeth, cone angles and shaft angle of both gears")]
     FlanksDoNotMesh {
         /// Flank concerned.
         flank: Flank,
     },
     /// A number that is not usable.
     #[error("{field} = {value} is not usable; allowed: {allowed}")]
+    #[finding(code = "invalid-number")]
+    #[way_out("give a value inside the allowed range")]
     InvalidNumber {
         /// Name of the quantity.
         field: &'static str,
@@ -172,73 +214,4 @@ pub enum ContactError {
         /// Allowed range in words.
         allowed: &'static str,
     },
-}
-
-impl ContactError {
-    /// Stable kebab-case code.
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::Geometry(e) => e.code(),
-            Self::InternalUnsupported { .. } => "internal-unsupported",
-            Self::AxesParallel { .. } => "axes-parallel",
-            Self::NoCommonNormal { .. } => "no-common-normal",
-            Self::RacksNotCongruent { .. } => "racks-not-congruent",
-            Self::ContactBelowBase { .. } => "contact-below-base",
-            Self::WormBelowBase { .. } => "worm-below-base",
-            Self::DirectionIsContactPath { .. } => "direction-is-contact-path",
-            Self::DirectionIsProfile { .. } => "direction-is-profile",
-            Self::DiagonalRatioInfinite { .. } => "diagonal-ratio-infinite",
-            Self::FeedDoesNotMoveContact { .. } => "feed-does-not-move-contact",
-            Self::Undercut { .. } => "undercut",
-            Self::NotSettled { .. } => "contact-not-found",
-            Self::NoStart { .. } => "no-start",
-            Self::WormSurfaceMissing { .. } => "worm-surface-missing",
-            Self::NotSmooth { .. } => "not-smooth",
-            Self::CornerTooLarge { .. } => "corner-radius-too-large",
-            Self::NoRootFillet { .. } => "no-root-fillet",
-            Self::FlanksDoNotMesh { .. } => "flanks-do-not-mesh",
-            Self::InvalidNumber { .. } => "invalid-number",
-        }
-    }
-
-    /// What the user can do about it, in one sentence.
-    pub fn way_out(&self) -> &'static str {
-        match self {
-            Self::Geometry(e) => e.way_out(),
-            Self::InternalUnsupported { .. } => {
-                "worm grinding is for external gears; for a ring gear see the process \"five-axis-milling\""
-            }
-            Self::AxesParallel { .. } | Self::NoCommonNormal { .. } => {
-                "change the worm's helix (threads, diameter, hand)"
-            }
-            Self::RacksNotCongruent { .. } => {
-                "grind the flanks one by one or use the design crossed-axes angle"
-            }
-            Self::ContactBelowBase { .. } | Self::WormBelowBase { .. } | Self::NoStart { .. } => {
-                "raise the form diameter of the gear or use a larger worm"
-            }
-            Self::DirectionIsContactPath { .. } => {
-                "let the grinding motion make this part of the modification"
-            }
-            Self::DirectionIsProfile { .. } => "let the dresser profile make this part of the modification",
-            Self::DiagonalRatioInfinite { .. } | Self::FeedDoesNotMoveContact { .. } => {
-                "choose another direction or ratio"
-            }
-            Self::Undercut { .. } => "reduce the amount of the modification, or spread it over a longer way",
-            Self::NotSettled { .. } => {
-                "round the kinks of reliefs, or take smaller amounts; that the flank cannot be made is not shown"
-            }
-            Self::WormSurfaceMissing { .. } => {
-                "reduce the amount of the modification; how far the worm is dressed is a limit of the planner"
-            }
-            Self::NotSmooth { .. } => {
-                "round the modification's kink with a transition or split the field there"
-            }
-            Self::CornerTooLarge { .. } | Self::NoRootFillet { .. } => {
-                "give a smaller corner radius, or a larger root diameter of the gear"
-            }
-            Self::FlanksDoNotMesh { .. } => "compare teeth, cone angles and shaft angle of both gears",
-            Self::InvalidNumber { .. } => "give a value inside the allowed range",
-        }
-    }
 }

@@ -1,13 +1,16 @@
 //! What can be wrong with the data of a control (spec 70 section 9).
 
+use finding::Finding;
 use std::ops::RangeInclusive;
 use thiserror::Error;
 
 /// Why a control, its budget or its simulation refuses.
-#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[derive(Clone, Copy, Debug, PartialEq, Error, Finding)]
 pub enum ControlError {
     /// A parameter is NaN, infinite or outside its range.
     #[error("{name} = {value} is not usable; allowed: {allowed}")]
+    #[finding(code = "bad-parameter")]
+    #[way_out("give a finite value within the range")]
     BadParameter {
         /// Which.
         name: &'static str,
@@ -20,6 +23,8 @@ pub enum ControlError {
     #[error(
         "a feed of {speed} mm/s is faster than the interpolator: it follows up to {greatest} mm/s, beyond that pulses come late without bound"
     )]
+    #[finding(code = "interpolator-too-fast")]
+    #[way_out("feed slower, insert fewer pulses, or take a faster clock or a coarser scale")]
     TooFast {
         /// Speed, mm/s.
         speed: f64,
@@ -28,34 +33,12 @@ pub enum ControlError {
     },
     /// The sampled loop does not settle.
     #[error("the loop is unstable: its largest pole has the modulus {largest_pole}; allowed: below 1")]
+    #[finding(code = "unstable-loop")]
+    #[way_out("choose a smaller bandwidth or a shorter sample time, and all three gains for one bandwidth")]
     UnstableLoop {
         /// Largest modulus of the poles.
         largest_pole: f64,
     },
-}
-
-impl ControlError {
-    /// Stable kebab-case code.
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::BadParameter { .. } => "bad-parameter",
-            Self::TooFast { .. } => "interpolator-too-fast",
-            Self::UnstableLoop { .. } => "unstable-loop",
-        }
-    }
-
-    /// What the user can do about it, in one sentence.
-    pub fn way_out(&self) -> &'static str {
-        match self {
-            Self::BadParameter { .. } => "give a finite value within the range",
-            Self::TooFast { .. } => {
-                "feed slower, insert fewer pulses, or take a faster clock or a coarser scale"
-            }
-            Self::UnstableLoop { .. } => {
-                "choose a smaller bandwidth or a shorter sample time, and all three gains for one bandwidth"
-            }
-        }
-    }
 }
 
 /// The value, if it lies within the range; NaN never does.

@@ -11,6 +11,7 @@ use super::slide::SlideMotion;
 use electronic_gearbox::Error as GearboxError;
 use electronic_gearbox::coupling::{CubicTable, EndRule, Gearbox, LinearTerm, dyadic, solve_slopes};
 use electronic_gearbox::pulse::Status;
+use finding::Finding;
 use foundation::kinematics::GeneratingMotion;
 use std::f64::consts::TAU;
 
@@ -77,32 +78,16 @@ pub struct StrokeRecord {
 }
 
 /// Why a stroke could not be simulated.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error, Finding)]
 pub enum StrokeError {
     /// Numbers of control, servo or disturbances.
     #[error(transparent)]
+    #[finding(transparent)]
     Control(#[from] ControlError),
     /// The gearbox.
     #[error(transparent)]
+    #[finding(transparent)]
     Gearbox(#[from] GearboxError),
-}
-
-impl StrokeError {
-    /// Stable kebab-case code.
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::Control(error) => error.code(),
-            Self::Gearbox(error) => error.code(),
-        }
-    }
-
-    /// What the user can do about it, in one sentence.
-    pub fn way_out(&self) -> &'static str {
-        match self {
-            Self::Control(error) => error.way_out(),
-            Self::Gearbox(error) => error.way_out(),
-        }
-    }
 }
 
 /// Knots of the table that holds the correction of phi_2 over the feed, a C2 spline as in a control.

@@ -2,24 +2,30 @@
 
 use super::PathReason;
 use contact::ContactError;
+use finding::Finding;
 use foundation::geometry::{Flank, GeometryError};
 use foundation::kinematics::MachineError;
 use thiserror::Error;
 
 /// What can go wrong between dresser and worm. Lengths mm.
-#[derive(Clone, Debug, PartialEq, Error)]
+#[derive(Clone, Debug, PartialEq, Error, Finding)]
 pub enum DressingError {
     /// A body is impossible by itself.
     #[error(transparent)]
+    #[finding(transparent)]
     Geometry(#[from] GeometryError),
     /// Worm and gear do not stand together.
     #[error(transparent)]
+    #[finding(transparent)]
     Contact(#[from] ContactError),
     /// The machine cannot take up the poses of a dressing motion.
     #[error(transparent)]
+    #[finding(transparent)]
     Machine(#[from] MachineError),
     /// A number that is not usable.
     #[error("{field} = {value} is not usable; allowed: {allowed}")]
+    #[finding(code = "invalid-number")]
+    #[way_out("give a value inside the allowed range")]
     InvalidNumber {
         /// Name of the quantity.
         field: &'static str,
@@ -30,6 +36,8 @@ pub enum DressingError {
     },
     /// The involute flank has no conjugate dresser in the design range.
     #[error("the {flank} flank has no conjugate dresser at length of roll {w:.4} mm")]
+    #[finding(code = "no-conjugate")]
+    #[way_out("use a larger worm, fewer threads or a smaller dresser")]
     NoConjugate {
         /// Flank concerned.
         flank: Flank,
@@ -38,6 +46,8 @@ pub enum DressingError {
     },
     /// A circle of the dresser touches nothing.
     #[error("the dresser circle at profile parameter {t:.4} mm does not touch the {flank} flank of the worm")]
+    #[finding(code = "no-contact")]
+    #[way_out("reduce the modification made by the dressing motion, or let the dresser's profile make it")]
     NoContact {
         /// Flank concerned.
         flank: Flank,
@@ -48,6 +58,8 @@ pub enum DressingError {
     #[error(
         "length of roll {w:.4} mm of the {flank} worm flank needs dresser profile outside [{from:.3}, {to:.3}] mm"
     )]
+    #[finding(code = "out-of-dresser")]
+    #[way_out("reduce the modification made by the dressing motion, or let the dresser's profile make it")]
     OutOfDresser {
         /// Flank concerned.
         flank: Flank,
@@ -62,18 +74,24 @@ pub enum DressingError {
     #[error(
         "{count} conditions were given for the four dressing corrections; needed: exactly 4 different ones"
     )]
+    #[finding(code = "condition-count")]
+    #[way_out("give four different conditions: pitch points, map rows, head rows or fixed axes")]
     ConditionCount {
         /// How many there were.
         count: usize,
     },
     /// The conditions do not determine the corrections.
     #[error("the conditions do not determine the corrections (singular value ratio {ratio:.1e})")]
+    #[finding(code = "singular")]
+    #[way_out("replace one pitch point by a radius-map row or a fixed axis")]
     Singular {
         /// sigma_4/sigma_1.
         ratio: f64,
     },
     /// No corrections fulfil the conditions.
     #[error("no dressing correction fulfils the conditions on the {flank} flank at v_zS = {v:.3} mm; reached {:.1} percent ({reason})", fraction * 100.0)]
+    #[finding(code = "no-zero")]
+    #[way_out(with = reason.way_out())]
     NoZero {
         /// Flank concerned.
         flank: Flank,
@@ -86,6 +104,10 @@ pub enum DressingError {
     },
     /// Conditions that leave corrections open.
     #[error("{rows} conditions determine only {rank} of the four dressing corrections")]
+    #[finding(code = "underdetermined")]
+    #[way_out(
+        "add pitch points, map rows or points of the other flank, fix an axis, or ask for the shortest correction"
+    )]
     Underdetermined {
         /// Conditions given.
         rows: usize,
@@ -94,11 +116,17 @@ pub enum DressingError {
     },
     /// One correction for both flanks of a conical worm, whose leads differ.
     #[error("the flanks of a conical worm have different leads and are not dressed by one motion")]
+    #[finding(code = "two-flanks-of-cone")]
+    #[way_out("dress one flank after the other: dressing.flanks = \"one\"")]
     TwoFlanksOfCone,
     /// No profile angle of the bracket fits the dresser without stretch.
     #[error(
         "no profile angle from {from:.3} to {to:.3} deg fits the dresser to the {flank} flank without stretch (P from {:.5} to \
          {:.5})", stretch[0], stretch[1]
+    )]
+    #[finding(code = "no-zero")]
+    #[way_out(
+        "widen the bracket, or take a worm whose diameter is nearer to the one the dresser was designed for"
     )]
     NoAngleWithoutStretch {
         /// Flank concerned.
@@ -114,6 +142,10 @@ pub enum DressingError {
     #[error(
         "the dresser's {flank} profile has no circle of the tip radius {radius:.4} mm; it reaches from {from:.4} to {to:.4} mm"
     )]
+    #[finding(code = "tip-outside-profile")]
+    #[way_out(
+        "give a tip radius that the profile reaches, or continue the profile further beyond the used range"
+    )]
     TipOutsideProfile {
         /// Flank concerned.
         flank: Flank,
@@ -128,6 +160,8 @@ pub enum DressingError {
     #[error(
         "the dresser's profiles cross below the tip radius {radius:.4} mm and overlap there by {overlap:.4} mm"
     )]
+    #[finding(code = "pointed-tip")]
+    #[way_out("give a smaller tip radius, or design the dresser for a wider thread space")]
     PointedTip {
         /// Tip radius.
         radius: f64,
@@ -138,6 +172,8 @@ pub enum DressingError {
     #[error(
         "a tip land of {land} mm is not possible; the dresser's profiles leave 0 to {full:.4} mm between them"
     )]
+    #[finding(code = "tip-land")]
+    #[way_out("give a tip land within that range; a wider one needs a smaller tip radius")]
     TipLand {
         /// Tip land asked for.
         land: f64,
@@ -150,6 +186,8 @@ pub enum DressingError {
         b.map_or_else(String::new, |b| format!(" at worm z {b:.3} mm")),
         beside_gap(*beside)
     )]
+    #[finding(code = "gap")]
+    #[way_out("add a stroke, let the strokes overlap more, or use a larger active area of the dresser")]
     Gap {
         /// Flank concerned.
         flank: Flank,
@@ -168,6 +206,10 @@ pub enum DressingError {
         with_unit(component, *standard_deviation),
         singular_values.iter().map(|s| format!("{s:.1e}")).collect::<Vec<_>>().join(", ")
     )]
+    #[finding(code = "not-identifiable")]
+    #[way_out(
+        "measure both flanks, hold one component at a known value, or add measurements at known changes of the corrections"
+    )]
     NotIdentifiable {
         /// Name of the correction that is determined worst.
         component: &'static str,
@@ -178,6 +220,8 @@ pub enum DressingError {
     },
     /// An iteration that does not settle.
     #[error("{what}: the iteration does not settle (last step {last:.1e})")]
+    #[finding(code = "not-converged")]
+    #[way_out("begin with smaller amounts, or change them less over the width of the worm")]
     NotConverged {
         /// What was sought.
         what: &'static str,
@@ -188,6 +232,8 @@ pub enum DressingError {
     #[error(
         "the {flank} worm flank is hollower at w = {w:.3} mm, z = {z:.3} mm than the dresser's tip radius {tip_radius} mm allows; there at most {largest:.4} mm"
     )]
+    #[finding(code = "tip-radius-too-large")]
+    #[way_out("take a smaller tip radius, or spread the modification over a longer way")]
     TipRadiusTooLarge {
         /// Flank concerned.
         flank: Flank,
@@ -204,6 +250,8 @@ pub enum DressingError {
     #[error(
         "dressing the {flank} worm flank at w = {w:.3} mm, z = {z:.3} mm, the disc cuts {depth:.4} mm into the {with} flank"
     )]
+    #[finding(code = "disc-collides")]
+    #[way_out("take a smaller tip radius or a smaller disc")]
     DiscCollides {
         /// Flank that is dressed.
         flank: Flank,
@@ -218,6 +266,8 @@ pub enum DressingError {
     },
     /// A disc in point contact cannot stand so that it touches a point.
     #[error("the disc cannot touch the {flank} worm flank at w = {w:.3} mm, z = {z:.3} mm")]
+    #[finding(code = "disc-touches-not")]
+    #[way_out("let the crossing angle follow the thread, or take a larger profile angle")]
     DiscTouchesNot {
         /// Flank concerned.
         flank: Flank,
@@ -230,6 +280,8 @@ pub enum DressingError {
     #[error(
         "the modification of the {flank} worm flank has no value at w = {w:.3} mm, z = {z:.3} mm, where a dressing line passes"
     )]
+    #[finding(code = "worm-surface-undefined")]
+    #[way_out("let the modification reach beyond the area that is dressed")]
     SurfaceUndefined {
         /// Flank concerned.
         flank: Flank,
@@ -242,6 +294,8 @@ pub enum DressingError {
     #[error(
         "the {flank} worm flank bends too sharply along the dressing line through w = {w:.3} mm, z = {z:.3} mm"
     )]
+    #[finding(code = "dressing-line-too-rough")]
+    #[way_out("round off kinks of the modification, or lay the lines along them")]
     LineTooRough {
         /// Flank concerned.
         flank: Flank,
@@ -252,6 +306,8 @@ pub enum DressingError {
     },
     /// Crossing angle 0 in the K chart.
     #[error("at crossing angle 0 the dressing corrections are not unique")]
+    #[finding(code = "pole-of-chart")]
+    #[way_out("use the tilt chart or a crossing angle other than 0")]
     PoleOfChart,
 }
 
@@ -261,90 +317,6 @@ impl DressingError {
         match self {
             Self::NoZero { flank, fraction, reason, .. } => Self::NoZero { flank, v, fraction, reason },
             other => other,
-        }
-    }
-
-    /// Stable kebab-case code.
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::Geometry(e) => e.code(),
-            Self::Contact(e) => e.code(),
-            Self::Machine(e) => e.code(),
-            Self::InvalidNumber { .. } => "invalid-number",
-            Self::NoConjugate { .. } => "no-conjugate",
-            Self::NoContact { .. } => "no-contact",
-            Self::OutOfDresser { .. } => "out-of-dresser",
-            Self::ConditionCount { .. } => "condition-count",
-            Self::Singular { .. } => "singular",
-            Self::Underdetermined { .. } => "underdetermined",
-            Self::TwoFlanksOfCone => "two-flanks-of-cone",
-            Self::NoZero { .. } | Self::NoAngleWithoutStretch { .. } => "no-zero",
-            Self::TipOutsideProfile { .. } => "tip-outside-profile",
-            Self::PointedTip { .. } => "pointed-tip",
-            Self::TipLand { .. } => "tip-land",
-            Self::Gap { .. } => "gap",
-            Self::NotIdentifiable { .. } => "not-identifiable",
-            Self::NotConverged { .. } => "not-converged",
-            Self::TipRadiusTooLarge { .. } => "tip-radius-too-large",
-            Self::DiscCollides { .. } => "disc-collides",
-            Self::DiscTouchesNot { .. } => "disc-touches-not",
-            Self::SurfaceUndefined { .. } => "worm-surface-undefined",
-            Self::LineTooRough { .. } => "dressing-line-too-rough",
-            Self::PoleOfChart => "pole-of-chart",
-        }
-    }
-
-    /// What the user can do about it, in one sentence.
-    pub fn way_out(&self) -> &'static str {
-        match self {
-            Self::Geometry(e) => e.way_out(),
-            Self::Contact(e) => e.way_out(),
-            Self::Machine(e) => e.way_out(),
-            Self::InvalidNumber { .. } => "give a value inside the allowed range",
-            Self::NoConjugate { .. } => "use a larger worm, fewer threads or a smaller dresser",
-            Self::NoContact { .. } | Self::OutOfDresser { .. } => {
-                "reduce the modification made by the dressing motion, or let the dresser's profile make it"
-            }
-            Self::ConditionCount { .. } => {
-                "give four different conditions: pitch points, map rows, head rows or fixed axes"
-            }
-            Self::Singular { .. } => "replace one pitch point by a radius-map row or a fixed axis",
-            Self::Underdetermined { .. } => {
-                "add pitch points, map rows or points of the other flank, fix an axis, or ask for the shortest correction"
-            }
-            Self::NoZero { reason, .. } => reason.way_out(),
-            Self::TwoFlanksOfCone => "dress one flank after the other: dressing.flanks = \"one\"",
-            Self::NoAngleWithoutStretch { .. } => {
-                "widen the bracket, or take a worm whose diameter is nearer to the one the dresser was designed for"
-            }
-            Self::TipOutsideProfile { .. } => {
-                "give a tip radius that the profile reaches, or continue the profile further beyond the used range"
-            }
-            Self::PointedTip { .. } => {
-                "give a smaller tip radius, or design the dresser for a wider thread space"
-            }
-            Self::TipLand { .. } => {
-                "give a tip land within that range; a wider one needs a smaller tip radius"
-            }
-            Self::Gap { .. } => {
-                "add a stroke, let the strokes overlap more, or use a larger active area of the dresser"
-            }
-            Self::NotIdentifiable { .. } => {
-                "measure both flanks, hold one component at a known value, or add measurements at known changes of the corrections"
-            }
-            Self::NotConverged { .. } => {
-                "begin with smaller amounts, or change them less over the width of the worm"
-            }
-            Self::TipRadiusTooLarge { .. } => {
-                "take a smaller tip radius, or spread the modification over a longer way"
-            }
-            Self::DiscCollides { .. } => "take a smaller tip radius or a smaller disc",
-            Self::DiscTouchesNot { .. } => {
-                "let the crossing angle follow the thread, or take a larger profile angle"
-            }
-            Self::SurfaceUndefined { .. } => "let the modification reach beyond the area that is dressed",
-            Self::LineTooRough { .. } => "round off kinks of the modification, or lay the lines along them",
-            Self::PoleOfChart => "use the tilt chart or a crossing angle other than 0",
         }
     }
 }

@@ -140,7 +140,7 @@ impl From<&JobFailure> for Failure {
 
 impl From<&GeometryError> for Failure {
     fn from(error: &GeometryError) -> Self {
-        let finding = Diagnostic::with_code(error.code(), error.to_string()).way_out(error.way_out());
+        let finding = Diagnostic::of(error);
         Self::bad_input(&match error {
             GeometryError::InvalidNumber { field, value, allowed, .. } => {
                 finding.field(*field).value(value).allowed(*allowed)

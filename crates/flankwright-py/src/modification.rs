@@ -15,8 +15,7 @@ pub struct CoreModification {
 }
 
 fn failure(error: &ModificationError) -> Failure {
-    let finding = Diagnostic::with_code(error.code(), error.to_string());
-    Failure::bad_input(&finding.way_out(error.way_out()))
+    Failure::bad_input(&Diagnostic::of(error))
 }
 
 #[pymethods]
@@ -51,10 +50,7 @@ impl CoreModification {
         let (w, z) = places(py, &w, &z)?;
         let values: Result<Vec<f64>, _> =
             py.detach(|| w.iter().zip(z).map(|(&w, &z)| self.modification.value(w, z)).collect());
-        let values = values.map_err(|error| {
-            let finding = Diagnostic::with_code(error.code(), error.to_string());
-            Failure::bad_input(&finding.way_out(error.way_out())).raised(py)
-        })?;
+        let values = values.map_err(|error| Failure::bad_input(&Diagnostic::of(&error)).raised(py))?;
         Ok(values.into_pyarray(py))
     }
 

@@ -35,7 +35,7 @@ fn um(values: &[f64]) -> impl Iterator<Item = f64> + '_ {
 }
 
 fn failure(error: &TangentialError) -> Failure {
-    let finding = Diagnostic::with_code(error.code(), error.to_string()).way_out(error.way_out());
+    let finding = Diagnostic::of(error);
     Failure::of_bodies(error.is_bad_input(), &finding)
 }
 

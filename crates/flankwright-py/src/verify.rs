@@ -15,10 +15,7 @@ pub fn verify(py: Python<'_>, files: Vec<PathBuf>, data: Vec<PathBuf>) -> PyResu
     let options = VerifyOptions { data_directories: data };
     let reports: Result<Vec<FileReport>, Failure> = watched(py, None, |_| {
         let one = |file: &PathBuf| {
-            verify_file(file, &options).map_err(|error| {
-                let finding = Diagnostic::with_code(error.code(), error.to_string());
-                Failure::bad_input(&finding.way_out(error.way_out()))
-            })
+            verify_file(file, &options).map_err(|error| Failure::bad_input(&Diagnostic::of(&error)))
         };
         files.iter().map(one).collect()
     })?;

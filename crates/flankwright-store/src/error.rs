@@ -1,13 +1,16 @@
 //! What can go wrong with a store. Messages name the store without its password.
 
+use finding::Finding;
 use flankwright::exchange::{Diagnostic, JobError};
 use thiserror::Error;
 
 /// Why a store could not be opened, read or written. What was begun is undone.
-#[derive(Debug, Error)]
+#[derive(Debug, Error, Finding)]
 pub enum StoreError {
     /// The text is no address.
     #[error("`{address}` is no address of a store: {reason}")]
+    #[finding(code = "invalid-store-address")]
+    #[way_out("give `sqlite:PATH`, a path, or `postgres://USER:PASSWORD@HOST:PORT/DATABASE`")]
     InvalidAddress {
         /// The text without secrets.
         address: String,
@@ -16,15 +19,23 @@ pub enum StoreError {
     },
     /// Nothing tells where the user's data are.
     #[error("there is no directory for the store: neither XDG_DATA_HOME nor HOME is set to an absolute path")]
+    #[finding(code = "no-data-directory")]
+    #[way_out("name the store, e.g. `--store store.sqlite`")]
     NoDataDirectory,
     /// There is nothing at the address, and nothing shall be made there.
     #[error("there is no store at `{address}`")]
+    #[finding(code = "missing-store")]
+    #[way_out("check the address; what is stored first makes the store")]
     Missing {
         /// The store.
         address: String,
     },
     /// The file or the server cannot be reached.
     #[error("the store `{address}` cannot be opened: {cause}")]
+    #[finding(code = "unreachable-store")]
+    #[way_out(
+        "check path and permissions of the file, or address, user and password of the server and that it runs"
+    )]
     CannotOpen {
         /// The store.
         address: String,
@@ -33,6 +44,8 @@ pub enum StoreError {
     },
     /// Something else is there.
     #[error("`{address}` is no store of flankwright: {cause}")]
+    #[finding(code = "not-a-store")]
+    #[way_out("check the address, or name a file that is not there yet")]
     NotAStore {
         /// The store.
         address: String,
@@ -43,6 +56,8 @@ pub enum StoreError {
     #[error(
         "the store `{address}` has the tables of version {found}; this program knows them up to version {known}"
     )]
+    #[finding(code = "newer-store")]
+    #[way_out("take the newer version of flankwright; tables are never changed back")]
     NewerStore {
         /// The store.
         address: String,
@@ -53,6 +68,8 @@ pub enum StoreError {
     },
     /// Others have been writing for too long.
     #[error("the store `{address}` is busy: {cause}")]
+    #[finding(code = "busy-store")]
+    #[way_out("try again when the others have finished")]
     Busy {
         /// The store.
         address: String,
@@ -61,6 +78,8 @@ pub enum StoreError {
     },
     /// The database refused or failed.
     #[error("the store `{address}` failed: {cause}")]
+    #[finding(code = "store-failed")]
+    #[way_out("check free space, permissions and the connection, then do the same again")]
     Failed {
         /// The store.
         address: String,
@@ -69,6 +88,8 @@ pub enum StoreError {
     },
     /// What stands in the store cannot be read as what it should be.
     #[error("the store `{address}` holds {what} that cannot be read: {cause}")]
+    #[finding(code = "damaged-store")]
+    #[way_out("bring back a copy of the store, or report this if nobody changed it by hand")]
     Damaged {
         /// The store.
         address: String,
@@ -79,57 +100,14 @@ pub enum StoreError {
     },
     /// A record that cannot be stored.
     #[error("{0}")]
+    #[finding(code = _0.code)]
+    #[way_out(with = _0.way_out.as_deref().unwrap_or("correct the record").to_owned())]
     InvalidRecord(Box<Diagnostic>),
     /// A catalogue or a history that contradicts itself or what is there.
     #[error("{0}")]
+    #[finding(code = _0.diagnostics.first().map_or("invalid-record", |first| first.code))]
+    #[way_out(with = first_way_out(_0))]
     Contradiction(Box<JobError>),
-}
-
-impl StoreError {
-    /// The stable kebab-case code.
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::InvalidAddress { .. } => "invalid-store-address",
-            Self::NoDataDirectory => "no-data-directory",
-            Self::Missing { .. } => "missing-store",
-            Self::CannotOpen { .. } => "unreachable-store",
-            Self::NotAStore { .. } => "not-a-store",
-            Self::NewerStore { .. } => "newer-store",
-            Self::Busy { .. } => "busy-store",
-            Self::Failed { .. } => "store-failed",
-            Self::Damaged { .. } => "damaged-store",
-            Self::InvalidRecord(finding) => finding.code,
-            Self::Contradiction(error) => {
-                error.diagnostics.first().map_or("invalid-record", |first| first.code)
-            }
-        }
-    }
-
-    /// What to do, in one sentence.
-    pub fn way_out(&self) -> &str {
-        match self {
-            Self::InvalidAddress { .. } => {
-                "give `sqlite:PATH`, a path, or `postgres://USER:PASSWORD@HOST:PORT/DATABASE`"
-            }
-            Self::NoDataDirectory => "name the store, e.g. `--store store.sqlite`",
-            Self::Missing { .. } => "check the address; what is stored first makes the store",
-            Self::CannotOpen { .. } => {
-                "check path and permissions of the file, or address, user and password of the server and that it runs"
-            }
-            Self::NotAStore { .. } => "check the address, or name a file that is not there yet",
-            Self::NewerStore { .. } => "take the newer version of flankwright; tables are never changed back",
-            Self::Busy { .. } => "try again when the others have finished",
-            Self::Failed { .. } => "check free space, permissions and the connection, then do the same again",
-            Self::Damaged { .. } => {
-                "bring back a copy of the store, or report this if nobody changed it by hand"
-            }
-            Self::InvalidRecord(finding) => finding.way_out.as_deref().unwrap_or("correct the record"),
-            Self::Contradiction(error) => {
-                let first = error.diagnostics.first();
-                first.and_then(|finding| finding.way_out.as_deref()).unwrap_or("correct the file")
-            }
-        }
-    }
 }
 
 impl StoreError {
@@ -150,8 +128,7 @@ impl StoreError {
             | Self::Failed { address, .. }
             | Self::Damaged { address, .. } => Some(address),
         };
-        let finding =
-            Diagnostic::with_code(self.code(), self.to_string()).field("store").way_out(self.way_out());
+        let finding = Diagnostic::of(self).field("store");
         match (address, self) {
             (Some(address), Self::NewerStore { known, .. }) => {
                 finding.value(address).allowed(format!("tables up to version {known}"))
@@ -160,6 +137,12 @@ impl StoreError {
             (None, _) => finding,
         }
     }
+}
+
+/// What the first finding about a file says to do.
+fn first_way_out(error: &JobError) -> String {
+    let first = error.diagnostics.first();
+    first.and_then(|finding| finding.way_out.as_deref()).unwrap_or("correct the file").to_owned()
 }
 
 impl From<Diagnostic> for StoreError {

@@ -7,25 +7,28 @@ use std::path::Path;
 use toml_edit::DocumentMut;
 
 /// Each crate with the crates of this project that its sources depend on. The referee shares no formula with what it judges: it stands
-/// on the foundation alone, and neither contact nor a process knows it.
-const CRATES: [(&str, &[&str]); 30] = [
+/// on the foundation alone, and neither contact nor a process knows it. `finding` holds no formula, only how an error gives its code and
+/// its way out: it is open to every crate but those that depend on none of ours.
+const CRATES: [(&str, &[&str]); 32] = [
     ("electronic-gearbox", &[]),
+    ("finding-derive", &[]),
     ("nc", &[]),
     ("verdict", &[]),
     ("workspace-features", &[]),
-    ("foundation", &["workspace-features"]),
-    ("contact", &["foundation"]),
-    ("machine", &["foundation"]),
-    ("metrology", &["foundation"]),
-    ("referee", &["foundation"]),
-    ("dressing", &["contact", "foundation"]),
-    ("job", &["foundation", "machine"]),
-    ("measured-files", &["foundation", "job"]),
-    ("report", &["foundation", "verdict"]),
-    ("scene", &["foundation", "job"]),
-    ("control", &["contact", "electronic-gearbox", "foundation"]),
-    ("generating", &["contact", "dressing", "foundation"]),
-    ("motion", &["foundation", "machine", "nc"]),
+    ("finding", &["finding-derive"]),
+    ("foundation", &["finding", "workspace-features"]),
+    ("contact", &["finding", "foundation"]),
+    ("machine", &["finding", "foundation"]),
+    ("metrology", &["finding", "foundation"]),
+    ("referee", &["finding", "foundation"]),
+    ("dressing", &["contact", "finding", "foundation"]),
+    ("job", &["finding", "foundation", "machine"]),
+    ("measured-files", &["finding", "foundation", "job"]),
+    ("report", &["finding", "foundation", "verdict"]),
+    ("scene", &["finding", "foundation", "job"]),
+    ("control", &["contact", "electronic-gearbox", "finding", "foundation"]),
+    ("generating", &["contact", "dressing", "finding", "foundation"]),
+    ("motion", &["finding", "foundation", "machine", "nc"]),
     (
         "run",
         &[
@@ -47,6 +50,7 @@ const CRATES: [(&str, &[&str]); 30] = [
     (
         "skiving",
         &[
+            "finding",
             "foundation",
             "job",
             "machine",
@@ -64,6 +68,7 @@ const CRATES: [(&str, &[&str]); 30] = [
         "milling",
         &[
             "contact",
+            "finding",
             "foundation",
             "job",
             "machine",
@@ -121,6 +126,7 @@ const CRATES: [(&str, &[&str]); 30] = [
             "contact",
             "control",
             "dressing",
+            "finding",
             "foundation",
             "generating",
             "generating-grinding",
@@ -165,7 +171,7 @@ const CRATES: [(&str, &[&str]); 30] = [
             "workspace-features",
         ],
     ),
-    ("flankwright-store", &["flankwright"]),
+    ("flankwright-store", &["finding", "flankwright"]),
     ("flankwright-server", &["flankwright", "flankwright-store"]),
     (
         "verify",
@@ -174,6 +180,7 @@ const CRATES: [(&str, &[&str]); 30] = [
             "control",
             "dressing",
             "electronic-gearbox",
+            "finding",
             "flankwright",
             "foundation",
             "generating",

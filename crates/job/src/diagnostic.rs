@@ -4,6 +4,7 @@
 use std::fmt;
 use std::ops::Range;
 
+use finding::Finding;
 use serde::Serialize;
 
 use super::source::Source;
@@ -118,6 +119,11 @@ impl Diagnostic {
             way_out: None,
             span: None,
         }
+    }
+
+    /// An error of another layer with its code, its message and its way out.
+    pub fn of(error: &(impl Finding + ?Sized)) -> Self {
+        Self::with_code(error.code(), error.to_string()).way_out(error.way_out())
     }
 
     /// Names the key.

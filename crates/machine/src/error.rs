@@ -1,5 +1,7 @@
 //! What can be wrong with a machine, a pose or a rule asked of it (spec 26 section 9).
 
+use finding::Finding;
+use std::borrow::Cow;
 use thiserror::Error;
 
 /// Why a description is no machine.
@@ -15,10 +17,12 @@ pub struct InvalidMachine {
 }
 
 /// Why a machine cannot take up a pose.
-#[derive(Clone, Debug, PartialEq, Error)]
+#[derive(Clone, Debug, PartialEq, Error, Finding)]
 pub enum MachineError {
     /// A number that is not finite.
     #[error("{field} = {value} is not usable; allowed: a finite number")]
+    #[finding(code = "invalid-number")]
+    #[way_out("give a finite number")]
     InvalidNumber {
         /// Name of the quantity.
         field: String,
@@ -29,12 +33,16 @@ pub enum MachineError {
     #[error(
         "the rotation of the pose is off a right-handed orthonormal one by {deviation:.3e}; allowed: 1e-9"
     )]
+    #[finding(code = "invalid-pose")]
+    #[way_out("give a rotation with at least ten correct digits")]
     InvalidPose {
         /// Largest deviation of an entry of R^T R from the unit matrix, or of the determinant from 1.
         deviation: f64,
     },
     /// Two axes of the machine do the same.
     #[error("{} do the same in this pose ({measure:.3e} from it): their positions are not determined", axes.join(" and "))]
+    #[finding(code = "machine-singular")]
+    #[way_out("take another angle between tool and counterpart axis")]
     Singular {
         /// Names of the axes that lose their difference.
         axes: Vec<String>,
@@ -43,12 +51,16 @@ pub enum MachineError {
     },
     /// Dresser and worm axis are parallel: the worm angle is free.
     #[error("dresser and worm axis are parallel: the swivel does not determine the angle of {axis}")]
+    #[finding(code = "pole-of-chart")]
+    #[way_out("give the worm angle wanted, or prescribe the axial slide instead of the swivel")]
     PoleOfChart {
         /// Axis of the worm.
         axis: String,
     },
     /// The machine lacks an axis or a limb.
     #[error("the machine {machine} has no {role} axis")]
+    #[finding(code = "missing-axis")]
+    #[way_out(with = another_machine(role))]
     MissingAxis {
         /// Name of the machine.
         machine: String,
@@ -57,6 +69,8 @@ pub enum MachineError {
     },
     /// More or fewer axes are free than a pose determines.
     #[error("{free} axes are free, a pose determines {determined}: {}", axes.join(", "))]
+    #[finding(code = "axes-not-determined")]
+    #[way_out(with = if free > determined { "fix the surplus axes by a rule" } else { "take a machine with more axes" })]
     NotDetermined {
         /// Axes that are free.
         free: usize,
@@ -69,6 +83,8 @@ pub enum MachineError {
     #[error(
         "{what} cannot be reached: wanted {wanted:.6} {unit}, this machine reaches {least:.6} .. {greatest:.6} {unit} in this pose"
     )]
+    #[finding(code = "unreachable")]
+    #[way_out("take a value inside the range, or leave the axis free")]
     Unreachable {
         /// What cannot be reached: an axis under a rule, or the direction of the tool.
         what: String,
@@ -83,6 +99,8 @@ pub enum MachineError {
     },
     /// The iteration found no position of the axes that gives the pose.
     #[error("no position of the axes gives this pose: {starts} starts left at least {residual:.3e}")]
+    #[finding(code = "unreachable")]
+    #[way_out("look whether the directions of the axes span this pose, or take another machine")]
     NoSolution {
         /// Starts that were tried.
         starts: usize,
@@ -92,6 +110,10 @@ pub enum MachineError {
     /// No solution stands within the travel of the machine.
     #[error(
         "{axis} = {value:.4} {unit} would stand {excess:.4} {unit} beyond its travel {from:.4} .. {to:.4}"
+    )]
+    #[finding(code = "axis-limit")]
+    #[way_out(
+        "bring the way within the travel: move the zero of {axis} or where the body is clamped, take a smaller body (a narrower worm shortens the shift) or another machine"
     )]
     AxisLimit {
         /// Name of the axis.
@@ -109,45 +131,10 @@ pub enum MachineError {
     },
 }
 
-impl MachineError {
-    /// Stable kebab-case code.
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::InvalidNumber { .. } => "invalid-number",
-            Self::InvalidPose { .. } => "invalid-pose",
-            Self::Singular { .. } => "machine-singular",
-            Self::PoleOfChart { .. } => "pole-of-chart",
-            Self::MissingAxis { .. } => "missing-axis",
-            Self::NotDetermined { .. } => "axes-not-determined",
-            Self::Unreachable { .. } | Self::NoSolution { .. } => "unreachable",
-            Self::AxisLimit { .. } => "axis-limit",
-        }
-    }
-
-    /// What the user can do about it, in one sentence.
-    pub fn way_out(&self) -> String {
-        match self {
-            Self::InvalidNumber { .. } => "give a finite number".into(),
-            Self::InvalidPose { .. } => "give a rotation with at least ten correct digits".into(),
-            Self::Singular { .. } => "take another angle between tool and counterpart axis".into(),
-            Self::PoleOfChart { .. } => {
-                "give the worm angle wanted, or prescribe the axial slide instead of the swivel".into()
-            }
-            Self::MissingAxis { role: "swivel", .. } => {
-                "leave the swivel at 0, or take a machine that has the axis".into()
-            }
-            Self::MissingAxis { role, .. } => format!("take a machine whose description has a {role} axis"),
-            Self::NotDetermined { free, determined, .. } if free > determined => {
-                "fix the surplus axes by a rule".into()
-            }
-            Self::NotDetermined { .. } => "take a machine with more axes".into(),
-            Self::Unreachable { .. } => "take a value inside the range, or leave the axis free".into(),
-            Self::NoSolution { .. } => {
-                "look whether the directions of the axes span this pose, or take another machine".into()
-            }
-            Self::AxisLimit { axis, .. } => format!(
-                "bring the way within the travel: move the zero of {axis} or where the body is clamped, take a smaller body (a narrower worm shortens the shift) or another machine"
-            ),
-        }
+/// What helps where the machine lacks an axis.
+fn another_machine(role: &str) -> Cow<'static, str> {
+    match role {
+        "swivel" => "leave the swivel at 0, or take a machine that has the axis".into(),
+        _ => format!("take a machine whose description has a {role} axis").into(),
     }
 }

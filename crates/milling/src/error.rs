@@ -3,17 +3,21 @@
 use super::location::TouchFault;
 use super::plan::OperationKind;
 use super::{Collision, LimitBody, MilledSide};
+use finding::Finding;
 use foundation::geometry::GeometryError;
 use thiserror::Error;
 
 /// Errors of milling. mm, rad inside; degrees in messages.
-#[derive(Clone, Debug, PartialEq, Error)]
+#[derive(Clone, Debug, PartialEq, Error, Finding)]
 pub enum MillingError {
     /// A body is impossible.
     #[error(transparent)]
+    #[finding(transparent)]
     Geometry(#[from] GeometryError),
     /// A lead curve leaves its base body or has no direction.
     #[error("at u = {u} the lead curve leaves the base body (t.N = {sine:e}, allowed 1e-9)")]
+    #[finding(code = "lead-off-base")]
+    #[way_out("give a lead curve that lies on the base body")]
     LeadOffBase {
         /// Parameter of the curve.
         u: f64,
@@ -24,6 +28,8 @@ pub enum MillingError {
     #[error(
         "the column plane at u = {u} does not meet the flank at height {height} (looked for near length {start})"
     )]
+    #[finding(code = "column-no-section")]
+    #[way_out("shorten the overrun or the skew of the column planes")]
     ColumnNoSection {
         /// Parameter of the lead curve.
         u: f64,
@@ -34,6 +40,8 @@ pub enum MillingError {
     },
     /// A column is not ended by a body.
     #[error("the column at u = {u} does not reach {body:?}")]
+    #[finding(code = "column-no-limit")]
+    #[way_out("check the bodies that end the flank at root and tip")]
     ColumnNoLimit {
         /// Parameter of the lead curve.
         u: f64,
@@ -42,6 +50,8 @@ pub enum MillingError {
     },
     /// A column or path of one half of a double-helical gear runs into the other half.
     #[error("length {length} lies beyond the middle of the gear at {kink}")]
+    #[finding(code = "column-kink")]
+    #[way_out("mill each half alone and end its columns before the middle of the gear")]
     ColumnKink {
         /// Length reached, mm.
         length: f64,
@@ -50,6 +60,8 @@ pub enum MillingError {
     },
     /// No column plane holds a point of the face's end.
     #[error("no column plane holds the flank's point at height {height}, length {length}")]
+    #[finding(code = "range-not-found")]
+    #[way_out("check the lead curve: its planes must cross the ends of the face")]
     RangeNotFound {
         /// Height parameter.
         height: f64,
@@ -58,6 +70,8 @@ pub enum MillingError {
     },
     /// Rows cannot be spaced because the weight along the column is not smooth.
     #[error("rows cannot be spaced on the column at u = {u}: the weight is known to {tail:e} only")]
+    #[finding(code = "spacing-not-smooth")]
+    #[way_out("space the rows by equal arcs")]
     SpacingNotSmooth {
         /// Parameter of the lead curve.
         u: f64,
@@ -69,6 +83,8 @@ pub enum MillingError {
         "at u = {u} no axis in the column plane suits a half angle of {:.4} deg: the normal leaves the plane by {:.4} deg",
         half_angle.to_degrees(), out_of_plane.to_degrees()
     )]
+    #[finding(code = "axis-none")]
+    #[way_out("take a cutter with a smaller half angle, or planes set askew")]
     AxisNone {
         /// Parameter of the lead curve.
         u: f64,
@@ -79,6 +95,8 @@ pub enum MillingError {
     },
     /// The wanted contact is not on the cutter.
     #[error("at u = {u} the contact is not on the cutter: {fault}")]
+    #[finding(code = "tool")]
+    #[way_out("change the tilt or the contact height, or take a cutter that is rounded there")]
     ContactOffTool {
         /// Parameter of the lead curve.
         u: f64,
@@ -87,6 +105,8 @@ pub enum MillingError {
     },
     /// The cutter digs into the flank around its contact.
     #[error("the cutter digs into the flank at ({:.3}, {:.3}, {:.3}) mm: least curvature of the gap {least:.6} 1/mm", point[0], point[1], point[2])]
+    #[finding(code = "gouge-local")]
+    #[way_out("take a ball, a torus or a barrel whose profile is more curved than the flank is hollow")]
     GougeLocal {
         /// The contact, mm.
         point: [f64; 3],
@@ -95,6 +115,8 @@ pub enum MillingError {
     },
     /// Limits of the density that contradict themselves.
     #[error("{name} = {value} mm is not usable; allowed: {allowed}")]
+    #[finding(code = "density-input")]
+    #[way_out("give limits > 0 mm, the lower ones not above the upper ones")]
     DensityInput {
         /// Name of the limit.
         name: &'static str,
@@ -105,6 +127,8 @@ pub enum MillingError {
     },
     /// More rows or columns than a program can have.
     #[error("the limits ask for {needed:.0} {lines}, at most {} are possible", super::density::MOST_LINES)]
+    #[finding(code = "density-size")]
+    #[way_out("allow larger distances, scallops or chords")]
     DensitySize {
         /// What is counted.
         lines: &'static str,
@@ -115,6 +139,8 @@ pub enum MillingError {
     #[error(
         "at u = {u} the corner radius {corner_radius} mm is too large for the depth of the root: the straight piece would be {straight:.4} mm"
     )]
+    #[finding(code = "root-corner")]
+    #[way_out("take a smaller corner radius or a deeper root")]
     RootCorner {
         /// Parameter of the lead curve.
         u: f64,
@@ -127,6 +153,8 @@ pub enum MillingError {
     #[error(
         "at u = {u} the fillets of both flanks overlap by {overlap:.4} mm each with the corner radius {corner_radius} mm"
     )]
+    #[finding(code = "root-overlap")]
+    #[way_out("take a smaller corner radius or a shallower root")]
     RootOverlap {
         /// Parameter of the lead curve.
         u: f64,
@@ -140,6 +168,8 @@ pub enum MillingError {
         "at u = {u} no bottom pass fits: half width {half_width:.4} mm, tool radius {radius} mm, lean of the axis {:.4} deg",
         lean.to_degrees()
     )]
+    #[finding(code = "root-bottom")]
+    #[way_out("take a thinner tool for the bottom")]
     RootBottom {
         /// Parameter of the lead curve.
         u: f64,
@@ -154,6 +184,8 @@ pub enum MillingError {
     #[error(
         "at u = {u} the root pass needs {needed:.4} mm of cutting edge, the tool has {cutting_length} mm"
     )]
+    #[finding(code = "tool-short")]
+    #[way_out("take a tool with a longer cutting edge")]
     ToolShort {
         /// Parameter of the lead curve.
         u: f64,
@@ -165,6 +197,10 @@ pub enum MillingError {
     /// The tool comes too near to something that it must not touch.
     #[error(
         "row {row}, column {column}: the tool keeps {clearance:.4} mm from the {from}, wanted are {wanted:.3} mm"
+    )]
+    #[finding(code = "tool-gap")]
+    #[way_out(
+        "take a thinner tool, less tilt or a smaller contact height, or begin the active flank higher above the root or hub"
     )]
     ToolGap {
         /// Row, from 0 at the root.
@@ -182,6 +218,8 @@ pub enum MillingError {
     #[error(
         "an approach on a radius of {radius} mm does not fit: the cutter is free to move {room:.4} mm before it comes too near to the opposite flank"
     )]
+    #[finding(code = "approach")]
+    #[way_out("take a smaller radius, or let the tool come in beside the face")]
     Approach {
         /// Radius of the arc, mm.
         radius: f64,
@@ -193,6 +231,8 @@ pub enum MillingError {
         "the cutter cannot be drawn back along its axis ({:.4}, {:.4}, {:.4}) from ({:.3}, {:.3}, {:.3}) mm",
         axis[0], axis[1], axis[2], tip[0], tip[1], tip[2]
     )]
+    #[finding(code = "no-retraction")]
+    #[way_out("give a clearance body that the tool's axis crosses")]
     NoRetraction {
         /// Tip, mm.
         tip: [f64; 3],
@@ -204,6 +244,8 @@ pub enum MillingError {
         "{side} flank, row {row}, column {column}: from its tip the tool is free for {free:.3} mm up to the teeth on the other side, \
          tool and holder need {needed:.3} mm"
     )]
+    #[finding(code = "internal-access")]
+    #[way_out("lean the axis out of the gear by a lead angle, or take a shorter tool and holder")]
     InternalAccess {
         /// The flank.
         side: MilledSide,
@@ -219,6 +261,10 @@ pub enum MillingError {
     /// Tool, holder or spindle come too near to the ring of an internal gear.
     #[error(
         "{side} flank, row {row}, column {column}: tool, holder or spindle keep {clearance:.3} mm from the {from}, wanted are {wanted} mm"
+    )]
+    #[finding(code = "internal-access")]
+    #[way_out(
+        "lean the axis out of the gear by a lead angle, take a longer and thinner tool, or give the true `machine.spindle_diameter`"
     )]
     RingMet {
         /// The flank.
@@ -238,6 +284,10 @@ pub enum MillingError {
     #[error(
         "no lead curve with a radius of {from:.2} to {to:.2} mm has the normals of that row in its column planes"
     )]
+    #[finding(code = "no-such-lead")]
+    #[way_out(
+        "choose another row, or leave `lead_through_row` out: on spur gears all normals lie in the planes"
+    )]
     NoSuchLead {
         /// Least radius looked at, mm.
         from: f64,
@@ -246,12 +296,18 @@ pub enum MillingError {
     },
     /// The normal of a point does not meet the cutter that runs beside it.
     #[error("the normal at ({:.3}, {:.3}, {:.3}) mm does not meet the cutter of the next row", point[0], point[1], point[2])]
+    #[finding(code = "not-met")]
+    #[way_out("lay the rows closer")]
     NotMet {
         /// The point, mm.
         point: [f64; 3],
     },
     /// On its way the tool comes too near to something.
     #[error("{kind}, path {path}: after place {} the tool keeps {:.4} mm from the {}, wanted are {} mm", collision.block, collision.clearance.value, collision.name, collision.wanted)]
+    #[finding(code = "tool-gap")]
+    #[way_out(
+        "take a thinner tool, less tilt or a smaller contact height, or begin the active flank higher above the root or hub"
+    )]
     Collides {
         /// The operation.
         kind: OperationKind,
@@ -262,11 +318,15 @@ pub enum MillingError {
     },
     /// The root needs a cylindrical tool with a corner.
     #[error("the root is milled with a cylindrical tool (end mill, torus or ball)")]
+    #[finding(code = "root-tool")]
+    #[way_out("leave out `milling.root`, or mill with an end mill")]
     RootTool,
     /// The roughing cutter is too thick for the space.
     #[error(
         "the roughing cutter finds no room between the flanks from {top:.3} mm down to {bottom:.3} mm above the lead curve"
     )]
+    #[finding(code = "roughing-nowhere")]
+    #[way_out("take a thinner cutter or a smaller allowance")]
     RoughingNowhere {
         /// Height of the first layer, mm.
         top: f64,
@@ -275,6 +335,8 @@ pub enum MillingError {
     },
     /// No contact height suits a row.
     #[error("row {row} allows no contact height: from {least:.4} to {greatest:.4} mm above the tip")]
+    #[finding(code = "wear-window")]
+    #[way_out("take a thinner tool or one with a smaller corner radius")]
     WearWindow {
         /// Row, from 0 at the root.
         row: usize,
@@ -285,6 +347,8 @@ pub enum MillingError {
     },
     /// The list of contact heights is of another length than the rows.
     #[error("{given} contact heights are given for {rows} rows")]
+    #[finding(code = "height-count")]
+    #[way_out("give one contact height for each row, the root's first")]
     HeightCount {
         /// Heights given.
         given: usize,
@@ -293,6 +357,8 @@ pub enum MillingError {
     },
     /// A contact height of the caller's is not possible.
     #[error("row {row}: the contact height {height} mm is outside of {least:.4} to {greatest:.4} mm")]
+    #[finding(code = "height-outside")]
+    #[way_out("give a height inside the row's window, or the rule `ramp`")]
     HeightOutside {
         /// Row, from 0 at the root.
         row: usize,
@@ -303,90 +369,6 @@ pub enum MillingError {
         /// Greatest height, mm.
         greatest: f64,
     },
-}
-
-impl MillingError {
-    /// A stable name of the error.
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::Geometry(error) => error.code(),
-            Self::LeadOffBase { .. } => "lead-off-base",
-            Self::ColumnNoSection { .. } => "column-no-section",
-            Self::ColumnNoLimit { .. } => "column-no-limit",
-            Self::ColumnKink { .. } => "column-kink",
-            Self::RangeNotFound { .. } => "range-not-found",
-            Self::SpacingNotSmooth { .. } => "spacing-not-smooth",
-            Self::AxisNone { .. } => "axis-none",
-            Self::ContactOffTool { .. } => "tool",
-            Self::GougeLocal { .. } => "gouge-local",
-            Self::DensityInput { .. } => "density-input",
-            Self::DensitySize { .. } => "density-size",
-            Self::RootCorner { .. } => "root-corner",
-            Self::RootOverlap { .. } => "root-overlap",
-            Self::RootBottom { .. } => "root-bottom",
-            Self::ToolShort { .. } => "tool-short",
-            Self::ToolGap { .. } => "tool-gap",
-            Self::Approach { .. } => "approach",
-            Self::NoRetraction { .. } => "no-retraction",
-            Self::InternalAccess { .. } | Self::RingMet { .. } => "internal-access",
-            Self::RoughingNowhere { .. } => "roughing-nowhere",
-            Self::NotMet { .. } => "not-met",
-            Self::Collides { .. } => "tool-gap",
-            Self::RootTool => "root-tool",
-            Self::NoSuchLead { .. } => "no-such-lead",
-            Self::WearWindow { .. } => "wear-window",
-            Self::HeightCount { .. } => "height-count",
-            Self::HeightOutside { .. } => "height-outside",
-        }
-    }
-
-    /// What helps, in one sentence.
-    pub fn way_out(&self) -> &'static str {
-        match self {
-            Self::Geometry(error) => error.way_out(),
-            Self::LeadOffBase { .. } => "give a lead curve that lies on the base body",
-            Self::ColumnNoSection { .. } => "shorten the overrun or the skew of the column planes",
-            Self::ColumnNoLimit { .. } => "check the bodies that end the flank at root and tip",
-            Self::ColumnKink { .. } => {
-                "mill each half alone and end its columns before the middle of the gear"
-            }
-            Self::RangeNotFound { .. } => "check the lead curve: its planes must cross the ends of the face",
-            Self::SpacingNotSmooth { .. } => "space the rows by equal arcs",
-            Self::AxisNone { .. } => "take a cutter with a smaller half angle, or planes set askew",
-            Self::ContactOffTool { .. } => {
-                "change the tilt or the contact height, or take a cutter that is rounded there"
-            }
-            Self::GougeLocal { .. } => {
-                "take a ball, a torus or a barrel whose profile is more curved than the flank is hollow"
-            }
-            Self::DensityInput { .. } => "give limits > 0 mm, the lower ones not above the upper ones",
-            Self::DensitySize { .. } => "allow larger distances, scallops or chords",
-            Self::RootCorner { .. } => "take a smaller corner radius or a deeper root",
-            Self::RootOverlap { .. } => "take a smaller corner radius or a shallower root",
-            Self::RootBottom { .. } => "take a thinner tool for the bottom",
-            Self::ToolShort { .. } => "take a tool with a longer cutting edge",
-            Self::RootTool => "leave out `milling.root`, or mill with an end mill",
-            Self::ToolGap { .. } | Self::Collides { .. } => {
-                "take a thinner tool, less tilt or a smaller contact height, or begin the active flank higher above the root or hub"
-            }
-            Self::Approach { .. } => "take a smaller radius, or let the tool come in beside the face",
-            Self::NoRetraction { .. } => "give a clearance body that the tool's axis crosses",
-            Self::InternalAccess { .. } => {
-                "lean the axis out of the gear by a lead angle, or take a shorter tool and holder"
-            }
-            Self::RingMet { .. } => {
-                "lean the axis out of the gear by a lead angle, take a longer and thinner tool, or give the true `machine.spindle_diameter`"
-            }
-            Self::RoughingNowhere { .. } => "take a thinner cutter or a smaller allowance",
-            Self::NotMet { .. } => "lay the rows closer",
-            Self::NoSuchLead { .. } => {
-                "choose another row, or leave `lead_through_row` out: on spur gears all normals lie in the planes"
-            }
-            Self::WearWindow { .. } => "take a thinner tool or one with a smaller corner radius",
-            Self::HeightCount { .. } => "give one contact height for each row, the root's first",
-            Self::HeightOutside { .. } => "give a height inside the row's window, or the rule `ramp`",
-        }
-    }
 }
 
 impl std::fmt::Display for TouchFault {

@@ -1,14 +1,16 @@
 //! Why a motion cannot be driven or read back.
 
+use finding::Finding;
 use machine::MachineError;
 use nc::NcError;
 use thiserror::Error;
 
 /// Why a motion cannot be driven by a machine, or a program not be followed.
-#[derive(Clone, Debug, PartialEq, Error)]
+#[derive(Clone, Debug, PartialEq, Error, Finding)]
 pub enum MotionError {
     /// The machine cannot stand where a stroke needs it.
     #[error("{stroke}, at {v:.3} mm: {error}")]
+    #[finding(transparent = error)]
     Machine {
         /// The stroke.
         stroke: String,
@@ -19,6 +21,7 @@ pub enum MotionError {
     },
     /// The machine cannot stand at a place of a cutter's path.
     #[error("place {place} of the cutter: {error}")]
+    #[finding(transparent = error)]
     Place {
         /// Number of the place, from 1.
         place: usize,
@@ -27,6 +30,8 @@ pub enum MotionError {
     },
     /// Two places one after the other are one place.
     #[error("places {place} and {next} of the cutter are one: a block between them has no duration", next = place + 1)]
+    #[finding(code = "no-motion")]
+    #[way_out("leave out one of the two places")]
     NoMotion {
         /// Number of the first of them, from 1.
         place: usize,
@@ -36,6 +41,8 @@ pub enum MotionError {
         "after place {place} of the cutter straight blocks still miss it by {tip_um:.6} um at the tip and {axis_deg:.6} deg after \
          {pieces} pieces; wanted: {tip_tolerance_um} um, {axis_tolerance_deg} deg"
     )]
+    #[finding(code = "tolerance-not-reached")]
+    #[way_out("raise the tolerances, or keep the path away from the pole by a tilted mount")]
     CutterMissed {
         /// Number of the place before, from 1.
         place: usize,
@@ -52,11 +59,15 @@ pub enum MotionError {
     },
     /// A rotary axis is to stand still near the pole for a cutter that needs its axis.
     #[error("near the pole the first rotary axis can be held for ball cutters only")]
+    #[finding(code = "hold-needs-ball")]
+    #[way_out("take a ball cutter, slow down near the pole, or tilt the mount")]
     HoldNeedsBall,
     /// No mount keeps a path away from the pole.
     #[error(
         "no mount tilted by up to {greatest_deg} deg keeps the path {clearance_deg} deg away from the pole"
     )]
+    #[finding(code = "no-tilt")]
+    #[way_out("allow a greater tilt, divide the path, or ask for a smaller distance")]
     NoTilt {
         /// Greatest tilt tried, deg.
         greatest_deg: f64,
@@ -65,9 +76,12 @@ pub enum MotionError {
     },
     /// The machine itself lacks something.
     #[error(transparent)]
+    #[finding(transparent)]
     Lacking(#[from] MachineError),
     /// An axis that moves has no word in this control's programs.
     #[error("{axis} moves by {travel:.6} {unit} in this program and has no word on the control")]
+    #[finding(code = "axis-not-available")]
+    #[way_out("give {axis} a word in the machine's [controls], or take another control")]
     NoWord {
         /// Name of the axis.
         axis: String,
@@ -80,6 +94,8 @@ pub enum MotionError {
     #[error(
         "the word {word:?} of {axis} is none; allowed: a letter of XYZABCUVW, a name such as B1, \"spindle 0\" .. \"spindle 7\", \"none\""
     )]
+    #[finding(code = "axis-not-available")]
+    #[way_out("correct `letter` or `words` of the machine description")]
     InvalidWord {
         /// Name of the axis.
         axis: String,
@@ -90,6 +106,8 @@ pub enum MotionError {
     #[error(
         "{stroke}: straight blocks still miss the path by {deviation_um:.6} um on the flank after {pieces} pieces; wanted: {tolerance_um} um"
     )]
+    #[finding(code = "tolerance-not-reached")]
+    #[way_out("raise chord_tolerance_um of the control")]
     ToleranceNotReached {
         /// The stroke.
         stroke: String,
@@ -102,12 +120,16 @@ pub enum MotionError {
     },
     /// A coupling that the electronic gearbox cannot keep.
     #[error("the electronic gearbox cannot couple this stroke: {reason}")]
+    #[finding(code = "unsupported-coupling")]
+    #[way_out("set coupling = \"blocks\" for this control")]
     UnsupportedCoupling {
         /// Why.
         reason: String,
     },
     /// A quantity that is no number or out of range.
     #[error("{field} = {value} is not usable; allowed: {allowed}")]
+    #[finding(code = "invalid-number")]
+    #[way_out("give a number in the range")]
     InvalidNumber {
         /// Name of the quantity.
         field: &'static str,
@@ -118,56 +140,16 @@ pub enum MotionError {
     },
     /// The neutral program refuses a block.
     #[error(transparent)]
+    #[finding(transparent)]
     Program(#[from] NcError),
     /// A program that does not move two bodies against each other as this job needs.
     #[error("block {block} of the program cannot be followed: {reason}")]
+    #[finding(code = "program-not-followed")]
+    #[way_out("take a program that was written for this job and machine")]
     NotFollowed {
         /// Block, from 1.
         block: usize,
         /// Why.
         reason: String,
     },
-}
-
-impl MotionError {
-    /// Stable kebab-case code.
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::Machine { error, .. } | Self::Place { error, .. } | Self::Lacking(error) => error.code(),
-            Self::NoMotion { .. } => "no-motion",
-            Self::CutterMissed { .. } => "tolerance-not-reached",
-            Self::HoldNeedsBall => "hold-needs-ball",
-            Self::NoTilt { .. } => "no-tilt",
-            Self::NoWord { .. } | Self::InvalidWord { .. } => "axis-not-available",
-            Self::ToleranceNotReached { .. } => "tolerance-not-reached",
-            Self::UnsupportedCoupling { .. } => "unsupported-coupling",
-            Self::InvalidNumber { .. } => "invalid-number",
-            Self::Program(error) => error.code(),
-            Self::NotFollowed { .. } => "program-not-followed",
-        }
-    }
-
-    /// What the user can do about it, in one sentence.
-    pub fn way_out(&self) -> String {
-        match self {
-            Self::Machine { error, .. } | Self::Place { error, .. } | Self::Lacking(error) => error.way_out(),
-            Self::NoMotion { .. } => "leave out one of the two places".into(),
-            Self::CutterMissed { .. } => {
-                "raise the tolerances, or keep the path away from the pole by a tilted mount".into()
-            }
-            Self::HoldNeedsBall => "take a ball cutter, slow down near the pole, or tilt the mount".into(),
-            Self::NoTilt { .. } => {
-                "allow a greater tilt, divide the path, or ask for a smaller distance".into()
-            }
-            Self::NoWord { axis, .. } => {
-                format!("give {axis} a word in the machine's [controls], or take another control")
-            }
-            Self::InvalidWord { .. } => "correct `letter` or `words` of the machine description".into(),
-            Self::ToleranceNotReached { .. } => "raise chord_tolerance_um of the control".into(),
-            Self::UnsupportedCoupling { .. } => "set coupling = \"blocks\" for this control".into(),
-            Self::InvalidNumber { .. } => "give a number in the range".into(),
-            Self::Program(error) => error.way_out().to_string(),
-            Self::NotFollowed { .. } => "take a program that was written for this job and machine".into(),
-        }
-    }
 }

@@ -1,6 +1,7 @@
 //! What can go wrong in the referee: unusable input, rays that nobody cut, minima that were not found.
 
 use super::mill::Unmilled;
+use finding::Finding;
 use foundation::geometry::Flank;
 use foundation::numerics::SplineError;
 use thiserror::Error;
@@ -38,6 +39,23 @@ pub enum Uncut {
     NotConverged,
 }
 
+impl Uncut {
+    /// What the user can do about it, in one sentence.
+    pub fn way_out(self) -> &'static str {
+        match self {
+            Self::NotReached => "check centre distance and phase, or allow more stock",
+            Self::StrokeTooShort => "take smaller amounts, or a longer stroke where it is given",
+            Self::ToolMissing => {
+                "take a tool with more profile or width there, or evaluate less of the flank"
+            }
+            Self::NoActiveThread => "index the workpiece between strokes or leave more threads on the worm",
+            Self::NotConverged => {
+                "reduce the tool's tip diameter if it undercuts there, or round the kinks of the modification"
+            }
+        }
+    }
+}
+
 impl std::fmt::Display for Uncut {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {
@@ -51,10 +69,12 @@ impl std::fmt::Display for Uncut {
 }
 
 /// Errors of the referee. Lengths mm.
-#[derive(Clone, Debug, PartialEq, Error)]
+#[derive(Clone, Debug, PartialEq, Error, Finding)]
 pub enum RemovalError {
     /// A number that is not usable.
     #[error("{field} = {value} is not usable; allowed: {allowed}")]
+    #[finding(code = "invalid-number")]
+    #[way_out("give a value inside the allowed range")]
     InvalidNumber {
         /// Name of the quantity.
         field: &'static str,
@@ -65,6 +85,8 @@ pub enum RemovalError {
     },
     /// The abscissae of a ray grid are empty, not finite or not ascending.
     #[error("ray grid: {axis}[{index}] = {value} mm; allowed: finite, ascending, lengths of roll above 0")]
+    #[finding(code = "invalid-ray-grid")]
+    #[way_out("give ascending finite abscissae with lengths of roll above 0")]
     InvalidGrid {
         /// `"w"` or `"z"`.
         axis: &'static str,
@@ -75,6 +97,8 @@ pub enum RemovalError {
     },
     /// Left works on left, right on right.
     #[error("the {worm} flank of the worm cannot grind the {work} flank of the workpiece")]
+    #[finding(code = "flanks-differ")]
+    #[way_out("pair left with left and right with right")]
     FlanksDiffer {
         /// Flank of the worm.
         worm: Flank,
@@ -83,18 +107,24 @@ pub enum RemovalError {
     },
     /// Internal bodies have no place in the chain.
     #[error("the {stage} stage of the referee handles external bodies only")]
+    #[finding(code = "internal-unsupported")]
+    #[way_out("use an external gear and worm")]
     InternalUnsupported {
         /// Stage concerned.
         stage: Stage,
     },
     /// Every thread is left out.
     #[error("no thread of the {threads} cuts")]
+    #[finding(code = "no-active-thread")]
+    #[way_out("leave at least one thread on the worm")]
     NoActiveThread {
         /// Threads of the worm.
         threads: i64,
     },
     /// The dresser's meridian is no function of the radius.
     #[error("the dresser profile turns back at profile parameter {t:.4} mm (radius {r:.4} mm)")]
+    #[finding(code = "dresser-profile-folds")]
+    #[way_out("shorten the dresser profile or reduce its modification")]
     ProfileFolds {
         /// Profile parameter.
         t: f64,
@@ -105,6 +135,8 @@ pub enum RemovalError {
     #[error(
         "simulation of {stage}: {count} rays were not finished, first at length of roll {w:.4} mm, z = {z:.4} mm: {reason}"
     )]
+    #[finding(code = "ray-uncut")]
+    #[way_out(with = reason.way_out())]
     RayUncut {
         /// Stage concerned.
         stage: Stage,
@@ -121,6 +153,8 @@ pub enum RemovalError {
     #[error(
         "no contact seen at length of roll {w:.4} mm with feeds z_V1 = {shift:.4} mm, z_V2 = {feed:.4} mm: {reason}"
     )]
+    #[finding(code = "contact-not-seen")]
+    #[way_out("widen the face or the worm's area, or choose lengths of roll that the worm can grind")]
     ContactNotSeen {
         /// Length of roll of the row.
         w: f64,
@@ -133,18 +167,24 @@ pub enum RemovalError {
     },
     /// Rows and feeds do not determine the relations.
     #[error("{contacts} contacts do not determine the relations of these bodies")]
+    #[finding(code = "too-few-contacts")]
+    #[way_out("give at least two lengths of roll, and different feeds for every conical body")]
     TooFewContacts {
         /// Contacts seen.
         contacts: usize,
     },
     /// No path, or one without a place.
     #[error("milling path {path} has no place of the cutter")]
+    #[finding(code = "empty-milling-path")]
+    #[way_out("give every milling path at least one place of its cutter")]
     EmptyPath {
         /// Index of the path; 0 also when there is none at all.
         path: usize,
     },
     /// A path names a cutter that is not there.
     #[error("milling path {path} names cutter {cutter}; there are {cutters}")]
+    #[finding(code = "unknown-cutter")]
+    #[way_out("name one of the cutters by its index from 0")]
     UnknownCutter {
         /// Index of the path.
         path: usize,
@@ -155,6 +195,8 @@ pub enum RemovalError {
     },
     /// A place of a cutter that is no number, or whose axis is no unit vector.
     #[error("milling path {path}, place {place}: {field} = {value} is not usable")]
+    #[finding(code = "invalid-cutter-place")]
+    #[way_out("give a finite tip and an axis of length 1 within 1e-6")]
     InvalidCutterPlace {
         /// Index of the path.
         path: usize,
@@ -167,6 +209,8 @@ pub enum RemovalError {
     },
     /// Between two places the axis turns by half a turn: nothing says which way.
     #[error("milling path {path}: from place {block} to the next one the axis turns back onto itself")]
+    #[finding(code = "axis-turns-back")]
+    #[way_out("put a place between the two, or part the path there")]
     AxisTurnsBack {
         /// Index of the path.
         path: usize,
@@ -175,6 +219,8 @@ pub enum RemovalError {
     },
     /// A ray that is no number, or whose direction is no unit vector.
     #[error("ray {index}: {field} = {value} is not usable")]
+    #[finding(code = "invalid-ray")]
+    #[way_out("give a finite point and a normal of length 1 within 1e-6")]
     InvalidRay {
         /// Index of the ray.
         index: usize,
@@ -185,6 +231,8 @@ pub enum RemovalError {
     },
     /// Rays of a milled flank without a length where all are wanted.
     #[error("milling: {count} rays have no length, first ray {index}: {reason}")]
+    #[finding(code = "ray-not-milled")]
+    #[way_out(with = reason.way_out())]
     RayNotMilled {
         /// Index of the first one.
         index: usize,
@@ -195,75 +243,9 @@ pub enum RemovalError {
     },
     /// The rays make no interpolating surface.
     #[error("the rays of the worm make no smooth surface: {0}")]
+    #[finding(code = "no-worm-surface")]
+    #[way_out("use at least four lengths of roll and four axial positions")]
     Surface(#[from] SplineError),
-}
-
-impl RemovalError {
-    /// Stable kebab-case code.
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::InvalidNumber { .. } => "invalid-number",
-            Self::InvalidGrid { .. } => "invalid-ray-grid",
-            Self::FlanksDiffer { .. } => "flanks-differ",
-            Self::InternalUnsupported { .. } => "internal-unsupported",
-            Self::NoActiveThread { .. } => "no-active-thread",
-            Self::ProfileFolds { .. } => "dresser-profile-folds",
-            Self::RayUncut { .. } => "ray-uncut",
-            Self::ContactNotSeen { .. } => "contact-not-seen",
-            Self::TooFewContacts { .. } => "too-few-contacts",
-            Self::EmptyPath { .. } => "empty-milling-path",
-            Self::UnknownCutter { .. } => "unknown-cutter",
-            Self::InvalidCutterPlace { .. } => "invalid-cutter-place",
-            Self::AxisTurnsBack { .. } => "axis-turns-back",
-            Self::InvalidRay { .. } => "invalid-ray",
-            Self::RayNotMilled { .. } => "ray-not-milled",
-            Self::Surface(_) => "no-worm-surface",
-        }
-    }
-
-    /// What the user can do about it, in one sentence.
-    pub fn way_out(&self) -> &'static str {
-        match self {
-            Self::InvalidNumber { .. } => "give a value inside the allowed range",
-            Self::InvalidGrid { .. } => "give ascending finite abscissae with lengths of roll above 0",
-            Self::FlanksDiffer { .. } => "pair left with left and right with right",
-            Self::InternalUnsupported { .. } => "use an external gear and worm",
-            Self::NoActiveThread { .. } => "leave at least one thread on the worm",
-            Self::ProfileFolds { .. } => "shorten the dresser profile or reduce its modification",
-            Self::RayUncut { reason, .. } => match reason {
-                Uncut::NotReached => "check centre distance and phase, or allow more stock",
-                Uncut::StrokeTooShort => "take smaller amounts, or a longer stroke where it is given",
-                Uncut::ToolMissing => {
-                    "take a tool with more profile or width there, or evaluate less of the flank"
-                }
-                Uncut::NoActiveThread => {
-                    "index the workpiece between strokes or leave more threads on the worm"
-                }
-                Uncut::NotConverged => {
-                    "reduce the tool's tip diameter if it undercuts there, or round the kinks of the modification"
-                }
-            },
-            Self::ContactNotSeen { .. } => {
-                "widen the face or the worm's area, or choose lengths of roll that the worm can grind"
-            }
-            Self::TooFewContacts { .. } => {
-                "give at least two lengths of roll, and different feeds for every conical body"
-            }
-            Self::EmptyPath { .. } => "give every milling path at least one place of its cutter",
-            Self::UnknownCutter { .. } => "name one of the cutters by its index from 0",
-            Self::InvalidCutterPlace { .. } => "give a finite tip and an axis of length 1 within 1e-6",
-            Self::AxisTurnsBack { .. } => "put a place between the two, or part the path there",
-            Self::InvalidRay { .. } => "give a finite point and a normal of length 1 within 1e-6",
-            Self::RayNotMilled { reason, .. } => match reason {
-                Unmilled::NotReached => "extend the paths over the whole flank, or allow more stock",
-                Unmilled::TooDeep { .. } => {
-                    "look for the gouge there, or begin the rays deeper in the material"
-                }
-                Unmilled::NotSettled => "turn or shift the ray slightly: it only grazes the cutter",
-            },
-            Self::Surface(_) => "use at least four lengths of roll and four axial positions",
-        }
-    }
 }
 
 /// Tests a number that must be finite and positive.

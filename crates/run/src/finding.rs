@@ -76,14 +76,12 @@ impl RunFailure {
 
     /// A fault of a motion law given at `field`.
     pub fn of_law(error: &LawError, field: &str) -> Self {
-        let finding = Diagnostic::with_code(error.code(), error.to_string());
-        Self::bad_input(finding.field(field).way_out(error.way_out()))
+        Self::bad_input(Diagnostic::of(error).field(field))
     }
 
     /// What stopped the referee, on the table whose motion it ran.
     pub fn of_removal(error: &RemovalError, field: &str) -> Self {
-        let finding = Diagnostic::with_code(error.code(), error.to_string());
-        Self::not_producible(finding.field(field).way_out(error.way_out().to_string()))
+        Self::not_producible(Diagnostic::of(error).field(field))
     }
 }
 
@@ -107,8 +105,7 @@ pub fn geometry_finding(error: &GeometryError, table: &str) -> Diagnostic {
         }
         _ => table.to_string(),
     };
-    let finding =
-        Diagnostic::with_code(error.code(), error.to_string()).field(field).way_out(error.way_out());
+    let finding = Diagnostic::of(error).field(field);
     match error {
         GeometryError::InvalidNumber { value, allowed, .. } => finding.value(value).allowed(*allowed),
         GeometryError::InvalidGeometry { value, allowed, .. } => {
@@ -129,5 +126,5 @@ pub fn geometry_finding(error: &GeometryError, table: &str) -> Diagnostic {
 
 /// An error of a modification as a finding on its entry.
 pub fn modification_finding(error: &ModificationError, entry: &str) -> Diagnostic {
-    Diagnostic::with_code(error.code(), error.to_string()).field(entry.to_string()).way_out(error.way_out())
+    Diagnostic::of(error).field(entry.to_string())
 }

@@ -1,16 +1,20 @@
 //! What can keep a skiving tool from being made, measured or judged (spec 60 section 13).
 
+use finding::Finding;
 use foundation::geometry::{Flank, GeometryError};
 use thiserror::Error;
 
 /// Errors of skiving and of measuring its tools. mm, rad inside; degrees in messages.
-#[derive(Clone, Debug, PartialEq, Error)]
+#[derive(Clone, Debug, PartialEq, Error, Finding)]
 pub enum SkivingError {
     /// A body is impossible.
     #[error(transparent)]
+    #[finding(transparent, bad_input)]
     Geometry(#[from] GeometryError),
     /// A number that is not finite or outside the range that has a meaning.
     #[error("{field} = {value} is not usable; allowed: {allowed}")]
+    #[finding(code = "invalid-number", bad_input)]
+    #[way_out("give a value in the allowed range")]
     InvalidNumber {
         /// Name of the quantity.
         field: &'static str,
@@ -21,18 +25,24 @@ pub enum SkivingError {
     },
     /// A length of roll is not above the base circle.
     #[error("the flank begins at length of roll {w} mm: it must lie above the base circle")]
+    #[finding(code = "below-base-circle", bad_input)]
+    #[way_out("begin the flank above the base circle")]
     BelowBaseCircle {
         /// Length of roll, mm.
         w: f64,
     },
     /// Tool and workpiece would not skive.
     #[error("the axes are parallel (crossed-axes angle {:.6} deg)", angle.to_degrees())]
+    #[finding(code = "axes-parallel", bad_input)]
+    #[way_out("choose another helix angle of the tool, or give the crossed-axes angle")]
     AxesParallel {
         /// Crossed-axes angle, rad.
         angle: f64,
     },
     /// The sign of the centre distance does not suit the kind of gear.
     #[error("centre distance {value} mm is not usable for {} gear", if *internal { "an internal" } else { "an external" })]
+    #[finding(code = "invalid-centre-distance", bad_input)]
+    #[way_out("give d > 0 for external and d < 0 for internal gears, or leave it out")]
     InvalidCentreDistance {
         /// The centre distance, mm.
         value: f64,
@@ -41,6 +51,10 @@ pub enum SkivingError {
     },
     /// A modification changes along the tooth.
     #[error("the modification differs along the tooth by {difference:e} mm at w = {w} mm, z = {z} mm")]
+    #[finding(code = "lead-modification-not-supported", bad_input)]
+    #[way_out(
+        "give modifications of the profile only: those along the tooth are made by the machine's motion"
+    )]
     LeadModificationNotSupported {
         /// Length of roll, mm.
         w: f64,
@@ -51,6 +65,8 @@ pub enum SkivingError {
     },
     /// No roll position brings the edge to this place of the flank.
     #[error("no edge on this rake face makes the flank at length of roll {w:.4} mm")]
+    #[finding(code = "no-contact")]
+    #[way_out("check the rake angle, the tool shift and the range of the flank")]
     NoContact {
         /// Length of roll, mm.
         w: f64,
@@ -60,6 +76,8 @@ pub enum SkivingError {
         "at length of roll {w:.4} mm the contact lies at {:.3} deg, off the rounding between {:.3} and {:.3} deg",
         angle.to_degrees(), least.to_degrees(), greatest.to_degrees()
     )]
+    #[finding(code = "contact-off-rounding")]
+    #[way_out("check the chamfers and the clearance angle, or turn the step angle")]
     ContactOffRounding {
         /// Length of roll, mm.
         w: f64,
@@ -74,6 +92,8 @@ pub enum SkivingError {
     #[error(
         "at length of roll {w:.4} mm the edge is curved with {curvature_radius:.4} mm, its rounding has {radius} mm"
     )]
+    #[finding(code = "rounding-too-large")]
+    #[way_out("take a smaller rounding radius")]
     RoundingTooLarge {
         /// Length of roll, mm.
         w: f64,
@@ -86,6 +106,8 @@ pub enum SkivingError {
     #[error(
         "at length of roll {w:.4} mm the cutting speed is {speed} mm/rad along the rake normal, elsewhere the other way"
     )]
+    #[finding(code = "cutting-direction-ambiguous")]
+    #[way_out("choose a larger crossed-axes angle or another rake face")]
     CuttingDirectionAmbiguous {
         /// Length of roll, mm.
         w: f64,
@@ -94,6 +116,8 @@ pub enum SkivingError {
     },
     /// A turn of the tool hardly moves the flank.
     #[error("at length of roll {w:.4} mm a turn of the tool moves the edge by {lever} mm/rad only")]
+    #[finding(code = "lever-too-small")]
+    #[way_out("measure this flank at other tracks")]
     LeverTooSmall {
         /// Length of roll, mm.
         w: f64,
@@ -102,6 +126,8 @@ pub enum SkivingError {
     },
     /// No pose lays the beam on the edge as asked for.
     #[error("{flank} flank, track {}: the beam cannot be laid along the edge ({reason})", track + 1)]
+    #[finding(code = "pose-not-reachable")]
+    #[way_out("allow a larger deviation from the flank direction, or tilt the beam")]
     PoseNotReachable {
         /// Flank.
         flank: Flank,
@@ -112,6 +138,8 @@ pub enum SkivingError {
     },
     /// The flank direction stands along the tool's axis: every turn of the tool is as good.
     #[error("{flank} flank, track {}: the flank direction stands along the tool's axis", track + 1)]
+    #[finding(code = "degenerate-flank-direction")]
+    #[way_out("measure with tangent poses")]
     DegenerateFlankDirection {
         /// Flank.
         flank: Flank,
@@ -120,6 +148,8 @@ pub enum SkivingError {
     },
     /// An axis would have to leave its range.
     #[error("{flank} flank, track {}: axis {axis} = {value} is outside of {least} to {greatest}", track + 1)]
+    #[finding(code = "axis-limit")]
+    #[way_out("move the light barrier, or choose another kind of pose")]
     AxisLimit {
         /// Flank.
         flank: Flank,
@@ -138,6 +168,8 @@ pub enum SkivingError {
     #[error(
         "{flank} flank, track {}: the {other} flank of tooth {tooth} comes as near as {gap:.4} mm to the beam", track + 1
     )]
+    #[finding(code = "shadowed")]
+    #[way_out("take a thinner beam, or another kind of pose")]
     Shadowed {
         /// Flank that is measured.
         flank: Flank,
@@ -152,6 +184,8 @@ pub enum SkivingError {
     },
     /// The beam meets a place behind the rounding.
     #[error("tooth {tooth}: the beam touches the body at {:.3} deg, the rounding ends at {:.3} and {:.3} deg", angle.to_degrees(), least.to_degrees(), greatest.to_degrees())]
+    #[finding(code = "body-touched")]
+    #[way_out("lay the beam along the flank direction")]
     BodyTouched {
         /// Tooth.
         tooth: usize,
@@ -166,6 +200,8 @@ pub enum SkivingError {
     #[error(
         "tooth {tooth}: the beam touches the edge at length of roll {w:.4} mm, it goes from {from:.4} to {to:.4} mm"
     )]
+    #[finding(code = "edge-end-touched")]
+    #[way_out("move the track away from the end of the edge")]
     EdgeEndTouched {
         /// Tooth.
         tooth: usize,
@@ -178,12 +214,16 @@ pub enum SkivingError {
     },
     /// The beam does not switch.
     #[error("tooth {tooth} does not switch the beam")]
+    #[finding(code = "no-trigger")]
+    #[way_out("check the tooth: it may be broken off")]
     NoTrigger {
         /// Tooth.
         tooth: usize,
     },
     /// There are not as many signals as teeth.
     #[error("{flank} flank, track {}: {}, the tool has {teeth} teeth", track + 1, signals(*found))]
+    #[finding(code = "trigger-count-mismatch")]
+    #[way_out(with = recount(*found))]
     TriggerCountMismatch {
         /// Flank.
         flank: Flank,
@@ -199,6 +239,8 @@ pub enum SkivingError {
         "{flank} flank, track {}: the signal at {:.5} deg is {:.5} deg away from the nearest tooth",
         track + 1, angle.to_degrees(), off.to_degrees()
     )]
+    #[finding(code = "ambiguous-tooth")]
+    #[way_out("check the clocking of the tool and the number of teeth")]
     AmbiguousTooth {
         /// Flank.
         flank: Flank,
@@ -211,6 +253,8 @@ pub enum SkivingError {
     },
     /// A curve of that degree needs more tracks.
     #[error("a curve of degree {degree} needs more than {tracks} tracks")]
+    #[finding(code = "too-few-tracks", bad_input)]
+    #[way_out("measure more tracks, or ask for a lower degree")]
     TooFewTracks {
         /// Tracks.
         tracks: usize,
@@ -219,115 +263,23 @@ pub enum SkivingError {
     },
     /// The calibration does not tell its unknowns apart.
     #[error("the calibration is singular: {reason}")]
+    #[finding(code = "calibration-singular")]
+    #[way_out("approach the mandrel at two heights, from both sides in Y")]
     CalibrationSingular {
         /// Why.
         reason: &'static str,
     },
 }
 
-impl SkivingError {
-    /// Stable code.
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::Geometry(error) => error.code(),
-            Self::InvalidNumber { .. } => "invalid-number",
-            Self::BelowBaseCircle { .. } => "below-base-circle",
-            Self::AxesParallel { .. } => "axes-parallel",
-            Self::InvalidCentreDistance { .. } => "invalid-centre-distance",
-            Self::LeadModificationNotSupported { .. } => "lead-modification-not-supported",
-            Self::NoContact { .. } => "no-contact",
-            Self::ContactOffRounding { .. } => "contact-off-rounding",
-            Self::RoundingTooLarge { .. } => "rounding-too-large",
-            Self::CuttingDirectionAmbiguous { .. } => "cutting-direction-ambiguous",
-            Self::LeverTooSmall { .. } => "lever-too-small",
-            Self::PoseNotReachable { .. } => "pose-not-reachable",
-            Self::DegenerateFlankDirection { .. } => "degenerate-flank-direction",
-            Self::AxisLimit { .. } => "axis-limit",
-            Self::Shadowed { .. } => "shadowed",
-            Self::BodyTouched { .. } => "body-touched",
-            Self::EdgeEndTouched { .. } => "edge-end-touched",
-            Self::NoTrigger { .. } => "no-trigger",
-            Self::TriggerCountMismatch { .. } => "trigger-count-mismatch",
-            Self::AmbiguousTooth { .. } => "ambiguous-tooth",
-            Self::TooFewTracks { .. } => "too-few-tracks",
-            Self::CalibrationSingular { .. } => "calibration-singular",
-        }
-    }
-
-    /// What helps, in one sentence.
-    pub fn way_out(&self) -> &'static str {
-        match self {
-            Self::Geometry(error) => error.way_out(),
-            Self::InvalidNumber { .. } => "give a value in the allowed range",
-            Self::BelowBaseCircle { .. } => "begin the flank above the base circle",
-            Self::AxesParallel { .. } => {
-                "choose another helix angle of the tool, or give the crossed-axes angle"
-            }
-            Self::InvalidCentreDistance { .. } => {
-                "give d > 0 for external and d < 0 for internal gears, or leave it out"
-            }
-            Self::LeadModificationNotSupported { .. } => {
-                "give modifications of the profile only: those along the tooth are made by the machine's motion"
-            }
-            Self::NoContact { .. } => "check the rake angle, the tool shift and the range of the flank",
-            Self::ContactOffRounding { .. } => {
-                "check the chamfers and the clearance angle, or turn the step angle"
-            }
-            Self::RoundingTooLarge { .. } => "take a smaller rounding radius",
-            Self::CuttingDirectionAmbiguous { .. } => {
-                "choose a larger crossed-axes angle or another rake face"
-            }
-            Self::LeverTooSmall { .. } => "measure this flank at other tracks",
-            Self::PoseNotReachable { .. } => {
-                "allow a larger deviation from the flank direction, or tilt the beam"
-            }
-            Self::DegenerateFlankDirection { .. } => "measure with tangent poses",
-            Self::AxisLimit { .. } => "move the light barrier, or choose another kind of pose",
-            Self::Shadowed { .. } => "take a thinner beam, or another kind of pose",
-            Self::BodyTouched { .. } => "lay the beam along the flank direction",
-            Self::EdgeEndTouched { .. } => "move the track away from the end of the edge",
-            Self::NoTrigger { .. } => "check the tooth: it may be broken off",
-            Self::TriggerCountMismatch { found: 0, .. } => {
-                "measure this track, or give the job the tracks that were measured"
-            }
-            Self::TriggerCountMismatch { .. } => {
-                "check the tool for broken teeth and chips, then measure again"
-            }
-            Self::AmbiguousTooth { .. } => "check the clocking of the tool and the number of teeth",
-            Self::TooFewTracks { .. } => "measure more tracks, or ask for a lower degree",
-            Self::CalibrationSingular { .. } => "approach the mandrel at two heights, from both sides in Y",
-        }
-    }
-
-    /// Whether the input is wrong, as opposed to bodies or measurements that do not go together.
-    pub fn is_bad_input(&self) -> bool {
-        match self {
-            Self::Geometry(_)
-            | Self::InvalidNumber { .. }
-            | Self::BelowBaseCircle { .. }
-            | Self::AxesParallel { .. }
-            | Self::InvalidCentreDistance { .. }
-            | Self::LeadModificationNotSupported { .. }
-            | Self::TooFewTracks { .. } => true,
-            Self::NoContact { .. }
-            | Self::ContactOffRounding { .. }
-            | Self::RoundingTooLarge { .. }
-            | Self::CuttingDirectionAmbiguous { .. }
-            | Self::LeverTooSmall { .. }
-            | Self::PoseNotReachable { .. }
-            | Self::DegenerateFlankDirection { .. }
-            | Self::AxisLimit { .. }
-            | Self::Shadowed { .. }
-            | Self::BodyTouched { .. }
-            | Self::EdgeEndTouched { .. }
-            | Self::NoTrigger { .. }
-            | Self::TriggerCountMismatch { .. }
-            | Self::AmbiguousTooth { .. }
-            | Self::CalibrationSingular { .. } => false,
-        }
-    }
-}
-
 fn signals(found: usize) -> String {
     if found == 0 { "there are no readings".into() } else { format!("{found} signals a revolution") }
+}
+
+/// What helps where signals are missing or too many.
+fn recount(found: usize) -> &'static str {
+    if found == 0 {
+        "measure this track, or give the job the tracks that were measured"
+    } else {
+        "check the tool for broken teeth and chips, then measure again"
+    }
 }

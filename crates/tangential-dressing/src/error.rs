@@ -2,23 +2,29 @@
 
 use contact::ContactError;
 use dressing::DressingError;
+use finding::Finding;
 use foundation::geometry::{Flank, GeometryError};
 use thiserror::Error;
 
 /// What can go wrong in tangential dressing. Lengths mm.
-#[derive(Clone, Debug, PartialEq, Error)]
+#[derive(Clone, Debug, PartialEq, Error, Finding)]
 pub enum TangentialError {
     /// A body is impossible by itself.
     #[error(transparent)]
+    #[finding(transparent, bad_input)]
     Geometry(#[from] GeometryError),
     /// Worm and gear do not work together.
     #[error(transparent)]
+    #[finding(transparent, bad_input = matches!(_0, ContactError::Geometry(_) | ContactError::InvalidNumber { .. }))]
     Contact(#[from] ContactError),
     /// The worm has no conjugate dresser.
     #[error(transparent)]
+    #[finding(transparent, bad_input = matches!(_0, DressingError::InvalidNumber { .. }))]
     Dressing(#[from] DressingError),
     /// A number that is not usable.
     #[error("{field} = {value} is not usable; allowed: {allowed}")]
+    #[finding(code = "invalid-number", bad_input)]
+    #[way_out("give a value inside the allowed range")]
     InvalidNumber {
         /// Name of the quantity.
         field: &'static str,
@@ -29,6 +35,10 @@ pub enum TangentialError {
     },
     /// A name that no design variable has.
     #[error("{name:?} is no design variable")]
+    #[finding(code = "unknown-variable", bad_input)]
+    #[way_out(
+        "name a channel and its exponent, such as Fp1, Fz2, dX2, dA2, gA1, gam0, dist0, FC2, FT0, or kap"
+    )]
     UnknownVariable {
         /// The name.
         name: String,
@@ -37,6 +47,8 @@ pub enum TangentialError {
     #[error(
         "the {flank} flank at radius {radius:.4} mm, z = {z:.4} mm needs the dresser at s = {s:.4} mm; it has {from:.4} to {to:.4} mm"
     )]
+    #[finding(code = "outside-tool")]
+    #[way_out("give the dresser a larger tip diameter, the worm a larger one, or ask for less of the flank")]
     OutsideTool {
         /// Flank concerned.
         flank: Flank,
@@ -55,6 +67,10 @@ pub enum TangentialError {
     #[error(
         "the envelope of the worm folds on the {flank} flank at radius {radius:.4} mm, z = {z:.4} mm (determinant ratio {ratio:.3}): the worm would gouge the flank there"
     )]
+    #[finding(code = "undercut")]
+    #[way_out(
+        "reduce the amount of the modification, raise the form diameter, or let other channels make it"
+    )]
     Undercut {
         /// Flank concerned.
         flank: Flank,
@@ -69,6 +85,10 @@ pub enum TangentialError {
     #[error(
         "the contact that grinds the {flank} flank at radius {radius:.4} mm, z = {z:.4} mm was not found: the search does not settle, although the envelope is far from folding there (determinant ratio {ratio:.3})"
     )]
+    #[finding(code = "contact-not-found")]
+    #[way_out(
+        "take smaller amounts, or let other channels make them; that the flank cannot be made is not shown"
+    )]
     NotSettled {
         /// Flank concerned.
         flank: Flank,
@@ -81,12 +101,16 @@ pub enum TangentialError {
     },
     /// None of the free variables moves the flank.
     #[error("none of the {count} free variables moves the flank")]
+    #[finding(code = "no-live-variable", bad_input)]
+    #[way_out("free a variable that moves the flank, such as dX2, FC2 or Fp2")]
     NoLiveVariable {
         /// Free variables.
         count: usize,
     },
     /// Rounds ran out.
     #[error("no convergence after {rounds} rounds; best weighted rms {rms_um:.4} um")]
+    #[finding(code = "not-converged")]
+    #[way_out("step the target up, free fewer variables, or replace gam0 by dX1 and FC1")]
     NotConverged {
         /// Rounds made.
         rounds: usize,
@@ -95,61 +119,4 @@ pub enum TangentialError {
         /// Those variables, in the order of the free ones: mm, rad.
         best: Vec<f64>,
     },
-}
-
-impl TangentialError {
-    /// Stable kebab-case code.
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::Geometry(e) => e.code(),
-            Self::Contact(e) => e.code(),
-            Self::Dressing(e) => e.code(),
-            Self::InvalidNumber { .. } => "invalid-number",
-            Self::UnknownVariable { .. } => "unknown-variable",
-            Self::OutsideTool { .. } => "outside-tool",
-            Self::Undercut { .. } => "undercut",
-            Self::NotSettled { .. } => "contact-not-found",
-            Self::NoLiveVariable { .. } => "no-live-variable",
-            Self::NotConverged { .. } => "not-converged",
-        }
-    }
-
-    /// What the user can do about it, in one sentence.
-    pub fn way_out(&self) -> &'static str {
-        match self {
-            Self::Geometry(e) => e.way_out(),
-            Self::Contact(e) => e.way_out(),
-            Self::Dressing(e) => e.way_out(),
-            Self::InvalidNumber { .. } => "give a value inside the allowed range",
-            Self::UnknownVariable { .. } => {
-                "name a channel and its exponent, such as Fp1, Fz2, dX2, dA2, gA1, gam0, dist0, FC2, FT0, or kap"
-            }
-            Self::OutsideTool { .. } => {
-                "give the dresser a larger tip diameter, the worm a larger one, or ask for less of the flank"
-            }
-            Self::Undercut { .. } => {
-                "reduce the amount of the modification, raise the form diameter, or let other channels make it"
-            }
-            Self::NotSettled { .. } => {
-                "take smaller amounts, or let other channels make them; that the flank cannot be made is not shown"
-            }
-            Self::NoLiveVariable { .. } => "free a variable that moves the flank, such as dX2, FC2 or Fp2",
-            Self::NotConverged { .. } => {
-                "step the target up, free fewer variables, or replace gam0 by dX1 and FC1"
-            }
-        }
-    }
-
-    /// Whether the input is wrong by itself, in distinction from a limit of the bodies.
-    pub fn is_bad_input(&self) -> bool {
-        matches!(
-            self,
-            Self::Geometry(_)
-                | Self::InvalidNumber { .. }
-                | Self::UnknownVariable { .. }
-                | Self::NoLiveVariable { .. }
-                | Self::Contact(ContactError::Geometry(_) | ContactError::InvalidNumber { .. })
-                | Self::Dressing(DressingError::InvalidNumber { .. })
-        )
-    }
 }

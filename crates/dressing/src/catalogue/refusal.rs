@@ -1,17 +1,23 @@
 //! Why a pair of worm and dresser does not make a target: one variant a reason, each with its data, a stable code and a way out.
 
 use crate::DressingError;
+use finding::Finding;
 use foundation::geometry::Flank;
 use thiserror::Error;
 
 /// A reason against a pair. Lengths mm, angles deg.
-#[derive(Clone, Debug, PartialEq, Error)]
+#[derive(Clone, Debug, PartialEq, Error, Finding)]
 pub enum Refusal {
     /// The bodies do not stand together or no correction makes the profile.
     #[error(transparent)]
+    #[finding(transparent)]
     Dressing(#[from] DressingError),
     /// A correction is beyond its range.
     #[error("{axis} = {value:.4} {unit} on the {flank} flank exceeds its limit {limit} {unit}")]
+    #[finding(code = "axis-limit")]
+    #[way_out(
+        "take a worm whose diameter and threads are nearer to those the dresser was designed for, or a dresser with more of the crowning in it"
+    )]
     AxisLimit {
         /// Flank concerned.
         flank: Flank,
@@ -26,6 +32,10 @@ pub enum Refusal {
     },
     /// The profile would be stretched too far.
     #[error("the profile of the {flank} flank is stretched by P = {stretch:.5}, beyond {limit}")]
+    #[finding(code = "stretch-limit")]
+    #[way_out(
+        "take a worm of another profile angle or a diameter nearer to the one the dresser was designed for"
+    )]
     Stretch {
         /// Flank concerned.
         flank: Flank,
@@ -37,6 +47,10 @@ pub enum Refusal {
     /// The dressed profile is too far from the wanted one.
     #[error(
         "the {flank} flank misses the wanted profile by {error_um:.3} um between the pitch points, more than {allowed_um} um"
+    )]
+    #[finding(code = "profile-error")]
+    #[way_out(
+        "take a dresser that carries more of the crowning, a smaller dresser or a worm with fewer threads"
     )]
     ProfileError {
         /// Flank concerned.
@@ -51,6 +65,8 @@ pub enum Refusal {
         "the {flank} flank needs the dresser's profile between radii {from:.3} and {to:.3} mm; it has {has_from:.3} to \
          {has_to:.3} mm"
     )]
+    #[finding(code = "dresser-flank-too-short")]
+    #[way_out("take a dresser with a longer flank or one designed for this worm")]
     FlankTooShort {
         /// Flank concerned.
         flank: Flank,
@@ -68,6 +84,8 @@ pub enum Refusal {
         "dressing the {flank} flank a tip land of {needed} mm touches the counter flank; {}",
         largest.map_or_else(|| "no land is narrow enough".to_owned(), |b| format!("at most {b:.4} mm fit"))
     )]
+    #[finding(code = "tip-land")]
+    #[way_out("take a dresser with a narrower tip land")]
     TipLand {
         /// Flank concerned.
         flank: Flank,
@@ -80,6 +98,8 @@ pub enum Refusal {
     #[error(
         "dressing the {flank} flank cuts {cut:.4} mm into the worm of {pitch_diameter:.3} mm pitch diameter at z = {b:.1} mm"
     )]
+    #[finding(code = "undermined")]
+    #[way_out("end the life of the worm at a larger diameter, or take a dresser with a narrower tip land")]
     Undermined {
         /// Flank concerned.
         flank: Flank,
@@ -90,40 +110,4 @@ pub enum Refusal {
         /// Where along the worm.
         b: f64,
     },
-}
-
-impl Refusal {
-    /// Stable kebab-case code.
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::Dressing(e) => e.code(),
-            Self::AxisLimit { .. } => "axis-limit",
-            Self::Stretch { .. } => "stretch-limit",
-            Self::ProfileError { .. } => "profile-error",
-            Self::FlankTooShort { .. } => "dresser-flank-too-short",
-            Self::TipLand { .. } => "tip-land",
-            Self::Undermined { .. } => "undermined",
-        }
-    }
-
-    /// What would help, in one sentence.
-    pub fn way_out(&self) -> &'static str {
-        match self {
-            Self::Dressing(e) => e.way_out(),
-            Self::AxisLimit { .. } => {
-                "take a worm whose diameter and threads are nearer to those the dresser was designed for, or a dresser with more of the crowning in it"
-            }
-            Self::Stretch { .. } => {
-                "take a worm of another profile angle or a diameter nearer to the one the dresser was designed for"
-            }
-            Self::ProfileError { .. } => {
-                "take a dresser that carries more of the crowning, a smaller dresser or a worm with fewer threads"
-            }
-            Self::FlankTooShort { .. } => "take a dresser with a longer flank or one designed for this worm",
-            Self::TipLand { .. } => "take a dresser with a narrower tip land",
-            Self::Undermined { .. } => {
-                "end the life of the worm at a larger diameter, or take a dresser with a narrower tip land"
-            }
-        }
-    }
 }

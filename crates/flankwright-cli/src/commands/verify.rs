@@ -40,12 +40,8 @@ pub fn run(arguments: &VerifyArguments) -> Result<Exit, Failure> {
     let options = VerifyOptions { data_directories: arguments.data.iter().cloned().collect() };
     let mut reports = Vec::with_capacity(arguments.files.len());
     for file in &arguments.files {
-        let report = verify_file(file, &options).map_err(|error| {
-            Failure::new(
-                Exit::BadInput,
-                Diagnostic::with_code(error.code(), error.to_string()).way_out(error.way_out()),
-            )
-        })?;
+        let report = verify_file(file, &options)
+            .map_err(|error| Failure::new(Exit::BadInput, Diagnostic::of(&error)))?;
         reports.push(report);
     }
     let summary = VerifySummary::new(reports);

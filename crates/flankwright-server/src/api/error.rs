@@ -62,7 +62,7 @@ impl From<StoreError> for Refused {
             StoreError::Contradiction(_) | StoreError::InvalidRecord(_) => StatusCode::UNPROCESSABLE_ENTITY,
             _ => StatusCode::SERVICE_UNAVAILABLE,
         };
-        Self::with(status, error.code(), error.to_string(), error.way_out())
+        Self::with(status, error.code(), error.to_string(), &error.way_out())
     }
 }
 

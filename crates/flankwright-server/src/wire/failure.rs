@@ -139,7 +139,7 @@ impl Failure {
 
     /// The store refuses.
     pub fn store(error: &StoreError) -> Self {
-        Self::fault(Finding::new(error.code(), error.to_string(), error.way_out()))
+        Self::fault(Finding::new(error.code(), error.to_string(), &error.way_out()))
     }
 
     /// The disk of the server refuses. Its paths are nobody's business.

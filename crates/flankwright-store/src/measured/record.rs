@@ -64,12 +64,10 @@ fn class_has_limits(found: &GearInspection, class: i32) -> Result<(), Diagnostic
                 "import this part without a class; its warnings tell what the standard does not cover",
             ));
     };
-    tolerances.rounded(ToleranceQuantity::ProfileSlope, class).map(drop).map_err(|error| {
-        Diagnostic::with_code(error.code(), error.to_string())
-            .field("class")
-            .value(class)
-            .way_out(error.way_out())
-    })
+    tolerances
+        .rounded(ToleranceQuantity::ProfileSlope, class)
+        .map(drop)
+        .map_err(|error| Diagnostic::of(&error).field("class").value(class))
 }
 
 impl From<PartCharacteristic> for CharacteristicValue {

@@ -55,19 +55,19 @@ impl From<JobError> for Told {
 
 impl From<InspectionError> for Told {
     fn from(error: InspectionError) -> Self {
-        told(error.code(), error.to_string(), error.way_out())
+        told(error.code(), error.to_string(), &error.way_out())
     }
 }
 
 impl From<RexsError> for Told {
     fn from(error: RexsError) -> Self {
-        told(error.code(), error.to_string(), error.way_out())
+        told(error.code(), error.to_string(), &error.way_out())
     }
 }
 
 impl From<VerifyError> for Told {
     fn from(error: VerifyError) -> Self {
-        told(error.code(), error.to_string(), error.way_out())
+        told(error.code(), error.to_string(), &error.way_out())
     }
 }
 

@@ -1,13 +1,16 @@
 //! What can be wrong with a body: one variant per meaning, each with its data, a stable code and a way out.
 
 use super::Flank;
+use finding::Finding;
 use thiserror::Error;
 
 /// Errors of spec 10 section 8 and of the surfaces of this room. Lengths mm, angles deg in messages.
-#[derive(Clone, Debug, PartialEq, Error)]
+#[derive(Clone, Debug, PartialEq, Error, Finding)]
 pub enum GeometryError {
     /// A number that is not finite or outside the range that has a meaning.
     #[error("{field} = {value} is not usable; allowed: {allowed}")]
+    #[finding(code = "invalid-number")]
+    #[way_out("give a value inside the allowed range")]
     InvalidNumber {
         /// Name of the quantity.
         field: &'static str,
@@ -18,6 +21,8 @@ pub enum GeometryError {
     },
     /// Values that are fine one by one but make no body together.
     #[error("{what} = {value} makes no body; allowed: {allowed}")]
+    #[finding(code = "invalid-geometry")]
+    #[way_out("check this value against the drawing")]
     InvalidGeometry {
         /// The condition that failed.
         what: String,
@@ -28,6 +33,8 @@ pub enum GeometryError {
     },
     /// z < 0 together with a cone angle.
     #[error("an internal gear ({teeth} teeth) with cone angle {cone_angle_deg} deg is not supported")]
+    #[finding(code = "internal-conical-unsupported")]
+    #[way_out("use an external gear or cone angle 0")]
     InternalConicalUnsupported {
         /// Number of teeth, negative.
         teeth: i32,
@@ -36,6 +43,8 @@ pub enum GeometryError {
     },
     /// A steep cone against a large helix: tan(alpha_t) <= 0.
     #[error("the transverse pressure angle of the {flank} flank is not positive (tan alpha_t = {tangent})")]
+    #[finding(code = "pressure-angle-not-positive")]
+    #[way_out("reduce the cone angle or the helix angle, or raise the normal pressure angle of this flank")]
     PressureAngleNotPositive {
         /// Flank concerned.
         flank: Flank,
@@ -44,6 +53,8 @@ pub enum GeometryError {
     },
     /// A length of roll was asked for at a radius below the base circle.
     #[error("radius {radius} mm lies below the base circle of the {flank} flank (r_b = {base_radius} mm)")]
+    #[finding(code = "radius-below-base-circle")]
+    #[way_out("raise the diameter above the base circle diameter")]
     RadiusBelowBaseCircle {
         /// Flank concerned.
         flank: Flank,
@@ -54,6 +65,8 @@ pub enum GeometryError {
     },
     /// Tip, form and root diameters in the wrong order.
     #[error("{inner} = {inner_value} mm must be smaller than {outer} = {outer_value} mm")]
+    #[finding(code = "diameters-inconsistent")]
+    #[way_out("check the order root < form < tip (internal: reversed)")]
     DiametersInconsistent {
         /// Name of the diameter that must be smaller.
         inner: &'static str,
@@ -66,6 +79,8 @@ pub enum GeometryError {
     },
     /// The straight rack flank reaches below the base circle.
     #[error("the {flank} flank is undercut at z = {z} mm (rack starts at length of roll {w_start} mm)")]
+    #[finding(code = "undercut")]
+    #[way_out("raise the profile shift or shorten the rack addendum")]
     Undercut {
         /// Flank concerned.
         flank: Flank,
@@ -76,6 +91,8 @@ pub enum GeometryError {
     },
     /// No tooth thickness is left at the tip.
     #[error("the tooth is pointed: thickness {thickness} mm at radius {radius} mm, z = {z} mm")]
+    #[finding(code = "tooth-pointed")]
+    #[way_out("reduce the tip diameter or the profile shift")]
     ToothPointed {
         /// Radius, mm.
         radius: f64,
@@ -86,24 +103,32 @@ pub enum GeometryError {
     },
     /// Parallel measuring faces have no stationary reading on this gear.
     #[error("span measurement is undefined: {reason}")]
+    #[finding(code = "span-undefined")]
+    #[way_out("give the thickness over balls instead")]
     SpanUndefined {
         /// Why.
         reason: &'static str,
     },
     /// The measuring ball sinks below the base circle.
     #[error("the ball of {ball} mm is too small for the tooth space")]
+    #[finding(code = "ball-too-small")]
+    #[way_out("use a larger ball")]
     BallTooSmall {
         /// Ball diameter, mm.
         ball: f64,
     },
     /// The measuring ball does not enter the space of the internal gear.
     #[error("the ball of {ball} mm is too large for the tooth space")]
+    #[finding(code = "ball-too-large")]
+    #[way_out("use a smaller ball")]
     BallTooLarge {
         /// Ball diameter, mm.
         ball: f64,
     },
     /// Ball or caliper touches outside the usable flank.
     #[error("contact at length of roll {w} mm is off the usable {flank} flank [{w_from}, {w_to}] mm")]
+    #[finding(code = "contact-off-flank")]
+    #[way_out("choose another ball diameter or number of spanned teeth")]
     ContactOffFlank {
         /// Flank concerned.
         flank: Flank,
@@ -116,6 +141,8 @@ pub enum GeometryError {
     },
     /// No other rack of the asked kind generates this gear.
     #[error("no rack with {field} = {value} generates this gear")]
+    #[finding(code = "no-rack")]
+    #[way_out("choose a smaller pressure angle or a pitch radius above the base circle")]
     NoRack {
         /// What was asked for.
         field: &'static str,
@@ -124,9 +151,13 @@ pub enum GeometryError {
     },
     /// Only cylindrical gears have other racks.
     #[error("a conical gear has its own rack only")]
+    #[finding(code = "cylindrical-only")]
+    #[way_out("leave the worm's pressure angle out so that the gear's own rack is used")]
     CylindricalOnly,
     /// Normal base pitches of worm and gear differ.
     #[error("worm and gear do not mesh on the {flank} flank: normal base pitch {worm} mm against {gear} mm")]
+    #[finding(code = "not-mating")]
+    #[way_out("match m_n cos(alpha_n) of worm and gear")]
     NotMating {
         /// Flank concerned.
         flank: Flank,
@@ -139,6 +170,8 @@ pub enum GeometryError {
     #[error(
         "a worm of {threads} threads and module {module} mm needs more than {least} mm pitch diameter, not {diameter} mm"
     )]
+    #[finding(code = "worm-too-small")]
+    #[way_out("use a larger worm diameter or fewer threads")]
     WormTooSmall {
         /// Threads.
         threads: i32,
@@ -151,6 +184,8 @@ pub enum GeometryError {
     },
     /// A polar angle below the base cone of a bevel gear, or beyond the plane through its apex.
     #[error("the polar angle {angle_deg} deg is off the bevel flank, which begins at {base_angle_deg} deg")]
+    #[finding(code = "below-base-cone")]
+    #[way_out("raise the form angle above the base cone")]
     BelowBaseCone {
         /// Angle asked for, deg.
         angle_deg: f64,
@@ -159,6 +194,8 @@ pub enum GeometryError {
     },
     /// A flank line that does not cover the face.
     #[error("the flank line has no direction {distance} mm from the apex, only from {from} to {to} mm")]
+    #[finding(code = "flank-line-out-of-reach")]
+    #[way_out("use a larger cutter radius, a smaller spiral angle or a smaller face width")]
     FlankLineOutOfReach {
         /// Distance of the end of the face from the apex, mm.
         distance: f64,
@@ -171,6 +208,8 @@ pub enum GeometryError {
     #[error(
         "the bevel tooth is pointed: half an angle of {half_angle_deg} deg is left of it at the tip cone"
     )]
+    #[finding(code = "bevel-tooth-pointed")]
+    #[way_out("reduce the addendum or the pressure angle")]
     BevelToothPointed {
         /// Half of the tooth's angle at the tip cone, deg, <= 0.
         half_angle_deg: f64,
@@ -179,6 +218,8 @@ pub enum GeometryError {
     #[error(
         "the octoid flank is undercut at the polar angle {angle_deg} deg: undercut begins below {begins_deg} deg"
     )]
+    #[finding(code = "octoid-undercut")]
+    #[way_out("raise the form angle, or use more teeth or a larger pressure angle")]
     OctoidUndercut {
         /// Angle asked for, deg.
         angle_deg: f64,
@@ -187,6 +228,8 @@ pub enum GeometryError {
     },
     /// A grid of points that is too small for cubic splines.
     #[error("a grid of {rows} x {columns} points; at least 4 x 4 are needed")]
+    #[finding(code = "grid-size")]
+    #[way_out("give at least four rows of four points")]
     GridSize {
         /// Rows given.
         rows: usize,
@@ -195,6 +238,8 @@ pub enum GeometryError {
     },
     /// Rows of different lengths.
     #[error("row {row} of the grid has {found} points, the first has {expected}")]
+    #[finding(code = "grid-ragged")]
+    #[way_out("give every row the same number of points")]
     GridRagged {
         /// Row, from 0.
         row: usize,
@@ -205,6 +250,8 @@ pub enum GeometryError {
     },
     /// A point of a grid that is not finite.
     #[error("point {column} of row {row} of the grid is not finite")]
+    #[finding(code = "grid-not-finite")]
+    #[way_out("correct the point")]
     GridNotFinite {
         /// Row, from 0.
         row: usize,
@@ -213,6 +260,8 @@ pub enum GeometryError {
     },
     /// Two neighbours of a grid at one place.
     #[error("point {column} of row {row} of the grid coincides with a neighbour before it")]
+    #[finding(code = "grid-duplicate")]
+    #[way_out("leave double points out, or the row that has no extent")]
     GridDuplicate {
         /// Row, from 0.
         row: usize,
@@ -221,82 +270,12 @@ pub enum GeometryError {
     },
     /// A grid whose surface has no tangent plane at a point, or turns over there.
     #[error("the surface through the grid has no clear side at point {column} of row {row}")]
+    #[finding(code = "grid-folded")]
+    #[way_out("check the order of the points along rows and columns")]
     GridFolded {
         /// Row, from 0.
         row: usize,
         /// Place in the row, from 0.
         column: usize,
     },
-}
-
-impl GeometryError {
-    /// Stable kebab-case code (spec 90 section 5).
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::InvalidNumber { .. } => "invalid-number",
-            Self::InvalidGeometry { .. } => "invalid-geometry",
-            Self::InternalConicalUnsupported { .. } => "internal-conical-unsupported",
-            Self::PressureAngleNotPositive { .. } => "pressure-angle-not-positive",
-            Self::RadiusBelowBaseCircle { .. } => "radius-below-base-circle",
-            Self::DiametersInconsistent { .. } => "diameters-inconsistent",
-            Self::Undercut { .. } => "undercut",
-            Self::ToothPointed { .. } => "tooth-pointed",
-            Self::SpanUndefined { .. } => "span-undefined",
-            Self::BallTooSmall { .. } => "ball-too-small",
-            Self::BallTooLarge { .. } => "ball-too-large",
-            Self::ContactOffFlank { .. } => "contact-off-flank",
-            Self::NoRack { .. } => "no-rack",
-            Self::CylindricalOnly => "cylindrical-only",
-            Self::NotMating { .. } => "not-mating",
-            Self::WormTooSmall { .. } => "worm-too-small",
-            Self::BelowBaseCone { .. } => "below-base-cone",
-            Self::FlankLineOutOfReach { .. } => "flank-line-out-of-reach",
-            Self::BevelToothPointed { .. } => "bevel-tooth-pointed",
-            Self::OctoidUndercut { .. } => "octoid-undercut",
-            Self::GridSize { .. } => "grid-size",
-            Self::GridRagged { .. } => "grid-ragged",
-            Self::GridNotFinite { .. } => "grid-not-finite",
-            Self::GridDuplicate { .. } => "grid-duplicate",
-            Self::GridFolded { .. } => "grid-folded",
-        }
-    }
-
-    /// What the user can do about it, in one sentence.
-    pub fn way_out(&self) -> &'static str {
-        match self {
-            Self::InvalidNumber { .. } => "give a value inside the allowed range",
-            Self::InvalidGeometry { .. } => "check this value against the drawing",
-            Self::InternalConicalUnsupported { .. } => "use an external gear or cone angle 0",
-            Self::PressureAngleNotPositive { .. } => {
-                "reduce the cone angle or the helix angle, or raise the normal pressure angle of this flank"
-            }
-            Self::RadiusBelowBaseCircle { .. } => "raise the diameter above the base circle diameter",
-            Self::DiametersInconsistent { .. } => "check the order root < form < tip (internal: reversed)",
-            Self::Undercut { .. } => "raise the profile shift or shorten the rack addendum",
-            Self::ToothPointed { .. } => "reduce the tip diameter or the profile shift",
-            Self::SpanUndefined { .. } => "give the thickness over balls instead",
-            Self::BallTooSmall { .. } => "use a larger ball",
-            Self::BallTooLarge { .. } => "use a smaller ball",
-            Self::ContactOffFlank { .. } => "choose another ball diameter or number of spanned teeth",
-            Self::NoRack { .. } => "choose a smaller pressure angle or a pitch radius above the base circle",
-            Self::CylindricalOnly => {
-                "leave the worm's pressure angle out so that the gear's own rack is used"
-            }
-            Self::NotMating { .. } => "match m_n cos(alpha_n) of worm and gear",
-            Self::WormTooSmall { .. } => "use a larger worm diameter or fewer threads",
-            Self::BelowBaseCone { .. } => "raise the form angle above the base cone",
-            Self::FlankLineOutOfReach { .. } => {
-                "use a larger cutter radius, a smaller spiral angle or a smaller face width"
-            }
-            Self::BevelToothPointed { .. } => "reduce the addendum or the pressure angle",
-            Self::OctoidUndercut { .. } => {
-                "raise the form angle, or use more teeth or a larger pressure angle"
-            }
-            Self::GridSize { .. } => "give at least four rows of four points",
-            Self::GridRagged { .. } => "give every row the same number of points",
-            Self::GridNotFinite { .. } => "correct the point",
-            Self::GridDuplicate { .. } => "leave double points out, or the row that has no extent",
-            Self::GridFolded { .. } => "check the order of the points along rows and columns",
-        }
-    }
 }

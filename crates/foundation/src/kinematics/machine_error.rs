@@ -1,12 +1,15 @@
 //! What can be wrong with a pose or a rule asked of a machine (spec 26 section 9).
 
+use finding::Finding;
 use thiserror::Error;
 
 /// Why a machine cannot take up a pose.
-#[derive(Clone, Debug, PartialEq, Error)]
+#[derive(Clone, Debug, PartialEq, Error, Finding)]
 pub enum MachineError {
     /// A number that is not finite.
     #[error("{field} = {value} is not usable; allowed: a finite number")]
+    #[finding(code = "invalid-number")]
+    #[way_out("give a finite number")]
     InvalidNumber {
         /// Name of the quantity.
         field: &'static str,
@@ -15,6 +18,8 @@ pub enum MachineError {
     },
     /// The axis that closes the system cannot have the wanted value in this pose.
     #[error("{axis} = {value} cannot be reached; allowed in this pose: {least} .. {greatest}")]
+    #[finding(code = "unreachable")]
+    #[way_out("take a value inside the range, or leave the axis free")]
     Unreachable {
         /// Name of the axis.
         axis: &'static str,
@@ -29,21 +34,29 @@ pub enum MachineError {
     #[error(
         "the tilted head stands across the bed (tilt {tilt_deg:.4} deg): its shift and the axial slide do the same"
     )]
+    #[finding(code = "machine-singular")]
+    #[way_out("tilt the head by less than 90 degrees")]
     Singular {
         /// Tilt, deg.
         tilt_deg: f64,
     },
     /// Dresser and worm axis are parallel: the worm angle is free.
     #[error("dresser and worm axis are parallel: the swivel does not determine the worm angle")]
+    #[finding(code = "pole-of-chart")]
+    #[way_out("give the worm angle wanted, or prescribe the axial slide instead of the swivel")]
     PoleOfChart,
     /// The machine has no axis of this role.
     #[error("the machine has no {role} axis")]
+    #[finding(code = "missing-axis")]
+    #[way_out("leave the swivel at 0, or take a machine that has the axis")]
     MissingAxis {
         /// Role of the axis.
         role: &'static str,
     },
     /// No solution stands within the travel of the machine.
     #[error("{axis} would stand {excess:.4} {unit} beyond its travel {from:.4} .. {to:.4}")]
+    #[finding(code = "axis-limit")]
+    #[way_out("leave branch and swivel free, move the zero of the axis, or take a smaller worm or dresser")]
     AxisLimit {
         /// Name of the axis.
         axis: &'static str,
@@ -56,34 +69,4 @@ pub enum MachineError {
         /// Upper end of the travel.
         to: f64,
     },
-}
-
-impl MachineError {
-    /// Stable kebab-case code.
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::InvalidNumber { .. } => "invalid-number",
-            Self::Unreachable { .. } => "unreachable",
-            Self::Singular { .. } => "machine-singular",
-            Self::PoleOfChart => "pole-of-chart",
-            Self::MissingAxis { .. } => "missing-axis",
-            Self::AxisLimit { .. } => "axis-limit",
-        }
-    }
-
-    /// What the user can do about it, in one sentence.
-    pub fn way_out(&self) -> &'static str {
-        match self {
-            Self::InvalidNumber { .. } => "give a finite number",
-            Self::Unreachable { .. } => "take a value inside the range, or leave the axis free",
-            Self::Singular { .. } => "tilt the head by less than 90 degrees",
-            Self::PoleOfChart => {
-                "give the worm angle wanted, or prescribe the axial slide instead of the swivel"
-            }
-            Self::MissingAxis { .. } => "leave the swivel at 0, or take a machine that has the axis",
-            Self::AxisLimit { .. } => {
-                "leave branch and swivel free, move the zero of the axis, or take a smaller worm or dresser"
-            }
-        }
-    }
 }

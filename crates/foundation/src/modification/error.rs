@@ -1,12 +1,15 @@
 //! What can be wrong with a modification, and where it has no value.
 
+use finding::Finding;
 use thiserror::Error;
 
 /// A description that can't become a modification. Lengths in mm, amounts in um as in the file.
-#[derive(Clone, Debug, PartialEq, Error)]
+#[derive(Clone, Debug, PartialEq, Error, Finding)]
 pub enum ModificationError {
     /// A key is missing, unknown or its value outside the allowed range.
     #[error("{kind}: {key} is {value}, allowed: {allowed}")]
+    #[finding(code = "invalid-modification")]
+    #[way_out("Correct {key}; allowed is: {allowed}.")]
     InvalidModification {
         /// Kind of the modification, or "evaluation field".
         kind: String,
@@ -19,6 +22,8 @@ pub enum ModificationError {
     },
     /// A number is not finite or so large that it can only be a slip.
     #[error("{kind}: {key} is {value}, allowed: finite numbers up to {limit:e} in magnitude")]
+    #[finding(code = "invalid-number")]
+    #[way_out("Check the unit and the decimal point of {key} (amounts are in um, lengths in mm).")]
     InvalidNumber {
         /// Kind of the modification, or "evaluation field".
         kind: String,
@@ -31,6 +36,8 @@ pub enum ModificationError {
     },
     /// There is no modification of this name.
     #[error("kind is {kind:?}, allowed: {allowed}")]
+    #[finding(code = "unknown-modification")]
+    #[way_out("Write kind = {nearest:?} if that is meant.")]
     UnknownModification {
         /// The name given.
         kind: String,
@@ -43,6 +50,8 @@ pub enum ModificationError {
     #[error(
         "{kind}: amount_um is {amount_um}, allowed: at most {limit_um} um in magnitude (half the length)"
     )]
+    #[finding(code = "arc-too-deep")]
+    #[way_out("Use a smaller amount, or the parabola: kind = {:?}.", kind.trim_end_matches("_arc"))]
     ArcTooDeep {
         /// Kind of the modification.
         kind: String,
@@ -53,6 +62,8 @@ pub enum ModificationError {
     },
     /// Too few points for the surface wanted.
     #[error("{kind}: points holds {count} points, allowed: {needed} or more, spread over both directions")]
+    #[finding(code = "too-few-points")]
+    #[way_out("Give at least {needed} points spread over both directions, or use method = \"linear\".")]
     TooFewPoints {
         /// Kind of the modification.
         kind: String,
@@ -63,6 +74,8 @@ pub enum ModificationError {
     },
     /// All points lie on one straight line.
     #[error("{kind}: points holds {count} points on one line, allowed: points that span an area")]
+    #[finding(code = "collinear-points")]
+    #[way_out("Add points beside the line, so that the cloud spans an area.")]
     CollinearPoints {
         /// Kind of the modification.
         kind: String,
@@ -71,6 +84,8 @@ pub enum ModificationError {
     },
     /// A grid or cloud refers to a file that can't be had.
     #[error("{kind}: file is {file:?}, allowed: a readable file ({reason})")]
+    #[finding(code = "file-unavailable")]
+    #[way_out("Put {file:?} where the job file expects it, or write the numbers into the job file.")]
     FileUnavailable {
         /// Kind of the modification.
         kind: String,
@@ -81,60 +96,17 @@ pub enum ModificationError {
     },
     /// The modification has no value at a point where one is needed.
     #[error(transparent)]
+    #[finding(transparent)]
     Evaluation(#[from] EvaluationError),
 }
 
-impl ModificationError {
-    /// Stable kebab-case name of the error (spec 90 section 5).
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::InvalidModification { .. } => "invalid-modification",
-            Self::InvalidNumber { .. } => "invalid-number",
-            Self::UnknownModification { .. } => "unknown-modification",
-            Self::ArcTooDeep { .. } => "arc-too-deep",
-            Self::TooFewPoints { .. } => "too-few-points",
-            Self::CollinearPoints { .. } => "collinear-points",
-            Self::FileUnavailable { .. } => "file-unavailable",
-            Self::Evaluation(error) => error.code(),
-        }
-    }
-
-    /// How to mend it, in one sentence.
-    pub fn way_out(&self) -> String {
-        match self {
-            Self::InvalidModification { key, allowed, .. } => {
-                format!("Correct {key}; allowed is: {allowed}.")
-            }
-            Self::InvalidNumber { key, .. } => {
-                format!("Check the unit and the decimal point of {key} (amounts are in um, lengths in mm).")
-            }
-            Self::UnknownModification { nearest, .. } => {
-                format!("Write kind = {nearest:?} if that is meant.")
-            }
-            Self::ArcTooDeep { kind, .. } => {
-                format!("Use a smaller amount, or the parabola: kind = {:?}.", kind.trim_end_matches("_arc"))
-            }
-            Self::TooFewPoints { needed, .. } => {
-                format!(
-                    "Give at least {needed} points spread over both directions, or use method = \"linear\"."
-                )
-            }
-            Self::CollinearPoints { .. } => {
-                "Add points beside the line, so that the cloud spans an area.".into()
-            }
-            Self::FileUnavailable { file, .. } => {
-                format!("Put {file:?} where the job file expects it, or write the numbers into the job file.")
-            }
-            Self::Evaluation(error) => error.way_out().into(),
-        }
-    }
-}
-
 /// A point at which a modification has no value. Small, because it travels through the innermost loops.
-#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[derive(Clone, Copy, Debug, PartialEq, Error, Finding)]
 pub enum EvaluationError {
     /// The point lies outside the convex hull of a point cloud.
     #[error("the point w = {w} mm, z = {z} mm is outside the point cloud, allowed: points within its hull")]
+    #[finding(code = "outside-point-cloud")]
+    #[way_out("Extend the cloud beyond the evaluation field, or narrow the field to what was measured.")]
     OutsidePointCloud {
         /// Length of roll, mm.
         w: f64,
@@ -145,6 +117,8 @@ pub enum EvaluationError {
     #[error(
         "the point w = {w} mm, z = {z} mm is {distance} mm from the middle of an arc, allowed: at most its radius {radius} mm"
     )]
+    #[finding(code = "beyond-arc")]
+    #[way_out("Use the parabolic crowning, which continues without end.")]
     BeyondArc {
         /// Length of roll, mm.
         w: f64,
@@ -159,34 +133,12 @@ pub enum EvaluationError {
     #[error(
         "the modification at w = {w} mm, z = {z} mm is not a finite number, allowed: points near the evaluation field"
     )]
+    #[finding(code = "amount-not-finite")]
+    #[way_out("Evaluate nearer to the evaluation field or lower the polynomial's degree.")]
     NotFinite {
         /// Length of roll, mm.
         w: f64,
         /// Face position, mm.
         z: f64,
     },
-}
-
-impl EvaluationError {
-    /// Stable kebab-case name of the error (spec 90 section 5).
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::OutsidePointCloud { .. } => "outside-point-cloud",
-            Self::BeyondArc { .. } => "beyond-arc",
-            Self::NotFinite { .. } => "amount-not-finite",
-        }
-    }
-
-    /// How to mend it, in one sentence.
-    pub fn way_out(&self) -> &'static str {
-        match self {
-            Self::OutsidePointCloud { .. } => {
-                "Extend the cloud beyond the evaluation field, or narrow the field to what was measured."
-            }
-            Self::BeyondArc { .. } => "Use the parabolic crowning, which continues without end.",
-            Self::NotFinite { .. } => {
-                "Evaluate nearer to the evaluation field or lower the polynomial's degree."
-            }
-        }
-    }
 }

@@ -45,5 +45,5 @@ pub fn generating_finding(error: &GeneratingError) -> Diagnostic {
 }
 
 fn finding(error: &GeneratingError, field: &str) -> Diagnostic {
-    Diagnostic::with_code(error.code(), error.to_string()).field(field).way_out(error.way_out())
+    Diagnostic::of(error).field(field)
 }

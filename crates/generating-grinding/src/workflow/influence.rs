@@ -32,8 +32,6 @@ pub fn influence<'a>(
             .way_out("give a constant ratio");
         return Err(RunFailure::bad_input(finding));
     }
-    SettingInfluence::new(&setup.lines, execution.ratio, loaded.job.gear.face_width).map_err(|e| {
-        let finding = Diagnostic::with_code(e.code(), e.to_string()).field("grinding.diagonal_ratio");
-        RunFailure::bad_input(finding.way_out(e.way_out()))
-    })
+    SettingInfluence::new(&setup.lines, execution.ratio, loaded.job.gear.face_width)
+        .map_err(|e| RunFailure::bad_input(Diagnostic::of(&e).field("grinding.diagonal_ratio")))
 }

@@ -196,8 +196,7 @@ fn refused(error: &DressingError, tip_radius: f64) -> RunFailure {
         }
         _ => "dresser",
     };
-    let finding =
-        Diagnostic::with_code(error.code(), error.to_string()).field(field).way_out(error.way_out());
+    let finding = Diagnostic::of(error).field(field);
     let finding = match error {
         DressingError::InvalidNumber { value, allowed, .. } => finding.value(value).allowed(*allowed),
         DressingError::TipRadiusTooLarge { tip_radius, largest, .. } => {

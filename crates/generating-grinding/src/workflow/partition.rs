@@ -72,10 +72,8 @@ impl StrokePlan {
         }
         let numbers: Vec<usize> = active.iter().map(|&a| a as usize).collect();
         let teeth = job.gear.teeth.unsigned_abs() as usize;
-        let strokes = Strokes::new(job.worm.threads as usize, teeth, &numbers).map_err(|e| {
-            let finding = Diagnostic::with_code(e.code(), e.to_string()).field("grinding.active_threads");
-            RunFailure::bad_input(finding.way_out(e.way_out()))
-        })?;
+        let strokes = Strokes::new(job.worm.threads as usize, teeth, &numbers)
+            .map_err(|e| RunFailure::bad_input(Diagnostic::of(&e).field("grinding.active_threads")))?;
         Ok(Some(Self {
             active_threads: active.clone(),
             strokes_per_pass: strokes.per_pass(),

@@ -69,7 +69,7 @@ impl TipLands {
                     found.warnings.push(Remark {
                         code: "tip-land-unknown",
                         text: format!("the clearance of the {} flank is not known: {error}", flank.other()),
-                        way_out: error.way_out(),
+                        way_out: error.way_out().into(),
                     });
                     continue;
                 }
@@ -83,7 +83,7 @@ impl TipLands {
                 found.warnings.push(Remark {
                     code: cut.code(),
                     text: cut.to_string(),
-                    way_out: cut.way_out(),
+                    way_out: cut.way_out().into(),
                 });
             }
             let land = given.or(room.tip_land).unwrap_or(0.0);
@@ -134,7 +134,7 @@ impl TipLands {
                         k + 1,
                         flank.other()
                     ),
-                    way_out: error.way_out(),
+                    way_out: error.way_out().into(),
                 }),
             }
         }

@@ -2,22 +2,29 @@
 
 use crate::GeneratingError;
 use dressing::DressingError;
+use finding::Finding;
 use thiserror::Error;
 
 /// Errors of the closed loop. Lengths mm.
-#[derive(Clone, Debug, PartialEq, Error)]
+#[derive(Clone, Debug, PartialEq, Error, Finding)]
 pub enum CorrectionError {
     /// Worm and workpiece do not touch as they should.
     #[error(transparent)]
+    #[finding(transparent)]
     Generating(#[from] GeneratingError),
     /// Dresser and worm do not touch as they should.
     #[error(transparent)]
+    #[finding(transparent)]
     Dressing(#[from] DressingError),
     /// Nothing was measured.
     #[error("there is no point with a deviation")]
+    #[finding(code = "too-few-points")]
+    #[way_out("measure the flank")]
     TooFewPoints,
     /// A setting that changes nothing at the measured points.
     #[error("{setting} changes nothing at the measured points")]
+    #[finding(code = "setting-without-effect")]
+    #[way_out("leave this setting out of the correction")]
     SettingWithoutEffect {
         /// Name of the setting.
         setting: String,
@@ -27,12 +34,18 @@ pub enum CorrectionError {
         "the measured points do not tell these settings apart: {}",
         unseen.iter().map(|names| names.join(" with ")).collect::<Vec<_>>().join("; ")
     )]
+    #[finding(code = "underdetermined")]
+    #[way_out(
+        "measure both flanks or more traces, leave one of the settings out, or allow the shortest correction"
+    )]
     Underdetermined {
         /// The settings in each direction that changes nothing.
         unseen: Vec<Vec<String>>,
     },
     /// Bounds the wrong way round, or not a number.
     #[error("{setting}: the bounds from {low} to {high} leave no value")]
+    #[finding(code = "invalid-bounds")]
+    #[way_out("give a lowest value that is not above the highest")]
     InvalidBounds {
         /// Name of the setting.
         setting: String,
@@ -43,6 +56,8 @@ pub enum CorrectionError {
     },
     /// Lists of different lengths.
     #[error("{name}: {found}, but {wanted} are needed")]
+    #[finding(code = "other-shape")]
+    #[way_out("give one value for each")]
     OtherShape {
         /// What is counted.
         name: &'static str,
@@ -53,6 +68,8 @@ pub enum CorrectionError {
     },
     /// A number that is not usable.
     #[error("{name} = {value} is not usable; allowed: {allowed}")]
+    #[finding(code = "invalid-number")]
+    #[way_out("give a value in the allowed range")]
     InvalidNumber {
         /// Name of the quantity.
         name: &'static str,
@@ -63,39 +80,7 @@ pub enum CorrectionError {
     },
     /// Bounded least squares that do not settle.
     #[error("the bounded least squares do not settle")]
+    #[finding(code = "not-converged")]
+    #[way_out("use fewer settings or wider bounds")]
     NotConverged,
-}
-
-impl CorrectionError {
-    /// Stable code.
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::Generating(error) => error.code(),
-            Self::Dressing(error) => error.code(),
-            Self::TooFewPoints => "too-few-points",
-            Self::SettingWithoutEffect { .. } => "setting-without-effect",
-            Self::Underdetermined { .. } => "underdetermined",
-            Self::InvalidBounds { .. } => "invalid-bounds",
-            Self::OtherShape { .. } => "other-shape",
-            Self::InvalidNumber { .. } => "invalid-number",
-            Self::NotConverged => "not-converged",
-        }
-    }
-
-    /// What helps, in one sentence.
-    pub fn way_out(&self) -> String {
-        match self {
-            Self::Generating(error) => error.way_out().to_string(),
-            Self::Dressing(error) => error.way_out().to_string(),
-            Self::TooFewPoints => "measure the flank".into(),
-            Self::SettingWithoutEffect { .. } => "leave this setting out of the correction".into(),
-            Self::Underdetermined { .. } => {
-                "measure both flanks or more traces, leave one of the settings out, or allow the shortest correction".into()
-            }
-            Self::InvalidBounds { .. } => "give a lowest value that is not above the highest".into(),
-            Self::OtherShape { .. } => "give one value for each".into(),
-            Self::InvalidNumber { .. } => "give a value in the allowed range".into(),
-            Self::NotConverged => "use fewer settings or wider bounds".into(),
-        }
-    }
 }

@@ -76,9 +76,7 @@ fn band(of: &Band, field: &str) -> Result<(KBand, BandFit), RunFailure> {
         ));
     }
     let mm = |um: &[f64]| um.iter().map(|um| 1e-3 * um).collect::<Vec<f64>>();
-    let made = KBand::new(&of.at_mm, &mm(&of.lower_um), &mm(&of.upper_um)).map_err(|error| {
-        let finding = Diagnostic::with_code(error.code(), error.to_string()).field(field.to_owned());
-        RunFailure::bad_input(finding.way_out(error.way_out()))
-    })?;
+    let made = KBand::new(&of.at_mm, &mm(&of.lower_um), &mm(&of.upper_um))
+        .map_err(|error| RunFailure::bad_input(Diagnostic::of(&error).field(field.to_owned())))?;
     Ok((made, of.held_at_mm.map_or(BandFit::Free, BandFit::Fixed)))
 }

@@ -109,10 +109,7 @@ pub fn rexs_of_job(
     author: &Author,
 ) -> Result<(Vec<u8>, Vec<Remark>), JobFailure> {
     let job = &loaded.job;
-    let refused = |error: RexsError| {
-        let finding = Diagnostic::with_code(error.code(), error.to_string()).field("gear");
-        RunFailure::bad_input(finding.way_out(error.way_out()))
-    };
+    let refused = |error: RexsError| RunFailure::bad_input(Diagnostic::of(&error).field("gear"));
     if job.target.file.is_some() {
         let finding =
             Diagnostic::new(Problem::InvalidTable, "the target is a table, which is no modification by name")

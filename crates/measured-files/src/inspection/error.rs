@@ -1,13 +1,16 @@
 //! Why a measurement cannot be read or is no use, each with the data of the case.
 
+use finding::Finding;
 use foundation::geometry::Flank;
 use thiserror::Error;
 
 /// Errors of reading measurements.
-#[derive(Clone, Debug, PartialEq, Error)]
+#[derive(Clone, Debug, PartialEq, Error, Finding)]
 pub enum InspectionError {
     /// The file is absent or cannot be read.
     #[error("the file `{file}` cannot be read: {cause}")]
+    #[finding(code = "unreadable-file")]
+    #[way_out("check the path and the permissions of the file")]
     Unreadable {
         /// Its path.
         file: String,
@@ -16,6 +19,8 @@ pub enum InspectionError {
     },
     /// More bytes, traces or samples than a measurement has.
     #[error("{what}: {found}; at most {most} are read")]
+    #[finding(code = "file-too-large")]
+    #[way_out("check that this is one measurement of one gear, and split it if it is not")]
     FileTooLarge {
         /// What there is too much of.
         what: String,
@@ -26,6 +31,8 @@ pub enum InspectionError {
     },
     /// UTF-16, binary content or broken UTF-8.
     #[error("the encoding of the file is not supported: {what}")]
+    #[finding(code = "unsupported-encoding")]
+    #[way_out("export the file again as text in UTF-8 or in code page 1252")]
     UnsupportedEncoding {
         /// What was found.
         what: String,
@@ -34,6 +41,8 @@ pub enum InspectionError {
     #[error(
         "the file does not begin with HEADER KS.MK.FILE or HEADER KS.MW.FILE, but with {found:?} in line {line}"
     )]
+    #[finding(code = "not-klingelnberg")]
+    #[way_out("check that this is an .mka or .mew file, and that its beginning is complete")]
     NotKlingelnberg {
         /// Line of the first text, from 1; 0 in a file without any.
         line: usize,
@@ -42,6 +51,8 @@ pub enum InspectionError {
     },
     /// Most of the file is not understood.
     #[error("more than {most} lines are not understood; the first is line {line}: {text:?}")]
+    #[finding(code = "too-many-unknown-lines")]
+    #[way_out("export the measurement again; the file is damaged or of another kind")]
     TooManyUnknownLines {
         /// How many are passed over.
         most: usize,
@@ -52,6 +63,8 @@ pub enum InspectionError {
     },
     /// A line of the header that is needed is absent or holds no number.
     #[error("the header has no usable line {code} ({meaning})")]
+    #[finding(code = "missing-code")]
+    #[way_out("export the measurement with its complete header")]
     MissingCode {
         /// The code.
         code: u16,
@@ -60,6 +73,8 @@ pub enum InspectionError {
     },
     /// A setting whose meaning no measurement at hand has proven.
     #[error("{setting} = {value}: {reason}")]
+    #[finding(code = "unverified-setting")]
+    #[way_out("measure with the setting that is verified, or export the values as a table (.csv)")]
     UnverifiedSetting {
         /// Name or code of the setting.
         setting: String,
@@ -70,6 +85,8 @@ pub enum InspectionError {
     },
     /// A diameter that the involute does not reach.
     #[error("{what} = {diameter} mm lies below the base circle of the {flank} flank, {base_diameter} mm")]
+    #[finding(code = "below-base-circle")]
+    #[way_out("correct the diameter, or module, teeth and pressure angle of the header")]
     BelowBaseCircle {
         /// The diameter's name.
         what: String,
@@ -82,6 +99,8 @@ pub enum InspectionError {
     },
     /// A number that makes no gear or no trace.
     #[error("{what} = {value:?} is not usable; allowed: {allowed}")]
+    #[finding(code = "bad-input")]
+    #[way_out("correct the value in the header of the file")]
     BadInput {
         /// The quantity.
         what: String,
@@ -92,6 +111,8 @@ pub enum InspectionError {
     },
     /// Files of two different parts.
     #[error("the files belong to different parts: {what} is {first:?} and {second:?}")]
+    #[finding(code = "different-parts")]
+    #[way_out("give only the files of one part together")]
     DifferentParts {
         /// What differs.
         what: &'static str,
@@ -100,48 +121,4 @@ pub enum InspectionError {
         /// In a later file.
         second: String,
     },
-}
-
-impl InspectionError {
-    /// A stable name of the error, for scripts.
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::Unreadable { .. } => "unreadable-file",
-            Self::FileTooLarge { .. } => "file-too-large",
-            Self::UnsupportedEncoding { .. } => "unsupported-encoding",
-            Self::NotKlingelnberg { .. } => "not-klingelnberg",
-            Self::TooManyUnknownLines { .. } => "too-many-unknown-lines",
-            Self::MissingCode { .. } => "missing-code",
-            Self::UnverifiedSetting { .. } => "unverified-setting",
-            Self::BelowBaseCircle { .. } => "below-base-circle",
-            Self::BadInput { .. } => "bad-input",
-            Self::DifferentParts { .. } => "different-parts",
-        }
-    }
-
-    /// What the user can do about it, in one sentence.
-    pub fn way_out(&self) -> &'static str {
-        match self {
-            Self::Unreadable { .. } => "check the path and the permissions of the file",
-            Self::FileTooLarge { .. } => {
-                "check that this is one measurement of one gear, and split it if it is not"
-            }
-            Self::UnsupportedEncoding { .. } => "export the file again as text in UTF-8 or in code page 1252",
-            Self::NotKlingelnberg { .. } => {
-                "check that this is an .mka or .mew file, and that its beginning is complete"
-            }
-            Self::TooManyUnknownLines { .. } => {
-                "export the measurement again; the file is damaged or of another kind"
-            }
-            Self::MissingCode { .. } => "export the measurement with its complete header",
-            Self::UnverifiedSetting { .. } => {
-                "measure with the setting that is verified, or export the values as a table (.csv)"
-            }
-            Self::BelowBaseCircle { .. } => {
-                "correct the diameter, or module, teeth and pressure angle of the header"
-            }
-            Self::BadInput { .. } => "correct the value in the header of the file",
-            Self::DifferentParts { .. } => "give only the files of one part together",
-        }
-    }
 }

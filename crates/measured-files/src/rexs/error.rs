@@ -1,14 +1,17 @@
 //! Why a REXS file cannot be read or written, each with the data of the case.
 
+use finding::Finding;
 use foundation::geometry::{Flank, GeometryError};
 use foundation::modification::{EvaluationError, ModificationError};
 use thiserror::Error;
 
 /// Errors of REXS files.
-#[derive(Clone, Debug, PartialEq, Error)]
+#[derive(Clone, Debug, PartialEq, Error, Finding)]
 pub enum RexsError {
     /// The file is absent or cannot be read.
     #[error("the file `{file}` cannot be read: {cause}")]
+    #[finding(code = "unreadable-file")]
+    #[way_out("check the path and the permissions of the file")]
     Unreadable {
         /// Its path.
         file: String,
@@ -17,6 +20,8 @@ pub enum RexsError {
     },
     /// More bytes, packed or unpacked, than a model has.
     #[error("{what}: {found}; at most {most} are read")]
+    #[finding(code = "file-too-large")]
+    #[way_out("export only the gear, without load spectra and results")]
     FileTooLarge {
         /// What there is too much of.
         what: &'static str,
@@ -27,15 +32,21 @@ pub enum RexsError {
     },
     /// Neither XML nor JSON nor a packed file, or not well-formed.
     #[error("the file is no REXS file: {what}")]
+    #[finding(code = "not-rexs")]
+    #[way_out("give a .rexs, .rexsj or .rexsz file in UTF-8")]
     NotRexs {
         /// What was found.
         what: String,
     },
     /// The file declares entities or a document type.
     #[error("the file declares a document type; entities are not expanded")]
+    #[finding(code = "entities-refused")]
+    #[way_out("remove the document type from the file")]
     EntitiesRefused,
     /// The structure is not that of a REXS file.
     #[error("{place}: {what}")]
+    #[finding(code = "rexs-structure")]
+    #[way_out("have the file checked against the schema of REXS 2.0 by the program that wrote it")]
     Structure {
         /// Where.
         place: String,
@@ -44,6 +55,8 @@ pub enum RexsError {
     },
     /// An attribute that must be there is absent.
     #[error("{component} has no attribute `{attribute}`")]
+    #[finding(code = "missing-attribute")]
+    #[way_out("state the attribute in the program that wrote the file")]
     MissingAttribute {
         /// The component.
         component: String,
@@ -52,6 +65,8 @@ pub enum RexsError {
     },
     /// A value of another type than the attribute has, or out of range.
     #[error("the attribute `{attribute}` of {component} cannot be {value:?}; allowed: {allowed}")]
+    #[finding(code = "bad-value")]
+    #[way_out("correct the value in the program that wrote the file")]
     BadValue {
         /// The component.
         component: String,
@@ -64,6 +79,8 @@ pub enum RexsError {
     },
     /// A unit that the attribute cannot have.
     #[error("the attribute `{attribute}` of {component} has the unit {unit:?}; allowed: {allowed}")]
+    #[finding(code = "unknown-unit")]
+    #[way_out("export the file with the units of the schema")]
     UnknownUnit {
         /// The component.
         component: String,
@@ -76,12 +93,16 @@ pub enum RexsError {
     },
     /// A gear whose flanks nobody names.
     #[error("no relation `flank` says which flanks the gear {gear} has")]
+    #[finding(code = "no-flank-relation")]
+    #[way_out("export the gear with its flanks and the relation between them")]
     NoFlankRelation {
         /// Number of the gear's component.
         gear: i32,
     },
     /// Lists that belong together are of different lengths.
     #[error("{component}: {what}")]
+    #[finding(code = "array-length")]
+    #[way_out("give one coordinate, one diameter and one amount for each point")]
     ArrayLength {
         /// The component.
         component: String,
@@ -92,6 +113,8 @@ pub enum RexsError {
     #[error(
         "{component}: {points} points, but {coordinates} coordinates with {diameters} diameters each make a grid"
     )]
+    #[finding(code = "grid-incomplete")]
+    #[way_out("give every diameter at every coordinate, each once")]
     GridIncomplete {
         /// The component.
         component: String,
@@ -104,12 +127,16 @@ pub enum RexsError {
     },
     /// A crowning with two amounts and no highest point.
     #[error("{component} has different amounts at its two ends and no highest point")]
+    #[finding(code = "two-arc-crowning")]
+    #[way_out("state the highest point of the crowning")]
     TwoArcCrowning {
         /// The component.
         component: String,
     },
     /// Something that the format has no place for.
     #[error("{what} cannot be expressed in REXS: {reason}")]
+    #[finding(code = "not-expressible-in-rexs")]
+    #[way_out("leave it out, or hand it over in a file of its own")]
     NotExpressibleInRexs {
         /// The body or the modification.
         what: String,
@@ -118,6 +145,8 @@ pub enum RexsError {
     },
     /// Numbers that make no gear.
     #[error("the gear {gear} is none: {error}")]
+    #[finding(code = "no-gear")]
+    #[way_out("correct the data of the gear")]
     NoGear {
         /// Number of the gear's component; 0 for one that is to be written.
         gear: i32,
@@ -126,6 +155,8 @@ pub enum RexsError {
     },
     /// A modification that is wrong by itself.
     #[error("a modification of the {flank} flank cannot be built: {error}")]
+    #[finding(code = "modification")]
+    #[way_out("correct the modification in the job")]
     Modification {
         /// The flank.
         flank: Flank,
@@ -134,57 +165,12 @@ pub enum RexsError {
     },
     /// A modification without a value somewhere on the flank.
     #[error("a modification of the {flank} flank has no value: {error}")]
+    #[finding(code = "no-value")]
+    #[way_out("correct the modification in the job")]
     NoValue {
         /// The flank.
         flank: Flank,
         /// Where and why.
         error: EvaluationError,
     },
-}
-
-impl RexsError {
-    /// A stable name of the error, for scripts.
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::Unreadable { .. } => "unreadable-file",
-            Self::FileTooLarge { .. } => "file-too-large",
-            Self::NotRexs { .. } => "not-rexs",
-            Self::EntitiesRefused => "entities-refused",
-            Self::Structure { .. } => "rexs-structure",
-            Self::MissingAttribute { .. } => "missing-attribute",
-            Self::BadValue { .. } => "bad-value",
-            Self::UnknownUnit { .. } => "unknown-unit",
-            Self::NoFlankRelation { .. } => "no-flank-relation",
-            Self::ArrayLength { .. } => "array-length",
-            Self::GridIncomplete { .. } => "grid-incomplete",
-            Self::TwoArcCrowning { .. } => "two-arc-crowning",
-            Self::NotExpressibleInRexs { .. } => "not-expressible-in-rexs",
-            Self::NoGear { .. } => "no-gear",
-            Self::Modification { .. } => "modification",
-            Self::NoValue { .. } => "no-value",
-        }
-    }
-
-    /// What the user can do about it, in one sentence.
-    pub fn way_out(&self) -> &'static str {
-        match self {
-            Self::Unreadable { .. } => "check the path and the permissions of the file",
-            Self::FileTooLarge { .. } => "export only the gear, without load spectra and results",
-            Self::NotRexs { .. } => "give a .rexs, .rexsj or .rexsz file in UTF-8",
-            Self::EntitiesRefused => "remove the document type from the file",
-            Self::Structure { .. } => {
-                "have the file checked against the schema of REXS 2.0 by the program that wrote it"
-            }
-            Self::MissingAttribute { .. } => "state the attribute in the program that wrote the file",
-            Self::BadValue { .. } => "correct the value in the program that wrote the file",
-            Self::UnknownUnit { .. } => "export the file with the units of the schema",
-            Self::NoFlankRelation { .. } => "export the gear with its flanks and the relation between them",
-            Self::ArrayLength { .. } => "give one coordinate, one diameter and one amount for each point",
-            Self::GridIncomplete { .. } => "give every diameter at every coordinate, each once",
-            Self::TwoArcCrowning { .. } => "state the highest point of the crowning",
-            Self::NotExpressibleInRexs { .. } => "leave it out, or hand it over in a file of its own",
-            Self::NoGear { .. } => "correct the data of the gear",
-            Self::Modification { .. } | Self::NoValue { .. } => "correct the modification in the job",
-        }
-    }
 }

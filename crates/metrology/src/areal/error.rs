@@ -1,12 +1,15 @@
 //! What keeps a flank from being evaluated as a surface (spec 85 sections 6 and 11).
 
+use finding::Finding;
 use thiserror::Error;
 
 /// Errors of areal evaluation. Lengths mm.
-#[derive(Clone, Debug, PartialEq, Error)]
+#[derive(Clone, Debug, PartialEq, Error, Finding)]
 pub enum ArealError {
     /// A field or range that ends where or before it begins, or is not finite.
     #[error("the {name} from {from} to {to} mm is empty")]
+    #[finding(code = "empty-range")]
+    #[way_out("give an end above the beginning")]
     EmptyRange {
         /// Which range.
         name: &'static str,
@@ -17,6 +20,8 @@ pub enum ArealError {
     },
     /// Fewer points with a value than terms.
     #[error("{points} points with a value do not determine {terms} terms")]
+    #[finding(code = "too-few-points")]
+    #[way_out("measure more points or ask for a lower degree")]
     TooFewPoints {
         /// Points with a value.
         points: usize,
@@ -25,12 +30,16 @@ pub enum ArealError {
     },
     /// The points do not tell the terms apart, as on one line.
     #[error("the points do not tell the terms apart (smallest share of the triangle {share:.1e})")]
+    #[finding(code = "degenerate-field")]
+    #[way_out("measure at more different lengths of roll and axial positions")]
     DegenerateField {
         /// Smallest diagonal element of the triangle over the largest.
         share: f64,
     },
     /// Lists of different lengths.
     #[error("{name}: {found} values, but {wanted} are needed")]
+    #[finding(code = "other-shape")]
+    #[way_out("give one value for each place")]
     OtherShape {
         /// What is counted.
         name: &'static str,
@@ -41,6 +50,8 @@ pub enum ArealError {
     },
     /// A number that is not usable.
     #[error("{name} = {value} is not usable; allowed: {allowed}")]
+    #[finding(code = "invalid-number")]
+    #[way_out("give a value in the allowed range")]
     InvalidNumber {
         /// Name of the quantity.
         name: &'static str,
@@ -51,6 +62,8 @@ pub enum ArealError {
     },
     /// A surface needs traces in both directions.
     #[error("a surface needs profiles and leads; there are {profiles} profiles and {leads} leads")]
+    #[finding(code = "too-few-traces")]
+    #[way_out("measure at least one profile and one lead of the same flank")]
     TooFewTraces {
         /// Number of profiles.
         profiles: usize,
@@ -59,6 +72,8 @@ pub enum ArealError {
     },
     /// Two traces of one direction at the same place.
     #[error("two {direction} stand at {first} and {second} mm, which is the same place")]
+    #[finding(code = "duplicate-trace")]
+    #[way_out("leave one of the two traces out")]
     DuplicateTrace {
         /// "profiles" or "leads".
         direction: &'static str,
@@ -71,6 +86,8 @@ pub enum ArealError {
     #[error(
         "the {direction} at {position} mm reaches from {from} to {to} mm and does not cross {crossing} mm"
     )]
+    #[finding(code = "traces-do-not-cross")]
+    #[way_out("measure traces that cross each other, or leave the short one out")]
     TracesDoNotCross {
         /// "profile" or "lead".
         direction: &'static str,
@@ -83,36 +100,4 @@ pub enum ArealError {
         /// Place of the trace across it.
         crossing: f64,
     },
-}
-
-impl ArealError {
-    /// Stable code.
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::EmptyRange { .. } => "empty-range",
-            Self::TooFewPoints { .. } => "too-few-points",
-            Self::DegenerateField { .. } => "degenerate-field",
-            Self::OtherShape { .. } => "other-shape",
-            Self::InvalidNumber { .. } => "invalid-number",
-            Self::TooFewTraces { .. } => "too-few-traces",
-            Self::DuplicateTrace { .. } => "duplicate-trace",
-            Self::TracesDoNotCross { .. } => "traces-do-not-cross",
-        }
-    }
-
-    /// What helps, in one sentence.
-    pub fn way_out(&self) -> &'static str {
-        match self {
-            Self::EmptyRange { .. } => "give an end above the beginning",
-            Self::TooFewPoints { .. } => "measure more points or ask for a lower degree",
-            Self::DegenerateField { .. } => "measure at more different lengths of roll and axial positions",
-            Self::OtherShape { .. } => "give one value for each place",
-            Self::InvalidNumber { .. } => "give a value in the allowed range",
-            Self::TooFewTraces { .. } => "measure at least one profile and one lead of the same flank",
-            Self::DuplicateTrace { .. } => "leave one of the two traces out",
-            Self::TracesDoNotCross { .. } => {
-                "measure traces that cross each other, or leave the short one out"
-            }
-        }
-    }
 }

@@ -1,18 +1,23 @@
 //! What keeps a deviation from being judged as systematic.
 
+use finding::Finding;
 use thiserror::Error;
 
 /// Errors of the test.
-#[derive(Clone, Debug, PartialEq, Error)]
+#[derive(Clone, Debug, PartialEq, Error, Finding)]
 pub enum SystematicError {
     /// One tooth tells nothing of what the others have.
     #[error("{teeth} teeth do not tell what is systematic; at least 2 are needed")]
+    #[finding(code = "too-few-teeth")]
+    #[way_out("measure more teeth, evenly spaced around the gear")]
     TooFewTeeth {
         /// Teeth with readings.
         teeth: usize,
     },
     /// Teeth with different numbers of readings, or angles for other teeth.
     #[error("{name}: {found}, but {wanted} are needed")]
+    #[finding(code = "other-shape")]
+    #[way_out("measure every tooth as often as the others and give one angle for each")]
     OtherShape {
         /// What is counted.
         name: &'static str,
@@ -23,6 +28,8 @@ pub enum SystematicError {
     },
     /// A number that is not usable.
     #[error("{name} = {value} is not usable; allowed: {allowed}")]
+    #[finding(code = "invalid-number")]
+    #[way_out("give a value in the allowed range")]
     InvalidNumber {
         /// Name of the quantity.
         name: &'static str,
@@ -31,26 +38,4 @@ pub enum SystematicError {
         /// Allowed range in words.
         allowed: &'static str,
     },
-}
-
-impl SystematicError {
-    /// Stable code.
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::TooFewTeeth { .. } => "too-few-teeth",
-            Self::OtherShape { .. } => "other-shape",
-            Self::InvalidNumber { .. } => "invalid-number",
-        }
-    }
-
-    /// What helps, in one sentence.
-    pub fn way_out(&self) -> &'static str {
-        match self {
-            Self::TooFewTeeth { .. } => "measure more teeth, evenly spaced around the gear",
-            Self::OtherShape { .. } => {
-                "measure every tooth as often as the others and give one angle for each"
-            }
-            Self::InvalidNumber { .. } => "give a value in the allowed range",
-        }
-    }
 }

@@ -31,7 +31,6 @@ pub(super) fn failure(error: &MillingError) -> RunFailure {
         | MillingError::RingMet { .. } => ("cutter", false),
         _ => ("milling", false),
     };
-    let finding =
-        Diagnostic::with_code(error.code(), error.to_string()).field(field).way_out(error.way_out());
+    let finding = Diagnostic::of(error).field(field);
     if bad_input { RunFailure::bad_input(finding) } else { RunFailure::not_producible(finding) }
 }

@@ -175,7 +175,6 @@ impl MateFlank {
 }
 
 fn failure(error: &ContactError) -> RunFailure {
-    let finding =
-        Diagnostic::with_code(error.code(), error.to_string()).field("mate").way_out(error.way_out());
+    let finding = Diagnostic::of(error).field("mate");
     RunFailure::bad_input(finding)
 }

@@ -39,6 +39,17 @@ pub enum Unmilled {
     NotSettled,
 }
 
+impl Unmilled {
+    /// What the user can do about it, in one sentence.
+    pub fn way_out(&self) -> &'static str {
+        match self {
+            Self::NotReached => "extend the paths over the whole flank, or allow more stock",
+            Self::TooDeep { .. } => "look for the gouge there, or begin the rays deeper in the material",
+            Self::NotSettled => "turn or shift the ray slightly: it only grazes the cutter",
+        }
+    }
+}
+
 impl std::fmt::Display for Unmilled {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {

@@ -1,5 +1,6 @@
 //! What can be wrong with the data of a chart.
 
+use finding::Finding;
 use thiserror::Error;
 
 /// Largest magnitude that a chart accepts; anything above is a fault of the caller, not a quantity of gears.
@@ -9,10 +10,12 @@ pub const LARGEST: f64 = 1e12;
 pub const LEAST_SPAN: f64 = 1e-100;
 
 /// Data that can't be drawn. A chart is either right or refused, never a broken picture.
-#[derive(Clone, Debug, PartialEq, Error)]
+#[derive(Clone, Debug, PartialEq, Error, Finding)]
 pub enum ChartError {
     /// A value that is not finite or beyond any physical size.
     #[error("{quantity}: value {value} at index {index} is not a finite number within ±1e12")]
+    #[finding(code = "invalid-number")]
+    #[way_out("Leave undefined points out or report the failure that made them.")]
     InvalidNumber {
         /// The quantity or series that holds the value.
         quantity: String,
@@ -23,6 +26,8 @@ pub enum ChartError {
     },
     /// Nothing to draw, or fewer points than a line or a net needs.
     #[error("{quantity}: {actual} values, at least {least} are needed")]
+    #[finding(code = "too-few-values")]
+    #[way_out("Leave the chart out or compute it on more points.")]
     TooFewValues {
         /// The quantity or series.
         quantity: String,
@@ -33,6 +38,8 @@ pub enum ChartError {
     },
     /// Two lists that belong together differ in length.
     #[error("{quantity}: {actual} values where {expected} are expected")]
+    #[finding(code = "length-mismatch")]
+    #[way_out("Give every list of a chart the same number of points.")]
     LengthMismatch {
         /// The list of the wrong length.
         quantity: String,
@@ -43,36 +50,14 @@ pub enum ChartError {
     },
     /// Coordinates of a grid that don't increase.
     #[error("{quantity}: the coordinate at index {index} is not greater than the one before")]
+    #[finding(code = "not-ascending")]
+    #[way_out("Sort the coordinates and remove duplicates.")]
     NotAscending {
         /// The coordinate.
         quantity: String,
         /// Index of the first value that doesn't exceed its predecessor.
         index: usize,
     },
-}
-
-impl ChartError {
-    /// Stable kebab-case code for messages and JSON.
-    pub fn code(&self) -> &'static str {
-        match self {
-            ChartError::InvalidNumber { .. } => "invalid-number",
-            ChartError::TooFewValues { .. } => "too-few-values",
-            ChartError::LengthMismatch { .. } => "length-mismatch",
-            ChartError::NotAscending { .. } => "not-ascending",
-        }
-    }
-
-    /// What would help, in one sentence.
-    pub fn way_out(&self) -> &'static str {
-        match self {
-            ChartError::InvalidNumber { .. } => {
-                "Leave undefined points out or report the failure that made them."
-            }
-            ChartError::TooFewValues { .. } => "Leave the chart out or compute it on more points.",
-            ChartError::LengthMismatch { .. } => "Give every list of a chart the same number of points.",
-            ChartError::NotAscending { .. } => "Sort the coordinates and remove duplicates.",
-        }
-    }
 }
 
 /// All values finite and of a physical size.

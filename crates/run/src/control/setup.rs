@@ -202,6 +202,7 @@ pub fn control_refused(error: &ControlError, field: &str) -> RunFailure {
 
 /// A fault of the gearbox on a key of the job.
 pub fn on_field(error: &GearboxError, field: &str) -> RunFailure {
-    let finding = Diagnostic::with_code(error.code(), error.to_string());
-    RunFailure::bad_input(finding.field(field).way_out(error.way_out()))
+    RunFailure::bad_input(
+        Diagnostic::with_code(error.code(), error.to_string()).field(field).way_out(error.way_out()),
+    )
 }

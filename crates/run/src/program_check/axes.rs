@@ -26,8 +26,7 @@ pub fn unreadable(error: &ReadError, dialect: Dialect) -> RunFailure {
 
 /// Axes that cannot be followed, as a finding.
 pub fn refused(error: &MotionError) -> RunFailure {
-    let finding = Diagnostic::with_code(error.code(), error.to_string());
-    RunFailure::bad_input(finding.way_out(error.way_out()))
+    RunFailure::bad_input(Diagnostic::of(error))
 }
 
 /// The words that a control has for the axes of a machine.
@@ -122,7 +121,7 @@ pub fn figures(
                 remarks.push(Remark {
                     code: error.code(),
                     text: format!("{}{error}", moved.block_at(number, value)),
-                    way_out: error.way_out(),
+                    way_out: error.way_out().into(),
                 });
                 break;
             }

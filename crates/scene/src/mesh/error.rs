@@ -1,12 +1,15 @@
 //! What can be wrong with a mesh or with the data that go with it.
 
+use finding::Finding;
 use thiserror::Error;
 
 /// Errors of meshes and of their files. Counting begins with 0.
-#[derive(Clone, Debug, PartialEq, Error)]
+#[derive(Clone, Debug, PartialEq, Error, Finding)]
 pub enum MeshError {
     /// A number that is not finite or too large for a file.
     #[error("{what} {index} holds {value}; allowed: {allowed}")]
+    #[finding(code = "invalid-number")]
+    #[way_out("leave out the points without a value or give them one")]
     InvalidNumber {
         /// Kind of the element, or name of the point data.
         what: String,
@@ -19,6 +22,8 @@ pub enum MeshError {
     },
     /// A list with another number of elements than it must have.
     #[error("{what}: {found} given, {expected} needed")]
+    #[finding(code = "wrong-count")]
+    #[way_out("give one element for each place")]
     WrongCount {
         /// What the list holds.
         what: String,
@@ -29,6 +34,8 @@ pub enum MeshError {
     },
     /// A list with fewer elements than make sense.
     #[error("{what}: {found} given, at least {least} needed")]
+    #[finding(code = "too-few")]
+    #[way_out("sample the surface or the path with more points")]
     TooFew {
         /// What the list holds.
         what: &'static str,
@@ -39,6 +46,8 @@ pub enum MeshError {
     },
     /// A list with more elements than a file can number.
     #[error("{what}: {found} given, at most {most} can be written")]
+    #[finding(code = "too-many")]
+    #[way_out("sample more coarsely or write several files")]
     TooMany {
         /// What the list holds.
         what: &'static str,
@@ -49,6 +58,8 @@ pub enum MeshError {
     },
     /// A corner that is no vertex.
     #[error("triangle {triangle} names vertex {vertex}, but there are {vertices} vertices")]
+    #[finding(code = "index-out-of-range")]
+    #[way_out("number the vertices from 0 in the order of their list")]
     IndexOutOfRange {
         /// The triangle.
         triangle: usize,
@@ -59,6 +70,8 @@ pub enum MeshError {
     },
     /// A triangle without area: corners on one line within the rounding of their coordinates.
     #[error("triangle {triangle} has no area")]
+    #[finding(code = "degenerate-triangle")]
+    #[way_out("leave the triangle out or move its corners apart")]
     DegenerateTriangle {
         /// The triangle.
         triangle: usize,
@@ -68,6 +81,8 @@ pub enum MeshError {
         "the edge from vertex {from} to vertex {to} is used {along} times in this sense and {against} times in the other; \
          a closed body has it once in each"
     )]
+    #[finding(code = "not-watertight")]
+    #[way_out("join the patches with common vertices and turn them to the same side")]
     NotWatertight {
         /// First vertex of the edge.
         from: u32,
@@ -80,9 +95,13 @@ pub enum MeshError {
     },
     /// A closed mesh that encloses nothing.
     #[error("the body encloses no volume")]
+    #[finding(code = "no-volume")]
+    #[way_out("move the sections apart")]
     NoVolume,
     /// An outline that crosses or touches itself or a hole, or a hole that does not lie inside.
     #[error("the outline of section {section} and its holes bound no area: {reason}")]
+    #[finding(code = "outline-not-simple")]
+    #[way_out("sample the outline so that it runs round once without meeting itself")]
     OutlineNotSimple {
         /// The section, from 0.
         section: usize,
@@ -91,54 +110,18 @@ pub enum MeshError {
     },
     /// Two sets of point data with one name.
     #[error("two sets of point data are called `{name}`")]
+    #[finding(code = "duplicate-name")]
+    #[way_out("name each set of point data differently")]
     DuplicateName {
         /// The name.
         name: String,
     },
     /// The package of a 3MF file cannot be made.
     #[error("the 3MF package cannot be made: {reason}")]
+    #[finding(code = "package")]
+    #[way_out("sample more coarsely or write several files")]
     Package {
         /// What the packer says.
         reason: String,
     },
-}
-
-impl MeshError {
-    /// A stable name of the error, for scripts.
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::InvalidNumber { .. } => "invalid-number",
-            Self::WrongCount { .. } => "wrong-count",
-            Self::TooFew { .. } => "too-few",
-            Self::TooMany { .. } => "too-many",
-            Self::IndexOutOfRange { .. } => "index-out-of-range",
-            Self::DegenerateTriangle { .. } => "degenerate-triangle",
-            Self::NotWatertight { .. } => "not-watertight",
-            Self::NoVolume => "no-volume",
-            Self::OutlineNotSimple { .. } => "outline-not-simple",
-            Self::DuplicateName { .. } => "duplicate-name",
-            Self::Package { .. } => "package",
-        }
-    }
-
-    /// What the user can do about it, in one sentence.
-    pub fn way_out(&self) -> &'static str {
-        match self {
-            Self::InvalidNumber { .. } => "leave out the points without a value or give them one",
-            Self::WrongCount { .. } => "give one element for each place",
-            Self::TooFew { .. } => "sample the surface or the path with more points",
-            Self::TooMany { .. } => "sample more coarsely or write several files",
-            Self::IndexOutOfRange { .. } => "number the vertices from 0 in the order of their list",
-            Self::DegenerateTriangle { .. } => "leave the triangle out or move its corners apart",
-            Self::NotWatertight { .. } => {
-                "join the patches with common vertices and turn them to the same side"
-            }
-            Self::NoVolume => "move the sections apart",
-            Self::OutlineNotSimple { .. } => {
-                "sample the outline so that it runs round once without meeting itself"
-            }
-            Self::DuplicateName { .. } => "name each set of point data differently",
-            Self::Package { .. } => "sample more coarsely or write several files",
-        }
-    }
 }

@@ -4,6 +4,7 @@
 //! limit - a - b N lies within 1.96 of its standard deviations of 0; it is exact for normally distributed wear, and has no upper end
 //! once the rate itself cannot be told from 0.
 
+use finding::Finding;
 use nalgebra::{Matrix2, Vector2};
 use thiserror::Error;
 
@@ -21,10 +22,12 @@ pub struct Forecast {
 }
 
 /// Why there is no forecast.
-#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[derive(Clone, Copy, Debug, PartialEq, Error, Finding)]
 pub enum NoForecast {
     /// The wear does not grow.
     #[error("the wear does not grow with the workpieces ({rate:e} mm each)")]
+    #[finding(code = "wear-not-growing")]
+    #[way_out("measure again after further workpieces")]
     NotGrowing {
         /// Wear per workpiece, mm.
         rate: f64,
@@ -33,6 +36,8 @@ pub enum NoForecast {
     #[error(
         "the wear grows by {rate:e} mm a workpiece, uncertain by {deviation:e} mm: it may not grow at all"
     )]
+    #[finding(code = "wear-within-noise")]
+    #[way_out("measure again after further workpieces")]
     WithinNoise {
         /// Wear per workpiece, mm.
         rate: f64,
@@ -43,21 +48,6 @@ pub enum NoForecast {
 
 /// Standard deviations of a normal distribution that leave out 1 of 20.
 const NINETY_FIVE: f64 = 1.959_963_984_540_054;
-
-impl NoForecast {
-    /// Stable code.
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::NotGrowing { .. } => "wear-not-growing",
-            Self::WithinNoise { .. } => "wear-within-noise",
-        }
-    }
-
-    /// What helps, in one sentence.
-    pub fn way_out(&self) -> &'static str {
-        "measure again after further workpieces"
-    }
-}
 
 /// The forecast of wear = a + b parts with its covariance.
 pub(super) fn forecast(

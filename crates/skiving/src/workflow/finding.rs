@@ -11,8 +11,7 @@ pub fn failure(error: &SkivingError) -> RunFailure {
     if let SkivingError::Geometry(error) = error {
         return RunFailure::bad_input(of_geometry(error));
     }
-    let finding =
-        Diagnostic::with_code(error.code(), error.to_string()).field(field(error)).way_out(error.way_out());
+    let finding = Diagnostic::of(error).field(field(error));
     let finding = match error {
         SkivingError::InvalidNumber { value, allowed, .. } => finding.value(value).allowed(*allowed),
         SkivingError::InvalidCentreDistance { value, internal } => {

@@ -193,10 +193,7 @@ fn resharpening(
     measured: &MeasuredTool,
     evaluation: &Evaluation,
 ) -> Result<Resharpening, RunFailure> {
-    let on = |error: WearError| {
-        let finding = Diagnostic::with_code(error.code(), error.to_string()).field("readings");
-        RunFailure::not_producible(finding.way_out(error.way_out()))
-    };
+    let on = |error: WearError| RunFailure::not_producible(Diagnostic::of(&error).field("readings"));
     let sigma = track_deviations(bodies, measured.readings_each);
     let all: Vec<f64> = sigma.iter().flat_map(|(_, of)| of.iter().copied()).collect();
     let options = GrowthOptions {

@@ -6,8 +6,8 @@ use run::{RunFailure, geometry_finding};
 
 /// A fault of tangential dressing that belongs to `field`.
 pub(super) fn on_field(error: &TangentialError, field: &str) -> RunFailure {
-    let finding = Diagnostic::with_code(error.code(), error.to_string());
-    let finding = finding.field(field.to_owned()).way_out(error.way_out());
+    let finding = Diagnostic::of(error);
+    let finding = finding.field(field.to_owned());
     if error.is_bad_input() { RunFailure::bad_input(finding) } else { RunFailure::not_producible(finding) }
 }
 

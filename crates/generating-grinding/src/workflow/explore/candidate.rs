@@ -24,7 +24,7 @@ pub struct Refused {
 
 impl From<&GeneratingError> for Refused {
     fn from(error: &GeneratingError) -> Self {
-        Self { code: error.code(), text: error.to_string(), way_out: error.way_out() }
+        Self { code: error.code(), text: error.to_string(), way_out: error.way_out().into() }
     }
 }
 

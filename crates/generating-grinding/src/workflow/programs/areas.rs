@@ -137,7 +137,7 @@ impl ProgramAreas {
             let constant = law.value(middle);
             let extended = extended(law, driven, &sections, whole, (constant, self.passage));
             *law = extended
-                .map_err(|error| refused(error.code(), error.to_string(), error.way_out().to_owned()))?;
+                .map_err(|error| refused(error.code(), error.to_string(), error.way_out().into_owned()))?;
         }
         work.interval = whole;
         Ok(())

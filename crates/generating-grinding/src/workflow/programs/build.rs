@@ -82,8 +82,7 @@ const FOLLOWING_ERROR_DEG: f64 = 0.5;
 
 /// An error of the motion as a finding of the job: bad input if the machine or its controls lack something.
 fn failure(error: &MotionError) -> RunFailure {
-    let finding =
-        Diagnostic::with_code(error.code(), error.to_string()).field("machine").way_out(error.way_out());
+    let finding = Diagnostic::of(error).field("machine");
     match error {
         MotionError::Machine { .. } | MotionError::ToleranceNotReached { .. } => {
             RunFailure::not_producible(finding)

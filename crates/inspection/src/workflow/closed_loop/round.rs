@@ -69,23 +69,20 @@ impl Wanted {
 
 /// A header that makes no gear.
 pub(in super::super) fn of_header(error: &measured_files::inspection::InspectionError) -> RunFailure {
-    RunFailure::bad_input(Diagnostic::with_code(error.code(), error.to_string()).way_out(error.way_out()))
+    RunFailure::bad_input(Diagnostic::of(error))
 }
 
 /// An error of the evaluation.
 fn of_inspection(error: &InspectionError) -> RunFailure {
-    let finding = Diagnostic::with_code(error.code(), error.to_string()).field("FILE");
-    RunFailure::bad_input(finding.way_out(error.way_out()))
+    RunFailure::bad_input(Diagnostic::of(error).field("FILE"))
 }
 
 fn of_areal(error: &ArealError) -> RunFailure {
-    let finding = Diagnostic::with_code(error.code(), error.to_string()).field("FILE");
-    RunFailure::bad_input(finding.way_out(error.way_out()))
+    RunFailure::bad_input(Diagnostic::of(error).field("FILE"))
 }
 
 fn of_correction(error: &CorrectionError) -> RunFailure {
-    let finding = Diagnostic::with_code(error.code(), error.to_string()).field("inspection.settings");
-    RunFailure::bad_input(finding.way_out(error.way_out()))
+    RunFailure::bad_input(Diagnostic::of(error).field("inspection.settings"))
 }
 
 /// Judges a measurement against a job that was planned, and corrects the job.

@@ -78,10 +78,7 @@ impl MillingMachining<'_> {
             RunFailure::bad_input(finding.way_out(error.way_out()))
         })?;
         let follower = Follower { setup: &setup, words: &words, tool_length: self.tool_length };
-        let refused = |error: MotionError| -> RunFailure {
-            let finding = Diagnostic::with_code(error.code(), error.to_string());
-            RunFailure::bad_input(finding.way_out(error.way_out()))
-        };
+        let refused = |error: MotionError| -> RunFailure { RunFailure::bad_input(Diagnostic::of(&error)) };
         let moves = follower.follow(&found.blocks).map_err(refused)?;
         if moves.is_empty() {
             return Err(refused(MotionError::NotFollowed { block: 1, reason: "it moves no tool".into() }));
@@ -155,7 +152,7 @@ impl<'a> Walk<'a> {
                             self.remarks.push(Remark {
                                 code: error.code(),
                                 text: format!("under tip control: {error}"),
-                                way_out: error.way_out(),
+                                way_out: error.way_out().into(),
                             });
                         }
                         return Ok(());
@@ -191,7 +188,7 @@ impl<'a> Walk<'a> {
         let Some(error) = axis.beyond(value).filter(|_| !self.faulty[number][0]) else { return };
         self.faulty[number][0] = true;
         let text = error.to_string();
-        self.limits.push(AxisFault { code: error.code(), block, text, way_out: error.way_out() });
+        self.limits.push(AxisFault { code: error.code(), block, text, way_out: error.way_out().into() });
     }
 
     fn too_fast(&mut self, number: usize, speed: f64, block: usize) {

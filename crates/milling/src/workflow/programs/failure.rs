@@ -58,8 +58,7 @@ pub(super) fn of_writer(error: &NcError, dialect: Option<Dialect>) -> RunFailure
 
 /// An error of the rays.
 pub(super) fn of_removal(error: &RemovalError) -> RunFailure {
-    let finding = Diagnostic::with_code(error.code(), error.to_string());
-    RunFailure::not_producible(finding.field("simulation").way_out(error.way_out().to_string()))
+    RunFailure::not_producible(Diagnostic::of(error).field("simulation"))
 }
 
 /// A text that does not say what was planned: nothing is written then.

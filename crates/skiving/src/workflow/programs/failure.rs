@@ -21,8 +21,7 @@ pub(super) fn of_machine(error: &MachineError, place: &str) -> RunFailure {
 
 /// An error of the motion: words of axes, blocks that cannot be followed.
 pub(super) fn of_motion(error: &MotionError) -> RunFailure {
-    let finding = Diagnostic::with_code(error.code(), error.to_string()).field("machine.file");
-    RunFailure::bad_input(finding.way_out(error.way_out()))
+    RunFailure::bad_input(Diagnostic::of(error).field("machine.file"))
 }
 
 /// An error of a writer.
@@ -34,8 +33,7 @@ pub(super) fn of_writer(error: &NcError, dialect: Dialect) -> RunFailure {
 
 /// An error of the tool's poses.
 pub(super) fn of_skiving(error: &SkivingError) -> RunFailure {
-    let finding = Diagnostic::with_code(error.code(), error.to_string()).field("measuring");
-    RunFailure::not_producible(finding.way_out(error.way_out()))
+    RunFailure::not_producible(Diagnostic::of(error).field("measuring"))
 }
 
 /// A text that does not say what was planned: nothing is written then.
