@@ -6,7 +6,7 @@ DEMO ?= examples/twist-free-crowning.toml
 # The time at which a stage of `make test` begins.
 begins = @date '+at %T: $(1)'
 
-.PHONY: demo test fuzz setup web python notebooks docs browser api-fuzz load format check instructions milling-speed clean
+.PHONY: demo release test fuzz setup web python notebooks docs browser api-fuzz load format check instructions milling-speed clean
 
 setup:
 	@scripts/setup
@@ -15,11 +15,16 @@ setup:
 web: setup
 	@scripts/web
 
-# Plans the first example; the summary names the report.
+# Plans the first example; the summary names the report. For a program that is used every day: `make release`.
 demo: web
+	@echo 'Building the profile demo, which skips link-time optimisation and debug information; same numbers as a release.'
+	$(CARGO) build --profile demo --package flankwright-cli
+	target/demo/flankwright plan $(DEMO)
+	@echo 'The same in a browser: target/demo/flankwright serve, then open http://127.0.0.1:8470/'
+
+# The whole program, fully optimised: target/release/flankwright.
+release: web
 	$(CARGO) build --release --package flankwright-cli
-	target/release/flankwright plan $(DEMO)
-	@echo 'The same in a browser: target/release/flankwright serve, then open http://127.0.0.1:8470/'
 
 # Properties are tried on the same inputs each time, so that one text gives one verdict; `cargo test` alone draws new ones.
 test: export PROPTEST_RNG_SEED ?= 1
@@ -61,9 +66,13 @@ fuzz: setup
 	@scripts/fuzz 600
 
 # The pages in a real browser, and the interface of the server under requests made from its description.
-browser api-fuzz load: web
-	$(CARGO) build --release --package flankwright-cli
+browser api-fuzz: web
+	$(CARGO) build --profile demo --package flankwright-cli
 	@scripts/$@
+
+# How quickly the server answers under load.
+load: release
+	@scripts/load
 
 format:
 	$(CARGO) fmt --all
