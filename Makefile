@@ -26,19 +26,20 @@ demo: web
 release: web
 	$(CARGO) build --release --package flankwright-cli
 
+# The command and the wheel get `verify`, which compares the numbers of references and which no release has.
 # Properties are tried on the same inputs each time, so that one text gives one verdict; `cargo test` alone draws new ones.
 test: export PROPTEST_RNG_SEED ?= 1
 test: setup
 	@scripts/postgresql install
 	$(call begins,format and clippy)
 	$(CARGO) fmt --all -- --check
-	$(CARGO) clippy --workspace --all-targets -- -D warnings
+	$(CARGO) clippy --workspace --all-targets --features verify -- -D warnings
 	$(call begins,web pages)
 	@scripts/web test
 	$(call begins,Rust)
-	$(CARGO) test --workspace --no-run
+	$(CARGO) test --workspace --features verify --no-run
 	$(call begins,tests of Rust)
-	$(CARGO) test --workspace --no-fail-fast
+	$(CARGO) test --workspace --features verify --no-fail-fast
 	$(call begins,Python)
 	@scripts/python test
 	$(call begins,notebooks and documentation)
@@ -79,7 +80,7 @@ format:
 
 # Quick look while writing.
 check:
-	$(CARGO) clippy --workspace --all-targets
+	$(CARGO) clippy --workspace --all-targets --features verify
 
 # Instructions of one update of the electronic gearbox, each with its limit.
 instructions: setup
