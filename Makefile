@@ -6,7 +6,7 @@ DEMO ?= examples/twist-free-crowning.toml
 # The time at which a stage of `make test` begins.
 begins = @date '+at %T: $(1)'
 
-.PHONY: demo release test fuzz setup web python notebooks docs browser api-fuzz load format check instructions milling-speed clean
+.PHONY: demo release test fuzz setup web python notebooks docs browser api-fuzz load format check instructions milling-speed dependencies clean
 
 setup:
 	@scripts/setup
@@ -26,11 +26,13 @@ demo: web
 release: web
 	$(CARGO) build --release --package flankwright-cli
 
-# The command and the wheel get `verify`, which compares the numbers of references and which no release has.
+# The command and the wheel are built with `verify`, which recomputes the reference files and stands in no default build.
 # Properties are tried on the same inputs each time, so that one text gives one verdict; `cargo test` alone draws new ones.
 test: export PROPTEST_RNG_SEED ?= 1
 test: setup
 	@scripts/postgresql install
+	$(call begins,dependencies)
+	@scripts/dependencies
 	$(call begins,format and clippy)
 	$(CARGO) fmt --all -- --check
 	$(CARGO) clippy --workspace --all-targets --features verify -- -D warnings
@@ -74,6 +76,10 @@ browser api-fuzz: web
 # How quickly the server answers under load.
 load: release
 	@scripts/load
+
+# Licences, versions and origins of all dependencies.
+dependencies: setup
+	@scripts/dependencies
 
 format:
 	$(CARGO) fmt --all
