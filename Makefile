@@ -6,7 +6,7 @@ DEMO ?= examples/twist-free-crowning.toml
 # The time at which a stage of `make test` begins.
 begins = @date '+at %T: $(1)'
 
-.PHONY: demo test fuzz setup web python notebooks docs browser api-fuzz load format check instructions milling-speed clean
+.PHONY: demo release test fuzz setup web python notebooks docs browser api-fuzz load format check instructions milling-speed dependencies clean
 
 setup:
 	@scripts/setup
@@ -15,25 +15,33 @@ setup:
 web: setup
 	@scripts/web
 
-# Plans the first example; the summary names the report.
+# Plans the first example; the summary names the report. For a program that is used every day: `make release`.
 demo: web
-	$(CARGO) build --release --package flankwright-cli
-	target/release/flankwright plan $(DEMO)
-	@echo 'The same in a browser: target/release/flankwright serve, then open http://127.0.0.1:8470/'
+	@echo 'Building the profile demo, which skips link-time optimisation and debug information; same numbers as a release.'
+	$(CARGO) build --profile demo --package flankwright-cli
+	target/demo/flankwright plan $(DEMO)
+	@echo 'The same in a browser: target/demo/flankwright serve, then open http://127.0.0.1:8470/'
 
+# The whole program, fully optimised: target/release/flankwright.
+release: web
+	$(CARGO) build --release --package flankwright-cli
+
+# The command and the wheel are built with `verify`, which recomputes the reference files and stands in no default build.
 # Properties are tried on the same inputs each time, so that one text gives one verdict; `cargo test` alone draws new ones.
 test: export PROPTEST_RNG_SEED ?= 1
 test: setup
 	@scripts/postgresql install
+	$(call begins,dependencies)
+	@scripts/dependencies
 	$(call begins,format and clippy)
 	$(CARGO) fmt --all -- --check
-	$(CARGO) clippy --workspace --all-targets -- -D warnings
+	$(CARGO) clippy --workspace --all-targets --features verify -- -D warnings
 	$(call begins,web pages)
 	@scripts/web test
 	$(call begins,Rust)
-	$(CARGO) test --workspace --no-run
+	$(CARGO) test --workspace --features verify --no-run
 	$(call begins,tests of Rust)
-	$(CARGO) test --workspace --no-fail-fast
+	$(CARGO) test --workspace --features verify --no-fail-fast
 	$(call begins,Python)
 	@scripts/python test
 	$(call begins,notebooks and documentation)
@@ -61,16 +69,24 @@ fuzz: setup
 	@scripts/fuzz 600
 
 # The pages in a real browser, and the interface of the server under requests made from its description.
-browser api-fuzz load: web
-	$(CARGO) build --release --package flankwright-cli
+browser api-fuzz: web
+	$(CARGO) build --profile demo --package flankwright-cli
 	@scripts/$@
+
+# How quickly the server answers under load.
+load: release
+	@scripts/load
+
+# Licences, versions and origins of all dependencies.
+dependencies: setup
+	@scripts/dependencies
 
 format:
 	$(CARGO) fmt --all
 
 # Quick look while writing.
 check:
-	$(CARGO) clippy --workspace --all-targets
+	$(CARGO) clippy --workspace --all-targets --features verify
 
 # Instructions of one update of the electronic gearbox, each with its limit.
 instructions: setup

@@ -7,7 +7,7 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 
 const ROOT = fileURLToPath(new URL("../../", import.meta.url));
-const PROGRAM = process.env.PROGRAM ?? join(ROOT, "target/release/flankwright");
+const PROGRAM = process.env.PROGRAM ?? join(ROOT, "target/demo/flankwright");
 const START_MS = 20_000;
 
 /** The path of a file of the repository. */

@@ -30,8 +30,7 @@ pub use conditions::{
     RowAlong, SoftCondition, TwoFlankWish, fit_profile, fit_profile_along, fit_profile_on_path, four_points,
     map_of_upper_end, pitch_rolls, profile_error, refit_profile, residue_of_motion, shift_through,
     solve_conditions_along, solve_conditions_at, solve_dressing_motion, solve_node, solve_two_flank_motion,
-    solve_two_flank_node, three_points, three_points_with_map, two_flank_points, two_flank_rolls, two_points,
-    uncorrected_profile,
+    three_points, three_points_with_map, two_flank_points, two_flank_rolls, two_points, uncorrected_profile,
 };
 pub use contact_line::ContactLine;
 pub use dresser::{DresserTool, FlankDresser, GeometricRange};

@@ -59,6 +59,7 @@ pub enum Command {
     /// The web application on 127.0.0.1
     Serve(ServeArguments),
     /// Recompute every expected value of reference files and compare
+    #[cfg_attr(not(feature = "verify"), command(hide = true))]
     Verify(VerifyArguments),
 }
 

@@ -14,4 +14,4 @@ def command() -> Path:
         path = ROOT / "target" / profile / "flankwright"
         if path.exists():
             return path
-    pytest.fail("the command is not built: `cargo build`")
+    pytest.fail("the command is not built: `cargo build --package flankwright-cli --features verify`")

@@ -1,5 +1,7 @@
 //! What the lines of a worm carry when the diagonal ratio varies: three functions of X_1, and the ideal worm made of them
 //! (spec 25 section 7). Knows neither dresser nor job.
+//!
+//! No command reaches it: `verify` recomputes references of variable ratios with it.
 
 use super::{FlankLines, GeneratingError, VariableRatio};
 use contact::ThreadFunction;

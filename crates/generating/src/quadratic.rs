@@ -3,6 +3,8 @@
 //!
 //! The plan uses the class {C, L, P, K} of [`super::Decomposition`] instead, because a disc dresser makes a profile that varies
 //! along the worm only in narrow limits.
+//!
+//! No command reaches it: `verify` recomputes the worm functions of references with it.
 
 use super::FlankLines;
 use super::decomposition::power_jet;

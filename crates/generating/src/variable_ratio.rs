@@ -1,5 +1,7 @@
 //! Relations of one flank when the diagonal ratio varies: z_V1 = F(z_V2), strictly monotone (spec 25 section 7, R20).
 //! Cylindrical bodies. Knows no target and no plan.
+//!
+//! No command reaches it: `verify` recomputes references of variable ratios with it.
 
 use super::{FlankLines, GeneratingError};
 use foundation::kinematics::{InverseLaw, MotionLaw};

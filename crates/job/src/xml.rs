@@ -1,4 +1,5 @@
-//! Text inside XML.
+//! Text inside XML files, in which a reader finds every character again. Pages have an escape of their own (`report`), which leaves line breaks
+//! as they are; the two crates share the mathematics only.
 
 /// Text for content and quoted attributes; a reader finds the same text. Characters that XML forbids become blanks.
 pub fn escape(text: &str) -> String {

@@ -59,7 +59,7 @@ pub use grid::{Column, FlankGrid, GridPlace, NeighbourDistances};
 pub use lead_curve::{
     CurveOnCone, FootOnHub, HelixOnCylinder, LeadCurve, LeadPoint, MirroredLead, SkewPlanes,
 };
-pub use lead_through::{lead_through_height, lead_through_row};
+pub use lead_through::lead_through_row;
 pub use lines::{LaidLines, Lines, SpacingLaw, lay_lines};
 pub use local::{LocalContact, row_distance};
 pub use location::{ContactZone, CutterLocation, Orientation, TouchFault};

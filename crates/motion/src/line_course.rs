@@ -117,11 +117,6 @@ impl LineCourse {
         (a.point + (b.point - a.point) * share, (a.normal + (b.normal - a.normal) * share).normalize())
     }
 
-    /// Least height over the worm that the disc gains per lift.
-    pub fn height_per_lift(&self) -> f64 {
-        self.contacts.iter().map(|contact| contact.normal.x).fold(f64::INFINITY, f64::min)
-    }
-
     pub(super) fn place(&self, at: &Waypoint) -> BodyPlace {
         BodyPlace::of_dressing(&self.mounts, &self.position(at))
     }

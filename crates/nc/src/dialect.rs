@@ -29,9 +29,4 @@ impl Dialect {
     pub fn stands_to_switch(self) -> bool {
         self == Self::Fanuc
     }
-
-    /// The dialect of a name.
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|dialect| dialect.name() == name)
-    }
 }

@@ -197,18 +197,6 @@ pub enum NcError {
         /// Block.
         block: usize,
     },
-    /// Straight pieces did not come close enough to a curve.
-    #[error("block {block}: axis {axis} stays {deviation} off its curve with {pieces} pieces")]
-    ToleranceNotReached {
-        /// Block.
-        block: usize,
-        /// Name of the axis.
-        axis: Box<str>,
-        /// What was reached, mm or rad.
-        deviation: f64,
-        /// Pieces tried.
-        pieces: usize,
-    },
     /// What was written reads back as something else: a fault of the writer or the reader, never of the input.
     #[error("block {block}: {axis} reads back {delta} off what was to be written")]
     ReadBackMismatch {
@@ -250,7 +238,6 @@ impl NcError {
             Self::TipControlNotAvailable { .. } => "nc-tip-control-not-available",
             Self::BadText { .. } => "nc-bad-text",
             Self::EndMisplaced { .. } => "nc-end-misplaced",
-            Self::ToleranceNotReached { .. } => "nc-tolerance-not-reached",
             Self::ReadBackMismatch { .. } => "nc-read-back-mismatch",
             Self::NotReadBack(_) => "nc-not-read-back",
         }
@@ -293,7 +280,6 @@ impl NcError {
             }
             Self::BadText { .. } => "use plain ASCII letters, digits and blanks",
             Self::EndMisplaced { .. } => "put one `End` at the end of the program",
-            Self::ToleranceNotReached { .. } => "allow a larger tolerance, or divide the curve",
             Self::ReadBackMismatch { .. } | Self::NotReadBack(_) => {
                 "report this: nothing was written, the fault is not in the input"
             }

@@ -7,7 +7,6 @@ mod compare;
 mod dialect;
 mod error;
 mod expand;
-mod expand_gears;
 mod program;
 mod reader;
 mod writer;
@@ -15,8 +14,7 @@ mod writer;
 pub use compare::{compare, write_checked, write_cl_checked};
 pub use dialect::Dialect;
 pub use error::NcError;
-pub use expand::{split_turns, subdivide};
-pub use expand_gears::expand_gears;
+pub use expand::split_turns;
 pub use program::{
     Angles, AxisMotion, AxisWord, BSplineMotion, Block, Coupling, CubicMotion, CubicSpan, CurveTable, Gear,
     GearLeader, GearSynchronisation, Header, MAXIMUM_ANGLES, MAXIMUM_AXES, Orientation, Pace, Program,

@@ -2,8 +2,7 @@
 
 use crate::programs::{A, axes, header, program};
 use nc::{
-    Block, Dialect, NcError, Program, Targets, WriteOptions, compare, detect_dialect, read, subdivide,
-    write_checked,
+    Block, Dialect, NcError, Program, Targets, WriteOptions, compare, detect_dialect, read, write_checked,
 };
 
 fn turn(degrees: f64) -> Block {
@@ -29,9 +28,6 @@ fn every_control_is_told_in_its_own_words() {
         let text = &written.text;
         assert!(text.contains(on) && text.contains(off), "{text}");
         assert_eq!(detect_dialect(text.as_bytes()), Some(dialect));
-        // Chords of curves leave outputs alone.
-        let pieces = subdivide(&program, &vec![1e-6; program.axes().len()]).unwrap();
-        assert_eq!(pieces.blocks(), program.blocks());
 
         // Another output, or the other state, is another program.
         let (was, other) = [("P3", "P4"), ("OUT[3]", "OUT[4]"), ("#1103", "#1104")][dialect as usize];

@@ -5,8 +5,8 @@ use crate::programs::{A, B, C, WORM, X, Y, Z, axes, header, program, random, str
 use nc::{
     AxisMotion, AxisWord, BSplineMotion, Block, Coupling, CubicMotion, CubicSpan, CurveTable, Decimals,
     Dialect, Gear, GearLeader, GearSynchronisation, HalOptions, Header, NcError, Program, ReadProblem,
-    Repetition, TablePiece, Targets, ToothData, Warning, WriteOptions, compare, detect_dialect, expand_gears,
-    read, split_turns, subdivide, write, write_checked,
+    Repetition, TablePiece, Targets, ToothData, Warning, WriteOptions, compare, detect_dialect, read,
+    split_turns, write, write_checked,
 };
 use proptest::prelude::*;
 use std::io::{BufReader, Read};
@@ -358,123 +358,6 @@ fn a_long_block_keeps_its_time() {
         let program = program(Dialect::LinuxCnc, vec![Block::Linear { target, duration }]);
         text(&program, Dialect::LinuxCnc);
     }
-}
-
-#[test]
-fn curves_become_chords_within_their_tolerance() {
-    let span = CubicSpan { end: 3.0, start_slope: 40.0, end_slope: -20.0 };
-    let cubic = CubicMotion { spans: vec![(X, span), (C, span)], duration: 2.0 };
-    let point = |x: f64| Targets::NONE.with(X, x);
-    let spline = BSplineMotion {
-        degree: 3,
-        points: vec![point(5.0), point(-5.0), point(8.0), point(1.0)],
-        knots: vec![0.0, 0.0, 0.0, 0.0, 0.3, 1.0, 1.0, 1.0, 1.0],
-        duration: 4.0,
-    };
-    let start = Block::Rapid(Targets::NONE.with(X, 1.0).with(C, 0.5));
-    let curved = program(
-        Dialect::LinuxCnc,
-        vec![start, Block::Cubic(Box::new(cubic)), Block::BSpline(Box::new(spline.clone()))],
-    );
-    let tolerance = 1e-3;
-    let straight = subdivide(&curved, &[tolerance; 8]).unwrap();
-    let (mut time, mut x, mut worst) = (0.0, 1.0, 0.0f64);
-    for block in straight.blocks() {
-        let Block::Linear { target, duration } = block else { continue };
-        let to = target.get(X).unwrap();
-        for share in [0.1, 0.37, 0.5, 0.8, 1.0] {
-            let at = time + share * duration;
-            let wanted = if at <= 2.0 {
-                span.value(1.0, at / 2.0)
-            } else {
-                spline.value(X, 3.0, (at - 2.0) / 4.0).unwrap()
-            };
-            worst = worst.max((x + share * (to - x) - wanted).abs());
-        }
-        time += duration;
-        x = to;
-    }
-    assert!((time - 6.0).abs() < 1e-12 && x == 1.0);
-    assert!(worst < 1.1 * tolerance && worst > 0.1 * tolerance, "{worst}");
-    text(&straight, Dialect::LinuxCnc);
-    assert_eq!(subdivide(&curved, &[1e-18; 8]).unwrap_err().code(), "nc-tolerance-not-reached");
-    assert_eq!(subdivide(&curved, &[tolerance]).unwrap_err().code(), "nc-bad-header");
-}
-
-#[test]
-fn gears_become_straight_blocks() {
-    // C follows Z by a table that repeats and Y by a shift; at Z 0, Y 1 it stands at 0.5.
-    let span = |end| CubicSpan { end, start_slope: 0.01, end_slope: 0.01 };
-    let pieces = vec![
-        TablePiece { leader: 4.0, follower: span(0.05) },
-        TablePiece { leader: 10.0, follower: span(0.0) },
-    ];
-    let repetition = Repetition::Leader;
-    let table = CurveTable { id: 3, follower: C, leader: Z, start: [0.0; 2], pieces, repetition };
-    let shift = Coupling::Ratio { num: 0.3, den: 7.0 };
-    let leaders =
-        vec![GearLeader { axis: Z, coupling: Coupling::Table(3) }, GearLeader { axis: Y, coupling: shift }];
-    let gear = Gear { follower: C, leaders, teeth: None };
-    let at = GearSynchronisation { follower: 0.5, leaders: vec![0.0, 1.0] };
-    let to = |z: f64, y: f64| Targets::NONE.with(Z, z).with(Y, y);
-    let blocks = vec![
-        Block::Table(Box::new(table.clone())),
-        Block::Rapid(to(-12.0, 2.0).with(X, 1.0)),
-        Block::GearDefine(Box::new(gear)),
-        Block::GearOn { follower: C, synchronisation: Some(Box::new(at)) },
-        Block::Linear { target: to(33.0, 5.0), duration: 3.0 },
-        Block::Linear { target: Targets::NONE.with(Y, 7.0), duration: 1.0 },
-        Block::GearOff { follower: C },
-        Block::Linear { target: to(0.0, 0.0), duration: 1.0 },
-    ];
-    let geared = program(Dialect::Siemens, blocks.clone());
-    let tolerance = 1e-5;
-    let plain = expand_gears(&geared, &[tolerance; 8]).unwrap();
-    let wanted = |z: f64, y: f64| 0.5 + table.value(z) + 0.3 / 7.0 * (y - 1.0);
-    let (mut place, mut worst, mut time) = (Targets::NONE, 0.0f64, 0.0);
-    for block in plain.blocks() {
-        let before = place;
-        match block {
-            Block::Rapid(target) => place.update(target),
-            Block::Linear { target, duration } => {
-                place.update(target);
-                time += duration;
-            }
-            Block::End => break,
-            other => panic!("{other:?}"),
-        }
-        if time > 4.0 + 1e-9 {
-            assert_eq!(place.get(C), before.get(C), "free again");
-        } else if before.get(C).is_some() {
-            for share in [0.2, 0.5, 0.9, 1.0] {
-                let [z, y, c] = [Z, Y, C].map(|axis| {
-                    let [a, b] = [before, place].map(|place| place.get(axis).unwrap());
-                    a + share * (b - a)
-                });
-                worst = worst.max((c - wanted(z, y)).abs());
-            }
-        }
-    }
-    assert!(worst < 1.1 * tolerance && (time - 5.0).abs() < 1e-12, "{worst} {time}");
-    // A shift alone is one block.
-    let last = &plain.blocks()[plain.blocks().len() - 3];
-    assert!(matches!(last, Block::Linear { target, .. } if target.mask() == 1 << Y | 1 << C));
-    for dialect in Dialect::ALL {
-        text(&Program::new(header(dialect), plain.blocks().to_vec()).unwrap(), dialect);
-    }
-    // What cannot be expanded is refused.
-    let code = |change: &dyn Fn(&mut Vec<Block>)| {
-        let mut blocks = blocks.clone();
-        change(&mut blocks);
-        expand_gears(&program(Dialect::Siemens, blocks), &[tolerance; 8]).unwrap_err().code()
-    };
-    assert_eq!(code(&|blocks| blocks[4] = Block::Rapid(to(1.0, 1.0))), "nc-unsupported-coupling");
-    let follower = Targets::NONE.with(C, 1.0);
-    assert_eq!(
-        code(&|blocks| blocks[4] = Block::Linear { target: follower, duration: 1.0 }),
-        "nc-unsupported-coupling"
-    );
-    assert_eq!(code(&|blocks| drop(blocks.remove(1))), "nc-unknown-start");
 }
 
 #[test]

@@ -1,6 +1,8 @@
 //! The coefficients of the contact relations, read off a simulation (spec 20 section 9): bodies turn past each other at
 //! fixed feeds, rays of the workpiece are shortened by the worm, and where a row of rays is shortest the contact path
 //! crosses it. Linear least squares through those places; no relation of the contact's is known here.
+//!
+//! Kept for planning with contact relations of a simulation: no command reaches it yet.
 
 use super::descent::descend_along;
 use super::grind::{Engagement, Length, Ray};

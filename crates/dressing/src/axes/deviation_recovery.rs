@@ -1,5 +1,7 @@
 //! Deviations of the dressing axes found from what was measured on the worm, with their uncertainty (spec 30 section 14).
 //! Knows no distribution of the deviations.
+//!
+//! Kept for planning corrections from a measured worm: no command reaches it yet; `verify` recomputes references with it.
 
 use crate::axes::deviation::{AXIS_NAMES, check_correction, check_rolls, sum};
 use crate::{ConditionSolver, DressedProfile, DresserTool, DressingError};

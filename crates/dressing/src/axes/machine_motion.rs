@@ -1,6 +1,8 @@
 //! A dressing motion in machine axes: their positions over the worm position v, where they reverse, what travel they need, and
 //! what their uncertainty does to the worm flank (spec 30 section 16, spec 29 section 7). One way is evaluated here;
 //! which way is best is decided in `machine_choice`.
+//!
+//! Kept for planning of the swivel while dressing: no command reaches it yet.
 
 use crate::{DressedWorm, DressingError, WormContact};
 use contact::ToolSurface;

@@ -30,4 +30,4 @@ pub use topological::{
     NodePlan, NodeSolution, pitch_rolls, residue_of_motion, solve_conditions_along, solve_conditions_at,
     solve_dressing_motion, solve_node,
 };
-pub use two_flanks::{TwoFlankWish, solve_two_flank_motion, solve_two_flank_node, two_flank_rolls};
+pub use two_flanks::{TwoFlankWish, solve_two_flank_motion, two_flank_rolls};

@@ -3,10 +3,9 @@
 
 use crate::{
     Condition, ConditionSolver, ConditionsAlong, DresserTool, DressingError, NodePlan, NodeSolution,
-    solve_conditions_along, solve_conditions_at,
+    solve_conditions_along,
 };
 use foundation::geometry::{Flank, Sides};
-use foundation::kinematics::DressingCorrection;
 use foundation::numerics::Chebyshev;
 use std::f64::consts::FRAC_1_SQRT_2;
 
@@ -47,25 +46,10 @@ impl ConditionsAlong for TwoFlankRows<'_> {
     }
 }
 
-/// Solves the rows at worm position v: f(w_i) = wanted(flank, [b_0 - v, b_1 - v])_i on both flanks.
-///
-/// # Errors
-/// [`crate::DressingError::TwoFlanksOfCone`]; those of [`solve_conditions_at`].
-pub fn solve_two_flank_node(
-    tool: &DresserTool,
-    reference_radius: f64,
-    v: f64,
-    start: &DressingCorrection,
-    wanted: TwoFlankWish<'_>,
-) -> Result<DressingCorrection, DressingError> {
-    let rows = TwoFlankRows { rolls: two_flank_rolls(tool), wanted };
-    solve_conditions_at(&ConditionSolver::new(tool, reference_radius), v, start, &rows)
-}
-
 /// DK(v) of both flanks as Chebyshev series over the plan's interval, nodes solved outwards from the middle.
 ///
 /// # Errors
-/// Those of [`solve_two_flank_node`] at the first node that fails.
+/// [`crate::dressing::DressingError::TwoFlanksOfCone`]; those of [`solve_conditions_along`].
 pub fn solve_two_flank_motion(
     tool: &DresserTool,
     reference_radius: f64,

@@ -1,7 +1,9 @@
-//! `flankwright verify`: recomputes every expected value of reference files.
+//! `flankwright verify`: recomputes every expected value of reference files. A build without the feature `verify` has the command too, and
+//! answers how to get it.
 
 use std::path::PathBuf;
 
+#[cfg(feature = "verify")]
 use ::verify::{VerifyOptions, VerifySummary, verify_file};
 use clap::Args;
 use flankwright::exchange::Diagnostic;
@@ -9,6 +11,7 @@ use flankwright::exchange::Diagnostic;
 use crate::arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
+#[cfg(feature = "verify")]
 use crate::output;
 
 /// Arguments of `verify`.
@@ -32,10 +35,23 @@ pub struct VerifyArguments {
     pub common: CommonArguments,
 }
 
+/// Says that this build cannot verify.
+///
+/// # Errors
+/// Always.
+#[cfg(not(feature = "verify"))]
+pub fn run(_: &VerifyArguments) -> Result<Exit, Failure> {
+    let finding =
+        Diagnostic::with_code("not-in-this-build", "this program was built without the feature `verify`")
+            .way_out("build it with `cargo build --release --package flankwright-cli --features verify`");
+    Err(Failure::new(Exit::BadInput, finding))
+}
+
 /// Verifies the files and prints the summary.
 ///
 /// # Errors
 /// A file that cannot be read or is of no known schema.
+#[cfg(feature = "verify")]
 pub fn run(arguments: &VerifyArguments) -> Result<Exit, Failure> {
     let options = VerifyOptions { data_directories: arguments.data.iter().cloned().collect() };
     let mut reports = Vec::with_capacity(arguments.files.len());
@@ -55,8 +71,10 @@ pub fn run(arguments: &VerifyArguments) -> Result<Exit, Failure> {
 }
 
 /// Failures shown per file; `--json` lists all.
+#[cfg(feature = "verify")]
 const SHOWN: usize = 10;
 
+#[cfg(feature = "verify")]
 fn text(summary: &VerifySummary) -> String {
     let mut text = String::new();
     for file in &summary.files {

@@ -223,6 +223,7 @@ fn one_flank_alone_is_planned_alone() {
     assert_eq!(flanks, ["left"]);
 }
 
+#[cfg(feature = "verify")]
 #[test]
 fn verify_passes_and_counts() {
     let run = run(&["verify", "tests/reference/10-gears.json", "--json"]);
@@ -232,6 +233,16 @@ fn verify_passes_and_counts() {
     assert!(summary["files"][0]["checks"].as_u64().unwrap() > 1000);
 }
 
+#[cfg(not(feature = "verify"))]
+#[test]
+fn a_build_without_verify_names_the_feature() {
+    let run = run(&["verify", "tests/reference/10-gears.json", "--json"]);
+    assert_eq!(run.exit, Some(2), "{run:?}");
+    assert_eq!(run.json()["error"]["code"], "not-in-this-build");
+    assert!(run.json()["error"]["way_out"].as_str().unwrap().contains("--features verify"));
+}
+
+#[cfg(feature = "verify")]
 #[test]
 fn verify_refuses_what_it_does_not_know() {
     let directory = tempfile::tempdir().unwrap();

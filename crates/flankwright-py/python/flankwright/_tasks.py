@@ -226,7 +226,9 @@ def verify(
     *,
     data: str | os.PathLike[str] | Iterable[str | os.PathLike[str]] = (),
 ) -> dict[str, Any]:
-    """Recomputes every expected value of reference files, as ``flankwright verify --json`` tells it.
+    """Recomputes every expected value of reference files, as ``flankwright verify --json`` does.
+
+    A wheel has it if it was built with the feature ``verify``: ``maturin build --release --features verify``.
 
     Args:
         files: Reference files.
@@ -236,7 +238,7 @@ def verify(
         ``files``, each with the number of its checks, what failed and the worst share of a tolerance, and ``failed``: how many values failed.
 
     Raises:
-        BadInput: a file that cannot be read or is of no known schema.
+        BadInput: a file that cannot be read or is of no known schema; a wheel without the feature.
     """
     found: dict[str, Any] = json.loads(_core.verify(_paths_of(files), _paths_of(data)))
     return found

@@ -3,6 +3,9 @@
 //!
 //! Chain: H = Rz(-B1) Tz(-V1) Rx(-A1) Tx(-X1) Ty(Z1) Ry(C5) Rz(B3). The dresser is a body of revolution, so six axes meet
 //! five demands: one rule closes the system.
+//!
+//! Kept for planning of the swivel while dressing: no command reaches it yet. Programs are written for a `machine::Machine` with a fixed
+//! swivel.
 
 use super::{Dresser, DressingPosition, MachineError, Pose, Worm};
 use crate::numerics::{Scalar, brent, equidistant, value_of};

@@ -1,4 +1,6 @@
 //! What can be wrong with a pose or a rule asked of a machine (spec 26 section 9).
+//!
+//! Kept with `dressing_machine`: no command reaches it yet.
 
 use finding::Finding;
 use thiserror::Error;

@@ -16,7 +16,7 @@ pub mod thinning;
 
 pub use closed_loop::{ClosedLoop, LoopEnd, gain_is_stable};
 pub use column::{Column, FlankPoint, worm_column};
-pub use dressing::{DressingInfluence, FlankDressing, TwoFlankPattern, wanted_worm_profile};
+pub use dressing::{DressingInfluence, FlankDressing, TwoFlankPattern};
 pub use error::CorrectionError;
 pub use forward::SettingsFlank;
 pub use gearing_offset::offset_of_gearing;

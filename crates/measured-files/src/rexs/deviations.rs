@@ -3,11 +3,10 @@
 use super::document::Component;
 use super::error::RexsError;
 use super::flank::FlankPlace;
-use super::gear::RexsGear;
 use super::modification_write::Draft;
 use super::values::{Asked, title};
 use super::warning::{RexsWarning, RexsWarningKind};
-use crate::inspection::{Inspection, Section, Trace, TraceKind, Zero};
+use crate::inspection::{Trace, TraceKind, Zero};
 
 /// What stands before the number of the tooth.
 const TOOTH: &str = "tooth ";
@@ -97,32 +96,4 @@ pub(super) fn read(
     let (abscissa_mm, f_um) = pairs.into_iter().map(|(a, f)| (a, 1e3 * f)).unzip();
     let flank = place.involute.flank;
     Ok(Some(Trace { kind, tooth, flank, tag, position_mm: position, abscissa_mm, f_um, zero: Zero::Free }))
-}
-
-impl RexsGear {
-    /// Takes the traces of an inspection, transverse, and tells what REXS has no place for.
-    pub fn add_measurement(&mut self, inspection: &Inspection) -> Vec<RexsWarning> {
-        let mut lost: Vec<&str> = Vec::new();
-        let mut note = |there: bool, what| lost.extend(there.then_some(what));
-        note(inspection.pitch.is_some(), "pitches");
-        note(inspection.run_out.is_some(), "run-out");
-        let thickness = &inspection.thickness;
-        note(thickness.span.is_some() || thickness.over_balls.is_some(), "sizes over teeth and balls");
-        note(inspection.circles.root.is_some() || inspection.circles.tip.is_some(), "tip and root circle");
-        note(!inspection.topographies.is_empty(), "measured fields");
-        note(!inspection.results.is_empty(), "printed values");
-        let cos = match (inspection.conditions.section, self.body()) {
-            (Section::Normal, Ok(body)) => {
-                foundation::geometry::Sides::from_fn(|flank| body.flank(flank).base_helix_angle.cos())
-            }
-            _ => foundation::geometry::Sides::both(1.0),
-        };
-        for trace in &inspection.traces {
-            let mut trace = trace.clone();
-            trace.f_um.iter_mut().for_each(|f| *f /= cos[trace.flank]);
-            self.deviations.push(trace);
-        }
-        let remark = |what| RexsWarning::new(RexsWarningKind::Lost, format!("{what} have no place in REXS"));
-        lost.into_iter().map(remark).collect()
-    }
 }

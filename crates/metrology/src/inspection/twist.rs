@@ -14,7 +14,7 @@ pub struct PlacedSlope {
     pub slope: Slope,
 }
 
-/// Twist S of one flank, mm, by both kinds of traces. A bilinear twist gives the same number twice.
+/// Twist S of one flank, mm, by both kinds of traces; asked by `verify` alone, commands take each kind where it was measured. A bilinear twist gives the same number twice.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TraceTwist {
     /// S_alpha: by the profiles.

@@ -1,4 +1,5 @@
-//! Date and time as RFC 3339 writes them, e.g. `2026-03-14T09:30:00.5+01:00`.
+//! Date and time as RFC 3339 writes them, e.g. `2026-03-14T09:30:00.5+01:00`. The libraries at hand read no offsets (`humantime`) or also
+//! what is no moment (`toml_datetime`).
 
 /// A moment: seconds from 1970 and nanoseconds. A leap second counts as the one after it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
