@@ -1,5 +1,6 @@
-//! Whether tool, holder and spindle have room in an internal gear (end of spec 50 section 8): as bodies of revolution in the whole ring
-//! where holder or spindle are known, else from the tip along the axis to the opposite circle of tooth tips.
+//! Whether tool, holder and spindle have room in an internal gear (end of `docs/mathematics/milling.md#positions-of-five-axes`): as bodies
+//! of revolution in the whole ring where holder or spindle are known, else from the tip along the axis to the opposite circle of tooth
+//! tips.
 
 use super::{CutterLocation, FlankPlan, MillingError, PlanOptions, Space, WallKind};
 use foundation::geometry::Cutter;

@@ -1,4 +1,4 @@
-//! What can keep a flank from being milled (spec 50 section 15).
+//! What can keep a flank from being milled (`docs/mathematics/milling.md#limits`).
 
 use super::location::TouchFault;
 use super::plan::OperationKind;

@@ -1,4 +1,5 @@
-//! The finished part as rows and columns of points with normals (spec 50 section 3), and the distances of neighbours in it.
+//! The finished part as rows and columns of points with normals (`docs/mathematics/milling.md#columns-and-rows`), and the distances of
+//! neighbours in it.
 
 use super::{ActiveFlank, ColumnPlane, LeadCurve, LeadPoint, MillingError, RowSpacing, row_heights};
 use foundation::geometry::SurfaceJet;

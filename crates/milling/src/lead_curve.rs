@@ -1,4 +1,4 @@
-//! Lead curves: the lines on the base body along which column planes stand (spec 50 section 2).
+//! Lead curves: the lines on the base body along which column planes stand (`docs/mathematics/milling.md#columns-and-rows`).
 
 use super::MillingError;
 use foundation::geometry::{BladeCurve, FlankLine};
@@ -20,7 +20,7 @@ pub struct LeadPoint {
 }
 
 /// How far the direction of a lead curve may leave the base body: its sine. A curve that is meant to lie on the body is exact to
-/// rounding; 1e-9 is the bound of spec 50 section 2.
+/// rounding; 1e-9 is the bound of `docs/mathematics/milling.md#columns-and-rows`.
 const OFF_BASE: f64 = 1e-9;
 
 impl LeadPoint {
@@ -107,7 +107,8 @@ impl LeadCurve for CurveOnCone {
     }
 }
 
-/// In blades: the foot curve on a hub of revolution whose meridian it follows (spec 50 section 1.6). u = the curve's parameter.
+/// In blades: the foot curve on a hub of revolution whose meridian it follows (`docs/mathematics/milling.md#flanks-as-patches`). u = the
+/// curve's parameter.
 #[derive(Clone, Debug)]
 pub struct FootOnHub {
     /// The curve.
@@ -142,7 +143,7 @@ impl LeadCurve for SkewPlanes {
 }
 
 /// The mirror image z -> 2 z_0 - z of a lead curve that runs towards +z, run towards +z as well: that of the other half of a
-/// double-helical gear (spec 50 section 1.5). u is mirrored with it.
+/// double-helical gear (`docs/mathematics/milling.md#flanks-as-patches`). u is mirrored with it.
 #[derive(Clone, Debug)]
 pub struct MirroredLead {
     /// The lead curve of the half towards +z.

@@ -1,4 +1,5 @@
-//! Lead curves of cylinders whose column planes hold the normals of a chosen row (spec 50 section 2): eps = 0 there.
+//! Lead curves of cylinders whose column planes hold the normals of a chosen row (`docs/mathematics/milling.md#columns-and-rows`): eps = 0
+//! there.
 
 use super::{ActiveFlank, Column, ColumnPlane, HelixOnCylinder, LeadCurve, MillingError, RowSpacing};
 use foundation::numerics::brent;

@@ -1,5 +1,5 @@
-//! Rows with the axis as other systems choose it (spec 50 section 14), to be laid beside those with the axis in the column planes:
-//! along the parameter lines of the flank, or along lines that a patched surface has made wavy.
+//! Rows with the axis as other systems choose it (`docs/mathematics/milling.md#positions-of-five-axes`), to be laid beside those with the
+//! axis in the column planes: along the parameter lines of the flank, or along lines that a patched surface has made wavy.
 
 use super::{
     ActiveFlank, ColumnPlane, CutterLocation, LeadCurve, LeadPoint, MillingError, Orientation, lead_range,

@@ -1,4 +1,4 @@
-//! How far column planes reach along the lead curve (spec 50 section 3): on helical gears beyond the face.
+//! How far column planes reach along the lead curve (`docs/mathematics/milling.md#columns-and-rows`): on helical gears beyond the face.
 
 use super::{ActiveFlank, LeadCurve, MillingError};
 use foundation::numerics::{brent, equidistant};

@@ -1,4 +1,4 @@
-//! Programs for controls that take straight blocks only (spec 80 sections 1 and 2 rule 6): curves into chords within a tolerance
+//! Programs for controls that take straight blocks only (`docs/mathematics/programs.md`): curves into chords within a tolerance
 //! of each axis, long turns into turns below 360 deg. Knows no dialect.
 
 use super::{AxisMotion, Block, NcError, Program, Targets};

@@ -1,5 +1,6 @@
-//! Gears as straight blocks, for controls that cannot couple axes (spec 80 section 6): the follower gets the targets that its gear
-//! would give it. A coupling that is linear needs no more blocks than before; a table is met within tolerances by chords.
+//! Gears as straight blocks, for controls that cannot couple axes (`docs/mathematics/programs.md#the-independent-reader`): the follower
+//! gets the targets that its gear would give it. A coupling that is linear needs no more blocks than before; a table is met within
+//! tolerances by chords.
 
 use super::expand::{Chords, check_tolerances};
 use super::{Block, Coupling, CurveTable, Gear, MAXIMUM_AXES, NcError, Program, Repetition, Targets, Word};

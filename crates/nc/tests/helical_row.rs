@@ -1,5 +1,5 @@
-//! The middle row of the helical case of spec 50 in closed form (sections 1.1, 2, 3 and 5): tips and axes of an end mill. What the
-//! milling kinematics of the reference make of it (`feed` of the reference for five-axis milling) stands here as numbers.
+//! The middle row of the helical case of `docs/mathematics/milling.md` in closed form (sections 1.1, 2, 3 and 5): tips and axes of an end
+//! mill. What the milling kinematics of the reference make of it (`feed` of the reference for five-axis milling) stands here as numbers.
 
 type Vector = [f64; 3];
 

@@ -36,7 +36,7 @@ pub enum VerifyError {
 }
 
 impl VerifyError {
-    /// Stable kebab-case code (spec 90 section 5).
+    /// Stable kebab-case code (`README.md#references-exit-status`).
     pub fn code(&self) -> &'static str {
         match self {
             Self::Unreadable { finding, .. } => finding.code,

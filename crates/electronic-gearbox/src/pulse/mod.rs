@@ -1,6 +1,7 @@
 //! The pulse interpolator: between two pulses of a slide's scale it inserts P - 1 further ones, at the pace of the interval before
-//! (spec 70 section 2). [`ClockedInterpolator`] is the machine as built, one call a clock tick; [`EventInterpolator`] gives the same
-//! pulses in time proportional to their number. The rules that both obey stand in [`Mode`] and `interval`.
+//! (`docs/mathematics/gearbox.md#pulses-between-lines`). [`ClockedInterpolator`] is the machine as built, one call a clock tick;
+//! [`EventInterpolator`] gives the same pulses in time proportional to their number. The rules that both obey stand in [`Mode`] and
+//! `interval`.
 
 mod clocked;
 mod event;

@@ -1,5 +1,5 @@
 //! Who uses which part of the tool: areas side by side, roughing and finishing, and the strokes of a tool whose threads are
-//! partly left out (spec 25 section 8). Cylindrical bodies.
+//! partly left out (`docs/mathematics/planning.md#choice-of-the-ratio`). Cylindrical bodies.
 
 use super::finding::RunFailure;
 use super::occupation::occupation_chart;

@@ -1,4 +1,4 @@
-//! `result.json`: what a plan or a simulation came to, with units in the key names (spec 90 section 3).
+//! `result.json`: what a plan or a simulation came to, with units in the key names (`README.md`).
 
 use super::control::ControlResult;
 use super::finding::Remark;

@@ -1,5 +1,5 @@
-//! Whether the dresser spares the counter flank while it dresses, and how wide its tip land may be (spec 28 section 2, spec 30
-//! section 13).
+//! Whether the dresser spares the counter flank while it dresses, and how wide its tip land may be
+//! (`docs/mathematics/planning.md#choice-of-the-ratio`, `docs/mathematics/dressing.md#limits-of-a-correction`).
 
 use super::executed_strokes::ExecutedStrokes;
 use super::execution::Execution;

@@ -3,7 +3,7 @@
 use super::Flank;
 use thiserror::Error;
 
-/// Errors of spec 10 section 8 and of the surfaces of this room. Lengths mm, angles deg in messages.
+/// Errors of `docs/mathematics/involute-gears.md` and of the surfaces of this room. Lengths mm, angles deg in messages.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum GeometryError {
     /// A number that is not finite or outside the range that has a meaning.
@@ -230,7 +230,7 @@ pub enum GeometryError {
 }
 
 impl GeometryError {
-    /// Stable kebab-case code (spec 90 section 5).
+    /// Stable kebab-case code (`README.md#references-exit-status`).
     pub fn code(&self) -> &'static str {
         match self {
             Self::InvalidNumber { .. } => "invalid-number",

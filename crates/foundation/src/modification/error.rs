@@ -85,7 +85,7 @@ pub enum ModificationError {
 }
 
 impl ModificationError {
-    /// Stable kebab-case name of the error (spec 90 section 5).
+    /// Stable kebab-case name of the error (`README.md#references-exit-status`).
     pub fn code(&self) -> &'static str {
         match self {
             Self::InvalidModification { .. } => "invalid-modification",
@@ -168,7 +168,7 @@ pub enum EvaluationError {
 }
 
 impl EvaluationError {
-    /// Stable kebab-case name of the error (spec 90 section 5).
+    /// Stable kebab-case name of the error (`README.md#references-exit-status`).
     pub fn code(&self) -> &'static str {
         match self {
             Self::OutsidePointCloud { .. } => "outside-point-cloud",

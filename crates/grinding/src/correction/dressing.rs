@@ -1,5 +1,6 @@
 //! What the four components of the dressing correction do to the gear flanks that the worm grinds, and which patterns of both flanks one common
-//! correction can remove (spec 85 section 7.6). Knows no conditions: exact corrections are found by those of spec 30.
+//! correction can remove (`docs/mathematics/inspection.md#correction`). Knows no conditions: exact corrections are found by those of spec
+//! 30.
 
 use super::CorrectionError;
 use crate::dressing::{DressedProfile, DresserTool};
@@ -133,7 +134,7 @@ impl FlankDressing {
 }
 
 /// The profile that the worm must get at length of roll `w_1` (mm) where the gear flank is to change by `change(w_2)`: its present f_n1
-/// minus that. Points of this profile are what the conditions of spec 30 ask for.
+/// minus that. Points of this profile are what the conditions of `docs/mathematics/dressing.md` ask for.
 pub fn wanted_worm_profile(lines: &FlankLines, w_1: f64, present: f64, change: impl Fn(f64) -> f64) -> f64 {
     present - change(lines.work_roll(w_1))
 }

@@ -1,4 +1,5 @@
-//! From the ideal worm to the dressed one: dresser profile, corrections DK(v), exact envelope (spec 28 section 4, steps 6, 7).
+//! From the ideal worm to the dressed one: dresser profile, corrections DK(v), exact envelope
+//! (`docs/mathematics/planning.md#from-the-ratio-to-the-flank`).
 
 use super::{
     DressingRows, FlankRows, GeneratingError, GrindingSetup, IdealPlan, IdealWorm, ProfilePlace,
@@ -156,7 +157,7 @@ pub fn dressing_interval(
 
 /// What the pitch points of one flank ask for. What stands on the worm's lines as it is has other values across the slightly
 /// bent line in which the dresser touches; only their straight part over the profile is asked of the dresser, because a worm of
-/// few threads takes hardly any more (spec 28 section 1).
+/// few threads takes hardly any more (`docs/mathematics/planning.md#who-carries-what`).
 struct Wish<'a> {
     worm: &'a IdealWorm,
     /// Ends and middle of the used profile, mm.

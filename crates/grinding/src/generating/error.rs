@@ -1,4 +1,4 @@
-//! Errors of planning generating grinding (spec 28 section 7).
+//! Errors of planning generating grinding (`docs/mathematics/planning.md#limits`).
 
 use super::areas::{FeedInterval, SharedLines};
 use crate::dressing::DressingError;

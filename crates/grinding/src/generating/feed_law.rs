@@ -56,7 +56,8 @@ impl GrindingSetup {
         extremes(self.lines_of(which).flat_map(|lines| lines.feed_range(law)))
     }
 
-    /// The law moved by a constant so that its occupation is centred on the tool (z_V01 of spec 28 section 3).
+    /// The law moved by a constant so that its occupation is centred on the tool (z_V01 of
+    /// `docs/mathematics/planning.md#choice-of-the-ratio`).
     pub fn centred(&self, law: &MotionLaw, which: &[Flank]) -> MotionLaw {
         let centre = |law: &MotionLaw| {
             let [from, to] = self.occupation(law, which);

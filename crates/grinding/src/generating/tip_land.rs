@@ -1,5 +1,5 @@
-//! The counter flank while a plan's worm is dressed: the largest tip land that spares it (spec 30 section 13). Knows no worm
-//! function.
+//! The counter flank while a plan's worm is dressed: the largest tip land that spares it
+//! (`docs/mathematics/dressing.md#limits-of-a-correction`). Knows no worm function.
 
 use super::{GeneratingError, GrindingSetup};
 use crate::dressing::{DresserSection, DresserTool, SectionOutline, ShownWorm, ThreadSpace, WormFlank};

@@ -1,4 +1,5 @@
-//! The channels of the motion and of the dresser's profile, and the design variables that they carry (spec 40 section 4).
+//! The channels of the motion and of the dresser's profile, and the design variables that they carry
+//! (`docs/mathematics/tangential-dressing.md#channels-and-variables`).
 //!
 //! A variable is a coefficient: of a power of the channel's own abscissa, or of a B-spline over it. mm; gA in rad. Knows no bodies.
 

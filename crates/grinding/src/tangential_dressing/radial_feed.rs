@@ -1,4 +1,5 @@
-//! The conventional way to crown a lead: the centre distance follows a parabola over the feed, and the flank twists (spec 40 section 7).
+//! The conventional way to crown a lead: the centre distance follows a parabola over the feed, and the flank twists
+//! (`docs/mathematics/tangential-dressing.md#radial-feed`).
 
 use super::channel::{Channel, Variable};
 use super::model::TangentialModel;
@@ -36,7 +37,7 @@ impl TangentialModel {
     pub fn radial_feed_settings(&self, crowning: f64) -> TangentialSettings {
         let mut settings = TangentialSettings::default();
         let pressure_angle = self.input().gear.data().pressure_angle.left;
-        // dm/d(dist) = cos(alpha_n) (spec 40 section 4).
+        // dm/d(dist) = cos(alpha_n) (`docs/mathematics/tangential-dressing.md#channels-and-variables`).
         let amount = -crowning / pressure_angle.cos();
         settings.set(&Variable::power(Channel::CentreDistance, 2), amount);
         settings.set(&Variable::shift_ratio(), -self.shift_ratio);

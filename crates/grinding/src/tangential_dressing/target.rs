@@ -7,7 +7,8 @@ use foundation::geometry::Flank;
 /// The wanted flanks: material left, mm, at (w, z) on a flank.
 pub type Wanted<'a> = dyn Fn(Flank, f64, f64) -> f64 + Sync + 'a;
 
-/// Amounts at the edge of the evaluated range, as the source states them: material removed normal to the flank, mm (spec 40 section 6).
+/// Amounts at the edge of the evaluated range, as the source states them: material removed normal to the flank, mm
+/// (`docs/mathematics/tangential-dressing.md#fit`).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct EdgeAmounts {
     /// O_r1: linear in the radius.

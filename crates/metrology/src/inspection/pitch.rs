@@ -1,4 +1,5 @@
-//! Pitch deviations of one flank after ISO 1328-1, from the single pitches of all teeth (spec 85 section 4.1).
+//! Pitch deviations of one flank after ISO 1328-1, from the single pitches of all teeth
+//! (`docs/mathematics/inspection.md#pitch-run-out-eccentricity`).
 
 use super::InspectionError;
 use super::error::usable;

@@ -1,4 +1,5 @@
-//! Tolerances of ISO 1328-1:2013 (spec 85 section 5). The formulas count in um, as the standard does; values here are mm.
+//! Tolerances of ISO 1328-1:2013 (`docs/mathematics/inspection.md#tolerances`). The formulas count in um, as the standard does; values here
+//! are mm.
 
 use super::InspectionError;
 use super::rounding::round_tolerance;

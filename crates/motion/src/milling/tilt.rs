@@ -1,5 +1,5 @@
-//! A mount that keeps a path away from the pole: the workpiece tilted by as little as it takes (spec 50 section 11, strategy
-//! `mount`).
+//! A mount that keeps a path away from the pole: the workpiece tilted by as little as it takes
+//! (`docs/mathematics/milling.md#positions-of-five-axes`, strategy `mount`).
 
 use super::pole::least_angle;
 use super::{CutterPlace, MillingSetup};

@@ -1,5 +1,5 @@
-//! Fanuc 30i family, spec 80 section 6: straight blocks, tool tips, and the gear of a hobbing machine, which is told by the bodies.
-//! What nobody has confirmed stands in `unconfirmed.rs`.
+//! Fanuc 30i family, `docs/mathematics/programs.md#the-independent-reader`: straight blocks, tool tips, and the gear of a hobbing machine,
+//! which is told by the bodies. What nobody has confirmed stands in `unconfirmed.rs`.
 
 use super::lines::{Lines, PLAIN_DECIMALS, per_minute};
 use super::unconfirmed::{

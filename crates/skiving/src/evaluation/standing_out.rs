@@ -12,7 +12,8 @@ use foundation::numerics::{Harmonic, root_mean_square, student_quantile};
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
 
-/// A distance below which no tooth stands out, mm: linear evaluation and small errors of grinding (spec 60 section 8).
+/// A distance below which no tooth stands out, mm: linear evaluation and small errors of grinding
+/// (`docs/mathematics/skiving.md#evaluation`).
 const SURE: f64 = 1e-3;
 /// Probability with which any tooth of a whole tool is taken for a broken one, over all teeth, tracks and flanks.
 const FAMILY: f64 = 1e-3;
@@ -67,9 +68,9 @@ fn in_order(edges: impl Iterator<Item = (Flank, usize)>) -> Vec<(Flank, usize)> 
     edges
 }
 
-/// The teeth that spec 60 section 8 leaves out of the mounting: with a residual of the fit to all teeth beyond 3.5 standard deviations, these
-/// from the median, unless that is more than a quarter of them. It takes the random errors of some whole teeth for damage, and finds
-/// nothing where many are broken.
+/// The teeth that `docs/mathematics/skiving.md#evaluation` leaves out of the mounting: with a residual of the fit to all teeth beyond 3.5
+/// standard deviations, these from the median, unless that is more than a quarter of them. It takes the random errors of some whole teeth
+/// for damage, and finds nothing where many are broken.
 pub(super) fn beyond_median(
     flanks: &Sides<FlankTracks>,
     deviations: &Deviations,

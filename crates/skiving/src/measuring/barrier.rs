@@ -1,5 +1,5 @@
 //! The moment at which a tooth switches the light barrier: the turn at which the rounding of its edge is as far from the beam's axis as
-//! both radii together (spec 60 section 7).
+//! both radii together (`docs/mathematics/skiving.md#light-barrier`).
 
 use super::pose::{swivelled, turned};
 use super::{Beam, MeasuringPose, RealTool, nominal_angle};

@@ -1,4 +1,4 @@
-//! The beam measured with a mandrel: five unknowns from six places at which it switches (spec 60 section 10).
+//! The beam measured with a mandrel: five unknowns from six places at which it switches (`docs/mathematics/skiving.md#light-barrier`).
 
 use super::{BeamLine, Mandrel};
 use crate::SkivingError;

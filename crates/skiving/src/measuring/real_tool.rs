@@ -1,4 +1,5 @@
-//! A tool as it is: every tooth with its own pitch, profile and rounding, the whole mounted off its axis (spec 60 section 7).
+//! A tool as it is: every tooth with its own pitch, profile and rounding, the whole mounted off its axis
+//! (`docs/mathematics/skiving.md#light-barrier`).
 
 use crate::{SkivingError, VirtualEdge};
 use foundation::geometry::Sides;

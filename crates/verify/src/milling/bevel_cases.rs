@@ -1,4 +1,4 @@
-//! Bevel gears, straight and spiral, with ease-off (spec 50 sections 1.2 and 1.3).
+//! Bevel gears, straight and spiral, with ease-off (`docs/mathematics/milling.md#flanks-as-patches`).
 
 use super::super::given::Checked;
 use super::case::Body;

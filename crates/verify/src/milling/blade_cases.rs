@@ -1,4 +1,4 @@
-//! Ruled blades on a conical hub (spec 50 section 1.6).
+//! Ruled blades on a conical hub (`docs/mathematics/milling.md#flanks-as-patches`).
 
 use super::super::given::Checked;
 use ::milling::{ActiveFlank, FootOnHub, HeightLimits};

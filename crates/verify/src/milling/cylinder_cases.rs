@@ -1,4 +1,4 @@
-//! Spur and helical gears, external and internal (spec 50 section 1.1).
+//! Spur and helical gears, external and internal (`docs/mathematics/milling.md#flanks-as-patches`).
 
 use super::super::given::Checked;
 use super::case::Body;

@@ -10,7 +10,7 @@ use ::skiving::{Setting, SettingLimits};
 use foundation::geometry::{Flank, Sides};
 use serde_json::{Value, json};
 
-/// Degree of the compensation curve (spec 60 section 8).
+/// Degree of the compensation curve (`docs/mathematics/skiving.md#evaluation`).
 const DEGREE: usize = 2;
 
 /// Compares the evaluation and returns it.

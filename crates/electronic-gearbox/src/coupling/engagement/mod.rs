@@ -1,5 +1,5 @@
-//! Engaging the coupling while the leading axes run, putting it in phase, watching it, and opening it again (spec 70 section 7, items 8
-//! and 9).
+//! Engaging the coupling while the leading axes run, putting it in phase, watching it, and opening it again
+//! (`docs/mathematics/gearbox.md#couplings`).
 //!
 //! The follower's setpoint is y_0 + sum + offset. The gearbox gives y_0 + sum, exactly, with y_0 := follower - sum at the moment of
 //! engaging; this machine gives the offset, which starts at 0 and is at rest from the end of the phase move on. So no rounding of it can

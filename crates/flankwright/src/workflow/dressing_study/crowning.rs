@@ -1,5 +1,5 @@
-//! Corrections, axial position and profile stretch over the profile crowning of the gear (spec 30 sections 8 and 9), by the
-//! three-point method with the radius map.
+//! Corrections, axial position and profile stretch over the profile crowning of the gear (`docs/mathematics/dressing.md#conditions`), by
+//! the three-point method with the radius map.
 
 use super::bodies::Bodies;
 use crate::exchange::job::Steps;
@@ -108,7 +108,8 @@ impl<'a> Task<'a> {
         Ok((task, setup))
     }
 
-    /// f_n of the worm at the middle of the profile for a profile crowning c on the gear, mm (spec 30, decision on (19)).
+    /// f_n of the worm at the middle of the profile for a profile crowning c on the gear, mm (`docs/mathematics/dressing.md`, decision on
+    /// (19)).
     fn middle(&self, crowning: f64) -> f64 {
         -crowning * self.cos
     }
@@ -175,7 +176,7 @@ pub(super) fn curve(
     CrowningCurve { bodies: bodies.name.clone(), points, least, most, with_tip_land: None, refused: None }
 }
 
-/// The curve over all crownings that can be made, followed both ways from none (spec 30 section 9).
+/// The curve over all crownings that can be made, followed both ways from none (`docs/mathematics/dressing.md#conditions`).
 fn whole(
     bodies: &Bodies,
     task: &Task<'_>,

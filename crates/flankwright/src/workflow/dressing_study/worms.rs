@@ -1,5 +1,5 @@
 //! The dresser of the job on other worms: over the pitch diameter, which shrinks with every dressing, or over the pressure angle
-//! (spec 30 section 12).
+//! (`docs/mathematics/dressing.md#conditions`).
 
 use super::bodies::{Bodies, Change};
 use crate::exchange::LoadedJob;
@@ -76,7 +76,7 @@ impl WormCurve {
     }
 }
 
-/// Bracket on either side of the worm's own pressure angle in which P = 0 is sought, degrees (spec 30 section 12).
+/// Bracket on either side of the worm's own pressure angle in which P = 0 is sought, degrees (`docs/mathematics/dressing.md#conditions`).
 const BRACKET_DEG: f64 = 2.0;
 
 /// What runs along the abscissa.

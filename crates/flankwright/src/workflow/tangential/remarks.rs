@@ -11,7 +11,8 @@ use crate::process::tangential_dressing::{Channel, Judged, Shape, Variable};
 use crate::workflow::finding::{Remark, RunFailure};
 use std::collections::BTreeMap;
 
-/// Ratio of the determinants below which the envelope is about to fold: the far branch cuts deeper than it (spec 40 section 3).
+/// Ratio of the determinants below which the envelope is about to fold: the far branch cuts deeper than it
+/// (`docs/mathematics/tangential-dressing.md#the-dressed-worm`).
 const NEAR_FOLD: f64 = 0.2;
 
 pub(super) fn flank_warnings(judged: &Judged) -> Option<Remark> {
@@ -32,7 +33,7 @@ pub(super) fn pass_warning(plan: &PassPlan, tolerance: f64) -> Option<Remark> {
     Some(Remark { code: error.code(), text: error.to_string(), way_out: error.way_out().into() })
 }
 
-/// What one pass for both flanks means (spec 40 section 5).
+/// What one pass for both flanks means (`docs/mathematics/tangential-dressing.md#sensitivities`).
 pub(super) fn shared_pass_warning(passes: &[SettledPass]) -> Option<Remark> {
     let shared = passes.iter().find(|p| p.flanks.len() > 1)?;
     let against: Vec<String> = shared

@@ -77,7 +77,7 @@ pub struct DesignedDresser {
     pub seat: WormSeat,
 }
 
-/// A module of the catalogue may differ from the one that meshes by this share (spec 30 section 18).
+/// A module of the catalogue may differ from the one that meshes by this share (`docs/mathematics/dressing.md#limits-of-a-correction`).
 const MATING: f64 = 1e-6;
 
 /// Refuses a stated module or right profile angle that does not mesh: the normal base pitch would be another one.

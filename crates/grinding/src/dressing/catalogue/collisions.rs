@@ -1,5 +1,5 @@
-//! Whether the dresser of a pair comes too close to what it does not dress: counter flank, and the worm that is left later (spec 30
-//! section 13).
+//! Whether the dresser of a pair comes too close to what it does not dress: counter flank, and the worm that is left later
+//! (`docs/mathematics/dressing.md#limits-of-a-correction`).
 
 use super::pair::{Pair, PairFigures};
 use super::refusal::Refusal;

@@ -1,5 +1,5 @@
 //! One dresser on one worm at one diameter: corrections for the wanted profile crowning, stretch, what the profile misses, and
-//! whether that is allowed (spec 30 section 17). Knows neither a list of bodies nor a ranking.
+//! whether that is allowed (`docs/mathematics/dressing.md`). Knows neither a list of bodies nor a ranking.
 
 use super::bodies::{CatalogueDresser, CatalogueWorm, DesignedDresser, Workshop};
 use super::refusal::Refusal;

@@ -1,5 +1,5 @@
-//! All worms of a catalogue with all dressers for one target: who makes it, ranked (spec 30 section 17). Refused pairs stay in the
-//! list with their reason.
+//! All worms of a catalogue with all dressers for one target: who makes it, ranked (`docs/mathematics/dressing.md`). Refused pairs stay in
+//! the list with their reason.
 
 use super::bodies::{CatalogueDresser, CatalogueWorm, DesignedDresser, Workshop};
 use super::life::RemainingLife;

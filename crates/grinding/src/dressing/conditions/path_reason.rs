@@ -1,4 +1,4 @@
-//! Why a path of corrections goes no further (spec 30 section 9). Knows no conditions.
+//! Why a path of corrections goes no further (`docs/mathematics/dressing.md#conditions`). Knows no conditions.
 
 use crate::dressing::DressedProfile;
 use std::fmt;
@@ -102,7 +102,7 @@ pub(in crate::dressing) fn axis_margin(
     })
 }
 
-/// Sizes of one scaled unknown (spec 30 section 8): 1/r_S and 1/20 rad, 1 mm, 5 mm.
+/// Sizes of one scaled unknown (`docs/mathematics/dressing.md#conditions`): 1/r_S and 1/20 rad, 1 mm, 5 mm.
 pub(in crate::dressing) fn correction_scale(reference_radius: f64) -> [f64; 4] {
     [1.0 / reference_radius, 1.0 / 20.0, 1.0, 5.0]
 }

@@ -1,5 +1,5 @@
-//! How close the dresser comes to the flank across the thread space, and how wide its tip land may be (spec 30 section 13).
-//! Knows no wanted modification.
+//! How close the dresser comes to the flank across the thread space, and how wide its tip land may be
+//! (`docs/mathematics/dressing.md#limits-of-a-correction`). Knows no wanted modification.
 
 use crate::dressing::DressingError;
 use crate::dressing::envelope::{RelativeScrew, circle_contact};

@@ -1,4 +1,5 @@
-//! The cross-section of a disc dresser while it dresses one flank: active flank, tip land, counter flank (spec 30 section 13).
+//! The cross-section of a disc dresser while it dresses one flank: active flank, tip land, counter flank
+//! (`docs/mathematics/dressing.md#limits-of-a-correction`).
 //!
 //! The tip land is made by shifting the counter flank along the dresser's axis. Knows no worm and no motion.
 

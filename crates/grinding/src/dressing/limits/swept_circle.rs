@@ -1,5 +1,5 @@
 //! A circle of the dresser swept along the worm's thread: what it leaves on any worm flank, without the condition of contact
-//! (spec 30 section 13). An independent check of the forward calculation. Knows no section and no limit.
+//! (`docs/mathematics/dressing.md#limits-of-a-correction`). An independent check of the forward calculation. Knows no section and no limit.
 
 use crate::dressing::GeometricRange;
 use crate::dressing::limits::dresser_pose::DresserPose;

@@ -1,5 +1,5 @@
 //! How much room the disc has in the thread space: its rounded tip and its sides against both flanks, by the closed distance
-//! to an involute flank (spec 29 section 1). Knows one position, no line.
+//! to an involute flank (`docs/mathematics/dressing.md#conditions`). Knows one position, no line.
 
 use super::{TipDisc, Touch};
 use foundation::geometry::InvoluteFlank;

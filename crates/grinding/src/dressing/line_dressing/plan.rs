@@ -1,4 +1,4 @@
-//! Lines, pitch and motions with which a narrow disc writes a worm flank (spec 29 section 1).
+//! Lines, pitch and motions with which a narrow disc writes a worm flank (`docs/mathematics/dressing.md#conditions`).
 
 use super::clearance::{Room, ThreadSpace, room};
 use super::lines::{self, DressingLine};

@@ -39,7 +39,7 @@ pub fn read_klingelnberg(path: &Path) -> Result<KlingelnbergFile, InspectionErro
     }
 }
 
-/// Reads the content of a file (spec 85 section 2).
+/// Reads the content of a file (`docs/inspection.md`).
 ///
 /// # Errors
 /// [`InspectionError::FileTooLarge`], [`InspectionError::UnsupportedEncoding`], [`InspectionError::NotKlingelnberg`],
