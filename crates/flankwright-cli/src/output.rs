@@ -103,7 +103,7 @@ pub fn refused<J>(loaded: &Loaded<J>, process: Process, command: &str) -> Failur
     loaded.error(process.refused_by(command)).into()
 }
 
-/// Where the files of a job go: as told, else `<job name>.out/` beside the job. A job that lies in such a folder itself, as
+/// Where the files of a job go: the given directory, else `<job name>.out/` beside the job. A job that lies in such a folder itself, as
 /// `settings.json` does, has its own beside it: `<job name>.settings.out/`.
 pub fn directory<J>(common: &CommonArguments, loaded: &Loaded<J>, job: &JobInfo) -> PathBuf {
     let beside = || {

@@ -130,7 +130,7 @@ impl Shelf {
         Source::new(JOB, text).confined_to(self.folder.path())
     }
 
-    /// A text of the program without the place of the shelf, which is nobody's business.
+    /// A text of the program without the path of the folder, which the client must not see.
     pub fn tell(&self, text: &str) -> String {
         let place = self.folder.path().display().to_string();
         [format!("{place}/{RESULTS}/"), format!("{place}/{MEASURED}/"), format!("{place}/")]

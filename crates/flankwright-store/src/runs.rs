@@ -1,5 +1,5 @@
 //! Runs of a server: a job that was handed in, its state, and once it has ended its document and files. What becomes of runs whose server
-//! is gone is told in `run_servers.rs`.
+//! is gone is decided in `run_servers.rs`.
 
 use serde_json::Value;
 use sqlx::types::Json;

@@ -1,5 +1,5 @@
 //! From a file to a checked job: text, tree, process, shape, types, contradictions. The only way to a job from outside, so
-//! that whoever holds one need not check it again.
+//! that a holder of one need not check it again.
 
 use std::path::{Path, PathBuf};
 

@@ -85,7 +85,7 @@ impl Patch<'_> {
         self.keeps_moving(cutter, (tip, axis), &Moves::default(), wanted)
     }
 
-    /// The same wherever the cutter moves to from there. The distance told is then what is certain.
+    /// The same wherever the cutter moves to from there. The distance reported is then what is certain.
     pub(super) fn keeps_moving(
         &self,
         cutter: &Cutter,

@@ -187,7 +187,7 @@ fn header(words: &AxisWords, options: &LayoutOptions) -> Header {
     Header { name: options.name.clone(), axes: words.words.clone(), chord_tolerance: options.tolerance }
 }
 
-/// Where all axes stand, if they have been told to stand anywhere.
+/// Where all axes stand, if they have been positioned.
 type Standing = Option<Positions>;
 
 fn comment(text: &str) -> Block {

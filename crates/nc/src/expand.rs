@@ -7,7 +7,7 @@ use super::{AxisMotion, Block, NcError, Program, Targets};
 const HALVINGS: u32 = 20;
 
 /// The program with its cubics and B-splines as straight blocks: at 1/4, 1/2 and 3/4 of every block each axis is within its
-/// tolerance (mm or rad, in the order of the axes) of the curve. Chord errors of a flank are a matter of whoever knows the flank:
+/// tolerance (mm or rad, in the order of the axes) of the curve. Chord errors of a flank are a matter for the caller, who knows the flank:
 /// its sensitivities make the tolerances.
 ///
 /// # Errors

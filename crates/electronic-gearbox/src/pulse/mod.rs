@@ -84,10 +84,10 @@ pub struct TimedPulse {
 pub struct Status {
     /// Reference pulses seen.
     pub references: u64,
-    /// Intervals that ended, with their own sense, while corrections of the one before were still owed. Whoever supervises stops the
+    /// Intervals that ended, with their own sense, while corrections of the one before were still owed. The supervising program stops the
     /// feed when it grows.
     pub overruns: u64,
-    /// Intervals of one sense shorter than P ticks: the slide is faster than v_max = f1 p/P. Whoever supervises stops the feed when it
+    /// Intervals of one sense shorter than P ticks: the slide is faster than v_max = f1 p/P. The supervising program stops the feed when it
     /// grows.
     pub too_fast: u64,
     /// Intervals that ended with the other sense while corrections of the one before were still owed. No alarm: a slide that turns on a

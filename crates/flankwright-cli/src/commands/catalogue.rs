@@ -76,7 +76,7 @@ pub fn explore(
     if common.quiet
         && let Some(refused) = outcome.pairs.first().and_then(|pair| pair.refused.as_ref())
     {
-        // That nothing fits is told even when all else is quiet.
+        // That nothing fits is reported even when all else is quiet.
         eprintln!("{}: no pair makes the profile: {}; {}", outcome.job, refused.text, refused.way_out);
     }
     Ok(Exit::NotProducible)

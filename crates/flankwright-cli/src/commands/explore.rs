@@ -67,7 +67,7 @@ pub fn run(arguments: &ExploreArguments) -> Result<Exit, Failure> {
     if common.quiet
         && let Some(refused) = outcome.candidates.first().and_then(|c| c.refused.as_ref())
     {
-        // That nothing fits is told even when all else is quiet.
+        // That nothing fits is reported even when all else is quiet.
         eprintln!("{}: no combination is allowed: {}; {}", outcome.job, refused.text, refused.way_out);
     }
     Ok(if outcome.is_producible() { Exit::TargetMissed } else { Exit::NotProducible })

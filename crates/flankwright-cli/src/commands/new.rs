@@ -32,7 +32,7 @@ fn process_parser() -> impl TypedValueParser<Value = Process> {
     })
 }
 
-/// Prints the example job, or writes it to the directory told.
+/// Prints the example job, or writes it to the given directory.
 ///
 /// # Errors
 /// The output cannot be written.

@@ -80,7 +80,7 @@ pub(super) fn conclude(
         output::print(&summary())?;
     }
     if let Some(reason) = verdict.reason.filter(|_| common.quiet) {
-        // A miss is told even when all else is quiet.
+        // A miss is reported even when all else is quiet.
         eprintln!("{}: target {}: {} {}", verdict.job, verdict.status.words(), reason.text, reason.way_out);
     }
     // Without a reason the target is met, or nothing was asked for.

@@ -1,4 +1,4 @@
-//! Work that takes a moment: a few pieces at once, the others wait their turn. What asks its progress ends when nobody waits for it any
+//! Work that takes a moment: a few pieces at once, the others wait their turn. What asks its progress ends when no client waits for it any
 //! more.
 
 use std::sync::Arc;

@@ -130,7 +130,7 @@ fn packed(scene: &Scene) -> io::Result<Vec<u8>> {
     packing.finish()
 }
 
-/// Results that are not put down. The path on the server is nobody's business.
+/// Results that are not put down. The path on the server is not shown to the client.
 pub(super) fn unwritten(error: &WriteError) -> Failure {
     match error {
         WriteError::Io { source, .. } => Failure::disk(source),

@@ -1,6 +1,6 @@
 //! Numbers of the worm's design chosen so that one diagonal ratio, constant or varying, meets the targets of both flanks
 //! best (`docs/mathematics/planning.md#variable-diagonal-ratio`, `docs/mathematics/planning.md`): the bodies are built anew for every value
-//! by whoever asks. Knows no plan.
+//! by the caller. Knows no plan.
 
 use super::fit_shift::{around, fit_from};
 use super::least_squares::{FitSettings, FlankFit, Objective, RatioSearch, Samples, search_ratio};

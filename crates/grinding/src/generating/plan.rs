@@ -99,7 +99,7 @@ pub struct GrindingPlan {
 
 /// Largest margin dressed beyond the occupation, mm.
 const LARGEST_DRESSING_MARGIN: f64 = 48.0;
-/// Distance of the contacts from the ends of the finished worm, mm: room for the search of whoever checks the plan.
+/// Distance of the contacts from the ends of the finished worm, mm: room for the search of a check of the plan.
 const CONTACT_MARGIN: f64 = 1.5;
 /// Outer rounds with the worm as dressed.
 const OUTER_ROUNDS: usize = 3;

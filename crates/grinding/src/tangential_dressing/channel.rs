@@ -183,7 +183,7 @@ pub struct Variable {
 
 /// Degree of the splines: their second derivative, which the curvature of the worm needs, is smooth as well.
 const SPLINE_DEGREE: usize = 4;
-/// Largest exponent: beyond it powers over the same range can no longer be told apart.
+/// Largest exponent: beyond it powers over the same range can no longer be distinguished.
 pub const LARGEST_EXPONENT: u32 = 9;
 
 impl Variable {

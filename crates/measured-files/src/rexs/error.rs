@@ -74,7 +74,7 @@ pub enum RexsError {
         /// Units that are converted.
         allowed: &'static str,
     },
-    /// A gear whose flanks nobody names.
+    /// A gear without names of its flanks.
     #[error("no relation `flank` says which flanks the gear {gear} has")]
     NoFlankRelation {
         /// Number of the gear's component.

@@ -30,7 +30,7 @@ const STEPS: f64 = 4.0;
 const HALVINGS: usize = 30;
 
 /// The mount with the least tilt up to `greatest` (rad), among 72 directions, that keeps paths at least `clearance` (rad) away
-/// from the pole. Whether the axes reach the paths then is told by [`choose`](super::choose).
+/// from the pole. Whether the axes reach the paths then is decided by [`choose`](super::choose).
 ///
 /// # Errors
 /// [`MotionError::NoTilt`]; [`MotionError::InvalidNumber`]; [`MotionError::Place`] for numbers that are not usable.

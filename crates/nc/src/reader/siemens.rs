@@ -110,7 +110,7 @@ struct OpenTable {
     outside: Places,
 }
 
-/// A gear as the calls have told it so far.
+/// A gear as the calls have described it so far.
 struct Defined {
     leaders: Vec<usize>,
     gear: Option<Gear>,

@@ -1,4 +1,4 @@
-//! What a writer may be told, and what it gives back. Knows no grammar.
+//! Options of a writer, and what it gives back. Knows no grammar.
 
 use crate::NcError;
 

@@ -1,5 +1,5 @@
 //! How far the tool on the workpiece may be off because numbers are rounded (`docs/mathematics/programs.md#cutters`), stated for a whole
-//! program from which words its blocks have. Knows no dialect and no machine: the distances from the axes of rotation are told.
+//! program from which words its blocks have. Knows no dialect and no machine: the distances from the axes of rotation are given.
 
 use super::options::WriteOptions;
 use crate::{AxisMotion, AxisWord, Block, NcError, Orientation, Program, Targets, Word};

@@ -29,7 +29,7 @@ pub struct Barrier<'a> {
     pub pose: &'a MeasuringPose,
 }
 
-/// Steps of Newton's iteration, and the last of them, rad and mm; the length of roll is told by how the gap bends, less sharply.
+/// Steps of Newton's iteration, and the last of them, rad and mm; the length of roll follows from the curvature of the gap, less sharply.
 const STEPS: usize = 40;
 const LAST: f64 = 1e-14;
 const LAST_ROLL: f64 = 1e-9;

@@ -166,7 +166,7 @@ impl Engagement {
     }
 
     /// Asks for the coupling to be opened. A ramp or phase move that runs is finished first; then the follower comes to rest with the
-    /// time rule of engaging, also while the leading axes run on. In a fault the coupling opens once they stand. Whoever calls this has to
+    /// time rule of engaging, also while the leading axes run on. In a fault the coupling opens once they stand. The caller has to
     /// know that tool and gear are clear of each other.
     pub fn switch_off(&mut self) {
         self.off_requested = !matches!(self.stage, Stage::Off | Stage::Leaving(_));

@@ -68,7 +68,7 @@ pub(super) fn flanks(figures: &PairFigures) -> BTreeMap<&'static str, PairFlank>
 /// How long a worm serves.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PairLife {
-    /// Pitch diameter of now.
+    /// Current pitch diameter.
     pub from_mm: f64,
     /// Smallest pitch diameter at which the target is still made.
     pub to_mm: f64,
@@ -95,7 +95,7 @@ pub struct CataloguePair {
     pub ok: bool,
     /// max |DK_j/limit_j|.
     pub largest_share_of_limit: Option<f64>,
-    /// Pitch diameter of the worm of now.
+    /// Pitch diameter of the worm in its present state.
     pub worm_pitch_diameter_mm: Option<f64>,
     /// Figures per flank that is ground.
     pub flanks: BTreeMap<&'static str, PairFlank>,
@@ -171,7 +171,7 @@ pub struct LifeCurve {
     pub worm: String,
     /// Name of the dresser.
     pub dresser: String,
-    /// From the diameter of now to the smallest.
+    /// From the current diameter to the smallest.
     pub points: Vec<LifePoint>,
 }
 

@@ -112,7 +112,7 @@ pub fn derived_geometry(job: &AnyJob) -> Result<(DerivedGeometry, Vec<Remark>), 
     })
 }
 
-/// Reads the machine description that a job names, so that a file that is missing or wrong is told before anything is planned.
+/// Reads the machine description that a job names, so that a missing or wrong file is reported before planning.
 fn check_machine(job: &AnyJob) -> Result<(), JobFailure> {
     let read = match job {
         AnyJob::Grinding(loaded) => loaded.job.machine.as_ref().map(|m| machine_of_job(loaded, &m.file)),

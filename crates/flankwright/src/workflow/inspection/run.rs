@@ -39,7 +39,7 @@ pub struct GearInspection {
 /// part is judged by it.
 ///
 /// # Errors
-/// [`JobFailure`]: a file that is no measurement, a header that makes no gear, a class that the standard does not have. What single traces lack is told by warnings.
+/// [`JobFailure`]: a file that is no measurement, a header that makes no gear, a class that the standard does not have. What single traces lack is reported in warnings.
 pub fn inspect_gear(
     path: &Path,
     statements: &Statements,
@@ -138,7 +138,7 @@ impl Judging {
     }
 }
 
-/// What reading a file has told.
+/// What reading a file has found.
 #[derive(Default)]
 struct Told {
     not_understood: Vec<LinesResult>,

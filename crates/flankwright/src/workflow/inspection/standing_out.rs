@@ -14,7 +14,7 @@ pub(super) struct StandingOut {
     pub largest: f64,
 }
 
-/// Teeth from which on what goes around the gear once a turn is told apart, and fewest teeth.
+/// Teeth from which on what goes around the gear once a turn is separated, and fewest teeth.
 const TEETH_WITH_HARMONIC: usize = 6;
 const TEETH_WITHOUT: usize = 4;
 /// Teeth that differ by less are alike, mm.

@@ -15,7 +15,7 @@ use nalgebra::{Rotation3, Vector3};
 const HIDDEN: f64 = 0.01;
 /// The last cylinder of a tool goes on so far, mm.
 const UPWARDS: f64 = 1000.0;
-/// Faults of one body that are told.
+/// Faults of one body that are reported.
 const MOST_OF_A_BODY: usize = 20;
 
 /// Code of a move that comes too near.

@@ -80,7 +80,7 @@ const POINTS: usize = 121;
 /// The comparison on every flank of a plan, in its order; empty where the job does not want it.
 ///
 /// # Errors
-/// [`RunFailure`] for a machine that is none or has no five axes. What a row of the comparison does not reach is told in the result.
+/// [`RunFailure`] for a machine that is none or has no five axes. What a row of the comparison does not reach is reported in the result.
 pub(super) fn orientations(
     job: &MillingJob,
     machine: Option<&LoadedMachine>,

@@ -19,7 +19,7 @@ use crate::process::skiving::{MeasuringTrack, SettingFit, SkivingError};
 use crate::workflow::finding::RunFailure;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Standard deviation of a growth up to which it is told from a shift of the edge, mm.
+/// Standard deviation of a growth up to which it is distinguished from a shift of the edge, mm.
 const GROWTH_RESOLUTION: f64 = 2e-3;
 /// What a linear evaluation is off where nothing scatters (`docs/mathematics/skiving.md#how-it-is-verified`), mm.
 const LEAST_SIGMA: f64 = 3e-5;

@@ -396,7 +396,7 @@ pub struct ScatterResult {
     pub mean: f64,
     /// Standard deviation.
     pub sigma: f64,
-    /// What was told before, from the readings' own standard deviation; absent where nothing is told.
+    /// The prediction from the readings' own standard deviation; absent where there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stated_sigma: Option<f64>,
     /// 95 % of the repetitions lie between these.

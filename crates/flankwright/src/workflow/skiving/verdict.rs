@@ -299,7 +299,7 @@ fn above_tolerance(flank: &SkivedFlankResult, tolerance_um: f64) -> Remark {
     )
 }
 
-/// Teeth that were not measured whole, and so many broken ones that the whole ones are no longer told from them.
+/// Teeth that were not measured whole, and so many broken ones that the whole ones are no longer distinguishable.
 fn of_teeth(found: &Judged<'_>, measurement: &Measurement, verdict: &mut Verdict) {
     let incomplete = measurement.measured.incomplete();
     if !incomplete.is_empty() {

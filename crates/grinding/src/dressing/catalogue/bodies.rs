@@ -120,10 +120,10 @@ impl CatalogueWorm {
         }
     }
 
-    /// Smallest pitch diameter that it may reach, mm; that of now if none is stated.
+    /// Smallest pitch diameter that it may reach, mm; the current one if none is stated.
     ///
     /// # Errors
-    /// [`DressingError::InvalidNumber`] for one above that of now or not above 0.
+    /// [`DressingError::InvalidNumber`] for one above the current one or not above 0.
     pub fn smallest_pitch_diameter(&self, now: &WormSeat) -> Result<f64, DressingError> {
         let pitch = 2.0 * now.reference_radius();
         let smallest = match self.smallest {

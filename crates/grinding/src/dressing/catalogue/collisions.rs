@@ -55,7 +55,7 @@ impl Pair<'_> {
         Err(Refusal::TipLand { flank, largest, needed })
     }
 
-    /// Refuses a pair that, dressing the worm of now with its corrections, cuts into the worm that is left later. The leads of both
+    /// Refuses a pair that, dressing the worm in its present state with its corrections, cuts into the worn worm that remains later. The leads of both
     /// differ, so that the ends of the worm decide.
     pub(super) fn check_undermining(
         &self,

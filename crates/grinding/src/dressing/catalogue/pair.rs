@@ -116,7 +116,7 @@ impl PairFigures {
 }
 
 impl Pair<'_> {
-    /// The worm of now under the dresser.
+    /// The worm in its present state under the dresser.
     ///
     /// # Errors
     /// Those of [`CatalogueWorm::seat`].

@@ -76,7 +76,7 @@ pub enum Refusal {
         /// Land needed.
         needed: f64,
     },
-    /// Dressing the worm of now cuts into the worm that shall be left later.
+    /// Dressing the worm in its present state cuts into the worn worm that remains later.
     #[error(
         "dressing the {flank} flank cuts {cut:.4} mm into the worm of {pitch_diameter:.3} mm pitch diameter at z = {b:.1} mm"
     )]

@@ -199,7 +199,7 @@ impl<'a> ConditionSolver<'a> {
         }
     }
 
-    /// Follows the solution while the residual at the start is scaled from 1 to 0; the parameter is the share done away with.
+    /// Follows the solution while the residual at the start is scaled from 1 to 0; the continuation parameter is the share removed.
     fn follow(
         &self,
         conditions: &[Condition; 4],

@@ -148,7 +148,7 @@ impl Filling<'_> {
     }
 }
 
-/// Signs of a file; those that mean a hand or the material are told so.
+/// Signs of a file; those that mean a hand or the material are named so.
 fn custom_words(sigma: Sides<f64>) -> String {
     let hand = Flank::BOTH.into_iter().all(|flank| sigma[flank] == flank.sign());
     match (sigma.left > 0.0, sigma.right > 0.0) {

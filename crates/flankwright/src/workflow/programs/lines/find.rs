@@ -1,5 +1,5 @@
 //! The lines in what a text does: wherever the tip of the disc moves along the written flank, and which line of the job that is. A line
-//! is told by where the disc touches the worm, never by its place in the text.
+//! is identified by where the disc touches the worm, never by its place in the text.
 
 use super::touch::{Touch, counter_gap, touch_written};
 use super::work::LineWork;

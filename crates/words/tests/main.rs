@@ -1,0 +1,3 @@
+//! What the texts of the repository are held to.
+
+mod german_help;
