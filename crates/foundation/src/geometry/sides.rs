@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Flank of a tooth space, seen from +z towards -z (`docs/mathematics/conventions.md`). The left flank lies at x > 0 for z = 0.
+/// Flank of a tooth space, seen from +z towards -z. The left flank lies at x > 0 for z = 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Flank {
