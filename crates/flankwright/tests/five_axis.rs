@@ -629,7 +629,7 @@ struct Helical {
     heights: [f64; 2],
 }
 
-/// A column of it: point of the lead curve, direction of that curve.
+/// A column of it: point of the guide curve, direction of that curve.
 struct Column {
     c: Vector3<f64>,
     t: Vector3<f64>,

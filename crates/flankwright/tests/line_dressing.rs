@@ -256,7 +256,7 @@ fn a_hollow_needs_a_rounder_tip() {
     assert!(form(0.9 * largest) && !form(1.1 * largest), "{largest}");
 }
 
-/// A counter flank so far away that nothing meets it.
+/// A opposite flank so far away that nothing meets it.
 fn far_counter(gear: &Gear) -> InvoluteFlank {
     let flank = *gear.flank(Flank::Right);
     InvoluteFlank { teeth: 1.0, base_space_half_angle: flank.base_space_half_angle + 0.6, ..flank }
@@ -269,7 +269,7 @@ fn a_disc_too_thick_is_named_with_its_depth() {
     let slim = says(0.8).unwrap();
     let less = says(0.4).unwrap();
     assert!(slim.clearance > 0.0 && less.clearance > slim.clearance);
-    // Brute force: points of the torus and of the sides against the counter flank.
+    // Brute force: points of the torus and of the sides against the opposite flank.
     let brute = |tip_radius: f64, w: f64| {
         let task = task(&gear, Flank::Left, &Unmodified, tip_radius, 0.0);
         let at = task.touch(w, 0.0, 0.0).unwrap().position;

@@ -2,7 +2,7 @@
 
 use super::{Source, parse_any_job};
 
-/// A change to a job, the code and the key that it is answered with, and parts of what is said.
+/// A change to a job, the code and the key that it is answered with, and parts of the message.
 pub(super) type Case = (&'static str, &'static str, &'static str, &'static str, &'static [&'static str]);
 
 /// Changes a job by every case and looks at the answer.

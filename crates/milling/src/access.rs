@@ -49,7 +49,7 @@ fn widest(cutter: &Cutter) -> f64 {
 /// holder and spindle any of its teeth and ends away from the space.
 ///
 /// # Errors
-/// [`MillingError::InternalAccess`], [`MillingError::RingMet`]; those of the lead curve.
+/// [`MillingError::InternalAccess`], [`MillingError::RingMet`]; those of the guide curve.
 pub fn check_access(space: &Space, options: &PlanOptions, flanks: &[FlankPlan]) -> Result<(), MillingError> {
     let Some(ring) = Ring::of(space)? else { return Ok(()) };
     let cutter = &options.cutter;

@@ -1,4 +1,4 @@
-//! One column: the section of a flank with a plane that stands perpendicular to the lead curve
+//! One column: the section of a flank with a plane that stands perpendicular to the guide curve
 //! (`docs/mathematics/milling.md#columns-and-rows`).
 
 use super::{ActiveFlank, HeightLimits, LeadPoint, MillingError};
@@ -32,12 +32,12 @@ const PIECES: usize = 64;
 const BEYOND: f64 = 1.0;
 
 impl<'a> ColumnPlane<'a> {
-    /// The plane at a point of the lead curve.
+    /// The plane at a point of the guide curve.
     pub fn new(flank: &'a ActiveFlank, lead: LeadPoint) -> Self {
         Self { flank, lead }
     }
 
-    /// The point of the lead curve with its frame.
+    /// The point of the guide curve with its frame.
     pub fn lead(&self) -> &LeadPoint {
         &self.lead
     }

@@ -12,8 +12,8 @@ pub enum MillingError {
     /// A body is impossible.
     #[error(transparent)]
     Geometry(#[from] GeometryError),
-    /// A lead curve leaves its base body or has no direction.
-    #[error("at u = {u} the lead curve leaves the base body (t.N = {sine:e}, allowed 1e-9)")]
+    /// A guide curve leaves its base body or has no direction.
+    #[error("at u = {u} the guide curve leaves the base body (t.N = {sine:e}, allowed 1e-9)")]
     LeadOffBase {
         /// Parameter of the curve.
         u: f64,
@@ -25,7 +25,7 @@ pub enum MillingError {
         "the column plane at u = {u} does not meet the flank at height {height} (looked for near length {start})"
     )]
     ColumnNoSection {
-        /// Parameter of the lead curve.
+        /// Parameter of the guide curve.
         u: f64,
         /// Height parameter.
         height: f64,
@@ -35,7 +35,7 @@ pub enum MillingError {
     /// A column is not ended by a body.
     #[error("the column at u = {u} does not reach {body:?}")]
     ColumnNoLimit {
-        /// Parameter of the lead curve.
+        /// Parameter of the guide curve.
         u: f64,
         /// The body.
         body: LimitBody,
@@ -59,7 +59,7 @@ pub enum MillingError {
     /// Rows cannot be spaced because the weight along the column is not smooth.
     #[error("rows cannot be spaced on the column at u = {u}: the weight is known to {tail:e} only")]
     SpacingNotSmooth {
-        /// Parameter of the lead curve.
+        /// Parameter of the guide curve.
         u: f64,
         /// What the series misses, relative.
         tail: f64,
@@ -70,7 +70,7 @@ pub enum MillingError {
         half_angle.to_degrees(), out_of_plane.to_degrees()
     )]
     AxisNone {
-        /// Parameter of the lead curve.
+        /// Parameter of the guide curve.
         u: f64,
         /// Half angle of the cutter, rad.
         half_angle: f64,
@@ -80,7 +80,7 @@ pub enum MillingError {
     /// The wanted contact is not on the cutter.
     #[error("at u = {u} the contact is not on the cutter: {fault}")]
     ContactOffTool {
-        /// Parameter of the lead curve.
+        /// Parameter of the guide curve.
         u: f64,
         /// Why.
         fault: TouchFault,
@@ -116,7 +116,7 @@ pub enum MillingError {
         "at u = {u} the corner radius {corner_radius} mm is too large for the depth of the root: the straight piece would be {straight:.4} mm"
     )]
     RootCorner {
-        /// Parameter of the lead curve.
+        /// Parameter of the guide curve.
         u: f64,
         /// h_b, mm.
         straight: f64,
@@ -128,7 +128,7 @@ pub enum MillingError {
         "at u = {u} the fillets of both flanks overlap by {overlap:.4} mm each with the corner radius {corner_radius} mm"
     )]
     RootOverlap {
-        /// Parameter of the lead curve.
+        /// Parameter of the guide curve.
         u: f64,
         /// How far the lowest point lies beyond the middle, mm.
         overlap: f64,
@@ -141,7 +141,7 @@ pub enum MillingError {
         lean.to_degrees()
     )]
     RootBottom {
-        /// Parameter of the lead curve.
+        /// Parameter of the guide curve.
         u: f64,
         /// Half of the distance of the fillets' lowest points, mm.
         half_width: f64,
@@ -155,7 +155,7 @@ pub enum MillingError {
         "at u = {u} the root pass needs {needed:.4} mm of cutting edge, the tool has {cutting_length} mm"
     )]
     ToolShort {
-        /// Parameter of the lead curve.
+        /// Parameter of the guide curve.
         u: f64,
         /// h_b + r_c, mm.
         needed: f64,
@@ -234,9 +234,9 @@ pub enum MillingError {
         /// What they should keep, mm.
         wanted: f64,
     },
-    /// No lead curve has the wanted row in its column planes.
+    /// No guide curve has the wanted row in its column planes.
     #[error(
-        "no lead curve with a radius of {from:.2} to {to:.2} mm has the normals of that row in its column planes"
+        "no guide curve with a radius of {from:.2} to {to:.2} mm has the normals of that row in its column planes"
     )]
     NoSuchLead {
         /// Least radius looked at, mm.
@@ -265,7 +265,7 @@ pub enum MillingError {
     RootTool,
     /// The roughing cutter is too thick for the space.
     #[error(
-        "the roughing cutter finds no room between the flanks from {top:.3} mm down to {bottom:.3} mm above the lead curve"
+        "the roughing cutter finds no room between the flanks from {top:.3} mm down to {bottom:.3} mm above the guide curve"
     )]
     RoughingNowhere {
         /// Height of the first layer, mm.
@@ -344,13 +344,13 @@ impl MillingError {
     pub fn way_out(&self) -> &'static str {
         match self {
             Self::Geometry(error) => error.way_out(),
-            Self::LeadOffBase { .. } => "give a lead curve that lies on the base body",
+            Self::LeadOffBase { .. } => "give a guide curve that lies on the base body",
             Self::ColumnNoSection { .. } => "shorten the overrun or the skew of the column planes",
             Self::ColumnNoLimit { .. } => "check the bodies that end the flank at root and tip",
             Self::ColumnKink { .. } => {
                 "mill each half alone and end its columns before the middle of the gear"
             }
-            Self::RangeNotFound { .. } => "check the lead curve: its planes must cross the ends of the face",
+            Self::RangeNotFound { .. } => "check the guide curve: its planes must cross the ends of the face",
             Self::SpacingNotSmooth { .. } => "space the rows by equal arcs",
             Self::AxisNone { .. } => "take a cutter with a smaller half angle, or planes set askew",
             Self::ContactOffTool { .. } => {

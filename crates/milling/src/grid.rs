@@ -32,7 +32,7 @@ pub struct Column {
 /// Columns with the same number of points; row i is the i-th point of all columns.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlankGrid {
-    /// The columns along the lead curve.
+    /// The columns along the guide curve.
     pub columns: Vec<Column>,
 }
 
@@ -53,7 +53,7 @@ impl Column {
     /// The column of a flank in the plane at `u`.
     ///
     /// # Errors
-    /// Those of the lead curve, of the sections and of the spacing.
+    /// Those of the guide curve, of the sections and of the spacing.
     pub fn build(
         flank: &ActiveFlank,
         lead: &dyn LeadCurve,

@@ -1,4 +1,4 @@
-//! What a cutter does near its contact (`docs/mathematics/milling.md#cusps-chords-local-gouging`): curvatures of flank and cutter, gouging,
+//! What a cutter does near its contact (`docs/mathematics/milling.md#scallops-chords-local-gouging`): curvatures of flank and cutter, gouging,
 //! the scallop between rows and the error of straight blocks.
 
 use super::{ContactZone, CutterLocation, MillingError};

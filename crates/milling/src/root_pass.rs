@@ -39,10 +39,10 @@ pub struct RootSection {
     corner_radius: f64,
 }
 
-/// The second pass: axis = N, along the lead curve.
+/// The second pass: axis = N, along the guide curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BottomPass {
-    /// x_c: the tool's centre goes from -x_c to x_c across the lead curve, mm.
+    /// x_c: the tool's centre goes from -x_c to x_c across the guide curve, mm.
     pub half_travel: f64,
     /// Height of the tip above the lead point, mm.
     pub height: f64,

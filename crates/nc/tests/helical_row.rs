@@ -64,7 +64,7 @@ impl Helicoid {
         [point, along_w, along_z, sum(u.map(|part| -cos * part), -sin, [0.0, 0.0, 1.0])]
     }
 
-    /// Point of the lead curve, normal of the column plane, normal of the root cylinder.
+    /// Point of the guide curve, normal of the column plane, normal of the root cylinder.
     fn column(&self, u: f64) -> [Vector; 3] {
         let e = radial(-self.lead * u);
         let c = sum(e.map(|part| self.root * part), u, [0.0, 0.0, 1.0]);

@@ -61,7 +61,7 @@ pub struct StrokePlan {
 }
 
 impl StrokePlan {
-    /// The strokes that a job with left-out threads takes; `None` where every thread grinds.
+    /// The strokes that a job with inactive threads takes; `None` where every thread grinds.
     ///
     /// # Errors
     /// A finding on `grinding.active_threads`.

@@ -5,7 +5,7 @@ use foundation::geometry::{Flank, GridSurface, Helicoid, NormalSide, Surface};
 use foundation::numerics::{brent, equidistant};
 use nalgebra::Vector3;
 
-/// Point and tangent of the lead curve of a case at u (`docs/mathematics/milling.md#columns-and-rows`).
+/// Point and tangent of the guide curve of a case at u (`docs/mathematics/milling.md#columns-and-rows`).
 fn lead(case: &str, u: f64) -> [Vector3<f64>; 2] {
     let e_r = |angle: f64| Vector3::new(angle.sin(), angle.cos(), 0.0);
     if case == "helical" {

@@ -39,7 +39,7 @@ impl ProfileOffset for GearProfile {
     }
 }
 
-/// Margin of the dressed length beyond the occupation, mm: the contact shift of a modified worm stays below it.
+/// Margin of the dressed length beyond the used worm width, mm: the contact shift of a modified worm stays below it.
 pub const DRESSING_MARGIN: f64 = 3.0;
 /// Chebyshev nodes of DK(v).
 pub const DRESSING_NODES: usize = 17;
@@ -142,7 +142,7 @@ pub(super) fn with_profiles(plain: &DresserTool, worms: &Sides<Option<IdealWorm>
     plain.with_offsets(&offsets)
 }
 
-/// Interval of v in which `tool` dresses the plan's occupation of one flank with a margin at each end, mm.
+/// Interval of v in which `tool` dresses the worm width that the plan uses on one flank with a margin at each end, mm.
 pub fn dressing_interval(
     setup: &GrindingSetup,
     tool: &DresserTool,
@@ -249,7 +249,7 @@ fn straightened(worm: &IdealWorm, rolls: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [constant - inclination, constant, constant + inclination]
 }
 
-/// DK against the nominal kinematics at a few positions over the occupation of the flanks that are ground: enough for the score of
+/// DK against the nominal kinematics at a few positions over the used worm width of the flanks that are ground: enough for the score of
 /// a candidate.
 ///
 /// # Errors
@@ -275,7 +275,7 @@ pub fn sample_corrections(
     Ok(dks)
 }
 
-/// Interval of v that dresses the occupation of all of `flanks`.
+/// Interval of v that dresses the used worm width of all of `flanks`.
 fn common_interval(
     setup: &GrindingSetup,
     tool: &DresserTool,
@@ -364,7 +364,7 @@ pub fn dress_flanks(
     Ok(Sides { left: left?, right: right? })
 }
 
-/// DK(v) over the occupation with as many nodes as it takes.
+/// DK(v) over the used worm width with as many nodes as it takes.
 fn dress(
     setup: &GrindingSetup,
     plan: &IdealPlan,

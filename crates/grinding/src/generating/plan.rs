@@ -97,7 +97,7 @@ pub struct GrindingPlan {
     pub between: Sides<f64>,
 }
 
-/// Largest margin dressed beyond the occupation, mm.
+/// Largest margin dressed beyond the used worm width, mm.
 const LARGEST_DRESSING_MARGIN: f64 = 48.0;
 /// Distance of the contacts from the ends of the finished worm, mm: room for the search of a check of the plan.
 const CONTACT_MARGIN: f64 = 1.5;
@@ -113,7 +113,7 @@ struct Equipped {
     dresser: Option<DresserTool>,
     flanks: Sides<Option<PlannedTool>>,
     error: GroundError,
-    /// Length of the tool beyond the occupation, mm.
+    /// Length of the tool beyond the used width, mm.
     margin: f64,
 }
 

@@ -36,7 +36,7 @@ pub struct SetupInput {
 /// What is chosen of a dresser. mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DresserChoice {
-    /// Outside diameter.
+    /// Tip diameter.
     pub tip_diameter: f64,
     /// Pitch diameter, if given.
     pub pitch_diameter: Option<f64>,
@@ -245,7 +245,7 @@ impl GrindingSetup {
 pub(super) struct Placed {
     pub made: WormForGear,
     pub pair: Pair,
-    /// Distance of the axes as the pitch planes engage, mm.
+    /// Centre distance as the pitch planes engage, mm.
     pub engaged: f64,
     /// Root radius of the worm that leaves the clearance to the gear's tip, mm.
     pub root_by_gear: f64,

@@ -81,7 +81,7 @@ impl StrokedFlank {
         Self::new(layout, flank, places, along)
     }
 
-    /// Solves every stroke of a flank for the worm function of a plan, `margin` mm beyond the occupation at each end.
+    /// Solves every stroke of a flank for the worm function of a plan, `margin` mm beyond the used worm width at each end.
     ///
     /// # Errors
     /// Those of [`StrokeAlong::solve`] of the first stroke that fails, and of [`StrokedFlank::new`].

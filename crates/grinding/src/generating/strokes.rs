@@ -1,4 +1,4 @@
-//! Left-out threads: how many strokes a pass takes when only some threads of the worm grind
+//! Inactive threads: how many strokes a pass takes when only some threads of the worm grind
 //! (`docs/mathematics/planning.md#choice-of-the-ratio`).
 
 use super::{GeneratingError, curve_law::number};

@@ -67,10 +67,10 @@ impl Weights {
 pub enum FitGrid {
     /// That many points each way at equidistant radii, as the source has it with 5.
     Radii(usize),
-    /// That many points each way, graded in roll length: between Chebyshev and equidistant, for near the base circle the radius hides
+    /// That many points each way, graded in the length of roll: between Chebyshev and equidistant, for near the base circle the radius hides
     /// what the roll shows.
     Graded(usize),
-    /// That many points over the profile and over the face, equidistant in roll length.
+    /// That many points over the profile and over the face, equidistant in the length of roll.
     Equidistant(usize, usize),
 }
 

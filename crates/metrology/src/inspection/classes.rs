@@ -1,4 +1,4 @@
-//! Which accuracy class measured values reach (`docs/mathematics/inspection.md#tolerances`).
+//! Which tolerance class measured values reach (`docs/mathematics/inspection.md#tolerances`).
 
 use super::error::usable;
 use super::tolerances::CLASSES;

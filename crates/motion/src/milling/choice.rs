@@ -1,4 +1,4 @@
-//! Which of the two solutions, and which turn, along a path of cutter places: dynamic programming over all that the travels allow
+//! Which of the two solutions, and which turn, along a path of cutter locations: dynamic programming over all that the travels allow
 //! (`docs/mathematics/milling.md#positions-of-five-axes`).
 
 use super::{CutterPlace, MillingSetup};

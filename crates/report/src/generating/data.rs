@@ -37,7 +37,7 @@ pub struct GeneratingReport {
     pub worm: Vec<Quantity>,
     /// Data of the dresser.
     pub dresser: Vec<Quantity>,
-    /// Settings of the machine and the process: distances, angles, feeds, occupation.
+    /// Settings of the machine and the process: distances, angles, feeds, used worm width.
     pub settings: Vec<Quantity>,
     /// The diagonal ratio and why it was chosen.
     pub ratio: Option<RatioChoice>,

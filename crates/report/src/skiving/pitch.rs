@@ -21,7 +21,7 @@ pub struct PitchView {
     pub centre_um: Vec<f64>,
     /// Cosine and sine part of the centres' first harmonic, um.
     pub harmonic_um: [f64; 2],
-    /// Teeth that stand out.
+    /// Outlier teeth.
     pub outliers: Vec<usize>,
     /// F_p, f_p,max, eccentricity, wobble and what else there is.
     pub figures: Vec<UncertainFigure>,

@@ -30,7 +30,7 @@ use standing_out::{StandingOut, beyond_median, standing_out};
 /// Whose deviations make clocking, means, pitch and correction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Counting {
-    /// Those of teeth that do not stand out.
+    /// Those of teeth that are no outliers.
     Whole,
     /// Those of all teeth, as `docs/mathematics/skiving.md#evaluation` has it; the mounting alone leaves teeth out.
     All,
@@ -51,9 +51,9 @@ pub struct Evaluation {
     pub remaining: Deviations,
     /// Profiles, tolerance bands and wear.
     pub profile: ProfileVerdict,
-    /// Teeth that count for clocking, means, mounting and correction: measured whole, and not standing out.
+    /// Teeth that count for clocking, means, mounting and correction: measured whole, and no outlier.
     pub counting: Vec<bool>,
-    /// The edges that stand out, of the teeth that are left out: the left flank first, teeth ascending.
+    /// The outlier edges of the teeth that are left out: the left flank first, teeth ascending.
     pub standing_out: Vec<(Flank, usize)>,
 }
 

@@ -23,7 +23,7 @@ pub struct Mounting {
     pub deviation: [f64; 4],
     /// C: what is left on each track in the mean, clocking included where the deviations include it, mm.
     pub constants: Sides<Vec<f64>>,
-    /// Teeth that stand out and were left out of the fit.
+    /// Outlier teeth, which were left out of the fit.
     pub left_out: Vec<usize>,
 }
 

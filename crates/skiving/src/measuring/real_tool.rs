@@ -19,7 +19,7 @@ pub struct EdgeErrors {
 /// Errors of a whole tool. mm, rad.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RealTool {
-    /// delta_k: pitch error of each tooth, > 0 counter-clockwise.
+    /// delta_k: pitch deviation of each tooth, > 0 counter-clockwise.
     pub pitch: Vec<f64>,
     /// Errors of both edges of each tooth.
     pub edges: Sides<Vec<EdgeErrors>>,

@@ -42,7 +42,7 @@ impl BevelInput {
         }
     }
 
-    /// The flank, the other one of the space, the lead curve on the root cone, the body.
+    /// The flank, the other one of the space, the guide curve on the root cone, the body.
     pub fn case(&self) -> Checked<(ActiveFlank, ActiveFlank, CurveOnCone, Body)> {
         let plain = BevelData::new(
             self.met,

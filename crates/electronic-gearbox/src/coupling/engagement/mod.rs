@@ -146,7 +146,7 @@ impl Engagement {
         Ok(())
     }
 
-    /// Names the tooth gap: `position` is where the follower's setpoint is, as of the last update, and `target` where it would have to be
+    /// Names the tooth space: `position` is where the follower's setpoint is, as of the last update, and `target` where it would have to be
     /// at that very moment, give or take multiples of `pitch` (360/|z_2| degrees). Both turn with the coupling, so that only their
     /// difference counts. The move begins as soon as the follower runs along.
     ///

@@ -1,4 +1,4 @@
-//! The move into the wanted tooth gap, on top of a coupling that runs.
+//! The move into the wanted tooth space, on top of a coupling that runs.
 
 use super::Motion;
 use super::profile::{PEAK_ACCELERATION, PEAK_SPEED, transition, transition_acceleration, transition_speed};

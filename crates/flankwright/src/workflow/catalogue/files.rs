@@ -303,7 +303,7 @@ fn ranking(outcome: &CatalogueOutcome) -> Table {
         rows: outcome.pairs.iter().take(ROWS).map(row).collect(),
         note: format!(
             "Ranked: {}. Of two flanks the larger value. Limit: largest share of an axis limit. Error: largest distance from the wanted \
-             profile. Land: largest tip land that spares the counter flank. To: pitch diameter down to which the pair makes the profile.{more}",
+             profile. Land: largest tip land that clears the opposite flank. To: pitch diameter down to which the pair makes the profile.{more}",
             outcome.ranking
         ),
     }
@@ -323,7 +323,7 @@ fn limits(outcome: &CatalogueOutcome) -> Table {
         format!("at least {} mm", format_significant(l.smallest_tip_land_mm, 4)),
     ]);
     rows.push(vec![
-        "distance from the counter flank".into(),
+        "distance from the opposite flank".into(),
         format!("at least {} mm", format_significant(l.clearance_mm, 4)),
     ]);
     rows.push(vec![

@@ -40,7 +40,7 @@ pub struct PairFlank {
     pub stretch: f64,
     /// Largest distance from the wanted parabola, normal.
     pub profile_error_um: f64,
-    /// Largest tip land that spares the counter flank; absent where none does.
+    /// Largest tip land that clears the opposite flank; absent where none does.
     pub largest_tip_land_mm: Option<f64>,
 }
 
@@ -126,7 +126,7 @@ impl CataloguePair {
         self.flanks.values().map(of).max_by(|a, b| a.abs().total_cmp(&b.abs()))
     }
 
-    /// Largest tip land that spares the counter flanks of all flanks.
+    /// Largest tip land that clears the opposite flanks of all flanks.
     pub(super) fn tip_land_mm(&self) -> Option<f64> {
         let lands: Option<Vec<f64>> = self.flanks.values().map(|f| f.largest_tip_land_mm).collect();
         lands?.into_iter().reduce(f64::min)
@@ -221,7 +221,7 @@ pub struct CatalogueLimits {
     pub stretch: Option<f64>,
     /// Tip land of a dresser whose land the catalogue does not state.
     pub smallest_tip_land_mm: f64,
-    /// Distance from the counter flank.
+    /// Distance from the opposite flank.
     pub clearance_mm: f64,
 }
 

@@ -9,7 +9,7 @@ use crate::workflow::gearbox::coupling_of_job;
 use crate::workflow::milling::prepare_milling;
 use crate::workflow::skiving::prepare_skiving;
 
-/// Of a job of five-axis milling: what the lead curve has to cover, where the active flank lies.
+/// Of a job of five-axis milling: what the guide curve has to cover, where the active flank lies.
 ///
 /// # Errors
 /// Bodies that do not fit, column planes that do not meet the flank.
@@ -33,8 +33,8 @@ pub(super) fn of_milling(loaded: &LoadedMillingJob) -> Result<DerivedGeometry, R
         derived.quantity("height_at_tip", "height parameter at the tip", tip, "");
         derived.quantity("least_radius_mm", "least radius of the active flank", low, "mm");
         derived.quantity("greatest_radius_mm", "greatest radius of the active flank", high, "mm");
-        derived.quantity("lead_from", "lead curve from", from, "");
-        derived.quantity("lead_to", "lead curve to", to, "");
+        derived.quantity("lead_from", "guide curve from", from, "");
+        derived.quantity("lead_to", "guide curve to", to, "");
     }
     Ok(derived)
 }

@@ -59,7 +59,7 @@ pub struct CrowningCurve {
     pub least: Option<CurveEnd>,
     /// Why there are no larger crownings.
     pub most: Option<CurveEnd>,
-    /// Smallest and largest crowning at which a dresser with the tip land of the job spares the counter flank; absent without a
+    /// Smallest and largest crowning at which a dresser with the tip land of the job clears the opposite flank; absent without a
     /// tip land, or where the study gives the crownings.
     pub with_tip_land: Option<[CurveEnd; 2]>,
     /// Why there is no curve at all.
@@ -145,7 +145,7 @@ impl<'a> Task<'a> {
 }
 
 /// The curve of one set of bodies over the given crownings, each direction from the crowning nearest to 0, or over all that can
-/// be made; there also with a tip land (mm) that must spare the counter flank.
+/// be made; there also with a tip land (mm) that must clear the opposite flank.
 pub(super) fn curve(
     bodies: &Bodies,
     flank: Flank,

@@ -291,7 +291,7 @@ fn page(outcome: &DressingStudyOutcome) -> Result<PlanReport, ChartError> {
                     curves,
                     &OF_WORMS[7..],
                 )?,
-                "The largest tip land that spares the counter flank, and the pressure angle of the worm for which this dresser needs no stretch.",
+                "The largest tip land that clears the opposite flank, and the pressure angle of the worm for which this dresser needs no stretch.",
             );
             ("dresser on other worms", worms_missing(curves))
         }

@@ -35,7 +35,7 @@ pub struct WormPoint {
     pub d_v_ya_mm: f64,
     /// Largest distance of the dressed profile from the involute with corrections, normal.
     pub error_um: f64,
-    /// Largest tip land that spares the counter flank; absent where none does.
+    /// Largest tip land that clears the opposite flank; absent where none does.
     pub largest_tip_land_mm: Option<f64>,
     /// Pressure angle of the worm at which the profile is not stretched; absent where none is near.
     pub angle_without_stretch_deg: Option<f64>,

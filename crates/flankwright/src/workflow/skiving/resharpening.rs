@@ -130,11 +130,11 @@ pub struct EdgeResharpening {
     pub depth_mm: Option<f64>,
     /// Whether it leaves the tolerance band.
     pub out_of_band: bool,
-    /// Whether it is broken: it stands out from the others.
+    /// Whether it is broken: an outlier among the others.
     pub broken: bool,
 }
 
-/// How every edge is: broken where it stands out, not known of `incomplete` teeth, and not known of the other edge of a broken tooth where
+/// How every edge is: broken where it is an outlier, not known of `incomplete` teeth, and not known of the other edge of a broken tooth where
 /// growth was found with the tooth's position, which takes both edges.
 pub(super) fn states(
     evaluation: &Evaluation,

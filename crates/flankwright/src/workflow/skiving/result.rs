@@ -196,7 +196,7 @@ pub struct PitchResult {
     pub single_um: Vec<Option<f64>>,
     /// F_p,k of every tooth.
     pub cumulative_um: Vec<Option<f64>>,
-    /// f_p,max; as F_p and the first harmonic without teeth that stand out.
+    /// f_p,max; as F_p and the first harmonic without outlier teeth.
     pub largest_single_um: f64,
     /// F_p.
     pub total_um: f64,
@@ -221,7 +221,7 @@ pub struct MountingResult {
     pub wobble_urad: [f64; 2],
     /// Their standard deviations; absent where the measurement does not tell.
     pub wobble_sigma_urad: Option<[f64; 2]>,
-    /// Teeth that stand out: left out of clocking, means, mounting and correction.
+    /// Outlier teeth: left out of clocking, means, mounting and correction.
     pub left_out: Vec<usize>,
 }
 

@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 
 /// Probability with which noise alone takes any of several figures further than their guard band.
 const LEVEL: f64 = 0.05;
-/// Teeth of which one may stand out without a doubt about the others.
+/// Fewest teeth of which one may be an outlier without a doubt about the others.
 const PER_BROKEN: usize = 3;
 
 /// What a run has to show for its verdict.

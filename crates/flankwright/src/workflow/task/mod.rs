@@ -1,4 +1,4 @@
-//! A task on a job of any process, carried out whole: for callers to whom one process is like the other, such as a server. Who prints or
+//! A task on a job of any process, carried out whole: for callers that treat all processes alike, such as a server. Who prints or
 //! plots what is special to a process calls that process itself.
 
 mod completed;

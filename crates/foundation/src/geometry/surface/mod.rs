@@ -68,7 +68,7 @@ pub trait Surface: Send + Sync + Debug {
 }
 
 impl SurfaceJet {
-    /// How the normal turns along a tangent direction: dn(v), 1/mm times |v| (`docs/mathematics/milling.md#cusps-chords-local-gouging`).
+    /// How the normal turns along a tangent direction: dn(v), 1/mm times |v| (`docs/mathematics/milling.md#scallops-chords-local-gouging`).
     pub fn normal_change(&self, direction: &Vector3<f64>) -> Vector3<f64> {
         let (a, b) = (&self.by_height, &self.by_length);
         let (aa, ab, bb) = (a.dot(a), a.dot(b), b.dot(b));

@@ -65,7 +65,7 @@ pub enum Refusal {
     },
     /// The tip land does not fit between the flanks of the thread space.
     #[error(
-        "dressing the {flank} flank a tip land of {needed} mm touches the counter flank; {}",
+        "dressing the {flank} flank a tip land of {needed} mm touches the opposite flank; {}",
         largest.map_or_else(|| "no land is narrow enough".to_owned(), |b| format!("at most {b:.4} mm fit"))
     )]
     TipLand {

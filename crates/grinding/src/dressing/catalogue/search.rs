@@ -125,7 +125,7 @@ impl CatalogueSearch<'_> {
         let mut refusal = figures.refusal.clone();
         let life = match (&refusal, self.life) {
             (None, true) => match pair.remaining_life(&seat, &figures) {
-                // Where nothing smaller is spared, what is made now ruins the worm.
+                // Where no smaller diameter stays untouched, dressing now ruins the worm.
                 Ok(RemainingLife { from, to, end: Some(reason @ Refusal::Undermined { .. }) })
                     if to >= from =>
                 {

@@ -130,7 +130,7 @@ impl DresserSection<'_> {
             Some([from, to]) => vec![from, to],
             None => {
                 return Err(DressingError::InvalidNumber {
-                    field: "screw parameter of the counter flank",
+                    field: "screw parameter of the opposite flank",
                     value: 1.0 / worm.twist_per_length(),
                     allowed: "that of the flank which is dressed, or a worm width has to be given",
                 });
@@ -157,7 +157,7 @@ impl DresserSection<'_> {
         Ok(self.counter_flank(dk, tip_land, space)?.map_or(f64::INFINITY, |at| at.f))
     }
 
-    /// Largest tip land with which the clearance of the counter flank is at least `limit`, mm; `None` if a dresser without land
+    /// Largest tip land with which the clearance of the opposite flank is at least `limit`, mm; `None` if a dresser without land
     /// collides.
     ///
     /// A wider land contains the narrower one, so that the clearance falls with it.
@@ -196,13 +196,13 @@ impl DresserSection<'_> {
         Ok(brent([0.0, full], [at_none, at_full], LAND, |land| Some(spare(land))))
     }
 
-    /// Refuses more left-out threads than the worm can spare.
+    /// Refuses as many inactive threads as the worm has, or more.
     pub(in crate::dressing) fn check_left_out(&self, left_out: u32) -> Result<(), DressingError> {
         if f64::from(left_out) < self.tool().flanks[self.flank()].worm.teeth {
             return Ok(());
         }
         Err(DressingError::InvalidNumber {
-            field: "left-out threads",
+            field: "inactive threads",
             value: f64::from(left_out),
             allowed: "fewer than the worm has threads",
         })

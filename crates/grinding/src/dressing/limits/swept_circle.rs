@@ -51,7 +51,7 @@ const ARC_STEPS: usize = 24;
 const PSI: f64 = 1e-13;
 
 impl FlankSweep {
-    /// `space` is the number of the thread space, `beyond` the angle (rad) by which left-out threads widen it.
+    /// `space` is the number of the thread space, `beyond` the angle (rad) by which inactive threads widen it.
     pub fn new(
         pose: DresserPose,
         worm: &InvoluteFlank,

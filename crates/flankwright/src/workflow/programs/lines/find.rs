@@ -43,7 +43,7 @@ pub(super) struct FoundLines {
     pub lines: Vec<TextLine>,
     /// What moves on the flank along no line, and where the disc is not clear of the worm beside its lines.
     pub faults: Vec<Remark>,
-    /// Least distance of the disc outside the thread space from the worm's tip cylinder, and of its tip inside from the counter flank,
+    /// Least distance of the disc outside the thread space from the worm's tip cylinder, and of its tip inside from the opposite flank,
     /// beside the lines, mm; infinite where there is none.
     pub least: [f64; 2],
 }
@@ -307,7 +307,7 @@ impl Finder<'_> {
             let into = if own < -BELOW {
                 Some((own, "flank that it dresses"))
             } else if counter < 0.0 {
-                Some((counter, "counter flank"))
+                Some((counter, "opposite flank"))
             } else {
                 None
             };
