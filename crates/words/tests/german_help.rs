@@ -40,7 +40,15 @@ fn a_key_says_where_a_description_stands() {
     let mut found = keys(&schema);
     found.sort();
     let expected = [
-        "Hand=left", "Info.all[]", "Info.hand", "Kind.kind=twist", "Ratio{a,b}", "Ratio|Hand", "Ratio|number", "job", "job file",
+        "Hand=left",
+        "Info.all[]",
+        "Info.hand",
+        "Kind.kind=twist",
+        "Ratio{a,b}",
+        "Ratio|Hand",
+        "Ratio|number",
+        "job",
+        "job file",
     ];
     assert_eq!(found, expected);
 }

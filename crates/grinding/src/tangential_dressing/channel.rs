@@ -145,7 +145,7 @@ pub enum Shape {
         basis: Arc<BSplineBasis>,
         /// Which of them.
         index: usize,
-        /// It by itself.
+        /// The function itself.
         function: Arc<BSpline>,
     },
 }

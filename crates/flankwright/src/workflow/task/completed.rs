@@ -1,4 +1,4 @@
-//! What a task came to: verdict, document, files. Knows no process beyond whom to ask.
+//! The result of a task: verdict, document, files. Each process supplies its own.
 
 use crate::exchange::{LoadedGearboxJob, LoadedJob, LoadedMillingJob, LoadedSkivingJob, LoadedTangentialJob};
 use crate::workflow::gearbox::{GearboxOutcome, write_gearbox};

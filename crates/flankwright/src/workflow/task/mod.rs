@@ -1,5 +1,5 @@
-//! A task on a job of any process, carried out whole: for callers that treat all processes alike, such as a server. Who prints or
-//! plots what is special to a process calls that process itself.
+//! A task on a job of any process, carried out whole: for callers that treat all processes alike, such as a server. A caller
+//! that prints or plots what is special to a process calls that process itself.
 
 mod completed;
 
