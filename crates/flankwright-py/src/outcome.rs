@@ -17,7 +17,7 @@ use crate::pool::beside;
 /// A task that was carried out.
 #[pyclass(frozen, module = "flankwright._core")]
 pub struct CoreResult {
-    /// What it came to.
+    /// Its result.
     pub held: Held,
     /// How long that took, s.
     #[pyo3(get)]

@@ -1,4 +1,4 @@
-//! The folder in which a job finds the files that it names: those that were handed in with it, and the machines of the program. It lies
+//! The folder in which a job finds the files that it names: those that were uploaded with it, and the machines of the program. It lies
 //! in the folder of the server and is gone with the work.
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -19,7 +19,7 @@ pub const MOST_FILES: usize = 32;
 const LONGEST_NAME: usize = 200;
 /// What a job is called in messages.
 pub const JOB: &str = "job";
-/// Where results go, and where measurements lie; names that are handed in do not begin with a dot.
+/// Where results go, and where measurements lie; uploaded names do not begin with a dot.
 const RESULTS: &str = ".results";
 const MEASURED: &str = ".measured";
 

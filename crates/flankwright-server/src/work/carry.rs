@@ -25,7 +25,7 @@ use crate::wire::{Failure, Finding, Job, Request, refused_run, unshelved};
 pub(super) struct Task {
     /// The request, JSON.
     pub request: String,
-    /// Files that were handed in.
+    /// Uploaded files.
     pub inputs: Vec<RunFile>,
 }
 

@@ -93,7 +93,7 @@ pub(super) fn worth_turning(
         .collect()
 }
 
-/// The correction of what was measured. Settings that the lines do not let see are left alone; `None` if that leaves none.
+/// The correction of what was measured. Settings that the traces do not determine are not changed; `None` if that leaves none.
 ///
 /// # Errors
 /// Those of [`CorrectionTask::solve`].
