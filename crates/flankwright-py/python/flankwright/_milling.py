@@ -53,7 +53,7 @@ class Milling:
 
     Args:
         job: A job of five-axis milling, or its file.
-        progress: Told how far the plan is.
+        progress: Called with the progress of the plan.
 
     Attributes:
         flanks: Names of the flanks.

@@ -204,7 +204,7 @@ pub struct DressingMotion {
     pub v_zs_mm: Vec<f64>,
     /// Change of the worm's rotation, degree.
     pub d_phi_s_deg: Vec<f64>,
-    /// Change of the crossed-axes angle, degree.
+    /// Change of the crossing angle, degree.
     pub d_gamma_deg: Vec<f64>,
     /// Change of the centre distance of dresser and worm, mm.
     pub d_d_mm: Vec<f64>,
