@@ -28,6 +28,12 @@ fn every_page_and_heading_that_is_cited_exists() {
                     lost.push(format!("{path}:{number}: {page}#{}", heading.unwrap_or_default()));
                 }
             }
+            for (page, heading) in linked(&path, line) {
+                let known = anchors.get(&page);
+                if known.is_none_or(|known| heading.is_some_and(|heading| !known.contains(heading))) {
+                    lost.push(format!("{path}:{number}: {page}#{}", heading.unwrap_or_default()));
+                }
+            }
             if cites_a_number(line) {
                 lost.push(format!(
                     "{path}:{number}: name the page of docs/mathematics that holds the formula"
@@ -53,6 +59,35 @@ fn cited(line: &str) -> impl Iterator<Item = (&str, Option<&str>)> {
         });
         Some((page, heading))
     })
+}
+
+/// Pages that a line of a page links to, by their paths in the repository, with their headings.
+fn linked<'a>(path: &str, line: &'a str) -> Vec<(String, Option<&'a str>)> {
+    if !path.ends_with(".md") {
+        return Vec::new();
+    }
+    let targets = line.split("](").skip(1).filter_map(|rest| rest.split([')', ' ']).next());
+    let pages = targets.filter(|target| !target.contains(':')).filter_map(|target| {
+        let (page, heading) =
+            target.split_once('#').map_or((target, None), |(page, heading)| (page, Some(heading)));
+        let page = if page.is_empty() { path.to_owned() } else { beside(path, page) };
+        page.ends_with(".md").then_some((page, heading))
+    });
+    pages.collect()
+}
+
+/// A relative path, seen from the file in which it stands.
+fn beside(path: &str, relative: &str) -> String {
+    let mut parts: Vec<&str> = path.split('/').collect();
+    parts.pop();
+    for part in relative.split('/') {
+        match part {
+            ".." => drop(parts.pop()),
+            "." => {}
+            part => parts.push(part),
+        }
+    }
+    parts.join("/")
 }
 
 /// Anchors of the headings of a page, as its viewers make them.
@@ -87,6 +122,10 @@ fn a_reference_is_a_page_with_a_heading() {
     assert_eq!(found, [("docs/mathematics/a.md", Some("what-is-it")), ("docs/b.md", None)]);
     let page = "# A page\n## Pitch, run-out\n### B";
     assert_eq!(anchors(page).into_iter().collect::<Vec<_>>(), ["a-page", "b", "pitch-run-out"]);
+    let links = "[a](../b.md#c), [d](e.md), [f](#g), [h](https://i.md), [j](k.png)";
+    let expected = [("docs/b.md", Some("c")), ("docs/m/e.md", None), ("docs/m/l.md", Some("g"))];
+    let expected = expected.map(|(page, heading)| (page.to_owned(), heading));
+    assert_eq!(linked("docs/m/l.md", links), expected);
     for cites in ["of spec 30.", "(Spec 20 section 3)", "specs 25 and 28"] {
         assert!(cites_a_number(cites), "{cites}");
     }
