@@ -121,7 +121,7 @@ impl StoreError {
             Self::Busy { .. } => "try again when the others have finished",
             Self::Failed { .. } => "check free space, permissions and the connection, then do the same again",
             Self::Damaged { .. } => {
-                "bring back a copy of the store, or report this if nobody changed it by hand"
+                "bring back a copy of the store, or report this if it was not changed by hand"
             }
             Self::InvalidRecord(finding) => finding.way_out.as_deref().unwrap_or("correct the record"),
             Self::Contradiction(error) => {

@@ -8,10 +8,11 @@ use toml_edit::DocumentMut;
 
 /// Each crate with the crates of this project that its sources depend on. The referee shares no formula with what it judges: it stands
 /// on the foundation alone, and neither contact nor a process knows it.
-const CRATES: [(&str, &[&str]); 23] = [
+const CRATES: [(&str, &[&str]); 24] = [
     ("electronic-gearbox", &[]),
     ("nc", &[]),
     ("verdict", &[]),
+    ("words", &[]),
     ("workspace-features", &[]),
     ("foundation", &["workspace-features"]),
     ("contact", &["foundation"]),

@@ -1,4 +1,5 @@
-//! The texts of the repository as lines of prose: pages, documentation comments of the sources, comments in the templates of jobs.
+//! The texts of the repository as lines of prose: pages, documentation comments and messages of the sources, comments in the templates of
+//! jobs.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -16,7 +17,7 @@ impl Text {
         let lines = match Path::new(path).extension().and_then(|ending| ending.to_str()) {
             Some("md") => page(content),
             Some("toml") => comments(content),
-            _ => documentation(content),
+            _ => source(content),
         };
         Self { path: path.to_owned(), lines }
     }
@@ -79,14 +80,18 @@ fn page(content: &str) -> Vec<(usize, String)> {
         .collect()
 }
 
-/// Documentation comments without their examples.
-fn documentation(content: &str) -> Vec<(usize, String)> {
+/// Documentation comments without their examples, and what stands between quotation marks.
+fn source(content: &str) -> Vec<(usize, String)> {
     let mut in_code = false;
     let mut lines = Vec::new();
     for (number, line) in numbered(content) {
         let line = line.trim_start();
         let Some(prose) = line.strip_prefix("///").or_else(|| line.strip_prefix("//!")) else {
             in_code = false;
+            if !line.starts_with("//") {
+                let text = line.replace("\\\"", "");
+                lines.extend(text.split('"').skip(1).step_by(2).map(|message| (number, message.to_owned())));
+            }
             continue;
         };
         let is_fence = prose.trim_start().starts_with("```");
@@ -115,8 +120,8 @@ fn prose_is_what_stands_outside_of_code() {
     assert_eq!(page.lines, [(1, "one".to_owned()), (6, "four".to_owned())]);
     let source = Text::of(
         "a.rs",
-        "//! one\nlet two = 2; // three\n    /// ```\n    /// four\n    /// ```\n/// five\n",
+        "//! one\nlet two = \"2\"; // three\n    /// ```\n    /// four\n    /// ```\n/// five\n",
     );
-    assert_eq!(source.lines, [(1, " one".to_owned()), (6, " five".to_owned())]);
+    assert_eq!(source.lines, [(1, " one".to_owned()), (2, "2".to_owned()), (6, " five".to_owned())]);
     assert_eq!(Text::of("a.toml", "key = 1 # one\nkey = 2\n").lines, [(1, " one".to_owned())]);
 }

@@ -37,7 +37,7 @@ pub(super) async fn short<T: Send + 'static>(
         let _room = room;
         match threads.install(|| cancel::run(&gone, &Silent, work)) {
             Ended::Done(answer) => answer,
-            Ended::Cancelled => Err(Refused::busy("nobody waits for the answer")),
+            Ended::Cancelled => Err(Refused::busy("no client waits for the answer")),
             Ended::Failed(words) => Err(Refused::bad(Failure::internal(words))),
         }
     });

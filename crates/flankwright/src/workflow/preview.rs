@@ -206,7 +206,7 @@ fn of_tangential(loaded: &LoadedTangentialJob) -> Result<Preview, RunFailure> {
 
 fn document(settings: &impl Serialize) -> Result<Value, RunFailure> {
     serde_json::to_value(settings).map_err(|error| {
-        let message = format!("the settings cannot be told: {error}");
+        let message = format!("the settings cannot be written: {error}");
         RunFailure::bad_input(Diagnostic::new(Problem::InvalidJob, message).way_out("plan the job"))
     })
 }

@@ -327,7 +327,9 @@ pub enum GeneratingError {
         z: f64,
     },
     /// The lines on the workpiece run along the contact paths, or along the profile (diagonal ratio 0).
-    #[error("lines of direction tan(rho_2) = {t} cannot be told from the contact paths, tan(rho_K) = {t_k}")]
+    #[error(
+        "lines of direction tan(rho_2) = {t} cannot be distinguished from the contact paths, tan(rho_K) = {t_k}"
+    )]
     DirectionAlongPath {
         /// tan(rho_2).
         t: f64,

@@ -158,7 +158,7 @@ fn gear_words(out: &mut Lines<'_>, gear: &Gear) -> Result<String, NcError> {
         return refused("G81 couples the axis C");
     }
     let Some(teeth) = gear.teeth else {
-        return refused("G81 is told teeth, threads, module and helix angle, which are not given");
+        return refused("G81 needs teeth, threads, module and helix angle, which are not given");
     };
     let (mut tool, mut lead) = (None, None);
     for leader in &gear.leaders {

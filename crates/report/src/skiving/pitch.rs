@@ -105,7 +105,7 @@ impl PitchView {
                 },
             ],
             rings: self.outliers.iter().filter_map(ring).collect(),
-            rings_name: "tooth that stands out".into(),
+            rings_name: "outlier tooth".into(),
             remarks: vec![
                 format!("First harmonic: {amplitude} µm, greatest at {towards}° from tooth 0."),
                 "Numbers at the rim are teeth.".into(),
@@ -125,7 +125,7 @@ impl PitchView {
             })
             .collect();
         if !rings.is_empty() {
-            lines.push(Series::rings("tooth that stands out", rings));
+            lines.push(Series::rings("outlier tooth", rings));
         }
         let single = Series::bars("single pitch f_pk", teeth, self.single_um.clone());
         let chart = LineChart {

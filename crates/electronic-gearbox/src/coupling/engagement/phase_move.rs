@@ -20,7 +20,7 @@ pub fn shortest_move(position: f64, target: f64, pitch: f64) -> Result<f64, Erro
     let pitches = libm::floor(way / pitch);
     if pitches.is_nan() || pitches.abs() >= MOST_PITCHES {
         return Err(Error::BadParameter {
-            name: "way to the tooth gap",
+            name: "way to the tooth space",
             value: way,
             allowed: "finite, below 2^52 pitches",
         });

@@ -142,7 +142,7 @@ fn page(outcome: &CatalogueOutcome) -> Result<PlanReport, ChartError> {
     };
     sections.push(Section::new("All pairs", pairs));
     if let Some(svg) = life_chart(&outcome.lives)? {
-        let caption = "From the worm of now to the worn one, left flank (else the one that is ground). Without corrections: the \
+        let caption = "From the present worm to the worn one, left flank (else the one that is ground). Without corrections: the \
             profile crowning that stands on the gear if only distance and phase are set; with them it is the wanted one. Filled: \
             the target is made; open: a limit is exceeded.";
         let figure = Block::Figure(Figure { svg, caption: caption.into() });
@@ -250,7 +250,7 @@ fn life_chart(lives: &[LifeCurve]) -> Result<Option<Svg>, ChartError> {
     }
     let chart = LineChart {
         title: "Life of the worm".into(),
-        x_title: "dressed off the diameter of the worm of now [mm]".into(),
+        x_title: "dressed off the present diameter of the worm [mm]".into(),
         panels,
     };
     line_chart(&chart).map(Some)

@@ -171,7 +171,7 @@ fn of_readings(
         warn(
             "readings-differ",
             text,
-            "correct [measuring]: what is told of time and scatter is that of the readings",
+            "correct [measuring]: time and scatter in the result are those of the readings",
         );
     }
 }

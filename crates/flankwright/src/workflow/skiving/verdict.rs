@@ -289,10 +289,10 @@ fn above_tolerance(flank: &SkivedFlankResult, tolerance_um: f64) -> Remark {
         format!("the profile will deviate by {worst:.2} um, the tolerance is {tolerance_um} um"),
         match corrected {
             Some(after) if after <= tolerance_um => {
-                format!("correct the setting as told: {after:.2} um remain")
+                format!("apply the correction of the setting: {after:.2} um remain")
             }
             Some(after) => {
-                format!("correct the setting as told ({after:.2} um remain), or grind the tool again")
+                format!("apply the correction of the setting ({after:.2} um remain), or grind the tool again")
             }
             None => "check the tool against the workpiece: another part of its edge cuts the flank".into(),
         },
@@ -316,7 +316,7 @@ fn of_teeth(found: &Judged<'_>, measurement: &Measurement, verdict: &mut Verdict
     let broken = &measurement.evaluation.mounting.left_out;
     if PER_BROKEN * broken.len() > found.bodies.teeth() {
         let text = format!(
-            "{} of {} stand out: which of them are whole is not certain any more",
+            "{} of {} are outliers: which of them are whole is no longer certain",
             counted_teeth(broken.len()),
             found.bodies.teeth()
         );

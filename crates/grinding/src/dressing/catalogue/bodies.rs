@@ -137,7 +137,7 @@ impl CatalogueWorm {
         Err(DressingError::InvalidNumber {
             field: "smallest pitch diameter of the worm",
             value: smallest,
-            allowed: "above 0 and at most the diameter of now",
+            allowed: "above 0 and at most the present diameter",
         })
     }
 }
