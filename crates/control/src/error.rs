@@ -1,4 +1,4 @@
-//! What can be wrong with the data of a control (`docs/mathematics/gearbox.md#limits`).
+//! Errors of the data of a control (`docs/mathematics/gearbox.md#limits`).
 
 use std::ops::RangeInclusive;
 use thiserror::Error;

@@ -1,4 +1,4 @@
-//! What a task came to.
+//! The result of a task.
 
 use std::path::PathBuf;
 use std::time::Instant;

@@ -1,4 +1,4 @@
-//! What is wrong with a request, in the form that the command prints: code, key, value, what is allowed, a way out, and the place in the text.
+//! Errors of a request, in the form that the command prints: code, key, value, what is allowed, a way out, and the place in the text.
 
 use std::io;
 

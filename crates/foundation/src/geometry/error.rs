@@ -1,4 +1,4 @@
-//! What can be wrong with a body: one variant per meaning, each with its data, a stable code and a way out.
+//! Errors of a body: one variant per meaning, each with its data, a stable code and a way out.
 
 use super::Flank;
 use thiserror::Error;

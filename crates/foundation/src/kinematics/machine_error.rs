@@ -1,4 +1,4 @@
-//! What can be wrong with a pose or a rule asked of a machine (`docs/mathematics/generating-contact.md#machine-chains`).
+//! Errors of a pose or a rule asked of a machine (`docs/mathematics/generating-contact.md#machine-chains`).
 
 use thiserror::Error;
 
