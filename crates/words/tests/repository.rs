@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 pub struct Text {
     /// Path in the repository.
     pub path: String,
+    /// Numbers from 1, and what stands there.
     pub lines: Vec<(usize, String)>,
 }
 
