@@ -93,7 +93,8 @@ fn beside(path: &str, relative: &str) -> String {
 /// Anchors of the headings of a page, as its viewers make them.
 fn anchors(page: &str) -> BTreeSet<String> {
     page.lines()
-        .filter_map(|line| line.starts_with('#').then(|| line.trim_start_matches('#').trim()))
+        .filter(|line| line.starts_with('#'))
+        .map(|line| line.trim_start_matches('#').trim())
         .map(|heading| {
             let kept = heading.chars().filter(|c| c.is_alphanumeric() || " -_".contains(*c));
             kept.collect::<String>().to_lowercase().replace(' ', "-")

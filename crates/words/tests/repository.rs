@@ -54,10 +54,16 @@ pub fn files(folder: &str, ending: &str) -> Vec<String> {
 
 /// Paths of all pages.
 pub fn pages() -> Vec<String> {
-    let mut pages: Vec<String> =
-        ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md", "web/README.md"]
-            .map(String::from)
-            .into();
+    let mut pages: Vec<String> = [
+        "README.md",
+        "ARCHITECTURE.md",
+        "CONTRIBUTING.md",
+        "CHANGELOG.md",
+        "web/README.md",
+        "crates/flankwright-py/README.md",
+    ]
+    .map(String::from)
+    .into();
     pages.extend(files("docs", "md"));
     pages
 }
