@@ -54,7 +54,7 @@ html_title = f"flankwright {version}"
 html_copy_source = False
 
 # Pages that stand outside docs/ in the repository.
-PAGES = {"architecture": "ARCHITECTURE.md", "changelog": "CHANGELOG.md"}
+PAGES = {"architecture": "ARCHITECTURE.md", "contributing": "CONTRIBUTING.md", "changelog": "CHANGELOG.md"}
 
 
 def _links(app: Sphinx, docname: str, source: list[str]) -> None:

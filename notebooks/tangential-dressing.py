@@ -75,9 +75,9 @@ figure.suptitle("Deviation of the right flank for each unit of a variable (solid
 plt.show()
 
 # %% [markdown]
-# ## Example 1: lead crowning without twist
+# ## Example 1: helix crowning without twist
 #
-# Profile crowning 5 µm and lead crowning of 10, 20, 50 and 100 µm by the nine variables. Planned by the loop, judged by the referee.
+# Profile crowning 5 µm and helix crowning of 10, 20, 50 and 100 µm by the nine variables. Planned by the loop, judged by the referee.
 
 # %%
 found = {}
@@ -106,7 +106,7 @@ plots.contour(found[100.0], "deviation")
 figure, ax = plt.subplots(figsize=(7, 4.2), layout="constrained")
 for (amount, result), style in zip(found.items(), ["o-", "s--", "^-.", "d:"]):
     rounds = result.document["passes"][0]["weighted_rms_by_round_um"]
-    ax.semilogy(range(len(rounds)), rounds, style, color="black", label=f"lead crowning {amount:.0f} µm")
+    ax.semilogy(range(len(rounds)), rounds, style, color="black", label=f"helix crowning {amount:.0f} µm")
 ax.set(title="Convergence of the loop of singular values", xlabel="round", ylabel="weighted rms [µm]")
 ax.grid(True, color="0.85")
 ax.legend()

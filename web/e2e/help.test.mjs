@@ -1,27 +1,9 @@
-// German help: there is a text for everything that the schema of jobs says and for nothing else, and the form shows it.
+// German help in the form. That there is a text for every description of the schema is tested in crates/words.
 
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
-import { test } from "node:test";
 import { openExample, picture, useSite } from "./page.mjs";
-import { inRepository } from "./server.mjs";
 
 const site = useSite();
-
-/** Every description in a schema, in one line. */
-function* descriptions(schema) {
-  if (typeof schema !== "object" || schema === null) return;
-  if (typeof schema.description === "string") yield schema.description.replaceAll("\n", " ");
-  for (const inner of Object.values(schema)) yield* descriptions(inner);
-}
-
-test("every description of the schema has a German text, and no text is left over", async () => {
-  const german = JSON.parse(await readFile(inRepository("web/src/texts/help-de.json"), "utf8"));
-  const english = new Set(descriptions(await site.server.get("schema")));
-  const missing = [...english].filter((text) => !german[text]);
-  const leftOver = Object.keys(german).filter((text) => !english.has(text));
-  assert.deepEqual({ missing, leftOver }, { missing: [], leftOver: [] });
-});
 
 site.test("help follows the language", async (page, server) => {
   const loaded = [];

@@ -1,7 +1,7 @@
 // From the schema of jobs to the model of the form.
 
 import { describe, expect, it } from "vitest";
-import { isInRange, JobSchema, rangeText, type Schema } from "../src/lib/schema";
+import { helpOf, isInRange, JobSchema, rangeText, type Schema } from "../src/lib/schema";
 
 const angle: Schema = { type: "number", minimum: 5, maximum: 45 };
 const SCHEMA: Schema = {
@@ -80,7 +80,7 @@ describe("JobSchema", () => {
     expect(forms.node(gear.properties!["teeth"]!)).toMatchObject({ type: "number", integer: true });
     expect(forms.node(gear.properties!["hand"]!)).toMatchObject({
       type: "word",
-      words: [{ value: "left", help: "Sign -1." }, { value: "right" }],
+      words: [{ value: "left", help: { key: "Hand=left", english: "Sign -1." } }, { value: "right" }],
     });
     expect(forms.node({ $ref: "#/$defs/Ratio" }).type).toBe("choice");
     expect(forms.node({ type: "boolean" }).type).toBe("switch");
@@ -102,6 +102,13 @@ describe("JobSchema", () => {
     expect(forms.start({ type: "number", exclusiveMinimum: 0 })).toBe(1);
     expect(forms.start({ type: "number", minimum: 2, maximum: 9 })).toBe(2);
     expect(forms.start({ type: "number", minimum: -9, maximum: 9 })).toBe(0);
+  });
+});
+
+describe("keys of help", () => {
+  it("say where a description stands, whatever its words", () => {
+    expect(forms.fields(job).find((field) => field.key === "gear")?.help).toEqual({ key: "Job.gear", english: "The workpiece." });
+    expect(helpOf(forms.resolve({ $ref: "#/$defs/Gear" }))).toEqual({ key: "Gear", english: "Drawing data." });
   });
 });
 

@@ -1,4 +1,5 @@
-//! Lines on worm and workpiece, the constant diagonal ratio both ways, and the point map (spec 20 section 5).
+//! Lines on worm and workpiece, the constant diagonal ratio both ways, and the point map
+//! (`docs/mathematics/generating-contact.md#contact-path-lines-and-the-diagonal-ratio`).
 
 use super::{ContactError, FlankPair};
 
@@ -78,14 +79,16 @@ impl FlankPair {
     }
 
     /// The worm lines in which axial planes cut the thread at the worm point that grinds length of roll `w_2` (zero feeds):
-    /// the direction of dressed lines where nothing better is known (spec 25 section 3).
+    /// the direction of dressed lines where nothing better is known
+    /// (`docs/mathematics/generating-contact.md#contact-path-lines-and-the-diagonal-ratio`).
     pub fn axial_section_line(&self, w_2: f64) -> DiagonalLine {
         let w_1 = self.worm_roll(w_2, 0.0, 0.0);
         let share = (w_1 / self.worm.radius(w_1)).powi(2);
         DiagonalLine { rho: (-self.flank().sign() * share / self.worm.base_helix_angle.tan()).atan() }
     }
 
-    /// Direction of the contact path on worm and workpiece: rho_Ki = s beta_bi, rad (spec 20 section 5).
+    /// Direction of the contact path on worm and workpiece: rho_Ki = s beta_bi, rad
+    /// (`docs/mathematics/generating-contact.md#contact-path-lines-and-the-diagonal-ratio`).
     pub fn contact_path(&self) -> [DiagonalLine; 2] {
         let s = self.flank().sign();
         [self.worm.base_helix_angle, self.work.base_helix_angle].map(|b| DiagonalLine { rho: s * b })
@@ -139,7 +142,8 @@ impl FlankPair {
         })
     }
 
-    /// X_2 = a X_1 + o between the line coordinates of matching directions (spec 20 section 5).
+    /// X_2 = a X_1 + o between the line coordinates of matching directions
+    /// (`docs/mathematics/generating-contact.md#contact-path-lines-and-the-diagonal-ratio`).
     ///
     /// # Errors
     /// `DirectionIsContactPath`.

@@ -1,4 +1,4 @@
-//! Errors of contact (spec 20 section 11), each with its data, a stable code and a way out.
+//! Errors of contact (`docs/mathematics/generating-contact.md`), each with its data, a stable code and a way out.
 
 use finding::Finding;
 use foundation::geometry::{Flank, GeometryError};

@@ -1,4 +1,5 @@
-//! The exact contact solver: what a tool surface really leaves on the workpiece flank (spec 20 section 14).
+//! The exact contact solver: what a tool surface really leaves on the workpiece flank
+//! (`docs/mathematics/generating-contact.md#exact-contact`).
 
 use super::error::FOLD_BEGINS;
 pub use super::kernel::Measure;

@@ -1,4 +1,5 @@
-//! The four contact equations of spec 20 section 14 and their exact Jacobian, for any tool surface and motion.
+//! The four contact equations of `docs/mathematics/generating-contact.md#exact-contact` and their exact Jacobian, for any tool surface and
+//! motion.
 //!
 //! Unknowns y = (p, q, phi_1, v): two surface parameters, worm angle, feed. The tool point is carried to the workpiece;
 //! two equations put it on the normal ray (or the arc) of the workpiece point, two say that both velocities are tangent.
@@ -14,7 +15,7 @@ pub enum Measure {
     /// Along the nominal normal (default everywhere).
     #[default]
     Ray,
-    /// On the circle through the point in its transverse section (spec 40's source).
+    /// On the circle through the point in its transverse section (as in the source of `docs/mathematics/tangential-dressing.md`).
     Arc,
 }
 

@@ -1,6 +1,6 @@
-//! Where worm and workpiece touch: closed forms for involute flanks (spec 20 sections 2-8) and one exact solver for any
-//! worm surface given by point, normal and derivatives (section 14); and where two gears touch that are rolled against each other
-//! (`rolled_pair`). Knows no dresser and no plan.
+//! Where worm and workpiece touch: closed forms for involute flanks (`docs/mathematics/generating-contact.md#affine-relations`) and one
+//! exact solver for any worm surface given by point, normal and derivatives (section 14); and where two gears touch that are rolled against
+//! each other (`rolled_pair`). Knows no dresser and no plan.
 
 mod diagonal;
 mod error;

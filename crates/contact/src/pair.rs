@@ -1,12 +1,13 @@
 //! Unmodified worm and workpiece in contact: common normal, coefficients of R6 and R7, rotations and coupling
-//! (spec 20 sections 2-4, vector form; every combination of cylinder and cone).
+//! (`docs/mathematics/generating-contact.md#affine-relations`, vector form; every combination of cylinder and cone).
 
 use super::ContactError;
 use foundation::geometry::{Flank, Gear, InvoluteFlank, Sides, involute_function};
 use foundation::kinematics::{GeneratingChain, GeneratingMotion, MotionLaw};
 use nalgebra::Vector3;
 
-/// Contact relations of one flank. 1 = worm, 2 = workpiece; names as in spec 20 section 3 (without the flank index).
+/// Contact relations of one flank. 1 = worm, 2 = workpiece; names as in `docs/mathematics/generating-contact.md#affine-relations` (without
+/// the flank index).
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlankPair {
     /// The worm's flank.
@@ -265,7 +266,8 @@ impl Pair {
         Ok(Self { worm, work, chain, flanks })
     }
 
-    /// Worm and workpiece in the chain without backlash on both flanks (spec 20 section 4): d follows from the bodies.
+    /// Worm and workpiece in the chain without backlash on both flanks
+    /// (`docs/mathematics/generating-contact.md#coupling-of-the-rotations`): d follows from the bodies.
     ///
     /// # Errors
     /// As [`Pair::new`], and `RacksNotCongruent` when the two flanks have no common rack.
@@ -299,14 +301,15 @@ impl Pair {
         )
     }
 
-    /// d for a gap delta_y between the pitch planes (spec 20 section 1).
+    /// d for a gap delta_y between the pitch planes (`docs/mathematics/generating-contact.md`).
     fn centre_distance_of_gap(chain: &GeneratingChain, r_w1: f64, r_w2: f64, delta_y: f64) -> f64 {
         let worm = if chain.worm_cone == 0.0 { r_w1 } else { 0.0 };
         let work = if chain.work_cone == 0.0 { r_w2 } else { 2.0 * r_w2 * chain.work_cone.cos() };
         worm + work + delta_y
     }
 
-    /// delta_y at which both flanks mesh without backlash (spec 20 section 4), mm. r_wi: pitch radii on the common rack.
+    /// delta_y at which both flanks mesh without backlash (`docs/mathematics/generating-contact.md#coupling-of-the-rotations`), mm. r_wi:
+    /// pitch radii on the common rack.
     pub fn backlash_free_gap(&self, r_w1: f64, r_w2: f64) -> f64 {
         let mut space = 0.0;
         let mut tangents = 0.0;

@@ -1,5 +1,6 @@
 //! Relative curvature of worm and workpiece at a contact: second-order estimates of what the envelope leaves
-//! (spec 20 section 7, spec 25 section 6). Start values and step errors only; the product's forward model is `exact`.
+//! (`docs/mathematics/generating-contact.md#what-the-grinding-motion-leaves-to-first-order`,
+//! `docs/mathematics/generating-contact.md#exact-contact`). Start values and step errors only; the product's forward model is `exact`.
 
 use super::FlankPair;
 use nalgebra::{Matrix2, Vector2, Vector3};
@@ -10,7 +11,7 @@ const DISPLACEMENTS: usize = 6;
 /// Quadratic form of the gap of worm and workpiece over the two contact parameters (dw_2, dz_V2), at one contact point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RelativeCurvature {
-    /// H of spec 20 section 7: parameters dw_2 (mm) and dz_V2 (mm).
+    /// H of `docs/mathematics/generating-contact.md#what-the-grinding-motion-leaves-to-first-order`: parameters dw_2 (mm) and dz_V2 (mm).
     pub h: Matrix2<f64>,
     u: [Vector3<f64>; 2],
     e_r1: Vector3<f64>,
@@ -22,7 +23,8 @@ pub struct RelativeCurvature {
 
 impl FlankPair {
     /// Straight generatrices g_1 of the worm and g_2 of the workpiece at the contact, unit vectors in the room frame; with
-    /// e_r1 and e_r2 they span the common tangent plane (spec 20 section 7).
+    /// e_r1 and e_r2 they span the common tangent plane
+    /// (`docs/mathematics/generating-contact.md#what-the-grinding-motion-leaves-to-first-order`).
     pub fn generatrices(&self) -> [Vector3<f64>; 2] {
         let s = self.flank().sign();
         let along = |normal: Vector3<f64>, axis: &Vector3<f64>, b: f64| {
@@ -109,7 +111,7 @@ impl RelativeCurvature {
         Some(at.into())
     }
 
-    /// Height of the feed marks at feed step `f`, mm (spec 20 section 9).
+    /// Height of the feed marks at feed step `f`, mm (`docs/mathematics/planning.md#the-referee`).
     pub fn feed_mark(&self, f: f64) -> f64 {
         f * f / 8.0 * (self.h[(1, 1)] - self.h[(0, 1)].powi(2) / self.h[(0, 0)])
     }

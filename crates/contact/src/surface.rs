@@ -38,8 +38,8 @@ impl SurfaceJet {
     }
 }
 
-/// A smooth tool flank with parameters (p, q) (spec 20 section 14): involute thread with a modification, worm as
-/// dressed, spline through measured points.
+/// A smooth tool flank with parameters (p, q) (`docs/mathematics/generating-contact.md#exact-contact`): involute thread with a
+/// modification, worm as dressed, spline through measured points.
 pub trait ToolSurface: Send + Sync {
     /// Point, normal and derivatives; `None` where the surface does not exist.
     fn jet(&self, p: f64, q: f64) -> Option<SurfaceJet>;

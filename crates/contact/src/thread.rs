@@ -1,4 +1,5 @@
-//! The involute thread with a normal modification f_n1(w_1, z_1) as a tool surface (spec 20 section 14).
+//! The involute thread with a normal modification f_n1(w_1, z_1) as a tool surface
+//! (`docs/mathematics/generating-contact.md#exact-contact`).
 
 use super::{SurfaceJet, ToolSurface};
 use foundation::geometry::InvoluteFlank;

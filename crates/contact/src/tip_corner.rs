@@ -1,6 +1,6 @@
 //! The rounded edge between a flank and the tip of a cylindrical worm, and the root fillet that it leaves on the gear: the exact
-//! envelope under the motion of grinding (spec 29 section 6). The edge is traced by a ball that touches flank and tip. Knows no
-//! dresser and no target.
+//! envelope under the motion of grinding (`docs/mathematics/dressing.md#conditions`). The edge is traced by a ball that touches flank and
+//! tip. Knows no dresser and no target.
 
 use super::ContactError;
 use foundation::geometry::InvoluteFlank;

@@ -1,5 +1,5 @@
-//! Which feeds and which part of the worm a rectangle of the workpiece flank needs (spec 20 section 8). All relations are
-//! affine, so the corners decide.
+//! Which feeds and which part of the worm a rectangle of the workpiece flank needs (`docs/mathematics/generating-contact.md#limits`). All
+//! relations are affine, so the corners decide.
 //!
 //! No command reaches it: `verify` recomputes the areas of references with it.
 

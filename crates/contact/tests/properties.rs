@@ -89,7 +89,7 @@ impl Surface<'_> {
     }
 }
 
-/// Lengths are of this size, mm (spec 20 section 10).
+/// Lengths are of this size, mm (`docs/mathematics/generating-contact.md#how-it-is-verified`).
 const SCALE: f64 = 20.0;
 
 /// The five conditions of a contact for x = (w_1, z_1, z_2)/20 mm, phi_1, phi_2.
@@ -175,7 +175,7 @@ proptest! {
             .find_map(|share| solve(&pair.chain, [&worm, &work], at, exact + offset * share));
         prop_assert!(found.is_some(), "the search did not settle");
         let x = found.unwrap();
-        // Accepted only as a real contact (spec 20 section 10).
+        // Accepted only as a real contact (`docs/mathematics/generating-contact.md#how-it-is-verified`).
         let (found_w_1, found_z_1, found_z_2) = (x[0] * SCALE, x[1] * SCALE, x[2] * SCALE);
         prop_assume!(found_w_1 > 0.0);
         let state = GeneratingState { worm_angle: x[3], work_angle: x[4], shift, feed, delta_d: 0.0, delta_gamma: 0.0 };

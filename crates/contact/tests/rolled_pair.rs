@@ -1,4 +1,4 @@
-//! A bevel pair rolled against each other shows contact where its ease-off says (spec 50 sections 1.2 and 1.3).
+//! A bevel pair rolled against each other shows contact where its ease-off says (`docs/mathematics/milling.md#flanks-as-patches`).
 
 use contact::{
     ConjugateFlanks, ContactPattern, FlankPlaces, GapField, RollCourse, RolledGear, RolledPair, overlap,

@@ -1,5 +1,6 @@
 //! Which error of the workpiece's angle each place of the flank keeps: the place is ground by the passes of its tooth whose feed is nearest
-//! to the one of its contact, in the instant in which the tool comes deepest, and the deepest pass stays (spec 20 sections 3, 4, 7).
+//! to the one of its contact, in the instant in which the tool comes deepest, and the deepest pass stays
+//! (`docs/mathematics/generating-contact.md`).
 
 use super::stroke::StrokeRecord;
 use contact::FlankPair;

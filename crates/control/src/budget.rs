@@ -1,5 +1,5 @@
 //! Error budget of the pulse interpolator: how far the pulse position is off the slide and what of it the flank sees
-//! (spec 70 section 6).
+//! (`docs/mathematics/gearbox.md#error-budget`).
 
 use super::error::{ControlError, within};
 use std::f64::consts::FRAC_PI_2;
@@ -155,7 +155,7 @@ mod tests {
 
     #[test]
     fn examples_of_the_specification() {
-        // Spec 70 section 11: P, f1, q, v, a and the flank in um, to the three digits given there.
+        // `docs/mathematics/gearbox.md#how-it-is-verified`: P, f1, q, v, a and the flank in um, to the three digits given there.
         for (multiplier, clock, pulses_per_metre, speed, acceleration, flank_um) in [
             (16, 1e6, 1e5, 5.0, 100.0, 0.355),
             (16, 1e6, 1e5, 50.0, 100.0, 0.459),

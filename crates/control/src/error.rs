@@ -1,4 +1,4 @@
-//! What can be wrong with the data of a control (spec 70 section 9).
+//! Errors of the data of a control (`docs/mathematics/gearbox.md#limits`).
 
 use finding::Finding;
 use std::ops::RangeInclusive;

@@ -1,5 +1,6 @@
 //! A workpiece that follows its worm and the pulses of the feed slide: encoders and scale are counted, the gearbox sums the counts, the
-//! servo follows its setpoint over any motion of the slide. What remains is the error of the angle over time (spec 70 sections 7 and 8).
+//! servo follows its setpoint over any motion of the slide. What remains is the error of the angle over time
+//! (`docs/mathematics/gearbox.md`).
 
 use super::drive::{ClosedGearbox, PulseDrive, worm_ratio};
 use super::interpolation::{Extremes, Interpolation};

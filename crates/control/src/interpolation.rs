@@ -1,5 +1,5 @@
 //! The pulse interpolator behind a real slide: its pulses, what they miss the slide by, and what the additional rotation that they turn
-//! misses the lead by (spec 70 sections 2, 4, 6).
+//! misses the lead by (`docs/mathematics/gearbox.md`).
 
 use super::error::{ControlError, within};
 use super::rotation::{Rotation, RotationCounter};

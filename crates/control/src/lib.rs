@@ -1,5 +1,6 @@
-//! What a control makes of a motion before it reaches the flank (spec 70): slides and their scales, pulse interpolation, the gearbox, the
-//! sampled position loop of the workpiece spindle, and what their errors are on the flank. Knows neither processes nor files.
+//! What a control makes of a motion before it reaches the flank (`docs/mathematics/gearbox.md`): slides and their scales, pulse
+//! interpolation, the gearbox, the sampled position loop of the workpiece spindle, and what their errors are on the flank. Knows neither
+//! processes nor files.
 
 pub mod servo;
 

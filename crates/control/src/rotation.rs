@@ -1,5 +1,5 @@
 //! The additional rotation as counted: what turns pulses of the slide into parts of a workpiece pulse, by a rate multiplier of 18 bits or by
-//! the exact accumulator of the gearbox (spec 70 sections 4, 5, 7).
+//! the exact accumulator of the gearbox (`docs/mathematics/gearbox.md`).
 
 use electronic_gearbox::Error;
 use electronic_gearbox::chain::{AdditionalRotation, RateRule};

@@ -1,6 +1,6 @@
 //! A stroke of generating grinding through a real gearbox and a real servo: encoders and scales are counted, the gearbox sums the counts,
 //! the servo follows with inertia, friction and disturbances. What remains is the error of the workpiece's angle over time
-//! (spec 70 sections 7 and 8).
+//! (`docs/mathematics/gearbox.md`).
 
 use super::drive::{ClosedGearbox, PulseDrive, worm_ratio};
 use super::error::ControlError;

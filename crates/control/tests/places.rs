@@ -1,5 +1,5 @@
 //! What a control leaves on the flank, in closed form against the referee: rays in true feed marks under the motion that was really driven
-//! (spec 70 sections 7 and 8).
+//! (`docs/mathematics/gearbox.md`).
 
 use contact::Pair;
 use control::servo::{Disturbance, Disturbances, Drive, Gains, Quantisation, ServoParameters, Spindle};

@@ -1,5 +1,5 @@
 //! Numbers that describe a dressed profile or a dresser as a whole: stretch, tip land, and the flank of a slowly changing
-//! correction (spec 30 sections 10, 12, 13). Knows no wanted modification.
+//! correction (`docs/mathematics/dressing.md`). Knows no wanted modification.
 
 use super::{DressedProfile, DresserTool, DressingError, FlankDresser, nominal_contact};
 use foundation::geometry::Flank;

@@ -1,4 +1,4 @@
-//! Contact line of dresser and worm and its mean direction rho (spec 30 section 6).
+//! Contact line of dresser and worm and its mean direction rho (`docs/mathematics/dressing.md#the-contact-line`).
 
 use super::{DressedProfile, DresserTool, DressingError};
 use foundation::geometry::Flank;
@@ -16,7 +16,7 @@ pub struct ContactLine {
 }
 
 /// Equidistant points of the fit; every calculation must use the same number, because the diagonal ratio follows from the
-/// direction (spec 28's reference numbers: 21).
+/// direction (`docs/mathematics/planning.md` reference numbers: 21).
 const SAMPLES: usize = 21;
 
 impl ContactLine {

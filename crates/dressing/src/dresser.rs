@@ -57,7 +57,7 @@ pub struct DresserTool {
     pub head: Option<Revolution>,
 }
 
-/// Nodes of the meridian series; 48 reach 1e-13 mm (spec 30 section 3).
+/// Nodes of the meridian series; 48 reach 1e-13 mm (`docs/mathematics/dressing.md#the-conjugate-profile`).
 const NODES: usize = 48;
 /// Share of the used range by which the profile is continued at each end, because DK moves the contact along it.
 const MARGIN: f64 = 0.6;

@@ -1,4 +1,4 @@
-//! Contact of one dresser circle with its envelope on the worm, exactly and in closed form (spec 30 sections 4 and 10),
+//! Contact of one dresser circle with its envelope on the worm, exactly and in closed form (`docs/mathematics/dressing.md`),
 //! and the worm as dressed by a motion DK(v) as a tool surface.
 
 use super::dresser::FlankDresser;
@@ -49,7 +49,7 @@ pub struct EnvelopePoint {
     pub f: f64,
 }
 
-/// One flank of the worm as dressed: exact envelope over (t, v) (spec 30 section 10).
+/// One flank of the worm as dressed: exact envelope over (t, v) (`docs/mathematics/dressing.md#conditions`).
 #[derive(Clone, Debug)]
 pub struct DressedWorm {
     dresser: FlankDresser,

@@ -1,4 +1,4 @@
-//! Errors of dressing (spec 30 section 18).
+//! Errors of dressing (`docs/mathematics/dressing.md#limits-of-a-correction`).
 
 use super::PathReason;
 use contact::ContactError;

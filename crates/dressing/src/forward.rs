@@ -1,4 +1,4 @@
-//! Exact forward calculation at constant DK: profile, derivatives and contact line (spec 30 sections 4 to 6).
+//! Exact forward calculation at constant DK: profile, derivatives and contact line (`docs/mathematics/dressing.md`).
 
 use super::dresser::FlankDresser;
 use super::placement::{DresserAxes, WormScrew, slack, touch};

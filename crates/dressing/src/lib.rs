@@ -1,4 +1,4 @@
-//! Dressing a grinding worm with a disc dresser in line contact (spec 30): settings DK -> worm flank, and back.
+//! Dressing a grinding worm with a disc dresser in line contact (`docs/mathematics/dressing.md`): settings DK -> worm flank, and back.
 
 pub mod axes;
 pub mod catalogue;

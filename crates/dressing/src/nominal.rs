@@ -1,4 +1,4 @@
-//! Nominal contact of dresser and involute worm flank: the conjugate meridian (spec 30 section 3).
+//! Nominal contact of dresser and involute worm flank: the conjugate meridian (`docs/mathematics/dressing.md#the-conjugate-profile`).
 
 use super::DressingError;
 use foundation::geometry::InvoluteFlank;

@@ -1,5 +1,5 @@
 //! Where the dresser stands against the worm axis, in either chart of the dressing kinematics, and the contact of one of its
-//! circles there, exactly and in closed form (spec 30 sections 3, 4, 7). Knows no profile and no worm flank.
+//! circles there, exactly and in closed form (`docs/mathematics/dressing.md`). Knows no profile and no worm flank.
 
 use foundation::geometry::MeridianPoint;
 use foundation::numerics::{Scalar, value_of};
@@ -30,7 +30,7 @@ impl<T: Scalar> DresserAxes<T> {
         }
     }
 
-    /// From the tilt chart (spec 30 section 7).
+    /// From the tilt chart (`docs/mathematics/dressing.md#limits-of-a-correction`).
     pub fn tilted(gamma: T, d: T, tau: T) -> Self {
         let (sin, cos) = gamma.sin_cos();
         let (sin_t, cos_t) = tau.sin_cos();

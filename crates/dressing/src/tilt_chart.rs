@@ -1,4 +1,4 @@
-//! The tilt chart of dressing kinematics, which has no pole at crossing angle 0 (spec 30 section 7).
+//! The tilt chart of dressing kinematics, which has no pole at crossing angle 0 (`docs/mathematics/dressing.md#limits-of-a-correction`).
 
 use super::DressingError;
 

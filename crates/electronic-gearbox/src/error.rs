@@ -1,4 +1,4 @@
-//! What can be wrong with the input of a gearbox: one enum, with the data of the case. Nothing here allocates.
+//! Errors of the input of a gearbox: one enum, with the data of the case. Nothing here allocates.
 
 use core::fmt;
 

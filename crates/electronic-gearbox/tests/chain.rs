@@ -1,4 +1,4 @@
-//! Rate multiplier, hand switch and split (spec 70 section 4).
+//! Rate multiplier, hand switch and split (`docs/mathematics/gearbox.md#from-pulses-to-counts`).
 
 #[path = "common/draw.rs"]
 mod draw;

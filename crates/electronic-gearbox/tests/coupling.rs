@@ -1,4 +1,4 @@
-//! The gearbox of several axes: exact, free of history, free of drift (spec 70 section 7).
+//! The gearbox of several axes: exact, free of history, free of drift (`docs/mathematics/gearbox.md#couplings`).
 
 #[path = "common/draw.rs"]
 mod draw;

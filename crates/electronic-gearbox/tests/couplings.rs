@@ -1,4 +1,4 @@
-//! Coefficients, couplings, ratios of leads, tables and phase moves against the reference numbers of specification 70.
+//! Coefficients, couplings, ratios of leads, tables and phase moves against the reference numbers of `tests/reference/70-gearbox.json`.
 
 use electronic_gearbox::Sign;
 use electronic_gearbox::coefficient::{Coefficient, CouplingSigns, Couplings, GearGeometry};

@@ -1,5 +1,5 @@
-//! The electronic gearbox against LinuxCNC's HAL component `encoder_ratio` on the same quadrature stream (spec 80 sections 4 and
-//! 9). Without `scripts/linuxcnc-client`, or where `scripts/hal-peer` cannot mount, these tests say so and check nothing.
+//! The electronic gearbox against LinuxCNC's HAL component `encoder_ratio` on the same quadrature stream
+//! (`docs/mathematics/programs.md#how-it-is-verified`). Without `scripts/linuxcnc-client`, or where `scripts/hal-peer` cannot mount, these tests say so and check nothing.
 //!
 //! Facts of the component as LinuxCNC 2.9.0~pre1 has it, all of which the tests rest on:
 //! - its error is (t_s M s - t_m S m)/(M S t_s) revolutions of the slave, with counts m and s, counts of a revolution M and S,

@@ -1,4 +1,5 @@
-//! The pulse interpolator: the clocked machine against the event form, and the properties I1 to I6 of spec 70 section 3.
+//! The pulse interpolator: the clocked machine against the event form, and the properties I1 to I6 of
+//! `docs/mathematics/gearbox.md#pulses-between-lines`.
 
 #[path = "common/draw.rs"]
 mod draw;
@@ -107,7 +108,7 @@ fn both_forms_saturate_at_standstill() {
     }
 }
 
-/// Sums of a run as spec 70 section 3 names them.
+/// Sums of a run as `docs/mathematics/gearbox.md#pulses-between-lines` names them.
 #[derive(Default)]
 struct Sums {
     pulses: i64,

@@ -1,4 +1,4 @@
-//! A run that ended badly, and how it is told: with the place in the job file for people, as JSON for programs.
+//! A run that failed, and how it is reported: with the place in the job file for people, as JSON for programs.
 
 use std::fmt::Write as _;
 use std::io::{self, IsTerminal, Write as _};
@@ -15,7 +15,7 @@ use crate::exit::Exit;
 const SHOWN: usize = 20;
 
 /// Above this size of a file, or length of a line, the text around a finding is not shown: a job has neither, and
-/// drawing megabytes helps nobody.
+/// drawing megabytes is of no use.
 const LONGEST_TEXT: usize = 256 << 10;
 const LONGEST_LINE: usize = 400;
 
@@ -79,7 +79,7 @@ impl Failure {
         Self::new(Exit::Internal, finding)
     }
 
-    /// A panic, of which the hook has already told the place.
+    /// A panic, whose place the hook has already printed.
     pub fn panicked() -> Self {
         Self::internal("the program stopped at an internal fault".to_owned())
     }
@@ -108,7 +108,7 @@ impl Failure {
             let colours = stderr.is_terminal() && std::env::var_os("NO_COLOR").is_none();
             stderr.lock().write_all(self.to_text(colours).as_bytes())
         };
-        // If nobody can be told, the exit status still tells.
+        // If the message cannot be printed, the exit status still tells.
         drop(told);
     }
 

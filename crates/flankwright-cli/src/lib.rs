@@ -52,7 +52,7 @@ pub fn run() -> ExitCode {
     }
 }
 
-/// The outcome of a command, a panic made into a failure. The hook has told where; what is left is the exit status
+/// The outcome of a command, a panic made into a failure. The hook has printed where; what is left is the exit status
 /// and, for programs, the JSON answer.
 fn survived(command: impl FnOnce() -> Result<Exit, Failure>) -> Result<Exit, Failure> {
     catch_unwind(AssertUnwindSafe(command)).unwrap_or_else(|_| Err(Failure::panicked()))

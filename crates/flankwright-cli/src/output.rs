@@ -82,7 +82,7 @@ pub fn refused(job: &AnyJob, command: &str) -> Failure {
     job.error(processes().refused(command, job)).into()
 }
 
-/// Where the files of a job go: as told, else `<job name>.out/` beside the job. A job that lies in such a folder itself, as
+/// Where the files of a job go: the given directory, else `<job name>.out/` beside the job. A job that lies in such a folder itself, as
 /// `settings.json` does, has its own beside it: `<job name>.settings.out/`.
 pub fn directory(common: &CommonArguments, document: &Document, job: &JobInfo) -> PathBuf {
     let beside = || {

@@ -1,4 +1,4 @@
-//! Internal faults are told in two lines instead of a stack of frames.
+//! Internal faults are reported in two lines instead of a stack of frames.
 
 use std::panic;
 

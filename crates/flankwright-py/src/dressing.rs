@@ -21,7 +21,7 @@ pub struct CoreDresser {
     model: DressingModel,
 }
 
-/// What is told of every point of a dressed profile: deviation, axial position, dresser radius, profile parameter; all mm.
+/// Values at every point of a dressed profile: deviation, axial position, dresser radius, profile parameter; all mm.
 const TOLD: usize = 4;
 
 /// A condition as Python gives it: `point` (flank, w, f), `map` (flank, t, w), `fixed` (axis, value); mm and rad.
@@ -97,7 +97,7 @@ impl CoreDresser {
         shaped(py, (t.len(), 4), values)
     }
 
-    /// The worm's flank in positions (rows of d_phi_S, d_gamma, d_d, d_v_yA: rad, rad, mm, mm) at lengths of roll: `[position][roll][told]`.
+    /// The worm's flank in positions (rows of d_phi_S, d_gamma, d_d, d_v_yA: rad, rad, mm, mm) at lengths of roll: `[position][roll][value]`.
     #[pyo3(signature = (flank, corrections, rolls, progress=None))]
     fn dressed<'py>(
         &self,

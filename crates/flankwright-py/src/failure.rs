@@ -78,7 +78,7 @@ impl Failure {
         Self { exit, findings: vec![told(finding, None)], omitted: 0, refusal: None }
     }
 
-    /// The same, told of one of many samples.
+    /// The same, for one of many samples.
     pub fn on_sample(mut self, sample: usize) -> Self {
         for entries in self.findings.iter_mut().filter_map(Value::as_object_mut) {
             entries.insert("sample".into(), sample.into());

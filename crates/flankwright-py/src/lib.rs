@@ -1,4 +1,4 @@
-//! What Python calls: thin classes over the library, which compute nothing. The pleasant names are in `python/flankwright/`; what is here is
+//! The functions and classes for Python: thin classes over the library, which compute nothing. The pleasant names are in `python/flankwright/`; what is here is
 //! private to them. Documents go over as JSON, numbers as NumPy arrays that Rust has filled.
 
 mod arrays;

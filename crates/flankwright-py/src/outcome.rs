@@ -1,4 +1,4 @@
-//! What a task came to.
+//! The result of a task.
 
 use std::path::PathBuf;
 use std::time::Instant;
@@ -17,7 +17,7 @@ use crate::pool::beside;
 /// A task that was carried out.
 #[pyclass(frozen, module = "flankwright._core")]
 pub struct CoreResult {
-    /// What it came to.
+    /// Its result.
     pub held: Held,
     /// How long that took, s.
     #[pyo3(get)]

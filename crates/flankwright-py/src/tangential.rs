@@ -73,7 +73,7 @@ impl CoreTangential {
 
 #[pymethods]
 impl CoreTangential {
-    /// `points` each way, at equidistant radii (as the source has it) or equidistant in roll length.
+    /// `points` each way, at equidistant radii (as the source has it) or equidistant in the length of roll.
     #[new]
     fn new(
         py: Python<'_>,

@@ -17,7 +17,7 @@ use rayon::prelude::*;
 use crate::failure::Failure;
 use crate::pool::on_threads;
 
-/// How often the interpreter is asked whether to go on, and told how far the work is.
+/// How often the interpreter is asked whether to go on, and how often it is sent the progress.
 const BREATH: Duration = Duration::from_millis(50);
 
 /// How far a computation is.

@@ -62,7 +62,7 @@ pub struct App {
 }
 
 impl App {
-    /// An application over a store; what dead servers have left in it is told as interrupted.
+    /// An application over a store; runs that dead servers left in it are reported as interrupted.
     ///
     /// # Errors
     /// The store, the temporary files or the threads of the system refuse.

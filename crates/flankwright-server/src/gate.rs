@@ -69,7 +69,7 @@ impl Gate {
         &self.authorities
     }
 
-    /// Whether a request may be meant for this server. An address in figures was not looked up, so that nobody has bent it.
+    /// Whether a request may be meant for this server. An address in figures was not looked up, so that no name server can have redirected it.
     fn is_own(&self, host: &str) -> bool {
         let listed = self.hosts.iter().any(|own| own.eq_ignore_ascii_case(host));
         let bare = host.strip_prefix('[').and_then(|host| host.strip_suffix(']')).unwrap_or(host);

@@ -1,4 +1,4 @@
-//! Headers that every answer carries: what a page may load, and that nobody guesses types or frames it. Knows no path.
+//! Headers that every answer carries: what a page may load, and that browsers neither guess types nor frame it. Knows no path.
 
 use axum::extract::Request;
 use axum::http::HeaderValue;

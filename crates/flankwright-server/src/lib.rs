@@ -27,7 +27,7 @@ use tokio::sync::watch;
 
 pub use openapi::openapi;
 
-/// The port on which the server listens unless told otherwise.
+/// The port on which the server listens by default.
 pub const PORT: u16 = 8470;
 
 /// How the server is started.
@@ -64,7 +64,7 @@ pub enum ServeError {
     System(String),
 }
 
-/// Serves until the process is told to end (Ctrl-C). `listening` gets the addresses to open in a browser, the first one of them on this
+/// Serves until the process is stopped (Ctrl-C). `listening` gets the addresses to open in a browser, the first one of them on this
 /// machine.
 ///
 /// # Errors
@@ -109,7 +109,7 @@ async fn serve_in(options: &Options, listening: impl FnOnce(&[String])) -> Resul
     Ok(())
 }
 
-/// Resolves when the process is told to end.
+/// Resolves when the process is stopped.
 async fn told_to_end() {
     tokio::select! {
         _ = tokio::signal::ctrl_c() => {}

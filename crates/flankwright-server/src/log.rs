@@ -1,4 +1,4 @@
-//! What is said to whoever runs the server. Nobody may be listening.
+//! Messages to the operator of the server, on a standard error that may be closed.
 
 use std::fmt::Display;
 use std::io::Write;

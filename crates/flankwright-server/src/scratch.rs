@@ -18,7 +18,7 @@ const LOCK: &str = "lock";
 const STORE: &str = "store";
 /// A folder of another store is left for so long to a server of that store.
 const LEFT_ALONE: Duration = Duration::from_secs(3600);
-/// Letters behind the prefix: as many as nobody has by chance.
+/// Letters behind the prefix: enough that no other folder has them by chance.
 const LETTERS: usize = 24;
 
 /// The folder of this server.

@@ -1,4 +1,4 @@
-//! The folder in which a job finds the files that it names: those that were handed in with it, and the machines of the program. It lies
+//! The folder in which a job finds the files that it names: those that were uploaded with it, and the machines of the program. It lies
 //! in the folder of the server and is gone with the work.
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -19,7 +19,7 @@ pub const MOST_FILES: usize = 32;
 const LONGEST_NAME: usize = 200;
 /// What a job is called in messages.
 pub const JOB: &str = "job";
-/// Where results go, and where measurements lie; names that are handed in do not begin with a dot.
+/// Where results go, and where measurements lie; uploaded names do not begin with a dot.
 const RESULTS: &str = ".results";
 const MEASURED: &str = ".measured";
 
@@ -130,7 +130,7 @@ impl Shelf {
         Source::new(JOB, text).confined_to(self.folder.path())
     }
 
-    /// A text of the program without the place of the shelf, which is nobody's business.
+    /// A text of the program without the path of the folder, which the client must not see.
     pub fn tell(&self, text: &str) -> String {
         let place = self.folder.path().display().to_string();
         [format!("{place}/{RESULTS}/"), format!("{place}/{MEASURED}/"), format!("{place}/")]

@@ -1,4 +1,4 @@
-//! What the program brings along: machines and examples.
+//! Bundled files: machines and examples.
 
 use std::borrow::Cow;
 

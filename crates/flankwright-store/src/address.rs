@@ -111,7 +111,7 @@ impl FromStr for StoreAddress {
 }
 
 impl StoreAddress {
-    /// By which a store is told apart from others on this machine, however it was named. A file has to be there already.
+    /// By which a store is distinguished from others on this machine, however it was named. A file has to be there already.
     pub fn identity(&self) -> String {
         match &self.0 {
             Place::Sqlite(path) => {

@@ -1,4 +1,4 @@
-//! What can go wrong with a store. Messages name the store without its password.
+//! Errors of a store. Messages name the store without its password.
 
 use finding::Finding;
 use flankwright::exchange::{Diagnostic, JobError};

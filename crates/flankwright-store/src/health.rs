@@ -8,7 +8,7 @@ use crate::pool::{Pool, on_pool};
 use crate::reports::StoreHealth;
 use crate::store::Store;
 
-/// Faults of one kind that are told; of a broken disk there may be thousands.
+/// Faults of one kind that are reported; of a broken disk there may be thousands.
 const TOLD: usize = 20;
 
 impl Store {

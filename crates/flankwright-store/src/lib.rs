@@ -1,4 +1,4 @@
-//! What outlives one run of flankwright: measured parts, the catalogue of worms and dressers, plans, histories of skiving tools. In a file
+//! The store of what outlives one run of flankwright: measured parts, the catalogue of worms and dressers, plans, histories of skiving tools. In a file
 //! of SQLite, or on a PostgreSQL server that several stations share. Computes nothing about gears.
 //!
 //! ```

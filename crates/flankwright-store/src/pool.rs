@@ -14,7 +14,7 @@ use crate::address::Place;
 /// How long a writer waits for others. An import of a batch takes well below a second.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(60);
 
-/// How long a server may take to answer whoever opens a store.
+/// How long a server may take to answer when a store is opened.
 pub(crate) const CONNECT_PATIENCE: Duration = Duration::from_secs(5);
 
 /// Connections at a time: few stations and a server that reads beside them.
@@ -86,7 +86,7 @@ impl Pool {
         }
     }
 
-    /// Connections to a file that is only read and that nobody changes.
+    /// Connections to a file that is only read and not changed.
     pub fn read_only(path: &Path) -> Self {
         let options = SqliteConnectOptions::new()
             .filename(path)
@@ -96,7 +96,7 @@ impl Pool {
         Self::Sqlite(settings().connect_lazy_with(options))
     }
 
-    /// Begins to write, as soon as nobody else does.
+    /// Begins to write, as soon as no other process does.
     pub async fn write(&self) -> Result<Writing, sqlx::Error> {
         match self {
             // A transaction that begins by reading would fail, not wait, where another one writes in between.
@@ -138,7 +138,7 @@ fn settings<D: sqlx::Database>() -> PoolOptions<D> {
 }
 
 impl Writing {
-    /// Makes everything that was written last; until then nobody sees any of it.
+    /// Makes everything that was written last; until then none of it is visible.
     pub async fn commit(self) -> Result<(), sqlx::Error> {
         match self {
             Self::Sqlite(transaction) => transaction.commit().await,

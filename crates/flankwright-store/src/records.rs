@@ -239,7 +239,7 @@ impl RunState {
     }
 }
 
-/// A run that is handed in.
+/// A submitted run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NewRun {
     /// The server that carries it out.
@@ -252,7 +252,7 @@ pub struct NewRun {
     pub job: String,
     /// When, RFC 3339.
     pub created: String,
-    /// Files that were handed in with it.
+    /// Files that were uploaded with it.
     pub files: Vec<RunFile>,
 }
 
@@ -289,7 +289,7 @@ pub struct RunSummary {
     pub name: String,
     /// The state.
     pub state: RunState,
-    /// When it was handed in.
+    /// When it was submitted.
     pub created: String,
     /// When it has ended.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -1,5 +1,5 @@
-//! Servers that carry runs out: each tells from time to time that it lives. Runs of one that is gone, or that nobody has heard of for a
-//! while, are told as interrupted; what had ended stays whole. Time is that of the database, so that clocks of stations may differ.
+//! Servers that carry runs out: each tells from time to time that it lives. Runs of one that is gone, or that has sent no sign of life for a
+//! while, are reported as interrupted; what had ended stays whole. Time is that of the database, so that clocks of stations may differ.
 
 use std::time::Duration;
 
@@ -17,7 +17,7 @@ fn clock(writing: &Writing) -> &'static str {
 
 impl Store {
     /// Tells that the server `owner` lives, and forgets those that are known to be `gone` or have been silent for longer than `silence`:
-    /// their runs are interrupted. How many runs that were. Who was silent for so long itself forgets nobody: the machine slept, and the
+    /// their runs are interrupted. How many runs that were. A server that was silent for so long itself drops no other: the machine slept, and the
     /// others may be about to beat.
     ///
     /// # Errors

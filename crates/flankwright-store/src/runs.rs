@@ -1,5 +1,5 @@
-//! Runs of a server: a job that was handed in, its state, and once it has ended its document and files. What becomes of runs whose server
-//! is gone is told in `run_servers.rs`.
+//! Runs of a server: a submitted job, its state, and once it has ended its document and files. What becomes of runs whose server
+//! is gone is decided in `run_servers.rs`.
 
 use serde_json::Value;
 use sqlx::types::Json;
@@ -39,7 +39,7 @@ async fn put_files(
 }
 
 impl Store {
-    /// Takes a run in, queued, with the files that were handed in; its number.
+    /// Takes a run in, queued, with the uploaded files; its number.
     ///
     /// # Errors
     /// Those of the database.
@@ -184,7 +184,7 @@ impl Store {
         self.done(row.and_then(|row| row.map(summary).transpose()))
     }
 
-    /// Names of the files that were handed in with a run, in their order.
+    /// Names of the files that were uploaded with a run, in their order.
     ///
     /// # Errors
     /// Those of the database.
@@ -199,7 +199,7 @@ impl Store {
         self.done(names)
     }
 
-    /// The files that were handed in with a run, in their order.
+    /// The files that were uploaded with a run, in their order.
     ///
     /// # Errors
     /// Those of the database.

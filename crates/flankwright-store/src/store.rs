@@ -110,7 +110,7 @@ impl Store {
         self.pool.close().await;
     }
 
-    /// What a statement gave, its error told with the store.
+    /// What a statement gave, its error with the name of the store.
     pub(crate) fn done<T>(&self, result: Result<T, sqlx::Error>) -> Result<T, StoreError> {
         result.map_err(|error| self.error(error))
     }
@@ -144,7 +144,7 @@ impl Store {
     }
 }
 
-/// Connects once, because a pool tries again and again where nobody answers and who opens a store wants to know at once. A file of
+/// Connects once, because a pool tries again and again where no server answers, while opening a store must fail at once. A file of
 /// another program is left as it is.
 async fn reach(place: &Place, create: bool) -> Result<(), Unfit> {
     match place {
@@ -174,7 +174,7 @@ async fn reach(place: &Place, create: bool) -> Result<(), Unfit> {
     Ok(())
 }
 
-/// How an empty file is told: a store that was cut off must not become a new one.
+/// What an empty file is reported as: a store that was cut off must not become a new one.
 const EMPTY_FILE: &str = "the file is empty; if a store stood there, bring back a copy, else remove the file";
 
 /// Whether a file stays empty: one that another program is making has something in it at once.

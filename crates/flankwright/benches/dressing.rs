@@ -81,13 +81,13 @@ fn dressing(c: &mut Criterion) {
 fn limits(c: &mut Criterion) {
     let tool = tool();
     let section = DresserSection::new(&tool, Flank::Left, 61.5).expect("section");
-    // A profile crowning of 10 um: the counter flank collides with a land of 1 mm.
+    // A profile crowning of 10 um: the opposite flank collides with a land of 1 mm.
     let dk =
         [-(3.4911511956285777f64.to_radians()), -(6.194639376234722f64.to_radians()), -2.72154, 11.75636];
     c.bench_function("section of a dresser", |b| {
         b.iter(|| DresserSection::new(black_box(&tool), Flank::Left, 61.5).expect("section"));
     });
-    c.bench_function("clearance of the counter flank", |b| {
+    c.bench_function("clearance of the opposite flank", |b| {
         b.iter(|| {
             section.counter_flank_clearance(black_box(&dk), 1.0, ThreadSpace::default()).expect("seat")
         });

@@ -1,5 +1,5 @@
 //! Speed of tangential dressing, one thread: the forward model on 25 and 1681 points, its nine sensitivities, the loop of singular
-//! values and the choice of a set of variables, all for the source's gear with a lead crowning of 100 um.
+//! values and the choice of a set of variables, all for the source's gear with a helix crowning of 100 um.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use flankwright::contact::Measure;

@@ -40,7 +40,7 @@
 //!
 //! [`contact::ExactContact`] finds what any worm surface leaves on the workpiece under any [`kinematics`] motion, with
 //! exact derivatives. Here a plain worm approaches the gear along a parabola of the axial feed, the conventional way to
-//! make a crowning: it comes with a twist that nobody asked for.
+//! make a crowning: it comes with an unwanted twist.
 //!
 //! ```
 //! use flankwright::contact::{ExactContact, ModifiedThread, Pair, Unmodified};

@@ -1,4 +1,4 @@
-//! Areas of different diagonal ratio, their place on the worm, strokes with left-out threads, equal swivel: properties and every
+//! Areas of different diagonal ratio, their place on the worm, strokes with inactive threads, equal swivel: properties and every
 //! refusal. The reference numbers are checked by `verify`.
 
 use crate::cylindrical_pair::{lines, pair};

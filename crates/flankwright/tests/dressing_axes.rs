@@ -17,7 +17,7 @@ use std::f64::consts::FRAC_PI_2;
 const MODULE: f64 = 3.5;
 const DIAMETER: f64 = 100.0;
 
-/// Case A of spec 30: 5 threads, d_S 100, dresser 123.
+/// Case A of `docs/mathematics/dressing.md`: 5 threads, d_S 100, dresser 123.
 fn tool() -> DresserTool {
     let worm = Gear::new(GearData {
         teeth: 5,
@@ -106,7 +106,8 @@ fn influences_are_those_of_the_forward_calculation() {
                                 influence[axis as usize]
                             );
                         }
-                        // Magnitudes of spec 26 section 8 for the worm's own axes, exact for the unmodified flank.
+                        // Magnitudes of `docs/mathematics/generating-contact.md#machine-chains` for the worm's own axes, exact for the
+                        // unmodified flank.
                         if dk == [0.0; 4] {
                             let f = worm.flank();
                             assert!(

@@ -367,7 +367,7 @@ fn three_points_leave_the_residue_of_a_wave() {
         .collect();
     let left = residue_of_motion(&tool, Flank::Left, &series, &crowned, &points).unwrap();
     let largest = left.iter().fold(0.0_f64, |m, f| m.max(f.abs())) * 1e3;
-    // Spec 30 section 10 states 0.10 um for this wave (on a slightly deeper range).
+    // `docs/mathematics/dressing.md#conditions` states 0.10 um for this wave (on a slightly deeper range).
     assert!(largest > 0.02 && largest < 0.2, "{largest}");
     let error = residue_of_motion(&tool, Flank::Left, &series, &crowned, &[(44.0, 500.0)]).unwrap_err();
     says(&error, "out-of-dresser", &["left"]);

@@ -39,7 +39,7 @@ fn holds(bodies: &Bodies, tool: &DresserTool, flank: Flank, range: &CrowningRang
         for (w, f) in [(used.w_nf, 0.0), (used.middle(), middle), (used.w_na, 0.0)] {
             let (tilted, plain) =
                 (profile.at_roll(w).unwrap(), DressedProfile::new(tool, flank, at.dk).at_roll(w).unwrap());
-            // A corrector that stalls below 1e-7 of its scaled unknowns has converged (spec 30 section 8).
+            // A corrector that stalls below 1e-7 of its scaled unknowns has converged (`docs/mathematics/dressing.md#conditions`).
             assert!((tilted.f - f).abs() < 1e-8, "{at:?}: {} {f}", tilted.f);
             assert!((tilted.f - plain.f).abs() < 1e-8 && (tilted.t - plain.t).abs() < 1e-5, "{at:?}");
         }

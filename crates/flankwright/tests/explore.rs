@@ -9,7 +9,8 @@ use flankwright::workflow::{
 };
 use std::path::PathBuf;
 
-/// Cone angle at which the end reliefs of the asymmetric example ask for one ratio (spec 20 section 6), and that ratio.
+/// Cone angle at which the end reliefs of the asymmetric example ask for one ratio
+/// (`docs/mathematics/generating-contact.md#contact-path-lines-and-the-diagonal-ratio`), and that ratio.
 const COMMON: (f64, f64) = (-3.197_009_462_252_167, 4.688_453_926_84);
 
 fn load(name: &str) -> LoadedJob {

@@ -1,5 +1,5 @@
-//! The machine side of five-axis milling (spec 50 section 11): the reference numbers of `50-milling.json`, and the machines of
-//! `machines/` under random, singular and too long paths.
+//! The machine side of five-axis milling (`docs/mathematics/milling.md#positions-of-five-axes`): the reference numbers of
+//! `50-milling.json`, and the machines of `machines/` under random, singular and too long paths.
 
 use flankwright::exchange::machine::read_machine;
 use flankwright::geometry::CutterShape;
@@ -348,7 +348,8 @@ fn axis(name: &str, joint: Joint, direction: [f64; 3], point: [f64; 3], travel: 
     }
 }
 
-/// A chain of spec 50 section 11 with axis points q_1 and q_2 and the pivot of a head above the tip; `travels` in rad.
+/// A chain of `docs/mathematics/milling.md#positions-of-five-axes` with axis points q_1 and q_2 and the pivot of a head above the tip;
+/// `travels` in rad.
 fn chain(name: &str, q: [[f64; 3]; 2], pivot: f64, travels: [Option<[f64; 2]>; 2]) -> Machine {
     let half = 0.5f64.sqrt();
     let head = [0.0, 0.0, pivot];
@@ -618,7 +619,7 @@ fn the_mount_is_tilted_by_as_little_as_it_takes() {
     assert_eq!(refused.code(), "no-tilt");
 }
 
-/// The left flank of the reference's helical gear: z 23, m_n 6, 20 and 25 degrees; spec 50 sections 1.1, 2, 3 and 5.
+/// The left flank of the reference's helical gear: z 23, m_n 6, 20 and 25 degrees; `docs/mathematics/milling.md`.
 struct Helical {
     base_radius: f64,
     base_space: f64,
@@ -628,7 +629,7 @@ struct Helical {
     heights: [f64; 2],
 }
 
-/// A column of it: point of the lead curve, direction of that curve.
+/// A column of it: point of the guide curve, direction of that curve.
 struct Column {
     c: Vector3<f64>,
     t: Vector3<f64>,

@@ -16,7 +16,7 @@ const MODULE: f64 = 3.5;
 const DIAMETER: f64 = 100.0;
 const TIP: f64 = 53.2;
 
-/// Worm of case A of spec 30, either hand.
+/// Worm of case A of `docs/mathematics/dressing.md`, either hand.
 fn worm(hand: f64) -> Gear {
     Gear::new(GearData {
         teeth: 5,
@@ -256,7 +256,7 @@ fn a_hollow_needs_a_rounder_tip() {
     assert!(form(0.9 * largest) && !form(1.1 * largest), "{largest}");
 }
 
-/// A counter flank so far away that nothing meets it.
+/// A opposite flank so far away that nothing meets it.
 fn far_counter(gear: &Gear) -> InvoluteFlank {
     let flank = *gear.flank(Flank::Right);
     InvoluteFlank { teeth: 1.0, base_space_half_angle: flank.base_space_half_angle + 0.6, ..flank }
@@ -269,7 +269,7 @@ fn a_disc_too_thick_is_named_with_its_depth() {
     let slim = says(0.8).unwrap();
     let less = says(0.4).unwrap();
     assert!(slim.clearance > 0.0 && less.clearance > slim.clearance);
-    // Brute force: points of the torus and of the sides against the counter flank.
+    // Brute force: points of the torus and of the sides against the opposite flank.
     let brute = |tip_radius: f64, w: f64| {
         let task = task(&gear, Flank::Left, &Unmodified, tip_radius, 0.0);
         let at = task.touch(w, 0.0, 0.0).unwrap().position;
@@ -338,7 +338,7 @@ fn unusable_input_is_named() {
     assert!(["disc-touches-not", "disc-collides", "tip-radius-too-large"].contains(&error.code()), "{error}");
 }
 
-/// The asymmetric gear of spec 20 with its cylindrical worm.
+/// The asymmetric gear of `docs/mathematics/generating-contact.md` with its cylindrical worm.
 fn asymmetric() -> Pair {
     let gear = Gear::new(GearData {
         teeth: 31,
@@ -371,7 +371,7 @@ fn free_lines_let_both_flanks_share_a_ratio() {
     };
     let preferred = Sides::try_from_fn(|flank| generatrix(&pair.flanks[flank])).unwrap();
     let free = equal_ratio_lines(&pair, work, preferred).unwrap();
-    // Along the generatrix the flanks differ (spec 20 section 13).
+    // Along the generatrix the flanks differ (`docs/mathematics/generating-contact.md#how-it-is-verified`).
     let [left, right] = [free.preferred_ratios.left.unwrap(), free.preferred_ratios.right.unwrap()];
     assert!((left - 4.618861883).abs() < 1e-8 && (right - 4.765852080).abs() < 1e-8, "{left} {right}");
     assert!(free.ratio > left && free.ratio < right);
@@ -387,7 +387,7 @@ fn free_lines_let_both_flanks_share_a_ratio() {
             free.lines[flank].coordinate(at.w_1, at.z_1)
         };
         assert!((x_1(5.0) - x_1(-3.0)).abs() < 1e-9, "{flank}");
-        // The closed form of spec 29 section 1.
+        // The closed form of `docs/mathematics/dressing.md#conditions`.
         let (b_1, b_2) = (relations.worm.base_helix_angle, relations.work.base_helix_angle);
         let s = flank.sign();
         let k = -(b_1.cos() / b_2.cos()) * (free.lines[flank].rho.tan() - s * b_1.tan())

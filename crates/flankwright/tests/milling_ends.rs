@@ -1,5 +1,5 @@
-//! How rows begin and end: in the middle of double-helical gears against the reference of spec 50 section 1.5, on arcs of approach, and
-//! what rays find there.
+//! How rows begin and end: in the middle of double-helical gears against the reference of `docs/mathematics/milling.md#flanks-as-patches`,
+//! on arcs of approach, and what rays find there.
 
 use flankwright::exchange::{LoadedMillingJob, Source, parse_job_of};
 use flankwright::geometry::Flank;
@@ -62,7 +62,8 @@ fn ends(plan: &MillingPlan) -> Vec<(&'static str, Option<f64>)> {
 
 #[test]
 fn rows_of_hollow_corners_end_where_the_reference_says() {
-    // Spec 50 section 1.5 and block `herringbone` of its reference file: exactly 1.2246 mm, 0.9928 mm if the flanks were flat.
+    // `docs/mathematics/milling.md#flanks-as-patches` and block `herringbone` of its reference file: exactly 1.2246 mm, 0.9928 mm if the
+    // flanks were flat.
     let exact = 1.224_576_800_126_211_6;
     for apex in [0.0, 3.0] {
         let halves = format!("double_helical = {{ gap = 0.0, apex = {apex:?} }}");

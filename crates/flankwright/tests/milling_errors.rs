@@ -1,5 +1,5 @@
-//! Every error of spec 50 section 15: what provokes it, its code, what it says and its way out. Where a job can provoke it a job does,
-//! and its exit status is looked at.
+//! Every error of `docs/mathematics/milling.md#limits`: what provokes it, its code, what it says and its way out. Where a job can provoke
+//! it a job does, and its exit status is looked at.
 
 use flankwright::exchange::{
     LoadedMillingJob, MillingJob, Source, job_template, parse_any_job, parse_job_of,

@@ -386,7 +386,7 @@ fn a_table_with_an_end_is_turned_back_outside() {
 }
 
 /// A path of a ball on a nearly flat workpiece: its axis passes the pole of a table A-C, clamped upside down, at 0.02 of the height,
-/// as the path of spec 50 section 11 does.
+/// as the path of `docs/mathematics/milling.md#positions-of-five-axes` does.
 fn near_the_pole(shape: CutterShape) -> MillingWork<'static> {
     let cutter = Cutter::new(shape, 30.0, vec![]).unwrap();
     let radius = if let CutterShape::Conical { radius, .. } = shape { radius } else { 0.0 };

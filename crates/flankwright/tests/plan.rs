@@ -29,7 +29,7 @@ fn twist_free_crowning_meets_its_figures() {
         assert!(f.simulated_characteristics.twist_corner_um.abs() <= 0.02);
         assert!(f.simulated_characteristics.twist_fit_um.abs() <= 0.02);
         assert!((f.simulated_characteristics.helix_crowning_um - 20.0).abs() < 0.01);
-        // Dressing is a pure change of d_phi_S over v: 0.22 deg (spec 28 section 8).
+        // Dressing is a pure change of d_phi_S over v: 0.22 deg (`docs/mathematics/planning.md#how-it-is-verified`).
         let planned = outcome.plan.as_ref().unwrap().flanks[flank].as_ref().unwrap();
         let PlannedTool::Dressed(dressed) = &planned.tool else { panic!("the job has a dresser") };
         let largest = dressed.nodes.iter().map(|n| n.dk[0].abs()).fold(0.0, f64::max).to_degrees();

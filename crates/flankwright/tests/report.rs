@@ -249,7 +249,7 @@ fn a_section_names_its_parts_and_marks_the_collision() {
         &text,
         &["Dresser in the thread space", "dS 100 mm", "axial position [mm]", "radius of the worm [mm]"],
     );
-    assert_holds(&text, &["active flank", "tip land", "counter flank", "used part", "worm"]);
+    assert_holds(&text, &["active flank", "tip land", "opposite flank", "used part", "worm"]);
     assert_holds(
         &text,
         &["right flank", "collision 0.500 mm", "dresser radius 54.45 mm", "worm radius 52.00 mm"],

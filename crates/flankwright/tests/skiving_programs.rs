@@ -1,5 +1,5 @@
 //! Programs that measure a skiving tool in its machine: written for every control, read back, followed by forward kinematics, and
-//! judged by where the ideal tool switches the beam (spec 60 sections 6, 7 and 11).
+//! judged by where the ideal tool switches the beam (`docs/mathematics/skiving.md`).
 
 use crate::peer::client::{ABSENT, Client};
 use crate::skiving::samples::{CROWNED, RING, STEPPED, Sample};
@@ -158,7 +158,7 @@ fn recordings_hold_whole_turns_of_all_teeth() {
     });
 }
 
-/// Time per measurement = flanks*tracks*(revs*60/rpm*senses + t_move), spec 60 section 7.
+/// Time per measurement = flanks*tracks*(revs*60/rpm*senses + t_move), `docs/mathematics/skiving.md#light-barrier`.
 #[test]
 fn the_time_is_that_of_the_specification() {
     each(|sample, work, machining, made| {

@@ -1,5 +1,5 @@
 //! The two-stage referee on the examples of tangential dressing: rays through a surface between the stages within 0.02 um, and rays that
-//! ask the dresser at every point within 1e-9 um of the exact contact (spec 40 sections 9.2 and 13).
+//! ask the dresser at every point within 1e-9 um of the exact contact (`docs/mathematics/tangential-dressing.md#how-it-is-verified`).
 
 use flankwright::contact::Measure;
 use flankwright::geometry::{Flank, Gear, GearData, Sides};

@@ -1,4 +1,4 @@
-//! What everything of flankwright stands on: mathematics, shapes, poses and motions, modifications of flanks. Knows no contact, no process,
+//! The foundation of flankwright: mathematics, shapes, poses and motions, modifications of flanks. Knows no contact, no process,
 //! no file but the words in which a modification is described.
 
 pub mod numerics;

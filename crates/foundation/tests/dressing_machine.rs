@@ -20,7 +20,7 @@ fn moved(axis: usize, offset: f64) -> Matrix4<f64> {
     Translation3::from(v).to_homogeneous()
 }
 
-/// H of spec 30 section 16, by plain matrices.
+/// H of `docs/mathematics/dressing.md#axes-and-their-deviations`, by plain matrices.
 fn chain(q: &DressingAxes) -> Matrix4<f64> {
     turned(2, -q.worm)
         * moved(2, -q.shift)

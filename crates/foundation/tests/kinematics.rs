@@ -77,7 +77,7 @@ proptest! {
         prop_assert!((by(1) - Vector3::new(a.cos(), a.sin(), 0.0)).norm() < 1e-14);
     }
 
-    /// The chain of generating grinding is the product of spec 00, both brackets included.
+    /// The chain of generating grinding is the product of `docs/mathematics/conventions.md`, both brackets included.
     #[test]
     fn the_generating_chain_is_that_of_the_conventions(
         angles in prop::array::uniform6(-2.0..2.0f64), lengths in prop::array::uniform6(-90.0..90.0f64),
@@ -106,7 +106,7 @@ proptest! {
         prop_assert!(apart(&chain.pose(&state), &matrix, 100.0) < 1e-13);
     }
 
-    /// The chain of dressing is the product of spec 00; its motion follows the screw.
+    /// The chain of dressing is the product of `docs/mathematics/conventions.md`; its motion follows the screw.
     #[test]
     fn the_dressing_chain_is_that_of_the_conventions(
         angles in prop::array::uniform3(-2.0..2.0f64), lengths in prop::array::uniform3(-90.0..90.0f64),

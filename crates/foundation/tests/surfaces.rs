@@ -1,4 +1,4 @@
-//! The flanks of spec 50 section 1 as surfaces: reference numbers, derivatives, bounds, errors.
+//! The flanks of `docs/mathematics/milling.md#flanks-as-patches` as surfaces: reference numbers, derivatives, bounds, errors.
 
 mod bevel;
 mod bounds;

@@ -37,7 +37,7 @@ pub struct GearboxJob {
     pub job: JobInfo,
     /// The workpiece as far as its rotation depends on it.
     pub gear: GearboxGear,
-    /// What the errors are judged by; without it they are told and not judged.
+    /// What the errors are judged by; without it they are reported and not judged.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub target: Option<GearboxTarget>,
     /// Scale of the feed slide and interpolation of its pulses.

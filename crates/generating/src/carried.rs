@@ -36,7 +36,7 @@ impl FieldSpline {
     }
 }
 
-/// Parts of a target fitted into worm functions and a grinding motion by least squares (spec 25 section 4.1).
+/// Parts of a target fitted into worm functions and a grinding motion by least squares (`docs/mathematics/planning.md#producibility`).
 pub type RestFit = SplineDecomposition<DiagonalCoordinates>;
 
 /// Parts of the command, transverse, mm, that the tool's lines carry as they stand.

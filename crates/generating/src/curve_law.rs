@@ -1,5 +1,5 @@
-//! Wanted curves of worm lines on the flank and the tool shift that lays a worm line onto one (spec 25 section 7). Knows no
-//! target.
+//! Wanted curves of worm lines on the flank and the tool shift that lays a worm line onto one
+//! (`docs/mathematics/planning.md#variable-diagonal-ratio`). Knows no target.
 
 use super::{FlankLines, GeneratingError};
 use foundation::kinematics::{InverseLaw, LawError, MotionLaw, PiecewisePolynomial};

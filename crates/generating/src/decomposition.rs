@@ -1,5 +1,5 @@
-//! Decomposition of a target polynomial into worm functions, profile and grinding motion (spec 25 section 4):
-//! class {C, L, P, K} for dressed worms and class `radial` = {P, K}.
+//! Decomposition of a target polynomial into worm functions, profile and grinding motion
+//! (`docs/mathematics/generating-contact.md#decomposition-of-a-target`): class {C, L, P, K} for dressed worms and class `radial` = {P, K}.
 //!
 //! All polynomials are in u = w - w_m, y = z - z_m, transverse, mm.
 
@@ -130,8 +130,8 @@ impl Decomposition {
         }
     }
 
-    /// The same sum with K_10 and K_K0 as given, in the centred variables (gauge `given` of spec 25 section 4): a linear part of
-    /// the motion takes what F_L and F_C give up.
+    /// The same sum with K_10 and K_K0 as given, in the centred variables (gauge `given` of
+    /// `docs/mathematics/generating-contact.md#decomposition-of-a-target`): a linear part of the motion takes what F_L and F_C give up.
     pub fn with_gauge(mut self, k_10: f64, k_k0: f64) -> Self {
         let (c, c_k) = (cosine(self.t), cosine(self.t_k));
         let (big_a, big_b) = (c_k * (self.t_k - self.t), c_k / c);

@@ -1,4 +1,5 @@
-//! From the ideal worm to the dressed one: dresser profile, corrections DK(v), exact envelope (spec 28 section 4, steps 6, 7).
+//! From the ideal worm to the dressed one: dresser profile, corrections DK(v), exact envelope
+//! (`docs/mathematics/planning.md#from-the-ratio-to-the-flank`).
 
 use super::{
     DressingRows, FlankRows, GeneratingError, GrindingSetup, IdealPlan, IdealWorm, ProfilePlace,
@@ -38,7 +39,7 @@ impl ProfileOffset for GearProfile {
     }
 }
 
-/// Margin of the dressed length beyond the occupation, mm: the contact shift of a modified worm stays below it.
+/// Margin of the dressed length beyond the used worm width, mm: the contact shift of a modified worm stays below it.
 pub const DRESSING_MARGIN: f64 = 3.0;
 /// Chebyshev nodes of DK(v).
 pub const DRESSING_NODES: usize = 17;
@@ -141,7 +142,7 @@ pub(super) fn with_profiles(plain: &DresserTool, worms: &Sides<Option<IdealWorm>
     plain.with_offsets(&offsets)
 }
 
-/// Interval of v in which `tool` dresses the plan's occupation of one flank with a margin at each end, mm.
+/// Interval of v in which `tool` dresses the worm width that the plan uses on one flank with a margin at each end, mm.
 pub fn dressing_interval(
     setup: &GrindingSetup,
     tool: &DresserTool,
@@ -156,7 +157,7 @@ pub fn dressing_interval(
 
 /// What the pitch points of one flank ask for. What stands on the worm's lines as it is has other values across the slightly
 /// bent line in which the dresser touches; only their straight part over the profile is asked of the dresser, because a worm of
-/// few threads takes hardly any more (spec 28 section 1).
+/// few threads takes hardly any more (`docs/mathematics/planning.md#who-carries-what`).
 struct Wish<'a> {
     worm: &'a IdealWorm,
     /// Ends and middle of the used profile, mm.
@@ -248,7 +249,7 @@ fn straightened(worm: &IdealWorm, rolls: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [constant - inclination, constant, constant + inclination]
 }
 
-/// DK against the nominal kinematics at a few positions over the occupation of the flanks that are ground: enough for the score of
+/// DK against the nominal kinematics at a few positions over the used worm width of the flanks that are ground: enough for the score of
 /// a candidate.
 ///
 /// # Errors
@@ -274,7 +275,7 @@ pub fn sample_corrections(
     Ok(dks)
 }
 
-/// Interval of v that dresses the occupation of all of `flanks`.
+/// Interval of v that dresses the used worm width of all of `flanks`.
 fn common_interval(
     setup: &GrindingSetup,
     tool: &DresserTool,
@@ -363,7 +364,7 @@ pub fn dress_flanks(
     Ok(Sides { left: left?, right: right? })
 }
 
-/// DK(v) over the occupation with as many nodes as it takes.
+/// DK(v) over the used worm width with as many nodes as it takes.
 fn dress(
     setup: &GrindingSetup,
     plan: &IdealPlan,

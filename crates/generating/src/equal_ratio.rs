@@ -1,5 +1,6 @@
-//! Worms with which both flanks need the same diagonal ratio (spec 20 section 6): one number of the worm's design is the
-//! lever, and for each of its values the worm is built anew. Knows directions of lines, not what is written along them.
+//! Worms with which both flanks need the same diagonal ratio
+//! (`docs/mathematics/generating-contact.md#contact-path-lines-and-the-diagonal-ratio`): one number of the worm's design is the lever, and
+//! for each of its values the worm is built anew. Knows directions of lines, not what is written along them.
 
 use super::GeneratingError;
 use contact::{ContactError, DiagonalLine, FlankPair, Pair};
@@ -59,8 +60,9 @@ pub struct EqualRatio {
 }
 
 /// Lines along the straight generatrix of the worm flank, tan(rho_1) = -s/tan(beta_b1): the default estimate of dressed
-/// lines (spec 20 section 6). On a cylindrical pair K_l/K_r of such lines depends on sin(beta_b1) alone, whose proportion
-/// between the flanks neither the profile angle nor the crossing angle changes: only the cone angle is a lever for them.
+/// lines (`docs/mathematics/generating-contact.md#contact-path-lines-and-the-diagonal-ratio`). On a cylindrical pair K_l/K_r of such lines
+/// depends on sin(beta_b1) alone, whose proportion between the flanks neither the profile angle nor the crossing angle changes: only the
+/// cone angle is a lever for them.
 ///
 /// # Errors
 /// None; the signature is that of [`WormLine`].
@@ -68,8 +70,9 @@ pub fn generatrix(flank: &FlankPair) -> Result<DiagonalLine, GeneratingError> {
     Ok(DiagonalLine { rho: (-flank.flank().sign() / flank.worm.base_helix_angle.tan()).atan() })
 }
 
-/// The worm whose crossed-axes angle is gamma = -(beta_w1 + beta_w2) (rad; spec 10 section 7): the pitch diameter follows from
-/// the helix, tip and root go with it; rack, threads and hand stay.
+/// The worm whose crossed-axes angle is gamma = -(beta_w1 + beta_w2) (rad;
+/// `docs/mathematics/involute-gears.md#the-worm-as-a-helical-gear`): the pitch diameter follows from the helix, tip and root go with it;
+/// rack, threads and hand stay.
 ///
 /// # Errors
 /// Those of the rack; `InvalidNumber` for an angle that no worm of this hand has on the gear's rack.
@@ -95,11 +98,12 @@ pub fn worm_at_crossing_angle(
     Ok(WormChoice { pitch_diameter: Some(pitch), tip_diameter, ..*worm })
 }
 
-/// Values of the lever that are tried (spec 20 section 6).
+/// Values of the lever that are tried (`docs/mathematics/generating-contact.md#contact-path-lines-and-the-diagonal-ratio`).
 const SAMPLES: usize = 141;
 /// Interval at which Brent stops, rad.
 const SETTLED: f64 = 1e-15;
-/// At a root K_l - K_r falls below this share of its values beside it; at a pole it does not (spec 20 section 6).
+/// At a root K_l - K_r falls below this share of its values beside it; at a pole it does not
+/// (`docs/mathematics/generating-contact.md#contact-path-lines-and-the-diagonal-ratio`).
 const POLE: f64 = 1e-6;
 /// Rounding of K_l - K_r as a share of the ratios: some ten operations on each with conditions up to a hundred.
 const ROUNDING: f64 = 1e-12;

@@ -1,5 +1,5 @@
-//! One dresser for both flanks at once: the diagonal ratio at which both ask for the same swivel along the worm (spec 25
-//! section 4, F_Q = 0). Cylindrical bodies.
+//! One dresser for both flanks at once: the diagonal ratio at which both ask for the same swivel along the worm
+//! (`docs/mathematics/generating-contact.md#decomposition-of-a-target`, F_Q = 0). Cylindrical bodies.
 
 use super::{FlankLines, GeneratingError, GrindingSetup};
 use dressing::{DressedProfile, TiltChart};
@@ -28,7 +28,7 @@ pub enum EqualSwivel {
 
 impl SwivelSide {
     /// One flank of a setup with a dresser, for a target polynomial in (u, y) whose u^2 stays with the dresser unless
-    /// `in_diagonal`. The swivel is tau of the tilt chart of dressing (spec 30 section 7).
+    /// `in_diagonal`. The swivel is tau of the tilt chart of dressing (`docs/mathematics/dressing.md#limits-of-a-correction`).
     ///
     /// # Errors
     /// `NotDressed`, those of the nominal contact of dresser and worm.

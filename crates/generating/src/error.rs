@@ -1,4 +1,4 @@
-//! Errors of planning generating grinding (spec 28 section 7).
+//! Errors of planning generating grinding (`docs/mathematics/planning.md#limits`).
 
 use super::areas::{FeedInterval, SharedLines};
 use contact::ContactError;
@@ -129,7 +129,7 @@ pub enum GeneratingError {
         flank: Flank,
         /// Width of the tip land, mm; `None` where none is given.
         land: Option<f64>,
-        /// Widest land that spares the other flank, mm; `None` where none does.
+        /// Widest land that clears the other flank, mm; `None` where none does.
         largest: Option<f64>,
     },
     /// The root of the gear shall be a cylinder, but one place of the worm grinds all of it.

@@ -8,7 +8,7 @@ use foundation::numerics::extremes;
 /// z_V1 as a function of z_V2.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FeedLaw {
-    /// z_V1 = K z_V2 + z_V01 with the occupation of the tool centred; 0: no shift (class `radial`).
+    /// z_V1 = K z_V2 + z_V01 with the used width of the tool centred; 0: no shift (class `radial`).
     Ratio(f64),
     /// As it stands, mm over mm.
     Law(MotionLaw),
@@ -46,7 +46,7 @@ impl GrindingSetup {
         which.iter().map(|&flank| &self.lines[flank])
     }
 
-    /// Tool occupation [min, max] of z_1 over the evaluation fields of the flanks `which` under a law, mm.
+    /// Used tool width [min, max] of z_1 over the evaluation fields of the flanks `which` under a law, mm.
     pub fn occupation(&self, law: &MotionLaw, which: &[Flank]) -> [f64; 2] {
         extremes(self.lines_of(which).flat_map(|lines| lines.occupation(law)))
     }
@@ -56,7 +56,8 @@ impl GrindingSetup {
         extremes(self.lines_of(which).flat_map(|lines| lines.feed_range(law)))
     }
 
-    /// The law moved by a constant so that its occupation is centred on the tool (z_V01 of spec 28 section 3).
+    /// The law moved by a constant so that its used width is centred on the tool (z_V01 of
+    /// `docs/mathematics/planning.md#choice-of-the-ratio`).
     pub fn centred(&self, law: &MotionLaw, which: &[Flank]) -> MotionLaw {
         let centre = |law: &MotionLaw| {
             let [from, to] = self.occupation(law, which);

@@ -1,5 +1,6 @@
 //! Numbers of the worm's design chosen so that one diagonal ratio, constant or varying, meets the targets of both flanks
-//! best (spec 25 section 7, spec 28): the bodies are built anew for every value by whoever asks. Knows no plan.
+//! best (`docs/mathematics/planning.md#variable-diagonal-ratio`, `docs/mathematics/planning.md`): the bodies are built anew for every value
+//! by the caller. Knows no plan.
 //!
 //! Kept for planning over ratio, cone, profile and crossing angle at once: no command reaches it yet.
 

@@ -1,6 +1,6 @@
-//! A varying diagonal ratio fitted to any target together with the functions of worm, dresser and motion (spec 25 section 7):
-//! the functions follow from every ratio by linear least squares, so only the ratio at a few feeds is sought. Cylindrical
-//! bodies. Knows no plan.
+//! A varying diagonal ratio fitted to any target together with the functions of worm, dresser and motion
+//! (`docs/mathematics/planning.md#variable-diagonal-ratio`): the functions follow from every ratio by linear least squares, so only the
+//! ratio at a few feeds is sought. Cylindrical bodies. Knows no plan.
 
 use super::least_squares::{
     ArgumentKinks, Arguments, Candidates, FlankCoordinates, FlankFit, LineSlopes, MovingLines, Objective,

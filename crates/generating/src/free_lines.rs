@@ -1,5 +1,5 @@
-//! What a free direction of the worm's lines buys (spec 29 section 1): both flanks ask for the same diagonal ratio without a cone
-//! angle. Knows directions of lines, not what is written along them.
+//! What a free direction of the worm's lines buys (`docs/mathematics/dressing.md#conditions`): both flanks ask for the same diagonal ratio
+//! without a cone angle. Knows directions of lines, not what is written along them.
 
 use super::GeneratingError;
 use contact::{ContactError, DiagonalLine, Pair};

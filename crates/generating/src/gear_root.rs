@@ -1,5 +1,5 @@
 //! The root of the gear, ground by the worm's tip: what tip radius the head of the dresser must leave along the worm, and what the
-//! rounded edge of the tip leaves between root and flank (spec 29 section 6). Cylinders only. Knows no dresser.
+//! rounded edge of the tip leaves between root and flank (`docs/mathematics/dressing.md#conditions`). Cylinders only. Knows no dresser.
 
 use super::{GeneratingError, GrindingSetup};
 use contact::{RootFillet, TipCorner};

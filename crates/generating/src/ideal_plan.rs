@@ -1,5 +1,5 @@
-//! Tool functions and motion for one command, before any dresser is asked, and what the ideal tool leaves (spec 28 section 4,
-//! steps 2 to 4).
+//! Tool functions and motion for one command, before any dresser is asked, and what the ideal tool leaves
+//! (`docs/mathematics/planning.md`).
 
 use super::motion::with_fitted_motion;
 use super::planning_grid::GroundError;

@@ -1,5 +1,5 @@
-//! Generating grinding with a dressed worm (specs 25 and 28): settings -> flank by the exact contact, and back by
-//! decomposition and precompensation.
+//! Generating grinding with a dressed worm (`docs/mathematics/modifications.md`, `docs/mathematics/planning.md`): settings -> flank by the exact contact, and back
+//! by decomposition and precompensation.
 
 pub mod areas;
 pub mod carried;

@@ -1,5 +1,5 @@
 //! What the lines of a worm carry when the diagonal ratio varies: three functions of X_1, and the ideal worm made of them
-//! (spec 25 section 7). Knows neither dresser nor job.
+//! (`docs/mathematics/planning.md#variable-diagonal-ratio`). Knows neither dresser nor job.
 //!
 //! No command reaches it: `verify` recomputes references of variable ratios with it.
 
@@ -78,8 +78,8 @@ pub struct LineWorm {
     pub lines: FlankLines,
     /// w_1m, mm.
     pub centre: f64,
-    /// F_1C, F_1L, F_1Q over X_1. The exact contact wants them C2 (spec 20 section 14); where the second derivative of one jumps,
-    /// its Newton steps lose their order but end at the same flank.
+    /// F_1C, F_1L, F_1Q over X_1. The exact contact wants them C2 (`docs/mathematics/generating-contact.md#exact-contact`); where the
+    /// second derivative of one jumps, its Newton steps lose their order but end at the same flank.
     pub functions: [MotionLaw; 3],
 }
 

@@ -1,5 +1,5 @@
-//! Numbers of one flank that decomposition and mapping need: directions on the flanks and the contact relations of spec 20
-//! sections 3 and 5, for cylinders and cones. Knows no target.
+//! Numbers of one flank that decomposition and mapping need: directions on the flanks and the contact relations of
+//! `docs/mathematics/generating-contact.md`, for cylinders and cones. Knows no target.
 
 use contact::FlankPair;
 use foundation::geometry::Flank;

@@ -1,5 +1,6 @@
-//! The local-envelope model of grinding (spec 25 section 6): how the contact shifts under a modification, to second order of the
-//! unmodified surfaces. Start values and estimates only; the forward model of the product is the exact contact.
+//! The local-envelope model of grinding (`docs/mathematics/generating-contact.md#exact-contact`): how the contact shifts under a
+//! modification, to second order of the unmodified surfaces. Start values and estimates only; the forward model of the product is the exact
+//! contact.
 
 use super::GeneratingError;
 use contact::{ContactError, FlankPair, ThreadFunction};
@@ -71,8 +72,8 @@ impl Contact {
     }
 }
 
-/// q of spec 25 section 6, mm: a motion whose normal amount changes by F' per mm of feed leaves the flank q F'^2/2 deeper, and its
-/// contact runs ahead by q F'.
+/// q of `docs/mathematics/generating-contact.md#exact-contact`, mm: a motion whose normal amount changes by F' per mm of feed leaves the
+/// flank q F'^2/2 deeper, and its contact runs ahead by q F'.
 ///
 /// # Errors
 /// `ContactBelowBase`.

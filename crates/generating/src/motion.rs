@@ -1,4 +1,5 @@
-//! The grinding motion that makes F_K on one flank or on both at once (spec 25 section 3).
+//! The grinding motion that makes F_K on one flank or on both at once
+//! (`docs/mathematics/generating-contact.md#contact-path-lines-and-the-diagonal-ratio`).
 
 use super::carried::RestFit;
 use super::{Decomposition, FlankLines, GeneratingError, GrindingSetup};
@@ -40,7 +41,8 @@ pub fn motion_of_flanks(
     (MotionLaw::polynomial(0.0, delta_d), MotionLaw::polynomial(0.0, delta_phi))
 }
 
-/// Delta_d and Delta_phi_2 that give the normal amounts `left` and `right`, mm, rad (spec 25 section 3).
+/// Delta_d and Delta_phi_2 that give the normal amounts `left` and `right`, mm, rad
+/// (`docs/mathematics/generating-contact.md#contact-path-lines-and-the-diagonal-ratio`).
 fn split(lines: &Sides<FlankLines>, left: f64, right: f64) -> (f64, f64) {
     let (l, r) = (&lines.left, &lines.right);
     let denominator = l.sin_an * r.lever + r.sin_an * l.lever;

@@ -1,4 +1,5 @@
-//! Natural twist of a crowning made by the radial feed (spec 25 section 5, first order).
+//! Natural twist of a crowning made by the radial feed
+//! (`docs/mathematics/generating-contact.md#what-the-grinding-motion-leaves-to-first-order`, first order).
 
 use super::FlankLines;
 

@@ -1,5 +1,5 @@
 //! The whole plan of generating grinding: ratio, precompensated decomposition, dressing motion, planned flank
-//! (spec 28 section 4; everything but the referee).
+//! (`docs/mathematics/planning.md#from-the-ratio-to-the-flank`; everything but the referee).
 
 use super::dressed::{DRESSING_MARGIN, DressedFlank, dress_flanks, dresser_of_plan, finished_area};
 use super::least_squares::FitNorm;
@@ -97,9 +97,9 @@ pub struct GrindingPlan {
     pub between: Sides<f64>,
 }
 
-/// Largest margin dressed beyond the occupation, mm.
+/// Largest margin dressed beyond the used worm width, mm.
 const LARGEST_DRESSING_MARGIN: f64 = 48.0;
-/// Distance of the contacts from the ends of the finished worm, mm: room for the search of whoever checks the plan.
+/// Distance of the contacts from the ends of the finished worm, mm: room for the search of a check of the plan.
 const CONTACT_MARGIN: f64 = 1.5;
 /// Outer rounds with the worm as dressed.
 const OUTER_ROUNDS: usize = 3;
@@ -113,12 +113,12 @@ struct Equipped {
     dresser: Option<DresserTool>,
     flanks: Sides<Option<PlannedTool>>,
     error: GroundError,
-    /// Length of the tool beyond the occupation, mm.
+    /// Length of the tool beyond the used width, mm.
     margin: f64,
 }
 
-/// Points of the planning grid over profile and face width: for polynomials (spec 28 section 3), and where reliefs and waves
-/// stand on the tool's lines.
+/// Points of the planning grid over profile and face width: for polynomials (`docs/mathematics/planning.md#choice-of-the-ratio`), and where
+/// reliefs and waves stand on the tool's lines.
 const PLANNING_GRIDS: [[usize; 2]; 2] = [[9, 9], [17, 41]];
 
 impl PlanTask<'_> {
@@ -252,8 +252,8 @@ impl PlanTask<'_> {
         self.rule(grid).judge_places(ratio, &self.places)
     }
 
-    /// Ratios worth a study, ascending: the scan of the rule over both signs (spec 28 section 2), 0, the lead-correction
-    /// ratios K* and those that directed parts of the target demand.
+    /// Ratios worth a study, ascending: the scan of the rule over both signs (`docs/mathematics/planning.md#choice-of-the-ratio`), 0, the
+    /// lead-correction ratios K* and those that directed parts of the target demand.
     pub fn worth_studying(&self, grid: &PlanningGrid) -> Vec<f64> {
         self.rule(grid).worth_studying(&self.places)
     }

@@ -57,7 +57,8 @@ impl Default for FlankRows {
     }
 }
 
-/// The free coefficients of a decomposition, in centred variables, transverse (spec 25 section 4).
+/// The free coefficients of a decomposition, in centred variables, transverse
+/// (`docs/mathematics/generating-contact.md#decomposition-of-a-target`).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FreeCoefficients {
     /// K_10, mm/mm.
@@ -68,7 +69,7 @@ pub struct FreeCoefficients {
     pub k_k0: f64,
 }
 
-/// Which of the decompositions with the same flank is made (spec 25 section 4).
+/// Which of the decompositions with the same flank is made (`docs/mathematics/generating-contact.md#decomposition-of-a-target`).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum PlanGauge {
     /// F_K and its slope vanish in the middle of the flank.

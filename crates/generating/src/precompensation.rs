@@ -1,4 +1,5 @@
-//! The correction of a command by the errors of the exact flank, round by round (spec 28 section 4, step 5).
+//! The correction of a command by the errors of the exact flank, round by round
+//! (`docs/mathematics/planning.md#from-the-ratio-to-the-flank`).
 
 use super::planning_grid::GroundError;
 use super::target::ClassFit;
@@ -9,7 +10,7 @@ use super::{
 use foundation::geometry::{Flank, Sides};
 use std::sync::Arc;
 
-/// Rounds of precompensation with the ideal worm (spec 28 section 4).
+/// Rounds of precompensation with the ideal worm (`docs/mathematics/planning.md#from-the-ratio-to-the-flank`).
 pub(super) const ROUNDS: usize = 4;
 /// Rounds where the correction is free: reliefs and steep lines shift the contact further, each round gains less.
 pub(super) const FREE_ROUNDS: usize = 12;
@@ -33,7 +34,7 @@ const CORRECTION_CELLS: [[usize; 2]; 3] = [[6, 16], [4, 10], [2, 5]];
 
 /// The command corrected by the normal errors `e` (target - ground, mm): what the class of polynomials takes, and the rest as a
 /// smooth function. Errors are put where the tool touches (`feet`): there the flank follows the tool one to one, whatever the
-/// contact has moved by (envelope theorem; dm/df_n1 of spec 20 section 14).
+/// contact has moved by (envelope theorem; dm/df_n1 of `docs/mathematics/generating-contact.md#exact-contact`).
 fn freely_corrected(lines: &FlankLines, command: &Command, e: &[f64], feet: &[(f64, f64)]) -> Command {
     let centred: Vec<(f64, f64)> = feet.iter().map(|&(w, z)| (w - lines.w_m, z - lines.z_m)).collect();
     let transverse: Vec<f64> = e.iter().map(|e| e / lines.cos_b2).collect();

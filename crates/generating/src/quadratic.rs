@@ -1,5 +1,6 @@
 //! Decomposition into worm functions of second degree in w and a grinding motion, without a profile of the dresser: class
-//! {C, L, Q, K} of spec 25 section 4, in raw variables (w, z). Knows neither dresser nor job.
+//! {C, L, Q, K} of `docs/mathematics/generating-contact.md#decomposition-of-a-target`, in raw variables (w, z). Knows neither dresser nor
+//! job.
 //!
 //! The plan uses the class {C, L, P, K} of [`super::Decomposition`] instead, because a disc dresser makes a profile that varies
 //! along the worm only in narrow limits.
@@ -99,7 +100,7 @@ pub fn decompose_quadratic(a: &Polynomial2, t: f64, t_k: f64, gauge: Gauge) -> Q
 }
 
 /// p(w, z) h(X) for a polynomial p of second degree is exact in this class: `[F_C, F_L, F_Q]` at X for the value h of the line
-/// function there (waviness with variable amplitude, spec 25 section 4).
+/// function there (waviness with variable amplitude, `docs/mathematics/generating-contact.md#decomposition-of-a-target`).
 pub fn product_functions(p: &Polynomial2, t: f64, x: f64, h: f64) -> [f64; 3] {
     let q = in_line_coordinates(p, t);
     [0, 1, 2].map(|i| h * (0..=2).rev().fold(0.0, |sum, k| sum * x + q.coefficient(i, k)))

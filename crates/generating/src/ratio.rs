@@ -1,4 +1,4 @@
-//! The diagonal ratio "auto" (spec 28 section 2): candidates, their score and why one of them is taken.
+//! The diagonal ratio "auto" (`docs/mathematics/planning.md#choice-of-the-ratio`): candidates, their score and why one of them is taken.
 
 use super::dressed::{dresser_of_plan, sample_corrections};
 use super::least_squares::FitNorm;
@@ -51,7 +51,7 @@ pub struct Candidate {
     pub dressing_share: f64,
     /// max |Delta_d|/limit.
     pub delta_d_share: f64,
-    /// Worm occupation, mm.
+    /// Used worm width, mm.
     pub occupation: f64,
     /// Largest error of the ideal worm, mm.
     pub error: f64,
@@ -201,7 +201,7 @@ impl Rule<'_> {
         })
     }
 
-    /// Worm width needed for an occupation: 1.5 modules and 3 mm at each end.
+    /// Worm width needed for a used width: 1.5 modules and 3 mm at each end.
     pub fn width_needed(&self, occupation: f64) -> f64 {
         occupation + 2.0 * self.setup.run_in()
     }
@@ -314,7 +314,7 @@ impl Rule<'_> {
     }
 
     /// The factor between neighbours of the scan: geometric steps from 0.1 to twice the ratio for rho_2 = 0, without a worm
-    /// width up to K* (spec 28 section 2).
+    /// width up to K* (`docs/mathematics/planning.md#choice-of-the-ratio`).
     fn scan_step(&self, stars: &Sides<Option<f64>>) -> f64 {
         let which = self.which();
         let level = |flank: Flank| self.setup.lines[flank].ratio_of_direction(0.0).abs();
@@ -539,7 +539,7 @@ fn scan_size(step: f64, k: usize) -> f64 {
     0.1 * step.powi(k as i32)
 }
 
-/// The best score; within 5 percent of it the shorter worm occupation decides (spec 28 section 2).
+/// The best score; within 5 percent of it the shorter used worm width decides (`docs/mathematics/planning.md#choice-of-the-ratio`).
 fn better<T>(of: Vec<T>, score: impl Fn(&T) -> f64, occupation: impl Fn(&T) -> f64) -> Option<T> {
     let least = of.iter().map(&score).fold(f64::INFINITY, f64::min);
     of.into_iter().filter(|c| score(c) <= 1.05 * least).min_by(|a, b| occupation(a).total_cmp(&occupation(b)))

@@ -1,4 +1,5 @@
-//! The bodies of a grinding job by the one table of defaults (spec 10 section 7): gear, worm, dresser and how they stand.
+//! The bodies of a grinding job by the one table of defaults (`docs/mathematics/involute-gears.md#the-worm-as-a-helical-gear`): gear, worm,
+//! dresser and how they stand.
 
 use super::{FlankLines, GearRootChoice, GeneratingError, StrokeLayout};
 use contact::Pair;
@@ -35,7 +36,7 @@ pub struct SetupInput {
 /// What is chosen of a dresser. mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DresserChoice {
-    /// Outside diameter.
+    /// Tip diameter.
     pub tip_diameter: f64,
     /// Pitch diameter, if given.
     pub pitch_diameter: Option<f64>,
@@ -54,7 +55,7 @@ pub enum Tool {
     Given(Box<Sides<Modification>>),
 }
 
-/// Who carries the u^2 part of the profile (spec 28 section 1).
+/// Who carries the u^2 part of the profile (`docs/mathematics/planning.md#who-carries-what`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ProfilePlace {
     /// The dresser's profile.
@@ -76,7 +77,7 @@ impl ProfilePlace {
     }
 }
 
-/// Ranges of the correcting axes (spec 28 section 2).
+/// Ranges of the correcting axes (`docs/mathematics/planning.md#choice-of-the-ratio`).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DressingLimits {
     /// |d_phi_S|, |d_gamma| (rad), |d_d|, |d_v_yA| (mm).
@@ -234,7 +235,7 @@ impl GrindingSetup {
         self.pair.worm.data().normal_module
     }
 
-    /// Run-in, and run-out, of the worm beside what touches the gear, mm (spec 28 section 2).
+    /// Run-in, and run-out, of the worm beside what touches the gear, mm (`docs/mathematics/planning.md#choice-of-the-ratio`).
     pub fn run_in(&self) -> f64 {
         1.5 * self.worm_module() + 3.0
     }
@@ -244,7 +245,7 @@ impl GrindingSetup {
 pub(super) struct Placed {
     pub made: WormForGear,
     pub pair: Pair,
-    /// Distance of the axes as the pitch planes engage, mm.
+    /// Centre distance as the pitch planes engage, mm.
     pub engaged: f64,
     /// Root radius of the worm that leaves the clearance to the gear's tip, mm.
     pub root_by_gear: f64,
@@ -266,7 +267,7 @@ impl Placed {
         let pair = Pair::without_backlash(made.worm, *gear, made.crossed_axes_angle)?;
         let d = pair.chain.centre_distance;
         let clearance = root_clearance.unwrap_or(0.25 * made.rack.normal_module);
-        // On cones d is only a measure (spec 20 section 1); the pitch planes tell how deep the bodies engage.
+        // On cones d is only a measure (`docs/mathematics/generating-contact.md`); the pitch planes tell how deep the bodies engage.
         let (rack_1, rack_2) = pair.rack_radii();
         let engaged = if pair.worm.is_cylindrical() && pair.work.is_cylindrical() {
             d
@@ -332,8 +333,8 @@ pub(super) fn check_depth(worm: &Gear, root_radius: f64) -> Result<(), GeometryE
     })
 }
 
-/// Root radius of the worm and nominal dressing chain of each flank (spec 10 section 7): the flanks of a conical worm are
-/// helicoids of different lead (spec 30 section 2).
+/// Root radius of the worm and nominal dressing chain of each flank (`docs/mathematics/involute-gears.md#the-worm-as-a-helical-gear`): the
+/// flanks of a conical worm are helicoids of different lead (`docs/mathematics/dressing.md#symbols`).
 pub(super) fn dressing_place(
     choice: &DresserChoice,
     worm: &Gear,

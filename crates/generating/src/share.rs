@@ -1,4 +1,5 @@
-//! The command of one flank, split between motion, dresser and lines of the tool (spec 25 section 4, spec 28 section 1).
+//! The command of one flank, split between motion, dresser and lines of the tool
+//! (`docs/mathematics/generating-contact.md#decomposition-of-a-target`, `docs/mathematics/planning.md#who-carries-what`).
 
 use super::carried::{RestFit, misfit_of_lines};
 use super::least_squares::{DiagonalCoordinates, FitSettings, FunctionClass};
@@ -167,7 +168,8 @@ fn radial_share(lines: &FlankLines, target: &FlankTarget, command: &Command, pol
         command.polynomial.add(&target.fit_of_rest())
     };
     let mut parts = decompose_radial(&a, lines.t_k);
-    // The target's own profile terms only: compensating ones are advice, not plan (spec 28 section 6).
+    // The target's own profile terms only: compensating ones are advice, not plan
+    // (`docs/mathematics/generating-contact.md#what-the-grinding-motion-leaves-to-first-order`).
     for (i, p) in parts.profile.iter_mut().enumerate() {
         *p = if i == 0 { 0.0 } else { a.coefficient(i, 0) };
     }

@@ -1,5 +1,5 @@
-//! A worm flank dressed in strokes for a plan: DK(v) of every stroke from the wanted worm function, and what the flank grinds (spec 29
-//! section 5, spec 30 sections 10 and 11). Knows no files and no referee.
+//! A worm flank dressed in strokes for a plan: DK(v) of every stroke from the wanted worm function, and what the flank grinds
+//! (`docs/mathematics/dressing.md#conditions`). Knows no files and no referee.
 
 use super::dressed::{DRESSING_NODES, MOST_NODES, SERIES_TOLERANCE, tail};
 use super::{GeneratingError, GrindingSetup, IdealPlan, IdealWorm, PlanningGrid, StrokeLayout, StrokePlace};
@@ -81,7 +81,7 @@ impl StrokedFlank {
         Self::new(layout, flank, places, along)
     }
 
-    /// Solves every stroke of a flank for the worm function of a plan, `margin` mm beyond the occupation at each end.
+    /// Solves every stroke of a flank for the worm function of a plan, `margin` mm beyond the used worm width at each end.
     ///
     /// # Errors
     /// Those of [`StrokeAlong::solve`] of the first stroke that fails, and of [`StrokedFlank::new`].

@@ -1,4 +1,5 @@
-//! Left-out threads: how many strokes a pass takes when only some threads of the worm grind (spec 25 section 8 item 8).
+//! Inactive threads: how many strokes a pass takes when only some threads of the worm grind
+//! (`docs/mathematics/planning.md#choice-of-the-ratio`).
 
 use super::GeneratingError;
 use super::curve_law::number;

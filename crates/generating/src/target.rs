@@ -1,4 +1,4 @@
-//! The target of one flank, split into what the class can carry as it stands and what it cannot (spec 28 sections 1, 4).
+//! The target of one flank, split into what the class can carry as it stands and what it cannot (`docs/mathematics/planning.md`).
 
 use super::GeneratingError;
 use super::least_squares::{DEFAULT_GRID, Samples};
@@ -10,7 +10,8 @@ use nalgebra::{DMatrix, DVector};
 const CLASS: [(usize, usize); 12] =
     [(0, 0), (0, 1), (0, 2), (0, 3), (1, 0), (1, 1), (1, 2), (2, 0), (2, 1), (3, 0), (4, 0), (5, 0)];
 
-/// Exponents without mixed terms: all that a radial plan may correct (spec 28 section 6).
+/// Exponents without mixed terms: all that a radial plan may correct
+/// (`docs/mathematics/generating-contact.md#what-the-grinding-motion-leaves-to-first-order`).
 const PURE: [(usize, usize); 9] = [(0, 0), (0, 1), (0, 2), (0, 3), (1, 0), (2, 0), (3, 0), (4, 0), (5, 0)];
 
 /// All exponents of a polynomial of third degree.

@@ -1,5 +1,5 @@
-//! The counter flank while a plan's worm is dressed: the largest tip land that spares it (spec 30 section 13). Knows no worm
-//! function.
+//! The opposite flank while a plan's worm is dressed: the largest tip land that clears it
+//! (`docs/mathematics/dressing.md#limits-of-a-correction`). Knows no worm function.
 
 use super::{GeneratingError, GrindingSetup};
 use dressing::{DresserSection, DresserTool, SectionOutline, ShownWorm, ThreadSpace, WormFlank};
@@ -10,7 +10,7 @@ use foundation::numerics::{Chebyshev, equidistant};
 /// Where along the worm the dresser has least room.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LeastRoom {
-    /// The largest tip land with which the counter flank is spared there, mm; `None` if a dresser without land cuts into it.
+    /// The largest tip land that clears the opposite flank there, mm; `None` if a dresser without land cuts into it.
     pub tip_land: Option<f64>,
     /// DK there.
     pub dk: DressingCorrection,

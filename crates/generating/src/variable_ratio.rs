@@ -1,5 +1,5 @@
-//! Relations of one flank when the diagonal ratio varies: z_V1 = F(z_V2), strictly monotone (spec 25 section 7, R20).
-//! Cylindrical bodies. Knows no target and no plan.
+//! Relations of one flank when the diagonal ratio varies: z_V1 = F(z_V2), strictly monotone
+//! (`docs/mathematics/planning.md#variable-diagonal-ratio`, R20). Cylindrical bodies. Knows no target and no plan.
 //!
 //! No command reaches it: `verify` recomputes references of variable ratios with it.
 
@@ -53,7 +53,8 @@ impl FlankLines {
     }
 
     pub(super) fn check_worm_direction(&self) -> Result<(), GeneratingError> {
-        // T1 is of the size of 1; the limit is that of the degenerate direction on the workpiece (spec 25 section 3).
+        // T1 is of the size of 1; the limit is that of the degenerate direction on the workpiece
+        // (`docs/mathematics/generating-contact.md#contact-path-lines-and-the-diagonal-ratio`).
         if self.big_t1.abs() < 1e-6 {
             return Err(GeneratingError::WormDirectionDegenerate {
                 flank: self.flank(),

@@ -1,4 +1,5 @@
-//! Worms for one gear by the table of defaults (spec 10 section 7), put between gear and dresser for the search in a catalogue.
+//! Worms for one gear by the table of defaults (`docs/mathematics/involute-gears.md#the-worm-as-a-helical-gear`), put between gear and
+//! dresser for the search in a catalogue.
 
 use super::setup::{Placed, check_depth, dressing_place};
 use super::{DresserChoice, GeneratingError};

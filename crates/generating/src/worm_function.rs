@@ -1,5 +1,5 @@
 //! The modification of an ideal tool: what a decomposition asks of the tool's flank at the point that grinds each workpiece
-//! point (spec 25 section 4, spec 28 section 4).
+//! point (`docs/mathematics/generating-contact.md#decomposition-of-a-target`, `docs/mathematics/planning.md#from-the-ratio-to-the-flank`).
 
 use super::target::relief_jet;
 use super::{Carried, Decomposition, FlankLines};

@@ -14,12 +14,12 @@ pub enum Unread {
     TooLarge(usize),
 }
 
-/// Opens a file for reading. A pipe or a device is not opened: whoever reads one may wait for an end that never comes.
+/// Opens a file for reading. A pipe or a device is not opened: reading one may wait for an end that never comes.
 ///
 /// # Errors
 /// Those of the file system; [`io::ErrorKind::IsADirectory`]; [`io::ErrorKind::Unsupported`] for a pipe or a device.
 pub fn open_regular(path: &Path) -> io::Result<File> {
-    // Asked for before opening, since opening a pipe waits for whoever writes into it.
+    // Tested before opening, since opening a pipe waits for its writer.
     let kind = fs::metadata(path)?.file_type();
     if kind.is_dir() {
         return Err(io::Error::new(io::ErrorKind::IsADirectory, "it is a directory"));

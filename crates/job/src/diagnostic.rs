@@ -187,7 +187,7 @@ pub struct JobError {
 }
 
 impl JobError {
-    /// A file of millions of wrong keys is told by its first hundred.
+    /// Of millions of wrong keys in a file the first hundred are reported.
     pub const MAXIMUM_FINDINGS: usize = 100;
 
     /// Collects findings about a file, sorted by their place in the text.

@@ -1,5 +1,5 @@
 //! The alternatives that a schema allows at one place, with references and combinations resolved, and how they are
-//! told in words. Knows the parts of JSON Schema that the job's schema uses, and no key.
+//! worded. Knows the parts of JSON Schema that the job's schema uses, and no key.
 
 use std::collections::BTreeMap;
 

@@ -134,7 +134,7 @@ pub fn parse_points(source: Source) -> Result<Vec<[f64; 3]>, JobError> {
 }
 
 /// Whether the table of a flank is a grid. As many rows as a grid of its places would have make it one, so that a row
-/// that stands twice is told when the grid is read.
+/// that stands twice is reported when the grid is read.
 ///
 /// # Errors
 /// As [`read_points`].

@@ -1,5 +1,5 @@
-//! From a file to a checked job: text, tree, process, shape, types, contradictions. The only way to a job from outside, so that who holds
-//! one need not check it again.
+//! From a file to a checked job: text, tree, process, shape, types, contradictions. The only way to a job from outside, so
+//! that a holder of one need not check it again.
 
 use super::any::Loaded;
 use super::diagnostic::{Diagnostic, JobError, Problem};

@@ -5,7 +5,7 @@ use crate::format::ProcessJob;
 use crate::load::parse_job_of;
 use crate::source::Source;
 
-/// A change to a job, the code and the key that it is answered with, and parts of what is said.
+/// A change to a job, the code and the key that it is answered with, and parts of the message.
 pub type Case = (&'static str, &'static str, &'static str, &'static str, &'static [&'static str]);
 
 /// Changes a job by every case and looks at the answer.

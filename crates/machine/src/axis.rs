@@ -39,7 +39,7 @@ impl Joint {
     }
 }
 
-/// What an axis does in the machine's work (spec 26 section 3).
+/// What an axis does in the machine's work (`docs/mathematics/programs.md#from-bodies-to-axes`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Role {
     /// X1: infeed between tool and workpiece.

@@ -1,5 +1,5 @@
-//! Which of several solutions a machine takes: within its travel, nearest to where it stands, full turns kept (spec 26 section
-//! 6).
+//! Which of several solutions a machine takes: within its travel, nearest to where it stands, full turns kept
+//! (`docs/mathematics/programs.md#from-bodies-to-axes`).
 
 use super::{Joint, Machine, MachineError, Positions, Role, Station};
 use std::f64::consts::{PI, TAU};

@@ -1,4 +1,4 @@
-//! What can be wrong with a machine, a pose or a rule asked of it (spec 26 section 9).
+//! Errors of a machine, a pose or a rule asked of it (`docs/mathematics/generating-contact.md#machine-chains`).
 
 use finding::Finding;
 use std::borrow::Cow;

@@ -1,5 +1,5 @@
-//! Machines with two rotary axes and three slides and no ends of travel worth the name, as spec 50 section 11 names them: for
-//! comparisons that no machine of a workshop is needed for.
+//! Machines with two rotary axes and three slides and no ends of travel worth the name, as
+//! `docs/mathematics/milling.md#positions-of-five-axes` names them: for comparisons that no machine of a workshop is needed for.
 
 use crate::{Axis, AxisLimits, InvalidMachine, Joint, Limb, Machine, MachineParts};
 use nalgebra::Vector3;

@@ -1,4 +1,5 @@
-//! Forward kinematics of the tree: axis positions -> poses, by products of exponentials (spec 26 section 3).
+//! Forward kinematics of the tree: axis positions -> poses, by products of exponentials
+//! (`docs/mathematics/programs.md#from-bodies-to-axes`).
 
 use super::{Joint, Limb, Machine, MachineError, Positions};
 use foundation::kinematics::Pose;

@@ -1,4 +1,4 @@
-//! The electronic gearbox in the terms of a machine's own axes (spec 26 section 7, spec 20 section 4).
+//! The electronic gearbox in the terms of a machine's own axes (`docs/mathematics/generating-contact.md#coupling-of-the-rotations`).
 
 use super::{Machine, MachineError, Mounts, Role};
 use std::f64::consts::FRAC_PI_2;

@@ -1,4 +1,5 @@
-//! How each axis moves the counterpart against the tool, and what that does to the flank (spec 26 section 8).
+//! How each axis moves the counterpart against the tool, and what that does to the flank
+//! (`docs/mathematics/generating-contact.md#machine-chains`).
 
 use super::{Joint, Machine, MachineError, Positions, Station, ToolSpindle};
 use foundation::kinematics::{Direction, Point};

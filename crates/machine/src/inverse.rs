@@ -1,4 +1,4 @@
-//! Inverse kinematics: the positions of all axes that give a pose, every solution (spec 26 sections 4 and 5).
+//! Inverse kinematics: the positions of all axes that give a pose, every solution (`docs/mathematics/programs.md#from-bodies-to-axes`).
 //!
 //! A linear axis turns nothing. So the rotary axes follow from the rotation alone, in closed form for any three directions
 //! ([`super::rotations`]), and the linear ones from three linear equations; offsets and measured directions need no other way.
@@ -15,7 +15,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Sine of the angle between tool and counterpart axis below which a wrist is at its pole.
 const POLE: f64 = 1e-9;
-/// The same under the rule of the swivel (spec 26 section 4.2).
+/// The same under the rule of the swivel (`docs/mathematics/programs.md#from-bodies-to-axes`).
 const POLE_OF_CHART: f64 = 1e-12;
 /// Worm angles of one turn at which the axial slide is looked at.
 const SCAN: usize = 181;

@@ -1,5 +1,6 @@
-//! Machines as data: a tree of axes with limits, from its description to poses and back with all solutions (spec 26).
-//! Knows poses and motions of bodies; knows no flank, no process, no file and no control.
+//! Machines as data: a tree of axes with limits, from its description to poses and back with all solutions
+//! (`docs/mathematics/generating-contact.md#machine-chains`). Knows poses and motions of bodies; knows no flank, no process, no file and no
+//! control.
 //!
 //! A pose asked of a machine is that of a station's spindle in coordinates of the tool spindle, H = limb_tool(q)^-1
 //! limb_station(q). Mounts turn poses of bodies into it ([`Mount`]).

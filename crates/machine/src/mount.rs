@@ -1,4 +1,5 @@
-//! How a body is clamped in its spindle, and what that makes of the pose of two bodies (spec 26 section 2).
+//! How a body is clamped in its spindle, and what that makes of the pose of two bodies
+//! (`docs/mathematics/generating-contact.md#machine-chains`).
 
 use super::{StationSpindle, ToolSpindle};
 use foundation::kinematics::Pose;

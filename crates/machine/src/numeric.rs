@@ -1,5 +1,5 @@
-//! Inverse kinematics of chains without a closed form: damped Newton with the exact Jacobian from a net of starts (spec 26
-//! section 5). What it finds are solutions; that it finds all of them is probable, not proven.
+//! Inverse kinematics of chains without a closed form: damped Newton with the exact Jacobian from a net of starts
+//! (`docs/mathematics/programs.md#from-bodies-to-axes`). What it finds are solutions; that it finds all of them is probable, not proven.
 
 use super::inverse::{check_pose, within_turn};
 use super::{Bed, Joint, Machine, MachineError, Positions, Station, StationSpindle, ToolSpindle};

@@ -1,5 +1,6 @@
 //! Inverse kinematics of a tool that turns anyway: its axis and a point of it are wanted, two rotary and three linear axes are
-//! there (spec 50 section 11). Both solutions; which one is taken along a path is decided where the path is known.
+//! there (`docs/mathematics/milling.md#positions-of-five-axes`). Both solutions; which one is taken along a path is decided where the path
+//! is known.
 
 use super::forward::{Bed, StationSpindle, ToolSpindle};
 use super::inverse::within_turn;
@@ -22,8 +23,8 @@ pub struct ToolAxis {
 /// What there is for a direction of the tool.
 #[derive(Clone, Debug, PartialEq)]
 pub enum AxisSolutions {
-    /// One or two sets of positions, angles in (-180, 180] degrees; first the one with the positive square root of spec 50
-    /// section 11.
+    /// One or two sets of positions, angles in (-180, 180] degrees; first the one with the positive square root of
+    /// `docs/mathematics/milling.md#positions-of-five-axes`.
     Positions(Vec<Positions>),
     /// The tool stands along the first rotary axis: its angle is free. The angle of the other axis; sine from the pole.
     Pole {
@@ -34,7 +35,7 @@ pub enum AxisSolutions {
     },
 }
 
-/// The axes that place a turning tool (spec 50 section 11): numbers in the machine.
+/// The axes that place a turning tool (`docs/mathematics/milling.md#positions-of-five-axes`): numbers in the machine.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FiveAxes {
     /// th_1 and th_2: the axis next to the workpiece in the chain from it to the tool, and the axis next to the tool.

@@ -44,8 +44,8 @@ pub(super) enum NoWrist {
 /// Below this share of its reach squared, the two solutions of the middle axis are one: apart by 3e-8 rad at most, which turns
 /// the outer axes against each other by less than rounding.
 const COINCIDENT: f64 = 1e-15;
-/// Farther below zero than this share of the reach squared nothing is reached (spec 50 section 11): at most 5e-13 rad of the
-/// direction, what rounding makes of a horizontal tool on a table that nutates by 45 degrees.
+/// Farther below zero than this share of the reach squared nothing is reached (`docs/mathematics/milling.md#positions-of-five-axes`): at
+/// most 5e-13 rad of the direction, what rounding makes of a horizontal tool on a table that nutates by 45 degrees.
 const BEYOND: f64 = 1e-12;
 /// Axes closer to parallel than this (sine) do the same.
 const PARALLEL: f64 = 1e-9;
@@ -115,7 +115,7 @@ fn near_pole([k1, k2]: [&Vector3<f64>; 2], p: &Vector3<f64>, q: &Vector3<f64>) -
 }
 
 /// All angles a, b with R(k1, a) R(k2, b) p = q for unit vectors p and q, rad: a tool on two rotary axes, the solution with
-/// R(k2, b) p on the side of k1 x k2 first (spec 50 section 11).
+/// R(k2, b) p on the side of k1 x k2 first (`docs/mathematics/milling.md#positions-of-five-axes`).
 pub(super) fn two_axes(
     [k1, k2]: [&Vector3<f64>; 2],
     p: &Vector3<f64>,

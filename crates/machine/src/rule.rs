@@ -1,4 +1,4 @@
-//! What closes the system of a machine that has more axes than a pose determines (spec 26 section 4.2).
+//! What closes the system of a machine that has more axes than a pose determines (`docs/mathematics/programs.md#from-bodies-to-axes`).
 
 /// The rule of dressing: the dresser is a body of revolution, so a machine with a swivel has six axes for five demands.
 #[derive(Clone, Copy, Debug, PartialEq)]

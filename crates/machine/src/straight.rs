@@ -1,5 +1,6 @@
 //! How far a tool leaves the chord of its ends while all axes run straight from one position to another: a bound that holds for
-//! every chain, from the second derivatives of the product of motions (spec 50 section 11, blocks without RTCP).
+//! every chain, from the second derivatives of the product of motions (`docs/mathematics/milling.md#positions-of-five-axes`, blocks without
+//! RTCP).
 
 use super::forward::ToolSpindle;
 use super::{Joint, Machine, MachineError, Positions, Station};

@@ -1,4 +1,5 @@
-//! Crowning, slope and twist of a topography (spec 25 sections 1 and 5): least squares by {1, u, v, uv, u^2, v^2} and corners.
+//! Crowning, slope and twist of a topography (`docs/mathematics/modifications.md` and
+//! `docs/mathematics/generating-contact.md#what-the-grinding-motion-leaves-to-first-order`): least squares by {1, u, v, uv, u^2, v^2} and corners.
 
 use super::Topography;
 use nalgebra::{DMatrix, DVector};

@@ -1,5 +1,6 @@
-//! Whether tool, holder and spindle have room in an internal gear (end of spec 50 section 8): as bodies of revolution in the whole ring
-//! where holder or spindle are known, else from the tip along the axis to the opposite circle of tooth tips.
+//! Whether tool, holder and spindle have room in an internal gear (end of `docs/mathematics/milling.md#positions-of-five-axes`): as bodies
+//! of revolution in the whole ring where holder or spindle are known, else from the tip along the axis to the opposite circle of tooth
+//! tips.
 
 use super::{CutterLocation, FlankPlan, MillingError, PlanOptions, Space, WallKind};
 use foundation::geometry::Cutter;
@@ -48,7 +49,7 @@ fn widest(cutter: &Cutter) -> f64 {
 /// holder and spindle any of its teeth and ends away from the space.
 ///
 /// # Errors
-/// [`MillingError::InternalAccess`], [`MillingError::RingMet`]; those of the lead curve.
+/// [`MillingError::InternalAccess`], [`MillingError::RingMet`]; those of the guide curve.
 pub fn check_access(space: &Space, options: &PlanOptions, flanks: &[FlankPlan]) -> Result<(), MillingError> {
     let Some(ring) = Ring::of(space)? else { return Ok(()) };
     let cutter = &options.cutter;

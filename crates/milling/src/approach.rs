@@ -1,4 +1,5 @@
-//! Quarter circles on which the cutter comes to a row and leaves it, instead of over the overrun (spec 50 section 8).
+//! Quarter circles on which the cutter comes to a row and leaves it, instead of over the overrun
+//! (`docs/mathematics/milling.md#positions-of-five-axes`).
 
 use super::{CutterPath, CutterPlace, MillingError, Patch};
 use foundation::geometry::Cutter;

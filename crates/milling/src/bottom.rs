@@ -1,4 +1,4 @@
-//! The passes that join both fillets by the bottom, side by side with an upright axis (spec 50 section 7).
+//! The passes that join both fillets by the bottom, side by side with an upright axis (`docs/mathematics/milling.md#root-and-clearance`).
 
 use super::root_pass::RootSection;
 use super::{

@@ -1,5 +1,5 @@
-//! How far a cutter stays away from a piece of a surface, exactly (spec 50 section 9): boxes of parameters are halved until what
-//! they can still hide is below a bound; the best point is then polished.
+//! How far a cutter stays away from a piece of a surface, exactly (`docs/mathematics/milling.md#root-and-clearance`): boxes of parameters
+//! are halved until what they can still hide is below a bound; the best point is then polished.
 
 use super::probe::{Moves, Probe};
 use foundation::geometry::{Cutter, Surface};
@@ -30,7 +30,7 @@ pub struct Clearance {
     pub place: [f64; 2],
 }
 
-/// What boxes may still hide when the search ends, mm (spec 50 section 9).
+/// What boxes may still hide when the search ends, mm (`docs/mathematics/milling.md#root-and-clearance`).
 pub const HIDDEN: f64 = 1e-3;
 
 impl Patch<'_> {
@@ -85,7 +85,7 @@ impl Patch<'_> {
         self.keeps_moving(cutter, (tip, axis), &Moves::default(), wanted)
     }
 
-    /// The same wherever the cutter moves to from there. The distance told is then what is certain.
+    /// The same wherever the cutter moves to from there. The distance reported is then what is certain.
     pub(super) fn keeps_moving(
         &self,
         cutter: &Cutter,

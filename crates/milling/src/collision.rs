@@ -1,4 +1,5 @@
-//! Whether a cutter on its way keeps away from what it must not touch (spec 50 section 9): at every place and between them.
+//! Whether a cutter on its way keeps away from what it must not touch (`docs/mathematics/milling.md#root-and-clearance`): at every place
+//! and between them.
 
 use super::probe::Moves;
 use super::{Clearance, CutterPlace, Patch};

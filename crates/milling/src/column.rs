@@ -1,4 +1,5 @@
-//! One column: the section of a flank with a plane that stands perpendicular to the lead curve (spec 50 section 3).
+//! One column: the section of a flank with a plane that stands perpendicular to the guide curve
+//! (`docs/mathematics/milling.md#columns-and-rows`).
 
 use super::{ActiveFlank, HeightLimits, LeadPoint, MillingError};
 use foundation::geometry::SurfaceJet;
@@ -22,7 +23,7 @@ pub struct Section {
     pub jet: SurfaceJet,
 }
 
-/// Newton's steps before the search by brackets, and the relative step that ends them (spec 50 section 3).
+/// Newton's steps before the search by brackets, and the relative step that ends them (`docs/mathematics/milling.md#columns-and-rows`).
 const STEPS: usize = 60;
 const SMALLEST_STEP: f64 = 1e-13;
 
@@ -31,12 +32,12 @@ const PIECES: usize = 64;
 const BEYOND: f64 = 1.0;
 
 impl<'a> ColumnPlane<'a> {
-    /// The plane at a point of the lead curve.
+    /// The plane at a point of the guide curve.
     pub fn new(flank: &'a ActiveFlank, lead: LeadPoint) -> Self {
         Self { flank, lead }
     }
 
-    /// The point of the lead curve with its frame.
+    /// The point of the guide curve with its frame.
     pub fn lead(&self) -> &LeadPoint {
         &self.lead
     }
@@ -107,7 +108,7 @@ impl<'a> ColumnPlane<'a> {
         (a - b * (a.dot(&self.lead.direction) / b.dot(&self.lead.direction))).norm()
     }
 
-    /// Heights at which the column begins and ends, [root, tip] (spec 50 section 1.7).
+    /// Heights at which the column begins and ends, [root, tip] (`docs/mathematics/milling.md#flanks-as-patches`).
     ///
     /// # Errors
     /// [`MillingError::ColumnNoLimit`] if a body does not end the column; those of [`Self::section`].

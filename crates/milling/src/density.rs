@@ -1,5 +1,5 @@
-//! How many rows and columns a flank needs (spec 50 section 4): the smallest grid that keeps the upper limits, and which of the
-//! other limits no grid of this law can keep.
+//! How many rows and columns a flank needs (`docs/mathematics/milling.md#columns-and-rows`): the smallest grid that keeps the upper limits,
+//! and which of the other limits no grid of this law can keep.
 
 use super::grid::NeighbourDistances;
 use super::{ActiveFlank, FlankGrid, LeadCurve, MillingError, RowSpacing};
@@ -51,7 +51,7 @@ pub struct DenseGrid {
     pub violated: Vec<Violated>,
 }
 
-/// More lines than this of one kind are not a program any more (spec 50 section 4).
+/// More lines than this of one kind are not a program any more (`docs/mathematics/milling.md#columns-and-rows`).
 pub const MOST_LINES: usize = 20_000;
 
 impl DistanceLimits {

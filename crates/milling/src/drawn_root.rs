@@ -70,7 +70,7 @@ pub fn drawn_section(
 /// without a pass of the root.
 ///
 /// # Errors
-/// Those of lead curve, columns and sections.
+/// Those of guide curve, columns and sections.
 pub fn drawn_root(
     space: &Space,
     options: &PlanOptions,

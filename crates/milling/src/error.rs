@@ -1,4 +1,4 @@
-//! What can keep a flank from being milled (spec 50 section 15).
+//! What can keep a flank from being milled (`docs/mathematics/milling.md#limits`).
 
 use super::location::TouchFault;
 use super::plan::OperationKind;
@@ -14,10 +14,10 @@ pub enum MillingError {
     #[error(transparent)]
     #[finding(transparent)]
     Geometry(#[from] GeometryError),
-    /// A lead curve leaves its base body or has no direction.
-    #[error("at u = {u} the lead curve leaves the base body (t.N = {sine:e}, allowed 1e-9)")]
+    /// A guide curve leaves its base body or has no direction.
+    #[error("at u = {u} the guide curve leaves the base body (t.N = {sine:e}, allowed 1e-9)")]
     #[finding(code = "lead-off-base")]
-    #[way_out("give a lead curve that lies on the base body")]
+    #[way_out("give a guide curve that lies on the base body")]
     LeadOffBase {
         /// Parameter of the curve.
         u: f64,
@@ -31,7 +31,7 @@ pub enum MillingError {
     #[finding(code = "column-no-section")]
     #[way_out("shorten the overrun or the skew of the column planes")]
     ColumnNoSection {
-        /// Parameter of the lead curve.
+        /// Parameter of the guide curve.
         u: f64,
         /// Height parameter.
         height: f64,
@@ -43,7 +43,7 @@ pub enum MillingError {
     #[finding(code = "column-no-limit")]
     #[way_out("check the bodies that end the flank at root and tip")]
     ColumnNoLimit {
-        /// Parameter of the lead curve.
+        /// Parameter of the guide curve.
         u: f64,
         /// The body.
         body: LimitBody,
@@ -61,7 +61,7 @@ pub enum MillingError {
     /// No column plane holds a point of the face's end.
     #[error("no column plane holds the flank's point at height {height}, length {length}")]
     #[finding(code = "range-not-found")]
-    #[way_out("check the lead curve: its planes must cross the ends of the face")]
+    #[way_out("check the guide curve: its planes must cross the ends of the face")]
     RangeNotFound {
         /// Height parameter.
         height: f64,
@@ -73,7 +73,7 @@ pub enum MillingError {
     #[finding(code = "spacing-not-smooth")]
     #[way_out("space the rows by equal arcs")]
     SpacingNotSmooth {
-        /// Parameter of the lead curve.
+        /// Parameter of the guide curve.
         u: f64,
         /// What the series misses, relative.
         tail: f64,
@@ -86,7 +86,7 @@ pub enum MillingError {
     #[finding(code = "axis-none")]
     #[way_out("take a cutter with a smaller half angle, or planes set askew")]
     AxisNone {
-        /// Parameter of the lead curve.
+        /// Parameter of the guide curve.
         u: f64,
         /// Half angle of the cutter, rad.
         half_angle: f64,
@@ -98,7 +98,7 @@ pub enum MillingError {
     #[finding(code = "tool")]
     #[way_out("change the tilt or the contact height, or take a cutter that is rounded there")]
     ContactOffTool {
-        /// Parameter of the lead curve.
+        /// Parameter of the guide curve.
         u: f64,
         /// Why.
         fault: TouchFault,
@@ -142,7 +142,7 @@ pub enum MillingError {
     #[finding(code = "root-corner")]
     #[way_out("take a smaller corner radius or a deeper root")]
     RootCorner {
-        /// Parameter of the lead curve.
+        /// Parameter of the guide curve.
         u: f64,
         /// h_b, mm.
         straight: f64,
@@ -156,7 +156,7 @@ pub enum MillingError {
     #[finding(code = "root-overlap")]
     #[way_out("take a smaller corner radius or a shallower root")]
     RootOverlap {
-        /// Parameter of the lead curve.
+        /// Parameter of the guide curve.
         u: f64,
         /// How far the lowest point lies beyond the middle, mm.
         overlap: f64,
@@ -171,7 +171,7 @@ pub enum MillingError {
     #[finding(code = "root-bottom")]
     #[way_out("take a thinner tool for the bottom")]
     RootBottom {
-        /// Parameter of the lead curve.
+        /// Parameter of the guide curve.
         u: f64,
         /// Half of the distance of the fillets' lowest points, mm.
         half_width: f64,
@@ -187,7 +187,7 @@ pub enum MillingError {
     #[finding(code = "tool-short")]
     #[way_out("take a tool with a longer cutting edge")]
     ToolShort {
-        /// Parameter of the lead curve.
+        /// Parameter of the guide curve.
         u: f64,
         /// h_b + r_c, mm.
         needed: f64,
@@ -280,9 +280,9 @@ pub enum MillingError {
         /// What they should keep, mm.
         wanted: f64,
     },
-    /// No lead curve has the wanted row in its column planes.
+    /// No guide curve has the wanted row in its column planes.
     #[error(
-        "no lead curve with a radius of {from:.2} to {to:.2} mm has the normals of that row in its column planes"
+        "no guide curve with a radius of {from:.2} to {to:.2} mm has the normals of that row in its column planes"
     )]
     #[finding(code = "no-such-lead")]
     #[way_out(
@@ -323,7 +323,7 @@ pub enum MillingError {
     RootTool,
     /// The roughing cutter is too thick for the space.
     #[error(
-        "the roughing cutter finds no room between the flanks from {top:.3} mm down to {bottom:.3} mm above the lead curve"
+        "the roughing cutter finds no room between the flanks from {top:.3} mm down to {bottom:.3} mm above the guide curve"
     )]
     #[finding(code = "roughing-nowhere")]
     #[way_out("take a thinner cutter or a smaller allowance")]

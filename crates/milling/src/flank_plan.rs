@@ -33,7 +33,7 @@ pub struct FlankPlan {
     pub side: MilledSide,
     /// The flank, as if it went on beyond the middle of a double-helical gear.
     pub active: ActiveFlank,
-    /// The lead curve of its space.
+    /// The guide curve of its space.
     pub lead: Arc<dyn LeadCurve>,
     /// How the axis is turned.
     pub orientation: Orientation,

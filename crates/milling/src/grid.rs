@@ -1,4 +1,5 @@
-//! The finished part as rows and columns of points with normals (spec 50 section 3), and the distances of neighbours in it.
+//! The finished part as rows and columns of points with normals (`docs/mathematics/milling.md#columns-and-rows`), and the distances of
+//! neighbours in it.
 
 use super::{ActiveFlank, ColumnPlane, LeadCurve, LeadPoint, MillingError, RowSpacing, row_heights};
 use foundation::geometry::SurfaceJet;
@@ -31,7 +32,7 @@ pub struct Column {
 /// Columns with the same number of points; row i is the i-th point of all columns.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlankGrid {
-    /// The columns along the lead curve.
+    /// The columns along the guide curve.
     pub columns: Vec<Column>,
 }
 
@@ -52,7 +53,7 @@ impl Column {
     /// The column of a flank in the plane at `u`.
     ///
     /// # Errors
-    /// Those of the lead curve, of the sections and of the spacing.
+    /// Those of the guide curve, of the sections and of the spacing.
     pub fn build(
         flank: &ActiveFlank,
         lead: &dyn LeadCurve,

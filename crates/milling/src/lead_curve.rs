@@ -1,4 +1,4 @@
-//! Lead curves: the lines on the base body along which column planes stand (spec 50 section 2).
+//! Guide curves: the lines on the base body along which column planes stand (`docs/mathematics/milling.md#columns-and-rows`).
 
 use super::MillingError;
 use foundation::geometry::{BladeCurve, FlankLine};
@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use std::fmt::Debug;
 use std::sync::Arc;
 
-/// A point of a lead curve with its frame. mm.
+/// A point of a guide curve with its frame. mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LeadPoint {
     /// Parameter of the curve: z, distance from the apex, or a fraction.
@@ -19,8 +19,8 @@ pub struct LeadPoint {
     pub base_normal: Vector3<f64>,
 }
 
-/// How far the direction of a lead curve may leave the base body: its sine. A curve that is meant to lie on the body is exact to
-/// rounding; 1e-9 is the bound of spec 50 section 2.
+/// How far the direction of a guide curve may leave the base body: its sine. A curve that is meant to lie on the body is exact to
+/// rounding; 1e-9 is the bound of `docs/mathematics/milling.md#columns-and-rows`.
 const OFF_BASE: f64 = 1e-9;
 
 impl LeadPoint {
@@ -107,7 +107,8 @@ impl LeadCurve for CurveOnCone {
     }
 }
 
-/// In blades: the foot curve on a hub of revolution whose meridian it follows (spec 50 section 1.6). u = the curve's parameter.
+/// In blades: the foot curve on a hub of revolution whose meridian it follows (`docs/mathematics/milling.md#flanks-as-patches`). u = the
+/// curve's parameter.
 #[derive(Clone, Debug)]
 pub struct FootOnHub {
     /// The curve.
@@ -127,7 +128,7 @@ impl LeadCurve for FootOnHub {
 /// Column planes turned about the base body's normal (claim of skew planes): t := cos(chi) t + sin(chi) (N x t).
 #[derive(Clone, Debug)]
 pub struct SkewPlanes {
-    /// The lead curve.
+    /// The guide curve.
     pub curve: Arc<dyn LeadCurve>,
     /// chi, rad.
     pub angle: f64,
@@ -141,11 +142,11 @@ impl LeadCurve for SkewPlanes {
     }
 }
 
-/// The mirror image z -> 2 z_0 - z of a lead curve that runs towards +z, run towards +z as well: that of the other half of a
-/// double-helical gear (spec 50 section 1.5). u is mirrored with it.
+/// The mirror image z -> 2 z_0 - z of a guide curve that runs towards +z, run towards +z as well: that of the other half of a
+/// double-helical gear (`docs/mathematics/milling.md#flanks-as-patches`). u is mirrored with it.
 #[derive(Clone, Debug)]
 pub struct MirroredLead {
-    /// The lead curve of the half towards +z.
+    /// The guide curve of the half towards +z.
     pub curve: Arc<dyn LeadCurve>,
     /// z_0, mm.
     pub plane: f64,

@@ -1,4 +1,5 @@
-//! Lead curves of cylinders whose column planes hold the normals of a chosen row (spec 50 section 2): eps = 0 there.
+//! Guide curves of cylinders whose column planes hold the normals of a chosen row (`docs/mathematics/milling.md#columns-and-rows`): eps = 0
+//! there.
 
 use super::{ActiveFlank, Column, HelixOnCylinder, MillingError, RowSpacing};
 use foundation::numerics::brent;
@@ -7,8 +8,7 @@ use foundation::numerics::brent;
 const SHARES: [f64; 2] = [0.5, 2.0];
 const PIECES: usize = 60;
 
-/// r_0: the radius of the lead curve with which the normals of a row of equal arcs lie in their column planes, mm. The row is counted from 0
-/// at the root and moves with the radius.
+/// r_0: the radius of the guide curve with which the normals of a height lie in their column planes, mm.
 ///
 /// # Errors
 /// [`MillingError::NoSuchLead`] if there is none between half and twice the radius of `lead`.

@@ -1,6 +1,6 @@
-//! Milling of gear teeth and blades on five axes: from a flank to the places of the cutter (spec 50).
+//! Milling of gear teeth and blades on five axes: from a flank to the places of the cutter (`docs/mathematics/milling.md`).
 //!
-//! A lead curve runs along the bottom of the space; planes perpendicular to it cut the flank in columns; the cutter's axis stays in
+//! A guide curve runs along the bottom of the space; planes perpendicular to it cut the flank in columns; the cutter's axis stays in
 //! its column's plane and perpendicular to the flank's normal. Knows no machine and no file; what is left on the flank is predicted
 //! here from the cutter's surface on its way and judged elsewhere by rays.
 

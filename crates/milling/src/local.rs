@@ -1,5 +1,5 @@
-//! What a cutter does near its contact (spec 50 section 6): curvatures of flank and cutter, gouging, the scallop between rows and
-//! the error of straight blocks.
+//! What a cutter does near its contact (`docs/mathematics/milling.md#scallops-chords-local-gouging`): curvatures of flank and cutter, gouging,
+//! the scallop between rows and the error of straight blocks.
 
 use super::{ContactZone, CutterLocation, MillingError};
 use foundation::geometry::{CutterShape, SurfaceJet};

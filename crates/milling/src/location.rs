@@ -1,5 +1,5 @@
-//! Where the cutter stands to touch the flank at a point (spec 50 section 5): its axis in the column plane and perpendicular to the
-//! normal, tilted or leant if wanted, its tip from the part of the cutter that touches.
+//! Where the cutter stands to touch the flank at a point (`docs/mathematics/milling.md#cutter-location`): its axis in the column plane and
+//! perpendicular to the normal, tilted or leant if wanted, its tip from the part of the cutter that touches.
 
 use super::{LeadPoint, MillingError};
 use foundation::geometry::{CutterShape, SurfaceJet};

@@ -1,5 +1,5 @@
-//! Where paths end in the middle of a double-helical gear (spec 50 section 1.5): in its middle plane, or before where the cutter
-//! comes to the other half.
+//! Where paths end in the middle of a double-helical gear (`docs/mathematics/milling.md#flanks-as-patches`): in its middle plane, or before
+//! where the cutter comes to the other half.
 
 use super::{Clearance, CutterPath, CutterPlace, MillingError, Obstacle};
 use foundation::geometry::Cutter;

@@ -1,5 +1,5 @@
-//! Rows with the axis as other systems choose it (spec 50 section 14), to be laid beside those with the axis in the column planes:
-//! along the parameter lines of the flank, or along lines that a patched surface has made wavy.
+//! Rows with the axis as other systems choose it (`docs/mathematics/milling.md#positions-of-five-axes`), to be laid beside those with the
+//! axis in the column planes: along the parameter lines of the flank, or along lines that a patched surface has made wavy.
 
 use super::{
     ActiveFlank, ColumnPlane, CutterLocation, LeadCurve, LeadPoint, MillingError, Orientation, lead_range,
@@ -121,13 +121,13 @@ impl<'a> OrientedRow<'a> {
     /// With another choice of the axis, as many places in equal steps of the length parameter between the same ends.
     ///
     /// # Errors
-    /// Those of lead curve and cutter location.
+    /// Those of guide curve and cutter location.
     pub fn with(&self, choice: AxisChoice) -> Result<Vec<OrientedPlace>, MillingError> {
         let last = (self.columns.len() - 1) as f64;
         let lengths = equidistant(self.ends, self.columns.len()).into_iter().enumerate();
         let place = |(k, length): (usize, f64)| {
             let jet = self.flank.surface.jet(self.height, length);
-            // The lead curve says where the shank stands; that far, both parameters are one.
+            // The guide curve says where the shank stands; that far, both parameters are one.
             let lead = self.lead.at(length)?;
             let axis = other_axis(choice, &jet, &lead, k as f64 / last);
             // The plane that holds axis and normal takes the place of the column plane.

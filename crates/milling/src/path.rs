@@ -1,4 +1,5 @@
-//! Paths of the cutter along rows, in which sense and order they are run, and how the cutter comes and goes (spec 50 section 8).
+//! Paths of the cutter along rows, in which sense and order they are run, and how the cutter comes and goes
+//! (`docs/mathematics/milling.md#positions-of-five-axes`).
 
 use super::{CutterLocation, MillingError};
 use nalgebra::Vector3;

@@ -1,4 +1,5 @@
-//! A cutter seen from a piece of a surface: how near a box of parameters can come to it, and where it is nearest (spec 50 section 9).
+//! A cutter seen from a piece of a surface: how near a box of parameters can come to it, and where it is nearest
+//! (`docs/mathematics/milling.md#root-and-clearance`).
 //!
 //! The distance d from a convex part of a cutter is a convex function of the point x, so that it lies above every one of its tangents:
 //! d(x) >= d(m) + g (x - m) with a slope |g| <= 1. Over a box with half sides h_a, h_b about m the surface is S(m) + S_a da + S_b db
@@ -8,8 +9,9 @@
 //!
 //! A cutter that moves a little to both sides changes d by what g sees of that motion, as if the surface moved instead.
 //!
-//! Near the nearest point g is perpendicular to the surface, and what a box can hide falls with the square of its size; spec 50's
-//! bound d(m) - L_a h_a - L_b h_b falls with the size alone. Of a cutter with a shank the least bound of its parts counts.
+//! Near the nearest point g is perpendicular to the surface, and what a box can hide falls with the square of its size;
+//! `docs/mathematics/milling.md` bound d(m) - L_a h_a - L_b h_b falls with the size alone. Of a cutter with a shank the least bound of its
+//! parts counts.
 
 use super::{CutterPlace, Patch};
 use foundation::geometry::{Cutter, Support, in_tool};

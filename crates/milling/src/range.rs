@@ -1,4 +1,4 @@
-//! How far column planes reach along the lead curve (spec 50 section 3): on helical gears beyond the face.
+//! How far column planes reach along the guide curve (`docs/mathematics/milling.md#columns-and-rows`): on helical gears beyond the face.
 
 use super::{ActiveFlank, LeadCurve, MillingError};
 use foundation::numerics::{brent, equidistant};
@@ -12,7 +12,7 @@ const DOUBLINGS: usize = 24;
 /// [u_min, u_max]: the lead parameters whose planes hold the ends of the face at 9 heights, without any overrun.
 ///
 /// # Errors
-/// [`MillingError::RangeNotFound`] where no plane holds such a point; those of the lead curve.
+/// [`MillingError::RangeNotFound`] where no plane holds such a point; those of the guide curve.
 pub fn lead_range(flank: &ActiveFlank, lead: &dyn LeadCurve) -> Result<[f64; 2], MillingError> {
     let mut range = [f64::INFINITY, f64::NEG_INFINITY];
     for height in equidistant(flank.height_span(), HEIGHTS) {

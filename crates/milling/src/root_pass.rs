@@ -1,5 +1,5 @@
-//! The root of the space (spec 50 section 7): the tool goes on below the active flank, its corner leaves the fillet, and a second
-//! pass with an upright axis joins both fillets by the bottom.
+//! The root of the space (`docs/mathematics/milling.md#root-and-clearance`): the tool goes on below the active flank, its corner leaves the
+//! fillet, and a second pass with an upright axis joins both fillets by the bottom.
 
 use super::{LeadPoint, MillingError};
 use foundation::numerics::equidistant;
@@ -39,10 +39,10 @@ pub struct RootSection {
     corner_radius: f64,
 }
 
-/// The second pass: axis = N, along the lead curve.
+/// The second pass: axis = N, along the guide curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BottomPass {
-    /// x_c: the tool's centre goes from -x_c to x_c across the lead curve, mm.
+    /// x_c: the tool's centre goes from -x_c to x_c across the guide curve, mm.
     pub half_travel: f64,
     /// Height of the tip above the lead point, mm.
     pub height: f64,
@@ -133,7 +133,8 @@ impl RootSection {
     }
 }
 
-/// h_max: the greatest contact height of a row that keeps the tool's corner above a bottom, mm (end of spec 50 section 7).
+/// h_max: the greatest contact height of a row that keeps the tool's corner above a bottom, mm (end of
+/// `docs/mathematics/milling.md#root-and-clearance`).
 pub fn greatest_contact_height(
     lead: &LeadPoint,
     point: &Vector3<f64>,

@@ -40,7 +40,7 @@ const STEPS: usize = 60;
 /// planes, which the allowance is kept from as well.
 ///
 /// # Errors
-/// Those of the lead curve; [`MillingError::RoughingNowhere`] if the cutter finds no room in any layer.
+/// Those of the guide curve; [`MillingError::RoughingNowhere`] if the cutter finds no room in any layer.
 pub fn rough(
     cutter: &Cutter,
     lead: &dyn LeadCurve,

@@ -1,4 +1,4 @@
-//! Where rows lie on a column: equal parameters, equal arcs, or equal scallops (spec 50 sections 3 and 6).
+//! Where rows lie on a column: equal parameters, equal arcs, or equal scallops (`docs/mathematics/milling.md`).
 
 use super::{ColumnPlane, MillingError, Section};
 use foundation::numerics::{Chebyshev, monotone_root};

@@ -36,7 +36,7 @@ pub struct Wall {
 }
 
 /// How far a pass that comes down to the root body may be found inside of it, mm: the drawn root is a section in the column plane, and
-/// what is swept differs from it by micrometres where the tooth is not straight (spec 50 section 7).
+/// what is swept differs from it by micrometres where the tooth is not straight (`docs/mathematics/milling.md#root-and-clearance`).
 pub(super) const DOWN_TO: f64 = 0.01;
 
 /// What a height that a body limits keeps beyond what is wanted, mm: a search that follows the path hides as much at its end, and once

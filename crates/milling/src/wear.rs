@@ -1,5 +1,5 @@
-//! Spreading the wear along the cutter (spec 50 section 10): every row touches at a height of its own, within what root and opposite
-//! flank allow; the flank stays the same.
+//! Spreading the wear along the cutter (`docs/mathematics/milling.md#cutter-location`): every row touches at a height of its own, within
+//! what root and opposite flank allow; the flank stays the same.
 
 use super::MillingError;
 

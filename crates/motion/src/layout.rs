@@ -1,4 +1,4 @@
-//! From passes to the neutral program: approach, infeed, stroke, retraction, repetition, coupling, time (spec 80 sections 1 and 2).
+//! From passes to the neutral program: approach, infeed, stroke, retraction, repetition, coupling, time (`docs/mathematics/programs.md`).
 
 use super::path::AxisPath;
 use super::speed::{Braked, PathLimits};
@@ -102,7 +102,7 @@ pub struct PassReport {
     /// Largest deviation of the blocks from the course, on the flank, mm.
     pub chord_deviation: f64,
     /// Blocks of the working part that a control without look-ahead over several blocks takes longer for: shorter than twice the time
-    /// in which an axis reaches its speed (spec 80 section 3).
+    /// in which an axis reaches its speed (`docs/mathematics/programs.md#the-independent-reader`).
     pub short_blocks: usize,
     /// What the rounding of the numbers may add, mm.
     pub rounding: f64,
@@ -187,7 +187,7 @@ fn header(words: &AxisWords, options: &LayoutOptions) -> Header {
     Header { name: options.name.clone(), axes: words.words.clone(), chord_tolerance: options.tolerance }
 }
 
-/// Where all axes stand, if they have been told to stand anywhere.
+/// Where all axes stand, if they have been positioned.
 type Standing = Option<Positions>;
 
 fn comment(text: &str) -> Block {

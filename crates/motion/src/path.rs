@@ -1,4 +1,5 @@
-//! The path of all axes along a course in straight blocks, few enough for the control and near enough to the course on the flank (spec 80 section 2 rule 6).
+//! The path of all axes along a course in straight blocks, few enough for the control and near enough to the course on the flank
+//! (`docs/mathematics/programs.md#what-rounding-adds`).
 
 use super::drive::Drive;
 use super::{Course, MotionError, Waypoint};
@@ -13,7 +14,7 @@ pub struct AxisPath {
     pub deviation: f64,
 }
 
-/// Most blocks of a path (spec 80 section 7).
+/// Most blocks of a path (`docs/mathematics/programs.md#limits`).
 const MOST_PIECES: usize = 1 << 20;
 /// Most pieces into which a block is divided in one step.
 const MOST_AT_ONCE: f64 = 256.0;

@@ -1,5 +1,5 @@
-//! How fast a path may be driven: speed, acceleration and jerk of every axis (spec 80, issue of the time law). Knows no block of a
-//! control.
+//! How fast a path may be driven: speed, acceleration and jerk of every axis (`docs/mathematics/programs.md`, issue of the time law). Knows
+//! no block of a control.
 
 use super::path::AxisPath;
 use super::s_curve::SCurve;

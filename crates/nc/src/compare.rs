@@ -1,5 +1,5 @@
-//! What was written against what was read back (spec 80 section 2 rule 8): no text and no dialect's grammar is known here, only
-//! neutral programs and how far rounding may have moved them.
+//! What was written against what was read back (`docs/mathematics/programs.md#what-rounding-adds`): no text and no dialect's grammar is
+//! known here, only neutral programs and how far rounding may have moved them.
 
 use super::reader::{HalGear, read_hal};
 use super::writer::{cl_options, resolved};

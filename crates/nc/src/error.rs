@@ -1,4 +1,4 @@
-//! What can be wrong with a neutral program or keeps it from a control (spec 80 section 7). Knows no dialect's grammar.
+//! Errors of a neutral program, and why a control cannot take it (`docs/mathematics/programs.md#limits`). Knows no dialect's grammar.
 
 use thiserror::Error;
 

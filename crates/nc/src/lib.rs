@@ -1,7 +1,7 @@
-//! The neutral program and its way to a control and back (spec 80; tips of tools: spec 50 section 12): blocks of axis values or of
-//! a tool's tip and direction in mm, rad and s, one writer per control dialect and one of cutter locations, readers that share no
-//! code with the writers, and the comparison of what was written with what was read back. Knows axes and couplings by their names
-//! and numbers only: no gear, no process, no file.
+//! The neutral program and its way to a control and back (`docs/mathematics/programs.md`; tips of tools:
+//! `docs/mathematics/programs.md#cutters`): blocks of axis values or of a tool's tip and direction in mm, rad and s, one writer per control
+//! dialect and one of cutter locations, readers that share no code with the writers, and the comparison of what was written with what was
+//! read back. Knows axes and couplings by their names and numbers only: no gear, no process, no file.
 
 mod compare;
 mod dialect;

@@ -1,5 +1,5 @@
-//! The middle row of the helical case of spec 50 in closed form (sections 1.1, 2, 3 and 5): tips and axes of an end mill. What the
-//! milling kinematics of the reference make of it (`feed` of the reference for five-axis milling) stands here as numbers.
+//! The middle row of the helical case of `docs/mathematics/milling.md` in closed form (sections 1.1, 2, 3 and 5): tips and axes of an end
+//! mill. What the milling kinematics of the reference make of it (`feed` of the reference for five-axis milling) stands here as numbers.
 
 type Vector = [f64; 3];
 
@@ -64,7 +64,7 @@ impl Helicoid {
         [point, along_w, along_z, sum(u.map(|part| -cos * part), -sin, [0.0, 0.0, 1.0])]
     }
 
-    /// Point of the lead curve, normal of the column plane, normal of the root cylinder.
+    /// Point of the guide curve, normal of the column plane, normal of the root cylinder.
     fn column(&self, u: f64) -> [Vector; 3] {
         let e = radial(-self.lead * u);
         let c = sum(e.map(|part| self.root * part), u, [0.0, 0.0, 1.0]);

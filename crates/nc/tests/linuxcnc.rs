@@ -1,5 +1,5 @@
-//! The written programs in LinuxCNC itself (spec 80 sections 4 and 9): `rs274` interprets them, the Python module `gcode` gives
-//! their targets with all digits. Without `scripts/linuxcnc-client` these tests say so and check nothing.
+//! The written programs in LinuxCNC itself (`docs/mathematics/programs.md#how-it-is-verified`): `rs274` interprets them, the Python module
+//! `gcode` gives their targets with all digits. Without `scripts/linuxcnc-client` these tests say so and check nothing.
 
 use crate::helical_row;
 use crate::peer::{Found, PRINTED, canonical, client, compare, events, file, say_absent, wanted};
@@ -76,7 +76,7 @@ fn the_sample_of_the_specification_gives_its_values() {
     assert!(canonical.contains("SET_FEED_RATE(349.8574)"), "{canonical}");
 }
 
-/// The helical row of spec 50 as axis values with a time for each block, as a machine without tip control takes it.
+/// The helical row of `docs/mathematics/milling.md` as axis values with a time for each block, as a machine without tip control takes it.
 #[test]
 fn a_milled_row_of_axis_values_means_the_same_in_linuxcnc() {
     let Some((client, directory)) = client("milled row") else { return };

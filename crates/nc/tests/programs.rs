@@ -16,7 +16,7 @@ pub const B: usize = 5;
 /// The worm: spindle 0, an axis on Siemens.
 pub const WORM: usize = 6;
 
-/// The axis map of spec 80 section 1.
+/// The axis map of `docs/mathematics/programs.md#the-independent-reader`.
 pub fn axes(dialect: Dialect) -> Vec<AxisWord> {
     use AxisMotion::{Linear, Rotary};
     let names = [
@@ -53,7 +53,7 @@ pub fn program(dialect: Dialect, mut blocks: Vec<Block>) -> Program {
     Program::new(header(dialect), blocks).expect("a program of the tests")
 }
 
-/// The diagonal stroke of spec 80 section 8: z 40, 200 blocks, C endless.
+/// The diagonal stroke of `docs/mathematics/programs.md#how-it-is-verified`: z 40, 200 blocks, C endless.
 pub fn stroke(dialect: Dialect, count: usize) -> Program {
     let mut blocks = vec![Block::Rapid(place(0.0))];
     for k in 1..=count {

@@ -1,5 +1,5 @@
 //! The neutral program, its writers and its reader: read-back of random programs in three dialects, bytes that never differ,
-//! damage that is found, and every error of spec 80 section 7.
+//! damage that is found, and every error of `docs/mathematics/programs.md#limits`.
 
 use crate::programs::{A, B, C, WORM, X, Y, Z, axes, header, program, random, stroke};
 use nc::{
@@ -110,7 +110,7 @@ fn the_sample_of_the_specification_is_written_digit_by_digit() {
     assert_eq!(text, expected);
 }
 
-/// The gear of spec 80 section 5: B1 by threads/teeth, Z by the lead, V by a shift.
+/// The gear of `docs/mathematics/programs.md#the-independent-reader`: B1 by threads/teeth, Z by the lead, V by a shift.
 fn three_leaders() -> Gear {
     let (teeth, threads, module, helix) = (40, 3, 2.0, 20f64.to_radians());
     let leaders = vec![
@@ -362,7 +362,7 @@ fn a_long_block_keeps_its_time() {
 
 #[test]
 fn blocks_that_linuxcnc_cannot_keep_in_time_are_warned_of() {
-    // Spec 80 section 3: a = 5000 deg/s^2, 2.68 deg of way: 81.8 deg/s at most.
+    // `docs/mathematics/programs.md#the-independent-reader`: a = 5000 deg/s^2, 2.68 deg of way: 81.8 deg/s at most.
     let degrees = |value: f64| Targets::NONE.with(C, value.to_radians());
     let run = |speed: f64| {
         let blocks =

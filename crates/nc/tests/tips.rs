@@ -1,5 +1,5 @@
-//! Five-axis output (spec 50 section 12): the reference lines character for character, read-back of random programs under tip
-//! control in the dialects that have it, cutter locations, damage that is found, every error, and what rounding may add.
+//! Five-axis output (`docs/mathematics/programs.md#cutters`): the reference lines character for character, read-back of random programs
+//! under tip control in the dialects that have it, cutter locations, damage that is found, every error, and what rounding may add.
 
 use crate::helical_row;
 use crate::programs::{B, C, Draw, WORM, X, Z, axes, direction, header, program, tips};
@@ -556,7 +556,8 @@ fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
 }
 
-/// The tip on the workpiece of a trunnion A that carries C, whose axes meet the point q: spec 50 section 11 backwards.
+/// The tip on the workpiece of a trunnion A that carries C, whose axes meet the point q:
+/// `docs/mathematics/milling.md#positions-of-five-axes` backwards.
 fn on_workpiece(place: &Targets, q: [f64; 3]) -> [f64; 3] {
     let [x, y, z, c, a] = [0, 1, 2, 3, 4].map(|axis| place.get(axis).unwrap());
     let from_q = [x - q[0], y - q[1], z - q[2]];

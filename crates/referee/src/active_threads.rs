@@ -1,4 +1,5 @@
-//! Which threads of the worm cut, and which tooth spaces they meet (spec 25 section 8). Counting only: knows no shape.
+//! Which threads of the worm cut, and which tooth spaces they meet (`docs/mathematics/planning.md#choice-of-the-ratio`). Counting only:
+//! knows no shape.
 
 use super::{RemovalError, error};
 

@@ -1,4 +1,5 @@
-//! Stage one: normal rays of the worm, shortened by the dresser over the real dressing motion (spec 30 section 15).
+//! Stage one: normal rays of the worm, shortened by the dresser over the real dressing motion
+//! (`docs/mathematics/dressing.md#how-it-is-verified`).
 //!
 //! Every ray is tried against a table of poses over the whole stroke; each dip of its length over the worm position is
 //! then followed to its bottom in poses of its own, with the velocity of the pose from dual numbers. No ray starts from
@@ -34,7 +35,8 @@ const POSES_PER_PITCH: f64 = 32.0;
 /// Longest way of a flank point between two poses of the scan, mm: over half of it a disc of 30 mm radius curves away by
 /// 0.1 mm, which is below the stock that a dip may stand off.
 const LONGEST_WAY: f64 = 5.0;
-/// Share of the axial pitch beyond which a hit belongs to another groove or to the back of the disc (spec 30 section 15).
+/// Share of the axial pitch beyond which a hit belongs to another groove or to the back of the disc
+/// (`docs/mathematics/dressing.md#how-it-is-verified`).
 const OWN_GROOVE: f64 = 0.45;
 /// Largest cosine between the ray and the dresser's outward normal that counts as meeting the dresser from its front.
 const FACING: f64 = -0.3;

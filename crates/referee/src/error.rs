@@ -1,4 +1,4 @@
-//! What can go wrong in the referee: unusable input, rays that nobody cut, minima that were not found.
+//! Errors of the referee: unusable input, rays that were not cut, minima that were not found.
 
 use super::mill::Unmilled;
 use finding::Finding;

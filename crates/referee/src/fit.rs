@@ -1,5 +1,5 @@
-//! The coefficients of the contact relations, read off a simulation (spec 20 section 9): bodies turn past each other at
-//! fixed feeds, rays of the workpiece are shortened by the worm, and where a row of rays is shortest the contact path
+//! The coefficients of the contact relations, read off a simulation (`docs/mathematics/planning.md#the-referee`): bodies turn past each
+//! other at fixed feeds, rays of the workpiece are shortened by the worm, and where a row of rays is shortest the contact path
 //! crosses it. Linear least squares through those places; no relation of the contact's is known here.
 //!
 //! Kept for planning with contact relations of a simulation: no command reaches it yet.
@@ -71,7 +71,7 @@ impl LinearRelation {
     }
 }
 
-/// Relations of spec 20 section 3 as the simulation shows them.
+/// Relations of `docs/mathematics/generating-contact.md#affine-relations` as the simulation shows them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FittedRelations {
     /// z_2 of w_2: C_w2, C_zV12, C_zV22, C_c2.
@@ -84,9 +84,9 @@ pub struct FittedRelations {
     pub contacts: Vec<SeenContact>,
 }
 
-/// Half the length of a row of fine rays, mm (spec 20 section 9).
+/// Half the length of a row of fine rays, mm (`docs/mathematics/planning.md#the-referee`).
 const HALF: f64 = 2.0;
-/// Fine rays in a row (spec 20 section 9).
+/// Fine rays in a row (`docs/mathematics/planning.md#the-referee`).
 const FINE: usize = 41;
 /// Distance of the coarse rays, mm: within it of the contact path, at lengths of roll above 1 mm, the rays keep less than
 /// the largest gap that counts.
@@ -111,8 +111,8 @@ struct Kept {
 }
 
 /// Feed pairs (z_V1, z_V2) that tell everything of a chain: one for two cylinders, two values of z_V1 more for a conical
-/// worm, two of z_V2 more for a conical workpiece, four pairs for both (spec 20 section 9). `at` is the middle, `step` the
-/// distance from it, mm.
+/// worm, two of z_V2 more for a conical workpiece, four pairs for both (`docs/mathematics/planning.md#the-referee`). `at` is the middle,
+/// `step` the distance from it, mm.
 pub fn feeds_to_fit(motion: &GeneratingMotion, at: [f64; 2], step: f64) -> Vec<[f64; 2]> {
     let [shift, feed] = at;
     match (motion.chain.worm_cone != 0.0, motion.chain.work_cone != 0.0) {

@@ -1,4 +1,5 @@
-//! Stage two: normal rays of the workpiece, shortened by the worm over the real generating motion (spec 20 section 9).
+//! Stage two: normal rays of the workpiece, shortened by the worm over the real generating motion
+//! (`docs/mathematics/planning.md#the-referee`).
 //!
 //! The worm's surface is the involute flank moved by f_n1(w_1, z_1) along its normals, where f_n1 is what stage one's
 //! rays left. A ray's length in a pose is where it meets that surface; its least value over both parameters of the
@@ -58,7 +59,7 @@ pub struct Grinding<'a> {
 const BESIDE_CREASE: f64 = 0.6;
 /// Ways along the path of contact at which these are looked for, mm.
 const CREASE_STRIDES: [f64; 8] = [-0.6, -0.3, -0.15, -0.07, 0.07, 0.15, 0.3, 0.6];
-/// Largest slope of the gap along a ray that counts as meeting the worm from its front (spec 20 section 9).
+/// Largest slope of the gap along a ray that counts as meeting the worm from its front (`docs/mathematics/planning.md#the-referee`).
 const FACING: f64 = -0.3;
 /// Rounding of a length, mm: coordinates of some 100 mm and roll angles of some 10 rad on base radii of some 10 mm.
 const ROUNDING: f64 = 1e-12;

@@ -33,7 +33,7 @@ pub struct TimedGrinding<'a> {
 const INSTANTS: f64 = 500.0;
 /// Passes whose best instant is this much above the least are refined as well, mm: more than what lies between two instants.
 const NEAR: f64 = 0.02;
-/// Largest slope of the gap along a ray that counts as meeting the worm from its front (spec 20 section 9).
+/// Largest slope of the gap along a ray that counts as meeting the worm from its front (`docs/mathematics/planning.md#the-referee`).
 const FACING: f64 = -0.3;
 /// Turns of a long stroke that are looked at first.
 const COARSE: f64 = 16.0;

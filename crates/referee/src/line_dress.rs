@@ -1,5 +1,5 @@
 //! Stage one for a disc that writes the worm line by line: normal rays of the worm, shortened by the rounded tip of the disc, a
-//! torus, in the poses of every line (spec 29 section 1). Between the lines scallops stay; the rays see them.
+//! torus, in the poses of every line (`docs/mathematics/dressing.md#conditions`). Between the lines scallops stay; the rays see them.
 //!
 //! Every ray is tried against every line: where along it the torus comes nearest is found from distances alone, then the
 //! length is followed to its least value in poses of its own.

@@ -29,7 +29,7 @@ fn milled(cutter: &Cutter, paths: &[MillPath], rays: &[NormalRay]) -> MilledRays
     mill(&Milling { cutters, paths, stock: STOCK, depth: DEPTH }, rays, &Silent).expect("usable")
 }
 
-/// The place at a fraction of a block, as spec 50 section 13 has it.
+/// The place at a fraction of a block, as `docs/mathematics/milling.md#the-referee` has it.
 fn between(from: &CutterPlace, to: &CutterPlace, t: f64) -> CutterPlace {
     CutterPlace { tip: from.tip.lerp(&to.tip, t), axis: from.axis.lerp(&to.axis, t).normalize() }
 }

@@ -1,4 +1,4 @@
-//! What is said about a job: remarks, failures, and how errors of the layers below become findings on keys of the job. Knows
+//! Findings about a job: remarks, failures, and how errors of the layers below become findings on keys of the job. Knows
 //! no file and no body.
 
 use foundation::geometry::GeometryError;

@@ -1,5 +1,5 @@
 //! The plan without its referee, for somebody who turns an amount and wants to see what becomes of the flank. What comes out is the exact
-//! contact of the planned motions, as in a whole plan; it is proven by nobody.
+//! contact of the planned motions, as in a whole plan; it is not verified by the referee.
 
 use super::characteristics::{CharacteristicsUm, reported};
 use super::finding::{Remark, RunFailure};

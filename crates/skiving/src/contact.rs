@@ -1,5 +1,5 @@
-//! Where a flank on its way touches whatever generates it, in closed form (spec 60 section 3): for every turn of the flank one height at
-//! which its normal is perpendicular to the velocity.
+//! Where a flank on its way touches whatever generates it, in closed form (`docs/mathematics/skiving.md#tool-and-workpiece`): for every
+//! turn of the flank one height at which its normal is perpendicular to the velocity.
 
 use super::ProfilePlace;
 use foundation::kinematics::SkivingMotion;

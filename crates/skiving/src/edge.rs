@@ -1,5 +1,5 @@
 //! The virtual edge: the rounding whose points make the finished flank, found so that its centres lie where the rake face wants them
-//! (spec 60 section 4).
+//! (`docs/mathematics/skiving.md#the-virtual-edge`).
 
 use super::pieces::pieces;
 use super::{
@@ -9,7 +9,8 @@ use foundation::geometry::Flank;
 use foundation::numerics::{Chebyshev, brent};
 use nalgebra::Vector3;
 
-/// Turns to both sides of the flank's rest position that are looked through, rad, and their number (spec 60 section 4).
+/// Turns to both sides of the flank's rest position that are looked through, rad, and their number
+/// (`docs/mathematics/skiving.md#the-virtual-edge`).
 const REACH: f64 = 0.6;
 const STEPS: usize = 600;
 /// A root's distance from the rake face above which it is a pole, mm.
@@ -18,7 +19,8 @@ const ROOT: f64 = 1e-8;
 const NODES: usize = 25;
 /// How often a piece is halved that its nodes do not resolve.
 const HALVED: usize = 5;
-/// What the identities may miss, and where an unresolved curve shows (spec 60 section 4: measured 1e-10 at most).
+/// What the identities may miss, and where an unresolved curve shows (`docs/mathematics/skiving.md#the-virtual-edge`: measured 1e-10 at
+/// most).
 const IDENTITY: f64 = 1e-8;
 /// Way of the continuation from node to node, rad: first reach, and the largest before everything is looked through again.
 const NEAR: f64 = 2e-3;

@@ -64,7 +64,8 @@ impl EdgeSection {
         direction.dot(&self.outward).atan2(direction.dot(&self.rake_normal))
     }
 
-    /// v: which way the centre goes when the rounding grows by a unit between its two faces, times minus one (spec 60 section 4).
+    /// v: which way the centre goes when the rounding grows by a unit between its two faces, times minus one
+    /// (`docs/mathematics/skiving.md#the-virtual-edge`).
     pub fn growth(&self) -> Vector3<f64> {
         (self.rake_normal + self.clearance_normal) / (1.0 + self.clearance_angle.cos())
     }

@@ -1,4 +1,4 @@
-//! What can keep a skiving tool from being made, measured or judged (spec 60 section 13).
+//! What can keep a skiving tool from being made, measured or judged (`docs/mathematics/skiving.md#limits`).
 
 use finding::Finding;
 use foundation::geometry::{Flank, GeometryError};

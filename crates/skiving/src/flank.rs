@@ -1,5 +1,5 @@
 //! The flank that is to be made: an involute helicoid, modified along its profile only. Its section at z = 0 screwed along the axis is
-//! the whole flank (spec 60 section 2).
+//! the whole flank (`docs/mathematics/skiving.md#tool-and-workpiece`).
 
 use super::SkivingError;
 use foundation::geometry::{Helicoid, Modified, NormalOffset, Surface};

@@ -119,7 +119,7 @@ fn one() -> u64 {
     1
 }
 
-/// A list of numbers of one range each, as long as told.
+/// A list of numbers of one range each, of the given length.
 fn list_schema(lengths: [usize; 2], [least, most]: [f64; 2], way_out: &str) -> Schema {
     json_schema!({
         "type": "array",

@@ -1,5 +1,5 @@
 //! Power skiving and its tool: the virtual edge that makes a workpiece, the places of it that touch, what errors of the tool and of the
-//! machine's setting do to the flank (spec 60). Knows no referee and no file.
+//! machine's setting do to the flank (`docs/mathematics/skiving.md`). Knows no referee and no file.
 
 mod contact;
 mod edge;

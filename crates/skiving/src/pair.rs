@@ -1,4 +1,5 @@
-//! A skiving tool and its workpiece on crossed axes: distances, coupling, direction of cutting (spec 60 section 3).
+//! A skiving tool and its workpiece on crossed axes: distances, coupling, direction of cutting
+//! (`docs/mathematics/skiving.md#tool-and-workpiece`).
 
 use super::{SkivedFlank, SkivingError};
 use foundation::geometry::{Flank, Gear, Helicoid, SkivingTool};
@@ -24,7 +25,7 @@ pub struct SkivingPair {
     motion: SkivingMotion,
 }
 
-/// Below this sine the axes count as parallel (spec 60 section 13).
+/// Below this sine the axes count as parallel (`docs/mathematics/skiving.md#limits`).
 const PARALLEL: f64 = 1e-6;
 
 impl SkivingPair {
@@ -109,7 +110,7 @@ impl SkivingPair {
     }
 }
 
-/// Ranges of spec 60 section 13.
+/// Ranges of `docs/mathematics/skiving.md#limits`.
 fn check_gear(gear: &Gear) -> Result<(), SkivingError> {
     let data = gear.data();
     let wrong = |field, value: f64, allowed| Err(SkivingError::InvalidNumber { field, value, allowed });

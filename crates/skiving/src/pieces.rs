@@ -11,7 +11,7 @@ const PLACES: usize = 48;
 const ENDS: f64 = 1e-4;
 /// What a series may miss, in shares of the greatest value over the flank: value, slope and bend alike.
 const RESOLVED: f64 = 1e-9;
-/// Length of a stretch that holds a jump, in shares of the flank; a place is told as sharply.
+/// Length of a stretch that holds a jump, in shares of the flank; a place is located as sharply.
 const SHARP: f64 = 1e-6;
 /// How far the halves of a stretch reach over each other, in shares of it: a jump in the middle lies inside one of them.
 const OVERLAP: f64 = 0.01;

@@ -14,7 +14,7 @@ const FORM: TableForm<5> = TableForm {
     optional: None,
     row: "each switch",
 };
-/// Angles beyond this are nobody's: a thousand million degrees.
+/// No reading lies beyond this: a thousand million degrees.
 const MOST_RADIANS: f64 = 1.745_329_251_994_33e7;
 /// Revolutions of one measurement; far above what the size of a file allows.
 const MOST_REVOLUTIONS: usize = 1_000_000;

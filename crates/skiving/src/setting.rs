@@ -1,4 +1,5 @@
-//! The setting of the machine: what a change of it does to the flank, and which change answers a measured tool (spec 60 section 9).
+//! The setting of the machine: what a change of it does to the flank, and which change answers a measured tool
+//! (`docs/mathematics/skiving.md#correction-of-the-setting`).
 
 use super::{ContactPlace, SkivingError};
 use foundation::kinematics::SkivingMotion;
@@ -40,11 +41,11 @@ pub struct SettingFit {
     pub singular_values: Vec<f64>,
 }
 
-/// Singular values of the scaled matrix below which a direction is left alone (spec 60 section 9).
+/// Singular values of the scaled matrix below which a direction is left alone (`docs/mathematics/skiving.md#correction-of-the-setting`).
 const SMALLEST: f64 = 1e-3;
 
 impl Default for SettingLimits {
-    /// Those of spec 60 section 9.
+    /// Those of `docs/mathematics/skiving.md#correction-of-the-setting`.
     fn default() -> Self {
         let degree = 1f64.to_radians();
         Self { of: [0.05, 0.1 * degree, 0.5, 0.1 * degree] }

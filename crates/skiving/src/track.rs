@@ -1,4 +1,4 @@
-//! Measuring tracks: places along the edge at which every tooth is measured (spec 60 section 5).
+//! Measuring tracks: places along the edge at which every tooth is measured (`docs/mathematics/skiving.md#tracks-and-poses`).
 
 use super::{ContactPlace, EdgeSection, SkivingError, VirtualEdge};
 

@@ -1,4 +1,5 @@
-//! The channels of the motion and of the dresser's profile, and the design variables that they carry (spec 40 section 4).
+//! The channels of the motion and of the dresser's profile, and the design variables that they carry
+//! (`docs/mathematics/tangential-dressing.md#channels-and-variables`).
 //!
 //! A variable is a coefficient: of a power of the channel's own abscissa, or of a B-spline over it. mm; gA in rad. Knows no bodies.
 
@@ -144,7 +145,7 @@ pub enum Shape {
         basis: Arc<BSplineBasis>,
         /// Which of them.
         index: usize,
-        /// It by itself.
+        /// The function itself.
         function: Arc<BSpline>,
     },
 }
@@ -182,7 +183,7 @@ pub struct Variable {
 
 /// Degree of the splines: their second derivative, which the curvature of the worm needs, is smooth as well.
 const SPLINE_DEGREE: usize = 4;
-/// Largest exponent: beyond it powers over the same range can no longer be told apart.
+/// Largest exponent: beyond it powers over the same range can no longer be distinguished.
 pub const LARGEST_EXPONENT: u32 = 9;
 
 impl Variable {

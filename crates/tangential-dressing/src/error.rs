@@ -1,4 +1,4 @@
-//! Errors of tangential dressing (spec 40 section 11), each with its data, a stable code and a way out.
+//! Errors of tangential dressing (`docs/mathematics/tangential-dressing.md#limits`), each with its data, a stable code and a way out.
 
 use contact::ContactError;
 use dressing::DressingError;

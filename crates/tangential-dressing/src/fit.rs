@@ -1,4 +1,5 @@
-//! The inverse: which values of given variables grind the wanted flanks best (spec 40 section 6). Three methods on the same rows.
+//! The inverse: which values of given variables grind the wanted flanks best (`docs/mathematics/tangential-dressing.md#fit`). Three methods
+//! on the same rows.
 
 use super::TangentialError;
 use super::channel::Variable;
@@ -25,7 +26,7 @@ pub struct FitLimits {
 }
 
 impl FitLimits {
-    /// Those of the source (spec 40 section 6).
+    /// Those of the source (`docs/mathematics/tangential-dressing.md#fit`).
     pub const SOURCE: Self = Self { cut: 1e-10, live: 1e-7, rounds: 60 };
     /// For all other sets: splines repeat what powers do and have functions with few contacts, and many powers together would leave the
     /// machine for a hundredth of a micrometre.

@@ -1,4 +1,5 @@
-//! The forward model: which flank a set of design variables grinds (spec 40 section 3), by the one exact contact solver.
+//! The forward model: which flank a set of design variables grinds (`docs/mathematics/tangential-dressing.md#the-dressed-worm`), by the one
+//! exact contact solver.
 
 use super::TangentialError;
 use super::channel::{Abscissa, Channel, Variable};
@@ -244,7 +245,8 @@ impl<'a> TangentialFlank<'a> {
         }
     }
 
-    /// Only the explicit derivative counts (spec 40 section 3): what moves the tool's point along the normal.
+    /// Only the explicit derivative counts (`docs/mathematics/tangential-dressing.md#the-dressed-worm`): what moves the tool's point along
+    /// the normal.
     fn sensitivities(
         &self,
         contact: &ExactContact<'_, WormSurface<'a>>,

@@ -1,5 +1,6 @@
-//! Tangential dressing motion (spec 40): the dresser shifts, tilts and turns while it travels along the worm, and the worm carries that
-//! to the gear by its axial shift. Forward model and inverse on the exact contact solver of the other processes; knows no referee.
+//! Tangential dressing motion (`docs/mathematics/tangential-dressing.md`): the dresser shifts, tilts and turns while it travels along the
+//! worm, and the worm carries that to the gear by its axial shift. Forward model and inverse on the exact contact solver of the other
+//! processes; knows no referee.
 
 mod channel;
 mod error;

@@ -1,5 +1,5 @@
-//! The bodies of tangential dressing in place (spec 40 section 2): gear, worm, dresser, their distances and angles, the coupling of the
-//! shift. All closed form.
+//! The bodies of tangential dressing in place (`docs/mathematics/tangential-dressing.md#bodies-in-place`): gear, worm, dresser, their
+//! distances and angles, the coupling of the shift. All closed form.
 
 use super::TangentialError;
 use super::channel::{Abscissa, Channel};

@@ -1,5 +1,5 @@
-//! The motion of dressing as axes drive it: corrections over the worm position v_zS, in place of laws over x_D (spec 40 section 4,
-//! mapping to the chains).
+//! The motion of dressing as axes drive it: corrections over the worm position v_zS, in place of laws over x_D
+//! (`docs/mathematics/tangential-dressing.md#channels-and-variables`, mapping to the chains).
 
 use super::TangentialError;
 use super::forward::TangentialFlank;

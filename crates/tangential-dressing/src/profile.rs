@@ -1,5 +1,6 @@
-//! The dresser's nominal profile: half thickness S over the height s above its pitch circle (spec 40 section 2.1), and where on it,
-//! and where along the worm, a length of roll of the unmodified worm is dressed. Knows no motion.
+//! The dresser's nominal profile: half thickness S over the height s above its pitch circle
+//! (`docs/mathematics/tangential-dressing.md#profile-of-the-dresser`), and where on it, and where along the worm, a length of roll of the
+//! unmodified worm is dressed. Knows no motion.
 
 use super::TangentialError;
 use dressing::{NominalContact, nominal_contact};
@@ -22,7 +23,7 @@ const HEIGHTS: [f64; 2] = [-1.75, 1.55];
 /// Height down to which the profile is known all the same, in normal modules: an iteration may pass there, and the involute of the worm
 /// goes on.
 const KNOWN_FROM: f64 = -2.75;
-/// Nodes; the series ends below 4e-15 mm (spec 40 section 2.1).
+/// Nodes; the series ends below 4e-15 mm (`docs/mathematics/tangential-dressing.md#profile-of-the-dresser`).
 const NODES: usize = 28;
 /// Nodes of the profile with its function, first try and most: splines need many.
 const SERIES_NODES: [usize; 2] = [48, 768];

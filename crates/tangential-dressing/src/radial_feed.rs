@@ -1,4 +1,5 @@
-//! The conventional way to crown a lead: the centre distance follows a parabola over the feed, and the flank twists (spec 40 section 7).
+//! The conventional way to crown a lead: the centre distance follows a parabola over the feed, and the flank twists
+//! (`docs/mathematics/tangential-dressing.md#radial-feed`).
 
 use super::channel::{Channel, Variable};
 use super::model::TangentialModel;
@@ -8,12 +9,12 @@ use super::{TangentialError, TangentialFlank};
 use contact::Measure;
 use foundation::geometry::Flank;
 
-/// What radial feed leaves of a lead crowning. mm; normal to the flank.
+/// What radial feed leaves of a helix crowning. mm; normal to the flank.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RadialFeed {
     /// The flank.
     pub flank: Flank,
-    /// Lead crowning asked for.
+    /// Helix crowning asked for.
     pub crowning: f64,
     /// Twist of material left, closed form of first order.
     pub closed_twist: f64,
@@ -24,19 +25,19 @@ pub struct RadialFeed {
 }
 
 impl TangentialModel {
-    /// Twist of conventional lead crowning per crowning, material left, of a flank: first order.
+    /// Twist of conventional helix crowning per crowning, material left, of a flank: first order.
     pub fn natural_twist(&self, flank: Flank) -> f64 {
         let f = self.pair.work.flank(flank);
         let [from, to] = self.rolls(flank);
         -8.0 * f.s() * f.base_helix_angle.tan() * (to - from) / self.input().face_width
     }
 
-    /// The settings of conventional lead crowning by `crowning` (mm, normal, material removed at the ends): the tool does not shift, the worm
+    /// The settings of conventional helix crowning by `crowning` (mm, normal, material removed at the ends): the tool does not shift, the worm
     /// is plain.
     pub fn radial_feed_settings(&self, crowning: f64) -> TangentialSettings {
         let mut settings = TangentialSettings::default();
         let pressure_angle = self.input().gear.data().pressure_angle.left;
-        // dm/d(dist) = cos(alpha_n) (spec 40 section 4).
+        // dm/d(dist) = cos(alpha_n) (`docs/mathematics/tangential-dressing.md#channels-and-variables`).
         let amount = -crowning / pressure_angle.cos();
         settings.set(&Variable::power(Channel::CentreDistance, 2), amount);
         settings.set(&Variable::shift_ratio(), -self.shift_ratio);

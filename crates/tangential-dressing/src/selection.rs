@@ -1,4 +1,5 @@
-//! Which variables to free: forward selection and backward elimination to a small set that meets the tolerance (spec 40 section 6).
+//! Which variables to free: forward selection and backward elimination to a small set that meets the tolerance
+//! (`docs/mathematics/tangential-dressing.md#fit`).
 //!
 //! Forward: the candidate whose column, freed of what the chosen ones can do, explains most of the residual; the best few are fitted and
 //! judged. Backward: whatever can be left out is. The set found is small, not proven least.
@@ -59,8 +60,8 @@ const ROUNDS_OF_ATTEMPT: usize = 12;
 const NOTHING_NEW: f64 = 1e-6;
 
 impl SelectionTask {
-    /// The candidates of spec 40: profile to the seventh power, motions to the fifth, without what `excluded` channels do. Own profiles of
-    /// the dresser's sides are offered where both flanks share a pass.
+    /// The candidates of `docs/mathematics/tangential-dressing.md`: profile to the seventh power, motions to the fifth, without what
+    /// `excluded` channels do. Own profiles of the dresser's sides are offered where both flanks share a pass.
     pub fn standard_candidates(two_flanks: bool, excluded: &[Channel]) -> Vec<Variable> {
         let sides = [
             Channel::Profile(Some(foundation::geometry::Flank::Left)),

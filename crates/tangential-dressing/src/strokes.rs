@@ -1,4 +1,5 @@
-//! How far the axes go and which part of the worm is used (spec 40 section 9.5: the dresser must cover more than the tool shifts).
+//! How far the axes go and which part of the worm is used (`docs/mathematics/tangential-dressing.md#how-it-is-verified`: the dresser must
+//! cover more than the tool shifts).
 
 use super::forward::{FlankPoint, TangentialFlank};
 use contact::ToolSurface;

@@ -7,7 +7,8 @@ use foundation::geometry::Flank;
 /// The wanted flanks: material left, mm, at (w, z) on a flank.
 pub type Wanted<'a> = dyn Fn(Flank, f64, f64) -> f64 + Sync + 'a;
 
-/// Amounts at the edge of the evaluated range, as the source states them: material removed normal to the flank, mm (spec 40 section 6).
+/// Amounts at the edge of the evaluated range, as the source states them: material removed normal to the flank, mm
+/// (`docs/mathematics/tangential-dressing.md#fit`).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct EdgeAmounts {
     /// O_r1: linear in the radius.
@@ -66,10 +67,10 @@ impl Weights {
 pub enum FitGrid {
     /// That many points each way at equidistant radii, as the source has it with 5.
     Radii(usize),
-    /// That many points each way, graded in roll length: between Chebyshev and equidistant, for near the base circle the radius hides
+    /// That many points each way, graded in the length of roll: between Chebyshev and equidistant, for near the base circle the radius hides
     /// what the roll shows.
     Graded(usize),
-    /// That many points over the profile and over the face, equidistant in roll length.
+    /// That many points over the profile and over the face, equidistant in the length of roll.
     Equidistant(usize, usize),
 }
 

@@ -1,5 +1,6 @@
 //! The worm flank that a dresser leaves whose motion and profile are functions of its axial position x_D: a tool surface over
-//! (s, x_D) (spec 40 section 3). The dressing contact is the closed form of one circle; knows no gear.
+//! (s, x_D) (`docs/mathematics/tangential-dressing.md#the-dressed-worm`). The dressing contact is the closed form of one circle; knows no
+//! gear.
 
 use super::profile::Profile;
 use contact::{SurfaceJet, ToolSurface};

@@ -1,4 +1,4 @@
-//! 25-modifications: areas of different diagonal ratio on flank and worm, left-out threads, equal swivel of the dresser.
+//! 25-modifications: areas of different diagonal ratio on flank and worm, inactive threads, equal swivel of the dresser.
 
 use super::expected::Expected;
 use super::gear_sets::{Set, entries};

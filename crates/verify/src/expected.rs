@@ -1,4 +1,4 @@
-//! Expected values of a case that know which of them were asked for: what nobody computes is an error, never a skip.
+//! Expected values of a case that know which of them were asked for: what is not computed is an error, never a skip.
 
 use super::ledger::Ledger;
 use serde_json::{Map, Value};
@@ -286,7 +286,7 @@ impl<'a> Expected<'a> {
         ledger.fail(&self.case, &self.path, "computed values".into(), error.to_string().into());
     }
 
-    /// Ends the object: every key nobody asked for is a failure.
+    /// Ends the object: every key that was not asked for is a failure.
     pub fn finish(self, ledger: &mut Ledger) {
         for (key, value) in self.map.into_iter().flatten() {
             if !self.seen.contains(key.as_str()) {

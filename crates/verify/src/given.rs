@@ -13,7 +13,7 @@ pub(super) type Checked<T = ()> = Result<T, Box<dyn Error>>;
 /// Largest number of lines, rays or samples in one direction that a file may ask for: beyond it a check takes minutes.
 pub(super) const MOST: u64 = 2000;
 
-/// Runs a check over an object; a refusal is a failure there, and so is every quantity nobody asked for.
+/// Runs a check over an object; a refusal is a failure there, and so is every quantity that was not asked for.
 pub(super) fn check_object<'a>(
     mut expected: Expected<'a>,
     ledger: &mut Ledger,

@@ -199,7 +199,8 @@ fn one(
     Ok(())
 }
 
-/// S_c of spec 25 section 5 from the corners of the field, in the direction and unit of `f`; positive = removed.
+/// S_c of `docs/mathematics/generating-contact.md#what-the-grinding-motion-leaves-to-first-order` from the corners of the field, in the
+/// direction and unit of `f`; positive = removed.
 fn corner_twist(points: &[(f64, f64)], f: &[f64]) -> Option<f64> {
     let least = |pick: fn(&(f64, f64)) -> f64| points.iter().map(pick).fold(f64::INFINITY, f64::min);
     let greatest = |pick: fn(&(f64, f64)) -> f64| points.iter().map(pick).fold(f64::NEG_INFINITY, f64::max);

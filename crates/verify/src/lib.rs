@@ -1,4 +1,4 @@
-//! Recomputes every expected number of a reference file and compares (spec 90 section 4). Knows the schemas of the
+//! Recomputes every expected number of a reference file and compares (`README.md#references-exit-status`). Knows the schemas of the
 //! files and the library's public functions; contains no formula of its own beyond units and file conventions.
 //!
 //! ```no_run

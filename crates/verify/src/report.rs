@@ -1,4 +1,4 @@
-//! What is handed out: one report a file and their sum (JSON of spec 90 section 4).
+//! What is handed out: one report a file and their sum (JSON of `README.md#references-exit-status`).
 
 use super::Schema;
 use super::ledger::{Failure, Ledger, NotRun, Worst};

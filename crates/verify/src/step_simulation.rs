@@ -1,5 +1,5 @@
 //! Remainders between two feed positions or two roll steps, simulated with the chain and the unmodified worm flank alone
-//! (spec 20 section 9). Knows no closed form of them.
+//! (`docs/mathematics/planning.md#the-referee`). Knows no closed form of them.
 
 use contact::{FlankPair, Pair};
 use foundation::geometry::Flank;

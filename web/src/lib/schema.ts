@@ -1,6 +1,7 @@
 // The form that a job schema describes: what control a value takes, its range, default and help. Children are made when asked for,
 // since modifications contain modifications.
 
+import { withHelpKeys } from "./helpKeys";
 import type { Json, Table } from "./path";
 import { isTable } from "./path";
 import { unitOfKey } from "./units";
@@ -36,6 +37,14 @@ export interface Schema {
   default?: Json;
   description?: string;
   "x-way-out"?: string;
+  /** The key of the description, see `helpKeys.ts`. */
+  "x-help"?: string;
+}
+
+/** What a schema says about its value: in English, and the key of its translations. */
+export interface Help {
+  key: string;
+  english: string;
 }
 
 export interface Range {
@@ -47,7 +56,7 @@ export interface Range {
 
 export interface Word {
   value: string;
-  help: string;
+  help: Help;
 }
 
 export type FormNode =
@@ -66,7 +75,7 @@ export interface Field {
   key: string;
   schema: Schema;
   required: boolean;
-  help: string;
+  help: Help;
   wayOut: string;
   standard: Json | undefined;
   unit: string;
@@ -76,7 +85,7 @@ export class JobSchema {
   readonly #root: Schema;
 
   constructor(root: Schema) {
-    this.#root = root;
+    this.#root = withHelpKeys(root);
   }
 
   /** The schema of the jobs of a process; undefined for a process that is not known. */
@@ -195,7 +204,7 @@ export class JobSchema {
     const help = helpOf(schema);
     if (typeof schema.const === "string") return [{ value: schema.const, help }];
     if (schema.enum?.every((value) => typeof value === "string")) {
-      return schema.enum.map((value) => ({ value: String(value), help: "" }));
+      return schema.enum.map((value) => ({ value: String(value), help: NO_HELP }));
     }
     const inner = schema.oneOf?.map((variant) => this.#words(this.resolve(variant)));
     return inner?.every((some) => some.length > 0) ? inner.flat() : [];
@@ -229,9 +238,11 @@ export class JobSchema {
   }
 }
 
+const NO_HELP: Help = { key: "", english: "" };
+
 /** What a schema says about its value, in one line. */
-export function helpOf(schema: Schema): string {
-  return (schema.description ?? "").replaceAll("\n", " ");
+export function helpOf(schema: Schema): Help {
+  return { key: schema["x-help"] ?? "", english: (schema.description ?? "").replaceAll("\n", " ") };
 }
 
 function kindsOf(variants: Schema[]): (FormNode & { type: "kinds" }) | undefined {

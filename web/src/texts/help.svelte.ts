@@ -1,8 +1,9 @@
 // Help for the entries of jobs. The schema says it in English; German is loaded where it is chosen, and what it lacks stays English.
 
+import type { Help } from "../lib/schema";
 import { i18n } from "./i18n.svelte";
 
-/** The German text of an English one. */
+/** German texts by the key of the description in the schema. */
 export type HelpTexts = Readonly<Record<string, string>>;
 
 export class HelpOfEntries {
@@ -19,8 +20,9 @@ export class HelpOfEntries {
     }
   }
 
-  of(english: string): string {
-    return (i18n.lang === "de" && this.#german[english]) || english;
+  of(help: Help | undefined): string {
+    if (!help) return "";
+    return (i18n.lang === "de" && this.#german[help.key]) || help.english;
   }
 }
 

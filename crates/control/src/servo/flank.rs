@@ -2,7 +2,7 @@
 
 use super::super::error::{ControlError, within};
 
-/// Collects position errors as flank deviations f_n = e s_rot, um, normal to the flank (spec 70 section 8).
+/// Collects position errors as flank deviations f_n = e s_rot, um, normal to the flank (`docs/mathematics/gearbox.md#position-loop`).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FlankRecord {
     um_per_radian: f64,

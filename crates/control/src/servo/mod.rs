@@ -1,5 +1,5 @@
 //! The sampled position loop of the workpiece spindle with a motor model: what disturbances, quantisation, friction and
-//! the limit of the torque leave at the flank (spec 70 section 8).
+//! the limit of the torque leave at the flank (`docs/mathematics/gearbox.md#position-loop`).
 //!
 //! ```
 //! use control::servo::{Drive, FlankRecord, Gains, ServoLoop, ServoParameters, Setpoint};

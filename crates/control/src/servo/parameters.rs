@@ -47,7 +47,7 @@ pub struct ServoParameters {
     pub drive: Drive,
     /// Gains.
     pub gains: Gains,
-    /// Share of the feed-forward of acceleration and friction: 0 none, 1 whole.
+    /// Share of the feedforward of acceleration and friction: 0 none, 1 whole.
     pub feed_forward: f64,
     /// Whole counts; `None` for a loop of real numbers.
     pub quantisation: Option<Quantisation>,

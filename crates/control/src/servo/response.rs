@@ -1,4 +1,4 @@
-//! The answer of the linear loop to a disturbing torque, in closed form (spec 70 section 8).
+//! The answer of the linear loop to a disturbing torque, in closed form (`docs/mathematics/gearbox.md#position-loop`).
 
 use super::super::error::{ControlError, within};
 use super::parameters::ServoParameters;

@@ -1,4 +1,4 @@
-//! The loop and the motor sample by sample, in the order of operations of spec 70 section 8.
+//! The loop and the motor sample by sample, in the order of operations of `docs/mathematics/gearbox.md#position-loop`.
 
 use super::super::error::{ControlError, within};
 use super::parameters::{Quantisation, ServoParameters};

@@ -1,4 +1,4 @@
-//! Poles of the sampled loop (spec 70 section 8), and with them whether it settles.
+//! Poles of the sampled loop (`docs/mathematics/gearbox.md#position-loop`), and with them whether it settles.
 
 use super::super::error::ControlError;
 use super::parameters::ServoParameters;

@@ -1,5 +1,5 @@
-//! What a small deviation of one machine axis does to the worm flank that is being dressed (spec 26 section 8, spec 30
-//! section 5). Knows the motion by each axis and the contact, not how either was found.
+//! What a small deviation of one machine axis does to the worm flank that is being dressed
+//! (`docs/mathematics/generating-contact.md#machine-chains`, `docs/mathematics/dressing.md#what-a-corrected-dresser-leaves`). Knows the motion by each axis and the contact, not how either was found.
 
 use foundation::kinematics::AxisTwist;
 use nalgebra::Vector3;

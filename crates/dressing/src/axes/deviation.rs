@@ -1,5 +1,5 @@
-//! What given deviations of the dressing axes do to the dressed profile, exactly and to first order (spec 30 section 14). Knows
-//! no distribution of the deviations and no measurement.
+//! What given deviations of the dressing axes do to the dressed profile, exactly and to first order
+//! (`docs/mathematics/dressing.md#axes-and-their-deviations`). Knows no distribution of the deviations and no measurement.
 
 use crate::{DressedProfile, DresserTool, DressingError};
 use foundation::geometry::Flank;

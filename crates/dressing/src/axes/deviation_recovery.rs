@@ -1,5 +1,5 @@
-//! Deviations of the dressing axes found from what was measured on the worm, with their uncertainty (spec 30 section 14).
-//! Knows no distribution of the deviations.
+//! Deviations of the dressing axes found from what was measured on the worm, with their uncertainty
+//! (`docs/mathematics/dressing.md#axes-and-their-deviations`). Knows no distribution of the deviations.
 //!
 //! Kept for planning corrections from a measured worm: no command reaches it yet; `verify` recomputes references with it.
 

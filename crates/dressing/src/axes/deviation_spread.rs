@@ -1,5 +1,6 @@
-//! Deviations of the dressing axes drawn at random: how far the dressed profile scatters (spec 30 section 14). The same seed
-//! gives the same result on any number of threads. Knows no measurement.
+//! Deviations of the dressing axes drawn at random: how far the dressed profile scatters
+//! (`docs/mathematics/dressing.md#axes-and-their-deviations`). The same seed gives the same result on any number of threads. Knows no
+//! measurement.
 
 use crate::axes::deviation::{check_correction, sum};
 use crate::{DressedProfile, DresserTool, DressingError};

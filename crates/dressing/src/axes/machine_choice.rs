@@ -1,5 +1,5 @@
-//! Which way a dressing motion is driven on the machine: side, and the law of the axis that the poses leave free (spec 30
-//! section 16, spec 29 section 7). Ways are evaluated in `machine_motion`.
+//! Which way a dressing motion is driven on the machine: side, and the law of the axis that the poses leave free
+//! (`docs/mathematics/dressing.md#axes-and-their-deviations`). Ways are evaluated in `machine_motion`.
 //!
 //! Kept for planning of the swivel while dressing: no command reaches it yet.
 

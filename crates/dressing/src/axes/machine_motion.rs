@@ -1,6 +1,5 @@
 //! A dressing motion in machine axes: their positions over the worm position v, where they reverse, what travel they need, and
-//! what their uncertainty does to the worm flank (spec 30 section 16, spec 29 section 7). One way is evaluated here;
-//! which way is best is decided in `machine_choice`.
+//! what their uncertainty does to the worm flank (`docs/mathematics/dressing.md#axes-and-their-deviations`). One way is evaluated here; which way is best is decided in `machine_choice`.
 //!
 //! Kept for planning of the swivel while dressing: no command reaches it yet.
 
@@ -149,7 +148,7 @@ impl MachineMotion {
     }
 }
 
-/// A distance of an axis in one measure for turning and sliding, rad and 100 mm (spec 26 section 6).
+/// A distance of an axis in one measure for turning and sliding, rad and 100 mm (`docs/mathematics/programs.md#from-bodies-to-axes`).
 pub(crate) fn comparable(axis: DressingAxis, distance: f64) -> f64 {
     if axis.is_rotary() { distance } else { distance / 100.0 }
 }

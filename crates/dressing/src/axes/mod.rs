@@ -1,5 +1,5 @@
 //! The axes that carry the dressing motion: what their deviations do and how they are found again, and the motion on a machine
-//! (spec 30 sections 14 and 16).
+//! (`docs/mathematics/dressing.md#axes-and-their-deviations`).
 
 pub(super) mod axis_influence;
 pub mod deviation;

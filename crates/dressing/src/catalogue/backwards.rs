@@ -1,4 +1,5 @@
-//! The search backwards: a dresser is there, and a quantity of the worm is sought with which it makes the target (spec 30 section 17).
+//! The search backwards: a dresser is there, and a quantity of the worm is sought with which it makes the target
+//! (`docs/mathematics/dressing.md`).
 
 use super::bodies::{CatalogueDresser, CatalogueWorm, DesignedDresser, Workshop};
 use super::pair::{Look, Pair, PairFigures, PairLimits, Wanted};

@@ -77,7 +77,7 @@ pub struct DesignedDresser {
     pub seat: WormSeat,
 }
 
-/// A module of the catalogue may differ from the one that meshes by this share (spec 30 section 18).
+/// A module of the catalogue may differ from the one that meshes by this share (`docs/mathematics/dressing.md#limits-of-a-correction`).
 const MATING: f64 = 1e-6;
 
 /// Refuses a stated module or right profile angle that does not mesh: the normal base pitch would be another one.
@@ -120,10 +120,10 @@ impl CatalogueWorm {
         }
     }
 
-    /// Smallest pitch diameter that it may reach, mm; that of now if none is stated.
+    /// Smallest pitch diameter that it may reach, mm; the current one if none is stated.
     ///
     /// # Errors
-    /// [`DressingError::InvalidNumber`] for one above that of now or not above 0.
+    /// [`DressingError::InvalidNumber`] for one above the current one or not above 0.
     pub fn smallest_pitch_diameter(&self, now: &WormSeat) -> Result<f64, DressingError> {
         let pitch = 2.0 * now.reference_radius();
         let smallest = match self.smallest {
@@ -137,7 +137,7 @@ impl CatalogueWorm {
         Err(DressingError::InvalidNumber {
             field: "smallest pitch diameter of the worm",
             value: smallest,
-            allowed: "above 0 and at most the diameter of now",
+            allowed: "above 0 and at most the present diameter",
         })
     }
 }

@@ -1,5 +1,5 @@
-//! Whether the dresser of a pair comes too close to what it does not dress: counter flank, and the worm that is left later (spec 30
-//! section 13).
+//! Whether the dresser of a pair comes too close to what it does not dress: opposite flank, and the worm that is left later
+//! (`docs/mathematics/dressing.md#limits-of-a-correction`).
 
 use super::pair::{Pair, PairFigures};
 use super::refusal::Refusal;
@@ -17,7 +17,7 @@ impl Pair<'_> {
         self.dresser.tip_land.unwrap_or(self.limits.tip_land)
     }
 
-    /// Largest tip land that spares the counter flank; `None` where none does.
+    /// Largest tip land that clears the opposite flank; `None` where none does.
     pub(super) fn largest_land(
         &self,
         tool: &DresserTool,
@@ -37,7 +37,7 @@ impl Pair<'_> {
         Err(Refusal::TipLand { flank, largest, needed })
     }
 
-    /// Refuses a flank on which the needed tip land comes too close to the counter flank.
+    /// Refuses a flank on which the needed tip land comes too close to the opposite flank.
     pub(super) fn check_clearance(
         &self,
         tool: &DresserTool,
@@ -55,7 +55,7 @@ impl Pair<'_> {
         Err(Refusal::TipLand { flank, largest, needed })
     }
 
-    /// Refuses a pair that, dressing the worm of now with its corrections, cuts into the worm that is left later. The leads of both
+    /// Refuses a pair that, dressing the worm in its present state with its corrections, cuts into the worn worm that remains later. The leads of both
     /// differ, so that the ends of the worm decide.
     pub(super) fn check_undermining(
         &self,

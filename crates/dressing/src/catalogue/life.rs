@@ -32,7 +32,7 @@ impl LifeRow {
 /// How long a worm serves. mm.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RemainingLife {
-    /// Pitch diameter of now.
+    /// Current pitch diameter.
     pub from: f64,
     /// Smallest pitch diameter at which the target is still made.
     pub to: f64,
@@ -40,7 +40,7 @@ pub struct RemainingLife {
     pub end: Option<Refusal>,
 }
 
-/// Diameters below that of now at which a remaining life is looked for before its end is narrowed down.
+/// Diameters below the current one at which a remaining life is looked for before its end is narrowed down.
 const MARCH: usize = 5;
 /// Halvings of the interval in which a life ends: 1/256 of a step of the march.
 const HALVINGS: usize = 8;
@@ -116,7 +116,7 @@ impl Pair<'_> {
         Ok(RemainingLife { from, to: good, end })
     }
 
-    /// Whether dressing the worm of now spares the worm of a smaller diameter.
+    /// Whether dressing at the current diameter leaves the worn worm of a smaller diameter untouched.
     fn spared(&self, now: &WormSeat, figures: &PairFigures, pitch_diameter: f64) -> Result<(), Refusal> {
         let later = self.worn_seat(now, pitch_diameter)?;
         self.check_undermining(now, figures, &later)

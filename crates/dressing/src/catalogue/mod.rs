@@ -1,4 +1,4 @@
-//! Worms and dressers that are there, and which of them make a target (spec 30 sections 12 and 17). Knows no file and no gear: a
+//! Worms and dressers that are there, and which of them make a target (`docs/mathematics/dressing.md`). Knows no file and no gear: a
 //! [`Workshop`] puts the worms in place.
 
 pub mod backwards;

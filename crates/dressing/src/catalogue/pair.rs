@@ -1,5 +1,5 @@
 //! One dresser on one worm at one diameter: corrections for the wanted profile crowning, stretch, what the profile misses, and
-//! whether that is allowed (spec 30 section 17). Knows neither a list of bodies nor a ranking.
+//! whether that is allowed (`docs/mathematics/dressing.md`). Knows neither a list of bodies nor a ranking.
 
 use super::bodies::{CatalogueDresser, CatalogueWorm, DesignedDresser, Workshop};
 use super::refusal::Refusal;
@@ -31,7 +31,7 @@ pub struct PairLimits {
     pub stretch: Option<f64>,
     /// Least width of the tip land of a dresser whose land the catalogue does not state.
     pub tip_land: f64,
-    /// Least distance from the counter flank and from the worm that is left later.
+    /// Least distance from the opposite flank and from the worm that is left later.
     pub clearance: f64,
 }
 
@@ -74,7 +74,7 @@ pub struct FlankOfPair {
     pub profile_error: f64,
     /// Smallest and largest radius of the dresser in contact.
     pub radii: [f64; 2],
-    /// Largest tip land that spares the counter flank, if that was looked at: `Some(None)` where none does.
+    /// Largest tip land that clears the opposite flank, if that was looked at: `Some(None)` where none does.
     pub tip_land: Option<Option<f64>>,
 }
 
@@ -116,7 +116,7 @@ impl PairFigures {
 }
 
 impl Pair<'_> {
-    /// The worm of now under the dresser.
+    /// The worm in its present state under the dresser.
     ///
     /// # Errors
     /// Those of [`CatalogueWorm::seat`].

@@ -81,7 +81,7 @@ pub enum Refusal {
     },
     /// The tip land does not fit between the flanks of the thread space.
     #[error(
-        "dressing the {flank} flank a tip land of {needed} mm touches the counter flank; {}",
+        "dressing the {flank} flank a tip land of {needed} mm touches the opposite flank; {}",
         largest.map_or_else(|| "no land is narrow enough".to_owned(), |b| format!("at most {b:.4} mm fit"))
     )]
     #[finding(code = "tip-land")]
@@ -94,7 +94,7 @@ pub enum Refusal {
         /// Land needed.
         needed: f64,
     },
-    /// Dressing the worm of now cuts into the worm that shall be left later.
+    /// Dressing the worm in its present state cuts into the worn worm that remains later.
     #[error(
         "dressing the {flank} flank cuts {cut:.4} mm into the worm of {pitch_diameter:.3} mm pitch diameter at z = {b:.1} mm"
     )]

@@ -1,5 +1,5 @@
-//! All worms of a catalogue with all dressers for one target: who makes it, ranked (spec 30 section 17). Refused pairs stay in the
-//! list with their reason.
+//! All worms of a catalogue with all dressers for one target: who makes it, ranked (`docs/mathematics/dressing.md`). Refused pairs stay in
+//! the list with their reason.
 
 use super::bodies::{CatalogueDresser, CatalogueWorm, DesignedDresser, Workshop};
 use super::life::RemainingLife;
@@ -125,7 +125,7 @@ impl CatalogueSearch<'_> {
         let mut refusal = figures.refusal.clone();
         let life = match (&refusal, self.life) {
             (None, true) => match pair.remaining_life(&seat, &figures) {
-                // Where nothing smaller is spared, what is made now ruins the worm.
+                // Where no smaller diameter stays untouched, dressing now ruins the worm.
                 Ok(RemainingLife { from, to, end: Some(reason @ Refusal::Undermined { .. }) })
                     if to >= from =>
                 {

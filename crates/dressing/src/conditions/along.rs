@@ -1,5 +1,5 @@
-//! Conditions that vary along the worm: the four rows as functions of the worm position and of where the dresser touches (spec 30
-//! sections 8, 10). Knows no solver.
+//! Conditions that vary along the worm: the four rows as functions of the worm position and of where the dresser touches
+//! (`docs/mathematics/dressing.md#conditions`). Knows no solver.
 
 use crate::Condition;
 use foundation::geometry::Flank;

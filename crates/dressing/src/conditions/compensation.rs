@@ -1,5 +1,5 @@
 //! Compensation calculation: the correction that comes nearest to more than four conditions, of one flank or both, while others are
-//! met exactly (spec 30 section 11).
+//! met exactly (`docs/mathematics/dressing.md#conditions`).
 
 use crate::conditions::path_reason::correction_scale;
 use crate::{Condition, DresserTool, DressingError, PathReason};

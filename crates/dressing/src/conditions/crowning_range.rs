@@ -1,6 +1,6 @@
 //! The range of profile crownings that a dresser can make by its position alone: the solutions of the three-point rows with
-//! radius map, followed from a start both ways until something ends them (spec 30 section 9). Works in the tilt chart, because
-//! the pole of the K chart lies inside the range.
+//! radius map, followed from a start both ways until something ends them (`docs/mathematics/dressing.md#conditions`). Works in the tilt
+//! chart, because the pole of the K chart lies inside the range.
 
 use crate::conditions::path_reason::{axis_margin, tilt_scale};
 use crate::{DressedProfile, DressingError, FlankDresser, PathReason, TiltChart};

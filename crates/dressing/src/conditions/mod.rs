@@ -1,5 +1,5 @@
 //! Which correction meets what is asked of the dressed worm: rows, their solution exactly and by compensation, along the worm, and how
-//! far they can be met (spec 30 sections 8 to 11). Knows no neighbouring body of the dresser.
+//! far they can be met (`docs/mathematics/dressing.md`). Knows no neighbouring body of the dresser.
 
 pub(super) mod along;
 pub(super) mod compensation;

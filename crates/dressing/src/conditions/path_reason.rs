@@ -1,4 +1,4 @@
-//! Why a path of corrections goes no further (spec 30 section 9). Knows no conditions.
+//! Why a path of corrections goes no further (`docs/mathematics/dressing.md#conditions`). Knows no conditions.
 
 use crate::DressedProfile;
 use finding::Finding;
@@ -88,7 +88,7 @@ pub(crate) fn axis_margin(dk: &[f64; 4], limits: &[[f64; 2]; 4], scale: &[f64; 4
     })
 }
 
-/// Sizes of one scaled unknown (spec 30 section 8): 1/r_S and 1/20 rad, 1 mm, 5 mm.
+/// Sizes of one scaled unknown (`docs/mathematics/dressing.md#conditions`): 1/r_S and 1/20 rad, 1 mm, 5 mm.
 pub(crate) fn correction_scale(reference_radius: f64) -> [f64; 4] {
     [1.0 / reference_radius, 1.0 / 20.0, 1.0, 5.0]
 }

@@ -1,5 +1,5 @@
 //! The corrections with which a dresser leaves a parabola on a worm that it may not have been designed for, and what comes out
-//! without them (spec 30 sections 12 and 17). Knows no limit of axes or bodies.
+//! without them (`docs/mathematics/dressing.md`). Knows no limit of axes or bodies.
 
 use crate::{
     Condition, ConditionSolver, DressedProfile, DresserTool, DressingError, PathReason, WormSeat, stretch,
@@ -17,7 +17,7 @@ pub struct ProfileFit {
     pub stretch: f64,
 }
 
-/// Steps in which the amount grows from 0 (spec 30 section 17).
+/// Steps in which the amount grows from 0 (`docs/mathematics/dressing.md`).
 const STEPS: usize = 8;
 
 /// The rows of the three-point method for f = `middle` (mm) in the middle of the used range and 0 at both ends.

@@ -1,4 +1,5 @@
-//! Conditions on a dressing correction: what one of them asks, residual and gradient (spec 30 section 8). Knows no solver.
+//! Conditions on a dressing correction: what one of them asks, residual and gradient (`docs/mathematics/dressing.md#conditions`). Knows no
+//! solver.
 
 use crate::forward::head_gradient;
 use crate::{DressedProfile, DresserTool, DressingError, FlankDresser, ProfilePoint};

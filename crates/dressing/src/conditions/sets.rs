@@ -1,5 +1,5 @@
-//! The usual sets of four conditions by name, and the worm position that puts a contact line through a point (spec 30 section 8).
-//! Knows no solver.
+//! The usual sets of four conditions by name, and the worm position that puts a contact line through a point
+//! (`docs/mathematics/dressing.md#conditions`). Knows no solver.
 
 use crate::{Condition, DressedProfile, DresserTool, DressingError, FlankDresser};
 use foundation::geometry::Flank;
@@ -22,8 +22,8 @@ impl From<PitchPoint> for Condition {
     }
 }
 
-/// Four pitch points, on one flank or spread over both. Four points on one flank of a worm are practically singular (spec 30
-/// section 19).
+/// Four pitch points, on one flank or spread over both. Four points on one flank of a worm are practically singular
+/// (`docs/mathematics/dressing.md`).
 pub fn four_points(points: [PitchPoint; 4]) -> [Condition; 4] {
     points.map(Condition::from)
 }

@@ -1,5 +1,5 @@
-//! The solver for four conditions on the four dressing corrections: damped Newton, and continuation where that fails (spec 30
-//! sections 8, 9). Works in the K chart: the solution is the one connected with the start.
+//! The solver for four conditions on the four dressing corrections: damped Newton, and continuation where that fails
+//! (`docs/mathematics/dressing.md#conditions`). Works in the K chart: the solution is the one connected with the start.
 
 use crate::conditions::path_reason::{axis_margin, correction_scale};
 use crate::{Condition, DressedProfile, DresserTool, DressingError, PathReason};
@@ -18,7 +18,8 @@ pub struct ConditionSolver<'a> {
     limits: Option<[[f64; 2]; 4]>,
 }
 
-/// The start is singular below this ratio of its smallest to its largest singular value (spec 30 section 18).
+/// The start is singular below this ratio of its smallest to its largest singular value
+/// (`docs/mathematics/dressing.md#limits-of-a-correction`).
 const SINGULAR: f64 = 1e-13;
 
 /// Rows that are missed by less are met, mm or rad: where rows nearly depend on each other, the rounding of one of them, 1e-13
@@ -198,7 +199,7 @@ impl<'a> ConditionSolver<'a> {
         }
     }
 
-    /// Follows the solution while the residual at the start is scaled from 1 to 0; the parameter is the share done away with.
+    /// Follows the solution while the residual at the start is scaled from 1 to 0; the continuation parameter is the share removed.
     fn follow(
         &self,
         conditions: &[Condition; 4],

@@ -1,5 +1,5 @@
-//! Topological dressing: the correction DK(v) along the worm for a wanted modification f*(w, b) (spec 30 section 10). Knows no
-//! gear and no reason for the targets.
+//! Topological dressing: the correction DK(v) along the worm for a wanted modification f*(w, b)
+//! (`docs/mathematics/dressing.md#conditions`). Knows no gear and no reason for the targets.
 
 use crate::{
     Condition, ConditionSolver, ConditionsAlong, DressedProfile, DressedWorm, DresserTool, DressingError,

@@ -1,5 +1,5 @@
-//! Both flanks at once: one correction DK(v) for both, two pitch points on each (spec 30 section 11). Knows no wanted
-//! modification and no least squares.
+//! Both flanks at once: one correction DK(v) for both, two pitch points on each (`docs/mathematics/dressing.md#conditions`). Knows no
+//! wanted modification and no least squares.
 
 use crate::{
     Condition, ConditionSolver, ConditionsAlong, DresserTool, DressingError, NodePlan, NodeSolution,

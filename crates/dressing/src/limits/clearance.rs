@@ -1,5 +1,5 @@
-//! How close the dresser comes to the flank across the thread space, and how wide its tip land may be (spec 30 section 13).
-//! Knows no wanted modification.
+//! How close the dresser comes to the flank across the thread space, and how wide its tip land may be
+//! (`docs/mathematics/dressing.md#limits-of-a-correction`). Knows no wanted modification.
 
 use crate::DressingError;
 use crate::envelope::{RelativeScrew, circle_contact};
@@ -127,7 +127,7 @@ impl DresserSection<'_> {
             Some([from, to]) => vec![from, to],
             None => {
                 return Err(DressingError::InvalidNumber {
-                    field: "screw parameter of the counter flank",
+                    field: "screw parameter of the opposite flank",
                     value: 1.0 / worm.twist_per_length(),
                     allowed: "that of the flank which is dressed, or a worm width has to be given",
                 });
@@ -154,7 +154,7 @@ impl DresserSection<'_> {
         Ok(self.counter_flank(dk, tip_land, space)?.map_or(f64::INFINITY, |at| at.f))
     }
 
-    /// Largest tip land with which the clearance of the counter flank is at least `limit`, mm; `None` if a dresser without land
+    /// Largest tip land with which the clearance of the opposite flank is at least `limit`, mm; `None` if a dresser without land
     /// collides.
     ///
     /// A wider land contains the narrower one, so that the clearance falls with it.
@@ -193,13 +193,13 @@ impl DresserSection<'_> {
         Ok(brent([0.0, full], [at_none, at_full], LAND, |land| Some(spare(land))))
     }
 
-    /// Refuses more left-out threads than the worm can spare.
+    /// Refuses as many inactive threads as the worm has, or more.
     pub(crate) fn check_left_out(&self, left_out: u32) -> Result<(), DressingError> {
         if f64::from(left_out) < self.tool().flanks[self.flank()].worm.teeth {
             return Ok(());
         }
         Err(DressingError::InvalidNumber {
-            field: "left-out threads",
+            field: "inactive threads",
             value: f64::from(left_out),
             allowed: "fewer than the worm has threads",
         })

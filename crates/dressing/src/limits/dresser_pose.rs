@@ -1,5 +1,5 @@
 //! How the dresser stands to the worm while it dresses with constant corrections: its circles in the room, where the worm axis
-//! is z (spec 30 section 3). Knows no flank.
+//! is z (`docs/mathematics/dressing.md#the-conjugate-profile`). Knows no flank.
 
 use crate::limits::dresser_section::SectionCircle;
 use foundation::kinematics::{DressingChain, DressingCorrection};

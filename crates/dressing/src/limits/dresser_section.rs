@@ -1,6 +1,7 @@
-//! The cross-section of a disc dresser while it dresses one flank: active flank, tip land, counter flank (spec 30 section 13).
+//! The cross-section of a disc dresser while it dresses one flank: active flank, tip land, opposite flank
+//! (`docs/mathematics/dressing.md#limits-of-a-correction`).
 //!
-//! The tip land is made by shifting the counter flank along the dresser's axis. Knows no worm and no motion.
+//! The tip land is made by shifting the opposite flank along the dresser's axis. Knows no worm and no motion.
 
 use crate::{DresserTool, DressingError, FlankDresser};
 use foundation::geometry::{Flank, Revolution};
@@ -45,7 +46,7 @@ pub struct DresserSection<'a> {
     full_land: f64,
     /// +1 where the active flank faces +z of the dresser.
     side: f64,
-    /// Parameter and circle, from the tip on; the counter flank as without land.
+    /// Parameter and circle, from the tip on; the opposite flank as without land.
     active: Vec<(f64, SectionCircle)>,
     counter: Vec<(f64, SectionCircle)>,
 }
@@ -134,7 +135,7 @@ impl<'a> DresserSection<'a> {
     }
 
     /// Meridian point (r, z) of a part with a land of width `tip_land`, mm; `share` runs from 0 to 1 from the tip on, on the
-    /// land from the active flank to the counter flank.
+    /// land from the active flank to the opposite flank.
     ///
     /// # Errors
     /// [`DressingError::TipLand`]; [`DressingError::InvalidNumber`] for a share outside 0..1.
@@ -197,7 +198,7 @@ impl<'a> DresserSection<'a> {
         }
     }
 
-    /// A circle of the counter flank where the land has its width.
+    /// A circle of the opposite flank where the land has its width.
     fn shifted(&self, circle: SectionCircle, tip_land: f64) -> SectionCircle {
         SectionCircle { z: circle.z + self.side * (self.full_land - tip_land), ..circle }
     }

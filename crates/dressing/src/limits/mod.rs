@@ -1,5 +1,5 @@
-//! What else of the dresser touches the worm: its section swept along the thread, without the condition of contact (spec 30
-//! section 13). Knows no wanted profile.
+//! What else of the dresser touches the worm: its section swept along the thread, without the condition of contact
+//! (`docs/mathematics/dressing.md#limits-of-a-correction`). Knows no wanted profile.
 
 pub mod clearance;
 pub(super) mod dresser_pose;

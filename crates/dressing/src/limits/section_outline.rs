@@ -1,4 +1,5 @@
-//! Thread space and swept dresser in a plane through the worm axis, as a picture shows them (spec 30 section 13).
+//! Thread space and swept dresser in a plane through the worm axis, as a picture shows them
+//! (`docs/mathematics/dressing.md#limits-of-a-correction`).
 //!
 //! Every point of the dresser is screwed into that plane along the worm's lead, so that distances in it are those that the
 //! clearances are made of: f is the axial distance at equal radius times sin(beta_b). Knows no drawing.

@@ -1,5 +1,5 @@
 //! A circle of the dresser swept along the worm's thread: what it leaves on any worm flank, without the condition of contact
-//! (spec 30 section 13). An independent check of the forward calculation. Knows no section and no limit.
+//! (`docs/mathematics/dressing.md#limits-of-a-correction`). An independent check of the forward calculation. Knows no section and no limit.
 
 use crate::GeometricRange;
 use crate::limits::dresser_pose::DresserPose;
@@ -51,7 +51,7 @@ const ARC_STEPS: usize = 24;
 const PSI: f64 = 1e-13;
 
 impl FlankSweep {
-    /// `space` is the number of the thread space, `beyond` the angle (rad) by which left-out threads widen it.
+    /// `space` is the number of the thread space, `beyond` the angle (rad) by which inactive threads widen it.
     pub fn new(
         pose: DresserPose,
         worm: &InvoluteFlank,

@@ -1,5 +1,5 @@
 //! Whether a dresser that works on one worm would cut into the flanks of another one: undermining of worms of smaller diameter
-//! (spec 30 section 13). Knows no wanted modification.
+//! (`docs/mathematics/dressing.md#limits-of-a-correction`). Knows no wanted modification.
 
 use crate::limits::swept_circle::FlankSweep;
 use crate::{Clearance, DresserSection, DressingError, GeometricRange};

@@ -1,5 +1,5 @@
 //! How much room the disc has in the thread space: its rounded tip and its sides against both flanks, by the closed distance
-//! to an involute flank (spec 29 section 1). Knows one position, no line.
+//! to an involute flank (`docs/mathematics/dressing.md#conditions`). Knows one position, no line.
 
 use super::{TipDisc, Touch};
 use foundation::geometry::InvoluteFlank;
@@ -21,7 +21,7 @@ pub(super) struct ThreadSpace {
 /// Room of the disc in one position, mm; negative where it cuts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Room {
-    /// Least distance to the counter flank.
+    /// Least distance to the opposite flank.
     pub counter: f64,
     /// Least distance of the tip to the flank that is dressed, its modification included: 0 at the contact.
     pub own: f64,
@@ -64,7 +64,7 @@ pub(super) fn room(
     // Where the side would touch the dressed flank, the rounding next to it does too.
     let own = Wall { flank: &space.own, tip_radius: space.tip_radius, modification };
     let counter = Wall { flank: &space.counter, tip_radius: space.tip_radius, modification: &plain };
-    // The contact lies in the space, so that the counter flank is in front of it.
+    // The contact lies in the space, so that the opposite flank is in front of it.
     let across = counter.flank.deviation(contact).f_n;
     let across = if across < 0.0 { across + counter.pitch() } else { across };
     let walls = [side(r_t).collect(), side(-r_t).collect(), vec![tip]];

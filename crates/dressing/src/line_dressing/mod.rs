@@ -1,5 +1,5 @@
-//! Dressing line by line with a narrow disc that touches the worm in one point (spec 29 section 1): any modification of the
-//! worm can be written, along lines of any direction; the price is the number of lines.
+//! Dressing line by line with a narrow disc that touches the worm in one point (`docs/mathematics/dressing.md#conditions`): any
+//! modification of the worm can be written, along lines of any direction; the price is the number of lines.
 
 mod clearance;
 pub mod lines;

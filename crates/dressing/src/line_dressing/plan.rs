@@ -1,4 +1,4 @@
-//! Lines, pitch and motions with which a narrow disc writes a worm flank (spec 29 section 1).
+//! Lines, pitch and motions with which a narrow disc writes a worm flank (`docs/mathematics/dressing.md#conditions`).
 
 use super::clearance::{Room, ThreadSpace, room};
 use super::lines::{self, DressingLine};
@@ -44,7 +44,7 @@ pub struct LinePlan {
     pub scallop: f64,
     /// Length of the contact path on the worm flank, all lines of one thread together.
     pub length: f64,
-    /// Least distance of the disc to the counter flank.
+    /// Least distance of the disc to the opposite flank.
     pub clearance: f64,
     /// Smallest radius of the worm that the rim reaches.
     pub deepest: f64,
@@ -114,7 +114,7 @@ impl<F: ThreadFunction> LineDressing<'_, F> {
     ///
     /// # Errors
     /// [`DressingError::InvalidNumber`]; [`DressingError::TipRadiusTooLarge`] where the worm is hollower than the tip is
-    /// round; [`DressingError::DiscCollides`] with the counter flank, or with the dressed flank away from the contact; those
+    /// round; [`DressingError::DiscCollides`] with the opposite flank, or with the dressed flank away from the contact; those
     /// of [`LineDressing::touch`].
     pub fn plan(&self) -> Result<LinePlan, DressingError> {
         self.check()?;

@@ -1,5 +1,5 @@
-//! Where the disc stands when its rounded tip touches the worm in a given point, and how closely it fits there (spec 29
-//! section 1). Knows one point of the worm, no line.
+//! Where the disc stands when its rounded tip touches the worm in a given point, and how closely it fits there
+//! (`docs/mathematics/dressing.md#conditions`). Knows one point of the worm, no line.
 
 use super::TipDisc;
 use contact::SurfaceJet;

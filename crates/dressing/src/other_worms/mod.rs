@@ -1,4 +1,4 @@
-//! A dresser on worms that it was not designed for (spec 30 section 12).
+//! A dresser on worms that it was not designed for (`docs/mathematics/dressing.md#conditions`).
 
 pub mod other_worm;
 pub(super) mod settled;

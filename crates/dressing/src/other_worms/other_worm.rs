@@ -1,5 +1,5 @@
-//! A dresser put on another worm than the one it was designed for (spec 30 section 12): same gear, other diameter, profile
-//! angle or number of threads. Knows no wanted profile and no limit.
+//! A dresser put on another worm than the one it was designed for (`docs/mathematics/dressing.md#conditions`): same gear, other diameter,
+//! profile angle or number of threads. Knows no wanted profile and no limit.
 
 use crate::dresser::conjugate_line;
 use crate::{DresserTool, DressingError, FlankDresser, GeometricRange};
@@ -19,15 +19,15 @@ pub struct WormSeat {
     pub tip_radius: f64,
 }
 
-/// Normal base pitches of two worms for one gear may differ by this share (spec 30 section 18).
+/// Normal base pitches of two worms for one gear may differ by this share (`docs/mathematics/dressing.md#limits-of-a-correction`).
 const MATING: f64 = 1e-6;
 /// Share of the used range by which the start line of the contact is continued at each end.
 pub(crate) const LINE_MARGIN: f64 = 0.1;
-/// Profile angles of grinding worms, degrees (spec 30 section 18).
+/// Profile angles of grinding worms, degrees (`docs/mathematics/dressing.md#limits-of-a-correction`).
 const ANGLES: std::ops::RangeInclusive<f64> = 5.0..=45.0;
 
 impl WormSeat {
-    /// Refuses worms outside the range in which spec 30 holds.
+    /// Refuses worms outside the range in which `docs/mathematics/dressing.md` holds.
     ///
     /// # Errors
     /// [`GeometryError::InvalidGeometry`] for a profile angle outside 5 to 45 degrees or a used range that is empty or reaches

@@ -1,4 +1,5 @@
-//! The profile angle at which a dresser fits another worm without stretch, P = 0 (spec 30 section 12). Knows no wanted profile.
+//! The profile angle at which a dresser fits another worm without stretch, P = 0 (`docs/mathematics/dressing.md#conditions`). Knows no
+//! wanted profile.
 
 use crate::{DresserTool, DressingError, WormSeat, fit_profile};
 use foundation::geometry::{Flank, Sides};

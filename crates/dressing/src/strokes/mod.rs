@@ -1,4 +1,4 @@
-//! A profile dressed in several strokes, each with an active area and a correction of its own (spec 30 section 11).
+//! A profile dressed in several strokes, each with an active area and a correction of its own (`docs/mathematics/dressing.md#conditions`).
 
 pub mod multi_stroke;
 pub mod stroke;

@@ -1,5 +1,5 @@
 //! A profile dressed in several strokes, each with its own part of a dresser and its own correction: the least f of all strokes
-//! that reach a point, else stock (spec 30 sections 11 and 22). Knows no motion along the worm.
+//! that reach a point, else stock (`docs/mathematics/dressing.md`). Knows no motion along the worm.
 
 use crate::strokes::stroke::check_range;
 use crate::{DressedStroke, DressingError, ProfilePoint, Stroke};

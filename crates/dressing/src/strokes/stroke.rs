@@ -1,5 +1,5 @@
 //! One stroke of dressing in several strokes: a part of a dresser's flank laid on a part of the worm's profile by a correction
-//! of its own (spec 30 sections 11 and 22). Knows no other stroke.
+//! of its own (`docs/mathematics/dressing.md`). Knows no other stroke.
 
 use crate::{
     Condition, ConditionSolver, DressedProfile, DresserTool, DressingError, FlankDresser, GeometricRange,

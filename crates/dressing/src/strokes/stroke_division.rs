@@ -1,5 +1,5 @@
-//! Division of the worm's profile into strokes by the active areas of dressers (spec 30 section 11, figure 20 of its source).
-//! Knows no corrections.
+//! Division of the worm's profile into strokes by the active areas of dressers (`docs/mathematics/dressing.md#conditions`, figure 20 of its
+//! source). Knows no corrections.
 
 use crate::strokes::stroke::check_range;
 use crate::{ActiveArea, DresserTool, DressingError, Stroke};

@@ -1,5 +1,5 @@
 //! Several strokes along the worm: each has its DK(v), its range may change over the width, and the flank is the least of the
-//! exact envelopes (spec 29 section 5, spec 30 sections 10 and 11). Knows no files.
+//! exact envelopes (`docs/mathematics/dressing.md#conditions`). Knows no files.
 
 use crate::conditions::topological::follow_nodes;
 use crate::strokes::multi_stroke::{ROUNDING, at_least_one, first_gap};

@@ -1,4 +1,5 @@
-//! The couplings of continuous generating with a worm: how much the workpiece turns for each of the leading axes (spec 70 section 5).
+//! The couplings of continuous generating with a worm: how much the workpiece turns for each of the leading axes
+//! (`docs/mathematics/gearbox.md#couplings`).
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -97,7 +98,8 @@ mod tests {
 
     #[test]
     fn the_numbers_found_by_brute_force_come_out() {
-        // Spec 70 section 5: z_1 = 3, beta_1 = 70 deg, z_2 = 40, beta_2 = 15 deg; feed and shift printed there in rad a mm.
+        // `docs/mathematics/gearbox.md#couplings`: z_1 = 3, beta_1 = 70 deg, z_2 = 40, beta_2 = 15 deg; feed and shift printed there in rad
+        // a mm.
         let workpiece = GearGeometry::new(2.0, 40, 15f64.to_radians(), 0.35).unwrap();
         let found = Couplings::new(&workpiece, 3, 70f64.to_radians(), CouplingSigns::default()).unwrap();
         assert!((found.worm_turn + 0.075).abs() < 1e-15);

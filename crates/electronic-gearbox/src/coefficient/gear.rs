@@ -19,7 +19,7 @@ impl GearGeometry {
     ///
     /// # Errors
     /// [`Error::BadParameter`] for a value that is not finite; [`Error::BadGear`] for m_n <= 0, z = 0, |beta| >= pi/2, alpha_n outside
-    /// (0, pi/2), and for a module with which the factors leave the range of numbers (spec 70 section 9).
+    /// (0, pi/2), and for a module with which the factors leave the range of numbers (`docs/mathematics/gearbox.md#limits`).
     pub fn new(
         normal_module_mm: f64,
         teeth: i32,
@@ -172,7 +172,7 @@ mod tests {
 
     #[test]
     fn lead_has_the_sign_of_the_hand() {
-        // Rotation over the feed in rad/mm as found on the helicoids themselves (spec 70 section 5).
+        // Rotation over the feed in rad/mm as found on the helicoids themselves (`docs/mathematics/gearbox.md#couplings`).
         const ROTATION: f64 = 0.006470476;
         for teeth in [40, -40] {
             for sign in [1.0, -1.0] {

@@ -1,4 +1,4 @@
-//! From gear data to the numbers that the couplings run with (spec 70 sections 1 and 5): lead and flank factors of a gear, the 18-bit
+//! From gear data to the numbers that the couplings run with (`docs/mathematics/gearbox.md`): lead and flank factors of a gear, the 18-bit
 //! coefficient of the additional rotation, the couplings of the generating chain.
 
 mod couplings;

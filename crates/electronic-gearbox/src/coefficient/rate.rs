@@ -1,4 +1,5 @@
-//! The coefficient of the additional rotation: what share of the scale's pulses turns the workpiece (spec 70 section 5).
+//! The coefficient of the additional rotation: what share of the scale's pulses turns the workpiece
+//! (`docs/mathematics/gearbox.md#couplings`).
 
 use super::gear::{GearGeometry, pulses};
 use crate::Error;

@@ -8,7 +8,7 @@ const RANGE: f64 = (1u64 << 62) as f64;
 /// From here on every number is whole, and adding a half would round to the even neighbour instead of doing nothing.
 const WHOLE: f64 = (1u64 << 52) as f64;
 
-/// floor(v + 0.5), the rule of spec 70 section 7.
+/// floor(v + 0.5), the rule of `docs/mathematics/gearbox.md#couplings`.
 pub(super) fn nearest_count(name: &'static str, value: f64) -> Result<i64, Error> {
     let counts = if value.abs() < WHOLE { libm::floor(value + 0.5) } else { value };
     if counts.abs() < RANGE {

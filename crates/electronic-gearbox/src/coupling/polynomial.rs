@@ -1,4 +1,4 @@
-//! Coupling by a polynomial of the leading axis' absolute position (spec 70 section 7, item 5): no history, hence no drift.
+//! Coupling by a polynomial of the leading axis' absolute position (`docs/mathematics/gearbox.md#couplings`): no history, hence no drift.
 
 use super::counts::nearest_count;
 use crate::Error;

@@ -4,7 +4,7 @@
 use super::interval::Interval;
 use super::{Direction, Pulse, PulseKind, Settings, Status};
 
-/// The clocked form. Every tick counts, compares and clears in the order of spec 70 section 2, A to D.
+/// The clocked form. Every tick counts, compares and clears in the order of `docs/mathematics/gearbox.md#pulses-between-lines`, A to D.
 #[derive(Clone, Debug)]
 pub struct ClockedInterpolator {
     settings: Settings,

@@ -1,5 +1,5 @@
-//! The same pulses without ticking every clock: between two reference pulses all others are known in closed form (spec 70 section 2,
-//! event form). Work is proportional to the pulses that go out.
+//! The same pulses without ticking every clock: between two reference pulses all others are known in closed form
+//! (`docs/mathematics/gearbox.md#pulses-between-lines`, event form). Work is proportional to the pulses that go out.
 
 use super::interval::Interval;
 use super::{Direction, Pulse, PulseKind, Settings, Status, TimedPulse};

@@ -83,7 +83,7 @@ impl Interval {
     }
 }
 
-/// Signed number of corrections for an ended interval (spec 70 section 2, table of modes).
+/// Signed number of corrections for an ended interval (`docs/mathematics/gearbox.md#pulses-between-lines`, table of modes).
 #[inline]
 fn correction(settings: &Settings, ended: Direction, reference: Direction, inserted: u32) -> i64 {
     let lacking = i64::from(settings.pulses_per_interval()) - 1 - i64::from(inserted);

@@ -1,6 +1,7 @@
 //! The pulse interpolator: between two pulses of a slide's scale it inserts P - 1 further ones, at the pace of the interval before
-//! (spec 70 section 2). [`ClockedInterpolator`] is the machine as built, one call a clock tick; [`EventInterpolator`] gives the same
-//! pulses in time proportional to their number. The rules that both obey stand in [`Mode`] and `interval`.
+//! (`docs/mathematics/gearbox.md#pulses-between-lines`). [`ClockedInterpolator`] is the machine as built, one call a clock tick;
+//! [`EventInterpolator`] gives the same pulses in time proportional to their number. The rules that both obey stand in [`Mode`] and
+//! `interval`.
 
 mod clocked;
 mod event;
@@ -83,10 +84,10 @@ pub struct TimedPulse {
 pub struct Status {
     /// Reference pulses seen.
     pub references: u64,
-    /// Intervals that ended, with their own sense, while corrections of the one before were still owed. Whoever supervises stops the
+    /// Intervals that ended, with their own sense, while corrections of the one before were still owed. The supervising program stops the
     /// feed when it grows.
     pub overruns: u64,
-    /// Intervals of one sense shorter than P ticks: the slide is faster than v_max = f1 p/P. Whoever supervises stops the feed when it
+    /// Intervals of one sense shorter than P ticks: the slide is faster than v_max = f1 p/P. The supervising program stops the feed when it
     /// grows.
     pub too_fast: u64,
     /// Intervals that ended with the other sense while corrections of the one before were still owed. No alarm: a slide that turns on a

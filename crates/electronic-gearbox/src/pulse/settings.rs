@@ -2,7 +2,7 @@
 
 use crate::Error;
 
-/// How the corrections of an ended interval are counted and on which line they run (spec 70 section 2).
+/// How the corrections of an ended interval are counted and on which line they run (`docs/mathematics/gearbox.md#pulses-between-lines`).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Mode {
     /// Every reference pulse brings exactly P pulses of its own sense. After a reversal the pulse position differs from the forward

@@ -2,7 +2,7 @@
 
 use electronic_gearbox::coupling::{Gearbox, LinearTerm, Ratio};
 
-/// Follower y = numerator/denominator * x, in lowest terms (spec 70 section 7).
+/// Follower y = numerator/denominator * x, in lowest terms (`docs/mathematics/gearbox.md#couplings`).
 #[derive(Clone, Copy, Debug)]
 pub struct Ours {
     pub numerator: i64,

@@ -18,7 +18,7 @@ use crate::output;
 #[command(after_help = "Example:\n  flankwright convert examples/twist-free-crowning.toml > gear.rexs\n  \
     flankwright convert gear.rexs --job examples/twist-free-crowning.toml > job.json\n\n\
     A job (.toml, .json) becomes a REXS 2.0 model. A model (.rexs, .rexsj, .rexsz) becomes the tables gear and modifications, or with \
-    --job a whole job: the one named, with the gear and the modifications of the model. What has no place is told on standard error.")]
+    --job a whole job: the one named, with the gear and the modifications of the model. What cannot be transferred is listed on standard error.")]
 pub struct ConvertArguments {
     /// A job or a REXS model
     #[arg(value_name = "FILE")]
@@ -57,7 +57,7 @@ fn date(text: &str) -> Result<String, String> {
         .map_err(|error| format!("{error}; give it as 2026-03-14T09:30:00Z"))
 }
 
-/// Converts; prints the result, or writes it to the directory told.
+/// Converts; prints the result, or writes it to the given directory.
 ///
 /// # Errors
 /// Everything that is wrong with the file; a gear or modification that the other side has no place for.

@@ -19,7 +19,7 @@ use crate::output;
     Takes jobs of the process \"electronic-gearbox\" (flankwright new electronic-gearbox). Writes result.json and report.html,\n\
     errors.csv for a motion, servo.csv with [servo], set-ups.csv with [explore], pulses.csv with output.pulse_trace.\n\
     Exit status 3: errors beyond target.tolerance_um, alarms or a motor at its limit where a tolerance is given, or [explore] found no\n\
-    set-up that is accurate enough. Without target.tolerance_um errors are told and not judged."
+    set-up that is accurate enough. Without target.tolerance_um errors are reported and not judged."
 )]
 pub struct GearboxArguments {
     /// The job file (TOML or JSON); `-` reads standard input

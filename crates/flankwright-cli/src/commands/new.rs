@@ -13,7 +13,7 @@ use crate::output;
 /// Arguments of `new`.
 #[derive(Args, Debug)]
 #[command(
-    after_help = "Example:\n  flankwright new generating-grinding > job.toml\n  flankwright new tangential-dressing > job.toml\n  flankwright new electronic-gearbox > job.toml\n\n\
+    after_help = "Example:\n  flankwright new generating-grinding > job.toml\n  flankwright new five-axis-milling -o jobs\n\n\
     With --json the job is printed as JSON, which every command reads as well; with -o it is written to DIR."
 )]
 pub struct NewArguments {
@@ -31,7 +31,7 @@ fn process_parser() -> impl TypedValueParser<Value = JobFormat> {
         .try_map(|name| formats.format(&name).copied().ok_or_else(|| format!("no process is called {name}")))
 }
 
-/// Prints the example job, or writes it to the directory told.
+/// Prints the example job, or writes it to the given directory.
 ///
 /// # Errors
 /// The output cannot be written.

@@ -26,7 +26,7 @@ pub struct SchemaArguments {
     pub common: CommonArguments,
 }
 
-/// Prints the schema, or writes it to the directory told.
+/// Prints the schema, or writes it to the given directory.
 ///
 /// # Errors
 /// The output cannot be written.

@@ -21,7 +21,7 @@ const SHORTEST_TOKEN: usize = 16;
 #[derive(Args, Debug)]
 #[command(
     after_help = "Example:\n  flankwright serve\n  flankwright serve --host 0.0.0.0 --name panel-17.shop\n\n\
-    Listens at 127.0.0.1 unless told otherwise. Anywhere else a token is needed: it is made and printed as a part of the address, or taken \
+    Listens at 127.0.0.1 by default. Anywhere else a token is needed: it is made and printed as a part of the address, or taken \
     from FLANKWRIGHT_TOKEN (letters, digits, - and _, at least 16). Ctrl-C ends it; runs under way are then listed as interrupted."
 )]
 pub struct ServeArguments {
@@ -57,7 +57,7 @@ pub fn run(arguments: &ServeArguments) -> Result<Exit, Failure> {
         let text = if common.json {
             json!({ "address": addresses[0], "addresses": addresses }).to_string() + "\n"
         } else if common.quiet && made {
-            // Without the token that was made, nobody can come in.
+            // Without the token that was made, no client is admitted.
             format!("{}\n", addresses[0])
         } else if common.quiet {
             String::new()
@@ -67,7 +67,7 @@ pub fn run(arguments: &ServeArguments) -> Result<Exit, Failure> {
             let elsewhere = if arguments.host.is_unspecified() { elsewhere } else { "" };
             format!("flankwright is at {}\n{elsewhere}  Ctrl-C ends it\n", addresses.join("\n  and at "))
         };
-        // If nobody can be told, the server is there all the same.
+        // If the address cannot be printed, the server runs all the same.
         drop(output::print(&text));
     };
     match serve(&options, told) {

@@ -494,8 +494,11 @@ fn contradictions_of_a_job_with_catalogue_are_refused() {
 fn a_dresser_designed_for_another_worm_is_planned_with() {
     let base = example("twist-free-crowning.toml").replace("_points = 41", "_points = 9");
     let with = |dresser: &str, crowning: &str| {
-        base.replace("pitch_diameter = 115.65            # spec 40 gives it; d_A0 = 153.45", dresser)
-            .replace("profile_crowning_by = \"dresser\"", &format!("profile_crowning_by = \"{crowning}\""))
+        base.replace(
+            "pitch_diameter = 115.65            # gives the dressing centre distance 153.45",
+            dresser,
+        )
+        .replace("profile_crowning_by = \"dresser\"", &format!("profile_crowning_by = \"{crowning}\""))
     };
     let fits = "designed_for = { threads = 3, pitch_diameter = 205.0 }\nmodification = { kind = \"profile_crowning\", amount_um = 5.0 }";
     let (planned, directory) = with_bodies("plan", &with(fits, "auto"), "", &["--json"]);

@@ -117,7 +117,7 @@ fn led_tips_are_checked_and_orientations_compared() {
     let (result, job, out, _directory) = planned("spiral-bevel-on-head-table", &[]);
     let orientation = &result["flanks"]["left"]["orientation"];
     assert_eq!(orientation["axes"], serde_json::json!(["C", "B"]));
-    // This flank pays some degrees for a third of the lean (spec 50 section 14).
+    // This flank pays some degrees for a third of the lean (`docs/mathematics/milling.md#positions-of-five-axes`).
     let of = |key: &str, what: &str, k: usize| number(&orientation[key][what][k]);
     let saved = of("iso", "travel_deg", 0) - of("column", "travel_deg", 0);
     assert!((-8.0..-6.0).contains(&saved), "{orientation}");

@@ -47,7 +47,8 @@ fn a_simulated_measurement_is_read_back_as_it_was() {
         assert!(first.join(file).is_file() && second.join(file).is_file(), "{file}");
     }
     assert!(!second.join("readings.csv").exists());
-    // Prediction and referee, tooth by tooth, within what a first order misses of some micrometres (spec 60 section 15).
+    // Prediction and referee, tooth by tooth, within what a first order misses of some micrometres
+    // (`docs/mathematics/skiving.md#how-it-is-verified`).
     for (result, flank) in [(&a, "left"), (&a, "right"), (&b, "left"), (&b, "right")] {
         let found = &result["flanks"][flank]["model_difference_um"];
         let [mean, each] = numbers(found)[..] else { panic!("{found}") };

@@ -156,7 +156,7 @@ fn limits_of_the_bodies_end_with_four() {
     let cases: [Case; 3] = [
         ("plan", "worm-too-short", &[("# width = 100.0", "width = 40.0")]),
         ("plan", "outside-tool", &[("tip_diameter = 123.0", "tip_diameter = 119.0")]),
-        // Crowning of 50 um by radial feed (spec 40 section 11).
+        // Crowning of 50 um by radial feed (`docs/mathematics/tangential-dressing.md#limits`).
         (
             "simulate",
             "undercut",

@@ -1,5 +1,5 @@
-//! The trends of the published figures, in the studies of `examples/dressing` (spec 30 section 21): what the curves must show whoever
-//! draws them.
+//! The trends of the published figures, in the studies of `examples/dressing` (`docs/mathematics/dressing.md#how-it-is-verified`): what the
+//! curves must show whoever draws them.
 
 use crate::command::run;
 use serde_json::Value;

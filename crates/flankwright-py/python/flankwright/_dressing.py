@@ -115,7 +115,7 @@ class Dresser:
             corrections: The four :data:`AXES` in their units, shape (4,) or (correction, 4), or by name; nothing is the nominal position.
             flank: The flank.
             w: Lengths of roll, mm, shape (roll,); without them 33 over :meth:`range`.
-            progress: Told how many are done.
+            progress: Called with the number that is done.
 
         Raises:
             BadInput: corrections of another shape, or not finite.

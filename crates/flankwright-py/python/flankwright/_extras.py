@@ -1,4 +1,4 @@
-"""Libraries that are used only here and there. Who has them not is told which extra brings them."""
+"""Libraries that are used only here and there. An error names the extra that brings them."""
 
 from __future__ import annotations
 

@@ -70,7 +70,7 @@ class Forward:
 
         Args:
             deviations: Values by name, broadcast against each other: shape (sample,) or single numbers. Those that are not named are zero.
-            progress: Told how many are done.
+            progress: Called with the number that is done.
 
         Returns:
             Flanks, normal, um, positive = material left; shape (sample, flank, profile, helix), without ``sample`` where all values are single.
@@ -91,7 +91,7 @@ class Forward:
 
         Args:
             deviations: As for calling it, at least one of shape (sample,).
-            progress: Told how many are done.
+            progress: Called with the number that is done.
 
         Returns:
             The flanks as calling it returns them, NaN for samples that have none, and the exceptions of those by their numbers.

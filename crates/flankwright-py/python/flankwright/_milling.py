@@ -53,7 +53,7 @@ class Milling:
 
     Args:
         job: A job of five-axis milling, or its file.
-        progress: Told how far the plan is.
+        progress: Called with the progress of the plan.
 
     Attributes:
         flanks: Names of the flanks.
@@ -99,7 +99,7 @@ class Milling:
     def rows(self, flank: str) -> xarray.Dataset:
         """The cutter at every row and column of a flank: ``tip``, ``axis``, ``contact``, ``normal`` over (row, column, xyz), and
         ``height``, ``length``, ``contact_height``, ``contact_radius``, ``tilt``, ``beside_face`` over (row, column); the coordinate ``lead``
-        of the columns is their parameter on the lead curve. Row 0 is at the root. Needs xarray.
+        of the columns is their parameter on the guide curve. Row 0 is at the root. Needs xarray.
         """
         needed("xarray", "arrays")
         import xarray

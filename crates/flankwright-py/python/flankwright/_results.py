@@ -30,7 +30,7 @@ class FlankValues:
         z: Axial positions, mm, shape (helix,).
         target: What is wanted, um, shape (profile, helix).
         planned: Exact contact with the tool as made, um, same shape.
-        simulated: What the referee found, um, same shape; ``None`` where nobody has refereed.
+        simulated: What the referee found, um, same shape; ``None`` without a simulation.
     """
 
     __slots__ = ("name", "w", "z", "target", "planned", "simulated")

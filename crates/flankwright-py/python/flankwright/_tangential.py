@@ -63,7 +63,7 @@ class TangentialModel:
 
         Args:
             variables: Values by name, broadcast against each other: shape (sample,) or single numbers. Those that are not named are zero.
-            progress: Told how many are done.
+            progress: Called with the number that is done.
 
         Returns:
             Deviation from the involute as the job measures it, um, positive = material left; shape (sample, profile, helix), without ``sample``

@@ -77,7 +77,7 @@ def inspect(
         helix_slope_over: The length to which helix slopes refer: the face width, or the evaluated range.
         profile_slope_over: The length to which profile slopes refer.
         tolerance_class: Class of ISO 1328-1 that the gear, or every gear of a folder, has to reach.
-        progress: Told how far it is.
+        progress: Called with the progress.
 
     What a file does not tell (the end from which it was measured, signs and lengths of slopes, the face) is not guessed: it is asked for.
     Evaluation after ISO 1328-1:2013.
@@ -156,7 +156,7 @@ def plan_many(
     Args:
         jobs: Jobs or their files.
         errors: ``return`` puts the exception of a job in the place of its result.
-        progress: Told how many are done.
+        progress: Called with the number that is done.
 
     Returns:
         Results, and exceptions where they are returned; as many as there are jobs.

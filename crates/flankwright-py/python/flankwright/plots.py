@@ -101,7 +101,7 @@ def net(
     Args:
         of: A result, its flanks, or one of them.
         shown: What is shown: ``target``, ``planned``, ``simulated`` or ``deviation``.
-        magnification: Of heights against lengths; chosen where none is given, and told in the title.
+        magnification: Of heights against lengths; chosen where none is given, and stated in the title.
 
     Returns:
         The figure.

@@ -1,4 +1,4 @@
-//! What to start from: examples, templates, machines.
+//! Starting points of a job: examples, templates, machines.
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;

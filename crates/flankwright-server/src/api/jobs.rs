@@ -1,4 +1,4 @@
-//! What is told of a job at once: what is wrong with it, what follows from it, its plan without the referee.
+//! Quick answers about a job: what is wrong with it, what follows from it, its plan without the referee.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;

@@ -29,7 +29,7 @@ pub struct Parts {
     pub from: Option<String>,
     /// Measured at this date or earlier.
     pub to: Option<String>,
-    /// Of these, so many of the newest, 1 to 10000; 1000 unless told otherwise.
+    /// Of these, so many of the newest, 1 to 10000; 1000 by default.
     #[param(minimum = 1, maximum = 10000)]
     pub newest: Option<u32>,
 }
@@ -47,12 +47,12 @@ pub struct Values {
     pub flank: Option<String>,
     /// E.g. `mean`.
     pub statistic: Option<String>,
-    /// Of so many of the newest parts, 1 to 10000; 1000 unless told otherwise.
+    /// Of so many of the newest parts, 1 to 10000; 1000 by default.
     #[param(minimum = 1, maximum = 10000)]
     pub newest: Option<u32>,
 }
 
-/// Parts of a list unless told otherwise.
+/// Default number of parts in a list.
 const NEWEST: u32 = 1000;
 /// Most of them.
 const MOST_PARTS: u32 = 10_000;

@@ -1,4 +1,4 @@
-//! Measurements that are handed in: files of measuring machines, evaluated alone, as a series, or against a job.
+//! Uploaded measurements: files of measuring machines, evaluated alone, as a series, or against a job.
 
 use std::sync::Arc;
 

@@ -94,7 +94,7 @@ pub(super) fn is_listed(name: &str) -> bool {
     !name.starts_with('.')
 }
 
-/// `told` was known before the summary was read: what the store says to have ended, has.
+/// `told` was read before the summary was read: what the store says to have ended, has.
 fn listed(told: Option<Told>, mut summary: Summary) -> RunSummary {
     let told = told.filter(|_| !summary.state.has_ended());
     if let Some(told) = &told {
@@ -121,7 +121,7 @@ pub(super) async fn record(app: &App, id: i64) -> Answer<RunRecord> {
     app.store.run(id).await?.ok_or_else(|| Refused::absent("run"))
 }
 
-/// A run with its result. What has ended does not change: whoever has it and asks with its `ETag` is told so.
+/// A run with its result. A finished run does not change: a request with its `ETag` gets 304.
 #[utoipa::path(get, path = "/api/runs/{id}", params(("id" = i64, Path, description = "its number")),
     responses((status = 200, body = Run), (status = 304), (status = 404, body = Failure)))]
 pub async fn one(

@@ -1,4 +1,4 @@
-//! Work that takes a moment: a few pieces at once, the others wait their turn. What asks its progress ends when nobody waits for it any
+//! Work that takes a moment: a few pieces at once, the others wait their turn. What asks its progress ends when no client waits for it any
 //! more.
 
 use std::sync::Arc;
@@ -37,7 +37,7 @@ pub(super) async fn short<T: Send + 'static>(
         let _room = room;
         match threads.install(|| cancel::run(&gone, &Silent, work)) {
             Ended::Done(answer) => answer,
-            Ended::Cancelled => Err(Refused::busy("nobody waits for the answer")),
+            Ended::Cancelled => Err(Refused::busy("no client waits for the answer")),
             Ended::Failed(words) => Err(Refused::bad(Failure::internal(words))),
         }
     });

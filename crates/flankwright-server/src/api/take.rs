@@ -1,4 +1,4 @@
-//! Extractors whose refusals are told like all others.
+//! Extractors whose refusals have the same form as all others.
 
 use axum::extract::{FromRequest, FromRequestParts};
 

@@ -1,4 +1,4 @@
-//! What is wrong with a request, told as the command tells it: code, key, value, what is allowed, a way out, and the place in the text.
+//! Errors of a request, in the form that the command prints: code, key, value, what is allowed, a way out, and the place in the text.
 
 use std::io;
 
@@ -87,7 +87,7 @@ impl Finding {
         self
     }
 
-    /// `plain` takes out of a text what is nobody's business.
+    /// `plain` removes from a text what the client must not see.
     fn of(diagnostic: &Diagnostic, source: Option<&Source>, plain: &dyn Fn(&str) -> String) -> Self {
         let tell = |text: &Option<Box<str>>| text.as_ref().map(|text| plain(text));
         let place = diagnostic.span.as_ref().zip(source);
@@ -126,7 +126,7 @@ impl Failure {
         Self { exit: 2, errors: vec![finding], omitted: 0 }
     }
 
-    /// Of one finding that is nobody's fault who asks.
+    /// An internal error: one finding that the client did not cause.
     fn fault(finding: Finding) -> Self {
         Self { exit: 1, ..Self::single(finding) }
     }
@@ -142,7 +142,7 @@ impl Failure {
         Self::fault(Finding::new(error.code(), error.to_string(), &error.way_out()))
     }
 
-    /// The disk of the server refuses. Its paths are nobody's business.
+    /// The disk of the server refuses. Its paths are not shown to the client.
     pub fn disk(error: &io::Error) -> Self {
         let message = format!("the server cannot put files down: {}", error.kind());
         let way_out = "ask who runs the server whether its disk is full, and try again";
@@ -183,7 +183,7 @@ pub fn wrong_option(key: &str, allowed: &str) -> Failure {
     Failure::single(finding.field(key).allowed(allowed))
 }
 
-/// Why a job has no result; `text` is its text, so that the place of the key can be told.
+/// Why a job has no result; `text` is its text, so that the place of the key can be given.
 pub fn refused_run(failure: &JobFailure, text: &str, shelf: &Shelf) -> Failure {
     match failure {
         JobFailure::File(error) => Failure::of_error(error, shelf),

@@ -10,7 +10,7 @@ use utoipa::ToSchema;
 
 use super::Finding;
 
-/// A job as it is handed in.
+/// A job as a client sends it.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Job {

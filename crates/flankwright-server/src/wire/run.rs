@@ -124,7 +124,7 @@ impl InspectOptions {
     }
 }
 
-/// What a run was asked, as the store keeps it. Measurements are files that were handed in with it.
+/// What a run was asked, as the store keeps it. Measurements are files that were uploaded with it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Request {
     /// What is done.
@@ -203,7 +203,7 @@ pub struct Run {
     /// The job.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub job: Option<Job>,
-    /// Names of the measurements that were handed in.
+    /// Names of the uploaded measurements.
     pub measurements: Vec<String>,
     /// The document of the result.
     #[serde(skip_serializing_if = "Option::is_none")]

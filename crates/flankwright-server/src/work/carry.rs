@@ -25,7 +25,7 @@ use crate::wire::{Failure, Finding, Job, Request, refused_run, unshelved};
 pub(super) struct Task {
     /// The request, JSON.
     pub request: String,
-    /// Files that were handed in.
+    /// Uploaded files.
     pub inputs: Vec<RunFile>,
 }
 
@@ -130,7 +130,7 @@ fn packed(scene: &Scene) -> io::Result<Vec<u8>> {
     packing.finish()
 }
 
-/// Results that are not put down. The path on the server is nobody's business.
+/// Results that are not put down. The path on the server is not shown to the client.
 pub(super) fn unwritten(error: &WriteError) -> Failure {
     match error {
         WriteError::Io { source, .. } => Failure::disk(source),

@@ -9,7 +9,7 @@ use super::{Work, ended};
 use crate::log::say;
 use crate::wire::Failure;
 
-/// After so long an end is told again.
+/// After so long an end is reported again.
 const AGAIN: [Duration; 3] = [Duration::from_secs(1), Duration::from_secs(3), Duration::from_secs(10)];
 
 /// The end of a run whose store has refused.
@@ -23,7 +23,7 @@ pub(super) fn failed(failure: &Failure) -> RunEnd {
 }
 
 impl Work {
-    /// Ends a run. Where the store does not take its result, it takes the reason; where it takes nothing, that is told again with the
+    /// Ends a run. Where the store does not take its result, it takes the reason; where it takes nothing, that is reported again with the
     /// next beat.
     pub(super) async fn end_run(&self, id: i64, live: &Live, end: RunEnd) {
         let mut told = self.store.end_run(id, &end).await;

@@ -10,7 +10,7 @@ use serde_json::Value;
 
 use crate::wire::{Failure, InspectOptions};
 
-/// Imports what was handed in: which parts are new, which are known and stay as they are, which are refused.
+/// Imports what was uploaded: which parts are new, which are known and stay as they are, which are refused.
 pub(super) fn keep(
     folder: &Path,
     options: &InspectOptions,

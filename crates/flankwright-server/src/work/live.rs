@@ -39,7 +39,7 @@ impl Default for Live {
     }
 }
 
-/// Parts of a stage that are told.
+/// Parts of a stage that are reported.
 const PARTS: u64 = 100;
 
 impl Live {

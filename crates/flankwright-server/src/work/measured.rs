@@ -1,4 +1,4 @@
-//! Measurements that were handed in: one gear or a series, alone or against a job, and switching angles of a skiving tool.
+//! Uploaded measurements: one gear or a series, alone or against a job, and switching angles of a skiving tool.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -35,7 +35,7 @@ impl<F: Into<JobFailure>> From<F> for Unmeasured {
 }
 
 /// The document of measurements; results are on the shelf then. With `keep`, what became of the parts in the store stands in the document
-/// as `kept`; what was handed in beside measurements as `left_out`.
+/// as `kept`; what was uploaded beside measurements as `left_out`.
 pub(super) fn measured(
     request: &Request,
     inputs: &[RunFile],

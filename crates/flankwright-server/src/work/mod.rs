@@ -102,7 +102,7 @@ impl Work {
         Ok(work)
     }
 
-    /// Takes a run in; its number. It is taken in whole, also where whoever asked is gone meanwhile.
+    /// Takes a run in; its number. It is taken in whole, also where the client has disconnected meanwhile.
     ///
     /// # Errors
     /// [`NotTaken`].

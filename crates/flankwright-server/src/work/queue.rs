@@ -66,7 +66,7 @@ impl Queue {
         self.state().waiting.len()
     }
 
-    /// Nobody comes in and nobody is called any more.
+    /// Closed: no run is accepted or started any more.
     pub fn end(&self) {
         self.state().ending = true;
         self.come.notify_all();

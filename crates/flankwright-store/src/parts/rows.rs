@@ -23,7 +23,7 @@ pub(super) async fn known(pool: &Pool, digests: &[&str]) -> Result<HashSet<Strin
     Ok(found.into_iter().collect())
 }
 
-/// Which of the digests are there, while nobody else writes.
+/// Which of the digests are there, while no other process writes.
 pub(super) async fn known_while_writing(
     writing: &mut Writing,
     digests: &[&str],

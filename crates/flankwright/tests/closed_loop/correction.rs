@@ -57,7 +57,7 @@ fn bounds_hold_the_sum_of_all_rounds_and_tell_what_they_cost() {
     bounds[2] = [-UM, UM];
     bounds[6] = [-1.5 * UM, 1.5 * UM];
     let (rms, unremovable) = rounds(&ground, &many_errors(), &ten(), ClosedLoop::new(bounds, true), 2);
-    // Spec 85 section 13.
+    // `docs/mathematics/inspection.md#how-it-is-verified`.
     close(rms[0], 4.435627, 1e-5);
     close(rms[1], 0.807695, 1e-5);
     close(rms[2], 0.805556, 1e-5);

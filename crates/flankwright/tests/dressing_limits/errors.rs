@@ -56,7 +56,7 @@ fn lands_limits_and_threads_that_do_not_exist_are_refused() {
     }
     for left_out in [5, u32::MAX] {
         let found = section.largest_tip_land(&STILL, 0.0, left_out.into());
-        refused(found, "invalid-number", &["left-out threads", "fewer than"]);
+        refused(found, "invalid-number", &["inactive threads", "fewer than"]);
     }
     for width in [[1.0, 0.0], [f64::NAN, 1.0], [0.0, f64::INFINITY]] {
         let space = ThreadSpace { left_out: 0, width: Some(width) };

@@ -5,7 +5,7 @@ use super::setup::{Choice, section};
 use flankwright::geometry::{Flank, Sides};
 use flankwright::process::dressing::{SectionOutline, SectionPart, ShownWorm};
 
-/// The outline of an example with a land of 1 mm, in which the counter flank collides on left flanks.
+/// The outline of an example with a land of 1 mm, in which the opposite flank collides on left flanks.
 fn outline(choice: &Choice, flank: Flank, left_out: u32) -> SectionOutline {
     let tool = choice.tool();
     let section = section(&tool, flank, choice).unwrap();
@@ -84,7 +84,7 @@ fn the_boundary_runs_around_the_tip() {
         .collect();
     let width = land.iter().fold(f64::MIN, |m, x| m.max(*x)) - land.iter().fold(f64::MAX, |m, x| m.min(*x));
     assert!((0.95..1.8).contains(&width), "{width}");
-    // The space stands in the middle; a left-out thread widens it by an axial pitch.
+    // The space stands in the middle; a inactive thread widens it by an axial pitch.
     let wide = outline(&Choice::EXAMPLE, Flank::Left, 1);
     let gap = |shown: &SectionOutline| (shown.space.left[80][0] - shown.space.right[80][0]).abs();
     let worm = Choice::EXAMPLE.worm();

@@ -1,4 +1,4 @@
-//! The clearance against the rays of the referee: the flank across is dressed by the counter flank where the land puts it.
+//! The clearance against the rays of the referee: the flank across is dressed by the opposite flank where the land puts it.
 
 use super::setup::{Choice, section};
 use flankwright::geometry::Flank;
@@ -7,7 +7,7 @@ use flankwright::numerics::Silent;
 use flankwright::process::dressing::{DressedProfile, DresserSection, DresserTool, SectionPart};
 use flankwright::removal::{Dressing, RayGrid, dress};
 
-/// The correction that puts the counter flank of the dresser where a section with this land has it. A shift by delta along the
+/// The correction that puts the opposite flank of the dresser where a section with this land has it. A shift by delta along the
 /// dresser's axis is one of the offset, and the rest along the worm's axis a turn of the worm.
 fn moved(
     tool: &DresserTool,
@@ -35,7 +35,7 @@ fn rays_of_the_flank_across_are_shortened_to_the_clearance() {
         let choice = Choice { threads, diameter, angles, hand, dresser, cone: 0.0 };
         let tool = choice.tool();
         for flank in Flank::BOTH {
-            // The dresser leans and comes deeper, so that the counter flank is the first to touch.
+            // The dresser leans and comes deeper, so that the opposite flank is the first to touch.
             let dk = [0.0, 0.012 * hand, -0.02, 0.6];
             let section = section(&tool, flank, &choice).unwrap();
             let limit = 0.06;

@@ -88,7 +88,7 @@ pub fn circles(section: &DresserSection<'_>, land: f64, steps: usize) -> Vec<[f6
         .collect()
 }
 
-/// A worm flank to be looked at: left-out threads, and the plane z = b.
+/// A worm flank to be looked at: inactive threads, and the plane z = b.
 #[derive(Clone, Copy)]
 pub struct View {
     pub worm: WormFlank,
@@ -188,7 +188,7 @@ pub fn choices() -> impl Strategy<Value = Choice> {
     )
 }
 
-/// Corrections up to some that let the dresser cut deep into the counter flank.
+/// Corrections up to some that let the dresser cut deep into the opposite flank.
 pub fn corrections() -> impl Strategy<Value = DressingCorrection> {
     (0.0..1.0f64, -0.01..0.01f64, -0.06..0.06f64, -0.6..0.6f64, -8.0..8.0f64)
         .prop_map(|(size, a, b, c, d)| [a, b, c, d].map(|x| x * size))

@@ -1,5 +1,5 @@
 //! The closed forms of the contact relations against coefficients read off a simulation, for cylinder and cone on both
-//! sides (spec 20 section 13); and rows that show nothing.
+//! sides (`docs/mathematics/generating-contact.md#how-it-is-verified`); and rows that show nothing.
 
 use super::setups::{meshing, pair, reference};
 use flankwright::contact::{FlankPair, Pair};
@@ -109,8 +109,9 @@ fn fitted_coefficients_are_those_of_the_closed_forms() {
             }
         }
     }
-    // Spec 20 section 13 allows 2e-6, 3e-5 mm, 1e-7 (body 2), 6e-4, 4e-5 (body 1), 7e-5 (Chat_w2); its rays end on steps of
-    // the rotation. These rays end on minima, and what is left is the quartic's: some ten times the values seen here.
+    // `docs/mathematics/generating-contact.md#how-it-is-verified` allows 2e-6, 3e-5 mm, 1e-7 (body 2), 6e-4, 4e-5 (body 1), 7e-5 (Chat_w2);
+    // its rays end on steps of the rotation. These rays end on minima, and what is left is the quartic's: some ten times the values seen
+    // here.
     let allowed = [1e-7, 3e-6, 1e-8, 1e-5, 1e-6, 3e-5, 3e-7, 1e-7, 1e-8];
     for (k, (worst, allowed)) in worst.iter().zip(allowed).enumerate() {
         assert!(worst <= &allowed, "{k}: {worst:e}, allowed {allowed:e}");

@@ -1,4 +1,4 @@
-//! Left-out threads: which tooth spaces stay uncut, and how far apart the marks of a real feed lie.
+//! Inactive threads: which tooth spaces stay uncut, and how far apart the marks of a real feed lie.
 
 use super::setups::{area, feeds, meshing};
 use flankwright::contact::Pair;

@@ -1,4 +1,4 @@
-//! Every error of spec 60 section 13, provoked.
+//! Every error of `docs/mathematics/skiving.md#limits`, provoked.
 
 use super::samples::{CROWNED, RING, STEPPED, Sample};
 use flankwright::geometry::{

@@ -87,7 +87,8 @@ fn any_rake_face_will_do() {
     }
 }
 
-/// What a measured tool leaves is predicted to the first order; so is what a changed setting does (spec 60 section 15).
+/// What a measured tool leaves is predicted to the first order; so is what a changed setting does
+/// (`docs/mathematics/skiving.md#how-it-is-verified`).
 #[test]
 fn worn_edges_and_changed_settings_leave_what_is_predicted() {
     let errors = EdgeErrors { profile: vec![0.004, -0.003, 0.002], growth: vec![0.008, 0.002] };

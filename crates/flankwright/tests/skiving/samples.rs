@@ -1,5 +1,5 @@
-//! The pairs of spec 60 section 15: an internal ring with a spur tool, a gear with a stepped helical tool, a crowned one with a cone as
-//! rake face, chamfers and a tilted beam.
+//! The pairs of `docs/mathematics/skiving.md#how-it-is-verified`: an internal ring with a spur tool, a gear with a stepped helical tool, a
+//! crowned one with a cone as rake face, chamfers and a tilted beam.
 
 use flankwright::geometry::{
     ConeRake, EdgeRounding, Flank, Gear, GearData, NormalOffset, OffsetBounds, PlaneRake, RakeFace, Sides,

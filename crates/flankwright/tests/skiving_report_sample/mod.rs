@@ -1,4 +1,4 @@
-//! A measured skiving tool as the page takes it: 41 teeth, five tracks, one tooth that stands out. Made up, but as large as real ones.
+//! A measured skiving tool as the page takes it: 41 teeth, five tracks, one outlier tooth. Made up, but as large as real ones.
 
 use flankwright::geometry::{Flank, Sides};
 use flankwright::process::skiving::page::{
@@ -14,7 +14,7 @@ use std::f64::consts::TAU;
 
 pub const TEETH: usize = 41;
 pub const PLACES: [f64; 5] = [-0.8, -0.4, 0.0, 0.4, 0.8];
-/// The tooth that stands out, on the right flank.
+/// The outlier tooth, on the right flank.
 pub const OUTLIER: usize = 6;
 /// A tooth that leaves the beam light.
 pub const BROKEN: usize = 18;

@@ -1,4 +1,4 @@
-//! The machined body round the flanks: face width and diameters, and whether they fit the teeth (spec 10 sections 5, 8).
+//! The machined body round the flanks: face width and diameters, and whether they fit the teeth (`docs/mathematics/involute-gears.md`).
 
 use super::{Flank, Gear, GeometryError, OverBalls, Sides, Span};
 
@@ -51,7 +51,7 @@ impl std::fmt::Display for BlankWarning {
 }
 
 impl Blank {
-    /// Tests the body against the teeth in the order of spec 10 section 8.
+    /// Tests the body against the teeth in the order of `docs/mathematics/involute-gears.md`.
     ///
     /// # Errors
     /// [`GeometryError::InvalidNumber`], [`GeometryError::RadiusBelowBaseCircle`], [`GeometryError::DiametersInconsistent`],

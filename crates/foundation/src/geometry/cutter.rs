@@ -1,7 +1,7 @@
 //! Milling cutters as bodies: surfaces of revolution that fill themselves when they turn, with the distance of a point from them.
 //!
-//! Tool coordinates: z along the axis from the tip towards the shank, rho from the axis (spec 50 section 5). Knows no flank and no
-//! motion; contact with a flank is found elsewhere.
+//! Tool coordinates: z along the axis from the tip towards the shank, rho from the axis (`docs/mathematics/milling.md#cutter-location`).
+//! Knows no flank and no motion; contact with a flank is found elsewhere.
 
 use super::GeometryError;
 use nalgebra::Vector3;
@@ -152,7 +152,7 @@ impl Cutter {
     /// A cutter whose edges reach to `cutting_length` above the tip.
     ///
     /// # Errors
-    /// [`GeometryError::InvalidNumber`] for sizes that are no tool (`E_TOOL` of spec 50 section 15).
+    /// [`GeometryError::InvalidNumber`] for sizes that are no tool (`E_TOOL` of `docs/mathematics/milling.md#limits`).
     pub fn new(
         shape: CutterShape,
         cutting_length: f64,

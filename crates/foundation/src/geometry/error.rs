@@ -1,10 +1,10 @@
-//! What can be wrong with a body: one variant per meaning, each with its data, a stable code and a way out.
+//! Errors of a body: one variant per meaning, each with its data, a stable code and a way out.
 
 use super::Flank;
 use finding::Finding;
 use thiserror::Error;
 
-/// Errors of spec 10 section 8 and of the surfaces of this room. Lengths mm, angles deg in messages.
+/// Errors of `docs/mathematics/involute-gears.md` and of the surfaces of this room. Lengths mm, angles deg in messages.
 #[derive(Clone, Debug, PartialEq, Error, Finding)]
 pub enum GeometryError {
     /// A number that is not finite or outside the range that has a meaning.

@@ -1,4 +1,5 @@
-//! Base data of a toothed body (gear, worm, beveloid) from its drawing data: spec 10 sections 1 and 2.
+//! Base data of a toothed body (gear, worm, beveloid) from its drawing data:
+//! `docs/mathematics/involute-gears.md#input-and-base-quantities`.
 
 use super::{Flank, GeometryError, InvoluteFlank, Sides};
 use std::f64::consts::PI;
@@ -73,7 +74,7 @@ impl GearData {
 }
 
 impl Gear {
-    /// Base data by spec 10 section 2.
+    /// Base data by `docs/mathematics/involute-gears.md#input-and-base-quantities`.
     ///
     /// # Errors
     /// [`GeometryError::InvalidNumber`], [`GeometryError::InternalConicalUnsupported`],

@@ -1,4 +1,5 @@
-//! One flank of an involute gear, worm or beveloid: the surface of spec 10 section 3 and its inverse.
+//! One flank of an involute gear, worm or beveloid: the surface of `docs/mathematics/involute-gears.md#flank-normal-curvature` and its
+//! inverse.
 //!
 //! One formula serves external and internal, symmetric and asymmetric, cylindrical and conical bodies. Coordinates are
 //! those of the body's own rest frame. Knows neither tooth thickness nor a second flank.
@@ -7,7 +8,7 @@ use super::{Flank, GeometryError};
 use crate::numerics::Scalar;
 use nalgebra::Vector3;
 
-/// An unmodified involute flank: the involute helicoid of spec 00 for one tooth space. Lengths mm, angles rad.
+/// An unmodified involute flank: the involute helicoid of `docs/mathematics/conventions.md` for one tooth space. Lengths mm, angles rad.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InvoluteFlank {
     /// Which flank of the space.
@@ -24,7 +25,8 @@ pub struct InvoluteFlank {
     pub base_space_half_angle: f64,
 }
 
-/// Directions at a flank point (spec 10 section 3, spec 20 section 7): unit vectors in body coordinates.
+/// Directions at a flank point (`docs/mathematics/involute-gears.md#flank-normal-curvature`,
+/// `docs/mathematics/generating-contact.md#what-the-grinding-motion-leaves-to-first-order`): unit vectors in body coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FlankFrame<T: Scalar> {
     /// Radial direction of the tangent point on the base cylinder; direction of the curved section.
@@ -152,8 +154,8 @@ impl InvoluteFlank {
         (self.s() * (self.lag(x).1 / pitch).round()) as i64
     }
 
-    /// Signed deviation of any point from the nearest tooth's flank and its foot (spec 10 section 3; exact, no iteration).
-    /// Valid while |f_n| is below half the normal base pitch. Inside the base cylinder the result is NaN.
+    /// Signed deviation of any point from the nearest tooth's flank and its foot
+    /// (`docs/mathematics/involute-gears.md#flank-normal-curvature`; exact, no iteration). Valid while |f_n| is below half the normal base pitch. Inside the base cylinder the result is NaN.
     pub fn deviation<T: Scalar>(&self, x: &Vector3<T>) -> FlankDeviation<T> {
         let (s, sg, r_b) = (self.s(), self.external_sign, self.base_radius);
         let (sb, cb) = self.base_helix_angle.sin_cos();

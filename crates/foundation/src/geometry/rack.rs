@@ -1,5 +1,5 @@
 //! Racks: the height of the generating rack on the flank, and other racks that generate the same cylindrical gear
-//! (spec 10 sections 5 and 6).
+//! (`docs/mathematics/involute-gears.md#height-of-the-rack`).
 
 use super::{Flank, Gear, GeometryError, Sides};
 

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Flank of a tooth space, seen from +z towards -z (spec 00). The left flank lies at x > 0 for z = 0.
+/// Flank of a tooth space, seen from +z towards -z. The left flank lies at x > 0 for z = 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Flank {
@@ -17,7 +17,7 @@ impl Flank {
     /// Both flanks, left first.
     pub const BOTH: [Flank; 2] = [Flank::Left, Flank::Right];
 
-    /// The sign s of spec 00: +1 for left, -1 for right.
+    /// The sign s of `docs/mathematics/conventions.md`: +1 for left, -1 for right.
     pub fn sign(self) -> f64 {
         match self {
             Flank::Left => 1.0,

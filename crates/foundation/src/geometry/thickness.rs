@@ -1,4 +1,4 @@
-//! Tooth thickness and its measures: arcs, span and balls, both ways (spec 10 section 4).
+//! Tooth thickness and its measures: arcs, span and balls, both ways (`docs/mathematics/involute-gears.md#thickness-and-its-measures`).
 
 use super::gear::involute_function;
 use super::{Flank, Gear, GearData, GeometryError, Sides};
@@ -33,7 +33,8 @@ pub struct OverBalls {
     pub contact_z: Sides<f64>,
 }
 
-/// How the tooth thickness of a gear is given (spec 10 section 1); each form is turned into the profile shift x.
+/// How the tooth thickness of a gear is given (`docs/mathematics/involute-gears.md#input-and-base-quantities`); each form is turned into
+/// the profile shift x.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ThicknessMeasure {
     /// x itself.

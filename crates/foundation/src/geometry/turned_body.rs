@@ -183,7 +183,7 @@ mod tests {
         }
     }
 
-    /// Points on both surfaces never lie nearer to each other than what is said, and some lie as near.
+    /// Points on both surfaces never lie nearer to each other than the stated distance, and some lie as near.
     #[test]
     fn no_points_lie_nearer_than_the_distance() {
         let points = |body: &TurnedBody| -> Vec<Vector3<f64>> {

@@ -1,4 +1,5 @@
-//! The grinding worm for a given gear: which rack both share and which body that makes (spec 10 section 7).
+//! The grinding worm for a given gear: which rack both share and which body that makes
+//! (`docs/mathematics/involute-gears.md#the-worm-as-a-helical-gear`).
 
 use super::{Gear, GearData, GeometryError, Rack, Sides};
 use crate::numerics::wrapped_angle;
@@ -103,7 +104,8 @@ pub fn worm_for_gear(gear: &Gear, choice: &WormChoice) -> Result<WormForGear, Ge
     })
 }
 
-/// Tests that the normal base pitches of both flanks agree to 1e-9 relative (spec 10 section 7).
+/// Tests that the normal base pitches of both flanks agree to 1e-9 relative
+/// (`docs/mathematics/involute-gears.md#the-worm-as-a-helical-gear`).
 ///
 /// # Errors
 /// [`GeometryError::NotMating`] with the first flank that differs.

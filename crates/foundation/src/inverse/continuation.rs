@@ -1,5 +1,5 @@
 //! Pseudo-arclength continuation: follows the solutions of N equations in N unknowns and one parameter, round folds of the
-//! unknowns, up to the first event (spec 30 section 9). Knows no gears.
+//! unknowns, up to the first event (`docs/mathematics/dressing.md#conditions`). Knows no gears.
 
 use crate::numerics::brent;
 use nalgebra::{Const, DMatrix, DimMin, SMatrix, SVector};

@@ -1,7 +1,7 @@
 //! Damped Newton iteration with the natural monotonicity test, for N equations in N unknowns.
 //!
 //! The test compares Newton steps, not residuals, so rows of very different size (micrometres beside millimetres) need no
-//! weights (spec 30 section 8).
+//! weights (`docs/mathematics/dressing.md#conditions`).
 
 use nalgebra::{Const, DimMin, SMatrix, SVector};
 

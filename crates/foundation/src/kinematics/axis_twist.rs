@@ -1,4 +1,4 @@
-//! How each axis of the dressing machine moves the dresser against the worm (spec 26 section 5).
+//! How each axis of the dressing machine moves the dresser against the worm (`docs/mathematics/programs.md#from-bodies-to-axes`).
 
 use super::{DressingAxes, Pose, Worm};
 use nalgebra::Vector3;

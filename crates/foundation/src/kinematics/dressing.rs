@@ -1,4 +1,5 @@
-//! Dressing: the chain dresser -> worm of spec 00 and the corrected motion DK(v) along the worm (spec 30).
+//! Dressing: the chain dresser -> worm of `docs/mathematics/conventions.md` and the corrected motion DK(v) along the worm
+//! (`docs/mathematics/dressing.md`).
 
 use super::{Dresser, MotionLaw, Pose, Room, Worm};
 use crate::numerics::Scalar;
@@ -38,7 +39,8 @@ pub struct DressingPosition<T: Scalar = f64> {
 }
 
 impl<T: Scalar> DressingPosition<T> {
-    /// X_SA = K_R of spec 00 (dresser coordinates into worm coordinates; the dresser's own rotation is immaterial).
+    /// X_SA = K_R of `docs/mathematics/conventions.md` (dresser coordinates into worm coordinates; the dresser's own rotation is
+    /// immaterial).
     pub fn pose(&self) -> Pose<Worm, Dresser, T> {
         Pose::<Worm, Worm, T>::rz(-self.worm_angle)
             .then(&Pose::<Worm, Worm, T>::tz(-self.worm_shift))

@@ -1,5 +1,6 @@
 //! The eight-axis machine while it dresses: axis positions -> pose of the dresser at the worm, and back in closed form with
-//! all solutions (spec 30 section 16, spec 26 section 4.2). Knows no flank: which solution is good is decided elsewhere.
+//! all solutions (`docs/mathematics/dressing.md#axes-and-their-deviations`, `docs/mathematics/programs.md#from-bodies-to-axes`). Knows no
+//! flank: which solution is good is decided elsewhere.
 //!
 //! Chain: H = Rz(-B1) Tz(-V1) Rx(-A1) Tx(-X1) Ty(Z1) Ry(C5) Rz(B3). The dresser is a body of revolution, so six axes meet
 //! five demands: one rule closes the system.
@@ -138,7 +139,7 @@ impl<T: Scalar> DressingAxes<T> {
     }
 }
 
-/// The two ways in which the machine takes up a pose, br of spec 30 section 16.
+/// The two ways in which the machine takes up a pose, br of `docs/mathematics/dressing.md#axes-and-their-deviations`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum DressingBranch {
     /// br = +1: A1 has the sign of gamma; at C5 = 0 the axes are the parameters of the pose.
@@ -160,14 +161,14 @@ impl DressingBranch {
     }
 }
 
-/// What closes the system of six axes and five demands (spec 26 section 4.2).
+/// What closes the system of six axes and five demands (`docs/mathematics/programs.md#from-bodies-to-axes`).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum DressingRule<T: Scalar = f64> {
     /// C5 is given, rad: two solutions, one where they coincide.
     Swivel(T),
     /// B1 is given, rad: one solution.
     WormAngle(T),
-    /// Z1 is given, mm: for 0 the tilt chart of spec 30 section 7, smooth through gamma = 0.
+    /// Z1 is given, mm: for 0 the tilt chart of `docs/mathematics/dressing.md#limits-of-a-correction`, smooth through gamma = 0.
     AxialSlide(T),
 }
 

@@ -1,5 +1,5 @@
-//! A path of the dresser along one line of the worm flank (spec 29 section 1): positions over a path parameter, without the
-//! screw coupling of a dressing stroke.
+//! A path of the dresser along one line of the worm flank (`docs/mathematics/dressing.md#conditions`): positions over a path parameter,
+//! without the screw coupling of a dressing stroke.
 
 use super::{DressingPosition, MotionLaw};
 use crate::numerics::Scalar;

@@ -1,4 +1,4 @@
-//! What can be wrong with a motion law or its inverse.
+//! Errors of a motion law or its inverse.
 
 use crate::numerics::SplineError;
 use finding::Finding;

@@ -1,4 +1,5 @@
-//! Generating grinding: the chain workpiece -> worm of spec 00 and the coupled motion of its axes (spec 20 sections 4, 14).
+//! Generating grinding: the chain workpiece -> worm of `docs/mathematics/conventions.md` and the coupled motion of its axes
+//! (`docs/mathematics/generating-contact.md`).
 
 use super::{MotionLaw, Pose, Room, Workpiece, Worm};
 use crate::geometry::Sides;
@@ -40,7 +41,7 @@ pub struct GeneratingState<T: Scalar = f64> {
 }
 
 impl GeneratingChain {
-    /// X_SV = K_R of spec 00 at the given state.
+    /// X_SV = K_R of `docs/mathematics/conventions.md` at the given state.
     pub fn pose<T: Scalar>(&self, state: &GeneratingState<T>) -> Pose<Worm, Workpiece, T> {
         let constant = |x: f64| T::from(x);
         let head = Pose::<Worm, Worm, T>::rz(-state.worm_angle)
@@ -126,7 +127,8 @@ impl GeneratingChain {
     }
 }
 
-/// The motion of grinding as functions of the feed v = z_V2 (spec 20 section 14), with the coupling of the rotations.
+/// The motion of grinding as functions of the feed v = z_V2 (`docs/mathematics/generating-contact.md#exact-contact`), with the coupling of
+/// the rotations.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GeneratingMotion {
     /// The chain.

@@ -3,7 +3,7 @@
 use super::{LawError, MotionLaw};
 use crate::numerics::Chebyshev;
 
-/// Values that exceed an end of the range by this share belong to the end: rounding of whoever computed them.
+/// Values that exceed an end of the range by this share belong to the end: rounding by the program that computed them.
 const END: f64 = 1e-12;
 
 /// The inverse of a law that rises or falls strictly on an interval.

@@ -84,7 +84,8 @@ impl MotionLaw {
         PiecewisePolynomial::monotone(x, y).map(Self::Pieces)
     }
 
-    /// The interpolating cubic spline through at least four points: C2, what the exact contact asks of a law (spec 20 section 14).
+    /// The interpolating cubic spline through at least four points: C2, what the exact contact asks of a law
+    /// (`docs/mathematics/generating-contact.md#exact-contact`).
     ///
     /// # Errors
     /// Those of [`PiecewisePolynomial::spline`].

@@ -1,6 +1,4 @@
-//! What can be wrong with a pose or a rule asked of a machine (spec 26 section 9).
-//!
-//! Kept with `dressing_machine`: no command reaches it yet.
+//! Errors of a pose or a rule asked of a machine (`docs/mathematics/generating-contact.md#machine-chains`).
 
 use finding::Finding;
 use thiserror::Error;

@@ -3,7 +3,7 @@
 use super::LawError;
 use crate::numerics::CubicSpline;
 
-/// Pieces may miss each other by this share of the larger value: rounding of whoever computed the coefficients.
+/// Pieces may miss each other by this share of the larger value: rounding by the program that computed the coefficients.
 const JOINT: f64 = 1e-9;
 /// What is left of a line between two roundings counts as nothing below this share of it.
 const ROUNDING: f64 = 1e-9;

@@ -23,7 +23,7 @@ pub struct Worm;
 /// Frame A: the dresser.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Dresser;
-/// A frame fixed in the room between two moving bodies (spec 20's and 30's frame O).
+/// A frame fixed in the room between two moving bodies (frame O of `docs/mathematics/generating-contact.md` and `docs/mathematics/dressing.md`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Room;
 
@@ -106,32 +106,32 @@ impl<To, From, T: Scalar> Pose<To, From, T> {
         Self::rigid(r, Vector3::from_element(zero))
     }
 
-    /// Rx(a) of spec 00: rotation by +a about x.
+    /// Rx(a) of `docs/mathematics/conventions.md`: rotation by +a about x.
     pub fn rx(angle: T) -> Self {
         Self::turn(angle, 0)
     }
 
-    /// Ry(a) of spec 00.
+    /// Ry(a) of `docs/mathematics/conventions.md`.
     pub fn ry(angle: T) -> Self {
         Self::turn(angle, 1)
     }
 
-    /// Rz(a) of spec 00.
+    /// Rz(a) of `docs/mathematics/conventions.md`.
     pub fn rz(angle: T) -> Self {
         Self::turn(angle, 2)
     }
 
-    /// Tx(v) of spec 00: translation by +v along x.
+    /// Tx(v) of `docs/mathematics/conventions.md`: translation by +v along x.
     pub fn tx(offset: T) -> Self {
         Self::shift(offset, 0)
     }
 
-    /// Ty(v) of spec 00.
+    /// Ty(v) of `docs/mathematics/conventions.md`.
     pub fn ty(offset: T) -> Self {
         Self::shift(offset, 1)
     }
 
-    /// Tz(v) of spec 00.
+    /// Tz(v) of `docs/mathematics/conventions.md`.
     pub fn tz(offset: T) -> Self {
         Self::shift(offset, 2)
     }

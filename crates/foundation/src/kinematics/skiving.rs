@@ -1,5 +1,6 @@
-//! Power skiving: the coupled rotation of tool and workpiece on crossed axes (spec 60 section 3). The chain is that of generating
-//! grinding without cones; the helicoid of the workpiece goes over into itself under the feed, so that one feed stands for all.
+//! Power skiving: the coupled rotation of tool and workpiece on crossed axes (`docs/mathematics/skiving.md#tool-and-workpiece`). The chain
+//! is that of generating grinding without cones; the helicoid of the workpiece goes over into itself under the feed, so that one feed
+//! stands for all.
 
 use super::{GeneratingChain, GeneratingState};
 use nalgebra::Vector3;
@@ -24,7 +25,7 @@ pub struct SkivingMotion {
 }
 
 impl SkivingMotion {
-    /// The chain K_R of spec 00 with these distances.
+    /// The chain K_R of `docs/mathematics/conventions.md` with these distances.
     pub fn chain(&self) -> GeneratingChain {
         GeneratingChain {
             centre_distance: self.centre_distance,

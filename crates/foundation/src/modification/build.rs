@@ -1,4 +1,4 @@
-//! From a description to a checked expression tree: ranges, units (um to mm) and the symbols of spec 25 section 1.
+//! From a description to a checked expression tree: ranges, units (um to mm) and the symbols of `docs/mathematics/modifications.md`.
 
 use super::curve::Curve;
 use super::error::ModificationError;

@@ -1,4 +1,4 @@
-//! What can be wrong with a modification, and where it has no value.
+//! Errors of a modification, and where it has no value.
 
 use finding::Finding;
 use thiserror::Error;

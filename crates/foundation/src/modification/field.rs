@@ -7,7 +7,7 @@ use super::limits;
 const KIND: &str = "evaluation field";
 
 /// w in [w_f, w_a] (length of roll from start to end of the active profile), z in [z_I, z_II] (face I = lower z),
-/// with base radius and base helix angle of the flank (spec 25 section 1).
+/// with base radius and base helix angle of the flank (`docs/mathematics/modifications.md`).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EvaluationField {
     roll: [f64; 2],

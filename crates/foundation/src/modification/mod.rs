@@ -1,5 +1,5 @@
 //! What a flank should be: functions f_t(w, z) on the evaluation field, their description in files and their
-//! algebra (spec 25 section 1). Knows no process: whether a modification can be made is not asked here.
+//! algebra (`docs/mathematics/modifications.md`). Knows no process: whether a modification can be made is not asked here.
 //!
 //! A [`ModificationSpec`] is what a job file says. [`Modification::build`] checks it once against an
 //! [`EvaluationField`]; the result is immutable and answers with value, gradient and second derivatives.
@@ -53,7 +53,7 @@ pub use warning::ModificationWarning;
 const HIGHEST_DEGREE: usize = 64;
 
 /// A checked modification of one flank: f_t(w, z) in mm, transverse, positive = material left standing
-/// (spec 25 section 1). Reliefs, crownings and grids continue by their own law beyond the evaluation field;
+/// (`docs/mathematics/modifications.md`). Reliefs, crownings and grids continue by their own law beyond the evaluation field;
 /// only point clouds end at their hull and arcs where the circle ends.
 #[derive(Clone, Debug)]
 pub struct Modification {
@@ -165,8 +165,8 @@ impl Modification {
     }
 
     /// The exact polynomial in the centred variables u = w - w_m, y = z - z_m (mm), if the modification is one:
-    /// coefficients a_ij in mm/mm^(i+j), f_t = sum a_ij u^i y^j (spec 25 section 4). `None` for everything
-    /// else and for polynomials of a degree above 64.
+    /// coefficients a_ij in mm/mm^(i+j), f_t = sum a_ij u^i y^j (`docs/mathematics/generating-contact.md#decomposition-of-a-target`).
+    /// `None` for everything else and for polynomials of a degree above 64.
     pub fn polynomial(&self) -> Option<Polynomial2> {
         self.root.polynomial(self.field.roll_middle(), self.field.face_middle())
     }

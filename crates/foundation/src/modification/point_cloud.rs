@@ -40,7 +40,7 @@ type Triangle<'a> = FaceHandle<'a, InnerTag, CloudPoint, (), (), ()>;
 #[derive(Clone, Debug)]
 pub(super) struct PointCloud {
     triangles: Triangles,
-    /// [[w_min, w_max], [z_min, z_max]], widened by the tolerance: spares the search for far points.
+    /// [[w_min, w_max], [z_min, z_max]], widened by the tolerance: avoids the search for far points.
     bounds: [[f64; 2]; 2],
     /// The fitted surface of method "spline".
     surface: Option<TensorSpline>,

@@ -1,5 +1,5 @@
-//! What a job file says about modifications: one table per entry, tagged by `kind`, with the keys of spec 25
-//! section 1. Only spelling and types are checked here; the numbers are checked by `Modification::build`.
+//! What a job file says about modifications: one table per entry, tagged by `kind`, with the keys of `docs/mathematics/modifications.md`.
+//! Only spelling and types are checked here; the numbers are checked by `Modification::build`.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -1,12 +1,12 @@
-//! A modification given by helix traces at two or three roll lengths: a cubic spline along each trace, straight or
+//! A modification given by helix traces at two or three lengths of roll: a cubic spline along each trace, straight or
 //! parabolic between them.
 
 use crate::numerics::{CubicSpline, Jet2};
 
-/// f(w, z) = sum L_i(w) S_i(z): Lagrange's polynomials of the traces' roll lengths times their splines, mm.
+/// f(w, z) = sum L_i(w) S_i(z): Lagrange's polynomials of the traces' lengths of roll times their splines, mm.
 #[derive(Clone, Debug)]
 pub(super) struct Traces {
-    /// Roll lengths, two or three, ascending, mm.
+    /// Lengths of roll, two or three, ascending, mm.
     pub(super) w: Vec<f64>,
     /// The splines over z, mm.
     pub(super) splines: Vec<CubicSpline>,

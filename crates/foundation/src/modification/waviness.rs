@@ -2,7 +2,7 @@
 
 use crate::numerics::Jet2;
 
-/// f_t = (A_0 + A_uu u^2 + A_vv v^2) sin(2 pi X/lambda + delta), X = w sin rho + z cos rho (spec 25 section 1).
+/// f_t = (A_0 + A_uu u^2 + A_vv v^2) sin(2 pi X/lambda + delta), X = w sin rho + z cos rho (`docs/mathematics/modifications.md`).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Waviness {
     /// (2 pi/lambda)(sin rho, cos rho), rad/mm.

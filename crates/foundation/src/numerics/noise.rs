@@ -1,5 +1,5 @@
 //! Normally distributed noise that is the same everywhere for the same number to begin with: SplitMix64 and the pairs of Box and Muller
-//! (spec 60 section 7).
+//! (`docs/mathematics/skiving.md#light-barrier`).
 
 use std::f64::consts::TAU;
 

@@ -12,7 +12,7 @@ pub trait Progress: Sync {
     fn finish(&self);
 }
 
-/// Nobody listens.
+/// Reports nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Silent;
 

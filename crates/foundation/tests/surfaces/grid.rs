@@ -5,7 +5,7 @@ use foundation::geometry::{Flank, GridSurface, Helicoid, NormalSide, Surface};
 use foundation::numerics::{brent, equidistant};
 use nalgebra::Vector3;
 
-/// Point and tangent of the lead curve of a case at u (spec 50 section 2).
+/// Point and tangent of the guide curve of a case at u (`docs/mathematics/milling.md#columns-and-rows`).
 fn lead(case: &str, u: f64) -> [Vector3<f64>; 2] {
     let e_r = |angle: f64| Vector3::new(angle.sin(), angle.cos(), 0.0);
     if case == "helical" {
@@ -22,7 +22,8 @@ fn lead(case: &str, u: f64) -> [Vector3<f64>; 2] {
     [along * u, (along - across * (u * sin * turn_rate)).normalize()]
 }
 
-/// A grid over columns at equal steps of u with rows of equal arc length in the column planes (spec 50 section 3).
+/// A grid over columns at equal steps of u with rows of equal arc length in the column planes
+/// (`docs/mathematics/milling.md#columns-and-rows`).
 fn columns(case: &str, [rows, columns]: [usize; 2], range: [f64; 2]) -> Vec<Vec<Vector3<f64>>> {
     let surface = surface(case);
     let case_data = &reference()["cases"][case];

@@ -86,7 +86,7 @@ fn principal_curvatures_of_the_blade() {
     let items = reference["blade_limits"]["items"].as_array().unwrap();
     assert_eq!(items.len(), 9);
     for item in items {
-        // u is that of the column: the flank's point lies in the plane across the lead curve, which is the hub's.
+        // u is that of the column: the flank's point lies in the plane across the guide curve, which is the hub's.
         let (v, lead) = (number(&item["v"]), number(&item["u"]));
         let [c, tangent, ..] = blade.hub().derivatives(lead);
         let mut u = lead;

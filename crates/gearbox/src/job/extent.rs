@@ -7,10 +7,10 @@ use job::{Diagnostic, shown_number};
 /// Longest stimulus: a day, s.
 const LONGEST_S: f64 = 86_400.0;
 
-/// Most interpolated pulses of a motion: half a minute at the 30 million pulses a second of spec 70 section 12.
+/// Most interpolated pulses of a motion: half a minute at the 30 million pulses a second of `docs/mathematics/gearbox.md`.
 const MOST_PULSES: f64 = 1e9;
 
-/// Most samples of the servo: half a minute at the 35 million samples a second of spec 70 section 12.
+/// Most samples of the servo: half a minute at the 35 million samples a second of `docs/mathematics/gearbox.md`.
 const MOST_SAMPLES: f64 = 1e9;
 
 /// A motion that asks for too much.

@@ -207,8 +207,8 @@ pub(super) fn angle(
     })
 }
 
-/// How many parts of rotation counting alone is off at most, either way (spec 70 section 4): an accumulator rounds down, two lines of
-/// a rate multiplier each for itself.
+/// How many parts of rotation counting alone is off at most, either way (`docs/mathematics/gearbox.md#from-pulses-to-counts`): an
+/// accumulator rounds down, two lines of a rate multiplier each for itself.
 pub(super) fn counting(rotation: &Rotation) -> [f64; 2] {
     match rotation.rule {
         RotationRule::Exact { .. } => [-1.0, 0.0],

@@ -13,7 +13,7 @@ use run::RunFailure;
 use run::control::{disturbances, servo_parameters};
 use std::f64::consts::TAU;
 
-/// Frequencies at which the answer to disturbing torques is told, Hz, as far as the sampling reaches.
+/// Frequencies at which the response to disturbing torques is given, Hz, as far as the sampling reaches.
 const FREQUENCIES: [f64; 6] = [1.0, 10.0, 30.0, 100.0, 300.0, 1000.0];
 
 /// Simulates the servo of a job over its whole stimulus.

@@ -140,7 +140,7 @@ pub struct RangeUm {
     pub greatest_um: f64,
 }
 
-/// The budget of spec 70 section 6. Along the feed, unless the key says `flank`.
+/// The budget of `docs/mathematics/gearbox.md#error-budget`. Along the feed, unless the key says `flank`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct BudgetResult {
     /// Greatest speed of the motion.

@@ -70,7 +70,7 @@ pub(super) fn of_motion(
     Ok(Driven { references, motion: Some(motion), last_tick })
 }
 
-/// Sends the train through an interpolator that nobody listens to: what it refuses has its place.
+/// Sends the train through an interpolator without output: what it refuses has its place.
 fn checked(
     loaded: &LoadedGearboxJob,
     train: &ReferenceTrain,

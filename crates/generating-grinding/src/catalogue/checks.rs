@@ -78,7 +78,9 @@ fn worm(at: &str, worm: &WormEntry, findings: &mut Vec<Diagnostic>) {
             findings.push(
                 Diagnostic::new(
                     Problem::InvalidGeometry,
-                    format!("the worn worm is larger than the worm of now ({now} = {diameter})"),
+                    format!(
+                        "the worn worm is larger than the worm in its present state ({now} = {diameter})"
+                    ),
                 )
                 .field(format!("{at}.{small}"))
                 .value(shown_number(smallest))

@@ -18,11 +18,11 @@ pub struct WormEntry {
     /// Hand of the threads; default the hand of the gear (spur: right).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub hand: Option<Hand>,
-    /// Pitch diameter of now; default tip diameter less 2.5 normal modules.
+    /// Current pitch diameter; default tip diameter less 2.5 normal modules.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 2000, "x-way-out" = "give the pitch diameter of the worm in mm"))]
     pub pitch_diameter: Option<f64>,
-    /// Tip diameter of now; default pitch diameter plus 2.5 normal modules.
+    /// Current tip diameter; default pitch diameter plus 2.5 normal modules.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 2000, "x-way-out" = "give the tip diameter of the worm in mm"))]
     pub tip_diameter: Option<f64>,

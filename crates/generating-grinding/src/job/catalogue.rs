@@ -32,7 +32,7 @@ pub struct CatalogueSource {
     #[serde(default = "smallest_tip_land")]
     #[schemars(extend("minimum" = 0, "maximum" = 1000, "x-way-out" = "give the width of the tip land in mm, or leave it out"))]
     pub smallest_tip_land: f64,
-    /// Distance that the dresser keeps from the counter flank of the thread space.
+    /// Distance that the dresser keeps from the opposite flank of the thread space.
     #[serde(default)]
     #[schemars(extend("minimum" = 0, "maximum" = 100, "x-way-out" = "give the distance in mm, or leave it out"))]
     pub clearance: f64,

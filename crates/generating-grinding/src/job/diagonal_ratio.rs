@@ -34,7 +34,8 @@ pub enum DiagonalRule {
     Variable,
 }
 
-/// A shift z_V1 that is any function of the feed z_V2 (spec 25 section 7): exactly one of the two keys.
+/// A shift z_V1 that is any function of the feed z_V2: exactly one of the two
+/// keys.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ShiftLaw {

@@ -30,7 +30,7 @@ pub struct Dresser {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("minimum" = 0, "maximum" = 100, "x-way-out" = "give the clearance in mm, or leave it out"))]
     pub root_clearance: Option<f64>,
-    /// Width of the cylindrical land at the tip; default the largest that spares the counter flank.
+    /// Width of the cylindrical land at the tip; default the largest that clears the opposite flank.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("minimum" = 0, "maximum" = 1000, "x-way-out" = "give the width of the tip land in mm, or leave it out"))]
     pub tip_land: Option<f64>,

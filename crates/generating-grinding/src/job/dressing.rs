@@ -93,7 +93,7 @@ pub enum DegreeOfFreedom {
     /// Phase of the worm.
     #[serde(rename = "phi_S")]
     PhiS,
-    /// Axis crossing angle.
+    /// Crossing angle.
     #[serde(rename = "gamma")]
     Gamma,
     /// Centre distance.

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// The coefficients of the decomposition that the target leaves free (spec 25 section 4).
+/// The coefficients of the decomposition that the target leaves free.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(untagged)]
 pub enum Gauge {

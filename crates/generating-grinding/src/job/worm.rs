@@ -56,7 +56,7 @@ pub struct Worm {
 }
 
 impl Worm {
-    /// What stands for the table of a job that has a catalogue in its place: nothing is said of a worm.
+    /// What stands for the table of a job that has a catalogue in its place: without data of a worm.
     pub fn absent() -> Self {
         Self {
             threads: 0,

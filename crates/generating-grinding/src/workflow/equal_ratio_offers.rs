@@ -1,5 +1,6 @@
-//! Worms with which both flanks of a job ask for the same diagonal ratio (spec 20 section 6), offered where directed parts of
-//! the target ask for different ones. Knows no plan: an offer says where one ratio is enough, not whether it is allowed.
+//! Worms with which both flanks of a job ask for the same diagonal ratio
+//! (`docs/mathematics/generating-contact.md#contact-path-lines-and-the-diagonal-ratio`), offered where directed parts of the target ask for
+//! different ones. Knows no plan: an offer says where one ratio is enough, not whether it is allowed.
 
 use super::prepare::Prepared;
 use contact::{DiagonalLine, FlankPair};
@@ -26,7 +27,8 @@ pub struct EqualRatioOffer {
 /// Ratios that differ by a smaller share are the same: over a flank of 40 mm their lines part by some 4 um in place, a relief
 /// of 3 um/mm by 0.01 um in amount.
 const SAME: f64 = 1e-4;
-/// Cone angles searched, degrees either way: 15 deg make up for a difference of 20 percent (spec 20 section 6).
+/// Cone angles searched, degrees either way: 15 deg make up for a difference of 20 percent
+/// (`docs/mathematics/generating-contact.md#contact-path-lines-and-the-diagonal-ratio`).
 const CONE_DEG: f64 = 20.0;
 /// Profile angles searched either way of the worm's own, degrees.
 const PROFILE_DEG: f64 = 5.0;
@@ -67,8 +69,8 @@ pub struct SharedRatio {
 }
 
 /// Where the direction of the tool's lines is free: the lines nearest to the present ones with which both flanks ask for the same
-/// ratio (spec 29 section 1). `None` where the directed parts of the target do not ask for different ratios, or where no
-/// lines make them equal.
+/// ratio (`docs/mathematics/dressing.md#conditions`). `None` where the directed parts of the target do not ask for different ratios, or
+/// where no lines make them equal.
 pub fn free_lines(prepared: &Prepared) -> Option<SharedRatio> {
     let (demanded, directions) = different_demands(prepared)?;
     let lines = |t: &Sides<f64>| t.map(|_, t| DiagonalLine { rho: t.atan() });

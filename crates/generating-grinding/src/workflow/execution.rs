@@ -140,7 +140,7 @@ impl ExecutedFlank {
 
 /// Least overrun of the feed beyond the last contact, mm.
 const LEAST_OVERRUN: f64 = 1.0;
-/// Length of an unmodified tool beyond its occupation, mm: room for the contact shift.
+/// Length of an unmodified tool beyond its used width, mm: room for the contact shift.
 const BEYOND_OCCUPATION: f64 = 12.0;
 /// Determinant ratio below which a warning is given.
 const LOW_DETERMINANT: f64 = 0.3;

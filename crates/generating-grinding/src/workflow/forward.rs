@@ -1,5 +1,5 @@
 //! The flank that a process leaves whose axes are off, many times over: bodies, plan and grid are made once, then every set of deviations
-//! costs the exact contact alone. Proven by nobody; the referee is a run.
+//! costs the exact contact alone. Not verified by the referee, which is a run.
 
 use super::execution::{ExecutedTool, Execution, shifted};
 use super::influence::influence;

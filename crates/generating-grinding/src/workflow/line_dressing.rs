@@ -134,7 +134,7 @@ pub struct LineDressingResult {
     pub simulated_scallop_um: f64,
     /// Greatest depth below the wanted worm flank on the same rays.
     pub simulated_undercut_um: f64,
-    /// Least distance of the disc to the counter flank.
+    /// Least distance of the disc to the opposite flank.
     pub clearance_mm: f64,
     /// Smallest radius of the worm that the rim reaches.
     pub deepest_radius_mm: f64,

@@ -1,10 +1,10 @@
-//! The picture of a worm's occupation from the table that planning made.
+//! The chart of the used worm width, from the table of the plan.
 
 use foundation::geometry::Flank;
 use generating::areas::{Occupation, PlaceKind};
 use report::charts::{OccupationBar, OccupationKind, OccupationRow, WormOccupationChart};
 
-/// The chart of an occupation: a row a flank that is ground, areas numbered from 1 along the worm.
+/// The chart of the used worm width: a row a flank that is ground, areas numbered from 1 along the worm.
 pub fn occupation_chart(title: &str, occupation: &Occupation) -> WormOccupationChart {
     let bars = |flank: Flank| -> Vec<OccupationBar> {
         let places = occupation.places.iter().filter(|place| place.flank == flank);

@@ -276,7 +276,7 @@ fn point_dresser_quantities(outcome: &Outcome, tip_diameter: f64, tip_radius: f6
             Quantity::number(&named("contact path a thread"), "", r.path_length_m, "m"),
             Quantity::number(&named("scallops by curvature"), "", r.scallop_um, "µm"),
             Quantity::number(&named("scallops by rays"), "", r.simulated_scallop_um, "µm"),
-            Quantity::number(&named("room at the counter flank"), "", r.clearance_mm, "mm"),
+            Quantity::number(&named("room at the opposite flank"), "", r.clearance_mm, "mm"),
         ]);
     }
     list

@@ -1,5 +1,5 @@
 //! Who uses which part of the tool: areas side by side, roughing and finishing, and the strokes of a tool whose threads are
-//! partly left out (spec 25 section 8). Cylindrical bodies.
+//! partly left out (`docs/mathematics/planning.md#choice-of-the-ratio`). Cylindrical bodies.
 
 use super::occupation::occupation_chart;
 use super::prepare::Prepared;
@@ -61,7 +61,7 @@ pub struct StrokePlan {
 }
 
 impl StrokePlan {
-    /// The strokes that a job with left-out threads takes; `None` where every thread grinds.
+    /// The strokes that a job with inactive threads takes; `None` where every thread grinds.
     ///
     /// # Errors
     /// A finding on `grinding.active_threads`.

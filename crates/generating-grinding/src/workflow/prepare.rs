@@ -121,7 +121,7 @@ fn check_designed_worm(job: &Job, gear: &Gear, there: &DesignedFor) -> Result<()
     }
 }
 
-/// Modules that mesh may differ by this share (spec 30 section 18).
+/// Modules that mesh may differ by this share (`docs/mathematics/dressing.md#limits-of-a-correction`).
 const MATING: f64 = 1e-6;
 
 /// Bodies of the job.

@@ -1,5 +1,5 @@
 //! The referee's run: rays of the worm against the dresser, then rays of the workpiece against the worm that those rays
-//! left (spec 28 section 5). Nothing of the process's own formulas enters here, only bodies and motions.
+//! left (`docs/mathematics/planning.md#the-referee`). Nothing of the process's own formulas enters here, only bodies and motions.
 
 use super::executed_strokes::ExecutedStrokes;
 use super::execution::{ExecutedDressing, ExecutedTool, Execution};
@@ -76,7 +76,7 @@ fn worm_function<'a>(
     }
 }
 
-/// Spacing of the worm's rays: over the profile and along the worm, mm (spec 28 section 5).
+/// Spacing of the worm's rays: over the profile and along the worm, mm (`docs/mathematics/planning.md#the-referee`).
 const WORM_SPACING: [f64; 2] = [0.5, 1.0];
 /// Distance of the outermost worm rays from the ends of the dressed length, mm.
 const WORM_MARGIN: f64 = 0.5;

@@ -1,4 +1,4 @@
-//! `result.json`: what a plan or a simulation came to, with units in the key names (spec 90 section 3).
+//! `result.json`: what a plan or a simulation came to, with units in the key names (`README.md`).
 
 use super::gear_root::GearRootResult;
 use super::line_dressing::LineDressingResult;
@@ -142,7 +142,7 @@ pub struct SettingsResult {
     /// Nominal centre distance of dresser and worm; absent for a tool that is not dressed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub dressing_centre_distance_mm: Option<f64>,
-    /// Widest tip land of the dresser that spares the other flank while the left or right one is dressed.
+    /// Widest tip land of the dresser that clears the other flank while the left or right one is dressed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub largest_tip_land_mm: Option<Sides<Option<f64>>>,
     /// Nominal crossing angle of dresser and worm.

@@ -340,7 +340,7 @@ fn line_dressing_warnings(written: &Sides<Option<WrittenFlank>>, root_radius: f6
     warnings
 }
 
-/// A ratio that the job gives overrides the limits; that it does is said.
+/// A ratio that the job gives overrides the limits, with a remark.
 fn given_ratio_warning(plan: &GrindingPlan) -> Option<Remark> {
     let (code, whose) = match plan.choice.reason {
         RatioReason::Given => ("given-ratio-beyond-limits", "the given diagonal ratio"),

@@ -1,5 +1,5 @@
-//! From `[grinding] diagonal_ratio` to the law of the tool shift: curves and tables of spec 25 section 7, areas of section 8.
-//! Every finding names the job's key.
+//! From `[grinding] diagonal_ratio` to the law of the tool shift: curves and tables of
+//! `docs/mathematics/planning.md#variable-diagonal-ratio`, areas of section 8. Every finding names the job's key.
 
 use crate::job::{DiagonalRatio, DiagonalRule, Job, ShiftCurve, ShiftTable};
 use crate::workflow::generating_finding;

@@ -1,5 +1,5 @@
-//! Whether the dresser spares the counter flank while it dresses, and how wide its tip land may be (spec 28 section 2, spec 30
-//! section 13).
+//! Whether the dresser clears the opposite flank while it dresses, and how wide its tip land may be
+//! (`docs/mathematics/planning.md#choice-of-the-ratio`, `docs/mathematics/dressing.md#limits-of-a-correction`).
 
 use super::executed_strokes::ExecutedStrokes;
 use super::execution::Execution;
@@ -33,7 +33,7 @@ fn left_out(job: &Job) -> u32 {
 }
 
 impl TipLands {
-    /// Of a process with all its settings. A plan whose dresser cuts into the counter flank is refused; of given settings it is
+    /// Of a process with all its settings. A plan whose dresser cuts into the opposite flank is refused; of given settings it is
     /// said.
     ///
     /// # Errors
@@ -96,7 +96,7 @@ impl TipLands {
     }
 
     /// The same for a flank that is dressed in strokes. A dresser may stand back outside its active areas, which no job describes: what
-    /// is found for a whole one is said and not decided upon.
+    /// is found for a whole one is reported and not decided upon.
     fn of_strokes(
         &mut self,
         setup: &GrindingSetup,

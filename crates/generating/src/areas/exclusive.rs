@@ -3,7 +3,7 @@
 use super::{AreaTask, FeedInterval, FeedSegment, WormExtent};
 use foundation::geometry::{Flank, Sides};
 
-/// Lines may be shared over this length: rounding of corners that touch, mm (spec 25 section 8).
+/// Lines may be shared over this length: rounding of corners that touch, mm (`docs/mathematics/planning.md#choice-of-the-ratio`).
 const SHARED: f64 = 1e-7;
 
 /// Worm lines of a region that its flank touches in another segment too.

@@ -1,5 +1,5 @@
-//! Areas of a flank that want different diagonal ratios, where they lie on the worm, and how many sets of them fit (spec 25
-//! section 8). Cylindrical bodies. Must not know targets: a region says only which lines it needs.
+//! Areas of a flank that want different diagonal ratios, where they lie on the worm, and how many sets of them fit
+//! (`docs/mathematics/planning.md#choice-of-the-ratio`). Cylindrical bodies. Must not know targets: a region says only which lines it needs.
 
 mod exclusive;
 pub mod extent;
@@ -18,5 +18,5 @@ pub use region::{Demand, Region};
 
 /// Feeds and positions on the worm closer than this are the same, mm: rounding, far below what an axis resolves.
 const SAME_PLACE: f64 = 1e-9;
-/// Diagonal ratios closer than this are the same (spec 25 section 8).
+/// Diagonal ratios closer than this are the same (`docs/mathematics/planning.md#choice-of-the-ratio`).
 const SAME_RATIO: f64 = 1e-9;

@@ -71,8 +71,8 @@ pub struct Occupation {
 
 impl Occupation {
     /// Lays the areas of the sets, in their order, from the lower end of the usable width `[from, to]` (z_1, mm) upwards. Each
-    /// begins a pitch of the one before it further (spec 25 section 8 item 7), and so much further that the two share no worm
-    /// line where areas of different shape meet.
+    /// begins a pitch of the one before it further (`docs/mathematics/planning.md#choice-of-the-ratio`), and so much further that the two
+    /// share no worm line where areas of different shape meet.
     ///
     /// # Errors
     /// `InvalidNumber` for a bad width or no area at all, `WormTooShort` when they do not fit.

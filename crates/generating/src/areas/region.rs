@@ -26,8 +26,8 @@ pub struct Region {
 }
 
 impl Region {
-    /// The region of a triangular end relief on a flank: where it removes anything, with lines along its start (spec 25 section 1:
-    /// tan(rho_2) = s_w s_z L_z/L_w). What lies beyond the evaluated flank is cut off.
+    /// The region of a triangular end relief on a flank: where it removes anything, with lines along its start
+    /// (`docs/mathematics/modifications.md`: tan(rho_2) = s_w s_z L_z/L_w). What lies beyond the evaluated flank is cut off.
     ///
     /// # Errors
     /// `InvalidNumber` for lengths that are not positive or a transition below 0.
@@ -70,7 +70,7 @@ impl Region {
         let degenerate = |ratio| GeneratingError::DegenerateDirection { flank: self.flank, ratio };
         match self.demand {
             Demand::Direction(t) if !t.is_finite() => invalid("a direction that is no number"),
-            // The limit of spec 25 section 3.
+            // The limit of `docs/mathematics/generating-contact.md#contact-path-lines-and-the-diagonal-ratio`.
             Demand::Direction(t) if (t - lines.t_k).abs() < 1e-6 => Err(degenerate(f64::INFINITY)),
             Demand::Direction(t) => Ok([t, lines.ratio_of_direction(t)]),
             Demand::Ratio(k) if !k.is_finite() => invalid("a diagonal ratio that is no number"),

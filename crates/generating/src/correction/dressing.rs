@@ -1,5 +1,6 @@
 //! What the four components of the dressing correction do to the gear flanks that the worm grinds, and which patterns of both flanks one common
-//! correction can remove (spec 85 section 7.6). Knows no conditions: exact corrections are found by those of spec 30.
+//! correction can remove (`docs/mathematics/inspection.md#correction`). Knows no conditions: exact corrections are found by those of spec
+//! 30.
 //!
 //! No command reaches it: `verify` recomputes the influences of references with it.
 

@@ -1,4 +1,4 @@
-//! What keeps a correction from being found (spec 85 sections 7 and 11).
+//! What keeps a correction from being found (`docs/mathematics/inspection.md`).
 
 use crate::GeneratingError;
 use dressing::DressingError;

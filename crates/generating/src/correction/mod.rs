@@ -1,5 +1,6 @@
-//! The closed loop (spec 85 section 7): what settings of grinding and dressing do to the flank, which correction of them removes a measured
-//! deviation within their bounds, what stays, and which settings were off. Knows no measuring files, no statistics of teeth and no referee.
+//! The closed loop (`docs/mathematics/inspection.md#correction`): what settings of grinding and dressing do to the flank, which correction
+//! of them removes a measured deviation within their bounds, what stays, and which settings were off. Knows no measuring files, no
+//! statistics of teeth and no referee.
 
 pub mod closed_loop;
 pub mod column;

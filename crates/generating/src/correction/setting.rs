@@ -49,8 +49,8 @@ pub enum Stage {
 }
 
 impl Setting {
-    /// The twelve settings of both flanks in the order of spec 85: d_0..2, phi_0..2, profile slope and crown left and right, twist left
-    /// and right.
+    /// The twelve settings of both flanks in the order of `docs/mathematics/inspection.md`: d_0..2, phi_0..2, profile slope and crown left
+    /// and right, twist left and right.
     pub const USUAL: [Self; 12] = [
         Self::RadialFeed(0),
         Self::RadialFeed(1),

@@ -1,6 +1,6 @@
 //! Which functions a decomposition may use, how fine their splines are and what is made small.
 
-/// Any subset of {C, L, Q, P, K}: f_t = F_C(X) + F_L(X) u + F_Q(X) u^2 + F_P(profile) + F_K(X_K) (spec 25 eq. 100).
+/// Any subset of {C, L, Q, P, K}: f_t = F_C(X) + F_L(X) u + F_Q(X) u^2 + F_P(profile) + F_K(X_K) (`docs/mathematics/modifications.md`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FunctionClass {
     /// F_C(X).
@@ -62,7 +62,8 @@ impl FunctionClass {
 
     /// Dimension of the functions that add up to zero: polynomials, for straight lines in general position and splines
     /// of degree k. At total degree n the class offers one term a function where its own degree allows it, and there are
-    /// n + 1 monomials. For k = 3: {C,L,K} 2, {C,L,P,K} 5, {C,L,Q,P,K} 7 (spec 25 section 4).
+    /// n + 1 monomials. For k = 3: {C,L,K} 2, {C,L,P,K} 5, {C,L,Q,P,K} 7
+    /// (`docs/mathematics/generating-contact.md#decomposition-of-a-target`).
     pub fn ambiguity(self, degree: usize) -> usize {
         let shifted = [
             (self.constant, 0),

@@ -55,7 +55,7 @@ pub struct DiagonalCoordinates {
     rack_slope: f64,
 }
 
-/// Directions closer than this count as one: |t_2 - t_K| (spec 25 section 3).
+/// Directions closer than this count as one: |t_2 - t_K| (`docs/mathematics/generating-contact.md#contact-path-lines-and-the-diagonal-ratio`).
 const SAME_DIRECTION: f64 = 1e-6;
 
 impl DiagonalCoordinates {

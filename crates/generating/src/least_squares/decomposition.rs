@@ -91,7 +91,7 @@ impl WormFunctions {
     }
 }
 
-/// A target of one flank as functions of worm, dresser and motion (spec 25 section 4.1).
+/// A target of one flank as functions of worm, dresser and motion (`docs/mathematics/planning.md#producibility`).
 #[derive(Clone, Debug, PartialEq)]
 pub struct SplineDecomposition<G> {
     /// The functions.

@@ -5,8 +5,8 @@ use super::columns::{ArgumentKinks, Columns, Scratch};
 use super::{Arguments, FitNorm, FitQuality, FitSettings, Samples, WormFunctions};
 use foundation::inverse::{BandedReduction, minimise_largest_residual};
 
-/// Singular values below this share of the largest are dropped (spec 25 section 4.1): the gauge leaves some that are zero up
-/// to rounding, which stays below 1e-13 for thousands of columns; the least true ones of sensible fits are above 1e-8.
+/// Singular values below this share of the largest are dropped (`docs/mathematics/planning.md#producibility`): the gauge leaves some that
+/// are zero up to rounding, which stays below 1e-13 for thousands of columns; the least true ones of sensible fits are above 1e-8.
 pub(super) const RANK_CUT: f64 = 1e-11;
 
 /// Outcome of the fit with the least largest |f - fit|/tolerance.

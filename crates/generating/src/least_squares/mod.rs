@@ -1,6 +1,6 @@
 //! Decomposition of any target into the functions a worm, a dresser and the motion can carry, as B-splines by weighted least
-//! squares or with the least largest residual (spec 25 section 4.1). Knows coordinates on a flank, not bodies; only
-//! the search asks [`super::FlankLines`] for directions.
+//! squares or with the least largest residual (`docs/mathematics/planning.md#producibility`). Knows coordinates on a flank, not bodies;
+//! only the search asks [`super::FlankLines`] for directions.
 //!
 //! Cost of one fit with m samples, n intervals, degree k: the p functions of X touch s = p (k + 1) neighbouring columns a row
 //! and are reduced stretch by stretch; profile and path, b = 2 (n + k) columns, are dense: 2 m (s (s + b) + b^2) operations,

@@ -4,7 +4,7 @@ use super::super::GeneratingError;
 use foundation::modification::{EvaluationError, Modification};
 use foundation::numerics::equidistant;
 
-/// Points in w and z of the default grid (spec 25 section 4.1).
+/// Points in w and z of the default grid (`docs/mathematics/planning.md#producibility`).
 pub const DEFAULT_GRID: [usize; 2] = [25, 31];
 
 /// Finite values f_t [mm] at points (w, z) [mm] with positive tolerances [mm].

@@ -50,7 +50,7 @@ impl Candidates {
     }
 
     /// The exact ratios of two flanks and `count` values between them: where both exist, the best common ratio is among
-    /// these (spec 25 section 4.1).
+    /// these (`docs/mathematics/planning.md#producibility`).
     ///
     /// # Errors
     /// `InvalidScan` for numbers that are not finite or of different sign.

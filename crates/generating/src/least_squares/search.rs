@@ -1,5 +1,5 @@
 //! The direction of the dressed lines that meets the samples of one flank or, with one diagonal ratio, of both best
-//! (spec 25 section 4.1, items 4 and 5). Asks [`FlankLines`] for directions only.
+//! (`docs/mathematics/planning.md#producibility`). Asks [`FlankLines`] for directions only.
 
 use super::super::{FlankLines, GeneratingError};
 use super::fit::fit_coefficients;
@@ -10,7 +10,7 @@ use super::{
 };
 use foundation::geometry::Sides;
 
-/// Two exact ratios closer than this are one (spec 25 section 4.1).
+/// Two exact ratios closer than this are one (`docs/mathematics/planning.md#producibility`).
 const SAME_RATIO: f64 = 1e-9;
 
 /// What a search makes small.

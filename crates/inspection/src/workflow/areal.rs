@@ -8,7 +8,7 @@ use measured_files::inspection::{Inspection, TraceKind};
 use metrology::areal::{ArealDegree, ArealField, ArealFit};
 use std::collections::BTreeMap;
 
-/// Cells of the grid, by length of roll and along the face (spec 85 section 6).
+/// Cells of the grid, by length of roll and along the face (`docs/mathematics/inspection.md#surfaces`).
 const GRID: [usize; 2] = [25, 31];
 
 /// The middles of cells: each stands for as much of the field, as the samples of a trace do, while places at the ends would count twice.

@@ -1,4 +1,4 @@
-//! Jobs and REXS models: the gear and its modifications pass from one to the other. What has no place there is told.
+//! Jobs and REXS models: the gear and its modifications pass from one to the other. What cannot be transferred is reported.
 
 use foundation::modification::ModificationSpec;
 use generating_grinding::job::{Job, LoadedJob};

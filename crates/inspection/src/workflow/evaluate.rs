@@ -101,7 +101,7 @@ pub fn evaluate_inspection(
     let nominal = inspection.gear.checked()?;
     let mut left_out = LeftOut::default();
     let thickness = teeth::thickness(inspection, &mut left_out);
-    // The span sees the teeth that are measured; printed run-outs follow from it (spec 85 section 13).
+    // The span sees the teeth that are measured; printed run-outs follow from it (`docs/mathematics/inspection.md#how-it-is-verified`).
     let sized = thickness.by_span.or(thickness.by_balls);
     let measured = sized
         .and_then(|x| left_out.take("thickness", inspection.gear.gear(x).map_err(InspectionError::from)));

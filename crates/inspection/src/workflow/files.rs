@@ -231,7 +231,7 @@ fn table(
     Ok(MeasuredFiles::new(inspection))
 }
 
-/// Without an end of the last line nobody knows whether its last number is whole.
+/// Without an end of the last line its last number may be incomplete.
 fn cut_short(source: &Source) -> Option<InspectionWarning> {
     let message = "the last line has no end: the file may be cut short, and the last value with it";
     let last = source.text().lines().count();

@@ -1,4 +1,4 @@
-//! Measured gears, from files to figures: what was read, evaluated after ISO 1328-1, judged by classes, beside what the measuring machine
+//! Measured gears, from files to figures: what was read, evaluated to ISO 1328-1, judged by classes, beside what the measuring machine
 //! printed; and for a job, what the process has to do with it.
 
 mod areal;

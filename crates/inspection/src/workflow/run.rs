@@ -40,7 +40,7 @@ pub struct GearInspection {
 /// part is judged by it.
 ///
 /// # Errors
-/// [`JobFailure`]: a file that is no measurement, a header that makes no gear, a class that the standard does not have. What single traces lack is told by warnings.
+/// [`JobFailure`]: a file that is no measurement, a header that makes no gear, a class that the standard does not have. What single traces lack is reported in warnings.
 pub fn inspect_gear(
     path: &Path,
     statements: &Statements,
@@ -139,7 +139,7 @@ impl Judging {
     }
 }
 
-/// What reading a file has told.
+/// What reading a file has found.
 #[derive(Default)]
 struct Told {
     not_understood: Vec<LinesResult>,

@@ -14,18 +14,18 @@ pub(super) struct StandingOut {
     pub largest: f64,
 }
 
-/// Teeth from which on what goes around the gear once a turn is told apart, and fewest teeth.
+/// Teeth from which on what goes around the gear once a turn is separated, and fewest teeth.
 const TEETH_WITH_HARMONIC: usize = 6;
 const TEETH_WITHOUT: usize = 4;
 /// Teeth that differ by less are alike, mm.
 const ALIKE: f64 = 1e-4;
-/// A tooth stands out if by chance one gear in so many has one whose feature differs as much.
+/// A tooth is an outlier if by chance one gear in so many has one whose feature differs as much.
 const ONE_IN: f64 = 20.0;
 
 /// What of a tooth's surface is compared: five features and what they leave.
 const COMPARED: usize = 6;
 
-/// Teeth that stand out: a feature of their surface, or what the features leave, differs from what the other teeth let expect at that place
+/// Outlier teeth: a feature of their surface, or what the features leave, differs from what the other teeth let expect at that place
 /// around the gear by more than those differ themselves (externally studentised residuals). `angle` of a tooth, rad.
 pub(super) fn standing_out(surfaces: &[(u32, Topography)], angle: impl Fn(u32) -> f64) -> Vec<StandingOut> {
     let count = surfaces.len();

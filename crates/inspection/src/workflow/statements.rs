@@ -51,7 +51,7 @@ impl Statements {
         [other_end, signs, helix, profile, face].into_iter().flatten().collect()
     }
 
-    /// Gives a measurement what is stated about it; what its file says otherwise is told.
+    /// Gives a measurement what is stated about it; what contradicts its file is reported.
     pub(super) fn apply(&self, mut files: MeasuredFiles) -> MeasuredFiles {
         files.stated = self.words();
         let conditions = &mut files.inspection.conditions;

@@ -1,4 +1,5 @@
-//! Encoders of spindles, and how the pulses of the slide become a rotation of the workpiece (spec 70 section 4).
+//! Encoders of spindles, and how the pulses of the slide become a rotation of the workpiece
+//! (`docs/mathematics/gearbox.md#from-pulses-to-counts`).
 
 use schemars::{JsonSchema, Schema, json_schema};
 use serde::{Deserialize, Serialize};

@@ -1,4 +1,5 @@
-//! Scales of slides: reference pulses per metre, and what an interpolator inserts between them (spec 70 section 2).
+//! Scales of slides: reference pulses per metre, and what an interpolator inserts between them
+//! (`docs/mathematics/gearbox.md#pulses-between-lines`).
 
 use schemars::{JsonSchema, Schema, json_schema};
 use serde::{Deserialize, Serialize};
@@ -34,8 +35,8 @@ impl ScaleInterpolation {
         1e3 / self.pulses_per_metre
     }
 
-    /// Greatest speed of the feed, mm/s: from there on an interval has fewer ticks than pulses, v_max = f1 p/P (spec 70
-    /// section 3).
+    /// Greatest speed of the feed, mm/s: from there on an interval has fewer ticks than pulses, v_max = f1 p/P
+    /// (`docs/mathematics/gearbox.md#pulses-between-lines`).
     pub fn greatest_speed_mm_per_s(&self) -> f64 {
         self.clock_hz * self.pitch_mm() / f64::from(self.pulses_per_interval)
     }

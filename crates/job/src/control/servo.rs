@@ -1,4 +1,4 @@
-//! The servo of the workpiece spindle: drive, gains and what disturbs it (spec 70 section 8).
+//! The servo of the workpiece spindle: drive, gains and what disturbs it (`docs/mathematics/gearbox.md#position-loop`).
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

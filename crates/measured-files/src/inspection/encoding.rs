@@ -1,4 +1,4 @@
-//! The text of a file whose encoding nobody states: UTF-8 with or without mark, else cp1252. Guesses nothing beyond these.
+//! The text of a file of unstated encoding: UTF-8 with or without mark, else cp1252. Guesses nothing beyond these.
 
 use serde::{Deserialize, Serialize};
 

@@ -1,4 +1,5 @@
-//! Files made for the purpose in the grammar of spec 85, real ones where they lie beside the repository, and damaged ones.
+//! Files made for the purpose in the grammar of `docs/mathematics/inspection.md`, real ones where they lie beside the repository, and
+//! damaged ones.
 
 mod damaged;
 mod made;

@@ -25,7 +25,7 @@ fn tooth(name: &str) -> Option<(u32, String)> {
     Some((rest[..digits].parse().ok()?, tag.to_owned())).filter(|_| letters)
 }
 
-/// The component of a trace; undefined samples are left out and told.
+/// The component of a trace; undefined samples are left out and reported.
 pub(super) fn write(trace: &Trace, place: &FlankPlace, warnings: &mut Vec<RexsWarning>) -> Draft {
     let samples = trace.abscissa_mm.iter().zip(&trace.f_um).filter(|(a, f)| a.is_finite() && f.is_finite());
     let mut pairs: Vec<(f64, f64)> = samples.map(|(a, f)| (*a, 1e-3 * f)).collect();

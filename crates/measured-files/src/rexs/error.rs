@@ -91,7 +91,7 @@ pub enum RexsError {
         /// Units that are converted.
         allowed: &'static str,
     },
-    /// A gear whose flanks nobody names.
+    /// A gear without names of its flanks.
     #[error("no relation `flank` says which flanks the gear {gear} has")]
     #[finding(code = "no-flank-relation")]
     #[way_out("export the gear with its flanks and the relation between them")]

@@ -5,7 +5,7 @@ use serde_json::{Map, Value as Json, json};
 use super::document::{Attribute, Component, Content, Opaque, RexsDocument, RexsFormat, Value};
 use super::warning::{RexsWarning, RexsWarningKind};
 
-/// The text of a model. What stands in another form of file is left out and told.
+/// The text of a model. What stands in another form of file is left out and reported.
 pub(super) fn json(document: &RexsDocument, warnings: &mut Vec<RexsWarning>) -> String {
     let mut model = Map::new();
     let mut put = |key: &str, value: Json| {

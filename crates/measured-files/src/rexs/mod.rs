@@ -1,5 +1,5 @@
 //! REXS 2.0 in and out: gears with their modifications and measured deviations, as XML, JSON or a packed file. Every structure that is read
-//! is checked; what the format cannot hold is told. Knows neither plans nor evaluation.
+//! is checked; what the format cannot hold is reported. Knows neither plans nor evaluation.
 //!
 //! The schema states neither signs nor the origin of coordinates. Decided here: amounts of modifications > 0 removed, deviations > 0
 //! material, coordinates along the face count from the datum face, lists run point by point, coordinate outside, diameter inside.

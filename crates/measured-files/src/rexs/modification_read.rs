@@ -1,5 +1,5 @@
 //! Components of REXS as modifications of a flank. Amounts hold at the ends of the evaluated field, which is what the components state
-//! first; where they disagree, that is told.
+//! first; where they disagree, that is reported.
 
 mod crowning;
 mod field;

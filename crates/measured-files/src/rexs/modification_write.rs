@@ -1,4 +1,4 @@
-//! Modifications as components of REXS. Kinds that it does not know are sampled into a topography and told.
+//! Modifications as components of REXS. Kinds that it does not know are sampled into a topography and reported.
 
 use super::document::{Attribute, Value};
 use super::error::RexsError;

@@ -6,7 +6,7 @@ use super::document::{Attribute, Content, Opaque, RexsDocument, RexsFormat, Valu
 use super::warning::{RexsWarning, RexsWarningKind};
 use job::xml::escape;
 
-/// The text of a model. What stands in another form of file is left out and told.
+/// The text of a model. What stands in another form of file is left out and reported.
 pub(super) fn xml(document: &RexsDocument, warnings: &mut Vec<RexsWarning>) -> String {
     let mut text = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
     let mut root = String::new();

@@ -1,4 +1,4 @@
-//! What keeps a flank from being evaluated as a surface (spec 85 sections 6 and 11).
+//! What keeps a flank from being evaluated as a surface (`docs/mathematics/inspection.md`).
 
 use finding::Finding;
 use thiserror::Error;

@@ -15,7 +15,7 @@ pub struct ArealFeatures {
     pub profile_crowning: f64,
     /// C_beta: > 0 convex.
     pub helix_crowning: f64,
-    /// Twist S in the sign of spec 25 (> 0 removes at tip and face II).
+    /// Twist S in the sign of `docs/mathematics/modifications.md` (> 0 removes at tip and face II).
     pub twist: f64,
 }
 

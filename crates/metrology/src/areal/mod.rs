@@ -1,6 +1,6 @@
 //! Flanks as surfaces: areal fit with its features and their uncertainty, a surface from profiles and leads of one tooth, comparison of
-//! target, produced and measured flank on one grid (spec 85 section 6). Deviations are those of material, > 0 material left, mm, normal or
-//! transverse as they come. Knows no file, no tolerance class and no process.
+//! target, produced and measured flank on one grid (`docs/mathematics/inspection.md#surfaces`). Deviations are those of material, > 0
+//! material left, mm, normal or transverse as they come. Knows no file, no tolerance class and no process.
 
 mod comparison;
 mod error;

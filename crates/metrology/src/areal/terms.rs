@@ -1,7 +1,7 @@
 //! Products of Legendre polynomials P_p(u) P_q(v) up to a total degree.
 
 /// Total degree of an areal fit. Features depend on it a little on coarse grids, where cubic terms are not orthogonal to the
-/// slopes: it belongs to every feature that is told.
+/// slopes: it belongs to every feature that is reported.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ArealDegree {
     /// Six terms.

@@ -1,4 +1,4 @@
-//! A profile or lead trace as a function between its samples.
+//! A profile or helix trace as a function between its samples.
 
 use super::ArealError;
 

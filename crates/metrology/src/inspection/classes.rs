@@ -1,4 +1,4 @@
-//! Which accuracy class measured values reach (spec 85 section 5).
+//! Which tolerance class measured values reach (`docs/mathematics/inspection.md#tolerances`).
 
 use super::error::usable;
 use super::tolerances::CLASSES;

@@ -1,4 +1,5 @@
-//! How far the axis of the measurement was from that of the teeth, from the pitch of both flanks (spec 85 section 4.5).
+//! How far the axis of the measurement was from that of the teeth, from the pitch of both flanks
+//! (`docs/mathematics/inspection.md#pitch-run-out-eccentricity`).
 //!
 //! An eccentricity is a clamping error: no correction of the process removes it.
 

@@ -1,5 +1,5 @@
-//! What keeps measured values from being judged: one variant per meaning, with its data, a stable code and a way out (spec 85
-//! sections 3, 4, 5, 10, 11).
+//! What keeps measured values from being judged: one variant per meaning, with its data, a stable code and a way out
+//! (`docs/mathematics/inspection.md`).
 
 use finding::Finding;
 use foundation::geometry::{Flank, GeometryError};

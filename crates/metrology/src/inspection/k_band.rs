@@ -1,4 +1,4 @@
-//! K-bands: limits along a trace between which it has to lie (spec 85 section 3).
+//! K-bands: limits along a trace between which it has to lie (`docs/mathematics/inspection.md#one-trace`).
 
 use super::error::usable;
 use super::{EvaluationRange, InspectionError, TraceSamples};

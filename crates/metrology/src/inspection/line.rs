@@ -1,4 +1,5 @@
-//! The straight line and the parabola through the samples of a trace, by least squares over orthogonal polynomials (spec 85 section 3).
+//! The straight line and the parabola through the samples of a trace, by least squares over orthogonal polynomials
+//! (`docs/mathematics/inspection.md#one-trace`).
 
 /// A line c + k a, kept at the middle of its samples. mm.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,5 +1,5 @@
-//! Evaluation of measured gears after ISO 1328-1:2013 (spec 85): traces, K-bands, twist, pitch, run-out, thickness, eccentricity,
-//! tolerances and classes, series of parts. Knows neither files nor processes.
+//! Evaluation of measured gears to ISO 1328-1:2013 (`docs/mathematics/inspection.md`): traces, K-bands, twist, pitch, run-out,
+//! thickness, eccentricity, tolerances and classes, series of parts. Knows neither files nor processes.
 //!
 //! Lengths and deviations are mm, angles rad. A deviation is positive where material stands, on both flanks; what a sheet prints with
 //! another sign carries that sign with it ([`Slope`]).

@@ -1,4 +1,5 @@
-//! Pitch deviations of one flank after ISO 1328-1, from the single pitches of all teeth (spec 85 section 4.1).
+//! Pitch deviations of one flank to ISO 1328-1, from the single pitches of all teeth
+//! (`docs/mathematics/inspection.md#pitch-run-out-eccentricity`).
 
 use super::InspectionError;
 use super::error::usable;
@@ -90,7 +91,7 @@ impl PitchDeviations {
         round_to(greatest - least, quantum)
     }
 
-    /// Evaluates the pitch; sectors have `sector` pitches, an eighth of the circumference where nothing else is said.
+    /// Evaluates the pitch; sectors have `sector` pitches, an eighth of the circumference by default.
     ///
     /// # Errors
     /// [`InspectionError::InvalidNumber`] for a sector without a pitch or of a whole revolution.

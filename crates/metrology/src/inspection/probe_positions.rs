@@ -1,4 +1,4 @@
-//! Pitch of both flanks from the raw positions of the probe (spec 85 section 4.4).
+//! Pitch of both flanks from the raw positions of the probe (`docs/mathematics/inspection.md#pitch-run-out-eccentricity`).
 
 use super::error::usable;
 use super::pitch::complete;

@@ -1,4 +1,4 @@
-//! Ranges along a trace: where it is evaluated, from the drawing or by default (spec 85 section 3).
+//! Ranges along a trace: where it is evaluated, from the drawing or by default (`docs/mathematics/inspection.md#one-trace`).
 
 use super::InspectionError;
 use super::error::usable;

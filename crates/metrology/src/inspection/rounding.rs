@@ -1,4 +1,4 @@
-//! Rounding of values and tolerances as sheets and the standard print them (spec 85 sections 3 and 5).
+//! Rounding of values and tolerances as sheets and the standard print them (`docs/mathematics/inspection.md`).
 
 /// The multiple of `quantum` nearest to a value; halves go away from zero, also those that arithmetic has missed by a little.
 pub fn round_to(value: f64, quantum: f64) -> f64 {

@@ -1,4 +1,4 @@
-//! Run-out that a ball would show, from the pitch of both flanks (spec 85 section 4.2).
+//! Run-out that a ball would show, from the pitch of both flanks (`docs/mathematics/inspection.md#pitch-run-out-eccentricity`).
 
 use super::pitch::complete;
 use super::{InspectionError, InspectionWarning};

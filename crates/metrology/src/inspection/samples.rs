@@ -1,4 +1,4 @@
-//! The samples of one trace, and those of them that lie in a range (spec 85 section 3, step 1).
+//! The samples of one trace, and those of them that lie in a range (`docs/mathematics/inspection.md#one-trace`).
 
 use super::error::usable;
 use super::{EvaluationRange, InspectionError};

@@ -1,4 +1,4 @@
-//! The section in which a deviation was measured, and what it is in the transverse section (spec 85 sections 1 and 11).
+//! The section in which a deviation was measured, and what it is in the transverse section (`docs/mathematics/inspection.md`).
 
 use super::InspectionError;
 

@@ -1,4 +1,4 @@
-//! How slopes are counted: the sign that a sheet prints and the length that a slope refers to (spec 85 section 1).
+//! How slopes are counted: the sign that a sheet prints and the length that a slope refers to (`docs/mathematics/inspection.md`).
 //!
 //! Inside, every deviation is positive where material stands and every slope is positive where material rises along the abscissa.
 

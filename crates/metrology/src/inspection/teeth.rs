@@ -1,4 +1,5 @@
-//! One characteristic over the measured teeth: mean and range, exact and as a measuring machine prints them (spec 85 section 3).
+//! One characteristic over the measured teeth: mean and range, exact and as a measuring machine prints them
+//! (`docs/mathematics/inspection.md#one-trace`).
 
 use super::InspectionError;
 use super::error::usable;

@@ -1,4 +1,4 @@
-//! Tooth thickness from measured span and balls, and whether the two agree (spec 85 section 4.3).
+//! Tooth thickness from measured span and balls, and whether the two agree (`docs/mathematics/inspection.md#pitch-run-out-eccentricity`).
 
 use super::{InspectionError, InspectionWarning};
 use foundation::geometry::{GearData, ThicknessMeasure};

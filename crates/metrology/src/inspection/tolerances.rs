@@ -1,4 +1,5 @@
-//! Tolerances of ISO 1328-1:2013 (spec 85 section 5). The formulas count in um, as the standard does; values here are mm.
+//! Tolerances of ISO 1328-1:2013 (`docs/mathematics/inspection.md#tolerances`). The formulas count in um, as the standard does; values here
+//! are mm.
 
 use super::InspectionError;
 use super::rounding::round_tolerance;
@@ -146,7 +147,7 @@ impl Tolerances {
     }
 
     fn um(&self, quantity: ToleranceQuantity, class: i32) -> Result<f64, InspectionError> {
-        in_range("accuracy class", f64::from(class), [*CLASSES.start(), *CLASSES.end()].map(f64::from))?;
+        in_range("tolerance class", f64::from(class), [*CLASSES.start(), *CLASSES.end()].map(f64::from))?;
         Ok(self.class_5[quantity as usize] * 2f64.powf(f64::from(class - 5) / 2.0))
     }
 }

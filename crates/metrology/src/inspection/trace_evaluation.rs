@@ -1,4 +1,4 @@
-//! One trace of a flank after ISO 1328-1: total, form and slope deviation, crowning, relief (spec 85 section 3).
+//! One trace of a flank to ISO 1328-1: total, form and slope deviation, crowning, relief (`docs/mathematics/inspection.md#one-trace`).
 
 use super::error::usable;
 use super::line::Parabola;

@@ -1,4 +1,5 @@
-//! The twist of a flank from slopes of profiles at two heights and of leads at two lengths of roll (spec 85 section 3).
+//! The twist of a flank from slopes of profiles at two heights and of leads at two lengths of roll
+//! (`docs/mathematics/inspection.md#one-trace`).
 
 use super::{InspectionError, Slope};
 

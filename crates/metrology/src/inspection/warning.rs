@@ -1,4 +1,4 @@
-//! What a reader of evaluated values has to know beside them (spec 85 sections 4, 10, 11).
+//! What a reader of evaluated values has to know beside them (`docs/mathematics/inspection.md`).
 
 use std::fmt;
 

@@ -30,7 +30,7 @@ pub enum Decision {
     Correct,
     /// Smaller than the dead band.
     BelowDeadBand,
-    /// Not told from the scatter of teeth and the calibration.
+    /// Not distinguished from the scatter of teeth and the calibration.
     NotSystematic,
     /// What there is comes from the clamping; nothing systematic stays without it.
     FirstHarmonic,

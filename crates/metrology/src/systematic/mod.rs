@@ -1,6 +1,6 @@
-//! Which part of a deviation is systematic (spec 85 section 7.1): do the teeth really differ, do they follow a harmonic of the rotation
-//! (run-out, wobble), and is what all teeth share large enough to be corrected. Knows neither features nor processes: values are those
-//! of any one characteristic, in its own unit.
+//! Which part of a deviation is systematic (`docs/mathematics/inspection.md#what-all-teeth-share`): do the teeth really differ, do they
+//! follow a harmonic of the rotation (run-out, wobble), and is what all teeth share large enough to be corrected. Knows neither features
+//! nor processes: values are those of any one characteristic, in its own unit.
 
 mod decision;
 mod error;

@@ -1,4 +1,4 @@
-//! `[bevel]`: a bevel gear, straight or spiral (spec 50 sections 1.2 and 1.4).
+//! `[bevel]`: a bevel gear, straight or spiral (`docs/mathematics/milling.md#flanks-as-patches`).
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -1,4 +1,4 @@
-//! `[blade]`: one side of the blades of an impeller, ruled or through points (spec 50 section 1.6).
+//! `[blade]`: one side of the blades of an impeller, ruled or through points (`docs/mathematics/milling.md#flanks-as-patches`).
 
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Serialize};

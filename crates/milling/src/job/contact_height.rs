@@ -1,4 +1,5 @@
-//! `milling.contact_height`: where the straight side of the cutter touches, which spreads its wear (spec 50 section 10).
+//! `milling.contact_height`: where the straight side of the cutter touches, which spreads its wear
+//! (`docs/mathematics/milling.md#cutter-location`).
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

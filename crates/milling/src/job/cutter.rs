@@ -1,4 +1,4 @@
-//! `[cutter]`, `[bottom_cutter]`, `[roughing_cutter]`: mills with their shanks (spec 50 section 5).
+//! `[cutter]`, `[bottom_cutter]`, `[roughing_cutter]`: mills with their shanks (`docs/mathematics/milling.md#cutter-location`).
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

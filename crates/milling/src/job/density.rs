@@ -1,4 +1,4 @@
-//! `milling.density`: limits of the distances between neighbouring points (spec 50 section 4).
+//! `milling.density`: limits of the distances between neighbouring points (`docs/mathematics/milling.md#columns-and-rows`).
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -1,4 +1,4 @@
-//! `[mate]`: the gear that a bevel gear is rolled against (spec 50 sections 1.2 and 1.3).
+//! `[mate]`: the gear that a bevel gear is rolled against (`docs/mathematics/milling.md#flanks-as-patches`).
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

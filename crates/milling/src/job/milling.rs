@@ -51,12 +51,12 @@ pub struct Milling {
     #[serde(default)]
     #[schemars(extend("exclusiveMinimum" = -90, "exclusiveMaximum" = 90, "x-way-out" = "give the angle in degrees, or leave it out"))]
     pub skew_deg: f64,
-    /// Row of a cylindrical gear whose normals lie in the column planes: the lead curve is laid on the cylinder with which they do;
-    /// default the lead curve lies on the root cylinder.
+    /// Row of a cylindrical gear whose normals lie in the column planes: the guide curve is laid on the cylinder with which they do;
+    /// default the guide curve lies on the root cylinder.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("minimum" = 0, "maximum" = 19_999, "x-way-out" = "give the number of a row, 0 at the root"))]
     pub lead_through_row: Option<usize>,
-    /// How far the lead curve goes on beyond the range of the face at both ends; default so far that the cutter leaves the face, its
+    /// How far the guide curve goes on beyond the range of the face at both ends; default so far that the cutter leaves the face, its
     /// radius and 1 mm.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("minimum" = 0, "maximum" = 1000, "x-way-out" = "give the overrun in mm, or leave it out"))]

@@ -1,4 +1,4 @@
-//! `[milling.root]`: fillet and bottom of the space (spec 50 section 7).
+//! `[milling.root]`: fillet and bottom of the space (`docs/mathematics/milling.md#root-and-clearance`).
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

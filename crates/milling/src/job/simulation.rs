@@ -15,7 +15,7 @@ pub struct MillingSimulation {
     #[serde(default = "default_length")]
     #[schemars(extend("minimum" = 3, "maximum" = 2001, "x-way-out" = "61 rays are the default"))]
     pub rays_length: usize,
-    /// Whether the rotary motion is compared with that of an axis along the flank's parameter lines (spec 50 section 14).
+    /// Whether the rotary motion is compared with that of an axis along the flank's parameter lines.
     #[serde(default = "yes")]
     pub compare_orientation: bool,
 }

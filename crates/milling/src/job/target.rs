@@ -29,7 +29,7 @@ impl Default for MillingTarget {
 }
 
 /// Material removed from a bevel flank, um, normal to it: of X = (R - R_m)/(b/2) along the tooth and Y from -1 at the root to 1 at
-/// the tip (spec 50 section 1.3).
+/// the tip.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct EaseOffAmounts {

@@ -56,7 +56,7 @@ impl FlankView {
         kept
     }
 
-    /// Values as a topography with ascending coordinates; holes count as 0 and are told apart by marks.
+    /// Values as a topography with ascending coordinates; holes count as 0 and are distinguished by marks.
     fn topography(&self, values: &[Option<f64>]) -> Result<Topography, ChartError> {
         let mut rows: Vec<Vec<f64>> = values
             .chunks(self.columns().max(1))

@@ -1,5 +1,5 @@
 //! The section on orientation: the rotary motion of the middle row with the axis in the column planes, along parameter lines, and
-//! along sheared lines (spec 50 section 14).
+//! along sheared lines (`docs/mathematics/milling.md#positions-of-five-axes`).
 
 use report::charts::{ChartError, LineChart, Panel, Series, format_fixed, format_significant, line_chart};
 use report::data::{Block, Column, Figure, Table};
@@ -46,7 +46,7 @@ pub struct RotaryView {
 /// Smallest span of an angle, deg: below it a line is flat.
 const LEAST_SPAN: f64 = 0.01;
 
-/// What may be said of column planes in general (spec 50 section 14).
+/// What may be said of column planes in general (`docs/mathematics/milling.md#positions-of-five-axes`).
 const HONEST: &str = "Against clean parameter lines the column plane does not generally save rotary motion: none on spur, helical and \
                       straight bevel gears, more or less of it on the flanks of spiral bevels, and it saves some on twisted blades. \
                       Against irregular patches it removes the oscillation. Otherwise it gives a steady lean into the feed, mostly a \

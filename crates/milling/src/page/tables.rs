@@ -4,7 +4,7 @@ use super::{FlankView, MillingReport, OperationRow};
 use report::charts::{format_fixed, format_significant};
 use report::data::{Column, Table};
 
-/// Deviations below this are told as such: nothing in metrology is as small, um.
+/// Deviations below this are printed as such: nothing in metrology is as small, um.
 const ROUNDING_UM: f64 = 1e-4;
 
 /// Figures of all flanks beside each other.

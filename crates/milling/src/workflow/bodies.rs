@@ -92,7 +92,7 @@ impl MillingBodies {
 
 /// What the cutter stays away from the workpiece while it is moved from one path to another, mm.
 pub(super) const CLEARANCE: f64 = 2.0;
-/// What the default overrun adds to the cutter's radius, mm (spec 50 section 3).
+/// What the default overrun adds to the cutter's radius, mm (`docs/mathematics/milling.md#columns-and-rows`).
 const BESIDE: f64 = 1.0;
 /// Pieces of a bevel gear's land, between which the turn of the teeth is linear.
 const LAND_PIECES: usize = 8;

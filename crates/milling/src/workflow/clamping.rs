@@ -14,7 +14,7 @@ use run::program_check::{BodyClearance, ProgramFault};
 const HIDDEN: f64 = 0.01;
 /// The last cylinder of a tool goes on so far, mm.
 const UPWARDS: f64 = 1000.0;
-/// Faults of one body that are told.
+/// Faults of one body that are reported.
 const MOST_OF_A_BODY: usize = 20;
 
 /// Code of a move that comes too near.

@@ -1,4 +1,5 @@
-//! Cylindrical gears of a job as spaces to be milled: one, or the two halves of a double-helical gear (spec 50 section 1.5).
+//! Cylindrical gears of a job as spaces to be milled: one, or the two halves of a double-helical gear
+//! (`docs/mathematics/milling.md#flanks-as-patches`).
 
 use super::bodies::{Body, CLEARANCE, floor, part, with_offset};
 use super::finding::failure;

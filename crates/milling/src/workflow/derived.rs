@@ -6,7 +6,7 @@ use crate::workflow::prepare_milling;
 use foundation::geometry::Flank;
 use run::{DerivedGeometry, RunFailure};
 
-/// Of a job of five-axis milling: what the lead curve has to cover, where the active flank lies.
+/// Of a job of five-axis milling: what the guide curve has to cover, where the active flank lies.
 ///
 /// # Errors
 /// Bodies that do not fit, column planes that do not meet the flank.
@@ -30,8 +30,8 @@ pub fn of_milling(loaded: &LoadedMillingJob) -> Result<DerivedGeometry, RunFailu
         derived.quantity("height_at_tip", "height parameter at the tip", tip, "");
         derived.quantity("least_radius_mm", "least radius of the active flank", low, "mm");
         derived.quantity("greatest_radius_mm", "greatest radius of the active flank", high, "mm");
-        derived.quantity("lead_from", "lead curve from", from, "");
-        derived.quantity("lead_to", "lead curve to", to, "");
+        derived.quantity("lead_from", "guide curve from", from, "");
+        derived.quantity("lead_to", "guide curve to", to, "");
     }
     Ok(derived)
 }

@@ -1,5 +1,5 @@
 //! What the axes of a machine do along the paths that is worth a sentence: which of two positions they take, where they are turned
-//! back, how they pass the pole (spec 50 section 11).
+//! back, how they pass the pole (`docs/mathematics/milling.md#positions-of-five-axes`).
 
 use super::programs::{DrivenMotion, MillingPrograms};
 use foundation::numerics::extremes;

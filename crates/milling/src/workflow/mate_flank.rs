@@ -1,4 +1,5 @@
-//! Where the flank of a bevel gear has to begin for its mate: where the tip of the mate engages (spec 50 sections 1.2 and 1.7).
+//! Where the flank of a bevel gear has to begin for its mate: where the tip of the mate engages
+//! (`docs/mathematics/milling.md#flanks-as-patches`).
 //!
 //! On the sphere both gears touch on a great circle that touches both base cones, at the arc xi from the point of the own base cone and
 //! at the rest of xi_p1 + xi_p2 from that of the mate's. A point at xi has the polar angle theta with cos theta = cos delta_b cos xi.

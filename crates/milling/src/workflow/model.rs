@@ -41,7 +41,7 @@ impl MillingModel {
     /// no row comes by.
     ///
     /// # Errors
-    /// [`RunFailure`]: a place where nothing can be told.
+    /// [`RunFailure`]: a place where the model gives no value.
     ///
     /// # Panics
     /// For a number that the plan does not have.

@@ -39,7 +39,7 @@ pub struct MillingTexts {
 /// Of the referee's rays every so many are milled again as the texts say; a prime, so that all rows and columns come by.
 const PROVEN: usize = 7;
 
-/// The machine of a job and how it is told.
+/// The machine of a job and the options of its control.
 pub(super) fn machining<'a>(
     given: &MillingMachine,
     machine: &'a LoadedMachine,

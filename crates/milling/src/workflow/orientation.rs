@@ -1,5 +1,5 @@
-//! The rotary motion of a row beside that of other systems (spec 50 section 14): the axis in the column planes, along the parameter
-//! lines of the flank, and along lines that an irregular patch has sheared; on the job's own flank and machine.
+//! The rotary motion of a row beside that of other systems (`docs/mathematics/milling.md#positions-of-five-axes`): the axis in the column
+//! planes, along the parameter lines of the flank, and along lines that an irregular patch has sheared; on the job's own flank and machine.
 
 use super::bodies::MillingBodies;
 use super::orientation_result::{OrientationFigures, OrientationResult};
@@ -80,7 +80,7 @@ const POINTS: usize = 121;
 /// The comparison on every flank of a plan, in its order; empty where the job does not want it.
 ///
 /// # Errors
-/// [`RunFailure`] for a machine that is none or has no five axes. What a row of the comparison does not reach is told in the result.
+/// [`RunFailure`] for a machine that is none or has no five axes. What a row of the comparison does not reach is reported in the result.
 pub(super) fn orientations(
     job: &MillingJob,
     machine: Option<&LoadedMachine>,
@@ -98,7 +98,7 @@ pub(super) fn orientations(
                 let finding = Diagnostic::new(Problem::InvalidMachine, error.to_string());
                 RunFailure::bad_input(finding.field("simulation.compare_orientation"))
             })?;
-            // Bevel gears point their shank side down as they are described (spec 50 section 16).
+            // Bevel gears point their shank side down as they are described (`docs/mathematics/milling.md`).
             let turned_over = matches!(job.body(), Some(MilledBody::Bevel(_)));
             (&table, MillingMount { turned_over, ..MillingMount::default() }, 0.0)
         }

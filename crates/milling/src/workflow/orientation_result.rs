@@ -3,7 +3,7 @@
 use motion::milling::RowSmoothness;
 use serde::Serialize;
 
-/// The rotary motion of the middle row beside that of other systems (spec 50 section 14).
+/// The rotary motion of the middle row beside that of other systems (`docs/mathematics/milling.md#positions-of-five-axes`).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct OrientationResult {
     /// The machine: that of the job, or a table A-C.

@@ -122,7 +122,7 @@ pub struct FlankResult {
     pub out_of_reach: Option<OutOfReachResult>,
     /// Largest absolute deviation of the rays.
     pub max_deviation_um: f64,
-    /// Highest and lowest of them.
+    /// Lowest and highest deviation of the rays.
     pub stock_um: [f64; 2],
     /// Root mean square of them.
     pub rms_deviation_um: f64,

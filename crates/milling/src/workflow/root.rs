@@ -78,7 +78,7 @@ pub fn referee_root(
 }
 
 /// How far below the drawn root a cut counts as a gouge, mm: where the tooth is not straight what is swept goes up to 7 um below the
-/// drawn section by itself (spec 50 section 7).
+/// drawn section by itself (`docs/mathematics/milling.md#root-and-clearance`).
 const GOUGED: f64 = 0.01;
 
 impl RefereedRoot {

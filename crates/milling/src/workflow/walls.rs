@@ -6,7 +6,7 @@ use foundation::geometry::{BevelGear, Frustum};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-/// How far the root that the job draws lies below the root body, mm, above which the lead curve stands by `lead` mm; 0 where it does not.
+/// How far the root that the job draws lies below the root body, mm, above which the guide curve stands by `lead` mm; 0 where it does not.
 pub(super) fn below_root_body(job: &MillingJob, lead: f64) -> f64 {
     match job.milling.root.map(|root| root.depth()) {
         Some(RootBottom::Height(height)) => (-height - lead).max(0.0),

@@ -4,7 +4,7 @@ use super::bodies::MillingBodies;
 use crate::{FlankPlan, RowLoad, WearHistogram};
 use foundation::geometry::CutterShape;
 
-/// Bin of the histogram, mm (spec 50 section 10).
+/// Bin of the histogram, mm (`docs/mathematics/milling.md#cutter-location`).
 const BIN: f64 = 0.5;
 
 /// Histograms of the heights of the plan and of the height of its first row for all; none for cutters whose contact is not chosen.

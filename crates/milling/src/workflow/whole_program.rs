@@ -368,7 +368,7 @@ impl ProgramUnderTest<'_> {
     }
 }
 
-/// Feeds of the same kind that are told one by one.
+/// Feeds of the same kind that are listed one by one.
 const MOST_OF_A_KIND: usize = 20;
 
 /// Whether a place lies in a body of revolution with this section: a closed polygon of radius and position.

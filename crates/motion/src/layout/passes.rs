@@ -225,7 +225,7 @@ impl<'a> Writer<'a> {
         Ok(())
     }
 
-    /// Every axis that moves has a word, or stands where it is said.
+    /// Every axis that moves has a word, or stands where its word says.
     fn check_words(&mut self, station: Station, paths: &[&AxisPath]) -> Result<(), MotionError> {
         for axis in driven(self.machine, station)? {
             if self.words.is_moved(axis) {

@@ -1,5 +1,5 @@
-//! Which of the two solutions, and which turn, along a path of cutter places: dynamic programming over all that the travels allow
-//! (spec 50 section 11).
+//! Which of the two solutions, and which turn, along a path of cutter locations: dynamic programming over all that the travels allow
+//! (`docs/mathematics/milling.md#positions-of-five-axes`).
 
 use super::{CutterPlace, MillingSetup};
 use crate::MotionError;
@@ -41,7 +41,7 @@ pub struct AxisCourse {
     pub cost: f64,
 }
 
-/// Weight of the way to the first place (spec 50 section 11).
+/// Weight of the way to the first place (`docs/mathematics/milling.md#positions-of-five-axes`).
 const APPROACH: f64 = 1e-3;
 /// Costs that differ by less (rad) are equal: they are sums of rounded angles.
 const EQUAL: f64 = 1e-12;

@@ -1,4 +1,4 @@
-//! The time of blocks: the feed along the contact, unless an axis needs longer (spec 50 section 11).
+//! The time of blocks: the feed along the contact, unless an axis needs longer (`docs/mathematics/milling.md#positions-of-five-axes`).
 
 use super::{CutterPlace, MillingSetup, PolePassage};
 use crate::MotionError;
@@ -109,8 +109,8 @@ pub struct SectionFeed {
     pub limit: BlockLimit,
 }
 
-/// The feeds of the parts near the pole, from the times of all blocks at the feed wanted (mm/min): strategy `slow` of spec 50
-/// section 11.
+/// The feeds of the parts near the pole, from the times of all blocks at the feed wanted (mm/min): strategy `slow` of
+/// `docs/mathematics/milling.md#positions-of-five-axes`.
 pub fn section_feeds(times: &[BlockTime], passages: &[PolePassage], feed: f64) -> Vec<SectionFeed> {
     let of = |passage: &PolePassage| {
         let touching = times.iter().enumerate().filter(|(k, _)| k + 1 >= passage.from && *k <= passage.to);

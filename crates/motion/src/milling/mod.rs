@@ -1,6 +1,6 @@
-//! Five-axis milling on a machine (spec 50 section 11): places of a cutter become positions of the axes, with one solution of the
-//! two and one turn chosen along the path; the pole, the time of blocks, straight blocks without RTCP and the smoothness of a row.
-//! Knows places of cutters, no flank and no text of a control.
+//! Five-axis milling on a machine (`docs/mathematics/milling.md#positions-of-five-axes`): places of a cutter become positions of the axes,
+//! with one solution of the two and one turn chosen along the path; the pole, the time of blocks, straight blocks without RTCP and the
+//! smoothness of a row. Knows places of cutters, no flank and no text of a control.
 
 mod choice;
 mod feed;

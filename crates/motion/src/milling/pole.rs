@@ -1,5 +1,5 @@
-//! Where a path comes near the pole, the direction at which the first rotary axis does not move the cutter's axis (spec 50 section
-//! 11).
+//! Where a path comes near the pole, the direction at which the first rotary axis does not move the cutter's axis
+//! (`docs/mathematics/milling.md#positions-of-five-axes`).
 
 use super::{CutterPlace, MillingSetup};
 use crate::MotionError;

@@ -1,4 +1,5 @@
-//! How smoothly the rotary axes run along a row: figures over the way of the contact (spec 50 section 11).
+//! How smoothly the rotary axes run along a row: figures over the way of the contact
+//! (`docs/mathematics/milling.md#positions-of-five-axes`).
 
 use super::{CutterPlace, MillingSetup};
 use machine::Positions;
@@ -28,7 +29,7 @@ pub struct RowSmoothness {
     pub lean: [f64; 2],
 }
 
-/// Steps below this (rad) are rounding and turn nothing back (spec 50 section 11).
+/// Steps below this (rad) are rounding and turn nothing back (`docs/mathematics/milling.md#positions-of-five-axes`).
 const STILL: f64 = 1e-10;
 
 impl Change {

@@ -1,5 +1,5 @@
 //! Straight blocks of the axes without RTCP: how far the cutter leaves the straight way of tip and axis, blocks divided until it does
-//! not, and rows that one block makes exactly (spec 50 section 11).
+//! not, and rows that one block makes exactly (`docs/mathematics/milling.md#positions-of-five-axes`).
 
 use super::{AxisCourse, CutterPlace, MillingSetup};
 use crate::MotionError;

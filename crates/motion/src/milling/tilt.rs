@@ -1,5 +1,5 @@
-//! A mount that keeps a path away from the pole: the workpiece tilted by as little as it takes (spec 50 section 11, strategy
-//! `mount`).
+//! A mount that keeps a path away from the pole: the workpiece tilted by as little as it takes
+//! (`docs/mathematics/milling.md#positions-of-five-axes`, strategy `mount`).
 
 use super::pole::least_angle;
 use super::{CutterPlace, MillingSetup};
@@ -30,7 +30,7 @@ const STEPS: f64 = 4.0;
 const HALVINGS: usize = 30;
 
 /// The mount with the least tilt up to `greatest` (rad), among 72 directions, that keeps paths at least `clearance` (rad) away
-/// from the pole. Whether the axes reach the paths then is told by [`choose`](super::choose).
+/// from the pole. Whether the axes reach the paths then is decided by [`choose`](super::choose).
 ///
 /// # Errors
 /// [`MotionError::NoTilt`]; [`MotionError::InvalidNumber`]; [`MotionError::Place`] for numbers that are not usable.

@@ -1,5 +1,5 @@
-//! What a program must keep whatever control it is for (spec 80 section 7): indices, ranges, order of the gears, tables,
-//! texts. Knows no dialect.
+//! What a program must keep whatever control it is for (`docs/mathematics/programs.md#limits`): indices, ranges, order of the gears,
+//! tables, texts. Knows no dialect.
 
 use super::{
     AxisMotion, AxisWord, BSplineMotion, Block, Coupling, CubicMotion, CurveTable, Gear, GearSynchronisation,

@@ -132,7 +132,7 @@ impl State<'_> {
             }
             _ => {
                 return Err(
-                    self.tip_state("gives the tool's axis in the other way than the tip control was told")
+                    self.tip_state("gives the tool's axis in another form than the tip control expects")
                 );
             }
         }

@@ -1,4 +1,4 @@
-//! Couplings as data (spec 70 section 7): an axis that follows others by ratios and tables. Knows no dialect.
+//! Couplings as data (`docs/mathematics/gearbox.md#couplings`): an axis that follows others by ratios and tables. Knows no dialect.
 
 use super::CubicSpan;
 

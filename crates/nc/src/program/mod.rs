@@ -1,5 +1,6 @@
-//! The neutral program (spec 80 section 1): axes, blocks, couplings, tool tips. Inside mm, rad and s. A [`Program`] is checked
-//! when it is made for everything that does not depend on a control; it knows no dialect and no text but names and comments.
+//! The neutral program (`docs/mathematics/programs.md#the-independent-reader`): axes, blocks, couplings, tool tips. Inside mm, rad and s. A
+//! [`Program`] is checked when it is made for everything that does not depend on a control; it knows no dialect and no text but names and
+//! comments.
 
 mod axes;
 mod blocks;
@@ -25,7 +26,7 @@ pub struct Program {
 }
 
 impl Program {
-    /// Checks the header and every block (spec 80 section 7).
+    /// Checks the header and every block (`docs/mathematics/programs.md#limits`).
     ///
     /// # Errors
     /// `BadHeader`, `BadText`, `UnknownAxis`, `NotMovable`, `EmptyMotion`, `UnknownStart`, `NumberRange`, `FeedRange`, `BadTable`,

@@ -1,5 +1,5 @@
-//! The tip of a milling tool and its axis (spec 50 sections 5 and 12): what a control with tool centre point control (RTCP) is told
-//! instead of axis values. Knows no dialect.
+//! The tip of a milling tool and its axis (`docs/mathematics/milling.md#cutter-location` and `docs/mathematics/programs.md#cutters`): what
+//! a control with tool centre point control (RTCP) receives instead of axis values. Knows no dialect.
 
 /// How the blocks under tip control give the tool's axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

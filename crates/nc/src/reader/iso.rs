@@ -1,5 +1,5 @@
-//! Letter-and-number programs: LinuxCNC and Fanuc (spec 80 sections 3 and 6; tips of tools: spec 50 section 12). Here is what a
-//! line does; `words.rs` knows how it is spelt.
+//! Letter-and-number programs: LinuxCNC and Fanuc (`docs/mathematics/programs.md#the-independent-reader`; tips of tools:
+//! `docs/mathematics/programs.md#cutters`). Here is what a line does; `words.rs` knows how it is spelt.
 
 mod words;
 

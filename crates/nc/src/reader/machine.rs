@@ -212,7 +212,8 @@ impl<'a> Machine<'a> {
         Ok(())
     }
 
-    /// A block of cubics, of axes that go straight and axes that have coefficients a2 and a3 (spec 80 section 5).
+    /// A block of cubics, of axes that go straight and axes that have coefficients a2 and a3
+    /// (`docs/mathematics/programs.md#the-independent-reader`).
     pub fn cubic(
         &mut self,
         words: &AxisWords,

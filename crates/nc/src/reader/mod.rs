@@ -1,5 +1,5 @@
-//! The reader: a program of one of the dialects back into neutral blocks (spec 80 section 2 rule 8). It has nothing of the
-//! writers but the neutral types, and reads line by line, so that a text without end is refused early. A word that no writer
+//! The reader: a program of one of the dialects back into neutral blocks (`docs/mathematics/programs.md#what-rounding-adds`). It has
+//! nothing of the writers but the neutral types, and reads line by line, so that a text without end is refused early. A word that no writer
 //! emits is refused, except what a plain program of straight moves has besides: numbers of lines, lower case where the control
 //! takes it, feed per minute, inches, steps. Knows no file.
 

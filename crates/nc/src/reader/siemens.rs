@@ -1,5 +1,6 @@
-//! Siemens 840D programs (spec 80 section 5): letters with numbers, addresses with an equals sign, calls, polynomials, splines
-//! and tables. Here is what a line does; `words.rs` and `calls.rs` know how it is spelt, `curves.rs` what takes several lines.
+//! Siemens 840D programs (`docs/mathematics/programs.md#the-independent-reader`): letters with numbers, addresses with an equals sign,
+//! calls, polynomials, splines and tables. Here is what a line does; `words.rs` and `calls.rs` know how it is spelt, `curves.rs` what takes
+//! several lines.
 
 mod calls;
 mod curves;
@@ -109,7 +110,7 @@ struct OpenTable {
     outside: Places,
 }
 
-/// A gear as the calls have told it so far.
+/// A gear as the calls have described it so far.
 struct Defined {
     leaders: Vec<usize>,
     gear: Option<Gear>,

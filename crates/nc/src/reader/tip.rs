@@ -66,7 +66,7 @@ impl Machine<'_> {
         }
     }
 
-    /// How the tool's axis is given: told once, by a word or by the first line that does it.
+    /// How the tool's axis is given: stated once, by a word or by the first line that does it.
     pub fn tip_control(&mut self, control: TipControl) -> Result<(), Fault> {
         let Some(tip) = &mut self.tip else {
             return Err((ReadProblem::Missing, "tip control before directions of the tool's axis"));

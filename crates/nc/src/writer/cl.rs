@@ -1,5 +1,5 @@
-//! Cutter locations as text in the words of APT (spec 50 section 12): what postprocessors of other systems read. One record a line;
-//! lengths in mm with five decimals, directions with seven.
+//! Cutter locations as text in the words of APT (`docs/mathematics/programs.md#cutters`): what postprocessors of other systems read. One
+//! record a line; lengths in mm with five decimals, directions with seven.
 //!
 //! ```text
 //! PARTNO/NAME                     UNITS/MM                    TOOL/MILL,diameter,corner radius,cutting length

@@ -1,5 +1,5 @@
-//! Fanuc 30i family, spec 80 section 6: straight blocks, tool tips, and the gear of a hobbing machine, which is told by the bodies.
-//! What nobody has confirmed stands in `unconfirmed.rs`.
+//! Fanuc 30i family, `docs/mathematics/programs.md#the-independent-reader`: straight blocks, tool tips, and the gear of a hobbing machine,
+//! which is given by the bodies. What is not confirmed stands in `unconfirmed.rs`.
 
 use super::lines::{Lines, PLAIN_DECIMALS, per_minute};
 use super::unconfirmed::{
@@ -9,7 +9,7 @@ use super::unconfirmed::{
 use super::{WriteOptions, Written};
 use crate::{Block, Coupling, Gear, MAXIMUM_AXES, NcError, Program, TipControl, ToothData, Word};
 
-/// A lead ratio may differ from that of the bodies by this share: rounding of whoever computed it.
+/// A lead ratio may differ from that of the bodies by this share: rounding by the program that computed it.
 const SAME_LEAD: f64 = 1e-9;
 
 pub(super) fn write(program: &Program, options: &WriteOptions) -> Result<Written, NcError> {
@@ -158,7 +158,7 @@ fn gear_words(out: &mut Lines<'_>, gear: &Gear) -> Result<String, NcError> {
         return refused("G81 couples the axis C");
     }
     let Some(teeth) = gear.teeth else {
-        return refused("G81 is told teeth, threads, module and helix angle, which are not given");
+        return refused("G81 needs teeth, threads, module and helix angle, which are not given");
     };
     let (mut tool, mut lead) = (None, None);
     for leader in &gear.leaders {

@@ -1,6 +1,6 @@
-//! A gear for LinuxCNC as a HAL netlist beside the program (spec 80 section 3): leaders times ratios plus an offset through
-//! `scale` and `sum2`, a switch that the program's M64 and M65 work, and a guard of the following error. `encoder_ratio` is not
-//! used: its error sum is a 32-bit integer. The order of HAL is kept here; the program is made in `linuxcnc.rs`.
+//! A gear for LinuxCNC as a HAL netlist beside the program (`docs/mathematics/programs.md#the-independent-reader`): leaders times ratios
+//! plus an offset through `scale` and `sum2`, a switch that the program's M64 and M65 work, and a guard of the following error.
+//! `encoder_ratio` is not used: its error sum is a 32-bit integer. The order of HAL is kept here; the program is made in `linuxcnc.rs`.
 
 use super::lines::Lines;
 use super::options::HalOptions;

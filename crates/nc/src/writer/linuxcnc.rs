@@ -1,4 +1,5 @@
-//! LinuxCNC (RS274/NGC), spec 80 section 3. What is here was measured on the client, except the netlist of `hal.rs`.
+//! LinuxCNC (RS274/NGC), `docs/mathematics/programs.md#the-independent-reader`. What is here was measured on the client, except the netlist
+//! of `hal.rs`.
 
 use super::lines::{Lines, PLAIN_DECIMALS, per_minute};
 use super::{Warning, WriteOptions, Written, hal};

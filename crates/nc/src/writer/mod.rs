@@ -1,4 +1,4 @@
-//! The writers: one file per control dialect over the lines that they share (spec 80 sections 2, 3, 5 and 6). A writer gives the
+//! The writers: one file per control dialect over the lines that they share (`docs/mathematics/programs.md`). A writer gives the
 //! same bytes for the same program and options. Knows no file, and nothing of the readers.
 
 mod cl;

@@ -1,5 +1,5 @@
-//! Numbers as controls read them (spec 80 section 2): fixed notation, the point always there, no exponent, no plus sign, no
-//! minus zero, rounded half to even from the exact binary value. Knows no word.
+//! Numbers as controls read them (`docs/mathematics/programs.md#what-rounding-adds`): fixed notation, the point always there, no exponent,
+//! no plus sign, no minus zero, rounded half to even from the exact binary value. Knows no word.
 
 use std::io::Write as _;
 

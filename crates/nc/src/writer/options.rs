@@ -1,4 +1,4 @@
-//! What a writer may be told, and what it gives back. Knows no grammar.
+//! Options of a writer, and what it gives back. Knows no grammar.
 
 use crate::NcError;
 
@@ -15,7 +15,7 @@ pub struct Decimals {
 }
 
 impl Decimals {
-    /// What spec 50 section 12 has for five-axis milling: 0.1 um, 1e-5 deg, a thousandth of the feed.
+    /// What `docs/mathematics/programs.md#cutters` has for five-axis milling: 0.1 um, 1e-5 deg, a thousandth of the feed.
     pub const MILLING: Self = Self { mm: 4, deg: 5, feed: 3 };
 }
 
@@ -25,7 +25,7 @@ impl Default for Decimals {
     }
 }
 
-/// Decimals of what only blocks under tip control have (spec 50 section 12).
+/// Decimals of what only blocks under tip control have (`docs/mathematics/programs.md#cutters`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TipDecimals {
     /// Of the speed of the tip in mm/min: 1 to 6.
@@ -50,7 +50,7 @@ pub enum FeedWords {
     AxisBlocks,
 }
 
-/// Options of the writers (spec 80 sections 1 to 6).
+/// Options of the writers (`docs/mathematics/programs.md`).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct WriteOptions {
     /// Decimals of the numbers.
@@ -171,7 +171,8 @@ pub struct Rounding {
 /// What a control will not keep although it takes the program.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Warning {
-    /// Blocks shorter than the control can run them (spec 80 section 3): they take longer than programmed.
+    /// Blocks shorter than the control can run them (`docs/mathematics/programs.md#the-independent-reader`): they take longer than
+    /// programmed.
     TimeNotKept {
         /// How many.
         count: usize,

@@ -1,5 +1,5 @@
-//! How far the tool on the workpiece may be off because numbers are rounded (spec 50 section 12), stated for a whole program from
-//! which words its blocks have. Knows no dialect and no machine: the distances from the axes of rotation are told.
+//! How far the tool on the workpiece may be off because numbers are rounded (`docs/mathematics/programs.md#cutters`), stated for a whole
+//! program from which words its blocks have. Knows no dialect and no machine: the distances from the axes of rotation are given.
 
 use super::options::WriteOptions;
 use crate::{AxisMotion, AxisWord, Block, NcError, Orientation, Program, Targets, Word};
@@ -19,7 +19,8 @@ pub struct RoundingBound {
 
 /// States what rounding with these options adds at most, over all blocks: for straight axes at right angles half a unit each,
 /// 0.087 um for three of four decimals, and for every rotary axis half a unit at the distance of the cutting point, 0.087e-3 um for
-/// each mm at five decimals (spec 50 section 12). Axes that a block does not name stand where their last, rounded value put them.
+/// each mm at five decimals (`docs/mathematics/programs.md#cutters`). Axes that a block does not name stand where their last, rounded value
+/// put them.
 ///
 /// `from_axes` is the greatest distance of a cutting point from an axis of rotation, `from_tip` that of a cutting point from the
 /// tip of its tool, both mm: under tip control the tip stays where it is when the tool turns. What happens inside a block and what

@@ -1,5 +1,5 @@
-//! Siemens 840D family, spec 80 section 5: electronic gearbox, curve tables, cubics and B-splines of all axes, tool tips. What
-//! nobody has confirmed stands in `unconfirmed.rs`.
+//! Siemens 840D family, `docs/mathematics/programs.md#the-independent-reader`: electronic gearbox, curve tables, cubics and B-splines of
+//! all axes, tool tips. What is not confirmed stands in `unconfirmed.rs`.
 
 use super::lines::{Lines, PLAIN_DECIMALS, per_minute};
 use super::number::push_significant;

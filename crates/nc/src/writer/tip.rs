@@ -1,4 +1,5 @@
-//! Lines of blocks under tip control (spec 50 section 12), which Siemens and Fanuc write alike but for the words of a direction.
+//! Lines of blocks under tip control (`docs/mathematics/programs.md#cutters`), which Siemens and Fanuc write alike but for the words of a
+//! direction.
 
 use super::lines::{FeedMode, Lines};
 use super::number::push_fixed;

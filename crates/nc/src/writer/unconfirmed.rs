@@ -1,5 +1,6 @@
-//! What the writers take for granted about a control without a manual or a measurement behind it (marked [U] in spec 80). It
-//! stands here and nowhere else, so that whoever has the control changes one file. The reader has its own list.
+//! What the writers take for granted about a control without a manual or a measurement behind it (marked [U] in
+//! `docs/mathematics/programs.md`). It stands here and nowhere else, so that an owner of the control changes one file. The reader has its
+//! own list.
 
 /// Siemens: metric, absolute, plane, no radius compensation, no frame, path mode.
 pub(super) const SIEMENS_PREAMBLE: &str = "G710 G90 G17 G40 G500 G64";

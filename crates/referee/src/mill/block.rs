@@ -1,7 +1,7 @@
 //! One block of a path as a motion: where the cutter stands at a fraction of it, and how a ray's point sees that.
 //!
-//! The tip moves linearly; the axis is interpolated linearly and then normalised (spec 50 section 13). In the coordinates of the
-//! cutter, turned without spin, a point p of the workpiece runs along y(t) with y' = -T' - z a' + ((p - T) a') a and
+//! The tip moves linearly; the axis is interpolated linearly and then normalised (`docs/mathematics/milling.md#the-referee`). In the
+//! coordinates of the cutter, turned without spin, a point p of the workpiece runs along y(t) with y' = -T' - z a' + ((p - T) a') a and
 //! |y''| <= 2 W |T'| + 1.2 W^2 |p - T|, W the largest rate of turn of the block.
 
 use super::body::Part;

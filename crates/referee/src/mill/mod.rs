@@ -1,4 +1,5 @@
-//! Five-axis milling: normal rays of the workpiece, shortened by cutters that move along blocks (spec 50 section 13).
+//! Five-axis milling: normal rays of the workpiece, shortened by cutters that move along blocks
+//! (`docs/mathematics/milling.md#the-referee`).
 //!
 //! A cutter in one place covers an interval of a ray; seen from inside the material the first entry into it is what remains. The
 //! length of a ray is the lowest entry over all places of all blocks. It is found with a proof that no place enters lower (see the

@@ -183,7 +183,7 @@ fn panels(chart: &AxisChart) -> [Panel<'_>; 3] {
     ]
 }
 
-/// Limits that the curve reaches or nearly reaches. Farther ones would squeeze it; they are said beside the title.
+/// Limits that the curve reaches or nearly reaches. Farther ones would squeeze it; they are named beside the title.
 fn near_limits(panel: &Panel<'_>) -> Vec<f64> {
     let (from, to) = panel.range;
     let near = NEAR * (to - from);

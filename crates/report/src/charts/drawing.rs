@@ -1,4 +1,4 @@
-//! Drawings of bodies and paths: lines with equal scales on both axes, told apart by width, dash and ground.
+//! Drawings of bodies and paths: lines with equal scales on both axes, distinguished by width, dash and background.
 
 use super::axes::{Frame, TICK_SIZE, horizontal_bar};
 use super::error::{ChartError, check_count, check_values};

@@ -78,7 +78,7 @@ impl SectionKind {
         match self {
             Self::ActiveFlank => "dresser: active flank",
             Self::TipLand => "tip land",
-            Self::CounterFlank => "counter flank",
+            Self::CounterFlank => "opposite flank",
         }
     }
 

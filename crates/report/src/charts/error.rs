@@ -1,4 +1,4 @@
-//! What can be wrong with the data of a chart.
+//! Errors of the data of a chart.
 
 use finding::Finding;
 use thiserror::Error;

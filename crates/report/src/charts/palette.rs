@@ -54,7 +54,7 @@ const MATERIAL: [[u8; 3]; 5] =
     [[250, 250, 248], [247, 223, 190], [233, 178, 118], [203, 126, 61], [147, 78, 22]];
 
 /// Colour of a signed value, `share` = value / largest magnitude in -1 .. 1. Lightness falls with the magnitude on
-/// both sides, so that the order survives a grey copy; the sign is told by hatching and labels.
+/// both sides, so that the order survives a grey copy; the sign is shown by hatching and labels.
 pub fn signed_color(share: f64) -> String {
     let stops = if share < 0.0 { &RELIEF } else { &MATERIAL };
     let place = share.abs().min(1.0) * (stops.len() - 1) as f64;

@@ -218,7 +218,7 @@ mod tests {
                 marked: true,
             }],
             rings: vec![([90.0, values[1]], "tooth 10".into())],
-            rings_name: "stands out".into(),
+            rings_name: "outlier".into(),
             remarks: vec!["eccentricity 9.4 µm".into()],
         }
     }
@@ -235,7 +235,7 @@ mod tests {
     #[test]
     fn names_circles_curves_and_rings() {
         let text = polar_chart(&chart(&[5.0, -3.0, 2.0, 0.0])).unwrap().to_string();
-        for part in ["Concentricity", "deviation [µm]", "centre", "tooth 10", "stands out", "9.4 µm", ">−2<"]
+        for part in ["Concentricity", "deviation [µm]", "centre", "tooth 10", "outlier", "9.4 µm", ">−2<"]
         {
             assert!(text.contains(part), "{part} in {text}");
         }

@@ -127,7 +127,7 @@ pub fn worm_occupation_chart(chart: &WormOccupationChart) -> Result<Svg, ChartEr
 fn check(chart: &WormOccupationChart) -> Result<(), ChartError> {
     check_values("usable width", &chart.width_mm)?;
     check_ascending("usable width", &chart.width_mm)?;
-    check_count("worm occupation rows", chart.rows.len(), 1)?;
+    check_count("rows of the used worm width", chart.rows.len(), 1)?;
     for row in &chart.rows {
         check_count(&row.name, row.bars.len(), 1)?;
         for bar in &row.bars {

@@ -37,7 +37,7 @@ pub struct GeneratingReport {
     pub worm: Vec<Quantity>,
     /// Data of the dresser.
     pub dresser: Vec<Quantity>,
-    /// Settings of the machine and the process: distances, angles, feeds, occupation.
+    /// Settings of the machine and the process: distances, angles, feeds, used worm width.
     pub settings: Vec<Quantity>,
     /// The diagonal ratio and why it was chosen.
     pub ratio: Option<RatioChoice>,
@@ -204,7 +204,7 @@ pub struct DressingMotion {
     pub v_zs_mm: Vec<f64>,
     /// Change of the worm's rotation, degree.
     pub d_phi_s_deg: Vec<f64>,
-    /// Change of the axis crossing angle, degree.
+    /// Change of the crossing angle, degree.
     pub d_gamma_deg: Vec<f64>,
     /// Change of the centre distance of dresser and worm, mm.
     pub d_d_mm: Vec<f64>,

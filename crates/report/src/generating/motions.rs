@@ -86,7 +86,7 @@ pub(super) fn dressing(motions: &Sides<Option<DressingMotion>>) -> Result<Vec<Bl
         x_title: "v_zS [mm]".to_owned(),
         panels: vec![
             panel("Worm rotation d_φS [°]", 1e-4, |m| &m.d_phi_s_deg),
-            panel("Axis crossing angle d_γ [°]", 1e-4, |m| &m.d_gamma_deg),
+            panel("Crossing angle d_γ [°]", 1e-4, |m| &m.d_gamma_deg),
             panel("Centre distance d_d [mm]", 1e-4, |m| &m.d_d_mm),
             panel("Tangential offset d_vyA [mm]", 1e-4, |m| &m.d_v_ya_mm),
         ],

@@ -1,4 +1,4 @@
-//! From a job's tables to the control that is simulated: units become mm, rad, s, and what is wrong is told by its key. The tables are those
+//! From a job's tables to the control that is simulated: units become mm, rad, s, and errors name the key. The tables are those
 //! of a grinding job below `control`, or of a job of the electronic gearbox at its top: `below` is "control." or empty.
 
 use crate::finding::RunFailure;

@@ -72,7 +72,7 @@ pub struct Moved<'a> {
     pub duration: f64,
     /// By which share a speed may be above the limit because its block is rounded.
     pub rounding: f64,
-    /// The motion itself, to tell the block of what does not fit; `None` where that is told otherwise.
+    /// The motion itself, to name the block of what does not fit; `None` where that is reported elsewhere.
     pub tracked: Option<&'a Tracked>,
 }
 

@@ -1,4 +1,4 @@
-//! What can be wrong with a mesh or with the data that go with it.
+//! Errors of a mesh and of the data that go with it.
 
 use finding::Finding;
 use thiserror::Error;

@@ -4,7 +4,7 @@ use super::error::MeshError;
 use super::triangle_mesh::TriangleMesh;
 use nalgebra::Vector3;
 
-/// On which side of a grid the outside lies, told by the steps to the next row and to the next column.
+/// On which side of a grid the outside lies, given by the steps to the next row and to the next column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PatchSide {
     /// The outward normal is (step to the next row) x (step to the next column).

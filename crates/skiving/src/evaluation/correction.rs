@@ -1,4 +1,5 @@
-//! From what a measured tool will leave on the workpiece to the change of the machine's setting that makes it least (spec 60 section 9).
+//! From what a measured tool will leave on the workpiece to the change of the machine's setting that makes it least
+//! (`docs/mathematics/skiving.md#correction-of-the-setting`).
 
 use super::Evaluation;
 use crate::measuring::FlankTracks;

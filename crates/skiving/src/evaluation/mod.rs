@@ -1,5 +1,5 @@
-//! From angles at which a light barrier switched to what is wrong with a skiving tool, and to what its workpiece will be (spec 60
-//! section 8).
+//! From angles at which a light barrier switched to what is wrong with a skiving tool, and to what its workpiece will be
+//! (`docs/mathematics/skiving.md#evaluation`).
 
 mod as_measured;
 mod assignment;
@@ -30,9 +30,9 @@ use standing_out::{StandingOut, beyond_median, standing_out};
 /// Whose deviations make clocking, means, pitch and correction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Counting {
-    /// Those of teeth that do not stand out.
+    /// Those of teeth that are no outliers.
     Whole,
-    /// Those of all teeth, as spec 60 section 8 has it; the mounting alone leaves teeth out.
+    /// Those of all teeth, as `docs/mathematics/skiving.md#evaluation` has it; the mounting alone leaves teeth out.
     All,
 }
 
@@ -51,9 +51,9 @@ pub struct Evaluation {
     pub remaining: Deviations,
     /// Profiles, tolerance bands and wear.
     pub profile: ProfileVerdict,
-    /// Teeth that count for clocking, means, mounting and correction: measured whole, and not standing out.
+    /// Teeth that count for clocking, means, mounting and correction: measured whole, and no outlier.
     pub counting: Vec<bool>,
-    /// The edges that stand out, of the teeth that are left out: the left flank first, teeth ascending.
+    /// The outlier edges of the teeth that are left out: the left flank first, teeth ascending.
     pub standing_out: Vec<(Flank, usize)>,
 }
 
@@ -88,7 +88,7 @@ pub fn evaluate_measured(
     of_teeth(flanks, &measured.deviations, &measured.missing, options, Counting::Whole)
 }
 
-/// The evaluation by the letter of spec 60 section 8, where broken teeth are left out of the mounting alone.
+/// The evaluation by the letter of `docs/mathematics/skiving.md#evaluation`, where broken teeth are left out of the mounting alone.
 ///
 /// # Errors
 /// As [`evaluate`].

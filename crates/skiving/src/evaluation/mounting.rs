@@ -1,4 +1,5 @@
-//! How the tool is mounted: eccentricity and wobble as the rigid motion that fits the whole teeth best (spec 60 section 8).
+//! How the tool is mounted: eccentricity and wobble as the rigid motion that fits the whole teeth best
+//! (`docs/mathematics/skiving.md#evaluation`).
 
 use super::Deviations;
 use crate::MeasuringTrack;
@@ -22,12 +23,12 @@ pub struct Mounting {
     pub deviation: [f64; 4],
     /// C: what is left on each track in the mean, clocking included where the deviations include it, mm.
     pub constants: Sides<Vec<f64>>,
-    /// Teeth that stand out and were left out of the fit.
+    /// Outlier teeth, which were left out of the fit.
     pub left_out: Vec<usize>,
 }
 
 /// Standard deviation of what a linear evaluation is off, as a share of how far the teeth deviate: 0.026 to 0.050 um at most of 16 to
-/// 26 um (spec 60 section 15), evenly up to there.
+/// 26 um (`docs/mathematics/skiving.md#how-it-is-verified`), evenly up to there.
 const LINEARISATION: f64 = 1.1e-3;
 /// Relative size of a singular value below which a direction is not observed.
 const RANK: f64 = 1e-12;

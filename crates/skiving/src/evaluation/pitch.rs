@@ -1,4 +1,4 @@
-//! Pitch, tooth centres and thickness from the middle track (spec 60 section 8).
+//! Pitch, tooth centres and thickness from the middle track (`docs/mathematics/skiving.md#evaluation`).
 
 use super::Deviations;
 use crate::measuring::FlankTracks;

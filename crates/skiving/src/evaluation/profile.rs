@@ -1,5 +1,5 @@
-//! The profile of the edges: means of the tracks, compensation curve, tolerance bands, wear, and the workpiece's profile to come (spec
-//! 60 section 8).
+//! The profile of the edges: means of the tracks, compensation curve, tolerance bands, wear, and the workpiece's profile to come
+//! (`docs/mathematics/skiving.md#evaluation`).
 
 use super::Deviations;
 use crate::SkivingError;

@@ -3,7 +3,7 @@
 //!
 //! On one track of one flank a whole tooth differs from the mean by the mounting alone, a wave of one period around the tool, and by its
 //! own small errors. So the wave that fits half of the teeth closest is the start (least trimmed squares, from waves through three teeth
-//! each); whatever lies further from it than chance explains stands out.
+//! each); whatever lies further from it than chance explains is an outlier.
 
 use super::{Deviations, Mounting};
 use crate::measuring::{FlankTracks, Noise};
@@ -12,7 +12,8 @@ use foundation::numerics::{Harmonic, root_mean_square, student_quantile};
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
 
-/// A distance below which no tooth stands out, mm: linear evaluation and small errors of grinding (spec 60 section 8).
+/// A distance below which no tooth is an outlier, mm: linear evaluation and small errors of grinding
+/// (`docs/mathematics/skiving.md#evaluation`).
 const SURE: f64 = 1e-3;
 /// Probability with which any tooth of a whole tool is taken for a broken one, over all teeth, tracks and flanks.
 const FAMILY: f64 = 1e-3;
@@ -23,7 +24,7 @@ const SPREAD: f64 = 0.15;
 /// Starts that are refined, and steps of that.
 const STARTS: usize = 8;
 const STEPS: usize = 20;
-/// Standard deviations that stand out however few the teeth are.
+/// Standard deviations that make an outlier however few the teeth are.
 const CERTAIN: f64 = 10.0;
 /// Fewer teeth do not tell which of them are whole.
 const FEWEST: usize = 8;
@@ -32,7 +33,7 @@ const OF_MEDIAN: f64 = 1.4826;
 /// First number of the triples' random sequence.
 const SEED: u64 = 60;
 
-/// What stands out.
+/// The outliers.
 #[derive(Clone, Debug, Default)]
 pub(super) struct StandingOut {
     /// Teeth, ascending.
@@ -41,7 +42,7 @@ pub(super) struct StandingOut {
     pub edges: Vec<(Flank, usize)>,
 }
 
-/// What stands out among the teeth with `present`.
+/// The outliers among the teeth with `present`.
 pub(super) fn standing_out(deviations: &Deviations, present: &[bool]) -> StandingOut {
     let waves = Waves::new(deviations);
     let there: Vec<usize> = (0..present.len()).filter(|&tooth| present[tooth]).collect();
@@ -67,9 +68,9 @@ fn in_order(edges: impl Iterator<Item = (Flank, usize)>) -> Vec<(Flank, usize)> 
     edges
 }
 
-/// The teeth that spec 60 section 8 leaves out of the mounting: with a residual of the fit to all teeth beyond 3.5 standard deviations, these
-/// from the median, unless that is more than a quarter of them. It takes the random errors of some whole teeth for damage, and finds
-/// nothing where many are broken.
+/// The teeth that `docs/mathematics/skiving.md#evaluation` leaves out of the mounting: with a residual of the fit to all teeth beyond 3.5
+/// standard deviations, these from the median, unless that is more than a quarter of them. It takes the random errors of some whole teeth
+/// for damage, and finds nothing where many are broken.
 pub(super) fn beyond_median(
     flanks: &Sides<FlankTracks>,
     deviations: &Deviations,
@@ -212,7 +213,7 @@ struct Kept {
 }
 
 /// Standard deviation of distances of which a third may be anything: by their median, which does not ask for the rest, and by the root of
-/// the mean square of those within three of it, which is surer; the larger, since a low one would make whole teeth stand out.
+/// the mean square of those within three of it, which is surer; the larger, since a low one would make outliers of whole teeth.
 fn scatter(mut off: Vec<f64>) -> f64 {
     let by_median = OF_MEDIAN * median(&mut off);
     let near: Vec<f64> = off.into_iter().filter(|off| *off <= 3.0 * by_median).collect();

@@ -1,4 +1,4 @@
-//! Adds a measurement to a history. The file is written anew and renamed, so that nobody sees half of it; two programs that add at the
+//! Adds a measurement to a history. The file is written anew and renamed, so that no reader sees half of it; two programs that add at the
 //! same time may lose one of the two lines.
 
 use std::collections::HashMap;

@@ -137,7 +137,7 @@ fn tool_errors(job: &SkivingJob, findings: &mut Vec<Diagnostic>) {
             "tool_errors.pitch_um",
             format!("{given} entries"),
             &format!("{teeth} entries, one for each tooth"),
-            "give one pitch error for each tooth",
+            "give one pitch deviation for each tooth",
         ));
     }
     let numbers: Vec<usize> = errors.teeth.iter().map(|one| one.tooth).collect();
@@ -180,7 +180,7 @@ fn calibration(job: &SkivingJob, findings: &mut Vec<Diagnostic>) {
     let switches = given.switches.len();
     match given.heights {
         Some([low, high]) if low == high => findings.push(contradiction(
-            "at one height the tilt of the beam cannot be told",
+            "at one height the tilt of the beam cannot be determined",
             "calibration.heights",
             format!("[{0}, {0}]", shown_number(low)),
             "two positions Z",

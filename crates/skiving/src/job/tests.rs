@@ -1,4 +1,4 @@
-//! Jobs of measuring a skiving tool as they are read: defaults, alternatives, and what is told of each that is wrong.
+//! Jobs of measuring a skiving tool as they are read: defaults, alternatives, and the message for each that is wrong.
 
 use super::{MachineSetting, MeasuringPoses, Senses, SkivingJob, ToolEvaluation, ToolMeasuring};
 use job::testing::{Case, assert_found};

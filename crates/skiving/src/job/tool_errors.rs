@@ -16,7 +16,7 @@ pub struct ToolErrors {
     /// Wobble about x and y of the spindle, urad.
     #[schemars(schema_with = "wobble_schema")]
     pub wobble_urad: [f64; 2],
-    /// Pitch error of every tooth from tooth 0 on at the pitch circle, um, > 0 counter-clockwise seen from the rake face; default none.
+    /// Pitch deviation of every tooth from tooth 0 on at the pitch circle, um, > 0 counter-clockwise seen from the rake face; default none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[schemars(schema_with = "pitch_schema")]
     pub pitch_um: Vec<f64>,
@@ -64,7 +64,7 @@ pub struct ToothErrors {
     /// Whether it is broken off.
     #[serde(default)]
     pub broken: bool,
-    /// Its pitch error, um.
+    /// Its pitch deviation, um.
     #[serde(default)]
     #[schemars(extend("minimum" = -1000, "maximum" = 1000, "x-way-out" = "give the error in micrometres"))]
     pub pitch_um: f64,

@@ -1,5 +1,5 @@
 //! The moment at which a tooth switches the light barrier: the turn at which the rounding of its edge is as far from the beam's axis as
-//! both radii together (spec 60 section 7).
+//! both radii together (`docs/mathematics/skiving.md#light-barrier`).
 
 use super::pose::{swivelled, turned};
 use super::{Beam, MeasuringPose, RealTool, nominal_angle};
@@ -29,7 +29,7 @@ pub struct Barrier<'a> {
     pub pose: &'a MeasuringPose,
 }
 
-/// Steps of Newton's iteration, and the last of them, rad and mm; the length of roll is told by how the gap bends, less sharply.
+/// Steps of Newton's iteration, and the last of them, rad and mm; the length of roll follows from the curvature of the gap, less sharply.
 const STEPS: usize = 40;
 const LAST: f64 = 1e-14;
 const LAST_ROLL: f64 = 1e-9;

@@ -1,5 +1,5 @@
 //! The cylinder that feels: a light beam or a stylus, fixed in the machine. Machine axes: X along the common normal, Z along the
-//! workpiece's axis, the tool on A about X and B about its own axis (spec 60 section 6).
+//! workpiece's axis, the tool on A about X and B about its own axis (`docs/mathematics/skiving.md#tracks-and-poses`).
 
 use crate::SkivingError;
 use nalgebra::Vector3;

@@ -1,4 +1,4 @@
-//! The beam measured with a mandrel: five unknowns from six places at which it switches (spec 60 section 10).
+//! The beam measured with a mandrel: five unknowns from six places at which it switches (`docs/mathematics/skiving.md#light-barrier`).
 
 use super::{BeamLine, Mandrel};
 use crate::SkivingError;
@@ -36,7 +36,7 @@ pub struct Calibration {
 /// Steps of Gauss and Newton, and the last of them, mm.
 const STEPS: usize = 50;
 const LAST: f64 = 1e-13;
-/// Relative size of a singular value below which the unknowns are not told apart: the slopes act through the difference in height, which
+/// Relative size of a singular value below which the unknowns are not distinguished: the slopes act through the difference in height, which
 /// is a hundredth of the heights themselves at worst.
 const RANK: f64 = 1e-9;
 
@@ -65,7 +65,7 @@ impl Calibration {
         if heights.iter().all(|z| *z == heights[0]) {
             return Err(singular("all observations at one height"));
         }
-        // The beam's point is sought at the middle height: there its place and its slopes are told apart.
+        // The beam's point is sought at the middle height: there its place and its slopes are separated.
         let level = heights.iter().sum::<f64>() / heights.len() as f64;
         let mut line = *start;
         for _ in 0..STEPS {

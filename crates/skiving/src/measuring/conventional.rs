@@ -1,5 +1,5 @@
 //! The usual way, for comparison: the beam parallel to the tool's axis in every pose. It touches the silhouette instead of the contact
-//! point (spec 60 section 12).
+//! point (`docs/mathematics/skiving.md#limits`).
 
 use super::{Barrier, Beam, MeasuringPose, RealTool, nominal_angle};
 use crate::{MeasuringTrack, SkivingError, VirtualEdge};

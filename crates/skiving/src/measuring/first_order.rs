@@ -1,4 +1,4 @@
-//! What a measurement is to find: the errors of a real tool at a contact point, to the first order (spec 60 sections 4 and 8).
+//! What a measurement is to find: the errors of a real tool at a contact point, to the first order (`docs/mathematics/skiving.md`).
 
 use super::{RealTool, turned};
 use crate::{MeasuringTrack, VirtualEdge};

@@ -1,5 +1,5 @@
-//! A mandrel in the spindle and the tilted beam: when it is dark (spec 60 section 10). The height of the mandrel enters, because an
-//! endless one would meet every tilted beam.
+//! A mandrel in the spindle and the tilted beam: when it is dark (`docs/mathematics/skiving.md#light-barrier`). The height of the mandrel
+//! enters, because an endless one would meet every tilted beam.
 
 use foundation::numerics::brent;
 use nalgebra::{Vector2, Vector3};

@@ -1,5 +1,5 @@
 //! Measuring a skiving tool in the machine: the beam of a light barrier, or a stylus, laid on the edge at its virtual contact points
-//! (spec 60 sections 6 to 12).
+//! (`docs/mathematics/skiving.md`).
 
 mod barrier;
 mod beam;

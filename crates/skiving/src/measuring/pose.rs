@@ -1,4 +1,5 @@
-//! Poses of the tool in which the beam touches the edge at a track: position and orientation in closed form (spec 60 section 6).
+//! Poses of the tool in which the beam touches the edge at a track: position and orientation in closed form
+//! (`docs/mathematics/skiving.md#tracks-and-poses`).
 
 use super::Beam;
 use crate::{MeasuringTrack, SkivingError};

@@ -1,5 +1,5 @@
 //! Whether the machine gets into a pose and the beam passes everything else there: limits of the axes, the lean against the flank, the
-//! shadow of other flanks (spec 60 section 6).
+//! shadow of other flanks (`docs/mathematics/skiving.md#tracks-and-poses`).
 
 use super::{
     Beam, MeasuringPose, OTHER_FLANK_GAP, PoseKind, measuring_poses, nearest_clamped, nearest_other_flank,
@@ -22,7 +22,7 @@ pub struct PoseLimits {
 }
 
 impl Default for PoseLimits {
-    /// Axes without ends, 15 deg and 5 mm of spec 60 section 6.
+    /// Axes without ends, 15 deg and 5 mm of `docs/mathematics/skiving.md#tracks-and-poses`.
     fn default() -> Self {
         let all = [f64::NEG_INFINITY, f64::INFINITY];
         Self { swivel: all, position: [all; 3], off_flank: 15f64.to_radians(), body_depth: 5.0 }
@@ -96,7 +96,8 @@ pub fn check_pose(
         let (other, tooth, gap) = (nearest.flank, nearest.tooth, nearest.gap);
         return Err(SkivingError::Shadowed { flank, track, other, tooth, gap });
     }
-    // The own edge is touched at one place, which the rounding has; everything else of it must stay away (spec 60 section 6).
+    // The own edge is touched at one place, which the rounding has; everything else of it must stay away
+    // (`docs/mathematics/skiving.md#tracks-and-poses`).
     if own_edge_gap(&edges[flank], pose, beam, limits.body_depth) < OWN_EDGE {
         let (angle, [least, greatest]) = (at.section.contact_angle, at.section.range);
         return Err(SkivingError::BodyTouched { tooth: 0, angle, least, greatest });

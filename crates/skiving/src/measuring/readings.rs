@@ -1,5 +1,5 @@
 //! What a control writes down: angles at which the barrier switched, with everything that comes between the moment and the number
-//! (spec 60 section 7).
+//! (`docs/mathematics/skiving.md#light-barrier`).
 
 use super::{Barrier, Beam, MeasuringPose, Noise, RealTool};
 use crate::{MeasuringTrack, SkivingError, VirtualEdge};
@@ -95,7 +95,7 @@ impl BarrierData {
         beam.radius - 0.5 * self.hysteresis * (lever * sense.sign()).signum()
     }
 
-    /// Standard deviation of a single deviation, mm (spec 60 section 7).
+    /// Standard deviation of a single deviation, mm (`docs/mathematics/skiving.md#light-barrier`).
     pub fn single_deviation(&self, lever: f64) -> f64 {
         let time = lever * self.speed * self.jitter;
         let step = lever * self.encoder_step;

@@ -1,4 +1,5 @@
-//! A tool as it is: every tooth with its own pitch, profile and rounding, the whole mounted off its axis (spec 60 section 7).
+//! A tool as it is: every tooth with its own pitch, profile and rounding, the whole mounted off its axis
+//! (`docs/mathematics/skiving.md#light-barrier`).
 
 use crate::{SkivingError, VirtualEdge};
 use foundation::geometry::Sides;
@@ -18,7 +19,7 @@ pub struct EdgeErrors {
 /// Errors of a whole tool. mm, rad.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RealTool {
-    /// delta_k: pitch error of each tooth, > 0 counter-clockwise.
+    /// delta_k: pitch deviation of each tooth, > 0 counter-clockwise.
     pub pitch: Vec<f64>,
     /// Errors of both edges of each tooth.
     pub edges: Sides<Vec<EdgeErrors>>,

@@ -1,4 +1,5 @@
-//! Whether the beam passes all that it is not to touch: edges and clearance faces of the other flanks of all teeth (spec 60 section 6).
+//! Whether the beam passes all that it is not to touch: edges and clearance faces of the other flanks of all teeth
+//! (`docs/mathematics/skiving.md#tracks-and-poses`).
 
 use super::{Beam, MeasuringPose};
 use crate::VirtualEdge;

@@ -1,5 +1,5 @@
 //! The strip of light and dark that a whole tool leaves in one pose: both edges of every tooth switch, only one of them is measured
-//! (spec 60 section 7).
+//! (`docs/mathematics/skiving.md#light-barrier`).
 
 use super::{Barrier, RealTool};
 use crate::{MeasuringTrack, SkivingError, VirtualEdge};

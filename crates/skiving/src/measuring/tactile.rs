@@ -1,5 +1,5 @@
-//! The tactile variant: a stylus of cylindrical shape runs along the edge while the axes follow, all of them or without Y and Z (spec 60
-//! section 11).
+//! The tactile variant: a stylus of cylindrical shape runs along the edge while the axes follow, all of them or without Y and Z
+//! (`docs/mathematics/skiving.md#tracks-and-poses`).
 
 use super::pose::tangent;
 use super::{Beam, MeasuringPose};

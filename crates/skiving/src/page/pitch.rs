@@ -21,7 +21,7 @@ pub struct PitchView {
     pub centre_um: Vec<f64>,
     /// Cosine and sine part of the centres' first harmonic, um.
     pub harmonic_um: [f64; 2],
-    /// Teeth that stand out.
+    /// Outlier teeth.
     pub outliers: Vec<usize>,
     /// F_p, f_p,max, eccentricity, wobble and what else there is.
     pub figures: Vec<UncertainFigure>,
@@ -105,7 +105,7 @@ impl PitchView {
                 },
             ],
             rings: self.outliers.iter().filter_map(ring).collect(),
-            rings_name: "tooth that stands out".into(),
+            rings_name: "outlier tooth".into(),
             remarks: vec![
                 format!("First harmonic: {amplitude} µm, greatest at {towards}° from tooth 0."),
                 "Numbers at the rim are teeth.".into(),
@@ -125,7 +125,7 @@ impl PitchView {
             })
             .collect();
         if !rings.is_empty() {
-            lines.push(Series::rings("tooth that stands out", rings));
+            lines.push(Series::rings("outlier tooth", rings));
         }
         let single = Series::bars("single pitch f_pk", teeth, self.single_um.clone());
         let chart = LineChart {

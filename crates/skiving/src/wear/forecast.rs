@@ -2,7 +2,7 @@
 //!
 //! N = (limit - a)/b. To the first order its variance is (var a + 2 N cov + N^2 var b)/b^2. The interval is Fieller's: all N for which
 //! limit - a - b N lies within 1.96 of its standard deviations of 0; it is exact for normally distributed wear, and has no upper end
-//! once the rate itself cannot be told from 0.
+//! once the rate itself cannot be distinguished from 0.
 
 use finding::Finding;
 use nalgebra::{Matrix2, Vector2};

@@ -1,9 +1,10 @@
 //! How much the rounding of every edge has grown, from the deviations that remain without mounting: least squares of
 //! f = shift + drho growth_at(theta) over the tracks of an edge.
 //!
-//! The factor growth_at differs little from track to track (-0.154 to -0.157 on the spur tool of spec 60 section 15): a shift and a
-//! growth are told apart only where its spread does more than the noise. Where it does not, all is taken for growth. Then errors of
-//! grinding count as growth, some six times as large, unless the deviations are those since the tool was fresh.
+//! The factor growth_at differs little from track to track (-0.154 to -0.157 on the spur tool of
+//! `docs/mathematics/skiving.md#how-it-is-verified`): a shift and a growth are distinguished only where its spread does more than the noise.
+//! Where it does not, all is taken for growth. Then errors of grinding count as growth, some six times as large, unless the deviations are
+//! those since the tool was fresh.
 
 use super::WearError;
 use super::growth_model::{Edge, Model};
@@ -28,7 +29,7 @@ pub struct GrowthOptions {
     pub positions: ToothPositions,
     /// Standard deviation of every deviation, mm.
     pub sigma: f64,
-    /// Standard deviation of the growth up to which a shift is told from it, mm.
+    /// Standard deviation of the growth up to which a shift is distinguished from it, mm.
     pub resolution: f64,
 }
 

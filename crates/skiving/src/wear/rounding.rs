@@ -2,10 +2,10 @@
 //! flank is then.
 //!
 //! In the section across the edge, rake face and clearance face are straight; directions count from the rake face's normal, h is half of
-//! theta_c. A body of tangents is told by its support: how far it comes out in every direction. A rounding that has grown by drho comes
-//! out less by drho (cos(th - h)/cos h - 1) (spec 60 section 4). A fresh edge below a rake face that has been ground down by s is the old
-//! fresh one moved down along the clearance face; it comes out less by s sin(theta_c - th)/sin theta_c. It can be made from the worn one
-//! where it comes out less in all directions up to theta_hi:
+//! theta_c. A body of tangents is described by its support: how far it comes out in every direction. A rounding that has grown by drho comes
+//! out less by drho (cos(th - h)/cos h - 1) (`docs/mathematics/skiving.md#the-virtual-edge`). A fresh edge below a rake face that has been
+//! ground down by s is the old fresh one moved down along the clearance face; it comes out less by s sin(theta_c - th)/sin theta_c. It can
+//! be made from the worn one where it comes out less in all directions up to theta_hi:
 //!
 //! ```text
 //! s >= drho * 2 sin h sin(th/2)/cos(h - th/2),

@@ -27,8 +27,8 @@ pub struct Noted {
     pub remarks: Vec<Remark>,
 }
 
-/// What a linear evaluation is off at most where teeth deviate by some 20 um (spec 60 section 15), um: two measurements differ by as much
-/// without any noise.
+/// What a linear evaluation is off at most where teeth deviate by some 20 um (`docs/mathematics/skiving.md#how-it-is-verified`), um: two
+/// measurements differ by as much without any noise.
 const LINEARISATION_UM: f64 = 0.03;
 /// Decimals of um and urad that are noted: a repeated run notes the same, on any processor.
 const DECIMALS: f64 = 1e4;

@@ -19,9 +19,9 @@ use job::Diagnostic;
 use run::RunFailure;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Standard deviation of a growth up to which it is told from a shift of the edge, mm.
+/// Standard deviation of a growth up to which it is distinguished from a shift of the edge, mm.
 const GROWTH_RESOLUTION: f64 = 2e-3;
-/// What a linear evaluation is off where nothing scatters (spec 60 section 15), mm.
+/// What a linear evaluation is off where nothing scatters (`docs/mathematics/skiving.md#how-it-is-verified`), mm.
 const LEAST_SIGMA: f64 = 3e-5;
 
 /// In which senses, and how often in each, a tool was measured.

@@ -46,7 +46,7 @@ impl MeasuringModel {
     /// The measurement once more with the noise that begins at `seed`; `None` where nothing is measured.
     ///
     /// # Errors
-    /// [`RunFailure`]: readings that cannot be told apart.
+    /// [`RunFailure`]: readings that cannot be distinguished.
     pub fn repeated(&self, seed: u64) -> Option<Result<MeasuredTool, RunFailure>> {
         let measurement = self.measurement.as_ref()?;
         Some(measurement.repeated(&self.bodies).measured(seed).map_err(|error| failure(&error)))

@@ -1,4 +1,4 @@
-//! The measurement repeated with other noise: names and units of what scatters, beside what was told before.
+//! The measurement repeated with other noise: names and units of what scatters, beside what was predicted.
 
 use super::finding::failure;
 use super::measurement::Measurement;

@@ -16,8 +16,8 @@ use std::f64::consts::TAU;
 /// f_n against the involute that every tooth leaves, [track][tooth] of each flank, mm.
 pub(super) type Left = Sides<Vec<Vec<f64>>>;
 
-/// The tool passes the space within this turn to both sides, rad: at least 8 deg (spec 60 section 15), of a tool with few teeth more
-/// than a pitch.
+/// The tool passes the space within this turn to both sides, rad: at least 8 deg (`docs/mathematics/skiving.md#how-it-is-verified`), of a
+/// tool with few teeth more than a pitch.
 const LEAST_PASSING: f64 = 8.0 * std::f64::consts::PI / 180.0;
 const PITCHES: f64 = 1.25;
 /// Share of the edge by which a piece begins behind the end of the one before, and by which it may cut beside itself.

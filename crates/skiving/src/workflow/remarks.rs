@@ -14,7 +14,7 @@ use verdict::Remark;
 const UNPROVEN_UM: f64 = 0.5;
 /// Standard deviation of a wobble, rad, above which it is not known: a tool that wobbles more is seen without a light barrier.
 const UNKNOWN_WOBBLE: f64 = 1e-3;
-/// A calibrated beam this far from the given one, mm and deg, is another beam (spec 60 section 10).
+/// A calibrated beam this far from the given one, mm and deg, is another beam (`docs/mathematics/skiving.md#light-barrier`).
 const FAR: [f64; 2] = [1.0, 0.3];
 /// Residuals of a calibration, in standard deviations of a switch, that do not come from noise.
 const RESIDUAL: f64 = 4.0;
@@ -171,7 +171,7 @@ fn of_readings(
         warn(
             "readings-differ",
             text,
-            "correct [measuring]: what is told of time and scatter is that of the readings",
+            "correct [measuring]: time and scatter in the result are those of the readings",
         );
     }
 }

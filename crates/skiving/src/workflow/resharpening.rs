@@ -44,7 +44,7 @@ pub struct Resharpening {
     pub decided_by: Option<DecidingEdge>,
     /// Standard deviation of the growths from the noise of the measurement, um.
     pub growth_deviation_um: Sides<f64>,
-    /// Whether a shift of the edges was told from their growth; if not, errors of grinding count as growth.
+    /// Whether a shift of the edges was distinguished from their growth; if not, errors of grinding count as growth.
     pub shift_told_from_growth: bool,
     /// Deviation of every track of the resharpened tool in the setting so far, um: it stands back along its clearance faces.
     pub recession_um: Sides<Vec<f64>>,
@@ -122,7 +122,7 @@ pub struct EdgeResharpening {
     /// Mean over the tracks of what deviates without clocking and mounting, um; > 0 is material beyond the nominal edge.
     pub mean_deviation_um: f64,
     /// Growth of its rounding, um; `None` where the measurement does not tell: of broken edges, of the other edge of such a tooth where
-    /// a shift is not told from growth, and of teeth without a switch.
+    /// a shift is not distinguished from growth, and of teeth without a switch.
     pub growth_um: Option<f64>,
     /// What its tracks deviate beside the growth, root of the mean square, um.
     pub residual_um: Option<f64>,
@@ -130,11 +130,11 @@ pub struct EdgeResharpening {
     pub depth_mm: Option<f64>,
     /// Whether it leaves the tolerance band.
     pub out_of_band: bool,
-    /// Whether it is broken: it stands out from the others.
+    /// Whether it is broken: an outlier among the others.
     pub broken: bool,
 }
 
-/// How every edge is: broken where it stands out, not known of `incomplete` teeth, and not known of the other edge of a broken tooth where
+/// How every edge is: broken where it is an outlier, not known of `incomplete` teeth, and not known of the other edge of a broken tooth where
 /// growth was found with the tooth's position, which takes both edges.
 pub(super) fn states(
     evaluation: &Evaluation,

@@ -195,7 +195,7 @@ pub struct PitchResult {
     pub single_um: Vec<Option<f64>>,
     /// F_p,k of every tooth.
     pub cumulative_um: Vec<Option<f64>>,
-    /// f_p,max; as F_p and the first harmonic without teeth that stand out.
+    /// f_p,max; as F_p and the first harmonic without outlier teeth.
     pub largest_single_um: f64,
     /// F_p.
     pub total_um: f64,
@@ -220,7 +220,7 @@ pub struct MountingResult {
     pub wobble_urad: [f64; 2],
     /// Their standard deviations; absent where the measurement does not tell.
     pub wobble_sigma_urad: Option<[f64; 2]>,
-    /// Teeth that stand out: left out of clocking, means, mounting and correction.
+    /// Outlier teeth: left out of clocking, means, mounting and correction.
     pub left_out: Vec<usize>,
 }
 
@@ -395,7 +395,7 @@ pub struct ScatterResult {
     pub mean: f64,
     /// Standard deviation.
     pub sigma: f64,
-    /// What was told before, from the readings' own standard deviation; absent where nothing is told.
+    /// The prediction from the readings' own standard deviation; absent where there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stated_sigma: Option<f64>,
     /// 95 % of the repetitions lie between these.

@@ -225,7 +225,7 @@ pub(super) fn release(verdict: &Verdict, sound: bool, job: &SkivingJob) -> Relea
     Release::of(verdict, sound || job.output.programs_of_missed)
 }
 
-/// flanks x tracks x (revolutions x 60/rpm x senses + time of a move), spec 60 section 7.
+/// flanks x tracks x (revolutions x 60/rpm x senses + time of a move), `docs/mathematics/skiving.md#light-barrier`.
 fn measuring_time(job: &SkivingJob, measurement: Option<&Measurement>) -> f64 {
     let measuring = &job.measuring;
     let poses = 2.0 * measuring.tracks.len() as f64;

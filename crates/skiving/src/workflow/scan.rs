@@ -91,7 +91,7 @@ pub(super) fn scan(
     Ok(Scan { stylus, axes, range: ends, places, result })
 }
 
-/// f = -L dB with the stylus held on the edge by B (spec 60 section 11).
+/// f = -L dB with the stylus held on the edge by B (`docs/mathematics/skiving.md#tracks-and-poses`).
 fn deflection(
     edge: &VirtualEdge,
     stylus: &Beam,

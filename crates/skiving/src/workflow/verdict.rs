@@ -13,7 +13,7 @@ use verdict::{Remark, Verdict, agree};
 
 /// Probability with which noise alone takes any of several figures further than their guard band.
 const LEVEL: f64 = 0.05;
-/// Teeth of which one may stand out without a doubt about the others.
+/// Fewest teeth of which one may be an outlier without a doubt about the others.
 const PER_BROKEN: usize = 3;
 
 /// What a run has to show for its verdict.
@@ -289,17 +289,17 @@ fn above_tolerance(flank: &SkivedFlankResult, tolerance_um: f64) -> Remark {
         format!("the profile will deviate by {worst:.2} um, the tolerance is {tolerance_um} um"),
         match corrected {
             Some(after) if after <= tolerance_um => {
-                format!("correct the setting as told: {after:.2} um remain")
+                format!("apply the correction of the setting: {after:.2} um remain")
             }
             Some(after) => {
-                format!("correct the setting as told ({after:.2} um remain), or grind the tool again")
+                format!("apply the correction of the setting ({after:.2} um remain), or grind the tool again")
             }
             None => "check the tool against the workpiece: another part of its edge cuts the flank".into(),
         },
     )
 }
 
-/// Teeth that were not measured whole, and so many broken ones that the whole ones are no longer told from them.
+/// Teeth that were not measured whole, and so many broken ones that the whole ones are no longer distinguishable.
 fn of_teeth(found: &Judged<'_>, measurement: &Measurement, verdict: &mut Verdict) {
     let incomplete = measurement.measured.incomplete();
     if !incomplete.is_empty() {
@@ -316,7 +316,7 @@ fn of_teeth(found: &Judged<'_>, measurement: &Measurement, verdict: &mut Verdict
     let broken = &measurement.evaluation.mounting.left_out;
     if PER_BROKEN * broken.len() > found.bodies.teeth() {
         let text = format!(
-            "{} of {} stand out: which of them are whole is not certain any more",
+            "{} of {} are outliers: which of them are whole is no longer certain",
             counted_teeth(broken.len()),
             found.bodies.teeth()
         );

@@ -145,6 +145,6 @@ pub enum FitWeights {
     /// All alike.
     #[default]
     Uniform,
-    /// 0.1 + xi^2 + eta^2 at equidistant radii, as the source has it with 5 points; all others stand graded in roll length.
+    /// 0.1 + xi^2 + eta^2 at equidistant radii, as the source has it with 5 points; all others stand graded in the length of roll.
     Source,
 }

@@ -58,7 +58,7 @@ pub enum ShiftRule {
     /// b_w/b_g: `shift_width` over the face width.
     #[default]
     Width,
-    /// kappa_0, with which the dresser's position depends on the face position only (spec 40 section 4).
+    /// kappa_0, with which the dresser's position depends on the face position only.
     Neutral,
 }
 
@@ -87,7 +87,7 @@ impl Default for ShiftOffset {
 #[serde(rename_all = "lowercase")]
 pub enum OffsetRule {
     /// F_T0*, with which the middle of the flank is ground where the dresser stood in the middle of the worm; it differs
-    /// from flank to flank (spec 40 section 4).
+    /// from flank to flank.
     #[default]
     Contact,
 }

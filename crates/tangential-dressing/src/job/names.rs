@@ -1,4 +1,4 @@
-//! Names of variables in a document, before there is a typed job: a wrong one is told with its place and the nearest name.
+//! Names of variables in a document, before there is a typed job: a wrong one is reported with its place and the nearest name.
 //! Knows which keys hold such names, and nothing else of the job.
 
 use super::channel::Channel;
@@ -6,7 +6,7 @@ use super::variable::{Variable, VariableError};
 use job::shape::shortened;
 use job::{Diagnostic, JobError, Kind, Node, Problem};
 
-/// All findings about names; values of another type than a name are told by the check of the shape.
+/// All findings about names; values of another type than a name are reported by the check of the shape.
 pub(crate) fn variable_names(root: &Node) -> Vec<Diagnostic> {
     let mut findings = Vec::new();
     if let Some((Node { kind: Kind::List(items), .. }, _)) = root.follow("dressing.variables") {

@@ -35,7 +35,7 @@ impl Variable {
         self.exponent
     }
 
-    /// The nine variables of the source, v1 to v9 (spec 40 section 4).
+    /// The nine variables of the source, v1 to v9.
     pub const SOURCE: [Self; 9] = {
         use Channel as C;
         [

@@ -178,7 +178,7 @@ fn radial(flanks: &[RadialFeedReport]) -> Result<Vec<Block>, ChartError> {
         caption: "Both methods side by side".to_owned(),
         columns: vec![
             Column::text("Flank"),
-            Column::number("Lead crowning, normal", "µm"),
+            Column::number("Helix crowning, normal", "µm"),
             Column::number("Twist of radial feed, closed form", "µm"),
             Column::number("Twist of radial feed, contact", "µm"),
             Column::number("Twist of tangential dressing", "µm"),

@@ -92,7 +92,7 @@ pub struct ComparedMethod {
 pub struct RadialFeedReport {
     /// Flank, in words.
     pub flank: String,
-    /// Lead crowning, normal, um.
+    /// Helix crowning, normal, um.
     pub crowning_um: f64,
     /// Twist that it leaves, closed form, normal, um.
     pub closed_twist_um: f64,

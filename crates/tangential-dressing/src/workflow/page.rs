@@ -139,7 +139,7 @@ fn amounts(job: &TangentialJob, flank: Flank, f: &TangentialFlankResult) -> Vec<
         ("pressure angle over the radius", pressure_angle_um),
         ("profile crowning over the radius", profile_crowning_um),
         ("lead conical", lead_conical_um),
-        ("lead crowning", lead_crowning_um),
+        ("helix crowning", lead_crowning_um),
     ]
     .into_iter()
     .filter(|(_, um)| *um != 0.0)

@@ -27,7 +27,7 @@ pub struct PassPlan {
     pub compared: Vec<MethodTried>,
 }
 
-/// A method of fitting and what it came to.
+/// A method of fitting and its result.
 pub struct MethodTried {
     /// The method.
     pub method: FitMethod,

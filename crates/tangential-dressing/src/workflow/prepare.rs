@@ -117,7 +117,8 @@ pub fn prepare_tangential(loaded: &LoadedTangentialJob) -> Result<TangentialPrep
     let tip_radius = 0.5 * job.dresser.tip_diameter;
     let dresser_pitch_radius = match job.dresser.pitch_diameter {
         Some(diameter) => 0.5 * diameter,
-        // The tip of the dresser makes the worm's root, which leaves the clearance to the gear's tip (spec 10 section 7).
+        // The tip of the dresser makes the worm's root, which leaves the clearance to the gear's tip
+        // (`docs/mathematics/involute-gears.md#the-worm-as-a-helical-gear`).
         None => {
             let clearance = job.dresser.root_clearance.unwrap_or(0.25 * module);
             let distance =

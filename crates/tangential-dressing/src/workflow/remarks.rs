@@ -12,7 +12,8 @@ use run::RunFailure;
 use std::collections::BTreeMap;
 use verdict::Remark;
 
-/// Ratio of the determinants below which the envelope is about to fold: the far branch cuts deeper than it (spec 40 section 3).
+/// Ratio of the determinants below which the envelope is about to fold: the far branch cuts deeper than it
+/// (`docs/mathematics/tangential-dressing.md#the-dressed-worm`).
 const NEAR_FOLD: f64 = 0.2;
 
 pub(super) fn flank_warnings(judged: &Judged) -> Option<Remark> {
@@ -33,7 +34,7 @@ pub(super) fn pass_warning(plan: &PassPlan, tolerance: f64) -> Option<Remark> {
     Some(Remark { code: error.code(), text: error.to_string(), way_out: error.way_out().into() })
 }
 
-/// What one pass for both flanks means (spec 40 section 5).
+/// What one pass for both flanks means (`docs/mathematics/tangential-dressing.md#sensitivities`).
 pub(super) fn shared_pass_warning(passes: &[SettledPass]) -> Option<Remark> {
     let shared = passes.iter().find(|p| p.flanks.len() > 1)?;
     let against: Vec<String> = shared

@@ -104,7 +104,7 @@ pub struct TangentialFlankResult {
 /// What radial feed makes of the same target.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct RadialFeedResult {
-    /// Lead crowning, normal, material removed.
+    /// Helix crowning, normal, material removed.
     pub lead_crowning_normal_um: f64,
     /// Twist S that it leaves, normal, material removed; closed form of first order.
     pub closed_twist_normal_um: f64,

@@ -9,7 +9,7 @@ use dressing::{DressingError, angle_of_least_stretch, fit_profile_along, uncorre
 use foundation::geometry::Flank;
 use serde_json::Value;
 
-/// Bracket of the profile angle around that of the case (spec 30 section 12), degrees.
+/// Bracket of the profile angle around that of the case (`docs/mathematics/dressing.md#conditions`), degrees.
 const BRACKET: f64 = 2.0;
 
 /// One entry of block `other_diameter`, left flank.

@@ -16,8 +16,8 @@ use serde_json::Value;
 /// The files look at each worm in its own width only; no width enters without undermining.
 const NO_WIDTH: f64 = 0.0;
 
-/// The lands of the files come from circles in steps, between which a dresser may touch: they are too wide by up to this, mm (spec
-/// 30 section 13), never too narrow.
+/// The lands of the files come from circles in steps, between which a dresser may touch: they are too wide by up to this, mm
+/// (`docs/mathematics/dressing.md#limits-of-a-correction`), never too narrow.
 const SAMPLED: f64 = 0.002;
 
 /// Worms by the rule of the files.

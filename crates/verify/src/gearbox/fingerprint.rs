@@ -1,4 +1,4 @@
-//! The hash by which files give long pulse trains: FNV-1a of 64 bits (spec 70 section 10).
+//! The hash by which files give long pulse trains: FNV-1a of 64 bits (`docs/mathematics/gearbox.md#limits`).
 
 /// Hash of what was added so far.
 #[derive(Clone, Copy, Debug)]

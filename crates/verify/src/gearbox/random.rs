@@ -1,4 +1,4 @@
-//! The linear congruential sequence from which files draw (spec 70 section 10).
+//! The linear congruential sequence from which files draw (`docs/mathematics/gearbox.md#limits`).
 
 /// State of the sequence.
 #[derive(Clone, Debug)]

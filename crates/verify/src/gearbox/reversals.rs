@@ -67,7 +67,8 @@ pub(crate) fn literal_reversal_loss(_: &Reference<'_>, block: &Value, ledger: &m
     }
 }
 
-/// Share of reversals with loss under constant deceleration: 1/(((2 + k)/k)^2 - 1), k = (P - 1)/P (spec 70 section 2, decision 8).
+/// Share of reversals with loss under constant deceleration: 1/(((2 + k)/k)^2 - 1), k = (P - 1)/P
+/// (`docs/mathematics/gearbox.md#pulses-between-lines`).
 fn closed_share(multiplier: u32) -> f64 {
     let p = f64::from(multiplier);
     let k = (p - 1.0) / p;

@@ -103,7 +103,7 @@ fn linear(input: &LinearInput, outer: &mut Expected<'_>, ledger: &mut Ledger) ->
     Ok(())
 }
 
-/// Numbers of a run, by the symbols of spec 70 section 8.
+/// Numbers of a run, by the symbols of `docs/mathematics/gearbox.md#position-loop`.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Symbols {

@@ -1,4 +1,4 @@
-//! Block `synchroniser`: the way into the wanted tooth gap.
+//! Block `synchroniser`: the way into the wanted tooth space.
 
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;

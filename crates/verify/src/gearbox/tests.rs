@@ -113,7 +113,7 @@ fn every_changed_number_of_servo_and_budget_is_noticed() {
         "/servo/runs/2/expected/k/0",
     ];
     // What a run does not reach or use may be anything, and the quantised run is compared to a third of its error only. At standstill the
-    // share of the acceleration saturates. The first two samples of a run with feed-forward are both without error.
+    // share of the acceleration saturates. The first two samples of a run with feedforward are both without error.
     every_change_is_noticed(&blocks(&["servo", "error_budget"]), "", 150, |path| {
         let symbol = path.rsplit('/').next().unwrap_or("");
         ["input", "expected/k"].iter().any(|part| path.starts_with(&format!("/servo/runs/3/{part}")))

@@ -25,7 +25,7 @@ impl ModeName {
     }
 }
 
-/// A random train of spec 70 section 10.
+/// A random train of `docs/mathematics/gearbox.md#limits`.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct RandomTrain {

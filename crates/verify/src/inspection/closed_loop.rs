@@ -14,7 +14,7 @@ use foundation::numerics::root_mean_square;
 use generating::correction::{ClosedLoop, Correction, FlankPoint, Setting, SettingInfluence, SettingsFlank};
 use serde_json::Value;
 
-/// What the second round may differ by where a wave was hidden that a forward model does not know, um (spec 85 section 14).
+/// What the second round may differ by where a wave was hidden that a forward model does not know, um (`docs/mathematics/inspection.md`).
 const SECOND_ROUND: f64 = 0.02;
 
 /// Block `closed_loop`.

@@ -122,7 +122,7 @@ pub(crate) fn gearbox(file: &Reference<'_>, block: &Value, ledger: &mut Ledger) 
         let input = &case.input;
         let mount = |reversed| Mount { reversed, ..Mount::default() };
         let mounts = Mounts { tool: mount(input.worm_reversed), counterpart: mount(input.work_reversed) };
-        // k_Vi = 2 sin(beta_wi)/m_n (spec 20 section 4).
+        // k_Vi = 2 sin(beta_wi)/m_n (`docs/mathematics/generating-contact.md#coupling-of-the-rotations`).
         let by = |degrees: f64| 2.0 * degrees.to_radians().sin() / input.m_n_mm;
         let coupling = GearCoupling {
             threads: input.z_1,

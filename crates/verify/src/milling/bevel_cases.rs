@@ -1,4 +1,4 @@
-//! Bevel gears, straight and spiral, with ease-off (spec 50 sections 1.2 and 1.3).
+//! Bevel gears, straight and spiral, with ease-off (`docs/mathematics/milling.md#flanks-as-patches`).
 
 use super::super::given::Checked;
 use super::case::Body;
@@ -42,7 +42,7 @@ impl BevelInput {
         }
     }
 
-    /// The flank, the other one of the space, the lead curve on the root cone, the body.
+    /// The flank, the other one of the space, the guide curve on the root cone, the body.
     pub fn case(&self) -> Checked<(ActiveFlank, ActiveFlank, CurveOnCone, Body)> {
         let plain = BevelData::new(
             self.met,

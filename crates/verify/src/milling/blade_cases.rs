@@ -1,4 +1,4 @@
-//! Ruled blades on a conical hub (spec 50 section 1.6).
+//! Ruled blades on a conical hub (`docs/mathematics/milling.md#flanks-as-patches`).
 
 use super::super::given::Checked;
 use foundation::geometry::{BladeData, NormalSide, RuledBlade};
@@ -24,7 +24,7 @@ pub(super) struct BladeInput {
 const HEIGHTS: [f64; 2] = [0.05, 1.0];
 
 impl BladeInput {
-    /// The flank and the lead curve at its foot.
+    /// The flank and the guide curve at its foot.
     pub fn case(&self) -> Checked<(ActiveFlank, FootOnHub)> {
         let side = match self.side {
             1.0 => NormalSide::Along,

@@ -1,4 +1,5 @@
-//! Block `blade_limits`: curvatures of a twisted blade and the cutters that they allow (spec 50 section 6).
+//! Block `blade_limits`: curvatures of a twisted blade and the cutters that they allow
+//! (`docs/mathematics/milling.md#scallops-chords-local-gouging`).
 
 use super::super::given::{check_block, check_items, number, tolerance};
 use super::super::ledger::Ledger;

@@ -1,4 +1,4 @@
-//! Spur and helical gears, external and internal (spec 50 section 1.1).
+//! Spur and helical gears, external and internal (`docs/mathematics/milling.md#flanks-as-patches`).
 
 use super::super::given::Checked;
 use super::case::Body;
@@ -43,7 +43,7 @@ pub(super) fn side(name: &str) -> Checked<Flank> {
 }
 
 impl CylinderInput {
-    /// The flank, the other one of the space, the lead curve on the root cylinder, the body.
+    /// The flank, the other one of the space, the guide curve on the root cylinder, the body.
     pub fn case(&self) -> Checked<(ActiveFlank, ActiveFlank, HelixOnCylinder, Body)> {
         let gear = Gear::new(GearData {
             teeth: self.z,

@@ -10,7 +10,7 @@ use foundation::numerics::equidistant;
 use milling::{ColumnPlane, GridPlace, LocalContact, MillingError, RowSpacing, Section, row_heights};
 use serde_json::Value;
 
-/// Rays between two rows: as many as the file's figures have, a cusp between two of them is not seen (0.02 um).
+/// Rays between two rows: as many as the file's figures have, a scallop between two of them is not seen (0.02 um).
 const RAYS: usize = 401;
 
 /// Block `equal_scallop`.

@@ -1,4 +1,4 @@
-//! Block `herringbone`: how near to the middle of a double helical gear a cutter gets (spec 50 section 1.5).
+//! Block `herringbone`: how near to the middle of a double helical gear a cutter gets (`docs/mathematics/milling.md#flanks-as-patches`).
 
 use super::super::given::{Checked, check_block, check_items, number, text, tolerance};
 use super::super::ledger::Ledger;

@@ -1,4 +1,4 @@
-//! Block `helical_zero_eps_lead_radius`: the lead curve whose planes hold the normals of one row.
+//! Block `helical_zero_eps_lead_radius`: the guide curve whose planes hold the normals of one row.
 
 use super::super::given::{check_block, number, tolerance};
 use super::super::ledger::Ledger;
@@ -26,7 +26,7 @@ pub(crate) fn helical_zero_eps_lead_radius(reference: &Reference<'_>, block: &Va
         };
         let ends = [0.5 * root.min(*tip), 2.0 * root.max(*tip)];
         let at_ends = ends.map(|radius| sine(radius).unwrap_or(f64::NAN));
-        let radius = brent(ends, at_ends, 0.0, sine).ok_or("no lead curve passes the row without turn")?;
+        let radius = brent(ends, at_ends, 0.0, sine).ok_or("no guide curve passes the row without turn")?;
         expected.number("r0_mm", radius, mm, ledger);
         Ok(())
     });

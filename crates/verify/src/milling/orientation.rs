@@ -1,5 +1,5 @@
 //! Blocks `orientation_comparison` and `shear_scan`: how smoothly the rotary axes run along a row with the axis in the column plane,
-//! along parameter lines, and along lines that irregular patches have sheared (spec 50 section 14).
+//! along parameter lines, and along lines that irregular patches have sheared (`docs/mathematics/milling.md#positions-of-five-axes`).
 
 use super::super::expected::Expected;
 use super::super::given::{

@@ -1,4 +1,4 @@
-//! The referee's rays on a flank that rows of a cutter have milled (spec 50 section 13).
+//! The referee's rays on a flank that rows of a cutter have milled (`docs/mathematics/milling.md#the-referee`).
 
 use super::super::given::Checked;
 use super::case::{MilledCase, located};

@@ -1,4 +1,4 @@
-//! How far the root that the cutter sweeps is off the drawn section (end of spec 50 section 7).
+//! How far the root that the cutter sweeps is off the drawn section (end of `docs/mathematics/milling.md#root-and-clearance`).
 
 use super::super::given::Checked;
 use super::case::{MilledCase, located};

@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use skiving::evaluation::{Evaluation, ProfileOptions, correction, evaluate_all_teeth};
 use skiving::{Setting, SettingLimits};
 
-/// Degree of the compensation curve (spec 60 section 8).
+/// Degree of the compensation curve (`docs/mathematics/skiving.md#evaluation`).
 const DEGREE: usize = 2;
 
 /// Compares the evaluation and returns it.

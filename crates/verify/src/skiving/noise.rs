@@ -67,7 +67,7 @@ pub(super) fn check_noise(
         let differences: Vec<f64> =
             Flank::BOTH.iter().flat_map(|&flank| differences[flank].iter().map(|x| 1e3 * x)).collect();
         expected.list("mean_difference_minus_plus_um", &differences, um, ledger);
-        // The file leaves the encoder's step out of the figure, which spec 60 section 7 has in it.
+        // The file leaves the encoder's step out of the figure, which `docs/mathematics/skiving.md#light-barrier` has in it.
         let without_step = BarrierData { encoder_step: 0.0, ..data };
         let single = without_step.single_deviation(flanks.left.tracks[0].0.contact.lever);
         expected.number("single_shot_sigma_um", 1e3 * single, um, ledger);

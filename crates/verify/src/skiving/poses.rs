@@ -10,7 +10,7 @@ use serde_json::Value;
 use skiving::MeasuringTrack;
 use skiving::measuring::{MeasuringPose, PoseKind, measuring_poses, nearest_other_flank};
 
-/// Depth of the clearance faces that may cast a shadow, mm (spec 60 section 6).
+/// Depth of the clearance faces that may cast a shadow, mm (`docs/mathematics/skiving.md#tracks-and-poses`).
 const BODY: f64 = 5.0;
 
 /// Compares the poses of every track of a flank.

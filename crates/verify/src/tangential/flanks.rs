@@ -13,7 +13,8 @@ use tangential_dressing::{
     Variable,
 };
 
-/// Value of the single variable in `table3_linear_um` and `table3_finite_um` (spec 40 section 9.4), mm.
+/// Value of the single variable in `table3_linear_um` and `table3_finite_um`
+/// (`docs/mathematics/tangential-dressing.md#how-it-is-verified`), mm.
 const DELTA: f64 = -0.05;
 /// A sensitivity whose column is below this is zero but for rounding, mm/mm.
 const NOTHING: f64 = 1e-6;

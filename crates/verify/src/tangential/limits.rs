@@ -1,4 +1,4 @@
-//! Blocks `undercut` and `twist_conventional`: where the envelope folds, and what radial feed leaves of a lead crowning.
+//! Blocks `undercut` and `twist_conventional`: where the envelope folds, and what radial feed leaves of a helix crowning.
 
 use super::super::expected::Expected;
 use super::super::ledger::Ledger;

@@ -1,5 +1,5 @@
-//! Engaging the coupling while the leading axes run, putting it in phase, watching it, and opening it again (spec 70 section 7, items 8
-//! and 9).
+//! Engaging the coupling while the leading axes run, putting it in phase, watching it, and opening it again
+//! (`docs/mathematics/gearbox.md#couplings`).
 //!
 //! The follower's setpoint is y_0 + sum + offset. The gearbox gives y_0 + sum, exactly, with y_0 := follower - sum at the moment of
 //! engaging; this machine gives the offset, which starts at 0 and is at rest from the end of the phase move on. So no rounding of it can
@@ -146,7 +146,7 @@ impl Engagement {
         Ok(())
     }
 
-    /// Names the tooth gap: `position` is where the follower's setpoint is, as of the last update, and `target` where it would have to be
+    /// Names the tooth space: `position` is where the follower's setpoint is, as of the last update, and `target` where it would have to be
     /// at that very moment, give or take multiples of `pitch` (360/|z_2| degrees). Both turn with the coupling, so that only their
     /// difference counts. The move begins as soon as the follower runs along.
     ///
@@ -166,7 +166,7 @@ impl Engagement {
     }
 
     /// Asks for the coupling to be opened. A ramp or phase move that runs is finished first; then the follower comes to rest with the
-    /// time rule of engaging, also while the leading axes run on. In a fault the coupling opens once they stand. Whoever calls this has to
+    /// time rule of engaging, also while the leading axes run on. In a fault the coupling opens once they stand. The caller has to
     /// know that tool and gear are clear of each other.
     pub fn switch_off(&mut self) {
         self.off_requested = !matches!(self.stage, Stage::Off | Stage::Leaving(_));

@@ -1,4 +1,4 @@
-//! The move into the wanted tooth gap, on top of a coupling that runs.
+//! The move into the wanted tooth space, on top of a coupling that runs.
 
 use super::Motion;
 use super::profile::{PEAK_ACCELERATION, PEAK_SPEED, transition, transition_acceleration, transition_speed};
@@ -20,7 +20,7 @@ pub fn shortest_move(position: f64, target: f64, pitch: f64) -> Result<f64, Erro
     let pitches = libm::floor(way / pitch);
     if pitches.is_nan() || pitches.abs() >= MOST_PITCHES {
         return Err(Error::BadParameter {
-            name: "way to the tooth gap",
+            name: "way to the tooth space",
             value: way,
             allowed: "finite, below 2^52 pitches",
         });

@@ -1,5 +1,5 @@
-//! Ratios as fractions of 62 bits (spec 70 section 7, items 3 and 4). Rotations without end need the exact fraction, since any rounded
-//! ratio drifts; a lead is irrational and belongs to an axis of finite travel, where the error of a fraction is known beforehand.
+//! Ratios as fractions of 62 bits (`docs/mathematics/gearbox.md#couplings`). Rotations without end need the exact fraction, since any
+//! rounded ratio drifts; a lead is irrational and belongs to an axis of finite travel, where the error of a fraction is known beforehand.
 //!
 //! A floating number has 53 bits. A fraction of it is exact or best for that number; it says nothing about digits beyond.
 

@@ -1,5 +1,5 @@
-//! Coupling by a table: a cubic spline through equally spaced knots (spec 70 section 7, item 6). [`solve_slopes`] runs once, when the
-//! table is loaded; a look-up afterwards takes the same few operations everywhere.
+//! Coupling by a table: a cubic spline through equally spaced knots (`docs/mathematics/gearbox.md#couplings`). [`solve_slopes`] runs once,
+//! when the table is loaded; a look-up afterwards takes the same few operations everywhere.
 
 mod slopes;
 

@@ -1,4 +1,4 @@
-//! Which store a command uses, and how its errors are told.
+//! Which store a command uses, and how its errors are reported.
 
 use std::path::Path;
 

@@ -45,7 +45,7 @@ def of_result(output: Output, result: Any) -> Any:
 
 def columns(values: Mapping[str, Sequence[Any]], errors: Sequence[str]) -> Columns:
     """Values of each output as arrays, and the codes of errors. Samples without a value are NaN, or an empty word; an output that no sample
-    has is left out, for nobody knows its shape.
+    has is left out, because its shape is unknown.
 
     Raises:
         ValueError: values of different shapes.

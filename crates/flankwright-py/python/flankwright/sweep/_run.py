@@ -217,7 +217,7 @@ def _worked_off(
         return future
 
     def ahead() -> Iterator[slice]:
-        # A few chunks for each worker that is there now: memory is bounded, and nobody waits.
+        # A few chunks for each worker that is there now: memory is bounded, and no worker waits.
         return islice(waiting, max(0, 2 * max(1, len(cluster.nthreads())) - len(under_way)))
 
     running: Any = as_completed([submit(part) for part in ahead()])  # type: ignore[no-untyped-call]

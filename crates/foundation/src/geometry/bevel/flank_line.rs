@@ -172,7 +172,7 @@ impl FlankLine {
     /// Whether the line covers a face.
     ///
     /// # Errors
-    /// [`GeometryError::FlankLineOutOfReach`] (`E_GEOM_BASE` of spec 50 section 15).
+    /// [`GeometryError::FlankLineOutOfReach`] (`E_GEOM_BASE` of `docs/mathematics/milling.md#limits`).
     pub(super) fn check(&self, face: [f64; 2]) -> Result<(), GeometryError> {
         let [from, to] = self.domain();
         match face.into_iter().find(|&distance| !(from..=to).contains(&distance)) {

@@ -1,11 +1,11 @@
-//! A bevel gear from its drawing data: cones, distances and checks of spec 50 section 1.2.
+//! A bevel gear from its drawing data: cones, distances and checks of `docs/mathematics/milling.md#flanks-as-patches`.
 
 use super::{CircularLine, FlankLine, Hand};
 use crate::geometry::GeometryError;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Share of the way from the lowest cone to the tip cone at which the active flank begins if nothing else is known (spec 50
-/// section 1.7).
+/// Share of the way from the lowest cone to the tip cone at which the active flank begins if nothing else is known
+/// (`docs/mathematics/milling.md#flanks-as-patches`).
 const FORM_SHARE: f64 = 0.12;
 
 /// A flank line that is a circle on the developed pitch cone. mm, rad.
@@ -38,7 +38,7 @@ pub struct BevelData {
     pub dedendum_factor: f64,
     /// The flank line; `None`: straight teeth.
     pub spiral: Option<Spiral>,
-    /// theta_form: polar angle at which the active flank begins; `None`: the rule of spec 50 section 1.7.
+    /// theta_form: polar angle at which the active flank begins; `None`: the rule of `docs/mathematics/milling.md#flanks-as-patches`.
     pub form_angle: Option<f64>,
 }
 
@@ -118,7 +118,7 @@ impl BevelGear {
     /// Cones and base data.
     ///
     /// # Errors
-    /// [`GeometryError::InvalidNumber`] and [`GeometryError::InvalidGeometry`] (`E_GEOM_INPUT` of spec 50 section 15),
+    /// [`GeometryError::InvalidNumber`] and [`GeometryError::InvalidGeometry`] (`E_GEOM_INPUT` of `docs/mathematics/milling.md#limits`),
     /// [`GeometryError::BelowBaseCone`] and [`GeometryError::FlankLineOutOfReach`] (`E_GEOM_BASE`),
     /// [`GeometryError::BevelToothPointed`] (`E_GEOM_POINTED`).
     pub fn new(data: BevelData) -> Result<Self, GeometryError> {
@@ -244,7 +244,8 @@ impl BevelGear {
     /// omega(theta): roll angle of the flank at a polar angle, rad.
     ///
     /// # Errors
-    /// [`GeometryError::BelowBaseCone`] below the base cone and for angles above 90 deg (`E_GEOM_BASE` of spec 50 section 15).
+    /// [`GeometryError::BelowBaseCone`] below the base cone and for angles above 90 deg (`E_GEOM_BASE` of
+    /// `docs/mathematics/milling.md#limits`).
     pub fn roll_angle(&self, polar_angle: f64) -> Result<f64, GeometryError> {
         if !(self.base_angle..=FRAC_PI_2).contains(&polar_angle) {
             return Err(GeometryError::BelowBaseCone {

@@ -1,4 +1,4 @@
-//! Bevel gears: their cones from drawing data, flank lines, and the flanks over them (spec 50 sections 1.2 and 1.4).
+//! Bevel gears: their cones from drawing data, flank lines, and the flanks over them (`docs/mathematics/milling.md#flanks-as-patches`).
 //!
 //! Coordinates: the origin is the common apex of all cones, z runs from it towards the heel; the tooth space stays centred on +y at
 //! the mean distance.

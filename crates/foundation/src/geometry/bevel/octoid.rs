@@ -1,4 +1,4 @@
-//! The octoid: a straight bevel flank cut by the plane flanks of a crown gear, spec 50 section 1.4.
+//! The octoid: a straight bevel flank cut by the plane flanks of a crown gear, `docs/mathematics/milling.md#flanks-as-patches`.
 //!
 //! Height = rotation of the gear since the pitch cone, rad, growing towards the tip: a = -(s gamma + eta); length = distance R from
 //! the apex, mm. The rotation gives the flank in closed form; the polar angle grows with it on the whole regular branch.
@@ -75,7 +75,8 @@ impl Octoid {
     /// Height of a polar angle, on the regular branch.
     ///
     /// # Errors
-    /// [`GeometryError::OctoidUndercut`] below it (`E_UNDERCUT` of spec 50 section 15), [`GeometryError::InvalidNumber`] above it.
+    /// [`GeometryError::OctoidUndercut`] below it (`E_UNDERCUT` of `docs/mathematics/milling.md#limits`), [`GeometryError::InvalidNumber`]
+    /// above it.
     pub fn height_of(&self, polar_angle: f64) -> Result<f64, GeometryError> {
         let [from, to] = self.regular;
         let (lowest, highest) = (self.polar_angle(from), self.polar_angle(to));

@@ -1,4 +1,4 @@
-//! The bevel flank on the spherical involute, straight or along any flank line: spec 50 section 1.2.
+//! The bevel flank on the spherical involute, straight or along any flank line: `docs/mathematics/milling.md#flanks-as-patches`.
 //!
 //! Height = roll angle omega in rad, length = distance R from the apex in mm.
 

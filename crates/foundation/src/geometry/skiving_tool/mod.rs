@@ -1,5 +1,5 @@
-//! Skiving tools as bodies: teeth on a cylinder, a rake face, an edge that is rounded with chamfers beside it (spec 60 sections 1 and
-//! 4). What their edges look like follows from the workpiece and is found elsewhere.
+//! Skiving tools as bodies: teeth on a cylinder, a rake face, an edge that is rounded with chamfers beside it
+//! (`docs/mathematics/skiving.md`). What their edges look like follows from the workpiece and is found elsewhere.
 
 mod rake;
 

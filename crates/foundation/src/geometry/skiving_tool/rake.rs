@@ -4,7 +4,7 @@
 use nalgebra::Vector3;
 use std::fmt::Debug;
 
-/// A rake face by the distance from it: spec 60 section 4 asks for a gradient of length one.
+/// A rake face by the distance from it: `docs/mathematics/skiving.md#the-virtual-edge` asks for a gradient of length one.
 pub trait RakeFace: Debug + Send + Sync {
     /// D(p), mm, > 0 outside of the material.
     fn distance(&self, p: &Vector3<f64>) -> f64;

@@ -1,4 +1,4 @@
-//! The ease-off of three amounts: crowning along the tooth, along the profile, and bias; spec 50 section 1.3.
+//! The ease-off of three amounts: crowning along the tooth, along the profile, and bias; `docs/mathematics/milling.md#flanks-as-patches`.
 
 use super::bounds::largest;
 use super::{NormalOffset, OffsetBounds};

@@ -1,4 +1,4 @@
-//! A flank through a grid of points: bicubic splines over averaged chord lengths, spec 50 section 1.6.
+//! A flank through a grid of points: bicubic splines over averaged chord lengths, `docs/mathematics/milling.md#flanks-as-patches`.
 //!
 //! Height = 0 at the first row (root) to 1 at the last (tip), length = 0 at the first point of the rows to 1 at the last.
 
@@ -61,7 +61,7 @@ impl GridSurface {
     /// The surface through `rows` of points, mm, from root to tip, every row along the tooth.
     ///
     /// # Errors
-    /// [`GeometryError::GridSize`] (`E_GRID_SIZE` of spec 50 section 15), [`GeometryError::GridRagged`],
+    /// [`GeometryError::GridSize`] (`E_GRID_SIZE` of `docs/mathematics/milling.md#limits`), [`GeometryError::GridRagged`],
     /// [`GeometryError::GridNotFinite`], [`GeometryError::GridDuplicate`], [`GeometryError::GridFolded`].
     pub fn new(rows: &[Vec<Vector3<f64>>], side: NormalSide) -> Result<Self, GeometryError> {
         check(rows)?;

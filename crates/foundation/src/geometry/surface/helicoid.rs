@@ -1,4 +1,4 @@
-//! The involute helicoid of spur and helical gears, external and internal: spec 50 section 1.1.
+//! The involute helicoid of spur and helical gears, external and internal: `docs/mathematics/milling.md#flanks-as-patches`.
 //!
 //! Height = length of roll w, length = axial position z, both mm. The space stays centred on +y, also of an internal gear.
 
@@ -21,7 +21,7 @@ pub struct Helicoid {
     cos_base_helix: f64,
 }
 
-/// Directions at a place: e_r and u of spec 50 at phi.
+/// Directions at a place: e_r and u of `docs/mathematics/milling.md` at phi.
 struct Directions {
     e_r: Vector3<f64>,
     u: Vector3<f64>,
@@ -52,7 +52,7 @@ impl Helicoid {
     /// A flank whose spaces are wider by the circumferential backlash j_t at the pitch circle, mm: eta += j_t/(2r).
     ///
     /// # Errors
-    /// [`GeometryError::InvalidNumber`] when it is not finite (`E_GEOM_INPUT` of spec 50 section 15).
+    /// [`GeometryError::InvalidNumber`] when it is not finite (`E_GEOM_INPUT` of `docs/mathematics/milling.md#limits`).
     pub fn thinned(gear: &Gear, flank: Flank, backlash: f64) -> Result<Self, GeometryError> {
         if !backlash.is_finite() {
             let (field, allowed) = ("circumferential_backlash", "a finite length");
@@ -111,7 +111,7 @@ impl Helicoid {
     /// Height parameter w of a radius, mm.
     ///
     /// # Errors
-    /// [`GeometryError::RadiusBelowBaseCircle`] (`E_GEOM_BASE` of spec 50 section 15).
+    /// [`GeometryError::RadiusBelowBaseCircle`] (`E_GEOM_BASE` of `docs/mathematics/milling.md#limits`).
     pub fn length_of_roll(&self, radius: f64) -> Result<f64, GeometryError> {
         self.flank.length_of_roll(radius)
     }
@@ -119,7 +119,8 @@ impl Helicoid {
     /// Whether something is left of the tooth at its tip, with the flank mirrored on its other side.
     ///
     /// # Errors
-    /// [`GeometryError::RadiusBelowBaseCircle`], [`GeometryError::ToothPointed`] (`E_GEOM_POINTED` of spec 50 section 15).
+    /// [`GeometryError::RadiusBelowBaseCircle`], [`GeometryError::ToothPointed`] (`E_GEOM_POINTED` of
+    /// `docs/mathematics/milling.md#limits`).
     pub fn check_tip(&self, tip_radius: f64) -> Result<(), GeometryError> {
         let w = self.length_of_roll(tip_radius)?;
         let angle = (w / self.base_radius()).atan();

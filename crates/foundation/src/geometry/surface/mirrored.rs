@@ -1,4 +1,4 @@
-//! A flank mirrored in a plane across the axis: the other half of a double helical gear (spec 50 section 1.5).
+//! A flank mirrored in a plane across the axis: the other half of a double helical gear (`docs/mathematics/milling.md#flanks-as-patches`).
 
 use super::{OffsetBase, SecondOrder, Surface, SurfaceJet};
 use nalgebra::Vector3;

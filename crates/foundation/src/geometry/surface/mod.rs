@@ -1,7 +1,8 @@
 //! Flanks as smooth patches over two parameters: what milling needs of a flank, whatever the flank is made of.
 //!
-//! The height parameter a runs from root to tip, the length parameter b along the tooth (spec 50 section 1). Their units are those of
-//! the surface: length of roll and axial position in mm, roll angle in rad and distance from the apex in mm, fractions of a grid.
+//! The height parameter a runs from root to tip, the length parameter b along the tooth (`docs/mathematics/milling.md#flanks-as-patches`).
+//! Their units are those of the surface: length of roll and axial position in mm, roll angle in rad and distance from the apex in mm,
+//! fractions of a grid.
 
 mod blade_curve;
 pub(super) mod bounds;
@@ -67,7 +68,7 @@ pub trait Surface: Send + Sync + Debug {
 }
 
 impl SurfaceJet {
-    /// How the normal turns along a tangent direction: dn(v), 1/mm times |v| (spec 50 section 6).
+    /// How the normal turns along a tangent direction: dn(v), 1/mm times |v| (`docs/mathematics/milling.md#scallops-chords-local-gouging`).
     pub fn normal_change(&self, direction: &Vector3<f64>) -> Vector3<f64> {
         let (a, b) = (&self.by_height, &self.by_length);
         let (aa, ab, bb) = (a.dot(a), a.dot(b), b.dot(b));

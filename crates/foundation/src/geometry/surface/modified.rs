@@ -1,4 +1,5 @@
-//! A flank moved along its normal by a function of its parameters, and its own exact normal: spec 50 section 1.3.
+//! A flank moved along its normal by a function of its parameters, and its own exact normal:
+//! `docs/mathematics/milling.md#flanks-as-patches`.
 
 use super::bounds::remainder;
 use super::second_order::jet_of_derivatives;

@@ -1,4 +1,4 @@
-//! A ruled blade: straight lines between a curve at the hub and one at the tip, spec 50 section 1.6.
+//! A ruled blade: straight lines between a curve at the hub and one at the tip, `docs/mathematics/milling.md#flanks-as-patches`.
 //!
 //! Height v = share of the way from hub to tip, length u = the curves' parameter.
 
@@ -18,7 +18,7 @@ pub struct RuledBlade {
     side: NormalSide,
 }
 
-/// A blade on a conical hub inside a cylinder: the reference case of spec 50 section 1.6. mm, rad.
+/// A blade on a conical hub inside a cylinder: the reference case of `docs/mathematics/milling.md#flanks-as-patches`. mm, rad.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BladeData {
     /// r_hub0, r_hub1: radii of the hub at u = 0 and 1.

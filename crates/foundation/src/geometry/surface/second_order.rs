@@ -16,7 +16,7 @@ pub struct SecondOrder {
     pub normal: [Vector3<f64>; 3],
 }
 
-/// A surface that can be moved along its normal by a function of its parameters (spec 50 section 1.3).
+/// A surface that can be moved along its normal by a function of its parameters (`docs/mathematics/milling.md#flanks-as-patches`).
 pub trait OffsetBase: Surface {
     /// Everything up to second order at (a, b).
     fn second_order(&self, height: f64, length: f64) -> SecondOrder;

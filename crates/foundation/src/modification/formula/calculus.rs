@@ -88,7 +88,7 @@ impl View {
     }
 }
 
-/// `chosen`, unless the other has no value: what is undefined shall be told, not passed over.
+/// `chosen`, unless the other has no value: what is undefined is reported, not passed over.
 fn keep_nan(chosen: Jet2, other: Jet2) -> Jet2 {
     if other.f.is_nan() { other } else { chosen }
 }

@@ -140,7 +140,7 @@ fn page(outcome: &CatalogueOutcome) -> Result<PlanReport, ChartError> {
     };
     sections.push(Section::new("All pairs", pairs));
     if let Some(svg) = life_chart(&outcome.lives)? {
-        let caption = "From the worm of now to the worn one, left flank (else the one that is ground). Without corrections: the \
+        let caption = "From the present worm to the worn one, left flank (else the one that is ground). Without corrections: the \
             profile crowning that stands on the gear if only distance and phase are set; with them it is the wanted one. Filled: \
             the target is made; open: a limit is exceeded.";
         let figure = Block::Figure(Figure { svg, caption: caption.into() });
@@ -248,7 +248,7 @@ fn life_chart(lives: &[LifeCurve]) -> Result<Option<Svg>, ChartError> {
     }
     let chart = LineChart {
         title: "Life of the worm".into(),
-        x_title: "dressed off the diameter of the worm of now [mm]".into(),
+        x_title: "dressed off the present diameter of the worm [mm]".into(),
         panels,
     };
     line_chart(&chart).map(Some)
@@ -301,7 +301,7 @@ fn ranking(outcome: &CatalogueOutcome) -> Table {
         rows: outcome.pairs.iter().take(ROWS).map(row).collect(),
         note: format!(
             "Ranked: {}. Of two flanks the larger value. Limit: largest share of an axis limit. Error: largest distance from the wanted \
-             profile. Land: largest tip land that spares the counter flank. To: pitch diameter down to which the pair makes the profile.{more}",
+             profile. Land: largest tip land that clears the opposite flank. To: pitch diameter down to which the pair makes the profile.{more}",
             outcome.ranking
         ),
     }
@@ -321,7 +321,7 @@ fn limits(outcome: &CatalogueOutcome) -> Table {
         format!("at least {} mm", format_significant(l.smallest_tip_land_mm, 4)),
     ]);
     rows.push(vec![
-        "distance from the counter flank".into(),
+        "distance from the opposite flank".into(),
         format!("at least {} mm", format_significant(l.clearance_mm, 4)),
     ]);
     rows.push(vec![

@@ -1,5 +1,5 @@
 //! A catalogue of worms and dressers for the target of a job: all pairs ranked, the best one planned, and the search backwards
-//! (spec 30 section 17). Knows no user interface.
+//! (`docs/mathematics/dressing.md`). Knows no user interface.
 
 mod bodies;
 pub mod files;

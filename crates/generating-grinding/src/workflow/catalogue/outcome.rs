@@ -38,7 +38,7 @@ pub struct PairFlank {
     pub stretch: f64,
     /// Largest distance from the wanted parabola, normal.
     pub profile_error_um: f64,
-    /// Largest tip land that spares the counter flank; absent where none does.
+    /// Largest tip land that clears the opposite flank; absent where none does.
     pub largest_tip_land_mm: Option<f64>,
 }
 
@@ -66,7 +66,7 @@ pub fn flanks(figures: &PairFigures) -> BTreeMap<&'static str, PairFlank> {
 /// How long a worm serves.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PairLife {
-    /// Pitch diameter of now.
+    /// Current pitch diameter.
     pub from_mm: f64,
     /// Smallest pitch diameter at which the target is still made.
     pub to_mm: f64,
@@ -93,7 +93,7 @@ pub struct CataloguePair {
     pub ok: bool,
     /// max |DK_j/limit_j|.
     pub largest_share_of_limit: Option<f64>,
-    /// Pitch diameter of the worm of now.
+    /// Pitch diameter of the worm in its present state.
     pub worm_pitch_diameter_mm: Option<f64>,
     /// Figures per flank that is ground.
     pub flanks: BTreeMap<&'static str, PairFlank>,
@@ -124,7 +124,7 @@ impl CataloguePair {
         self.flanks.values().map(of).max_by(|a, b| a.abs().total_cmp(&b.abs()))
     }
 
-    /// Largest tip land that spares the counter flanks of all flanks.
+    /// Largest tip land that clears the opposite flanks of all flanks.
     pub fn tip_land_mm(&self) -> Option<f64> {
         let lands: Option<Vec<f64>> = self.flanks.values().map(|f| f.largest_tip_land_mm).collect();
         lands?.into_iter().reduce(f64::min)
@@ -169,7 +169,7 @@ pub struct LifeCurve {
     pub worm: String,
     /// Name of the dresser.
     pub dresser: String,
-    /// From the diameter of now to the smallest.
+    /// From the current diameter to the smallest.
     pub points: Vec<LifePoint>,
 }
 
@@ -219,7 +219,7 @@ pub struct CatalogueLimits {
     pub stretch: Option<f64>,
     /// Tip land of a dresser whose land the catalogue does not state.
     pub smallest_tip_land_mm: f64,
-    /// Distance from the counter flank.
+    /// Distance from the opposite flank.
     pub clearance_mm: f64,
 }
 

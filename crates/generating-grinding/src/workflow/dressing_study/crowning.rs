@@ -1,5 +1,5 @@
-//! Corrections, axial position and profile stretch over the profile crowning of the gear (spec 30 sections 8 and 9), by the
-//! three-point method with the radius map.
+//! Corrections, axial position and profile stretch over the profile crowning of the gear (`docs/mathematics/dressing.md#conditions`), by
+//! the three-point method with the radius map.
 
 use super::bodies::Bodies;
 use crate::job::Steps;
@@ -59,7 +59,7 @@ pub struct CrowningCurve {
     pub least: Option<CurveEnd>,
     /// Why there are no larger crownings.
     pub most: Option<CurveEnd>,
-    /// Smallest and largest crowning at which a dresser with the tip land of the job spares the counter flank; absent without a
+    /// Smallest and largest crowning at which a dresser with the tip land of the job clears the opposite flank; absent without a
     /// tip land, or where the study gives the crownings.
     pub with_tip_land: Option<[CurveEnd; 2]>,
     /// Why there is no curve at all.
@@ -108,7 +108,8 @@ impl<'a> Task<'a> {
         Ok((task, setup))
     }
 
-    /// f_n of the worm at the middle of the profile for a profile crowning c on the gear, mm (spec 30, decision on (19)).
+    /// f_n of the worm at the middle of the profile for a profile crowning c on the gear, mm (`docs/mathematics/dressing.md`, decision on
+    /// (19)).
     fn middle(&self, crowning: f64) -> f64 {
         -crowning * self.cos
     }
@@ -144,7 +145,7 @@ impl<'a> Task<'a> {
 }
 
 /// The curve of one set of bodies over the given crownings, each direction from the crowning nearest to 0, or over all that can
-/// be made; there also with a tip land (mm) that must spare the counter flank.
+/// be made; there also with a tip land (mm) that must clear the opposite flank.
 pub fn curve(bodies: &Bodies, flank: Flank, steps: Option<&Steps>, tip_land: Option<f64>) -> CrowningCurve {
     let none = |refused: Refused| CrowningCurve {
         bodies: bodies.name.clone(),
@@ -170,7 +171,7 @@ pub fn curve(bodies: &Bodies, flank: Flank, steps: Option<&Steps>, tip_land: Opt
     CrowningCurve { bodies: bodies.name.clone(), points, least, most, with_tip_land: None, refused: None }
 }
 
-/// The curve over all crownings that can be made, followed both ways from none (spec 30 section 9).
+/// The curve over all crownings that can be made, followed both ways from none (`docs/mathematics/dressing.md#conditions`).
 fn whole(
     bodies: &Bodies,
     task: &Task<'_>,

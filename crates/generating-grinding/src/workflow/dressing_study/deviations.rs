@@ -1,5 +1,5 @@
-//! What deviations of the dressing axes do to the worm's profile: each by itself, all at once, drawn at random (spec 30
-//! section 14).
+//! What deviations of the dressing axes do to the worm's profile: each by itself, all at once, drawn at random
+//! (`docs/mathematics/dressing.md#axes-and-their-deviations`).
 
 use super::bodies::Bodies;
 use super::crowning::Task;

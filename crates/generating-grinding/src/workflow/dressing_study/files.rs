@@ -40,7 +40,7 @@ fn table(outcome: &DressingStudyOutcome) -> Result<CsvTable, CsvError> {
 /// A quantity of a point with its name and unit in tables, and its title in charts.
 type Quantity = (Column, &'static str, fn(&CrowningPoint) -> f64);
 
-/// Quantities over the crowning, in the order of the figures of spec 30 section 21.
+/// Quantities over the crowning, in the order of the figures of `docs/mathematics/dressing.md#how-it-is-verified`.
 const QUANTITIES: [Quantity; 8] = [
     (Column::new("d_phi_S", "deg"), "Δφ_S [°]", |p| p.d_phi_s_deg),
     (Column::new("d_gamma", "deg"), "Δγ [°]", |p| p.d_gamma_deg),
@@ -289,7 +289,7 @@ fn page(outcome: &DressingStudyOutcome) -> Result<PlanReport, ChartError> {
                     curves,
                     &OF_WORMS[7..],
                 )?,
-                "The largest tip land that spares the counter flank, and the pressure angle of the worm for which this dresser needs no stretch.",
+                "The largest tip land that clears the opposite flank, and the pressure angle of the worm for which this dresser needs no stretch.",
             );
             ("dresser on other worms", worms_missing(curves))
         }

@@ -1,5 +1,5 @@
 //! Studies of dressing: corrections and stretch over the profile crowning, the dressed profile, a dresser on other worms, strokes
-//! and deviations of the axes (spec 30 sections 9, 11, 12, 14 and 21). Knows no user interface.
+//! and deviations of the axes (`docs/mathematics/dressing.md`). Knows no user interface.
 
 mod axis_files;
 mod bodies;

@@ -1,4 +1,4 @@
-//! The dressed profile itself: modification, what each radius of the dresser dresses, contact line (spec 30 sections 4, 6, 12).
+//! The dressed profile itself: modification, what each radius of the dresser dresses, contact line (`docs/mathematics/dressing.md`).
 
 use super::bodies::Bodies;
 use super::crowning::{CrowningPoint, Task};

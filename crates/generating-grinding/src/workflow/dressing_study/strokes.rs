@@ -1,4 +1,4 @@
-//! A profile dressed in several strokes by the active areas of a dresser (spec 30 section 11).
+//! A profile dressed in several strokes by the active areas of a dresser (`docs/mathematics/dressing.md#conditions`).
 
 use super::bodies::Bodies;
 use super::crowning::Task;

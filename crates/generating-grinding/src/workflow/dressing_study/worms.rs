@@ -1,5 +1,5 @@
 //! The dresser of the job on other worms: over the pitch diameter, which shrinks with every dressing, or over the pressure angle
-//! (spec 30 section 12).
+//! (`docs/mathematics/dressing.md#conditions`).
 
 use super::bodies::{Bodies, Change};
 use crate::job::{Compare, LoadedJob, Steps};
@@ -34,7 +34,7 @@ pub struct WormPoint {
     pub d_v_ya_mm: f64,
     /// Largest distance of the dressed profile from the involute with corrections, normal.
     pub error_um: f64,
-    /// Largest tip land that spares the counter flank; absent where none does.
+    /// Largest tip land that clears the opposite flank; absent where none does.
     pub largest_tip_land_mm: Option<f64>,
     /// Pressure angle of the worm at which the profile is not stretched; absent where none is near.
     pub angle_without_stretch_deg: Option<f64>,
@@ -75,7 +75,7 @@ impl WormCurve {
     }
 }
 
-/// Bracket on either side of the worm's own pressure angle in which P = 0 is sought, degrees (spec 30 section 12).
+/// Bracket on either side of the worm's own pressure angle in which P = 0 is sought, degrees (`docs/mathematics/dressing.md#conditions`).
 const BRACKET_DEG: f64 = 2.0;
 
 /// What runs along the abscissa.

@@ -1,5 +1,5 @@
 //! Areas of the worm in programs: where finishing and roughing passes run, what is dressed for them, and the check from the texts that
-//! every pass keeps to its area (spec 25 section 8).
+//! every pass keeps to its area (`docs/mathematics/planning.md#choice-of-the-ratio`).
 
 use super::build::Built;
 use super::proof::{ReadBack, Sought};

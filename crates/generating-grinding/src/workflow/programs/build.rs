@@ -75,7 +75,7 @@ impl Part<'_> {
     }
 }
 
-/// Chord tolerance where the control gives none, um (spec 80 section 2 rule 6).
+/// Chord tolerance where the control gives none, um (`docs/mathematics/programs.md#what-rounding-adds`).
 const CHORD_TOLERANCE_UM: f64 = 0.05;
 /// Following error at which the guard of a LinuxCNC gear opens, deg.
 const FOLLOWING_ERROR_DEG: f64 = 0.5;

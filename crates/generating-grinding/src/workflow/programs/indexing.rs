@@ -1,5 +1,5 @@
 //! Threads of the worm and index strokes of the workpiece: which of them a run needs, and which strokes of a text serve them. A stroke is
-//! told by where it stands (its phase modulo 360 deg / z_1, its pitch on the workpiece), never by its place in the program.
+//! identified by where it stands (its phase modulo 360 deg / z_1, its pitch on the workpiece), never by its place in the program.
 
 use super::task::{DressingWork, GrindingWork};
 use crate::workflow::partition::StrokePlan;
@@ -29,7 +29,7 @@ const PLACES: usize = 9;
 /// Places a block, and most of them.
 const PLACES_A_BLOCK: usize = 2;
 const MOST_PLACES: usize = 10_000;
-/// Two strokes of the job nearer to each other than this cannot be told apart by a text, mm.
+/// Two strokes of the job nearer to each other than this cannot be distinguished in a text, mm.
 const SAME: f64 = 1e-4;
 /// A stroke may leave a flank this far below the finished one before it is a fault of its own, mm: above what blocks and digits explain.
 const TOO_DEEP: f64 = 5e-4;

@@ -211,7 +211,7 @@ pub struct LinesProof {
     /// Least distance of the disc from the worm's tip cylinder where it is outside the thread space.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub outside_mm: Option<f64>,
-    /// Least distance of its rounded tip from the counter flank inside the thread space, beside the lines.
+    /// Least distance of its rounded tip from the opposite flank inside the thread space, beside the lines.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub inside_mm: Option<f64>,
     /// Deviation of straight blocks.

@@ -1,6 +1,6 @@
 //! Single blocks of a stroke that leave its course: rays stand millimetres apart, and a block of some tenths of a millimetre would go
 //! unseen between them. What a stroke is off the job's is compared with the same a block before and behind: an offset, a slope or a bow
-//! of the whole stroke is the referee's business, a jump is told here.
+//! of the whole stroke is checked by the referee, a jump is reported here.
 
 use super::indexing::{Served, dressing_stock, shown_blocks};
 use super::task::{DressingWork, GrindingWork};

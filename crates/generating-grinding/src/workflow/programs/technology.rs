@@ -95,7 +95,7 @@ impl Technology {
         let worm = mount(job.worm, false);
         let um = |list: &[f64]| list.iter().map(|x| x * 1e-3).collect();
         Self {
-            // |A1| < 90 deg is possible only if r_1 r_2 = -h, and r_A = r_1 (spec 26 section 2).
+            // |A1| < 90 deg is possible only if r_1 r_2 = -h, and r_A = r_1 (`docs/mathematics/generating-contact.md#machine-chains`).
             grinding: Mounts { tool: worm, counterpart: mount(job.work, hand > 0.0) },
             dressing: Mounts { tool: worm, counterpart: mount(job.dresser, false) },
             swivel: job.swivel_deg.unwrap_or(0.0).to_radians(),

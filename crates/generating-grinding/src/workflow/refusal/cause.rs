@@ -1,4 +1,4 @@
-//! Why a job of generating grinding is refused, told for this job: the place on the gear as a diameter, and remedies that name keys
+//! Why a job of generating grinding is refused, worded for this job: the place on the gear as a diameter, and remedies that name keys
 //! which the job has.
 
 use super::super::prepare::Prepared;

@@ -119,7 +119,7 @@ pub fn dressers(job: &Job, outcome: &Outcome) -> Result<Vec<ShownDresser>, RunFa
     }
 }
 
-/// Width of the land of the dresser: that of the job, else the largest that spares the worm; `None` for a disc whose flanks dress at once.
+/// Width of the land of the dresser: that of the job, else the largest that clears the worm; `None` for a disc whose flanks dress at once.
 fn dresser_land(job: &Job, outcome: &Outcome) -> Option<f64> {
     if job.dressing.flanks == DressingFlanks::Two {
         return None;
@@ -142,7 +142,7 @@ fn shown_dresser(
     let full = section.full_land();
     let land = land.map_or(full, |land| land.clamp(0.0, full));
     let mesh = dresser_disc(&section, land).map_err(failed)?.map_err(|e| unmeshed("dresser", &e))?;
-    // The counter flank stands in by what the land is narrower; to dress, it stands where it was designed.
+    // The opposite flank stands in by what the land is narrower; to dress, it stands where it was designed.
     let side = tool.flanks[flank].profile.at(tool.flanks[flank].designed.middle()).n_z.signum();
     let body = Body::new(id, BodyKind::Dresser, true, &mesh);
     Ok(ShownDresser { body, number, tip_radius, flank, across: -side * (full - land) })

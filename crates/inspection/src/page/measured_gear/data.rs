@@ -15,7 +15,7 @@ pub struct MeasuredGearReport {
     pub rounds: Vec<RoundView>,
     /// What was judged.
     pub verdict: Verdict,
-    /// Evaluation after ISO 1328-1, of the last round.
+    /// Evaluation to ISO 1328-1, of the last round.
     pub evaluation: EvaluationView,
     /// Lines of the files that were not understood: file, line, beginning.
     pub not_understood: Vec<(String, usize, String)>,

@@ -4,7 +4,7 @@ use report::cells::{fixed, fixed_or_none};
 use report::charts::ChartError;
 use report::data::{Block, Column, Table};
 
-/// Evaluation after ISO 1328-1.
+/// Evaluation to ISO 1328-1.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct EvaluationView {
     /// Section in which the file counts.

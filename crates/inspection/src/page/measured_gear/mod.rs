@@ -1,5 +1,5 @@
 //! The page of a measured gear: its flank beside the target and the process, what all teeth share, the correction and its proof, and the
-//! evaluation after ISO 1328-1. Finished numbers in, a page out. The inspection sheet is another page.
+//! evaluation to ISO 1328-1. Finished numbers in, a page out. The inspection sheet is another page.
 
 mod correction;
 mod data;

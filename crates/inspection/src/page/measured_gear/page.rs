@@ -48,7 +48,7 @@ impl MeasuredGearReport {
             };
             add(title.into(), pictures::stages(first)?);
         }
-        add("Evaluation after ISO 1328-1".into(), self.evaluation.blocks()?);
+        add("Evaluation to ISO 1328-1".into(), self.evaluation.blocks()?);
         if !self.not_understood.is_empty() {
             add("Not understood".into(), vec![Block::Table(self.lines_table())]);
         }

@@ -189,7 +189,7 @@ fn shortened(list: &[String]) -> String {
     }
 }
 
-/// A share in ppm; what no number of parts would show is only told to be small.
+/// A share in ppm; what no number of parts would show is only said to be small.
 fn share(ppm: f64) -> String {
     if ppm < 0.01 { "< 0.01".into() } else { format_significant(ppm, 2) }
 }

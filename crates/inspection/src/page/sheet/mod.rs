@@ -1,5 +1,5 @@
 //! The inspection sheet of a measured gear: A4 pages as SVG in millimetres, profile and helix traces with their values, pitch, run-out,
-//! sizes, classes and topographies (spec 85 section 9). It draws finished numbers and must not know files, evaluation or tolerances.
+//! sizes, classes and topographies (`docs/inspection.md`). It draws finished numbers and must not know files, evaluation or tolerances.
 //!
 //! Pages are read without colour. No number is cut: what finds no room stands on a page of remarks.
 

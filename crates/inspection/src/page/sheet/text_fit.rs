@@ -5,7 +5,7 @@ use report::charts::{format_fixed, format_significant, text_width};
 /// Fonts differ from the estimate of widths by about this factor.
 const SAFETY: f64 = 1.04;
 
-/// Sizes beyond this are told as powers of ten.
+/// Sizes beyond this are printed as powers of ten.
 const LONGEST: f64 = 1e6;
 
 /// A number of a table; a dash where there is none.

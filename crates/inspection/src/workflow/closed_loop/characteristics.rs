@@ -1,5 +1,6 @@
 //! Which part of every characteristic all teeth share: slopes, crownings and twist of each flank against the target, tooth by tooth, and the
-//! test of their means (spec 85 section 7.1). Normal to the flank, mm; slopes of material towards tip and upper face.
+//! test of their means (`docs/mathematics/inspection.md#what-all-teeth-share`). Normal to the flank, mm; slopes of material towards tip and
+//! upper face.
 
 use super::super::evaluate::EvaluatedGear;
 use super::super::middle::at_middle;

@@ -1,4 +1,5 @@
-//! The correction that answers a measurement: which settings are worth turning, by how much, and what stays (spec 85 section 7).
+//! The correction that answers a measurement: which settings are worth turning, by how much, and what stays
+//! (`docs/mathematics/inspection.md#correction`).
 
 use super::characteristics::{Characteristic, TestedCharacteristic};
 use super::lines::{MeanLine, uncertainties};
@@ -92,7 +93,7 @@ pub(super) fn worth_turning(
         .collect()
 }
 
-/// The correction of what was measured. Settings that the lines do not let see are left alone; `None` if that leaves none.
+/// The correction of what was measured. Settings that the traces do not determine are not changed; `None` if that leaves none.
 ///
 /// # Errors
 /// Those of [`CorrectionTask::solve`].
@@ -133,7 +134,8 @@ pub(super) fn correct(
     Ok(Some(FoundCorrection { settings, correction, total }))
 }
 
-/// A setting of a direction that nothing sees, or that is known worse than its bounds: first those that are chosen last (spec 85 section 7.5).
+/// A setting of a direction that nothing sees, or that is known worse than its bounds: first those that are chosen last
+/// (`docs/mathematics/inspection.md#correction`).
 fn unseen(settings: &[Setting], found: &Correction, limits: &CorrectionLimits) -> Option<usize> {
     /// A setting with a smaller share of the largest in a direction hardly takes part in it.
     const PART: f64 = 0.1;

@@ -194,8 +194,7 @@ pub(super) fn judge(
     }
     let found = correct(&table, settings, &lines, &influence, loaded.job.compensation.as_ref());
     let Some(found) = found.map_err(|e| of_correction(&e))? else {
-        let why =
-            "the measured lines do not let see any of the settings that may be turned: measure more of them";
+        let why = "the measured traces do not determine any of the settings that may be turned: measure more of them";
         round.result.no_correction = Some(why.into());
         return Ok(round);
     };

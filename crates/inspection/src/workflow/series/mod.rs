@@ -1,5 +1,5 @@
 //! A series of measured parts: many files at once, read and evaluated side by side, brought into order, statistics per characteristic,
-//! a sheet for each part. A file that is refused is told and keeps no other from being evaluated.
+//! a sheet for each part. A refused file is reported and keeps no other from being evaluated.
 
 mod characteristics;
 mod document;
@@ -40,7 +40,7 @@ pub struct SeriesOptions {
     pub without_sheets: bool,
     /// What holds for all measurements.
     pub statements: Statements,
-    /// What the folder holds and is no part of the series; only told.
+    /// What the folder holds and is no part of the series; for information only.
     pub left_out: Vec<LeftOutFile>,
 }
 

@@ -4,7 +4,7 @@ use super::InspectionSeries;
 use super::result::{SeriesCharacteristic, SeriesGroupResult};
 use std::fmt::Write;
 
-/// Characteristics of a group that are told at most.
+/// Most characteristics of a group that are listed.
 const MOST: usize = 12;
 
 /// Groups with their parts, characteristics with the least capability or a drift, refused files. Ends with a line break.

@@ -109,7 +109,7 @@ impl Filling<'_> {
         let class = match (self.options.tolerance_class, &self.gear.tolerances) {
             (Some(class), Some(_)) => format!("ISO 1328-1:2013 class {class}"),
             (Some(class), None) => format!("class {class} asked for, no tolerances for this gear"),
-            (None, _) => "none given; reached classes after ISO 1328-1:2013".into(),
+            (None, _) => "none given; reached classes of ISO 1328-1:2013".into(),
         };
         let mut facts = vec![
             Fact::new("section", section),
@@ -148,7 +148,7 @@ impl Filling<'_> {
     }
 }
 
-/// Signs of a file; those that mean a hand or the material are told so.
+/// Signs of a file; those that mean a hand or the material are named so.
 fn custom_words(sigma: Sides<f64>) -> String {
     let hand = Flank::BOTH.into_iter().all(|flank| sigma[flank] == flank.sign());
     match (sigma.left > 0.0, sigma.right > 0.0) {

@@ -174,7 +174,7 @@ fn defined(value: f64) -> f64 {
     if value.abs() > LARGEST { f64::NAN } else { value }
 }
 
-/// Values of a table or a trace; those that no measurement gives are undefined and told.
+/// Values of a table or a trace; those that no measurement gives are undefined and reported.
 fn plausible_values(
     values: impl Iterator<Item = f64>,
     what: &str,
@@ -190,7 +190,7 @@ fn plausible_values(
     values.into_iter().map(defined).collect()
 }
 
-/// Printed values that no measurement gives count as not measured, and are told.
+/// Printed values that no measurement gives count as not measured, and are reported.
 fn without_implausible_results(file: &mut KlingelnbergFile) {
     let implausible = |value: &&mut Option<f64>| value.is_some_and(|value| value.abs() > LARGEST);
     let count = file.results.values_mut().filter(implausible).map(|value| *value = None).count();

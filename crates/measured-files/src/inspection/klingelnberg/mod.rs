@@ -1,5 +1,5 @@
-//! Klingelnberg files: .mka with curves, .mew with values, in all dialects of spec 85 section 2. Reads tolerantly and within bounds, tells
-//! every line it did not understand, and turns what it understood into the model of this room.
+//! Klingelnberg files: .mka with curves, .mew with values, in all dialects of `docs/inspection.md`. Reads tolerantly and within bounds,
+//! tells every line it did not understand, and turns what it understood into the model of this room.
 
 mod block;
 pub mod convert;

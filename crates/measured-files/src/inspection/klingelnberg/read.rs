@@ -39,11 +39,11 @@ pub fn read_klingelnberg(path: &Path) -> Result<KlingelnbergFile, InspectionErro
     }
 }
 
-/// Reads the content of a file (spec 85 section 2).
+/// Reads the content of a file (`docs/inspection.md`).
 ///
 /// # Errors
 /// [`InspectionError::FileTooLarge`], [`InspectionError::UnsupportedEncoding`], [`InspectionError::NotKlingelnberg`],
-/// [`InspectionError::TooManyUnknownLines`]. Everything else that is wrong is told in `warnings` and `unknown_lines`.
+/// [`InspectionError::TooManyUnknownLines`]. Everything else that is wrong is reported in `warnings` and `unknown_lines`.
 pub fn parse_klingelnberg(bytes: &[u8]) -> Result<KlingelnbergFile, InspectionError> {
     too_large(BYTES, bytes.len(), MAXIMUM_FILE_BYTES)?;
     let (text, encoding) = decode(bytes)?;

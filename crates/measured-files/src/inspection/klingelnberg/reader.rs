@@ -7,7 +7,7 @@ use super::{Curve, KlingelnbergFile, UnknownLine, header, tables};
 use crate::inspection::{InspectionError, InspectionWarning, WarningKind};
 use foundation::geometry::Flank;
 
-/// Most warnings that are kept, since the lines that cause them are bounded by the size of the file only; how many more there are is told.
+/// Most warnings that are kept, since the lines that cause them are bounded by the size of the file only; the number of further ones is reported.
 const MOST_WARNINGS: usize = 2000;
 /// The value for undefined where the preamble gives none.
 const UNDEFINED: f64 = -2_147_483.648;
@@ -17,7 +17,7 @@ enum Open {
     Nothing,
     /// A curve that still lacks samples.
     Curve(Curve, usize),
-    /// A curve with all its samples; whether too many have been told.
+    /// A curve with all its samples; whether too many have been reported.
     Full {
         line: usize,
         told: bool,

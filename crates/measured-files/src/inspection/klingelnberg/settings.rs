@@ -1,4 +1,4 @@
-//! Settings of the measuring program that decide what a number means. What no measurement has proven is refused or told, never guessed.
+//! Settings of the measuring program that decide what a number means. What no measurement has proven is refused or reported, never guessed.
 
 use super::KlingelnbergFile;
 use crate::inspection::{

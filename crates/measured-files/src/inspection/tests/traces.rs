@@ -1,4 +1,4 @@
-//! Tables of traces: what is written comes back, what is wrong is told.
+//! Tables of traces: what is written comes back, what is wrong is reported.
 
 use super::super::*;
 use foundation::geometry::Flank;

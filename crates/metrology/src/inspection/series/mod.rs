@@ -1,4 +1,5 @@
-//! One characteristic over a series of parts: statistics, capability, trend (spec 85 section 10). The unit is that of the values.
+//! One characteristic over a series of parts: statistics, capability, trend (`docs/mathematics/inspection.md#series`). The unit is that of
+//! the values.
 
 mod capability;
 mod control_chart;

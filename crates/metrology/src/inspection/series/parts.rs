@@ -1,4 +1,4 @@
-//! Parts with their values as plain data, whoever measured or stored them: brought into order, and every characteristic of theirs
+//! Parts with their values as plain data from any source: brought into order, and every characteristic of theirs
 //! evaluated.
 
 use super::{SeriesEvaluation, SpecificationLimits, evaluate_numbered};

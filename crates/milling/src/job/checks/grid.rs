@@ -107,7 +107,7 @@ fn through_row(job: &MillingJob, findings: &mut Vec<Diagnostic>) {
     let field = "milling.lead_through_row";
     if job.gear.is_none() {
         findings.push(contradiction(
-            "only the lead curve of a cylindrical gear can be laid through a row",
+            "only the guide curve of a cylindrical gear can be laid through a row",
             field,
             row.to_string(),
             "no key without [gear]",

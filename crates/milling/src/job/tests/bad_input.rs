@@ -1,4 +1,4 @@
-//! What is wrong with a job is told with its key, value, allowed range, way out and place.
+//! What is wrong with a job is reported with its key, value, allowed range, way out and place.
 
 use super::{read, ruled, sound, template, with_body};
 use crate::job::MillingJob;

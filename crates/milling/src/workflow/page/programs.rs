@@ -1,4 +1,4 @@
-//! The programs of a run as the page takes them: programs whose tips are led in the same way are told of once.
+//! The programs of a run as the page takes them: programs with the same kind of tip control are described once.
 
 use crate::OperationKind;
 use crate::page::{AxisCourse, CourseChart, CourseLine, ProgramsView};

@@ -51,8 +51,8 @@ pub(super) fn root(outcome: &MillingOutcome) -> Option<Titled> {
     let layer = |name: &str, look, lines_mm| DrawingLayer { name: name.into(), look, lines_mm };
     let drawing = Drawing {
         title: "Root in the column plane in the middle of the tooth".into(),
-        subtitle: "across and above the lead curve; the tool is cut off at the height of the flank".into(),
-        axes: Some(["across the lead curve [mm]".into(), "above the lead curve [mm]".into()]),
+        subtitle: "across and above the guide curve; the tool is cut off at the height of the flank".into(),
+        axes: Some(["across the guide curve [mm]".into(), "above the guide curve [mm]".into()]),
         layers: vec![
             layer("tool, bottom pass, at both ends of its travel", DrawingLook::OtherBody, lines.upright),
             layer("tool, fillet pass of the first flank", DrawingLook::Body, lines.tool),

@@ -1,5 +1,5 @@
-//! Cutter locations of a job in the words of APT: no machine, coordinates of the workpiece, the feed as it is wanted (spec 50 section
-//! 12).
+//! Cutter locations of a job in the words of APT: no machine, coordinates of the workpiece, the feed as it is wanted
+//! (`docs/mathematics/programs.md#cutters`).
 
 use super::failure::{in_pass, of_writer};
 use super::links::{straight_is_outside, ways};

@@ -1,4 +1,5 @@
-//! Positions of the axes along all passes and the links between them, with the time of every block (spec 50 sections 8 and 11).
+//! Positions of the axes along all passes and the links between them, with the time of every block
+//! (`docs/mathematics/milling.md#positions-of-five-axes`).
 
 use super::failure::{in_pass, of_milling, of_motion};
 use super::figures::{Figures, OperationFigures, StraightKept};

@@ -1,5 +1,5 @@
 //! Figures of the motion: times, what limits the feed, travel and smoothness of the rotary axes, passages near the pole, turning back
-//! (spec 50 section 11).
+//! (`docs/mathematics/milling.md#positions-of-five-axes`).
 
 use super::passes::CutterPass;
 use super::steps::{Step, StepKind, ToolRun};

@@ -1,5 +1,6 @@
-//! The rapid blocks from the end of one path to the begin of the next, outside of the workpiece (spec 50 section 8): around it where
-//! the axes follow, else straight in the axes with one of them turned back.
+//! The rapid blocks from the end of one path to the begin of the next, outside of the workpiece
+//! (`docs/mathematics/milling.md#positions-of-five-axes`): around it where the axes follow, else straight in the axes with one of them
+//! turned back.
 
 use super::drive::{Driver, NOWHERE, Node, between, rapid_seconds, step};
 use super::links::{SAMPLES, is_outside, lifted_pairs, straight_is_outside, ways};

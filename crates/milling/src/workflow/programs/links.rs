@@ -1,5 +1,5 @@
 //! The way of the cutter from one path to the next, outside of the body that holds the workpiece: around the workpiece's axis in
-//! steps, so that no chord dips into the body (spec 50 section 8).
+//! steps, so that no chord dips into the body (`docs/mathematics/milling.md#positions-of-five-axes`).
 
 use super::safe_room::SafeRoom;
 use foundation::kinematics::{Direction, Point};

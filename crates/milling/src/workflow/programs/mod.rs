@@ -1,5 +1,5 @@
 //! NC programs of milling jobs and their proof: paths of cutters -> passes with safe links -> positions of the axes -> text of every
-//! control -> read back -> places of the cutter -> rays (spec 50 sections 8, 11 to 13). Nothing leaves this room that was not read
+//! control -> read back -> places of the cutter -> rays (`docs/mathematics/milling.md`). Nothing leaves this room that was not read
 //! back and compared.
 
 mod blocks;

@@ -1,5 +1,5 @@
-//! What is done where a path comes near the pole (spec 50 section 11): the axes take their time, the first rotary axis is held, or the
-//! workpiece is tilted.
+//! What is done where a path comes near the pole (`docs/mathematics/milling.md#positions-of-five-axes`): the axes take their time, the
+//! first rotary axis is held, or the workpiece is tilted.
 
 use super::failure::of_motion;
 use super::passes::ToolPasses;

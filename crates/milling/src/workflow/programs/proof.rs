@@ -1,4 +1,5 @@
-//! The proof by rays: the cutter moves as the text says, and what it leaves is compared with what was planned (spec 50 section 13).
+//! The proof by rays: the cutter moves as the text says, and what it leaves is compared with what was planned
+//! (`docs/mathematics/milling.md#the-referee`).
 
 use super::build::{MillingProgram, MillingPrograms};
 use super::failure::{not_proven, of_removal};

@@ -65,7 +65,7 @@ impl MillingWork<'_> {
     }
 }
 
-/// The machine and how it is told.
+/// The machine and the options of its control.
 #[derive(Clone, Debug)]
 pub struct MillingMachining<'a> {
     /// The machine. Its rapid speeds are the greatest speeds of its axes.
@@ -76,7 +76,7 @@ pub struct MillingMachining<'a> {
     pub tool_length: f64,
     /// Who leads the tip of the tool.
     pub rtcp: Rtcp,
-    /// How a control that leads the tip is told the axis of the tool.
+    /// How a control with tip control receives the axis of the tool.
     pub tip_control: TipControl,
     /// Largest distance of the cutter from its path that straight blocks of the axes may leave, mm.
     pub position_tolerance: f64,

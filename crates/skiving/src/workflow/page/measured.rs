@@ -68,7 +68,7 @@ fn worst(bodies: &SkivingBodies, m: &Measurement) -> Vec<WorstTooth> {
         why: match (out(flank, tooth), left_out(tooth)) {
             (true, true) => "out of the band; left out of means, mounting and correction",
             (true, false) => "out of the band",
-            _ => "stands out; left out of means, mounting and correction",
+            _ => "outlier; left out of means, mounting and correction",
         }
         .into(),
     });

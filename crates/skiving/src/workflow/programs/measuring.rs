@@ -1,5 +1,5 @@
 //! The course of a measurement at the light barrier: for every track into its pose, for every sense of the spindle a run-up, whole
-//! turns at constant speed while the output is on, and back out of the beam (spec 60 sections 6 and 7).
+//! turns at constant speed while the output is on, and back out of the beam (`docs/mathematics/skiving.md`).
 
 use super::course::Course;
 use super::failure::invalid;

@@ -1,6 +1,6 @@
 //! NC programs that measure a skiving tool in its machine, and their proof: poses at the light barrier or the stylus -> positions of
-//! the axes -> text of every control -> read back -> forward kinematics -> where the ideal tool switches (spec 60 sections 6, 7 and
-//! 11). Nothing leaves this room that was not read back and compared.
+//! the axes -> text of every control -> read back -> forward kinematics -> where the ideal tool switches (`docs/mathematics/skiving.md`).
+//! Nothing leaves this room that was not read back and compared.
 
 mod build;
 mod course;

@@ -1,5 +1,5 @@
 //! The course of a scan: a stylus runs along the edges of some teeth while the axes follow, with the output on, and is drawn back
-//! between them (spec 60 section 11).
+//! between them (`docs/mathematics/skiving.md#tracks-and-poses`).
 
 use super::course::Course;
 use super::failure::of_skiving;

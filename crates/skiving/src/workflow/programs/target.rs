@@ -1,4 +1,4 @@
-//! A control that is told a course: words of the axes, options, the neutral program, and what of it can be read back.
+//! The control that receives a course: words of the axes, options, the neutral program, and what of it can be read back.
 
 use super::course::Course;
 use super::failure::{of_motion, of_writer};

@@ -22,7 +22,7 @@ pub struct Retreat {
     pub speed: f64,
 }
 
-/// The machine and how it is told.
+/// The machine and the options of its control.
 #[derive(Clone, Debug)]
 pub struct ToolMachining<'a> {
     /// The machine. Its frame M is that of the beam and of the poses.

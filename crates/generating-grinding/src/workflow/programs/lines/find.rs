@@ -1,5 +1,5 @@
 //! The lines in what a text does: wherever the tip of the disc moves along the written flank, and which line of the job that is. A line
-//! is told by where the disc touches the worm, never by its place in the text.
+//! is identified by where the disc touches the worm, never by its place in the text.
 
 use super::touch::{Touch, counter_gap, touch_written};
 use super::work::LineWork;
@@ -43,7 +43,7 @@ pub struct FoundLines {
     pub lines: Vec<TextLine>,
     /// What moves on the flank along no line, and where the disc is not clear of the worm beside its lines.
     pub faults: Vec<Remark>,
-    /// Least distance of the disc outside the thread space from the worm's tip cylinder, and of its tip inside from the counter flank,
+    /// Least distance of the disc outside the thread space from the worm's tip cylinder, and of its tip inside from the opposite flank,
     /// beside the lines, mm; infinite where there is none.
     pub least: [f64; 2],
 }
@@ -307,7 +307,7 @@ impl Finder<'_> {
             let into = if own < -BELOW {
                 Some((own, "flank that it dresses"))
             } else if counter < 0.0 {
-                Some((counter, "counter flank"))
+                Some((counter, "opposite flank"))
             } else {
                 None
             };

@@ -1,4 +1,4 @@
-//! What the lines of a text come to: whether every line is on every thread, how far each is off, and what the referee's rays find.
+//! The verdict on the lines of a text: whether every line is on every thread, how far each is off, and what the referee's rays find.
 
 use super::find::{FoundLines, TextLine};
 use super::work::LineWork;

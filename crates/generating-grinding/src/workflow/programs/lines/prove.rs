@@ -113,7 +113,7 @@ impl LinesProof {
     pub fn statement(&self) -> String {
         let clear = match (self.outside_mm, self.inside_mm) {
             (Some(out), Some(inside)) => format!(
-                "; beside its lines the disc stays {out:.3} mm or more off the tip of the worm, or with its rounded tip inside the thread space {inside:.3} mm or more off the counter flank and out of the flank that it dresses"
+                "; beside its lines the disc stays {out:.3} mm or more off the tip of the worm, or with its rounded tip inside the thread space {inside:.3} mm or more off the opposite flank and out of the flank that it dresses"
             ),
             _ => String::new(),
         };
@@ -135,7 +135,7 @@ impl LinesProof {
 /// What the proof of lines says nothing of.
 pub const NOT_COVERED: [&str; 2] = [
     "rays on the worm between the places of the referee's sample, where each line is compared with the plan's alone",
-    "the sides of the disc against the counter flank, which the plan checks",
+    "the sides of the disc against the opposite flank, which the plan checks",
 ];
 
 #[cfg(test)]
@@ -166,6 +166,6 @@ mod tests {
             assert!(text.contains(said), "{said}: {text}");
         }
         let unknown = LinesProof { inside_mm: None, ..proof };
-        assert!(!unknown.statement().contains("counter flank"));
+        assert!(!unknown.statement().contains("opposite flank"));
     }
 }

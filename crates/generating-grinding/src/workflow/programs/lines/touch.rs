@@ -137,7 +137,7 @@ pub fn touch_written(bodies: &LineBodies, position: &DressingPosition) -> Option
     }
 }
 
-/// Share of a pitch by which the tip may stand in the counter flank before it counts as being in front of that of the next thread.
+/// Share of a pitch by which the tip may stand in the opposite flank before it counts as being in front of that of the next thread.
 const BEHIND: f64 = 0.1;
 
 /// Distance of the tip from the other flank of the thread space, mm; negative where it cuts.

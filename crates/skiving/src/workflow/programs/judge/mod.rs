@@ -1,5 +1,5 @@
 //! Any text held against a measurement or a scan of the job, by what its axes do: every recording and every edge is found by where the
-//! tool stands, not by its place in the text's lines; what is wrong is told with its block. Shares no step with the layout of programs.
+//! tool stands, not by its place in the text's lines; what is wrong is reported with its block. Shares no step with the layout of programs.
 
 mod following;
 mod limits;

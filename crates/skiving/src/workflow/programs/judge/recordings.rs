@@ -58,7 +58,7 @@ pub(in super::super) fn recordings(
         };
         if found < next {
             let text = format!(
-                "{} is recorded again, or behind its turn; readings are told apart by their order",
+                "{} is recorded again, or behind its turn; readings are distinguished by their order",
                 named(wanted)
             );
             judged.faults.push(fault("recording-astray", on, &text, AS_WRITTEN));

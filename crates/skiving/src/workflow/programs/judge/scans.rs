@@ -40,7 +40,7 @@ pub(in super::super) fn scans(
         };
         if found < next {
             let text = format!(
-                "{} is scanned again, or behind its turn; scans are told apart by their order",
+                "{} is scanned again, or behind its turn; scans are distinguished by their order",
                 named(wanted)
             );
             judged.faults.push(fault("scan-astray", on, &text, AS_WRITTEN));
