@@ -20,6 +20,7 @@ mod explore;
 mod fit_shift;
 mod five_axis;
 mod generating;
+mod german_help;
 mod hostile_files;
 mod inspection_series;
 mod inspection_sheet;

@@ -1,6 +1,5 @@
 //! What the texts of the repository are held to: the terms of `docs/glossary.md`, pages that exist, German help for every description.
 
-mod german_help;
 mod glossary;
 mod references;
 mod repository;

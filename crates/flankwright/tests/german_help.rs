@@ -5,14 +5,17 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use serde_json::{Map, Value};
 
-use crate::repository::read;
-
 const FILE: &str = "web/src/texts/help-de.json";
+
+fn read() -> String {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(FILE);
+    std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
 
 #[test]
 fn every_description_of_the_schema_has_a_german_text_and_no_text_is_left_over() {
-    let german: BTreeMap<String, String> = serde_json::from_str(&read(FILE)).expect("a map of texts");
-    let keys: BTreeSet<String> = keys(&job::job_schema()).into_iter().collect();
+    let german: BTreeMap<String, String> = serde_json::from_str(&read()).expect("a map of texts");
+    let keys: BTreeSet<String> = keys(&flankwright::exchange::job_schema()).into_iter().collect();
     let missing: Vec<_> = keys.iter().filter(|key| german.get(*key).is_none_or(String::is_empty)).collect();
     let left_over: Vec<_> = german.keys().filter(|key| !keys.contains(*key)).collect();
     assert!(
