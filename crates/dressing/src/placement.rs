@@ -14,6 +14,7 @@ pub struct DresserAxes<T: Scalar> {
     pub axis: Vector3<T>,
     /// Across it; e1 x e2 = axis.
     pub e1: Vector3<T>,
+    /// Second unit vector across the axis.
     pub e2: Vector3<T>,
 }
 
@@ -64,7 +65,9 @@ impl<T: Scalar> WormScrew<T> {
 /// Contact point and dresser normal in the room frame.
 #[derive(Clone, Copy, Debug)]
 pub struct RoomContact<T: Scalar> {
+    /// The place, mm.
     pub q: Vector3<T>,
+    /// The unit normal there.
     pub n: Vector3<T>,
 }
 

@@ -36,6 +36,7 @@ impl Layout {
         self.columns[2]
     }
 
+    /// A table that is not of this layout.
     pub fn malformed(self, message: impl Into<Box<str>>) -> Diagnostic {
         Diagnostic::new(Problem::InvalidTable, message)
             .allowed(format!("the columns {}, one row for each point of the grid", self.columns.join(",")))

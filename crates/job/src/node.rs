@@ -12,21 +12,28 @@ pub const MAXIMUM_DEPTH: usize = 64;
 /// A value and its place in the text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Node {
+    /// What it is.
     pub kind: Kind,
+    /// Its place, in bytes of the text.
     pub span: Range<usize>,
 }
 
 /// What a value is.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Kind {
+    /// JSON only; no key of a job takes it.
     Null,
+    /// A truth value.
     Bool(bool),
+    /// A whole number of 64 bits.
     Integer(i64),
     /// Also integers beyond 64 bits.
     Float(f64),
+    /// A text.
     Text(String),
     /// TOML only; no key of a job takes one.
     Date(String),
+    /// A list.
     List(Vec<Node>),
     /// In the order of the text; keys are unique.
     Table(Vec<Entry>),
@@ -35,8 +42,11 @@ pub enum Kind {
 /// A key of a table with its value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Entry {
+    /// The key.
     pub key: String,
+    /// The place of the key, in bytes of the text.
     pub key_span: Range<usize>,
+    /// The value.
     pub value: Node,
 }
 

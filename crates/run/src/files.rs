@@ -112,6 +112,7 @@ const NAMES: [&str; 24] = [
     "report.html",
 ];
 
+/// A document as its file holds it: indented, with a line end.
 pub fn json(value: &impl serde::Serialize) -> Result<Vec<u8>, serde_json::Error> {
     let mut bytes = serde_json::to_vec_pretty(value)?;
     bytes.push(b'\n');

@@ -24,6 +24,7 @@ const BEYOND: f64 = 0.25;
 const MARGIN: f64 = 4.0;
 
 impl ModifiedFlank {
+    /// The offset of a modification, with bounds sought over its field.
     pub fn new(modification: Modification) -> Self {
         let field = modification.field();
         let normal = field.normal_factor();

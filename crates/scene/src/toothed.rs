@@ -38,6 +38,7 @@ const ARC: f64 = TAU / 60.0;
 const MOST_TRIANGLES: usize = 56_000;
 /// Corners of the bore, and its radius as a share of the least root radius.
 const BORE_CORNERS: usize = 30;
+/// Bore of a drawn body as a share of its root radius.
 pub const BORE: f64 = 0.45;
 /// Teeth that lean more than this are threads: 45 deg.
 const STEEP: f64 = TAU / 8.0;
@@ -51,8 +52,11 @@ const FILLET_SHARE: f64 = 0.6;
 /// Radii of one section.
 #[derive(Clone, Copy)]
 pub struct Radii {
+    /// Tip.
     pub tip: f64,
+    /// Where the involute begins.
     pub start: f64,
+    /// Root.
     pub root: f64,
 }
 

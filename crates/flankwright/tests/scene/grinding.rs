@@ -18,7 +18,7 @@ const FACETS: f64 = 0.03;
 
 /// The run of a job that takes one worm.
 fn run(path: &Path) -> Option<(LoadedJob, Outcome)> {
-    let Some(loaded) = job(path).of::<Job>().cloned() else { return None };
+    let loaded = job(path).of::<Job>().cloned()?;
     if loaded.job.catalogue.is_some() {
         return None;
     }

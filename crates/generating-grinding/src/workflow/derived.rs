@@ -55,6 +55,7 @@ pub fn of_grinding(
     Ok((derived, ready.warnings))
 }
 
+/// Base data and measures of the gear, as sections.
 pub fn gear_sections(derived: &mut DerivedGeometry, drawing: &JobGear, gear: &Gear) {
     let range = drawing.evaluation_range();
     derived.section("evaluation");
@@ -110,6 +111,7 @@ fn best_span(gear: &Gear, blank: &Blank) -> Option<Span> {
         .min_by(|a, b| (a.contact_radius - middle).abs().total_cmp(&(b.contact_radius - middle).abs()))
 }
 
+/// Keys of the quantities of a flank.
 pub fn flank_keys(flank: Flank) -> [&'static str; 8] {
     match flank {
         Flank::Left => [

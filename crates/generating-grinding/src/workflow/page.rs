@@ -116,6 +116,7 @@ fn trace_values(x: &[f64], f: &[f64]) -> (f64, f64) {
 /// Parts outside the producible class below this are rounding, um.
 const LEAST_OUTSIDE_UM: f64 = 5e-4;
 
+/// A flank as the page shows it.
 pub fn flank_report(
     amounts: Vec<TargetAmount>,
     f: &FlankResult,
@@ -150,6 +151,7 @@ pub fn flank_report(
     })
 }
 
+/// Data of the gear as the page shows them.
 pub fn gear_quantities(gear: &Gear, blank: &Blank, evaluation: [f64; 4]) -> Vec<Quantity> {
     let d = gear.data();
     let (l, r) = (gear.flank(Flank::Left), gear.flank(Flank::Right));
@@ -359,6 +361,7 @@ fn settings_quantities(outcome: &Outcome, job: &Job) -> Vec<Quantity> {
     list
 }
 
+/// A grinding motion over the feed as the page draws it.
 pub fn grinding_motion(flanks: &str, motion: &GeneratingMotion, feed_range: [f64; 2]) -> GrindingMotion {
     let feeds: Vec<f64> = equidistant(feed_range, ROWS);
     GrindingMotion {
@@ -386,6 +389,7 @@ fn strokes(outcome: &Outcome, flank: Flank) -> Vec<StrokeReport> {
     executed.map_or(Vec::new(), |executed| executed.strokes.iter().map(report).collect())
 }
 
+/// A dressing motion over the worm position as the page draws it.
 pub fn motion_over(motion: &Motion, (from, to): (f64, f64)) -> DressingMotion {
     let v: Vec<f64> = equidistant([from, to], ROWS);
     let component = |j: usize, unit: f64| v.iter().map(|&v| motion.correction_at(v)[j] * unit).collect();

@@ -12,8 +12,8 @@ use contact::ContactError;
 use foundation::geometry::{Flank, Gear, Sides, WormChoice, worm_for_gear};
 use foundation::kinematics::MotionLaw;
 use foundation::modification::{
-    EvaluationField, GridSpec, Modification, ModificationError, ModificationFiles, ModificationSpec,
-    PointMethod, PointsSpec, ToleranceMap,
+    EvaluationField, GridSpec, Modification, ModificationError, ModificationSpec, PointMethod, PointsSpec,
+    ToleranceMap,
 };
 use generating::areas::AreaPlan;
 use generating::least_squares::FitNorm;

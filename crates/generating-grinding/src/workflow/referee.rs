@@ -184,8 +184,11 @@ fn halved(
 
 /// The worm as the rays of stage one left it.
 pub struct RayedWorm {
+    /// The worm as its rays left it.
     pub surface: DressedSurface,
+    /// The part of it that the rays cover.
     pub area: WormArea,
+    /// What the rays took.
     pub statistics: Statistics,
 }
 

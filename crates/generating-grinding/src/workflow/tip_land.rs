@@ -17,9 +17,11 @@ use verdict::Remark;
 
 /// The largest tip lands by flank, mm: absent where no flank is dressed alone.
 pub struct TipLands {
+    /// The widest tip land of the dresser that stays clear, mm.
     pub largest: Sides<Option<f64>>,
     /// The dresser in the thread space where it has least room.
     pub pictures: Vec<DressingSectionChart>,
+    /// Remarks.
     pub warnings: Vec<Remark>,
 }
 

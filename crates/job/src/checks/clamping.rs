@@ -5,6 +5,7 @@ use crate::diagnostic::Diagnostic;
 use crate::node::shown_number;
 use crate::tables::ClampingBody;
 
+/// Every body has a length and a name of its own.
 pub fn check(bodies: &[ClampingBody], findings: &mut Vec<Diagnostic>) {
     for (number, body) in bodies.iter().enumerate() {
         let field = |key: &str| format!("machine.clamping[{number}].{key}");

@@ -4,6 +4,7 @@ use crate::control::check_servo;
 use crate::diagnostic::{Diagnostic, Problem};
 use crate::tables::Control;
 
+/// What contradicts itself in `[control]`.
 pub fn check(control: Option<&Control>, feed_per_revolution: Option<f64>, findings: &mut Vec<Diagnostic>) {
     let Some(control) = control else { return };
     if feed_per_revolution.is_none() {

@@ -5,6 +5,7 @@ use crate::diagnostic::{Diagnostic, Problem};
 use crate::node::shown_number;
 use crate::tables::Gear;
 
+/// What contradicts itself in `[gear]`.
 pub fn check(gear: &Gear, findings: &mut Vec<Diagnostic>) {
     thickness(gear, findings);
     diameters(gear, findings);

@@ -39,6 +39,7 @@ pub enum RotationRate {
     Binary,
 }
 
+/// The range of the pulses of an encoder.
 pub fn encoder_pulses_schema(_: &mut schemars::SchemaGenerator) -> Schema {
     json_schema!({
         "type": "integer", "minimum": 1, "maximum": 1_u32 << 31,

@@ -84,6 +84,7 @@ pub fn scale_pulses_schema(_: &mut schemars::SchemaGenerator) -> Schema {
     })
 }
 
+/// The range of the clock.
 pub fn clock_schema(_: &mut schemars::SchemaGenerator) -> Schema {
     json_schema!({
         "type": "number", "exclusiveMinimum": 0, "maximum": 1e9,
@@ -91,6 +92,7 @@ pub fn clock_schema(_: &mut schemars::SchemaGenerator) -> Schema {
     })
 }
 
+/// The range of the pulses of an interval.
 pub fn pulses_per_interval_schema(_: &mut schemars::SchemaGenerator) -> Schema {
     json_schema!({
         "type": "integer", "minimum": 2, "maximum": 256,

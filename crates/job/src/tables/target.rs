@@ -60,6 +60,7 @@ pub struct ToleranceTable {
     pub tolerance_um: Vec<Vec<f64>>,
 }
 
+/// Tolerance of a job that gives none, um.
 pub fn default_tolerance() -> f64 {
     1.0
 }

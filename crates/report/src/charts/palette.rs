@@ -15,19 +15,28 @@ pub const RUST: &str = "#b4541a";
 
 /// How one series of a line chart looks.
 pub struct SeriesStyle {
+    /// Colour of the line.
     pub color: &'static str,
+    /// Its dashes, as SVG has them.
     pub dash: &'static str,
+    /// Mark of its points.
     pub marker: Marker,
 }
 
 /// Shape that marks points of a series.
 #[derive(Clone, Copy)]
 pub enum Marker {
+    /// A disc.
     Disc,
+    /// A square.
     Square,
+    /// A triangle.
     Triangle,
+    /// A square on its corner.
     Diamond,
+    /// A triangle on its corner.
     TriangleDown,
+    /// An upright bar.
     Bar,
 }
 

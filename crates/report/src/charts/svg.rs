@@ -52,12 +52,16 @@ pub fn escape(text: &str) -> String {
 /// A line: colour, width, dash pattern ("" = solid).
 #[derive(Clone, Copy)]
 pub struct Stroke<'a> {
+    /// Colour.
     pub color: &'a str,
+    /// Width in units of the picture.
     pub width: f64,
+    /// Dashes as SVG has them; empty for a solid line.
     pub dash: &'a str,
 }
 
 impl<'a> Stroke<'a> {
+    /// A line without dashes.
     pub const fn solid(color: &'a str, width: f64) -> Self {
         Self { color, width, dash: "" }
     }
@@ -72,17 +76,24 @@ impl<'a> Stroke<'a> {
 /// Where a text hangs at its point.
 #[derive(Clone, Copy, PartialEq)]
 pub enum Anchor {
+    /// The text begins at its place.
     Start,
+    /// The text is centred on its place.
     Middle,
+    /// The text ends at its place.
     End,
 }
 
 /// How a text looks.
 #[derive(Clone, Copy)]
 pub struct TextStyle {
+    /// Height of the letters in units of the picture.
     pub size: f64,
+    /// Which part of the text stands at its place.
     pub anchor: Anchor,
+    /// Whether it is bold.
     pub bold: bool,
+    /// Colour.
     pub color: &'static str,
     /// Degrees clockwise about the point.
     pub turn: f64,
@@ -93,26 +104,32 @@ pub struct TextStyle {
 }
 
 impl TextStyle {
+    /// Plain text of this size.
     pub const fn new(size: f64, anchor: Anchor) -> Self {
         Self { size, anchor, bold: false, color: INK, turn: 0.0, halo: false, verbatim: false }
     }
 
+    /// The same, bold.
     pub const fn bold(self) -> Self {
         Self { bold: true, ..self }
     }
 
+    /// The same in a fainter colour.
     pub const fn muted(self) -> Self {
         Self { color: MUTED, ..self }
     }
 
+    /// The same, turned about its place.
     pub const fn turned(self, degrees: f64) -> Self {
         Self { turn: degrees, ..self }
     }
 
+    /// The same on a rim of the background.
     pub const fn halo(self) -> Self {
         Self { halo: true, ..self }
     }
 
+    /// The same without indices: `_` stays as it is.
     pub const fn verbatim(self) -> Self {
         Self { verbatim: true, ..self }
     }
@@ -129,6 +146,7 @@ pub struct Canvas {
 }
 
 impl Canvas {
+    /// An empty picture of this size; the title is its name for screen readers.
     pub fn new(width: f64, height: f64, title: &str) -> Self {
         Self { width, height, unit: "", title: title.to_owned(), body: String::new() }
     }
@@ -138,6 +156,7 @@ impl Canvas {
         Self { unit: "mm", body: String::with_capacity(1 << 16), ..Self::new(width, height, title) }
     }
 
+    /// Draws a line.
     pub fn line(&mut self, a: [f64; 2], b: [f64; 2], stroke: Stroke) {
         let style = stroke.attributes();
         let _ = writeln!(
@@ -150,6 +169,7 @@ impl Canvas {
         );
     }
 
+    /// Draws a rectangle.
     pub fn rect(&mut self, corner: [f64; 2], size: [f64; 2], fill: &str, stroke: Option<Stroke>) {
         let style = stroke.map(|s| s.attributes()).unwrap_or_default();
         let _ = writeln!(
@@ -193,6 +213,7 @@ impl Canvas {
         let _ = writeln!(self.body, "\" fill=\"{fill}\"{rule}{style} stroke-linejoin=\"round\"/>");
     }
 
+    /// Draws a disc.
     pub fn disc(&mut self, centre: [f64; 2], radius: f64, fill: &str, stroke: Stroke) {
         let style = stroke.attributes();
         let _ = writeln!(
@@ -204,6 +225,7 @@ impl Canvas {
         );
     }
 
+    /// Writes a text.
     pub fn text(&mut self, at: [f64; 2], text: &str, style: TextStyle) {
         let anchor = match style.anchor {
             Anchor::Start => "",
@@ -240,6 +262,7 @@ impl Canvas {
         }
     }
 
+    /// The finished picture.
     pub fn finish(self) -> Svg {
         let (width, height, unit) = (place(self.width), place(self.height), self.unit);
         let title = escape(&self.title);

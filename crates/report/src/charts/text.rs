@@ -54,9 +54,13 @@ pub fn indices(text: &str) -> Vec<(String, bool)> {
 /// A rectangle that a label occupies; labels that would overlap an earlier one are left out or moved.
 #[derive(Clone, Copy, Debug)]
 pub struct Area {
+    /// Left edge.
     pub x: f64,
+    /// Upper edge.
     pub y: f64,
+    /// Width.
     pub width: f64,
+    /// Height.
     pub height: f64,
 }
 
@@ -66,6 +70,7 @@ impl Area {
         Self { x: x - 0.5 * width, y: y - 0.5 * height, width, height }
     }
 
+    /// Whether the areas share a place.
     pub fn overlaps(&self, other: &Area) -> bool {
         self.x < other.x + other.width
             && other.x < self.x + self.width
@@ -73,6 +78,7 @@ impl Area {
             && other.y < self.y + self.height
     }
 
+    /// Whether the other area lies inside this one.
     pub fn contains(&self, other: &Area) -> bool {
         other.x >= self.x
             && other.y >= self.y

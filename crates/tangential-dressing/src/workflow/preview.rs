@@ -14,6 +14,7 @@ use verdict::Remark;
 
 /// A flank as planned.
 pub struct PreviewedPass {
+    /// The flank.
     pub flank: Flank,
     /// What is wanted, in the measure of the job, mm.
     pub target: Topography,
@@ -25,8 +26,11 @@ pub struct PreviewedPass {
 
 /// All passes of a job.
 pub struct Previewed {
+    /// Settings, as in the result of a plan.
     pub settings: TangentialSettings,
+    /// Flanks of all passes.
     pub flanks: Vec<PreviewedPass>,
+    /// Remarks.
     pub warnings: Vec<Remark>,
 }
 

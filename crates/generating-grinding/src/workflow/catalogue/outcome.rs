@@ -224,6 +224,7 @@ pub struct CatalogueLimits {
 }
 
 impl CatalogueLimits {
+    /// The limits of a task as the document gives them.
     pub fn of(task: &Task) -> Self {
         let [phi, gamma, d, v_y] = task.limits.correction;
         Self {
@@ -245,6 +246,7 @@ pub fn wanted_um(task: &Task) -> BTreeMap<&'static str, f64> {
 }
 
 impl CatalogueOutcome {
+    /// A ranked pair as the document gives it.
     pub fn new(
         loaded: &LoadedJob,
         catalogue: &Catalogue,

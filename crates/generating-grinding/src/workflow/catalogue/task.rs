@@ -17,10 +17,15 @@ pub const MOST_PAIRS: usize = 100_000;
 
 /// Bodies, target and limits of a search.
 pub struct Task {
+    /// Gear and machine, in which pairs are judged.
     pub workshop: GearWorkshop,
+    /// Worms of the catalogue.
     pub worms: Vec<CatalogueWorm>,
+    /// Dressers of the catalogue.
     pub dressers: Vec<CatalogueDresser>,
+    /// What the pair has to make.
     pub wanted: Wanted,
+    /// What a pair must keep to.
     pub limits: PairLimits,
     /// um, normal.
     pub tolerance_um: f64,

@@ -91,7 +91,9 @@ impl CrowningCurve {
 
 /// One flank of a dresser and what crowning means for it.
 pub struct Task<'a> {
+    /// Dresser and worm.
     pub tool: &'a DresserTool,
+    /// The flank.
     pub flank: Flank,
     /// Pitch radius of the worm, mm.
     pub radius: f64,

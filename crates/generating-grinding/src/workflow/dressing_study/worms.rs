@@ -81,7 +81,9 @@ const BRACKET_DEG: f64 = 2.0;
 /// What runs along the abscissa.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Along {
+    /// The pitch diameter of the worm.
     Diameter,
+    /// The normal pressure angle of the worm.
     PressureAngle,
 }
 
@@ -104,9 +106,13 @@ impl Along {
 
 /// All curves of a study.
 pub struct Study<'a> {
+    /// The job.
     pub loaded: &'a LoadedJob,
+    /// The flank.
     pub flank: Flank,
+    /// What varies.
     pub along: Along,
+    /// Its values.
     pub steps: Steps,
     /// Pitch diameter of the worms of a study over the pressure angle, where it is not that of the dresser's own worm.
     pub diameter: Option<f64>,

@@ -144,6 +144,7 @@ pub struct Found<M> {
     pub faults: Vec<Remark>,
 }
 
+/// Ranges of blocks as people read them.
 pub fn shown_blocks(blocks: impl Iterator<Item = [usize; 2]>) -> String {
     let all: Vec<String> = blocks.map(|[from, to]| format!("{from} to {to}")).collect();
     if all.is_empty() { "none".into() } else { all.join(", ") }

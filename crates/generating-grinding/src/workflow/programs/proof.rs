@@ -91,11 +91,13 @@ pub const MARGIN_UM: f64 = 0.005;
 /// Chords count twice: as they stand, and with their corners rounded.
 pub const CHORDS: f64 = 2.0;
 
+/// A text whose axes cannot be followed.
 pub fn not_followed(program: &BuiltProgram, error: &MotionError) -> RunFailure {
     let finding = Diagnostic::with_code(error.code(), format!("{}: {error}", program.file));
     RunFailure::not_producible(finding.field("machine").way_out(error.way_out()))
 }
 
+/// A text that does not do what the run does.
 pub fn not_proven(text: String, way_out: &str) -> RunFailure {
     let finding = Diagnostic::with_code("program-not-proven", text).field("machine");
     RunFailure::not_producible(finding.way_out(way_out.to_owned()))
@@ -113,12 +115,17 @@ fn moves(program: &BuiltProgram) -> impl Iterator<Item = &Block> {
 
 /// The strokes of a task, found in what a text does.
 pub struct Sought<'a> {
+    /// The machine.
     pub machine: &'a Machine,
+    /// Speeds, clamping and passes.
     pub technology: &'a crate::workflow::programs::technology::Technology,
+    /// Threads and index strokes.
     pub indexing: &'a Indexing,
     /// z_V1 of every finishing area less that of the first, mm.
     pub areas: &'a [f64],
+    /// Dressing strokes in their order.
     pub dressing: Vec<&'a crate::workflow::programs::task::DressingWork>,
+    /// Grinding strokes in their order.
     pub grinding: Vec<&'a crate::workflow::programs::task::GrindingWork>,
 }
 

@@ -232,6 +232,7 @@ pub struct FlankProof {
 }
 
 impl ProgramsResult {
+    /// Of the programs that were built and what was proven of them.
     pub fn new(task: &ProgramTask<'_>, built: &Built, proofs: Vec<ProofResult>) -> Self {
         Self {
             machine: task.machine.file.name.clone(),

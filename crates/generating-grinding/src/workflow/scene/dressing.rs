@@ -27,8 +27,11 @@ pub struct WormExtent {
 
 /// A dressing motion to be shown.
 pub struct ShownDressing<'a> {
+    /// Its identifier.
     pub id: String,
+    /// Its name.
     pub title: String,
+    /// The motion of the dresser.
     pub motion: &'a DressingMotion,
     /// Worm positions v_zS from where to where, mm.
     pub driven: [f64; 2],

@@ -28,21 +28,29 @@ pub type Solver<'a> = Box<dyn Fn(f64, f64) -> Option<ContactSolution> + 'a>;
 
 /// A flank that is ground.
 pub struct ShownFlank<'a> {
+    /// The flank.
     pub flank: Flank,
     /// Lengths of roll and axial positions on the gear, mm.
     pub roll: [f64; 2],
+    /// Axial positions from and to, mm.
     pub face: [f64; 2],
+    /// Finds its contacts.
     pub solve: &'a Solver<'a>,
 }
 
 /// A stroke to be shown.
 pub struct ShownGenerating<'a> {
+    /// Its identifier.
     pub id: String,
+    /// Its name.
     pub title: String,
+    /// Worm and gear.
     pub pair: &'a Pair,
+    /// How they move.
     pub motion: &'a GeneratingMotion,
     /// z_V2 from where to where, mm.
     pub feed: [f64; 2],
+    /// Flanks that are ground.
     pub flanks: Vec<ShownFlank<'a>>,
 }
 
