@@ -6,9 +6,10 @@ pub use ::run::program_check::{
     ProgramCheck, ProgramFault, ThreadProof,
 };
 pub use ::run::{
-    AnyProcess, Carried, CharacteristicsUm, Conclusion, DerivedGeometry, DerivedQuantity, DerivedSection,
-    FlankMaps, JobFailure, JobOutcome, Preview, PreviewChart, PreviewFlank, Process, Processes, Remark,
-    RunFailure, Task, TaskOutcome, WriteError, blank_of_job, cancel, gear_of_job,
+    Answer, AnyProcess, Carried, CharacteristicsUm, Conclusion, DerivedGeometry, DerivedQuantity,
+    DerivedSection, FlankMaps, JobFailure, JobOutcome, Preview, PreviewChart, PreviewFlank, Process,
+    Processes, Remark, RunFailure, Task, TaskOutcome, WriteError, blank_of_job, cancel, gear_of_job, json,
+    report_head, summary, write_with_report,
 };
 pub use generating_grinding::workflow::{
     AxisInfluence, AxisResult, Built, BuiltProgram, CandidateResult, CatalogueLimits, CatalogueOutcome,

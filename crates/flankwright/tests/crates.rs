@@ -9,7 +9,7 @@ use toml_edit::DocumentMut;
 /// Each crate with the crates of this project that its sources depend on. The referee shares no formula with what it judges: it stands
 /// on the foundation alone, and neither contact nor a process knows it. `finding` holds no formula, only how an error gives its code and
 /// its way out: it is open to every crate but those that depend on none of ours.
-const CRATES: [(&str, &[&str]); 33] = [
+const CRATES: [(&str, &[&str]); 34] = [
     ("electronic-gearbox", &[]),
     ("finding-derive", &[]),
     ("nc", &[]),
@@ -199,6 +199,7 @@ const CRATES: [(&str, &[&str]); 33] = [
     ),
     ("flankwright-py", &["electronic-gearbox", "flankwright", "verify"]),
     ("flankwright-cli", &["flankwright", "flankwright-server", "flankwright-store", "verify"]),
+    ("sample-process", &["flankwright", "flankwright-cli"]),
 ];
 
 #[test]
