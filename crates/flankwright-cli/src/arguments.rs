@@ -36,7 +36,7 @@ pub struct Arguments {
 pub enum Command {
     /// Print a commented, runnable example job
     New(NewArguments),
-    /// Print the JSON schema of the job file (draft 2020-12)
+    /// Print the JSON schema of job files, catalogues, machines or results (draft 2020-12)
     Schema(SchemaArguments),
     /// Check a job and print the geometry derived from it
     Check(CheckArguments),

@@ -7,9 +7,9 @@ pub use ::run::program_check::{
 };
 pub use ::run::{
     Answer, AnyProcess, Carried, CharacteristicsUm, Conclusion, DerivedGeometry, DerivedQuantity,
-    DerivedSection, FlankMaps, JobFailure, JobOutcome, Preview, PreviewChart, PreviewFlank, Process,
-    Processes, Remark, RunFailure, Task, TaskOutcome, WriteError, blank_of_job, cancel, gear_of_job, json,
-    report_head, summary, write_with_report,
+    DerivedSection, DocumentFormat, FlankMaps, JobFailure, JobOutcome, Preview, PreviewChart, PreviewFlank,
+    Process, Processes, Remark, RunFailure, Task, TaskOutcome, WriteError, blank_of_job, cancel, gear_of_job,
+    json, report_head, summary, write_with_report,
 };
 pub use generating_grinding::workflow::{
     AxisInfluence, AxisResult, Built, BuiltProgram, CandidateResult, CatalogueLimits, CatalogueOutcome,
@@ -169,4 +169,20 @@ pub fn check_program(
     progress: &dyn Progress,
 ) -> Result<CheckedProgram, RunFailure> {
     ProgramChecker::new(machine, job, progress)?.check(program, dialect, progress)
+}
+
+/// The documents that the program writes: those of the tasks of every process, of inspections, refusals, previews and checked programs.
+pub fn documents() -> Vec<DocumentFormat> {
+    let mut all: Vec<DocumentFormat> = processes().all().flat_map(|process| process.documents()).collect();
+    all.extend([
+        DocumentFormat::of::<::inspection::workflow::GearInspectionResult>("inspection", "result.json"),
+        DocumentFormat::of::<::inspection::workflow::series::InspectionSeriesResult>(
+            "inspection-series",
+            "series.json",
+        ),
+        DocumentFormat::of::<::run::RefusedResult<'static>>("refusal", "result.json"),
+        DocumentFormat::of::<Preview>("preview", "the answer of a preview"),
+        DocumentFormat::of::<CheckedProgram>("program-check", "the answer of `program check --json`"),
+    ]);
+    all
 }

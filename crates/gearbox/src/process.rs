@@ -1,10 +1,12 @@
 //! Electronic gearbox in the registry of processes.
 
 use crate::job::{GearboxJob, LoadedGearboxJob};
+use crate::workflow::GearboxResult;
 use crate::workflow::derived::of_gearbox;
 use crate::workflow::run_gearbox;
+use ::job::ProcessJob;
 use foundation::numerics::Progress;
-use run::{Carried, DerivedGeometry, JobFailure, Process, Remark, Task, TaskOutcome};
+use run::{Carried, DerivedGeometry, DocumentFormat, JobFailure, Process, Remark, Task, TaskOutcome};
 
 /// Electronic gearbox.
 pub struct ElectronicGearbox;
@@ -18,6 +20,10 @@ impl Process for ElectronicGearbox {
 
     fn tasks(&self) -> &'static [Task] {
         &[Task::Plan]
+    }
+
+    fn documents(&self) -> Vec<DocumentFormat> {
+        vec![DocumentFormat::of::<GearboxResult>(GearboxJob::NAME, "result.json")]
     }
 
     fn carry_out(

@@ -5,15 +5,20 @@ use crate::job::{Job, LoadedJob};
 use crate::workflow::derived::of_grinding;
 use crate::workflow::programs::{BodiesCheck, OnGrinding};
 use crate::workflow::refusal::Evidence;
+use crate::workflow::{CatalogueOutcome, DressingStudyOutcome, ExploreOutcome, FreeOutcome, JobResult};
 use crate::workflow::{
     PlannedPair, explore_job, plan_from_catalogue, plan_job, preview_job, rank_catalogue, simulate_job,
     study_dressing, study_free_worm,
 };
+use ::job::ProcessJob;
 use foundation::numerics::Progress;
 use job::Diagnostic;
 use job::machine::LoadedMachine;
 use run::program_check::ProgramCheck;
-use run::{Carried, DerivedGeometry, JobFailure, Preview, Process, Remark, RunFailure, Task, TaskOutcome};
+use run::{
+    Carried, DerivedGeometry, DocumentFormat, JobFailure, Preview, Process, Remark, RunFailure, Task,
+    TaskOutcome,
+};
 
 /// What carries out `inspect` for a job: measuring the simulated machine is the room of inspection, which stands above this one.
 pub type InspectSimulated = fn(&LoadedJob, &dyn Progress) -> Result<Box<dyn TaskOutcome>, JobFailure>;
@@ -37,6 +42,16 @@ impl Process for GeneratingGrinding {
 
     fn takes(&self, _command: &str) -> bool {
         true
+    }
+
+    fn documents(&self) -> Vec<DocumentFormat> {
+        vec![
+            DocumentFormat::of::<JobResult>(Job::NAME, "result.json"),
+            DocumentFormat::of::<ExploreOutcome>("exploration", "explore.json"),
+            DocumentFormat::of::<CatalogueOutcome>("catalogue", "explore.json"),
+            DocumentFormat::of::<FreeOutcome>("free-worm", "explore.json"),
+            DocumentFormat::of::<DressingStudyOutcome>("dressing-study", "explore.json"),
+        ]
     }
 
     fn carry_out(

@@ -1,12 +1,16 @@
 //! Five-axis milling in the registry of processes.
 
 use crate::job::{LoadedMillingJob, MillingJob};
+use crate::workflow::MillingResult;
 use crate::workflow::derived::of_milling;
 use crate::workflow::{MillingCheck, run_milling};
+use ::job::ProcessJob;
 use foundation::numerics::Progress;
 use job::machine::LoadedMachine;
 use run::program_check::ProgramCheck;
-use run::{Carried, DerivedGeometry, JobFailure, Process, Remark, RunFailure, Task, TaskOutcome};
+use run::{
+    Carried, DerivedGeometry, DocumentFormat, JobFailure, Process, Remark, RunFailure, Task, TaskOutcome,
+};
 
 /// Five-axis milling.
 pub struct FiveAxisMilling;
@@ -20,6 +24,10 @@ impl Process for FiveAxisMilling {
 
     fn tasks(&self) -> &'static [Task] {
         &[Task::Plan]
+    }
+
+    fn documents(&self) -> Vec<DocumentFormat> {
+        vec![DocumentFormat::of::<MillingResult>(MillingJob::NAME, "result.json")]
     }
 
     fn carry_out(

@@ -2,10 +2,11 @@
 
 use metrology::{Characteristics, Topography};
 use report::generating::Characteristics as ReportedCharacteristics;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Characteristics in micrometres, transverse unless the key says `normal`; > 0 material removed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, JsonSchema)]
 pub struct CharacteristicsUm {
     /// C_beta.
     pub helix_crowning_um: f64,

@@ -1,5 +1,6 @@
 //! What follows from a job before anything is planned, in sections of named quantities: what `check` shows.
 
+use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::fmt::Write;
@@ -11,7 +12,7 @@ pub struct DerivedGeometry {
 }
 
 /// Quantities that belong together.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct DerivedSection {
     /// Heading, e.g. `worm`.
     pub title: &'static str,
@@ -20,7 +21,7 @@ pub struct DerivedSection {
 }
 
 /// A quantity with its name.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct DerivedQuantity {
     /// Key in JSON, with the unit.
     pub key: &'static str,

@@ -8,12 +8,13 @@ use job::{Diagnostic, Problem};
 use metrology::Topography;
 use report::charts::{self, ChartError, Svg};
 use report::generating::{FlankPicture, FlankReport, GrindingMotion, flank_picture, grinding_motion_chart};
+use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::Value;
 use std::collections::BTreeMap;
 
 /// A flank as planned.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PreviewFlank {
     /// Lengths of roll of the grid.
     pub w_mm: Vec<f64>,
@@ -34,7 +35,7 @@ pub struct PreviewFlank {
 }
 
 /// A plan without its referee.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Preview {
     /// Process.
     pub process: &'static str,

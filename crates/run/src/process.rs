@@ -1,6 +1,7 @@
 //! What a process brings: its job, its tasks, and what can be shown of a job before it runs.
 
 use super::derived::DerivedGeometry;
+use super::document::DocumentFormat;
 use super::finding::{JobFailure, Remark, RunFailure};
 use super::outcome::TaskOutcome;
 use super::preview::Preview;
@@ -34,6 +35,9 @@ pub trait Process: Send + Sync + 'static {
     fn instead(&self, _command: &str) -> &'static str {
         "take a job of one of these processes, or another command for this one"
     }
+
+    /// The documents that its tasks write.
+    fn documents(&self) -> Vec<DocumentFormat>;
 
     /// Carries a task out, one of [`Process::tasks`].
     ///
@@ -109,6 +113,9 @@ pub trait AnyProcess: Send + Sync {
     /// As [`Process::instead`].
     fn instead(&self, command: &str) -> &'static str;
 
+    /// As [`Process::documents`].
+    fn documents(&self) -> Vec<DocumentFormat>;
+
     /// As [`Process::carry_out`]; `None` for a job of another process.
     fn carry_out(
         &self,
@@ -164,6 +171,10 @@ impl<P: Process> AnyProcess for P {
 
     fn instead(&self, command: &str) -> &'static str {
         Process::instead(self, command)
+    }
+
+    fn documents(&self) -> Vec<DocumentFormat> {
+        Process::documents(self)
     }
 
     fn carry_out(

@@ -4,7 +4,7 @@
 mod page;
 pub mod write;
 
-pub use write::write_refusal;
+pub use write::{RefusedResult, write_refusal};
 
 use job::Diagnostic;
 use report::charts::ChartError;

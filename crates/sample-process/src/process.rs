@@ -8,8 +8,8 @@ use flankwright::numerics::Progress;
 use flankwright::report::{Block, Section, html};
 use flankwright::verdict::{Remark, Verdict};
 use flankwright::workflow::{
-    Answer, Carried, DerivedGeometry, JobFailure, JobOutcome, Process, RunFailure, Task, TaskOutcome,
-    WriteError, gear_of_job, json, report_head, summary, write_with_report,
+    Answer, Carried, DerivedGeometry, DocumentFormat, JobFailure, JobOutcome, Process, RunFailure, Task,
+    TaskOutcome, WriteError, gear_of_job, json, report_head, summary, write_with_report,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -58,11 +58,15 @@ impl ProcessJob for ChamferJob {
 }
 
 /// What stands in `result.json`.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct ChamferResult {
+    /// Name of the job.
     job: String,
+    /// The process.
     process: &'static str,
+    /// Tip land before chamfering.
     tip_land_mm: f64,
+    /// Tip land that is left.
     land_left_mm: f64,
     #[serde(flatten)]
     verdict: Verdict,
@@ -130,6 +134,10 @@ impl Process for TipChamfering {
 
     fn tasks(&self) -> &'static [Task] {
         &[Task::Plan]
+    }
+
+    fn documents(&self) -> Vec<DocumentFormat> {
+        vec![DocumentFormat::of::<ChamferResult>(ChamferJob::NAME, "result.json")]
     }
 
     fn carry_out(

@@ -1,12 +1,16 @@
 //! Measuring a skiving tool in the registry of processes.
 
 use crate::job::{LoadedSkivingJob, SkivingJob};
+use crate::workflow::SkivingResult;
 use crate::workflow::derived::of_skiving;
 use crate::workflow::{SkivingCheck, run_skiving, simulate_skiving};
+use ::job::ProcessJob;
 use foundation::numerics::Progress;
 use job::machine::LoadedMachine;
 use run::program_check::ProgramCheck;
-use run::{Carried, DerivedGeometry, JobFailure, Process, Remark, RunFailure, Task, TaskOutcome};
+use run::{
+    Carried, DerivedGeometry, DocumentFormat, JobFailure, Process, Remark, RunFailure, Task, TaskOutcome,
+};
 
 /// Measuring a skiving tool.
 pub struct SkivingToolMeasuring;
@@ -20,6 +24,10 @@ impl Process for SkivingToolMeasuring {
 
     fn tasks(&self) -> &'static [Task] {
         &[Task::Plan, Task::Simulate]
+    }
+
+    fn documents(&self) -> Vec<DocumentFormat> {
+        vec![DocumentFormat::of::<SkivingResult>(SkivingJob::NAME, "result.json")]
     }
 
     fn carry_out(

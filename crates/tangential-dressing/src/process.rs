@@ -1,15 +1,20 @@
 //! Tangential dressing in the registry of processes.
 
 use crate::job::{LoadedTangentialJob, TangentialJob};
+use crate::workflow::TangentialResult;
 use crate::workflow::derived::of_tangential;
 use crate::workflow::previewed::preview_tangential;
 use crate::workflow::programs::OnTangential;
 use crate::workflow::{plan_tangential, simulate_tangential};
+use ::job::ProcessJob;
 use foundation::numerics::Progress;
 use generating_grinding::workflow::programs::BodiesCheck;
 use job::machine::LoadedMachine;
 use run::program_check::ProgramCheck;
-use run::{Carried, DerivedGeometry, JobFailure, Preview, Process, Remark, RunFailure, Task, TaskOutcome};
+use run::{
+    Carried, DerivedGeometry, DocumentFormat, JobFailure, Preview, Process, Remark, RunFailure, Task,
+    TaskOutcome,
+};
 
 /// Tangential dressing.
 pub struct TangentialDressing;
@@ -23,6 +28,10 @@ impl Process for TangentialDressing {
 
     fn tasks(&self) -> &'static [Task] {
         &[Task::Plan, Task::Simulate]
+    }
+
+    fn documents(&self) -> Vec<DocumentFormat> {
+        vec![DocumentFormat::of::<TangentialResult>(TangentialJob::NAME, "result.json")]
     }
 
     fn carry_out(

@@ -17,11 +17,12 @@
 //! assert_eq!(verdict.reason().unwrap().code, "hub-gouged");
 //! ```
 
-use serde::ser::SerializeMap;
+use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Serialize, Serializer};
+use std::borrow::Cow;
 
 /// Whether a target is met.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Status {
     /// Everything that was asked for was judged and is within its tolerance.
@@ -52,7 +53,7 @@ pub fn agree(difference: f64, tolerance: f64) -> bool {
 }
 
 /// A statement beside the numbers of a run: a warning, or the reason of a verdict.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Remark {
     /// Stable code.
     pub code: &'static str,
@@ -70,7 +71,7 @@ impl Remark {
 }
 
 /// An item that was judged.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct JudgedItem {
     /// What was judged: a flank, the threads of the worm, the root, the rapids of a program.
     pub item: String,
@@ -81,7 +82,7 @@ pub struct JudgedItem {
 }
 
 /// An item that was not judged.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct UnjudgedItem {
     /// What was not judged.
     pub item: String,
@@ -192,22 +193,48 @@ impl Verdict {
     }
 }
 
-#[derive(Serialize)]
+/// What was judged and what was not.
+#[derive(Serialize, JsonSchema)]
 struct Scope<'a> {
+    /// Items that were judged.
     judged: &'a [JudgedItem],
+    /// Items that were not.
     not_judged: &'a [UnjudgedItem],
+}
+
+/// A verdict as documents have it.
+#[derive(Serialize, JsonSchema)]
+struct Document<'a> {
+    /// Whether the target is met.
+    status: Status,
+    /// Whether the run may be used: met, or nothing was asked for.
+    accepted: bool,
+    /// Why it is not met.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reason: Option<&'a Remark>,
+    /// What the status covers.
+    scope: Scope<'a>,
 }
 
 impl Serialize for Verdict {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(None)?;
-        map.serialize_entry("status", &self.status())?;
-        map.serialize_entry("accepted", &self.is_accepted())?;
-        if let Some(reason) = self.reason() {
-            map.serialize_entry("reason", reason)?;
-        }
-        map.serialize_entry("scope", &Scope { judged: &self.judged, not_judged: &self.not_judged })?;
-        map.end()
+        let document = Document {
+            status: self.status(),
+            accepted: self.is_accepted(),
+            reason: self.reason(),
+            scope: Scope { judged: &self.judged, not_judged: &self.not_judged },
+        };
+        document.serialize(serializer)
+    }
+}
+
+impl JsonSchema for Verdict {
+    fn schema_name() -> Cow<'static, str> {
+        "Verdict".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        Document::json_schema(generator)
     }
 }
 

@@ -1,6 +1,7 @@
 //! Every example job through the built command, with the exit status that it is there to show.
 
 use crate::command::{repository, run};
+use crate::documents::Documents;
 
 /// Exit status of `plan`; `check` ends with 0 for all of them.
 const PLANS: &[(&str, i32)] = &[
@@ -94,6 +95,7 @@ const NO_JOBS: [&str; 1] = ["catalogue/bodies.toml"];
 #[test]
 fn examples_end_as_they_say() {
     let results = tempfile::tempdir().unwrap();
+    let documents = Documents::of_the_program();
     let inspected = INSPECTIONS.iter().map(|&(name, _, _)| ("check", name, 0));
     let checks =
         PLANS.iter().chain(STUDIES).chain(GEARBOXES).map(|&(name, _)| ("check", name, 0)).chain(inspected);
@@ -104,6 +106,7 @@ fn examples_end_as_they_say() {
         let output = results.path().join(command).join(name);
         let run = run(&[command, &format!("examples/{name}"), "-o", output.to_str().unwrap()]);
         assert_eq!(run.exit, Some(exit), "{command} {name}: {run:?}");
+        documents.meets_one_schema(&output);
     }
     for (name, measured, exit) in INSPECTIONS {
         let output = results.path().join("inspect").join(name);
@@ -113,6 +116,7 @@ fn examples_end_as_they_say() {
         arguments.extend(file.as_deref());
         let run = run(&arguments);
         assert_eq!(run.exit, Some(*exit), "inspect {name}: {run:?}");
+        documents.meets_one_schema(&output);
     }
 }
 

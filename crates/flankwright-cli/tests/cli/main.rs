@@ -5,6 +5,7 @@ mod catalogue;
 mod command;
 mod commands;
 mod control;
+mod documents;
 mod every_key;
 mod everyday;
 mod examples;

@@ -1,12 +1,13 @@
 //! `result.json` of the electronic gearbox, with units in the key names.
 
 use job::control::{InterpolationMode, RotationRate};
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use verdict::{Remark, Verdict};
 
 /// The whole document.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct GearboxResult {
     /// Name of the job.
     pub job: String,
@@ -48,7 +49,7 @@ pub struct GearboxResult {
 }
 
 /// Settings of the interpolator and of what follows it.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct GearboxSettingsResult {
     /// Reference pulses per metre of feed.
     pub pulses_per_metre: f64,
@@ -77,7 +78,7 @@ pub struct GearboxSettingsResult {
 }
 
 /// The coupling of the workpiece to the slide.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CouplingResult {
     /// Lead, > 0 right-hand; absent for a spur gear.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -101,7 +102,7 @@ pub struct CouplingResult {
 }
 
 /// Counters at the end of the run.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PulseFigures {
     /// All pulses of the interpolator.
     pub pulses: u64,
@@ -132,7 +133,7 @@ pub struct PulseFigures {
 }
 
 /// Least and greatest of an error.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RangeUm {
     /// Least.
     pub least_um: f64,
@@ -141,7 +142,7 @@ pub struct RangeUm {
 }
 
 /// The budget of `docs/mathematics/gearbox.md#error-budget`. Along the feed, unless the key says `flank`.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct BudgetResult {
     /// Greatest speed of the motion.
     pub speed_mm_per_min: f64,
@@ -163,7 +164,7 @@ pub struct BudgetResult {
 }
 
 /// Pulse position less slide.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct AlongFeedResult {
     /// From the second reference pulse to the end; absent with fewer pulses.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -195,7 +196,7 @@ pub struct AlongFeedResult {
 }
 
 /// Additional rotation less that of the lead.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct AngleResult {
     /// Least, rad.
     pub least_rad: f64,
@@ -212,7 +213,7 @@ pub struct AngleResult {
 }
 
 /// What the servo leaves.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ServoResult {
     /// Time for which the loop settled before the motion, the worm turning and the slide at rest; in none of the figures.
     pub settling_s: f64,
@@ -233,7 +234,7 @@ pub struct ServoResult {
 }
 
 /// An error over time, its mean removed as centring in the machine does.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ServoErrorResult {
     /// The mean that was removed.
     pub mean_um: f64,
@@ -244,7 +245,7 @@ pub struct ServoErrorResult {
 }
 
 /// Amplitude of the flank per amplitude of a torque, linear.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct FlankResponseResult {
     /// Frequency of the torque.
     pub frequency_hz: f64,
@@ -253,7 +254,7 @@ pub struct FlankResponseResult {
 }
 
 /// Set-ups side by side.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ExploreResult {
     /// Error that is wanted at most.
     pub wanted_um: f64,
@@ -273,7 +274,7 @@ pub struct ExploreResult {
 }
 
 /// The cheapest set-up that is accurate enough.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct BestSetUpResult {
     /// The set-up with its budget.
     #[serde(flatten)]
@@ -287,7 +288,7 @@ pub struct BestSetUpResult {
 }
 
 /// Scale, clock, interpolation and encoder.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SetUpResult {
     /// Place in the ranking, from 1.
     pub rank: usize,

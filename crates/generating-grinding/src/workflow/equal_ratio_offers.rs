@@ -8,11 +8,12 @@ use foundation::geometry::{Flank, Sides};
 use generating::{
     EqualRatioSearch, GeneratingError, GrindingSetup, Lever, RatioRoot, Tool, equal_ratio_lines, generatrix,
 };
+use schemars::JsonSchema;
 use serde::Serialize;
 use verdict::Remark;
 
 /// A number of the worm with which one diagonal ratio serves the directed parts of both flanks.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct EqualRatioOffer {
     /// What is changed: `cone_angle`, `profile_angle` (left flank) or `crossing_angle`.
     pub lever: &'static str,

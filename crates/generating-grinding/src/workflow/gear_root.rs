@@ -9,10 +9,11 @@ use generating::{GeneratingError, GroundRoot};
 use nalgebra::Vector3;
 use referee::{RootGrinding, RootRay};
 use run::RunFailure;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// The ground root in `result.json`.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct GearRootResult {
     /// Smallest and largest root diameter over the evaluated face.
     pub root_diameter_mm: [f64; 2],
@@ -23,7 +24,7 @@ pub struct GearRootResult {
 }
 
 /// The fillet beside one flank.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct FilletResult {
     /// Largest diameter at which it begins: the root form diameter that is ground.
     pub form_diameter_mm: f64,
@@ -36,7 +37,7 @@ pub struct FilletResult {
 }
 
 /// One transverse section.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct FilletSection {
     /// Axial position.
     pub z_mm: f64,

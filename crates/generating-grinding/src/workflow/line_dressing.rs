@@ -14,6 +14,7 @@ use job::Diagnostic;
 use motion::LineContact;
 use referee::{LinePasses, RayGrid, RemovalError, Statistics, dress_lines};
 use run::RunFailure;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// How one flank of the worm is written.
@@ -116,7 +117,7 @@ impl LineSample {
 }
 
 /// Figures of line dressing in `result.json`.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct LineDressingResult {
     /// Direction rho_1 of the lines.
     pub line_direction_deg: f64,

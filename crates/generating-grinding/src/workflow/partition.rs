@@ -11,10 +11,11 @@ use generating::{FlankLines, GeneratingError, GrindingSetup, Strokes};
 use job::Diagnostic;
 use report::charts::WormOccupationChart;
 use run::RunFailure;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// The partition of the tool.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Partition {
     /// Length of one finishing area.
     pub area_length_mm: f64,
@@ -48,7 +49,7 @@ pub struct ToolAreas {
 }
 
 /// The strokes of a pass with some of the threads left out.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct StrokePlan {
     /// Threads that grind, counted from 0.
     pub active_threads: Vec<u32>,

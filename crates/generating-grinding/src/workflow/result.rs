@@ -9,13 +9,14 @@ use crate::workflow::programs::result::ProgramsResult;
 use foundation::geometry::Sides;
 use generating::Candidate;
 use run::{CharacteristicsUm, FlankMaps};
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
 pub use verdict::Status;
 use verdict::{Remark, Verdict};
 
 /// One flank.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct FlankResult {
     /// Lengths of roll of the grid.
     pub w_mm: Vec<f64>,
@@ -72,7 +73,7 @@ impl FlankResult {
 }
 
 /// One candidate of the diagonal ratio.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CandidateResult {
     /// K.
     pub diagonal_ratio: f64,
@@ -103,7 +104,7 @@ impl CandidateResult {
 }
 
 /// Settings, with how the diagonal ratio was found.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SettingsResult {
     /// The settings that `simulate` takes.
     #[serde(flatten)]
@@ -154,7 +155,7 @@ pub struct SettingsResult {
 }
 
 /// The whole document.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct JobResult {
     /// Name of the job.
     pub job: String,

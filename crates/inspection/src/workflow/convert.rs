@@ -9,6 +9,7 @@ use measured_files::rexs::{
     gear_ids, gear_of, read_rexs, rexs_bytes,
 };
 use run::{JobFailure, RunFailure, job_files, standing_elsewhere};
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::path::Path;
 use verdict::Remark;
@@ -17,7 +18,7 @@ use verdict::Remark;
 const SAME: f64 = 1e-6;
 
 /// What a REXS model says of a gear, as a job has it.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct GearOfRexs {
     /// The table `[gear]`.
     pub gear: JobGear,

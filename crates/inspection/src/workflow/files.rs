@@ -16,6 +16,7 @@ use measured_files::inspection::{
     TraceKind, WarningKind, inspection_of, parse_measured_table, read_klingelnberg,
 };
 use run::{JobFailure, RunFailure};
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -127,7 +128,7 @@ pub struct MeasuredFolder {
 }
 
 /// Something in a folder that was not evaluated.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct LeftOutFile {
     /// Its name.
     pub file: String,

@@ -2,12 +2,13 @@
 //! reference length that stand beside them.
 
 use super::closed_loop::RoundResult;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use verdict::{Remark, Verdict};
 
 /// The whole document.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct GearInspectionResult {
     /// Name of the part, or of its file.
     pub job: String,
@@ -91,7 +92,7 @@ impl GearInspectionResult {
 }
 
 /// Lines of a file that were not understood.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct LinesResult {
     /// File.
     pub file: String,
@@ -102,7 +103,7 @@ pub struct LinesResult {
 }
 
 /// A trace.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct TraceInspectionResult {
     /// profile or helix.
     pub kind: &'static str,
@@ -146,7 +147,7 @@ pub struct TraceInspectionResult {
 }
 
 /// How a trace lies in its band.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct BandResult {
     /// Whether it lies in it.
     pub passed: bool,
@@ -157,7 +158,7 @@ pub struct BandResult {
 }
 
 /// A characteristic over the teeth.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SummaryResult {
     /// profile or helix.
     pub kind: &'static str,
@@ -177,7 +178,7 @@ pub struct SummaryResult {
 }
 
 /// Twist S of a tooth flank, transverse, > 0 removes at the tip of the upper face.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct TwistResult {
     /// Flank.
     pub flank: &'static str,
@@ -196,7 +197,7 @@ pub struct TwistResult {
 
 /// Features of a flank: of the surface of second degree through what was measured, mean of the teeth, normal to the flank. The surface between
 /// lines is reconstructed; `surface` says from what.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ArealResult {
     /// What the surface was made of.
     pub surface: String,
@@ -234,7 +235,7 @@ pub struct ArealResult {
 }
 
 /// Pitches of a flank.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PitchInspectionResult {
     /// f_p.
     #[serde(rename = "fp_um")]
@@ -258,7 +259,7 @@ pub struct PitchInspectionResult {
 }
 
 /// Profile shift coefficients that the sizes mean.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ThicknessResult {
     /// By the span.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -269,7 +270,7 @@ pub struct ThicknessResult {
 }
 
 /// The class of a value.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ClassResult {
     /// Flank; absent where it is a value of the gear.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -283,7 +284,7 @@ pub struct ClassResult {
 }
 
 /// A printed value.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PrintedResult {
     /// Which.
     pub name: String,

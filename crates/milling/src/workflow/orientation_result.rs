@@ -1,10 +1,11 @@
 //! The comparison of orientations in a milling job's `result.json`.
 
 use motion::milling::RowSmoothness;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// The rotary motion of the middle row beside that of other systems (`docs/mathematics/milling.md#positions-of-five-axes`).
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct OrientationResult {
     /// The machine: that of the job, or a table A-C.
     pub machine: String,
@@ -23,7 +24,7 @@ pub struct OrientationResult {
 }
 
 /// The rotary axes along one row, over the way of the contact.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(untagged)]
 pub enum OrientationFigures {
     /// The machine reaches all of it.
@@ -36,7 +37,7 @@ pub enum OrientationFigures {
 }
 
 /// Figures of both rotary axes along a row.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RotaryFigures {
     /// Travel.
     pub travel_deg: [f64; 2],

@@ -1,11 +1,12 @@
 //! NC programs in a milling job's `result.json`.
 
 use run::program_check::PartProof;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
 /// One program.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ProgramResult {
     /// Path below the directory of the run.
     pub file: String,
@@ -37,7 +38,7 @@ pub struct ProgramResult {
 }
 
 /// One operation of a program, over all spaces.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ProgramOperation {
     /// What it does.
     pub name: String,
@@ -60,7 +61,7 @@ pub struct ProgramOperation {
 }
 
 /// A tilt of the workpiece about its origin.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct MountTilt {
     /// Its axis in coordinates of the table.
     pub axis: [f64; 3],

@@ -4,12 +4,13 @@ use super::orientation_result::OrientationResult;
 use super::program_result::ProgramResult;
 use contact::ContactPattern;
 use foundation::geometry::CutterShape;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use verdict::{Remark, Verdict};
 
 /// The whole document.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct MillingResult {
     /// Name of the job.
     pub job: String,
@@ -46,7 +47,7 @@ pub struct MillingResult {
 }
 
 /// A cutter. Lengths in mm.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CutterResult {
     /// "conical" (end mill, ball, torus, cone) or "barrel".
     pub profile: &'static str,
@@ -83,7 +84,7 @@ impl CutterResult {
 }
 
 /// One operation in one space.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct OperationResult {
     /// What it does.
     pub name: String,
@@ -99,7 +100,7 @@ pub struct OperationResult {
 }
 
 /// One flank. Arrays over rays are row-major [height][length].
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct FlankResult {
     /// Unit of the height parameter: "mm" (length of roll), "rad" (roll angle), "1" (fraction).
     pub height_unit: &'static str,
@@ -152,7 +153,7 @@ pub struct FlankResult {
 }
 
 /// The part of a flank towards the middle of a double-helical gear that the cutter does not reach.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct OutOfReachResult {
     /// Its greatest length along the axis.
     pub length_mm: f64,
@@ -163,7 +164,7 @@ pub struct OutOfReachResult {
 }
 
 /// Distances of neighbours, mm; a mean is that of one line.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct DistancesResult {
     /// Least distance.
     pub min_mm: f64,
@@ -176,7 +177,7 @@ pub struct DistancesResult {
 }
 
 /// One row.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RowResult {
     /// Number, 0 at the root.
     pub row: usize,
@@ -202,7 +203,7 @@ pub struct RowResult {
 }
 
 /// Load along the cutting edge.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct WearResult {
     /// Length of a bin.
     pub bin_mm: f64,
@@ -215,7 +216,7 @@ pub struct WearResult {
 }
 
 /// The root section at one column.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RootResult {
     /// Lean of the axis.
     pub lean_deg: f64,
@@ -228,7 +229,7 @@ pub struct RootResult {
 }
 
 /// A part of the root under rays on its drawn section; > 0 stock, null where no ray is met.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RootDeviationResult {
     /// Rays.
     pub rays: usize,
@@ -251,7 +252,7 @@ pub struct RootDeviationResult {
 }
 
 /// A bevel gear rolled against its conjugate mate, both with the flanks that are wanted.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct MateResult {
     /// Teeth of the mate.
     pub teeth: u32,
@@ -270,7 +271,7 @@ pub struct MateResult {
 }
 
 /// Polar angles of the flank, degrees.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct MateStartResult {
     /// Where the flank that is milled begins.
     pub active_deg: f64,
@@ -282,7 +283,7 @@ pub struct MateStartResult {
 }
 
 /// Contact on one flank of the gear, without load.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct MateFlankResult {
     /// Pattern that rolling leaves; absent if nothing is marked.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -301,7 +302,7 @@ pub struct MateFlankResult {
 }
 
 /// A contact pattern on the active flank: 0 % at root and toe, 100 % at tip and heel.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PatternResult {
     /// Covered share of the flank.
     pub area_percent: f64,

@@ -1,11 +1,12 @@
 //! What `program check` says of a program, with units in the key names.
 
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use verdict::Remark;
 
 /// What `program check` says.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CheckedProgram {
     /// Control whose language it is.
     pub control: &'static str,
@@ -45,7 +46,7 @@ pub struct CheckedProgram {
 }
 
 /// Recordings or scans of a checked program.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CheckedMeasuring {
     /// Recordings or edges that the job wants.
     pub wanted: usize,
@@ -64,7 +65,7 @@ pub struct CheckedMeasuring {
 }
 
 /// One axis of a checked program. mm or degrees, per second.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CheckedAxis {
     /// Name on the machine.
     pub axis: String,
@@ -92,7 +93,7 @@ pub struct CheckedAxis {
 }
 
 /// One stroke of a checked program.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CheckedStroke {
     /// Feed z_V2 or worm position v_zS from where to where.
     pub range_mm: [f64; 2],
@@ -106,7 +107,7 @@ pub struct CheckedStroke {
 }
 
 /// One flank as a checked program leaves it.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CheckedFlank {
     /// Largest deviation from the target of the job.
     pub max_deviation_um: f64,
@@ -115,7 +116,7 @@ pub struct CheckedFlank {
 }
 
 /// How near something comes to a body of clamping or machine.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct BodyClearance {
     /// Its name.
     pub body: String,
@@ -131,7 +132,7 @@ pub struct BodyClearance {
 }
 
 /// One thread of the worm as proven.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ThreadProof {
     /// Its number, from 1 in the positive sense about the worm's axis.
     pub thread: u32,
@@ -142,7 +143,7 @@ pub struct ThreadProof {
 }
 
 /// What a text was proven for.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PartProof {
     /// In words.
     pub statement: String,
@@ -173,7 +174,7 @@ pub struct PartProof {
 }
 
 /// Something wrong in a text.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ProgramFault {
     /// Stable code.
     pub code: &'static str,

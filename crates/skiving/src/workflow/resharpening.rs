@@ -1,6 +1,7 @@
 //! What a measured skiving tool tells those who resharpen it: how much to take off its rake faces, and every edge with its wear, as a
 //! table and as a document.
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::evaluation::{Deviations, Evaluation};
@@ -26,7 +27,7 @@ const COLUMNS: [Column; 14] = [
 ];
 
 /// Data for resharpening a tool.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Resharpening {
     /// Depth to take off the rake faces along their normal, until every edge can be rounded like a fresh one, mm; of broken edges the
     /// least that takes away what is seen of their chips.
@@ -57,7 +58,7 @@ pub struct Resharpening {
 }
 
 /// What a tool needs whose chips stay.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct WithoutBroken {
     /// Depth along the rake faces' normal, mm.
     pub depth_mm: f64,
@@ -66,7 +67,7 @@ pub struct WithoutBroken {
 }
 
 /// A broken edge.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct BrokenEdge {
     /// Flank of the workpiece that it makes.
     pub flank: Flank,
@@ -79,7 +80,7 @@ pub struct BrokenEdge {
 }
 
 /// What an edge asks for a depth for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum DecidingCause {
     /// Growth of its rounding.
@@ -89,7 +90,7 @@ pub enum DecidingCause {
 }
 
 /// The edge that asks for most.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct DecidingEdge {
     /// Flank of the workpiece that it makes.
     pub flank: Flank,
@@ -102,7 +103,7 @@ pub struct DecidingEdge {
 }
 
 /// A tooth.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ToothResharpening {
     /// Its number, from 0.
     pub tooth: usize,
@@ -117,7 +118,7 @@ pub struct ToothResharpening {
 }
 
 /// An edge.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct EdgeResharpening {
     /// Mean over the tracks of what deviates without clocking and mounting, um; > 0 is material beyond the nominal edge.
     pub mean_deviation_um: f64,

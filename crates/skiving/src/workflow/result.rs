@@ -3,12 +3,13 @@
 use super::programs::ToolProgramResult;
 use super::resharpening::{BrokenEdge, WithoutBroken};
 use crate::wear::WearTrend;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use verdict::{Remark, Verdict};
 
 /// The whole document.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SkivingResult {
     /// Name of the job.
     pub job: String,
@@ -57,7 +58,7 @@ pub struct SkivingResult {
 }
 
 /// The setting of the machine and what follows from it.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SkivingSettings {
     /// d, < 0 for an internal gear.
     pub centre_distance_mm: f64,
@@ -77,7 +78,7 @@ pub struct SkivingSettings {
 
 /// A flank of the workpiece at the tracks' lengths of roll; [profile][helix] with one place along the tooth, since every section is the
 /// same.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SkivedFlankResult {
     /// Lengths of roll.
     pub w_mm: Vec<f64>,
@@ -106,7 +107,7 @@ pub struct SkivedFlankResult {
 }
 
 /// A track with its pose.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct TrackResult {
     /// Number, from 1.
     pub track: usize,
@@ -145,7 +146,7 @@ pub struct TrackResult {
 }
 
 /// The measured tool.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct MeasurementResult {
     /// Readings in all.
     pub readings: usize,
@@ -178,7 +179,7 @@ pub struct MeasurementResult {
 }
 
 /// A switch that is not there.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct MissingResult {
     /// Flank.
     pub flank: &'static str,
@@ -189,7 +190,7 @@ pub struct MissingResult {
 }
 
 /// Pitch, thickness, tooth centres; null for teeth without a switch.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PitchResult {
     /// f_p,k of every tooth.
     pub single_um: Vec<Option<f64>>,
@@ -210,7 +211,7 @@ pub struct PitchResult {
 }
 
 /// Eccentricity and wobble, with standard deviations.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct MountingResult {
     /// e_x, e_y.
     pub eccentricity_um: [f64; 2],
@@ -225,7 +226,7 @@ pub struct MountingResult {
 }
 
 /// Profile of the edges.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ProfileResult {
     /// Mean of every track over the whole teeth, by flank.
     pub track_mean_um: BTreeMap<&'static str, Vec<f64>>,
@@ -242,7 +243,7 @@ pub struct ProfileResult {
 }
 
 /// What grinding the tool again has to take off.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ResharpeningResult {
     /// Depth off the rake faces along their normal: for worn and broken edges.
     pub depth_mm: f64,
@@ -257,7 +258,7 @@ pub struct ResharpeningResult {
 }
 
 /// A tooth's flank.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ToothOnFlank {
     /// Flank.
     pub flank: &'static str,
@@ -268,7 +269,7 @@ pub struct ToothOnFlank {
 }
 
 /// Change of the machine's setting.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CorrectionResult {
     /// Of d; negative makes |d| of an internal gear larger.
     pub centre_distance_um: f64,
@@ -289,7 +290,7 @@ pub struct CorrectionResult {
 }
 
 /// A track measured the usual way.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ConventionalResult {
     /// Flank.
     pub flank: &'static str,
@@ -311,7 +312,7 @@ pub struct ConventionalResult {
 }
 
 /// The scan of a stylus.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ScanResult {
     /// Teeth that are scanned.
     pub teeth: Vec<usize>,
@@ -320,7 +321,7 @@ pub struct ScanResult {
 }
 
 /// A place of a scan.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ScanPlaceResult {
     /// Flank.
     pub flank: &'static str,
@@ -342,7 +343,7 @@ pub struct ScanPlaceResult {
 }
 
 /// The beam by a mandrel.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CalibrationResult {
     /// Whether switches were given; otherwise they are those to be expected.
     pub measured: bool,
@@ -367,7 +368,7 @@ pub struct CalibrationResult {
 }
 
 /// A switch of the mandrel.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct MandrelSwitchResult {
     /// Axis along which it moves.
     pub along: &'static str,
@@ -376,7 +377,7 @@ pub struct MandrelSwitchResult {
 }
 
 /// How results scatter over repeated measurements.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct MonteCarloResult {
     /// Repetitions.
     pub measurements: usize,
@@ -385,7 +386,7 @@ pub struct MonteCarloResult {
 }
 
 /// A result that scatters.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ScatterResult {
     /// What.
     pub name: String,
@@ -403,7 +404,7 @@ pub struct ScatterResult {
 }
 
 /// Measurements of the tool since it was ground.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct HistoryResult {
     /// The tool.
     pub tool: String,
@@ -418,7 +419,7 @@ pub struct HistoryResult {
 }
 
 /// Wear of a flank over the workpieces.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct FlankTrendResult {
     /// Wear now: what is missing on the deepest track in the mean.
     pub wear_um: f64,

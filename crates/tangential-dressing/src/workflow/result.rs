@@ -5,12 +5,13 @@ use crate::job::TangentialSettings;
 use generating_grinding::workflow::control::result::ControlResult;
 use generating_grinding::workflow::programs::result::ProgramsResult;
 use generating_grinding::workflow::result::FlankResult;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use verdict::{Remark, Verdict};
 
 /// The whole document.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct TangentialResult {
     /// Name of the job.
     pub job: String,
@@ -44,7 +45,7 @@ pub struct TangentialResult {
 }
 
 /// Settings with what follows from the bodies.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SettingsResult {
     /// The settings that `simulate` takes.
     #[serde(flatten)]
@@ -79,7 +80,7 @@ pub struct SettingsResult {
 }
 
 /// One flank.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct TangentialFlankResult {
     /// What every process tells of a flank.
     #[serde(flatten)]
@@ -102,7 +103,7 @@ pub struct TangentialFlankResult {
 }
 
 /// What radial feed makes of the same target.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RadialFeedResult {
     /// Helix crowning, normal, material removed.
     pub lead_crowning_normal_um: f64,
@@ -123,7 +124,7 @@ pub struct RadialFeedResult {
 }
 
 /// A pass.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PassResult {
     /// Flanks ground together.
     pub flanks: Vec<&'static str>,
@@ -152,7 +153,7 @@ pub struct PassResult {
 }
 
 /// A variable with its value.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct VariableValue {
     /// Name.
     pub name: String,
@@ -165,7 +166,7 @@ pub struct VariableValue {
 }
 
 /// A step of the choice of variables.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ChoiceStep {
     /// The variable.
     pub variable: String,
@@ -178,7 +179,7 @@ pub struct ChoiceStep {
 }
 
 /// A method beside others.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct MethodResult {
     /// Method.
     pub method: &'static str,
@@ -197,7 +198,7 @@ pub struct MethodResult {
 }
 
 /// Derivatives by one variable.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SensitivityResult {
     /// Flank.
     pub flank: &'static str,

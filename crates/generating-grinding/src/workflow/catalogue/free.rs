@@ -10,11 +10,12 @@ use foundation::numerics::Progress;
 use job::{Diagnostic, Problem};
 use rayon::prelude::*;
 use run::RunFailure;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
 /// One value of the free quantity.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct FreePoint {
     /// mm, degrees or number.
     pub value: f64,
@@ -27,7 +28,7 @@ pub struct FreePoint {
 }
 
 /// Values that make the target.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct FreeRange {
     /// First value.
     pub from: f64,
@@ -38,7 +39,7 @@ pub struct FreeRange {
 }
 
 /// A worm with its free quantity under a dresser.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct FreePair {
     /// Name of the worm of which all else is taken.
     pub worm: String,
@@ -61,7 +62,7 @@ impl FreePair {
 }
 
 /// The document of `explore.json` of such a study.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct FreeOutcome {
     /// Name of the job.
     pub job: String,

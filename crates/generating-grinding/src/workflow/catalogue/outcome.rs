@@ -6,6 +6,7 @@ use crate::job::LoadedJob;
 use crate::workflow::explore::Refused;
 use dressing::catalogue::{FlankOfPair, LifeRow, PairFigures, RankedPair, Refusal, RemainingLife};
 use foundation::geometry::{Flank, Sides};
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -20,7 +21,7 @@ impl From<&Refusal> for Refused {
 }
 
 /// One flank of a pair.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PairFlank {
     /// Profile crowning asked of the dressing motion: the wanted one without that of the dresser.
     pub crowning_by_motion_um: f64,
@@ -64,7 +65,7 @@ pub fn flanks(figures: &PairFigures) -> BTreeMap<&'static str, PairFlank> {
 }
 
 /// How long a worm serves.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PairLife {
     /// Current pitch diameter.
     pub from_mm: f64,
@@ -81,7 +82,7 @@ impl From<&RemainingLife> for PairLife {
 }
 
 /// One pair of the ranking. Figures are absent where the worm cannot be dressed to the profile.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CataloguePair {
     /// Place in the ranking, from 1.
     pub rank: usize,
@@ -132,7 +133,7 @@ impl CataloguePair {
 }
 
 /// One diameter in the life of a pair.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct LifePoint {
     /// Pitch diameter of the worm.
     pub worm_pitch_diameter_mm: f64,
@@ -163,7 +164,7 @@ impl From<&LifeRow> for LifePoint {
 }
 
 /// The whole life of a worm with a dresser.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct LifeCurve {
     /// Name of the worm.
     pub worm: String,
@@ -174,7 +175,7 @@ pub struct LifeCurve {
 }
 
 /// The whole answer.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CatalogueOutcome {
     /// Name of the job.
     pub job: String,
@@ -203,7 +204,7 @@ pub struct CatalogueOutcome {
 }
 
 /// Limits of a search as a file has them.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CatalogueLimits {
     /// |d_phi_S|.
     #[serde(rename = "d_phi_S_deg")]

@@ -1,10 +1,11 @@
 //! What the control leaves, with units in the key names.
 
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
 /// A line of a chart.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Trace {
     /// Tooth, from 0.
     pub tooth: usize,
@@ -13,7 +14,7 @@ pub struct Trace {
 }
 
 /// The angle's error over the stroke as it would stand on the flank, in stretches of time.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, JsonSchema)]
 pub struct ErrorTrace {
     /// z_V2 in the middle of each stretch, mm.
     pub feed_mm: Vec<f64>,
@@ -24,7 +25,7 @@ pub struct ErrorTrace {
 }
 
 /// One flank of all teeth.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ControlFlankResult {
     /// Largest |deviation| by the control alone over all teeth, normal.
     pub largest_um: f64,
@@ -68,7 +69,7 @@ pub struct ControlFlankResult {
 }
 
 /// The control and what it costs.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ControlResult {
     /// Speed of the worm.
     pub worm_speed_rpm: f64,

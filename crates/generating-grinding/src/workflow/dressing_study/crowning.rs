@@ -11,10 +11,11 @@ use dressing::{
 use foundation::geometry::Flank;
 use foundation::kinematics::DressingCorrection;
 use generating::{GeneratingError, GrindingSetup};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Dressing for one profile crowning.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CrowningPoint {
     /// Profile crowning on the gear, transverse, positive = convex.
     pub crowning_um: f64,
@@ -40,7 +41,7 @@ pub struct CrowningPoint {
 }
 
 /// One end of a curve, where it ends before the study does.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CurveEnd {
     /// The last crowning reached.
     pub crowning_um: f64,
@@ -49,7 +50,7 @@ pub struct CurveEnd {
 }
 
 /// The points of one set of bodies.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CrowningCurve {
     /// What tells the bodies from the others; empty where nothing is compared.
     pub bodies: String,

@@ -9,10 +9,11 @@ use dressing::{AXIS_NAMES, DressingError, Spread, Spreads, influence, spread_of_
 use foundation::geometry::Flank;
 use foundation::numerics::{Silent, equidistant};
 use generating::GeneratingError;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// The change that one axis makes.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct AxisInfluence {
     /// Name of the axis, or `all`.
     pub axis: &'static str,
@@ -33,7 +34,7 @@ pub struct AxisInfluence {
 }
 
 /// Quantiles of random deviations at one level.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct DeviationQuantile {
     /// Share of the draws that lie below.
     pub level: f64,
@@ -46,7 +47,7 @@ pub struct DeviationQuantile {
 }
 
 /// The deviations of one set of bodies.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct DeviationCurve {
     /// What tells the bodies from the others; empty where nothing is compared.
     pub bodies: String,

@@ -23,6 +23,7 @@ use foundation::numerics::Progress;
 use job::{Diagnostic, Problem};
 use rayon::prelude::*;
 use run::{Conclusion, RunFailure, TaskOutcome, WriteError};
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::any::Any;
 use std::path::{Path, PathBuf};
@@ -30,7 +31,7 @@ use verdict::Verdict;
 use worms::Along;
 
 /// What a study found: the document of `explore.json`.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct DressingStudyOutcome {
     /// Name of the job.
     pub job: String,
@@ -48,7 +49,7 @@ pub struct DressingStudyOutcome {
 }
 
 /// The curves of a study.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum StudyCurves {
     /// Over the crowning.

@@ -8,10 +8,11 @@ use dressing::{DressedProfile, DressingError};
 use foundation::geometry::Flank;
 use foundation::numerics::equidistant;
 use generating::GeneratingError;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// A dressed profile. The points belong to equidistant parameters of the dresser's profile, the same in all curves.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ProfileCurve {
     /// Bodies and crowning.
     pub name: String,

@@ -8,10 +8,11 @@ use dressing::{ActiveArea, DressingError, MultiStroke, ProfileSection, Stroke, d
 use foundation::geometry::Flank;
 use foundation::numerics::equidistant;
 use generating::GeneratingError;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// One stroke: what it dresses and with which correction.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct StrokeFigures {
     /// Number of the active area, from 1.
     pub area: usize,
@@ -36,7 +37,7 @@ pub struct StrokeFigures {
 }
 
 /// A profile dressed in strokes.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct StrokeCurve {
     /// What tells the bodies from the others; empty where nothing is compared.
     pub bodies: String,

@@ -10,10 +10,11 @@ use dressing::{
 };
 use foundation::geometry::{Flank, Sides};
 use generating::{GeneratingError, GrindingSetup};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// The dresser on one worm.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct WormPoint {
     /// Pitch diameter of the worm (mm) or its pressure angle (deg).
     pub value: f64,
@@ -41,7 +42,7 @@ pub struct WormPoint {
 }
 
 /// The dresser on worms of one number of threads, or whatever else is compared.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct WormCurve {
     /// What tells the bodies from the others; empty where nothing is compared.
     pub bodies: String,

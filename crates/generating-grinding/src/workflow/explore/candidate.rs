@@ -7,12 +7,13 @@ use foundation::geometry::{Flank, Sides};
 use generating::{Candidate, GeneratingError};
 use job::Diagnostic;
 use run::RunFailure;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
 /// Why a combination is not allowed or has no figures.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Refused {
     /// Stable code.
     pub code: &'static str,
@@ -44,7 +45,7 @@ impl From<RunFailure> for Refused {
 }
 
 /// What the ideal tool misses on one flank, normal to the flank.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct FlankFigures {
     /// Largest |target - ground| on the planning grid.
     pub max_residual_um: f64,
@@ -55,7 +56,7 @@ pub struct FlankFigures {
 }
 
 /// One combination. Figures are absent where it could not be evaluated.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ExploreCandidate {
     /// Place in the ranking, from 1.
     pub rank: usize,

@@ -17,6 +17,7 @@ use generating::PlanTask;
 use job::Diagnostic;
 use rayon::prelude::*;
 use run::RunFailure;
+use schemars::JsonSchema;
 use serde::Serialize;
 use variant::Variant;
 
@@ -28,7 +29,7 @@ pub const RANKING: &str = "allowed before refused before failed; among allowed a
     tolerance first, by score, then by worm occupation, then by residual; the others by residual";
 
 /// What a study found: the document of `explore.json`.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ExploreOutcome {
     /// Name of the job.
     pub job: String,

@@ -4,11 +4,12 @@ use super::build::{Built, BuiltProgram};
 use super::task::ProgramTask;
 use machine::{Joint, Station};
 use run::program_check::{BodyClearance, ThreadProof, shown_word};
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
 /// The programs of a run.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ProgramsResult {
     /// Name of the machine.
     pub machine: String,
@@ -27,7 +28,7 @@ pub struct ProgramsResult {
 }
 
 /// What was checked of collisions, from the texts.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ClearanceResult {
     /// In words.
     pub statement: String,
@@ -58,7 +59,7 @@ pub enum AreaUse {
 }
 
 /// What a grinding pass touches on the worm, from its text. mm.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct WormUse {
     /// The program.
     pub file: String,
@@ -81,7 +82,7 @@ pub struct WormUse {
 }
 
 /// One program.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ProgramResult {
     /// Path below the directory of the run.
     pub file: String,
@@ -103,7 +104,7 @@ pub struct ProgramResult {
 }
 
 /// One axis over a program. mm or degrees, per second.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct AxisResult {
     /// Name on the machine.
     pub axis: String,
@@ -130,7 +131,7 @@ pub struct AxisResult {
 }
 
 /// One pass.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PassResult {
     /// Its name.
     pub name: String,
@@ -152,7 +153,7 @@ pub struct PassResult {
 }
 
 /// What the referee made of a control's texts.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ProofResult {
     /// Controls whose texts say the same.
     pub controls: Vec<&'static str>,
@@ -186,7 +187,7 @@ pub struct ProofResult {
 }
 
 /// One flank of the worm whose lines were found in a text.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct LinesProof {
     /// "left" or "right".
     pub flank: &'static str,
@@ -223,7 +224,7 @@ pub struct LinesProof {
 }
 
 /// One flank as proven.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct FlankProof {
     /// Largest deviation from the target.
     pub max_deviation_um: f64,

@@ -14,11 +14,12 @@ use report::charts::{
     ChartError, LineChart, Panel, Series, YScale, axis_chart, format_significant, line_chart,
 };
 use report::{Block, Column, Figure, Table};
+use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::Value;
 
 /// A ratio that could not be judged.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct FailedRatio {
     /// K.
     pub diagonal_ratio: f64,

@@ -1,11 +1,12 @@
 //! What a measurement says for a job, as `result.json` has it: comparison on the grid, tests, correction, proof. um, normal to the flank,
 //! positive = material left, unless a key says otherwise.
 
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
 /// One round of measuring and correcting.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RoundResult {
     /// Round, from 1.
     pub round: usize,
@@ -22,7 +23,7 @@ pub struct RoundResult {
 }
 
 /// A flank on the grid, row-major [profile][helix]; absent values were not measured.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct MeasuredFlankResult {
     /// Lengths of roll.
     pub w_mm: Vec<f64>,
@@ -66,7 +67,7 @@ pub struct MeasuredFlankResult {
 }
 
 /// A difference of two flanks about its mean.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct DifferenceResult {
     /// Root mean square.
     pub rms_um: f64,
@@ -94,7 +95,7 @@ pub struct DifferenceResult {
 }
 
 /// The test of one characteristic.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CharacteristicResult {
     /// Flank.
     pub flank: &'static str,
@@ -125,7 +126,7 @@ pub struct CharacteristicResult {
 }
 
 /// A correction and its proof.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CorrectionResult {
     /// Settings that are turned.
     pub settings: Vec<CorrectedSettingResult>,
@@ -147,7 +148,7 @@ pub struct CorrectionResult {
 }
 
 /// A setting of a correction.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CorrectedSettingResult {
     /// Name with its unit.
     pub name: String,
@@ -165,7 +166,7 @@ pub struct CorrectedSettingResult {
 }
 
 /// What the referee says of a correction, on the grid, about the mean.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ProofResult {
     /// Measured deviation now.
     pub before: DifferenceResult,
@@ -176,7 +177,7 @@ pub struct ProofResult {
 }
 
 /// What changes on the machine: coefficients over the feed and largest changes of the dressing axes.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct MachineChange {
     /// Change of Delta_d over z_V2, um/mm^k.
     pub delta_d_um: Vec<f64>,

@@ -1,11 +1,12 @@
 //! `series.json`: parts in the order of their making, figures of every characteristic. Units stand beside the figures.
 
 use super::super::files::LeftOutFile;
+use schemars::JsonSchema;
 use serde::Serialize;
 use verdict::{Remark, Verdict};
 
 /// The whole document.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct InspectionSeriesResult {
     /// Process.
     pub process: &'static str,
@@ -30,7 +31,7 @@ pub struct InspectionSeriesResult {
 }
 
 /// Parts of one drawing.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SeriesGroupResult {
     /// The drawing, else the name of the gear, else teeth and module.
     pub series: String,
@@ -43,7 +44,7 @@ pub struct SeriesGroupResult {
 }
 
 /// A part.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SeriesPartResult {
     /// Its number in the series, from 1.
     pub number: usize,
@@ -70,7 +71,7 @@ pub struct SeriesPartResult {
 }
 
 /// A file that was not evaluated.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct RefusedFile {
     /// The file.
     pub file: String,
@@ -83,7 +84,7 @@ pub struct RefusedFile {
 }
 
 /// A characteristic over the parts that have it.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SeriesCharacteristic {
     /// What it is: `fHa.left.mean`.
     pub key: String,
@@ -109,7 +110,7 @@ pub struct SeriesCharacteristic {
 }
 
 /// Figures of a characteristic of at least two parts.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SeriesFigures {
     /// Mean.
     pub mean: f64,
@@ -143,7 +144,7 @@ pub struct SeriesFigures {
 }
 
 /// Capability indices.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SeriesCapability {
     /// By s of all parts (Pp where the process is not in control).
     #[serde(rename = "Cp", skip_serializing_if = "Option::is_none")]
@@ -174,7 +175,7 @@ pub struct SeriesCapability {
 }
 
 /// The straight course over the number of the part.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SeriesTrend {
     /// Change from part to part.
     pub per_part: f64,
@@ -190,7 +191,7 @@ pub struct SeriesTrend {
 }
 
 /// A stretch of parts that a rule has found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct SeriesFinding {
     /// Code of the rule.
     pub rule: &'static str,

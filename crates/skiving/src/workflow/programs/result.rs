@@ -2,10 +2,11 @@
 
 use super::{Recording, Scanned, ToolProgram};
 use crate::measuring::Sense;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// One program.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ToolProgramResult {
     /// Path below the directory of the run.
     pub file: String,
@@ -35,7 +36,7 @@ pub struct ToolProgramResult {
 }
 
 /// One stretch that is recorded. Angles are those of the tool spindle as the control counts them.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RecordingResult {
     /// "left" or "right" flank of the workpiece.
     pub flank: String,
@@ -52,7 +53,7 @@ pub struct RecordingResult {
 }
 
 /// One edge that is scanned.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ScanResult {
     /// "left" or "right" flank of the workpiece.
     pub flank: String,
