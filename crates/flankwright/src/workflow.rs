@@ -82,7 +82,11 @@ pub fn carry_out(
     job: &AnyJob,
     progress: &dyn Progress,
 ) -> Result<Box<dyn TaskOutcome>, JobFailure> {
-    processes().carry_out(task, job, progress)
+    let outcome = processes().carry_out(task, job, progress)?;
+    match outcome.refusal() {
+        Some(refusal) => Err(refusal.clone().into()),
+        None => Ok(outcome),
+    }
 }
 
 /// What follows from a job of any process before anything is planned, and remarks on it.

@@ -105,11 +105,8 @@ fn plan(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Box<dyn TaskOutco
         return Ok(Carried::boxed(loaded, plan_job(loaded, progress)?));
     };
     let plan = plan_from_catalogue(loaded, &catalogue, progress)?;
-    let (variant, outcome) = plan.planned?;
-    Ok(Box::new(PlannedPair {
-        planned: Carried { loaded: variant, outcome: *outcome },
-        ranking: plan.ranking,
-    }))
+    let planned = plan.planned.map(|(loaded, outcome)| Carried { loaded, outcome: *outcome });
+    Ok(Box::new(PlannedPair { planned, ranking: plan.ranking }))
 }
 
 fn explore(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Box<dyn TaskOutcome>, JobFailure> {

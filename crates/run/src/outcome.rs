@@ -90,6 +90,11 @@ pub trait TaskOutcome: Send + Sync {
         None
     }
 
+    /// Why the bodies that a study chose cannot make the target, where that is what it came to.
+    fn refusal(&self) -> Option<&RunFailure> {
+        None
+    }
+
     /// The outcome itself, for callers that know its process.
     fn as_any(&self) -> &dyn Any;
 

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use flankwright::exchange::AnyJob;
 use flankwright::processes;
 use flankwright::workflow::{
-    Conclusion, JobFailure, RunFailure, Task, TaskOutcome, WriteError, carry_out, write_refusal,
+    Conclusion, JobFailure, RunFailure, Task, TaskOutcome, WriteError, write_refusal,
 };
 
 use crate::arguments::CommonArguments;
@@ -34,7 +34,7 @@ pub fn run(
         return Err(output::refused(job, command));
     }
     let bars = Bars::new(common.quiet);
-    let done = carry_out(task, job, &bars);
+    let done = processes().carry_out(task, job, &bars);
     bars.finish();
     deliver(task, job, common, rows, done)
 }
@@ -65,7 +65,10 @@ pub fn deliver(
     if owned {
         output::note_owner(common, document, &directory)?;
     }
-    conclude(common, &*outcome, rows, &written)
+    match outcome.refusal() {
+        Some(refusal) => Err(refuse(job, refusal.clone(), &directory)),
+        None => conclude(common, &*outcome, rows, &written),
+    }
 }
 
 /// Writes what a refusal of the bodies hands over and makes the failure of it.

@@ -102,7 +102,7 @@ fn other_worms_that_cannot_stand_there_are_refused() {
         refused(section.outline(&STILL, 1.0, &shown), "invalid-number", &["root radius"]);
     }
     let shown = ShownWorm { flanks: good, left_out: 7, radii: [46.0, 53.0], b: 0.0 };
-    refused(section.outline(&STILL, 1.0, &shown), "invalid-number", &["left-out"]);
+    refused(section.outline(&STILL, 1.0, &shown), "invalid-number", &["inactive threads"]);
 }
 
 /// A worm that the dresser does not reach is not undermined.

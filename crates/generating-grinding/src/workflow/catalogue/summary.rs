@@ -13,41 +13,61 @@ use verdict::Verdict;
 
 /// The plan of the best pair of a catalogue, with the ranking of all.
 pub struct PlannedPair {
-    /// The plan, with the job that has this pair.
-    pub planned: Carried<Job, Outcome>,
+    /// The plan, with the job that has this pair; or why no pair makes the target.
+    pub planned: Result<Carried<Job, Outcome>, RunFailure>,
     /// All pairs.
     pub ranking: CatalogueOutcome,
 }
 
+impl PlannedPair {
+    /// What there is to show: the plan, or the ranking.
+    fn shown(&self) -> &dyn TaskOutcome {
+        match &self.planned {
+            Ok(planned) => planned,
+            Err(_) => &self.ranking,
+        }
+    }
+}
+
 impl TaskOutcome for PlannedPair {
     fn verdict(&self) -> Option<&Verdict> {
-        TaskOutcome::verdict(&self.planned)
+        self.shown().verdict()
     }
 
     fn result(&self) -> &dyn Serialize {
-        self.planned.result()
+        self.shown().result()
     }
 
     fn scene(&self) -> Option<Result<Scene, RunFailure>> {
-        self.planned.scene()
+        self.shown().scene()
     }
 
     fn flanks(&self) -> Vec<FlankMaps<'_>> {
-        self.planned.flanks()
+        self.planned.as_ref().map_or_else(|_| Vec::new(), TaskOutcome::flanks)
     }
 
     fn write(&self, directory: &Path) -> Result<Vec<PathBuf>, WriteError> {
         let mut written = write_catalogue(&self.ranking, directory)?;
-        written.extend(self.planned.write(directory)?);
+        if let Ok(planned) = &self.planned {
+            written.extend(planned.write(directory)?);
+        }
         Ok(written)
     }
 
     fn summary(&self, written: &[PathBuf], rows: usize) -> String {
-        self.planned.summary(written, rows)
+        self.shown().summary(written, rows)
+    }
+
+    fn conclusion(&self) -> Conclusion {
+        self.shown().conclusion()
     }
 
     fn complaint(&self) -> Option<String> {
-        self.planned.complaint()
+        self.shown().complaint()
+    }
+
+    fn refusal(&self) -> Option<&RunFailure> {
+        self.planned.as_ref().err()
     }
 
     fn as_any(&self) -> &dyn Any {
