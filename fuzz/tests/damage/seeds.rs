@@ -1,5 +1,6 @@
 //! Where the seeds of a target stand.
 
+use flankwright::processes;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -23,12 +24,16 @@ pub fn of_target(target: &str) -> Vec<Vec<u8>> {
     let own = package().join("seeds").join(target);
     let mut folders = Vec::from_iter(own.is_dir().then_some(own));
     folders.extend(match target {
-        "job" => vec![root.join("examples"), root.join("crates/job/src/template")],
+        "job" => vec![root.join("examples")],
         "machine" => vec![root.join("machines")],
         "catalogue" => vec![root.join("examples/catalogue")],
         _ => vec![],
     });
-    let seeds: Vec<_> = folders.iter().flat_map(|folder| files_in(folder)).collect();
+    let mut seeds: Vec<_> = folders.iter().flat_map(|folder| files_in(folder)).collect();
+    if target == "job" {
+        seeds
+            .extend(processes().formats().formats().iter().map(|format| format.template.as_bytes().to_vec()));
+    }
     assert!(!seeds.is_empty(), "no seed for {target}");
     seeds
 }
