@@ -89,7 +89,7 @@ pub enum StoreError {
     /// What stands in the store cannot be read as what it should be.
     #[error("the store `{address}` holds {what} that cannot be read: {cause}")]
     #[finding(code = "damaged-store")]
-    #[way_out("bring back a copy of the store, or report this if nobody changed it by hand")]
+    #[way_out("bring back a copy of the store, or report this if it was not changed by hand")]
     Damaged {
         /// The store.
         address: String,

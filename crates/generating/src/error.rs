@@ -400,7 +400,9 @@ pub enum GeneratingError {
         z: f64,
     },
     /// The lines on the workpiece run along the contact paths, or along the profile (diagonal ratio 0).
-    #[error("lines of direction tan(rho_2) = {t} cannot be told from the contact paths, tan(rho_K) = {t_k}")]
+    #[error(
+        "lines of direction tan(rho_2) = {t} cannot be distinguished from the contact paths, tan(rho_K) = {t_k}"
+    )]
     #[finding(code = "degenerate-direction", bad_input)]
     #[way_out("choose another direction, or the functions P and K alone for diagonal ratio 0")]
     DirectionAlongPath {

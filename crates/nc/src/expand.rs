@@ -1,4 +1,4 @@
-//! Programs for controls with modulo axes (spec 80 section 2 rule 6): long turns as turns below 360 deg. Knows no dialect.
+//! Programs for controls with modulo axes (`docs/mathematics/programs.md`): long turns as turns below 360 deg. Knows no dialect.
 
 use super::{AxisMotion, Block, NcError, Program, Targets};
 

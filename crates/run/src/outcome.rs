@@ -1,4 +1,4 @@
-//! What a task came to: verdict, document, files, summary, for callers to whom one process is like the other.
+//! The outcome of a task: verdict, document, files, summary, for callers to whom one process is like the other.
 
 use super::files::WriteError;
 use super::finding::RunFailure;
@@ -85,12 +85,12 @@ pub trait TaskOutcome: Send + Sync {
         }
     }
 
-    /// What is said where all else is quiet: why a target is missed, or why nothing can be made.
+    /// What is reported where all else is quiet: why a target is missed, or why nothing can be made.
     fn complaint(&self) -> Option<String> {
         None
     }
 
-    /// Why the bodies that a study chose cannot make the target, where that is what it came to.
+    /// Why the bodies that a study chose cannot make the target.
     fn refusal(&self) -> Option<&RunFailure> {
         None
     }
@@ -145,7 +145,7 @@ pub trait JobOutcome<J>: Send + Sync + 'static {
 pub struct Carried<J, O> {
     /// The job as it was carried out.
     pub loaded: Loaded<J>,
-    /// What it came to.
+    /// Its outcome.
     pub outcome: O,
 }
 

@@ -1,5 +1,5 @@
 //! A run through a real gearbox and servo instead of ideal couplings: what the control that the job describes leaves on the flank of every
-//! tooth, beside what the process leaves (spec 70). Grinding goes through it, after the dresser of either process.
+//! tooth, beside what the process leaves (`docs/mathematics/gearbox.md`). Grinding goes through it, after the dresser of either process.
 
 pub mod of_grinding;
 pub mod page;
