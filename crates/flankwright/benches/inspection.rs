@@ -1,7 +1,7 @@
 //! Measured parts: 68 files of about 105 kB read and evaluated with their sheets, and written as a series.
 
 #[allow(dead_code, reason = "the tests need more of it")]
-#[path = "../tests/measured_parts/mod.rs"]
+#[path = "../../inspection/tests/measured_parts/mod.rs"]
 mod measured_parts;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};

@@ -1,75 +1,20 @@
 //! All tests of the crate through its public interface, in one program: a program for each file would link the crate some seventy times.
 //! Its modules are the tests, and what several of them share.
 
-mod areas;
-mod catalogue;
 mod clamping;
-mod closed_loop;
 mod crates;
-mod cylindrical_pair;
-mod dressing;
-mod dressing_axes;
-mod dressing_bodies;
-mod dressing_conditions;
-mod dressing_limits;
-mod dressing_range;
-mod dressing_referee;
-mod dressing_strokes;
-mod equal_ratio;
-mod explore;
-mod fit_shift;
-mod five_axis;
-mod generating;
 mod german_help;
 mod hostile_files;
-mod inspection_series;
-mod inspection_sheet;
-mod inspection_statements;
-mod inspection_verdict;
-mod least_squares;
-mod line_dressing;
-mod line_dressing_job;
 mod line_programs;
 mod linuxcnc;
 mod machines;
-mod measured_parts;
-mod meshes;
-mod milled_jobs;
-mod milling_clamping;
-mod milling_clearance;
-mod milling_ends;
-mod milling_errors;
-mod milling_keys;
-mod milling_obstacles;
-mod milling_programs;
-mod milling_report;
-mod milling_verdict;
+#[path = "../../milling/tests/milling_example.rs"]
+mod milling_example;
 #[path = "../../nc/tests/peer/mod.rs"]
 mod peer;
-mod plan;
-mod plan_bodies;
-mod program_areas;
 mod programs;
 mod refusals;
-mod removal;
-mod report;
-mod report_sample;
 mod scene;
-mod skiving;
-mod skiving_programs;
-mod skiving_report;
-mod skiving_report_sample;
-mod skiving_verdict;
-mod stroke_plans;
-#[expect(dead_code, reason = "the tests of the shapes use the rest")]
-#[path = "../../foundation/tests/surfaces/cases.rs"]
-mod surface_cases;
 mod tampering;
 mod tampering_grinding;
-mod tangential;
-mod tangential_control;
-mod tangential_referee;
-mod targets;
 mod templates;
-mod variable_ratio;
-mod verdicts;

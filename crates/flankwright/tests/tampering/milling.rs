@@ -1,7 +1,7 @@
 //! Tampering with the program of a milled spur gear of 20 teeth on a table A-C, in positions of the axes.
 
 use super::{Answer, COUNT, Tampered, all_accepted, all_noticed, below, between, random, sign};
-use crate::milling_verdict::example;
+use crate::milling_example::example;
 use flankwright::exchange::LoadedMillingJob;
 use flankwright::exchange::machine::{LoadedMachine, read_machine};
 use flankwright::nc::Dialect;

@@ -1,0 +1,13 @@
+//! Tests of the crate through its public interface, in one program. Its modules are the tests, and what several of them share.
+
+mod areas;
+#[path = "../../generating/tests/cylindrical_pair/mod.rs"]
+mod cylindrical_pair;
+mod explore;
+mod line_dressing_job;
+mod plan;
+mod plan_bodies;
+mod program_areas;
+mod stroke_plans;
+mod targets;
+mod verdicts;

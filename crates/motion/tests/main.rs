@@ -1,0 +1,3 @@
+//! Tests of the crate through its public interface, in one program. Its modules are the tests, and what several of them share.
+
+mod five_axis;

@@ -1,0 +1,10 @@
+//! Tests of the crate through its public interface, in one program. Its modules are the tests, and what several of them share.
+
+#[expect(dead_code, reason = "the tests of the controls use the rest")]
+#[path = "../../nc/tests/peer/mod.rs"]
+mod peer;
+mod skiving;
+mod skiving_programs;
+mod skiving_report;
+mod skiving_report_sample;
+mod skiving_verdict;
