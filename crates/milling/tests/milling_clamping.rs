@@ -1,6 +1,6 @@
 //! Tool, holder and spindle against what clamps a milled workpiece. Expected distances follow from the radii of root and nut.
 
-use super::milling_verdict::example;
+use crate::milling_example::example;
 use foundation::numerics::Silent;
 use job::machine::read_machine;
 use milling::workflow::{MillingCheck, MillingOutcome, run_milling};
