@@ -81,6 +81,10 @@ impl Process for GeneratingGrinding {
         Some(job.target.tolerance_um)
     }
 
+    fn has_preview(&self) -> bool {
+        true
+    }
+
     fn preview(&self, loaded: &LoadedJob) -> Option<Result<Preview, JobFailure>> {
         Some(preview_job(loaded).map_err(JobFailure::from))
     }

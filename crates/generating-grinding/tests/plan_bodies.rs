@@ -114,7 +114,7 @@ fn beveloids_are_ground_by_cylinder_and_cone() {
 #[test]
 fn a_left_out_thread_halves_the_feed() {
     let outcome = held("left-out-thread.toml", 0.05);
-    let strokes = outcome.result.settings.strokes.as_ref().unwrap();
+    let strokes = outcome.result.settings.index_strokes.as_ref().unwrap();
     assert_eq!((strokes.strokes_per_pass, strokes.index_pitches.as_slice()), (1, &[0][..]));
     assert!((strokes.feed_factor - 0.5).abs() < 1e-15);
     // With every thread the same feed leaves marks of a quarter of the height.

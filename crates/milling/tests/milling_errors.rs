@@ -44,8 +44,14 @@ const ERRORS: [(&str, Shown); 24] = [
         Shown::In("milled_jobs/internal_access.rs", "a_holder_must_end_before_the_teeth_on_the_other_side"),
     ),
     ("E_WEAR_WINDOW", Shown::Here(row_without_a_height)),
-    ("E_AXIS_UNREACHABLE", Shown::In("five_axis.rs", "what_the_travel_does_not_hold_is_told_with_its_place")),
-    ("E_AXIS_LIMIT", Shown::In("five_axis.rs", "what_the_travel_does_not_hold_is_told_with_its_place")),
+    (
+        "E_AXIS_UNREACHABLE",
+        Shown::In("../../motion/tests/five_axis.rs", "what_the_travel_does_not_hold_is_told_with_its_place"),
+    ),
+    (
+        "E_AXIS_LIMIT",
+        Shown::In("../../motion/tests/five_axis.rs", "what_the_travel_does_not_hold_is_told_with_its_place"),
+    ),
 ];
 
 /// Where an error is tested.

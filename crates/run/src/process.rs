@@ -66,6 +66,11 @@ pub trait Process: Send + Sync + 'static {
         None
     }
 
+    /// Whether it has a preview.
+    fn has_preview(&self) -> bool {
+        false
+    }
+
     /// The plan without its referee; `None` for a process that has no preview.
     ///
     /// # Errors
@@ -133,6 +138,9 @@ pub trait AnyProcess: Send + Sync {
     /// As [`Process::tolerance_um`].
     fn tolerance_um(&self, job: &AnyJob) -> Option<f64>;
 
+    /// As [`Process::has_preview`].
+    fn has_preview(&self) -> bool;
+
     /// As [`Process::preview`].
     fn preview(&self, job: &AnyJob) -> Option<Result<Preview, JobFailure>>;
 
@@ -196,6 +204,10 @@ impl<P: Process> AnyProcess for P {
 
     fn tolerance_um(&self, job: &AnyJob) -> Option<f64> {
         job.of::<P::Job>().and_then(|loaded| Process::tolerance_um(self, &loaded.job))
+    }
+
+    fn has_preview(&self) -> bool {
+        Process::has_preview(self)
     }
 
     fn preview(&self, job: &AnyJob) -> Option<Result<Preview, JobFailure>> {

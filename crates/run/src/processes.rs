@@ -120,7 +120,7 @@ impl Processes {
             let finding = Diagnostic::new(Problem::ProcessNotAvailable, format!("\"{name}\" has no preview"))
                 .field("job.process")
                 .value(format!("\"{name}\""))
-                .allowed("\"generating-grinding\", \"tangential-dressing\"")
+                .allowed(self.list(|process| process.has_preview()))
                 .way_out("plan the job: it is done at once");
             Err(RunFailure::bad_input(finding).into())
         })

@@ -79,6 +79,10 @@ impl Process for TangentialDressing {
         Some(job.target.tolerance_um)
     }
 
+    fn has_preview(&self) -> bool {
+        true
+    }
+
     fn preview(&self, loaded: &LoadedTangentialJob) -> Option<Result<Preview, JobFailure>> {
         Some(preview_tangential(loaded).map_err(JobFailure::from))
     }

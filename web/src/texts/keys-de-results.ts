@@ -114,6 +114,7 @@ export const RESULT_KEYS_DE: Record<string, string> = {
   ideal_error_by_round_um: "Fehler des idealen Werkzeugs je Runde",
   ideal_error_um: "Fehler des idealen Werkzeugs",
   ideal_um: "Ideal",
+  index_strokes: "Hübe je Durchgang",
   intermediates: "Zwischenimpulse",
   interval: "Intervall",
   largest_share_of_limit: "Größter Anteil an einer Grenze",

@@ -311,7 +311,7 @@ fn settings_quantities(outcome: &Outcome, job: &Job) -> Vec<Quantity> {
             list.push(Quantity::count("roughing areas", "", count(partition.roughing_areas)));
         }
     }
-    if let Some(strokes) = &s.strokes {
+    if let Some(strokes) = &s.index_strokes {
         let joined = |n: &[u32]| n.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
         list.push(Quantity::text("threads that grind", joined(&strokes.active_threads)));
         list.push(Quantity::text("index offsets of the strokes (pitches)", joined(&strokes.index_pitches)));

@@ -129,9 +129,9 @@ pub struct SettingsResult {
     /// Areas on the tool; absent for conical bodies.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub partition: Option<Partition>,
-    /// Strokes of a pass, where threads are left out.
+    /// Strokes of a pass, where threads are inactive.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub strokes: Option<StrokePlan>,
+    pub index_strokes: Option<StrokePlan>,
     /// Part of the worm that is used, z_1.
     pub worm_occupation_mm: [f64; 2],
     /// Length of that part.

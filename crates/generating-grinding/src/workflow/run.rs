@@ -257,7 +257,7 @@ pub fn settings_result(
         crossed_axes_angle_deg: setup.pair.chain.crossed_axes_angle.to_degrees(),
         feed_stroke_mm: execution.feed_range,
         partition,
-        strokes,
+        index_strokes: strokes,
         worm_occupation_mm: execution.occupation,
         worm_length_mm: execution.occupation[1] - execution.occupation[0],
         worm_pitch_diameter_mm: 2.0 * setup.worm_pitch_radius,

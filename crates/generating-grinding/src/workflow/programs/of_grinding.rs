@@ -243,7 +243,7 @@ impl OnGrinding {
             plan_job(&plain, progress)?
         };
         let clamped = loaded.job.machine.clone().unwrap_or_default();
-        let indexed = run.result.settings.strokes.as_ref();
+        let indexed = run.result.settings.index_strokes.as_ref();
         let strokes = Strokes::new(&loaded.job, &clamped, &run.prepared, &run.execution, indexed)?;
         Ok(Self { run, strokes })
     }
@@ -260,7 +260,8 @@ impl OnGrinding {
     pub fn follow(&self, machine: &Machine, tracked: &Tracked) -> Result<Followed, RunFailure> {
         let Self { run, strokes } = self;
         let (prepared, execution) = (&run.prepared, &run.execution);
-        let cutting = Cutting { feed_per_revolution: None, strokes: run.result.settings.strokes.as_ref() };
+        let cutting =
+            Cutting { feed_per_revolution: None, strokes: run.result.settings.index_strokes.as_ref() };
         let areas_apart = strokes.areas_apart();
         let sought = Sought {
             machine,
