@@ -1,5 +1,6 @@
-//! Charts of a result. They are those of its report, found there by their titles, so that report and screen show the same pictures.
+//! Charts of a result. They are those of its report, found there by their ids, so that report and screen show the same pictures.
 
+use flankwright::report::charts_of_page;
 use serde::{Deserialize, Serialize};
 
 use crate::wire::Chart;
@@ -27,59 +28,13 @@ pub fn of_result<'a>(file: impl Fn(&str) -> Option<&'a [u8]>) -> Vec<Placed> {
 }
 
 fn on_page(name: &str, page: &str) -> Vec<Placed> {
-    let mut found: Vec<Placed> = Vec::new();
-    let (mut section, mut part) = (String::new(), String::new());
-    let mut at = 0;
-    while let Some(start) = page[at..].find('<').map(|next| at + next) {
-        let rest = &page[start..];
-        at = start + 1;
-        if let Some(heading) = element(rest, "h2") {
-            (section, part) = (words(heading), String::new());
-        } else if let Some(heading) = element(rest, "h3") {
-            part = words(heading);
-        } else if rest.starts_with("<svg ") {
-            let Some(end) = rest.find("</svg>").map(|end| start + end + "</svg>".len()) else { break };
-            let label = rest.split_once("aria-label=\"").and_then(|(_, rest)| rest.split('"').next());
-            let label = words(label.unwrap_or_default());
-            let title = if part.is_empty() { label } else { format!("{part}: {label}") };
-            let same = found.iter().filter(|placed| placed.chart.title == title).count();
-            let number = if same == 0 { String::new() } else { format!("-{}", same + 1) };
-            let chart = Chart { name: format!("{}{number}", slug(&title)), title, section: section.clone() };
-            found.push(Placed { chart, page: name.to_owned(), start, end });
-            at = end;
-        }
-    }
-    found
-}
-
-/// What is in an element that begins the text.
-fn element<'a>(text: &'a str, name: &str) -> Option<&'a str> {
-    let inner = text.strip_prefix('<')?.strip_prefix(name)?;
-    let inner = inner
-        .strip_prefix('>')
-        .or_else(|| inner.strip_prefix(' ').and_then(|i| i.split_once('>')).map(|i| i.1))?;
-    inner.split_once("</").map(|(inner, _)| inner)
-}
-
-/// Text of a page in plain letters.
-fn words(text: &str) -> String {
-    let mut plain = text.to_owned();
-    for (entity, letter) in [("&lt;", "<"), ("&gt;", ">"), ("&quot;", "\""), ("&#39;", "'"), ("&amp;", "&")] {
-        plain = plain.replace(entity, letter);
-    }
-    plain
-}
-
-fn slug(title: &str) -> String {
-    let mut slug = String::new();
-    for letter in title.chars() {
-        if letter.is_alphanumeric() {
-            slug.extend(letter.to_lowercase());
-        } else if !slug.ends_with('-') && !slug.is_empty() {
-            slug.push('-');
-        }
-    }
-    slug.trim_end_matches('-').to_owned()
+    let placed = charts_of_page(page).into_iter().map(|found| Placed {
+        chart: Chart { name: found.id, title: found.title, section: found.section },
+        page: name.to_owned(),
+        start: found.place.start,
+        end: found.place.end,
+    });
+    placed.collect()
 }
 
 #[cfg(test)]
@@ -87,27 +42,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn charts_have_the_names_of_their_titles() {
-        let page = "<h2>Flanks</h2><figure><svg aria-label=\"Target, contour &amp; map\"><g/></svg></figure>\
-                    <h2>Programs</h2><h3>Dressing</h3><svg aria-label=\"Axis X1\"></svg><svg aria-label=\"Axis X1\">2</svg>";
+    fn charts_have_the_names_of_their_ids() {
+        let page = "<section id=\"flanks\"><h2>Flanks</h2>\
+                    <figure data-chart=\"target-map\" data-title=\"Target &amp; map\" data-section=\"Flanks\">\
+                    <svg aria-label=\"Target\"><g/></svg></figure><svg aria-label=\"no chart\"></svg>";
         let found = of_result(|name| (name == "explore.html").then_some(page.as_bytes()));
-        let names: Vec<(&str, &str, &str)> = found
-            .iter()
-            .map(|Placed { chart, .. }| (chart.name.as_str(), chart.title.as_str(), chart.section.as_str()))
-            .collect();
-        assert_eq!(
-            names,
-            [
-                ("target-contour-map", "Target, contour & map", "Flanks"),
-                ("dressing-axis-x1", "Dressing: Axis X1", "Programs"),
-                ("dressing-axis-x1-2", "Dressing: Axis X1", "Programs"),
-            ]
-        );
-        assert_eq!(&page[found[2].start..found[2].end], "<svg aria-label=\"Axis X1\">2</svg>");
-        assert_eq!(found[2].page, "explore.html");
-        for broken in ["<svg ", "< <<h2", ""] {
-            assert!(of_result(|_| Some(broken.as_bytes())).is_empty());
-        }
+        let [Placed { chart, page: name, start, end }] = &found[..] else { panic!("{found:?}") };
+        let (title, section) = ("Target & map".to_owned(), "Flanks".to_owned());
+        assert_eq!(*chart, Chart { name: "target-map".into(), title, section });
+        assert_eq!(&page[*start..*end], "<svg aria-label=\"Target\"><g/></svg>");
+        assert_eq!(name, "explore.html");
         assert!(of_result(|_| None).is_empty() && of_result(|_| Some(b"\xff")).is_empty());
     }
 }

@@ -222,7 +222,7 @@ fn files_of_a_series_hold_together() {
         assert!(text(name).contains("Inspection sheet"));
     }
     assert!(page.contains("broken.mka: not evaluated") && page.contains("Cpk"));
-    let charts = page.matches("<figure>").count();
+    let charts = page.matches("<figure ").count();
     let document: serde_json::Value = serde_json::from_str(text("series.json")).expect("JSON");
     let all = document["groups"][0]["characteristics"].as_array().expect("characteristics").clone();
     assert_eq!(charts, all.len());

@@ -3,7 +3,7 @@
 use milling::page::{
     AxisCourse, CourseChart, CourseLine, DensityRow, FlankFigures, FlankView, MateFlankView, MateView,
     MillingReport, OperationRow, OrientationView, OrientedRowView, PatternFigures, ProgramsView, RotaryView,
-    RowView, Titled, WearView,
+    RowView, SpaceView, Titled, WearView,
 };
 use report::charts::{
     ChartError, ContourMap, Drawing, DrawingLayer, DrawingLook, DrawingNote, MapFrame, MapMark,
@@ -116,8 +116,8 @@ fn report() -> MillingReport {
         tolerance_um: 1.0,
         bodies: vec![Quantity::count("spaces", "z", 20)],
         views: vec![
-            view("The space along the axis"),
-            Drawing { axes: None, ..view("The space, oblique view") },
+            SpaceView { id: "along-the-axis", drawing: view("The space along the axis") },
+            SpaceView { id: "oblique", drawing: Drawing { axes: None, ..view("The space, oblique view") } },
         ],
         flanks: vec![flank("Left flank", [10.0, 30.0]), flank("Right flank", [10.0, 30.0])],
         root: Some(Titled {
@@ -138,6 +138,7 @@ fn report() -> MillingReport {
             proof: vec!["The texts were read back.".into()],
             remarks: vec!["C is turned back twice.".into()],
             courses: vec![CourseChart {
+                id: "axes-over-time".into(),
                 title: "Axes over time".into(),
                 caption: String::new(),
                 axes: vec![AxisCourse {
@@ -384,9 +385,12 @@ fn numbers_that_are_none_are_refused() {
     };
     assert_eq!(refused(&|report| report.flanks[0].simulated_um[7] = Some(f64::NAN)), "invalid-number");
     assert_eq!(refused(&|report| report.flanks[1].rows[2].chord_um = f64::INFINITY), "invalid-number");
-    assert_eq!(refused(&|report| report.views[0].layers[1].lines_mm[0][0][1] = f64::NAN), "invalid-number");
-    assert_eq!(refused(&|report| report.views[0].notes[0].at_mm[0] = f64::NAN), "invalid-number");
-    assert_eq!(refused(&|report| report.views[0].layers.clear()), "too-few-values");
+    assert_eq!(
+        refused(&|report| report.views[0].drawing.layers[1].lines_mm[0][0][1] = f64::NAN),
+        "invalid-number"
+    );
+    assert_eq!(refused(&|report| report.views[0].drawing.notes[0].at_mm[0] = f64::NAN), "invalid-number");
+    assert_eq!(refused(&|report| report.views[0].drawing.layers.clear()), "too-few-values");
     assert_eq!(refused(&|report| report.flanks[0].height[3] = 0.0), "not-ascending");
 }
 

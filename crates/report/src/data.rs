@@ -21,6 +21,15 @@ pub struct PlanReport {
     pub sections: Vec<Section>,
 }
 
+impl PlanReport {
+    /// Puts sections before the one with this id; at the end if there is none.
+    pub fn insert_before(&mut self, id: &str, sections: Vec<Section>) {
+        let end = self.sections.len();
+        let at = self.sections.iter().position(|section| section.id == id).unwrap_or(end);
+        self.sections.splice(at..at, sections);
+    }
+}
+
 /// A label and its text.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Fact {
@@ -80,6 +89,8 @@ pub struct Banner {
 /// A part of the page with its own heading.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Section {
+    /// By which programs find it.
+    pub id: String,
     /// Heading.
     pub title: String,
     /// Content in reading order.
@@ -88,8 +99,8 @@ pub struct Section {
 
 impl Section {
     /// A section of the given blocks.
-    pub fn new(title: impl Into<String>, blocks: Vec<Block>) -> Self {
-        Self { title: title.into(), blocks }
+    pub fn new(id: impl Into<String>, title: impl Into<String>, blocks: Vec<Block>) -> Self {
+        Self { id: id.into(), title: title.into(), blocks }
     }
 }
 
@@ -116,10 +127,19 @@ pub enum Block {
 /// A chart and its caption.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Figure {
+    /// By which programs find it; a second one of the same id on a page gets a number.
+    pub id: String,
     /// The chart.
     pub svg: Svg,
     /// What to see in it; empty for none.
     pub caption: String,
+}
+
+impl Figure {
+    /// A chart with its caption ("" for none).
+    pub fn new(id: impl Into<String>, svg: Svg, caption: impl Into<String>) -> Self {
+        Self { id: id.into(), svg, caption: caption.into() }
+    }
 }
 
 /// A table of text cells, numbers already formatted.

@@ -11,8 +11,9 @@ pub fn range_with_zero<'a>(topographies: impl Iterator<Item = &'a Topography>) -
     topographies.map(Topography::range_um).fold((0.0_f64, 0.0_f64), |(lo, hi), (a, b)| (lo.min(a), hi.max(b)))
 }
 
-/// The flanks as nets, and the same as contour maps.
+/// The flanks as nets, and the same as contour maps, whose id ends so.
 pub fn net_and_map(
+    id: &str,
     name: &str,
     panels: &[NamedTopography],
     range_um: Option<(f64, f64)>,
@@ -26,5 +27,6 @@ pub fn net_and_map(
         panels: panels.to_vec(),
         scale,
     })?;
-    Ok([net, map].map(|svg| Block::Figure(Figure { svg, caption: String::new() })).into())
+    let figures = [Figure::new(id, net, ""), Figure::new(format!("{id}-contour-map"), map, "")];
+    Ok(figures.map(Block::Figure).into())
 }

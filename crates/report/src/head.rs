@@ -38,8 +38,8 @@ impl ReportHead {
             format!("{} Remedy: {}.", self.headline, self.way_out)
         };
         let warnings = (!self.warnings.is_empty())
-            .then(|| Section::new("Warnings", vec![Block::Warnings(self.warnings.clone())]));
-        let files = Section::new("Files", vec![Block::Table(self.files_table())]);
+            .then(|| Section::new("warnings", "Warnings", vec![Block::Warnings(self.warnings.clone())]));
+        let files = Section::new("files", "Files", vec![Block::Table(self.files_table())]);
         PlanReport {
             title: self.job_name.clone(),
             subtitle: self.description.clone(),

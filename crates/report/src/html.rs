@@ -4,6 +4,8 @@ use std::fmt::Write;
 
 use super::charts::{escape, indices};
 use super::data::{Banner, Block, ColumnKind, Fact, Figure, PlanReport, Section, Stamp, Table, Warning};
+use super::ids::Given;
+use super::placed::FIGURE;
 use super::typeset::typeset;
 use verdict::Status;
 
@@ -26,8 +28,10 @@ pub fn render(report: &PlanReport) -> String {
     facts(&mut page, "facts", &report.facts);
     page.push_str("</header>\n");
     banner(&mut page, &report.banner);
+    let (mut sections, mut charts) = (Given::default(), Given::default());
     for section in report.sections.iter().filter(|section| !section.blocks.is_empty()) {
-        write_section(&mut page, section);
+        let id = sections.once(&section.id);
+        write_section(&mut page, &id, section, &mut charts);
     }
     page.push_str("</main>\n</body>\n</html>\n");
     page
@@ -63,11 +67,19 @@ fn banner(page: &mut String, banner: &Banner) {
     page.push_str("</div>\n</section>\n");
 }
 
-fn write_section(page: &mut String, section: &Section) {
-    let _ = writeln!(page, "<section>\n<h2>{}</h2>", escape(&section.title));
+fn write_section(page: &mut String, id: &str, section: &Section, charts: &mut Given) {
+    let _ = writeln!(page, "<section id=\"{}\">\n<h2>{}</h2>", escape(id), escape(&section.title));
+    let mut part = "";
     for block in &section.blocks {
+        let figure = |page: &mut String, charts: &mut Given, figure: &Figure| {
+            let title = figure.svg.title();
+            let title = if part.is_empty() { title.to_owned() } else { format!("{part}: {title}") };
+            let id = charts.once(&figure.id);
+            write_figure(page, figure, [&id, &title, &section.title]);
+        };
         match block {
             Block::Heading(text) => {
+                part = text;
                 let _ = writeln!(page, "<h3>{}</h3>", typeset(text));
             }
             Block::Paragraph(text) => {
@@ -79,10 +91,10 @@ fn write_section(page: &mut String, section: &Section) {
                 tables.iter().for_each(|table| write_table(page, table));
                 page.push_str("</div>\n");
             }
-            Block::Figure(figure) => write_figure(page, figure),
+            Block::Figure(one) => figure(page, charts, one),
             Block::Figures(figures) => {
                 page.push_str("<div class=\"charts\">\n");
-                figures.iter().for_each(|figure| write_figure(page, figure));
+                figures.iter().for_each(|one| figure(page, charts, one));
                 page.push_str("</div>\n");
             }
             Block::Warnings(warnings) => write_warnings(page, warnings),
@@ -164,8 +176,11 @@ fn with_indices(text: &str) -> String {
         .collect()
 }
 
-fn write_figure(page: &mut String, figure: &Figure) {
-    let _ = writeln!(page, "<figure>\n{}", figure.svg);
+/// A figure with what [`charts_of_page`](crate::charts_of_page) reads: id, title and section.
+fn write_figure(page: &mut String, figure: &Figure, names: [&str; 3]) {
+    let [id, title, section] = names.map(escape);
+    let _ =
+        writeln!(page, "{FIGURE}{id}\" data-title=\"{title}\" data-section=\"{section}\">\n{}", figure.svg);
     if !figure.caption.is_empty() {
         let _ = writeln!(page, "<figcaption>{}</figcaption>", typeset(&figure.caption));
     }

@@ -17,7 +17,7 @@
 //!     subtitle: None,
 //!     facts: vec![],
 //!     banner: Banner { status: Status::Met.into(), headline: "within 1 um".into(), figures: vec![] },
-//!     sections: vec![Section::new("Result", vec![Block::Paragraph("All is well.".into())])],
+//!     sections: vec![Section::new("result", "Result", vec![Block::Paragraph("All is well.".into())])],
 //! };
 //! let text = html::render(&page);
 //! assert!(text.contains("housing &lt;A&gt;"));
@@ -33,6 +33,8 @@ pub mod cells;
 pub mod data;
 pub mod flank_pictures;
 pub mod head;
+pub mod ids;
+pub mod placed;
 pub mod typeset;
 
 pub use data::{
@@ -40,3 +42,5 @@ pub use data::{
     Table, Warning,
 };
 pub use head::ReportHead;
+pub use ids::kebab;
+pub use placed::{PlacedChart, charts_of_page};

@@ -602,6 +602,7 @@ fn texts_are_escaped_on_the_page() {
         },
         sections: vec![Section::new(
             NASTY,
+            NASTY,
             vec![
                 Block::Paragraph(nasty()),
                 Block::Table(Table {

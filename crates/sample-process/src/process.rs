@@ -93,7 +93,7 @@ impl JobOutcome<ChamferJob> for ChamferResult {
                 figures: Vec::new(),
             };
             let text = format!("The tip land is {:.3} mm wide before chamfering.", self.tip_land_mm);
-            let sections = vec![Section::new("Tip land", vec![Block::Paragraph(text)])];
+            let sections = vec![Section::new("tip-land", "Tip land", vec![Block::Paragraph(text)])];
             Ok(html::render(&report_head(&loaded.job.job, answer, named).page(sections)))
         })
     }

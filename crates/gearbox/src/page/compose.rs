@@ -17,14 +17,26 @@ impl GearboxReport {
     pub fn to_page(&self) -> Result<PlanReport, ChartError> {
         let mut sections = Vec::new();
         if let Some(set_ups) = &self.set_ups {
-            sections.push(Section::new("Set-ups to choose from", set_ups.blocks()?));
+            sections.push(Section::new(
+                "set-ups-to-choose-from",
+                "Set-ups to choose from",
+                set_ups.blocks()?,
+            ));
         }
-        sections.push(Section::new("Errors", self.error_blocks()?));
+        sections.push(Section::new("errors", "Errors", self.error_blocks()?));
         if !self.budget.is_empty() {
-            sections.push(Section::new("Error budget", vec![Block::Table(budget_table(&self.budget))]));
+            sections.push(Section::new(
+                "error-budget",
+                "Error budget",
+                vec![Block::Table(budget_table(&self.budget))],
+            ));
         }
         if let Some(servo) = &self.servo {
-            sections.push(Section::new("Servo of the workpiece spindle", servo.blocks()?));
+            sections.push(Section::new(
+                "servo-of-the-workpiece-spindle",
+                "Servo of the workpiece spindle",
+                servo.blocks()?,
+            ));
         }
         let sheets = [
             ("Pulses", &self.counters),
@@ -32,7 +44,11 @@ impl GearboxReport {
             ("Scale, interpolator, encoder", &self.settings),
         ];
         let tables = sheets.map(|(caption, quantities)| Table::of_quantities(caption, quantities));
-        sections.push(Section::new("Counters and settings", vec![Block::Tables(tables.to_vec())]));
+        sections.push(Section::new(
+            "counters-and-settings",
+            "Counters and settings",
+            vec![Block::Tables(tables.to_vec())],
+        ));
         Ok(self.head.page(sections))
     }
 
@@ -45,7 +61,7 @@ impl GearboxReport {
         let caption = "Least and greatest error in each stretch of time. The constant lag of the running sense is taken off. Limits hold at \
                        every instant; the first panel shows starts, stops and reversals, the second is cut off outside the limits of constant speed.";
         Ok(vec![
-            Block::Figure(Figure { svg, caption: caption.into() }),
+            Block::Figure(Figure::new("errors-of-interpolation-and-rotation", svg, caption)),
             Block::Table(Table::of_quantities("", &self.errors)),
         ])
     }
@@ -116,7 +132,7 @@ impl ServoReport {
             note: String::new(),
         };
         Ok(vec![
-            Block::Figure(Figure { svg, caption: caption.into() }),
+            Block::Figure(Figure::new("servo-of-the-workpiece-spindle-over-time", svg, caption)),
             Block::Tables(vec![Table::of_quantities("Figures", &self.quantities), response]),
         ])
     }
@@ -131,7 +147,7 @@ impl SetUpReport {
         }
         if let Some(svg) = self.chart()? {
             let caption = "Every set-up by its cost and its budget at the flank. The frontier joins those for which more accuracy costs more.";
-            blocks.push(Block::Figure(Figure { svg, caption: caption.into() }));
+            blocks.push(Block::Figure(Figure::new("accuracy-and-cost-of-set-ups", svg, caption)));
         }
         blocks.push(Block::Table(self.table.clone()));
         Ok(blocks)

@@ -18,7 +18,7 @@ pub struct MillingReport {
     /// Workpiece and cutter.
     pub bodies: Vec<Quantity>,
     /// The space with cutter and paths, view by view.
-    pub views: Vec<Drawing>,
+    pub views: Vec<SpaceView>,
     /// Flanks that are milled.
     pub flanks: Vec<FlankView>,
     /// The root in a column plane.
@@ -31,6 +31,15 @@ pub struct MillingReport {
     pub orientations: Vec<OrientationView>,
     /// Programs and the motion of the axes.
     pub programs: Option<ProgramsView>,
+}
+
+/// The space from one side.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpaceView {
+    /// By which programs find it.
+    pub id: &'static str,
+    /// The drawing.
+    pub drawing: Drawing,
 }
 
 /// A drawing with its figures.

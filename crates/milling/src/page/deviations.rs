@@ -6,6 +6,7 @@ use report::charts::{
     Topography, contour_map_in, format_significant, line_chart,
 };
 use report::data::{Block, Figure};
+use report::kebab;
 
 /// Places marked in a map.
 const MARKED: usize = 3;
@@ -146,7 +147,8 @@ pub(super) fn blocks(flanks: &[FlankView]) -> Result<Vec<Block>, ChartError> {
     for flank in flanks {
         let caption = "Circles: the largest deviations, apart from each other. A cross: no cutter comes by, or nothing is predicted \
                        there. Root below unless the height falls towards the tip.";
-        blocks.push(Block::Figure(Figure { svg: flank.maps()?, caption: caption.into() }));
+        let id = format!("{}-deviation-from-the-wanted-flank", kebab(&flank.name));
+        blocks.push(Block::Figure(Figure::new(id, flank.maps()?, caption)));
     }
     for along_height in [true, false] {
         let panels: Vec<Panel> = flanks
@@ -154,13 +156,21 @@ pub(super) fn blocks(flanks: &[FlankView]) -> Result<Vec<Block>, ChartError> {
             .filter_map(|flank| Some(flank.section(along_height, *flank.worst().first()?)))
             .collect();
         let Some(flank) = flanks.first().filter(|_| !panels.is_empty()) else { continue };
-        let (title, x_title) = if along_height {
-            ("Sections from root to tip through the worst places", &flank.height_title)
+        let (id, title, x_title) = if along_height {
+            (
+                "sections-from-root-to-tip-through-the-worst-places",
+                "Sections from root to tip through the worst places",
+                &flank.height_title,
+            )
         } else {
-            ("Sections along the tooth through the worst places", &flank.length_title)
+            (
+                "sections-along-the-tooth-through-the-worst-places",
+                "Sections along the tooth through the worst places",
+                &flank.length_title,
+            )
         };
         let svg = line_chart(&LineChart { title: title.into(), x_title: x_title.clone(), panels })?;
-        blocks.push(Block::Figure(Figure { svg, caption: String::new() }));
+        blocks.push(Block::Figure(Figure::new(id, svg, "")));
     }
     Ok(blocks)
 }

@@ -5,6 +5,7 @@ use report::charts::{
     drawing, format_fixed, format_significant, line_chart, region_above,
 };
 use report::data::{Block, Column, Figure, Quantity, Table};
+use report::kebab;
 
 /// A bevel gear rolled against its mate.
 #[derive(Clone, Debug, PartialEq)]
@@ -69,10 +70,13 @@ impl MateView {
                 format_significant(self.marking_um, 3),
                 format_fixed(flank.overlap_percent, 1)
             );
-            blocks.push(Block::Figure(Figure { svg: drawing(&flank.pattern(self.marking_um)?)?, caption }));
+            let id = format!("{}-contact-pattern", kebab(&flank.name));
+            let svg = drawing(&flank.pattern(self.marking_um)?)?;
+            blocks.push(Block::Figure(Figure::new(id, svg, caption)));
         }
         let caption = "Unloaded pair over three mesh periods; < 0: the mate lags behind an even turn.";
-        blocks.push(Block::Figure(Figure { svg: self.transmission()?, caption: caption.into() }));
+        let id = "transmission-error-at-the-mean-pitch-circle-of-the-mate";
+        blocks.push(Block::Figure(Figure::new(id, self.transmission()?, caption)));
         blocks.push(Block::Table(self.figures()));
         blocks.push(Block::Table(Table::of_quantities("", &self.quantities)));
         Ok(blocks)

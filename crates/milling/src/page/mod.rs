@@ -10,7 +10,9 @@ mod programs;
 mod rows;
 mod tables;
 
-pub use data::{DensityRow, FlankFigures, FlankView, MillingReport, OperationRow, RowView, Titled, WearView};
+pub use data::{
+    DensityRow, FlankFigures, FlankView, MillingReport, OperationRow, RowView, SpaceView, Titled, WearView,
+};
 pub use mate::{MateFlankView, MateView, PatternFigures};
 pub use orientation::{OrientationView, OrientedRowView, RotaryView};
 pub use programs::{AxisCourse, CourseChart, CourseLine, ProgramsView};

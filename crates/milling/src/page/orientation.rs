@@ -3,6 +3,7 @@
 
 use report::charts::{ChartError, LineChart, Panel, Series, format_fixed, format_significant, line_chart};
 use report::data::{Block, Column, Figure, Table};
+use report::kebab;
 
 /// The comparison on one flank.
 #[derive(Clone, Debug, PartialEq)]
@@ -69,7 +70,8 @@ impl OrientationView {
                 x_title: "way of the contact [mm]".into(),
                 panels: [0, 1].map(panel).into(),
             })?;
-            blocks.push(Block::Figure(Figure { svg, caption: String::new() }));
+            let id = format!("{}-rotary-axes-along-the-middle-row", kebab(&self.flank));
+            blocks.push(Block::Figure(Figure::new(id, svg, "")));
         }
         Ok(blocks)
     }

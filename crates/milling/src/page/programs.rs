@@ -19,6 +19,8 @@ pub struct ProgramsView {
 /// Axes over time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CourseChart {
+    /// By which programs find it.
+    pub id: String,
     /// What they do.
     pub title: String,
     /// What else is to be known.
@@ -71,7 +73,7 @@ impl ProgramsView {
                 x_title: "time [s]".into(),
                 panels: course.axes.iter().map(panel).collect(),
             })?;
-            blocks.push(Block::Figure(Figure { svg, caption: course.caption.clone() }));
+            blocks.push(Block::Figure(Figure::new(course.id.clone(), svg, course.caption.clone())));
         }
         Ok(blocks)
     }

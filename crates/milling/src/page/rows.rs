@@ -73,11 +73,12 @@ pub(super) fn blocks(flanks: &[FlankView]) -> Result<Vec<Block>, ChartError> {
     let heights_caption = "Least: where the straight side of the cutter begins. Greatest: the end of its edge, or where the corner comes too \
                            near to the bottom or the cutter to the opposite flank.";
     Ok(vec![
-        Block::Figure(Figure {
-            svg: per_row(flanks)?,
-            caption: "By curvatures at the middle column; row 0 lies at the root.".into(),
-        }),
-        Block::Figure(Figure { svg: heights(flanks)?, caption: heights_caption.into() }),
+        Block::Figure(Figure::new(
+            "what-rows-leave-and-how-they-lie",
+            per_row(flanks)?,
+            "By curvatures at the middle column; row 0 lies at the root.",
+        )),
+        Block::Figure(Figure::new("contact-height-of-rows", heights(flanks)?, heights_caption)),
     ])
 }
 
@@ -117,5 +118,5 @@ pub(super) fn wear(flanks: &[FlankView]) -> Result<Vec<Block>, ChartError> {
         .collect();
     let caption =
         format!("{} Bins of {} mm, one space.", figures.join(" "), format_significant(worn[0].1.bin_mm, 3));
-    Ok(vec![Block::Figure(Figure { svg, caption })])
+    Ok(vec![Block::Figure(Figure::new("load-along-the-cutting-edge", svg, caption))])
 }

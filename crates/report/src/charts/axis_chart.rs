@@ -9,6 +9,7 @@ use super::scale::Axis;
 use super::svg::{Anchor, Canvas, Stroke, Svg, TextStyle};
 use super::text::text_width;
 use super::thinning::thinned;
+use crate::ids::kebab;
 use serde::Serialize;
 
 /// Chart of an axis. Lists of equal length.
@@ -65,6 +66,13 @@ const LOSS: f64 = 0.05;
 
 const CURVE: Stroke<'static> = Stroke::solid(BLUE, 1.5);
 const LIMIT: Stroke<'static> = Stroke { color: INK, width: 1.1, dash: "6 3" };
+
+impl AxisChart {
+    /// Id of the chart where no other machine or program stands.
+    pub fn id(&self) -> String {
+        kebab(&format!("axis {} word {}", self.axis, self.word))
+    }
+}
 
 /// Draws one axis.
 ///

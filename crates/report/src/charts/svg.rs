@@ -11,23 +11,32 @@ use super::text::indices;
 /// page can insert it as it is.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(transparent)]
-pub struct Svg(String);
+pub struct Svg {
+    element: String,
+    #[serde(skip)]
+    title: String,
+}
 
 impl Svg {
     /// The `<svg>` element.
     pub fn as_str(&self) -> &str {
-        &self.0
+        &self.element
+    }
+
+    /// What the chart shows.
+    pub fn title(&self) -> &str {
+        &self.title
     }
 
     /// A file's content: XML declaration and the element.
     pub fn to_document(&self) -> String {
-        format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{}\n", self.0)
+        format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{}\n", self.element)
     }
 }
 
 impl std::fmt::Display for Svg {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(&self.0)
+        f.write_str(&self.element)
     }
 }
 
@@ -266,13 +275,14 @@ impl Canvas {
     pub fn finish(self) -> Svg {
         let (width, height, unit) = (place(self.width), place(self.height), self.unit);
         let title = escape(&self.title);
-        Svg(format!(
+        let element = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" \
              width=\"{width}{unit}\" height=\"{height}{unit}\" role=\"img\" aria-label=\"{title}\" \
              font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\">\n<title>{title}</title>\n\
              <rect width=\"{width}\" height=\"{height}\" fill=\"#ffffff\"/>\n{}</svg>",
             self.body
-        ))
+        );
+        Svg { element, title: self.title }
     }
 }
 

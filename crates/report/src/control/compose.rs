@@ -29,6 +29,7 @@ impl ControlReport {
         let mut blocks = vec![Block::Paragraph(INTRODUCTION.to_owned()), Block::Table(table(&flanks))];
         blocks.push(Block::Table(Table::of_quantities("Control", &self.quantities)));
         blocks.push(figure(
+            "error-of-the-workpiece-s-angle-over-the-stroke-as-it-would-stand-on-the-flank",
             stroke(&flanks)?,
             "Every point of the flank keeps the error of the moment in which it is ground.",
         ));
@@ -40,20 +41,23 @@ impl ControlReport {
             panels: nets.collect(),
             range_um: None,
         })?;
-        blocks.push(figure(net, "Errors at the frequency of the threads stand as waves along lines of equal rotation, slower ones as waves over the face width."));
+        blocks.push(figure("deviation-of-the-first-tooth-by-gearbox-and-servo", net, "Errors at the frequency of the threads stand as waves along lines of equal rotation, slower ones as waves over the face width."));
         blocks.push(figure(
+            "profile-traces-of-some-teeth-by-gearbox-and-servo",
             traces(&flanks, "Profile traces of some teeth by gearbox and servo", "w [mm]", |flank| {
                 &flank.profiles
             })?,
             "At mid face width.",
         ));
         blocks.push(figure(
+            "helix-traces-of-some-teeth-by-gearbox-and-servo",
             traces(&flanks, "Helix traces of some teeth by gearbox and servo", "z [mm]", |flank| {
                 &flank.helices
             })?,
             "At the middle of the roll.",
         ));
         blocks.push(figure(
+            "mean-deviation-of-each-tooth-by-gearbox-and-servo",
             pitch(&flanks)?,
             "Errors once per turn of the workpiece stay with the tooth: they are pitch deviations.",
         ));
@@ -65,8 +69,8 @@ fn heading(side: Flank) -> String {
     format!("{side} flank")
 }
 
-fn figure(svg: crate::charts::Svg, caption: &str) -> Block {
-    Block::Figure(Figure { svg, caption: caption.to_owned() })
+fn figure(id: &str, svg: crate::charts::Svg, caption: &str) -> Block {
+    Block::Figure(Figure::new(id, svg, caption))
 }
 
 fn table(flanks: &[(Flank, &ControlFlankReport)]) -> Table {

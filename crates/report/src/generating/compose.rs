@@ -3,12 +3,19 @@
 use super::data::{GeneratingReport, RatioChoice, Verification};
 use super::{motions, result, strokes, topographies};
 use crate::charts::{
-    ChartError, dressing_section_chart, format_fixed, format_significant, worm_occupation_chart,
+    ChartError, DressingSectionChart, dressing_section_chart, format_fixed, format_significant,
+    worm_occupation_chart,
 };
 use crate::control::ControlReport;
 use crate::data::{Block, Column, Fact, Figure, PlanReport, Section, Table};
 use crate::head::scope_blocks;
+use crate::ids::kebab;
 use crate::programs::ProgramsReport;
+
+/// Id of the section with the pictures of the flanks.
+pub const TOPOGRAPHIES: &str = "topographies";
+/// Id of the section on the referee.
+pub const VERIFICATION: &str = "verification";
 
 impl GeneratingReport {
     /// Arranges the figures as a page.
@@ -19,27 +26,33 @@ impl GeneratingReport {
         let mut dressing = motions::dressing(&self.dressing)?;
         dressing.extend(strokes::figures(&self.strokes)?);
         let sections = vec![
-            Section::new("Result per flank", result::summary(self)),
-            Section::new("Scope of the verdict", scope_blocks(&self.verdict)),
+            Section::new("result-per-flank", "Result per flank", result::summary(self)),
+            Section::new("scope-of-the-verdict", "Scope of the verdict", scope_blocks(&self.verdict)),
             warnings(self),
-            Section::new("Gear and tools", data_sheets(self)),
-            Section::new("Settings", settings(self)?),
-            Section::new("Topographies", topographies::figures(&self.flanks)?),
-            Section::new("Profile and helix", topographies::diagram(&self.flanks)?),
-            Section::new("Grinding motion", motions::grinding(&self.grinding_motions)?),
-            Section::new("Dressing corrections", dressing),
-            Section::new("Room for the dresser", sections(self)?),
+            Section::new("gear-and-tools", "Gear and tools", data_sheets(self)),
+            Section::new("settings", "Settings", settings(self)?),
+            Section::new(TOPOGRAPHIES, "Topographies", topographies::figures(&self.flanks)?),
+            Section::new("profile-and-helix", "Profile and helix", topographies::diagram(&self.flanks)?),
+            Section::new("grinding-motion", "Grinding motion", motions::grinding(&self.grinding_motions)?),
+            Section::new("dressing-corrections", "Dressing corrections", dressing),
+            Section::new("room-for-the-dresser", "Room for the dresser", sections(self)?),
             Section::new(
+                "gearbox-and-servo",
                 "Gearbox and servo",
                 self.control.as_ref().map_or(Ok(Vec::new()), ControlReport::blocks)?,
             ),
-            Section::new("NC programs", programs(self)?),
+            Section::new("nc-programs", "NC programs", programs(self)?),
             Section::new(
+                VERIFICATION,
                 "How it was verified",
                 self.verification.as_ref().map(verification).unwrap_or_default(),
             ),
-            Section::new("Convergence of the precompensation", motions::convergence(&self.convergence)?),
-            Section::new("Time and files", time_and_files(self)),
+            Section::new(
+                "convergence-of-the-precompensation",
+                "Convergence of the precompensation",
+                motions::convergence(&self.convergence)?,
+            ),
+            Section::new("time-and-files", "Time and files", time_and_files(self)),
         ];
         Ok(PlanReport {
             title: self.job_name.clone(),
@@ -54,7 +67,7 @@ impl GeneratingReport {
 fn warnings(report: &GeneratingReport) -> Section {
     let blocks =
         if report.warnings.is_empty() { Vec::new() } else { vec![Block::Warnings(report.warnings.clone())] };
-    Section::new("Warnings", blocks)
+    Section::new("warnings", "Warnings", blocks)
 }
 
 fn data_sheets(report: &GeneratingReport) -> Vec<Block> {
@@ -78,8 +91,8 @@ fn settings(report: &GeneratingReport) -> Result<Vec<Block>, ChartError> {
     if let Some(chart) = &report.occupation {
         let caption =
             "Which part of the tool's width each area takes; areas a pitch apart share no line of the tool.";
-        blocks
-            .push(Block::Figure(Figure { svg: worm_occupation_chart(chart)?, caption: caption.to_owned() }));
+        let svg = worm_occupation_chart(chart)?;
+        blocks.push(Block::Figure(Figure::new("areas-over-the-width-of-the-tool", svg, caption)));
     }
     Ok(blocks)
 }
@@ -171,8 +184,8 @@ fn grouped(count: u64) -> String {
 fn sections(report: &GeneratingReport) -> Result<Vec<Block>, ChartError> {
     let caption = "What the dresser sweeps in a plane through the worm axis, at the worm position with the least clearance of the \
         flank that is not dressed.";
-    let figure = |chart| {
-        Ok(Block::Figure(Figure { svg: dressing_section_chart(chart)?, caption: caption.to_owned() }))
+    let figure = |chart: &DressingSectionChart| {
+        Ok(Block::Figure(Figure::new(kebab(&chart.title), dressing_section_chart(chart)?, caption)))
     };
     report.sections.iter().map(figure).collect()
 }

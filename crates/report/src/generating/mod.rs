@@ -10,6 +10,7 @@ mod result;
 mod strokes;
 mod topographies;
 
+pub use compose::{TOPOGRAPHIES, VERIFICATION};
 pub use data::{
     Characteristics, ConvergenceRound, DressingMotion, FlankReport, GeneratingReport, GrindingMotion,
     OutsideTerm, RatioCandidate, RatioChoice, Reason, RefereeStage, StrokeReport, TargetAmount, Timing,

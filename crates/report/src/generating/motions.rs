@@ -48,7 +48,11 @@ pub(super) fn grinding(motions: &[GrindingMotion]) -> Result<Vec<Block>, ChartEr
         return Ok(Vec::new());
     }
     let svg = grinding_motion_chart(motions)?;
-    let mut blocks = vec![figure(svg, "Corrections beside the rolling motion of the electronic gearbox.")];
+    let mut blocks = vec![figure(
+        "grinding-motion-over-the-axial-feed",
+        svg,
+        "Corrections beside the rolling motion of the electronic gearbox.",
+    )];
     let tables = motions.iter().map(|motion| {
         let columns = [
             (Column::number("z_V2", "mm"), &motion.z_v2_mm, 3),
@@ -91,8 +95,11 @@ pub(super) fn dressing(motions: &Sides<Option<DressingMotion>>) -> Result<Vec<Bl
             panel("Tangential offset d_vyA [mm]", 1e-4, |m| &m.d_v_ya_mm),
         ],
     })?;
-    let mut blocks =
-        vec![figure(svg, "Changes against the nominal dressing position, per flank of the worm.")];
+    let mut blocks = vec![figure(
+        "dressing-corrections-over-the-worm-position",
+        svg,
+        "Changes against the nominal dressing position, per flank of the worm.",
+    )];
     let tables = present.into_iter().map(|(side, motion)| {
         let columns = [
             (Column::number("v_zS", "mm"), &motion.v_zs_mm, 3),
@@ -130,7 +137,7 @@ pub(super) fn convergence(rounds: &[ConvergenceRound]) -> Result<Vec<Block>, Cha
         };
         let title = "Convergence of the precompensation".to_owned();
         let svg = line_chart(&LineChart { title, x_title: "round".to_owned(), panels: vec![panel] })?;
-        blocks.push(figure(svg, "Round 0: commands of first order."));
+        blocks.push(figure("convergence-of-the-precompensation", svg, "Round 0: commands of first order."));
     }
     let cell = |error: Option<f64>| error.map_or("–".to_owned(), |v| format_significant(v, 2));
     blocks.push(Block::Table(Table {
@@ -149,8 +156,8 @@ pub(super) fn convergence(rounds: &[ConvergenceRound]) -> Result<Vec<Block>, Cha
     Ok(blocks)
 }
 
-fn figure(svg: Svg, caption: &str) -> Block {
-    Block::Figure(Figure { svg, caption: caption.to_owned() })
+fn figure(id: &str, svg: Svg, caption: &str) -> Block {
+    Block::Figure(Figure::new(id, svg, caption))
 }
 
 /// A table of columns of equal length with their decimals, thinned to rows that a reader can take in.

@@ -80,8 +80,7 @@ fn chart(flank: Flank, strokes: &[StrokeReport]) -> Result<Block, ChartError> {
             panel("Tangential offset d_vyA [mm]", 1e-4, |m| &m.d_v_ya_mm),
         ],
     })?;
-    Ok(Block::Figure(Figure {
-        svg,
-        caption: "Changes of the corrections against those in the middle of the worm.".to_owned(),
-    }))
+    let id = format!("strokes-of-the-{flank}-worm-flank-over-the-worm-position");
+    let caption = "Changes of the corrections against those in the middle of the worm.";
+    Ok(Block::Figure(Figure::new(id, svg, caption)))
 }

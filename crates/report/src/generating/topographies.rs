@@ -84,23 +84,24 @@ fn deviations(flanks: &Flanks) -> Result<Vec<NamedTopography>, ChartError> {
 /// Nets and maps of target, planned and simulated flank with one scale, of the deviation with its own.
 pub(super) fn figures(flanks: &Flanks) -> Result<Vec<Block>, ChartError> {
     let stages = [
-        ("Target", panels(flanks, |flank| Some(flank.target.clone()))),
-        ("Planned (analytic)", panels(flanks, |flank| flank.planned.clone())),
-        ("Simulated (referee)", panels(flanks, |flank| flank.simulated.clone())),
+        ("target", "Target", panels(flanks, |flank| Some(flank.target.clone()))),
+        ("planned-analytic", "Planned (analytic)", panels(flanks, |flank| flank.planned.clone())),
+        ("simulated-referee", "Simulated (referee)", panels(flanks, |flank| flank.simulated.clone())),
     ];
-    let all = || stages.iter().flat_map(|(_, panels)| panels).map(|panel| &panel.topography);
+    let all = || stages.iter().flat_map(|(.., panels)| panels).map(|panel| &panel.topography);
     let scale = LevelScale::covering(all());
     let range = range_with_zero(all());
     if all().next().is_none() {
         return Ok(Vec::new());
     }
     let mut blocks = vec![Block::Paragraph(INTRODUCTION.to_owned())];
-    for (name, panels) in stages.iter().filter(|(_, panels)| !panels.is_empty()) {
-        blocks.extend(net_and_map(name, panels, Some(range), Some(scale), "f_n [µm]")?);
+    for (id, name, panels) in stages.iter().filter(|(.., panels)| !panels.is_empty()) {
+        blocks.extend(net_and_map(id, name, panels, Some(range), Some(scale), "f_n [µm]")?);
     }
     let deviation = deviations(flanks)?;
     if !deviation.is_empty() {
-        blocks.extend(net_and_map("Deviation from the target", &deviation, None, None, "Δf_n [µm]")?);
+        let (id, name) = ("deviation-from-the-target", "Deviation from the target");
+        blocks.extend(net_and_map(id, name, &deviation, None, None, "Δf_n [µm]")?);
     }
     Ok(blocks)
 }
@@ -124,7 +125,7 @@ pub(super) fn diagram(flanks: &Flanks) -> Result<Vec<Block>, ChartError> {
         simulated_name: if simulated { "simulated" } else { "planned" }.to_owned(),
     })?;
     let caption = "Values normal to the flank, one scale for all traces. Face II: datum face, greatest z; face I: opposite, least z.";
-    Ok(vec![Block::Figure(Figure { svg, caption: caption.to_owned() })])
+    Ok(vec![Block::Figure(Figure::new("profile-and-helix-diagram", svg, caption))])
 }
 
 fn sections(side: Flank, flank: &FlankReport) -> FlankSections {

@@ -3,8 +3,9 @@
 use super::data::{
     AxisRow, PassTable, ProgramRow, ProgramsReport, ProofReport, RestingAxis, SpindleRow, StationReport,
 };
-use crate::charts::{ChartError, axis_chart, format_fixed, format_significant, share_of_limit};
+use crate::charts::{AxisChart, ChartError, axis_chart, format_fixed, format_significant, share_of_limit};
 use crate::data::{Block, Column, Figure, Table};
+use crate::ids::kebab;
 
 impl ProgramsReport {
     /// The content of the section, in reading order; nothing without programs.
@@ -35,7 +36,10 @@ impl ProgramsReport {
             if !station.charts.is_empty() {
                 blocks.push(Block::Paragraph(what_is_drawn(station)));
             }
-            let figure = |chart| Ok(Figure { svg: axis_chart(chart)?, caption: String::new() });
+            let figure = |chart: &AxisChart| {
+                let id = format!("{}-{}", kebab(&station.job), chart.id());
+                Ok(Figure::new(id, axis_chart(chart)?, ""))
+            };
             let figures: Vec<Figure> =
                 station.charts.iter().map(figure).collect::<Result<_, ChartError>>()?;
             if !figures.is_empty() {

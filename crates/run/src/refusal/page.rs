@@ -26,13 +26,18 @@ pub fn html_page(refused: &Refused<'_>, files: &[(String, &'static str)]) -> Res
     let mut sections = Vec::new();
     if let Some(evidence) = refused.evidence {
         let figures = evidence.figures(finding)?;
-        sections.push(Section::new("What limits", figures.into_iter().map(Block::Figure).collect()));
-        sections.push(Section::new("Candidates tried", evidence.tried()));
+        sections.push(Section::new(
+            "what-limits",
+            "What limits",
+            figures.into_iter().map(Block::Figure).collect(),
+        ));
+        sections.push(Section::new("candidates-tried", "Candidates tried", evidence.tried()));
     }
     if let Some(bodies) = refused.bodies {
-        sections.push(Section::new("Bodies", vec![Block::Tables(body_tables(bodies))]));
+        sections.push(Section::new("bodies", "Bodies", vec![Block::Tables(body_tables(bodies))]));
     }
     sections.push(Section::new(
+        "files",
         "Files",
         vec![Block::Table(Table {
             caption: String::new(),

@@ -67,8 +67,9 @@ impl AngleView {
             "Angles at which the beam switches, about the middle of the nominal tooth; deviations from the nominal edge are drawn {times} times as \
              large.{band}"
         );
+        let id = format!("angular-positions-of-the-edges-of-tooth-{}", self.tooth);
         let svg = self.chart(factor)?;
-        Ok(vec![Block::Figure(Figure { svg, caption }), Block::Table(self.table()?)])
+        Ok(vec![Block::Figure(Figure::new(id, svg, caption)), Block::Table(self.table()?)])
     }
 
     /// A round number that makes deviations visible.

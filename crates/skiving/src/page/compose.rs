@@ -12,54 +12,62 @@ impl SkivingReport {
     /// A number that is not finite, or lists of different length.
     pub fn to_page(&self) -> Result<PlanReport, ChartError> {
         let mut sections = Vec::new();
-        let mut add = |title: &str, blocks: Vec<Block>| {
+        let mut add = |id: &str, title: &str, blocks: Vec<Block>| {
             if !blocks.is_empty() {
-                sections.push(Section::new(title, blocks));
+                sections.push(Section::new(id, title, blocks));
             }
         };
-        add("Scope of the verdict", scope_blocks(&self.verdict));
+        add("scope-of-the-verdict", "Scope of the verdict", scope_blocks(&self.verdict));
         if let Some(measured) = &self.measured {
-            add("Measured deviations", measured.blocks()?);
+            add("measured-deviations", "Measured deviations", measured.blocks()?);
         }
         let mut angles = Vec::new();
         for view in &self.angles {
             angles.extend(view.blocks()?);
         }
-        add("Angles of the edges", angles);
+        add("angles-of-the-edges", "Angles of the edges", angles);
         if let Some(strip) = &self.strip {
-            add("Signal over one turn", strip.blocks()?);
+            add("signal-over-one-turn", "Signal over one turn", strip.blocks()?);
         }
         if let Some(pitch) = &self.pitch {
-            add("Concentricity", pitch.concentricity()?);
-            add("Pitch", pitch.pitch()?);
+            add("concentricity", "Concentricity", pitch.concentricity()?);
+            add("pitch", "Pitch", pitch.pitch()?);
         }
-        add("Tooth and contact points", self.tooth_blocks()?);
+        add("tooth-and-contact-points", "Tooth and contact points", self.tooth_blocks()?);
         if !self.poses.is_empty() {
-            add("Measuring poses", poses::blocks(&self.poses)?);
+            add("measuring-poses", "Measuring poses", poses::blocks(&self.poses)?);
         }
         if let Some(profile) = &self.profile {
-            add("Profile of the workpiece", profile.blocks()?);
+            add("profile-of-the-workpiece", "Profile of the workpiece", profile.blocks()?);
         }
         if let Some(corrections) = &self.corrections {
-            add("Corrections", corrections.blocks()?);
+            add("corrections", "Corrections", corrections.blocks()?);
         }
         if !self.conventional.is_empty() {
-            add("Comparison with the conventional method", conventional::blocks(&self.conventional)?);
+            add(
+                "comparison-with-the-conventional-method",
+                "Comparison with the conventional method",
+                conventional::blocks(&self.conventional)?,
+            );
         }
         if let Some(history) = &self.history {
-            add("History", history.blocks()?);
+            add("history", "History", history.blocks()?);
         }
         if let Some(monte_carlo) = &self.monte_carlo {
-            add("Monte Carlo", monte_carlo.blocks()?);
+            add("monte-carlo", "Monte Carlo", monte_carlo.blocks()?);
         }
         if !self.sheets.is_empty() {
             let sheet =
                 |sheet: &super::DataSheet| Table::of_quantities(sheet.caption.clone(), &sheet.quantities);
             let tables = self.sheets.iter().map(sheet).collect();
-            add("Tool, workpiece and measurement", vec![Block::Tables(tables)]);
+            add(
+                "tool-workpiece-and-measurement",
+                "Tool, workpiece and measurement",
+                vec![Block::Tables(tables)],
+            );
         }
         if let Some(programs) = &self.programs {
-            add("Programs", programs.blocks()?);
+            add("programs", "Programs", programs.blocks()?);
         }
         Ok(self.head.page(sections))
     }

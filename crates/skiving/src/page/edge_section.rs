@@ -70,7 +70,8 @@ impl EdgeSectionView {
             format_fixed(self.contact_deg, 2),
             format_fixed(self.range_deg[1] - self.contact_deg, 2)
         );
-        Ok(Block::Figure(Figure { svg, caption }))
+        let id = format!("edge-for-the-{}-flank-across-track-{}", self.flank, self.track);
+        Ok(Block::Figure(Figure::new(id, svg, caption)))
     }
 
     fn check(&self) -> Result<(), ChartError> {

@@ -47,7 +47,7 @@ impl HistoryView {
         let mut blocks = Vec::new();
         if !self.measurements.is_empty() {
             let caption = "Wear at the track with the least material, mean of all teeth. A ring: where the fitted line meets the limit.";
-            blocks.push(Block::Figure(Figure { svg: self.chart()?, caption: caption.into() }));
+            blocks.push(Block::Figure(Figure::new("wear-over-the-parts-cut", self.chart()?, caption)));
             blocks.push(Block::Table(self.table()?));
         }
         Ok(blocks)

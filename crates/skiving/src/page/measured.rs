@@ -61,14 +61,16 @@ const LEAST_UM: f64 = 1.0;
 impl MeasuredView {
     pub(super) fn blocks(&self) -> Result<Vec<Block>, ChartError> {
         self.check()?;
-        let figure = |svg: Svg, caption: &str| Block::Figure(Figure { svg, caption: caption.into() });
+        let figure = |id: &str, svg: Svg, caption: &str| Block::Figure(Figure::new(id, svg, caption));
         let mut blocks = vec![
             figure(
+                "deviation-as-measured",
                 self.over_teeth("Deviation as measured", |track, tooth| track.measured_um[tooth], false)?,
                 "Normal to the flank at the virtual contact points, without the clocking of the tool; positive is material beyond the nominal edge. \
                  The wave over one turn is the mounting.",
             ),
             figure(
+                "without-eccentricity-and-wobble-distance-from-the-compensation-curve",
                 self.over_teeth(
                     "Without eccentricity and wobble: distance from the compensation curve",
                     |track, tooth| track.remaining_um[tooth] - track.curve_um,
@@ -77,6 +79,7 @@ impl MeasuredView {
                 "What the teeth themselves are. Dashed: the band of ± D/2 about the compensation curve. A ring marks a tooth that the table names.",
             ),
             figure(
+                "shape-of-the-edge",
                 self.over_edge()?,
                 "The same over the edge, from the smaller to the larger length of roll of the workpiece: mean, least and greatest of all teeth at every track.",
             ),

@@ -40,7 +40,11 @@ impl PitchView {
     pub(super) fn concentricity(&self) -> Result<Vec<Block>, ChartError> {
         self.check()?;
         let caption = "Seen on the rake face. A circle of the first harmonic beside the circle of zero is an eccentric tool; what is left is pitch.";
-        Ok(vec![Block::Figure(Figure { svg: self.polar()?, caption: caption.into() })])
+        Ok(vec![Block::Figure(Figure::new(
+            "pitch-and-concentricity-around-the-tool",
+            self.polar()?,
+            caption,
+        ))])
     }
 
     /// Bars and line over the teeth, and the figures.
@@ -50,7 +54,8 @@ impl PitchView {
             "At the radius {} mm. Single pitch k goes from tooth k to the next; cumulative pitch counts from tooth 0.",
             fixed("radius of the pitch", self.radius_mm, 4)?
         );
-        let mut blocks = vec![Block::Figure(Figure { svg: self.over_teeth()?, caption })];
+        let mut blocks =
+            vec![Block::Figure(Figure::new("pitch-over-the-teeth", self.over_teeth()?, caption))];
         if !self.figures.is_empty() {
             blocks.push(Block::Table(figures_table(&self.figures)?));
         }

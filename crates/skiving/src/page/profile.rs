@@ -48,7 +48,7 @@ impl ProfileView {
         let svg = line_chart_in(&chart, &LineFrame { panel_height: Some(TALL), beside: 0.0 })?;
         let caption = "Deviation normal to the flank, positive is material left. Least and greatest: over the single \
                        teeth of the tool.";
-        Ok(vec![Block::Figure(Figure { svg, caption: caption.into() })])
+        Ok(vec![Block::Figure(Figure::new("profile-of-the-workpiece-to-come", svg, caption))])
     }
 }
 

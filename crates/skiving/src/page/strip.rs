@@ -59,6 +59,10 @@ impl StripView {
         };
         let caption = "Numbers are those of the teeth, at the middle of each ideal dark stretch. Only the edge of the pose touches at its contact point; the \
                        other end of a dark stretch is met elsewhere on the opposite edge.";
-        Ok(vec![Block::Figure(Figure { svg: signal_strip(&strip)?, caption: caption.into() })])
+        Ok(vec![Block::Figure(Figure::new(
+            "light-and-dark-over-one-turn-of-the-tool",
+            signal_strip(&strip)?,
+            caption,
+        ))])
     }
 }

@@ -37,6 +37,6 @@ impl ToothView {
             ],
             notes: notes.collect(),
         })?;
-        Ok(vec![Block::Figure(Figure { svg, caption: String::new() })])
+        Ok(vec![Block::Figure(Figure::new("tooth-0-with-the-virtual-contact-points", svg, ""))])
     }
 }

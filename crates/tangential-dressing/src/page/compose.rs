@@ -8,6 +8,10 @@ use report::charts::{
     format_significant, line_chart,
 };
 use report::data::{Block, Column, Figure, Section, Table};
+use report::kebab;
+
+/// Id of the section of variables, which belongs to the settings.
+pub const VARIABLES: &str = "variables";
 
 impl TangentialReport {
     /// The sections, in reading order.
@@ -26,16 +30,16 @@ impl TangentialReport {
             lengths.push(Block::Table(Table::of_quantities("", &self.worm_length)));
         }
         let all = [
-            ("Variables of dressing and grinding", variables),
-            ("How the values were found", fits),
-            ("Beside it: crowning by radial feed", radial(&self.radial_feed)?),
-            ("Worm length and passes", lengths),
-            ("Sensitivity topographies", sensitivities(&self.sensitivities)?),
+            (VARIABLES, "Variables of dressing and grinding", variables),
+            ("how-the-values-were-found", "How the values were found", fits),
+            ("radial-feed", "Beside it: crowning by radial feed", radial(&self.radial_feed)?),
+            ("worm-length-and-passes", "Worm length and passes", lengths),
+            ("sensitivities", "Sensitivity topographies", sensitivities(&self.sensitivities)?),
         ];
         Ok(all
             .into_iter()
-            .filter(|(_, blocks)| !blocks.is_empty())
-            .map(|(title, blocks)| Section::new(title, blocks))
+            .filter(|(.., blocks)| !blocks.is_empty())
+            .map(|(id, title, blocks)| Section::new(id, title, blocks))
             .collect())
     }
 }
@@ -135,7 +139,8 @@ fn convergence(pass: &PassReport, fit: &FitRecord) -> Result<Figure, ChartError>
     };
     let caption =
         "Weighted root mean square of what is ground less what is wanted, before each round and at the end.";
-    Ok(Figure { svg: line_chart(&chart)?, caption: caption.to_owned() })
+    let id = format!("{}-convergence", kebab(&pass.name));
+    Ok(Figure::new(id, line_chart(&chart)?, caption))
 }
 
 fn compared(pass: &PassReport) -> Table {
@@ -219,7 +224,8 @@ fn radial(flanks: &[RadialFeedReport]) -> Result<Vec<Block>, ChartError> {
                 scale: None,
             };
             let caption = "What each method leaves of the same target, on one scale.";
-            blocks.push(Block::Figure(Figure { svg: contour_map(&map)?, caption: caption.to_owned() }));
+            let id = format!("deviation-from-the-target-{}", kebab(&flank.flank));
+            blocks.push(Block::Figure(Figure::new(id, contour_map(&map)?, caption)));
         }
     }
     Ok(blocks)
@@ -260,7 +266,8 @@ fn sensitivities(maps: &[SensitivityMap]) -> Result<Vec<Block>, ChartError> {
             panels: group.iter().map(|m| NamedTopography::new(&m.variable, m.map.clone())).collect(),
             scale: None,
         };
-        blocks.push(Block::Figure(Figure { svg: contour_map(&map)?, caption: String::new() }));
+        let id = kebab(&format!("sensitivity to {} {}", names.join(" "), first.flank));
+        blocks.push(Block::Figure(Figure::new(id, contour_map(&map)?, "")));
     }
     Ok(blocks)
 }

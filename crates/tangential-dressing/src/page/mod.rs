@@ -4,6 +4,7 @@
 mod compose;
 mod data;
 
+pub use compose::VARIABLES;
 pub use data::{
     ComparedMethod, FitRecord, PassReport, RadialFeedReport, SelectionRow, SensitivityMap, TangentialReport,
     VariableRow,

@@ -7,7 +7,7 @@ use crate::TangentialFlank;
 use crate::job::{DresserProfile, EdgeAmounts, TangentialJob};
 use crate::page::{
     ComparedMethod, FitRecord, PassReport, RadialFeedReport, SelectionRow, SensitivityMap, TangentialReport,
-    VariableRow,
+    VARIABLES, VariableRow,
 };
 use contact::Measure;
 use foundation::geometry::{Flank, Sides};
@@ -18,7 +18,9 @@ use generating_grinding::workflow::page::{
 };
 use generating_grinding::workflow::programs::page::programs_report;
 use report::charts::{ChartError, Topography};
-use report::generating::{GeneratingReport, Reason, TargetAmount, Verification, WrittenFile};
+use report::generating::{
+    GeneratingReport, Reason, TOPOGRAPHIES, TargetAmount, VERIFICATION, Verification, WrittenFile,
+};
 use report::{Quantity, Section, Warning, html};
 use run::CharacteristicsUm;
 
@@ -34,13 +36,10 @@ pub fn html_page(
     let mut page = common(job, outcome, files)?.to_page()?;
     let own = own(outcome)?.sections()?;
     // After the settings, before the pictures of the flank.
-    let at = page.sections.iter().position(|s| s.title == "Topographies").unwrap_or(page.sections.len());
-    let (before, after): (Vec<Section>, Vec<Section>) =
-        own.into_iter().partition(|s| s.title.starts_with("Variables"));
-    page.sections.splice(at..at, before);
-    let end =
-        page.sections.iter().position(|s| s.title == "How it was verified").unwrap_or(page.sections.len());
-    page.sections.splice(end..end, after);
+    let (variables, others): (Vec<Section>, Vec<Section>) =
+        own.into_iter().partition(|section| section.id == VARIABLES);
+    page.insert_before(TOPOGRAPHIES, variables);
+    page.insert_before(VERIFICATION, others);
     Ok(html::render(&page))
 }
 

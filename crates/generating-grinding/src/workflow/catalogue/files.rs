@@ -138,16 +138,16 @@ fn page(outcome: &CatalogueOutcome) -> Result<PlanReport, ChartError> {
         Some(table) => vec![Block::Table(table)],
         None => Vec::new(),
     };
-    sections.push(Section::new("All pairs", pairs));
+    sections.push(Section::new("all-pairs", "All pairs", pairs));
     if let Some(svg) = life_chart(&outcome.lives)? {
         let caption = "From the present worm to the worn one, left flank (else the one that is ground). Without corrections: the \
             profile crowning that stands on the gear if only distance and phase are set; with them it is the wanted one. Filled: \
             the target is made; open: a limit is exceeded.";
-        let figure = Block::Figure(Figure { svg, caption: caption.into() });
-        sections.push(Section::new("The life of the best pairs", vec![figure]));
+        let figure = Block::Figure(Figure::new("life-of-the-worm", svg, caption));
+        sections.push(Section::new("the-life-of-the-best-pairs", "The life of the best pairs", vec![figure]));
     }
-    sections.push(Section::new("Ranking", vec![Block::Table(ranking(outcome))]));
-    sections.push(Section::new("Limits", vec![Block::Table(limits(outcome))]));
+    sections.push(Section::new("ranking", "Ranking", vec![Block::Table(ranking(outcome))]));
+    sections.push(Section::new("limits", "Limits", vec![Block::Table(limits(outcome))]));
     let wanted: Vec<String> = outcome
         .wanted_profile_crowning_um
         .iter()

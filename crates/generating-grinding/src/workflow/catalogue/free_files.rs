@@ -83,9 +83,17 @@ fn page(outcome: &FreeOutcome) -> Result<PlanReport, ChartError> {
             "Largest share of an axis limit over the {name}, for the {LINES} pairs that need least. Filled: the target is made; \
              open: something forbids it."
         );
-        sections.push(Section::new("Share of the limits", vec![Block::Figure(Figure { svg, caption })]));
+        sections.push(Section::new(
+            "share-of-the-limits",
+            "Share of the limits",
+            vec![Block::Figure(Figure::new("share-of-the-limits", svg, caption))],
+        ));
     }
-    sections.push(Section::new("Where the dressers make the target", vec![Block::Table(ranges(outcome))]));
+    sections.push(Section::new(
+        "where-the-dressers-make-the-target",
+        "Where the dressers make the target",
+        vec![Block::Table(ranges(outcome))],
+    ));
     let (working, all) = (outcome.working(), outcome.pairs.len());
     Ok(PlanReport {
         title: outcome.job.clone(),

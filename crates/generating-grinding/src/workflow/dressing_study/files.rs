@@ -11,6 +11,7 @@ use crate::job::StudyOver;
 use crate::workflow::explore::Refused;
 use job::{Cell, Column, CsvError, CsvTable};
 use report::charts::{ChartError, LineChart, Panel, Series, Svg, format_significant, line_chart};
+use report::kebab;
 use report::{Banner, Block, Column as PageColumn, Fact, Figure, PlanReport, Section, Stamp, Table, html};
 use run::{WriteError, write_study};
 use std::path::{Path, PathBuf};
@@ -229,16 +230,17 @@ fn profile_chart(curves: &[ProfileCurve]) -> Result<Option<Svg>, ChartError> {
 
 fn page(outcome: &DressingStudyOutcome) -> Result<PlanReport, ChartError> {
     let mut sections = Vec::new();
-    let mut figure = |title: &str, svg: Option<Svg>, caption: &str| {
+    let mut figure = |title: &str, id: &str, svg: Option<Svg>, caption: &str| {
         if let Some(svg) = svg {
-            let block = Block::Figure(Figure { svg, caption: caption.into() });
-            sections.push(Section::new(title, vec![block]));
+            let block = Block::Figure(Figure::new(id, svg, caption));
+            sections.push(Section::new(kebab(title), title, vec![block]));
         }
     };
     let (what, result) = match &outcome.curves {
         StudyCurves::Crowning(curves) => {
             figure(
                 "Corrections",
+                "corrections-of-dressing-over-the-profile-crowning",
                 crowning_chart(
                     "Corrections of dressing over the profile crowning",
                     curves,
@@ -249,6 +251,7 @@ fn page(outcome: &DressingStudyOutcome) -> Result<PlanReport, ChartError> {
             );
             figure(
                 "Profile",
+                "profile-stretch-contact-line-and-deviation",
                 crowning_chart("Profile stretch, contact line and deviation", curves, &QUANTITIES[5..])?,
                 "P > 0: the profile is stretched. The deviation is the largest distance of the dressed profile from the parabola through \
                  its three points, normal to the flank.",
@@ -258,6 +261,7 @@ fn page(outcome: &DressingStudyOutcome) -> Result<PlanReport, ChartError> {
         StudyCurves::Profile(curves) => {
             figure(
                 "Profile",
+                "dressed-profile",
                 profile_chart(curves)?,
                 "Each point belongs to one radius of the dresser, the same radii in all curves; the shift is how far its point on the worm \
                  lies from the one it was made for. b is the worm z of the contact.",
@@ -272,17 +276,20 @@ fn page(outcome: &DressingStudyOutcome) -> Result<PlanReport, ChartError> {
             };
             figure(
                 "Profile",
+                "the-dresser-on-other-worms-profile",
                 worm_chart("The dresser on other worms: profile", x, curves, &OF_WORMS[..2])?,
                 "Above what comes about with nominal crossing angle and offset, distance and phase set to both ends of the profile; below \
                  the stretch with corrections, by the three-point method with the radius map.",
             );
             figure(
                 "Corrections",
+                "the-dresser-on-other-worms-corrections",
                 worm_chart("The dresser on other worms: corrections", x, curves, &OF_WORMS[2..7])?,
                 "Corrections against the nominal kinematics of each worm with which its profile is straight at both ends and in the middle.",
             );
             figure(
                 "Limits",
+                "the-dresser-on-other-worms-tip-land-and-angle-without-stretch",
                 worm_chart(
                     "The dresser on other worms: tip land and angle without stretch",
                     x,
@@ -297,6 +304,7 @@ fn page(outcome: &DressingStudyOutcome) -> Result<PlanReport, ChartError> {
             for curve in curves {
                 figure(
                     "Strokes",
+                    &kebab(&format!("strokes {}", curve.bodies)),
                     stroke_chart(curve)?,
                     "Each stroke lays an active area of the dresser on its range by three points and the end of the area on the end of the \
                      range. The finished profile is the least of all strokes.",
@@ -307,15 +315,20 @@ fn page(outcome: &DressingStudyOutcome) -> Result<PlanReport, ChartError> {
         StudyCurves::Deviations(curves) => {
             figure(
                 "Profile",
+                "change-of-the-dressed-profile-by-deviations-of-the-axes",
                 deviation_chart(curves)?,
                 "Exact change of the dressed profile against the nominal kinematics, positive = material left.",
             );
             ("deviations of the axes", deviation_figures(curves))
         }
     };
-    sections.push(Section::new("Table", vec![Block::Table(result)]));
+    sections.push(Section::new("table", "Table", vec![Block::Table(result)]));
     if let StudyCurves::Deviations(curves) = &outcome.curves {
-        sections.push(Section::new("Random deviations", vec![Block::Table(quantile_figures(curves))]));
+        sections.push(Section::new(
+            "random-deviations",
+            "Random deviations",
+            vec![Block::Table(quantile_figures(curves))],
+        ));
     }
     let status = if outcome.is_producible() { Stamp::Study } else { Stamp::NotProducible };
     Ok(PlanReport {

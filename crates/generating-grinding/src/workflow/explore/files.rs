@@ -188,13 +188,20 @@ fn page(outcome: &ExploreOutcome) -> Result<PlanReport, ChartError> {
     });
     let mut sections = Vec::new();
     if let Some((svg, caption)) = chart(outcome)? {
-        sections.push(Section::new("Residual", vec![Block::Figure(Figure { svg, caption })]));
+        sections.push(Section::new(
+            "residual",
+            "Residual",
+            vec![Block::Figure(Figure::new("residual-of-the-candidates", svg, caption))],
+        ));
     }
     if !outcome.levers.is_empty() {
-        sections
-            .push(Section::new("Worms with one ratio for both flanks", vec![Block::Table(levers(outcome))]));
+        sections.push(Section::new(
+            "worms-with-one-ratio-for-both-flanks",
+            "Worms with one ratio for both flanks",
+            vec![Block::Table(levers(outcome))],
+        ));
     }
-    sections.push(Section::new("Ranking", vec![Block::Table(ranking(outcome))]));
+    sections.push(Section::new("ranking", "Ranking", vec![Block::Table(ranking(outcome))]));
     Ok(PlanReport {
         title: outcome.job.clone(),
         subtitle: Some("Study of worm and diagonal ratio".into()),

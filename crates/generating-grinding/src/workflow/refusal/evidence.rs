@@ -108,7 +108,7 @@ impl Evidence {
                 "{} over {} as the bodies need it, on a machine with longer ways: {a:.1} to {b:.1} {}. Its travel is {from:.1} to {to:.1} {}.",
                 of.axis, of.file, of.unit, of.unit
             );
-            figures.push(Figure { svg: axis_chart(chart)?, caption });
+            figures.push(Figure::new(chart.id(), axis_chart(chart)?, caption));
         }
         figures.extend(self.reach()?);
         Ok(figures)
@@ -124,6 +124,7 @@ impl Evidence {
         }
         let quantity = match code {
             "axis-limit" => Quantity {
+                id: "share-of-the-axis-limits-of-planning-that-each-diagonal-ratio-needs",
                 title: "Share of the axis limits of planning that each diagonal ratio needs",
                 ordinate: "largest share",
                 value: Candidate::score,
@@ -131,6 +132,7 @@ impl Evidence {
                 limit_name: "limit",
             },
             _ => Quantity {
+                id: "residual-of-each-diagonal-ratio-on-an-ideal-worm",
                 title: "Residual of each diagonal ratio on an ideal worm",
                 ordinate: "largest residual [µm]",
                 value: |c| c.error * 1e3,
@@ -163,7 +165,8 @@ impl Evidence {
             x_title: "diagonal ratio K".into(),
             panels: vec![Panel::linear("width [mm]", 0.0, series)],
         })?;
-        Ok(Figure { svg, caption: "Run-in and run-out included.".into() })
+        let id = "width-of-the-worm-that-each-diagonal-ratio-needs";
+        Ok(Figure::new(id, svg, "Run-in and run-out included."))
     }
 
     /// The diameter of the worm that grinds each diameter of the gear, beside its tip and root.
@@ -200,8 +203,8 @@ impl Evidence {
             x_title: "diameter of the gear [mm]".into(),
             panels: vec![Panel::linear("diameter of the worm [mm]", 0.0, series)],
         })?;
-        let caption = "Diameter of the worm that grinds each evaluated diameter of the gear, without modification; a modification moves it a little.".into();
-        Ok(Some(Figure { svg, caption }))
+        let caption = "Diameter of the worm that grinds each evaluated diameter of the gear, without modification; a modification moves it a little.";
+        Ok(Some(Figure::new("reach-of-the-worm", svg, caption)))
     }
 }
 
@@ -212,6 +215,7 @@ fn is_of_machine(finding: &Diagnostic) -> bool {
 
 /// A figure of the candidates with its limit.
 struct Quantity {
+    id: &'static str,
     title: &'static str,
     ordinate: &'static str,
     value: fn(&Candidate) -> f64,
@@ -250,7 +254,7 @@ impl Quantity {
             x_title: "diagonal ratio K".into(),
             panels: vec![Panel { scale, ..Panel::linear(self.ordinate, 0.0, series) }],
         })?;
-        Ok(Figure { svg, caption: "Filled: allowed; open: refused. The table tells why.".into() })
+        Ok(Figure::new(self.id, svg, "Filled: allowed; open: refused. The table tells why."))
     }
 }
 

@@ -18,12 +18,12 @@ impl MeasuredGearReport {
     /// A number that is not finite, or lists of different length.
     pub fn to_page(&self) -> Result<PlanReport, ChartError> {
         let mut sections = Vec::new();
-        let mut add = |title: String, blocks: Vec<Block>| {
+        let mut add = |id: String, title: String, blocks: Vec<Block>| {
             if !blocks.is_empty() {
-                sections.push(Section::new(title, blocks));
+                sections.push(Section::new(id, title, blocks));
             }
         };
-        add("Scope of the verdict".into(), scope_blocks(&self.verdict));
+        add("scope-of-the-verdict".into(), "Scope of the verdict".into(), scope_blocks(&self.verdict));
         if self.rounds.iter().any(|round| round.flanks.iter().any(|(_, flank)| flank.is_some())) {
             let mut blocks = vec![
                 Block::Paragraph(INTRODUCTION.to_owned()),
@@ -31,14 +31,14 @@ impl MeasuredGearReport {
                 Block::Table(self.against_process()?),
             ];
             blocks.extend(pictures::deviations(&self.rounds)?);
-            add("Measured against the target".into(), blocks);
+            add("measured-against-the-target".into(), "Measured against the target".into(), blocks);
         }
         for round in &self.rounds {
             let title = match self.rounds.len() {
                 1 => "What is systematic, and what removes it".to_owned(),
                 _ => format!("Round {}: what is systematic, and what removes it", round.number),
             };
-            add(title, round.blocks()?);
+            add(format!("round-{}", round.number), title, round.blocks()?);
         }
         if let Some(first) = self.rounds.first() {
             let title = if self.rounds.len() > 1 {
@@ -46,11 +46,11 @@ impl MeasuredGearReport {
             } else {
                 "Target, process and part"
             };
-            add(title.into(), pictures::stages(first)?);
+            add("stages".into(), title.into(), pictures::stages(first)?);
         }
-        add("Evaluation to ISO 1328-1".into(), self.evaluation.blocks()?);
+        add("evaluation".into(), "Evaluation to ISO 1328-1".into(), self.evaluation.blocks()?);
         if !self.not_understood.is_empty() {
-            add("Not understood".into(), vec![Block::Table(self.lines_table())]);
+            add("not-understood".into(), "Not understood".into(), vec![Block::Table(self.lines_table())]);
         }
         Ok(self.head.page(sections))
     }

@@ -10,8 +10,8 @@ use report::charts::{
 use report::data::{Block, Figure};
 use report::flank_pictures::{net_and_map, range_with_zero};
 
-fn figure(svg: report::charts::Svg, caption: &str) -> Block {
-    Block::Figure(Figure { svg, caption: caption.to_owned() })
+fn figure(id: &str, svg: report::charts::Svg, caption: &str) -> Block {
+    Block::Figure(Figure::new(id, svg, caption))
 }
 
 fn panels(
@@ -40,17 +40,25 @@ fn deviation(flank: &FlankView) -> Result<Option<Topography>, ChartError> {
 /// Nets of target, simulated and measured flank with one scale, and the traces through them.
 pub(super) fn stages(round: &RoundView) -> Result<Vec<Block>, ChartError> {
     let stages = [
-        ("Target", panels(round, |flank| Ok(Some(flank.target.clone())))?),
-        ("Planned (analytic)", panels(round, |flank| Ok(Some(flank.planned.clone())))?),
-        ("Simulated (referee)", panels(round, |flank| Ok(Some(flank.simulated.clone())))?),
-        ("Measured, mean of the teeth", panels(round, |flank| Ok(flank.measured.clone()))?),
+        ("target", "Target", panels(round, |flank| Ok(Some(flank.target.clone())))?),
+        ("planned-analytic", "Planned (analytic)", panels(round, |flank| Ok(Some(flank.planned.clone())))?),
+        (
+            "simulated-referee",
+            "Simulated (referee)",
+            panels(round, |flank| Ok(Some(flank.simulated.clone())))?,
+        ),
+        (
+            "measured-mean-of-the-teeth",
+            "Measured, mean of the teeth",
+            panels(round, |flank| Ok(flank.measured.clone()))?,
+        ),
     ];
-    let all = stages.iter().flat_map(|(_, panels)| panels).map(|panel| &panel.topography);
+    let all = stages.iter().flat_map(|(.., panels)| panels).map(|panel| &panel.topography);
     let range = range_with_zero(all);
     let mut blocks = Vec::new();
-    for (name, panels) in stages.into_iter().filter(|(_, panels)| !panels.is_empty()) {
+    for (id, name, panels) in stages.into_iter().filter(|(.., panels)| !panels.is_empty()) {
         let net = topography_net(&TopographyNet { title: name.to_owned(), panels, range_um: Some(range) })?;
-        blocks.push(figure(net, ""));
+        blocks.push(figure(id, net, ""));
     }
     let columns: Vec<FlankSections> =
         round.flanks.iter().filter_map(|(flank, view)| sections(flank, view.as_ref()?)).collect();
@@ -61,7 +69,8 @@ pub(super) fn stages(round: &RoundView) -> Result<Vec<Block>, ChartError> {
             target_name: "target".to_owned(),
             simulated_name: "measured".to_owned(),
         })?;
-        blocks.push(figure(svg, "Mean of the teeth, normal to the flank, one scale for all traces."));
+        let id = "target-and-measurement-in-sections";
+        blocks.push(figure(id, svg, "Mean of the teeth, normal to the flank, one scale for all traces."));
     }
     Ok(blocks)
 }
@@ -95,12 +104,12 @@ pub(super) fn deviations(rounds: &[RoundView]) -> Result<Vec<Block>, ChartError>
     let several = rounds.len() > 1;
     let mut blocks = Vec::new();
     for (number, panels) in of_rounds {
-        let title = if several {
-            format!("Measured less target, round {number}")
+        let (id, title) = if several {
+            (format!("measured-less-target-round-{number}"), format!("Measured less target, round {number}"))
         } else {
-            "Measured less target".to_owned()
+            ("measured-less-target".to_owned(), "Measured less target".to_owned())
         };
-        blocks.extend(net_and_map(&title, &panels, Some(range), Some(scale), "Δf_n [µm]")?);
+        blocks.extend(net_and_map(&id, &title, &panels, Some(range), Some(scale), "Δf_n [µm]")?);
     }
     Ok(blocks)
 }

@@ -3,6 +3,7 @@
 use super::data::{CharacteristicRow, SeriesGroup, SeriesReport};
 use report::charts::ChartError;
 use report::data::{Block, Figure, PlanReport, Section, Warning};
+use report::kebab;
 
 impl SeriesReport {
     /// The page.
@@ -29,10 +30,10 @@ impl SeriesGroup {
         blocks.push(Block::Table(self.part_table()));
         for row in &self.characteristics {
             if let Some(svg) = row.chart()? {
-                blocks.push(Block::Figure(Figure { svg, caption: caption(row) }));
+                blocks.push(Block::Figure(Figure::new(row.id(), svg, caption(row))));
             }
         }
-        Ok(Section::new(self.title.clone(), blocks))
+        Ok(Section::new(kebab(&self.name), self.title.clone(), blocks))
     }
 
     /// Remarks, each once with the characteristics that it concerns.
@@ -55,6 +56,12 @@ impl SeriesGroup {
             way_out: String::new(),
         };
         found.into_iter().map(warning).collect()
+    }
+}
+
+impl CharacteristicRow {
+    fn id(&self) -> String {
+        kebab(&format!("{} {}", self.key, self.unit))
     }
 }
 

@@ -14,6 +14,8 @@ pub struct SeriesReport {
 /// Parts of one drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SeriesGroup {
+    /// Name of the series.
+    pub name: String,
     /// Heading.
     pub title: String,
     /// Parts in their order.

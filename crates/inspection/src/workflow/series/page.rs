@@ -92,6 +92,7 @@ fn head(series: &InspectionSeries) -> ReportHead {
 
 fn group(of: &SeriesGroupResult) -> SeriesGroup {
     SeriesGroup {
+        name: of.series.clone(),
         title: match of.parts.len() {
             1 => format!("{}: 1 part", of.series),
             n => format!("{}: {n} parts in the order of their {}", of.series, of.ordered_by),

@@ -7,6 +7,7 @@ use crate::workflow::programs::{DrivenMotion, MillingProgram, Step, StepKind};
 use crate::workflow::run::MillingOutcome;
 use machine::{Machine, Station};
 use report::charts::{format_fixed, format_significant};
+use report::kebab;
 use report::{Column, Table};
 use std::sync::Arc;
 
@@ -130,6 +131,7 @@ fn charts(machine: &Machine, shown: &Shown<'_>) -> Vec<CourseChart> {
     let steps: Vec<&Step> = shown.motion.tools.iter().flat_map(|run| &run.steps).collect();
     let first: Vec<&Step> = steps.iter().copied().filter(|step| step.space == 0).collect();
     let mut charts = vec![CourseChart {
+        id: "axes-over-time-all-paths-of-the-first-space".into(),
         title: "Axes over time: all paths of the first space".into(),
         caption: format!(
             "As the blocks for {} have it; what lies between with other spaces is left out.",
@@ -145,11 +147,10 @@ fn charts(machine: &Machine, shown: &Shown<'_>) -> Vec<CourseChart> {
         let is_cut = |step: &&Step| step.kind == StepKind::Cut;
         // The row begins where the block before its first cut ends.
         if let (Some(from), Some(to)) = (of_row.iter().position(is_cut), of_row.iter().rposition(is_cut)) {
+            let name = &shown.result.operations[operation].name;
             charts.push(CourseChart {
-                title: format!(
-                    "Axes over time: middle path of the {}",
-                    shown.result.operations[operation].name
-                ),
+                id: kebab(&format!("axes over time middle path of the {name}")),
+                title: format!("Axes over time: middle path of the {name}"),
                 caption: String::new(),
                 axes: courses(machine, &of_row[from.saturating_sub(1)..=to]),
             });

@@ -1,6 +1,7 @@
 //! Drawings of the space: its flanks as nets, the paths of all operations, the cutter at three places of a row.
 
 use super::outline::silhouettes;
+use crate::page::SpaceView;
 use crate::workflow::MillingBodies;
 use crate::{CutterPlace, FlankPlan, MillingPlan, OperationKind};
 use foundation::numerics::equidistant;
@@ -14,6 +15,7 @@ const FINE: usize = 25;
 
 /// A projection.
 struct View {
+    id: &'static str,
     title: &'static str,
     subtitle: String,
     axes: Option<[String; 2]>,
@@ -33,7 +35,7 @@ impl View {
 }
 
 /// The space from the front, from the side and obliquely.
-pub(super) fn views(bodies: &MillingBodies, plan: &MillingPlan) -> Vec<Drawing> {
+pub(super) fn views(bodies: &MillingBodies, plan: &MillingPlan) -> Vec<SpaceView> {
     // The space opens away from the base body.
     let opening = plan.flanks.first().and_then(|flank| {
         let columns = &flank.lines.path.columns;
@@ -46,6 +48,7 @@ pub(super) fn views(bodies: &MillingBodies, plan: &MillingPlan) -> Vec<Drawing> 
     let right = (y * sense).cross(&towards).normalize();
     let all = [
         View {
+            id: "the-space-along-the-axis",
             title: "The space along the axis",
             subtitle: "seen against +z; one space, dots where paths begin".into(),
             axes: Some(["x [mm]".into(), "y [mm]".into()]),
@@ -53,6 +56,7 @@ pub(super) fn views(bodies: &MillingBodies, plan: &MillingPlan) -> Vec<Drawing> 
             up: y,
         },
         View {
+            id: "the-space-from-the-side",
             title: "The space from the side",
             subtitle: "seen along +x; one space, dots where paths begin".into(),
             axes: Some(["z [mm]".into(), "y [mm]".into()]),
@@ -60,6 +64,7 @@ pub(super) fn views(bodies: &MillingBodies, plan: &MillingPlan) -> Vec<Drawing> 
             up: y,
         },
         View {
+            id: "the-space-oblique-view",
             title: "The space, oblique view",
             subtitle: "one space, dots where paths begin".into(),
             axes: None,
@@ -67,7 +72,7 @@ pub(super) fn views(bodies: &MillingBodies, plan: &MillingPlan) -> Vec<Drawing> 
             up: towards.cross(&right),
         },
     ];
-    all.iter().map(|view| draw(view, bodies, plan)).collect()
+    all.iter().map(|view| SpaceView { id: view.id, drawing: draw(view, bodies, plan) }).collect()
 }
 
 fn draw(view: &View, bodies: &MillingBodies, plan: &MillingPlan) -> Drawing {
