@@ -138,7 +138,7 @@ fn a_travel_that_is_too_short_is_drawn() {
     let out = directory.path().join("out");
     let written = write_refusal(&AnyJob::from(loaded), &finding, &out).expect("files");
     let page = std::fs::read_to_string(written.last().expect("a page")).expect("a page");
-    let limits = page.split("What limits").nth(1).expect("the section");
+    let limits = page.split("<h2>What limits</h2>").nth(1).expect("the section");
     assert!(limits.contains("aria-label=\"Axis V1, word Y\""));
     assert!(limits.contains("Its travel is -20.0 to 20.0 mm."));
 }
