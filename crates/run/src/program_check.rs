@@ -8,7 +8,7 @@ pub mod result;
 pub use axes::{
     Moved, SPEED_ROUNDING, checked_axes, checked_program, figures, refused, shown_word, unreadable, words_of,
 };
-pub use control::{control_of, decimals_of, dialect_of, ending_of, name_of, words_of as words_for};
+pub use control::{control_of, decimals_of, dialect_of, ending_of, name_of, words_for};
 pub use machine::{dialects, machine_of_job};
 pub use result::{
     BodyClearance, CheckedAxis, CheckedFlank, CheckedMeasuring, CheckedProgram, CheckedStroke, PartProof,

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use super::{Catalogue, checks, table};
 use crate::job::LoadedJob;
 use job::shape::{self, Subject};
-use job::{Diagnostic, Document, JobError, Problem, Source, schema};
+use job::{Diagnostic, Document, JobError, Problem, Source, schema_of};
 
 /// A checked catalogue and the documents it came from: one, or one each for worms and dressers.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,7 +20,7 @@ pub struct LoadedCatalogue {
     pub documents: Vec<Document>,
 }
 
-static SCHEMA: LazyLock<Value> = LazyLock::new(|| schema::schema_of::<Catalogue>("flankwright catalogue"));
+static SCHEMA: LazyLock<Value> = LazyLock::new(|| schema_of::<Catalogue>("flankwright catalogue"));
 
 /// The schema of a catalogue file, JSON Schema draft 2020-12.
 pub fn catalogue_schema() -> Value {

@@ -1,11 +1,12 @@
 //! What a program does on a machine: axes, travel, speed, time, whatever process it is of.
 
+use super::control::{name_of, words_for};
 use super::result::{CheckedAxis, CheckedProgram};
 use crate::finding::RunFailure;
 use job::Diagnostic;
 use job::machine::LoadedMachine;
 use machine::{Positions, Role};
-use motion::{AxisWords, MotionError, Tracked, axis_words, track};
+use motion::{AxisWords, MotionError, Tracked, track};
 use nc::{Block, Dialect, ReadError, ReadProgram, Word, read, read_with_netlist};
 use std::io::BufRead;
 use verdict::Remark;
@@ -34,13 +35,8 @@ pub fn refused(error: &MotionError) -> RunFailure {
 /// # Errors
 /// [`MotionError::InvalidWord`].
 pub fn words_of(machine: &LoadedMachine, dialect: Dialect) -> Result<AxisWords, MotionError> {
-    let file = &machine.file;
-    let control = file.controls.of(super::control::name_of(dialect));
     let all: Vec<usize> = (0..machine.machine.axes().len()).collect();
-    axis_words(&machine.machine, &all, |name| {
-        let own = control.and_then(|control| control.words.get(name)).map(String::as_str);
-        own.or_else(|| file.axes.get(name).and_then(|axis| axis.letter.as_deref()))
-    })
+    words_for(machine, machine.file.controls.of(name_of(dialect)), &all)
 }
 
 /// Reads a program of a dialect and follows its axes on a machine: figures, words of the axes, blocks.

@@ -53,17 +53,17 @@ pub fn control_of(machine: &LoadedMachine, name: DialectName) -> Result<&Control
     })
 }
 
-/// What a control calls these axes of a machine.
+/// What a control calls these axes of a machine; without a control, or where it has no word of its own, by their letters.
 ///
 /// # Errors
 /// [`MotionError::InvalidWord`].
-pub fn words_of(
+pub fn words_for(
     machine: &LoadedMachine,
-    control: &Control,
+    control: Option<&Control>,
     axes: &[usize],
 ) -> Result<AxisWords, MotionError> {
     axis_words(&machine.machine, axes, |name: &str| {
-        let own = control.words.get(name).map(String::as_str);
+        let own = control.and_then(|control| control.words.get(name)).map(String::as_str);
         own.or_else(|| machine.file.axes.get(name).and_then(|axis| axis.letter.as_deref()))
     })
 }

@@ -10,10 +10,10 @@ use serde_json::Value;
 use super::time::{FORM, Moment};
 use super::{HistoryRecord, order};
 use job::shape::{self, Subject};
-use job::{Diagnostic, JobError, Node, Problem, Source, json_tree, schema};
+use job::{Diagnostic, JobError, Node, Problem, Source, json_tree, schema_of};
 
 static SCHEMA: LazyLock<Value> =
-    LazyLock::new(|| schema::schema_of::<HistoryRecord>("flankwright history of skiving tools, one line"));
+    LazyLock::new(|| schema_of::<HistoryRecord>("flankwright history of skiving tools, one line"));
 
 const SUBJECT: Subject = Subject {
     document: "the record",

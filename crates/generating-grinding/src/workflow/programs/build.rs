@@ -131,7 +131,7 @@ impl ProgramTask<'_> {
         let area = if let Part::Grinding(area) = part { area } else { 0 };
         let machine = &self.machine.machine;
         let axes = machine.axes_at(station).map_err(|e| failure(&e.into()))?;
-        let words = words_for(self.machine, control, &axes).map_err(|e| failure(&e))?;
+        let words = words_for(self.machine, Some(control), &axes).map_err(|e| failure(&e))?;
         let decimals = decimals_of(control).unwrap_or_default();
         let half = |digits: u8| 0.5 * 10f64.powi(-i32::from(digits));
         let several = station == Station::Work && self.areas.len() > 1;

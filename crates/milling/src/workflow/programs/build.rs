@@ -129,7 +129,7 @@ impl MillingMachining<'_> {
     pub(super) fn words(&self, setup: &MillingSetup<'_>, control: &Control) -> Result<AxisWords, RunFailure> {
         let machine = &self.machine.machine;
         let axes = machine.axes_at(Station::Work).map_err(|error| of_motion(&error.into(), ""))?;
-        let words = words_for(self.machine, control, &axes).map_err(|error| of_motion(&error, ""))?;
+        let words = words_for(self.machine, Some(control), &axes).map_err(|error| of_motion(&error, ""))?;
         let five = setup.axes().rotary.into_iter().chain(setup.axes().linear);
         match five.into_iter().find(|&axis| !words.is_moved(axis)) {
             None => Ok(words),

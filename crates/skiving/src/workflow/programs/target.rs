@@ -33,7 +33,7 @@ impl<'a> Target<'a> {
         let name = name_of(dialect);
         let control = control_of(machining.machine, name)?;
         let axes = &machining.machine.machine.tool().axes;
-        let words = words_for(machining.machine, control, axes).map_err(|error| of_motion(&error))?;
+        let words = words_for(machining.machine, Some(control), axes).map_err(|error| of_motion(&error))?;
         course.moved(&words)?;
         let mut options = WriteOptions {
             decimals: decimals_of(control).unwrap_or_default(),
