@@ -56,7 +56,7 @@ fn scan(c: &mut Criterion) {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/twist-free-crowning.toml");
     let loaded = read_job(&file).expect("job");
     let prepared = prepare(&loaded).unwrap_or_else(|_| panic!("bodies"));
-    let task = prepared.task(&loaded.job);
+    let task = prepared.task();
     let target = samples([25, 31]);
     let settings = FitSettings::new(FunctionClass::ALL);
     let lines = &task.setup.lines;

@@ -14,7 +14,7 @@ fn plan(c: &mut Criterion) {
     group.bench_function("twist-free crowning, bodies and plan", |b| {
         b.iter(|| {
             let prepared = prepare(black_box(&loaded)).unwrap_or_else(|_| panic!("bodies"));
-            prepared.task(&loaded.job).plan().expect("plan")
+            prepared.task().plan().expect("plan")
         });
     });
     group.finish();

@@ -112,7 +112,7 @@ fn the_cone_angle_brings_both_flanks_to_one_ratio() {
 #[test]
 fn equal_ratios_are_offered() {
     let mut loaded = with_amount(1.2);
-    assert!(equal_ratio_offers(&prepare(&loaded).unwrap_or_else(|e| panic!("{e:?}"))).is_empty());
+    assert!(offers_of(&loaded).is_empty());
     let coarse = |loaded: &mut LoadedJob| {
         (loaded.job.grid.profile_points, loaded.job.grid.helix_points) = (7, 7);
     };
@@ -124,7 +124,7 @@ fn equal_ratios_are_offered() {
     assert_eq!(code(&loaded), None);
     loaded.job.worm.cone_angle_deg = 0.0;
     let ready = prepare(&loaded).unwrap_or_else(|e| panic!("{e:?}"));
-    let offers = equal_ratio_offers(&ready);
+    let offers = equal_ratio_offers(&ready.setup, &ready.targets);
     // Lines along the generatrix of a cylindrical pair answer to the cone angle only.
     assert_eq!(offers.len(), 1, "{offers:?}");
     let offer = &offers[0];
@@ -136,11 +136,11 @@ fn equal_ratios_are_offered() {
     // One flank alone has nothing to agree with.
     let mut one = loaded.clone();
     one.job.grinding.flanks = Flanks::Left;
-    assert!(equal_ratio_offers(&prepare(&one).unwrap_or_else(|e| panic!("{e:?}"))).is_empty());
+    assert!(offers_of(&one).is_empty());
     // The offered worm does what the offer says.
     loaded.job.worm.cone_angle_deg = offer.value_deg;
     let made = prepare(&loaded).unwrap_or_else(|e| panic!("{e:?}"));
-    let task = made.task(&loaded.job);
+    let task = made.task();
     let demanded = task.demanded(&task.planning_grid());
     assert!((demanded.left[0] - offer.diagonal_ratio).abs() < 1e-9);
     assert!((demanded.right[0] - offer.diagonal_ratio).abs() < 1e-9);
@@ -183,7 +183,7 @@ fn given_directions_answer_to_other_levers_too() {
         let mut known = with_keys(&start, keys);
         known.job.worm.direction_deg = Some(OneOrSides::Each { left: 12.0, right: -12.0 });
         let ready = prepare(&known).unwrap_or_else(|e| panic!("{lever} {e:?}"));
-        let task = ready.task(&known.job);
+        let task = ready.task();
         let ratio = task.demanded(&task.planning_grid()).left[0];
         let lines = ready.setup.lines.right;
         let wanted = ready.targets.right.as_ref().unwrap().rest[0].line_direction().unwrap();
@@ -194,14 +194,14 @@ fn given_directions_answer_to_other_levers_too() {
         let direction = OneOrSides::Each { left: 12.0, right: t_1.atan().to_degrees() };
         let mut loaded = start.clone();
         loaded.job.worm.direction_deg = Some(direction);
-        let offers = equal_ratio_offers(&prepare(&loaded).unwrap_or_else(|e| panic!("{lever} {e:?}")));
+        let offers = offers_of(&loaded);
         let near =
             |offer: &EqualRatioOffer| offer.lever == lever && (offer.keys[0].1 - keys[0].1).abs() < 1e-6;
         assert!(offers.iter().any(near), "{lever} {offers:?}");
         for offer in &offers {
             let made = with_keys(&loaded, &offer.keys);
             let ready = prepare(&made).unwrap_or_else(|e| panic!("{offer:?} {e:?}"));
-            let task = ready.task(&made.job);
+            let task = ready.task();
             let demanded = task.demanded(&task.planning_grid());
             for k in [demanded.left[0], demanded.right[0]] {
                 assert!((k - offer.diagonal_ratio).abs() < 1e-7 * k.abs(), "{offer:?} {demanded:?}");
@@ -352,4 +352,10 @@ fn a_study_holds_the_tightest_tolerance_of_a_map() {
     assert!(plain.candidates.iter().any(|c| c.within_tolerance));
     assert!(!mapped.candidates.iter().any(|c| c.within_tolerance && c.residual_um > Some(1e-6)));
     assert!(mapped.candidates.iter().any(|c| c.residual_um > Some(1e-6)));
+}
+
+/// The levers that a job is offered.
+fn offers_of(loaded: &LoadedJob) -> Vec<EqualRatioOffer> {
+    let ready = prepare(loaded).unwrap_or_else(|e| panic!("{e:?}"));
+    equal_ratio_offers(&ready.setup, &ready.targets)
 }

@@ -77,14 +77,7 @@ pub fn specs_of_flank<J>(
     flank: Flank,
     field: &EvaluationField,
 ) -> Result<Modification, Diagnostic> {
-    Modification::for_flank(specs, flank, field, &Beside(loaded)).map_err(|error| {
-        // The position of the offending entry makes the message point into the file.
-        let index = specs.iter().position(|spec| {
-            spec.flank().includes(flank)
-                && Modification::build_with_files(spec, field, &Beside(loaded)).is_err()
-        });
-        let entry =
-            index.map_or("target.modifications".to_string(), |i| format!("target.modifications[{i}]"));
-        modification_finding(&error, &entry)
-    })
+    // The position of the offending entry makes the message point into the file.
+    Modification::of_entries(specs, flank, field, &Beside(loaded))
+        .map_err(|(index, error)| modification_finding(&error, &format!("target.modifications[{index}]")))
 }

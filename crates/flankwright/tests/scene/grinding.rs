@@ -2,7 +2,7 @@
 
 use super::bodies::{Extent, holds_its_volume, on_flanks};
 use super::checks::{body, check, examples, in_body, job, off_mesh, vertices};
-use flankwright::exchange::{Job, LoadedJob};
+use flankwright::exchange::Job;
 use flankwright::geometry::{Flank, Gear};
 use flankwright::numerics::Silent;
 use flankwright::process::dressing::DressedWorm;
@@ -17,7 +17,7 @@ const ROUNDING: f64 = 1e-4;
 const FACETS: f64 = 0.03;
 
 /// The run of a job that takes one worm.
-fn run(path: &Path) -> Option<(LoadedJob, Outcome)> {
+fn run(path: &Path) -> Option<Outcome> {
     let loaded = job(path).of::<Job>().cloned()?;
     if loaded.job.catalogue.is_some() {
         return None;
@@ -26,8 +26,7 @@ fn run(path: &Path) -> Option<(LoadedJob, Outcome)> {
         Some(_) => simulate_job(&loaded, &Silent),
         None => plan_job(&loaded, &Silent),
     };
-    let outcome = outcome.unwrap_or_else(|e| panic!("{}: {e:?}", path.display()));
-    Some((loaded, outcome))
+    Some(outcome.unwrap_or_else(|e| panic!("{}: {e:?}", path.display())))
 }
 
 fn worm_extent(scene: &Scene, outcome: &Outcome) -> Extent {
@@ -153,9 +152,8 @@ fn check_examples(of: impl Fn(usize) -> bool) {
     let chosen = paths.iter().enumerate().filter(|(k, _)| of(*k));
     let mut seen = 0;
     for (_, path) in chosen {
-        let Some((loaded, outcome)) = run(path) else { continue };
-        let scene =
-            scene_of_grinding(&loaded, &outcome).unwrap_or_else(|e| panic!("{}: {e:?}", path.display()));
+        let Some(outcome) = run(path) else { continue };
+        let scene = scene_of_grinding(&outcome).unwrap_or_else(|e| panic!("{}: {e:?}", path.display()));
         check_scene(&path.file_stem().unwrap().to_string_lossy(), &scene, &outcome);
         seen += 1;
     }
@@ -178,9 +176,8 @@ fn strokes_and_other_ways_of_dressing_have_scenes() {
     for path in
         examples("dressing").into_iter().filter(|p| names.iter().any(|n| p.file_stem().unwrap() == *n))
     {
-        let Some((loaded, outcome)) = run(&path) else { panic!("{}", path.display()) };
-        let scene =
-            scene_of_grinding(&loaded, &outcome).unwrap_or_else(|e| panic!("{}: {e:?}", path.display()));
+        let Some(outcome) = run(&path) else { panic!("{}", path.display()) };
+        let scene = scene_of_grinding(&outcome).unwrap_or_else(|e| panic!("{}: {e:?}", path.display()));
         check_scene(&path.file_stem().unwrap().to_string_lossy(), &scene, &outcome);
     }
 }
@@ -189,9 +186,9 @@ fn strokes_and_other_ways_of_dressing_have_scenes() {
 fn a_scene_has_the_same_bytes_each_time_and_is_made_at_once() {
     let path = examples(".").into_iter().find(|p| p.ends_with("twist-free-crowning.toml")).unwrap();
     let text = || {
-        let (loaded, outcome) = run(&path).unwrap();
+        let outcome = run(&path).unwrap();
         let begun = Instant::now();
-        let scene = scene_of_grinding(&loaded, &outcome).unwrap();
+        let scene = scene_of_grinding(&outcome).unwrap();
         let seconds = begun.elapsed().as_secs_f64();
         assert!(seconds < 3.0, "{seconds} s");
         serde_json::to_string(&scene).unwrap()

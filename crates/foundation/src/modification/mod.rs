@@ -33,6 +33,7 @@ mod traces;
 mod warning;
 mod waviness;
 
+use crate::geometry::Flank;
 use crate::numerics::{Jet2, Polynomial2};
 use node::Node;
 
@@ -93,13 +94,29 @@ impl Modification {
     /// As [`Modification::build`].
     pub fn for_flank(
         specs: &[ModificationSpec],
-        flank: crate::geometry::Flank,
+        flank: Flank,
         field: &EvaluationField,
         files: &dyn ModificationFiles,
     ) -> Result<Self, ModificationError> {
+        Self::of_entries(specs, flank, field, files).map_err(|(_, error)| error)
+    }
+
+    /// As [`Modification::for_flank`], for callers whose message names the entry.
+    ///
+    /// # Errors
+    /// The index of the description in `specs` that cannot be built, with the reason.
+    pub fn of_entries(
+        specs: &[ModificationSpec],
+        flank: Flank,
+        field: &EvaluationField,
+        files: &dyn ModificationFiles,
+    ) -> Result<Self, (usize, ModificationError)> {
         let mut builder = build::Builder::new(field, files);
-        let nodes: Result<Vec<Node>, ModificationError> =
-            specs.iter().filter(|spec| spec.flank().includes(flank)).map(|spec| builder.node(spec)).collect();
+        let nodes: Result<Vec<Node>, (usize, ModificationError)> = (0..)
+            .zip(specs)
+            .filter(|(_, spec)| spec.flank().includes(flank))
+            .map(|(index, spec)| builder.node(spec).map_err(|error| (index, error)))
+            .collect();
         Ok(Self { field: *field, root: Node::Sum(nodes?), warnings: builder.into_warnings() })
     }
 
@@ -183,6 +200,37 @@ impl Modification {
         let mut nodes = Vec::new();
         self.root.collect_terms(&mut nodes);
         nodes.into_iter().map(|root| Self { field: self.field, root, warnings: Vec::new() }).collect()
+    }
+
+    /// The parts that the descriptions of a sum became, each with its description, sums inside sums opened: `specs` are the
+    /// first of those that [`Modification::for_flank`] built for `flank`.
+    pub fn described_terms<'a>(
+        &self,
+        specs: &'a [ModificationSpec],
+        flank: Flank,
+    ) -> Vec<(&'a ModificationSpec, Modification)> {
+        fn open<'a>(
+            spec: &'a ModificationSpec,
+            node: &Node,
+            into: &mut impl FnMut(&'a ModificationSpec, &Node),
+        ) {
+            match (spec, node) {
+                (ModificationSpec::Sum(sum), Node::Sum(children)) => {
+                    sum.children.iter().zip(children).for_each(|(child, node)| open(child, node, into));
+                }
+                _ => into(spec, node),
+            }
+        }
+        let Node::Sum(nodes) = &self.root else { return Vec::new() };
+        let mut terms = Vec::new();
+        let specs = specs.iter().filter(|spec| spec.flank().includes(flank));
+        for (spec, node) in specs.zip(nodes) {
+            open(spec, node, &mut |spec, node| {
+                let root = node.clone();
+                terms.push((spec, Self { field: self.field, root, warnings: Vec::new() }));
+            });
+        }
+        terms
     }
 
     /// What was accepted but looks unintended.

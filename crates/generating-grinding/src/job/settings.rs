@@ -1,5 +1,6 @@
 //! `[settings]`: what the axes do and what profile the dresser has. `plan` writes it, `simulate` runs it.
 
+use foundation::geometry::Flank;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -74,6 +75,16 @@ pub struct ToolTables {
 impl ToolTables {
     fn is_empty(&self) -> bool {
         self.left.is_none() && self.right.is_none()
+    }
+}
+
+impl Settings {
+    /// What is set on one flank.
+    pub fn flank(&self, flank: Flank) -> Option<&FlankSettings> {
+        match flank {
+            Flank::Left => self.left.as_ref(),
+            Flank::Right => self.right.as_ref(),
+        }
     }
 }
 

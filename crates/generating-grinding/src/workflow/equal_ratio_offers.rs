@@ -2,11 +2,11 @@
 //! (`docs/mathematics/generating-contact.md#contact-path-lines-and-the-diagonal-ratio`), offered where directed parts of the target ask for
 //! different ones. Knows no plan: an offer says where one ratio is enough, not whether it is allowed.
 
-use super::prepare::Prepared;
 use contact::{DiagonalLine, FlankPair};
 use foundation::geometry::{Flank, Sides};
 use generating::{
-    EqualRatioSearch, GeneratingError, GrindingSetup, Lever, RatioRoot, Tool, equal_ratio_lines, generatrix,
+    EqualRatioSearch, FlankTarget, GeneratingError, GrindingSetup, Lever, RatioRoot, Tool, equal_ratio_lines,
+    generatrix,
 };
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -40,11 +40,14 @@ const LEAST_DIAMETER: f64 = 1.02;
 
 /// One ratio per flank that the directed parts of the target ask for, with the direction tan(rho_2) on the gear. `None`
 /// unless both flanks ask for exactly one and the two differ: more than one ratio on a flank no worm can make equal.
-fn different_demands(prepared: &Prepared) -> Option<(Sides<f64>, Sides<f64>)> {
+fn different_demands(
+    setup: &GrindingSetup,
+    targets: &Sides<Option<FlankTarget>>,
+) -> Option<(Sides<f64>, Sides<f64>)> {
     let one = |flank: Flank| {
-        let lines = &prepared.setup.lines[flank];
+        let lines = &setup.lines[flank];
         let mut found: Option<(f64, f64)> = None;
-        for term in prepared.targets[flank].iter().flat_map(|t| &t.rest) {
+        for term in targets[flank].iter().flat_map(|t| &t.rest) {
             let Some(direction) = term.line_direction() else { continue };
             let ratio = lines.ratio_of_direction(direction);
             match found {
@@ -72,10 +75,9 @@ pub struct SharedRatio {
 /// Where the direction of the tool's lines is free: the lines nearest to the present ones with which both flanks ask for the same
 /// ratio (`docs/mathematics/dressing.md#conditions`). `None` where the directed parts of the target do not ask for different ratios, or
 /// where no lines make them equal.
-pub fn free_lines(prepared: &Prepared) -> Option<SharedRatio> {
-    let (demanded, directions) = different_demands(prepared)?;
+pub fn free_lines(setup: &GrindingSetup, targets: &Sides<Option<FlankTarget>>) -> Option<SharedRatio> {
+    let (demanded, directions) = different_demands(setup, targets)?;
     let lines = |t: &Sides<f64>| t.map(|_, t| DiagonalLine { rho: t.atan() });
-    let setup = &prepared.setup;
     let free = equal_ratio_lines(&setup.pair, lines(&directions), lines(&setup.tool_direction)).ok()?;
     Some(SharedRatio { direction: free.lines.map(|_, line| line.rho.tan()), ratio: free.ratio, demanded })
 }
@@ -89,9 +91,11 @@ fn alike(a: f64, b: f64) -> bool {
 ///
 /// The tool's lines are those given in the job, else those along the generatrix. Dressed lines differ from these a little, so
 /// that for a dressed tool the values are near ones.
-pub fn equal_ratio_offers(prepared: &Prepared) -> Vec<EqualRatioOffer> {
-    let Some((_, directions)) = different_demands(prepared) else { return Vec::new() };
-    let setup = &prepared.setup;
+pub fn equal_ratio_offers(
+    setup: &GrindingSetup,
+    targets: &Sides<Option<FlankTarget>>,
+) -> Vec<EqualRatioOffer> {
+    let Some((_, directions)) = different_demands(setup, targets) else { return Vec::new() };
     let given = setup.input.tool_direction;
     let of_job = move |flank: &FlankPair| match given {
         Some(t) => Ok::<_, GeneratingError>(DiagonalLine { rho: t[flank.flank()].atan() }),
@@ -153,9 +157,9 @@ fn offer(lever: Lever, root: &RatioRoot) -> EqualRatioOffer {
 }
 
 /// The offer of a plan; `None` if there is nothing to offer.
-pub fn equal_ratio_remark(prepared: &Prepared) -> Option<Remark> {
-    let (demanded, _) = different_demands(prepared)?;
-    let offers = equal_ratio_offers(prepared);
+pub fn equal_ratio_remark(setup: &GrindingSetup, targets: &Sides<Option<FlankTarget>>) -> Option<Remark> {
+    let (demanded, _) = different_demands(setup, targets)?;
+    let offers = equal_ratio_offers(setup, targets);
     let first = offers.first()?;
     let set = |offer: &EqualRatioOffer| {
         let keys: Vec<String> = offer.keys.iter().map(|(key, value)| format!("{key} = {value:.6}")).collect();
@@ -164,7 +168,7 @@ pub fn equal_ratio_remark(prepared: &Prepared) -> Option<Remark> {
     let others: Vec<String> =
         offers[1..].iter().map(|o| format!("{} (ratio {:.6})", set(o), o.diagonal_ratio)).collect();
     let also = if others.is_empty() { String::new() } else { format!("; or {}", others.join("; or ")) };
-    let not_dressed = match (&prepared.setup.tool, first.lever) {
+    let not_dressed = match (&setup.tool, first.lever) {
         (Tool::Dressed(_), "cone_angle") => {
             "; dressed lines shift the values slightly, and the worm is not checked: `explore` with worm.cone_angle_deg shows whether it can be made"
         }

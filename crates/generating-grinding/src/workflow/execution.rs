@@ -2,8 +2,8 @@
 //! same way to the referee and to the report.
 
 use super::executed_strokes::{ExecutedStrokes, strokes_of_settings};
-use super::prepare::{Prepared, settings_reliefs};
-use crate::job::{FlankSettings, Job, LoadedJob, Pieces, Settings, StrokeTables, ToolTable, ToolTables};
+use super::prepare::{GivenSettings, Prepared};
+use crate::job::{FlankSettings, Pieces, Settings, StrokeTables, ToolTable, ToolTables};
 use crate::workflow::generating_finding;
 use dressing::{DressedWorm, DresserTool, dressing_motion};
 use foundation::geometry::{Flank, Sides};
@@ -138,19 +138,15 @@ impl ExecutedFlank {
     }
 }
 
-/// Least overrun of the feed beyond the last contact, mm.
-const LEAST_OVERRUN: f64 = 1.0;
 /// Length of an unmodified tool beyond its used width, mm: room for the contact shift.
 const BEYOND_OCCUPATION: f64 = 12.0;
 /// Determinant ratio below which a warning is given.
 const LOW_DETERMINANT: f64 = 0.3;
 
-/// Feed stroke from the feeds at which the grid is really ground, with the job's overrun and one feed mark.
-fn stroke(job: &Job, feeds: impl Iterator<Item = f64>) -> [f64; 2] {
+/// Feed stroke from the feeds at which the grid is really ground, with the overrun at both ends.
+fn stroke(overrun: f64, feeds: impl Iterator<Item = f64>) -> [f64; 2] {
     let [a, b] = extremes(feeds);
-    let mark = job.grinding.feed_per_revolution.unwrap_or(0.0);
-    let over = job.grinding.overrun.unwrap_or(LEAST_OVERRUN).max(LEAST_OVERRUN).max(mark);
-    [a - over, b + over]
+    [a - overrun, b + overrun]
 }
 
 fn determinant_warnings(flanks: &Sides<Option<ExecutedFlank>>, warnings: &mut Vec<Remark>) {
@@ -190,7 +186,7 @@ impl Execution {
     }
 
     /// From a finished plan.
-    pub fn of_plan(job: &Job, prepared: &Prepared, plan: &GrindingPlan) -> Self {
+    pub fn of_plan(prepared: &Prepared, plan: &GrindingPlan) -> Self {
         let dresser = plan.dresser.as_ref().map(DresserTool::unsettled);
         let flanks = Sides::from_fn(|flank| {
             let f = plan.flanks[flank].as_ref()?;
@@ -225,7 +221,7 @@ impl Execution {
             shift_origin: plan.ideal.motion.shift.value(0.0),
             dresser,
             occupation: plan.ideal.occupation,
-            feed_range: stroke(job, feeds),
+            feed_range: stroke(prepared.cycle.overrun, feeds),
             flanks,
             warnings,
         }
@@ -235,13 +231,9 @@ impl Execution {
     ///
     /// # Errors
     /// [`RunFailure`]: reliefs that are impossible; contact and dressing for these settings.
-    pub fn of_settings(
-        loaded: &LoadedJob,
-        prepared: &Prepared,
-        settings: &Settings,
-    ) -> Result<Self, RunFailure> {
-        let job = &loaded.job;
+    pub fn of_settings(prepared: &Prepared, given: &GivenSettings) -> Result<Self, RunFailure> {
         let setup = &prepared.setup;
+        let settings = &given.settings;
         let scaled = |c: &[f64], unit: f64| MotionLaw::polynomial(0.0, c.iter().map(|c| c * unit).collect());
         let shift = shift_of_settings(settings)?;
         let mut motion = setup.pair.motion(shift.clone());
@@ -253,11 +245,6 @@ impl Execution {
             Some(pieces) => law_of_pieces(pieces, "settings.delta_phi_2_pieces")?.scaled(1e-6),
             None => scaled(&settings.delta_phi_2_urad, 1e-6),
         };
-        let given = |flank: Flank| match flank {
-            Flank::Left => settings.left.as_ref(),
-            Flank::Right => settings.right.as_ref(),
-        };
-        let relief_specs = |flank: Flank| given(flank).map_or(&[][..], |s| &s.reliefs[..]);
         let which: Vec<Flank> =
             prepared.targets.iter().filter(|(_, t)| t.is_some()).map(|(flank, _)| flank).collect();
         let worms = Sides::try_from_fn(|flank| -> Result<_, RunFailure> {
@@ -266,13 +253,13 @@ impl Execution {
             }
             let lines = setup.lines[flank];
             let profile =
-                given(flank).map_or(Vec::new(), |s| s.profile_um.iter().map(|p| p * 1e-3).collect());
+                given.flank(flank).map_or(Vec::new(), |s| s.profile_um.iter().map(|p| p * 1e-3).collect());
             Ok(Some(IdealWorm {
                 lines,
                 shift: shift.clone(),
                 parts: Decomposition { profile, ..Decomposition::nothing(lines.t_k) },
                 carried: Carried::default(),
-                reliefs: settings_reliefs(loaded, relief_specs(flank), flank, &setup.fields[flank])?,
+                reliefs: given.reliefs[flank].clone(),
                 given: match &setup.tool {
                     Tool::Given(modifications) => Some(modifications[flank].clone()),
                     Tool::Dressed(_) | Tool::Made => None,
@@ -299,7 +286,8 @@ impl Execution {
             }
             (Tool::Made | Tool::Given(_), _) => None,
         };
-        let grid = PlanningGrid::new(setup, job.grid.profile_points, job.grid.helix_points);
+        let (profile_points, helix_points) = prepared.rules.grid();
+        let grid = PlanningGrid::new(setup, profile_points, helix_points);
         let mut feeds = Vec::new();
         let flanks = Sides::try_from_fn(|flank| -> Result<_, RunFailure> {
             let Some(target) = &prepared.targets[flank] else { return Ok(None) };
@@ -313,7 +301,7 @@ impl Execution {
                     (ExecutedTool::Stroked(Box::new(strokes)), ground)
                 }
                 (Some((dresser, settled)), None) => {
-                    let corrections = match given(flank) {
+                    let corrections = match given.flank(flank) {
                         Some(s) => correction_series(
                             [s.v_from_mm, s.v_to_mm],
                             [&s.d_phi_s_deg, &s.d_gamma_deg, &s.d_d_mm, &s.d_v_ya_mm],
@@ -325,7 +313,7 @@ impl Execution {
                     };
                     let worm = DressedWorm::new(dresser, flank, &corrections);
                     let profile = ideal.worms[flank].as_ref().map_or(Vec::new(), |w| w.parts.profile.clone());
-                    let reliefs = relief_specs(flank).to_vec();
+                    let reliefs = given.flank(flank).map_or(Vec::new(), |s| s.reliefs.clone());
                     let dressing =
                         ExecutedDressing::new(dresser.flanks[flank].chain, corrections, profile, reliefs);
                     let ground = grid.ground(setup, flank, &motion, &worm);
@@ -354,7 +342,7 @@ impl Execution {
             shift_origin: shift.value(0.0),
             dresser: dresser.map(|(dresser, _)| dresser),
             occupation: ideal.occupation,
-            feed_range: stroke(job, feeds.into_iter()),
+            feed_range: stroke(prepared.cycle.overrun, feeds.into_iter()),
             flanks,
             warnings,
         })

@@ -3,8 +3,8 @@
 
 use super::execution::{ExecutedTool, Execution, shifted};
 use super::influence::influence;
-use super::prepare::{Prepared, prepare};
-use crate::job::{Job, LoadedJob};
+use super::prepare::{GivenSettings, Prepared, prepare};
+use crate::job::Job;
 use crate::workflow::generating_finding;
 use dressing::DressedWorm;
 use foundation::geometry::{Flank, Sides};
@@ -61,7 +61,6 @@ impl Deviation {
 
 /// A planned process, ready to be run with deviations.
 pub struct ForwardModel {
-    loaded: LoadedJob,
     prepared: Prepared,
     execution: Execution,
     grid: PlanningGrid,
@@ -92,14 +91,14 @@ impl ForwardModel {
             return Err(RunFailure::bad_input(finding.way_out("take 9 x 9")).into());
         }
         let prepared = prepare(loaded)?;
-        let execution = match &loaded.job.settings {
-            Some(settings) => Execution::of_settings(loaded, &prepared, settings)?,
+        let execution = match GivenSettings::of_job(loaded, &prepared)? {
+            Some(settings) => Execution::of_settings(&prepared, &settings)?,
             None => {
-                let plan = prepared.task(&loaded.job).plan().map_err(|e| generating_finding::failure(&e))?;
-                Execution::of_plan(&loaded.job, &prepared, &plan)
+                let plan = prepared.task().plan().map_err(|e| generating_finding::failure(&e))?;
+                Execution::of_plan(&prepared, &plan)
             }
         };
-        influence(&prepared, &execution, loaded)?;
+        influence(&prepared, &execution)?;
         let stroked = |flank: Flank| execution.flanks[flank].as_ref().is_some_and(|f| f.strokes().is_some());
         if Flank::BOTH.into_iter().any(stroked) {
             let finding =
@@ -114,7 +113,7 @@ impl ForwardModel {
             let values = values.map_err(|e| generating_finding::failure(&e))?;
             Ok(Topography::new(grid.w[flank].clone(), grid.z.clone(), values))
         })?;
-        Ok(Self { loaded: loaded.clone(), prepared, execution, grid, target })
+        Ok(Self { prepared, execution, grid, target })
     }
 
     /// The target, normal, mm; `None` for a flank that is not ground.
@@ -164,7 +163,7 @@ impl ForwardModel {
     }
 
     fn motion(&self, deviations: &[(Deviation, f64)]) -> Result<GeneratingMotion, RunFailure> {
-        let influence = influence(&self.prepared, &self.execution, &self.loaded)?;
+        let influence = influence(&self.prepared, &self.execution)?;
         let (mut settings, mut crossing) = (Vec::new(), 0.0);
         for (of, value) in deviations {
             match of {

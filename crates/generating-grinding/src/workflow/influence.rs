@@ -2,7 +2,6 @@
 
 use super::execution::Execution;
 use super::prepare::Prepared;
-use crate::job::LoadedJob;
 use foundation::kinematics::MotionLaw;
 use generating::correction::SettingInfluence;
 use job::{Diagnostic, Problem};
@@ -20,7 +19,6 @@ pub fn shifts_at_constant_ratio(execution: &Execution) -> bool {
 pub fn influence<'a>(
     prepared: &'a Prepared,
     execution: &Execution,
-    loaded: &LoadedJob,
 ) -> Result<SettingInfluence<'a>, RunFailure> {
     let setup = &prepared.setup;
     if !shifts_at_constant_ratio(execution) {
@@ -32,6 +30,6 @@ pub fn influence<'a>(
             .way_out("give a constant ratio");
         return Err(RunFailure::bad_input(finding));
     }
-    SettingInfluence::new(&setup.lines, execution.ratio, loaded.job.gear.face_width)
+    SettingInfluence::new(&setup.lines, execution.ratio, setup.input.blank.face_width)
         .map_err(|e| RunFailure::bad_input(Diagnostic::of(&e).field("grinding.diagonal_ratio")))
 }

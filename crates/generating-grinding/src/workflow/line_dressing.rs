@@ -2,8 +2,7 @@
 //! tool as a table, not how it was planned.
 
 use super::execution::{ExecutedFlank, Execution};
-use super::prepare::Prepared;
-use crate::job::Job;
+use super::prepare::{PointDresser, Prepared};
 use contact::{DiagonalLine, ModifiedThread, ToolSurface};
 use dressing::{DressingError, DressingLine, LineDressing, LinePlan, TipDisc};
 use foundation::geometry::{Flank, InvoluteFlank, Sides};
@@ -171,18 +170,17 @@ const CONTACTS: usize = 5;
 /// # Errors
 /// [`RunFailure`]: a disc that cannot write the worm; rays that no line finishes.
 pub fn line_dressing(
-    job: &Job,
     prepared: &Prepared,
     execution: &Execution,
     progress: &dyn Progress,
 ) -> Result<Sides<Option<WrittenFlank>>, RunFailure> {
-    let Some((dresser, tip_radius)) = job.point_dresser() else {
+    let Some(PointDresser { tip_diameter, tip_radius, scallop }) = prepared.dressing.point else {
         return Ok(Sides { left: None, right: None });
     };
-    let disc = TipDisc::new(0.5 * dresser.tip_diameter, tip_radius).map_err(|e| refused(&e, tip_radius))?;
+    let disc = TipDisc::new(0.5 * tip_diameter, tip_radius).map_err(|e| refused(&e, tip_radius))?;
     Sides::try_from_fn(|flank| {
         let made = execution.flanks[flank].as_ref().and_then(ExecutedFlank::made);
-        made.map(|made| written(job, prepared, disc, flank, made, progress)).transpose()
+        made.map(|made| written(prepared, (disc, scallop), flank, made, progress)).transpose()
     })
 }
 
@@ -223,9 +221,8 @@ fn area(made: &MadeFlank, tip_roll: f64) -> [[f64; 2]; 2] {
 }
 
 fn written(
-    job: &Job,
     prepared: &Prepared,
-    disc: TipDisc,
+    (disc, scallop): (TipDisc, f64),
     flank: Flank,
     made: &MadeFlank,
     progress: &dyn Progress,
@@ -243,7 +240,7 @@ fn written(
         offset: 0.0,
         area: area(made, tip_roll),
         direction: DiagonalLine { rho: setup.tool_direction[flank].atan() },
-        scallop: job.dressing.scallop_height_um() * 1e-3,
+        scallop,
     };
     let fault = |e: DressingError| refused(&e, disc.tip_radius());
     let plan = task.plan().map_err(fault)?;
@@ -276,7 +273,7 @@ fn written(
     let result = LineDressingResult {
         line_direction_deg: task.direction.rho.to_degrees(),
         lines: plan.lines.len(),
-        threads: job.worm.threads,
+        threads: setup.pair.worm.data().teeth.unsigned_abs(),
         pitch_mm: plan.pitch,
         path_length_m: plan.length * 1e-3,
         scallop_um: plan.scallop * 1e3,

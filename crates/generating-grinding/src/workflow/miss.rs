@@ -5,7 +5,6 @@ use super::line_dressing::LineDressingResult;
 use super::prepare::Prepared;
 use super::refusal::{exact_beyond_axis_limits, stated_ratio};
 use super::result::FlankResult;
-use crate::job::{DiagonalRatio, Job, Method};
 use foundation::geometry::Flank;
 use generating::{GrindingPlan, ProfilePlace, RatioReason, natural_twist};
 use std::collections::BTreeMap;
@@ -13,8 +12,6 @@ use verdict::Remark;
 
 /// A run whose target is missed.
 pub struct Miss<'a> {
-    /// The job.
-    pub job: &'a Job,
     /// Bodies and targets.
     pub prepared: &'a Prepared,
     /// The plan; `None` for a simulation of given settings.
@@ -97,8 +94,7 @@ fn twist_of_radial_feed(miss: &Miss<'_>) -> Option<Remark> {
             worth.then(|| format!("{flank} flank {profile:.2} um"))
         })
         .collect();
-    let already = miss.job.grinding.method == Method::Diagonal
-        && !matches!(miss.job.grinding.diagonal_ratio, Some(DiagonalRatio::Number(_)));
+    let already = !prepared.rules.radial && prepared.rules.given_ratio.is_none();
     let method = if already {
         "The planner chose diagonal_ratio = 0; give a ratio other than 0 (`explore` lists their residuals)."
     } else {
@@ -138,7 +134,7 @@ fn scallops(miss: &Miss<'_>) -> Option<Remark> {
 
 /// Without a shift the planner gives the worm no profile but that of its dresser.
 fn profile_without_ratio(miss: &Miss<'_>) -> Option<Remark> {
-    let asked = miss.plan.is_some() && !miss.prepared.free_dresser && miss.ratio == 0.0;
+    let asked = miss.plan.is_some() && !miss.prepared.rules.free_dresser && miss.ratio == 0.0;
     let short = |f: &FlankResult| {
         let (target, made) = (&f.target_characteristics, &f.simulated_characteristics);
         let crowning = (target.profile_crowning_um - made.profile_crowning_um).abs();
@@ -146,7 +142,7 @@ fn profile_without_ratio(miss: &Miss<'_>) -> Option<Remark> {
     };
     let um = miss.largest(short);
     (asked && um > miss.tolerance_um()).then(|| {
-        let by_correction = miss.prepared.places.contains(&ProfilePlace::Correction);
+        let by_correction = miss.prepared.rules.places.contains(&ProfilePlace::Correction);
         let how = if by_correction { "dressing.profile_crowning_by = \"correction\" included, " } else { "" };
         Remark::new(
             "profile-needs-a-ratio",
@@ -161,7 +157,7 @@ fn profile_without_ratio(miss: &Miss<'_>) -> Option<Remark> {
 /// What a given dresser does not carry is planned as a polynomial of third degree.
 fn third_degree_beside_a_given_dresser(miss: &Miss<'_>) -> Option<Remark> {
     let prepared = miss.prepared;
-    if miss.plan.is_none() || prepared.free_dresser {
+    if miss.plan.is_none() || prepared.rules.free_dresser {
         return None;
     }
     let left = |flank: Flank| {
@@ -216,7 +212,7 @@ fn worm_not_dressed(miss: &Miss<'_>) -> Option<Remark> {
             format!(
                 "The worm that this flank needs would make it within {ideal_um:.3} um; as dressed it leaves {dressed_um:.3} um. Part of the worm modification, for example a profile crowning that varies along the worm, is not made by the dressing motion."
             ),
-            if miss.job.grinding.method == Method::Radial {
+            if miss.prepared.rules.radial {
                 "Use method = \"diagonal\", or dress the worm in points (dresser.contact = \"point\")."
             } else {
                 "Give another diagonal_ratio (the candidates are judged on the worm before it is dressed), or dress the worm in points (dresser.contact = \"point\")."
@@ -226,14 +222,13 @@ fn worm_not_dressed(miss: &Miss<'_>) -> Option<Remark> {
 }
 
 fn not_closer(miss: &Miss<'_>) -> Remark {
-    let grinding = &miss.job.grinding;
-    let precompensated = grinding.precompensation.unwrap_or(grinding.method != Method::Radial);
-    let help = match (&miss.job.settings, &miss.job.grinding.diagonal_ratio) {
-        (Some(_), _) => "Change the settings, or let `plan` find them.",
-        (None, _) if !precompensated => {
+    let rules = &miss.prepared.rules;
+    let help = match (miss.plan, rules.given_ratio) {
+        (None, _) => "Change the settings, or let `plan` find them.",
+        (Some(_), _) if !rules.precompensation => {
             "Set precompensation = true, take smoother modifications, or widen the tolerance."
         }
-        (None, Some(DiagonalRatio::Number(_))) => {
+        (Some(_), Some(_)) => {
             "Use diagonal_ratio = \"auto\", take smoother modifications, or widen the tolerance."
         }
         _ => {

@@ -27,8 +27,7 @@ pub mod refusal;
 pub mod result;
 pub mod run;
 pub mod scene;
-mod shift;
-mod strokes;
+pub mod stroke_plan;
 mod summary;
 pub mod tables;
 mod tip_edge;
@@ -58,7 +57,7 @@ pub use forward::{Deviation, ForwardModel};
 pub use gear_root::{FilletResult, FilletSection, GearRootResult};
 pub use line_dressing::{LineDressingResult, WrittenFlank};
 pub use occupation::occupation_chart;
-pub use partition::{Partition, StrokePlan};
+pub use partition::Partition;
 pub use prepare::{Prepared, prepare, setup_of_job, tolerance_of_job};
 pub use preview::preview_job;
 pub use programs::{
@@ -68,5 +67,6 @@ pub use programs::{
 pub use referee::{StageReport, Verdict};
 pub use result::{CandidateResult, FlankResult, JobResult, SettingsResult};
 pub use run::{Outcome, plan_job, simulate_job};
+pub use stroke_plan::StrokePlan;
 pub use summary::{controlled, proven};
 pub use write::write_outcome;

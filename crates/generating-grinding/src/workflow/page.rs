@@ -1,11 +1,11 @@
 //! Fills the report of a run. Timing stays out of it, so that the same job gives the same bytes.
 
 use super::executed_strokes::ExecutedStroke;
+use super::prepare::PointDresser;
 use super::referee::Verdict;
 use super::result::FlankResult;
 use super::run::{Outcome, ratio_reason};
 use super::tables::ROWS;
-use crate::job::Job;
 use crate::workflow::control::page::control_report;
 use crate::workflow::programs::page::programs_report;
 use dressing::stretch as profile_stretch;
@@ -22,12 +22,8 @@ use report::{Quantity, Warning, html};
 use run::CharacteristicsUm;
 
 /// The amount of a target entry as the job has it, where its kind has one.
-pub fn target_amounts(
-    modifications: Option<&[Spec]>,
-    flank: Flank,
-    target: &CharacteristicsUm,
-) -> Vec<TargetAmount> {
-    let entries = modifications.unwrap_or_default().iter().filter(|spec| spec.flank().includes(flank));
+pub fn target_amounts(drawn: &[Spec], flank: Flank, target: &CharacteristicsUm) -> Vec<TargetAmount> {
+    let entries = drawn.iter().filter(|spec| spec.flank().includes(flank));
     entries
         .map(|spec: &Spec| {
             let keys = serde_json::to_value(spec).unwrap_or_default();
@@ -186,7 +182,7 @@ pub fn gear_quantities(gear: &Gear, blank: &Blank, evaluation: [f64; 4]) -> Vec<
     ]
 }
 
-fn tool_quantities(outcome: &Outcome, job: &Job) -> (Vec<Quantity>, Vec<Quantity>) {
+fn tool_quantities(outcome: &Outcome) -> (Vec<Quantity>, Vec<Quantity>) {
     let setup = &outcome.prepared.setup;
     let worm = &setup.pair.worm;
     let mut of_worm = vec![
@@ -206,9 +202,10 @@ fn tool_quantities(outcome: &Outcome, job: &Job) -> (Vec<Quantity>, Vec<Quantity
         Quantity::number("lead angle", "γ", 90.0 - worm.data().helix_angle.to_degrees().abs(), "deg"),
         Quantity::number("worm length used", "", outcome.result.settings.worm_length_mm, "mm"),
     ];
-    of_worm.extend(job.worm.width.map(|w| Quantity::number("worm width", "", w, "mm")));
-    if let Some((dresser, tip_radius)) = job.point_dresser() {
-        return (of_worm, point_dresser_quantities(outcome, dresser.tip_diameter, tip_radius));
+    of_worm.extend(setup.input.worm_width.map(|w| Quantity::number("worm width", "", w, "mm")));
+    let dressing = &outcome.prepared.dressing;
+    if let Some(point) = &dressing.point {
+        return (of_worm, point_dresser_quantities(outcome, point));
     }
     let (Some(dresser), Some(choice)) = (&outcome.execution.dresser, &setup.input.dresser) else {
         return (of_worm, vec![Quantity::text("tool", "not dressed: its flanks are given as tables")]);
@@ -230,9 +227,9 @@ fn tool_quantities(outcome: &Outcome, job: &Job) -> (Vec<Quantity>, Vec<Quantity
             },
         ),
     ];
-    for (k, other) in job.dresser.iter().flat_map(|dresser| &dresser.others).enumerate() {
+    for (k, &tip_diameter) in dressing.other_tip_diameters.iter().enumerate() {
         let name = format!("tip diameter of dresser {}", k + 2);
-        of_dresser.push(Quantity::number(&name, "d_aA", other.tip_diameter, "mm"));
+        of_dresser.push(Quantity::number(&name, "d_aA", tip_diameter, "mm"));
     }
     if let (Some(designed), Ok(settled)) = (&choice.designed_for, setup.dresser()) {
         of_dresser.push(Quantity::count("designed for threads", "z_S", i64::from(designed.threads)));
@@ -251,21 +248,16 @@ fn tool_quantities(outcome: &Outcome, job: &Job) -> (Vec<Quantity>, Vec<Quantity
     let least = lands.iter().flat_map(|lands| [lands.left, lands.right]).flatten().reduce(f64::min);
     of_dresser
         .extend(least.map(|land| Quantity::number("largest tip land without collision", "b_A", land, "mm")));
-    of_dresser.extend(
-        job.dresser
-            .as_ref()
-            .and_then(|d| d.tip_land)
-            .map(|land| Quantity::number("tip land", "b_A", land, "mm")),
-    );
+    of_dresser.extend(dressing.tip_land.map(|land| Quantity::number("tip land", "b_A", land, "mm")));
     (of_worm, of_dresser)
 }
 
 /// The disc in point contact and what its lines come to.
-fn point_dresser_quantities(outcome: &Outcome, tip_diameter: f64, tip_radius: f64) -> Vec<Quantity> {
+fn point_dresser_quantities(outcome: &Outcome, point: &PointDresser) -> Vec<Quantity> {
     let mut list = vec![
         Quantity::text("contact", "in a point, line by line"),
-        Quantity::number("tip diameter", "d_aA", tip_diameter, "mm"),
-        Quantity::number("tip radius", "r_T", tip_radius, "mm"),
+        Quantity::number("tip diameter", "d_aA", point.tip_diameter, "mm"),
+        Quantity::number("tip radius", "r_T", point.tip_radius, "mm"),
     ];
     for (flank, written) in outcome.written.iter() {
         let Some(r) = written.as_ref().map(|w| &w.result) else { continue };
@@ -284,7 +276,7 @@ fn point_dresser_quantities(outcome: &Outcome, tip_diameter: f64, tip_radius: f6
     list
 }
 
-fn settings_quantities(outcome: &Outcome, job: &Job) -> Vec<Quantity> {
+fn settings_quantities(outcome: &Outcome) -> Vec<Quantity> {
     let s = &outcome.result.settings;
     let mut list = vec![
         Quantity::number("centre distance", "d", s.centre_distance_mm, "mm"),
@@ -355,7 +347,7 @@ fn settings_quantities(outcome: &Outcome, job: &Job) -> Vec<Quantity> {
             ));
         }
     }
-    if let Some(feed) = job.grinding.feed_per_revolution {
+    if let Some(feed) = outcome.prepared.cycle.feed_per_revolution {
         list.push(Quantity::number("feed per revolution of the gear", "", feed, "mm"));
     }
     list
@@ -496,11 +488,7 @@ fn verification(outcome: &Outcome) -> Verification {
 ///
 /// # Errors
 /// A number that is not finite.
-pub fn html_page(
-    job: &Job,
-    outcome: &Outcome,
-    files: &[(String, &'static str)],
-) -> Result<String, ChartError> {
+pub fn html_page(outcome: &Outcome, files: &[(String, &'static str)]) -> Result<String, ChartError> {
     let result = &outcome.result;
     let flanks = Sides::try_from_fn(|flank| -> Result<_, ChartError> {
         let (Some(f), Some(executed)) = (result.flanks.get(flank.name()), &outcome.execution.flanks[flank])
@@ -508,16 +496,16 @@ pub fn html_page(
             return Ok(None);
         };
         let cos_b = outcome.prepared.setup.lines[flank].cos_b2;
-        let modifications = job.target.modifications.as_deref();
-        let amounts = target_amounts(modifications, flank, &f.target_characteristics);
+        let drawn = &outcome.prepared.drawn;
+        let amounts = target_amounts(drawn, flank, &f.target_characteristics);
         Ok(Some(flank_report(amounts, f, &CharacteristicsUm::of(&executed.planned, cos_b))?))
     })?;
     let rounds = result.ideal_error_by_round_um.left.len().max(result.ideal_error_by_round_um.right.len());
-    let (worm, dresser) = tool_quantities(outcome, job);
+    let (worm, dresser) = tool_quantities(outcome);
     let input = &outcome.prepared.setup.input;
     let report = GeneratingReport {
         job_name: result.job.clone(),
-        description: job.job.description.clone(),
+        description: outcome.prepared.info.description.clone(),
         process: "Generating grinding".into(),
         version: result.version.into(),
         status: result.verdict.status().into(),
@@ -532,7 +520,7 @@ pub fn html_page(
         gear: gear_quantities(&input.gear, &input.blank, input.evaluation),
         worm,
         dresser,
-        settings: settings_quantities(outcome, job),
+        settings: settings_quantities(outcome),
         ratio: outcome.plan.as_ref().map(|plan| RatioChoice {
             chosen: Some(plan.choice.ratio),
             reason: ratio_reason(plan.choice.reason).into(),

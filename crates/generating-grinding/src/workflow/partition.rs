@@ -3,11 +3,10 @@
 
 use super::occupation::occupation_chart;
 use super::prepare::Prepared;
-use crate::job::Job;
 use foundation::geometry::Sides;
 use foundation::kinematics::MotionLaw;
 use generating::areas::{AreaKind, AreaPlan, AreaSet, AreaTask, Occupation, WormExtent};
-use generating::{FlankLines, GeneratingError, GrindingSetup, Strokes};
+use generating::{FlankLines, GeneratingError, GrindingSetup};
 use job::Diagnostic;
 use report::charts::WormOccupationChart;
 use run::RunFailure;
@@ -48,42 +47,6 @@ pub struct ToolAreas {
     pub roughing: Vec<MotionLaw>,
 }
 
-/// The strokes of a pass with some of the threads left out.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct StrokePlan {
-    /// Threads that grind, counted from 0.
-    pub active_threads: Vec<u32>,
-    /// Strokes of one pass.
-    pub strokes_per_pass: usize,
-    /// Index offsets of the workpiece, one a stroke, in pitches.
-    pub index_pitches: Vec<u32>,
-    /// Share of the full axial feed at which a tooth space is met as often as with all threads.
-    pub feed_factor: f64,
-}
-
-impl StrokePlan {
-    /// The strokes that a job with inactive threads takes; `None` where every thread grinds.
-    ///
-    /// # Errors
-    /// A finding on `grinding.active_threads`.
-    pub fn of_job(job: &Job) -> Result<Option<Self>, RunFailure> {
-        let Some(active) = &job.grinding.active_threads else { return Ok(None) };
-        if active.len() == job.worm.threads as usize {
-            return Ok(None);
-        }
-        let numbers: Vec<usize> = active.iter().map(|&a| a as usize).collect();
-        let teeth = job.gear.teeth.unsigned_abs() as usize;
-        let strokes = Strokes::new(job.worm.threads as usize, teeth, &numbers)
-            .map_err(|e| RunFailure::bad_input(Diagnostic::of(&e).field("grinding.active_threads")))?;
-        Ok(Some(Self {
-            active_threads: active.clone(),
-            strokes_per_pass: strokes.per_pass(),
-            index_pitches: strokes.index_pitches.iter().map(|&o| o as u32).collect(),
-            feed_factor: strokes.feed_factor,
-        }))
-    }
-}
-
 /// The plan of one area with a single ratio.
 fn plain_area(lines: &Sides<Option<FlankLines>>, ratio: f64) -> Result<AreaPlan, GeneratingError> {
     AreaTask { lines: *lines, regions: Vec::new(), free_ratio: ratio }.plan()
@@ -118,12 +81,7 @@ impl Partition {
     ///
     /// # Errors
     /// A tool too short for the areas that the job asks for.
-    pub fn of_job(
-        job: &Job,
-        prepared: &Prepared,
-        ratio: f64,
-        shift: &MotionLaw,
-    ) -> Result<Option<Self>, RunFailure> {
+    pub fn of_cycle(prepared: &Prepared, ratio: f64, shift: &MotionLaw) -> Result<Option<Self>, RunFailure> {
         let setup = &prepared.setup;
         if !setup.pair.worm.is_cylindrical() || !setup.pair.work.is_cylindrical() {
             return Ok(None);
@@ -136,7 +94,7 @@ impl Partition {
         };
         let lines = Sides::from_fn(|flank| prepared.targets[flank].as_ref().map(|_| setup.lines[flank]));
         let finishing = finishing_area(prepared, &lines, ratio, shift).map_err(fault)?;
-        let roughing = plain_area(&lines, job.grinding.roughing_ratio.unwrap_or(0.0)).map_err(fault)?;
+        let roughing = plain_area(&lines, prepared.cycle.roughing_ratio).map_err(fault)?;
         // From one finishing area to the next the dresser has to come back to where the plan begins: no line of either lies there.
         let apart =
             if setup.input.dresser.is_some() { passage(setup) + 2.0 * beside_area(setup) } else { 0.0 };
@@ -145,14 +103,14 @@ impl Partition {
                 AreaSet {
                     kind: AreaKind::Roughing,
                     plan: &roughing,
-                    count: job.grinding.roughing_areas as usize,
+                    count: prepared.cycle.roughing_areas,
                     apart: 0.0,
                 },
                 AreaSet { kind: AreaKind::Finishing, plan: &finishing, count: areas, apart },
             ]
         };
-        let asked = job.grinding.areas.map(|n| n as usize);
-        let (occupation, fit) = match job.worm.width {
+        let asked = prepared.cycle.areas;
+        let (occupation, fit) = match setup.input.worm_width {
             Some(width) => {
                 let end = 0.5 * width - setup.run_in();
                 let ends = [-end, end];
@@ -177,7 +135,7 @@ impl Partition {
             area_pitch_mm: finishing.pitch() + apart,
             areas_that_fit: fit,
             areas: asked.unwrap_or(1),
-            roughing_areas: job.grinding.roughing_areas as usize,
+            roughing_areas: prepared.cycle.roughing_areas,
             length_mm: occupation.needed,
             shifts_mm: occupation.shifts.clone(),
             first_feed: roughing.segments.first().map_or(0.0, |segment| segment.feed[0]),
@@ -187,14 +145,14 @@ impl Partition {
 
     /// The shifts of the programs that use more than one area; `None` where all passes use the area of the plan. `shift` is the plan's
     /// own law of the tool shift.
-    pub fn tool_areas(&self, job: &Job, prepared: &Prepared, shift: &MotionLaw) -> Option<ToolAreas> {
+    pub fn tool_areas(&self, prepared: &Prepared, shift: &MotionLaw) -> Option<ToolAreas> {
         if self.roughing_areas == 0 && self.areas == 1 {
             return None;
         }
         // Areas of straight and of broken laws are laid out as if z_V1 were 0 at the first feed.
         let laid_from_zero = shift.is_affine() || prepared.areas.is_some();
         let planned = if laid_from_zero { shift.value(self.first_feed) } else { 0.0 };
-        let ratio = job.grinding.roughing_ratio.unwrap_or(0.0);
+        let ratio = prepared.cycle.roughing_ratio;
         let law = |at: &f64| MotionLaw::polynomial(self.first_feed, vec![*at, ratio]);
         let finishing = self.shifts_mm.iter().skip(self.roughing_areas).map(|at| at - planned).collect();
         let roughing = self.shifts_mm.iter().take(self.roughing_areas).map(law).collect();

@@ -3,7 +3,7 @@
 use super::execution::Execution;
 use super::generating_finding;
 use super::page::grinding_motion;
-use super::partition::{Partition, StrokePlan};
+use super::partition::Partition;
 use super::prepare::prepare;
 use super::run::settings_result;
 use super::tip_land::TipLands;
@@ -23,14 +23,12 @@ pub fn preview_job(loaded: &Loaded<Job>) -> Result<Preview, RunFailure> {
             .way_out("plan it: the best pair is looked for");
         return Err(RunFailure::bad_input(finding));
     }
-    let job = &loaded.job;
     let ready = prepare(loaded)?;
-    let plan = ready.task(job).plan().map_err(|e| generating_finding::failure(&e))?;
-    let execution = Execution::of_plan(job, &ready, &plan);
-    let partition = Partition::of_job(job, &ready, execution.ratio, &execution.motion.shift)?;
-    let strokes = StrokePlan::of_job(job)?;
-    let tip_lands = TipLands::of_execution(job, &ready, &execution, true)?;
-    let settings = settings_result(&ready, &execution, Some(&plan), partition, strokes, &tip_lands);
+    let plan = ready.task().plan().map_err(|e| generating_finding::failure(&e))?;
+    let execution = Execution::of_plan(&ready, &plan);
+    let partition = Partition::of_cycle(&ready, execution.ratio, &execution.motion.shift)?;
+    let tip_lands = TipLands::of_execution(&ready, &execution, true)?;
+    let settings = settings_result(&ready, &execution, Some(&plan), partition, &tip_lands);
     let flanks = execution.flanks.iter().filter_map(|(flank, executed)| {
         let executed = executed.as_ref()?;
         let cos_b = ready.setup.lines[flank].cos_b2;

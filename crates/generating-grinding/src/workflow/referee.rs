@@ -3,7 +3,7 @@
 
 use super::executed_strokes::ExecutedStrokes;
 use super::execution::{ExecutedDressing, ExecutedTool, Execution};
-use super::partition::StrokePlan;
+use super::stroke_plan::StrokePlan;
 use dressing::DresserTool;
 use foundation::geometry::{Flank, InvoluteFlank, Sides};
 use foundation::numerics::{CubicSpline, Progress, Silent};

@@ -2,7 +2,8 @@
 
 use super::gear_root::GearRootResult;
 use super::line_dressing::LineDressingResult;
-use super::partition::{Partition, StrokePlan};
+use super::partition::Partition;
+use super::stroke_plan::StrokePlan;
 use crate::job::Settings;
 use crate::workflow::control::result::ControlResult;
 use crate::workflow::programs::result::ProgramsResult;

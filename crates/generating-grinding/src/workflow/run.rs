@@ -8,8 +8,8 @@ use super::flank_verdict::{
 use super::gear_root::gear_root;
 use super::line_dressing::{LineDressingResult, WrittenFlank, line_dressing};
 use super::miss::{Miss, missed};
-use super::partition::{Partition, StrokePlan};
-use super::prepare::{Prepared, prepare};
+use super::partition::Partition;
+use super::prepare::{GivenSettings, Prepared, prepare};
 use super::referee::{self, Cutting};
 use super::refusal::{of_planning, of_simulation};
 use super::result::{CandidateResult, FlankResult, JobResult, SettingsResult};
@@ -55,15 +55,7 @@ pub struct Outcome {
 /// [`RunFailure`]. A target missed within its tolerance is no error: the status says so.
 pub fn plan_job(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Outcome, RunFailure> {
     let begun = Instant::now();
-    let ready = prepare(loaded)?;
-    let prepared_at = begun.elapsed().as_secs_f64();
-    let planning = Instant::now();
-    let plan = ready.task(&loaded.job).plan_or_tried();
-    let plan = plan.map_err(|refused| of_planning(&refused, &loaded.job, &ready))?;
-    let planned_in = planning.elapsed().as_secs_f64();
-    let execution = Execution::of_plan(&loaded.job, &ready, &plan);
-    let timing = BTreeMap::from([("prepare", prepared_at), ("plan", planned_in)]);
-    finish(loaded, ready, execution, Some(plan), timing, progress)
+    planned(prepare(loaded)?.on_machine(loaded)?, begun, progress)
 }
 
 /// Runs the settings that stand in the job.
@@ -72,46 +64,74 @@ pub fn plan_job(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Outcome, 
 /// [`RunFailure`], among them a job without `[settings]`.
 pub fn simulate_job(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Outcome, RunFailure> {
     let begun = Instant::now();
+    let ready = prepare(loaded)?.on_machine(loaded)?;
+    let settings = GivenSettings::of_job(loaded, &ready)?.ok_or_else(RunFailure::no_settings)?;
+    simulated(ready, &settings, begun, progress)
+}
+
+/// The run of a job, by its settings if it has some, whose programs are somebody else's: none are made.
+///
+/// # Errors
+/// [`RunFailure`] as for a plan or a simulation.
+pub fn run_without_programs(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Outcome, RunFailure> {
+    let begun = Instant::now();
     let ready = prepare(loaded)?;
-    let Some(settings) = &loaded.job.settings else {
-        return Err(RunFailure::no_settings());
-    };
-    let execution = Execution::of_settings(loaded, &ready, settings)?;
+    match GivenSettings::of_job(loaded, &ready)? {
+        Some(settings) => simulated(ready, &settings, begun, progress),
+        None => planned(ready, begun, progress),
+    }
+}
+
+fn planned(ready: Prepared, begun: Instant, progress: &dyn Progress) -> Result<Outcome, RunFailure> {
+    let prepared_at = begun.elapsed().as_secs_f64();
+    let planning = Instant::now();
+    let plan = ready.task().plan_or_tried();
+    let plan = plan.map_err(|refused| of_planning(&refused, &ready))?;
+    let planned_in = planning.elapsed().as_secs_f64();
+    let execution = Execution::of_plan(&ready, &plan);
+    let timing = BTreeMap::from([("prepare", prepared_at), ("plan", planned_in)]);
+    finish(ready, execution, Some(plan), timing, progress)
+}
+
+fn simulated(
+    ready: Prepared,
+    settings: &GivenSettings,
+    begun: Instant,
+    progress: &dyn Progress,
+) -> Result<Outcome, RunFailure> {
+    let execution = Execution::of_settings(&ready, settings)?;
     let timing = BTreeMap::from([("prepare", begun.elapsed().as_secs_f64())]);
-    finish(loaded, ready, execution, None, timing, progress)
+    finish(ready, execution, None, timing, progress)
 }
 
 fn finish(
-    loaded: &LoadedJob,
     prepared: Prepared,
     execution: Execution,
     plan: Option<GrindingPlan>,
     mut timing: BTreeMap<&'static str, f64>,
     progress: &dyn Progress,
 ) -> Result<Outcome, RunFailure> {
-    let job = &loaded.job;
-    let partition = Partition::of_job(job, &prepared, execution.ratio, &execution.motion.shift)?;
-    let strokes = StrokePlan::of_job(job)?;
-    let tip_lands = TipLands::of_execution(job, &prepared, &execution, plan.is_some())?;
+    let partition = Partition::of_cycle(&prepared, execution.ratio, &execution.motion.shift)?;
+    let cycle = &prepared.cycle;
+    let tip_lands = TipLands::of_execution(&prepared, &execution, plan.is_some())?;
     let dressing_lines = Instant::now();
-    let written = line_dressing(job, &prepared, &execution, progress)?;
+    let written = line_dressing(&prepared, &execution, progress)?;
     if written.iter().any(|(_, w)| w.is_some()) {
         timing.insert("dressing lines", dressing_lines.elapsed().as_secs_f64());
     }
     let refereeing = Instant::now();
-    let cutting =
-        Cutting { feed_per_revolution: job.grinding.feed_per_revolution, strokes: strokes.as_ref() };
+    let cutting = Cutting { feed_per_revolution: cycle.feed_per_revolution, strokes: cycle.strokes.as_ref() };
     let verdicts = referee::run(&prepared.setup, &execution, cutting, progress)
-        .map_err(|e| of_simulation(&e, job, &prepared))?;
+        .map_err(|e| of_simulation(&e, &prepared, plan.is_some()))?;
     let gear_root = gear_root(&prepared, &execution)?;
     let tip_edge = tip_edge_depths(&prepared, &execution)?;
     timing.insert("referee", refereeing.elapsed().as_secs_f64());
     let controlling = Instant::now();
-    let (control, alarms) = control_of_grinding(loaded, &prepared, &execution, &verdicts)?.unzip();
+    let (control, alarms) = control_of_grinding(&prepared, &execution, &verdicts)?.unzip();
     if control.is_some() {
         timing.insert("control", controlling.elapsed().as_secs_f64());
     }
-    let programs = programs_of_grinding(loaded, &prepared, &execution, &verdicts, (cutting, &written))?;
+    let programs = programs_of_grinding(&prepared, &execution, &verdicts, (cutting, &written))?;
     if let Some(programs) = &programs {
         timing.insert("programs", programs.seconds[0]);
         timing.insert("proof of the programs", programs.seconds[1]);
@@ -119,7 +139,7 @@ fn finish(
     let mut warnings = prepared.warnings.clone();
     warnings.extend(execution.warnings.iter().cloned());
     warnings.extend(tip_lands.warnings.iter().cloned());
-    warnings.extend(output_warnings(&job.output, job.machine.is_some()));
+    warnings.extend(output_warnings(&prepared.output, prepared.names_machine));
     warnings.extend(programs.iter().flat_map(|programs| programs.warnings.iter().cloned()));
     let tolerance = prepared.tolerance.tightest() * 1e3;
     // A simulation has no plan that could say what stands on the tool's lines: the target is judged by its deviation alone.
@@ -159,7 +179,7 @@ fn finish(
     warnings.extend(alarms.unwrap_or_default());
     warnings.extend(line_dressing_warnings(&written, prepared.setup.worm_root_radius));
     warnings.extend(plan.as_ref().and_then(given_ratio_warning));
-    warnings.extend(plan.as_ref().and_then(|_| equal_ratio_remark(&prepared)));
+    warnings.extend(plan.as_ref().and_then(|_| equal_ratio_remark(&prepared.setup, &prepared.targets)));
     // Parts outside the class count by themselves: the grid may miss them (a wave between its points).
     let allowed = if prepared.tolerance.is_uniform() { tolerance } else { f64::INFINITY };
     let met = |f: &FlankResult| {
@@ -171,7 +191,6 @@ fn finish(
     for (name, flank) in &flanks {
         judge_flank(&mut verdict, name, flank, tolerance, met(flank), || {
             missed(&Miss {
-                job,
                 prepared: &prepared,
                 plan: plan.as_ref(),
                 flanks: &flanks,
@@ -201,16 +220,16 @@ fn finish(
         }
     }
     if programs.is_some() {
-        warnings.extend(Release::of(&verdict, job.output.programs_of_missed).remark(&verdict));
+        warnings.extend(Release::of(&verdict, prepared.output.programs_of_missed).remark(&verdict));
     }
     let result = JobResult {
-        job: job.job.name.clone(),
-        process: job.job.process.name().to_string(),
+        job: prepared.info.name.clone(),
+        process: prepared.info.process.name().to_string(),
         version: env!("CARGO_PKG_VERSION"),
         verdict,
         tolerance_um: tolerance,
         warnings,
-        settings: settings_result(&prepared, &execution, plan.as_ref(), partition, strokes, &tip_lands),
+        settings: settings_result(&prepared, &execution, plan.as_ref(), partition, &tip_lands),
         flanks,
         gear_root,
         control,
@@ -238,7 +257,6 @@ pub fn settings_result(
     execution: &Execution,
     plan: Option<&GrindingPlan>,
     partition: Option<Partition>,
-    strokes: Option<StrokePlan>,
     tip_lands: &TipLands,
 ) -> SettingsResult {
     let setup = &prepared.setup;
@@ -257,7 +275,7 @@ pub fn settings_result(
         crossed_axes_angle_deg: setup.pair.chain.crossed_axes_angle.to_degrees(),
         feed_stroke_mm: execution.feed_range,
         partition,
-        index_strokes: strokes,
+        index_strokes: prepared.cycle.strokes.clone(),
         worm_occupation_mm: execution.occupation,
         worm_length_mm: execution.occupation[1] - execution.occupation[0],
         worm_pitch_diameter_mm: 2.0 * setup.worm_pitch_radius,

@@ -24,8 +24,8 @@ impl JobOutcome<Job> for Outcome {
         &self.result
     }
 
-    fn scene(&self, loaded: &LoadedJob) -> Option<Result<Scene, RunFailure>> {
-        Some(scene_of_grinding(loaded, self))
+    fn scene(&self, _: &LoadedJob) -> Option<Result<Scene, RunFailure>> {
+        Some(scene_of_grinding(self))
     }
 
     fn flanks(&self) -> Vec<FlankMaps<'_>> {

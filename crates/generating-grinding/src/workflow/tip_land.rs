@@ -4,7 +4,6 @@
 use super::executed_strokes::ExecutedStrokes;
 use super::execution::Execution;
 use super::prepare::Prepared;
-use crate::job::{DressingFlanks, Job};
 use crate::workflow::generating_finding;
 use dressing::{SectionOutline, SectionPart};
 use foundation::geometry::{Flank, Sides};
@@ -25,15 +24,6 @@ pub struct TipLands {
     pub warnings: Vec<Remark>,
 }
 
-/// Threads that are left out behind an active one at least.
-fn left_out(job: &Job) -> u32 {
-    let Some(active) = &job.grinding.active_threads else { return 0 };
-    let mut sorted = active.clone();
-    sorted.sort_unstable();
-    let next = sorted.iter().skip(1).copied().chain(sorted.first().map(|first| first + job.worm.threads));
-    sorted.iter().zip(next).map(|(here, next)| next - here - 1).min().unwrap_or(0)
-}
-
 impl TipLands {
     /// Of a process with all its settings. A plan whose dresser cuts into the opposite flank is refused; of given settings it is
     /// said.
@@ -41,7 +31,6 @@ impl TipLands {
     /// # Errors
     /// [`GeneratingError::CounterFlankCut`] for a plan.
     pub fn of_execution(
-        job: &Job,
         prepared: &Prepared,
         execution: &Execution,
         planned: bool,
@@ -49,11 +38,12 @@ impl TipLands {
         let mut found =
             Self { largest: Sides { left: None, right: None }, pictures: Vec::new(), warnings: Vec::new() };
         // Both flanks at once: the flank across the space is dressed as well.
-        let (Some(dresser), DressingFlanks::One) = (&execution.dresser, job.dressing.flanks) else {
+        let (Some(dresser), false) = (&execution.dresser, prepared.dressing.two_flanks) else {
             return Ok(found);
         };
-        let given = job.dresser.as_ref().and_then(|d| d.tip_land);
-        let left_out = left_out(job);
+        let given = prepared.dressing.tip_land;
+        let threads = prepared.setup.pair.worm.data().teeth.unsigned_abs();
+        let left_out = prepared.cycle.strokes.as_ref().map_or(0, |strokes| strokes.left_out(threads));
         for flank in Flank::BOTH {
             let Some(executed) = &execution.flanks[flank] else { continue };
             if let Some(strokes) = executed.strokes() {
@@ -178,29 +168,5 @@ fn picture(outline: &SectionOutline, flank: Flank, land: f64) -> DressingSection
             .iter()
             .map(|(part, line)| SectionStretch { kind: kind(part), line_mm: line.clone() })
             .collect(),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::job::Job;
-    use job::{ProcessJob, Source, parse_job_of};
-
-    #[test]
-    fn the_narrowest_gap_between_active_threads_counts() {
-        let text = Job::TEMPLATE;
-        let mut job = parse_job_of::<Job>(Source::new("job.toml", text)).unwrap().job;
-        job.worm.threads = 7;
-        for (active, expected) in [
-            (None, 0),
-            (Some(vec![0, 1, 3]), 0),
-            (Some(vec![0, 2, 4]), 1),
-            (Some(vec![5, 2]), 2),
-            (Some(vec![3]), 6),
-        ] {
-            job.grinding.active_threads = active;
-            assert_eq!(left_out(&job), expected);
-        }
     }
 }

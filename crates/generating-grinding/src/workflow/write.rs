@@ -58,7 +58,7 @@ pub fn write_outcome(
     }
     let release = Release::of(&outcome.result.verdict, job.output.programs_of_missed);
     files.extend(outcome.programs.iter().flat_map(|programs| program_files(programs, &release)));
-    write_with_report(files, directory, |named| page::html_page(job, outcome, named))
+    write_with_report(files, directory, |named| page::html_page(outcome, named))
 }
 
 /// The texts of the programs, as far as they are written.

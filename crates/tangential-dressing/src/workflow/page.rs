@@ -130,7 +130,11 @@ fn common(
 
 fn amounts(job: &TangentialJob, flank: Flank, f: &TangentialFlankResult) -> Vec<TargetAmount> {
     let Some(edge) = &job.target.edge_amounts else {
-        return target_amounts(job.target.modifications.as_deref(), flank, &f.flank.target_characteristics);
+        return target_amounts(
+            job.target.modifications.as_deref().unwrap_or_default(),
+            flank,
+            &f.flank.target_characteristics,
+        );
     };
     let EdgeAmounts { pressure_angle_um, profile_crowning_um, lead_conical_um, lead_crowning_um } =
         edge.sides()[flank];

@@ -2,10 +2,8 @@
 
 use super::pass::{ControlledPass, ControlledRun, GoesOn, GroundFlank};
 use super::result::ControlResult;
-use crate::job::LoadedJob;
 use crate::workflow::execution::Execution;
 use crate::workflow::prepare::Prepared;
-use crate::workflow::programs::technology::Technology;
 use crate::workflow::referee::{Verdict, stock};
 use foundation::geometry::{Flank, Sides};
 use run::RunFailure;
@@ -16,15 +14,12 @@ use verdict::Remark;
 /// # Errors
 /// [`RunFailure`] on a key of `[control]`.
 pub fn control_of_grinding(
-    loaded: &LoadedJob,
     prepared: &Prepared,
     execution: &Execution,
     verdicts: &Sides<Option<Verdict>>,
 ) -> Result<Option<(ControlResult, Vec<Remark>)>, RunFailure> {
-    let job = &loaded.job;
-    let Some(control) = &job.control else { return Ok(None) };
-    let machine = job.machine.clone().unwrap_or_default();
-    let technology = Technology::of_grinding(&machine, &prepared.setup, job.grinding.feed_per_revolution);
+    let Some(control) = &prepared.control else { return Ok(None) };
+    let technology = &prepared.technology;
     let ground = |flank: Flank| {
         let (executed, verdict) = (execution.flanks[flank].as_ref()?, verdicts[flank].as_ref()?);
         Some(GroundFlank {

@@ -125,7 +125,6 @@ impl ExploreCandidate {
     /// A ratio of a worm that exists.
     pub fn judged(
         ready: &Prepared,
-        job: &Job,
         demanded: &Sides<Vec<f64>>,
         ratio: Option<f64>,
         judged: Result<Candidate, Refused>,
@@ -137,7 +136,7 @@ impl ExploreCandidate {
             worm_pitch_diameter_mm: Some(2.0 * setup.worm_pitch_radius),
             demanded_ratio_difference: differences.max_by(f64::total_cmp),
             ..Self::without_figures(
-                job.worm.cone_angle_deg,
+                setup.input.worm.cone_angle.to_degrees(),
                 Some(setup.pair.chain.crossed_axes_angle.to_degrees()),
                 ratio,
             )

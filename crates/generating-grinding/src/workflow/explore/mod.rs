@@ -92,7 +92,7 @@ pub fn explore_job(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Explor
         (Some(steps), _) => Ratios::Given(steps.values().collect()),
         (None, _) if nothing => {
             let ready = as_it_stands.as_ref().map_err(Clone::clone)?;
-            let task = ready.task(&base.job);
+            let task = ready.task();
             Ratios::Given(task.worth_studying(&task.planning_grid()))
         }
         (None, Some(ratio)) => Ratios::Given(vec![ratio]),
@@ -127,7 +127,10 @@ pub fn explore_job(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Explor
         varied,
         ranking: RANKING,
         allowed: candidates.iter().filter(|c| c.allowed).count(),
-        levers: as_it_stands.as_ref().map(equal_ratio_offers).unwrap_or_default(),
+        levers: as_it_stands
+            .as_ref()
+            .map(|ready| equal_ratio_offers(&ready.setup, &ready.targets))
+            .unwrap_or_default(),
         candidates,
     })
 }
@@ -179,8 +182,8 @@ fn judge_worm(
         progress.advance(1);
         ExploreCandidate::failed(&base.job, variant, ratio, refusal)
     };
-    let made = variant.job(base).and_then(|changed| Ok((prepare(&changed).map_err(Refused::from)?, changed)));
-    let (ready, changed) = match made {
+    let made = variant.job(base).and_then(|changed| prepare(&changed).map_err(Refused::from));
+    let ready = match made {
         Ok(made) => made,
         Err(refusal) => {
             let all = match ratios {
@@ -190,7 +193,7 @@ fn judge_worm(
             return (all, false);
         }
     };
-    let task: PlanTask<'_> = ready.task(&changed.job);
+    let task: PlanTask<'_> = ready.task();
     let grid = task.planning_grid();
     let demanded = task.demanded(&grid);
     let row = |ready: &Prepared, ratio: Option<f64>| {
@@ -208,7 +211,7 @@ fn judge_worm(
         };
         progress.advance(1);
         let judged = candidate.map_err(|e| Refused::from(&e));
-        ExploreCandidate::judged(ready, &changed.job, &demanded, ratio, judged)
+        ExploreCandidate::judged(ready, &demanded, ratio, judged)
     };
     let all = match ratios {
         Ratios::OfJob => vec![row(&ready, None)],

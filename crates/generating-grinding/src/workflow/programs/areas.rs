@@ -5,7 +5,6 @@ use super::build::Built;
 use super::proof::{ReadBack, Sought};
 use super::result::{AreaUse, WormUse};
 use super::task::{DressingWork, GrindingWork, ProgramTask};
-use crate::job::Job;
 use crate::workflow::execution::Execution;
 use crate::workflow::partition::{Partition, ToolAreas, beside_area, passage};
 use crate::workflow::prepare::Prepared;
@@ -48,10 +47,10 @@ impl ProgramAreas {
     ///
     /// # Errors
     /// Those of the partition.
-    pub fn of_job(job: &Job, prepared: &Prepared, execution: &Execution) -> Result<Option<Self>, RunFailure> {
+    pub fn of_execution(prepared: &Prepared, execution: &Execution) -> Result<Option<Self>, RunFailure> {
         let shift = &execution.motion.shift;
-        let partition = Partition::of_job(job, prepared, execution.ratio, shift)?;
-        let Some(areas) = partition.and_then(|p| p.tool_areas(job, prepared, shift)) else { return Ok(None) };
+        let partition = Partition::of_cycle(prepared, execution.ratio, shift)?;
+        let Some(areas) = partition.and_then(|p| p.tool_areas(prepared, shift)) else { return Ok(None) };
         let setup = &prepared.setup;
         let lines = Sides::from_fn(|flank| prepared.targets[flank].as_ref().map(|_| setup.lines[flank]));
         if areas.finishing.is_empty() {

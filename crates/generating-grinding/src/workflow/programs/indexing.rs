@@ -2,7 +2,7 @@
 //! identified by where it stands (its phase modulo 360 deg / z_1, its pitch on the workpiece), never by its place in the program.
 
 use super::task::{DressingWork, GrindingWork};
-use crate::workflow::partition::StrokePlan;
+use crate::workflow::stroke_plan::StrokePlan;
 use foundation::kinematics::{DressingMotion, GeneratingMotion, Pose, Worm};
 use foundation::numerics::equidistant;
 use motion::ReadStroke;

@@ -10,26 +10,25 @@ use super::proof::{Judge, ReadBack, RunFlank, Sought, THREAD_GRID};
 use super::run_programs::RunPrograms;
 use super::task::{DressingWork, GrindingWork, ProgramTask};
 use super::technology::Technology;
-use crate::job::{DressingFlanks, Job, LoadedJob};
+use crate::job::LoadedJob;
 use crate::workflow::execution::{ExecutedTool, Execution};
 use crate::workflow::line_dressing::WrittenFlank;
-use crate::workflow::partition::StrokePlan;
 use crate::workflow::prepare::Prepared;
 use crate::workflow::referee::{self, Cutting, Verdict};
-use crate::workflow::run::{Outcome, plan_job, simulate_job};
+use crate::workflow::run::{Outcome, run_without_programs};
 use contact::ToolSurface;
 use dressing::{DressedWorm, DresserTool};
 use foundation::geometry::{Flank, Sides};
 use foundation::kinematics::{DressingMotion, Point, Pose, Worm};
 use foundation::numerics::{Chebyshev, Progress, Silent, equidistant};
 use job::machine::LoadedMachine;
-use job::tables::{Machine as JobMachine, Program as DialectName};
+use job::tables::Program as DialectName;
 use machine::{GearCoupling, Machine, Role, Station};
 use metrology::Topography;
 use motion::{ReadStroke, Tracked};
 use nalgebra::Vector3;
 use run::RunFailure;
-use run::program_check::{dialects, machine_of_job, refused};
+use run::program_check::{dialects, refused};
 use std::f64::consts::TAU;
 use verdict::Remark;
 
@@ -54,25 +53,15 @@ struct Strokes {
 }
 
 impl Strokes {
-    fn new(
-        job: &Job,
-        machine: &JobMachine,
-        prepared: &Prepared,
-        execution: &Execution,
-        plan: Option<&StrokePlan>,
-    ) -> Result<Self, RunFailure> {
+    fn new(prepared: &Prepared, execution: &Execution) -> Result<Self, RunFailure> {
         let setup = &prepared.setup;
         let worm = &setup.pair.worm;
         let any = &setup.pair.flanks.left;
         let data = setup.pair.work.data();
-        let two_flanks = job.dressing.flanks == DressingFlanks::Two;
-        let areas = ProgramAreas::of_job(job, prepared, execution)?;
-        let technology = Technology::of_grinding(machine, setup, job.grinding.feed_per_revolution);
+        let areas = ProgramAreas::of_execution(prepared, execution)?;
+        let indexed = prepared.cycle.strokes.as_ref();
         let mut strokes = Self {
-            technology: match largest_dresser(job, prepared) {
-                Some(radius) => technology.with_dresser(radius, setup.worm_module()),
-                None => technology,
-            },
+            technology: prepared.technology.clone(),
             coupling: GearCoupling {
                 threads: worm.data().teeth.unsigned_abs(),
                 teeth: data.teeth,
@@ -80,8 +69,8 @@ impl Strokes {
                 feed: any.feed_coupling,
                 crossed_axes_angle: setup.pair.chain.crossed_axes_angle,
             },
-            indexing: Indexing::new(worm.data().teeth.unsigned_abs(), data.teeth, plan),
-            dressing: dressing_work(prepared, execution, two_flanks),
+            indexing: Indexing::new(worm.data().teeth.unsigned_abs(), data.teeth, indexed),
+            dressing: dressing_work(prepared, execution, prepared.dressing.two_flanks),
             grinding: grinding_work(prepared, execution),
             areas: None,
         };
@@ -104,12 +93,12 @@ impl Strokes {
     /// The strokes as work for a machine.
     fn task<'a>(
         &self,
-        loaded: &'a LoadedJob,
+        job: &'a str,
         (machine, dialects): (&'a LoadedMachine, &'a [DialectName]),
         written: &'a Sides<Option<WrittenFlank>>,
     ) -> ProgramTask<'a> {
         ProgramTask {
-            job: &loaded.job.job.name,
+            job,
             machine,
             dialects,
             technology: self.technology.clone(),
@@ -172,20 +161,18 @@ struct Referee<'a> {
 /// # Errors
 /// [`RunFailure`]: a machine that is none or cannot do it; programs that are not proven.
 pub fn programs_of_grinding(
-    loaded: &LoadedJob,
     prepared: &Prepared,
     execution: &Execution,
     verdicts: &Sides<Option<Verdict>>,
     (cutting, written): (Cutting<'_>, &Sides<Option<WrittenFlank>>),
 ) -> Result<Option<RunPrograms>, RunFailure> {
-    let Some(job_machine) = &loaded.job.machine else { return Ok(None) };
-    let machine = machine_of_job(&loaded.document, &job_machine.file)?;
-    let strokes = Strokes::new(&loaded.job, job_machine, prepared, execution, cutting.strokes)?;
-    let dialects = dialects(&loaded.job.output.programs, &machine);
-    let task = strokes.task(loaded, (&machine, &dialects), written);
+    let Some(machine) = &prepared.machine else { return Ok(None) };
+    let strokes = Strokes::new(prepared, execution)?;
+    let dialects = dialects(&prepared.output.programs, machine);
+    let task = strokes.task(&prepared.info.name, (machine, &dialects), written);
     let flanks = flanks_of(execution, verdicts);
     let judge = Referee { prepared, execution, cutting, strokes: &strokes };
-    let feed_given = loaded.job.grinding.feed_per_revolution.is_some();
+    let feed_given = prepared.cycle.feed_per_revolution.is_some();
     let mut programs = RunPrograms::new(&task, feed_given, &flanks, &judge)?;
     if let Some((areas, driven)) = &strokes.areas {
         programs.result.worm_use = areas.check(&task, &programs.built, driven)?;
@@ -206,19 +193,13 @@ pub fn programs_of_grinding(
 
 /// The axes that the programs of a job would drive beyond the travel of its machine; none without a machine, and none for flanks of the
 /// worm that are dressed line by line.
-pub fn beyond_travel_of_grinding(
-    loaded: &LoadedJob,
-    prepared: &Prepared,
-    execution: &Execution,
-) -> Vec<BeyondTravel> {
+pub fn beyond_travel_of_grinding(prepared: &Prepared, execution: &Execution) -> Vec<BeyondTravel> {
     let found = || {
-        let job_machine = loaded.job.machine.as_ref()?;
-        let machine = machine_of_job(&loaded.document, &job_machine.file).ok()?;
-        let plan = StrokePlan::of_job(&loaded.job).ok()?;
-        let strokes = Strokes::new(&loaded.job, job_machine, prepared, execution, plan.as_ref()).ok()?;
-        let dialects = dialects(&loaded.job.output.programs, &machine);
+        let machine = prepared.machine.as_ref()?;
+        let strokes = Strokes::new(prepared, execution).ok()?;
+        let dialects = dialects(&prepared.output.programs, machine);
         let written = Sides::both(None);
-        Some(strokes.task(loaded, (&machine, &dialects), &written).beyond_travel())
+        Some(strokes.task(&prepared.info.name, (machine, &dialects), &written).beyond_travel())
     };
     found().unwrap_or_default()
 }
@@ -235,16 +216,8 @@ impl OnGrinding {
     /// # Errors
     /// Those of the run.
     pub fn new(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Self, RunFailure> {
-        let mut plain = loaded.clone();
-        plain.job.machine = None;
-        let run = if plain.job.settings.is_some() {
-            simulate_job(&plain, progress)?
-        } else {
-            plan_job(&plain, progress)?
-        };
-        let clamped = loaded.job.machine.clone().unwrap_or_default();
-        let indexed = run.result.settings.index_strokes.as_ref();
-        let strokes = Strokes::new(&loaded.job, &clamped, &run.prepared, &run.execution, indexed)?;
+        let run = run_without_programs(loaded, progress)?;
+        let strokes = Strokes::new(&run.prepared, &run.execution)?;
         Ok(Self { run, strokes })
     }
 
@@ -318,13 +291,6 @@ fn contacts(
         }
     }
     contacts
-}
-
-/// Tip radius of the largest dresser, mm; `None` for a tool that is not dressed.
-fn largest_dresser(job: &Job, prepared: &Prepared) -> Option<f64> {
-    let first = prepared.setup.input.dresser.as_ref().map(|choice| choice.tip_diameter)?;
-    let others = job.dresser.iter().flat_map(|dresser| &dresser.others).map(|other| other.tip_diameter);
-    Some(0.5 * others.fold(first, f64::max))
 }
 
 /// The dresser of a stroke, by the flanks and their strokes that it makes.
@@ -508,6 +474,7 @@ mod tests {
     use super::*;
     use job::read_job_of;
     use nc::Block;
+    use run::program_check::machine_of_job;
     use std::path::Path;
 
     /// A text that says something else than the plan is not written, however small the difference.
@@ -516,11 +483,11 @@ mod tests {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
         let mut loaded =
             read_job_of::<crate::job::Job>(&root.join("examples/twist-free-crowning.toml")).unwrap();
-        let job_machine = loaded.job.machine.take().unwrap();
         (loaded.job.grid.profile_points, loaded.job.grid.helix_points) = (5, 5);
-        let machine = machine_of_job(&loaded.document, &job_machine.file).unwrap();
-        let run = plan_job(&loaded, &Silent).unwrap();
-        let strokes = Strokes::new(&loaded.job, &job_machine, &run.prepared, &run.execution, None).unwrap();
+        let file = &loaded.job.machine.as_ref().unwrap().file;
+        let machine = machine_of_job(&loaded.document, file).unwrap();
+        let run = run_without_programs(&loaded, &Silent).unwrap();
+        let strokes = Strokes::new(&run.prepared, &run.execution).unwrap();
         let task = ProgramTask {
             job: "TEST",
             machine: &machine,

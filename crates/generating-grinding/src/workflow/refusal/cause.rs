@@ -2,11 +2,11 @@
 //! which the job has.
 
 use super::super::prepare::Prepared;
-use crate::job::{Job, Method};
 use crate::workflow::generating_finding;
 use contact::ContactError;
 use dressing::DressingError;
 use foundation::geometry::Flank;
+use foundation::modification::ModificationSpec;
 use generating::{Candidate, GeneratingError, LEAST_DETERMINANT, NoPlan};
 use referee::{RemovalError, Stage, Uncut};
 use run::RunFailure;
@@ -18,7 +18,7 @@ const NEAR_TIP: f64 = 1.0;
 const ROOM_AT_TIP: f64 = 0.5;
 
 /// Why there is no plan.
-pub fn of_planning(refused: &NoPlan, job: &Job, prepared: &Prepared) -> RunFailure {
+pub fn of_planning(refused: &NoPlan, prepared: &Prepared) -> RunFailure {
     let failure = generating_finding::failure(&refused.error);
     match &refused.error {
         GeneratingError::AxisLimit { .. } => {
@@ -29,14 +29,14 @@ pub fn of_planning(refused: &NoPlan, job: &Job, prepared: &Prepared) -> RunFailu
                 None => failure,
             }
         }
-        GeneratingError::Contact(error) => of_contact(error, failure, job, prepared),
+        GeneratingError::Contact(error) => of_contact(error, failure, prepared),
         GeneratingError::Dressing(DressingError::NoZero { .. }) => {
-            failure.amended(|finding| finding.way_out(without_correction(job, prepared)))
+            failure.amended(|finding| finding.way_out(without_correction(prepared)))
         }
-        GeneratingError::WormTooShort { .. } if job.grinding.method == Method::Radial => failure
+        GeneratingError::WormTooShort { .. } if prepared.rules.radial => failure
             .amended(|finding| finding.way_out("take a wider worm, or evaluate less of the face width")),
         GeneratingError::EnvelopeBroken { .. } | GeneratingError::ModelError { .. }
-            if job.grinding.method == Method::Radial =>
+            if prepared.rules.radial =>
         {
             failure.amended(|finding| {
                 finding.way_out("reduce the amount, use method = \"diagonal\", or widen the tolerance")
@@ -66,7 +66,7 @@ pub fn stated_ratio(best: &Candidate) -> String {
     )
 }
 
-fn of_contact(error: &ContactError, failure: RunFailure, job: &Job, prepared: &Prepared) -> RunFailure {
+fn of_contact(error: &ContactError, failure: RunFailure, prepared: &Prepared) -> RunFailure {
     let place = match *error {
         ContactError::Undercut { flank, w, z, .. } | ContactError::NotSettled { flank, w, z, .. } => {
             format!(" (diameter {:.3} mm of the gear, z = {z:.3} mm)", diameter(prepared, flank, w))
@@ -76,7 +76,7 @@ fn of_contact(error: &ContactError, failure: RunFailure, job: &Job, prepared: &P
     };
     failure.amended(|mut finding| {
         finding.message = format!("{}{place}", finding.message).into();
-        finding.way_out(smoother(job))
+        finding.way_out(smoother(prepared))
     })
 }
 
@@ -86,9 +86,9 @@ fn diameter(prepared: &Prepared, flank: Flank, w: f64) -> f64 {
 }
 
 /// Remedies for a target that bends the worm too sharply: rounding first, where a relief has a kink.
-fn smoother(job: &Job) -> String {
-    let mut ways = unrounded_reliefs(job);
-    if job.grinding.method == Method::Radial {
+fn smoother(prepared: &Prepared) -> String {
+    let mut ways = unrounded_reliefs(&prepared.drawn);
+    if prepared.rules.radial {
         ways.push("use method = \"diagonal\"".into());
     } else {
         ways.push("choose another diagonal_ratio".into());
@@ -98,8 +98,8 @@ fn smoother(job: &Job) -> String {
 }
 
 /// The reliefs of the target that begin with a kink, as remedies.
-fn unrounded_reliefs(job: &Job) -> Vec<String> {
-    let entries = job.target.modifications.iter().flatten().enumerate();
+fn unrounded_reliefs(drawn: &[ModificationSpec]) -> Vec<String> {
+    let entries = drawn.iter().enumerate();
     let kinked: Vec<(usize, f64)> = entries
         .filter_map(|(k, entry)| {
             let keys = serde_json::to_value(entry).ok()?;
@@ -124,20 +124,20 @@ fn unrounded_reliefs(job: &Job) -> Vec<String> {
 }
 
 /// Remedies where no dressing motion meets the conditions.
-fn without_correction(job: &Job, prepared: &Prepared) -> String {
+fn without_correction(prepared: &Prepared) -> String {
     let mut ways =
         vec!["reduce the amounts".to_owned(), "take a worm with more threads or of smaller diameter".into()];
-    if !prepared.free_dresser && job.dresser.is_some() {
+    if !prepared.rules.free_dresser {
         ways.push("let the dresser be made for the target (dresser.modification = \"target\")".into());
     }
-    if job.grinding.method != Method::Radial {
+    if !prepared.rules.radial {
         ways.push("choose another diagonal_ratio".into());
     }
     ways.join(", or ")
 }
 
 /// Why the simulation of a run found rays that nothing cuts.
-pub fn of_simulation(error: &RemovalError, job: &Job, prepared: &Prepared) -> RunFailure {
+pub fn of_simulation(error: &RemovalError, prepared: &Prepared, planned: bool) -> RunFailure {
     let failure = RunFailure::of_removal(error, "grinding");
     let RemovalError::RayUncut { stage, w, z, reason, count } = *error else { return failure };
     match (stage, reason) {
@@ -152,18 +152,18 @@ pub fn of_simulation(error: &RemovalError, job: &Job, prepared: &Prepared) -> Ru
                     "the contact leaves the part of the worm that this plan dresses: in the simulation {count} rays of the gear are not finished, first at length of roll {w:.4} mm, z = {z:.4} mm"
                 )
                 .into();
-                finding.way_out(smoother(job))
+                finding.way_out(smoother(prepared))
             }),
         },
-        (Stage::Grinding, Uncut::StrokeTooShort | Uncut::NotReached) if job.settings.is_none() => {
-            failure.amended(|finding| finding.way_out(smoother(job)))
+        (Stage::Grinding, Uncut::StrokeTooShort | Uncut::NotReached) if planned => {
+            failure.amended(|finding| finding.way_out(smoother(prepared)))
         }
         (Stage::Dressing, Uncut::ToolMissing) => failure.amended(|mut finding| {
             finding.message = format!(
                 "the dresser's profile ends before the contact: in the simulation {count} rays of the worm are not finished, first at length of roll {w:.4} mm and z = {z:.4} mm of the worm"
             )
             .into();
-            finding.field("dressing").way_out(without_correction(job, prepared))
+            finding.field("dressing").way_out(without_correction(prepared))
         }),
         _ => failure,
     }

@@ -1,9 +1,9 @@
 //! What a refused job of generating grinding shows: the candidates that planning judged, and pictures of what limits.
 
 use super::super::execution::Execution;
-use super::super::prepare::{Prepared, prepare};
+use super::super::prepare::{GivenSettings, Prepared, prepare};
 use super::super::result::CandidateResult;
-use crate::job::{DiagonalRatio, LoadedJob};
+use crate::job::LoadedJob;
 use crate::workflow::programs::beyond_travel::BeyondTravel;
 use crate::workflow::programs::of_grinding::beyond_travel_of_grinding;
 use foundation::geometry::Flank;
@@ -49,29 +49,24 @@ const DECADES: f64 = 50.0;
 impl Evidence {
     /// Goes the way of planning again. A job whose bodies cannot even be put together shows none.
     pub fn of_job(loaded: &LoadedJob, finding: &Diagnostic) -> Option<Self> {
-        let prepared = prepare(loaded).ok()?;
-        let (execution, candidates, failed) = match &loaded.job.settings {
+        let prepared = prepare(loaded).and_then(|prepared| prepared.on_machine(loaded)).ok()?;
+        let (execution, candidates, failed) = match GivenSettings::of_job(loaded, &prepared).ok()? {
             // Settings were run, nothing was chosen.
-            Some(settings) => {
-                (Execution::of_settings(loaded, &prepared, settings).ok(), Vec::new(), Vec::new())
-            }
-            None => match prepared.task(&loaded.job).plan_or_tried() {
+            Some(settings) => (Execution::of_settings(&prepared, &settings).ok(), Vec::new(), Vec::new()),
+            None => match prepared.task().plan_or_tried() {
                 Ok(plan) => {
-                    let execution = Execution::of_plan(&loaded.job, &prepared, &plan);
+                    let execution = Execution::of_plan(&prepared, &plan);
                     (Some(execution), plan.choice.candidates, plan.choice.failed)
                 }
                 Err(refused) => (None, refused.candidates, refused.failed),
             },
         };
         let beyond = match execution.filter(|_| finding.code == "axis-limit" && is_of_machine(finding)) {
-            Some(execution) => beyond_travel_of_grinding(loaded, &prepared, &execution),
+            Some(execution) => beyond_travel_of_grinding(&prepared, &execution),
             None => Vec::new(),
         };
         let tolerance_um = prepared.tolerance.tightest() * 1e3;
-        let given = match loaded.job.grinding.diagonal_ratio {
-            Some(DiagonalRatio::Number(ratio)) => Some(ratio),
-            _ => None,
-        };
+        let given = prepared.rules.given_ratio;
         Some(Self { prepared, candidates, failed, tolerance_um, given, beyond })
     }
 

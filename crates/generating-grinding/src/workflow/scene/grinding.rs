@@ -4,7 +4,6 @@ use super::dressing::{Parked, WormExtent, parked_dresser};
 use super::generating::{ShownFlank, ShownGenerating, Solver};
 use super::strokes::{dressers, strokes_of};
 use super::written::written_stage;
-use crate::job::{Job, LoadedJob};
 use crate::workflow::execution::{ExecutedFlank, ExecutedTool};
 use crate::workflow::run::Outcome;
 use contact::{ExactContact, ModifiedThread, Pair, ToolSurface, Unmodified};
@@ -19,11 +18,10 @@ use scene::{Body, BodyKind, Scene, Stage};
 ///
 /// # Errors
 /// [`RunFailure`] for bodies that cannot be meshed and motions without numbers.
-pub fn scene_of_grinding(loaded: &LoadedJob, outcome: &Outcome) -> Result<Scene, RunFailure> {
-    let job = &loaded.job;
+pub fn scene_of_grinding(outcome: &Outcome) -> Result<Scene, RunFailure> {
     let setup = &outcome.prepared.setup;
     let execution = &outcome.execution;
-    let faces = worm_faces(job, outcome);
+    let faces = worm_faces(outcome);
     let radii = [setup.worm_root_radius, setup.worm_tip_radius];
     let slope = setup.pair.worm.data().cone_angle.tan();
     let extent = WormExtent { radii, slope, faces };
@@ -54,7 +52,7 @@ pub fn scene_of_grinding(loaded: &LoadedJob, outcome: &Outcome) -> Result<Scene,
         flanks: shown.collect(),
     };
 
-    let dressers = dressers(job, outcome)?;
+    let dressers = dressers(outcome)?;
     bodies.extend(dressers.iter().map(|dresser| dresser.body.clone()));
     let mut strokes = Vec::new();
     for &(flank, executed) in &flanks {
@@ -109,10 +107,10 @@ pub fn gear_and_worm(
 }
 
 /// The faces of the worm: its width, else what it needs.
-fn worm_faces(job: &Job, outcome: &Outcome) -> [f64; 2] {
+fn worm_faces(outcome: &Outcome) -> [f64; 2] {
     let [from, to] = outcome.execution.occupation;
     let run_in = outcome.prepared.setup.run_in();
-    match job.worm.width {
+    match outcome.prepared.setup.input.worm_width {
         Some(width) => [-0.5 * width, 0.5 * width],
         None => [from - run_in, to + run_in],
     }

@@ -3,7 +3,6 @@
 
 use super::disc::{dresser_disc, narrow_disc};
 use super::dressing::{Parked, ShownDressing, WormExtent};
-use crate::job::{DressingFlanks, Job};
 use crate::workflow::executed_strokes::ExecutedStroke;
 use crate::workflow::execution::{ExecutedFlank, ExecutedTool};
 use crate::workflow::generating_finding;
@@ -87,20 +86,20 @@ impl Stroke<'_> {
 ///
 /// # Errors
 /// [`RunFailure`] for a dresser that cannot be.
-pub fn dressers(job: &Job, outcome: &Outcome) -> Result<Vec<ShownDresser>, RunFailure> {
+pub fn dressers(outcome: &Outcome) -> Result<Vec<ShownDresser>, RunFailure> {
     let setup = &outcome.prepared.setup;
     let first = Flank::BOTH.into_iter().find(|&flank| outcome.execution.flanks[flank].is_some());
     let Some(flank) = first else { return Ok(Vec::new()) };
-    if let Some((dresser, tip_radius)) = job.point_dresser() {
+    if let Some(point) = &outcome.prepared.dressing.point {
         let failed = |e: DressingError| generating_finding::failure(&GeneratingError::Dressing(e));
-        let form = TipDisc::new(0.5 * dresser.tip_diameter, tip_radius).map_err(failed)?;
+        let form = TipDisc::new(0.5 * point.tip_diameter, point.tip_radius).map_err(failed)?;
         let mesh = narrow_disc(&form).map_err(|e| unmeshed("dresser", &e))?;
         let body = Body::new("dresser", BodyKind::Dresser, true, &mesh);
         let tip_radius = form.outside_radius();
         return Ok(vec![ShownDresser { body, number: 0, tip_radius, flank, across: 0.0 }]);
     }
     let Some(tool) = &outcome.execution.dresser else { return Ok(Vec::new()) };
-    let land = dresser_land(job, outcome);
+    let land = dresser_land(outcome);
     match (&setup.strokes, &setup.input.dresser) {
         (Some(layout), _) => {
             let given = layout.dressers.iter().zip(&layout.tip_radii).enumerate();
@@ -120,14 +119,14 @@ pub fn dressers(job: &Job, outcome: &Outcome) -> Result<Vec<ShownDresser>, RunFa
 }
 
 /// Width of the land of the dresser: that of the job, else the largest that clears the worm; `None` for a disc whose flanks dress at once.
-fn dresser_land(job: &Job, outcome: &Outcome) -> Option<f64> {
-    if job.dressing.flanks == DressingFlanks::Two {
+fn dresser_land(outcome: &Outcome) -> Option<f64> {
+    let dressing = &outcome.prepared.dressing;
+    if dressing.two_flanks {
         return None;
     }
-    let given = job.dresser.as_ref().and_then(|dresser| dresser.tip_land);
     let largest = outcome.result.settings.largest_tip_land_mm.as_ref();
     let least = largest.and_then(|lands| lands.left.into_iter().chain(lands.right).reduce(f64::min));
-    given.or(least)
+    dressing.tip_land.or(least)
 }
 
 fn shown_dresser(

@@ -7,7 +7,6 @@ use generating_grinding::job::{LoadedJob, SimulatedMeasurement};
 use generating_grinding::workflow::execution::Execution;
 use generating_grinding::workflow::generating_finding;
 use generating_grinding::workflow::influence::influence;
-use generating_grinding::workflow::partition::StrokePlan;
 use generating_grinding::workflow::prepare::{Prepared, prepare};
 use generating_grinding::workflow::referee::{self, Cutting};
 use job::{Diagnostic, Problem};
@@ -27,9 +26,9 @@ pub(super) struct Ground {
 /// Plans a job and lets the referee grind it.
 pub(super) fn ground(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Ground, RunFailure> {
     let prepared = prepare(loaded)?;
-    let plan = prepared.task(&loaded.job).plan().map_err(|e| generating_finding::failure(&e))?;
-    let execution = Execution::of_plan(&loaded.job, &prepared, &plan);
-    let simulated = by_rays(loaded, &prepared, &execution, progress)?;
+    let plan = prepared.task().plan().map_err(|e| generating_finding::failure(&e))?;
+    let execution = Execution::of_plan(&prepared, &plan);
+    let simulated = by_rays(&prepared, &execution, progress)?;
     Ok(Ground { prepared, execution, simulated })
 }
 
@@ -37,12 +36,11 @@ impl Ground {
     /// What the same settings leave on a machine with deviations, normal, mm.
     pub fn with_deviations(
         &self,
-        loaded: &LoadedJob,
         of: &SimulatedMeasurement,
         progress: &dyn Progress,
     ) -> Result<Sides<Option<Topography>>, RunFailure> {
         let mut execution = self.execution.clone();
-        execution.motion = self.motion(loaded, of)?;
+        execution.motion = self.motion(of)?;
         let dressing = of.dressing.values();
         if dressing != [0.0; 4] && !execution.shift_dressing(dressing) {
             let finding = Diagnostic::new(Problem::InvalidJob, "this tool is not dressed in one stroke")
@@ -52,17 +50,16 @@ impl Ground {
                 .way_out("leave the table out");
             return Err(RunFailure::bad_input(finding));
         }
-        by_rays(loaded, &self.prepared, &execution, progress)
+        by_rays(&self.prepared, &execution, progress)
     }
 
     /// The grinding motion with its deviations.
     fn motion(
         &self,
-        loaded: &LoadedJob,
         of: &SimulatedMeasurement,
     ) -> Result<foundation::kinematics::GeneratingMotion, RunFailure> {
         let setup = &self.prepared.setup;
-        let influence = influence(&self.prepared, &self.execution, loaded)?;
+        let influence = influence(&self.prepared, &self.execution)?;
         let flank = SettingsFlank::new(&setup.pair, &influence, &self.execution.motion);
         let orders = |values: &[f64], unit: f64, setting: fn(u8) -> Setting| {
             let each = values.iter().zip(0u8..);
@@ -94,13 +91,11 @@ pub(super) fn check_cylinders(prepared: &Prepared, loaded: &LoadedJob) -> Result
 }
 
 fn by_rays(
-    loaded: &LoadedJob,
     prepared: &Prepared,
     execution: &Execution,
     progress: &dyn Progress,
 ) -> Result<Sides<Option<Topography>>, RunFailure> {
-    let strokes = StrokePlan::of_job(&loaded.job)?;
-    let cutting = Cutting { feed_per_revolution: None, strokes: strokes.as_ref() };
+    let cutting = Cutting { feed_per_revolution: None, strokes: prepared.cycle.strokes.as_ref() };
     let verdicts = referee::run(&prepared.setup, execution, cutting, progress)
         .map_err(|e| RunFailure::of_removal(&e, "grinding"))?;
     Ok(verdicts.map(|_, verdict| verdict.as_ref().map(|verdict| verdict.simulated.clone())))

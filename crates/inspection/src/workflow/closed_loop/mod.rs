@@ -123,7 +123,7 @@ pub(super) fn simulated(
     let mut rounds = Vec::new();
     for number in 1..=of.rounds + 1 {
         let drawn = DrawnGear::of_job(&job, &made.prepared.setup)?;
-        let real = made.with_deviations(&job, &of, progress)?;
+        let real = made.with_deviations(&of, progress)?;
         let mut found = probe::measured(&drawn, &made.prepared.setup.pair.work, &real, &of, number);
         found.name = Some(format!("{}, simulated, round {number}", loaded.job.job.name));
         let mut round = judge(&job, &made, wanted, found, number, progress)?;

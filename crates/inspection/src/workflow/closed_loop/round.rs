@@ -181,7 +181,7 @@ pub(super) fn judge(
         round.result.no_correction = Some(why.into());
         return Ok(round);
     }
-    let influence = influence(&made.prepared, &made.execution, loaded)?;
+    let influence = influence(&made.prepared, &made.execution)?;
     let settings = worth_turning(&table, &tests, &influence);
     if surfaces.iter().all(|(_, surface)| surface.is_none()) && !settings.is_empty() {
         let why = "without a measured surface nothing would be proven: measure a profile and a helix trace of the same tooth";

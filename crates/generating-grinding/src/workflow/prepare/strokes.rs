@@ -1,6 +1,6 @@
 //! `[dressing.strokes]` and `dresser.others` of a job as the strokes of its bodies. Knows no plan.
 
-use super::prepare::dresser_profile;
+use super::tools::dresser_profile;
 use crate::job::{DresserModification, LoadedJob};
 use crate::workflow::generating_finding;
 use foundation::geometry::Sides;

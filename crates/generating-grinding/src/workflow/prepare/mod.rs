@@ -1,0 +1,277 @@
+//! From a checked job to bodies, targets, rules and limits: all that planning, simulation, programs and page need of it. What stands
+//! behind [`prepare`] reads no job; the job goes on only as the text that is written back with its settings. Every finding names
+//! the job's key.
+
+mod bodies;
+mod cycle;
+mod dressing;
+mod planning;
+mod settings;
+mod shift;
+mod strokes;
+mod targets;
+mod tools;
+
+pub use bodies::{designed_worm, setup_of_job, worm_choice_of_job};
+pub use cycle::Cycle;
+pub use dressing::{DressingTask, PointDresser};
+pub use planning::PlanningRules;
+pub use settings::GivenSettings;
+pub use targets::{tolerance_of_job, wanted_flanks};
+
+use super::equal_ratio_offers::free_lines;
+use super::generating_finding;
+use crate::job::{LoadedJob, Method, Tool as JobTool};
+use crate::workflow::programs::technology::Technology;
+use foundation::geometry::{Flank, Sides};
+use foundation::kinematics::MotionLaw;
+use foundation::modification::{ModificationSpec, ToleranceMap};
+use generating::areas::AreaPlan;
+use generating::{Carrier, FlankTarget, GrindingSetup, Tool};
+use job::machine::LoadedMachine;
+use job::tables::{Control, JobInfo, Output};
+use job::{Diagnostic, Problem};
+use run::program_check::machine_of_job;
+use run::{RunFailure, face_names_remark};
+use shift::shift_of_job;
+use strokes::strokes_of_job;
+use targets::{TargetEntries, is_ground, specs_of_job};
+use tools::{dresser_profile, tool_modifications};
+use verdict::Remark;
+
+/// A job made ready for planning.
+pub struct Prepared {
+    /// Name, process and description of the job.
+    pub info: JobInfo,
+    /// The bodies.
+    pub setup: GrindingSetup,
+    /// Targets of the flanks that are ground.
+    pub targets: Sides<Option<FlankTarget>>,
+    /// The entries of the target as the drawing states them.
+    pub drawn: Vec<ModificationSpec>,
+    /// Profile forms that are no polynomials and go into the dresser as they stand, as the job describes them.
+    pub reliefs: Sides<Vec<ModificationSpec>>,
+    /// Tolerance over the flank, normal.
+    pub tolerance: ToleranceMap,
+    /// What planning is asked for.
+    pub rules: PlanningRules,
+    /// The law of the shift, where the job asks for one in place of a ratio.
+    pub law: Option<MotionLaw>,
+    /// The areas that the law was made for.
+    pub areas: Option<AreaPlan>,
+    /// The grinding cycle.
+    pub cycle: Cycle,
+    /// How the worm is dressed.
+    pub dressing: DressingTask,
+    /// Speeds, clamping and passes.
+    pub technology: Technology,
+    /// Whether the job names a machine.
+    pub names_machine: bool,
+    /// The machine whose programs are wanted, once [`Prepared::on_machine`] has read it.
+    pub machine: Option<LoadedMachine>,
+    /// The control that couples the axes.
+    pub control: Option<Control>,
+    /// What is written beside result and report.
+    pub output: Output,
+    /// Remarks on the job, each with a way out.
+    pub warnings: Vec<Remark>,
+}
+
+/// Overlaps of worm tip and gear root below this are rounding of the drawing, mm.
+const WORTH_SAYING: f64 = 1e-3;
+
+/// Bodies, targets and rules of a job.
+///
+/// # Errors
+/// [`RunFailure`] with a finding on the key concerned.
+pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
+    let job = &loaded.job;
+    if job.catalogue.is_some() {
+        let finding =
+            Diagnostic::new(Problem::InvalidJob, "this takes one worm and one dresser, not a catalogue")
+                .field("catalogue")
+                .value("a table")
+                .allowed("tables [worm] and [dresser]")
+                .way_out("`flankwright plan` chooses the best pair and writes it into settings.json");
+        return Err(RunFailure::bad_input(finding));
+    }
+    let mut setup = setup_of_job(job)?;
+    if job.worm.tool == JobTool::Given {
+        setup.tool = Tool::Given(Box::new(tool_modifications(loaded, &setup)?));
+    }
+    let tolerance = tolerance_of_job(loaded).map_err(RunFailure::bad_input)?;
+    let mut warnings = Vec::new();
+    let strokes = strokes_of_job(loaded, &setup)?;
+    // In strokes the corrections make the whole profile, as a dresser made for the target would.
+    let given = match &strokes {
+        None => job.dresser.as_ref().and_then(|dresser| dresser.modification.given()),
+        Some(_) => None,
+    };
+    setup.strokes = strokes.map(Box::new);
+    let cylindrical = setup.pair.work.is_cylindrical();
+    // Without a shift even a freely made tool only leaves profile lines.
+    let carrier = match (&setup.tool, job.grinding.method) {
+        (Tool::Made | Tool::Given(_), Method::Diagonal) => Carrier::Lines,
+        _ if cylindrical => Carrier::Dresser,
+        _ => Carrier::DresserOnCone,
+    };
+    let (entries, remark) = TargetEntries::of_job(loaded).map_err(RunFailure::bad_input)?;
+    warnings.extend(remark);
+    let mut reliefs = Sides::both(Vec::new());
+    let targets = Sides::try_from_fn(|flank| {
+        if !is_ground(job, flank) {
+            return Ok(None);
+        }
+        let field = &setup.fields[flank];
+        let wanted = entries.flank(loaded, flank, field).map_err(RunFailure::bad_input)?;
+        for warning in wanted.flank.warnings() {
+            warnings.push(Remark {
+                code: warning.code(),
+                text: format!("{flank} flank: {warning}"),
+                way_out: "check the length against the evaluation range".into(),
+            });
+        }
+        let target = match given {
+            None => {
+                reliefs[flank] = wanted.reliefs;
+                FlankTarget::carried_by(wanted.flank, carrier)
+            }
+            Some(specs) => {
+                let made = dresser_profile(loaded, specs, flank, field, "dresser.modification")
+                    .map_err(RunFailure::bad_input)?;
+                reliefs[flank] = specs.to_vec();
+                FlankTarget::with_given_dresser(wanted.flank, made)
+            }
+        };
+        let cos = setup.lines[flank].cos_b2;
+        target
+            .and_then(|target| target.weighed_by(|w, z| tolerance.value(w, z) / cos))
+            .map(Some)
+            .map_err(|e| RunFailure::bad_input(generating_finding::generating_finding(&e)))
+    })?;
+    warnings.extend(face_names_remark(specs_of_job(job)));
+    if let Some(compensation) = &job.compensation {
+        warnings.push(Remark {
+            code: "compensated",
+            text: format!(
+                "the flank that is planned is the target with the compensation of {} measurements",
+                compensation.rounds
+            ),
+            way_out: "leave [compensation] out to plan the target alone".into(),
+        });
+    }
+    let rules = PlanningRules::of_job(job, given.is_none())?;
+    warnings.extend(remarks_on_bodies(&setup));
+    if job.point_dresser().is_some() && job.dressing.line_direction_deg.is_none() {
+        let remark;
+        (setup, remark) = with_free_lines(setup, &targets);
+        warnings.extend(remark);
+    }
+    let which: Vec<Flank> = Flank::BOTH.into_iter().filter(|&flank| is_ground(job, flank)).collect();
+    let shift = shift_of_job(job, &setup, &targets, &tolerance, &which)?;
+    let cycle = Cycle::of_job(job)?;
+    let dressing = DressingTask::of_job(job);
+    let technology =
+        Technology::of_grinding(&job.machine.clone().unwrap_or_default(), &setup, cycle.feed_per_revolution);
+    Ok(Prepared {
+        info: job.job.clone(),
+        technology: match &setup.input.dresser {
+            Some(first) => {
+                technology.with_dresser(dressing.largest_radius(first.tip_diameter), setup.worm_module())
+            }
+            None => technology,
+        },
+        setup,
+        targets,
+        drawn: job.target.modifications.clone().unwrap_or_default(),
+        reliefs,
+        tolerance,
+        rules,
+        law: shift.law,
+        areas: shift.areas,
+        cycle,
+        dressing,
+        names_machine: job.machine.is_some(),
+        machine: None,
+        control: job.control.clone(),
+        output: job.output.clone(),
+        warnings,
+    })
+}
+
+impl Prepared {
+    /// With the machine of the job, where it names one, so that programs are made for it.
+    ///
+    /// # Errors
+    /// [`RunFailure`] for a description that cannot be read.
+    pub fn on_machine(self, loaded: &LoadedJob) -> Result<Self, RunFailure> {
+        let machine = loaded.job.machine.as_ref();
+        let machine = machine.map(|machine| machine_of_job(&loaded.document, &machine.file)).transpose()?;
+        Ok(Self { machine, ..self })
+    }
+}
+
+/// What the bodies do beside the evaluated flank.
+fn remarks_on_bodies(setup: &GrindingSetup) -> Vec<Remark> {
+    let mut warnings = Vec::new();
+    if setup.root_cut > WORTH_SAYING {
+        warnings.push(Remark {
+            code: "worm-cuts-root",
+            text: format!(
+                "the worm's tip reaches {:.3} mm beyond the root circle of the gear",
+                setup.root_cut
+            ),
+            way_out: "reduce worm.tip_diameter or check gear.root_diameter".into(),
+        });
+    }
+    if setup.undercut > WORTH_SAYING {
+        warnings.push(Remark {
+            code: "undercut-by-worm-tip",
+            text: format!(
+                "the worm's tip reaches {:.3} mm of roll beyond the point that grinds the base circle: below the start of the evaluated profile it undercuts the gear; what it takes of the evaluated flank is judged",
+                setup.undercut
+            ),
+            way_out: "reduce worm.tip_diameter".into(),
+        });
+    }
+    if setup.tip_short > WORTH_SAYING {
+        warnings.push(Remark {
+            code: "worm-tip-short",
+            text: format!(
+                "the worm's tip ends {:.3} mm before the radius that grinds the root form circle",
+                setup.tip_short
+            ),
+            way_out: "raise worm.tip_diameter or gear.form_diameter".into(),
+        });
+    }
+    if let Ok(found) = setup.input.blank.check(&setup.input.gear) {
+        for warning in found {
+            warnings.push(Remark {
+                code: "tooth-pointed",
+                text: warning.to_string(),
+                way_out: "reduce gear.tip_diameter or gear.profile_shift".into(),
+            });
+        }
+    }
+    warnings
+}
+
+/// Lays the lines of a disc in point contact so that both flanks ask for the same ratio, where the target's directed parts ask
+/// for different ones, and says so.
+fn with_free_lines(
+    setup: GrindingSetup,
+    targets: &Sides<Option<FlankTarget>>,
+) -> (GrindingSetup, Option<Remark>) {
+    let Some(shared) = free_lines(&setup, targets) else { return (setup, None) };
+    let degrees = shared.direction.map(|_, t| t.atan().to_degrees());
+    let remark = Remark {
+        code: "dressing-lines-laid",
+        text: format!(
+            "directed parts of the target ask for diagonal ratio {:.6} on the left flank and {:.6} on the right one; the disc \
+             writes lines of {:.4} deg left and {:.4} deg right, with which both ask for {:.6}",
+            shared.demanded.left, shared.demanded.right, degrees.left, degrees.right, shared.ratio
+        ),
+        way_out: "give dressing.line_direction_deg if other lines are wanted".into(),
+    };
+    (setup.with_tool_direction(shared.direction), Some(remark))
+}
