@@ -93,6 +93,13 @@ impl RelativeCurvature {
         [rolled * step.dot(&self.e_r1) + tan * along, along]
     }
 
+    /// Where the worm stands opposite a place of the workpiece that is held: columns (dw_1, dz_1) by dw_2 and by dz_V2 of the displacement of
+    /// the contact.
+    pub fn worm_moves(&self) -> Matrix2<f64> {
+        let steps = [self.worm_step(&self.u[0]), self.worm_step(&self.u[1])];
+        Matrix2::from_fn(|i, k| if i == 0 { self.dw_1[k] - steps[k][0] } else { self.dz_1[k] - steps[k][1] })
+    }
+
     /// Where a place of the workpiece is really ground, as (dw_2, dz_V2) from its contact of unmodified bodies, when the flank that is left
     /// has the slopes `ground` by these parameters: H d = -(df_1/dx + grad f), from f(x) = min over d of -f_1(y(x, d)) + m(x + d) + d.H.d/2 with
     /// f_1 of the worm at the place y opposite of x (what stands on the worm is missing on the flank) and what the motion adds, m. `worm` gives (f_w, f_z) of f_1 at (dw_1, dz_1) from the contact's place

@@ -1,11 +1,13 @@
 //! Plans every job of a folder without the referee and says what the exact contact finds on points that no fit uses.
 //!
-//! `cargo run --profile demo -p flankwright-generating-grinding --example drawings -- FOLDER [NAME ...]`
+//! `cargo run --profile demo -p flankwright-generating-grinding --example drawings -- FOLDER [--referee] [NAME ...]`; with `--referee` the
+//! whole run follows, and its verdict.
 
 use foundation::geometry::Flank;
+use foundation::numerics::Silent;
 use generating::{GrindingPlan, PlanningGrid};
-use generating_grinding::job::Job;
-use generating_grinding::workflow::{Prepared, prepare};
+use generating_grinding::job::{Job, LoadedJob};
+use generating_grinding::workflow::{Prepared, plan_job, prepare};
 use job::read_job_of;
 use std::error::Error;
 use std::path::PathBuf;
@@ -17,7 +19,9 @@ const JUDGED: [usize; 2] = [37, 97];
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args_os().skip(1);
     let folder = PathBuf::from(arguments.next().ok_or("a folder with jobs is wanted")?);
-    let names: Vec<_> = arguments.collect();
+    let mut names: Vec<_> = arguments.collect();
+    let with_referee = names.iter().any(|name| name == "--referee");
+    names.retain(|name| name != "--referee");
     let mut jobs: Vec<PathBuf> =
         std::fs::read_dir(folder)?.map(|entry| Ok(entry?.path())).collect::<Result<_, std::io::Error>>()?;
     jobs.retain(|path| {
@@ -65,6 +69,9 @@ fn main() -> Result<(), Box<dyn Error>> {
                 println!("{name} refused {} ({took:.3} s)", no.error);
             }
         }
+        if with_referee {
+            refereed(&loaded);
+        }
     }
     times.sort_by(f64::total_cmp);
     let at = |share: f64| times.get((share * (times.len() as f64 - 1.0)) as usize).copied().unwrap_or(0.0);
@@ -85,4 +92,25 @@ fn judged(ready: &Prepared, plan: &GrindingPlan) -> Option<f64> {
         largest = ground.iter().zip(&wanted).map(|(g, t)| (g.f_n - t).abs()).fold(largest, f64::max);
     }
     Some(largest * 1e3)
+}
+
+/// The verdict of the whole run, and how far plan and referee are apart.
+fn refereed(loaded: &LoadedJob) {
+    match plan_job(loaded, &Silent) {
+        Ok(outcome) => {
+            let result = &outcome.result;
+            println!(
+                "    {:?} {:?}",
+                result.verdict.status(),
+                result.verdict.reason().map(|reason| &reason.code)
+            );
+            for (name, flank) in &result.flanks {
+                println!(
+                    "    {name}: {:.3} um, model and referee apart by {:.4} um",
+                    flank.max_deviation_um, flank.model_difference_um
+                );
+            }
+        }
+        Err(failure) => println!("    {failure:?}"),
+    }
 }

@@ -135,9 +135,8 @@ pub fn dresser_of_plan(
 pub(super) fn with_profiles(plain: &DresserTool, worms: &Sides<Option<IdealWorm>>) -> DresserTool {
     let offsets = Sides::from_fn(|flank| -> Option<Arc<dyn ProfileOffset>> {
         let worm = worms[flank].clone()?;
-        let empty = worm.reliefs.is_empty() && worm.parts.profile.iter().all(|&p| p == 0.0);
         let plain = plain.flanks[flank].clone();
-        (!empty).then(|| Arc::new(GearProfile { worm, plain }) as Arc<dyn ProfileOffset>)
+        (!worm.has_plain_profile()).then(|| Arc::new(GearProfile { worm, plain }) as Arc<dyn ProfileOffset>)
     });
     plain.with_offsets(&offsets)
 }

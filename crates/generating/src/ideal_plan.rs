@@ -1,16 +1,19 @@
 //! Tool functions and motion for one command, before any dresser is asked, and what the ideal tool leaves
 //! (`docs/mathematics/planning.md`).
 
+use super::carried::{Carried, RestFit};
 use super::motion::with_fitted_motion;
 use super::planning_grid::GroundError;
 use super::share::{RestCarrier, share};
 use super::{
-    Command, FeedLaw, FlankTarget, GeneratingError, GrindingSetup, IdealWorm, PlanningGrid, ProfilePolicy,
-    Tool, common_motion,
+    Command, Decomposition, FeedLaw, FlankTarget, GeneratingError, GrindingSetup, IdealWorm, PlanningGrid,
+    ProfilePolicy, Tool, common_motion,
 };
 use contact::ModifiedThread;
 use foundation::geometry::{Flank, Sides};
-use foundation::kinematics::GeneratingMotion;
+use foundation::kinematics::{GeneratingMotion, MotionLaw};
+use foundation::modification::Modification;
+use std::sync::Arc;
 
 /// Tool functions and motion for one command, before any dresser is asked.
 #[derive(Clone, Debug)]
@@ -47,6 +50,41 @@ impl IdealPlan {
             outside: Sides::both(0.0),
             rest: Sides { left: None, right: None },
         }
+    }
+
+    /// The plan that makes functions fitted to the whole targets, under a law of the shift; `given` are the profiles that a dresser
+    /// already has.
+    ///
+    /// # Errors
+    /// [`GeneratingError::Law`] for amounts that are not finite.
+    pub(super) fn of_fits(
+        setup: &GrindingSetup,
+        feed: &FeedLaw,
+        fits: &Sides<Option<Arc<RestFit>>>,
+        given: &Sides<Vec<Modification>>,
+        outside: Sides<f64>,
+    ) -> Result<Self, GeneratingError> {
+        let which: Vec<Flank> = Flank::BOTH.into_iter().filter(|&flank| fits[flank].is_some()).collect();
+        let shift = feed.law(setup, &which);
+        let still = (MotionLaw::zero(), MotionLaw::zero());
+        let (delta_d, delta_phi_2) = with_fitted_motion(setup, still, fits, &shift, &which)?;
+        let worms = Sides::from_fn(|flank| {
+            let fitted = fits[flank].clone()?;
+            Some(IdealWorm {
+                lines: setup.lines[flank],
+                shift: shift.clone(),
+                parts: Decomposition::nothing(setup.lines[flank].t_k),
+                carried: Carried { fitted: Some(fitted), ..Carried::default() },
+                reliefs: given[flank].clone(),
+                given: None,
+            })
+        });
+        let occupation = setup.occupation(&shift, &which);
+        let mut motion = setup.pair.motion(shift);
+        motion.delta_d = delta_d;
+        motion.delta_phi_2 = delta_phi_2;
+        let (commanded, rest) = (Sides { left: None, right: None }, Sides { left: None, right: None });
+        Ok(Self { feed: feed.clone(), commanded, worms, motion, occupation, outside, rest })
     }
 
     /// Splits the commands between tool, dresser and common motion under a law of the shift.

@@ -2,6 +2,7 @@
 //! by decomposition and precompensation.
 
 pub mod areas;
+mod best_fit;
 pub mod carried;
 pub mod correction;
 pub mod curve_law;
@@ -24,6 +25,7 @@ pub mod made;
 mod motion;
 pub mod natural_twist;
 pub mod plan;
+mod plan_by_fit;
 pub mod planning_grid;
 pub mod policy;
 mod precompensation;

@@ -98,7 +98,7 @@ pub struct GrindingPlan {
 }
 
 /// Largest margin dressed beyond the used worm width, mm.
-const LARGEST_DRESSING_MARGIN: f64 = 48.0;
+pub(super) const LARGEST_DRESSING_MARGIN: f64 = 48.0;
 /// Distance of the contacts from the ends of the finished worm, mm: room for the search of a check of the plan.
 const CONTACT_MARGIN: f64 = 1.5;
 /// Outer rounds with the worm as dressed.
@@ -108,13 +108,21 @@ const OUTER_ROUNDS: usize = 3;
 type Equipment = (Option<DresserTool>, Sides<Option<PlannedTool>>, GroundError);
 
 /// A plan with its tool.
-struct Equipped {
-    ideal: IdealPlan,
-    dresser: Option<DresserTool>,
-    flanks: Sides<Option<PlannedTool>>,
-    error: GroundError,
+pub(super) struct Equipped {
+    pub ideal: IdealPlan,
+    pub dresser: Option<DresserTool>,
+    pub flanks: Sides<Option<PlannedTool>>,
+    pub error: GroundError,
     /// Length of the tool beyond the used width, mm.
-    margin: f64,
+    pub margin: f64,
+}
+
+/// Largest errors per flank by round of precompensation, mm.
+pub(super) struct Records {
+    /// With the ideal tool.
+    pub ideal: Sides<Vec<f64>>,
+    /// With the tool as dressed.
+    pub dressed: Sides<Vec<f64>>,
 }
 
 /// Points of the planning grid over profile and face width: for polynomials (`docs/mathematics/planning.md#choice-of-the-ratio`), and where
@@ -122,7 +130,7 @@ struct Equipped {
 const PLANNING_GRIDS: [[usize; 2]; 2] = [[9, 9], [17, 41]];
 
 impl PlanTask<'_> {
-    fn rule<'a>(&'a self, grid: &'a PlanningGrid) -> Rule<'a> {
+    pub(super) fn rule<'a>(&'a self, grid: &'a PlanningGrid) -> Rule<'a> {
         Rule {
             setup: self.setup,
             targets: &self.targets,
@@ -276,10 +284,37 @@ impl PlanTask<'_> {
     /// # Errors
     /// [`NoPlan`].
     pub fn plan_or_tried(&self) -> Result<GrindingPlan, Box<NoPlan>> {
+        let ruled = self.plan_by_rule();
+        if !self.may_be_fitted() || ruled.as_ref().is_ok_and(|plan| self.deviation(plan) <= self.tolerance) {
+            return ruled;
+        }
+        match (self.plan_by_fit(&ruled), ruled) {
+            (Some(fitted), Ok(ruled)) if self.deviation(&fitted) >= self.deviation(&ruled) => Ok(ruled),
+            (Some(fitted), _) => Ok(fitted),
+            (None, ruled) => ruled,
+        }
+    }
+
+    /// Plans by the rules alone: the target is decomposed in closed form, what is left is fitted.
+    ///
+    /// # Errors
+    /// [`NoPlan`].
+    pub fn plan_by_rule(&self) -> Result<GrindingPlan, Box<NoPlan>> {
         let grid = self.planning_grid();
         let choice = self.choose_or_tried(&grid)?;
         let (candidates, failed) = (choice.candidates.clone(), choice.failed.clone());
         self.plan_with(&grid, choice).map_err(|error| Box::new(NoPlan { error, candidates, failed }))
+    }
+
+    /// Largest distance of a plan to the target on its result grid and between, what is only best-fitted included, normal, mm.
+    pub(super) fn deviation(&self, plan: &GrindingPlan) -> f64 {
+        let of_flank = |flank: Flank| {
+            let made = plan.flanks[flank].as_ref()?;
+            let off = made.planned.iter().zip(&made.target).map(|(at, target)| (at.f_n - target).abs());
+            let outside = plan.ideal.outside[flank] * self.setup.lines[flank].cos_b2;
+            Some(off.fold(plan.between[flank].max(outside), f64::max))
+        };
+        Flank::BOTH.into_iter().filter_map(of_flank).fold(0.0, f64::max)
     }
 
     fn plan_with(&self, grid: &PlanningGrid, choice: RatioChoice) -> Result<GrindingPlan, GeneratingError> {
@@ -320,6 +355,19 @@ impl PlanTask<'_> {
                 best = next;
             }
         }
+        let records = Records { ideal: ideal_record, dressed: dressed_record };
+        self.finish(best, choice, policy, grid, records)
+    }
+
+    /// The plan of a tool that is settled: enough of it for every contact, and the flank on the result grid.
+    pub(super) fn finish(
+        &self,
+        mut best: Equipped,
+        choice: RatioChoice,
+        policy: ProfilePolicy,
+        grid: &PlanningGrid,
+        records: Records,
+    ) -> Result<GrindingPlan, GeneratingError> {
         let result_grid = PlanningGrid::new(self.setup, self.grid.0, self.grid.1);
         let flanks = loop {
             let flank_plan = |flank: Flank| self.flank_plan(flank, &best, &result_grid);
@@ -332,7 +380,8 @@ impl PlanTask<'_> {
             let (dresser, tools, error) = self.equip_with(&best.ideal, policy, grid, margin)?;
             best = Equipped { ideal: best.ideal, dresser, flanks: tools, error, margin };
         };
-        let between = if self.is_smooth() {
+        let fitted = choice.reason == RatioReason::BestFit;
+        let between = if self.is_smooth() && !fitted {
             Sides::both(0.0)
         } else {
             let inner = result_grid.between();
@@ -356,8 +405,8 @@ impl PlanTask<'_> {
             ideal: best.ideal,
             dresser: best.dresser,
             flanks,
-            ideal_error_by_round: ideal_record,
-            dressed_error_by_round: dressed_record,
+            ideal_error_by_round: records.ideal,
+            dressed_error_by_round: records.dressed,
             determinant,
             between,
         })
@@ -393,6 +442,22 @@ impl PlanTask<'_> {
         grid: &PlanningGrid,
         margin: f64,
     ) -> Result<Equipment, GeneratingError> {
+        let (dresser, flanks) = self.tools(ideal, policy, margin)?;
+        let ground = |flank: Flank| {
+            flanks[flank].as_ref().map(|tool| tool.ground(self.setup, flank, grid, &ideal.motion))
+        };
+        let foot = |flank: Flank, at: &ContactSolution| flanks[flank].as_ref()?.foot(at);
+        let error = GroundError::of(self.setup, &self.targets, grid, &ideal.motion.shift, ground, foot)?;
+        Ok((dresser, flanks, error))
+    }
+
+    /// The dresser of a plan and the flanks of the tool that it leaves.
+    pub(super) fn tools(
+        &self,
+        ideal: &IdealPlan,
+        policy: ProfilePolicy,
+        margin: f64,
+    ) -> Result<(Option<DresserTool>, Sides<Option<PlannedTool>>), GeneratingError> {
         let dresser = match (&self.setup.tool, &self.setup.strokes) {
             (Tool::Dressed(_), Some(layout)) => layout.dressers.first().cloned(),
             (Tool::Dressed(_), None) => Some(dresser_of_plan(self.setup, ideal, policy)?),
@@ -422,12 +487,7 @@ impl PlanTask<'_> {
                 Sides { left: left?.map(PlannedTool::Made), right: right?.map(PlannedTool::Made) }
             }
         };
-        let ground = |flank: Flank| {
-            flanks[flank].as_ref().map(|tool| tool.ground(self.setup, flank, grid, &ideal.motion))
-        };
-        let foot = |flank: Flank, at: &ContactSolution| flanks[flank].as_ref()?.foot(at);
-        let error = GroundError::of(self.setup, &self.targets, grid, &ideal.motion.shift, ground, foot)?;
-        Ok((dresser, flanks, error))
+        Ok((dresser, flanks))
     }
 
     /// Whether every contact on the tool lies inside the finished area with [`CONTACT_MARGIN`] to spare.
@@ -485,7 +545,7 @@ impl PlannedTool {
     }
 
     /// The point (w_1, z_1) of the unmodified flank under a contact, mm.
-    fn foot(&self, at: &ContactSolution) -> Option<(f64, f64)> {
+    pub(super) fn foot(&self, at: &ContactSolution) -> Option<(f64, f64)> {
         let (p, q) = at.tool;
         match self {
             Self::Dressed(dressed) => dressed.worm.envelope_point(p, q).map(|foot| (foot.w, foot.b)),

@@ -89,6 +89,8 @@ pub enum RatioReason {
     LeastError,
     /// The ratio that lays the tool's lines onto reliefs or waves of the target.
     LinesOfTarget,
+    /// The ratio of the best fit to the whole target.
+    BestFit,
     /// A law of the feed, given in the job or made for its areas.
     Law,
 }
@@ -347,7 +349,12 @@ impl Rule<'_> {
         ratios
     }
 
-    fn check_axes(&self, share: f64, (j, value): (usize, f64), delta_d: f64) -> Result<(), GeneratingError> {
+    pub(super) fn check_axes(
+        &self,
+        share: f64,
+        (j, value): (usize, f64),
+        delta_d: f64,
+    ) -> Result<(), GeneratingError> {
         if share > 1.0 {
             let angle = j < 2;
             let convert = |x: f64| if angle { x.to_degrees() } else { x };

@@ -27,6 +27,12 @@ pub struct IdealWorm {
 }
 
 impl IdealWorm {
+    /// Whether no profile is asked of a dresser.
+    pub fn has_plain_profile(&self) -> bool {
+        let fitted = self.carried.fitted.as_ref().is_some_and(|fit| fit.functions.profile.is_some());
+        self.reliefs.is_empty() && !fitted && self.parts.profile.iter().all(|&p| p == 0.0)
+    }
+
     /// Whether the tool is not shifted, so that it has no lines of its own.
     pub fn is_radial(&self) -> bool {
         self.shift.is_constant()
@@ -61,7 +67,8 @@ impl IdealWorm {
     pub fn profile_share(&self, w_2: f64) -> Option<[f64; 3]> {
         let relief = relief_jet(&self.reliefs, w_2, self.lines.z_m)?;
         let profile = self.parts.profile_jet(w_2 - self.lines.w_m);
-        Some(std::array::from_fn(|k| profile[k] + relief[k]))
+        let fitted = self.carried.fitted.as_ref().map_or([0.0; 3], |fit| fit.functions.profile_jet(w_2));
+        Some(std::array::from_fn(|k| profile[k] + relief[k] + fitted[k]))
     }
 }
 

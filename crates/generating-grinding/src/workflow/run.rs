@@ -310,6 +310,9 @@ pub fn ratio_reason(reason: RatioReason) -> &'static str {
         RatioReason::LinesOfTarget => {
             "The ratio that lays the tool's lines onto reliefs or waves of the target."
         }
+        RatioReason::BestFit => {
+            "The ratio at which worm, dresser and motion together come nearest to the whole target."
+        }
         RatioReason::Law => "The shift follows a law of the feed; the ratio is its mean.",
     }
 }

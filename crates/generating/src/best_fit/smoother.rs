@@ -1,0 +1,121 @@
+//! Penalised least squares for splines: values at places, third differences small, and just enough on the second ones to choose among the
+//! decompositions with the same sum.
+
+use super::bases::{Bases, Block, Kind, Place};
+use nalgebra::{DMatrix, DVector};
+
+/// Weight of the second differences against that of the third: chooses among equal decompositions and hardly bends anything.
+const BEND: f64 = 1e-7;
+/// Weight of the coefficients of F_K themselves, and of F_L, for the same reason: small travel of the axes.
+const TRAVEL: f64 = 1e-8;
+/// Makes the normal matrix regular where no place determines a coefficient.
+const RIDGE: f64 = 1e-12;
+
+/// Places with their rows.
+#[derive(Clone, Debug)]
+pub struct Rows {
+    rows: Vec<Vec<(usize, f64)>>,
+    columns: usize,
+}
+
+impl Rows {
+    /// The rows of places.
+    pub fn new(bases: &Bases, places: &[Place]) -> Self {
+        let rows = places
+            .iter()
+            .map(|place| {
+                let mut row = Vec::new();
+                bases.row(place, &mut row);
+                row
+            })
+            .collect();
+        Self { rows, columns: bases.columns() }
+    }
+
+    /// The sum of the functions at each place.
+    pub fn values(&self, x: &[f64]) -> Vec<f64> {
+        self.rows.iter().map(|row| row.iter().map(|&(column, factor)| x[column] * factor).sum()).collect()
+    }
+
+    /// A^T W A / n and A^T W b / n.
+    fn normal(&self, weights: &[f64], values: &[f64]) -> (DMatrix<f64>, DVector<f64>) {
+        let mut matrix = DMatrix::zeros(self.columns, self.columns);
+        let mut right = DVector::zeros(self.columns);
+        let share = 1.0 / self.rows.len().max(1) as f64;
+        for ((row, weight), value) in self.rows.iter().zip(weights).zip(values) {
+            for (i, &(column, factor)) in row.iter().enumerate() {
+                let scaled = factor * weight * share;
+                right[column] += scaled * value;
+                for &(other, along) in &row[..=i] {
+                    // `row` ascends: the lower triangle.
+                    matrix[(column, other)] += scaled * along;
+                }
+            }
+        }
+        (matrix, right)
+    }
+}
+
+/// The penalty of a block: squares of its differences, each over the number of them.
+fn add_differences(matrix: &mut DMatrix<f64>, block: &Block, stencil: &[f64], weight: f64) {
+    let count = block.basis.count().saturating_sub(stencil.len() - 1);
+    for j in 0..count {
+        for (a, &by_a) in stencil.iter().enumerate() {
+            for (b, &by_b) in stencil[..=a].iter().enumerate() {
+                matrix[(block.first + j + a, block.first + j + b)] += weight / count as f64 * by_a * by_b;
+            }
+        }
+    }
+}
+
+/// Fits to values at places.
+pub struct Smoother<'a> {
+    /// The functions.
+    pub bases: &'a Bases,
+    /// The places.
+    pub rows: &'a Rows,
+}
+
+impl Smoother<'_> {
+    /// Coefficients that make mean(weight (value - fit)^2) + `smoothness` mean(third differences^2) + the choice among equals small.
+    /// `None` where a number is not finite.
+    pub fn fit(&self, values: &[f64], weights: &[f64], smoothness: f64) -> Option<Vec<f64>> {
+        let (mut matrix, right) = self.rows.normal(weights, values);
+        for block in &self.bases.blocks {
+            add_differences(&mut matrix, block, &[-1.0, 3.0, -3.0, 1.0], smoothness);
+            add_differences(&mut matrix, block, &[1.0, -2.0, 1.0], BEND);
+            let travel = match block.kind {
+                Kind::Kinematic | Kind::Linear => TRAVEL,
+                Kind::Constant | Kind::Profile => 0.0,
+            };
+            add_differences(&mut matrix, block, &[1.0], travel + RIDGE);
+        }
+        let solved = matrix.cholesky()?.solve(&right);
+        solved.iter().all(|x| x.is_finite()).then(|| solved.iter().copied().collect())
+    }
+
+    /// As [`Smoother::fit`] with the largest residual made small, by weights that grow where it stands out.
+    pub fn fit_largest(&self, values: &[f64], smoothness: f64, rounds: usize) -> Option<Vec<f64>> {
+        let mut weights = vec![1.0; values.len()];
+        let mut best: Option<(f64, Vec<f64>)> = None;
+        for _ in 0..=rounds {
+            let x = self.fit(values, &weights, smoothness)?;
+            let off: Vec<f64> = self.rows.values(&x).iter().zip(values).map(|(f, v)| (f - v).abs()).collect();
+            let largest = off.iter().copied().fold(0.0, f64::max);
+            if best.as_ref().is_none_or(|(known, _)| largest < *known) {
+                best = Some((largest, x));
+            }
+            if largest <= 0.0 {
+                break;
+            }
+            let mut sum = 0.0;
+            for (weight, off) in weights.iter_mut().zip(&off) {
+                *weight *= 0.02 + off / largest;
+                sum += *weight;
+            }
+            let mean = sum / weights.len().max(1) as f64;
+            weights.iter_mut().for_each(|weight| *weight = (*weight / mean).max(1e-3));
+        }
+        best.map(|(_, x)| x)
+    }
+}
