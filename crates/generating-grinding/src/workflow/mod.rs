@@ -17,7 +17,6 @@ pub mod influence;
 pub mod line_dressing;
 mod miss;
 pub mod occupation;
-pub mod page;
 pub mod partition;
 pub mod prepare;
 mod preview;

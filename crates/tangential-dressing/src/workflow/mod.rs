@@ -5,7 +5,6 @@ pub mod control;
 pub mod derived;
 mod finding;
 mod flank;
-mod page;
 mod passes;
 mod plan;
 pub mod prepare;

@@ -2,6 +2,7 @@
 //! axes -> bodies -> referee. Nothing leaves this room that was not read back and simulated.
 
 pub mod areas;
+pub mod axis_curves;
 pub mod beyond_travel;
 pub mod build;
 pub mod check;
@@ -10,7 +11,6 @@ pub mod follow;
 pub mod indexing;
 pub mod lines;
 pub mod of_grinding;
-pub mod page;
 pub mod proof;
 pub mod result;
 pub mod run_programs;
@@ -24,7 +24,6 @@ pub use build::{Built, BuiltProgram};
 pub use check::{BodiesCheck, FollowedBodies};
 pub use indexing::Indexing;
 pub use of_grinding::{OnGrinding, beyond_travel_of_grinding, programs_of_grinding};
-pub use page::programs_report;
 pub use result::{
     AxisResult, ClearanceResult, PassResult, ProgramResult, ProgramsResult, ProofResult, WormUse,
 };

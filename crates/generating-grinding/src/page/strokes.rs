@@ -1,24 +1,31 @@
 //! Dressing in strokes: what each dresses and with which corrections, as a table and as charts over the worm position.
 
-use super::data::{DressingMotion, StrokeReport};
-use crate::charts::{ChartError, LineChart, Panel, Series, format_fixed, line_chart};
-use crate::data::{Block, Column, Figure, Table};
+use super::motions::DressingCurves;
+use crate::workflow::executed_strokes::ExecutedStroke;
 use foundation::geometry::{Flank, Sides};
+use report::charts::{ChartError, LineChart, Panel, Series, format_fixed, line_chart};
+use report::{Block, Column, Figure, Table};
+
+/// The strokes of one flank with their corrections as curves.
+type Shown<'a> = [(&'a ExecutedStroke, DressingCurves)];
 
 /// Table and charts of the strokes of each flank; empty without strokes.
-pub(super) fn figures(strokes: &Sides<Vec<StrokeReport>>) -> Result<Vec<Block>, ChartError> {
+pub(super) fn figures(strokes: &Sides<&[ExecutedStroke]>) -> Result<Vec<Block>, ChartError> {
     let mut blocks = Vec::new();
     for (flank, strokes) in strokes.iter().filter(|(_, strokes)| !strokes.is_empty()) {
-        blocks.push(Block::Table(table(flank, strokes)));
+        let curves =
+            |stroke: &ExecutedStroke| DressingCurves::over(&stroke.motion, stroke.corrections[0].interval());
+        let shown: Vec<_> = strokes.iter().map(|stroke| (stroke, curves(stroke))).collect();
+        blocks.push(Block::Table(table(flank, &shown)));
         // Constant corrections need no chart.
-        if strokes.iter().any(|stroke| varies(&stroke.motion)) {
-            blocks.push(chart(flank, strokes)?);
+        if shown.iter().any(|(_, curves)| varies(curves)) {
+            blocks.push(chart(flank, &shown)?);
         }
     }
     Ok(blocks)
 }
 
-fn varies(motion: &DressingMotion) -> bool {
+fn varies(motion: &DressingCurves) -> bool {
     let lists = [&motion.d_phi_s_deg, &motion.d_gamma_deg, &motion.d_d_mm, &motion.d_v_ya_mm];
     lists.into_iter().any(|list| list.windows(2).any(|pair| pair[0] != pair[1]))
 }
@@ -28,13 +35,12 @@ fn middle(list: &[f64]) -> f64 {
     list.get(list.len() / 2).copied().unwrap_or(0.0)
 }
 
-fn table(flank: Flank, strokes: &[StrokeReport]) -> Table {
-    let row = |(k, stroke): (usize, &StrokeReport)| {
-        let m = &stroke.motion;
-        let mut cells = vec![(k + 1).to_string(), stroke.dresser.to_string()];
+fn table(flank: Flank, strokes: &Shown<'_>) -> Table {
+    let row = |(k, (stroke, m)): (usize, &(&ExecutedStroke, DressingCurves))| {
+        let mut cells = vec![(k + 1).to_string(), (stroke.place.dresser + 1).to_string()];
         let figures = [
-            (stroke.range_mm[0], 3),
-            (stroke.range_mm[1], 3),
+            (stroke.place.range[0], 3),
+            (stroke.place.range[1], 3),
             (middle(&m.d_phi_s_deg), 5),
             (middle(&m.d_gamma_deg), 5),
             (middle(&m.d_d_mm), 5),
@@ -60,13 +66,13 @@ fn table(flank: Flank, strokes: &[StrokeReport]) -> Table {
     }
 }
 
-fn chart(flank: Flank, strokes: &[StrokeReport]) -> Result<Block, ChartError> {
-    let panel = |title: &str, least_span: f64, pick: fn(&DressingMotion) -> &Vec<f64>| {
-        let series = strokes.iter().enumerate().map(|(k, stroke)| {
-            let list = pick(&stroke.motion);
+fn chart(flank: Flank, strokes: &Shown<'_>) -> Result<Block, ChartError> {
+    let panel = |title: &str, least_span: f64, pick: fn(&DressingCurves) -> &Vec<f64>| {
+        let series = strokes.iter().enumerate().map(|(k, (_, motion))| {
+            let list = pick(motion);
             let at = middle(list);
             let change = list.iter().map(|x| x - at).collect();
-            Series::new(format!("stroke {}", k + 1), stroke.motion.v_zs_mm.clone(), change)
+            Series::new(format!("stroke {}", k + 1), motion.v_zs_mm.clone(), change)
         });
         Panel::linear(title, least_span, series.collect())
     };

@@ -1,11 +1,45 @@
 //! Grinding motion, dressing corrections and convergence: charts with their tables.
 
-use super::data::{ConvergenceRound, DressingMotion, GrindingMotion};
-use crate::charts::{
+use crate::workflow::tables::ROWS;
+use foundation::geometry::{Flank, Sides};
+use foundation::kinematics::DressingMotion;
+use foundation::numerics::equidistant;
+use report::charts::{
     ChartError, LineChart, Panel, Series, Svg, YScale, format_fixed, format_significant, line_chart,
 };
-use crate::data::{Block, Column, Figure, Table};
-use foundation::geometry::{Flank, Sides};
+use report::{Block, Column, Figure, Table};
+use run::{GrindingMotion, grinding_motion_chart};
+
+/// Dressing corrections DK of one flank over the worm position; lists of equal length.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DressingCurves {
+    /// Axial position of the worm v_zS, mm.
+    pub v_zs_mm: Vec<f64>,
+    /// Change of the worm's rotation, degree.
+    pub d_phi_s_deg: Vec<f64>,
+    /// Change of the crossing angle, degree.
+    pub d_gamma_deg: Vec<f64>,
+    /// Change of the centre distance of dresser and worm, mm.
+    pub d_d_mm: Vec<f64>,
+    /// Change of the dresser's tangential offset, mm.
+    pub d_v_ya_mm: Vec<f64>,
+}
+
+impl DressingCurves {
+    /// Of a dressing motion between two worm positions, mm.
+    pub fn over(motion: &DressingMotion, (from, to): (f64, f64)) -> Self {
+        let v: Vec<f64> = equidistant([from, to], ROWS);
+        let component = |j: usize, unit: f64| v.iter().map(|&v| motion.correction_at(v)[j] * unit).collect();
+        let deg = 180.0 / std::f64::consts::PI;
+        Self {
+            d_phi_s_deg: component(0, deg),
+            d_gamma_deg: component(1, deg),
+            d_d_mm: component(2, 1.0),
+            d_v_ya_mm: component(3, 1.0),
+            v_zs_mm: v,
+        }
+    }
+}
 
 /// Rows of a table on the page; the files hold all of them.
 const MOST_ROWS: usize = 17;
@@ -15,32 +49,6 @@ fn flank_name(side: Flank) -> &'static str {
         Flank::Left => "left flank",
         Flank::Right => "right flank",
     }
-}
-
-/// The grinding motion over the feed, a panel for each axis.
-///
-/// # Errors
-/// [`ChartError`] for motions that are not finite or of different length, or without any motion.
-pub fn grinding_motion_chart(motions: &[GrindingMotion]) -> Result<Svg, ChartError> {
-    let swivels = motions.iter().any(|m| m.delta_gamma_deg.iter().any(|&x| x != 0.0));
-    let panel = |title: &str, least_span: f64, pick: fn(&GrindingMotion) -> &Vec<f64>| {
-        let series =
-            motions.iter().map(|m| Series::new(&m.flanks, m.z_v2_mm.clone(), pick(m).clone())).collect();
-        Panel::linear(title, least_span, series)
-    };
-    let mut panels = vec![
-        panel("Worm shift z_V1 [mm]", 0.1, |m| &m.z_v1_mm),
-        panel("Centre distance Δd [µm]", 0.01, |m| &m.delta_d_um),
-        panel("Workpiece rotation Δφ_2 [µrad]", 0.1, |m| &m.delta_phi_2_urad),
-    ];
-    if swivels {
-        panels.push(panel("Crossed-axes angle Δγ [°]", 1e-4, |m| &m.delta_gamma_deg));
-    }
-    line_chart(&LineChart {
-        title: "Grinding motion over the axial feed".to_owned(),
-        x_title: "z_V2 [mm]".to_owned(),
-        panels,
-    })
 }
 
 pub(super) fn grinding(motions: &[GrindingMotion]) -> Result<Vec<Block>, ChartError> {
@@ -70,13 +78,13 @@ pub(super) fn grinding(motions: &[GrindingMotion]) -> Result<Vec<Block>, ChartEr
     Ok(blocks)
 }
 
-pub(super) fn dressing(motions: &Sides<Option<DressingMotion>>) -> Result<Vec<Block>, ChartError> {
-    let present: Vec<(Flank, &DressingMotion)> =
+pub(super) fn dressing(motions: &Sides<Option<DressingCurves>>) -> Result<Vec<Block>, ChartError> {
+    let present: Vec<(Flank, &DressingCurves)> =
         motions.iter().filter_map(|(side, motion)| motion.as_ref().map(|motion| (side, motion))).collect();
     if present.is_empty() {
         return Ok(Vec::new());
     }
-    let panel = |title: &str, least_span: f64, pick: fn(&DressingMotion) -> &Vec<f64>| {
+    let panel = |title: &str, least_span: f64, pick: fn(&DressingCurves) -> &Vec<f64>| {
         let series = present
             .iter()
             .map(|(side, motion)| {
@@ -114,21 +122,19 @@ pub(super) fn dressing(motions: &Sides<Option<DressingMotion>>) -> Result<Vec<Bl
     Ok(blocks)
 }
 
-pub(super) fn convergence(rounds: &[ConvergenceRound]) -> Result<Vec<Block>, ChartError> {
-    if rounds.is_empty() {
+/// Largest error of the model by round of the precompensation, um; nothing without rounds.
+pub(super) fn convergence(by_round_um: &Sides<Vec<f64>>) -> Result<Vec<Block>, ChartError> {
+    let rounds = by_round_um.left.len().max(by_round_um.right.len());
+    if rounds == 0 {
         return Ok(Vec::new());
     }
     let mut series = Vec::new();
-    for side in Flank::BOTH {
-        let points: Vec<(f64, f64)> =
-            rounds.iter().filter_map(|r| r.error_um[side].map(|error| (f64::from(r.round), error))).collect();
-        if !points.is_empty() {
-            let (x, y) = points.into_iter().unzip();
-            series.push(Series::new(flank_name(side), x, y));
-        }
+    for (side, errors) in by_round_um.iter().filter(|(_, errors)| !errors.is_empty()) {
+        let x = (0..errors.len()).map(|round| round as f64).collect();
+        series.push(Series::new(flank_name(side), x, errors.clone()));
     }
     let mut blocks = Vec::new();
-    if rounds.len() > 1 && !series.is_empty() {
+    if rounds > 1 {
         let panel = Panel {
             y_title: "Largest error of the model [µm]".to_owned(),
             least_span: 0.0,
@@ -139,7 +145,9 @@ pub(super) fn convergence(rounds: &[ConvergenceRound]) -> Result<Vec<Block>, Cha
         let svg = line_chart(&LineChart { title, x_title: "round".to_owned(), panels: vec![panel] })?;
         blocks.push(figure("convergence-of-the-precompensation", svg, "Round 0: commands of first order."));
     }
-    let cell = |error: Option<f64>| error.map_or("–".to_owned(), |v| format_significant(v, 2));
+    let cell = |errors: &[f64], round: usize| {
+        errors.get(round).map_or("–".to_owned(), |&v| format_significant(v, 2))
+    };
     blocks.push(Block::Table(Table {
         caption: String::new(),
         columns: vec![
@@ -147,9 +155,8 @@ pub(super) fn convergence(rounds: &[ConvergenceRound]) -> Result<Vec<Block>, Cha
             Column::number("Largest error, left", "µm"),
             Column::number("Largest error, right", "µm"),
         ],
-        rows: rounds
-            .iter()
-            .map(|r| vec![r.round.to_string(), cell(r.error_um.left), cell(r.error_um.right)])
+        rows: (0..rounds)
+            .map(|k| vec![k.to_string(), cell(&by_round_um.left, k), cell(&by_round_um.right, k)])
             .collect(),
         note: String::new(),
     }));

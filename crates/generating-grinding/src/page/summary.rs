@@ -1,36 +1,32 @@
 //! The banner and the summary table: what was asked for, what comes out, how far apart they are.
 
-use super::data::{Characteristics, FlankReport, GeneratingReport, TargetAmount};
-use crate::charts::{format_fixed, format_significant};
-use crate::data::{Banner, Block, Column, Fact, Stamp, Table};
+use super::composition::{GrindingPage, ShownFlank};
+use super::target_amounts::TargetAmount;
+use report::charts::{format_fixed, format_significant};
+use report::{Banner, Block, Column, Fact, Table};
+use run::CharacteristicsUm;
 use verdict::Status;
 
-/// Largest of a figure over the flanks that have it.
-fn worst(report: &GeneratingReport, figure: impl Fn(&FlankReport) -> Option<f64>) -> Option<f64> {
-    report.flanks.iter().filter_map(|(_, flank)| flank.as_ref().and_then(&figure)).reduce(f64::max)
+/// Largest of a figure over the flanks.
+fn worst(page: &GrindingPage<'_>, figure: impl Fn(&ShownFlank<'_>) -> f64) -> Option<f64> {
+    page.flanks.iter().filter_map(|(_, flank)| flank.as_ref().map(&figure)).reduce(f64::max)
 }
 
-pub(super) fn banner(report: &GeneratingReport) -> Banner {
-    let deviation = worst(report, |flank| flank.max_deviation_um);
-    let tolerance = format_significant(report.tolerance_um, 4);
-    let mut sentences = Vec::new();
-    match (report.status, deviation) {
-        (Stamp::NotProducible, _) if report.reason.is_none() => {
-            sentences.push("These bodies can't make the target.".to_owned());
+pub(super) fn banner(page: &GrindingPage<'_>) -> Banner {
+    let deviation = worst(page, |flank| flank.result.max_deviation_um);
+    let tolerance = format_significant(page.tolerance_um, 4);
+    let mut sentences = vec![match (page.verdict.status(), deviation) {
+        (_, Some(deviation)) => {
+            let place = if deviation <= page.tolerance_um { "within" } else { "outside" };
+            compared(deviation, place, &tolerance)
         }
-        (Stamp::NotProducible | Stamp::Study, _) => {}
-        (Stamp::Judged(_), Some(deviation)) => {
-            let place = if deviation <= report.tolerance_um { "within" } else { "outside" };
-            sentences.push(compared(deviation, place, &tolerance));
-        }
-        (Stamp::Judged(Status::Met), None) => {
-            sentences.push("The target is met within its tolerance.".to_owned())
-        }
-        (Stamp::Judged(Status::NotJudged), None) => sentences.push("The target was not judged.".to_owned()),
-        (Stamp::Judged(Status::Missed), None) => sentences.push("The target is missed.".to_owned()),
-    }
-    if let Some(reason) = &report.reason {
-        let parts = [&reason.cause, &reason.way_out];
+        (Status::Met, None) => "The target is met within its tolerance.".to_owned(),
+        (Status::NotJudged, None) => "The target was not judged.".to_owned(),
+        (Status::Missed, None) => "The target is missed.".to_owned(),
+    }];
+    let reason = page.verdict.reason();
+    if let Some(reason) = reason {
+        let parts = [&reason.text, &reason.way_out];
         sentences.extend(parts.into_iter().filter(|part| !part.is_empty()).cloned());
     }
     let headline = sentences.join(" ");
@@ -38,27 +34,30 @@ pub(super) fn banner(report: &GeneratingReport) -> Banner {
     let text = |value: f64| format!("{} µm", micrometres(value));
     for (label, value) in [
         ("Deviation, max", deviation.map(text)),
-        ("Deviation, rms", worst(report, |flank| flank.rms_deviation_um).map(text)),
+        ("Deviation, rms", worst(page, |flank| flank.result.rms_deviation_um).map(text)),
         ("Tolerance", Some(format!("{tolerance} µm"))),
-        ("Analytic against referee", worst(report, |flank| flank.model_difference_um).map(text)),
+        ("Analytic against referee", worst(page, |flank| flank.result.model_difference_um).map(text)),
     ] {
         figures.extend(value.map(|value| Fact::new(label, value)));
     }
-    if let Some(chosen) = report.ratio.as_ref().and_then(|ratio| ratio.chosen) {
-        figures.push(Fact::new("Diagonal ratio", format_significant(chosen, 5)));
+    if let Some(settings) = page.ratio {
+        figures.push(Fact::new("Diagonal ratio", format_significant(settings.settings.diagonal_ratio, 5)));
     }
-    if let Some(reason) = &report.reason {
-        figures.push(Fact::new("Code", &reason.code));
+    if let Some(reason) = reason {
+        figures.push(Fact::new("Code", reason.code));
     }
-    Banner { status: report.status, headline, figures }
+    Banner { status: page.verdict.status().into(), headline, figures }
 }
 
 fn compared(deviation: f64, place: &str, tolerance: &str) -> String {
     format!("Largest deviation {} µm, {place} the tolerance of {tolerance} µm.", micrometres(deviation))
 }
 
-pub(super) fn summary(report: &GeneratingReport) -> Vec<Block> {
-    let flanks: Vec<(String, &FlankReport)> = report
+/// A flank with its name.
+type Named<'a> = (String, &'a ShownFlank<'a>);
+
+pub(super) fn summary(page: &GrindingPage<'_>) -> Vec<Block> {
+    let flanks: Vec<Named<'_>> = page
         .flanks
         .iter()
         .filter_map(|(side, flank)| flank.as_ref().map(|flank| (side.to_string(), flank)))
@@ -71,15 +70,18 @@ pub(super) fn summary(report: &GeneratingReport) -> Vec<Block> {
         blocks.push(Block::Table(amounts(&flanks)));
     }
     blocks.push(Block::Table(characteristics(&flanks)));
-    blocks.push(Block::Table(deviations(&flanks, report.tolerance_um)));
-    if flanks.iter().any(|(_, flank)| !flank.outside.is_empty()) {
+    blocks.push(Block::Table(deviations(&flanks, page.tolerance_um)));
+    if flanks.iter().any(|(_, flank)| flank.result.outside_class_um > LEAST_OUTSIDE_UM) {
         blocks.push(Block::Table(outside(&flanks)));
     }
     blocks
 }
 
+/// Parts outside the producible class below this are rounding, um.
+const LEAST_OUTSIDE_UM: f64 = 5e-4;
+
 /// One row per modification; equal entries of both flanks share a row.
-fn amounts(flanks: &[(String, &FlankReport)]) -> Table {
+fn amounts(flanks: &[Named<'_>]) -> Table {
     let mut columns = vec![Column::text("Modification")];
     columns.extend(flanks.iter().map(|(side, _)| Column::number(capitalised(side), "µm")));
     columns.push(Column::text("Remark"));
@@ -112,8 +114,8 @@ fn amounts(flanks: &[(String, &FlankReport)]) -> Table {
     Table { caption: "Target".to_owned(), columns, rows, note: "Positive: material removed.".to_owned() }
 }
 
-/// Name and symbol, the kind of modification that asks for it by its amount, and the value in [`Characteristics`].
-type Row = (&'static str, &'static str, fn(&Characteristics) -> Option<f64>);
+/// Name and symbol, the kind of modification that asks for it by its amount, and the value in [`CharacteristicsUm`].
+type Row = (&'static str, &'static str, fn(&CharacteristicsUm) -> f64);
 
 const ROWS: [Row; 8] = [
     ("Helix crowning C_β", "helix crowning", |c| c.helix_crowning_um),
@@ -131,17 +133,13 @@ enum Source<'a> {
     /// The amounts of the job.
     Asked(&'a [TargetAmount]),
     /// A fit over the whole field.
-    Fitted(&'a Characteristics),
+    Fitted(&'a CharacteristicsUm),
 }
 
 impl Source<'_> {
-    fn is_fitted(&self) -> bool {
-        matches!(self, Self::Fitted(_))
-    }
-
     fn value(&self, (_, kind, of): &Row) -> Option<f64> {
         match self {
-            Self::Fitted(values) => of(values),
+            Self::Fitted(values) => Some(of(values)),
             Self::Asked(amounts) => {
                 let asked: Vec<f64> = amounts
                     .iter()
@@ -154,27 +152,24 @@ impl Source<'_> {
     }
 }
 
-fn characteristics(flanks: &[(String, &FlankReport)]) -> Table {
+fn characteristics(flanks: &[Named<'_>]) -> Table {
     let mut columns = vec![Column::symbols("Characteristic")];
     let mut sources: Vec<Source<'_>> = Vec::new();
     for (side, flank) in flanks {
         columns.push(Column::number(format!("{} asked", capitalised(side)), "µm"));
         sources.push(Source::Asked(&flank.amounts));
         let stages = [
-            ("target field", Some(&flank.target_values)),
-            ("planned", flank.planned_values.as_ref()),
-            ("simulated", flank.simulated_values.as_ref()),
+            ("target field", &flank.result.target_characteristics),
+            ("planned", &flank.planned),
+            ("simulated", &flank.result.simulated_characteristics),
         ];
         for (stage, values) in stages {
-            if let Some(values) = values {
-                columns.push(Column::number(format!("{} {stage}", capitalised(side)), "µm"));
-                sources.push(Source::Fitted(values));
-            }
+            columns.push(Column::number(format!("{} {stage}", capitalised(side)), "µm"));
+            sources.push(Source::Fitted(values));
         }
     }
     let rows = ROWS
         .iter()
-        .filter(|row| sources.iter().any(|source| source.is_fitted() && source.value(row).is_some()))
         .map(|row| {
             let cell =
                 |source: &Source<'_>| source.value(row).map_or("–".to_owned(), |v| format_fixed(v, 3));
@@ -186,12 +181,12 @@ fn characteristics(flanks: &[(String, &FlankReport)]) -> Table {
     Table { caption, columns, rows, note: note.to_owned() }
 }
 
-fn deviations(flanks: &[(String, &FlankReport)], tolerance_um: f64) -> Table {
+fn deviations(flanks: &[Named<'_>], tolerance_um: f64) -> Table {
     let mut columns = vec![Column::text("Deviation, normal")];
     columns.extend(flanks.iter().map(|(side, _)| Column::number(capitalised(side), "µm")));
-    let row = |name: &str, figure: &dyn Fn(&FlankReport) -> Option<f64>| {
+    let row = |name: &str, figure: &dyn Fn(&ShownFlank<'_>) -> f64| {
         let mut row = vec![name.to_owned()];
-        row.extend(flanks.iter().map(|(_, flank)| figure(flank).map_or("–".to_owned(), micrometres)));
+        row.extend(flanks.iter().map(|(_, flank)| micrometres(figure(flank))));
         row
     };
     let mut tolerance = vec!["Tolerance".to_owned()];
@@ -200,22 +195,23 @@ fn deviations(flanks: &[(String, &FlankReport)], tolerance_um: f64) -> Table {
         caption: "Deviation from the target".to_owned(),
         columns,
         rows: vec![
-            row("Simulated against target, max", &|flank| flank.max_deviation_um),
-            row("Simulated against target, rms", &|flank| flank.rms_deviation_um),
-            row("Planned against simulated, max", &|flank| flank.model_difference_um),
+            row("Simulated against target, max", &|flank| flank.result.max_deviation_um),
+            row("Simulated against target, rms", &|flank| flank.result.rms_deviation_um),
+            row("Planned against simulated, max", &|flank| flank.result.model_difference_um),
             tolerance,
         ],
         note: String::new(),
     }
 }
 
-fn outside(flanks: &[(String, &FlankReport)]) -> Table {
+fn outside(flanks: &[Named<'_>]) -> Table {
     let rows = flanks
         .iter()
-        .flat_map(|(side, flank)| flank.outside.iter().map(move |term| (side, term)))
-        .map(|(side, term)| {
-            let (wanted, residual) = (format_fixed(term.wanted_um, 3), format_fixed(term.residual_um, 3));
-            vec![capitalised(side), term.name.clone(), wanted, residual]
+        .map(|(side, flank)| (side, flank.result.outside_class_um))
+        .filter(|(_, um)| *um > LEAST_OUTSIDE_UM)
+        .map(|(side, um)| {
+            let term = "parts of the target that are best-fitted only (normal)".to_owned();
+            vec![capitalised(side), term, format_fixed(um, 3), format_fixed(um, 3)]
         })
         .collect();
     Table {

@@ -1,6 +1,5 @@
-//! The flank as pictures: nets, contour maps, and the profile and helix diagram.
+//! The flank as wanted, as planned and as simulated: nets, contour maps, and the profile and helix diagram. Knows no process.
 
-use super::data::FlankReport;
 use crate::cells::flank_title;
 use crate::charts::{
     ChartError, ContourMap, FlankSections, LevelScale, NamedTopography, ProfileHelixDiagram, SectionTrace,
@@ -10,14 +9,30 @@ use crate::data::{Block, Figure};
 use crate::flank_pictures::{net_and_map, range_with_zero};
 use foundation::geometry::{Flank, Sides};
 
-type Flanks = Sides<Option<FlankReport>>;
-
-/// What comes out: by the referee, else by the model.
-fn outcome(flank: &FlankReport) -> Option<&Topography> {
-    flank.simulated.as_ref().or(flank.planned.as_ref())
+/// A flank over its grid, normal, um, positive = material left standing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FlankStages {
+    /// What is wanted.
+    pub target: Topography,
+    /// What the analytic model says.
+    pub planned: Topography,
+    /// What the referee left; the deviation is taken from it, from `planned` if it is absent.
+    pub simulated: Option<Topography>,
+    /// Profile traces with their values; empty: three sections without values are drawn.
+    pub profiles: Vec<SectionTrace>,
+    /// Helix traces with their values; empty: three sections without values are drawn.
+    pub helices: Vec<SectionTrace>,
 }
 
-fn panels(flanks: &Flanks, pick: impl Fn(&FlankReport) -> Option<Topography>) -> Vec<NamedTopography> {
+/// The flanks of a page; `None` for one that is not made.
+pub type DrawnFlanks = Sides<Option<FlankStages>>;
+
+/// What comes out: by the referee, else by the model.
+fn outcome(flank: &FlankStages) -> &Topography {
+    flank.simulated.as_ref().unwrap_or(&flank.planned)
+}
+
+fn panels(flanks: &DrawnFlanks, pick: impl Fn(&FlankStages) -> Option<Topography>) -> Vec<NamedTopography> {
     flanks
         .iter()
         .filter_map(|(side, flank)| {
@@ -48,20 +63,20 @@ pub enum FlankPicture {
 ///
 /// # Errors
 /// [`ChartError`] for traces that are not finite or of different length.
-pub fn flank_picture(flanks: &Flanks, picture: FlankPicture) -> Result<Option<Svg>, ChartError> {
+pub fn flank_picture(flanks: &DrawnFlanks, picture: FlankPicture) -> Result<Option<Svg>, ChartError> {
     let map = |name: &str, panels: Vec<NamedTopography>, scale, quantity: &str| {
         let map = ContourMap { title: name.to_owned(), quantity: quantity.to_owned(), panels, scale };
         if map.panels.is_empty() { Ok(None) } else { contour_map(&map).map(Some) }
     };
     let target = panels(flanks, |flank| Some(flank.target.clone()));
-    let planned = panels(flanks, |flank| flank.planned.clone());
+    let planned = panels(flanks, |flank| Some(flank.planned.clone()));
     let scale = LevelScale::covering(target.iter().chain(&planned).map(|panel| &panel.topography));
     match picture {
         FlankPicture::Target => map("Target", target, Some(scale), "f_n [µm]"),
         FlankPicture::Planned => map("Planned (analytic)", planned, Some(scale), "f_n [µm]"),
         FlankPicture::Deviation => map("Deviation from the target", deviations(flanks)?, None, "Δf_n [µm]"),
         FlankPicture::Sections => {
-            let svg = diagram(flanks)?.into_iter().find_map(|block| match block {
+            let svg = flank_diagram(flanks)?.into_iter().find_map(|block| match block {
                 Block::Figure(figure) => Some(figure.svg),
                 _ => None,
             });
@@ -70,22 +85,23 @@ pub fn flank_picture(flanks: &Flanks, picture: FlankPicture) -> Result<Option<Sv
     }
 }
 
-fn deviations(flanks: &Flanks) -> Result<Vec<NamedTopography>, ChartError> {
+fn deviations(flanks: &DrawnFlanks) -> Result<Vec<NamedTopography>, ChartError> {
     let mut deviations = Vec::new();
     for (side, flank) in flanks.iter() {
         let Some(flank) = flank else { continue };
-        if let Some(made) = outcome(flank) {
-            deviations.push(NamedTopography::new(flank_title(side), made.minus(&flank.target)?));
-        }
+        deviations.push(NamedTopography::new(flank_title(side), outcome(flank).minus(&flank.target)?));
     }
     Ok(deviations)
 }
 
 /// Nets and maps of target, planned and simulated flank with one scale, of the deviation with its own.
-pub(super) fn figures(flanks: &Flanks) -> Result<Vec<Block>, ChartError> {
+///
+/// # Errors
+/// [`ChartError`] for values that cannot be drawn.
+pub fn flank_figures(flanks: &DrawnFlanks) -> Result<Vec<Block>, ChartError> {
     let stages = [
         ("target", "Target", panels(flanks, |flank| Some(flank.target.clone()))),
-        ("planned-analytic", "Planned (analytic)", panels(flanks, |flank| flank.planned.clone())),
+        ("planned-analytic", "Planned (analytic)", panels(flanks, |flank| Some(flank.planned.clone()))),
         ("simulated-referee", "Simulated (referee)", panels(flanks, |flank| flank.simulated.clone())),
     ];
     let all = || stages.iter().flat_map(|(.., panels)| panels).map(|panel| &panel.topography);
@@ -107,7 +123,10 @@ pub(super) fn figures(flanks: &Flanks) -> Result<Vec<Block>, ChartError> {
 }
 
 /// Profile and helix traces of both flanks.
-pub(super) fn diagram(flanks: &Flanks) -> Result<Vec<Block>, ChartError> {
+///
+/// # Errors
+/// [`ChartError`] for traces that are not finite or of different length.
+pub fn flank_diagram(flanks: &DrawnFlanks) -> Result<Vec<Block>, ChartError> {
     let columns: Vec<FlankSections> = flanks
         .iter()
         .filter_map(|(side, flank)| flank.as_ref().map(|flank| sections(side, flank)))
@@ -128,11 +147,10 @@ pub(super) fn diagram(flanks: &Flanks) -> Result<Vec<Block>, ChartError> {
     Ok(vec![Block::Figure(Figure::new("profile-and-helix-diagram", svg, caption))])
 }
 
-fn sections(side: Flank, flank: &FlankReport) -> FlankSections {
+fn sections(side: Flank, flank: &FlankStages) -> FlankSections {
     let made = outcome(flank);
-    let given = |traces: &[SectionTrace], cut: &dyn Fn(&Topography) -> Vec<SectionTrace>| match (made, traces)
-    {
-        (Some(made), []) => cut(made),
+    let given = |traces: &[SectionTrace], cut: &dyn Fn(&Topography) -> Vec<SectionTrace>| match traces {
+        [] => cut(made),
         _ => traces.to_vec(),
     };
     FlankSections {
