@@ -5,6 +5,7 @@ pub mod control;
 pub mod derived;
 mod finding;
 mod flank;
+pub mod followed;
 mod page;
 mod passes;
 mod plan;
