@@ -51,7 +51,8 @@ pub struct App {
 }
 
 impl App {
-    /// An application over a store, which hands `interface` out as its description; runs that dead servers left in it are reported as interrupted.
+    /// An application over a store, which hands `interface` out as its description; runs that dead servers left in the store are reported
+    /// as interrupted.
     ///
     /// # Errors
     /// The store, the temporary files or the threads of the system refuse.
