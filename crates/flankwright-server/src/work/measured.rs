@@ -16,8 +16,8 @@ use flankwright::workflow::{JobFailure, WriteError};
 use flankwright_store::{RunFile, StoreAddress};
 use serde_json::Value;
 
-use super::carry::unwritten;
 use super::keep::keep;
+use super::unwritten::unwritten;
 use crate::shelf::Shelf;
 use crate::wire::{Failure, Finding, InspectOptions, Request, refused_run, wrong_option};
 

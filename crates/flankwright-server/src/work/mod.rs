@@ -8,6 +8,7 @@ mod keep;
 mod live;
 mod measured;
 mod queue;
+mod unwritten;
 
 use std::collections::HashMap;
 use std::io;

@@ -10,6 +10,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::files::{FoundParts, digest_of_files, parts_of};
+use super::refused_file::RefusedFile;
 use crate::blocking::Store;
 use crate::check;
 use crate::error::StoreError;
@@ -51,22 +52,6 @@ pub struct KnownPart {
     pub file: String,
     /// The digest by which it is known.
     pub digest: String,
-}
-
-/// A file that was not imported.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct RefusedFile {
-    /// The file.
-    pub file: String,
-    /// Why.
-    #[serde(flatten)]
-    pub finding: Diagnostic,
-}
-
-impl RefusedFile {
-    pub(super) fn new(path: &Path, finding: Diagnostic) -> Self {
-        Self { file: path.display().to_string(), finding }
-    }
 }
 
 /// What became of one part before it is stored.

@@ -5,6 +5,7 @@ pub mod control;
 pub mod derived;
 mod finding;
 mod flank;
+pub mod followed;
 mod passes;
 mod plan;
 pub mod prepare;
