@@ -68,7 +68,7 @@ fn the_page_is_complete_and_self_contained() {
             "@media print",
             "Proven from the program text",
             "Axes that move in grinding",
-            "Passes of grinding: linuxcnc and siemens",
+            "Passes of grinding: linuxcnc",
             "worm against workpiece",
         ],
     );
