@@ -1,6 +1,7 @@
 //! The report of a run, composed from its results. Timing stays out of it, so that the same job gives the same bytes.
 
 mod composition;
+mod content;
 mod control;
 mod motions;
 mod programs;
@@ -12,7 +13,8 @@ mod target_amounts;
 mod traces;
 mod verification;
 
-pub use composition::{GrindingPage, ShownFlank, TOPOGRAPHIES, VERIFICATION};
+pub use composition::{TOPOGRAPHIES, VERIFICATION};
+pub use content::{GrindingPage, ShownFlank};
 pub use control::control_blocks;
 pub use motions::DressingCurves;
 pub use programs::programs_blocks;

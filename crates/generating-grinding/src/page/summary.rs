@@ -1,6 +1,6 @@
 //! The banner and the summary table: what was asked for, what comes out, how far apart they are.
 
-use super::composition::{GrindingPage, ShownFlank};
+use super::content::{GrindingPage, ShownFlank};
 use super::target_amounts::TargetAmount;
 use report::charts::{format_fixed, format_significant};
 use report::{Banner, Block, Column, Fact, Table};

@@ -2,6 +2,7 @@
 
 pub mod catalogue;
 pub mod control;
+pub mod correction_series;
 pub mod derived;
 pub mod dressing_model;
 pub mod dressing_study;

@@ -6,7 +6,7 @@ use crate::workflow::{TangentialOutcome, plan_tangential, simulate_tangential};
 use foundation::numerics::Progress;
 use generating_grinding::workflow::programs::FollowedBodies;
 use generating_grinding::workflow::programs::follow::{Followed, follow};
-use generating_grinding::workflow::programs::proof::Sought;
+use generating_grinding::workflow::programs::sought::Sought;
 use generating_grinding::workflow::programs::technology::Technology;
 use machine::Machine;
 use motion::Tracked;
