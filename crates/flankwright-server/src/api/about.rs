@@ -28,7 +28,7 @@ pub async fn document() -> Response {
     kept_json(&DOCUMENT)
 }
 
-static DOCUMENT: LazyLock<String> = LazyLock::new(|| openapi().to_json().unwrap_or_default());
+static DOCUMENT: LazyLock<String> = LazyLock::new(|| openapi().to_string());
 static SCHEMA: LazyLock<String> = LazyLock::new(|| job_schema().to_string());
 
 /// The JSON schema of job files.
