@@ -92,7 +92,7 @@ async fn serve_in(options: &Options, listening: impl FnOnce(&[String])) -> Resul
     };
     let store = Store::open(&options.store).await?;
     let (end, ending) = watch::channel(false);
-    let interface = openapi().to_json().unwrap_or_default();
+    let interface = openapi().to_string();
     let app = app::App::new(store, options.store.clone(), interface, ending.clone()).await?;
     let gate = gate::Gate::new(address, &options.names, token.clone());
     let router = router::router(app.clone(), gate.clone());

@@ -5,6 +5,7 @@ use std::fmt;
 use std::ops::Range;
 
 use finding::Finding;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Everything that can be wrong with a job before any geometry is computed.
@@ -81,7 +82,7 @@ impl Problem {
 }
 
 /// One finding about an input.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Diagnostic {
     /// Stable kebab-case code, e.g. `unknown-key`.
     pub code: &'static str,

@@ -104,7 +104,7 @@ fn done(request: &Request, shelf: &Shelf, progress: &dyn Progress) -> Result<(Va
     };
     let job = shelf.load(text).map_err(|error| Failure::of_error(&error, shelf))?;
     let told = |failure: JobFailure| refused_run(&failure, text, shelf);
-    let completed = carry_out(request.kind.task(), &job, progress);
+    let completed = carry_out(request.kind, &job, progress);
     if let Err(JobFailure::Job(RunFailure::NotProducible(finding))) = &completed {
         write_refusal(&job, finding, &shelf.results()).map_err(|error| unwritten(&error))?;
     }

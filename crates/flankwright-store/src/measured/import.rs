@@ -7,6 +7,7 @@ use flankwright::numerics::Progress;
 use flankwright::workflow::inspection::{LeftOutFile, Statements, inspect_gear};
 use flankwright::workflow::{JobFailure, RunFailure};
 use rayon::prelude::*;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::files::{FoundParts, digest_of_files, parts_of};
@@ -30,7 +31,7 @@ pub struct ImportSettings {
 }
 
 /// What became of the files.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, JsonSchema)]
 pub struct MeasurementReport {
     /// New parts, and those that were evaluated again, in the order of the files.
     pub imported: Vec<PartSummary>,
@@ -46,7 +47,7 @@ pub struct MeasurementReport {
 }
 
 /// A part that was there already.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct KnownPart {
     /// Its first file.
     pub file: String,

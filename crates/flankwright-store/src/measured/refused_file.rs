@@ -3,10 +3,11 @@
 use std::path::Path;
 
 use flankwright::exchange::Diagnostic;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// A file that was not imported.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RefusedFile {
     /// The file.
     pub file: String,

@@ -1,17 +1,20 @@
 //! The document that describes the interface.
 
+pub mod library;
+
+use serde_json::Value;
 use utoipa::openapi::security::{Http, HttpAuthScheme, SecurityScheme};
 use utoipa::openapi::{ContentBuilder, Ref, ResponseBuilder};
 use utoipa::{Modify, OpenApi};
 
 use crate::api;
-use crate::wire::Failure;
+use crate::wire::{Failure, InspectOptions};
 
 #[derive(OpenApi)]
 #[openapi(
     modifiers(&Refusals, &Token),
     security((), ("token" = [])),
-    components(schemas(Failure)),
+    components(schemas(Failure, InspectOptions)),
     info(title = "flankwright", description = "Plans, simulates and proves the manufacture of gear teeth."),
     paths(
         api::about::about,
@@ -81,7 +84,26 @@ impl Modify for Token {
     }
 }
 
-/// The OpenAPI document of the interface.
-pub fn openapi() -> utoipa::openapi::OpenApi {
-    Interface::openapi()
+/// The OpenAPI document of the interface, 3.1.
+pub fn openapi() -> Value {
+    let mut document = serde_json::to_value(Interface::openapi()).unwrap_or_default();
+    for (name, schema) in library::schemas() {
+        document["components"]["schemas"][name] = schema;
+    }
+    document
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_two_types_have_one_name() {
+        let own = serde_json::to_value(Interface::openapi()).unwrap();
+        let own = own["components"]["schemas"].as_object().unwrap();
+        for name in library::schemas().keys() {
+            let stands_for_it = |schema: &Value| schema["$ref"] == format!("#/components/schemas/{name}");
+            assert!(own.get(name).is_none_or(stands_for_it), "{name}");
+        }
+    }
 }
