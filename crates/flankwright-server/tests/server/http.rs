@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
 
-use crate::description;
+use super::description;
 
 /// Where a server listens.
 #[derive(Clone, Copy, Debug)]
