@@ -6,7 +6,7 @@ DEMO ?= examples/twist-free-crowning.toml
 # The time at which a stage of `make test` begins.
 begins = @date '+at %T: $(1)'
 
-.PHONY: demo release test fuzz setup web python notebooks docs browser api-fuzz load format check instructions milling-speed dependencies clean
+.PHONY: demo release test fuzz setup web types python notebooks docs browser api-fuzz load format check instructions milling-speed dependencies clean
 
 setup:
 	@scripts/setup
@@ -14,6 +14,11 @@ setup:
 # The pages of the web application, which become part of the program.
 web: setup
 	@scripts/web
+
+# The description of the server's interface and of the results, and the types of the pages made from it; after a change of either.
+types: setup
+	UPDATE_OPENAPI=1 $(CARGO) test --package flankwright-server --test server the_pages_have_this_description
+	@scripts/web types
 
 # Plans the first example; the summary names the report. For a program that is used every day: `make release`.
 demo: web

@@ -87,7 +87,7 @@ describe("studies", () => {
 });
 
 describe("trends", () => {
-  const point = (digest: string, date: string, value: number, flank = "left"): TrendPoint => ({
+  const point = (digest: string, date: string, value: number, flank: TrendPoint["flank"] = "left"): TrendPoint => ({
     digest,
     part: digest,
     date,

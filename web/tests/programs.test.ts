@@ -3,15 +3,15 @@
 import { describe, expect, it } from "vitest";
 import { verdictOf } from "../src/api/verdict";
 import { markOf, nearnessOf, programsOf, travelNearness } from "../src/programs/model";
-import type { Run } from "../src/api/types";
-import type { Table } from "../src/lib/path";
+import type { ResultDocument, Run } from "../src/api/types";
 
-const run = (document: Table): Run => ({
+const run = (document: ResultDocument): Run => ({
   id: 1,
   kind: "plan",
   name: "job",
   state: "done",
   created: "",
+  measurements: [],
   files: [{ name: "programs/job-grinding-siemens.mpf", bytes: 1 }],
   charts: [],
   scene: false,
@@ -25,7 +25,7 @@ const proofs = [
   },
 ];
 const entry = { file: "programs/job-grinding-siemens.mpf", control: "siemens", job: "grinding" };
-const mark = (document: Table): string => markOf(programsOf(run(document))[0]!, verdictOf(document));
+const mark = (document: ResultDocument): string => markOf(programsOf(run(document))[0]!, verdictOf(document));
 
 describe("the mark of a program", () => {
   it("is that of the run: a proven text of a missed target is missed", () => {

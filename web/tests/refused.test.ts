@@ -14,6 +14,7 @@ const refused = (files: string[], charts: Run["charts"] = []): Run => ({
   state: "failed",
   created: "2026-01-01T00:00:00Z",
   status: null,
+  measurements: [],
   files: files.map((name) => ({ name, bytes: 1 })),
   charts,
   scene: false,

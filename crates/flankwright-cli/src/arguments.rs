@@ -1,8 +1,6 @@
 //! The command line.
 
-use std::path::PathBuf;
-
-use clap::{Args, Parser, Subcommand};
+use clap::{Parser, Subcommand};
 
 use crate::commands::check::CheckArguments;
 use crate::commands::convert::ConvertArguments;
@@ -17,6 +15,7 @@ use crate::commands::serve::ServeArguments;
 use crate::commands::simulate::SimulateArguments;
 use crate::commands::store::StoreArguments;
 use crate::commands::verify::VerifyArguments;
+use crate::common_arguments::CommonArguments;
 
 /// Plans, simulates and proves the manufacture of gear teeth.
 #[derive(Debug, Parser)]
@@ -82,18 +81,4 @@ impl Command {
             Command::Verify(arguments) => &arguments.common,
         }
     }
-}
-
-/// Arguments that every command has.
-#[derive(Args, Clone, Debug, Default)]
-pub struct CommonArguments {
-    /// Print one JSON document on standard output and nothing else there
-    #[arg(long)]
-    pub json: bool,
-    /// Print no progress and no summary
-    #[arg(long, short)]
-    pub quiet: bool,
-    /// Directory for files; default `<job name>.out/` beside the job
-    #[arg(long = "output", short, value_name = "DIR")]
-    pub output: Option<PathBuf>,
 }

@@ -2,6 +2,7 @@
 
 pub mod arguments;
 pub mod commands;
+pub mod common_arguments;
 pub mod exit;
 pub mod failure;
 pub mod output;

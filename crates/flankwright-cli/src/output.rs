@@ -10,7 +10,7 @@ use flankwright::exchange::{
 use flankwright::processes;
 use serde::Serialize;
 
-use crate::arguments::CommonArguments;
+use crate::common_arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
 

@@ -9,10 +9,10 @@ use numpy::{IntoPyArray, PyArray2, PyArray3, PyReadonlyArray1, PyReadonlyArray2}
 use pyo3::prelude::*;
 
 use crate::arrays::shaped;
+use crate::beside::beside;
 use crate::failure::Failure;
 use crate::gear::flank_of;
 use crate::job::CoreJob;
-use crate::pool::beside;
 use crate::samples::of_samples;
 
 /// Worm and dresser of a job.

@@ -8,9 +8,10 @@ use flankwright::geometry::GeometryError;
 use flankwright::workflow::{JobFailure, RunFailure, write_refusal};
 use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
+use rayon::ThreadPoolBuildError;
 use serde_json::{Value, json};
 
-use crate::pool::beside;
+use crate::pool::on_threads;
 
 /// Why something has no result: the exit status that the command would have, and what was found.
 #[derive(Clone, Debug)]
@@ -40,7 +41,8 @@ impl CoreRefusal {
     /// Writes all files; their paths, the page last.
     fn write(&self, py: Python<'_>, directory: PathBuf) -> PyResult<Vec<PathBuf>> {
         let Refusal { job, finding } = &*self.refusal;
-        let written = beside(py, || write_refusal(job, finding, &directory))?;
+        let written = py.detach(|| on_threads(|| write_refusal(job, finding, &directory)));
+        let written = written.map_err(|error| Failure::from(&error).raised(py))?;
         written.map_err(|error| PyOSError::new_err(error.to_string()))
     }
 }
@@ -111,6 +113,12 @@ fn told(finding: &Diagnostic, source: Option<&Source>) -> Value {
         entries.insert("column".into(), column.into());
     }
     told
+}
+
+impl From<&ThreadPoolBuildError> for Failure {
+    fn from(error: &ThreadPoolBuildError) -> Self {
+        Self::internal(error.to_string())
+    }
 }
 
 impl From<&JobError> for Failure {

@@ -10,8 +10,8 @@ use flankwright::workflow::{AnyProcess, derived_geometry};
 use pyo3::prelude::*;
 use serde_json::{Value, json};
 
+use crate::beside::beside;
 use crate::failure::Failure;
-use crate::pool::beside;
 
 /// A checked job of any process.
 #[pyclass(frozen, module = "flankwright._core")]

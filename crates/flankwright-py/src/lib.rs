@@ -2,6 +2,7 @@
 //! private to them. Documents go over as JSON, numbers as NumPy arrays that Rust has filled.
 
 mod arrays;
+mod beside;
 mod dressing;
 mod failure;
 mod forward;
@@ -26,6 +27,8 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _core {
     #[pymodule_export]
+    use crate::beside::use_threads;
+    #[pymodule_export]
     use crate::dressing::CoreDresser;
     #[pymodule_export]
     use crate::failure::CoreRefusal;
@@ -47,8 +50,6 @@ mod _core {
     use crate::modification::CoreModification;
     #[pymodule_export]
     use crate::outcome::CoreResult;
-    #[pymodule_export]
-    use crate::pool::use_threads;
     #[pymodule_export]
     use crate::tangential::CoreTangential;
     #[pymodule_export]

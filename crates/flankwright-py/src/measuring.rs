@@ -11,10 +11,10 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::arrays::shaped;
+use crate::beside::beside;
 use crate::failure::Failure;
 use crate::gear::flank_of;
 use crate::job::CoreJob;
-use crate::pool::beside;
 use crate::watch::{on_each, watched};
 
 /// Edges, tracks and the measured tool of a job.

@@ -8,10 +8,10 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
 use crate::arrays::shaped;
+use crate::beside::beside;
 use crate::failure::Failure;
 use crate::gear::places;
 use crate::job::CoreJob;
-use crate::pool::beside;
 use crate::watch::watched;
 
 /// A planned space.

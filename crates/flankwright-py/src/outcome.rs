@@ -11,8 +11,8 @@ use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use crate::beside::beside;
 use crate::failure::Failure;
-use crate::pool::beside;
 
 /// A task that was carried out.
 #[pyclass(frozen, module = "flankwright._core")]

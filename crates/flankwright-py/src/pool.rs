@@ -4,16 +4,16 @@ use std::mem::forget;
 use std::process::id;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use pyo3::prelude::*;
-use rayon::{ThreadPool, ThreadPoolBuilder};
-
-use crate::failure::Failure;
+use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 
 /// The process that made the threads, and they.
 static MADE: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
 
 /// The threads of this process, `count` where they are made anew (0: as many as there are processors).
-fn threads(count: Option<usize>) -> Result<Arc<ThreadPool>, Failure> {
+///
+/// # Errors
+/// The system gives no threads.
+pub fn threads(count: Option<usize>) -> Result<Arc<ThreadPool>, ThreadPoolBuildError> {
     let mut made = MADE.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some((by, there)) = made.as_ref()
         && *by == id()
@@ -21,8 +21,7 @@ fn threads(count: Option<usize>) -> Result<Arc<ThreadPool>, Failure> {
     {
         return Ok(there.clone());
     }
-    let built = ThreadPoolBuilder::new().num_threads(count.unwrap_or(0)).build();
-    let built = Arc::new(built.map_err(|error| Failure::internal(error.to_string()))?);
+    let built = Arc::new(ThreadPoolBuilder::new().num_threads(count.unwrap_or(0)).build()?);
     if let Some((by, there)) = made.replace((id(), built.clone()))
         && by != id()
     {
@@ -32,24 +31,10 @@ fn threads(count: Option<usize>) -> Result<Arc<ThreadPool>, Failure> {
     Ok(built)
 }
 
-/// Computes on so many threads from now on: workers of a cluster share their machine.
-#[pyfunction]
-pub fn use_threads(py: Python<'_>, count: usize) -> PyResult<()> {
-    threads(Some(count)).map(drop).map_err(|failure| failure.raised(py))
-}
-
 /// Carries work out on the threads of this process; returns where no thread can be had.
 ///
 /// # Errors
 /// The system gives no threads.
-pub fn on_threads<T: Send>(work: impl FnOnce() -> T + Send) -> Result<T, Failure> {
+pub fn on_threads<T: Send>(work: impl FnOnce() -> T + Send) -> Result<T, ThreadPoolBuildError> {
     Ok(threads(None)?.install(work))
-}
-
-/// Carries short work out without the interpreter.
-///
-/// # Errors
-/// As [`on_threads`].
-pub fn beside<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyResult<T> {
-    py.detach(|| on_threads(work)).map_err(|failure| failure.raised(py))
 }

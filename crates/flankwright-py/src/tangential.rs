@@ -13,10 +13,10 @@ use numpy::{IntoPyArray, PyArray1, PyArray2, PyArray3, PyReadonlyArray2};
 use pyo3::prelude::*;
 
 use crate::arrays::shaped;
+use crate::beside::beside;
 use crate::failure::Failure;
 use crate::gear::flank_of;
 use crate::job::CoreJob;
-use crate::pool::beside;
 use crate::samples::of_samples;
 
 /// The bodies of a job of tangential dressing, and the grid of one of its flanks.

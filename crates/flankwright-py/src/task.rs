@@ -6,10 +6,10 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyList;
 
+use crate::beside::beside;
 use crate::failure::Failure;
 use crate::job::CoreJob;
 use crate::outcome::{CoreResult, Held};
-use crate::pool::beside;
 use crate::watch::{on_each, watched};
 
 fn task_of(name: &str) -> PyResult<Task> {

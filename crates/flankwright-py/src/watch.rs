@@ -97,7 +97,7 @@ pub fn watched<T: Send>(
     if let Some(error) = refused {
         return Err(error);
     }
-    match ended.map_err(|failure| failure.raised(py))? {
+    match ended.map_err(|error| Failure::from(&error).raised(py))? {
         Ended::Done(value) => Ok(value),
         Ended::Cancelled => Err(PyKeyboardInterrupt::new_err(())),
         Ended::Failed(words) => Err(Failure::internal(words).raised(py)),

@@ -11,6 +11,7 @@ mod listen;
 mod log;
 mod openapi;
 mod rooms;
+mod router;
 mod scratch;
 mod shelf;
 mod stock;
@@ -91,9 +92,10 @@ async fn serve_in(options: &Options, listening: impl FnOnce(&[String])) -> Resul
     };
     let store = Store::open(&options.store).await?;
     let (end, ending) = watch::channel(false);
-    let app = app::App::new(store, options.store.clone(), ending.clone()).await?;
+    let interface = openapi().to_string();
+    let app = app::App::new(store, options.store.clone(), interface, ending.clone()).await?;
     let gate = gate::Gate::new(address, &options.names, token.clone());
-    let router = app::router(app.clone(), gate.clone());
+    let router = router::router(app.clone(), gate.clone());
     let entry = token.map_or_else(String::new, |token| format!("?token={token}"));
     let opened: Vec<String> =
         gate.authorities().iter().map(|authority| format!("http://{authority}/{entry}")).collect();

@@ -11,7 +11,6 @@ use tempfile::TempDir;
 
 use crate::scratch::Scratch;
 use crate::stock;
-use crate::wire::Job;
 
 /// Files with a job.
 pub const MOST_FILES: usize = 32;
@@ -68,12 +67,16 @@ pub fn fit(files: &BTreeMap<String, String>) -> Result<(), ShelfError> {
 }
 
 impl Shelf {
-    /// A shelf for a job.
+    /// A shelf for a job of this text with its files.
     ///
     /// # Errors
     /// [`ShelfError`].
-    pub fn of_job(scratch: &Scratch, job: &Job) -> Result<Self, ShelfError> {
-        Self::new(scratch, &job.files, job.text.contains("machines/"))
+    pub fn of_job(
+        scratch: &Scratch,
+        text: &str,
+        files: &BTreeMap<String, String>,
+    ) -> Result<Self, ShelfError> {
+        Self::new(scratch, files, text.contains("machines/"))
     }
 
     /// A shelf with files and, where they may be named, the machines of the program.

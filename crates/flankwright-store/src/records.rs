@@ -2,11 +2,13 @@
 
 use flankwright::geometry::Flank;
 use flankwright::workflow::inspection::characteristic_key;
+use flankwright::workflow::{Status, Task};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 /// A measured part.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PartRecord {
     /// The series whose trend it belongs to, e.g. a drawing or a family of parts.
@@ -42,7 +44,7 @@ impl PartRecord {
 }
 
 /// One characteristic of a part.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CharacteristicValue {
     /// Symbol, e.g. `fHa`, `Fp`; of a line beside the middle one with its mark behind a point, e.g. `fHa.o`.
@@ -81,7 +83,7 @@ impl CharacteristicValue {
 }
 
 /// What is measured: the same on all parts of a series.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, JsonSchema)]
 pub struct Characteristic {
     /// Symbol.
     pub name: String,
@@ -103,7 +105,7 @@ impl Characteristic {
 }
 
 /// A series and how much there is of it.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct SeriesSummary {
     /// The series.
     pub series: String,
@@ -116,7 +118,7 @@ pub struct SeriesSummary {
 }
 
 /// A part without document and characteristics.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct PartSummary {
     /// The series.
     pub series: String,
@@ -135,7 +137,7 @@ pub struct PartSummary {
 }
 
 /// A value of one characteristic on a part.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct MeasuredCharacteristic {
     /// Digest of the part's file: its identity.
     pub digest: String,
@@ -186,7 +188,7 @@ pub struct PlanSummary {
 }
 
 /// A skiving tool and how often it was measured.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct ToolSummary {
     /// The tool.
     pub tool: String,
@@ -195,7 +197,7 @@ pub struct ToolSummary {
 }
 
 /// The state of a run.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum RunState {
     /// Waits for its turn.
@@ -244,8 +246,8 @@ impl RunState {
 pub struct NewRun {
     /// The server that carries it out.
     pub owner: String,
-    /// What is done: `plan`, `simulate`, `explore`, `inspect`.
-    pub kind: String,
+    /// What is done.
+    pub kind: Task,
     /// Name of the job.
     pub name: String,
     /// What was asked, as the server understands it again.
@@ -279,12 +281,12 @@ pub struct RunFile {
 }
 
 /// A run in a list.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct RunSummary {
     /// Its number.
     pub id: i64,
     /// What is done.
-    pub kind: String,
+    pub kind: Task,
     /// Name of the job.
     pub name: String,
     /// The state.
@@ -296,6 +298,7 @@ pub struct RunSummary {
     pub ended: Option<String>,
     /// The verdict of its document.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Option<Status>")]
     pub status: Option<String>,
 }
 

@@ -1,6 +1,7 @@
 //! Runs of a server: a submitted job, its state, and once it has ended its document and files. What becomes of runs whose server
 //! is gone is decided in `run_servers.rs`.
 
+use flankwright::workflow::Task;
 use serde_json::Value;
 use sqlx::types::Json;
 
@@ -12,6 +13,8 @@ use crate::store::Store;
 type SummaryRow = (i64, String, String, String, String, Option<String>, Option<String>);
 
 fn summary((id, kind, name, state, created, ended, status): SummaryRow) -> Result<RunSummary, sqlx::Error> {
+    let task = Task::ALL.into_iter().find(|task| task.name() == kind);
+    let kind = task.ok_or_else(|| sqlx::Error::Decode(format!("kind {kind}").into()))?;
     let state = RunState::of(&state).ok_or_else(|| sqlx::Error::Decode(format!("state {state}").into()))?;
     Ok(RunSummary { id, kind, name, state, created, ended, status })
 }
@@ -51,7 +54,7 @@ impl Store {
                     "INSERT INTO run (owner, kind, name, job, state, created) VALUES ($1, $2, $3, $4, 'queued', $5) RETURNING id",
                 )
                 .bind(&run.owner)
-                .bind(&run.kind)
+                .bind(run.kind.name())
                 .bind(&run.name)
                 .bind(&run.job)
                 .bind(&run.created)

@@ -3,6 +3,7 @@
 
 pub mod catalogue;
 pub mod job;
+pub mod page;
 mod process;
 pub mod workflow;
 

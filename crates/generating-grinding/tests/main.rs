@@ -5,6 +5,7 @@ mod areas;
 mod cylindrical_pair;
 mod explore;
 mod line_dressing_job;
+mod page;
 mod plan;
 mod plan_bodies;
 mod program_areas;

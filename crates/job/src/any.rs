@@ -1,8 +1,9 @@
 //! A checked job: of a process that the caller knows, or of any.
 
-use super::diagnostic::{Diagnostic, JobError};
+use super::diagnostic::Diagnostic;
 use super::document::Document;
-use super::format::ProcessJob;
+use super::job_error::JobError;
+use super::process_job::ProcessJob;
 use super::tables::JobInfo;
 use serde_json::Value;
 use std::any::Any;

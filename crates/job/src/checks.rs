@@ -11,6 +11,8 @@ pub use control::check as control_of_job;
 pub use diameters::{dresser_diameters, inside_tip, root_clearance, worm_diameters};
 pub use gear::check as drawing;
 
+pub use super::contradiction::contradiction;
+
 use super::diagnostic::{Diagnostic, Problem};
 use super::tables::{Gear, Grid, JobInfo};
 
@@ -19,17 +21,6 @@ pub fn every_job(info: &JobInfo, gear: &Gear, grid: &Grid, findings: &mut Vec<Di
     name(info, findings);
     gear::check(gear, findings);
     points(grid, findings);
-}
-
-/// Entries that are each in range and contradict each other.
-pub fn contradiction(
-    message: &str,
-    field: impl Into<Box<str>>,
-    value: String,
-    allowed: &str,
-    way_out: &str,
-) -> Diagnostic {
-    Diagnostic::new(Problem::InvalidJob, message).field(field).value(value).allowed(allowed).way_out(way_out)
 }
 
 /// Result points per flank: a finer grid shows nothing more and takes minutes.

@@ -5,16 +5,15 @@ use std::fmt;
 use std::ops::Range;
 
 use finding::Finding;
+use schemars::JsonSchema;
 use serde::Serialize;
-
-use super::source::Source;
 
 /// Everything that can be wrong with a job before any geometry is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Problem {
     /// The file is absent, a directory, or cannot be read.
     UnreadableFile,
-    /// The file is larger than [`crate::source::MAXIMUM_BYTES`].
+    /// The file is larger than [`crate::MAXIMUM_BYTES`].
     FileTooLarge,
     /// The bytes are no text: invalid UTF-8 or control characters.
     InvalidText,
@@ -83,7 +82,7 @@ impl Problem {
 }
 
 /// One finding about an input.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Diagnostic {
     /// Stable kebab-case code, e.g. `unknown-key`.
     pub code: &'static str,
@@ -97,7 +96,7 @@ pub struct Diagnostic {
     pub allowed: Option<Box<str>>,
     /// What to do about it, in one sentence.
     pub way_out: Option<Box<str>>,
-    /// Place in the source text, in bytes; resolved to line and column by [`Source::line_column`].
+    /// Place in the source text, in bytes; resolved to line and column by [`crate::Source::line_column`].
     #[serde(skip)]
     pub span: Option<Range<usize>>,
 }
@@ -174,54 +173,3 @@ impl fmt::Display for Diagnostic {
         Ok(())
     }
 }
-
-/// All findings about one input file, never empty.
-#[derive(Clone, Debug, PartialEq)]
-pub struct JobError {
-    /// The file and, where it could be read, its text.
-    pub source: Source,
-    /// The findings in the order of the text; at most [`JobError::MAXIMUM_FINDINGS`].
-    pub diagnostics: Vec<Diagnostic>,
-    /// Findings beyond that number.
-    pub omitted: usize,
-}
-
-impl JobError {
-    /// Of millions of wrong keys in a file the first hundred are reported.
-    pub const MAXIMUM_FINDINGS: usize = 100;
-
-    /// Collects findings about a file, sorted by their place in the text.
-    pub fn new(source: Source, mut diagnostics: Vec<Diagnostic>) -> Self {
-        diagnostics.sort_by_key(|d| d.span.as_ref().map_or(usize::MAX, |span| span.start));
-        let omitted = diagnostics.len().saturating_sub(Self::MAXIMUM_FINDINGS);
-        diagnostics.truncate(Self::MAXIMUM_FINDINGS);
-        Self { source, diagnostics, omitted }
-    }
-
-    /// A single finding about a file.
-    pub fn single(source: Source, diagnostic: Diagnostic) -> Self {
-        Self::new(source, vec![diagnostic])
-    }
-}
-
-impl fmt::Display for JobError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (i, diagnostic) in self.diagnostics.iter().enumerate() {
-            if i > 0 {
-                writeln!(f)?;
-            }
-            f.write_str(self.source.name())?;
-            if let Some(span) = &diagnostic.span {
-                let (line, column) = self.source.line_column(span.start);
-                write!(f, ":{line}:{column}")?;
-            }
-            write!(f, ": {diagnostic}")?;
-        }
-        if self.omitted > 0 {
-            write!(f, "\nand {} more", self.omitted)?;
-        }
-        Ok(())
-    }
-}
-
-impl std::error::Error for JobError {}

@@ -5,7 +5,8 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use super::diagnostic::{Diagnostic, JobError};
+use super::diagnostic::Diagnostic;
+use super::job_error::JobError;
 use super::node::Node;
 use super::source::Source;
 use super::{json_tree, toml_tree};

@@ -1,75 +1,16 @@
-//! The job format of a process, and those of several processes as one: which tables a job has is decided by `job.process`.
+//! The job formats of several processes as one: which tables a job has is decided by `job.process`.
 
 use super::any::AnyJob;
-use super::diagnostic::{Diagnostic, JobError, Problem};
+use super::diagnostic::{Diagnostic, Problem};
 use super::document::Document;
-use super::load::typed;
+use super::job_error::JobError;
+use super::job_format::JobFormat;
 use super::node::Kind;
 use super::schema::schema_of_jobs;
 use super::shape;
 use super::source::Source;
-use super::tables::JobInfo;
-use schemars::{JsonSchema, Schema, SchemaGenerator};
-use serde::Serialize;
-use serde::de::DeserializeOwned;
 use serde_json::Value;
-use std::fmt::{self, Debug, Formatter};
 use std::path::Path;
-
-/// The job of a process. Its type gives keys, types and ranges; the table `[job]` stands in each.
-pub trait ProcessJob:
-    DeserializeOwned + Serialize + JsonSchema + Clone + Debug + PartialEq + Send + Sync + 'static
-{
-    /// Name of the process, as in `job.process`: lower-case words and hyphens.
-    const NAME: &'static str;
-    /// What the process does, in one sentence: for the schema.
-    const ABOUT: &'static str;
-    /// A runnable job with a comment on every key, for `flankwright new`.
-    const TEMPLATE: &'static str;
-
-    /// Name, process and description of the job.
-    fn info(&self) -> &JobInfo;
-
-    /// What the document lacks or names wrongly beyond what a schema can say.
-    fn shape(_: &Document) -> Vec<Diagnostic> {
-        Vec::new()
-    }
-
-    /// Contradictions between entries that are each in range, without places.
-    fn contradictions(&self) -> Vec<Diagnostic>;
-}
-
-/// The job format of one process.
-#[derive(Clone, Copy)]
-pub struct JobFormat {
-    /// Name of the process.
-    pub name: &'static str,
-    /// What the process does, in one sentence.
-    pub about: &'static str,
-    /// A runnable job with a comment on every key.
-    pub template: &'static str,
-    pub(super) tables: fn(&mut SchemaGenerator) -> Schema,
-    read: fn(Document, &Value, &Value) -> Result<AnyJob, JobError>,
-}
-
-impl JobFormat {
-    /// The format of a process.
-    pub const fn of<J: ProcessJob>() -> Self {
-        Self {
-            name: J::NAME,
-            about: J::ABOUT,
-            template: J::TEMPLATE,
-            tables: |generator| generator.subschema_for::<J>(),
-            read: |document, schema, tables| typed::<J>(document, schema, tables).map(AnyJob::from),
-        }
-    }
-}
-
-impl Debug for JobFormat {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        f.debug_struct("JobFormat").field("name", &self.name).finish_non_exhaustive()
-    }
-}
 
 /// The job formats of several processes under one schema.
 pub struct JobFormats {

@@ -6,7 +6,8 @@ use std::ops::Range;
 use std::path::Path;
 
 use super::decimal_comma::with_points;
-use super::diagnostic::{Diagnostic, JobError, Problem};
+use super::diagnostic::{Diagnostic, Problem};
+use super::job_error::JobError;
 use super::source::Source;
 
 /// What a table of three numbers a row holds.

@@ -4,6 +4,7 @@
 mod any;
 pub mod bounded;
 pub mod checks;
+mod contradiction;
 pub mod control;
 pub mod csv;
 pub mod decimal_comma;
@@ -14,10 +15,14 @@ mod files;
 mod form;
 mod format;
 mod grid_file;
+mod job_error;
+mod job_format;
 pub mod json_tree;
 mod load;
 pub mod machine;
 mod node;
+mod process_job;
+mod read_source;
 mod schema;
 pub mod shape;
 mod source;
@@ -25,20 +30,25 @@ pub mod table_rows;
 pub mod tables;
 pub mod testing;
 mod toml_tree;
+mod typed;
 pub mod xml;
 
 pub use any::{AnyJob, Loaded};
 pub use bounded::{Unread, open_regular, read_bounded};
 pub use csv::{Cell, Column, CsvError, CsvTable};
-pub use diagnostic::{Diagnostic, JobError, Problem};
+pub use diagnostic::{Diagnostic, Problem};
 pub use document::Document;
 pub use files::write_atomically;
-pub use format::{JobFormat, JobFormats, ProcessJob};
+pub use format::JobFormats;
 pub use grid_file::{
     GridTarget, Layout, Row, TableForm, parse_grid_target, parse_points, parse_rows, parse_tolerances,
     parse_traces, read_grid_target, read_points, read_tolerances, read_traces, table_form,
 };
+pub use job_error::JobError;
+pub use job_format::JobFormat;
 pub use load::{parse_job_of, read_job_of};
 pub use node::{Entry, Kind, Node, shown_number};
+pub use process_job::ProcessJob;
+pub use read_source::MAXIMUM_BYTES;
 pub use schema::schema_of;
-pub use source::{MAXIMUM_BYTES, Source};
+pub use source::Source;

@@ -2,13 +2,15 @@
 //! that a holder of one need not check it again.
 
 use super::any::Loaded;
-use super::diagnostic::{Diagnostic, JobError, Problem};
 use super::document::Document;
-use super::format::{JobFormat, JobFormats, ProcessJob, not_available};
+use super::format::{JobFormats, not_available};
+use super::job_error::JobError;
+use super::job_format::JobFormat;
 use super::node::Kind;
+use super::process_job::ProcessJob;
 use super::shape;
 use super::source::Source;
-use serde_json::Value;
+use super::typed::typed;
 use std::any::TypeId;
 use std::collections::HashMap;
 use std::path::Path;
@@ -47,34 +49,4 @@ fn alone<J: ProcessJob>() -> &'static JobFormats {
         .get_or_insert_default()
         .entry(TypeId::of::<J>())
         .or_insert_with(|| Box::leak(Box::new(JobFormats::new(vec![JobFormat::of::<J>()]))))
-}
-
-/// The typed job of a document whose process is known; `tables` is what `schema` says of its process.
-pub(super) fn typed<J: ProcessJob>(
-    document: Document,
-    schema: &Value,
-    tables: &Value,
-) -> Result<Loaded<J>, JobError> {
-    let refuse = |document: Document, findings| Err(JobError::new(document.source().clone(), findings));
-    let example = format!("`flankwright new {}` prints a complete example", J::NAME);
-    let subject = shape::Subject { document: "the job", example: &example };
-    let mut findings = shape::check(document.root(), schema, tables, subject);
-    findings.extend(J::shape(&document));
-    if !findings.is_empty() {
-        return refuse(document, findings);
-    }
-    let job = match J::deserialize(document.to_value()) {
-        Ok(job) => job,
-        // The shape check admits what the types take; this is the net below it.
-        Err(error) => {
-            let finding = Diagnostic::new(Problem::InvalidJob, format!("the job cannot be read: {error}"))
-                .way_out(format!("compare with an example: {example}"));
-            return refuse(document, vec![finding]);
-        }
-    };
-    let findings: Vec<Diagnostic> = job.contradictions().into_iter().map(|d| document.placed(d)).collect();
-    if !findings.is_empty() {
-        return refuse(document, findings);
-    }
-    Ok(Loaded { job, document })
 }

@@ -1,7 +1,7 @@
 //! The JSON schema of job files and catalogues, from the types themselves. The same schema is published for editors and
 //! used to check a file, so both always agree.
 
-use super::format::JobFormat;
+use super::job_format::JobFormat;
 use super::tables::JobInfo;
 use schemars::JsonSchema;
 use schemars::generate::{SchemaGenerator, SchemaSettings};

@@ -1,8 +1,8 @@
 //! For tests of bad input: what is expected of every message: code, key, value, allowed range, hint, place. Used by the tests of every
 //! process that has jobs.
 
-use crate::format::ProcessJob;
 use crate::load::parse_job_of;
+use crate::process_job::ProcessJob;
 use crate::source::Source;
 
 /// A change to a job, the code and the key that it is answered with, and parts of the message.

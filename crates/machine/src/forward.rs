@@ -1,28 +1,10 @@
 //! Forward kinematics of the tree: axis positions -> poses, by products of exponentials
 //! (`docs/mathematics/programs.md#from-bodies-to-axes`).
 
+use super::frames::{Bed, Station, StationSpindle, ToolSpindle};
 use super::{Joint, Limb, Machine, MachineError, Positions};
 use foundation::kinematics::Pose;
 use nalgebra::Vector3;
-
-/// Frame M: the machine's bed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Bed;
-/// Frame P: the spindle that carries the tool.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct ToolSpindle;
-/// Frame Q or D: the spindle of a station.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct StationSpindle;
-
-/// Where the tool works.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Station {
-    /// On the workpiece.
-    Work,
-    /// On the dresser.
-    Dresser,
-}
 
 /// An axis as it stands while the axes before it have moved, in M.
 #[derive(Clone, Copy, Debug)]

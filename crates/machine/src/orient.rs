@@ -2,7 +2,7 @@
 //! there (`docs/mathematics/milling.md#positions-of-five-axes`). Both solutions; which one is taken along a path is decided where the path
 //! is known.
 
-use super::forward::{Bed, StationSpindle, ToolSpindle};
+use super::frames::{Bed, StationSpindle, ToolSpindle};
 use super::inverse::within_turn;
 use super::rotations::{NoWrist, about, turn, two_axes};
 use super::{Joint, Machine, MachineError, Positions, Station};

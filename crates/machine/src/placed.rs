@@ -1,7 +1,7 @@
 //! Inverse kinematics of the tool's limb alone: a tool spindle wanted at a pose on the bed, before something that stands there beside
 //! the workpiece, such as a light barrier. Knows no work spindle.
 
-use super::forward::{Bed, ToolSpindle};
+use super::frames::{Bed, ToolSpindle};
 use super::inverse::{check_pose, within_turn};
 use super::rotations::{NoWrist, about, across, three_axes, turn};
 use super::{Joint, Machine, MachineError, Positions, Station};

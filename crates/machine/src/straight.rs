@@ -2,7 +2,7 @@
 //! every chain, from the second derivatives of the product of motions (`docs/mathematics/milling.md#positions-of-five-axes`, blocks without
 //! RTCP).
 
-use super::forward::ToolSpindle;
+use super::frames::ToolSpindle;
 use super::{Joint, Machine, MachineError, Positions, Station};
 use foundation::kinematics::Point;
 

@@ -1,37 +1,11 @@
 //! How far a cutter stays away from a piece of a surface, exactly (`docs/mathematics/milling.md#root-and-clearance`): boxes of parameters
 //! are halved until what they can still hide is below a bound; the best point is then polished.
 
+use super::patch::{Clearance, HIDDEN, Patch};
 use super::probe::{Moves, Probe};
-use foundation::geometry::{Cutter, Surface};
+use foundation::geometry::Cutter;
 use nalgebra::{Rotation3, Vector3};
 use std::collections::BinaryHeap;
-
-/// A piece of a surface, turned about the workpiece's axis: a flank of this space or of another one.
-#[derive(Clone, Copy, Debug)]
-pub struct Patch<'a> {
-    /// The surface.
-    pub surface: &'a dyn Surface,
-    /// Height parameters, ascending.
-    pub heights: [f64; 2],
-    /// Length parameters, ascending.
-    pub lengths: [f64; 2],
-    /// Turn about +z, rad.
-    pub turn: f64,
-}
-
-/// The least distance between a cutter and a patch.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Clearance {
-    /// The distance, mm; < 0 where the cutter is inside (there to [`HIDDEN`]: the distance has edges).
-    pub value: f64,
-    /// What it cannot be less than, mm.
-    pub lower_bound: f64,
-    /// Height and length of the nearest point.
-    pub place: [f64; 2],
-}
-
-/// What boxes may still hide when the search ends, mm (`docs/mathematics/milling.md#root-and-clearance`).
-pub const HIDDEN: f64 = 1e-3;
 
 impl Patch<'_> {
     /// The cutter seen from the patch: turned back instead of the surface forwards.

@@ -1,38 +1,10 @@
 //! Whether a cutter on its way keeps away from what it must not touch (`docs/mathematics/milling.md#root-and-clearance`): at every place
 //! and between them.
 
+use super::CutterPlace;
+use super::obstacle::{Collision, Obstacle};
 use super::probe::Moves;
-use super::{Clearance, CutterPlace, Patch};
 use foundation::geometry::Cutter;
-
-/// A surface that a cutter must keep away from.
-#[derive(Clone, Copy, Debug)]
-pub struct Obstacle<'a> {
-    /// What it is, for messages.
-    pub name: &'static str,
-    /// The surface.
-    pub patch: Patch<'a>,
-    /// What the cutter has to keep, mm; < 0 allows it to go in by that.
-    pub wanted: f64,
-    /// Whether blocks between places are followed. Along the flank that the cutter touches they cannot be: there it keeps nothing, and
-    /// what the blocks leave is a matter of micrometres, which the referee's rays tell.
-    pub between: bool,
-}
-
-/// Where a cutter comes too near.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Collision {
-    /// Number of the place on the path after which it happens.
-    pub block: usize,
-    /// Share of the block that begins there.
-    pub share: f64,
-    /// What it comes near to.
-    pub name: &'static str,
-    /// Distance there and the nearest point.
-    pub clearance: Clearance,
-    /// What it should keep, mm.
-    pub wanted: f64,
-}
 
 /// Motion to both sides of a place at which the cutter keeps what is wanted, below which nothing is looked for between: mm.
 const STEP: f64 = 1e-3;

@@ -2,6 +2,7 @@
 //! and which of the other limits no grid of this law can keep.
 
 use super::grid::NeighbourDistances;
+use super::size::MOST_LINES;
 use super::{ActiveFlank, FlankGrid, LeadCurve, MillingError, RowSpacing};
 use foundation::numerics::equidistant;
 
@@ -50,9 +51,6 @@ pub struct DenseGrid {
     /// Limits that it does not keep; no grid of the same law keeps them together with the upper limits.
     pub violated: Vec<Violated>,
 }
-
-/// More lines than this of one kind are not a program any more (`docs/mathematics/milling.md#columns-and-rows`).
-pub const MOST_LINES: usize = 20_000;
 
 impl DistanceLimits {
     /// Names of the limits, those of rows or of columns.

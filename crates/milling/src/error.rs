@@ -1,8 +1,10 @@
 //! What can keep a flank from being milled (`docs/mathematics/milling.md#limits`).
 
-use super::location::TouchFault;
-use super::plan::OperationKind;
-use super::{Collision, LimitBody, MilledSide};
+use super::flank::LimitBody;
+use super::milled_side::MilledSide;
+use super::obstacle::Collision;
+use super::operation_kind::OperationKind;
+use super::touch_fault::TouchFault;
 use finding::Finding;
 use foundation::geometry::GeometryError;
 use thiserror::Error;
@@ -126,7 +128,7 @@ pub enum MillingError {
         allowed: &'static str,
     },
     /// More rows or columns than a program can have.
-    #[error("the limits ask for {needed:.0} {lines}, at most {} are possible", super::density::MOST_LINES)]
+    #[error("the limits ask for {needed:.0} {lines}, at most {} are possible", super::size::MOST_LINES)]
     #[finding(code = "density-size")]
     #[way_out("allow larger distances, scallops or chords")]
     DensitySize {
@@ -369,36 +371,4 @@ pub enum MillingError {
         /// Greatest height, mm.
         greatest: f64,
     },
-}
-
-impl std::fmt::Display for TouchFault {
-    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-        match self {
-            Self::Height { height, allowed: [from, to] } => {
-                write!(f, "height {height} mm, the straight side goes from {from:.4} to {to:.4} mm")
-            }
-            Self::UpperEdge { angle } => {
-                write!(
-                    f,
-                    "its upper edge would cut, the side leans {:.6} deg into the flank",
-                    angle.to_degrees()
-                )
-            }
-            Self::SharpCorner => f.write_str("a sharp corner would have to touch"),
-            Self::Arc { height, allowed: [from, to] } => {
-                write!(f, "height {height:.4} mm, the arc goes from {from:.4} to {to:.4} mm")
-            }
-        }
-    }
-}
-
-impl std::fmt::Display for OperationKind {
-    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-        match self {
-            Self::Roughing => f.write_str("roughing"),
-            Self::Flank(side) => write!(f, "{side} flank"),
-            Self::Fillet(side) => write!(f, "fillet of the {side} flank"),
-            Self::Bottom => f.write_str("bottom"),
-        }
-    }
 }

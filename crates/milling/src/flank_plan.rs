@@ -2,9 +2,9 @@
 
 use super::finish::FinishedRow;
 use super::lines::LaidLines;
+use super::milled_side::{Half, MilledSide};
 use super::root_pass::RootSection;
 use super::row_paths::RowEnd;
-use super::space::{Half, MilledSide};
 use super::{
     ActiveFlank, CutterLocation, FlankGrid, LeadCurve, LocalContact, MillingError, Orientation, PlanOptions,
     plane_through, row_distance,

@@ -1,6 +1,7 @@
 //! Where the cutter stands to touch the flank at a point (`docs/mathematics/milling.md#cutter-location`): its axis in the column plane and
 //! perpendicular to the normal, tilted or leant if wanted, its tip from the part of the cutter that touches.
 
+use super::touch_fault::TouchFault;
 use super::{LeadPoint, MillingError};
 use foundation::geometry::{CutterShape, SurfaceJet};
 use nalgebra::{Rotation3, Unit, Vector3};
@@ -98,32 +99,6 @@ impl CutterLocation {
             contact_height: touch.height,
         })
     }
-}
-
-/// Why a cutter cannot touch as wanted.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum TouchFault {
-    /// The contact height is outside the straight side. mm.
-    Height {
-        /// Wanted.
-        height: f64,
-        /// Where the straight side begins and ends.
-        allowed: [f64; 2],
-    },
-    /// The axis leans so that the upper edge would cut: angle between side and tangent plane, rad.
-    UpperEdge {
-        /// Its angle, > 0.
-        angle: f64,
-    },
-    /// The cutter has a sharp corner where a rounded one would have to touch.
-    SharpCorner,
-    /// The contact lies outside the arc of the barrel: height above the tip and its limits, mm.
-    Arc {
-        /// Wanted.
-        height: f64,
-        /// Where the arc begins and ends.
-        allowed: [f64; 2],
-    },
 }
 
 /// A point of a cutter's profile.

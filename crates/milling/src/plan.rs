@@ -4,120 +4,22 @@ use super::bottom::bottom;
 use super::drawn_limits::{across, check_drawn_root};
 use super::finish::{Bottom, FinishOptions, Kept, finish};
 use super::flank_plan::{FlankPlan, figures};
-use super::lines::{Lines, SpacingLaw, lay_lines};
+use super::lines::lay_lines;
 use super::middle::{Ended, Limits};
-use super::path::{CutterPath, RowOrder, Traverse};
+use super::milling_plan::{MillingPlan, Operation};
+use super::operation_kind::OperationKind;
+use super::path::RowOrder;
+use super::plan_options::PlanOptions;
 use super::root_pass::{RootDepth, RootSection};
 use super::row_paths::RowPaths;
-use super::space::{Half, MilledSide, Space, SpaceFlank};
+use super::space::{Space, SpaceFlank};
 use super::wall::{DOWN_TO, SPARE, along_blocks};
 use super::{
-    Column, CutterLocation, FlankGrid, HeightRule, MillingError, Obstacle, Orientation, Patch, RoughingLayer,
+    Column, CutterLocation, FlankGrid, MillingError, Obstacle, Orientation, Patch, RoughingLayer,
     RoughingOptions, WallKind, check_access, check_path, drawn_section, root_limits, rough,
 };
-use foundation::geometry::{Cutter, Flank};
 use foundation::numerics::extremes;
 use rayon::prelude::*;
-
-/// What a space is milled with and how.
-#[derive(Clone, Debug)]
-pub struct PlanOptions {
-    /// The cutter of the flanks.
-    pub cutter: Cutter,
-    /// The cutter of the bottom; the flanks' own without.
-    pub bottom_cutter: Option<Cutter>,
-    /// The cutter that clears the space; the flanks' own without.
-    pub roughing_cutter: Option<Cutter>,
-    /// Rows and columns.
-    pub lines: Lines,
-    /// Law of the rows.
-    pub spacing: SpacingLaw,
-    /// Tilt and lead angle.
-    pub orientation: Orientation,
-    /// Contact heights.
-    pub heights: HeightRule,
-    /// How far the path goes on beyond the face, mm.
-    pub overrun: f64,
-    /// What the cutter keeps from everything that it does not mill, mm.
-    pub safety: f64,
-    /// Senses of the rows.
-    pub traverse: Traverse,
-    /// Order of the rows.
-    pub order: RowOrder,
-    /// Root: its depth, and whether the bottom between the fillets is milled as well.
-    pub root: Option<(RootDepth, bool)>,
-    /// The finished bottom, which rows keep away from by the safety distance, where the job draws one.
-    pub bottom: Option<Bottom>,
-    /// Clearing: allowance, greatest depth of a layer and greatest distance of passes, mm.
-    pub roughing: Option<[f64; 3]>,
-    /// Radius of the quarter circles on which the cutter comes to rows and leaves them, mm; without it there are none.
-    pub approach_radius: Option<f64>,
-    /// The flanks that are milled.
-    pub sides: Vec<Flank>,
-}
-
-/// What an operation does.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum OperationKind {
-    /// Clears the space.
-    Roughing,
-    /// Finishes the rows of a flank.
-    Flank(MilledSide),
-    /// Goes on below a flank with the fillet.
-    Fillet(MilledSide),
-    /// Joins both fillets.
-    Bottom,
-}
-
-/// Paths of one cutter in the order of cutting.
-#[derive(Clone, Debug)]
-pub struct Operation {
-    /// What it does.
-    pub kind: OperationKind,
-    /// Its paths.
-    pub paths: Vec<CutterPath>,
-}
-
-impl OperationKind {
-    /// Place of the operation in the order of cutting.
-    const fn stage(self) -> usize {
-        match self {
-            Self::Roughing => 0,
-            Self::Flank(_) => 1,
-            Self::Fillet(_) => 2,
-            Self::Bottom => 3,
-        }
-    }
-}
-
-/// A space from blank to finished.
-#[derive(Clone, Debug)]
-pub struct MillingPlan {
-    /// The flanks.
-    pub flanks: Vec<FlankPlan>,
-    /// The layers that clear the space.
-    pub layers: Vec<RoughingLayer>,
-    /// Everything in its order.
-    pub operations: Vec<Operation>,
-}
-
-impl PlanOptions {
-    /// The cutter of an operation.
-    pub fn cutter_of(&self, kind: OperationKind) -> &Cutter {
-        let own = match kind {
-            OperationKind::Roughing => &self.roughing_cutter,
-            OperationKind::Bottom => &self.bottom_cutter,
-            OperationKind::Flank(_) | OperationKind::Fillet(_) => &None,
-        };
-        own.as_ref().unwrap_or(&self.cutter)
-    }
-
-    /// How the axis is turned on a flank: halves are mirror images of each other, and so is the axis that is turned about the normal.
-    pub(super) fn orientation_on(&self, side: MilledSide) -> Orientation {
-        let sense = if side.half == Some(Half::Lower) { -1.0 } else { 1.0 };
-        Orientation { lead_angle: sense * self.orientation.lead_angle, ..self.orientation }
-    }
-}
 
 /// Plans a space that has several parts, the halves of a double-helical gear, one after the other in every stage of cutting: no cutter is
 /// changed more often than for one part.

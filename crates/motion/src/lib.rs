@@ -16,9 +16,10 @@ mod read_back;
 mod s_curve;
 mod speed;
 mod trace;
+mod waypoint;
 
 pub use axes::{AxisWords, axis_words};
-pub use course::{BodyPlace, Course, Waypoint};
+pub use course::Course;
 pub use dressing_course::{DressingCourse, dresser_contacts};
 pub use error::MotionError;
 pub use grinding_course::GrindingCourse;
@@ -31,3 +32,4 @@ pub use read_back::{DressingPlace, ReadStroke, Tracked, track};
 pub use s_curve::SCurve;
 pub use speed::{Braked, PathLimits};
 pub use trace::{AxisTrace, TraceRow};
+pub use waypoint::{BodyPlace, Waypoint};

@@ -5,7 +5,7 @@
 //! Kept for planning with contact relations of a simulation: no command reaches it yet.
 
 use super::descent::descend_along;
-use super::grind::{Engagement, Length, Ray};
+use super::engagement::{Engagement, Length, Ray};
 use super::{ActiveThreads, Grinding, GrindingMode, RemovalError, Unmodified, WormArea, error};
 use foundation::geometry::InvoluteFlank;
 use foundation::inverse::weighted_least_squares;

@@ -3,7 +3,7 @@
 //! The motion has two parameters, the workpiece angle and the feed. Whichever thread the coupling pairs with this tooth
 //! space, it appears in one turn of the workpiece; so one turn times the stroke holds every pose there is.
 
-use super::grind::Engagement;
+use super::engagement::Engagement;
 use super::{RemovalError, Statistics};
 use nalgebra::{Matrix3, Vector3};
 

@@ -2,11 +2,8 @@
 //!
 //! The room turns finished numbers into pictures and pages. It must not know how a number came about: no
 //! process, no contact, no removal, no workflow. [`charts`] draws, [`PlanReport`] is the page as data
-//! (a banner and an ordered list of sections, the same for every process), [`html`] writes it, and
-//! [`generating`] composes the page of diagonal generating grinding; [`tangential`] adds the sections of tangential dressing,
-//! [`programs`] the one on NC programs, [`control`] the one on gearbox and servo; [`gearbox`] composes the page of the electronic
-//! gearbox, [`milling`] that of five-axis milling, [`skiving`] that of measuring a power-skiving tool, [`measured_gear`] that of an
-//! inspected gear, [`inspection_series`] that of a series of them; [`inspection_sheet`] draws the sheets of measured gears.
+//! (a banner and an ordered list of sections, the same for every process) and [`html`] writes it; the crate of each process
+//! composes its pages from its results.
 //!
 //! ```
 //! use report::{Banner, Block, PlanReport, Section, html};
@@ -24,14 +21,12 @@
 //! ```
 
 pub mod charts;
-pub mod control;
-pub mod generating;
 pub mod html;
-pub mod programs;
 
 pub mod cells;
 pub mod data;
 pub mod flank_pictures;
+pub mod flank_stages;
 pub mod head;
 pub mod ids;
 pub mod placed;
@@ -41,6 +36,7 @@ pub use data::{
     Banner, Block, Column, ColumnKind, Fact, Figure, PlanReport, Quantity, QuantityValue, Section, Stamp,
     Table, Warning,
 };
+pub use flank_stages::{DrawnFlanks, FlankPicture, FlankStages, flank_diagram, flank_figures, flank_picture};
 pub use head::ReportHead;
 pub use ids::kebab;
 pub use placed::{PlacedChart, charts_of_page};

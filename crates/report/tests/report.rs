@@ -1,8 +1,7 @@
 //! Charts and pages: well-formed, complete, escaped, repeatable, and refusing what can't be drawn.
 
-use crate::report_sample::programs::swinging;
-use crate::report_sample::{self, crowned, field, ripple, spread};
-use foundation::geometry::{Flank, Sides};
+use crate::report_sample::{crowned, field, ripple, spread, swinging};
+use foundation::geometry::Flank;
 use proptest::prelude::*;
 use report::charts::{
     AxisChart, AxisChartLimits, ChartError, ContourMap, DressingSectionChart, FlankSections, LevelScale,
@@ -391,38 +390,6 @@ fn axes_that_cannot_be_drawn_are_refused() {
 }
 
 #[test]
-fn programs_stand_with_their_proof() {
-    let report = report_sample::met();
-    let page = html::render(&report.to_page().unwrap());
-    assert_holds(
-        &page,
-        &[
-            "linuxcnc and fanuc: proven from the program text: max deviation 0.0123 µm.",
-            "siemens: proven from the program text: max deviation 0.0119 µm.",
-            "programs/grinding-siemens.mpf",
-            "grinder &lt;8&gt;",
-            "datum face down",
-            "125.40",
-            "2:05",
-            "Passes of grinding: linuxcnc and fanuc",
-            "to 83 %, C2 acceleration",
-            "X (linuxcnc, fanuc); X1 (siemens)",
-            "X1, radial",
-            "A1 at 3.1468°",
-            "B3 (spindle 1) at 4000 1/min",
-            "the control counts X1 the other way",
-            "Axis X1, word X",
-            "they jump: V1",
-        ],
-    );
-    // Half of the velocity that the machine allows; the acceleration has no limit.
-    assert_holds(&page, &["<td class=\"right\">125</td><td class=\"right\">50</td>"]);
-    assert_holds(&page, &["<td class=\"right\">2000</td><td class=\"right\">–</td>"]);
-    let without = report::generating::GeneratingReport { programs: None, ..report };
-    assert!(!html::render(&without.to_page().unwrap()).contains("NC programs"));
-}
-
-#[test]
 fn decades_stand_on_a_logarithmic_ordinate() {
     let panel = Panel {
         y_title: "error [µm]".into(),
@@ -619,102 +586,6 @@ fn texts_are_escaped_on_the_page() {
     assert!(!page.contains("<script"));
     assert!(!page.contains("\"1\"") && !page.contains('\u{1b}'));
     assert!(page.matches("&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt; &amp; &#39;x&#39;").count() > 18);
-}
-
-#[test]
-fn the_page_is_complete_and_self_contained() {
-    let report = report_sample::met();
-    let page = html::render(&report.to_page().unwrap());
-    for heading in [
-        "Result per flank",
-        "Warnings",
-        "Gear and tools",
-        "Settings",
-        "Topographies",
-        "Profile and helix",
-        "Grinding motion",
-        "Dressing corrections",
-        "NC programs",
-        "How it was verified",
-        "Convergence of the precompensation",
-        "Time and files",
-    ] {
-        assert!(page.contains(&format!("<h2>{heading}</h2>")), "{heading}");
-    }
-    assert_holds(&page, &["twist-free-crowning", "within the tolerance of 1 µm", "K = −1.91605", "Remedy: "]);
-    assert_holds(&page, &["C<sub>β</sub>", "motions/dressing-left.csv", "@media print"]);
-    assert_eq!(page.matches("<svg ").count(), 13);
-    // Nothing is fetched: no script, no link, no image, no address but the name of the SVG namespace.
-    for foreign in ["<script", "<link", "<img", "url(", "@import", "src=", "href="] {
-        assert!(!page.contains(foreign), "{foreign}");
-    }
-    assert_eq!(page.matches("http").count(), page.matches("http://www.w3.org/2000/svg").count());
-}
-
-#[test]
-fn the_same_report_gives_the_same_bytes() {
-    let page = || html::render(&report_sample::met().to_page().unwrap());
-    assert_eq!(page(), page());
-}
-
-#[test]
-fn absent_data_leave_no_section() {
-    let page = html::render(&report_sample::not_producible().to_page().unwrap());
-    assert_holds(
-        &page,
-        &[
-            "not producible",
-            "worm-too-short",
-            "60 mm are given",
-            "No diagonal ratio is allowed",
-            "Diagonal ratios compared",
-        ],
-    );
-    for absent in ["<h2>Result per flank", "<h2>Topographies", "<h2>Warnings", "<h2>Time", "<svg"] {
-        assert!(!page.contains(absent), "{absent}");
-    }
-}
-
-#[test]
-fn a_missed_target_is_said_with_its_figures() {
-    let page = html::render(&report_sample::missed().to_page().unwrap());
-    assert_holds(
-        &page,
-        &["banner missed", "Largest deviation 10.", "outside the tolerance of 1 µm", "natural-twist"],
-    );
-}
-
-#[test]
-fn one_flank_and_no_referee_still_make_a_page() {
-    let mut report = report_sample::met();
-    let mut left = report.flanks.left.take().unwrap();
-    left.simulated = None;
-    left.simulated_values = None;
-    left.max_deviation_um = None;
-    (left.profiles, left.helices) = (vec![], vec![]);
-    report.flanks = Sides { left: Some(left), right: None };
-    report.dressing.right = None;
-    let page = html::render(&report.to_page().unwrap());
-    assert_holds(&page, &["Left flank", "Planned (analytic)", "Deviation from the target", "z = −15.00 mm"]);
-    assert!(!page.contains("Right flank") && !page.contains("Simulated (referee)"));
-}
-
-#[test]
-fn a_wrong_motion_is_an_error_not_a_page() {
-    let mut report = report_sample::met();
-    report.grinding_motions[0].delta_d_um[7] = f64::NAN;
-    assert!(matches!(report.to_page(), Err(ChartError::InvalidNumber { index: 7, .. })));
-    let mut report = report_sample::met();
-    report.dressing.right.as_mut().unwrap().d_d_mm.pop();
-    assert!(matches!(report.to_page(), Err(ChartError::LengthMismatch { .. })));
-}
-
-#[test]
-fn the_page_as_data_carries_stable_words() {
-    let page = report_sample::not_producible().to_page().unwrap();
-    let json = serde_json::to_value(&page).unwrap();
-    assert_eq!(json["banner"]["status"], "not_producible");
-    assert_eq!(json["title"], "twist-free-crowning");
 }
 
 #[test]

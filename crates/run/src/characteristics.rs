@@ -1,7 +1,6 @@
 //! Characteristics of a flank as result documents and pages give them.
 
 use metrology::{Characteristics, Topography};
-use report::generating::Characteristics as ReportedCharacteristics;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -40,19 +39,5 @@ impl CharacteristicsUm {
             twist_fit_um: c.twist_fit * 1e3,
             twist_fit_normal_um: c.twist_fit * 1e3 * cos_b,
         }
-    }
-}
-
-/// The same for a page.
-pub fn reported(c: &CharacteristicsUm) -> ReportedCharacteristics {
-    ReportedCharacteristics {
-        helix_crowning_um: Some(c.helix_crowning_um),
-        profile_crowning_um: Some(c.profile_crowning_um),
-        helix_slope_um: Some(c.helix_slope_um),
-        profile_slope_um: Some(c.profile_slope_um),
-        twist_corner_um: Some(c.twist_corner_um),
-        twist_corner_normal_um: Some(c.twist_corner_normal_um),
-        twist_fit_um: Some(c.twist_fit_um),
-        twist_fit_normal_um: Some(c.twist_fit_normal_um),
     }
 }

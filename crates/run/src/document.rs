@@ -1,7 +1,7 @@
 //! Documents that tasks write, with their JSON schema from the types themselves.
 
-use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
+use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde_json::Value;
 
 /// A kind of document.
@@ -11,24 +11,27 @@ pub struct DocumentFormat {
     pub kind: &'static str,
     /// The file that holds it.
     pub file: &'static str,
-    schema: fn(&str) -> Value,
+    root: fn(&mut SchemaGenerator) -> Schema,
+    part: fn(&mut SchemaGenerator) -> Schema,
 }
 
 impl DocumentFormat {
     /// The format of a type, in a file of this name.
     pub const fn of<T: JsonSchema>(kind: &'static str, file: &'static str) -> Self {
-        Self { kind, file, schema: schema_of::<T> }
+        let (root, part) = (SchemaGenerator::root_schema_for::<T>, SchemaGenerator::subschema_for::<T>);
+        Self { kind, file, root, part }
     }
 
     /// Its schema, JSON Schema draft 2020-12.
     pub fn schema(&self) -> Value {
-        (self.schema)(&format!("flankwright {}: {}", self.kind, self.file))
+        let mut generator = SchemaSettings::draft2020_12().for_serialize().into_generator();
+        let mut schema = (self.root)(&mut generator).to_value();
+        schema["title"] = Value::from(format!("flankwright {}: {}", self.kind, self.file));
+        schema
     }
-}
 
-fn schema_of<T: JsonSchema>(title: &str) -> Value {
-    let settings = SchemaSettings::draft2020_12().for_serialize();
-    let mut schema = settings.into_generator().into_root_schema_for::<T>().to_value();
-    schema["title"] = Value::from(title);
-    schema
+    /// Its schema as a part of a larger one, whose definitions the generator collects.
+    pub fn schema_in(&self, generator: &mut SchemaGenerator) -> Schema {
+        (self.part)(generator)
+    }
 }

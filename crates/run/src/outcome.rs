@@ -1,7 +1,7 @@
 //! The outcome of a task: verdict, document, files, summary, for callers to whom one process is like the other.
 
-use super::files::WriteError;
 use super::finding::RunFailure;
+use super::write_error::WriteError;
 use erased_serde::Serialize;
 use job::{Loaded, ProcessJob};
 use scene::Scene;

@@ -1,7 +1,7 @@
 //! The files of a run as one set: a reader finds the old set, the new one, or a folder without its document, which is then
 //! incomplete. Two runs on one folder follow one another. A disk that is full leaves the old set.
 
-use super::files::WriteError;
+use super::write_error::WriteError;
 use std::fs::{self, File, TryLockError};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};

@@ -1,13 +1,14 @@
 //! The plan without its referee, for somebody who turns an amount and wants to see what becomes of the flank. What comes out is the exact
 //! contact of the planned motions, as in a whole plan; it is not verified by the referee.
 
-use super::characteristics::{CharacteristicsUm, reported};
+use super::characteristics::CharacteristicsUm;
 use super::finding::{Remark, RunFailure};
+use super::grinding_motion::{GrindingMotion, grinding_motion_chart};
 use foundation::geometry::{Flank, Sides};
 use job::{Diagnostic, Problem};
 use metrology::Topography;
 use report::charts::{self, ChartError, Svg};
-use report::generating::{FlankPicture, FlankReport, GrindingMotion, flank_picture, grinding_motion_chart};
+use report::{DrawnFlanks, FlankPicture, FlankStages, flank_picture};
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::Value;
@@ -85,30 +86,20 @@ impl Preview {
         }
     }
 
-    fn pictured(&self) -> Result<Sides<Option<FlankReport>>, ChartError> {
-        let mut flanks = Sides { left: None, right: None };
-        for flank in Flank::BOTH {
-            let Some(of) = self.flanks.get(flank.name()) else { continue };
+    fn pictured(&self) -> Result<DrawnFlanks, ChartError> {
+        Sides::try_from_fn(|flank: Flank| {
+            let Some(of) = self.flanks.get(flank.name()) else { return Ok(None) };
             let map = |rows: &Vec<Vec<f64>>| {
                 charts::Topography::new(of.w_mm.clone(), of.z_mm.clone(), rows.clone())
             };
-            flanks[flank] = Some(FlankReport {
-                amounts: Vec::new(),
+            Ok(Some(FlankStages {
                 target: map(&of.target_um)?,
-                planned: Some(map(&of.planned_um)?),
+                planned: map(&of.planned_um)?,
                 simulated: None,
-                target_values: reported(&of.target_characteristics),
-                planned_values: Some(reported(&of.planned_characteristics)),
-                simulated_values: None,
-                max_deviation_um: Some(of.max_deviation_um),
-                rms_deviation_um: Some(of.rms_deviation_um),
-                model_difference_um: None,
-                outside: Vec::new(),
                 profiles: Vec::new(),
                 helices: Vec::new(),
-            });
-        }
-        Ok(flanks)
+            }))
+        })
     }
 }
 

@@ -2,11 +2,11 @@
 
 use super::derived::DerivedGeometry;
 use super::document::DocumentFormat;
+use super::evidence::Evidence;
 use super::finding::{JobFailure, Remark, RunFailure};
 use super::outcome::TaskOutcome;
 use super::preview::Preview;
 use super::program_check::ProgramCheck;
-use super::refusal::Evidence;
 use super::task::Task;
 use foundation::numerics::Progress;
 use job::machine::LoadedMachine;

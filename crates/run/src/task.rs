@@ -1,7 +1,11 @@
 //! What can be done with a job.
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
 /// What is to be done with a job.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
 pub enum Task {
     /// From the target to settings, motions and a proven flank; a job of the electronic gearbox is run.
     Plan,

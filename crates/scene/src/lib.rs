@@ -4,6 +4,7 @@ pub mod mesh;
 pub mod shape;
 mod threaded;
 pub mod toothed;
+mod toothed_mesh;
 
 pub use shape::{Body, BodyKind, Coordinate, Frame, Scene, Stage, numbers, place};
 pub use threaded::threaded;

@@ -3,11 +3,12 @@
 use crate::mesh::TriangleMesh;
 use foundation::kinematics::Pose;
 use nalgebra::Vector3;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
 /// Bodies and how they move. Lengths in mm; coordinates of the scene are those of the room in which the process is described.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Scene {
     /// The bodies, each in its own coordinates.
     pub bodies: Vec<Body>,
@@ -16,7 +17,7 @@ pub struct Scene {
 }
 
 /// A body as triangles.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Body {
     /// Its name in poses.
     pub id: String,
@@ -31,7 +32,7 @@ pub struct Body {
 }
 
 /// What a body is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum BodyKind {
     /// The gear that is made.
@@ -53,7 +54,7 @@ pub enum BodyKind {
 }
 
 /// A motion from its first to its last frame.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Stage {
     /// A name that no other stage has.
     pub id: String,
@@ -66,7 +67,7 @@ pub struct Stage {
 }
 
 /// A coordinate along a stage.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Coordinate {
     /// What it is.
     pub label: &'static str,
@@ -75,7 +76,7 @@ pub struct Coordinate {
 }
 
 /// All bodies at one place of a stage.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Frame {
     /// Where on the coordinate of the stage.
     pub at: f64,

@@ -2,6 +2,7 @@
 //! it, checks it, adds to it; fits no trend. The time stands in the measurement, never taken from a clock, so that a run can be repeated.
 
 mod append;
+mod line;
 mod order;
 mod read;
 mod time;

@@ -3,8 +3,8 @@
 use crate::job::{LoadedTangentialJob, TangentialJob};
 use crate::workflow::TangentialResult;
 use crate::workflow::derived::of_tangential;
+use crate::workflow::followed::OnTangential;
 use crate::workflow::previewed::preview_tangential;
-use crate::workflow::programs::OnTangential;
 use crate::workflow::{plan_tangential, simulate_tangential};
 use ::job::ProcessJob;
 use foundation::numerics::Progress;

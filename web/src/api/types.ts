@@ -1,213 +1,72 @@
-// What the server answers, as docs/web-application.md tells it.
+// What the server answers, by the names of the pages. The types themselves are made from its description.
 
-import type { Json, Path, Table } from "../lib/path";
+import type { components } from "./generated";
+import type { Json } from "../lib/path";
 
-export interface Finding {
-  code: string;
-  message: string;
-  field?: string | null;
-  value?: Json;
-  allowed?: string | null;
-  way_out?: string | null;
-  file?: string | null;
-  line?: number | null;
-  column?: number | null;
-  start?: number | null;
-  end?: number | null;
-}
+type Schemas = components["schemas"];
 
-export interface Remark {
-  code: string;
-  text: string;
-  way_out?: string | null;
-}
+export type Finding = Schemas["Finding"];
+export type Remark = Found<Schemas["Remark"]>;
+export type FailureDocument = Schemas["Failure"];
 
-export interface FailureDocument {
-  exit: number;
-  errors: Finding[];
-  omitted: number;
-}
+export type Job = Schemas["Job"];
+export type About = Schemas["About"];
+export type ExampleHead = Schemas["ExampleSummary"];
+export type MachineHead = Schemas["MachineSummary"];
+export type CheckAnswer = Schemas["CheckAnswer"];
+export type Edit = Schemas["Edit"];
 
-export interface Job {
-  text: string;
-  files?: Record<string, string>;
-}
+export type RunKind = Schemas["Task"];
+export type RunState = Schemas["RunState"];
+export type Verdict = Schemas["Status"];
+export type RunStateAnswer = Schemas["RunStateAnswer"];
+export type RunBegun = Schemas["RunBegun"];
+export type Progress = Schemas["Advance"];
+export type RunSummary = Schemas["ListedRun"];
+export type Run = Omit<Schemas["Run"], "document"> & { document?: ResultDocument | null };
 
-export interface About {
-  version: string;
-  processes: { name: string; title: string }[];
-  queue: { running: number; waiting: number; most: number };
-}
+export type Preview = Schemas["PreviewAnswer"];
 
-export interface ExampleHead {
-  id: string;
-  name: string;
-  process: string;
-  description?: string | null;
-}
+export type Scene = Schemas["Scene"];
+export type SceneBody = Schemas["Body"];
+export type SceneFrame = Schemas["Frame"];
+export type SceneStage = Schemas["Stage"];
 
-export interface MachineHead {
-  file: string;
-  name: string;
-  description?: string | null;
-}
+export type InspectOptions = Schemas["InspectOptions"];
+export type SeriesSummary = Schemas["SeriesSummary"];
+export type PartRecord = Schemas["PartRecord"];
+export type PartSummary = Schemas["PartSummary"];
+export type ToolSummary = Schemas["ToolSummary"];
+export type TrendPoint = Schemas["MeasuredCharacteristic"];
 
-export interface Quantity {
-  key: string;
-  label: string;
-  value: number | string | null;
-  unit: string;
-}
+/** A document of any kind that a run writes. */
+export type ResultDocument = Found<Schemas["ResultDocument"]>;
+export type ResultFlank = NonNullable<NonNullable<ResultDocument["flanks"]>[string]>;
+export type InspectionRound = NonNullable<ResultDocument["rounds"]>[number];
+export type Settings = NonNullable<ResultDocument["settings"]>;
+export type ProgramAxis = Found<Schemas["AxisResult"] | Schemas["CheckedAxis"]>;
+export type JudgedItem = Schemas["JudgedItem"];
+export type UnjudgedItem = Schemas["UnjudgedItem"];
+export type CheckedProgram = Found<Schemas["CheckedProgram"]>;
+export type HistoryRecord = Found<Schemas["HistoryRecord"]>;
+export type Catalogue = Schemas["CatalogueAnswer"];
 
-export interface CheckAnswer {
-  valid: boolean;
-  process?: string | null;
-  name?: string | null;
-  findings: Finding[];
-  warnings: Remark[];
-  tree?: Table | null;
-  derived: { title: string; quantities: Quantity[] }[];
-}
+type KeyOf<T> = T extends unknown ? keyof T : never;
+type At<T, Key> = T extends unknown ? (Key extends keyof T ? T[Key] : never) : never;
+type List<T> = Extract<T, readonly unknown[]>;
+type Keyed<T> = Exclude<Extract<T, object>, readonly unknown[]>;
+type ValueOf<T> = T extends unknown ? T[keyof T] : never;
 
-export interface Edit {
-  path: Path;
-  value: Json;
-}
-
-export interface EditAnswer {
-  text: string;
-  tree: Table;
-}
-
-export type RunKind = "plan" | "simulate" | "explore" | "inspect";
-export type RunState = "queued" | "running" | "done" | "failed" | "cancelled" | "interrupted";
-export type Verdict = "met" | "missed" | "not_judged";
-
-export interface Progress {
-  stage: string;
-  done: number;
-  total: number;
-}
-
-export interface RunSummary {
-  id: string | number;
-  kind: RunKind;
-  name: string;
-  state: RunState;
-  created: string;
-  ended?: string | null;
-  status?: Verdict | null;
-  progress?: Progress | null;
-}
-
-export interface RunFile {
-  name: string;
-  bytes: number;
-}
-
-/** A chart of a result: the name by which it is asked for, its title, and the section of the report in which it stands. */
-export interface ChartHead {
-  name: string;
-  title: string;
-  section: string;
-}
-
-export interface Run extends RunSummary {
-  job?: Job | null;
-  /** Names of the measurements that were handed in. */
-  measurements?: string[];
-  document?: Table | null;
-  failure?: FailureDocument | null;
-  files: RunFile[];
-  charts: ChartHead[];
-  /** Whether its bodies can be seen in space. */
-  scene: boolean;
-}
-
-export type Characteristics = Record<string, number | null>;
-
-export interface PreviewFlank {
-  w_mm: number[];
-  z_mm: number[];
-  target_um: number[][];
-  planned_um: number[][];
-  max_deviation_um: number;
-  rms_deviation_um: number;
-  target_characteristics: Characteristics;
-  planned_characteristics: Characteristics;
-}
-
-export interface Preview {
-  process: string;
-  tolerance_um: number;
-  settings: Table;
-  warnings: Remark[];
-  charts: Record<string, string>;
-  flanks: { left?: PreviewFlank; right?: PreviewFlank };
-  milliseconds: number;
-}
-
-export interface SceneBody {
-  id: string;
-  kind: string;
-  positions: number[];
-  indices: number[];
-  /** Whether the triangles close it; an open body is seen from both sides. */
-  closed?: boolean;
-}
-
-export interface SceneFrame {
-  at: number;
-  poses: Record<string, number[]>;
-  contact: [number, number, number][];
-  /** Lines on the workpiece that are finished here. */
-  trace?: [number, number, number][][];
-}
-
-export interface SceneStage {
-  id: string;
-  title: string;
-  coordinate: { label: string; unit: string };
-  frames: SceneFrame[];
-}
-
-export interface Scene {
-  bodies: SceneBody[];
-  stages: SceneStage[];
-}
-
-export interface SeriesSummary {
-  series: string;
-  parts: number;
-  first?: string | null;
-  last?: string | null;
-}
-
-export interface PartSummary {
-  series: string;
-  part: string;
-  drawing?: string | null;
-  date?: string | null;
-  machine?: string | null;
-  source: string;
-  digest: string;
-}
-
-export interface ToolSummary {
-  tool: string;
-  measurements: number;
-}
-
-export interface TrendPoint {
-  digest: string;
-  part: string;
-  date: string | null;
-  name: string;
-  flank: string | null;
-  tooth: number | null;
-  statistic: string;
-  value: number;
-  unit: string;
-  lower_limit: number | null;
-  upper_limit: number | null;
-}
+/**
+ * A document as a page finds it: the keys of all its kinds, none of which has to be there. Stored documents may come from another version,
+ * and a number that is none is null.
+ */
+export type Found<T> = Json extends T
+  ? T
+  : | Exclude<T, object>
+    | ([List<T>] extends [never] ? never : Found<List<T>[number]>[])
+    | ([Keyed<T>] extends [never]
+        ? never
+        : string extends KeyOf<Keyed<T>>
+          ? { [key: string]: Found<ValueOf<Keyed<T>>> | null }
+          : { [Key in KeyOf<Keyed<T>>]?: Found<At<Keyed<T>, Key>> | null });

@@ -1,21 +1,10 @@
 // The verdict of a run as its document states it: status, whether it is accepted, why not, and what was judged. No page computes a
 // status of its own.
 
-import { isTable, type Json, type Table } from "../lib/path";
-import type { Remark, RunSummary, Verdict } from "./types";
+import type { JudgedItem, Remark, ResultDocument, RunSummary, UnjudgedItem, Verdict } from "./types";
 
-export interface JudgedItem {
-  item: string;
-  status: Verdict;
-  detail: string;
-}
-
-export interface UnjudgedItem {
-  item: string;
-  /** Whether the job asks for it. */
-  asked: boolean;
-  why: string;
-}
+/** The keys in which a document states it. */
+export type Judged = Pick<ResultDocument, "status" | "accepted" | "reason" | "scope">;
 
 export interface StatedVerdict {
   status: Verdict;
@@ -25,36 +14,31 @@ export interface StatedVerdict {
   notJudged: UnjudgedItem[];
 }
 
-const STATUSES: readonly string[] = ["met", "missed", "not_judged"];
-const statusOf = (value: Json | undefined): Verdict | undefined =>
-  typeof value === "string" && STATUSES.includes(value) ? (value as Verdict) : undefined;
-const tables = (value: Json | undefined): Table[] => (Array.isArray(value) ? value.filter(isTable) : []);
-const text = (value: Json | undefined): string => (typeof value === "string" ? value : "");
+const STATUSES: readonly string[] = ["met", "missed", "not_judged"] satisfies Verdict[];
+const isStatus = (value: unknown): value is Verdict => typeof value === "string" && STATUSES.includes(value);
 
 /** What a document says of itself; undefined where it states no status. */
-export function verdictOf(document: Table | null | undefined): StatedVerdict | undefined {
-  const status = statusOf(document?.["status"]);
-  if (!document || !status) return undefined;
-  const scope = isTable(document["scope"]) ? document["scope"] : {};
+export function verdictOf(document: Judged | null | undefined): StatedVerdict | undefined {
+  if (!document || !isStatus(document.status)) return undefined;
   return {
-    status,
-    accepted: document["accepted"] === true,
-    reason: isTable(document["reason"]) ? (document["reason"] as unknown as Remark) : undefined,
-    judged: tables(scope["judged"]).map((some) => ({
-      item: text(some["item"]),
-      status: statusOf(some["status"]) ?? "not_judged",
-      detail: text(some["detail"]),
+    status: document.status,
+    accepted: document.accepted === true,
+    reason: document.reason ?? undefined,
+    judged: (document.scope?.judged ?? []).map(({ item, status, detail }) => ({
+      item: item ?? "",
+      status: isStatus(status) ? status : "not_judged",
+      detail: detail ?? "",
     })),
-    notJudged: tables(scope["not_judged"]).map((some) => ({
-      item: text(some["item"]),
-      asked: some["asked"] === true,
-      why: text(some["why"]),
+    notJudged: (document.scope?.not_judged ?? []).map(({ item, asked, why }) => ({
+      item: item ?? "",
+      asked: asked === true,
+      why: why ?? "",
     })),
   };
 }
 
 /** The status of a run: that of its document where it is at hand, else that of the list. */
-export function statusOfRun(run: RunSummary & { document?: Table | null }): Verdict | undefined {
+export function statusOfRun(run: RunSummary & { document?: Judged | null }): Verdict | undefined {
   return verdictOf(run.document)?.status ?? run.status ?? undefined;
 }
 

@@ -50,8 +50,8 @@ export function editsOf(study: Study, candidate: Candidate | undefined, tree: Ta
     const value = candidate.at[key];
     if (value === undefined) return undefined;
     if (key === "crossed_axes_angle_deg") {
-      const pitch = candidate.row["worm_pitch_diameter_mm"];
-      if (typeof pitch !== "number") return undefined;
+      const pitch = candidate.wormPitchDiameter;
+      if (pitch === undefined) return undefined;
       edits.push(...wormEdits(tree, pitch));
     } else edits.push(...(PLACES[key] ?? []).map((path) => ({ path, value: Number(value.toPrecision(12)) })));
   }

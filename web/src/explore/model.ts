@@ -1,6 +1,7 @@
 // A study: its candidates, and what varies among them.
 
-import { isTable, type Json, type Table } from "../lib/path";
+import type { ResultDocument } from "../api/types";
+import { isTable, type Table } from "../lib/path";
 import { unitOfKey } from "../lib/units";
 
 export interface Candidate {
@@ -14,7 +15,7 @@ export interface Candidate {
   refused: string;
   /** Values of what varies, by key. */
   at: Record<string, number | undefined>;
-  row: Table;
+  wormPitchDiameter: number | undefined;
 }
 
 export interface Study {
@@ -26,30 +27,23 @@ export interface Study {
 
 const number = (value: unknown): number | undefined => (typeof value === "number" ? value : undefined);
 
-function reason(value: unknown): string {
-  if (typeof value === "string") return value;
-  if (!isTable(value)) return "";
-  return String(value["text"] ?? value["message"] ?? value["code"] ?? "");
-}
-
-export function studyOf(document: Table | null | undefined): Study {
-  const varied = (Array.isArray(document?.["varied"]) ? document["varied"] : []).map(String);
-  const rows = (Array.isArray(document?.["candidates"]) ? document["candidates"] : []).filter(isTable);
+export function studyOf(document: ResultDocument | null | undefined): Study {
+  const varied = document?.varied ?? [];
   return {
     varied,
-    tolerance: number(document?.["tolerance_um"]),
-    ranking: typeof document?.["ranking"] === "string" ? document["ranking"] : "",
-    candidates: rows.map((row, at) => ({
-      rank: number(row["rank"]) ?? at + 1,
-      allowed: row["allowed"] === true,
-      isWithin: row["within_tolerance"] === true,
-      residual: number(row["residual_um"]),
-      score: number(row["score"]),
-      wormLength: number(row["worm_occupation_mm"]),
-      determinant: number(row["least_determinant_ratio"]),
-      refused: reason(row["refused"]),
-      at: Object.fromEntries(varied.map((key) => [key, number(row[key])])),
-      row,
+    tolerance: document?.tolerance_um ?? undefined,
+    ranking: document?.ranking ?? "",
+    candidates: (document?.candidates ?? []).map((row, at) => ({
+      rank: row.rank ?? at + 1,
+      allowed: row.allowed === true,
+      isWithin: row.within_tolerance === true,
+      residual: row.residual_um ?? undefined,
+      score: row.score ?? undefined,
+      wormLength: row.worm_occupation_mm ?? undefined,
+      determinant: row.least_determinant_ratio ?? undefined,
+      refused: row.refused?.text ?? row.refused?.code ?? "",
+      at: Object.fromEntries(varied.map((key) => [key, number((row as Table)[key])])),
+      wormPitchDiameter: row.worm_pitch_diameter_mm ?? undefined,
     })),
   };
 }
@@ -60,9 +54,10 @@ export interface Curve {
 }
 
 /** The curves of a study of dressing with what is said of each; none in other studies. */
-export function curvesOf(document: Table | null | undefined): Curve[] {
-  const over = ["crowning", "profile", "worms", "strokes", "deviations"].find((key) => Array.isArray(document?.[key]));
-  const curves = over ? (document![over] as Json[]).filter(isTable) : [];
+export function curvesOf(document: ResultDocument | null | undefined): Curve[] {
+  const { crowning, profile, worms, strokes, deviations } = document ?? {};
+  const lists: (unknown[] | null | undefined)[] = [crowning, profile, worms, strokes, deviations];
+  const curves = (lists.find((list) => list) ?? []).filter(isTable);
   return curves.map(({ bodies, name, points, ...figures }) => ({ name: String(bodies || name || ""), figures }));
 }
 

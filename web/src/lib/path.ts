@@ -9,6 +9,11 @@ export function isTable(value: unknown): value is Table {
   return typeof value === "object" && value !== null && !Array.isArray(value);
 }
 
+/** A table of what is there. */
+export function withoutAbsent(table: { [key: string]: Json | undefined }): Table {
+  return Object.fromEntries(Object.entries(table).flatMap(([key, value]) => (value == null ? [] : [[key, value]])));
+}
+
 /** A path as findings write it: `target.modifications[0].amount_um`. */
 export function pathText(path: Path): string {
   return path.map((step, at) => (typeof step === "number" ? `[${step}]` : at === 0 ? step : `.${step}`)).join("");

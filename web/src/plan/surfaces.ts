@@ -1,8 +1,7 @@
 // Flanks as grids of values, taken out of previews and results, and differences between them.
 
-import type { Preview } from "../api/types";
+import type { Found, InspectionRound, Preview, ResultDocument } from "../api/types";
 import { fractionalIndex, valueInGrid } from "../lib/contours";
-import { isTable, type Json, type Table } from "../lib/path";
 
 export type Quantity = "target" | "planned" | "simulated" | "measured";
 export type Side = "left" | "right";
@@ -26,55 +25,51 @@ export interface Shown {
   less?: Quantity;
 }
 
+type ToldFlanks = Found<NonNullable<ResultDocument["flanks"] | InspectionRound["flanks"]>>;
+type ToldFlank = NonNullable<ToldFlanks[string]>;
+
 export function flanksOfPreview(preview: Preview): Flanks {
-  return flanksOf(preview.flanks as unknown as Json);
+  return flanksOf(preview.flanks);
 }
 
 /** The flanks of a result; of an inspection those of its last round. */
-export function flanksOfDocument(document: Table | null | undefined): Flanks {
-  if (!document) return {};
-  const rounds = document["rounds"];
-  if (Array.isArray(rounds)) {
-    const last = rounds.at(-1);
-    return isTable(last) ? flanksOf(last["flanks"]) : {};
-  }
-  return flanksOf(document["flanks"]);
+export function flanksOfDocument(document: ResultDocument | null | undefined): Flanks {
+  return flanksOf(document?.rounds ? document.rounds.at(-1)?.flanks : document?.flanks);
 }
 
-function flanksOf(value: Json | undefined): Flanks {
-  if (!isTable(value)) return {};
+function flanksOf(told: ToldFlanks | null | undefined): Flanks {
   const flanks: Flanks = {};
   for (const side of SIDES) {
-    const flank = value[side];
-    const field = isTable(flank) ? fieldOf(flank) : undefined;
+    const flank = told?.[side];
+    const field = flank ? fieldOf(flank) : undefined;
     if (field) flanks[side] = field;
   }
   return flanks;
 }
 
-function fieldOf(flank: Table): FlankField | undefined {
+function fieldOf(flank: ToldFlank): FlankField | undefined {
   const isInvolute = "w_mm" in flank;
-  const profile = numbers(flank[isInvolute ? "w_mm" : "height"]);
-  const helix = numbers(flank[isInvolute ? "z_mm" : "length"]);
+  const profile = numbers(isInvolute ? flank.w_mm : flank.height);
+  const helix = numbers(isInvolute ? flank.z_mm : flank.length);
   if (profile.length < 2 || helix.length < 2) return undefined;
   const values: FlankField["values"] = {};
   for (const quantity of QUANTITIES) {
     const grid = gridOf(flank[`${quantity}_um`], profile.length, helix.length);
     if (grid) values[quantity] = grid;
   }
-  const unit = (key: string): string => (typeof flank[key] === "string" ? flank[key] : isInvolute ? "mm" : "1");
-  const units = { height: unit("height_unit"), length: unit("length_unit") };
+  const standard = isInvolute ? "mm" : "1";
+  const units = { height: flank.height_unit ?? standard, length: flank.length_unit ?? standard };
   return Object.keys(values).length === 0 ? undefined : { profile, helix, values, units };
 }
 
-function numbers(value: Json | undefined): number[] {
+function numbers(value: unknown): number[] {
   return Array.isArray(value) ? value.map((some) => (typeof some === "number" ? some : NaN)) : [];
 }
 
 /** Rows of a grid; a flat list is cut into rows over the profile. */
-function gridOf(value: Json | undefined, rows: number, columns: number): number[][] | undefined {
+function gridOf(value: unknown, rows: number, columns: number): number[][] | undefined {
   if (!Array.isArray(value)) return undefined;
-  if (value.length === rows && value.every(Array.isArray)) return value.map((row) => numbers(row as Json));
+  if (value.length === rows && value.every(Array.isArray)) return value.map(numbers);
   if (value.length !== rows * columns) return undefined;
   const flat = numbers(value);
   return Array.from({ length: rows }, (_, row) => flat.slice(row * columns, (row + 1) * columns));

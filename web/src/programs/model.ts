@@ -1,23 +1,8 @@
 // Programs of a result: what each does, its axes and how it is proven.
 
-import { isTable, type Json, type Table } from "../lib/path";
-import type { Run, Verdict } from "../api/types";
+import type { ProgramAxis, ResultDocument, Run, Verdict } from "../api/types";
 import type { StatedVerdict } from "../api/verdict";
-
-export interface ProgramAxis {
-  axis: string;
-  word?: string;
-  unit: string;
-  from: number;
-  to: number;
-  way: number;
-  velocity?: number;
-  acceleration?: number;
-  min?: number;
-  max?: number;
-  max_velocity?: number;
-  max_acceleration?: number;
-}
+import type { Table } from "../lib/path";
 
 export interface Program {
   file: string;
@@ -37,41 +22,39 @@ export interface Program {
   allowed: number | undefined;
 }
 
-const number = (value: Json | undefined): number | undefined => (typeof value === "number" ? value : undefined);
-const words = (value: Json | undefined): string[] =>
-  Array.isArray(value) ? value.filter((some): some is string => typeof some === "string") : [];
-const tables = (value: Json | undefined): Table[] => (Array.isArray(value) ? value.filter(isTable) : []);
+type Told = NonNullable<ResultDocument["programs"]>;
+type Entry = Extract<Told, unknown[]>[number] & Partial<NonNullable<Exclude<Told, unknown[]>["programs"]>[number]>;
+type Proof = NonNullable<Exclude<Told, unknown[]>["proofs"]>[number];
 
 /** The programs among the files of a run, with what the result says of them. */
 export function programsOf(run: Run): Program[] {
-  const told = run.document?.["programs"];
-  const list = tables(isTable(told) ? told["programs"] : told);
-  const proofs = tables(isTable(told) ? told["proofs"] : undefined);
+  const told = run.document?.programs;
+  const list: Entry[] = (Array.isArray(told) ? told : told?.programs) ?? [];
+  const proofs = (Array.isArray(told) ? undefined : told?.proofs) ?? [];
   const files = run.files.map((file) => file.name).filter((name) => name.startsWith("programs/"));
   return files.map((file) => {
-    const entry = list.find((some) => some["file"] === file) ?? {};
-    const control = typeof entry["control"] === "string" ? entry["control"] : "";
-    const proof = proofs.find((some) => Array.isArray(some["controls"]) && some["controls"].includes(control));
+    const entry: Entry = list.find((some) => some.file === file) ?? {};
+    const control = entry.control ?? "";
+    const proof = proofs.find((some) => some.controls?.includes(control));
     return {
       file,
       control,
-      does: typeof entry["job"] === "string" ? entry["job"] : (/([a-z]+)-[a-z]+\.[a-z]+$/.exec(file)?.[1] ?? ""),
-      blocks: number(entry["blocks"]),
-      duration: number(entry["duration_s"]),
-      axes: tables(entry["axes"]) as unknown as ProgramAxis[],
-      passes: [...tables(entry["passes"]), ...tables(entry["operations"])],
-      remarks: words(entry["remarks"]),
-      proof: typeof proof?.["statement"] === "string" ? proof["statement"] : undefined,
+      does: entry.job ?? /([a-z]+)-[a-z]+\.[a-z]+$/.exec(file)?.[1] ?? "",
+      blocks: entry.blocks ?? undefined,
+      duration: entry.duration_s ?? undefined,
+      axes: entry.axes ?? [],
+      passes: [...(entry.passes ?? []), ...(entry.operations ?? [])],
+      remarks: entry.remarks ?? [],
+      proof: proof?.statement ?? undefined,
       deviation: deviationOf(proof),
-      difference: number(entry["proof_difference_um"]),
-      allowed: number(entry["proof_allowed_um"]),
+      difference: entry.proof_difference_um ?? undefined,
+      allowed: entry.proof_allowed_um ?? undefined,
     };
   });
 }
 
-function deviationOf(proof: Table | undefined): number | undefined {
-  const flanks = isTable(proof?.["flanks"]) ? Object.values(proof["flanks"]).filter(isTable) : [];
-  const found = flanks.map((flank) => number(flank["max_deviation_um"])).filter((some) => some !== undefined);
+function deviationOf(proof: Proof | undefined): number | undefined {
+  const found = Object.values(proof?.flanks ?? {}).flatMap((flank) => flank?.max_deviation_um ?? []);
   return found.length === 0 ? undefined : Math.max(...found);
 }
 
@@ -99,13 +82,19 @@ export function nearnessOf(share: number | undefined): Nearness | undefined {
   return share > OVER ? "over" : share >= AT ? "at" : "near";
 }
 
+/** The travel of an axis and what it uses of it; undefined where the machine states none. */
+export function travelOf(axis: ProgramAxis): { min: number; room: number; low: number; high: number } | undefined {
+  const { min, max, from, to } = axis;
+  if (min == null || max == null || from == null || to == null || !(max > min)) return undefined;
+  return { min, room: max - min, low: Math.min(from, to), high: Math.max(from, to) };
+}
+
 /** How near an axis comes to the ends of its travel, by the nearer end. */
 export function travelNearness(axis: ProgramAxis): Nearness | undefined {
-  if (axis.min === undefined || axis.max === undefined || !(axis.max > axis.min)) return undefined;
-  const room = axis.max - axis.min;
-  const [low, high] = [Math.min(axis.from, axis.to), Math.max(axis.from, axis.to)];
-  const middle = (axis.min + axis.max) / 2;
-  return nearnessOf(Math.max(middle - low, high - middle) / (room / 2));
+  const travel = travelOf(axis);
+  if (!travel) return undefined;
+  const middle = travel.min + travel.room / 2;
+  return nearnessOf(Math.max(middle - travel.low, travel.high - middle) / (travel.room / 2));
 }
 
 /** The axis of which a chart tells, of its own program or of the first that does the same: "Dressing: Axis X1, word X". */

@@ -40,7 +40,7 @@ export function tabsOf(run: Run): RunTab[] {
     summary: !isStudy && !isRefused,
     reason: isRefused,
     inspection: sheetsOf(run).length > 0,
-    systematic: Array.isArray(document["rounds"]) && document["rounds"].length > 0,
+    systematic: (document.rounds ?? []).length > 0,
     flank: Object.keys(flanksOfDocument(document)).length > 0,
     motions: run.charts.length > 0,
     process: run.scene,

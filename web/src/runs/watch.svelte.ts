@@ -2,7 +2,7 @@
 
 import * as api from "../api/client";
 import { asFailure, type RequestFailure } from "../api/failure";
-import type { Progress, Run, RunState } from "../api/types";
+import type { Progress, Run, RunState, RunStateAnswer } from "../api/types";
 import { runsUnderWay } from "../state/runs.svelte";
 
 const POLL_MS = 2000;
@@ -61,7 +61,7 @@ export class RunWatch {
       if (this.run?.state === "queued") this.run = { ...this.run, state: "running" };
     });
     stream.addEventListener("state", (event) => {
-      const { state } = JSON.parse((event as MessageEvent<string>).data) as { state: RunState };
+      const { state } = JSON.parse((event as MessageEvent<string>).data) as RunStateAnswer;
       if (!this.run) return;
       if (isUnderWay(state)) this.run = { ...this.run, state };
       else this.#finish();

@@ -1,7 +1,7 @@
 //! Compensation calculation: the correction that comes nearest to more than four conditions, of one flank or both, while others are
 //! met exactly (`docs/mathematics/dressing.md#conditions`).
 
-use crate::conditions::path_reason::correction_scale;
+use crate::conditions::path_end::correction_scale;
 use crate::{Condition, DresserTool, DressingError, PathReason};
 use foundation::geometry::Flank;
 use foundation::inverse::{ConstrainedReport, GaussNewton, Rows, constrained_gauss_newton};

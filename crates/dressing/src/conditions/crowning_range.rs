@@ -2,7 +2,7 @@
 //! radius map, followed from a start both ways until something ends them (`docs/mathematics/dressing.md#conditions`). Works in the tilt
 //! chart, because the pole of the K chart lies inside the range.
 
-use crate::conditions::path_reason::{axis_margin, tilt_scale};
+use crate::conditions::path_end::{axis_margin, reason_of_break, tilt_scale};
 use crate::{DressedProfile, DressingError, FlankDresser, PathReason, TiltChart};
 use foundation::inverse::{
     ContinuationOptions, NewtonOptions, ParameterLinearised, Path, PathEnd, PathPoint, Watch, follow, newton,
@@ -222,7 +222,7 @@ impl<'a> CrowningRows<'a> {
         let Some(dk) = dk() else { return Watch::Margin(f64::NAN, PathReason::AxisLimit(0)) };
         let mut nearest = (f64::MAX, PathReason::Limit);
         if let Some(axes) = &limits.axes {
-            let scale = crate::conditions::path_reason::correction_scale(self.reference_radius);
+            let scale = crate::conditions::path_end::correction_scale(self.reference_radius);
             let (margin, j) = axis_margin(&dk, axes, &scale);
             nearest = (margin.min(1e9), PathReason::AxisLimit(j));
         }
@@ -245,7 +245,7 @@ impl<'a> CrowningRows<'a> {
                 let used = self.rolls().into_iter().filter_map(|w| profile.at_roll(w).ok().map(|at| at.t));
                 let circles: Vec<_> =
                     used.chain([self.dresser.designed.w_na]).map(|t| (profile, t)).collect();
-                PathReason::of_break(&circles)
+                reason_of_break(&circles)
             }
         }
     }

@@ -4,7 +4,8 @@
 pub(super) mod along;
 pub(super) mod compensation;
 pub mod crowning_range;
-pub mod path_reason;
+pub mod path_end;
+mod path_reason;
 pub mod profile_fit;
 pub mod rows;
 pub mod sets;

@@ -1,7 +1,7 @@
 //! The solver for four conditions on the four dressing corrections: damped Newton, and continuation where that fails
 //! (`docs/mathematics/dressing.md#conditions`). Works in the K chart: the solution is the one connected with the start.
 
-use crate::conditions::path_reason::{axis_margin, correction_scale};
+use crate::conditions::path_end::{axis_margin, correction_scale, reason_of_break};
 use crate::{Condition, DressedProfile, DresserTool, DressingError, PathReason};
 use foundation::geometry::Flank;
 use foundation::inverse::{
@@ -253,6 +253,6 @@ impl<'a> ConditionSolver<'a> {
             Some((profile, t))
         };
         let circles: Vec<_> = conditions.iter().filter_map(circle).collect();
-        PathReason::of_break(&circles)
+        reason_of_break(&circles)
     }
 }

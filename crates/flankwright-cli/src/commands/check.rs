@@ -7,7 +7,7 @@ use flankwright::exchange::job::JobInfo;
 use flankwright::workflow::{DerivedGeometry, Remark, derived_geometry};
 use serde_json::json;
 
-use crate::arguments::CommonArguments;
+use crate::common_arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::output;

@@ -8,7 +8,7 @@ use flankwright::exchange::rexs::{Author, RexsFormat};
 use flankwright::exchange::{Diagnostic, Problem};
 use flankwright::workflow::{Remark, gear_of_rexs, rexs_of_job};
 
-use crate::arguments::CommonArguments;
+use crate::common_arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::output;

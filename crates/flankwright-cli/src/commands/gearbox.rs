@@ -7,7 +7,7 @@ use flankwright::exchange::{Diagnostic, GearboxJob, Problem, ProcessJob};
 use flankwright::workflow::Task;
 
 use super::outcome;
-use crate::arguments::CommonArguments;
+use crate::common_arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::output;

@@ -11,7 +11,7 @@ use flankwright::workflow::{Carried, Task};
 use super::measured_gear::Asked;
 use super::statements::StatementArguments;
 use super::{measured_gear, outcome};
-use crate::arguments::CommonArguments;
+use crate::common_arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::output;

@@ -14,7 +14,7 @@ use flankwright::workflow::inspection::{
 };
 
 use super::outcome::{ROWS, conclude, unwritten};
-use crate::arguments::CommonArguments;
+use crate::common_arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::output;

@@ -5,7 +5,7 @@ use clap::{Args, builder::TypedValueParser};
 use flankwright::exchange::{JobFormat, Source, parse_any_job};
 use flankwright::processes;
 
-use crate::arguments::CommonArguments;
+use crate::common_arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::output;

@@ -9,7 +9,7 @@ use flankwright::workflow::{
     Conclusion, JobFailure, RunFailure, Task, TaskOutcome, WriteError, write_refusal,
 };
 
-use crate::arguments::CommonArguments;
+use crate::common_arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::output;

@@ -6,7 +6,7 @@ use clap::Args;
 use flankwright::workflow::Task;
 
 use super::outcome;
-use crate::arguments::CommonArguments;
+use crate::common_arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::output;

@@ -11,7 +11,7 @@ use flankwright::nc::{Dialect, MAXIMUM_BYTES, detect_dialect};
 use flankwright::processes;
 use flankwright::workflow::{CheckedProgram, RunFailure, check_program};
 
-use crate::arguments::CommonArguments;
+use crate::common_arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::{Failure, unreadable};
 use crate::output;

@@ -7,7 +7,7 @@ use flankwright::exchange::{Diagnostic, Problem, job_schema};
 use flankwright::workflow::{DocumentFormat, documents};
 use serde_json::{Value, json};
 
-use crate::arguments::CommonArguments;
+use crate::common_arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::output;

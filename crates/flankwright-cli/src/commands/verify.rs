@@ -1,6 +1,7 @@
 //! `flankwright verify`: recomputes every expected value of reference files. A build without the feature `verify` has the command too, and
 //! answers how to get it.
 
+use crate::common_arguments::CommonArguments;
 use std::path::PathBuf;
 
 #[cfg(feature = "verify")]
@@ -8,7 +9,6 @@ use ::verify::{VerifyOptions, VerifySummary, verify_file};
 use clap::Args;
 use flankwright::exchange::Diagnostic;
 
-use crate::arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
 #[cfg(feature = "verify")]

@@ -11,7 +11,6 @@ use flankwright::processes;
 use flankwright::workflow::AnyProcess;
 
 use crate::app::App;
-use crate::openapi::openapi;
 use crate::wire::{About, ProcessSummary};
 
 /// Version, processes, how busy the server is.
@@ -24,20 +23,19 @@ pub async fn about(State(app): State<Arc<App>>) -> Json<About> {
 
 /// This interface.
 #[utoipa::path(get, path = "/api/openapi.json", responses((status = 200, body = Object)))]
-pub async fn document() -> Response {
-    kept_json(&DOCUMENT)
+pub async fn document(State(app): State<Arc<App>>) -> Response {
+    kept_json(app.interface.clone())
 }
 
-static DOCUMENT: LazyLock<String> = LazyLock::new(|| openapi().to_json().unwrap_or_default());
 static SCHEMA: LazyLock<String> = LazyLock::new(|| job_schema().to_string());
 
 /// The JSON schema of job files.
 #[utoipa::path(get, path = "/api/schema", responses((status = 200, body = Object)))]
 pub async fn schema() -> Response {
-    kept_json(&SCHEMA)
+    kept_json(SCHEMA.as_str())
 }
 
-fn kept_json(text: &'static LazyLock<String>) -> Response {
+fn kept_json(text: impl IntoResponse) -> Response {
     let headers = [(CONTENT_TYPE, "application/json"), (CACHE_CONTROL, "no-cache")];
-    (headers, text.as_str()).into_response()
+    (headers, text).into_response()
 }

@@ -49,13 +49,14 @@ fn summary(path: &str) -> Option<ExampleSummary> {
 }
 
 /// Examples.
-#[utoipa::path(get, path = "/api/examples", responses((status = 200, body = [ExampleSummary])))]
+#[utoipa::path(get, path = "/api/examples", operation_id = "examples", responses((status = 200, body = [ExampleSummary])))]
 pub async fn list() -> Json<&'static [ExampleSummary]> {
     Json(&EXAMPLES)
 }
 
 /// An example with the files that it names.
-#[utoipa::path(get, path = "/api/examples/{id}", params(("id" = String, Path, description = "as in the list")),
+#[utoipa::path(get, path = "/api/examples/{id}", operation_id = "example",
+    params(("id" = String, Path, description = "as in the list")),
     responses((status = 200, body = Job), (status = 404, body = crate::wire::Failure)))]
 pub async fn one(InPath(id): InPath<String>) -> Answer<Json<ExampleAnswer>> {
     let path = format!("{id}.toml");

@@ -17,6 +17,7 @@ use super::take::{InPath, InQuery};
 use crate::app::App;
 use crate::assets::media_type;
 use crate::headers::REPORT;
+use crate::openapi::library;
 use crate::wire::Failure;
 use crate::work::SCENE;
 
@@ -68,7 +69,7 @@ pub async fn file(
 
 /// Bodies and motions of a run for a view in space.
 #[utoipa::path(get, path = "/api/runs/{id}/scene", params(("id" = i64, Path, description = "number of the run")),
-    responses((status = 200, body = Object), (status = 404, body = Failure)))]
+    responses((status = 200, body = library::Scene), (status = 404, body = Failure)))]
 pub async fn scene(State(app): State<Arc<App>>, InPath(id): InPath<i64>) -> Answer<Response> {
     let file = app.store.run_file(id, SCENE).await?.ok_or_else(|| Refused::absent("scene"))?;
     // Kept as it goes over the wire.

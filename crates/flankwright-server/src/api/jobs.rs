@@ -17,8 +17,7 @@ use super::toml_edits::{Unedited, edited};
 use crate::app::App;
 use crate::shelf::{JOB, Shelf};
 use crate::wire::{
-    CheckAnswer, DerivedQuantity, DerivedSection, EditAnswer, EditRequest, Failure, Finding, Job,
-    PreviewAnswer, PreviewRequest, Remark, refused_run,
+    CheckAnswer, EditAnswer, EditRequest, Failure, Finding, Job, PreviewAnswer, PreviewRequest, refused_run,
 };
 
 /// What is wrong with a job, and what follows from it.
@@ -52,20 +51,8 @@ fn follow(loaded: &AnyJob, job: &Job, shelf: &Shelf, answer: &mut CheckAnswer) {
     match derived_geometry(loaded) {
         Ok((derived, warnings)) => {
             answer.valid = true;
-            answer.warnings = warnings.into_iter().map(Remark::from).collect();
-            let quantity = |q: &flankwright::workflow::DerivedQuantity| DerivedQuantity {
-                key: q.key,
-                label: q.label,
-                value: q.value.clone(),
-                unit: q.unit,
-            };
-            let sections = derived.sections().iter();
-            answer.derived = sections
-                .map(|s| DerivedSection {
-                    title: s.title,
-                    quantities: s.quantities.iter().map(quantity).collect(),
-                })
-                .collect();
+            answer.warnings = warnings;
+            answer.derived = derived.sections().to_vec();
         }
         Err(failure) => refuse(refused_run(&failure, &job.text, shelf), answer),
     }

@@ -16,7 +16,8 @@ use serde::Deserialize;
 use super::error::{Answer, Refused};
 use super::take::{InPath, InQuery, bounded};
 use crate::app::App;
-use crate::wire::{Failure, Finding};
+use crate::openapi::library;
+use crate::wire::{CatalogueAnswer, Failure, Finding};
 
 /// Which parts.
 #[derive(Debug, Default, Deserialize, utoipa::IntoParams)]
@@ -62,13 +63,14 @@ fn newest(given: Option<u32>) -> Answer<Option<u32>> {
 }
 
 /// Series of parts.
-#[utoipa::path(get, path = "/api/series", responses((status = 200, body = [Object])))]
+#[utoipa::path(get, path = "/api/series", responses((status = 200, body = [library::SeriesSummary])))]
 pub async fn series(State(app): State<Arc<App>>) -> Answer<Json<Vec<SeriesSummary>>> {
     Ok(Json(app.store.series().await?))
 }
 
 /// Measured parts.
-#[utoipa::path(get, path = "/api/parts", params(Parts), responses((status = 200, body = [Object]), (status = 422, body = Failure)))]
+#[utoipa::path(get, path = "/api/parts", params(Parts),
+    responses((status = 200, body = [library::PartSummary]), (status = 422, body = Failure)))]
 pub async fn parts(
     State(app): State<Arc<App>>,
     InQuery(of): InQuery<Parts>,
@@ -80,13 +82,14 @@ pub async fn parts(
 
 /// A part with its document.
 #[utoipa::path(get, path = "/api/parts/{digest}", params(("digest" = String, Path, description = "SHA-256 of its files")),
-    responses((status = 200, body = Object), (status = 404, body = Failure)))]
+    responses((status = 200, body = library::PartRecord), (status = 404, body = Failure)))]
 pub async fn part(State(app): State<Arc<App>>, InPath(digest): InPath<String>) -> Answer<Json<PartRecord>> {
     app.store.part(&digest).await?.map(Json).ok_or_else(|| Refused::absent("part"))
 }
 
 /// Values of characteristics over the parts.
-#[utoipa::path(get, path = "/api/trends", params(Values), responses((status = 200, body = [Object]), (status = 422, body = Failure)))]
+#[utoipa::path(get, path = "/api/trends", params(Values),
+    responses((status = 200, body = [library::MeasuredCharacteristic]), (status = 422, body = Failure)))]
 pub async fn trends(
     State(app): State<Arc<App>>,
     InQuery(of): InQuery<Values>,
@@ -106,20 +109,21 @@ fn flank(name: &str) -> Answer<Flank> {
 }
 
 /// Worms and dressers.
-#[utoipa::path(get, path = "/api/catalogue", responses((status = 200, body = Object)))]
-pub async fn catalogue(State(app): State<Arc<App>>) -> Answer<Json<Catalogue>> {
-    Ok(Json(app.store.catalogue().await?))
+#[utoipa::path(get, path = "/api/catalogue", responses((status = 200, body = CatalogueAnswer)))]
+pub async fn catalogue(State(app): State<Arc<App>>) -> Answer<Json<CatalogueAnswer>> {
+    let Catalogue { worm, dresser } = app.store.catalogue().await?;
+    Ok(Json(CatalogueAnswer { worm, dresser }))
 }
 
 /// Skiving tools with a history.
-#[utoipa::path(get, path = "/api/tools", responses((status = 200, body = [Object])))]
+#[utoipa::path(get, path = "/api/tools", responses((status = 200, body = [library::ToolSummary])))]
 pub async fn tools(State(app): State<Arc<App>>) -> Answer<Json<Vec<ToolSummary>>> {
     Ok(Json(app.store.tools().await?))
 }
 
 /// The measurements of a skiving tool.
 #[utoipa::path(get, path = "/api/tools/{tool}", params(("tool" = String, Path, description = "its name")),
-    responses((status = 200, body = [Object]), (status = 404, body = Failure)))]
+    responses((status = 200, body = [library::HistoryRecord]), (status = 404, body = Failure)))]
 pub async fn history(
     State(app): State<Arc<App>>,
     InPath(tool): InPath<String>,

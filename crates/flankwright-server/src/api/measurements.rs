@@ -6,6 +6,7 @@ use axum::Json;
 use axum::extract::State;
 use axum::extract::multipart::{Field, Multipart, MultipartRejection};
 use axum::http::StatusCode;
+use flankwright::workflow::Task;
 use flankwright_store::RunFile;
 use serde::de::DeserializeOwned;
 
@@ -14,7 +15,7 @@ use super::runs::{listed_name, taken};
 use super::short::fit;
 use crate::app::App;
 use crate::shelf::MOST_FILES;
-use crate::wire::{Failure, Finding, InspectOptions, Job, Kind, Request, RunBegun, wrong_option};
+use crate::wire::{Failure, Finding, InspectOptions, Job, Request, RunBegun, wrong_option};
 
 /// What a request is made of; for the interface document.
 #[derive(utoipa::ToSchema)]
@@ -34,7 +35,7 @@ fn wrong(field: &str, message: impl Into<String>, way_out: &str) -> Refused {
 }
 
 /// Evaluates measurements.
-#[utoipa::path(post, path = "/api/measurements",
+#[utoipa::path(post, path = "/api/measurements", operation_id = "begin_inspection",
     request_body(content = MeasurementsRequest, content_type = "multipart/form-data"),
     responses((status = 202, body = RunBegun), (status = 422, body = Failure), (status = 429, body = Failure)))]
 pub async fn begin(
@@ -65,7 +66,7 @@ pub async fn begin(
     job.as_ref().map_or(Ok(()), fit)?;
     let first = files[0].name.clone();
     let name = if files.len() > 1 { format!("{first} and {} more", files.len() - 1) } else { first };
-    taken(&app, Request { kind: Kind::Inspect, job, options }, listed_name(&name), files).await
+    taken(&app, Request { kind: Task::Inspect, job, options }, listed_name(&name), files).await
 }
 
 /// The parts of a request.

@@ -14,12 +14,13 @@ use super::error::{Answer, Refused};
 use super::short::short;
 use super::take::Body;
 use crate::app::App;
+use crate::openapi::library;
 use crate::shelf::Shelf;
 use crate::wire::{Failure, Finding, Job, ProgramRequest, refused_run, unshelved};
 
 /// What a program does: axes, travel, speed, time; with a job the flank that it leaves.
-#[utoipa::path(post, path = "/api/programs/check", request_body = ProgramRequest, responses((status = 200, body = Object),
-    (status = 422, body = Failure)))]
+#[utoipa::path(post, path = "/api/programs/check", operation_id = "check_program", request_body = ProgramRequest,
+    responses((status = 200, body = library::CheckedProgram), (status = 422, body = Failure)))]
 pub async fn check(
     State(app): State<Arc<App>>,
     Body(request): Body<ProgramRequest>,

@@ -8,7 +8,7 @@ use axum::http::header::{CACHE_CONTROL, ETAG, IF_NONE_MATCH};
 use axum::http::{HeaderMap, StatusCode};
 use axum::response::{IntoResponse, Response};
 use flankwright::exchange::{Document, Source};
-use flankwright_store::{RunFile as StoredFile, RunRecord, RunState, RunSummary as Summary};
+use flankwright_store::{RunFile as StoredFile, RunRecord, RunState, RunSummary};
 use serde::Deserialize;
 use serde_json::Value;
 
@@ -17,7 +17,7 @@ use super::short::{fit, short};
 use super::take::{Body, InPath, InQuery, bounded};
 use crate::app::App;
 use crate::shelf::JOB;
-use crate::wire::{Failure, Job, NewRunRequest, Request, Run, RunBegun, RunFile, RunStateAnswer, RunSummary};
+use crate::wire::{Failure, Job, ListedRun, NewRunRequest, Request, Run, RunBegun, RunFile, RunStateAnswer};
 use crate::work::{Cancelled, NotTaken, SCENE, Told};
 
 /// Runs in a list unless more are asked for.
@@ -72,8 +72,8 @@ pub(super) async fn taken(
 }
 
 /// Begins a run.
-#[utoipa::path(post, path = "/api/runs", request_body = NewRunRequest, responses((status = 202, body = RunBegun),
-    (status = 422, body = Failure), (status = 429, body = Failure)))]
+#[utoipa::path(post, path = "/api/runs", operation_id = "begin_run", request_body = NewRunRequest,
+    responses((status = 202, body = RunBegun), (status = 422, body = Failure), (status = 429, body = Failure)))]
 pub async fn begin(
     State(app): State<Arc<App>>,
     Body(request): Body<NewRunRequest>,
@@ -95,22 +95,19 @@ pub(super) fn is_listed(name: &str) -> bool {
 }
 
 /// `told` was read before the summary was read: what the store says to have ended, has.
-fn listed(told: Option<Told>, mut summary: Summary) -> RunSummary {
+fn listed(told: Option<Told>, mut summary: RunSummary) -> ListedRun {
     let told = told.filter(|_| !summary.state.has_ended());
     if let Some(told) = &told {
         summary.state = told.state;
     }
     let progress = told.filter(|told| told.state == RunState::Running).map(|told| told.advance);
-    RunSummary { summary, progress }
+    ListedRun { summary, progress }
 }
 
 /// Runs, the newest first.
-#[utoipa::path(get, path = "/api/runs", params(Most), responses((status = 200, body = [RunSummary]),
+#[utoipa::path(get, path = "/api/runs", operation_id = "runs", params(Most), responses((status = 200, body = [ListedRun]),
     (status = 422, body = Failure)))]
-pub async fn list(
-    State(app): State<Arc<App>>,
-    InQuery(most): InQuery<Most>,
-) -> Answer<Json<Vec<RunSummary>>> {
+pub async fn list(State(app): State<Arc<App>>, InQuery(most): InQuery<Most>) -> Answer<Json<Vec<ListedRun>>> {
     let most = bounded("most", most.most.unwrap_or(LISTED), MOST_LISTED)?;
     let mut told = app.work.all_told();
     let runs = app.store.runs(most).await?;
@@ -122,7 +119,7 @@ pub(super) async fn record(app: &App, id: i64) -> Answer<RunRecord> {
 }
 
 /// A run with its result. A finished run does not change: a request with its `ETag` gets 304.
-#[utoipa::path(get, path = "/api/runs/{id}", params(("id" = i64, Path, description = "its number")),
+#[utoipa::path(get, path = "/api/runs/{id}", operation_id = "run", params(("id" = i64, Path, description = "its number")),
     responses((status = 200, body = Run), (status = 304), (status = 404, body = Failure)))]
 pub async fn one(
     State(app): State<Arc<App>>,
@@ -143,8 +140,8 @@ pub async fn one(
 }
 
 /// What a run that has ended is known by.
-fn tag(run: &Summary) -> Option<String> {
-    let Summary { id, state, ended, .. } = run;
+fn tag(run: &RunSummary) -> Option<String> {
+    let RunSummary { id, state, ended, .. } = run;
     let ended = ended.as_ref().filter(|_| state.has_ended())?;
     Some(format!("\"{}-{id}-{}-{ended}\"", env!("CARGO_PKG_VERSION"), state.name()))
 }

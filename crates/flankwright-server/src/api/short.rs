@@ -46,7 +46,7 @@ pub(super) async fn short<T: Send + 'static>(
 
 /// A shelf with the files of a job.
 pub(super) fn shelved(app: &App, job: &Job) -> Answer<Shelf> {
-    Shelf::of_job(&app.scratch, job).map_err(|error| Refused::bad(unshelved(&error)))
+    Shelf::of_job(&app.scratch, &job.text, &job.files).map_err(|error| Refused::bad(unshelved(&error)))
 }
 
 /// Whether a job can be taken in: its size, and the names of its files.

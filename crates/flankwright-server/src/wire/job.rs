@@ -2,13 +2,15 @@
 
 use std::collections::BTreeMap;
 
-use flankwright::workflow;
+use flankwright::exchange::catalogue::{DresserEntry, WormEntry};
+use flankwright::workflow::{self, DerivedSection, Remark};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use serde_json::value::RawValue;
 use utoipa::ToSchema;
 
 use super::Finding;
+use crate::openapi::library;
 
 /// A job as a client sends it.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
@@ -88,46 +90,6 @@ pub struct MachineSummary {
     pub description: Option<String>,
 }
 
-/// Something worth saying that is no error.
-#[derive(Clone, Debug, Serialize, ToSchema)]
-pub struct Remark {
-    /// Stable code.
-    pub code: &'static str,
-    /// What.
-    pub text: String,
-    /// What can be done about it.
-    pub way_out: String,
-}
-
-impl From<workflow::Remark> for Remark {
-    fn from(remark: workflow::Remark) -> Self {
-        let workflow::Remark { code, text, way_out } = remark;
-        Self { code, text, way_out }
-    }
-}
-
-/// A quantity that follows from a job.
-#[derive(Clone, Debug, Serialize, ToSchema)]
-pub struct DerivedQuantity {
-    /// Key with the unit.
-    pub key: &'static str,
-    /// Name.
-    pub label: &'static str,
-    /// Number or word.
-    pub value: Value,
-    /// Unit.
-    pub unit: &'static str,
-}
-
-/// Quantities that belong together.
-#[derive(Clone, Debug, Serialize, ToSchema)]
-pub struct DerivedSection {
-    /// Heading.
-    pub title: &'static str,
-    /// Quantities.
-    pub quantities: Vec<DerivedQuantity>,
-}
-
 /// What is known of a job before anything is planned.
 #[derive(Clone, Debug, Default, Serialize, ToSchema)]
 pub struct CheckAnswer {
@@ -144,11 +106,14 @@ pub struct CheckAnswer {
     /// Findings that were not kept.
     pub omitted: usize,
     /// Remarks.
+    #[schema(value_type = Vec<library::Remark>)]
     pub warnings: Vec<Remark>,
     /// The job as JSON, wherever the text can be parsed.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(value_type = Option<Object>)]
     pub tree: Option<Value>,
     /// What follows from it.
+    #[schema(value_type = Vec<library::DerivedSection>)]
     pub derived: Vec<DerivedSection>,
 }
 
@@ -191,6 +156,7 @@ pub struct EditAnswer {
     /// The text, with the comments and the order that it had.
     pub text: String,
     /// The job as JSON.
+    #[schema(value_type = Object)]
     pub tree: Value,
 }
 
@@ -210,7 +176,7 @@ pub struct PreviewRequest {
 pub struct PreviewAnswer {
     /// The plan.
     #[serde(flatten)]
-    #[schema(value_type = Object)]
+    #[schema(value_type = library::Preview)]
     pub preview: workflow::Preview,
     /// Charts by name, SVG.
     pub charts: BTreeMap<String, String>,
@@ -234,4 +200,15 @@ pub struct ProgramRequest {
     /// The HAL netlist of a LinuxCNC program whose gears are in one.
     #[serde(default)]
     pub netlist: Option<String>,
+}
+
+/// Worms and dressers of the store.
+#[derive(Clone, Debug, Serialize, ToSchema)]
+pub struct CatalogueAnswer {
+    /// The grinding worms.
+    #[schema(value_type = Vec<library::WormEntry>)]
+    pub worm: Vec<WormEntry>,
+    /// The disc dressers.
+    #[schema(value_type = Vec<library::DresserEntry>)]
+    pub dresser: Vec<DresserEntry>,
 }

@@ -6,11 +6,11 @@ mod run;
 
 pub use failure::{Failure, Finding, refused_run, unshelved, wrong_option};
 pub use job::{
-    About, CheckAnswer, DerivedQuantity, DerivedSection, Edit, EditAnswer, EditRequest, ExampleAnswer,
-    ExampleSummary, Job, MachineSummary, PreviewAnswer, PreviewRequest, ProcessSummary, ProgramRequest,
-    Queue, Remark, Step, TemplateAnswer,
+    About, CatalogueAnswer, CheckAnswer, Edit, EditAnswer, EditRequest, ExampleAnswer, ExampleSummary, Job,
+    MachineSummary, PreviewAnswer, PreviewRequest, ProcessSummary, ProgramRequest, Queue, Step,
+    TemplateAnswer,
 };
 pub use run::{
-    Advance, Chart, InspectOptions, Kind, NewRunRequest, Request, Run, RunBegun, RunFile, RunStateAnswer,
-    RunSummary,
+    Advance, Chart, HandedIn, InspectOptions, ListedRun, NewRunRequest, Request, Run, RunBegun, RunFile,
+    RunStateAnswer,
 };

@@ -3,46 +3,23 @@
 use flankwright::exchange::inspection::{DatumFace, SlopeReference};
 use flankwright::geometry::Sides;
 use flankwright::workflow::Task;
-use flankwright::workflow::inspection::{SheetOptions, Statements};
-use flankwright_store as store;
+use flankwright::workflow::inspection::{LeftOutFile, SheetOptions, Statements};
+use flankwright_store::{self as store, MeasurementReport};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use utoipa::ToSchema;
 
 use super::{Failure, Job};
-
-/// What is done.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum Kind {
-    /// From the target to a proven flank.
-    Plan,
-    /// From settings to the flank.
-    Simulate,
-    /// What varies side by side.
-    Explore,
-    /// Measurements evaluated.
-    Inspect,
-}
-
-impl Kind {
-    /// The task on a job alone.
-    pub fn task(self) -> Task {
-        match self {
-            Self::Plan => Task::Plan,
-            Self::Simulate => Task::Simulate,
-            Self::Explore => Task::Explore,
-            Self::Inspect => Task::Inspect,
-        }
-    }
-}
+use crate::openapi::library;
 
 /// A run that is wanted.
 #[derive(Clone, Debug, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct NewRunRequest {
     /// What is done.
-    pub kind: Kind,
+    #[schema(value_type = library::Task)]
+    pub kind: Task,
     /// The job.
     pub job: Job,
 }
@@ -128,12 +105,23 @@ impl InspectOptions {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Request {
     /// What is done.
-    pub kind: Kind,
+    pub kind: Task,
     /// The job; measurements may go without.
     pub job: Option<Job>,
     /// Of measurements.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub options: Option<InspectOptions>,
+}
+
+/// What the document of a measurement says beside what was measured.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct HandedIn {
+    /// What became of the parts in the store, where they are kept.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub kept: Option<MeasurementReport>,
+    /// What was uploaded beside measurements.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub left_out: Vec<LeftOutFile>,
 }
 
 /// The number of a run that was begun.
@@ -157,17 +145,17 @@ pub struct Advance {
 /// The state of a run.
 #[derive(Clone, Copy, Debug, Serialize, ToSchema)]
 pub struct RunStateAnswer {
-    /// `queued`, `running`, `done`, `failed`, `cancelled`, `interrupted`.
-    #[schema(value_type = String)]
+    /// The state.
+    #[schema(value_type = library::RunState)]
     pub state: store::RunState,
 }
 
 /// A run in a list.
 #[derive(Clone, Debug, Serialize, ToSchema)]
-pub struct RunSummary {
+pub struct ListedRun {
     /// Number, kind, name, state, when.
     #[serde(flatten)]
-    #[schema(value_type = Object)]
+    #[schema(value_type = library::RunSummary)]
     pub summary: store::RunSummary,
     /// How far it is, while it is under way.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -199,7 +187,7 @@ pub struct Chart {
 pub struct Run {
     /// What lists show.
     #[serde(flatten)]
-    pub summary: RunSummary,
+    pub summary: ListedRun,
     /// The job.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub job: Option<Job>,
@@ -207,6 +195,7 @@ pub struct Run {
     pub measurements: Vec<String>,
     /// The document of the result.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(value_type = Option<library::ResultDocument>)]
     pub document: Option<Value>,
     /// Why there is none.
     #[serde(skip_serializing_if = "Option::is_none")]

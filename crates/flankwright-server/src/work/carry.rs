@@ -7,13 +7,14 @@ use std::io;
 use flankwright::numerics::Progress;
 use flankwright::workflow::cancel::{self, Ended};
 use flankwright::workflow::scene::Scene;
-use flankwright::workflow::{JobFailure, RunFailure, WriteError, carry_out, write_refusal};
+use flankwright::workflow::{JobFailure, RunFailure, carry_out, write_refusal};
 use flankwright_store::{RunEnd, RunFile, RunState, StoreAddress};
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use serde_json::Value;
 
 use super::end::failed;
+use super::unwritten::unwritten;
 use super::{CHARTS, Live, SCENE, ended, measured, now};
 use crate::charts;
 use crate::log::say;
@@ -62,7 +63,8 @@ fn carried(
     let request: Request = serde_json::from_str(&task.request)
         .map_err(|error| Failure::internal(format!("the run cannot be read: {error}")))?;
     let none = Job::default();
-    let shelf = Shelf::of_job(scratch, request.job.as_ref().unwrap_or(&none));
+    let job = request.job.as_ref().unwrap_or(&none);
+    let shelf = Shelf::of_job(scratch, &job.text, &job.files);
     let shelf = shelf.map_err(|error| unshelved(&error))?;
     let (document, hidden) = if task.inputs.is_empty() {
         done(&request, &shelf, progress).map_err(|failure| {
@@ -102,7 +104,7 @@ fn done(request: &Request, shelf: &Shelf, progress: &dyn Progress) -> Result<(Va
     };
     let job = shelf.load(text).map_err(|error| Failure::of_error(&error, shelf))?;
     let told = |failure: JobFailure| refused_run(&failure, text, shelf);
-    let completed = carry_out(request.kind.task(), &job, progress);
+    let completed = carry_out(request.kind, &job, progress);
     if let Err(JobFailure::Job(RunFailure::NotProducible(finding))) = &completed {
         write_refusal(&job, finding, &shelf.results()).map_err(|error| unwritten(&error))?;
     }
@@ -128,18 +130,6 @@ fn packed(scene: &Scene) -> io::Result<Vec<u8>> {
     let mut packing = GzEncoder::new(Vec::new(), Compression::default());
     serde_json::to_writer(&mut packing, scene)?;
     packing.finish()
-}
-
-/// Results that are not put down. The path on the server is not shown to the client.
-pub(super) fn unwritten(error: &WriteError) -> Failure {
-    match error {
-        WriteError::Io { source, .. } => Failure::disk(source),
-        WriteError::Busy { .. }
-        | WriteError::Table(_)
-        | WriteError::Chart(_)
-        | WriteError::Mesh(_)
-        | WriteError::Json(_) => Failure::internal(error.to_string()),
-    }
 }
 
 /// The results without the place of the shelf. Files of the job that the run has added to, such as the history of a tool, are among them.

@@ -5,8 +5,7 @@ use std::path::{Path, PathBuf};
 use flankwright::numerics::Progress;
 use flankwright::workflow::inspection::Statements;
 use flankwright_store::blocking::Store;
-use flankwright_store::{ImportSettings, StoreAddress};
-use serde_json::Value;
+use flankwright_store::{ImportSettings, MeasurementReport, StoreAddress};
 
 use crate::wire::{Failure, InspectOptions};
 
@@ -17,7 +16,7 @@ pub(super) fn keep(
     statements: Statements,
     place: &StoreAddress,
     progress: &dyn Progress,
-) -> Result<Value, Failure> {
+) -> Result<MeasurementReport, Failure> {
     let settings = ImportSettings {
         series: options.series.clone().filter(|series| !series.trim().is_empty()),
         class: options.class,
@@ -27,6 +26,5 @@ pub(super) fn keep(
     let folder: PathBuf = folder.to_owned();
     let imported =
         Store::open(place).and_then(|store| store.import_measurements(&[folder], &settings, progress));
-    let report = imported.map_err(|error| Failure::store(&error))?;
-    serde_json::to_value(report).map_err(|error| Failure::internal(error.to_string()))
+    imported.map_err(|error| Failure::store(&error))
 }

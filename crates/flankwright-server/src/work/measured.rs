@@ -9,17 +9,17 @@ use flankwright::workflow::inspection::series::{
     PartsOfFolder, SeriesOptions, inspect_series, measured_parts_in, write_inspection_series,
 };
 use flankwright::workflow::inspection::{
-    SheetOptions, Statements, inspect_for_job, inspect_gear, write_gear_inspection,
+    LeftOutFile, SheetOptions, Statements, inspect_for_job, inspect_gear, write_gear_inspection,
 };
 use flankwright::workflow::skiving::{inspect_skiving, write_skiving};
 use flankwright::workflow::{JobFailure, WriteError};
 use flankwright_store::{RunFile, StoreAddress};
 use serde_json::Value;
 
-use super::carry::unwritten;
 use super::keep::keep;
+use super::unwritten::unwritten;
 use crate::shelf::Shelf;
-use crate::wire::{Failure, Finding, InspectOptions, Request, refused_run, wrong_option};
+use crate::wire::{Failure, Finding, HandedIn, InspectOptions, Request, refused_run, wrong_option};
 
 /// Why a measurement has no result.
 enum Unmeasured {
@@ -34,8 +34,7 @@ impl<F: Into<JobFailure>> From<F> for Unmeasured {
     }
 }
 
-/// The document of measurements; results are on the shelf then. With `keep`, what became of the parts in the store stands in the document
-/// as `kept`; what was uploaded beside measurements as `left_out`.
+/// The document of measurements; results are on the shelf then. What became of the files stands in the document too ([`HandedIn`]).
 pub(super) fn measured(
     request: &Request,
     inputs: &[RunFile],
@@ -61,25 +60,26 @@ pub(super) fn measured(
             let file = only_file(&folder).ok_or_else(|| several("switching angles"))?;
             let outcome = inspect_skiving(loaded, &file, progress)?;
             write_skiving(&loaded.job, &outcome, &shelf.results()).map_err(Unmeasured::Unwritten)?;
-            json(&outcome.result)
+            Ok((json(&outcome.result)?, Vec::new()))
         })()
     } else {
         gears(&folder, &shelf.results(), job.as_ref(), &sheet, &statements, progress)
     };
-    let mut document = document.map_err(|failure| match failure {
+    let (mut document, left_out) = document.map_err(|failure| match failure {
         Unmeasured::Refused(failure) => refused_run(&failure, text, shelf),
         Unmeasured::Unwritten(error) => unwritten(&error),
         Unmeasured::Wrong(failure) => *failure,
     })?;
-    if options.keep {
-        let kept = keep(&folder, &options, statements, place, progress)?;
-        if let Some(document) = document.as_object_mut() {
-            document.insert("kept".to_owned(), kept);
-        }
+    let kept = options.keep.then(|| keep(&folder, &options, statements, place, progress)).transpose()?;
+    let handed_in = serde_json::to_value(HandedIn { kept, left_out });
+    let handed_in = handed_in.map_err(|error| Failure::internal(error.to_string()))?;
+    if let (Value::Object(document), Value::Object(more)) = (&mut document, handed_in) {
+        document.extend(more);
     }
     Ok(document)
 }
 
+/// The document, and what was uploaded beside the measurements where the document does not tell.
 fn gears(
     folder: &Path,
     results: &Path,
@@ -87,7 +87,7 @@ fn gears(
     sheet: &SheetOptions,
     statements: &Statements,
     progress: &dyn Progress,
-) -> Result<Value, Unmeasured> {
+) -> Result<(Value, Vec<LeftOutFile>), Unmeasured> {
     // With a job a table of traces will do, which by itself tells of no gear.
     let alone = job.is_some().then(|| only_file(folder)).flatten();
     let found = match alone {
@@ -118,15 +118,11 @@ fn gears(
             };
             let series = inspect_series(&found.parts, &options)?;
             write_inspection_series(&series, results).map_err(Unmeasured::Unwritten)?;
-            return json(&series.result);
+            return Ok((json(&series.result)?, Vec::new()));
         }
     };
     write_gear_inspection(&gear, sheet, results).map_err(Unmeasured::Unwritten)?;
-    let mut document = json(&gear.result)?;
-    if let Some(document) = document.as_object_mut().filter(|_| !found.left_out.is_empty()) {
-        document.insert("left_out".to_owned(), json(&found.left_out)?);
-    }
-    Ok(document)
+    Ok((json(&gear.result)?, found.left_out))
 }
 
 fn json(value: &impl serde::Serialize) -> Result<Value, Unmeasured> {

@@ -8,6 +8,7 @@ mod keep;
 mod live;
 mod measured;
 mod queue;
+mod unwritten;
 
 use std::collections::HashMap;
 use std::io;
@@ -116,7 +117,7 @@ impl Work {
         let place = self.queue.reserve().ok_or_else(full)?;
         let run = NewRun {
             owner: self.scratch.owner().to_owned(),
-            kind: request.kind.task().name().to_owned(),
+            kind: request.kind,
             name,
             job: serde_json::to_string(request).map_err(|error| NotTaken::Unkept(error.to_string()))?,
             created: now(),

@@ -7,6 +7,8 @@ use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
 
+use super::description;
+
 /// Where a server listens.
 #[derive(Clone, Copy, Debug)]
 pub struct At(pub SocketAddr);
@@ -64,7 +66,9 @@ impl At {
             request += &format!("{name}: {value}\r\n");
         }
         request += &format!("Content-Length: {}\r\n\r\n", body.len());
-        self.raw(&[request.as_bytes(), body].concat())
+        let answer = self.raw(&[request.as_bytes(), body].concat());
+        description::hold(method, path, &answer);
+        answer
     }
 
     pub fn get(&self, path: &str) -> Answer {

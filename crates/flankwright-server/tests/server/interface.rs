@@ -1,11 +1,13 @@
 //! The document of the interface and the server agree.
 
 use crate::client::Served;
+use flankwright_server::openapi;
 use serde_json::Value;
+use std::{env, fs};
 
 /// Paths that the router knows, as it writes them.
 fn routed() -> Vec<String> {
-    let source = include_str!("../../src/app.rs");
+    let source = include_str!("../../src/router.rs");
     let routes = source.split(".route(").skip(1).filter_map(|rest| rest.split('"').nth(1));
     routes.map(|path| format!("/api{}", path.replace("{*", "{"))).collect()
 }
@@ -40,4 +42,53 @@ fn every_path_is_described_and_every_description_is_answered() {
             }
         }
     }
+}
+
+/// What `document` refers to below `#/components/schemas/`.
+fn references(document: &Value) -> Vec<&str> {
+    match document {
+        Value::Array(items) => items.iter().flat_map(references).collect(),
+        Value::Object(keys) => {
+            let own = keys.get("$ref").and_then(Value::as_str);
+            own.into_iter().chain(keys.values().flat_map(references)).collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+#[test]
+fn references_lead_to_schemas() {
+    let document = openapi();
+    let schemas = document["components"]["schemas"].as_object().unwrap();
+    for reference in references(&document) {
+        let name = reference.strip_prefix("#/components/schemas/").unwrap_or_default();
+        let schema = schemas.get(name).unwrap_or_else(|| panic!("{reference}"));
+        assert_ne!(schema["$ref"], reference);
+    }
+}
+
+#[test]
+fn operations_have_names_of_their_own() {
+    let document = openapi();
+    let paths = document["paths"].as_object().unwrap().values();
+    let operations = paths.flat_map(|methods| methods.as_object().unwrap().values());
+    let mut names: Vec<&str> = operations.map(|of| of["operationId"].as_str().unwrap()).collect();
+    names.sort_unstable();
+    assert!(names.is_sorted_by(|a, b| a < b), "{names:?}");
+}
+
+/// The types of the pages are made from `web/src/api/openapi.json`.
+#[test]
+fn the_pages_have_this_description() {
+    let kept = concat!(env!("CARGO_MANIFEST_DIR"), "/../../web/src/api/openapi.json");
+    let document = openapi();
+    if env::var_os("UPDATE_OPENAPI").is_some() {
+        fs::write(kept, serde_json::to_string_pretty(&document).unwrap() + "\n").unwrap();
+    }
+    let text = fs::read_to_string(kept).unwrap_or_default();
+    let known: Value = serde_json::from_str(&text).unwrap_or_default();
+    assert!(
+        known == document,
+        "{kept} is not what the server tells; UPDATE_OPENAPI=1 with this test writes it"
+    );
 }

@@ -9,7 +9,7 @@ use flankwright::exchange::rexs::MAXIMUM_FILE_BYTES;
 use flankwright::exchange::{Diagnostic, open_regular};
 use flankwright::workflow::inspection::{LeftOutFile, MeasuredFolder, files_of_measurement, measurements_in};
 
-use super::import::RefusedFile;
+use super::refused_file::RefusedFile;
 use crate::digest::{digest_of, digest_of_reader};
 
 /// What paths name.

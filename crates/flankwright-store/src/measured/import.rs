@@ -7,9 +7,11 @@ use flankwright::numerics::Progress;
 use flankwright::workflow::inspection::{LeftOutFile, Statements, inspect_gear};
 use flankwright::workflow::{JobFailure, RunFailure};
 use rayon::prelude::*;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::files::{FoundParts, digest_of_files, parts_of};
+use super::refused_file::RefusedFile;
 use crate::blocking::Store;
 use crate::check;
 use crate::error::StoreError;
@@ -29,7 +31,7 @@ pub struct ImportSettings {
 }
 
 /// What became of the files.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, JsonSchema)]
 pub struct MeasurementReport {
     /// New parts, and those that were evaluated again, in the order of the files.
     pub imported: Vec<PartSummary>,
@@ -45,28 +47,12 @@ pub struct MeasurementReport {
 }
 
 /// A part that was there already.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct KnownPart {
     /// Its first file.
     pub file: String,
     /// The digest by which it is known.
     pub digest: String,
-}
-
-/// A file that was not imported.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct RefusedFile {
-    /// The file.
-    pub file: String,
-    /// Why.
-    #[serde(flatten)]
-    pub finding: Diagnostic,
-}
-
-impl RefusedFile {
-    pub(super) fn new(path: &Path, finding: Diagnostic) -> Self {
-        Self { file: path.display().to_string(), finding }
-    }
 }
 
 /// What became of one part before it is stored.

@@ -4,5 +4,7 @@
 mod files;
 mod import;
 mod record;
+mod refused_file;
 
-pub use import::{ImportSettings, KnownPart, MeasurementReport, RefusedFile};
+pub use import::{ImportSettings, KnownPart, MeasurementReport};
+pub use refused_file::RefusedFile;

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use flankwright::workflow::Task;
 use flankwright_store::{NewRun, RunEnd, RunFile, RunFileSummary, RunState};
 use serde_json::json;
 
@@ -15,7 +16,7 @@ on_both! {
 fn new(owner: &str, name: &str) -> NewRun {
     NewRun {
         owner: owner.into(),
-        kind: "plan".into(),
+        kind: Task::Plan,
         name: name.into(),
         job: format!("[job]\nname = \"{name}\"\n"),
         created: "2026-03-14T09:30:00Z".into(),

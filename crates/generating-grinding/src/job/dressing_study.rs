@@ -3,7 +3,7 @@
 use schemars::{JsonSchema, Schema, json_schema};
 use serde::{Deserialize, Serialize};
 
-use super::explore::Steps;
+use super::steps::Steps;
 use super::stroke_study::{AxisDeviations, StrokeStudy};
 use foundation::geometry::Flank;
 

@@ -1,7 +1,7 @@
 //! The strokes of a worm flank as they are driven: from a plan or from `[settings.strokes]`, and back into settings. Knows no
 //! referee and no report.
 
-use super::execution::{correction_coefficients, correction_series};
+use super::correction_series::{correction_coefficients, correction_series};
 use crate::job::{Settings, StrokeSettings, StrokeTables};
 use crate::workflow::generating_finding;
 use dressing::{ActiveArea, dressing_motion};

@@ -1,6 +1,7 @@
 //! A grinding process with all its settings, ready to be run: from a plan or from the `[settings]` of a job. Both go the
 //! same way to the referee and to the report.
 
+use super::correction_series::{correction_coefficients, correction_series};
 use super::executed_strokes::{ExecutedStrokes, strokes_of_settings};
 use super::prepare::{GivenSettings, Prepared};
 use crate::job::{FlankSettings, Pieces, Settings, StrokeTables, ToolTable, ToolTables};
@@ -20,7 +21,6 @@ use generating::{
 use job::{Diagnostic, Problem};
 use metrology::Topography;
 use run::RunFailure;
-use std::f64::consts::PI;
 use verdict::Remark;
 
 /// How one flank of the tool is dressed.
@@ -444,21 +444,5 @@ fn made_of_settings(
             .field(format!("settings.tool.{flank}"))
             .way_out("give ascending w_mm and z_mm and one row of f_um for each w_mm");
         RunFailure::bad_input(finding)
-    })
-}
-
-/// The coefficients of DK as settings have them: d_phi_S and d_gamma in degrees, d_d and d_v_yA in mm.
-pub fn correction_coefficients(corrections: &[Chebyshev; 4]) -> [Vec<f64>; 4] {
-    let units = [180.0 / PI, 180.0 / PI, 1.0, 1.0];
-    std::array::from_fn(|j| corrections[j].coefficients().iter().map(|c| c * units[j]).collect())
-}
-
-/// DK over the worm position from the coefficients of settings: d_phi_S and d_gamma in degrees, d_d and d_v_yA in mm; left out: 0.
-pub fn correction_series([from, to]: [f64; 2], coefficients: [&[f64]; 4]) -> [Chebyshev; 4] {
-    let units = [PI / 180.0, PI / 180.0, 1.0, 1.0];
-    std::array::from_fn(|j| {
-        let given = coefficients[j];
-        let scaled = if given.is_empty() { vec![0.0] } else { given.iter().map(|c| c * units[j]).collect() };
-        Chebyshev::from_coefficients(from, to, scaled)
     })
 }

@@ -2,6 +2,7 @@
 
 pub mod catalogue;
 pub mod control;
+pub mod correction_series;
 pub mod derived;
 pub mod dressing_model;
 pub mod dressing_study;
@@ -17,7 +18,6 @@ pub mod influence;
 pub mod line_dressing;
 mod miss;
 pub mod occupation;
-pub mod page;
 pub mod partition;
 pub mod prepare;
 mod preview;

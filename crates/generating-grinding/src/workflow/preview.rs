@@ -2,14 +2,14 @@
 
 use super::execution::Execution;
 use super::generating_finding;
-use super::page::grinding_motion;
 use super::partition::Partition;
 use super::prepare::prepare;
 use super::run::settings_result;
+use super::tables::ROWS;
 use super::tip_land::TipLands;
 use crate::job::Job;
 use job::{Diagnostic, Loaded, Problem, ProcessJob};
-use run::{Preview, PreviewFlank, RunFailure};
+use run::{GrindingMotion, Preview, PreviewFlank, RunFailure};
 
 /// Plans a job as far as the planned flank.
 ///
@@ -43,6 +43,6 @@ pub fn preview_job(loaded: &Loaded<Job>) -> Result<Preview, RunFailure> {
         settings: Preview::settings_of(&settings)?,
         warnings,
         flanks: flanks.collect(),
-        motions: vec![grinding_motion("both flanks", &execution.motion, execution.feed_range)],
+        motions: vec![GrindingMotion::over("both flanks", &execution.motion, execution.feed_range, ROWS)],
     })
 }

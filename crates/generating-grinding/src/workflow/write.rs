@@ -1,8 +1,9 @@
 //! Writes what a run produced: result, tables, settings, report, as one set ([`run::output_set`]).
 
 use super::run::Outcome;
-use super::{page, tables};
+use super::tables;
 use crate::job::{Job, LoadedJob};
+use crate::page;
 use crate::workflow::programs::run_programs::RunPrograms;
 use foundation::geometry::{Flank, Sides};
 use job::tables::OneOrSides;

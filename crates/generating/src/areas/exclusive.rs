@@ -1,25 +1,10 @@
 //! Worm lines that carry a modification may touch the flank in their own segment only.
 
-use super::{AreaTask, FeedInterval, FeedSegment, WormExtent};
-use foundation::geometry::{Flank, Sides};
+use super::{AreaTask, FeedInterval, FeedSegment, SharedLines, WormExtent};
+use foundation::geometry::Sides;
 
 /// Lines may be shared over this length: rounding of corners that touch, mm (`docs/mathematics/planning.md#choice-of-the-ratio`).
 const SHARED: f64 = 1e-7;
-
-/// Worm lines of a region that its flank touches in another segment too.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SharedLines {
-    /// Flank.
-    pub flank: Flank,
-    /// Index of the region.
-    pub region: usize,
-    /// z_V2 of the region from and to, mm.
-    pub feed: [f64; 2],
-    /// z_V2 of the other segment from and to, mm.
-    pub segment: [f64; 2],
-    /// Range of worm lines used twice, mm.
-    pub overlap: f64,
-}
 
 /// Extent of every region on the worm (in the order of the intervals) and the lines they share with other segments.
 pub(super) fn regions_on_worm(

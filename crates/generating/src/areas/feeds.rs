@@ -1,25 +1,9 @@
 //! From regions to the feed: the interval in which each is ground, conflicts between them, and the segments of constant ratio.
 
 use super::polygon::range;
-use super::{AreaTask, SAME_PLACE, SAME_RATIO};
+use super::{AreaTask, FeedInterval, SAME_PLACE, SAME_RATIO};
 use crate::GeneratingError;
-use foundation::geometry::Flank;
 use foundation::kinematics::MotionLaw;
-
-/// The feeds at which a region is ground and the ratio that it needs there.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FeedInterval {
-    /// Index of the region.
-    pub region: usize,
-    /// Its flank.
-    pub flank: Flank,
-    /// z_V2 from and to, mm.
-    pub feed: [f64; 2],
-    /// Diagonal ratio K.
-    pub ratio: f64,
-    /// tan(rho_2).
-    pub direction: f64,
-}
 
 /// A stretch of the feed with one diagonal ratio: z_V1 = ratio z_V2 + shift_origin.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,17 +4,22 @@
 mod exclusive;
 pub mod extent;
 mod feeds;
+mod interval;
 pub mod occupation;
 pub mod plan;
 mod polygon;
 pub mod region;
+mod shared_lines;
+mod task;
 
-pub use exclusive::SharedLines;
 pub use extent::WormExtent;
-pub use feeds::{FeedInterval, FeedSegment, conflicts, feed_intervals};
+pub use feeds::{FeedSegment, conflicts, feed_intervals};
+pub use interval::FeedInterval;
 pub use occupation::{AreaKind, AreaSet, Occupation, OccupiedPlace, PlaceKind};
-pub use plan::{AreaPlan, AreaTask};
+pub use plan::AreaPlan;
 pub use region::{Demand, Region};
+pub use shared_lines::SharedLines;
+pub use task::AreaTask;
 
 /// Feeds and positions on the worm closer than this are the same, mm: rounding, far below what an axis resolves.
 const SAME_PLACE: f64 = 1e-9;

@@ -2,24 +2,13 @@
 
 use super::polygon::range;
 use super::{
-    FeedInterval, FeedSegment, Region, SAME_PLACE, SharedLines, WormExtent, conflicts, exclusive, extent,
+    AreaTask, FeedInterval, FeedSegment, SAME_PLACE, SharedLines, WormExtent, conflicts, exclusive, extent,
     feed_intervals, feeds,
 };
 use crate::curve_law::number;
 use crate::{FlankLines, GeneratingError};
 use foundation::geometry::Sides;
 use foundation::kinematics::MotionLaw;
-
-/// What is ground at once.
-#[derive(Clone, Debug, PartialEq)]
-pub struct AreaTask {
-    /// The flanks that are ground at once, with their evaluated fields.
-    pub lines: Sides<Option<FlankLines>>,
-    /// Regions that need worm lines.
-    pub regions: Vec<Region>,
-    /// Diagonal ratio where no region is ground; 0 allowed.
-    pub free_ratio: f64,
-}
 
 /// The tool shift that gives every region its ratio, and what it takes on the worm.
 #[derive(Clone, Debug, PartialEq)]

@@ -3,12 +3,12 @@
 mod rexs;
 
 use super::drawn::DrawnGear;
+use super::files_content::MeasuredFiles;
 use super::middle::middle_line;
 use super::readings::SAME_PLACE;
 use super::result::LinesResult;
 use super::statements::Statements;
-use foundation::geometry::{Flank, Sides};
-use foundation::modification::ModificationSpec;
+use foundation::geometry::Flank;
 use foundation::numerics::extremes;
 use job::{Diagnostic, Problem, Source};
 use measured_files::inspection::{
@@ -20,34 +20,6 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
-use verdict::Remark;
-
-/// A measurement as it was read.
-#[derive(Clone, Debug)]
-pub struct MeasuredFiles {
-    /// The measurement.
-    pub inspection: Inspection,
-    /// Lines that were not understood.
-    pub not_understood: Vec<LinesResult>,
-    /// What was assumed.
-    pub remarks: Vec<Remark>,
-    /// Modifications that the file states for the gear.
-    pub modifications: Sides<Vec<ModificationSpec>>,
-    /// What the user stated about it, in words.
-    pub stated: Vec<String>,
-}
-
-impl MeasuredFiles {
-    fn new(inspection: Inspection) -> Self {
-        Self {
-            inspection,
-            not_understood: Vec::new(),
-            remarks: Vec::new(),
-            modifications: Sides::default(),
-            stated: Vec::new(),
-        }
-    }
-}
 
 /// Endings of curves and of values; the files of a part have one stem.
 const KLINGELNBERG: [&str; 2] = ["mka", "mew"];

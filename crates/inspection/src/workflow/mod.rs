@@ -11,6 +11,7 @@ pub mod convert;
 mod drawn;
 mod evaluate;
 mod files;
+mod files_content;
 mod judgement;
 mod middle;
 mod page;
@@ -40,9 +41,9 @@ pub use evaluate::{
     Design, EvaluatedGear, EvaluatedPitch, EvaluatedTrace, JudgedValue, LeftOut, evaluate_inspection,
 };
 pub use files::{
-    LeftOutFile, MeasuredFiles, MeasuredFolder, files_of_measurement, is_measurement, measurements_in,
-    read_measurement,
+    LeftOutFile, MeasuredFolder, files_of_measurement, is_measurement, measurements_in, read_measurement,
 };
+pub use files_content::MeasuredFiles;
 pub use result::{
     ArealResult, BandResult, ClassResult, GearInspectionResult, LinesResult, PitchInspectionResult,
     PrintedResult, SummaryResult, ThicknessResult, TraceInspectionResult, TwistResult,

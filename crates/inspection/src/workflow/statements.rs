@@ -1,7 +1,7 @@
 //! What the user states about a measurement because its file does not tell it, or cannot: the end it was taken from, the datum face, signs and
 //! lengths of slopes. Nothing of this is ever guessed.
 
-use super::files::MeasuredFiles;
+use super::files_content::MeasuredFiles;
 use foundation::geometry::Sides;
 use job::{Diagnostic, Problem};
 use measured_files::inspection::{Characteristic, DatumFace, SlopeReference};

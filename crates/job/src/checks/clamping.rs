@@ -1,6 +1,6 @@
 //! What holds the workpiece: bodies that have a length and a name of their own.
 
-use super::contradiction;
+use crate::contradiction::contradiction;
 use crate::diagnostic::Diagnostic;
 use crate::node::shown_number;
 use crate::tables::ClampingBody;

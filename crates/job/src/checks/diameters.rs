@@ -1,7 +1,7 @@
 //! Diameters of worm and dresser, for whatever process and wherever a job names them: the pitch circle lies inside the
 //! tip circle. Knows no table of a job.
 
-use super::contradiction;
+use crate::contradiction::contradiction;
 use crate::diagnostic::{Diagnostic, Problem};
 use crate::node::shown_number;
 

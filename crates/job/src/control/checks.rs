@@ -2,7 +2,7 @@
 
 use super::disturbance::{Disturbance, Spindle};
 use super::servo::Servo;
-use crate::checks::contradiction;
+use crate::contradiction::contradiction;
 use crate::diagnostic::{Diagnostic, Problem};
 use crate::node::shown_number;
 

@@ -1,11 +1,8 @@
 //! Contradictions between the entries of a machine description that are each in range.
 
-use super::{AxisEntry, AxisType, Control, MachineFile, body};
-use crate::diagnostic::{Diagnostic, Problem};
-
-pub(super) fn contradiction(field: String, message: String, allowed: &str, way_out: &str) -> Diagnostic {
-    Diagnostic::new(Problem::InvalidMachine, message).field(field).allowed(allowed).way_out(way_out)
-}
+use super::contradiction::contradiction;
+use super::{AxisEntry, AxisType, Control, MachineFile, body_checks};
+use crate::diagnostic::Diagnostic;
 
 /// All contradictions; without places, which the caller knows.
 pub(super) fn check(file: &MachineFile) -> Vec<Diagnostic> {
@@ -35,7 +32,7 @@ pub(super) fn check(file: &MachineFile) -> Vec<Diagnostic> {
     for (name, axis) in &file.axes {
         travel(name, axis, &mut findings);
     }
-    body::check(file, &mut findings);
+    body_checks::check(file, &mut findings);
     findings
 }
 

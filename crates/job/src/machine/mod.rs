@@ -2,8 +2,10 @@
 
 mod axis;
 mod body;
+mod body_checks;
 mod build;
 mod checks;
+mod contradiction;
 pub mod control;
 mod description;
 pub mod read;

@@ -7,8 +7,9 @@ use serde::Deserialize;
 use serde_json::Value;
 
 use super::{MachineFile, checks};
-use crate::diagnostic::{Diagnostic, JobError, Problem};
+use crate::diagnostic::{Diagnostic, Problem};
 use crate::document::Document;
+use crate::job_error::JobError;
 use crate::schema;
 use crate::shape::{self, Subject};
 use crate::source::Source;

@@ -34,12 +34,12 @@ pub use gear::InspectedGear;
 pub use inspection::Inspection;
 pub use klingelnberg::{
     Circles as CircleTable, Curve, FileKind, HeaderEntry, KlingelnbergFile, MAXIMUM_FILE_BYTES,
-    MAXIMUM_SAMPLES, MAXIMUM_TRACES, MAXIMUM_UNKNOWN_LINES, PitchRow, PreambleEntry, ProbePosition,
-    UnknownLine, inspection_of, parse_klingelnberg, read_klingelnberg,
+    MAXIMUM_SAMPLES, MAXIMUM_TRACES, MAXIMUM_UNKNOWN_LINES, PitchRow, PreambleEntry, UnknownLine,
+    inspection_of, parse_klingelnberg, read_klingelnberg,
 };
 pub use measured_table::{MeasuredTable, parse_measured_table, read_measured_table};
 pub use result::{Characteristic, Position, Quantity, ResultCode, Statistic, Unit};
-pub use tables::{Circle, Circles, FlankPitch, Pitch, RunOut, Size, Thickness};
+pub use tables::{Circle, Circles, FlankPitch, Pitch, ProbePosition, RunOut, Size, Thickness};
 pub use trace::{Topography, Trace, TraceKind, Zero};
 pub use trace_table::trace_table;
 pub use warning::{InspectionWarning, WarningKind};

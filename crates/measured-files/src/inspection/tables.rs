@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::conditions::CountingDirection;
 use super::undefined;
-use foundation::geometry::Sides;
+use foundation::geometry::{Flank, Sides};
 
 /// Pitch deviations of one flank side, tooth 1 first.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -81,4 +81,17 @@ pub struct Circles {
     pub root: Option<Circle>,
     /// Tip circle.
     pub tip: Option<Circle>,
+}
+
+/// A position of the probe while it touched a flank.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ProbePosition {
+    /// Number of the tooth in the list.
+    pub number: u32,
+    /// The flank.
+    pub flank: Flank,
+    /// Angle of the table, degree.
+    pub angle_deg: f64,
+    /// Centre of the ball, mm.
+    pub centre_mm: [f64; 3],
 }

@@ -1,9 +1,9 @@
 //! Measured profiles and helix traces as components of REXS; the number of the tooth stands in the component's name.
 
 use super::document::Component;
+use super::draft::Draft;
 use super::error::RexsError;
 use super::flank::FlankPlace;
-use super::modification_write::Draft;
 use super::values::{Asked, title};
 use super::warning::{RexsWarning, RexsWarningKind};
 use crate::inspection::{Trace, TraceKind, Zero};

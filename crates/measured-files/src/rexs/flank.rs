@@ -2,7 +2,7 @@
 
 use super::document::Component;
 use super::error::RexsError;
-use super::gear::FlankField;
+use super::flank_field::FlankField;
 use super::values::title;
 use crate::inspection::DatumFace;
 use foundation::geometry::InvoluteFlank;

@@ -2,9 +2,11 @@
 
 use super::deviations;
 use super::document::{Component, ComponentRef, Content, Relation, RexsDocument};
+use super::draft::Draft;
 use super::error::RexsError;
 use super::gear::RexsGear;
-use super::modification_write::{Draft, Writer};
+use super::modification_write::Writer;
+use super::signs::{MATERIAL, REMOVED};
 use super::warning::RexsWarning;
 use crate::inspection::DatumFace;
 use foundation::geometry::Flank;
@@ -28,10 +30,6 @@ impl Author {
         Self { application: "flankwright".into(), version, date: date.into() }
     }
 }
-
-/// What positive amounts mean, written beside each component.
-pub(super) const REMOVED: &str = "material_removed";
-const MATERIAL: &str = "material_standing";
 
 /// The document of one gear, and what is sampled or lost in it. `files` finds tables that modifications lie in.
 ///

@@ -3,7 +3,8 @@
 use serde_json::Value;
 
 use super::error::RexsError;
-use super::gear::{FlankField, RexsGear};
+use super::flank_field::FlankField;
+use super::gear::RexsGear;
 use super::warning::{RexsWarning, RexsWarningKind};
 use crate::inspection::DatumFace;
 use foundation::geometry::{Flank, GearData, Sides, ThicknessMeasure};

@@ -2,8 +2,9 @@
 
 use std::collections::HashSet;
 
+use super::attribute_structure::attribute_structure;
 use super::error::RexsError;
-use super::xml_read::{Place, attribute_structure};
+use super::xml_place::Place;
 
 /// Checks a spectrum: its number, load cases each with a number of its own, at most one accumulation behind them, components that the model
 /// has.

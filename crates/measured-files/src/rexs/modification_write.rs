@@ -1,63 +1,16 @@
 //! Modifications as components of REXS. Kinds that it does not know are sampled into a topography and reported.
 
-use super::document::{Attribute, Value};
+use super::draft::Draft;
 use super::error::RexsError;
 use super::flank::FlankPlace;
+use super::topography;
 use super::warning::{RexsWarning, RexsWarningKind};
-use super::{attributes, topography};
 use foundation::modification::{
     EvaluationField, GridSpec, Modification, ModificationFiles, ModificationSpec, Reference, ReliefSpec,
 };
 
 /// Lines of a sampled modification along length of roll and face width.
 const SAMPLED: [usize; 2] = [25, 31];
-
-/// A component without number and name.
-pub(super) struct Draft {
-    pub kind: &'static str,
-    pub attributes: Vec<Attribute>,
-}
-
-impl Draft {
-    pub fn new(kind: &'static str) -> Self {
-        Self { kind, attributes: Vec::new() }
-    }
-
-    fn with(mut self, id: &str, value: Value) -> Self {
-        // Every identifier written stands in the table; a test asks for each.
-        if let Some((id, form)) = attributes::known(self.kind, id) {
-            self.attributes.push(Attribute { id: id.into(), unit: Some(form.unit().into()), value });
-        }
-        self
-    }
-
-    pub fn number(self, id: &str, value: f64) -> Self {
-        self.with(id, Value::Number(value + 0.0))
-    }
-
-    pub fn integer(self, id: &str, value: i32) -> Self {
-        self.with(id, Value::Integer(value.into()))
-    }
-
-    pub fn optional(self, id: &str, value: Option<f64>) -> Self {
-        match value {
-            Some(value) => self.number(id, value),
-            None => self,
-        }
-    }
-
-    pub fn word(self, id: &str, word: &str) -> Self {
-        self.with(id, Value::Word(word.into()))
-    }
-
-    pub fn boolean(self, id: &str, value: bool) -> Self {
-        self.with(id, Value::Boolean(value))
-    }
-
-    pub fn list(self, id: &str, list: Vec<f64>) -> Self {
-        self.with(id, Value::Numbers(list))
-    }
-}
 
 /// Writes modifications of one flank.
 pub(super) struct Writer<'a> {

@@ -1,9 +1,9 @@
 //! Tables of amounts over a flank: written point by point, coordinate outside, diameter inside, both ascending; read so and by axes.
 
 use super::document::Component;
+use super::draft::Draft;
 use super::error::RexsError;
 use super::flank::FlankPlace;
-use super::modification_write::Draft;
 use super::values::{Asked, title};
 use super::warning::{RexsWarning, RexsWarningKind};
 use crate::inspection::DatumFace;

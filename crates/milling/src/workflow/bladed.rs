@@ -1,6 +1,6 @@
 //! Blades of a job as passages to be milled: one side of them, the hub that they stand on, and the blades beside it with their backs.
 
-use super::bodies::{Body, CLEARANCE, floor, part};
+use super::body::{Body, CLEARANCE, floor, part};
 use super::walls::hub;
 use crate::job::{LoadedMillingJob, read_point_grid};
 use crate::{

@@ -2,6 +2,7 @@
 //! job's key.
 
 use super::bladed::bladed;
+use super::body::{Body, CLEARANCE, floor, part, with_offset};
 use super::cylindrical::cylindrical;
 use super::finding::failure;
 use super::lands::lands;
@@ -13,12 +14,11 @@ use crate::job::{
 };
 use crate::{
     ActiveFlank, Bottom, CurveOnCone, CutDirection, DensityLimits, DistanceLimits, HeightLimits, HeightRule,
-    Land, LeadCurve, Lines, MilledSide, Orientation, PlanOptions, Retraction, RootDepth, RowOrder,
-    SkewPlanes, Space, SpaceFlank, SpacingLaw, Traverse, WallKind, job as drawn, lead_range,
+    Lines, MilledSide, Orientation, PlanOptions, Retraction, RootDepth, RowOrder, Space, SpaceFlank,
+    SpacingLaw, Traverse, WallKind, job as drawn, lead_range,
 };
 use foundation::geometry::{
-    BevelGear, Cutter, EaseOff, EaseOffAmounts, Flank, Frustum, Modified, NormalOffset, Octoid, OffsetBase,
-    SphericalInvolute, Surface,
+    BevelGear, Cutter, EaseOff, EaseOffAmounts, Flank, Frustum, NormalOffset, Octoid, SphericalInvolute,
 };
 use foundation::numerics::{equidistant, extremes};
 use job::{Diagnostic, Problem};
@@ -89,31 +89,10 @@ impl MillingBodies {
         self.parts.iter().flat_map(|part| &part.flanks)
     }
 }
-
-/// What the cutter stays away from the workpiece while it is moved from one path to another, mm.
-pub(super) const CLEARANCE: f64 = 2.0;
 /// What the default overrun adds to the cutter's radius, mm (`docs/mathematics/milling.md#columns-and-rows`).
 const BESIDE: f64 = 1.0;
 /// Pieces of a bevel gear's land, between which the turn of the teeth is linear.
 const LAND_PIECES: usize = 8;
-
-/// A body with its flanks.
-pub(super) struct Body {
-    /// The space, or its halves.
-    pub parts: Vec<Space>,
-    pub spaces: usize,
-    pub retraction: Retraction,
-    pub blank: [[f64; 2]; 4],
-    pub floor: Frustum,
-    /// What is not known of it.
-    pub unknown: Vec<Remark>,
-}
-
-/// A body between teeth from its radii and positions at both ends, its material towards the axis (+1) or outside (-1).
-pub(super) fn floor(ends: [[f64; 2]; 2], outward: f64) -> Frustum {
-    let [radii, positions] = [0, 1].map(|k| [ends[0][k], ends[1][k]]);
-    Frustum { radii, positions, turns: [0.0; 2], outward }
-}
 
 /// Bodies and options of a job.
 ///
@@ -251,31 +230,6 @@ fn options(
         approach_radius: milling.approach_radius,
         sides: job.flanks(),
     }
-}
-
-/// A surface with or without an offset.
-pub(super) fn with_offset<S: OffsetBase + 'static>(
-    base: S,
-    offset: Option<Arc<dyn NormalOffset>>,
-) -> Arc<dyn Surface> {
-    match offset {
-        Some(offset) => Arc::new(Modified::new(base, offset)),
-        None => Arc::new(base),
-    }
-}
-
-/// A space with its column planes as the job sets them.
-pub(super) fn part(
-    job: &MillingJob,
-    flanks: Vec<SpaceFlank>,
-    lead: Arc<dyn LeadCurve>,
-    spaces: usize,
-    lands: Vec<Land>,
-) -> Space {
-    let skew = job.milling.skew_deg;
-    let lead =
-        if skew == 0.0 { lead } else { Arc::new(SkewPlanes { curve: lead, angle: skew.to_radians() }) };
-    Space { flanks, lead, pitch: TAU / spaces as f64, lands, other_half: Vec::new(), walls: Vec::new() }
 }
 
 fn conical(job: &MillingJob, given: &drawn::BevelGear) -> Result<Body, RunFailure> {

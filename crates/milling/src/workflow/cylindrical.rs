@@ -1,7 +1,7 @@
 //! Cylindrical gears of a job as spaces to be milled: one, or the two halves of a double-helical gear
 //! (`docs/mathematics/milling.md#flanks-as-patches`).
 
-use super::bodies::{Body, CLEARANCE, floor, part, with_offset};
+use super::body::{Body, CLEARANCE, floor, part, with_offset};
 use super::finding::failure;
 use super::lands::lands;
 use super::walls::{below_root_body, ring, root_cylinder, root_in_ring};

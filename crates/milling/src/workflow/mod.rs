@@ -3,6 +3,7 @@
 
 mod bladed;
 mod bodies;
+mod body;
 pub mod check;
 mod clamping;
 mod cylindrical;

@@ -1,9 +1,10 @@
 //! What a program must keep whatever control it is for (`docs/mathematics/programs.md#limits`): indices, ranges, order of the gears,
 //! tables, texts. Knows no dialect.
 
+use super::check_state::{GearPlace, SPINDLES, State, TipState};
 use super::{
     AxisMotion, AxisWord, BSplineMotion, Block, Coupling, CubicMotion, CurveTable, Gear, GearSynchronisation,
-    Header, MAXIMUM_AXES, Repetition, Targets, Word, check_tip::TipState,
+    Header, MAXIMUM_AXES, Repetition, Targets, Word,
 };
 use crate::NcError;
 use std::collections::BTreeMap;
@@ -46,9 +47,6 @@ pub(super) fn check(header: &Header, blocks: &[Block]) -> Result<(), NcError> {
 
 /// Outputs that all controls have: Siemens counts from 1, Fanuc has #1100 to #1115.
 const OUTPUTS: std::ops::RangeInclusive<u8> = 1..=15;
-
-/// Spindles that can be numbered.
-const SPINDLES: usize = 8;
 
 fn check_header(header: &Header) -> Result<(), NcError> {
     let bad = |reason: String| Err(NcError::BadHeader { reason: reason.into() });
@@ -110,27 +108,6 @@ fn check_name(name: &str) -> Result<(), NcError> {
 /// A text as a message may quote it.
 fn shortened(text: &str) -> Box<str> {
     text.chars().take(40).collect::<String>().into()
-}
-
-/// How far the gear of an axis is.
-enum GearPlace {
-    Absent,
-    Defined(Vec<usize>),
-    On(Vec<usize>),
-}
-
-pub(super) struct State<'a> {
-    axes: &'a [AxisWord],
-    /// Bit mask of the axes whose place is known.
-    pub(super) known: u16,
-    gears: [GearPlace; MAXIMUM_AXES],
-    /// Follower and leader of each table.
-    tables: BTreeMap<u32, [usize; 2]>,
-    pub(super) speeds: [f64; SPINDLES],
-    /// Bit mask of the outputs that are switched with the next motion.
-    switched: u16,
-    pub(super) tip: TipState,
-    pub(super) block: usize,
 }
 
 impl State<'_> {

@@ -1,7 +1,7 @@
 //! What blocks under tip control must keep whatever control they are for: their order, unit vectors, rotary axes, speeds. Knows no
 //! dialect.
 
-use super::check::State;
+use super::check_state::{State, TipState};
 use super::{AxisMotion, Block, Orientation, Pace, TipControl, TipMotion, Word};
 use crate::NcError;
 
@@ -11,17 +11,6 @@ const SPEED: [f64; 2] = [0.1, 1e6];
 const UNIT: f64 = 1e-3;
 /// Largest place of the tip, mm.
 const PLACE: f64 = 999_999.999_999;
-
-/// How far the tip control is.
-#[derive(Default)]
-pub(super) struct TipState {
-    on: Option<TipControl>,
-    /// Whether a tool with a length offset was called.
-    offset: bool,
-    /// Whether something said where the axis points, and how fast the tip is.
-    oriented: bool,
-    paced: bool,
-}
 
 impl State<'_> {
     fn tip_state(&self, reason: &'static str) -> NcError {

@@ -5,15 +5,18 @@
 mod axes;
 mod blocks;
 mod check;
+mod check_state;
 mod check_tip;
 mod coupling;
+mod cubic_span;
 mod tip;
 
 pub use axes::{AxisMotion, AxisWord, Header, MAXIMUM_AXES, Targets, Word};
-pub use blocks::{BSplineMotion, Block, CubicMotion, CubicSpan};
+pub use blocks::{BSplineMotion, Block, CubicMotion};
 pub use coupling::{
     Coupling, CurveTable, Gear, GearLeader, GearSynchronisation, Repetition, TablePiece, ToothData,
 };
+pub use cubic_span::CubicSpan;
 pub use tip::{Angles, MAXIMUM_ANGLES, Orientation, Pace, TipControl, TipMotion};
 
 use super::NcError;

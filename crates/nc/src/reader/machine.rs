@@ -3,8 +3,7 @@
 
 use super::error::ReadProblem;
 use super::scan::Decimal;
-use super::tip::Tip;
-use crate::{AxisMotion, AxisWord, Block, CubicMotion, CubicSpan, MAXIMUM_AXES, Targets, Word};
+use crate::{AxisMotion, AxisWord, Block, CubicMotion, CubicSpan, MAXIMUM_AXES, Targets, TipControl, Word};
 
 /// How axis words without a motion word of their own move.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -303,4 +302,14 @@ pub(super) fn inverse_time(feed: Option<f64>) -> Result<f64, Fault> {
 pub(super) fn span(start: f64, end: f64, a2: f64, a3: f64) -> CubicSpan {
     let a1 = end - start - a2 - a3;
     CubicSpan { end, start_slope: a1, end_slope: a1 + 2.0 * a2 + 3.0 * a3 }
+}
+
+/// Tip control that is on.
+#[derive(Default)]
+pub(super) struct Tip {
+    /// Where the block that switched it on is, and what that says already.
+    pub block: usize,
+    pub control: Option<TipControl>,
+    /// Where the tip is, as far as the program has said it.
+    pub places: [Option<f64>; 3],
 }

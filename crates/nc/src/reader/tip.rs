@@ -1,7 +1,7 @@
 //! Tip control while a program is read: which tool and offset, how directions come, where the tip is. Knows no text.
 
 use super::error::ReadProblem;
-use super::machine::{AxisWords, Fault, Machine, Motion, inverse_time};
+use super::machine::{AxisWords, Fault, Machine, Motion, Tip, inverse_time};
 use super::scan::Decimal;
 use crate::{Angles, AxisMotion, Block, Orientation, Pace, TipControl, TipMotion};
 
@@ -10,16 +10,6 @@ const UNIT: f64 = 1e-3;
 
 /// Three words of one line: of the tip, or of a direction.
 pub(super) type Three = [Option<Decimal>; 3];
-
-/// Tip control that is on.
-#[derive(Default)]
-pub(super) struct Tip {
-    /// Where the block that switched it on is, and what that says already.
-    block: usize,
-    control: Option<TipControl>,
-    /// Where the tip is, as far as the program has said it.
-    places: [Option<f64>; 3],
-}
 
 impl Machine<'_> {
     /// A tool is changed; the control stops spindle 0 for it.

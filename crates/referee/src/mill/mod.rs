@@ -11,10 +11,12 @@ pub mod outcome;
 pub mod rapids;
 mod search;
 mod tree;
+mod unmilled;
 
 pub use body::CutterPart;
-pub use outcome::{MillStatistics, MilledRay, MilledRays, Unmilled};
+pub use outcome::{MillStatistics, MilledRay, MilledRays};
 pub use rapids::{RapidHit, Rapids, rapid_hits};
+pub use unmilled::Unmilled;
 
 use super::{RemovalError, error};
 use block::Block;

@@ -1,8 +1,8 @@
 //! The legend of a line chart: every name once, with the style that its lines share.
 
 use super::axes::TICK_SIZE;
-use super::line_chart::{LineChart, Marks};
 use super::line_marks::{bar_ground, draw_marker, draw_ring};
+use super::line_series::{LineChart, Marks};
 use super::palette::{INK, SeriesStyle, series_style};
 use super::svg::{Anchor, Canvas, Stroke, TextStyle};
 use super::text::text_width;

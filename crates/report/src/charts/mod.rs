@@ -17,6 +17,7 @@ mod hatch;
 pub mod line_chart;
 mod line_legend;
 mod line_marks;
+mod line_series;
 pub mod numbers;
 pub mod palette;
 pub mod polar_chart;
@@ -38,7 +39,8 @@ pub use dressing_section::{
     DressingSectionChart, MarkedClearance, SectionKind, SectionStretch, SpaceFlank, dressing_section_chart,
 };
 pub use error::ChartError;
-pub use line_chart::{LineChart, LineFrame, Marks, Panel, Series, YScale, line_chart, line_chart_in};
+pub use line_chart::{line_chart, line_chart_in};
+pub use line_series::{LineChart, LineFrame, Marks, Panel, Series, YScale};
 pub use numbers::{format_fixed, format_significant};
 pub use polar_chart::{PolarChart, PolarCurve, polar_chart};
 pub use profile_helix::{FlankSections, ProfileHelixDiagram, SectionTrace, profile_helix_diagram};

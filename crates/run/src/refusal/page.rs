@@ -1,7 +1,7 @@
 //! The report of a refused job: the reason, the picture of what limits, the candidates, the bodies.
 
-use super::Evidence;
 use crate::derived::DerivedGeometry;
+use crate::evidence::Evidence;
 use job::Diagnostic;
 use job::tables::JobInfo;
 use report::charts::{ChartError, format_significant};

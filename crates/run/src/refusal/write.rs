@@ -2,9 +2,10 @@
 
 use super::page::{Refused, html_page};
 use crate::derived::DerivedGeometry;
-use crate::files::{WriteError, json, write_with_report};
+use crate::files::{json, write_with_report};
 use crate::finding::Remark;
 use crate::processes::Processes;
+use crate::write_error::WriteError;
 use job::{AnyJob, Diagnostic};
 use schemars::JsonSchema;
 use serde::Serialize;

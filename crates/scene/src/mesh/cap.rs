@@ -1,7 +1,7 @@
 //! The end face of a swept body: triangles between an outline and its holes.
 
 use super::error::MeshError;
-use super::swept::Section;
+use super::section::Section;
 use nalgebra::{Vector2, Vector3};
 use spade::handles::FixedVertexHandle;
 use spade::{ConstrainedDelaunayTriangulation, HasPosition, Point2, Triangulation, mitigate_underflow};

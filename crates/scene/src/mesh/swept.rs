@@ -2,23 +2,8 @@
 
 use super::cap::cap;
 use super::error::MeshError;
+use super::section::Section;
 use super::triangle_mesh::{TriangleMesh, check_points};
-use nalgebra::Vector3;
-
-/// A section of a body: closed loops of points, mm. The last point of a loop is joined with its first, which is not repeated.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Section {
-    /// The outer loop, in either sense.
-    pub outline: Vec<Vector3<f64>>,
-    /// Loops inside it without material, e.g. the bore, in either sense.
-    pub holes: Vec<Vec<Vector3<f64>>>,
-}
-
-impl Section {
-    fn loops(&self) -> impl Iterator<Item = &Vec<Vector3<f64>>> {
-        std::iter::once(&self.outline).chain(&self.holes)
-    }
-}
 
 /// The closed body through `sections` in their order: point i of a loop runs to point i of the same loop of the next section. The normals
 /// point outwards whatever the sense of the loops. The end faces are plane if the first and the last section are; otherwise they are

@@ -1,8 +1,8 @@
 //! Records of one tool in their order: time goes on, workpieces are counted on until the tool is resharpened.
 
+use super::line::Line;
 use std::collections::HashMap;
 
-use super::read::Line;
 use job::Diagnostic;
 
 /// Code of records that contradict each other.

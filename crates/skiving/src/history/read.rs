@@ -1,16 +1,16 @@
 //! From JSON lines to checked records, line by line by the way that job files go: text, tree, shape, types, then their order.
 
-use std::ops::Range;
 use std::path::Path;
 use std::sync::LazyLock;
 
 use serde::Deserialize;
 use serde_json::Value;
 
+use super::line::{Line, moved};
 use super::time::{FORM, Moment};
 use super::{HistoryRecord, order};
 use job::shape::{self, Subject};
-use job::{Diagnostic, JobError, Node, Problem, Source, json_tree, schema_of};
+use job::{Diagnostic, JobError, Problem, Source, json_tree, schema_of};
 
 static SCHEMA: LazyLock<Value> =
     LazyLock::new(|| schema_of::<HistoryRecord>("flankwright history of skiving tools, one line"));
@@ -101,26 +101,6 @@ pub fn parse_history(source: Source) -> Result<History, JobError> {
     } else {
         Err(JobError::new(source, findings))
     }
-}
-
-/// A record with its place.
-pub(super) struct Line {
-    pub record: HistoryRecord,
-    pub moment: Moment,
-    node: Node,
-    start: usize,
-}
-
-impl Line {
-    /// Place of a key's value in the file.
-    pub fn span(&self, path: &str) -> Range<usize> {
-        let node = self.node.follow(path).map_or(&self.node, |(node, _)| node);
-        moved(&node.span, self.start)
-    }
-}
-
-fn moved(span: &Range<usize>, by: usize) -> Range<usize> {
-    span.start + by..span.end + by
 }
 
 fn line(text: &str, start: usize) -> Result<Line, Vec<Diagnostic>> {

@@ -17,11 +17,12 @@ mod profile;
 mod programs;
 mod strip;
 mod tooth;
+mod uncertain_figure;
 
 pub use angles::{AngleEdge, AngleStation, AngleTrack, AngleView};
 pub use conventional::ConventionalRow;
 pub use corrections::{CorrectionsView, SettingChange, WearRow};
-pub use data::{DataSheet, SkivingReport, UncertainFigure};
+pub use data::{DataSheet, SkivingReport};
 pub use edge_section::EdgeSectionView;
 pub use history::{HistoryRow, HistoryView, WearTrend};
 pub use measured::{FlankDeviations, MeasuredView, TrackDeviations, WorstTooth};
@@ -32,3 +33,4 @@ pub use profile::{FlankProfile, ProfileView};
 pub use programs::{ProgramRow, ProgramsView};
 pub use strip::{StripView, ToothMark, ToothSignal};
 pub use tooth::ToothView;
+pub use uncertain_figure::UncertainFigure;

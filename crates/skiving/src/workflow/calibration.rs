@@ -1,7 +1,7 @@
 //! The beam by the switches of a mandrel, or where they are to be expected and how well they will tell it.
 
+use super::beam::nominal_beam;
 use super::finding::failure;
-use super::prepare::nominal_beam;
 use super::result::{CalibrationResult, MandrelSwitchResult};
 use crate::SkivingError;
 use crate::job::{CalibrationMove, MandrelCalibration, SkivingJob};

@@ -1,6 +1,6 @@
 //! Errors of skiving as findings on keys of the job.
 
-use super::measurement::ReadingsFile;
+use super::readings_file::ReadingsFile;
 use crate::SkivingError;
 use foundation::geometry::GeometryError;
 use job::Diagnostic;

@@ -1,6 +1,7 @@
 //! Measuring a skiving tool in the machine, from job to result: tracks and poses, readings simulated or read, what they say of the tool
 //! and of the workpiece to come, correction of the setting, calibration, scan, history, files.
 
+mod beam;
 mod calibration;
 pub mod check;
 mod conventional;
@@ -15,6 +16,7 @@ mod page;
 mod prepare;
 mod program_work;
 pub mod programs;
+mod readings_file;
 mod real_tool;
 mod referee;
 mod remarks;

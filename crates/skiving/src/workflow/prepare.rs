@@ -1,9 +1,10 @@
 //! From a checked job of measuring a skiving tool to its edges, tracks and poses. Every finding names the job's key.
 
+use super::beam::nominal_beam;
 use super::calibration::{CalibrationOutcome, calibrate};
 use super::finding::failure;
 use crate::evaluation::ProfileOptions;
-use crate::job::{LightBarrier, LoadedSkivingJob, MeasuringPoses, Rake, RakeForm, SkivingJob};
+use crate::job::{LoadedSkivingJob, MeasuringPoses, Rake, RakeForm, SkivingJob};
 use crate::measuring::{
     BarrierData, Beam, FlankTracks, NearestFlank, PoseKind, PoseLimits, nearest_other_flank, reached_pose,
 };
@@ -14,7 +15,6 @@ use foundation::geometry::{
     ConeRake, EdgeRounding, Flank, Gear, Helicoid, PlaneRake, RakeFace, Sides, SkivingTool, SphericalRake,
 };
 use foundation::modification::EvaluationField;
-use nalgebra::Vector3;
 use run::{ModifiedFlank, RunFailure, blank_of_job, gear_of_job, modification_finding, specs_of_flank};
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -127,12 +127,6 @@ pub fn prepare_skiving(loaded: &LoadedSkivingJob) -> Result<SkivingBodies, RunFa
         clocking: job.measuring.clocking_deg.unwrap_or(0.0).to_radians(),
         beam,
     })
-}
-
-/// The beam as the job gives it.
-pub(super) fn nominal_beam(given: &LightBarrier) -> Result<Beam, SkivingError> {
-    let tilts = [given.tilt_x_deg, given.tilt_y_deg].map(f64::to_radians);
-    Beam::new(Vector3::from(given.point), tilts, given.radius)
 }
 
 fn tool(job: &SkivingJob) -> Result<SkivingTool, SkivingError> {

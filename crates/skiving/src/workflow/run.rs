@@ -1,10 +1,11 @@
 //! From a checked job to the measured tool, the workpiece under the referee, and the verdict.
 
-use super::measurement::{Measurement, ReadingsFile, evaluated, simulated};
+use super::measurement::{Measurement, evaluated, simulated};
 use super::outcome::{flank_results, measurement_result, settings, track_results};
 use super::prepare::{SkivingBodies, prepare_skiving};
 use super::program_work::programs;
 use super::programs::ToolProgram;
+use super::readings_file::ReadingsFile;
 use super::real_tool::real_tool;
 use super::remarks::{Findings, warnings};
 use super::result::SkivingResult;

@@ -5,7 +5,7 @@ pub mod control;
 pub mod derived;
 mod finding;
 mod flank;
-mod page;
+pub mod followed;
 mod passes;
 mod plan;
 pub mod prepare;

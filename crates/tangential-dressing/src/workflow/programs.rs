@@ -3,30 +3,28 @@
 use super::technology::technology;
 use crate::job::{LoadedTangentialJob, TangentialJob};
 use crate::workflow::{
-    DrivenMotions, TangentialOutcome, TangentialPass, TangentialPrepared, TangentialRun, passes_of_runs,
-    plan_tangential, referee, simulate_tangential, worm_rays,
+    DrivenMotions, TangentialPass, TangentialPrepared, TangentialRun, passes_of_runs, referee, worm_rays,
 };
 use crate::{TangentialFlank, TangentialStrokes};
 use contact::Measure;
 use foundation::geometry::{Flank, Sides};
 use foundation::kinematics::DressingMotion;
-use foundation::numerics::{Progress, Silent, equidistant};
-use generating_grinding::workflow::programs::follow::{Followed, follow};
+use foundation::numerics::{Silent, equidistant};
+use generating_grinding::workflow::programs::clearance;
 use generating_grinding::workflow::programs::indexing::Indexing;
-use generating_grinding::workflow::programs::proof::{Judge, ReadBack, RunFlank, Sought, THREAD_GRID};
+use generating_grinding::workflow::programs::judge::{Judge, ReadBack, RunFlank};
+use generating_grinding::workflow::programs::proof::THREAD_GRID;
 use generating_grinding::workflow::programs::run_programs::RunPrograms;
-use generating_grinding::workflow::programs::task::{DressingWork, GrindingWork, ProgramTask};
+use generating_grinding::workflow::programs::task::ProgramTask;
 use generating_grinding::workflow::programs::technology::Technology;
-use generating_grinding::workflow::programs::{FollowedBodies, clearance};
+use generating_grinding::workflow::programs::work::{DressingWork, GrindingWork};
 use job::tables::Machine as JobMachine;
-use machine::{GearCoupling, Machine};
+use machine::GearCoupling;
 use metrology::Topography;
-use motion::{ReadStroke, Tracked, dresser_contacts};
+use motion::{ReadStroke, dresser_contacts};
 use run::RunFailure;
 use run::program_check::{dialects, machine_of_job};
 
-/// The worm is one area.
-const ONE_AREA: [f64; 1] = [0.0];
 /// Contacts looked at along the line in which the dresser touches a flank.
 const CONTACTS: usize = 5;
 
@@ -71,16 +69,16 @@ pub fn programs_of_tangential(
 }
 
 /// The strokes of a run, pass by pass.
-struct Strokes {
-    technology: Technology,
-    indexing: Indexing,
-    passes: Vec<Vec<Flank>>,
-    dressing: Vec<DressingWork>,
-    grinding: Vec<GrindingWork>,
+pub(super) struct Strokes {
+    pub technology: Technology,
+    pub indexing: Indexing,
+    pub passes: Vec<Vec<Flank>>,
+    pub dressing: Vec<DressingWork>,
+    pub grinding: Vec<GrindingWork>,
 }
 
 impl Strokes {
-    fn new(
+    pub fn new(
         job: &TangentialJob,
         machine: &JobMachine,
         ready: &TangentialPrepared,
@@ -107,7 +105,7 @@ impl Strokes {
 }
 
 /// The flanks of a run: the referee's rays stand along the normals, deviations are in the measure of the job.
-fn flanks_of(runs: &Sides<Option<TangentialRun>>) -> Sides<Option<RunFlank>> {
+pub(super) fn flanks_of(runs: &Sides<Option<TangentialRun>>) -> Sides<Option<RunFlank>> {
     Sides::from_fn(|flank| {
         let run = runs[flank].as_ref()?;
         let deviation = run.simulated.minus(&run.target);
@@ -116,59 +114,10 @@ fn flanks_of(runs: &Sides<Option<TangentialRun>>) -> Sides<Option<RunFlank>> {
 }
 
 /// The referee of a run.
-struct Rays<'a> {
-    ready: &'a TangentialPrepared,
-    runs: &'a Sides<Option<TangentialRun>>,
-    passes: &'a [Vec<Flank>],
-}
-
-/// The run of a job with its strokes, for programs to be followed on its bodies.
-pub struct OnTangential {
-    run: TangentialOutcome,
-    strokes: Strokes,
-    tolerance_um: f64,
-}
-
-impl OnTangential {
-    /// Its own run, by its settings if it has some.
-    ///
-    /// # Errors
-    /// Those of the run.
-    pub fn new(loaded: &LoadedTangentialJob, progress: &dyn Progress) -> Result<Self, RunFailure> {
-        let mut plain = loaded.clone();
-        plain.job.machine = None;
-        let run = if plain.job.settings.is_some() {
-            simulate_tangential(&plain, progress)?
-        } else {
-            plan_tangential(&plain, progress)?
-        };
-        let clamped = loaded.job.machine.clone().unwrap_or_default();
-        let strokes = Strokes::new(&loaded.job, &clamped, &run.prepared, &run.flanks)?;
-        Ok(Self { run, strokes, tolerance_um: loaded.job.target.tolerance_um })
-    }
-
-    /// How the job clamps its bodies.
-    pub fn technology(&self) -> &Technology {
-        &self.strokes.technology
-    }
-
-    /// Follows a program and says what it makes of the flanks.
-    ///
-    /// # Errors
-    /// Those of [`follow`].
-    pub fn follow(&self, machine: &Machine, tracked: &Tracked) -> Result<Followed, RunFailure> {
-        let Self { run, strokes, tolerance_um } = self;
-        let sought = Sought {
-            machine,
-            technology: &strokes.technology,
-            indexing: &strokes.indexing,
-            areas: &ONE_AREA,
-            dressing: strokes.dressing.iter().collect(),
-            grinding: strokes.grinding.iter().collect(),
-        };
-        let judge = Rays { ready: &run.prepared, runs: &run.flanks, passes: &strokes.passes };
-        follow(tracked, &sought, &flanks_of(&run.flanks), *tolerance_um, &judge)
-    }
+pub(super) struct Rays<'a> {
+    pub ready: &'a TangentialPrepared,
+    pub runs: &'a Sides<Option<TangentialRun>>,
+    pub passes: &'a [Vec<Flank>],
 }
 
 /// Motions of a pass over all that its flanks need.
@@ -255,15 +204,5 @@ impl Judge for Rays<'_> {
             }
         }
         Ok(lengths)
-    }
-}
-
-impl FollowedBodies for OnTangential {
-    fn follow(&self, machine: &Machine, tracked: &Tracked) -> Result<Followed, RunFailure> {
-        OnTangential::follow(self, machine, tracked)
-    }
-
-    fn technology(&self) -> &Technology {
-        OnTangential::technology(self)
     }
 }

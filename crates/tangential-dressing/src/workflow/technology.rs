@@ -3,7 +3,7 @@
 use super::prepare::TangentialPrepared;
 use crate::job::TangentialJob;
 use generating_grinding::workflow::programs::Technology;
-use generating_grinding::workflow::programs::clearance::Cylinders;
+use generating_grinding::workflow::programs::cylinders::Cylinders;
 use job::tables::Machine as JobMachine;
 
 /// As the job says, for the worm of a run of tangential dressing.

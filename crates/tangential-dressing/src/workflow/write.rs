@@ -1,9 +1,10 @@
 //! Writes what a run of tangential dressing produced. Every file appears whole or not at all.
 
 use super::run::TangentialOutcome;
-use super::{page, tables};
+use super::tables;
 use crate::TangentialFlank;
 use crate::job::{LoadedTangentialJob, TangentialJob};
+use crate::page;
 use contact::Measure;
 use foundation::geometry::Flank;
 use generating_grinding::workflow::tables::{grinding_motion, topography};

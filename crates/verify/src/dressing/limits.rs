@@ -5,7 +5,7 @@ use super::super::expected::Expected;
 use super::super::ledger::Ledger;
 use super::super::reference::Tolerances;
 use super::bodies::{Bodies, OtherWorm};
-use super::conditions::crowned;
+use super::crowned::crowned;
 use dressing::{DresserSection, DressingError, ThreadSpace, WormFlank};
 use foundation::geometry::Flank;
 use foundation::kinematics::DressingCorrection;

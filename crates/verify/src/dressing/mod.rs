@@ -4,6 +4,7 @@ pub(super) mod bodies;
 mod compensation;
 mod conditions;
 mod corrections;
+mod crowned;
 mod crowning_range;
 mod limits;
 mod machine;

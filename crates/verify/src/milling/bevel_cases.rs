@@ -1,8 +1,7 @@
 //! Bevel gears, straight and spiral, with ease-off (`docs/mathematics/milling.md#flanks-as-patches`).
 
 use super::super::given::Checked;
-use super::case::Body;
-use super::cylinder_cases::side;
+use super::body::{Body, side};
 use foundation::geometry::{
     BevelData, BevelGear, EaseOff, EaseOffAmounts, Flank, Hand, Modified, SphericalInvolute, Spiral, Surface,
 };

@@ -1,15 +1,15 @@
-//! The cases: named flanks with a cutter, and every quantity that a case expects.
+//! A named flank with its cutter.
 
 use super::super::expected::Expected;
-use super::super::given::{Checked, check_object, number};
+use super::super::given::Checked;
 use super::super::ledger::Ledger;
-use super::super::reference::{Reference, read};
+use super::super::reference::Reference;
 use super::bevel_cases::BevelInput;
 use super::blade_cases::BladeInput;
+use super::body::Body;
 use super::cutter::Tool;
 use super::cylinder_cases::CylinderInput;
-use super::{columns, flank, residual};
-use foundation::geometry::{BevelGear, Cutter, Helicoid};
+use foundation::geometry::Cutter;
 use foundation::numerics::equidistant;
 use milling::{
     ActiveFlank, CutterLocation, GridPlace, LeadCurve, LeadPoint, MillingError, Orientation, lead_range,
@@ -26,21 +26,6 @@ enum Input {
     Ruled(BladeInput),
 }
 
-/// What a case is made of.
-pub(super) enum Body {
-    /// A cylindrical gear: its flank, both flanks.
-    Cylinder {
-        /// The flank of the case.
-        helicoid: Helicoid,
-        /// r_a and r_f, mm.
-        radii: [f64; 2],
-    },
-    /// A bevel gear.
-    Bevel(BevelGear),
-    /// A blade.
-    Blade,
-}
-
 /// A flank that is milled.
 pub(super) struct MilledCase {
     pub flank: ActiveFlank,
@@ -54,7 +39,7 @@ pub(super) struct MilledCase {
 }
 
 impl MilledCase {
-    fn of(case: &Value, tool: &Tool, contact_height: f64) -> Checked<Self> {
+    pub(super) fn of(case: &Value, tool: &Tool, contact_height: f64) -> Checked<Self> {
         let input: Input = Input::deserialize(case)?;
         let cutter = tool.cutter()?;
         let (flank, opposite, lead, body): (_, _, Arc<dyn LeadCurve>, _) = match input {
@@ -124,34 +109,4 @@ pub(super) fn located(
 ) -> Result<CutterLocation, MillingError> {
     let orientation = Orientation { tilt, lead_angle: 0.0 };
     CutterLocation::new(&place.jet, lead, cutter.shape(), cutter.cutting_length(), height, orientation)
-}
-
-/// Block `cases`.
-pub(crate) fn cases(_: &Reference<'_>, block: &Value, ledger: &mut Ledger) {
-    let Some(cases) = block.as_object() else {
-        return ledger.fail("cases", "cases", block.clone(), "a table of cases is needed here".into());
-    };
-    for (name, value) in cases {
-        let expected = Expected::new(name, "", value, ledger);
-        check_object(expected, ledger, |expected, ledger| case(name, value, expected, ledger));
-    }
-}
-
-fn case(name: &str, value: &Value, expected: &mut Expected<'_>, ledger: &mut Ledger) -> Checked {
-    expected.informative(&["input", "tool"]);
-    let height = number(expected, "contact_height_mm", ledger)?;
-    let tool = read::<Tool>(name, &value["tool"], ledger).ok_or("the cutter cannot be read")?;
-    let case = MilledCase::of(&value["input"], &tool, height)?;
-    // The file states no tolerances beside the parameters that follow from the drawing: those of the flank's points hold.
-    let stated = |key: &str| value["flank_points"][key].as_f64().unwrap_or(f64::NAN);
-    let tolerances = [stated("tolerance_mm"), stated("tolerance_n")];
-    flank::derived(&case, tolerances, expected, ledger);
-    flank::range(&case, expected, ledger)?;
-    flank::points(&case, expected, ledger);
-    columns::columns(&case, expected, ledger);
-    columns::grids(&case, value, expected, ledger);
-    if let Some(object) = expected.object("residual", ledger) {
-        check_object(object, ledger, |object, ledger| residual::residual(&case, object, ledger));
-    }
-    Ok(())
 }

@@ -5,7 +5,8 @@ use super::super::given::{
     Checked, MOST, check_items, check_object, compare_vector, compare_vectors, number, text, tolerance, whole,
 };
 use super::super::ledger::Ledger;
-use super::case::{Body, MilledCase, located};
+use super::body::Body;
+use super::case::{MilledCase, located};
 use milling::{Column, CutterLocation, FlankGrid, GridPlace, MillingError, NeighbourDistances, RowSpacing};
 use nalgebra::Vector3;
 use serde_json::Value;

@@ -1,7 +1,7 @@
 //! Spur and helical gears, external and internal (`docs/mathematics/milling.md#flanks-as-patches`).
 
 use super::super::given::Checked;
-use super::case::Body;
+use super::body::{Body, side};
 use foundation::geometry::{Flank, Gear, GearData, Helicoid, Sides};
 use milling::{ActiveFlank, HeightLimits, HelixOnCylinder};
 use serde::Deserialize;
@@ -34,12 +34,6 @@ fn addendum() -> f64 {
 
 fn dedendum() -> f64 {
     1.25
-}
-
-/// The flank of that name.
-pub(super) fn side(name: &str) -> Checked<Flank> {
-    let found = Flank::BOTH.into_iter().find(|flank| flank.name() == name);
-    found.ok_or_else(|| format!("flank: left or right is needed here, not {name:?}").into())
 }
 
 impl CylinderInput {

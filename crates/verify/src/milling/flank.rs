@@ -3,7 +3,8 @@
 use super::super::expected::Expected;
 use super::super::given::{Checked, check_object, compare_vectors, list, tolerance};
 use super::super::ledger::Ledger;
-use super::case::{Body, MilledCase};
+use super::body::Body;
+use super::case::MilledCase;
 use foundation::geometry::FlankLine;
 
 /// Limits in height and the quantities of section 1; `mm` and `unit` are the tolerances of lengths and of angles.

@@ -3,9 +3,9 @@
 use super::super::given::{Checked, check_block, check_items, number, text, tolerance};
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
-use super::case::{Body, MilledCase, located};
+use super::body::{Body, side};
+use super::case::{MilledCase, located};
 use super::cutter::{EDGES, of_shape};
-use super::cylinder_cases::side;
 use foundation::geometry::{Cutter, CutterShape, Mirrored};
 use foundation::numerics::brent;
 use milling::{ActiveFlank, Column, ColumnPlane, LeadCurve, Patch, lead_range};

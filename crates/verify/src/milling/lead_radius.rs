@@ -3,7 +3,8 @@
 use super::super::given::{check_block, number, tolerance};
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
-use super::case::{Body, MilledCase};
+use super::body::Body;
+use super::case::MilledCase;
 use foundation::numerics::brent;
 use milling::{ColumnPlane, HelixOnCylinder, LeadCurve};
 use serde_json::Value;

@@ -5,7 +5,9 @@
 mod bevel_cases;
 mod blade_cases;
 mod blade_limits;
+mod body;
 mod case;
+mod cases;
 mod chain;
 mod columns;
 mod cutter;
@@ -35,7 +37,7 @@ mod swept_root;
 mod wear;
 
 pub(crate) use blade_limits::blade_limits;
-pub(crate) use case::cases;
+pub(crate) use cases::cases;
 pub(crate) use density::density;
 pub(crate) use equal_scallop::equal_scallop;
 pub(crate) use feed::{feed, screw_row};

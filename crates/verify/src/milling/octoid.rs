@@ -3,7 +3,8 @@
 use super::super::given::{check_block, check_items, compare_vector, number, text, tolerance};
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
-use super::case::{Body, MilledCase};
+use super::body::Body;
+use super::case::MilledCase;
 use super::near_foot::foot;
 use foundation::geometry::{Octoid, SphericalInvolute, Surface};
 use serde_json::Value;
@@ -14,9 +15,8 @@ pub(crate) fn octoid(reference: &Reference<'_>, block: &Value, ledger: &mut Ledg
     check_block("octoid", block, ledger, |expected, ledger| {
         let name = text(expected, "case", ledger)?;
         let case = MilledCase::named(reference, name)?;
-        let flank = super::cylinder_cases::side(
-            reference.root["cases"][name]["input"]["flank"].as_str().unwrap_or_default(),
-        )?;
+        let flank =
+            super::body::side(reference.root["cases"][name]["input"]["flank"].as_str().unwrap_or_default())?;
         let Body::Bevel(gear) = &case.body else { return Err("a bevel gear is needed here".into()) };
         let distance = number(expected, "R_mm", ledger)?;
         let [mm, um] = ["tolerance_mm", "tolerance_um"].map(|key| tolerance(expected, key, ledger));

@@ -5,7 +5,7 @@ use super::super::given::{Checked, check_object, requires};
 use super::super::ledger::Ledger;
 use super::super::reference::Tolerances;
 use super::example::SkivingExample;
-use super::measurement::Measured;
+use super::measured::Measured;
 use foundation::geometry::Flank;
 use foundation::numerics::brent;
 use skiving::VirtualEdge;

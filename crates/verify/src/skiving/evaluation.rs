@@ -4,7 +4,7 @@ use super::super::expected::Expected;
 use super::super::given::{Checked, check_object, number, requires};
 use super::super::ledger::Ledger;
 use super::super::reference::Tolerances;
-use super::measurement::Measured;
+use super::measured::Measured;
 use foundation::geometry::{Flank, Sides};
 use serde_json::{Value, json};
 use skiving::evaluation::{Evaluation, ProfileOptions, correction, evaluate_all_teeth};

@@ -7,15 +7,13 @@ use super::super::reference::Reference;
 use super::band::check_band;
 use super::evaluation::{check_corrections, check_evaluation};
 use super::example::{SkivingExample, beam};
+use super::measured::Measured;
 use super::noise::check_noise;
 use foundation::geometry::{Flank, Sides};
 use serde::Deserialize;
 use serde_json::Value;
-use skiving::evaluation::{Deviations, measured_tool};
-use skiving::measuring::{
-    BarrierData, Beam, EdgeErrors, FlankTracks, Noise, RealTool, Sense, Switches, first_order_deviation,
-    readings, switches,
-};
+use skiving::evaluation::Deviations;
+use skiving::measuring::{EdgeErrors, RealTool};
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -50,32 +48,6 @@ impl RealToolInput {
             eccentricity: self.ecc_mm,
             wobble: self.tilt_rad,
         }
-    }
-}
-
-/// A tool in front of its beam.
-pub(super) struct Measured {
-    pub example: SkivingExample,
-    pub beam: Beam,
-    pub tool: RealTool,
-    pub flanks: Sides<FlankTracks>,
-    pub first_order: Deviations,
-    pub deviations: Deviations,
-}
-
-impl Measured {
-    /// Measures a tool without noise in the positive sense.
-    pub fn new(example: SkivingExample, beam: Beam, tool: RealTool) -> Checked<(Self, Switches)> {
-        tool.check(example.teeth())?;
-        let flanks = example.flanks(&beam)?;
-        let data = BarrierData::ideal();
-        let switched = switches(&flanks, &beam, &data, &tool)?;
-        let seen = readings(&flanks, &switched, &data, &[Sense::Positive], 1, &mut Noise::new(0));
-        let deviations = measured_tool(&flanks, &seen, 0.0)?.deviations;
-        let first_order = deviations.map(|flank, track, tooth, _| {
-            first_order_deviation(&flanks[flank].edge, &tool, &flanks[flank].tracks[track].0, tooth)
-        });
-        Ok((Self { example, beam, tool, flanks, first_order, deviations }, switched))
     }
 }
 

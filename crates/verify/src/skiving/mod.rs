@@ -8,6 +8,8 @@ mod conventional;
 mod edges;
 mod evaluation;
 mod example;
+mod examples;
+mod measured;
 mod measurement;
 mod mounting;
 mod noise;
@@ -17,7 +19,7 @@ mod scan;
 
 pub(crate) use calibration::calibration;
 pub(crate) use conventional::conventional;
-pub(crate) use example::examples;
+pub(crate) use examples::examples;
 pub(crate) use measurement::measurement;
 pub(crate) use mounting::mounting_only;
 pub(crate) use random::random;

@@ -5,7 +5,7 @@ use super::super::given::{Checked, array, check_object, text};
 use super::super::ledger::Ledger;
 use super::super::reference::Reference;
 use super::example::SkivingExample;
-use super::measurement::Measured;
+use super::measured::Measured;
 use foundation::numerics::extremes;
 use serde_json::Value;
 use skiving::evaluation::{ProfileOptions, evaluate};

@@ -4,7 +4,7 @@ use super::super::expected::Expected;
 use super::super::given::{Checked, check_object};
 use super::super::ledger::Ledger;
 use super::super::reference::Tolerances;
-use super::measurement::Measured;
+use super::measured::Measured;
 use foundation::geometry::Flank;
 use foundation::numerics::{extremes, root_mean_square};
 use serde::Deserialize;

@@ -13,7 +13,7 @@ mod table;
 
 use clap::{Args, Subcommand};
 
-use crate::arguments::CommonArguments;
+use crate::common_arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
 

@@ -7,7 +7,7 @@ use flankwright_store::blocking::Store;
 use flankwright_store::{StoreAddress, StoreError};
 use serde::Serialize;
 
-use crate::arguments::CommonArguments;
+use crate::common_arguments::CommonArguments;
 use crate::exit::Exit;
 use crate::failure::{Failure, unreadable};
 use crate::output;

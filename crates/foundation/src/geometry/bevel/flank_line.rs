@@ -1,6 +1,5 @@
 //! Flank lines of bevel teeth: by which angle Theta(R) a section at the distance R from the apex is turned.
 
-use super::Spiral;
 use crate::geometry::GeometryError;
 use crate::geometry::surface::bounds::largest;
 use crate::numerics::CubicSpline;
@@ -196,4 +195,15 @@ impl FlankLine {
             }
         }
     }
+}
+
+/// A flank line that is a circle on the developed pitch cone. mm, rad.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spiral {
+    /// beta_m: spiral angle at the mean distance, without sign.
+    pub mean_angle: f64,
+    /// r_c: radius of the circle, that of a face mill's cutter head.
+    pub cutter_radius: f64,
+    /// Hand of the spiral.
+    pub hand: Hand,
 }

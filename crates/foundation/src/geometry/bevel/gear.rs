@@ -1,23 +1,13 @@
 //! A bevel gear from its drawing data: cones, distances and checks of `docs/mathematics/milling.md#flanks-as-patches`.
 
-use super::{CircularLine, FlankLine, Hand};
+use super::flank_line::Spiral;
+use super::{CircularLine, FlankLine};
 use crate::geometry::GeometryError;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Share of the way from the lowest cone to the tip cone at which the active flank begins if nothing else is known
 /// (`docs/mathematics/milling.md#flanks-as-patches`).
 const FORM_SHARE: f64 = 0.12;
-
-/// A flank line that is a circle on the developed pitch cone. mm, rad.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spiral {
-    /// beta_m: spiral angle at the mean distance, without sign.
-    pub mean_angle: f64,
-    /// r_c: radius of the circle, that of a face mill's cutter head.
-    pub cutter_radius: f64,
-    /// Hand of the spiral.
-    pub hand: Hand,
-}
 
 /// Drawing data of a bevel gear whose cones share one apex. mm, rad.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -8,7 +8,7 @@ mod gear;
 mod octoid;
 mod spherical_involute;
 
-pub use flank_line::{CircularLine, FlankLine, Hand};
-pub use gear::{BevelData, BevelGear, Spiral};
+pub use flank_line::{CircularLine, FlankLine, Hand, Spiral};
+pub use gear::{BevelData, BevelGear};
 pub use octoid::Octoid;
 pub use spherical_involute::SphericalInvolute;

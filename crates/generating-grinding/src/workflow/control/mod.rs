@@ -2,11 +2,9 @@
 //! tooth, beside what the process leaves (`docs/mathematics/gearbox.md`). Grinding goes through it, after the dresser of either process.
 
 pub mod of_grinding;
-pub mod page;
 pub mod pass;
 pub mod result;
 pub mod run;
 
 pub use of_grinding::control_of_grinding;
-pub use page::control_report;
 pub use result::{ControlFlankResult, ControlResult, ErrorTrace, Trace};

@@ -3,11 +3,13 @@
 
 pub mod candidate;
 pub mod files;
+mod refused;
 mod summary;
 mod variant;
 
-pub use candidate::{ExploreCandidate, FlankFigures, Refused};
+pub use candidate::{ExploreCandidate, FlankFigures};
 pub use files::write_exploration;
+pub use refused::Refused;
 
 use super::equal_ratio_offers::{EqualRatioOffer, equal_ratio_offers};
 use super::prepare::{Prepared, prepare, tolerance_of_job};

@@ -1,6 +1,6 @@
 //! One worm of a study: the job with another cone angle or crossing angle.
 
-use super::candidate::Refused;
+use super::refused::Refused;
 use crate::job::{Explore, LoadedJob, Steps};
 use crate::workflow::prepare::worm_choice_of_job;
 use generating::worm_at_crossing_angle;

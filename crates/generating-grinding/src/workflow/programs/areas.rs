@@ -2,9 +2,11 @@
 //! every pass keeps to its area (`docs/mathematics/planning.md#choice-of-the-ratio`).
 
 use super::build::Built;
-use super::proof::{ReadBack, Sought};
+use super::judge::ReadBack;
 use super::result::{AreaUse, WormUse};
-use super::task::{DressingWork, GrindingWork, ProgramTask};
+use super::sought::Sought;
+use super::task::ProgramTask;
+use super::work::{DressingWork, GrindingWork};
 use crate::workflow::execution::Execution;
 use crate::workflow::partition::{Partition, ToolAreas, beside_area, passage};
 use crate::workflow::prepare::Prepared;

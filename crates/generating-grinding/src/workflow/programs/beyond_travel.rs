@@ -1,8 +1,8 @@
 //! How far the programs of a run go beyond the travel of their machine: they are laid out once more on the same machine with longer
 //! ways of as few axes as can be, so that the whole way is known and can be drawn, not only the place where it was first left.
 
+use super::axis_curves::chart;
 use super::build::BuiltProgram;
-use super::page::chart;
 use super::task::ProgramTask;
 use foundation::numerics::extremes;
 use job::machine::LoadedMachine;

@@ -1,8 +1,9 @@
 //! From the motions of a run to programs: the passes, laid out for every control, written and read back.
 
 use super::lines::LineWork;
-use super::task::{DressingWork, GrindingWork, ProgramTask};
+use super::task::ProgramTask;
 use super::technology::Technology;
+use super::work::{DressingWork, GrindingWork};
 use foundation::geometry::Flank;
 use foundation::kinematics::{Dresser, MotionLaw, Workpiece};
 use job::Diagnostic;

@@ -1,7 +1,7 @@
 //! `program check` of grinding and dressing: the strokes of a program, the flank that it leaves, and what comes near on its way.
 
 use super::follow::Followed;
-use super::of_grinding::OnGrinding;
+use super::on_grinding::OnGrinding;
 use super::surroundings::Surroundings;
 use super::technology::Technology;
 use foundation::numerics::Progress;

@@ -1,10 +1,12 @@
 //! A program on the bodies of a job: which of its strokes finish what, and the flank that they leave with everything else as the job
 //! has it. Knows no process.
 
-use super::clearance::{self, CLEARANCE};
+use super::clearance;
+use super::cylinders::CLEARANCE;
 use super::indexing::{Found, shown_blocks};
-use super::proof::{Judge, ReadBack, RunFlank, Sought, nearest};
+use super::judge::{Judge, ReadBack, RunFlank};
 use super::single_blocks::{jumps_of_dressing, jumps_of_grinding};
+use super::sought::{Sought, nearest};
 use foundation::geometry::Sides;
 use foundation::kinematics::{Dresser, Workpiece};
 use machine::{Role, Station};

@@ -1,7 +1,7 @@
 //! Threads of the worm and index strokes of the workpiece: which of them a run needs, and which strokes of a text serve them. A stroke is
 //! identified by where it stands (its phase modulo 360 deg / z_1, its pitch on the workpiece), never by its place in the program.
 
-use super::task::{DressingWork, GrindingWork};
+use super::work::{DressingWork, GrindingWork};
 use crate::workflow::stroke_plan::StrokePlan;
 use foundation::kinematics::{DressingMotion, GeneratingMotion, Pose, Worm};
 use foundation::numerics::equidistant;

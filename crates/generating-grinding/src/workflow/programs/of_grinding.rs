@@ -3,32 +3,31 @@
 use super::areas::ProgramAreas;
 use super::beyond_travel::BeyondTravel;
 use super::clearance;
-use super::follow::{Followed, follow};
 use super::indexing::Indexing;
-use super::lines::{LineWork, follow_lines};
-use super::proof::{Judge, ReadBack, RunFlank, Sought, THREAD_GRID};
+use super::judge::{Judge, ReadBack, RunFlank};
+use super::lines::LineWork;
+use super::proof::THREAD_GRID;
 use super::run_programs::RunPrograms;
-use super::task::{DressingWork, GrindingWork, ProgramTask};
+use super::task::ProgramTask;
 use super::technology::Technology;
-use crate::job::LoadedJob;
+use super::work::{DressingWork, GrindingWork};
 use crate::workflow::execution::{ExecutedTool, Execution};
 use crate::workflow::line_dressing::WrittenFlank;
 use crate::workflow::prepare::Prepared;
 use crate::workflow::referee::{self, Cutting, Verdict};
-use crate::workflow::run::{Outcome, run_without_programs};
 use contact::ToolSurface;
 use dressing::{DressedWorm, DresserTool};
 use foundation::geometry::{Flank, Sides};
 use foundation::kinematics::{DressingMotion, Point, Pose, Worm};
-use foundation::numerics::{Chebyshev, Progress, Silent, equidistant};
+use foundation::numerics::{Chebyshev, Silent, equidistant};
 use job::machine::LoadedMachine;
 use job::tables::Program as DialectName;
-use machine::{GearCoupling, Machine, Role, Station};
+use machine::GearCoupling;
 use metrology::Topography;
-use motion::{ReadStroke, Tracked};
+use motion::ReadStroke;
 use nalgebra::Vector3;
 use run::RunFailure;
-use run::program_check::{dialects, refused};
+use run::program_check::dialects;
 use std::f64::consts::TAU;
 use verdict::Remark;
 
@@ -40,20 +39,20 @@ const PLACES: [f64; 3] = [0.1, 0.5, 0.9];
 const SAME_PHASE: f64 = 1e-9;
 
 /// The strokes of a run with the bodies that they move.
-struct Strokes {
-    technology: Technology,
-    coupling: GearCoupling,
-    indexing: Indexing,
+pub(super) struct Strokes {
+    pub technology: Technology,
+    pub coupling: GearCoupling,
+    pub indexing: Indexing,
     /// Dressing strokes, each with the flanks and their strokes that it makes.
-    dressing: Vec<(DressingWork, Vec<(Flank, usize)>)>,
+    pub dressing: Vec<(DressingWork, Vec<(Flank, usize)>)>,
     /// Grinding strokes, each with the flanks that it makes.
-    grinding: Vec<(GrindingWork, Vec<Flank>)>,
+    pub grinding: Vec<(GrindingWork, Vec<Flank>)>,
     /// The areas of the worm, if passes use more than one, and the worm positions that the plan dresses.
-    areas: Option<(ProgramAreas, Vec<[f64; 2]>)>,
+    pub areas: Option<(ProgramAreas, Vec<[f64; 2]>)>,
 }
 
 impl Strokes {
-    fn new(prepared: &Prepared, execution: &Execution) -> Result<Self, RunFailure> {
+    pub fn new(prepared: &Prepared, execution: &Execution) -> Result<Self, RunFailure> {
         let setup = &prepared.setup;
         let worm = &setup.pair.worm;
         let any = &setup.pair.flanks.left;
@@ -86,7 +85,7 @@ impl Strokes {
     }
 
     /// The flanks that are dressed line by line; none where passes use more than one area, which the lines of the plan do not reach.
-    fn lines<'a>(&self, written: &'a Sides<Option<WrittenFlank>>) -> Vec<LineWork<'a>> {
+    pub fn lines<'a>(&self, written: &'a Sides<Option<WrittenFlank>>) -> Vec<LineWork<'a>> {
         if self.areas.is_some() { Vec::new() } else { LineWork::of_run(written) }
     }
 
@@ -112,7 +111,7 @@ impl Strokes {
     }
 
     /// z_V1 of every finishing area less that of the first, mm.
-    fn areas_apart(&self) -> Vec<f64> {
+    pub fn areas_apart(&self) -> Vec<f64> {
         self.areas.as_ref().map_or(vec![0.0], |(areas, _)| areas.apart())
     }
 
@@ -140,7 +139,7 @@ impl Strokes {
 }
 
 /// The flanks of a run.
-fn flanks_of(execution: &Execution, verdicts: &Sides<Option<Verdict>>) -> Sides<Option<RunFlank>> {
+pub(super) fn flanks_of(execution: &Execution, verdicts: &Sides<Option<Verdict>>) -> Sides<Option<RunFlank>> {
     Sides::from_fn(|flank| {
         let (executed, verdict) = (execution.flanks[flank].as_ref()?, verdicts[flank].as_ref()?);
         let rays = verdict.simulated.clone();
@@ -149,11 +148,11 @@ fn flanks_of(execution: &Execution, verdicts: &Sides<Option<Verdict>>) -> Sides<
 }
 
 /// The referee of a run.
-struct Referee<'a> {
-    prepared: &'a Prepared,
-    execution: &'a Execution,
-    cutting: Cutting<'a>,
-    strokes: &'a Strokes,
+pub(super) struct Referee<'a> {
+    pub prepared: &'a Prepared,
+    pub execution: &'a Execution,
+    pub cutting: Cutting<'a>,
+    pub strokes: &'a Strokes,
 }
 
 /// Programs of a run whose job names a machine; `None` for one that names none.
@@ -202,73 +201,6 @@ pub fn beyond_travel_of_grinding(prepared: &Prepared, execution: &Execution) -> 
         Some(strokes.task(&prepared.info.name, (machine, &dialects), &written).beyond_travel())
     };
     found().unwrap_or_default()
-}
-
-/// The run of a job with its strokes, for programs to be followed on its bodies.
-pub struct OnGrinding {
-    run: Outcome,
-    strokes: Strokes,
-}
-
-impl OnGrinding {
-    /// Its own run, by its settings if it has some.
-    ///
-    /// # Errors
-    /// Those of the run.
-    pub fn new(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Self, RunFailure> {
-        let run = run_without_programs(loaded, progress)?;
-        let strokes = Strokes::new(&run.prepared, &run.execution)?;
-        Ok(Self { run, strokes })
-    }
-
-    /// How the job clamps its bodies.
-    pub fn technology(&self) -> &Technology {
-        &self.strokes.technology
-    }
-
-    /// Follows a program and says what it makes of the flanks.
-    ///
-    /// # Errors
-    /// Those of [`follow`].
-    pub fn follow(&self, machine: &Machine, tracked: &Tracked) -> Result<Followed, RunFailure> {
-        let Self { run, strokes } = self;
-        let (prepared, execution) = (&run.prepared, &run.execution);
-        let cutting =
-            Cutting { feed_per_revolution: None, strokes: run.result.settings.index_strokes.as_ref() };
-        let areas_apart = strokes.areas_apart();
-        let sought = Sought {
-            machine,
-            technology: &strokes.technology,
-            indexing: &strokes.indexing,
-            areas: &areas_apart,
-            dressing: strokes.dressing.iter().map(|(work, _)| work).collect(),
-            grinding: strokes.grinding.iter().map(|(work, _)| work).collect(),
-        };
-        let judge = Referee { prepared, execution, cutting, strokes };
-        let tolerance_um = prepared.tolerance.tightest() * 1e3;
-        let lines = strokes.lines(&run.written);
-        let turns = machine.role(Role::Work).and_then(|axis| tracked.ranges[axis]);
-        if !lines.is_empty() && turns.is_none_or(|[from, to]| to <= from) {
-            let deviation = Sides::from_fn(|flank: Flank| {
-                run.result.flanks.get(flank.name()).map_or(0.0, |flank| flank.max_deviation_um)
-            });
-            let on = (machine, &strokes.technology, &strokes.indexing);
-            let mut followed = follow_lines(tracked, on, &lines, &deviation, tolerance_um)?;
-            followed.faults.extend(sought.too_fast(tracked, Station::Dresser));
-            return Ok(followed);
-        }
-        let flanks = flanks_of(execution, &run.verdicts);
-        let mut followed = follow(tracked, &sought, &flanks, tolerance_um, &judge)?;
-        if let Some((areas, driven)) = &strokes.areas {
-            let off = if followed.kind == "grinding" {
-                areas.ground(&sought, tracked, None).map(|(_, faults)| faults)
-            } else {
-                areas.undressed(&sought, tracked, driven)
-            };
-            followed.faults.extend(off.map_err(|error| refused(&error))?);
-        }
-        Ok(followed)
-    }
 }
 
 /// Contacts of the dresser with a worm flank along a stroke, each carried back along the thread to v_zS = 0.
@@ -472,7 +404,9 @@ impl Judge for Referee<'_> {
 mod tests {
     use super::super::proof::proofs;
     use super::*;
+    use crate::workflow::run::run_without_programs;
     use job::read_job_of;
+    use machine::{Role, Station};
     use nc::Block;
     use run::program_check::machine_of_job;
     use std::path::Path;

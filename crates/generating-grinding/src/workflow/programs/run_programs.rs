@@ -1,7 +1,8 @@
 //! Programs and proof of a run of whatever process.
 
 use super::build::Built;
-use super::proof::{Judge, RunFlank, proofs};
+use super::judge::{Judge, RunFlank};
+use super::proof::proofs;
 use super::result::ProgramsResult;
 use super::task::ProgramTask;
 use foundation::geometry::Sides;

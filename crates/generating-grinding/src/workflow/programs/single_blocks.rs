@@ -3,7 +3,7 @@
 //! of the whole stroke is checked by the referee, a jump is reported here.
 
 use super::indexing::{Served, dressing_stock, shown_blocks};
-use super::task::{DressingWork, GrindingWork};
+use super::work::{DressingWork, GrindingWork};
 use foundation::kinematics::{DressingMotion, GeneratingMotion};
 use foundation::numerics::equidistant;
 use motion::ReadStroke;

@@ -3,43 +3,10 @@
 use super::indexing::Indexing;
 use super::lines::LineWork;
 use super::technology::Technology;
-use foundation::kinematics::{DressingMotion, GeneratingMotion};
+use super::work::{DressingWork, GrindingWork};
 use job::machine::LoadedMachine;
 use job::tables::Program as DialectName;
 use machine::GearCoupling;
-use nalgebra::Vector3;
-
-/// One dressing stroke of a run.
-#[derive(Clone, Debug)]
-pub struct DressingWork {
-    /// Its name: capital letters, digits, blanks.
-    pub name: String,
-    /// The motion that finishes the worm.
-    pub motion: DressingMotion,
-    /// Worm positions v_zS of the working part, mm.
-    pub interval: [f64; 2],
-    /// Places where the dresser touches at v_zS = 0: point and normal in worm coordinates.
-    pub contacts: Vec<(Vector3<f64>, Vector3<f64>)>,
-    /// Largest sin(alpha_n): stock per distance where both flanks are dressed at once.
-    pub per_distance: f64,
-}
-
-/// One grinding stroke of a run.
-#[derive(Clone, Debug)]
-pub struct GrindingWork {
-    /// Its name.
-    pub name: String,
-    /// The motion that finishes the flank.
-    pub motion: GeneratingMotion,
-    /// k_0F of its flanks.
-    pub phase: f64,
-    /// Feeds z_V2 of the working part, mm.
-    pub feeds: [f64; 2],
-    /// Largest r_b2 cos(beta_b2) of its flanks, mm/rad.
-    pub per_turn: f64,
-    /// Largest sin(alpha_n) of its flanks.
-    pub per_distance: f64,
-}
 
 /// A run's programs to be made.
 #[derive(Clone, Debug)]

@@ -1,6 +1,6 @@
 //! How fast a machine works and how the bodies are clamped in it, as a job says.
 
-use super::clearance::Cylinders;
+use super::cylinders::Cylinders;
 use foundation::kinematics::MotionLaw;
 use generating::GrindingSetup;
 use job::tables::{BODY_CLEARANCE, Clamping, ClampingBody, Machine as JobMachine};

@@ -1,6 +1,6 @@
 //! Which settings are turned, and what the referee says that this leaves.
 
-use super::data::{DifferenceRow, FEATURES};
+use super::difference::{DifferenceRow, FEATURES};
 use foundation::geometry::Flank;
 use report::cells::{fixed, flank_title, significant, significant_or_none};
 use report::charts::ChartError;

@@ -3,12 +3,14 @@
 
 mod correction;
 mod data;
+mod difference;
 mod evaluation;
 mod page;
 mod pictures;
 mod tests_table;
 
 pub use correction::{CorrectionView, ProofRow, SettingRow};
-pub use data::{DifferenceRow, FlankView, MeasuredGearReport, RoundView};
+pub use data::{FlankView, MeasuredGearReport, RoundView};
+pub use difference::DifferenceRow;
 pub use evaluation::{ArealRow, ClassRow, EvaluationView, LineRow, PitchRow, TwistRow};
 pub use tests_table::TestRow;

@@ -1,6 +1,7 @@
 //! Arranges the page of a measured gear.
 
-use super::data::{FEATURES, FlankView, MeasuredGearReport, RoundView};
+use super::data::{FlankView, MeasuredGearReport, RoundView};
+use super::difference::FEATURES;
 use super::{pictures, tests_table};
 use foundation::geometry::Flank;
 use report::cells::{fixed, fixed_or_none, flank_title, yes_no};

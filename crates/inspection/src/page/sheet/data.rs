@@ -1,5 +1,6 @@
 //! What stands on a sheet besides the traces: head, pitch, foot, topographies. Deviations in um, > 0 material.
 
+use super::limits::SheetLimits;
 use super::traces_data::TraceRow;
 use foundation::geometry::{Flank, Sides};
 use report::data::Fact;
@@ -36,36 +37,6 @@ pub struct SheetHead {
     pub gear: Vec<Fact>,
     /// Section, filters, datum face, counting, signs, class of the tolerances.
     pub conditions: Vec<Fact>,
-}
-
-/// Limits of a value in its unit.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct SheetLimits {
-    /// Lower one.
-    pub lower: Option<f64>,
-    /// Upper one.
-    pub upper: Option<f64>,
-}
-
-/// How much a value may exceed its limit and still count as equal to it.
-const SAME: f64 = 1e-9;
-
-impl SheetLimits {
-    /// No more than this.
-    pub fn upper(limit: f64) -> Self {
-        Self { lower: None, upper: Some(limit) }
-    }
-
-    /// No more than this to either side.
-    pub fn both_sides(limit: f64) -> Self {
-        Self { lower: Some(-limit), upper: Some(limit) }
-    }
-
-    /// Whether a value is beyond a limit.
-    pub fn exceeded_by(&self, value: f64) -> bool {
-        self.upper.is_some_and(|upper| value > upper + SAME)
-            || self.lower.is_some_and(|lower| value < lower - SAME)
-    }
 }
 
 /// A value with its unit, its limits and the class that it reaches.

@@ -1,13 +1,12 @@
 //! The field of one flank: lanes with traces, mean lines and bands, lines across, the bar of the scale. Material lies to the outside.
 
-use super::book::{
-    Book, DASHED_LIMIT, GRID, LABEL, LIMIT, MARGIN, THIN, TRACE, WIDTH, centred, from_left, from_right,
-};
+use super::book::{Book, DASHED_LIMIT, GRID, LABEL, LIMIT, THIN, TRACE, centred, from_left, from_right};
 use super::deviation_scale;
-use super::trace_row::{DIAGRAM, FIELD, PLOT, PlacedRow};
+use super::flank_place::FlankPlace;
+use super::laid_row::{DIAGRAM, FIELD, PLOT, PlacedRow};
+use super::reach::{beside, zero_of};
 use super::traces_data::{LineLook, SheetTrace};
 use foundation::geometry::Flank;
-use foundation::numerics::extremes;
 use report::charts::{INK, MUTED, Stroke, format_significant};
 
 /// Outline of a band.
@@ -15,71 +14,6 @@ const BAND: Stroke = Stroke::solid("#8b9097", 0.3);
 /// Below the traces: the number of the tooth, then the bar of the scale.
 const TOOTH_LINE: f64 = 51.2;
 const BAR_LINE: f64 = 54.4;
-
-/// Where the field of a flank lies.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct FlankPlace {
-    /// The flank.
-    pub flank: Flank,
-    /// x of the border to the middle column.
-    inner: f64,
-    /// Outwards on the page.
-    outwards: f64,
-}
-
-impl FlankPlace {
-    /// Left of the middle column the left flank, right of it the right one.
-    pub fn of(flank: Flank) -> Self {
-        match flank {
-            Flank::Left => Self { flank, inner: MARGIN + FIELD, outwards: -1.0 },
-            Flank::Right => Self { flank, inner: MARGIN + WIDTH - FIELD, outwards: 1.0 },
-        }
-    }
-
-    /// x at a distance from the middle column.
-    pub fn outward(&self, distance: f64) -> f64 {
-        self.inner + self.outwards * distance
-    }
-
-    /// Left border.
-    pub fn left(&self) -> f64 {
-        self.outward(0.0).min(self.outward(FIELD))
-    }
-
-    /// An arrow to the side where material stands.
-    pub fn material(&self, book: &mut Book, y: f64) {
-        let [tip, tail] = [1.2, 5.0].map(|d| self.outward(FIELD - d));
-        let barb = self.outward(FIELD - 2.6);
-        let y = y - 0.8;
-        book.page().line([tail, y], [tip, y], TRACE);
-        book.page().polylines(&[vec![[barb, y - 0.7], [tip, y], [barb, y + 0.7]]], TRACE);
-        let style = if self.flank == Flank::Left { from_left(LABEL) } else { from_right(LABEL) };
-        book.page().text([self.outward(FIELD - 5.8), y + 0.8], "material", style.muted());
-    }
-}
-
-/// Deviation that lies on the axis of the trace's lane, um: the middle of the mean line, else of the trace.
-fn zero_of(trace: &SheetTrace) -> f64 {
-    if let Some([a, b]) = trace.mean_line {
-        return 0.5 * (a[1] + b[1]);
-    }
-    let [lo, hi] = extremes(trace.f_um.iter().copied().filter(|f| f.is_finite()));
-    if lo > hi { 0.0 } else { 0.5 * (lo + hi) }
-}
-
-/// Limits of a band as they lie beside the trace, [mm, lower um, upper um].
-fn beside(trace: &SheetTrace) -> impl Iterator<Item = [f64; 3]> + '_ {
-    let band = trace.band.iter();
-    band.flat_map(|band| band.corners.iter().map(|[a, lo, hi]| [*a, lo - band.shift_um, hi - band.shift_um]))
-}
-
-/// How far anything of a trace lies from the axis of its lane, um.
-pub(super) fn reach(trace: &SheetTrace) -> f64 {
-    let zero = zero_of(trace);
-    let line = trace.mean_line.iter().flatten().map(|end| end[1]);
-    let all = trace.f_um.iter().copied().filter(|f| f.is_finite()).chain(line);
-    all.chain(beside(trace).flat_map(|[_, lo, hi]| [lo, hi])).map(|f| (f - zero).abs()).fold(0.0, f64::max)
-}
 
 /// Draws the lanes of a flank with everything that belongs to them.
 pub(super) fn draw_field(book: &mut Book, row: &PlacedRow, place: &FlankPlace) {

@@ -2,8 +2,8 @@
 
 use super::book::{Book, GRID, LABEL, MARGIN, WIDTH, centred, from_left, from_right};
 use super::deviation_scale::words;
-use super::flank_field::FlankPlace;
-use super::trace_row::{FIELD, PLOT, PlacedRow};
+use super::flank_place::FlankPlace;
+use super::laid_row::{FIELD, PLOT, PlacedRow};
 use super::traces_data::ScaleLine;
 use foundation::geometry::Flank;
 use report::charts::format_fixed;

@@ -8,15 +8,19 @@ mod check;
 mod data;
 mod deviation_scale;
 mod flank_field;
+mod flank_place;
 mod foot;
 mod head;
 mod html;
+mod laid_row;
 mod lanes;
+mod limits;
 mod middle_column;
 mod ordinate;
 mod pages;
 mod pitch_row;
 mod pitch_strip;
+mod reach;
 mod remarks;
 mod text_fit;
 mod topography;
@@ -26,10 +30,11 @@ mod traces_data;
 mod value_table;
 
 pub use data::{
-    RunOutStrip, SheetData, SheetFoot, SheetHead, SheetLimits, SheetPitch, SheetPitchFlank, SheetSize,
-    SheetTopography, SheetValue,
+    RunOutStrip, SheetData, SheetFoot, SheetHead, SheetPitch, SheetPitchFlank, SheetSize, SheetTopography,
+    SheetValue,
 };
 pub use html::sheet_html;
+pub use limits::SheetLimits;
 pub use pages::{SheetPage, sheet_pages};
 pub use traces_data::{
     JudgedBy, LineLook, ScaleLine, SheetBand, SheetCharacteristic, SheetTrace, TraceField, TraceRow,

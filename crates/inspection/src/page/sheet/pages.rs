@@ -3,7 +3,7 @@
 use super::book::{BOTTOM, Book, LABEL, MARGIN, WIDTH, from_left, from_right};
 use super::check::check;
 use super::data::SheetData;
-use super::trace_row::{self, LaidRow};
+use super::laid_row::{self, LaidRow};
 use super::{foot, head, pitch_row, remarks, topography};
 use report::charts::{ChartError, Svg};
 
@@ -38,7 +38,7 @@ pub fn sheet_pages(sheet: &SheetData) -> Result<Vec<SheetPage>, ChartError> {
         book.turn("further traces");
         head::draw(&mut book, sheet, "further traces");
         for (k, (row, part)) in rows.iter().enumerate() {
-            row.draw(&mut book, *part, below_head() + k as f64 * (trace_row::HEIGHT + GAP));
+            row.draw(&mut book, *part, below_head() + k as f64 * (laid_row::HEIGHT + GAP));
         }
     }
     topography::draw(&mut book, sheet);
@@ -56,7 +56,7 @@ fn first_page(book: &mut Book, sheet: &SheetData, rows: &[LaidRow; 2]) {
     let mut top = below_head();
     for row in rows {
         row.draw(book, 0, top);
-        top += trace_row::HEIGHT + GAP;
+        top += laid_row::HEIGHT + GAP;
     }
     pitch_row::draw(book, &sheet.pitch, top);
     foot::draw(book, &sheet.foot, top + pitch_row::HEIGHT + GAP);

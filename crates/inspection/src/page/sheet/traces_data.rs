@@ -1,6 +1,6 @@
 //! Traces of a sheet: a row of two fields, one for each flank, with its scale and the table below. Deviations in um, > 0 material.
 
-use super::data::SheetLimits;
+use super::limits::SheetLimits;
 use foundation::geometry::Sides;
 
 /// A row of the sheet: traces of one line of both flanks.

@@ -2,10 +2,10 @@
 //! with a star.
 
 use super::book::{Book, GRID, TEXT, THIN, centred, from_left, from_right};
-use super::data::SheetLimits;
-use super::flank_field::FlankPlace;
+use super::flank_place::FlankPlace;
+use super::laid_row::{FIELD, PlacedRow};
+use super::limits::SheetLimits;
 use super::text_fit::{fitting_size, number};
-use super::trace_row::{FIELD, PlacedRow};
 use super::traces_data::{JudgedBy, SheetCharacteristic, SheetTrace};
 use foundation::geometry::Flank;
 use report::charts::TextStyle;

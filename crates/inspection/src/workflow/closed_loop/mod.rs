@@ -10,6 +10,7 @@ mod probe;
 mod result;
 mod round;
 
+use super::files_content::MeasuredFiles;
 pub use result::{
     CharacteristicResult, CorrectedSettingResult, CorrectionResult, DifferenceResult, MachineChange,
     MeasuredFlankResult, ProofResult, RoundResult,
@@ -17,7 +18,7 @@ pub use result::{
 pub use round::Round;
 
 use super::drawn::DrawnGear;
-use super::files::{MeasuredFiles, read_measurement};
+use super::files::read_measurement;
 use super::statements::Statements;
 use foundation::numerics::Progress;
 use generating_grinding::job::LoadedJob;

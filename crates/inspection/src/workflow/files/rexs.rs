@@ -1,7 +1,8 @@
 //! A measured gear out of a REXS file: drawing data, modifications, profiles and helix traces.
 
 use super::super::drawn::DrawnGear;
-use super::{MeasuredFiles, empty, tag};
+use super::super::files_content::MeasuredFiles;
+use super::{empty, tag};
 use crate::workflow::convert::{of_rexs, remark};
 use foundation::geometry::{Flank, Gear, Sides};
 use job::{Diagnostic, Problem};

@@ -4,18 +4,18 @@
 mod block;
 pub mod convert;
 mod header;
+mod limits;
 mod number;
 pub mod read;
 mod reader;
 mod settings;
 mod tables;
 
+use super::tables::ProbePosition;
 pub use convert::inspection_of;
 pub use header::{HeaderEntry, PreambleEntry};
-pub use read::{
-    MAXIMUM_FILE_BYTES, MAXIMUM_SAMPLES, MAXIMUM_TRACES, MAXIMUM_UNKNOWN_LINES, parse_klingelnberg,
-    read_klingelnberg,
-};
+pub use limits::{MAXIMUM_FILE_BYTES, MAXIMUM_SAMPLES, MAXIMUM_TRACES, MAXIMUM_UNKNOWN_LINES};
+pub use read::{parse_klingelnberg, read_klingelnberg};
 
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -67,19 +67,6 @@ pub struct PitchRow {
     /// Radial run-out.
     #[serde(with = "undefined::number")]
     pub run_out: f64,
-}
-
-/// A position of the probe while it touched a flank.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct ProbePosition {
-    /// Number of the tooth in the list.
-    pub number: u32,
-    /// The flank.
-    pub flank: Flank,
-    /// Angle of the table, degree.
-    pub angle_deg: f64,
-    /// Centre of the ball, mm.
-    pub centre_mm: [f64; 3],
 }
 
 /// Diameters of a circle at a height of the file.

@@ -2,25 +2,15 @@
 
 use std::path::Path;
 
+use super::limits::{MAXIMUM_FILE_BYTES, shown, too_large};
 use super::reader::Reader;
 use super::{FileKind, KlingelnbergFile};
 use crate::inspection::InspectionError;
 use crate::inspection::encoding::decode;
 use foundation::geometry::Sides;
 use job::{Unread, read_bounded};
-
-/// Largest file that is read: 16 MiB.
-pub const MAXIMUM_FILE_BYTES: usize = 16 << 20;
-/// Most curves of a file.
-pub const MAXIMUM_TRACES: usize = 2000;
-/// Most samples of a curve.
-pub const MAXIMUM_SAMPLES: usize = 20_000;
-/// Most lines that are passed over; with more of them the file is refused.
-pub const MAXIMUM_UNKNOWN_LINES: usize = 200;
 /// What a file is too large in.
 const BYTES: &str = "bytes of the file";
-/// What is kept of a line that was not understood, characters.
-const SHOWN: usize = 80;
 
 /// Reads a file.
 ///
@@ -76,11 +66,6 @@ pub fn parse_klingelnberg(bytes: &[u8]) -> Result<KlingelnbergFile, InspectionEr
     Ok(reader.finish((!text.ends_with(['\r', '\n'])).then_some(last)))
 }
 
-/// The limit of a file, as an error.
-pub(super) fn too_large(what: &str, found: usize, most: usize) -> Result<(), InspectionError> {
-    if found > most { Err(InspectionError::FileTooLarge { what: what.into(), found, most }) } else { Ok(()) }
-}
-
 /// Lines with their numbers, from 1; they end with CRLF, LF or CR.
 fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let mut rest = Some(text);
@@ -96,9 +81,4 @@ fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
         Some(&text[..end])
     };
     std::iter::from_fn(next).enumerate().map(|(k, line)| (k + 1, line))
-}
-
-/// The beginning of a line, for messages.
-pub(super) fn shown(line: &str) -> String {
-    line.trim().chars().take(SHOWN).collect()
 }

@@ -1,8 +1,8 @@
 //! What each line of a file belongs to. Tables and curves end where their lines end; what is not understood is listed.
 
 use super::block::{BlockHead, Heading, block_head, section};
+use super::limits::{MAXIMUM_SAMPLES, MAXIMUM_TRACES, MAXIMUM_UNKNOWN_LINES, shown, too_large};
 use super::number::{number, only_numbers};
-use super::read::{MAXIMUM_SAMPLES, MAXIMUM_TRACES, MAXIMUM_UNKNOWN_LINES, shown, too_large};
 use super::{Curve, KlingelnbergFile, UnknownLine, header, tables};
 use crate::inspection::{InspectionError, InspectionWarning, WarningKind};
 use foundation::geometry::Flank;

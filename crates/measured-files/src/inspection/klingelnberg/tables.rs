@@ -1,7 +1,8 @@
 //! Tables of a file: pitches of a flank side, positions of the probe, circles, printed values.
 
+use super::super::tables::ProbePosition;
 use super::number::{leading_numbers, number, only_numbers};
-use super::{Circles, PitchRow, ProbePosition};
+use super::{Circles, PitchRow};
 use foundation::geometry::Flank;
 
 /// What a printed value is replaced by: not measured, not available.

@@ -3,7 +3,8 @@
 use super::super::document::Component;
 use super::super::error::RexsError;
 use super::super::flank::FlankPlace;
-use super::super::gear::{FlankField, RexsGear};
+use super::super::flank_field::FlankField;
+use super::super::gear::RexsGear;
 use super::super::values::{Asked, title};
 use super::super::warning::{RexsWarning, RexsWarningKind};
 use crate::inspection::DatumFace;

@@ -1,11 +1,13 @@
 //! Positions of the axes along all passes and the links between them, with the time of every block
 //! (`docs/mathematics/milling.md#positions-of-five-axes`).
 
+use super::at_pole::AtPole;
 use super::failure::{in_pass, of_milling, of_motion};
-use super::figures::{Figures, OperationFigures, StraightKept};
+use super::figures::Figures;
 use super::links::DIP;
+use super::operation_figures::{OperationFigures, StraightKept};
 use super::passes::{BEFORE, BEHIND, CutterPass, ToolPasses, name_of};
-use super::pole::{AtPole, bulge};
+use super::pole::bulge;
 use super::safe_room::SafeRoom;
 use super::steps::{DrivenMotion, Step, StepKind, ToolRun};
 use super::task::MillingWork;
@@ -357,13 +359,4 @@ fn outside_place(at: &CutterPlace) -> Place {
     use foundation::kinematics::{Direction, Point};
     let tip = Point::from_vector(at.tip);
     Place { contact: tip, tip, axis: Direction::from_vector(at.axis) }
-}
-
-/// Positions on a straight block.
-pub(super) fn between(setup: &MillingSetup<'_>, from: &Positions, to: &Positions, share: f64) -> Positions {
-    let mut at = *from;
-    for k in 0..setup.machine().axes().len() {
-        at[k] = from[k] + (to[k] - from[k]) * share;
-    }
-    at
 }

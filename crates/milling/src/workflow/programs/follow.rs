@@ -162,7 +162,16 @@ impl Follower<'_> {
         let bound = self.setup.machine().straight_bound(Station::Work, [from, to], &reach)?;
         let bend = bound.chord() + LEVER * bound.turn.powi(2) / 8.0;
         let pieces = (bend / PIECE).sqrt().ceil().clamp(1.0, MOST_PIECES) as usize;
-        let at = |k: usize| super::drive::between(self.setup, from, to, k as f64 / pieces as f64);
+        let at = |k: usize| between(self.setup, from, to, k as f64 / pieces as f64);
         (0..=pieces).map(|k| place(&at(k))).collect()
     }
+}
+
+/// Positions on a straight block.
+pub(super) fn between(setup: &MillingSetup<'_>, from: &Positions, to: &Positions, share: f64) -> Positions {
+    let mut at = *from;
+    for k in 0..setup.machine().axes().len() {
+        at[k] = from[k] + (to[k] - from[k]) * share;
+    }
+    at
 }

@@ -2,7 +2,8 @@
 //! (`docs/mathematics/milling.md#positions-of-five-axes`): around it where the axes follow, else straight in the axes with one of them
 //! turned back.
 
-use super::drive::{Driver, NOWHERE, Node, between, rapid_seconds, step};
+use super::drive::{Driver, NOWHERE, Node, rapid_seconds, step};
+use super::follow::between;
 use super::links::{SAMPLES, is_outside, lifted_pairs, straight_is_outside, ways};
 use super::passes::CutterPass;
 use super::safe_room::SafeRoom;

@@ -2,6 +2,7 @@
 //! control -> read back -> places of the cutter -> rays (`docs/mathematics/milling.md`). Nothing leaves this room that was not read
 //! back and compared.
 
+mod at_pole;
 mod blocks;
 mod build;
 mod check;
@@ -12,6 +13,7 @@ mod figures;
 mod follow;
 mod linking;
 mod links;
+mod operation_figures;
 mod passes;
 mod pole;
 mod proof;
@@ -19,14 +21,14 @@ mod safe_room;
 mod steps;
 mod task;
 
+pub use at_pole::AtPole;
 pub use build::{MillingProgram, MillingPrograms};
 pub(super) use check::ROUNDING;
 pub use check::{AxisFault, CheckedMotion};
 pub use cutter_locations::CutterLocationText;
 pub use failure::of_motion;
-pub use figures::{OperationFigures, RowFigures, StraightKept};
 pub use follow::FollowedMove;
-pub use pole::AtPole;
+pub use operation_figures::{OperationFigures, RowFigures, StraightKept};
 pub(super) use proof::OBLIQUE;
 pub use proof::RayProof;
 pub use steps::{DrivenMotion, Step, StepKind, ToolRun};

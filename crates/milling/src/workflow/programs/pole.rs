@@ -1,6 +1,7 @@
 //! What is done where a path comes near the pole (`docs/mathematics/milling.md#positions-of-five-axes`): the axes take their time, the
 //! first rotary axis is held, or the workpiece is tilted.
 
+use super::at_pole::AtPole;
 use super::failure::of_motion;
 use super::passes::ToolPasses;
 use foundation::geometry::Cutter;
@@ -8,26 +9,6 @@ use motion::milling::{
     AxisCourse, CutterPlace, DEFAULT_CAP, MillingSetup, PoleStrategy, TiltedMount, tilt_mount,
 };
 use run::RunFailure;
-
-/// What is done near the pole. Angles in rad.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum AtPole {
-    /// The geometry stays; within `cap` of the pole the feed is what the axes allow for that whole part.
-    Slow {
-        /// theta_cap.
-        cap: f64,
-    },
-    /// Within `cap` of the pole the first rotary axis keeps its angle; for ball cutters only.
-    Hold {
-        /// theta_cap.
-        cap: f64,
-    },
-    /// The workpiece is tilted by as little as keeps all paths `cap` away from the pole.
-    Mount {
-        /// theta_cap.
-        cap: f64,
-    },
-}
 
 impl Default for AtPole {
     fn default() -> Self {

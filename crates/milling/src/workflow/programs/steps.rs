@@ -1,6 +1,6 @@
 //! The blocks of a job on a machine: where each ends, what it does, how long it takes.
 
-use super::figures::{OperationFigures, StraightKept};
+use super::operation_figures::{OperationFigures, StraightKept};
 use machine::Positions;
 use motion::milling::{BlockLimit, CutterPlace as Place};
 

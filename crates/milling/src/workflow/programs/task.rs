@@ -1,7 +1,7 @@
 //! What milling programs are made from: paths of cutters in one space, how often the space is repeated, the machine. Knows no text.
 
+use super::at_pole::AtPole;
 use super::follow::FollowedMove;
-use super::pole::AtPole;
 use crate::job::{MillingMount, Rtcp};
 use crate::{CutterPath, OperationKind, Retraction};
 use foundation::geometry::Cutter;

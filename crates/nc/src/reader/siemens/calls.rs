@@ -1,13 +1,11 @@
 //! Calls of a Siemens program: the electronic gearbox and the head of a curve table.
 
-use super::words::Name;
+use super::words::{CALLS, Name};
 use super::{Defined, OpenTable, Siemens};
 use crate::reader::error::{ReadError, ReadProblem};
 use crate::reader::machine::Machine;
 use crate::reader::scan::{Decimal, Scan};
 use crate::{AxisMotion, Block, Coupling, CurveTable, Gear, GearLeader, GearSynchronisation, Repetition};
-
-pub(super) const CALLS: &str = "EGDEL EGDEF EGON EGONSYN EGOFS CTABDEF, alone in their line";
 
 impl Siemens<'_> {
     /// `NAME(argument, ...)`.

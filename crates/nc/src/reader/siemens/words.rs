@@ -1,12 +1,15 @@
 //! Words of a Siemens line: names, numbers, axis words, codes, polynomials. What they do is not known here.
 
-use super::{CODES, Siemens, TipSwitch, calls::CALLS};
+use super::{CODES, Siemens, TipSwitch};
 use crate::reader::error::{ReadError, ReadProblem};
 use crate::reader::machine::{Fault, Meaning, Motion};
 use crate::reader::scan::{Decimal, Scan};
 use crate::{Block, TipControl, Word};
 
 const WORDS: &str = "G M N F S, axes of the axis map, X1=.. IC() AC(), S1= M1=, T D M6, TRAORI ORIWKS ORIMKS A3= B3= C3= TRAFOOF, POLY PO[] PL=, BSPLINE SD=, WHEN TRUE DO $A_OUT[]=, comments ;";
+
+/// The calls.
+pub(super) const CALLS: &str = "EGDEL EGDEF EGON EGONSYN EGOFS CTABDEF, alone in their line";
 
 /// Longest word of letters and digits.
 const NAME: usize = 16;

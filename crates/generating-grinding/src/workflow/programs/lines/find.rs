@@ -3,7 +3,7 @@
 
 use super::touch::{Touch, counter_gap, touch_written};
 use super::work::LineWork;
-use crate::workflow::programs::clearance::CLEARANCE;
+use crate::workflow::programs::cylinders::CLEARANCE;
 use crate::workflow::programs::indexing::Indexing;
 use crate::workflow::programs::technology::Technology;
 use foundation::kinematics::{DressingPath, MotionLaw};

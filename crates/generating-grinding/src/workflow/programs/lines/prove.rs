@@ -4,8 +4,8 @@
 use super::find::Finder;
 use super::judge::{blocks, judge};
 use crate::workflow::programs::build::BuiltProgram;
-use crate::workflow::programs::proof::{CHORDS, MARGIN_UM, Sought, not_followed, not_proven};
 use crate::workflow::programs::result::LinesProof;
+use crate::workflow::programs::sought::{CHORDS, MARGIN_UM, Sought, not_followed, not_proven};
 use crate::workflow::programs::task::ProgramTask;
 use machine::Station;
 use motion::{MotionError, track};

@@ -1,7 +1,7 @@
 //! The lines of one flank as work for a machine.
 
 use crate::workflow::line_dressing::WrittenFlank;
-use crate::workflow::programs::clearance::CLEARANCE;
+use crate::workflow::programs::cylinders::CLEARANCE;
 use crate::workflow::programs::indexing::Indexing;
 use crate::workflow::programs::technology::Technology;
 use foundation::geometry::{Flank, Sides};
