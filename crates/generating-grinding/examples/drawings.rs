@@ -1,7 +1,7 @@
 //! Plans every job of a folder without the referee and says what the exact contact finds on points that no fit uses.
 //!
-//! `cargo run --profile demo -p flankwright-generating-grinding --example drawings -- FOLDER [--referee] [NAME ...]`; with `--referee` the
-//! whole run follows, and its verdict.
+//! `cargo run --profile demo -p flankwright-generating-grinding --example drawings -- FOLDER [--fit] [--referee] [NAME ...]`; with
+//! `--fit` what the rules miss is planned by a best fit, with `--referee` the whole run of the rules follows, and its verdict.
 
 use foundation::geometry::Flank;
 use foundation::numerics::Silent;
@@ -21,7 +21,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let folder = PathBuf::from(arguments.next().ok_or("a folder with jobs is wanted")?);
     let mut names: Vec<_> = arguments.collect();
     let with_referee = names.iter().any(|name| name == "--referee");
-    names.retain(|name| name != "--referee");
+    let by_fit = names.iter().any(|name| name == "--fit");
+    names.retain(|name| name != "--referee" && name != "--fit");
     let mut jobs: Vec<PathBuf> =
         std::fs::read_dir(folder)?.map(|entry| Ok(entry?.path())).collect::<Result<_, std::io::Error>>()?;
     jobs.retain(|path| {
@@ -44,7 +45,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         };
         let tolerance = ready.tolerance.tightest() * 1e3;
         let begun = Instant::now();
-        let planned = ready.task().plan_or_tried();
+        let task = ready.task();
+        let planned = if by_fit { task.plan_or_fitted() } else { task.plan_or_tried() };
         let took = begun.elapsed().as_secs_f64();
         times.push(took);
         match planned {

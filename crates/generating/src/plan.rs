@@ -284,7 +284,19 @@ impl PlanTask<'_> {
     /// # Errors
     /// [`NoPlan`].
     pub fn plan_or_tried(&self) -> Result<GrindingPlan, Box<NoPlan>> {
-        let ruled = self.plan_by_rule();
+        let grid = self.planning_grid();
+        let choice = self.choose_or_tried(&grid)?;
+        let (candidates, failed) = (choice.candidates.clone(), choice.failed.clone());
+        self.plan_with(&grid, choice).map_err(|error| Box::new(NoPlan { error, candidates, failed }))
+    }
+
+    /// As [`PlanTask::plan_or_tried`], and where that misses the tolerance or finds no plan, by one best fit of worm, dresser and motion
+    /// to the whole target (`docs/mathematics/best-fit.md`), if that comes nearer.
+    ///
+    /// # Errors
+    /// [`NoPlan`].
+    pub fn plan_or_fitted(&self) -> Result<GrindingPlan, Box<NoPlan>> {
+        let ruled = self.plan_or_tried();
         if !self.may_be_fitted() || ruled.as_ref().is_ok_and(|plan| self.deviation(plan) <= self.tolerance) {
             return ruled;
         }
@@ -293,17 +305,6 @@ impl PlanTask<'_> {
             (Some(fitted), _) => Ok(fitted),
             (None, ruled) => ruled,
         }
-    }
-
-    /// Plans by the rules alone: the target is decomposed in closed form, what is left is fitted.
-    ///
-    /// # Errors
-    /// [`NoPlan`].
-    pub fn plan_by_rule(&self) -> Result<GrindingPlan, Box<NoPlan>> {
-        let grid = self.planning_grid();
-        let choice = self.choose_or_tried(&grid)?;
-        let (candidates, failed) = (choice.candidates.clone(), choice.failed.clone());
-        self.plan_with(&grid, choice).map_err(|error| Box::new(NoPlan { error, candidates, failed }))
     }
 
     /// Largest distance of a plan to the target on its result grid and between, what is only best-fitted included, normal, mm.

@@ -1,4 +1,6 @@
 //! Plans by a best fit to the whole target (`docs/mathematics/best-fit.md`), for targets that the closed decomposition misses or refuses.
+//! No command asks for it yet: settings cannot carry a fitted profile of the dresser, so that `simulate` would not run what was planned.
+//! The example `drawings` measures it.
 
 use super::best_fit::{BestFitTask, Contacts};
 use super::dressed::DRESSING_MARGIN;
@@ -50,14 +52,7 @@ impl PlanTask<'_> {
         };
         let mut best: Option<GrindingPlan> = None;
         for ratio in ratios.into_iter().take(CARRIED_OUT) {
-            let found = self.fitted_at(&task, &grid, ratio, ruled);
-            if std::env::var_os("FIT_TRACE").is_some() {
-                match &found {
-                    Ok(plan) => eprintln!("  ratio {ratio:.4}: {:.3} um", 1e3 * self.deviation(plan)),
-                    Err(error) => eprintln!("  ratio {ratio:.4}: {error}"),
-                }
-            }
-            let Ok(plan) = found else { continue };
+            let Ok(plan) = self.fitted_at(&task, &grid, ratio, ruled) else { continue };
             let better = best.as_ref().is_none_or(|known| self.deviation(&plan) < self.deviation(known));
             if better {
                 best = Some(plan);
@@ -77,7 +72,6 @@ impl PlanTask<'_> {
         ratio: f64,
         ruled: &Result<GrindingPlan, Box<NoPlan>>,
     ) -> Result<GrindingPlan, GeneratingError> {
-        let trace = std::env::var_os("FIT_TRACE").is_some();
         let place = *self.places.first().ok_or(GeneratingError::NoFlank)?;
         let policy = self.rule(grid).policy(place);
         let mut fit = task.at(ratio)?;
@@ -102,7 +96,6 @@ impl PlanTask<'_> {
             }
             (fit, ideal, contacts, off) = (next, plan, at, now);
         }
-        let ideal_off = off;
         let (mut equipped, mut contacts) = self.equipped(&ideal, policy, grid)?;
         let mut off = fit.off(self.setup, &contacts);
         let mut dressed_record = vec![off];
@@ -122,13 +115,6 @@ impl PlanTask<'_> {
                 break;
             }
             (fit, equipped, contacts, off) = (next, tool, at, now);
-        }
-        if trace {
-            eprintln!(
-                "  ratio {ratio:.4}: curvature {:?}, planned off {:?} um, ideal {record:?}, dressed {dressed_record:?} {ideal_off}",
-                fit.curvature(),
-                equipped.ideal.outside.map(|_, f| f * 1e3),
-            );
         }
         let candidate = self.candidate_of(&equipped, grid, ratio, place);
         if let (None, Some(refusal)) = (self.ratio, &candidate.refusal) {

@@ -52,8 +52,6 @@ pub struct PlannedFlank {
     pub values: Vec<f64>,
     /// Largest distance to what is wanted, mm, transverse.
     pub off: f64,
-    /// Extremes of its curvature over that of the gap.
-    pub curvature: [f64; 2],
     /// What it costs: 1 is the tolerance or a limit of the envelope.
     pub cost: f64,
 }
@@ -139,7 +137,7 @@ impl<'a> FlankFit<'a> {
         );
         let broken = f64::max(curvature[0] / CURVATURE[0], curvature[1] / CURVATURE[1]) - 1.0;
         let cost = (off / self.tolerance).max(NEAR) + 2.0 * broken.max(0.0);
-        Some(PlannedFlank { functions, values, off, curvature, cost })
+        Some(PlannedFlank { functions, values, off, cost })
     }
 
     /// The coefficients of the command that makes a planned flank, from the predicted feet.

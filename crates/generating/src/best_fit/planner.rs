@@ -202,10 +202,4 @@ impl BestFit<'_> {
         };
         Flank::BOTH.into_iter().filter_map(of_flank).fold(0.0, f64::max)
     }
-
-    /// Extremes of the curvature, for the record.
-    pub fn curvature(&self) -> [f64; 2] {
-        let all = self.fits.iter().filter_map(|(_, fit)| fit.as_ref()).flat_map(|fit| fit.1.curvature);
-        foundation::numerics::extremes(all)
-    }
 }
