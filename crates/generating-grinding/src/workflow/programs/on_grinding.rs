@@ -1,4 +1,4 @@
-//! A program followed on the bodies of a run: any text against the job, whoever wrote it.
+//! A program followed on the bodies of a run: any text against the job.
 
 use super::follow::{Followed, follow};
 use super::lines::follow_lines;
