@@ -27,7 +27,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         std::fs::read_dir(folder)?.map(|entry| Ok(entry?.path())).collect::<Result<_, std::io::Error>>()?;
     jobs.retain(|path| {
         let named = |name| path.file_stem().is_some_and(|stem| stem == name);
-        path.extension().is_some_and(|e| e == "json") && (names.is_empty() || names.iter().any(|n| named(n)))
+        path.extension().is_some_and(|e| e == "json") && (names.is_empty() || names.iter().any(named))
     });
     jobs.sort();
     let (mut met, mut missed, mut refused) = (0, 0, 0);
