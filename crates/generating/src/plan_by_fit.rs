@@ -2,7 +2,7 @@
 //! No command asks for it yet: settings cannot carry a fitted profile of the dresser, so that `simulate` would not run what was planned.
 //! The example `drawings` measures it.
 
-use super::best_fit::{BestFitTask, Contacts};
+use super::best_fit::{BestFit, BestFitTask, Contacts};
 use super::dressed::DRESSING_MARGIN;
 use super::plan::{Equipped, LARGEST_DRESSING_MARGIN, PlanTask, Records};
 use super::planning_grid::GroundError;
@@ -74,48 +74,12 @@ impl PlanTask<'_> {
     ) -> Result<GrindingPlan, GeneratingError> {
         let place = *self.places.first().ok_or(GeneratingError::NoFlank)?;
         let policy = self.rule(grid).policy(place);
-        let mut fit = task.at(ratio)?;
-        let mut ideal = task.plan(&fit)?;
-        let mut contacts = self.ideal_contacts(grid, &ideal)?;
-        let mut off = fit.off(self.setup, &contacts);
-        let mut record = vec![off];
-        for _ in 0..ROUNDS {
-            if off <= SETTLED * self.tolerance {
-                break;
-            }
-            let mut next = fit.clone();
-            if !next.correct(self.setup, &contacts) {
-                break;
-            }
-            let Ok(plan) = task.plan(&next) else { break };
-            let Ok(at) = self.ideal_contacts(grid, &plan) else { break };
-            let now = next.off(self.setup, &at);
-            record.push(now);
-            if now >= off {
-                break;
-            }
-            (fit, ideal, contacts, off) = (next, plan, at, now);
-        }
-        let (mut equipped, mut contacts) = self.equipped(&ideal, policy, grid)?;
-        let mut off = fit.off(self.setup, &contacts);
-        let mut dressed_record = vec![off];
-        for _ in 0..DRESSED_ROUNDS {
-            if off <= SETTLED * self.tolerance {
-                break;
-            }
-            let mut next = fit.clone();
-            if !next.correct(self.setup, &contacts) {
-                break;
-            }
-            let Ok(plan) = task.plan(&next) else { break };
-            let Ok((tool, at)) = self.equipped(&plan, policy, grid) else { break };
-            let now = next.off(self.setup, &at);
-            dressed_record.push(now);
-            if now >= off {
-                break;
-            }
-            (fit, equipped, contacts, off) = (next, tool, at, now);
-        }
+        let fit = task.at(ratio)?;
+        let first = task.plan(&fit)?;
+        let ideally = |plan: IdealPlan| self.ideal_contacts(grid, &plan).map(|contacts| (plan, contacts));
+        let (fit, ideal, record) = self.settled(task, (fit, first), ROUNDS, ideally)?;
+        let dressed = |plan: IdealPlan| self.equipped(&plan, policy, grid);
+        let (_, equipped, dressed_record) = self.settled(task, (fit, ideal), DRESSED_ROUNDS, dressed)?;
         let candidate = self.candidate_of(&equipped, grid, ratio, place);
         if let (None, Some(refusal)) = (self.ratio, &candidate.refusal) {
             return Err(refusal.clone());
@@ -137,6 +101,37 @@ impl PlanTask<'_> {
         };
         let records = Records { ideal: Sides::both(record), dressed: Sides::both(dressed_record) };
         self.finish(equipped, choice, policy, grid, records)
+    }
+
+    /// Corrects a fit and its plan where the tool touches, as long as a round brings planned flank and contact nearer: the fit, what
+    /// `carried_out` makes of its plan, and the distance after each round, mm.
+    fn settled<'f, T>(
+        &self,
+        task: &BestFitTask<'_>,
+        (mut fit, first): (BestFit<'f>, IdealPlan),
+        rounds: usize,
+        carried_out: impl Fn(IdealPlan) -> Result<(T, Sides<Option<Contacts>>), GeneratingError>,
+    ) -> Result<(BestFit<'f>, T, Vec<f64>), GeneratingError> {
+        let (mut made, mut contacts) = carried_out(first)?;
+        let mut off = fit.off(self.setup, &contacts);
+        let mut record = vec![off];
+        for _ in 0..rounds {
+            if off <= SETTLED * self.tolerance {
+                break;
+            }
+            let mut next = fit.clone();
+            if !next.correct(self.setup, &contacts) {
+                break;
+            }
+            let Ok((tool, at)) = task.plan(&next).and_then(&carried_out) else { break };
+            let now = next.off(self.setup, &at);
+            record.push(now);
+            if now >= off {
+                break;
+            }
+            (fit, made, contacts, off) = (next, tool, at, now);
+        }
+        Ok((fit, made, record))
     }
 
     /// Contacts of the ideal worm.

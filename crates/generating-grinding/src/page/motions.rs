@@ -78,30 +78,35 @@ pub(super) fn grinding(motions: &[GrindingMotion]) -> Result<Vec<Block>, ChartEr
     Ok(blocks)
 }
 
+/// One of the corrections over the worm position.
+pub(super) type Correction = fn(&DressingCurves) -> &Vec<f64>;
+
+/// Corrections over the worm position, a panel for each; `series` gives the lines of one.
+pub(super) fn correction_chart(
+    title: String,
+    series: impl Fn(Correction) -> Vec<Series>,
+) -> Result<Svg, ChartError> {
+    let corrections: [(&str, Correction); 4] = [
+        ("Worm rotation d_φS [°]", |m| &m.d_phi_s_deg),
+        ("Crossing angle d_γ [°]", |m| &m.d_gamma_deg),
+        ("Centre distance d_d [mm]", |m| &m.d_d_mm),
+        ("Tangential offset d_vyA [mm]", |m| &m.d_v_ya_mm),
+    ];
+    let panels = corrections.map(|(name, pick)| Panel::linear(name, 1e-4, series(pick)));
+    line_chart(&LineChart { title, x_title: "v_zS [mm]".to_owned(), panels: panels.into() })
+}
+
 pub(super) fn dressing(motions: &Sides<Option<DressingCurves>>) -> Result<Vec<Block>, ChartError> {
     let present: Vec<(Flank, &DressingCurves)> =
         motions.iter().filter_map(|(side, motion)| motion.as_ref().map(|motion| (side, motion))).collect();
     if present.is_empty() {
         return Ok(Vec::new());
     }
-    let panel = |title: &str, least_span: f64, pick: fn(&DressingCurves) -> &Vec<f64>| {
-        let series = present
-            .iter()
-            .map(|(side, motion)| {
-                Series::new(flank_name(*side), motion.v_zs_mm.clone(), pick(motion).clone())
-            })
-            .collect();
-        Panel::linear(title, least_span, series)
-    };
-    let svg = line_chart(&LineChart {
-        title: "Dressing corrections over the worm position".to_owned(),
-        x_title: "v_zS [mm]".to_owned(),
-        panels: vec![
-            panel("Worm rotation d_φS [°]", 1e-4, |m| &m.d_phi_s_deg),
-            panel("Crossing angle d_γ [°]", 1e-4, |m| &m.d_gamma_deg),
-            panel("Centre distance d_d [mm]", 1e-4, |m| &m.d_d_mm),
-            panel("Tangential offset d_vyA [mm]", 1e-4, |m| &m.d_v_ya_mm),
-        ],
+    let svg = correction_chart("Dressing corrections over the worm position".to_owned(), |pick| {
+        let series = |(side, motion): &(Flank, &DressingCurves)| {
+            Series::new(flank_name(*side), motion.v_zs_mm.clone(), pick(motion).clone())
+        };
+        present.iter().map(series).collect()
     })?;
     let mut blocks = vec![figure(
         "dressing-corrections-over-the-worm-position",

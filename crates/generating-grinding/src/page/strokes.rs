@@ -1,9 +1,9 @@
 //! Dressing in strokes: what each dresses and with which corrections, as a table and as charts over the worm position.
 
-use super::motions::DressingCurves;
+use super::motions::{DressingCurves, correction_chart};
 use crate::workflow::executed_strokes::ExecutedStroke;
 use foundation::geometry::{Flank, Sides};
-use report::charts::{ChartError, LineChart, Panel, Series, format_fixed, line_chart};
+use report::charts::{ChartError, Series, format_fixed};
 use report::{Block, Column, Figure, Table};
 
 /// The strokes of one flank with their corrections as curves.
@@ -67,25 +67,16 @@ fn table(flank: Flank, strokes: &Shown<'_>) -> Table {
 }
 
 fn chart(flank: Flank, strokes: &Shown<'_>) -> Result<Block, ChartError> {
-    let panel = |title: &str, least_span: f64, pick: fn(&DressingCurves) -> &Vec<f64>| {
-        let series = strokes.iter().enumerate().map(|(k, (_, motion))| {
-            let list = pick(motion);
-            let at = middle(list);
-            let change = list.iter().map(|x| x - at).collect();
-            Series::new(format!("stroke {}", k + 1), motion.v_zs_mm.clone(), change)
-        });
-        Panel::linear(title, least_span, series.collect())
-    };
-    let svg = line_chart(&LineChart {
-        title: format!("Strokes of the {flank} worm flank over the worm position"),
-        x_title: "v_zS [mm]".to_owned(),
-        panels: vec![
-            panel("Worm rotation d_φS [°]", 1e-4, |m| &m.d_phi_s_deg),
-            panel("Crossing angle d_γ [°]", 1e-4, |m| &m.d_gamma_deg),
-            panel("Centre distance d_d [mm]", 1e-4, |m| &m.d_d_mm),
-            panel("Tangential offset d_vyA [mm]", 1e-4, |m| &m.d_v_ya_mm),
-        ],
-    })?;
+    let svg =
+        correction_chart(format!("Strokes of the {flank} worm flank over the worm position"), |pick| {
+            let series = |(k, (_, motion)): (usize, &(&ExecutedStroke, DressingCurves))| {
+                let list = pick(motion);
+                let at = middle(list);
+                let change = list.iter().map(|x| x - at).collect();
+                Series::new(format!("stroke {}", k + 1), motion.v_zs_mm.clone(), change)
+            };
+            strokes.iter().enumerate().map(series).collect()
+        })?;
     let id = format!("strokes-of-the-{flank}-worm-flank-over-the-worm-position");
     let caption = "Changes of the corrections against those in the middle of the worm.";
     Ok(Block::Figure(Figure::new(id, svg, caption)))

@@ -11,4 +11,4 @@ mod planner;
 mod ratios;
 mod smoother;
 
-pub(super) use planner::{BestFitTask, Contacts};
+pub(super) use planner::{BestFit, BestFitTask, Contacts};

@@ -137,8 +137,9 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
                 FlankTarget::carried_by(wanted.flank, carrier)
             }
             Some(specs) => {
-                let made = dresser_profile(loaded, specs, flank, field, "dresser.modification")
-                    .map_err(RunFailure::bad_input)?;
+                let made =
+                    dresser_profile(loaded, specs, flank, field, ("dresser.modification", "the target"))
+                        .map_err(RunFailure::bad_input)?;
                 reliefs[flank] = specs.to_vec();
                 FlankTarget::with_given_dresser(wanted.flank, made)
             }

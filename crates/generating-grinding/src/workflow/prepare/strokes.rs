@@ -21,7 +21,8 @@ pub fn strokes_of_job(loaded: &LoadedJob, setup: &GrindingSetup) -> Result<Optio
         |tip_diameter: f64, pitch_diameter: Option<f64>, modification: &DresserModification, place: &str| {
             let specs = modification.given().unwrap_or_default();
             let carries = Sides::try_from_fn(|flank| {
-                dresser_profile(loaded, specs, flank, &setup.fields[flank], place).map(|made| made.terms())
+                dresser_profile(loaded, specs, flank, &setup.fields[flank], (place, "the target"))
+                    .map(|made| made.terms())
             });
             let choice = DresserChoice { tip_diameter, pitch_diameter, designed_for: None };
             carries.map(|carries| GivenDresser { choice, carries }).map_err(RunFailure::bad_input)

@@ -35,7 +35,7 @@ pub(super) fn tool_modifications(
     })
 }
 
-/// What a dresser that exists leaves on the gear; `place` is its key in the job.
+/// What a dresser leaves on the gear; `place` is its key in the job, `elsewhere` where its helix modifications belong.
 ///
 /// # Errors
 /// A finding on that key for what is impossible or no function of the profile alone.
@@ -44,7 +44,7 @@ pub(super) fn dresser_profile(
     specs: &[JobModification],
     flank: Flank,
     field: &EvaluationField,
-    place: &str,
+    (place, elsewhere): (&str, &str),
 ) -> Result<Modification, Diagnostic> {
     let made = Modification::for_flank(specs, flank, field, &job_files(loaded))
         .map_err(|e| modification_finding(&e, place))?;
@@ -55,7 +55,7 @@ pub(super) fn dresser_profile(
         )
         .field(place)
         .allowed("profile crowning, profile slope, tip or root relief")
-        .way_out("leave helix modifications to the target"));
+        .way_out(format!("leave helix modifications to {elsewhere}")));
     }
     Ok(made)
 }
