@@ -3,9 +3,8 @@
 use flankwright::exchange::inspection::{DatumFace, SlopeReference};
 use flankwright::geometry::Sides;
 use flankwright::workflow::Task;
-use flankwright::workflow::inspection::{LeftOutFile, SheetOptions, Statements};
-use flankwright_store::{self as store, MeasurementReport};
-use schemars::JsonSchema;
+use flankwright::workflow::inspection::{SheetOptions, Statements};
+use flankwright_store as store;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use utoipa::ToSchema;
@@ -111,17 +110,6 @@ pub struct Request {
     /// Of measurements.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub options: Option<InspectOptions>,
-}
-
-/// What the document of a measurement says beside what was measured.
-#[derive(Debug, Serialize, JsonSchema)]
-pub struct HandedIn {
-    /// What became of the parts in the store, where they are kept.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub kept: Option<MeasurementReport>,
-    /// What was uploaded beside measurements.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub left_out: Vec<LeftOutFile>,
 }
 
 /// The number of a run that was begun.
