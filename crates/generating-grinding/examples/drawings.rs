@@ -1,40 +1,52 @@
-//! Plans every job of a folder without the referee and says what the exact contact finds on points that no fit uses.
+//! Plans the drawings of `tests/drawings.json`, or of another file that holds an array of jobs, without the referee, and says what the exact
+//! contact finds on points that no fit uses.
 //!
-//! `cargo run --profile demo -p flankwright-generating-grinding --example drawings -- FOLDER [--fit] [--referee] [NAME ...]`; with
-//! `--fit` what the rules miss is planned by a best fit, with `--referee` the whole run of the rules follows, and its verdict.
+//! `cargo run --profile demo -p flankwright-generating-grinding --example drawings -- [FILE.json] [--rules] [--referee] [NAME ...]`; with
+//! `--rules` by the rules of planning alone, with `--referee` the whole run follows, and its verdict. `make drawings` runs them all.
 
 use foundation::geometry::Flank;
 use foundation::numerics::Silent;
 use generating::{GrindingPlan, PlanningGrid};
 use generating_grinding::job::{Job, LoadedJob};
-use generating_grinding::workflow::{Prepared, plan_job, prepare};
-use job::read_job_of;
+use generating_grinding::workflow::{FlankResult, Prepared, plan_job, prepare};
+use job::{Source, parse_job_of};
+use serde_json::Value;
 use std::error::Error;
 use std::path::PathBuf;
 use std::time::Instant;
+use verdict::Status;
 
 /// Points over profile and face width on which plans are judged here, moved off every grid of the planner.
 const JUDGED: [usize; 2] = [37, 97];
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let mut arguments = std::env::args_os().skip(1);
-    let folder = PathBuf::from(arguments.next().ok_or("a folder with jobs is wanted")?);
-    let mut names: Vec<_> = arguments.collect();
-    let with_referee = names.iter().any(|name| name == "--referee");
-    let by_fit = names.iter().any(|name| name == "--fit");
-    names.retain(|name| name != "--referee" && name != "--fit");
-    let mut jobs: Vec<PathBuf> =
-        std::fs::read_dir(folder)?.map(|entry| Ok(entry?.path())).collect::<Result<_, std::io::Error>>()?;
-    jobs.retain(|path| {
-        let named = |name| path.file_stem().is_some_and(|stem| stem == name);
-        path.extension().is_some_and(|e| e == "json") && (names.is_empty() || names.iter().any(named))
-    });
-    jobs.sort();
+    let mut arguments: Vec<String> = std::env::args().skip(1).collect();
+    let mut flag = |name: &str| {
+        let before = arguments.len();
+        arguments.retain(|argument| argument != name);
+        arguments.len() < before
+    };
+    let (with_referee, by_rules) = (flag("--referee"), flag("--rules"));
+    let file = match arguments.iter().position(|argument| argument.ends_with(".json")) {
+        Some(place) => PathBuf::from(arguments.remove(place)),
+        None => PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/drawings.json")),
+    };
+    let all: Vec<Value> = serde_json::from_str(&std::fs::read_to_string(file)?)?;
+    let named = |job: &Value| {
+        let name = job["job"]["name"].as_str().unwrap_or("unnamed").to_owned();
+        (name, job.to_string())
+    };
+    let mut jobs: Vec<(String, String)> = all.iter().map(named).collect();
+    jobs.retain(|(name, _)| arguments.is_empty() || arguments.contains(name));
     let (mut met, mut missed, mut refused) = (0, 0, 0);
     let mut times = Vec::new();
-    for path in &jobs {
-        let name = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
-        let loaded = read_job_of::<Job>(path)?;
+    let mut counts = [0; 3];
+    for (name, text) in &jobs {
+        let loaded = parse_job_of::<Job>(Source::new("drawing.json", text))?;
+        if with_referee {
+            refereed(name, &loaded, &mut counts);
+            continue;
+        }
         let ready = match prepare(&loaded) {
             Ok(ready) => ready,
             Err(failure) => {
@@ -46,7 +58,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let tolerance = ready.tolerance.tightest() * 1e3;
         let begun = Instant::now();
         let task = ready.task();
-        let planned = if by_fit { task.plan_or_fitted() } else { task.plan_or_tried() };
+        let planned = if by_rules { task.plan_by_rules() } else { task.plan_or_tried() };
         let took = begun.elapsed().as_secs_f64();
         times.push(took);
         match planned {
@@ -71,9 +83,11 @@ fn main() -> Result<(), Box<dyn Error>> {
                 println!("{name} refused {} ({took:.3} s)", no.error);
             }
         }
-        if with_referee {
-            refereed(&loaded);
-        }
+    }
+    if with_referee {
+        let [met, missed, refused] = counts;
+        println!("{met} met, {missed} missed, {refused} refused of {}", jobs.len());
+        return Ok(());
     }
     times.sort_by(f64::total_cmp);
     let at = |share: f64| times.get((share * (times.len() as f64 - 1.0)) as usize).copied().unwrap_or(0.0);
@@ -96,23 +110,28 @@ fn judged(ready: &Prepared, plan: &GrindingPlan) -> Option<f64> {
     Some(largest * 1e3)
 }
 
-/// The verdict of the whole run, and how far plan and referee are apart.
-fn refereed(loaded: &LoadedJob) {
+/// The verdict of the whole run, the largest deviation that the referee finds and how far plan and referee are apart.
+fn refereed(name: &str, loaded: &LoadedJob, counts: &mut [usize; 3]) {
     match plan_job(loaded, &Silent) {
         Ok(outcome) => {
             let result = &outcome.result;
+            counts[usize::from(result.verdict.status() != Status::Met)] += 1;
+            let largest =
+                |value: fn(&FlankResult) -> f64| result.flanks.values().map(value).fold(0.0, f64::max);
             println!(
-                "    {:?} {:?}",
+                "{name} {:?} {} {:.3} of {} um, apart {:.4} um, ratio {:.4}, {:?}",
                 result.verdict.status(),
-                result.verdict.reason().map(|reason| &reason.code)
+                result.verdict.reason().map_or("", |reason| reason.code),
+                largest(|flank| flank.max_deviation_um),
+                result.tolerance_um,
+                largest(|flank| flank.model_difference_um),
+                result.settings.settings.diagonal_ratio,
+                result.timing_s,
             );
-            for (name, flank) in &result.flanks {
-                println!(
-                    "    {name}: {:.3} um, model and referee apart by {:.4} um",
-                    flank.max_deviation_um, flank.model_difference_um
-                );
-            }
         }
-        Err(failure) => println!("    {failure:?}"),
+        Err(failure) => {
+            counts[2] += 1;
+            println!("{name} refused {failure:?}");
+        }
     }
 }

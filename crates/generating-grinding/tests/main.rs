@@ -1,6 +1,7 @@
 //! Tests of the crate through its public interface, in one program. Its modules are the tests, and what several of them share.
 
 mod areas;
+mod best_fit;
 #[path = "../../generating/tests/cylindrical_pair/mod.rs"]
 mod cylindrical_pair;
 mod explore;

@@ -3,6 +3,7 @@
 
 use super::FlankLines;
 use super::least_squares::{DiagonalCoordinates, SplineDecomposition};
+use foundation::kinematics::PiecewisePolynomial;
 use foundation::modification::Modification;
 use foundation::numerics::{Jet2, Polynomial2, SplineError, TensorSpline, fit_tensor_spline};
 use std::sync::Arc;
@@ -78,6 +79,16 @@ impl Carried {
         }
         Some(sum)
     }
+}
+
+/// The functions of one flank that are fitted to the whole target: what lines and motion carry, and the profile of the dresser over w_2,
+/// transverse, mm.
+#[derive(Clone, Debug)]
+pub struct FittedFlank {
+    /// What lines and motion carry.
+    pub fit: Arc<RestFit>,
+    /// The profile, of a dresser that is made for the job.
+    pub profile: Option<PiecewisePolynomial>,
 }
 
 /// Points over profile and face width at which a part of the target is held against its lines.

@@ -3,7 +3,7 @@
 
 use super::{
     DressingRows, FlankRows, GeneratingError, GrindingSetup, IdealPlan, IdealWorm, ProfilePlace,
-    ProfilePolicy, WormTip,
+    ProfilePolicy, SeriesRule, WormTip,
 };
 use dressing::{
     Condition, ConditionSolver, DressedProfile, DressedWorm, DresserTool, FlankDresser, NodePlan,
@@ -41,13 +41,8 @@ impl ProfileOffset for GearProfile {
 
 /// Margin of the dressed length beyond the used worm width, mm: the contact shift of a modified worm stays below it.
 pub const DRESSING_MARGIN: f64 = 3.0;
-/// Chebyshev nodes of DK(v).
-pub const DRESSING_NODES: usize = 17;
-
 /// Most nodes for reliefs and waves on the worm's lines.
 pub(super) const MOST_NODES: usize = 257;
-/// Share of the modification, mm, that the last quarter of a series may hold before the nodes are doubled.
-pub(super) const SERIES_TOLERANCE: f64 = 2e-7;
 
 /// The last quarter of the coefficients, as an amount on the worm flank, mm: each component times its influence (base radius
 /// for the phase; orders of magnitude for crossing angle, distance and offset).
@@ -335,6 +330,50 @@ fn further_rows(tool: &DresserTool, flank: Flank, rows: FlankRows, tip_radius: f
     }
 }
 
+/// Size of the modification by which the answer of the dressing axes is looked at, normal, mm: that of ordinary modifications.
+const PROBE: f64 = 5e-3;
+
+/// How the dressing corrections answer to F_C and to F_L of the lines (transverse, mm, u = -1 .. 1 over the profile of the gear), each per
+/// mm: the larger of both senses at a modification of a few micrometres. For three pitch points without further rows; `None` for others and
+/// where there is no answer.
+pub(super) fn dressing_response(
+    setup: &GrindingSetup,
+    flank: Flank,
+    rows: DressingRows,
+) -> Option<[[f64; 2]; 4]> {
+    if rows != DressingRows::Alone(FlankRows::default()) {
+        return None;
+    }
+    let tool = setup.dresser().ok()?;
+    let lines = &setup.lines[flank];
+    let half = 0.5 * (lines.roll[1] - lines.roll[0]);
+    let u = pitch_rolls(tool, flank).map(|w| (lines.work_roll(w) - lines.w_m) / half);
+    let nodes = NodePlan { interval: (-1.0, 1.0), nodes: 1 };
+    let answer = |f: [f64; 3]| -> Option<[f64; 4]> {
+        let wanted = |_: [f64; 3]| f;
+        let (_, solved) =
+            solve_dressing_motion(tool, flank, setup.worm_pitch_radius, &nodes, &wanted).ok()?;
+        Some(solved.first()?.dk)
+    };
+    let none = answer([0.0; 3])?;
+    let largest = |shape: [f64; 3]| -> Option<[f64; 4]> {
+        let mut largest = [0.0f64; 4];
+        for sign in [1.0, -1.0] {
+            let dk = answer(shape.map(|f| sign * PROBE * f))?;
+            for j in 0..4 {
+                // One sign for all: which of two functions adds to the other is kept.
+                let by = -lines.cos_b2 * sign * (dk[j] - none[j]) / PROBE;
+                if by.abs() > largest[j].abs() {
+                    largest[j] = by;
+                }
+            }
+        }
+        Some(largest)
+    };
+    let (constant, linear) = (largest([1.0; 3])?, largest(u)?);
+    Some(std::array::from_fn(|j| [constant[j], linear[j]]))
+}
+
 /// Dresses the worm for a plan: each flank that is ground with a motion of its own, or both with one (`policy.dressing`).
 ///
 /// # Errors
@@ -373,7 +412,8 @@ fn dress(
     margin: f64,
 ) -> Result<([Chebyshev; 4], Vec<NodeSolution>), GeneratingError> {
     let interval = common_interval(setup, tool, plan, flanks, margin);
-    let (mut radial, mut most, mut lever) = (true, DRESSING_NODES, [0.0, 10.0, 1.0, 0.1]);
+    let SeriesRule { nodes, tolerance } = policy.series;
+    let (mut radial, mut most, mut lever) = (true, nodes, [0.0, 10.0, 1.0, 0.1]);
     for &flank in flanks {
         let worm = plan.worms[flank].as_ref().ok_or(GeneratingError::NoFlank)?;
         let (first, last) = tool.flanks[flank].profile.interval();
@@ -395,10 +435,10 @@ fn dress(
         let zero = Chebyshev::constant(interval.0, interval.1, 0.0);
         return Ok(([zero.clone(), zero.clone(), zero.clone(), zero], Vec::new()));
     }
-    let mut count = DRESSING_NODES;
+    let mut count = nodes;
     loop {
         let solved = motion(setup, plan, tool, flanks, policy, NodePlan { interval, nodes: count })?;
-        if 2 * count - 1 > most || tail(&solved.0, lever) < SERIES_TOLERANCE {
+        if 2 * count - 1 > most || tail(&solved.0, lever) < tolerance {
             return Ok(solved);
         }
         count = 2 * count - 1;

@@ -1,7 +1,7 @@
 //! Tool functions and motion for one command, before any dresser is asked, and what the ideal tool leaves
 //! (`docs/mathematics/planning.md`).
 
-use super::carried::{Carried, RestFit};
+use super::carried::{Carried, FittedFlank};
 use super::motion::with_fitted_motion;
 use super::planning_grid::GroundError;
 use super::share::{RestCarrier, share};
@@ -13,7 +13,6 @@ use contact::ModifiedThread;
 use foundation::geometry::{Flank, Sides};
 use foundation::kinematics::{GeneratingMotion, MotionLaw};
 use foundation::modification::Modification;
-use std::sync::Arc;
 
 /// Tool functions and motion for one command, before any dresser is asked.
 #[derive(Clone, Debug)]
@@ -60,22 +59,23 @@ impl IdealPlan {
     pub(super) fn of_fits(
         setup: &GrindingSetup,
         feed: &FeedLaw,
-        fits: &Sides<Option<Arc<RestFit>>>,
+        fitted: &Sides<Option<FittedFlank>>,
         given: &Sides<Vec<Modification>>,
-        outside: Sides<f64>,
     ) -> Result<Self, GeneratingError> {
-        let which: Vec<Flank> = Flank::BOTH.into_iter().filter(|&flank| fits[flank].is_some()).collect();
+        let which: Vec<Flank> = Flank::BOTH.into_iter().filter(|&flank| fitted[flank].is_some()).collect();
         let shift = feed.law(setup, &which);
+        let fits = fitted.map(|_, f| f.as_ref().map(|f| f.fit.clone()));
         let still = (MotionLaw::zero(), MotionLaw::zero());
-        let (delta_d, delta_phi_2) = with_fitted_motion(setup, still, fits, &shift, &which)?;
+        let (delta_d, delta_phi_2) = with_fitted_motion(setup, still, &fits, &shift, &which)?;
         let worms = Sides::from_fn(|flank| {
-            let fitted = fits[flank].clone()?;
+            let fitted = fitted[flank].clone()?;
             Some(IdealWorm {
                 lines: setup.lines[flank],
                 shift: shift.clone(),
                 parts: Decomposition::nothing(setup.lines[flank].t_k),
-                carried: Carried { fitted: Some(fitted), ..Carried::default() },
+                carried: Carried { fitted: Some(fitted.fit), ..Carried::default() },
                 reliefs: given[flank].clone(),
+                spline: fitted.profile,
                 given: None,
             })
         });
@@ -84,6 +84,7 @@ impl IdealPlan {
         motion.delta_d = delta_d;
         motion.delta_phi_2 = delta_phi_2;
         let (commanded, rest) = (Sides { left: None, right: None }, Sides { left: None, right: None });
+        let outside = Sides::both(0.0);
         Ok(Self { feed: feed.clone(), commanded, worms, motion, occupation, outside, rest })
     }
 
@@ -151,6 +152,7 @@ impl IdealPlan {
                 parts: share.parts,
                 carried: share.carried,
                 reliefs: targets[flank].as_ref().map(|t| t.reliefs.clone()).unwrap_or_default(),
+                spline: None,
                 given: match &setup.tool {
                     Tool::Given(modifications) => Some(modifications[flank].clone()),
                     Tool::Dressed(_) | Tool::Made => None,

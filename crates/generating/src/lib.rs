@@ -68,7 +68,7 @@ pub use motion::{common_motion, motion_of_flanks};
 pub use natural_twist::{NaturalTwist, natural_twist};
 pub use plan::{FlankPlan, GrindingPlan, PlanTask, PlannedTool};
 pub use planning_grid::PlanningGrid;
-pub use policy::{DressingRows, FlankRows, FreeCoefficients, PlanGauge, ProfilePolicy};
+pub use policy::{DressingRows, FlankRows, FreeCoefficients, PlanGauge, ProfilePolicy, SeriesRule};
 pub use quadratic::{
     Gauge, QuadraticDecomposition, QuadraticWorm, constant_only_profile_crowning, decompose_quadratic,
     product_functions,

@@ -15,6 +15,7 @@ use contact::{ContactError, ContactSolution};
 use dressing::DresserTool;
 use foundation::geometry::{Flank, Sides};
 use foundation::kinematics::{GeneratingMotion, MotionLaw};
+use foundation::numerics::extremes;
 
 /// What is to be planned.
 #[derive(Clone, Debug)]
@@ -101,6 +102,8 @@ pub struct GrindingPlan {
 pub(super) const LARGEST_DRESSING_MARGIN: f64 = 48.0;
 /// Distance of the contacts from the ends of the finished worm, mm: room for the search of a check of the plan.
 const CONTACT_MARGIN: f64 = 1.5;
+/// A fit takes the place of a refusal if it leaves at most this share of what an unmodified flank would.
+const USEFUL: f64 = 0.5;
 /// Outer rounds with the worm as dressed.
 const OUTER_ROUNDS: usize = 3;
 
@@ -279,32 +282,42 @@ impl PlanTask<'_> {
         self.plan_or_tried().map_err(|refused| refused.error)
     }
 
-    /// As [`PlanTask::plan`]; a refusal brings along the candidates that were judged.
+    /// By closed decomposition and the rules of the ratio; a refusal brings along the candidates that were judged.
     ///
     /// # Errors
     /// [`NoPlan`].
-    pub fn plan_or_tried(&self) -> Result<GrindingPlan, Box<NoPlan>> {
+    pub fn plan_by_rules(&self) -> Result<GrindingPlan, Box<NoPlan>> {
         let grid = self.planning_grid();
         let choice = self.choose_or_tried(&grid)?;
         let (candidates, failed) = (choice.candidates.clone(), choice.failed.clone());
         self.plan_with(&grid, choice).map_err(|error| Box::new(NoPlan { error, candidates, failed }))
     }
 
-    /// As [`PlanTask::plan_or_tried`], and where that misses the tolerance or finds no plan, by one best fit of worm, dresser and motion
-    /// to the whole target (`docs/mathematics/best-fit.md`), if that comes nearer.
+    /// As [`PlanTask::plan`]; a refusal brings along the candidates that were judged. By the rules ([`PlanTask::plan_by_rules`]), and where
+    /// they miss the tolerance or find no plan, by one best fit of worm, dresser and motion to the whole target
+    /// (`docs/mathematics/best-fit.md`), if that comes nearer.
     ///
     /// # Errors
     /// [`NoPlan`].
-    pub fn plan_or_fitted(&self) -> Result<GrindingPlan, Box<NoPlan>> {
-        let ruled = self.plan_or_tried();
+    pub fn plan_or_tried(&self) -> Result<GrindingPlan, Box<NoPlan>> {
+        let ruled = self.plan_by_rules();
         if !self.may_be_fitted() || ruled.as_ref().is_ok_and(|plan| self.deviation(plan) <= self.tolerance) {
             return ruled;
         }
         match (self.plan_by_fit(&ruled), ruled) {
-            (Some(fitted), Ok(ruled)) if self.deviation(&fitted) >= self.deviation(&ruled) => Ok(ruled),
-            (Some(fitted), _) => Ok(fitted),
-            (None, ruled) => ruled,
+            (Some(fitted), Ok(ruled)) if self.deviation(&fitted) < self.deviation(&ruled) => Ok(fitted),
+            (Some(fitted), Err(_)) if self.deviation(&fitted) <= USEFUL * self.unmodified(&fitted) => Ok(fitted),
+            (_, ruled) => ruled,
         }
+    }
+
+    /// What an unmodified flank in the best place would miss of the target of a plan, normal, mm.
+    fn unmodified(&self, plan: &GrindingPlan) -> f64 {
+        let of_flank = |flank: Flank| {
+            let [low, high] = extremes(plan.flanks[flank].as_ref()?.target.iter().copied());
+            Some(0.5 * (high - low))
+        };
+        Flank::BOTH.into_iter().filter_map(of_flank).fold(0.0, f64::max)
     }
 
     /// Largest distance of a plan to the target on its result grid and between, what is only best-fitted included, normal, mm.

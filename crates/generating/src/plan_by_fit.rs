@@ -1,6 +1,4 @@
 //! Plans by a best fit to the whole target (`docs/mathematics/best-fit.md`), for targets that the closed decomposition misses or refuses.
-//! No command asks for it yet: settings cannot carry a fitted profile of the dresser, so that `simulate` would not run what was planned.
-//! The example `drawings` measures it.
 
 use super::best_fit::{BestFit, BestFitTask, Contacts};
 use super::dressed::DRESSING_MARGIN;
@@ -9,22 +7,60 @@ use super::planning_grid::GroundError;
 use super::ratio::{Candidate, FlankResidual, NoPlan, RatioChoice, RatioReason};
 use super::{
     DressingRows, GeneratingError, GrindingPlan, IdealPlan, PlanGauge, PlannedTool, PlanningGrid,
-    ProfilePlace, ProfilePolicy, Tool,
+    ProfilePlace, ProfilePolicy, SeriesRule, Tool,
 };
-use contact::{ContactError, ModifiedThread};
+use contact::{ContactError, ContactSolution, ModifiedThread};
 use foundation::geometry::{Flank, Sides};
 
-/// Points over profile and face width of the fit.
+/// Points over profile and face width of the fit, and intervals of its functions over the flank.
 const FIT_GRID: [usize; 2] = [21, 41];
+const FIT_INTERVALS: usize = 24;
+/// The same where ratios are compared.
+const SCAN_GRID: [usize; 2] = [9, 25];
+const SCAN_INTERVALS: usize = 12;
 /// Ratios that are carried out, at most.
 const CARRIED_OUT: usize = 4;
 /// Rounds of correction with the ideal worm, and with the worm as dressed.
-const ROUNDS: usize = 5;
+const ROUNDS: usize = 12;
 const DRESSED_ROUNDS: usize = 4;
-/// A round ends the correction when planned flank and contact agree to this share of the tolerance.
-const SETTLED: f64 = 0.01;
+/// A round ends the correction at this share of the tolerance.
+const SETTLED: f64 = 0.25;
+/// Halvings of a step that does not come nearer, at most, and the share of the last distance below which a round within the tolerance is worth
+/// another.
+const HALVINGS: usize = 4;
+const WORTH: f64 = 0.9;
 /// A plan below this share of the tolerance needs no further ratio.
 const GOOD: f64 = 0.6;
+/// Nodes of DK(v) to begin with: as fine as the splines.
+const FIRST_NODES: usize = 97;
+/// Share of the tolerance that the last quarter of the series of DK may hold.
+const SERIES: f64 = 1e-3;
+/// Length of the tool beyond its contacts, mm: room for the search and for dressed lines that are not those of the ideal worm.
+const MARGIN_OF_CONTACTS: f64 = 3.0;
+
+/// Determinant ratio that every contact keeps.
+const LEAST_DETERMINANT_RATIO: f64 = 0.1;
+/// Shares of what is wanted, one of which is made first where the whole folds, the largest step from there, the smallest, and how many of them.
+const FIRST_SHARES: [f64; 2] = [0.4, 0.15];
+const SHARE_STEP: f64 = 0.3;
+const LEAST_STEP: f64 = 0.03;
+const SHARES: usize = 10;
+
+/// A fit that is carried out.
+struct Begun<'f, T> {
+    fit: BestFit<'f>,
+    made: T,
+    contacts: Sides<Option<Contacts>>,
+}
+
+/// A fit that is carried out and corrected.
+struct Settled<'f, T> {
+    fit: BestFit<'f>,
+    made: T,
+    contacts: Sides<Option<Contacts>>,
+    /// Distance to the target after each round, mm.
+    record: Vec<f64>,
+}
 
 impl PlanTask<'_> {
     /// Whether the best fit knows the bodies and rules of this task.
@@ -43,13 +79,20 @@ impl PlanTask<'_> {
 
     /// The best plan by fits at some ratios; `None` where none can be carried out. `ruled` is what the rules came to.
     pub(super) fn plan_by_fit(&self, ruled: &Result<GrindingPlan, Box<NoPlan>>) -> Option<GrindingPlan> {
-        let grid = PlanningGrid::new(self.setup, FIT_GRID[0], FIT_GRID[1]);
-        let task =
-            BestFitTask::new(self.setup, &self.targets, &grid, self.free_dresser, self.tolerance).ok()?;
+        let fits = |grid| {
+            let rules = (self.tolerance, self.limits, self.dressing);
+            BestFitTask::new(self.setup, &self.targets, grid, self.free_dresser, rules).ok()
+        };
+        let scan = PlanningGrid::new(self.setup, SCAN_GRID[0], SCAN_GRID[1]);
         let ratios = match self.ratio {
             Some(ratio) => vec![ratio],
-            None => task.ratios().into_iter().map(|expected| expected.ratio).collect(),
+            None => {
+                let expected = fits((&scan, SCAN_INTERVALS))?.ratios();
+                expected.into_iter().map(|expected| expected.ratio).collect()
+            }
         };
+        let grid = PlanningGrid::new(self.setup, FIT_GRID[0], FIT_GRID[1]);
+        let task = fits((&grid, FIT_INTERVALS))?;
         let mut best: Option<GrindingPlan> = None;
         for ratio in ratios.into_iter().take(CARRIED_OUT) {
             let Ok(plan) = self.fitted_at(&task, &grid, ratio, ruled) else { continue };
@@ -73,13 +116,17 @@ impl PlanTask<'_> {
         ruled: &Result<GrindingPlan, Box<NoPlan>>,
     ) -> Result<GrindingPlan, GeneratingError> {
         let place = *self.places.first().ok_or(GeneratingError::NoFlank)?;
-        let policy = self.rule(grid).policy(place);
-        let fit = task.at(ratio)?;
-        let first = task.plan(&fit)?;
+        let series = SeriesRule { nodes: FIRST_NODES, tolerance: SERIES * self.tolerance };
+        let policy = ProfilePolicy { series, ..self.rule(grid).policy(place) };
         let ideally = |plan: IdealPlan| self.ideal_contacts(grid, &plan).map(|contacts| (plan, contacts));
-        let (fit, ideal, record) = self.settled(task, (fit, first), ROUNDS, ideally)?;
-        let dressed = |plan: IdealPlan| self.equipped(&plan, policy, grid);
-        let (_, equipped, dressed_record) = self.settled(task, (fit, ideal), DRESSED_ROUNDS, dressed)?;
+        let ideal = self.settled(task, self.begun(task, ratio, &ideally)?, ROUNDS, ideally)?;
+        let margin = self.margin(&ideal.made, &ideal.contacts).max(DRESSING_MARGIN);
+        let dressed = |plan: IdealPlan| self.equipped(&plan, policy, grid, margin);
+        let (made, contacts) = dressed(ideal.made)?;
+        let begun = Begun { fit: ideal.fit, made, contacts };
+        let dressed = self.settled(task, begun, DRESSED_ROUNDS, dressed)?;
+        let mut equipped = dressed.made;
+        equipped.ideal.outside = dressed.fit.off;
         let candidate = self.candidate_of(&equipped, grid, ratio, place);
         if let (None, Some(refusal)) = (self.ratio, &candidate.refusal) {
             return Err(refusal.clone());
@@ -99,39 +146,93 @@ impl PlanTask<'_> {
             candidates,
             failed,
         };
-        let records = Records { ideal: Sides::both(record), dressed: Sides::both(dressed_record) };
+        let records = Records { ideal: Sides::both(ideal.record), dressed: Sides::both(dressed.record) };
         self.finish(equipped, choice, policy, grid, records)
     }
 
-    /// Corrects a fit and its plan where the tool touches, as long as a round brings planned flank and contact nearer: the fit, what
-    /// `carried_out` makes of its plan, and the distance after each round, mm.
+    /// The first command with its contacts. Where it folds, a share of what is wanted comes first, and more of it from the contacts of each
+    /// share, as far as that goes.
+    fn begun<'f>(
+        &self,
+        task: &'f BestFitTask<'_>,
+        ratio: f64,
+        carried_out: &impl Fn(IdealPlan) -> Result<(IdealPlan, Sides<Option<Contacts>>), GeneratingError>,
+    ) -> Result<Begun<'f, IdealPlan>, GeneratingError> {
+        let at = |share: f64| {
+            let fit = task.at(ratio, share)?;
+            let (made, contacts) = task.plan(&fit).and_then(carried_out)?;
+            Ok::<_, GeneratingError>(Begun { fit, made, contacts })
+        };
+        let refusal = match at(1.0) {
+            Ok(begun) => return Ok(begun),
+            Err(error) => error,
+        };
+        let first = FIRST_SHARES.into_iter().find_map(|share| at(share).ok().map(|begun| (share, begun)));
+        let (mut share, mut begun) = first.ok_or(refusal)?;
+        for _ in 0..SHARES {
+            let mut more = (share + SHARE_STEP).min(1.0);
+            let Some(mut fit) = begun.fit.next(self.setup, &begun.contacts, more) else { break };
+            let next = loop {
+                let carried = task.plan(&fit).and_then(carried_out);
+                if let Ok((made, contacts)) = carried {
+                    break Some(Begun { fit, made, contacts });
+                }
+                if more - share < LEAST_STEP {
+                    break None;
+                }
+                // A command on the way is a share on the way.
+                (fit, more) = (begun.fit.halfway(&fit), 0.5 * (share + more));
+            };
+            let Some(next) = next else { break };
+            (begun, share) = (next, more);
+            if share >= 1.0 {
+                break;
+            }
+        }
+        Ok(begun)
+    }
+
+    /// Corrects a fit and its plan where the tool touches, as long as a round comes nearer; `carried_out` makes the tool of a plan and its
+    /// contacts.
     fn settled<'f, T>(
         &self,
         task: &BestFitTask<'_>,
-        (mut fit, first): (BestFit<'f>, IdealPlan),
+        Begun { mut fit, mut made, mut contacts }: Begun<'f, T>,
         rounds: usize,
         carried_out: impl Fn(IdealPlan) -> Result<(T, Sides<Option<Contacts>>), GeneratingError>,
-    ) -> Result<(BestFit<'f>, T, Vec<f64>), GeneratingError> {
-        let (mut made, mut contacts) = carried_out(first)?;
-        let mut off = fit.off(self.setup, &contacts);
+    ) -> Result<Settled<'f, T>, GeneratingError> {
+        let mut off = fit.judge(self.setup, &contacts);
         let mut record = vec![off];
-        for _ in 0..rounds {
-            if off <= SETTLED * self.tolerance {
-                break;
+        let (mut better, mut halved) = (None, 0);
+        while record.len() <= rounds && halved <= HALVINGS && off > SETTLED * self.tolerance {
+            let Some(next) = better.take().or_else(|| fit.next(self.setup, &contacts, 1.0)) else { break };
+            let mut tried = next;
+            let carried = task.plan(&tried).and_then(&carried_out).ok();
+            let now = carried.as_ref().map(|(_, at)| tried.judge(self.setup, at));
+            record.extend(now);
+            match (carried, now) {
+                (Some((tool, at)), Some(now)) if now < off => {
+                    let settles = now > WORTH * off && now <= self.tolerance;
+                    (fit, made, contacts, off, halved) = (tried, tool, at, now, 0);
+                    if settles {
+                        break;
+                    }
+                }
+                // Too far for what the contact at the last command tells: half the way.
+                _ => (better, halved) = (Some(fit.halfway(&tried)), halved + 1),
             }
-            let mut next = fit.clone();
-            if !next.correct(self.setup, &contacts) {
-                break;
-            }
-            let Ok((tool, at)) = task.plan(&next).and_then(&carried_out) else { break };
-            let now = next.off(self.setup, &at);
-            record.push(now);
-            if now >= off {
-                break;
-            }
-            (fit, made, contacts, off) = (next, tool, at, now);
         }
-        Ok((fit, made, record))
+        Ok(Settled { fit, made, contacts, record })
+    }
+
+    /// Length of the tool beyond the used width that the contacts of a plan need, mm.
+    fn margin(&self, plan: &IdealPlan, contacts: &Sides<Option<Contacts>>) -> f64 {
+        let of_flank = |flank: Flank| {
+            let [from, to] = self.setup.lines[flank].occupation(&plan.motion.shift);
+            let at = contacts[flank].iter().flatten();
+            at.map(|(_, (_, z))| (from - z).max(z - to)).fold(0.0, f64::max)
+        };
+        Flank::BOTH.into_iter().map(of_flank).fold(0.0, f64::max) + MARGIN_OF_CONTACTS
     }
 
     /// Contacts of the ideal worm.
@@ -144,20 +245,40 @@ impl PlanTask<'_> {
             let Some(worm) = &ideal.worms[flank] else { return Ok(None) };
             let thread = ModifiedThread::new(self.setup.pair.flanks[flank].worm, worm);
             let ground = grid.ground(self.setup, flank, &ideal.motion, &thread)?;
+            self.unbroken(flank, grid, &ground)?;
             Ok(Some(ground.into_iter().map(|at| (at, at.tool)).collect()))
         };
         let (left, right) = rayon::join(|| of_flank(Flank::Left), || of_flank(Flank::Right));
         Ok(Sides { left: left?, right: right? })
     }
 
-    /// The tool of a plan and its contacts.
+    /// Refuses contacts near a fold.
+    fn unbroken(
+        &self,
+        flank: Flank,
+        grid: &PlanningGrid,
+        ground: &[ContactSolution],
+    ) -> Result<(), GeneratingError> {
+        let least =
+            ground.iter().enumerate().min_by(|a, b| a.1.determinant_ratio.total_cmp(&b.1.determinant_ratio));
+        match least {
+            Some((k, at)) if at.determinant_ratio < LEAST_DETERMINANT_RATIO => {
+                let (w, z) = (grid.w[flank][k / grid.z.len()], grid.z[k % grid.z.len()]);
+                let ratio = at.determinant_ratio;
+                Err(GeneratingError::Contact(ContactError::Undercut { flank, w, z, ratio }))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The tool of a plan, reaching `margin` beyond the used width or further, and its contacts.
     fn equipped(
         &self,
         ideal: &IdealPlan,
         policy: ProfilePolicy,
         grid: &PlanningGrid,
+        mut margin: f64,
     ) -> Result<(Equipped, Sides<Option<Contacts>>), GeneratingError> {
-        let mut margin = DRESSING_MARGIN;
         loop {
             let (dresser, flanks) = self.tools(ideal, policy, margin)?;
             match self.contacts(&flanks, ideal, grid) {

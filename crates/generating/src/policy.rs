@@ -21,6 +21,23 @@ pub struct ProfilePolicy {
     pub dressing: DressingRows,
     /// Free coefficients of the decomposition per flank; `None`: gauge `centred`.
     pub gauge: Sides<Option<FreeCoefficients>>,
+    /// How fine the dressing motion is resolved.
+    pub series: SeriesRule,
+}
+
+/// How fine DK(v) is resolved by Chebyshev series.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SeriesRule {
+    /// Nodes to begin with; they are doubled while the series is not settled.
+    pub nodes: usize,
+    /// Share of the modification, mm, that the last quarter of a settled series may hold.
+    pub tolerance: f64,
+}
+
+impl Default for SeriesRule {
+    fn default() -> Self {
+        Self { nodes: 17, tolerance: 2e-7 }
+    }
 }
 
 /// What the dressing motion has to meet at every position of the worm.

@@ -6,7 +6,7 @@ use super::planning_grid::GroundError;
 use super::precompensation::{ROUNDS, precompensate};
 use super::{
     DressingLimits, DressingRows, FeedLaw, FlankLines, FlankTarget, GeneratingError, GrindingSetup,
-    IdealPlan, PlanGauge, PlanningGrid, ProfilePlace, ProfilePolicy, Tool, radial_residual,
+    IdealPlan, PlanGauge, PlanningGrid, ProfilePlace, ProfilePolicy, SeriesRule, Tool, radial_residual,
 };
 use contact::FOLD_BEGINS;
 use foundation::geometry::{Flank, Sides};
@@ -224,6 +224,7 @@ impl Rule<'_> {
             PlanGauge::Centred | PlanGauge::EqualSwivel => Sides { left: None, right: None },
         };
         ProfilePolicy {
+            series: SeriesRule::default(),
             place,
             free_dresser: self.free_dresser,
             line_tolerance,

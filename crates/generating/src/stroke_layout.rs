@@ -97,6 +97,7 @@ impl StrokeLayout {
                     parts: Decomposition::nothing(lines.t_k),
                     carried: Carried::default(),
                     reliefs: given.carries[flank].clone(),
+                    spline: None,
                     given: None,
                 })
             });

@@ -1,8 +1,10 @@
 //! A worm flank dressed in strokes for a plan: DK(v) of every stroke from the wanted worm function, and what the flank grinds
 //! (`docs/mathematics/dressing.md#conditions`). Knows no files and no referee.
 
-use super::dressed::{DRESSING_NODES, MOST_NODES, SERIES_TOLERANCE, tail};
-use super::{GeneratingError, GrindingSetup, IdealPlan, IdealWorm, PlanningGrid, StrokeLayout, StrokePlace};
+use super::dressed::{MOST_NODES, tail};
+use super::{
+    GeneratingError, GrindingSetup, IdealPlan, IdealWorm, PlanningGrid, SeriesRule, StrokeLayout, StrokePlace,
+};
 use contact::{ContactSolution, ExactContact, ThreadFunction};
 use dressing::{
     ActiveArea, DressedProfile, DressingError, MovingStroke, NodePlan, Stroke, StrokeAlong, StrokedWorm,
@@ -244,11 +246,11 @@ fn along(
     }
     let most = if worm.carried.is_empty() { MOST_SMOOTH_NODES } else { MOST_NODES };
     let lever = [worm.lines.cos_b1 * setup.pair.worm.flank(flank).base_radius, 10.0, 1.0, 0.1];
-    let mut count = DRESSING_NODES;
+    let SeriesRule { nodes: mut count, tolerance } = SeriesRule::default();
     loop {
         let plan = NodePlan { interval, nodes: count };
         let solved = StrokeAlong::solve(&stroke, flank, radius, &plan, &wanted)?;
-        if 2 * count - 1 > most || tail(&solved.corrections, lever) < SERIES_TOLERANCE {
+        if 2 * count - 1 > most || tail(&solved.corrections, lever) < tolerance {
             return Ok(solved);
         }
         count = 2 * count - 1;

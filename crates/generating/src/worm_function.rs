@@ -4,7 +4,7 @@
 use super::target::relief_jet;
 use super::{Carried, Decomposition, FlankLines};
 use contact::ThreadFunction;
-use foundation::kinematics::MotionLaw;
+use foundation::kinematics::{MotionLaw, PiecewisePolynomial};
 use foundation::modification::Modification;
 use foundation::numerics::Jet2;
 
@@ -22,6 +22,8 @@ pub struct IdealWorm {
     pub carried: Carried,
     /// Profile parts that are no polynomials.
     pub reliefs: Vec<Modification>,
+    /// A fitted profile over w_2, transverse, mm.
+    pub spline: Option<PiecewisePolynomial>,
     /// The modification of a tool that exists, over (w_1, z_1), transverse, mm: it takes the place of all others.
     pub given: Option<Modification>,
 }
@@ -29,8 +31,8 @@ pub struct IdealWorm {
 impl IdealWorm {
     /// Whether no profile is asked of a dresser.
     pub fn has_plain_profile(&self) -> bool {
-        let fitted = self.carried.fitted.as_ref().is_some_and(|fit| fit.functions.profile.is_some());
-        self.reliefs.is_empty() && !fitted && self.parts.profile.iter().all(|&p| p == 0.0)
+        let polynomial = self.parts.profile.iter().any(|&p| p != 0.0);
+        self.reliefs.is_empty() && self.spline.is_none() && !polynomial
     }
 
     /// Whether the tool is not shifted, so that it has no lines of its own.
@@ -63,12 +65,12 @@ impl IdealWorm {
         1.0 / (1.0 + (beyond / fall).min(700.0).exp())
     }
 
-    /// The profile part on the gear, F_P + reliefs, transverse, with two derivatives by w_2; `None` where it does not exist.
+    /// The profile part on the gear, F_P + reliefs + spline, transverse, with two derivatives by w_2; `None` where it does not exist.
     pub fn profile_share(&self, w_2: f64) -> Option<[f64; 3]> {
         let relief = relief_jet(&self.reliefs, w_2, self.lines.z_m)?;
         let profile = self.parts.profile_jet(w_2 - self.lines.w_m);
-        let fitted = self.carried.fitted.as_ref().map_or([0.0; 3], |fit| fit.functions.profile_jet(w_2));
-        Some(std::array::from_fn(|k| profile[k] + relief[k] + fitted[k]))
+        let spline = self.spline.as_ref().map_or([0.0; 3], |spline| spline.jet(w_2));
+        Some(std::array::from_fn(|k| profile[k] + relief[k] + spline[k]))
     }
 }
 

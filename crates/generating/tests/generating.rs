@@ -10,7 +10,7 @@ use generating::least_squares::FitNorm;
 use generating::{
     Command, Decomposition, DresserChoice, DressingLimits, DressingRows, FeedLaw, FlankTarget, Gauge,
     GeneratingError, GrindingSetup, IdealPlan, LocalEnvelope, PlanGauge, PlanTask, PlanningGrid,
-    ProfilePlace, ProfilePolicy, QuadraticWorm, SetupInput, constant_only_profile_crowning,
+    ProfilePlace, ProfilePolicy, QuadraticWorm, SeriesRule, SetupInput, constant_only_profile_crowning,
     decompose_diagonal, decompose_quadratic, decompose_radial, kinematic_compliance, motion_of_flanks,
     natural_twist, product_functions, radial_residual,
 };
@@ -296,6 +296,7 @@ fn plans_beyond_the_limits_are_refused_with_the_limit() {
     let refusal = choice.candidates[0].refusal.clone().unwrap();
     says(&refusal, "model-error", &["ideal worm", "allowed: 0.000"], false);
     let policy = ProfilePolicy {
+        series: SeriesRule::default(),
         place: ProfilePlace::Dresser,
         free_dresser: true,
         line_tolerance: 1e-4,

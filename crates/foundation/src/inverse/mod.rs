@@ -2,6 +2,7 @@
 
 mod banded_reduction;
 mod bounded_least_squares;
+mod cone_programme;
 mod constrained;
 mod continuation;
 mod gauss_newton;
@@ -14,6 +15,7 @@ mod svd_loop;
 
 pub use banded_reduction::BandedReduction;
 pub use bounded_least_squares::{BoundedLeastSquares, bounded_least_squares};
+pub use cone_programme::{Affine, ConeOptimum, ConeProgramme};
 pub use constrained::{ConstrainedReport, Rows, constrained_gauss_newton};
 pub use continuation::{ContinuationOptions, ParameterLinearised, Path, PathEnd, PathPoint, Watch, follow};
 pub use gauss_newton::{GaussNewton, GaussNewtonReport, gauss_newton};

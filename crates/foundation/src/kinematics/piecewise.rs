@@ -209,7 +209,7 @@ impl PiecewisePolynomial {
     }
 
     /// The law times a factor.
-    pub(super) fn scaled(&self, factor: f64) -> Self {
+    pub fn scaled(&self, factor: f64) -> Self {
         let pieces = self.pieces.iter().map(|piece| piece.map(|c| c * factor)).collect();
         Self { breaks: self.breaks.clone(), pieces }
     }

@@ -95,6 +95,37 @@ impl BSplineBasis {
         span - self.degree
     }
 
+    /// `[B, B', B'']` at `x` of the functions that do not vanish there, into the first degree + 1 places of `out`; the index of the first of
+    /// them. Outside the interval the polynomials of the border pieces continue.
+    ///
+    /// # Panics
+    /// If `out` has fewer than degree + 1 places.
+    pub fn jets(&self, x: f64, out: &mut [[f64; 3]]) -> usize {
+        let span = self.span(x);
+        let mut values = vec![0.0; self.degree + 1];
+        out[..=self.degree].fill([0.0; 3]);
+        for order in 0..=2.min(self.degree) {
+            // Values of the lower degree, then differences up to this one.
+            let low = self.degree - order;
+            self.values_of_degree(span, low, x, &mut values);
+            for degree in low + 1..=self.degree {
+                for j in (0..=degree).rev() {
+                    let of = |k: usize| {
+                        let knot = span + k - degree;
+                        values[k - 1] / (self.knots[knot + degree] - self.knots[knot])
+                    };
+                    let gained = if j > 0 { of(j) } else { 0.0 };
+                    let lost = if j < degree { of(j + 1) } else { 0.0 };
+                    values[j] = degree as f64 * (gained - lost);
+                }
+            }
+            for (jet, value) in out.iter_mut().zip(&values) {
+                jet[order] = *value;
+            }
+        }
+        span - self.degree
+    }
+
     /// Index of the first of the functions that do not vanish at `x`.
     #[inline]
     pub fn first(&self, x: f64) -> usize {
@@ -201,6 +232,18 @@ impl BSpline {
         [f, f1, 2.0 * f2]
     }
 
+    /// The polynomials of a cubic: their ends, ascending, and `[c_0, c_1, c_2, c_3]` in powers of the distance from the lower end; `None`
+    /// for another degree.
+    pub fn cubic_pieces(&self) -> Option<(Vec<f64>, Vec<[f64; 4]>)> {
+        let (pieces, rest) = self.pieces.as_chunks();
+        if self.basis.degree != 3 || !rest.is_empty() {
+            return None;
+        }
+        let mut ends = self.starts.clone();
+        ends.push(self.basis.interval()[1]);
+        Some((ends, pieces.to_vec()))
+    }
+
     /// A bound of the second derivative on [a, b], which may reach beyond the interval.
     pub fn largest_bend(&self, [a, b]: [f64; 2]) -> f64 {
         let count = self.basis.degree + 1;
@@ -251,6 +294,31 @@ mod tests {
         for (from, to) in [(-2.0, 5.0), (-3.0, 0.2), (1.1, 1.2), (4.0, 6.0)] {
             let (most, bound) = (at(from, to), spline.largest_bend([from, to]));
             assert!(most <= bound * (1.0 + 1e-12) && bound < 100.0 * most + 1e-9, "{most} {bound}");
+        }
+    }
+
+    #[test]
+    fn jets_of_the_basis_and_cubic_pieces_are_those_of_the_spline() {
+        let close = |a: f64, b: f64| (a - b).abs() < 1e-11 * (1.0 + b.abs());
+        for degree in 1..=5 {
+            let spline = spline(degree, &[0.3]);
+            for x in [-3.0, -2.0, -0.4, 0.3, 1.7, 4.99, 5.5] {
+                let mut jets = vec![[f64::NAN; 3]; degree + 1];
+                let first = spline.basis().jets(x, &mut jets);
+                let own = &spline.coefficients()[first..];
+                let sum = |k: usize| jets.iter().zip(own).map(|(jet, c)| jet[k] * c).sum::<f64>();
+                let wanted = spline.jet(x);
+                assert!((0..3).all(|k| close(sum(k), wanted[k])), "degree {degree} at {x}");
+            }
+            let Some((ends, pieces)) = spline.cubic_pieces() else {
+                assert_ne!(degree, 3);
+                continue;
+            };
+            assert_eq!((ends.len(), ends[0], ends[pieces.len()]), (pieces.len() + 1, -2.0, 5.0));
+            for (k, [a, b, c, d]) in pieces.iter().enumerate() {
+                let t = 0.37 * (ends[k + 1] - ends[k]);
+                assert!(close(a + t * (b + t * (c + t * d)), spline.value(ends[k] + t)));
+            }
         }
     }
 

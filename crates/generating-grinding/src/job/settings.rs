@@ -48,14 +48,14 @@ pub struct Settings {
     pub right: Option<FlankSettings>,
 }
 
-/// A law in pieces of third degree.
+/// A law or a profile in pieces of third degree.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Pieces {
-    /// Ends of the pieces over z_V2, mm, ascending: one more than pieces. Beyond both ends the law goes on straight.
+    /// Ends of the pieces over z_V2, for a profile over w, mm, ascending: one more than pieces. Beyond both ends it goes on straight.
     #[schemars(extend("minItems" = 2, "maxItems" = 100_001))]
     pub breaks_mm: Vec<f64>,
-    /// Per piece the coefficients of (z_V2 - first end)^k, k = 0..3, in the unit of the key per mm^k.
+    /// Per piece the coefficients of (z_V2 - first end)^k, or of w, k = 0..3, in the unit of the key per mm^k.
     #[schemars(extend("minItems" = 1, "maxItems" = 100_000))]
     pub coefficients: Vec<[f64; 4]>,
 }
@@ -191,6 +191,9 @@ pub struct FlankSettings {
     #[serde(default)]
     #[schemars(extend("maxItems" = 50))]
     pub profile_um: Vec<f64>,
+    /// A further part of that profile over the length of roll w, um and um/mm^k: what a best fit found.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub profile_pieces: Option<Pieces>,
     /// Reliefs and other profile forms that the dresser carries beside it: modifications of the profile, as in the target.
     #[serde(default)]
     pub reliefs: Vec<Modification>,

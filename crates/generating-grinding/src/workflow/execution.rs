@@ -16,7 +16,8 @@ use foundation::numerics::{Chebyshev, extremes};
 use generating::least_squares::FitNorm;
 use generating::{
     Carried, Decomposition, DressingRows, GrindingPlan, IdealPlan, IdealWorm, MadeFlank, PlannedTool,
-    PlanningGrid, ProfilePlace, ProfilePolicy, Tool, dresser_of_plan, dresser_profile, dressing_interval,
+    PlanningGrid, ProfilePlace, ProfilePolicy, SeriesRule, Tool, dresser_of_plan, dresser_profile,
+    dressing_interval,
 };
 use job::{Diagnostic, Problem};
 use metrology::Topography;
@@ -30,6 +31,8 @@ pub struct ExecutedDressing {
     pub corrections: [Chebyshev; 4],
     /// Polynomial profile that the dresser leaves on the gear over u = w - w_m, transverse, mm.
     pub profile: Vec<f64>,
+    /// A further part of that profile over w, transverse, mm.
+    pub spline: Option<PiecewisePolynomial>,
     /// Profile forms that the dresser carries beside it, as a job describes them.
     pub reliefs: Vec<ModificationSpec>,
     /// The motion that these corrections make.
@@ -87,12 +90,12 @@ impl ExecutedDressing {
     fn new(
         chain: DressingChain,
         corrections: [Chebyshev; 4],
-        profile: Vec<f64>,
+        (profile, spline): (Vec<f64>, Option<PiecewisePolynomial>),
         reliefs: Vec<ModificationSpec>,
     ) -> Self {
         let motion = dressing_motion(chain, &corrections);
         let (from, to) = corrections[0].interval();
-        Self { corrections, profile, reliefs, motion, driven: [from, to] }
+        Self { corrections, profile, spline, reliefs, motion, driven: [from, to] }
     }
 }
 
@@ -179,7 +182,8 @@ impl Execution {
             let Some(executed) = &mut self.flanks[flank] else { continue };
             let ExecutedTool::Dressed(dressing) = &mut executed.tool else { return false };
             let shifted = std::array::from_fn(|axis| shifted(&dressing.corrections[axis], by[axis]));
-            let (profile, reliefs) = (dressing.profile.clone(), dressing.reliefs.clone());
+            let profile = (dressing.profile.clone(), dressing.spline.clone());
+            let reliefs = dressing.reliefs.clone();
             **dressing = ExecutedDressing::new(dresser.flanks[flank].chain, shifted, profile, reliefs);
         }
         true
@@ -195,8 +199,11 @@ impl Execution {
             let determinant = f.planned.iter().map(|p| p.determinant_ratio).fold(f64::INFINITY, f64::min);
             let tool = match (&f.tool, &plan.dresser) {
                 (PlannedTool::Dressed(dressed), Some(settled)) => {
-                    let profile = dresser_profile(plan.ideal.worms[flank].as_ref()?, plan.policy);
-                    let reliefs = prepared.reliefs[flank].clone();
+                    let worm = plan.ideal.worms[flank].as_ref()?;
+                    let profile = (dresser_profile(worm, plan.policy), worm.spline.clone());
+                    // A fitted profile holds the reliefs of the target.
+                    let fitted = worm.reliefs.is_empty();
+                    let reliefs = if fitted { Vec::new() } else { prepared.reliefs[flank].clone() };
                     let corrections = from_nominal(&dressed.corrections, &settled.flanks[flank].settled);
                     let chain = dresser.as_ref()?.flanks[flank].chain;
                     let dressing = ExecutedDressing::new(chain, corrections, profile, reliefs);
@@ -254,7 +261,13 @@ impl Execution {
             let lines = setup.lines[flank];
             let profile =
                 given.flank(flank).map_or(Vec::new(), |s| s.profile_um.iter().map(|p| p * 1e-3).collect());
+            let pieces = given.flank(flank).and_then(|s| s.profile_pieces.as_ref());
+            let spline = pieces.map(|pieces| {
+                let pieces = piecewise(pieces, &format!("settings.{flank}.profile_pieces"))?;
+                Ok::<_, RunFailure>(pieces.scaled(1e-3))
+            });
             Ok(Some(IdealWorm {
+                spline: spline.transpose()?,
                 lines,
                 shift: shift.clone(),
                 parts: Decomposition { profile, ..Decomposition::nothing(lines.t_k) },
@@ -269,6 +282,7 @@ impl Execution {
         let ideal = IdealPlan::of_settings(worms, motion.clone(), setup.occupation(&shift, &which));
         // The dresser carries what the settings say, whatever the plan's policy was.
         let policy = ProfilePolicy {
+            series: SeriesRule::default(),
             place: ProfilePlace::Dresser,
             free_dresser: true,
             line_tolerance: 0.0,
@@ -312,7 +326,9 @@ impl Execution {
                         }
                     };
                     let worm = DressedWorm::new(dresser, flank, &corrections);
-                    let profile = ideal.worms[flank].as_ref().map_or(Vec::new(), |w| w.parts.profile.clone());
+                    let profile = ideal.worms[flank]
+                        .as_ref()
+                        .map_or((Vec::new(), None), |w| (w.parts.profile.clone(), w.spline.clone()));
                     let reliefs = given.flank(flank).map_or(Vec::new(), |s| s.reliefs.clone());
                     let dressing =
                         ExecutedDressing::new(dresser.flanks[flank].chain, corrections, profile, reliefs);
@@ -374,6 +390,7 @@ impl Execution {
                 d_d_mm,
                 d_v_ya_mm,
                 profile_um: f.profile.iter().map(|p| p * 1e3).collect(),
+                profile_pieces: f.spline.as_ref().map(|spline| pieces(spline, 1e3)),
                 reliefs: f.reliefs.clone(),
             })
         };
@@ -407,20 +424,25 @@ fn shift_of_settings(settings: &Settings) -> Result<MotionLaw, RunFailure> {
 }
 
 fn law_of_pieces(pieces: &Pieces, field: &str) -> Result<MotionLaw, RunFailure> {
+    piecewise(pieces, field).map(MotionLaw::Pieces)
+}
+
+fn piecewise(pieces: &Pieces, field: &str) -> Result<PiecewisePolynomial, RunFailure> {
     PiecewisePolynomial::new(pieces.breaks_mm.clone(), pieces.coefficients.clone())
-        .map(MotionLaw::Pieces)
         .map_err(|e| RunFailure::of_law(&e, field))
 }
 
 /// A law in pieces as settings carry it, times a factor.
 fn pieces_of_law(law: &MotionLaw, unit: f64) -> Option<Pieces> {
     match law {
-        MotionLaw::Pieces(p) => {
-            let coefficients = p.pieces().iter().map(|piece| piece.map(|c| c * unit)).collect();
-            Some(Pieces { breaks_mm: p.breaks().to_vec(), coefficients })
-        }
+        MotionLaw::Pieces(law) => Some(pieces(law, unit)),
         _ => None,
     }
+}
+
+fn pieces(law: &PiecewisePolynomial, unit: f64) -> Pieces {
+    let coefficients = law.pieces().iter().map(|piece| piece.map(|c| c * unit)).collect();
+    Pieces { breaks_mm: law.breaks().to_vec(), coefficients }
 }
 
 /// The flank of a tool that is not dressed: the table of the settings, else what it carries without one.

@@ -6,6 +6,10 @@ use foundation::numerics::{BSpline, BSplineBasis};
 
 /// Cubic splines.
 const DEGREE: usize = 3;
+/// The profile reaches beyond both ends of the flank by this share of its length, as far as the contact runs ahead there, but to no smaller a
+/// share of the length of roll at the root.
+const BEYOND_PROFILE: f64 = 0.25;
+const LEAST_ROLL: f64 = 0.3;
 
 /// A place at which the functions are asked: their arguments and the length of roll that F_L is multiplied by, mm.
 #[derive(Clone, Copy, Debug)]
@@ -25,6 +29,36 @@ pub struct Block {
     pub first: usize,
     /// What it is.
     pub kind: Kind,
+}
+
+impl Block {
+    /// Column of the first B-spline that counts at `x`, and `[B, B', B'']` of those from there: the polynomials go on beyond the ends as the
+    /// functions made of them do, those of the profile straight.
+    pub fn jets(&self, x: f64) -> (usize, [[f64; 3]; DEGREE + 1]) {
+        let mut jets = [[0.0; 3]; DEGREE + 1];
+        let [low, high] = self.basis.interval();
+        if self.kind != Kind::Profile || (low..=high).contains(&x) {
+            let first = self.basis.jets(x, &mut jets);
+            return (self.first + first, jets);
+        }
+        let end = x.clamp(low, high);
+        let first = self.basis.jets(end, &mut jets);
+        (self.first + first, jets.map(|[f, f1, _]| [f + f1 * (x - end), f1, 0.0]))
+    }
+
+    /// Adds the squares of differences of neighbouring coefficients, each over the number of them, times a weight, to a quadratic form as
+    /// (row, column, value), row <= column.
+    pub fn differences(&self, stencil: &[f64], weight: f64, form: &mut Vec<(usize, usize, f64)>) {
+        let count = self.basis.count().saturating_sub(stencil.len() - 1);
+        for j in 0..count {
+            for (b, &by_b) in stencil.iter().enumerate() {
+                for (a, &by_a) in stencil[..=b].iter().enumerate() {
+                    let value = weight / count as f64 * by_a * by_b;
+                    form.push((self.first + j + a, self.first + j + b, value));
+                }
+            }
+        }
+    }
 }
 
 /// The functions of the class.
@@ -70,19 +104,22 @@ impl Bases {
     pub fn new(class: FunctionClass, ranges: &Ranges, intervals: usize) -> Result<Self, GeneratingError> {
         let mut blocks = Vec::new();
         let mut first = 0;
-        let share_of_roll = 0.08 * (ranges.w[1] - ranges.w[0]);
-        for (used, kind, [low, high], beyond) in [
-            (class.constant, Kind::Constant, ranges.x, ranges.beyond),
-            (class.linear, Kind::Linear, ranges.x, ranges.beyond),
-            (class.profile, Kind::Profile, ranges.w, share_of_roll),
-            (class.kinematic, Kind::Kinematic, ranges.path, ranges.beyond),
+        let further = |[low, high]: [f64; 2]| [low - ranges.beyond, high + ranges.beyond];
+        let [root, tip] = ranges.w;
+        let beyond = BEYOND_PROFILE * (tip - root);
+        let profile = [(root - beyond).max(LEAST_ROLL * root), tip + beyond];
+        for (used, kind, [low, high], [from, to]) in [
+            (class.constant, Kind::Constant, ranges.x, further(ranges.x)),
+            (class.linear, Kind::Linear, ranges.x, further(ranges.x)),
+            (class.profile, Kind::Profile, ranges.w, profile),
+            (class.kinematic, Kind::Kinematic, ranges.path, further(ranges.path)),
         ] {
             if !used {
                 continue;
             }
-            let count = intervals as f64 * (1.0 + 2.0 * beyond / (high - low).max(f64::MIN_POSITIVE));
+            let count = intervals as f64 * (to - from) / (high - low).max(f64::MIN_POSITIVE);
             let count = count.min(4.0 * intervals as f64).round() as usize;
-            let basis = BSplineBasis::uniform([low - beyond, high + beyond], count, DEGREE, &[])
+            let basis = BSplineBasis::uniform([from, to], count, DEGREE, &[])
                 .map_err(GeneratingError::InvalidSpline)?;
             let count = basis.count();
             blocks.push(Block { basis, first, kind });
@@ -98,10 +135,14 @@ impl Bases {
         self.columns
     }
 
+    /// The factor u of F_L at a length of roll, and its derivative.
+    pub fn factor(&self, w: f64) -> (f64, f64) {
+        (self.scale.u(w), 1.0 / self.scale.half)
+    }
+
     /// The entries (column, factor) of a place, ascending.
     pub fn row(&self, place: &Place, row: &mut Vec<(usize, f64)>) {
         row.clear();
-        let mut values = [0.0; DEGREE + 1];
         for block in &self.blocks {
             let (argument, factor) = match block.kind {
                 Kind::Constant => (place.at.x, 1.0),
@@ -109,10 +150,8 @@ impl Bases {
                 Kind::Profile => (place.at.profile, 1.0),
                 Kind::Kinematic => (place.at.path, 1.0),
             };
-            // Beyond its range a function is what it is at the end: cubics would run away.
-            let [low, high] = block.basis.interval();
-            let first = block.first + block.basis.values(argument.clamp(low, high), &mut values);
-            row.extend(values.iter().enumerate().map(|(k, b)| (first + k, b * factor)));
+            let (first, jets) = block.jets(argument);
+            row.extend(jets.iter().enumerate().map(|(k, [b, ..])| (first + k, b * factor)));
         }
     }
 

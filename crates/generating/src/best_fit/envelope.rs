@@ -19,15 +19,19 @@ pub struct Envelope<'a> {
 }
 
 /// The contact at one length of roll.
+#[derive(Clone, Copy, Debug)]
 pub struct Section {
     /// Relative curvature over (dw_2, dz_V2) and its inverse.
-    h: Matrix2<f64>,
+    pub h: Matrix2<f64>,
     inverse: Matrix2<f64>,
     /// Workpiece coordinates (w, z) under the worm's foot by the displacement.
-    worm: Matrix2<f64>,
+    pub worm: Matrix2<f64>,
+    /// Displacement by the step (w_1, z_1) on the worm; zero where the worm does not tell.
+    back: Matrix2<f64>,
     /// zeta by the displacement.
-    path: RowVector2<f64>,
-    cos: f64,
+    pub path: RowVector2<f64>,
+    /// cos b2.
+    pub cos: f64,
 }
 
 /// A place of the planned flank with its foot.
@@ -35,8 +39,10 @@ pub struct Section {
 pub struct Foot {
     /// Where the functions are asked for what is ground here.
     pub place: Place,
-    /// The command there, transverse, mm.
-    pub command: f64,
+    /// Length of roll at which it is ground.
+    pub w: f64,
+    /// The command there is the flank less this, transverse, mm.
+    pub lift: f64,
     /// Extremes of the curvature of the planned flank over that of the gap: below 1 or the envelope breaks; x makes the determinant ratio
     /// 1/(1 - x) along that direction.
     pub curvature: [f64; 2],
@@ -59,6 +65,11 @@ impl<'a> Envelope<'a> {
         self.coordinates
     }
 
+    /// X, the argument of the profile and X_K with derivatives.
+    pub fn jets(&self, w: f64, z: f64) -> [Jet2; 3] {
+        self.coordinates.jets(w, z)
+    }
+
     /// The contact at length of roll w; `None` where the gap has no curvature.
     pub fn section(&self, w: f64) -> Option<Section> {
         let pair = &self.setup.pair.flanks[self.flank];
@@ -69,18 +80,25 @@ impl<'a> Envelope<'a> {
         }
         let curvature = pair.relative_curvature(w_1, w, self.ratio);
         let inverse = curvature.h.try_inverse()?;
+        let moves = curvature.worm_moves();
+        let back = moves.try_inverse().unwrap_or_else(Matrix2::zeros);
         let worm = if self.ratio == 0.0 {
             // Without shift the worm carries its profile only.
             let slope = self.lines.work_roll_slope();
-            let moves = curvature.worm_moves();
             Matrix2::new(moves[(0, 0)] * slope, moves[(0, 1)] * slope, 0.0, 0.0)
         } else {
             let [at_w, at_z] = self.lines.work_point(w_1, z_1, &self.shift);
-            Matrix2::new(at_w.fu, at_w.fv, at_z.fu, at_z.fv) * curvature.worm_moves()
+            Matrix2::new(at_w.fu, at_w.fv, at_z.fu, at_z.fv) * moves
         };
         let [by_shift, by_feed] = self.lines.work_feeds;
         let path = RowVector2::new(0.0, by_shift * self.ratio + by_feed);
-        Some(Section { h: curvature.h, inverse, worm, path, cos: self.lines.cos_b2 })
+        Some(Section { h: curvature.h, inverse, back, worm, path, cos: self.lines.cos_b2 })
+    }
+
+    /// Length of roll at which (w, z) is ground when the worm touches it at (w_1, z_1).
+    pub fn roll_of_contact(&self, section: &Section, (w, z): (f64, f64), (w_1, z_1): (f64, f64)) -> f64 {
+        let nominal = self.lines.worm_point(w, z, &self.shift);
+        w + (section.back * Vector2::new(w_1 - nominal.0, z_1 - nominal.1)).x
     }
 
     /// Arguments for a worm foot under (w, z) of the workpiece and a path coordinate zeta = z + t_K w.
@@ -132,6 +150,6 @@ impl<'a> Envelope<'a> {
         let relative = section.inverse * hessian * section.cos;
         let (half, determinant) = (0.5 * relative.trace(), relative.determinant());
         let root = (half * half - determinant).max(0.0).sqrt();
-        Foot { place, command: carried.f + jet[0] - lift, curvature: [half - root, half + root] }
+        Foot { place, w: w + moved.x, lift, curvature: [half - root, half + root] }
     }
 }

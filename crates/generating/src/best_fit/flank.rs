@@ -1,35 +1,28 @@
-//! The best fit of one flank at one diagonal ratio: the flank that is planned, the command that makes it, and its correction where the tool
+//! The best fit of one flank at one diagonal ratio: a flank that can be made, the command that makes it, and the next command where the tool
 //! touches.
 
-use super::super::carried::RestFit;
+use super::super::carried::{FittedFlank, RestFit};
 use super::super::least_squares::{
     DiagonalCoordinates, FitQuality, FitReport, FlankCoordinates, FunctionClass, SplineGauge, WormFunctions,
 };
 use super::super::{GeneratingError, GrindingSetup};
 use super::bases::{Bases, Place, Ranges};
 use super::envelope::{Envelope, Section};
+use super::programme::{AxisShares, Curvature, FlankProgramme};
 use super::smoother::{Rows, Smoother};
 use contact::ContactSolution;
 use foundation::geometry::Flank;
-use foundation::kinematics::MotionLaw;
+use foundation::kinematics::{MotionLaw, PiecewisePolynomial};
 use foundation::numerics::extremes;
 use std::sync::Arc;
 
-/// Intervals of every function over the flank.
-const INTERVALS: usize = 24;
 /// Length over which the functions of the lines and of the feed go on beyond the flank, mm: the contact runs ahead by a few.
 const BEYOND: f64 = 8.0;
-/// Smoothness tried, from smooth to rough.
+/// Smoothness tried by an estimate, from smooth to rough.
 const SMOOTHNESS: [f64; 9] = [1e2, 1e1, 1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
-/// Smoothness of a command, whose values are smooth already.
-const COMMAND_SMOOTHNESS: f64 = 1e-5;
-/// Rounds in which weights grow where a fit stands out.
-const MINIMAX_ROUNDS: usize = 6;
-/// Curvature of the planned flank over that of the gap: hollows stay well below 1, where the envelope breaks; crests keep a determinant ratio
-/// of 0.3.
+/// Curvature of a planned flank over that of the gap: hollows stay well below 1, where the envelope breaks; crests keep a determinant ratio of
+/// 0.3.
 const CURVATURE: [f64; 2] = [-2.33, 0.7];
-/// Share of the tolerance below which smoothness counts more than nearness.
-const NEAR: f64 = 0.2;
 
 /// What is to be fitted on one flank.
 pub struct FlankFit<'a> {
@@ -41,24 +34,37 @@ pub struct FlankFit<'a> {
     wanted: &'a [f64],
     rows: Rows,
     tolerance: f64,
+    axes: &'a AxisShares,
 }
 
-/// A flank that can be made.
+/// A flank near what is wanted that can be made, in second order.
+struct PlannedFlank {
+    functions: WormFunctions,
+    /// What it costs: 1 is the tolerance or a limit of envelope or axes.
+    cost: f64,
+}
+
+/// A command on its way to the flank that is wanted.
 #[derive(Clone, Debug)]
-pub struct PlannedFlank {
-    /// Its functions, mm, transverse.
-    pub functions: WormFunctions,
-    /// Its values on the grid.
-    pub values: Vec<f64>,
-    /// Largest distance to what is wanted, mm, transverse.
-    pub off: f64,
-    /// What it costs: 1 is the tolerance or a limit of the envelope.
+pub struct FlankCommand {
+    /// Coefficients, mm, transverse.
+    pub coefficients: Vec<f64>,
+    /// What it is expected to cost: 1 is the tolerance or a limit.
     pub cost: f64,
 }
 
+impl FlankCommand {
+    /// The command in the middle between two.
+    pub fn halfway(&self, to: &Self) -> Self {
+        let middle = |(a, b): (&f64, &f64)| 0.5 * (a + b);
+        let coefficients = self.coefficients.iter().zip(&to.coefficients).map(middle).collect();
+        Self { coefficients, cost: to.cost }
+    }
+}
+
 impl<'a> FlankFit<'a> {
-    /// `wanted` (transverse, mm) on the grid `w` x `z`, row-major, by the functions of `class` under the ratio of `shift`. `tolerance` is
-    /// transverse, mm.
+    /// `wanted` (transverse, mm) on the grid `w` x `z`, row-major, by the functions of `class` under the ratio of `shift`, with `intervals`
+    /// over the flank. `tolerance` is transverse, mm.
     ///
     /// # Errors
     /// `DirectionAlongPath`, `InvalidSpline`, `DegenerateDirection` where bodies have no contact of second order.
@@ -68,7 +74,8 @@ impl<'a> FlankFit<'a> {
         (class, ratio, shift): (FunctionClass, f64, &MotionLaw),
         (w, z): (&'a [f64], &'a [f64]),
         wanted: &'a [f64],
-        tolerance: f64,
+        (tolerance, axes): (f64, &'a AxisShares),
+        intervals: usize,
     ) -> Result<Self, GeneratingError> {
         let lines = &setup.lines[flank];
         let coordinates = if class.uses_lines() {
@@ -83,7 +90,7 @@ impl<'a> FlankFit<'a> {
             path: extremes(corners.iter().map(|a| a.path)),
             beyond: BEYOND,
         };
-        let bases = Bases::new(class, &ranges, INTERVALS)?;
+        let bases = Bases::new(class, &ranges, intervals)?;
         let envelope = Envelope::new(setup, flank, coordinates, shift.clone(), ratio);
         let sections: Option<Vec<Section>> = w.iter().map(|&w| envelope.section(w)).collect();
         let sections = sections.ok_or(GeneratingError::DegenerateDirection { flank, ratio })?;
@@ -93,111 +100,131 @@ impl<'a> FlankFit<'a> {
             .map(|(w, z)| envelope.unmoved(w, z))
             .collect();
         let rows = Rows::new(&bases, &places);
-        Ok(Self { envelope, bases, sections, w, z, wanted, rows, tolerance })
+        Ok(Self { envelope, bases, sections, w, z, wanted, rows, tolerance, axes })
     }
 
     fn points(&self) -> impl Iterator<Item = (&Section, f64, f64)> {
         self.w.iter().zip(&self.sections).flat_map(|(&w, s)| self.z.iter().map(move |&z| (s, w, z)))
     }
 
-    /// The smoothest flank near what is wanted that the envelope allows, with `rounds` rounds in which weights grow where the fit stands out.
-    /// `None` where nothing is finite.
-    fn best(&self, rounds: usize) -> Option<PlannedFlank> {
+    /// The flank of least squares of least cost; `None` where nothing is finite.
+    fn planned(&self, share: f64) -> Option<PlannedFlank> {
         let mut best: Option<PlannedFlank> = None;
         for smoothness in SMOOTHNESS {
-            let Some(planned) = self.planned(smoothness, rounds) else { continue };
+            let Some(planned) = self.planned_at(smoothness, share) else { continue };
             if best.as_ref().is_none_or(|known| planned.cost < known.cost) {
                 best = Some(planned);
-            }
-            if best.as_ref().is_some_and(|known| known.cost <= NEAR) {
-                break;
             }
         }
         best
     }
 
-    /// The flank that is planned.
-    pub fn plan(&self) -> Option<PlannedFlank> {
-        self.best(MINIMAX_ROUNDS)
-    }
-
-    /// What a plan is about to cost: least squares alone.
-    pub fn estimate(&self) -> f64 {
-        self.best(0).map_or(f64::INFINITY, |planned| planned.cost)
-    }
-
-    fn planned(&self, smoothness: f64, rounds: usize) -> Option<PlannedFlank> {
+    fn planned_at(&self, smoothness: f64, share: f64) -> Option<PlannedFlank> {
         let smoother = Smoother { bases: &self.bases, rows: &self.rows };
-        let x = smoother.fit_largest(self.wanted, smoothness, rounds)?;
+        let mut x = smoother.fit(self.wanted, &vec![1.0; self.wanted.len()], smoothness)?;
+        x.iter_mut().for_each(|x| *x *= share);
         let functions = self.bases.functions(&x).ok()?;
         let values = self.rows.values(&x);
-        let off = values.iter().zip(self.wanted).map(|(f, wanted)| (f - wanted).abs()).fold(0.0, f64::max);
+        let off =
+            values.iter().zip(self.wanted).map(|(f, wanted)| (f - share * wanted).abs()).fold(0.0, f64::max);
         let curvature = extremes(
             self.points().flat_map(|(section, w, z)| self.envelope.foot(section, &functions, w, z).curvature),
         );
-        let broken = f64::max(curvature[0] / CURVATURE[0], curvature[1] / CURVATURE[1]) - 1.0;
-        let cost = (off / self.tolerance).max(NEAR) + 2.0 * broken.max(0.0);
-        Some(PlannedFlank { functions, values, off, cost })
+        let bent = f64::max(curvature[0] / CURVATURE[0], curvature[1] / CURVATURE[1]);
+        let cost = (off / self.tolerance).max(bent);
+        Some(PlannedFlank { functions, cost })
     }
 
-    /// The coefficients of the command that makes a planned flank, from the predicted feet.
-    pub fn command(&self, planned: &PlannedFlank) -> Option<Vec<f64>> {
-        let (places, values): (Vec<Place>, Vec<f64>) = self
+    /// What a plan is about to cost: the programme for the flank, to first order.
+    pub fn estimate(&self) -> f64 {
+        let places: Vec<(Place, Section)> =
+            self.points().map(|(section, w, z)| (self.envelope.unmoved(w, z), *section)).collect();
+        let programmed = self.programmed(&places, self.wanted, Curvature::FLANK);
+        programmed.map_or(f64::INFINITY, |programmed| programmed.cost)
+    }
+
+    /// The command that makes a share of what is wanted, from the predicted feet of a planned flank.
+    pub fn command(&self, share: f64) -> Option<FlankCommand> {
+        let planned = self.planned(share)?;
+        let (places, values): (Vec<_>, Vec<f64>) = self
             .points()
-            .map(|(section, w, z)| {
+            .zip(self.wanted)
+            .map(|((section, w, z), wanted)| {
                 let foot = self.envelope.foot(section, &planned.functions, w, z);
-                (foot.place, foot.command)
+                let there = self.envelope.section(foot.w).unwrap_or(*section);
+                ((foot.place, there), share * wanted - foot.lift)
             })
             .unzip();
-        self.fitted(&places, &values)
+        self.programmed(&places, &values, Curvature::COMMAND)
     }
 
-    fn fitted(&self, places: &[Place], values: &[f64]) -> Option<Vec<f64>> {
-        let rows = Rows::new(&self.bases, places);
-        let smoother = Smoother { bases: &self.bases, rows: &rows };
-        smoother.fit(values, &vec![1.0; values.len()], COMMAND_SMOOTHNESS)
-    }
-
-    /// The command corrected where the tool touched: `at` are the contacts on the grid with their points (w_1, z_1) on the unmodified
-    /// worm.
-    pub fn corrected(
+    fn programmed(
         &self,
-        command: &[f64],
-        planned: &PlannedFlank,
+        places: &[(Place, Section)],
+        wanted: &[f64],
+        curvature: Curvature,
+    ) -> Option<FlankCommand> {
+        let programme = FlankProgramme {
+            envelope: &self.envelope,
+            bases: &self.bases,
+            places,
+            row: self.z.len(),
+            wanted,
+            tolerance: self.tolerance,
+            curvature,
+            axes: self.axes,
+        };
+        let (coefficients, cost) = programme.solve()?;
+        Some(FlankCommand { coefficients, cost })
+    }
+
+    /// The next command, for a share of what is wanted, from where the tool touched: `at` are the contacts on the grid with their points (w_1, z_1) on the unmodified worm.
+    /// The flank follows the command one to one at a foot that is held.
+    pub fn next(
+        &self,
+        command: &FlankCommand,
         at: &[(ContactSolution, (f64, f64))],
-        cos_b2: f64,
-    ) -> Option<Vec<f64>> {
-        let places: Vec<Place> =
-            at.iter().map(|(contact, foot)| self.envelope.place_of_contact(*foot, contact.feed)).collect();
-        let rows = Rows::new(&self.bases, &places);
-        let commanded = rows.values(command);
+        (share, cos_b2): (f64, f64),
+    ) -> Option<FlankCommand> {
+        let places: Vec<(Place, Section)> = at
+            .iter()
+            .zip(self.points())
+            .map(|((contact, foot), (section, w, z))| {
+                let there = self.envelope.section(self.envelope.roll_of_contact(section, (w, z), *foot));
+                (self.envelope.place_of_contact(*foot, contact.feed), there.unwrap_or(*section))
+            })
+            .collect();
+        let own: Vec<Place> = places.iter().map(|(place, _)| *place).collect();
+        let commanded = Rows::new(&self.bases, &own).values(&command.coefficients);
         let values: Vec<f64> = commanded
             .iter()
-            .zip(&planned.values)
+            .zip(self.wanted)
             .zip(at)
-            .map(|((command, wanted), (contact, _))| command + wanted - contact.f_n / cos_b2)
+            .map(|((command, wanted), (contact, _))| command + share * wanted - contact.f_n / cos_b2)
             .collect();
-        let smoother = Smoother { bases: &self.bases, rows: &rows };
-        smoother.fit(&values, &vec![1.0; values.len()], COMMAND_SMOOTHNESS)
+        self.programmed(&places, &values, Curvature::COMMAND)
     }
 
-    /// The functions of a command with their coordinates.
+    /// Largest distance of contacts to what is wanted, transverse, mm.
+    pub fn off(&self, at: &[(ContactSolution, (f64, f64))], cos_b2: f64) -> f64 {
+        let off =
+            self.wanted.iter().zip(at).map(|(wanted, (contact, _))| (wanted - contact.f_n / cos_b2).abs());
+        off.fold(0.0, f64::max)
+    }
+
+    /// The functions of a command with their coordinates; `off` is what it leaves, transverse, mm.
     ///
     /// # Errors
-    /// `InvalidSpline`.
-    pub fn decomposition(
-        &self,
-        command: &[f64],
-        planned: &PlannedFlank,
-    ) -> Result<Arc<RestFit>, GeneratingError> {
-        let quality = FitQuality {
-            largest: planned.off,
-            tolerance_ratio: planned.off / self.tolerance,
-            ..FitQuality::default()
-        };
+    /// `InvalidSpline`, `Law`.
+    pub fn decomposition(&self, command: &FlankCommand, off: f64) -> Result<FittedFlank, GeneratingError> {
+        let quality =
+            FitQuality { largest: off, tolerance_ratio: off / self.tolerance, ..FitQuality::default() };
         let columns = self.bases.columns();
-        Ok(Arc::new(RestFit {
-            functions: self.bases.functions(command)?,
+        let mut functions = self.bases.functions(&command.coefficients)?;
+        let profile = functions.profile.take().and_then(|profile| profile.cubic_pieces());
+        let profile = profile.map(|(ends, pieces)| PiecewisePolynomial::new(ends, pieces)).transpose();
+        let fit = Arc::new(RestFit {
+            functions,
             coordinates: self.envelope.coordinates(),
             report: FitReport {
                 points: self.wanted.len(),
@@ -208,6 +235,7 @@ impl<'a> FlankFit<'a> {
                 minimax: None,
             },
             gauge: SplineGauge::MinimumNorm,
-        }))
+        });
+        Ok(FittedFlank { fit, profile: profile.map_err(GeneratingError::Law)? })
     }
 }

@@ -8,6 +8,7 @@ mod bases;
 mod envelope;
 mod flank;
 mod planner;
+mod programme;
 mod ratios;
 mod smoother;
 

@@ -1,9 +1,14 @@
 //! Best fits over the diagonal ratios, and the plans that make them.
 
-use super::super::carried::RestFit;
+use super::super::carried::FittedFlank;
+use super::super::dressed::dressing_response;
 use super::super::least_squares::FunctionClass;
-use super::super::{FeedLaw, FlankTarget, GeneratingError, GrindingSetup, IdealPlan, PlanningGrid};
-use super::flank::{FlankFit, PlannedFlank};
+use super::super::{
+    DressingLimits, DressingRows, FeedLaw, FlankTarget, GeneratingError, GrindingSetup, IdealPlan,
+    PlanningGrid,
+};
+use super::flank::{FlankCommand, FlankFit};
+use super::programme::AxisShares;
 use super::ratios::{candidates, fits};
 use contact::ContactSolution;
 use foundation::geometry::{Flank, Sides};
@@ -20,11 +25,14 @@ pub struct BestFitTask<'a> {
     setup: &'a GrindingSetup,
     which: Vec<Flank>,
     grid: &'a PlanningGrid,
+    /// Intervals of every function over the flank.
+    intervals: usize,
     wanted: Sides<Vec<f64>>,
     given: Sides<Vec<Modification>>,
     free_profile: bool,
     /// Normal, mm.
     tolerance: f64,
+    axes: Sides<AxisShares>,
 }
 
 /// A ratio with what its fit is expected to cost.
@@ -40,24 +48,41 @@ pub struct Expected {
 #[derive(Clone)]
 pub struct BestFit<'a> {
     feed: FeedLaw,
-    fits: Sides<Option<Arc<(FlankFit<'a>, PlannedFlank)>>>,
-    commands: Sides<Option<Vec<f64>>>,
+    fits: Sides<Option<Arc<FlankFit<'a>>>>,
+    commands: Sides<Option<FlankCommand>>,
+    /// What is left, transverse, mm.
+    pub off: Sides<f64>,
 }
 
 /// Contacts on the grid with their points on the unmodified worm.
 pub type Contacts = Vec<(ContactSolution, (f64, f64))>;
 
+/// What the functions of a flank ask of the axes, as shares of the limits.
+fn axis_shares(
+    setup: &GrindingSetup,
+    flank: Flank,
+    limits: DressingLimits,
+    dressing: DressingRows,
+) -> AxisShares {
+    let lines = match dressing_response(setup, flank, dressing) {
+        Some(answers) => (0..4).map(|j| answers[j].map(|by| by / limits.correction[j])).collect(),
+        None => Vec::new(),
+    };
+    let of = &setup.lines[flank];
+    AxisShares { lines, path: of.cos_b2 / (of.sin_an * limits.delta_d) }
+}
+
 impl<'a> BestFitTask<'a> {
-    /// Targets on a grid; `free_profile`: a dresser is made for them.
+    /// Targets on a grid, functions with `intervals` over the flank; `free_profile`: a dresser is made for them.
     ///
     /// # Errors
     /// Evaluation errors of the targets.
     pub fn new(
         setup: &'a GrindingSetup,
         targets: &'a Sides<Option<FlankTarget>>,
-        grid: &'a PlanningGrid,
+        (grid, intervals): (&'a PlanningGrid, usize),
         free_profile: bool,
-        tolerance: f64,
+        (tolerance, limits, dressing): (f64, DressingLimits, DressingRows),
     ) -> Result<Self, GeneratingError> {
         let which: Vec<Flank> = targets.iter().filter(|(_, t)| t.is_some()).map(|(f, _)| f).collect();
         // With a given dresser the reliefs of a target are what that dresser leaves.
@@ -79,7 +104,8 @@ impl<'a> BestFitTask<'a> {
             }
             Ok::<_, GeneratingError>(wanted)
         })?;
-        Ok(Self { setup, which, grid, wanted, given, free_profile, tolerance })
+        let axes = Sides::from_fn(|flank| axis_shares(setup, flank, limits, dressing));
+        Ok(Self { setup, which, grid, intervals, wanted, given, free_profile, tolerance, axes })
     }
 
     fn class(&self, ratio: f64) -> FunctionClass {
@@ -87,7 +113,7 @@ impl<'a> BestFitTask<'a> {
         FunctionClass { profile: self.free_profile, ..class }
     }
 
-    fn fits(&self, ratio: f64) -> Result<Sides<Option<FlankFit<'_>>>, GeneratingError> {
+    fn fits(&self, ratio: f64) -> Result<Sides<Option<Arc<FlankFit<'_>>>>, GeneratingError> {
         let shift = FeedLaw::Ratio(ratio).law(self.setup, &self.which);
         Sides::try_from_fn(|flank| {
             if !self.which.contains(&flank) {
@@ -99,16 +125,17 @@ impl<'a> BestFitTask<'a> {
                 (self.class(ratio), ratio, &shift),
                 (&self.grid.w[flank], &self.grid.z),
                 &self.wanted[flank],
-                self.tolerance / self.setup.lines[flank].cos_b2,
+                (self.tolerance / self.setup.lines[flank].cos_b2, &self.axes[flank]),
+                self.intervals,
             )
-            .map(Some)
+            .map(|fit| Some(Arc::new(fit)))
         })
     }
 
     fn cost(&self, ratio: f64) -> f64 {
         let fits = self.fits(ratio);
         fits.map_or(f64::INFINITY, |fits| {
-            fits.iter().filter_map(|(_, fit)| fit.as_ref()).map(FlankFit::estimate).fold(0.0, f64::max)
+            fits.iter().filter_map(|(_, fit)| fit.as_ref()).map(|fit| fit.estimate()).fold(0.0, f64::max)
         })
     }
 
@@ -122,7 +149,7 @@ impl<'a> BestFitTask<'a> {
             a.cost.total_cmp(&b.cost).then(a.ratio.abs().total_cmp(&b.ratio.abs()))
         };
         tried.sort_by(order);
-        if let Some(best) = tried.first().copied().filter(|best| best.ratio != 0.0 && best.cost > 0.3) {
+        if let Some(best) = tried.first().copied().filter(|best| best.ratio != 0.0 && best.cost > 0.4) {
             let (a, b) = (0.8 * best.ratio, 1.25 * best.ratio);
             let mut found = Vec::new();
             golden_section(a, b, GOLDEN, |ratio| {
@@ -138,25 +165,24 @@ impl<'a> BestFitTask<'a> {
             tried.sort_by(order);
         }
         tried.retain(|tried| tried.cost.is_finite());
+        tried.dedup_by(|a, b| (a.ratio - b.ratio).abs() < 1e-3 * b.ratio.abs());
         tried
     }
 
-    /// The best fit at a ratio with its first command.
+    /// The best fit at a ratio with its first command, for a share of what is wanted.
     ///
     /// # Errors
     /// Where bodies have no contact of second order or numbers are not finite.
-    pub fn at(&self, ratio: f64) -> Result<BestFit<'_>, GeneratingError> {
-        let mut fits = self.fits(ratio)?;
-        let fits = Sides::try_from_fn(|flank| {
-            let Some(fit) = fits[flank].take() else { return Ok(None) };
-            let planned = fit.plan().ok_or(GeneratingError::DegenerateDirection { flank, ratio })?;
-            Ok::<_, GeneratingError>(Some(Arc::new((fit, planned))))
-        })?;
-        let commands = Sides::try_from_fn(|flank| {
-            let Some((fit, planned)) = fits[flank].as_deref() else { return Ok(None) };
-            fit.command(planned).map(Some).ok_or(GeneratingError::DegenerateDirection { flank, ratio })
-        })?;
-        Ok(BestFit { feed: FeedLaw::Ratio(ratio), fits, commands })
+    pub fn at(&self, ratio: f64, share: f64) -> Result<BestFit<'_>, GeneratingError> {
+        let fits = self.fits(ratio)?;
+        let command = |flank: Flank| {
+            let fit = fits[flank].as_ref();
+            fit.map(|fit| fit.command(share).ok_or(GeneratingError::DegenerateDirection { flank, ratio }))
+                .transpose()
+        };
+        let (left, right) = rayon::join(|| command(Flank::Left), || command(Flank::Right));
+        let commands = Sides { left: left?, right: right? };
+        Ok(BestFit { feed: FeedLaw::Ratio(ratio), fits, commands, off: Sides::both(0.0) })
     }
 
     /// The plan of a best fit.
@@ -164,42 +190,53 @@ impl<'a> BestFitTask<'a> {
     /// # Errors
     /// `InvalidSpline`, `Law`.
     pub fn plan(&self, best: &BestFit<'_>) -> Result<IdealPlan, GeneratingError> {
-        let decompositions: Sides<Option<Arc<RestFit>>> = Sides::try_from_fn(|flank| {
-            let (Some((fit, planned)), Some(command)) = (best.fits[flank].as_deref(), &best.commands[flank])
-            else {
+        let fitted: Sides<Option<FittedFlank>> = Sides::try_from_fn(|flank| {
+            let (Some(fit), Some(command)) = (best.fits[flank].as_deref(), &best.commands[flank]) else {
                 return Ok(None);
             };
-            fit.decomposition(command, planned).map(Some)
+            fit.decomposition(command, best.off[flank]).map(Some)
         })?;
-        let outside = Sides::from_fn(|flank| best.fits[flank].as_ref().map_or(0.0, |fit| fit.1.off));
-        IdealPlan::of_fits(self.setup, &best.feed, &decompositions, &self.given, outside)
+        IdealPlan::of_fits(self.setup, &best.feed, &fitted, &self.given)
     }
 }
 
 impl BestFit<'_> {
-    /// Corrects the commands where the tool touched. `false` where nothing is finite: the commands are as they were.
-    pub fn correct(&mut self, setup: &GrindingSetup, contacts: &Sides<Option<Contacts>>) -> bool {
-        let next = Sides::from_fn(|flank| {
-            let (fit, planned) = self.fits[flank].as_deref()?;
-            let (command, at) = (self.commands[flank].as_ref()?, contacts[flank].as_ref()?);
-            fit.corrected(command, planned, at, setup.lines[flank].cos_b2)
+    /// The best fit whose command lies in the middle between two of one ratio.
+    pub fn halfway(&self, to: &Self) -> Self {
+        let commands = Sides::from_fn(|flank| {
+            let (from, to) = (self.commands[flank].as_ref()?, to.commands[flank].as_ref()?);
+            Some(from.halfway(to))
         });
-        let whole =
-            Flank::BOTH.into_iter().all(|flank| next[flank].is_some() == self.commands[flank].is_some());
-        if whole {
-            self.commands = next;
-        }
-        whole
+        Self { commands, ..self.clone() }
     }
 
-    /// Largest distance between planned flank and contacts, normal, mm.
-    pub fn off(&self, setup: &GrindingSetup, contacts: &Sides<Option<Contacts>>) -> f64 {
-        let of_flank = |flank: Flank| {
-            let ((_, planned), at) = (self.fits[flank].as_deref()?, contacts[flank].as_ref()?);
-            let cos = setup.lines[flank].cos_b2;
-            let off = planned.values.iter().zip(at).map(|(f, (contact, _))| (f * cos - contact.f_n).abs());
-            Some(off.fold(0.0, f64::max))
+    /// The next best fit, for a share of what is wanted, from where the tool touched; `None` where a programme has no solution.
+    pub fn next(
+        &self,
+        setup: &GrindingSetup,
+        contacts: &Sides<Option<Contacts>>,
+        share: f64,
+    ) -> Option<Self> {
+        let next = |flank: Flank| {
+            let (fit, command, at) =
+                (self.fits[flank].as_ref()?, self.commands[flank].as_ref()?, contacts[flank].as_ref()?);
+            fit.next(command, at, (share, setup.lines[flank].cos_b2))
         };
-        Flank::BOTH.into_iter().filter_map(of_flank).fold(0.0, f64::max)
+        let (left, right) = rayon::join(|| next(Flank::Left), || next(Flank::Right));
+        let commands = Sides { left, right };
+        let whole = commands.iter().all(|(flank, next)| next.is_some() == self.commands[flank].is_some());
+        whole.then(|| Self { commands, ..self.clone() })
+    }
+
+    /// Notes what contacts leave; the largest, normal, mm.
+    pub fn judge(&mut self, setup: &GrindingSetup, contacts: &Sides<Option<Contacts>>) -> f64 {
+        let mut largest: f64 = 0.0;
+        for flank in Flank::BOTH {
+            let (Some(fit), Some(at)) = (&self.fits[flank], &contacts[flank]) else { continue };
+            let cos = setup.lines[flank].cos_b2;
+            self.off[flank] = fit.off(at, cos);
+            largest = largest.max(self.off[flank] * cos);
+        }
+        largest
     }
 }

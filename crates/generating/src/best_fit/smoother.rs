@@ -56,15 +56,12 @@ impl Rows {
     }
 }
 
-/// The penalty of a block: squares of its differences, each over the number of them.
+/// The penalty of a block, in the lower triangle.
 fn add_differences(matrix: &mut DMatrix<f64>, block: &Block, stencil: &[f64], weight: f64) {
-    let count = block.basis.count().saturating_sub(stencil.len() - 1);
-    for j in 0..count {
-        for (a, &by_a) in stencil.iter().enumerate() {
-            for (b, &by_b) in stencil[..=a].iter().enumerate() {
-                matrix[(block.first + j + a, block.first + j + b)] += weight / count as f64 * by_a * by_b;
-            }
-        }
+    let mut form = Vec::new();
+    block.differences(stencil, weight, &mut form);
+    for (row, column, value) in form {
+        matrix[(column, row)] += value;
     }
 }
 
@@ -92,30 +89,5 @@ impl Smoother<'_> {
         }
         let solved = matrix.cholesky()?.solve(&right);
         solved.iter().all(|x| x.is_finite()).then(|| solved.iter().copied().collect())
-    }
-
-    /// As [`Smoother::fit`] with the largest residual made small, by weights that grow where it stands out.
-    pub fn fit_largest(&self, values: &[f64], smoothness: f64, rounds: usize) -> Option<Vec<f64>> {
-        let mut weights = vec![1.0; values.len()];
-        let mut best: Option<(f64, Vec<f64>)> = None;
-        for _ in 0..=rounds {
-            let x = self.fit(values, &weights, smoothness)?;
-            let off: Vec<f64> = self.rows.values(&x).iter().zip(values).map(|(f, v)| (f - v).abs()).collect();
-            let largest = off.iter().copied().fold(0.0, f64::max);
-            if best.as_ref().is_none_or(|(known, _)| largest < *known) {
-                best = Some((largest, x));
-            }
-            if largest <= 0.0 {
-                break;
-            }
-            let mut sum = 0.0;
-            for (weight, off) in weights.iter_mut().zip(&off) {
-                *weight *= 0.02 + off / largest;
-                sum += *weight;
-            }
-            let mean = sum / weights.len().max(1) as f64;
-            weights.iter_mut().for_each(|weight| *weight = (*weight / mean).max(1e-3));
-        }
-        best.map(|(_, x)| x)
     }
 }

@@ -1,0 +1,116 @@
+//! Convex quadratic programmes with linear bounds and bounds on the length of vectors, by interior points. Knows no gears.
+
+use clarabel::algebra::CscMatrix;
+use clarabel::solver::{
+    DefaultSettings, DefaultSolver, IPSolver, NonnegativeConeT, SecondOrderConeT, SolverStatus,
+};
+
+/// An affine function of the variables: entries (column, factor) and a constant.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Affine {
+    /// Entries (column, factor).
+    pub entries: Vec<(usize, f64)>,
+    /// Constant.
+    pub constant: f64,
+}
+
+/// min x.P.x/2 + c.x with affine functions of x that are not negative, and others that are no shorter than the vector of two more.
+#[derive(Clone, Debug, Default)]
+pub struct ConeProgramme {
+    /// c, one number for each variable.
+    pub cost: Vec<f64>,
+    /// Entries (row, column, value) of P with row <= column; several of one place add up. P has no negative eigenvalue.
+    pub quadratic: Vec<(usize, usize, f64)>,
+    /// Each is at least 0.
+    pub positive: Vec<Affine>,
+    /// Of each the first is at least the length of the vector of the others.
+    pub cones: Vec<[Affine; 3]>,
+}
+
+/// Where a programme ends.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ConeOptimum {
+    /// The variables.
+    pub x: Vec<f64>,
+    /// No x that meets the bounds has a smaller objective than this, to the accuracy of the interior points.
+    pub bound: f64,
+}
+
+impl ConeProgramme {
+    /// Solves; `None` if the interior points do not converge to `accuracy`, of a programme scaled to numbers of about 1.
+    pub fn solve(&self, accuracy: f64) -> Option<ConeOptimum> {
+        let columns = self.cost.len();
+        let all = || self.positive.iter().chain(self.cones.iter().flatten());
+        let (mut rows, mut places, mut values, mut right) = (vec![], vec![], vec![], vec![]);
+        // Clarabel's form: right - A x in the cone.
+        for (row, affine) in all().enumerate() {
+            right.push(affine.constant);
+            for &(column, factor) in &affine.entries {
+                rows.push(row);
+                places.push(column);
+                values.push(-factor);
+            }
+        }
+        let a = CscMatrix::new_from_triplets(right.len(), columns, rows, places, values);
+        let (mut rows, mut places, mut values) = (vec![], vec![], vec![]);
+        for &(row, column, value) in &self.quadratic {
+            rows.push(row);
+            places.push(column);
+            values.push(value);
+        }
+        let p = CscMatrix::new_from_triplets(columns, columns, rows, places, values);
+        let mut cones = vec![NonnegativeConeT(self.positive.len())];
+        cones.extend(self.cones.iter().map(|_| SecondOrderConeT(3)));
+        let settings = DefaultSettings {
+            verbose: false,
+            max_threads: 1,
+            direct_solve_method: "qdldl".into(),
+            tol_gap_abs: accuracy,
+            tol_gap_rel: accuracy,
+            tol_feas: accuracy,
+            ..DefaultSettings::default()
+        };
+        let mut solver = DefaultSolver::new(&p, &self.cost, &a, &right, &cones, settings).ok()?;
+        solver.solve();
+        let solution = &solver.solution;
+        let good = matches!(solution.status, SolverStatus::Solved | SolverStatus::AlmostSolved);
+        let finite = solution.x.iter().all(|x| x.is_finite()) && solution.obj_val_dual.is_finite();
+        (good && finite).then(|| ConeOptimum { x: solution.x.clone(), bound: solution.obj_val_dual })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn affine<const N: usize>(entries: [(usize, f64); N], constant: f64) -> Affine {
+        Affine { entries: entries.to_vec(), constant }
+    }
+
+    #[test]
+    fn the_nearest_point_of_a_disc_cut_by_a_line_is_known() {
+        // Nearest to (3, 4) with |x| <= 1: (0.6, 0.8); with x_1 <= 0.5 besides: (0.5, sqrt 0.75).
+        let mut programme = ConeProgramme {
+            cost: vec![-3.0, -4.0],
+            quadratic: vec![(0, 0, 1.0), (1, 1, 1.0)],
+            positive: Vec::new(),
+            cones: vec![[affine([], 1.0), affine([(0, 1.0)], 0.0), affine([(1, 1.0)], 0.0)]],
+        };
+        let disc = programme.solve(1e-9).unwrap();
+        assert!((disc.x[0] - 0.6).abs() < 1e-6 && (disc.x[1] - 0.8).abs() < 1e-6, "{disc:?}");
+        assert!((disc.bound - (0.5 - 5.0)).abs() < 1e-6);
+        programme.positive.push(affine([(0, -1.0)], 0.5));
+        let cut = programme.solve(1e-9).unwrap();
+        assert!((cut.x[0] - 0.5).abs() < 1e-6 && (cut.x[1] - 0.75f64.sqrt()).abs() < 1e-6, "{cut:?}");
+    }
+
+    #[test]
+    fn contradictions_have_no_optimum() {
+        let apart = ConeProgramme {
+            cost: vec![1.0],
+            positive: vec![affine([(0, 1.0)], -1.0), affine([(0, -1.0)], 0.0)],
+            ..ConeProgramme::default()
+        };
+        assert_eq!(apart.solve(1e-9), None);
+    }
+}

@@ -1,0 +1,102 @@
+//! Plans by a best fit: ordinary drawings with end reliefs, and the settings that carry a fitted profile.
+
+use foundation::geometry::Flank;
+use foundation::numerics::Silent;
+use generating::RatioReason;
+use generating_grinding::job::{Job, LoadedJob};
+use generating_grinding::workflow::{Execution, Outcome, Prepared, plan_job, prepare, simulate_job};
+use job::{Source, parse_job_of};
+use serde_json::Value;
+use verdict::Status;
+
+/// Drawings as shops have them, one a line, with the names of their jobs.
+const DRAWINGS: &str = include_str!("drawings.json");
+
+fn drawing(name: &str) -> Value {
+    let all: Vec<Value> = serde_json::from_str(DRAWINGS).unwrap();
+    all.into_iter().find(|job| job["job"]["name"] == name).unwrap()
+}
+
+fn load(job: &Value) -> LoadedJob {
+    parse_job_of::<Job>(Source::new("drawing.json", &job.to_string())).unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// The plan of a drawing, which is a best fit within the tolerance on points of no grid of the planner.
+fn fitted(name: &str) -> (Prepared, Execution) {
+    let ready = prepare(&load(&drawing(name))).unwrap_or_else(|e| panic!("{e:?}"));
+    let plan = ready.task().plan().unwrap_or_else(|e| panic!("{name}: {e}"));
+    assert_eq!(plan.choice.reason, RatioReason::BestFit, "{name}");
+    let grid = generating::PlanningGrid::new(&ready.setup, 23, 67);
+    for flank in Flank::BOTH {
+        let (Some(made), Some(target)) = (&plan.flanks[flank], &ready.targets[flank]) else { continue };
+        let ground = made.tool.ground(&ready.setup, flank, &grid, &plan.ideal.motion).unwrap();
+        let wanted = grid.target(flank, target, ready.setup.lines[flank].cos_b2).unwrap();
+        let off = ground.iter().zip(&wanted).map(|(g, t)| (g.f_n - t).abs()).fold(0.0, f64::max);
+        assert!(off <= ready.tolerance.tightest(), "{name}, {flank}: {} um", off * 1e3);
+    }
+    assert!(plan.determinant >= 0.1, "{name}: {}", plan.determinant);
+    let execution = Execution::of_plan(&ready, &plan);
+    (ready, execution)
+}
+
+fn refereed(loaded: &LoadedJob, run: impl Fn(&LoadedJob) -> Result<Outcome, run::RunFailure>) -> Outcome {
+    let outcome = run(loaded).unwrap_or_else(|e| panic!("{e:?}"));
+    assert_eq!(outcome.result.verdict.status(), Status::Met, "{:?}", outcome.result.verdict.reason());
+    outcome
+}
+
+#[test]
+fn the_referee_meets_an_end_relief_and_its_settings_run_again() {
+    let mut job = drawing("d017");
+    let planned = refereed(&load(&job), |loaded| plan_job(loaded, &Silent));
+    for flank in planned.result.flanks.values() {
+        // A tenth of the tolerance between plan and rays.
+        assert!(
+            flank.model_difference_um < 0.1 * planned.result.tolerance_um,
+            "{}",
+            flank.model_difference_um
+        );
+    }
+    let settings = serde_json::to_value(&planned.result.settings.settings).unwrap();
+    assert!(
+        settings["left"]["profile_pieces"]["breaks_mm"].as_array().is_some_and(|breaks| breaks.len() > 20)
+    );
+    job["settings"] = settings;
+    let simulated = refereed(&load(&job), |loaded| simulate_job(loaded, &Silent));
+    for (name, flank) in &planned.result.flanks {
+        let again = &simulated.result.flanks[name];
+        let rows = |f: &[Vec<f64>]| f.concat();
+        for (a, b) in rows(&flank.planned_um).iter().zip(rows(&again.planned_um)) {
+            // Settings pass through degrees and micrometres.
+            assert!((a - b).abs() < 1e-5, "{a} {b}");
+        }
+    }
+}
+
+#[test]
+fn pieces_of_a_profile_that_do_not_meet_are_refused_by_name() {
+    let mut job = drawing("d031");
+    let (_, execution) = fitted("d031");
+    let mut settings = serde_json::to_value(execution.settings()).unwrap();
+    settings["left"]["profile_pieces"]["coefficients"][3][0] = 4e3.into();
+    job["settings"] = settings;
+    let Err(failure) = simulate_job(&load(&job), &Silent) else { panic!("a profile with a step ran") };
+    let said = format!("{failure:?}");
+    assert!(said.contains("settings.left.profile_pieces"), "{said}");
+}
+
+#[test]
+fn drawings_with_end_reliefs_are_made() {
+    for name in ["d003", "d028", "d029"] {
+        fitted(name);
+    }
+}
+
+#[test]
+fn a_plan_is_the_same_on_any_number_of_threads() {
+    let once = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| fitted("d031").1.settings())
+    };
+    assert_eq!(once(1), once(3));
+}

@@ -1,0 +1,228 @@
+//! The command of one flank as a convex programme: the smoothest functions that come near what is wanted where the tool touches, within what
+//! the envelope and the axes allow (`docs/mathematics/best-fit.md#the-programme`).
+
+use super::bases::{Bases, Kind, Place};
+use super::envelope::{Envelope, Section};
+use foundation::inverse::{Affine, ConeOptimum, ConeProgramme};
+use nalgebra::{Matrix2, Vector2};
+
+/// What is meant by the functions, and how far they may be curved over the gap. A bend of 0 costs nothing: crests at a determinant ratio of 0.6,
+/// hollows that leave a flank of half the gap's curvature. A bend of 0.3, the largest within the limits, allows a determinant ratio of 0.3 and
+/// a flank of 0.7 of the gap's curvature.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Curvature {
+    /// Least and largest at no bend.
+    free: [f64; 2],
+    /// What a bend of 1 adds to these.
+    by_bend: [f64; 2],
+}
+
+impl Curvature {
+    /// Of a command, where the tool touches.
+    pub const COMMAND: Self = Self { free: [-0.4, 1.0], by_bend: [-1.0, 4.4] };
+    /// Of the flank that is left; x of the flank is x/(1 - x) of its command.
+    pub const FLANK: Self = Self { free: [-0.67, 0.5], by_bend: [-5.5, 0.67] };
+}
+
+/// The largest bend within the limits, and what an excess of 1, the tolerance, adds to it.
+const LARGEST_BEND: f64 = 0.3;
+const BEND_BY_EXCESS: f64 = 0.1;
+/// Price of the bend against smoothness.
+const BEND: f64 = 30.0;
+/// Share of the tolerance below which smoothness counts more than nearness.
+const NEAR: f64 = 0.2;
+/// Share of the limits of the axes that costs nothing, in first order; a bend adds to it.
+const AXES: f64 = 0.5;
+/// Price of the excess against smoothness.
+const EXCESS: f64 = 1e3;
+/// Weight of the second differences against that of the third, and of the coefficients of F_K and F_L themselves: choose among equal
+/// decompositions.
+const STRAIGHT: f64 = 1e-3;
+const TRAVEL: f64 = 1e-5;
+const RIDGE: f64 = 1e-9;
+/// Accuracy of the interior points.
+const ACCURACY: f64 = 1e-6;
+
+/// How the axes answer to the functions, each share 1 at its limit, by 1 mm of the function, transverse.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct AxisShares {
+    /// Of F_C and F_L, for each correction of the dressing motion.
+    pub lines: Vec<[f64; 2]>,
+    /// Of F_K, for the motion of grinding.
+    pub path: f64,
+}
+
+impl AxisShares {
+    /// Every sum of coefficients that is the share of an axis.
+    fn each(&self, bases: &Bases, mut take: impl FnMut(&[(usize, f64)])) {
+        let block = |kind: Kind| bases.blocks.iter().find(|block| block.kind == kind);
+        if let (Some(constant), Some(linear)) = (block(Kind::Constant), block(Kind::Linear)) {
+            for [by_constant, by_linear] in &self.lines {
+                for k in 0..constant.basis.count() {
+                    take(&[(constant.first + k, *by_constant), (linear.first + k, *by_linear)]);
+                }
+            }
+        }
+        if let Some(path) = block(Kind::Kinematic) {
+            (0..path.basis.count()).for_each(|k| take(&[(path.first + k, self.path)]));
+        }
+    }
+}
+
+/// What is to be commanded on one flank.
+pub struct FlankProgramme<'a> {
+    /// Contact.
+    pub envelope: &'a Envelope<'a>,
+    /// Functions.
+    pub bases: &'a Bases,
+    /// Where the tool touches, with the contact there: a grid, row by row.
+    pub places: &'a [(Place, Section)],
+    /// Points of a row.
+    pub row: usize,
+    /// The command that is wanted at each of them, transverse, mm.
+    pub wanted: &'a [f64],
+    /// Transverse, mm.
+    pub tolerance: f64,
+    /// What the functions are.
+    pub curvature: Curvature,
+    /// The axes.
+    pub axes: &'a AxisShares,
+}
+
+impl FlankProgramme<'_> {
+    /// Coefficients, mm, and what they cost: 0.2 where nothing is difficult, 1 about at the tolerance. `None` if the programme cannot be solved.
+    pub fn solve(&self) -> Option<(Vec<f64>, f64)> {
+        let columns = self.bases.columns();
+        let mut programme = ConeProgramme { cost: vec![0.0; columns + 2], ..ConeProgramme::default() };
+        let (excess, bend) = (columns, columns + 1);
+        programme.cost[excess] = EXCESS;
+        programme.cost[bend] = BEND;
+        for own in [excess, bend] {
+            programme.positive.push(Affine { entries: vec![(own, 1.0)], constant: 0.0 });
+        }
+        let room = vec![(bend, -1.0), (excess, BEND_BY_EXCESS)];
+        programme.positive.push(Affine { entries: room, constant: LARGEST_BEND });
+        self.stay_near(&mut programme);
+        self.keep_envelope(&mut programme)?;
+        self.keep_axes(&mut programme);
+        self.be_smooth(&mut programme);
+        let ConeOptimum { mut x, .. } = programme.solve(ACCURACY)?;
+        let cost = NEAR + x.get(excess)?.max(0.0) + x.get(bend)?.max(0.0);
+        x.truncate(columns);
+        x.iter_mut().for_each(|x| *x *= self.tolerance);
+        Some((x, cost))
+    }
+
+    /// |wanted - f| <= NEAR + excess, in tolerances.
+    fn stay_near(&self, programme: &mut ConeProgramme) {
+        let excess = self.bases.columns();
+        let mut row = Vec::new();
+        for ((place, _), wanted) in self.places.iter().zip(self.wanted) {
+            let wanted = wanted / self.tolerance;
+            self.bases.row(place, &mut row);
+            for sign in [1.0, -1.0] {
+                let mut entries: Vec<(usize, f64)> = row.iter().map(|&(k, a)| (k, -sign * a)).collect();
+                entries.push((excess, 1.0));
+                programme.positive.push(Affine { entries, constant: NEAR + sign * wanted });
+            }
+        }
+    }
+
+    /// Both eigenvalues of the curvature over that of the gap between their limits.
+    fn keep_envelope(&self, programme: &mut ConeProgramme) -> Option<()> {
+        let bend = self.bases.columns() + 1;
+        // Every second point of every second row tells it for splines of fewer pieces than that.
+        let thinned = |&(k, _): &(usize, _)| (k / self.row) % 2 == 0 && (k % self.row) % 2 == 0;
+        for (_, (place, section)) in self.places.iter().enumerate().filter(thinned) {
+            let [a, b, c] = self.envelope.curvature_rows(section, self.bases, place)?;
+            let scaled = |row: &[(usize, f64)], by: f64| -> Vec<(usize, f64)> {
+                row.iter().map(|&(k, x)| (k, x * by * self.tolerance)).collect()
+            };
+            let joined = |mut left: Vec<(usize, f64)>, right: Vec<(usize, f64)>| {
+                left.extend(right);
+                left
+            };
+            let difference = Affine { entries: joined(scaled(&a, 0.5), scaled(&c, -0.5)), constant: 0.0 };
+            let mixed = Affine { entries: scaled(&b, 1.0), constant: 0.0 };
+            for (side, sign) in [(0, 1.0), (1, -1.0)] {
+                // A crest's command is curved against the gap: its least eigenvalue is bounded from below.
+                let mut entries = joined(scaled(&a, 0.5 * sign), scaled(&c, 0.5 * sign));
+                entries.push((bend, self.curvature.by_bend[side].abs()));
+                let room = Affine { entries, constant: self.curvature.free[side].abs() };
+                programme.cones.push([room, difference.clone(), mixed.clone()]);
+            }
+        }
+        Some(())
+    }
+
+    fn keep_axes(&self, programme: &mut ConeProgramme) {
+        let bend = self.bases.columns() + 1;
+        self.axes.each(self.bases, |entries| {
+            for sign in [1.0, -1.0] {
+                let scaled = entries.iter().map(|&(k, share)| (k, sign * share * self.tolerance));
+                let entries = scaled.chain([(bend, 1.0)]).collect();
+                programme.positive.push(Affine { entries, constant: AXES });
+            }
+        });
+    }
+
+    /// Mean squares of third differences, and what chooses among equals.
+    fn be_smooth(&self, programme: &mut ConeProgramme) {
+        for block in &self.bases.blocks {
+            let travel = match block.kind {
+                Kind::Kinematic | Kind::Linear => TRAVEL,
+                Kind::Constant | Kind::Profile => 0.0,
+            };
+            block.differences(&[-1.0, 3.0, -3.0, 1.0], 1.0, &mut programme.quadratic);
+            block.differences(&[1.0, -2.0, 1.0], STRAIGHT, &mut programme.quadratic);
+            block.differences(&[1.0], travel + RIDGE, &mut programme.quadratic);
+        }
+    }
+}
+
+impl Envelope<'_> {
+    /// The rows of the symmetric matrix (xx, xy, yy) whose eigenvalues are the curvatures of the functions over those of the gap, by the
+    /// coefficients in mm. `None` where the gap is not open in all directions.
+    pub fn curvature_rows(
+        &self,
+        section: &Section,
+        bases: &Bases,
+        place: &Place,
+    ) -> Option<[Vec<(usize, f64)>; 3]> {
+        let root = section.h.cholesky()?.l().try_inverse()?;
+        let (worm, path) = (root * section.worm.transpose(), root * section.path.transpose());
+        let mut rows: [Vec<(usize, f64)>; 3] = Default::default();
+        let &Place { w, at } = place;
+        // Straight coordinates: their slopes are the same everywhere.
+        let [x, _, along] = self.jets(w, 0.0);
+        for block in &bases.blocks {
+            let argument = match block.kind {
+                Kind::Constant | Kind::Linear => at.x,
+                Kind::Profile => at.profile,
+                Kind::Kinematic => at.path,
+            };
+            let (first, jets) = block.jets(argument);
+            let (u, u_w) = bases.factor(w);
+            for (k, [_, f1, f2]) in jets.into_iter().enumerate() {
+                let own = Matrix2::new(x.fu * x.fu, x.fu * x.fv, x.fu * x.fv, x.fv * x.fv) * f2;
+                let form = match block.kind {
+                    Kind::Constant => worm * own * worm.transpose(),
+                    Kind::Linear => {
+                        let tilt = Matrix2::new(2.0 * x.fu, x.fv, x.fv, 0.0) * (f1 * u_w);
+                        worm * (own * u + tilt) * worm.transpose()
+                    }
+                    Kind::Profile => {
+                        let by_w: Vector2<f64> = worm.column(0).into();
+                        by_w * by_w.transpose() * f2
+                    }
+                    // F_K depends on zeta: X_K = c_K zeta.
+                    Kind::Kinematic => path * path.transpose() * (f2 * along.fv * along.fv),
+                };
+                for (row, value) in rows.iter_mut().zip([form[(0, 0)], form[(0, 1)], form[(1, 1)]]) {
+                    row.push((first + k, value * section.cos));
+                }
+            }
+        }
+        Some(rows)
+    }
+}
