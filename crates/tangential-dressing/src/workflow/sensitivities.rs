@@ -1,9 +1,8 @@
 //! What a unit of each variable does to the unmodified flank.
 
-use super::prepare::{TangentialPrepared, measure_of};
+use super::prepare::TangentialPrepared;
 use super::result::SensitivityResult;
 use super::settings::SettledPass;
-use crate::job::TangentialJob;
 use crate::{Channel, FitGrid, Shape, TangentialError, TangentialFlank, TangentialSettings, Variable};
 
 /// The nine variables of the source, whose topographies every report shows (its table 3).
@@ -24,7 +23,6 @@ const SENSITIVITY_POINTS: usize = 11;
 
 /// Derivatives of the unmodified flank by the variables of the source and those that the passes use.
 pub(super) fn sensitivities(
-    job: &TangentialJob,
     ready: &TangentialPrepared,
     passes: &[SettledPass],
 ) -> Result<Vec<SensitivityResult>, TangentialError> {
@@ -39,7 +37,8 @@ pub(super) fn sensitivities(
         }
         for &flank in &pass.flanks {
             let settings = TangentialSettings::default();
-            let plain = TangentialFlank::new(&ready.model, flank, &pass.flanks, &settings, measure_of(job));
+            let measure = ready.rules.measure;
+            let plain = TangentialFlank::new(&ready.model, flank, &pass.flanks, &settings, measure);
             let grid = FitGrid::Radii(SENSITIVITY_POINTS).of(&ready.model, flank);
             let (_, by) = plain.linearised(&grid, &variables)?;
             let columns = grid.z.len();
