@@ -6,7 +6,7 @@ use super::settings::SettledPass;
 use crate::{Channel, FitGrid, Shape, TangentialError, TangentialFlank, TangentialSettings, Variable};
 
 /// The nine variables of the source, whose topographies every report shows (its table 3).
-pub(super) const SOURCE_VARIABLES: [(Channel, u32); 9] = [
+const SOURCE_VARIABLES: [(Channel, u32); 9] = [
     (Channel::Profile(None), 1),
     (Channel::Profile(None), 2),
     (Channel::Profile(None), 3),
@@ -67,4 +67,15 @@ const ROUNDING: f64 = 1e-9;
 
 fn without_rounding(x: f64) -> f64 {
     if x.abs() < ROUNDING { 0.0 } else { x }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn variables_of_the_source_are_those_that_a_job_names_so() {
+        let named = crate::job::Variable::SOURCE.map(|v| v.to_string());
+        assert_eq!(named, SOURCE_VARIABLES.map(|(c, k)| Variable::power(c, k).to_string()));
+    }
 }

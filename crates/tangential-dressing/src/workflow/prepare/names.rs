@@ -26,7 +26,6 @@ pub(super) fn variable_of(variable: drawn::Variable, field: &str) -> Result<Vari
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::workflow::sensitivities::SOURCE_VARIABLES;
 
     #[test]
     fn the_words_of_jobs_are_those_of_the_process() {
@@ -41,7 +40,5 @@ mod tests {
         let profiles = Channel::ALL.iter().filter(|c| matches!(c, Channel::Profile(_))).count();
         assert_eq!(count, (Channel::ALL.len() - 1) * 10 - profiles + 1);
         assert_eq!(drawn::Channel::ALL.map(drawn::Channel::name), Channel::ALL.map(Channel::name));
-        let source = drawn::Variable::SOURCE.map(|v| v.to_string());
-        assert_eq!(source, SOURCE_VARIABLES.map(|(c, k)| Variable::power(c, k).to_string()));
     }
 }
