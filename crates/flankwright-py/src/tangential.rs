@@ -1,7 +1,6 @@
 //! Tangential dressing: the flank that design variables leave, and its exact derivatives by them.
 
 use flankwright::contact::Measure;
-use flankwright::exchange::tangential_job::DeviationMeasure;
 use flankwright::exchange::{Diagnostic, TangentialJob};
 use flankwright::geometry::Flank;
 use flankwright::process::tangential_dressing::{
@@ -99,10 +98,7 @@ impl CoreTangential {
             let finding = finding.field("flank").value(flank.name());
             return Err(Failure::bad_input(&finding.way_out("take the other flank")).raised(py));
         };
-        let measure = match loaded.job.dressing.measure {
-            DeviationMeasure::Ray => Measure::Ray,
-            DeviationMeasure::Arc => Measure::Arc,
-        };
+        let measure = prepared.rules.measure;
         if points < 2 {
             let finding = Diagnostic::with_code("invalid-number", "a grid has at least two points each way");
             let finding = finding.field("points").value(points.to_string()).allowed("2 or more");

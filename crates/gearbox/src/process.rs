@@ -37,8 +37,8 @@ impl Process for ElectronicGearbox {
     }
 
     /// A gearbox is run, not planned: its command is one of its own.
-    fn takes(&self, command: &str) -> bool {
-        !matches!(command, "plan" | "simulate" | "explore" | "inspect" | "convert" | "program check")
+    fn commands(&self) -> Vec<&'static str> {
+        vec!["gearbox"]
     }
 
     fn instead(&self, command: &str) -> &'static str {

@@ -40,8 +40,8 @@ impl Process for GeneratingGrinding {
         &Task::ALL
     }
 
-    fn takes(&self, _command: &str) -> bool {
-        true
+    fn commands(&self) -> Vec<&'static str> {
+        vec!["plan", "simulate", "explore", "inspect", "convert", "program check"]
     }
 
     fn documents(&self) -> Vec<DocumentFormat> {

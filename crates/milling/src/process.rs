@@ -40,15 +40,8 @@ impl Process for FiveAxisMilling {
         Ok(Carried::boxed(loaded, run_milling(loaded, progress)?))
     }
 
-    fn takes(&self, command: &str) -> bool {
-        match command {
-            "program check" => true,
-            "convert" => false,
-            other => Task::ALL
-                .into_iter()
-                .find(|task| task.name() == other)
-                .is_none_or(|task| self.tasks().contains(&task)),
-        }
+    fn commands(&self) -> Vec<&'static str> {
+        vec!["plan", "program check"]
     }
 
     fn derived(&self, loaded: &LoadedMillingJob) -> Result<(DerivedGeometry, Vec<Remark>), JobFailure> {

@@ -6,7 +6,6 @@ use erased_serde::Serialize;
 use job::{Loaded, ProcessJob};
 use scene::Scene;
 use serde_json::Value;
-use std::any::Any;
 use std::path::{Path, PathBuf};
 use verdict::{Status, Verdict};
 
@@ -95,9 +94,6 @@ pub trait TaskOutcome: Send + Sync {
         None
     }
 
-    /// The outcome itself, for callers that know its process.
-    fn as_any(&self) -> &dyn Any;
-
     /// Whether the target is met; studies have no status.
     fn status(&self) -> Option<Status> {
         self.verdict().map(Verdict::status)
@@ -183,9 +179,5 @@ impl<J: ProcessJob, O: JobOutcome<J>> TaskOutcome for Carried<J, O> {
 
     fn complaint(&self) -> Option<String> {
         complaint(&self.loaded.job.info().name, self.outcome.verdict())
-    }
-
-    fn as_any(&self) -> &dyn Any {
-        self
     }
 }

@@ -23,12 +23,9 @@ pub trait Process: Send + Sync + 'static {
     /// The tasks that it carries out.
     fn tasks(&self) -> &'static [Task];
 
-    /// Whether a command of the program takes jobs of this process: one named after a task, `program check`, or another.
-    fn takes(&self, command: &str) -> bool {
-        match Task::ALL.into_iter().find(|task| task.name() == command) {
-            Some(task) => self.tasks().contains(&task),
-            None => !matches!(command, "convert" | "program check"),
-        }
+    /// Commands of the program that take its jobs: by default those named after its tasks.
+    fn commands(&self) -> Vec<&'static str> {
+        self.tasks().iter().map(|task| task.name()).collect()
     }
 
     /// What a command that does not take jobs of this process advises.
@@ -112,8 +109,8 @@ pub trait AnyProcess: Send + Sync {
     /// As [`Process::tasks`].
     fn tasks(&self) -> &'static [Task];
 
-    /// As [`Process::takes`].
-    fn takes(&self, command: &str) -> bool;
+    /// As [`Process::commands`].
+    fn commands(&self) -> Vec<&'static str>;
 
     /// As [`Process::instead`].
     fn instead(&self, command: &str) -> &'static str;
@@ -173,8 +170,8 @@ impl<P: Process> AnyProcess for P {
         Process::tasks(self)
     }
 
-    fn takes(&self, command: &str) -> bool {
-        Process::takes(self, command)
+    fn commands(&self) -> Vec<&'static str> {
+        Process::commands(self)
     }
 
     fn instead(&self, command: &str) -> &'static str {

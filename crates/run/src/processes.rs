@@ -86,7 +86,7 @@ impl Processes {
     /// What a command answers to a job of a process whose jobs it does not take; on the key `job.process`.
     pub fn refused(&self, command: &str, job: &AnyJob) -> Diagnostic {
         let name = job.info().process.name();
-        let others = self.list(|process| process.name() != name && process.takes(command));
+        let others = self.list(|process| process.name() != name && process.commands().contains(&command));
         let instead =
             self.named(name).map_or("take a job of another process", |process| process.instead(command));
         not_taken(command, name, others).way_out(instead)

@@ -43,15 +43,8 @@ impl Process for SkivingToolMeasuring {
         Ok(Carried::boxed(loaded, outcome))
     }
 
-    fn takes(&self, command: &str) -> bool {
-        match command {
-            "program check" | "inspect" => true,
-            "convert" => false,
-            other => Task::ALL
-                .into_iter()
-                .find(|task| task.name() == other)
-                .is_none_or(|task| self.tasks().contains(&task)),
-        }
+    fn commands(&self) -> Vec<&'static str> {
+        vec!["plan", "simulate", "inspect", "program check"]
     }
 
     fn derived(&self, loaded: &LoadedSkivingJob) -> Result<(DerivedGeometry, Vec<Remark>), JobFailure> {

@@ -47,15 +47,8 @@ impl Process for TangentialDressing {
         Ok(Carried::boxed(loaded, outcome))
     }
 
-    fn takes(&self, command: &str) -> bool {
-        match command {
-            "program check" => true,
-            "convert" => false,
-            other => Task::ALL
-                .into_iter()
-                .find(|task| task.name() == other)
-                .is_none_or(|task| self.tasks().contains(&task)),
-        }
+    fn commands(&self) -> Vec<&'static str> {
+        vec!["plan", "simulate", "program check"]
     }
 
     fn instead(&self, command: &str) -> &'static str {

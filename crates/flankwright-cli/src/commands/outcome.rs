@@ -30,7 +30,7 @@ pub fn run(
     common: &CommonArguments,
     rows: usize,
 ) -> Result<Exit, Failure> {
-    if !processes().of(job).is_ok_and(|process| process.takes(command)) {
+    if !processes().of(job).is_ok_and(|process| process.commands().contains(&command)) {
         return Err(output::refused(job, command));
     }
     let bars = Bars::new(common.quiet);

@@ -102,7 +102,8 @@ fn check(arguments: &ProgramArguments) -> Result<Exit, Failure> {
         }
     };
     let job = arguments.job.as_ref().map(|path| output::load_any_job(path)).transpose()?;
-    if let Some(job) = job.as_ref().filter(|job| !processes().of(job).is_ok_and(|p| p.takes("program check")))
+    if let Some(job) =
+        job.as_ref().filter(|job| !processes().of(job).is_ok_and(|p| p.commands().contains(&"program check")))
     {
         return Err(output::refused(job, "program check"));
     }

@@ -25,8 +25,7 @@ fn every_example_of_tangential_dressing_has_a_scene() {
             None => plan_tangential(&loaded, &Silent),
         };
         let outcome = outcome.unwrap_or_else(|e| panic!("{}: {e:?}", path.display()));
-        let scene =
-            scene_of_tangential(&loaded, &outcome).unwrap_or_else(|e| panic!("{}: {e:?}", path.display()));
+        let scene = scene_of_tangential(&outcome).unwrap_or_else(|e| panic!("{}: {e:?}", path.display()));
         let name = path.file_stem().unwrap().to_string_lossy().into_owned();
         check(&name, &scene);
         let ready = &outcome.prepared;

@@ -1,7 +1,8 @@
 //! What follows from a job of the electronic gearbox before anything runs.
 
 use crate::job::{LoadedGearboxJob, reference_train};
-use crate::workflow::coupling_of_job;
+use crate::workflow::figures;
+use crate::workflow::prepare::Chain;
 use run::{DerivedGeometry, JobFailure};
 
 /// Of a job of the electronic gearbox: scale of the feed, lead, coefficient, how many reference pulses a train has.
@@ -16,7 +17,7 @@ pub fn of_gearbox(loaded: &LoadedGearboxJob) -> Result<DerivedGeometry, JobFailu
     derived.quantity("pitch_mm", "pitch of the scale", job.feed.pitch_mm(), "mm");
     let greatest = 60.0 * job.feed.greatest_speed_mm_per_s();
     derived.quantity("greatest_speed_mm_per_min", "greatest speed v_max", greatest, "mm/min");
-    let coupling = coupling_of_job(job)?;
+    let coupling = figures::coupling(&Chain::of_job(job)?);
     if let Some(lead) = coupling.lead_mm {
         derived.section("gear");
         derived.quantity("lead_mm", "lead", lead, "mm");

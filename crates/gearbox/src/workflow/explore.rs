@@ -1,23 +1,17 @@
 //! `[explore]` of the electronic gearbox: every combination of scale, clock, interpolation and encoder judged by its error budget at the
 //! flank, ranked by cost; the cheapest that is accurate enough is simulated.
 
-use super::couple::{coupling, of_feed};
 use super::figures::{budget, counting};
+use super::finding::of_feed;
+use super::prepare::{Chain, Driven, Offer, Offers, SetUp};
 use super::result::{BestSetUpResult, ExploreResult, SetUpResult};
-use super::stimulus::{Driven, of_motion};
-use crate::job::{GearboxExplore, GearboxJob};
 use control::Extremes;
 use electronic_gearbox::Error as GearboxError;
-use electronic_gearbox::coefficient::GearGeometry;
 use foundation::numerics::Progress;
-use job::Diagnostic;
 use run::RunFailure;
-use run::control::{interpolation, on_field};
+use run::control::on_field;
 use std::f64::consts::TAU;
 use verdict::Remark;
-
-/// Set-ups that one job may compare.
-pub const MOST_SET_UPS: usize = 20_000;
 
 /// The rule of the ranking, in words.
 const RANKING: &str = "accurate and fast enough before the others, those by cost, then by error; the others by error, those without a coupling last";
@@ -25,43 +19,41 @@ const RANKING: &str = "accurate and fast enough before the others, those by cost
 /// Judges all set-ups; the remark says why none is accurate enough, if so.
 ///
 /// # Errors
-/// [`RunFailure`]: more than [`MOST_SET_UPS`], and what the interpolator or the motion says of the simulated one.
+/// [`RunFailure`]: what the interpolator or the motion says of a set-up.
 pub(super) fn explore(
-    job: &GearboxJob,
-    given: &GearboxExplore,
-    gear: &GearGeometry,
+    offers: &Offers,
+    chain: &Chain,
     driven: &Driven,
     progress: &dyn Progress,
 ) -> Result<(ExploreResult, Option<Remark>), RunFailure> {
-    let (speed, acceleration) = drive(given, driven);
-    let jobs = set_ups(job, given)?;
-    progress.start("set-ups", jobs.len() as u64);
-    let travel = travel(job, driven);
-    let mut set_ups = Vec::with_capacity(jobs.len());
-    for (set_up, cost) in &jobs {
-        set_ups.push(judge(set_up, *cost, gear, [speed, acceleration], travel, given.wanted_um)?);
+    progress.start("set-ups", offers.all.len() as u64);
+    // Distance of the outermost lines; the scales to choose from have the same slide.
+    let travel = driven.travel(&chain.interpolation);
+    let mut judged: Vec<(SetUp, SetUpResult)> = Vec::with_capacity(offers.all.len());
+    for offer in &offers.all {
+        judged.push((offer.set_up, judge(offer, offers, chain, travel)?));
         progress.advance(1);
     }
     progress.finish();
-    set_ups.sort_by(|a, b| {
+    judged.sort_by(|(_, a), (_, b)| {
         let last = |s: &SetUpResult| s.flank_um.unwrap_or(f64::INFINITY);
         let by_error = last(a).total_cmp(&last(b));
         let by_cost =
             if a.feasible && b.feasible { a.cost.total_cmp(&b.cost) } else { std::cmp::Ordering::Equal };
         b.feasible.cmp(&a.feasible).then(by_cost).then(by_error).then(a.cost.total_cmp(&b.cost))
     });
-    for (k, set_up) in set_ups.iter_mut().enumerate() {
-        set_up.rank = k + 1;
+    for (k, (_, result)) in judged.iter_mut().enumerate() {
+        result.rank = k + 1;
     }
-    let feasible = set_ups.iter().filter(|set_up| set_up.feasible).count();
-    let first = set_ups.first().filter(|set_up| set_up.feasible);
-    let best = first.map(|set_up| simulate(job, set_up, gear, driven)).transpose()?;
-    let reason = if best.is_none() { Some(nothing(&set_ups, given, speed)) } else { None };
+    let first = judged.first().filter(|(_, result)| result.feasible);
+    let best = first.map(|(set_up, result)| simulate(set_up, result, chain, driven)).transpose()?;
+    let set_ups: Vec<SetUpResult> = judged.into_iter().map(|(_, result)| result).collect();
+    let reason = if best.is_none() { Some(nothing(&set_ups, offers)) } else { None };
     let result = ExploreResult {
-        wanted_um: given.wanted_um,
-        speed_mm_per_min: 60.0 * speed,
-        acceleration_mm_per_s2: acceleration,
-        feasible,
+        wanted_um: offers.wanted_um,
+        speed_mm_per_min: 60.0 * offers.speed,
+        acceleration_mm_per_s2: offers.acceleration,
+        feasible: set_ups.iter().filter(|set_up| set_up.feasible).count(),
         ranking: RANKING,
         best,
         set_ups,
@@ -69,97 +61,24 @@ pub(super) fn explore(
     Ok((result, reason))
 }
 
-/// Speed (mm/s) and acceleration (mm/s^2) that the budget is for.
-fn drive(given: &GearboxExplore, driven: &Driven) -> (f64, f64) {
-    let (speed, acceleration) = driven.motion.as_ref().map_or((0.0, 0.0), |motion| motion.greatest());
-    (
-        given.speed_mm_per_min.map_or(speed, |per_minute| per_minute / 60.0),
-        given.acceleration_mm_per_s2.unwrap_or(acceleration),
-    )
-}
-
-/// Way over which the rounding of a ratio adds up, mm.
-fn travel(job: &GearboxJob, driven: &Driven) -> f64 {
-    // Distance of the outermost lines; the scales to choose from have the same slide.
-    interpolation(&job.feed, "").map_or(0.0, |interpolation| driven.travel(&interpolation))
-}
-
-/// Every combination as a job of its own, with its cost.
-fn set_ups(job: &GearboxJob, given: &GearboxExplore) -> Result<Vec<(GearboxJob, f64)>, RunFailure> {
-    let counts = [given.scales.len(), given.clocks.len(), given.interpolations.len(), given.encoders.len()];
-    let combinations: usize = counts.iter().map(|count| count.max(&1)).product();
-    if combinations > MOST_SET_UPS {
-        let message = format!("the lists of [explore] make {combinations} combinations");
-        return Err(RunFailure::bad_input(
-            Diagnostic::with_code("too-many-combinations", message)
-                .field("explore")
-                .value(combinations)
-                .allowed(format!("up to {MOST_SET_UPS}"))
-                .way_out("leave entries out; compare a few of each first"),
-        ));
-    }
-    let plain = GearboxJob { explore: None, servo: None, ..job.clone() };
-    let mut all = vec![(plain, 0.0)];
-    all = varied(all, &given.scales, |job, choice| {
-        job.feed.pulses_per_metre = choice.pulses_per_metre;
-        choice.cost
-    });
-    all = varied(all, &given.clocks, |job, choice| {
-        job.feed.clock_hz = choice.clock_hz;
-        choice.cost
-    });
-    all = varied(all, &given.interpolations, |job, choice| {
-        job.feed.pulses_per_interval = choice.pulses_per_interval;
-        choice.cost
-    });
-    all = varied(all, &given.encoders, |job, choice| {
-        job.workpiece.pulses_per_revolution = choice.pulses_per_revolution;
-        choice.cost
-    });
-    Ok(all)
-}
-
-/// Every job with every choice, which `set` puts into it and gives the cost of; the jobs themselves without choices.
-fn varied<C>(
-    jobs: Vec<(GearboxJob, f64)>,
-    choices: &[C],
-    set: impl Fn(&mut GearboxJob, &C) -> f64,
-) -> Vec<(GearboxJob, f64)> {
-    if choices.is_empty() {
-        return jobs;
-    }
-    let with = |(job, cost): &(GearboxJob, f64), choice: &C| {
-        let mut job = job.clone();
-        let more = set(&mut job, choice);
-        (job, cost + more)
-    };
-    jobs.iter().flat_map(|job| choices.iter().map(move |choice| with(job, choice))).collect()
-}
-
 /// The budget of one set-up.
-fn judge(
-    job: &GearboxJob,
-    cost: f64,
-    gear: &GearGeometry,
-    drive: [f64; 2],
-    travel: f64,
-    wanted_um: f64,
-) -> Result<SetUpResult, RunFailure> {
-    let interpolation = interpolation(&job.feed, "")?;
-    let pressure_angle = job.gear.normal_pressure_angle_deg.to_radians();
-    let budget =
-        budget(gear, pressure_angle, &interpolation, drive, None).map_err(|error| of_feed(&error))?;
+fn judge(offer: &Offer, offers: &Offers, chain: &Chain, travel: f64) -> Result<SetUpResult, RunFailure> {
+    let Offer { set_up: offered, cost } = offer;
+    let gear = &chain.gear;
+    let interpolation = offered.interpolation()?;
+    let budget = budget(chain, &interpolation, [offers.speed, offers.acceleration], None)
+        .map_err(|error| of_feed(&error))?;
     let flank = |millimetres: f64| millimetres * 1e3 * budget.flank_share;
     let p = f64::from(interpolation.settings.pulses_per_interval());
-    let part_um = TAU * gear.flank_per_angle() / (f64::from(job.workpiece.pulses_per_revolution) * p);
+    let part_um = TAU * gear.flank_per_angle() / (f64::from(offered.workpiece.pulses_per_revolution) * p);
     let resolution_um = 0.5 * part_um;
     let mut set_up = SetUpResult {
         rank: 0,
-        pulses_per_metre: job.feed.pulses_per_metre,
-        clock_hz: job.feed.clock_hz,
-        pulses_per_interval: job.feed.pulses_per_interval,
-        pulses_per_revolution: job.workpiece.pulses_per_revolution,
-        cost,
+        pulses_per_metre: offered.feed.pulses_per_metre,
+        clock_hz: offered.feed.clock_hz,
+        pulses_per_interval: offered.feed.pulses_per_interval,
+        pulses_per_revolution: offered.workpiece.pulses_per_revolution,
+        cost: *cost,
         quantisation_um: flank(budget.quantisation),
         clock_um: flank(budget.truncation + budget.synchronisation),
         acceleration_um: flank(budget.acceleration),
@@ -170,7 +89,7 @@ fn judge(
         feasible: false,
         refused: None,
     };
-    match coupling(gear, &job.workpiece, &interpolation) {
+    match offered.rotation(gear, &interpolation) {
         Ok(rotation) => {
             // Half the stretch in which counting stays, beyond the half part that is resolution already.
             let [below, above] = counting(&rotation);
@@ -181,7 +100,7 @@ fn judge(
             (set_up.rounding_um, set_up.flank_um) = (Some(rounding), Some(sum));
             set_up.refused = if budget.speed > budget.greatest_speed {
                 Some("interpolator-too-fast")
-            } else if sum > wanted_um {
+            } else if sum > offers.wanted_um {
                 Some("not-accurate-enough")
             } else {
                 None
@@ -194,25 +113,20 @@ fn judge(
     Ok(set_up)
 }
 
-/// Runs the motion of the job through a set-up.
+/// Runs the motion through a set-up.
 fn simulate(
-    job: &GearboxJob,
-    set_up: &SetUpResult,
-    gear: &GearGeometry,
+    set_up: &SetUp,
+    result: &SetUpResult,
+    chain: &Chain,
     driven: &Driven,
 ) -> Result<BestSetUpResult, RunFailure> {
-    let unmeasured = BestSetUpResult { set_up: *set_up, measured_steady_um: None, measured_whole_um: None };
+    let unmeasured = BestSetUpResult { set_up: *result, measured_steady_um: None, measured_whole_um: None };
     let Some(motion) = &driven.motion else { return Ok(unmeasured) };
-    let mut feed = job.feed;
-    feed.pulses_per_metre = set_up.pulses_per_metre;
-    feed.clock_hz = set_up.clock_hz;
-    feed.pulses_per_interval = set_up.pulses_per_interval;
-    let workpiece =
-        crate::job::GearboxWorkpiece { pulses_per_revolution: set_up.pulses_per_revolution, ..job.workpiece };
-    let interpolation = interpolation(&feed, "")?;
+    let gear = &chain.gear;
+    let interpolation = set_up.interpolation()?;
     let refused = |error: GearboxError| on_field(&error, "explore");
-    let rotation = coupling(gear, &workpiece, &interpolation).map_err(refused)?;
-    let again = of_motion(motion.clone(), job.stimulus.rest_or_default(), &interpolation)?;
+    let rotation = set_up.rotation(gear, &interpolation).map_err(refused)?;
+    let again = Driven::of_motion(motion.clone(), driven.rest, &interpolation)?;
     let run = interpolation
         .run(&again.references, again.last_tick, Some(motion), Some(&rotation), &mut |_, _| {})
         .map_err(refused)?;
@@ -225,16 +139,16 @@ fn simulate(
 }
 
 /// Why nothing is accurate enough, by the part that weighs most in the most accurate set-up.
-fn nothing(set_ups: &[SetUpResult], given: &GearboxExplore, speed: f64) -> Remark {
+fn nothing(set_ups: &[SetUpResult], offers: &Offers) -> Remark {
     let code = "no-set-up-accurate-enough";
-    let wanted = given.wanted_um;
+    let wanted = offers.wanted_um;
     let makeable = || set_ups.iter().filter_map(|s| Some((s, s.flank_um?, s.rounding_um?)));
     let fast = makeable().find(|(s, ..)| s.refused != Some("interpolator-too-fast"));
     let Some((best, sum, rounding)) = fast else {
         return if makeable().next().is_some() {
             Remark {
                 code,
-                text: format!("no set-up follows a feed of {:.6} mm/min", 60.0 * speed),
+                text: format!("no set-up follows a feed of {:.6} mm/min", 60.0 * offers.speed),
                 way_out: "feed slower, or offer faster clocks, coarser scales or fewer pulses per interval"
                     .into(),
             }

@@ -1,16 +1,14 @@
 //! What a run of the interpolator is in figures: counters, the budget, and errors beside the limits that the budget sets.
 
-use super::couple::sense;
+use super::prepare::{Chain, Driven};
 use super::result::{
     AlongFeedResult, AngleResult, BudgetResult, CouplingResult, GearboxSettingsResult, PulseFigures, RangeUm,
 };
-use super::stimulus::Driven;
-use crate::job::GearboxJob;
 use control::{
     BudgetInput, ControlError, ErrorBudget, Extremes, Interpolation, InterpolationRun, Rotation, RotationRule,
 };
 use electronic_gearbox::chain::RateRule;
-use electronic_gearbox::coefficient::{Coefficient, GearGeometry};
+use electronic_gearbox::coefficient::Coefficient;
 use electronic_gearbox::pulse::Mode;
 use foundation::numerics::extremes;
 use std::f64::consts::TAU;
@@ -19,15 +17,11 @@ use std::f64::consts::TAU;
 const ROUNDING: f64 = 1e-9;
 
 /// Settings as they were in force.
-pub(super) fn settings(
-    job: &GearboxJob,
-    interpolation: &Interpolation,
-    driven: &Driven,
-) -> GearboxSettingsResult {
-    let (feed, workpiece) = (&job.feed, &job.workpiece);
+pub(super) fn settings(chain: &Chain, driven: &Driven) -> GearboxSettingsResult {
+    let (feed, workpiece) = (&chain.set_up.feed, &chain.set_up.workpiece);
     GearboxSettingsResult {
         pulses_per_metre: feed.pulses_per_metre,
-        pitch_mm: interpolation.pitch,
+        pitch_mm: chain.interpolation.pitch,
         clock_hz: feed.clock_hz,
         pulses_per_interval: feed.pulses_per_interval,
         mode: feed.mode,
@@ -37,20 +31,16 @@ pub(super) fn settings(
         reversed: workpiece.reversed,
         greatest_speed_mm_per_min: 60.0 * feed.greatest_speed_mm_per_s(),
         last_tick: driven.last_tick,
-        duration_s: driven.duration(interpolation),
+        duration_s: driven.duration(&chain.interpolation),
     }
 }
 
 /// The coupling in figures.
-pub(super) fn coupling(
-    job: &GearboxJob,
-    gear: &GearGeometry,
-    interpolation: &Interpolation,
-    rotation: &Rotation,
-) -> CouplingResult {
-    let pulses = job.workpiece.pulses_per_revolution;
+pub(super) fn coupling(chain: &Chain) -> CouplingResult {
+    let Chain { gear, set_up, interpolation, rotation, .. } = chain;
+    let pulses = set_up.workpiece.pulses_per_revolution;
     let p = f64::from(interpolation.settings.pulses_per_interval());
-    let of_multiplier = Coefficient::new(gear, pulses, job.feed.pulses_per_metre, sense(&job.workpiece)).ok();
+    let of_multiplier = Coefficient::new(gear, pulses, set_up.feed.pulses_per_metre, set_up.sense()).ok();
     CouplingResult {
         lead_mm: gear.lead().ok(),
         coefficient: rotation.turns_per_millimetre.abs() * f64::from(pulses) * interpolation.pitch,
@@ -88,13 +78,12 @@ pub(super) fn pulses(
     }
 }
 
-/// The budget of an interpolation for one speed (mm/s), least speed and acceleration (mm/s^2).
+/// The budget of an interpolation, that of the chain or another one, for one speed (mm/s), least speed and acceleration (mm/s^2).
 ///
 /// # Errors
 /// [`ControlError`].
 pub(super) fn budget(
-    gear: &GearGeometry,
-    pressure_angle: f64,
+    chain: &Chain,
     interpolation: &Interpolation,
     [speed, acceleration]: [f64; 2],
     least_speed: Option<f64>,
@@ -106,8 +95,8 @@ pub(super) fn budget(
         speed,
         least_speed,
         acceleration,
-        normal_pressure_angle: pressure_angle,
-        helix_angle: gear.helix_angle(),
+        normal_pressure_angle: chain.pressure_angle,
+        helix_angle: chain.gear.helix_angle(),
     })
 }
 
@@ -181,11 +170,10 @@ pub(super) fn along_feed(
 pub(super) fn angle(
     run: &InterpolationRun,
     whole_limits: Option<Extremes>,
-    gear: &GearGeometry,
-    interpolation: &Interpolation,
-    rotation: &Rotation,
+    chain: &Chain,
     travel: f64,
 ) -> Option<AngleResult> {
+    let Chain { gear, interpolation, rotation, .. } = chain;
     let found = run.angle?;
     let p = f64::from(interpolation.settings.pulses_per_interval());
     let limits = whole_limits.map(|axial| {

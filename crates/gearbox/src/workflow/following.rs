@@ -1,55 +1,32 @@
 //! The servo of a job: simulation of the loop behind the gearbox, and what it leaves at the flank.
 
-use super::couple::of_following;
+use super::finding::of_following;
+use super::prepare::{Driven, FollowedServo};
 use super::result::{FlankResponseResult, ServoErrorResult, ServoResult};
-use super::stimulus::Driven;
-use crate::job::GearboxJob;
-use control::{
-    FollowedSlide, FollowedWorm, Following, FollowingError, FollowingRecord, Interpolation, Rotation,
-    StrokeError,
-};
-use job::control::Servo;
+use control::{FollowedSlide, FollowingError, FollowingRecord, StrokeError};
 use run::RunFailure;
-use run::control::{disturbances, servo_parameters};
-use std::f64::consts::TAU;
 
 /// Frequencies at which the response to disturbing torques is given, Hz, as far as the sampling reaches.
 const FREQUENCIES: [f64; 6] = [1.0, 10.0, 30.0, 100.0, 300.0, 1000.0];
 
-/// Simulates the servo of a job over its whole stimulus.
+/// Simulates a servo over the whole stimulus.
 ///
 /// # Errors
 /// [`RunFailure`] on keys of `servo`, an unstable loop among them.
 pub(super) fn follow(
-    job: &GearboxJob,
-    servo: &Servo,
+    servo: &FollowedServo,
     driven: &Driven,
-    interpolation: &Interpolation,
-    rotation: &Rotation,
     um_per_radian: f64,
 ) -> Result<(ServoResult, FollowingRecord), RunFailure> {
-    let multiplier = interpolation.settings.pulses_per_interval();
-    let parameters = servo_parameters(servo, job.workpiece.pulses_per_revolution, multiplier, "")?;
-    let following = Following {
-        feed: *interpolation,
-        rotation: *rotation,
-        worm: job.worm.map(|worm| FollowedWorm {
-            threads: worm.threads,
-            teeth: job.gear.teeth,
-            pulses: worm.pulses_per_revolution,
-            speed: worm.speed_rpm / 60.0 * TAU,
-        }),
-        workpiece_pulses: job.workpiece.pulses_per_revolution,
-        servo: parameters,
-        disturbances: disturbances(servo, "")?,
-    };
+    let FollowedServo { following, given } = servo;
+    let parameters = &following.servo;
     let slide = FollowedSlide {
         references: &driven.references,
         motion: driven.motion.as_ref(),
-        duration: driven.duration(interpolation),
+        duration: driven.duration(&following.feed),
     };
-    let record = following.run(&slide).map_err(|error| of_following(&error, servo))?;
-    let refused = |error| of_following(&StrokeError::Control(error), servo);
+    let record = following.run(&slide).map_err(|error| of_following(&error, given))?;
+    let refused = |error| of_following(&StrokeError::Control(error), given);
     let reached = FREQUENCIES.iter().filter(|hz| **hz <= 0.5 / parameters.sample_time);
     let disturbance_response = reached
         .map(|&frequency_hz| {

@@ -3,7 +3,6 @@
 
 use super::remarks::torque_limited;
 use super::result::{AlongFeedResult, AngleResult, ExploreResult, ServoResult};
-use crate::job::GearboxTarget;
 use verdict::{Remark, Verdict};
 
 /// What was found.
@@ -26,11 +25,11 @@ const SERVO: &str = "workpiece behind its servo";
 const MOTOR: &str = "torque of the servo";
 const SET_UPS: &str = "set-ups to choose from";
 
-/// The verdict of a run.
-pub(super) fn verdict(target: Option<&GearboxTarget>, found: &Judged<'_>) -> Verdict {
+/// The verdict of a run against a tolerance, if there is one.
+pub(super) fn verdict(tolerance_um: Option<f64>, found: &Judged<'_>) -> Verdict {
     let mut verdict = Verdict::new();
-    match target {
-        Some(target) => against(target.tolerance_um, found, &mut verdict),
+    match tolerance_um {
+        Some(tolerance_um) => against(tolerance_um, found, &mut verdict),
         None => {
             let why = "the job gives no tolerance (target.tolerance_um)";
             let items =

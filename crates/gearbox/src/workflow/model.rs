@@ -1,11 +1,10 @@
 //! The electronic gearbox of a job, asked again and again: its budget at any speed, its pulses for any reference pulses. No servo, no
 //! choice of a set-up.
 
-use super::couple::of_feed;
 use super::figures;
+use super::finding::of_feed;
+use super::prepare::{Chain, Driven};
 use super::result::CouplingResult;
-use super::run::{Chain, chain};
-use super::stimulus::{Driven, driven};
 use crate::job::GearboxJob;
 use control::{ErrorBudget, InterpolationRun};
 use electronic_gearbox::pulse::TimedPulse;
@@ -15,7 +14,6 @@ use run::{JobFailure, RunFailure};
 
 /// Workpiece, interpolator, coupling and reference pulses of a job.
 pub struct GearboxModel {
-    job: GearboxJob,
     chain: Chain,
     driven: Driven,
 }
@@ -29,15 +27,14 @@ impl GearboxModel {
         let Some(loaded) = job.of::<GearboxJob>() else {
             return Err(RunFailure::other_process(job, "\"electronic-gearbox\"").into());
         };
-        let chain = chain(&loaded.job)?;
-        let driven = driven(loaded, &chain.interpolation)?;
-        Ok(Self { job: loaded.job.clone(), chain, driven })
+        let chain = Chain::of_job(&loaded.job)?;
+        let driven = Driven::of_job(loaded, &chain.interpolation)?;
+        Ok(Self { chain, driven })
     }
 
     /// What the lead asks for and what the coupling makes of it.
     pub fn coupling(&self) -> CouplingResult {
-        let Chain { gear, interpolation, rotation } = &self.chain;
-        figures::coupling(&self.job, gear, interpolation, rotation)
+        figures::coupling(&self.chain)
     }
 
     /// Clock, Hz.
@@ -55,9 +52,7 @@ impl GearboxModel {
     /// # Errors
     /// [`RunFailure`]: a speed or acceleration beyond its range.
     pub fn budget(&self, speed: f64, acceleration: f64) -> Result<ErrorBudget, RunFailure> {
-        let pressure_angle = self.job.gear.normal_pressure_angle_deg.to_radians();
-        let (gear, interpolation) = (&self.chain.gear, &self.chain.interpolation);
-        figures::budget(gear, pressure_angle, interpolation, [speed, acceleration], None)
+        figures::budget(&self.chain, &self.chain.interpolation, [speed, acceleration], None)
             .map_err(|error| of_feed(&error))
     }
 

@@ -20,8 +20,8 @@ impl JobOutcome<GearboxJob> for GearboxOutcome {
         &self.result
     }
 
-    fn write(&self, loaded: &LoadedGearboxJob, directory: &Path) -> Result<Vec<PathBuf>, WriteError> {
-        write_gearbox(&loaded.job, self, directory)
+    fn write(&self, _: &LoadedGearboxJob, directory: &Path) -> Result<Vec<PathBuf>, WriteError> {
+        write_gearbox(self, directory)
     }
 
     fn summary(&self, written: &[PathBuf]) -> String {

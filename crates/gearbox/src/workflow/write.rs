@@ -1,8 +1,8 @@
 //! Writes what a run of the electronic gearbox produced. Every file appears whole or not at all.
 
 use super::run::GearboxOutcome;
-use super::{page, tables};
-use crate::job::GearboxJob;
+use super::tables;
+use crate::page;
 use run::{NamedFile, WriteError, json, write_with_report};
 use std::path::{Path, PathBuf};
 
@@ -10,11 +10,7 @@ use std::path::{Path, PathBuf};
 ///
 /// # Errors
 /// [`WriteError`]; files written before the error stay.
-pub fn write_gearbox(
-    job: &GearboxJob,
-    outcome: &GearboxOutcome,
-    directory: &Path,
-) -> Result<Vec<PathBuf>, WriteError> {
+pub fn write_gearbox(outcome: &GearboxOutcome, directory: &Path) -> Result<Vec<PathBuf>, WriteError> {
     let result = &outcome.result;
     let mut files: Vec<NamedFile> =
         vec![("result.json".into(), "counters, errors and their budget", json(result)?)];
@@ -34,8 +30,8 @@ pub fn write_gearbox(
         files.push(("set-ups.csv".into(), "all set-ups with their budgets", table.text().into()));
     }
     if let Some(trace) = &outcome.trace {
-        let table = tables::pulses(trace, job.feed.clock_hz)?;
+        let table = tables::pulses(trace, result.settings.clock_hz)?;
         files.push(("pulses.csv".into(), "every pulse and what it turned", table.text().into()));
     }
-    write_with_report(files, directory, |named| page::html_page(job, outcome, named))
+    write_with_report(files, directory, |named| page::html_page(outcome, named))
 }

@@ -1,4 +1,5 @@
-//! Pages of inspected gears: one gear, a series, the inspection sheet. Finished numbers in, pages out.
+//! Pages of inspected gears: one gear and a series, composed from their results, and the inspection sheet, which draws what
+//! `workflow/sheet` fills it with.
 
 pub mod measured_gear;
 pub mod series;

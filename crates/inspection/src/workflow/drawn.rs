@@ -2,7 +2,6 @@
 
 use foundation::geometry::{Flank, Sides};
 use generating::GrindingSetup;
-use generating_grinding::job::LoadedJob;
 use job::{Diagnostic, Problem};
 use measured_files::inspection::{Conditions, FlankConditions, InspectedGear, Inspection, SlopeReference};
 use run::RunFailure;
@@ -40,12 +39,12 @@ impl DrawnGear {
         Self { gear, conditions }
     }
 
-    /// That of a job.
+    /// The workpiece of bodies that were set up.
     ///
     /// # Errors
     /// [`RunFailure::BadInput`] for flanks with different pressure angles, which inspections do not know.
-    pub fn of_job(loaded: &LoadedJob, setup: &GrindingSetup) -> Result<Self, RunFailure> {
-        let job = &loaded.job.gear;
+    pub fn of_setup(setup: &GrindingSetup) -> Result<Self, RunFailure> {
+        let blank = &setup.input.blank;
         let data = setup.pair.work.data();
         if data.pressure_angle.left != data.pressure_angle.right {
             let finding =
@@ -61,9 +60,9 @@ impl DrawnGear {
             normal_pressure_angle_deg: data.pressure_angle.left.to_degrees(),
             helix_angle_deg: data.helix_angle.to_degrees(),
             profile_shift: Some(data.profile_shift),
-            face_width_mm: Some(job.face_width),
-            tip_diameter_mm: Some(job.tip_diameter),
-            root_diameter_mm: Some(job.root_diameter),
+            face_width_mm: Some(blank.face_width),
+            tip_diameter_mm: Some(blank.tip_diameter),
+            root_diameter_mm: Some(blank.root_diameter),
         };
         let profile = setup.fields.map(|_, field| Some(field.roll()));
         let helix = setup.fields.map(|_, field| field.face());

@@ -2,6 +2,7 @@
 //! printed; and for a job, what the process has to do with it.
 
 mod areal;
+mod asked;
 mod assemble;
 mod averaged;
 mod bands;
@@ -14,7 +15,6 @@ mod files;
 mod files_content;
 mod judgement;
 mod middle;
-mod page;
 mod printed;
 mod readings;
 mod result;
@@ -30,6 +30,7 @@ mod twist;
 pub mod write;
 
 pub use bands::Bands;
+pub(crate) use characteristics::characteristic_in_words;
 pub use characteristics::{PartCharacteristic, PartIdentity, characteristic_key, part_characteristics};
 pub use closed_loop::{
     CharacteristicResult, CorrectedSettingResult, CorrectionResult, DifferenceResult, MachineChange,

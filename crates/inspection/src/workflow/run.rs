@@ -1,9 +1,10 @@
 //! `inspect` of a measured gear: by itself, for a job, or of a simulated machine in rounds.
 
 use super::areal::areal;
+use super::asked::Asked;
 use super::assemble::{InspectionContext, gear_result};
 use super::bands::Bands;
-use super::closed_loop::{Round, Wanted, of_file, of_header, simulated};
+use super::closed_loop::{Round, of_file, of_header, simulated};
 use super::evaluate::{Design, EvaluatedGear, evaluate_inspection, trace_name, without_design};
 use super::files::{read_measurement, refused};
 use super::files_content::MeasuredFiles;
@@ -97,10 +98,10 @@ pub fn inspect_for_job(
 ) -> Result<GearInspection, JobFailure> {
     let begun = Instant::now();
     judgement::check_class(class)?;
-    let judging = Judging { class, ..Judging::of_job(loaded)? };
-    let (round, files) = of_file(loaded, &judging.wanted, (path, statements), progress)?;
+    let asked = Asked::of_job(loaded)?;
+    let (round, files) = of_file(loaded, &asked, (path, statements), progress)?;
     let told = Told { not_understood: files.not_understood, remarks: files.remarks, stated: files.stated };
-    Ok(of_rounds(judging, vec![round], stem(path), told, begun)?)
+    Ok(of_rounds(&asked, class, vec![round], stem(path), told, begun)?)
 }
 
 /// Measures and corrects the simulated machine of a job; the last part is judged by the class as well, where one is asked for.
@@ -114,30 +115,10 @@ pub fn inspect_simulated(
 ) -> Result<GearInspection, RunFailure> {
     let begun = Instant::now();
     judgement::check_class(class)?;
-    let judging = Judging { class, ..Judging::of_job(loaded)? };
-    let rounds = simulated(loaded, &judging.wanted, progress)?;
-    of_rounds(judging, rounds, loaded.job.job.name.clone(), Told::default(), begun)
-}
-
-/// What a measurement is judged by.
-struct Judging {
-    wanted: Wanted,
-    bands: Bands,
-    tolerance_um: f64,
-    class: Option<i32>,
-}
-
-impl Judging {
-    fn of_job(loaded: &LoadedJob) -> Result<Self, RunFailure> {
-        let table = loaded.job.inspection.clone().unwrap_or_default();
-        let tolerance_um = table.tolerance_um.unwrap_or(loaded.job.target.tolerance_um);
-        Ok(Self {
-            bands: Bands::of_table(&table)?,
-            wanted: Wanted::of_job(loaded)?,
-            tolerance_um,
-            class: None,
-        })
-    }
+    let asked = Asked::of_job(loaded)?;
+    let rounds = simulated(loaded, &asked, progress)?;
+    let name = asked.name.clone();
+    of_rounds(&asked, class, rounds, name, Told::default(), begun)
 }
 
 /// What reading a file has found.
@@ -149,18 +130,19 @@ struct Told {
 }
 
 fn of_rounds(
-    Judging { wanted, bands: all, tolerance_um: tolerance, class }: Judging,
+    asked: &Asked,
+    class: Option<i32>,
     rounds: Vec<Round>,
     name: String,
     Told { not_understood, mut remarks, stated }: Told,
     begun: Instant,
 ) -> Result<GearInspection, RunFailure> {
     let Some(last) = rounds.last() else { return Err(RunFailure::no_settings()) };
-    let design = wanted.design();
+    let design = asked.design();
     let mut bands: BTreeMap<usize, BandResult> = BTreeMap::new();
     let mut unjudged = 0;
     for one in &last.gear.traces {
-        match all.judge(&last.inspection, &last.gear.gear, one.trace, Some(&design)) {
+        match asked.bands.judge(&last.inspection, &last.gear.gear, one.trace, Some(&design)) {
             Some(Ok(found)) => drop(bands.insert(one.trace, found)),
             Some(Err(error)) => {
                 unjudged += 1;
@@ -186,7 +168,7 @@ fn of_rounds(
                 way_out: "measure a second profile or a second helix trace of the same tooth".into(),
             });
         }
-        if let Some([_, most]) = of.mismatch_um.filter(|[_, most]| *most > tolerance) {
+        if let Some([_, most]) = of.mismatch_um.filter(|[_, most]| *most > asked.tolerance_um) {
             remarks.push(Remark {
                 code: "lines-disagree",
                 text: format!(
@@ -211,7 +193,7 @@ fn of_rounds(
         }));
         }
     }
-    let mut verdict = judgement::of_job(last, &wanted, &bands, unjudged, tolerance);
+    let mut verdict = judgement::of_job(last, asked, &bands, unjudged);
     if let Some(class) = class {
         verdict.extend(judgement::of_class(&last.inspection, &last.gear, class));
     }
@@ -227,13 +209,13 @@ fn of_rounds(
         rounds: rounds.iter().map(|round| round.result.clone()).collect(),
         bands,
         areal: BTreeMap::new(),
-        tolerance_um: Some(tolerance),
+        tolerance_um: Some(asked.tolerance_um),
         verdict,
         tolerance_class: class,
         timing: BTreeMap::from([("all", begun.elapsed().as_secs_f64())]),
     };
     let result = gear_result(&inspection, &gear, context);
-    Ok(GearInspection { result, inspection, gear, rounds, against_target, bands: all })
+    Ok(GearInspection { result, inspection, gear, rounds, against_target, bands: asked.bands.clone() })
 }
 
 fn stem(path: &Path) -> String {

@@ -8,7 +8,6 @@ use crate::workflow::closed_loop::RoundResult;
 use erased_serde::Serialize;
 use run::summary::{closing, fixed, give, opening};
 use run::{Remark, TaskOutcome, WriteError, complaint};
-use std::any::Any;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use verdict::{Status, Verdict};
@@ -32,10 +31,6 @@ impl TaskOutcome for GearInspection {
 
     fn complaint(&self) -> Option<String> {
         complaint(&self.result.job, &self.result.verdict)
-    }
-
-    fn as_any(&self) -> &dyn Any {
-        self
     }
 }
 

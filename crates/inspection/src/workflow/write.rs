@@ -2,7 +2,8 @@
 
 use super::run::GearInspection;
 use super::sheet::{SheetOptions, inspection_sheet};
-use super::{page, tables};
+use super::tables;
+use crate::page::measured_gear::html_page;
 use measured_files::inspection::{Inspection, trace_table};
 use run::{NamedFile, WriteError, json, standing_elsewhere, write_with_report};
 use std::path::{Path, PathBuf};
@@ -36,7 +37,7 @@ pub fn write_gear_inspection(
     }
     let sheet = inspection_sheet(found, options)?;
     files.push(("sheet.html".into(), "the inspection sheet, to be printed", sheet.into_bytes()));
-    write_with_report(files, directory, |named| page::html_page(found, named))
+    write_with_report(files, directory, |named| html_page(&found.result, named))
 }
 
 /// Whether no file holds the measurement.

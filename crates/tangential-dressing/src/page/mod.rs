@@ -7,7 +7,6 @@ mod radial_feed;
 mod sensitivities;
 
 use crate::TangentialFlank;
-use crate::job::TangentialJob;
 use crate::workflow::{TangentialOutcome, TangentialRun};
 use contact::Measure;
 use foundation::geometry::{Flank, Sides};
@@ -30,11 +29,10 @@ const VARIABLES: &str = "variables";
 /// # Errors
 /// A number that is not finite.
 pub fn html_page(
-    job: &TangentialJob,
     outcome: &TangentialOutcome,
     files: &[(String, &'static str)],
 ) -> Result<String, ChartError> {
-    let mut page = common(job, outcome, files)?;
+    let mut page = common(outcome, files)?;
     let own = own(outcome)?;
     // After the settings, before the pictures of the flank.
     let (variables, others): (Vec<Section>, Vec<Section>) =
@@ -45,20 +43,16 @@ pub fn html_page(
 }
 
 /// What every grinding report shows.
-fn common(
-    job: &TangentialJob,
-    outcome: &TangentialOutcome,
-    files: &[(String, &'static str)],
-) -> Result<PlanReport, ChartError> {
-    let result = &outcome.result;
-    let model = &outcome.prepared.model;
+fn common(outcome: &TangentialOutcome, files: &[(String, &'static str)]) -> Result<PlanReport, ChartError> {
+    let TangentialOutcome { result, prepared, .. } = outcome;
+    let model = &prepared.model;
     let input = model.input();
     let flanks = Sides::try_from_fn(|flank| {
         let (Some(f), Some(run)) = (result.flanks.get(flank.name()), &outcome.flanks[flank]) else {
             return Ok(None);
         };
         let cos_b = model.pair.work.flank(flank).base_helix_angle.cos();
-        let amounts = amounts(job, flank, f);
+        let amounts = amounts(&prepared.drawn, flank, f);
         ShownFlank::of(amounts, &f.flank, CharacteristicsUm::of(&run.planned, cos_b)).map(Some)
     })?;
     let ground = |flank: Flank| {
@@ -72,7 +66,7 @@ fn common(
         GrindingMotion::over(&name, flank.motion(), run.strokes.feed, ROWS)
     });
     let page = GrindingPage {
-        info: &job.job,
+        info: &prepared.info,
         process: "Tangential dressing",
         version: result.version,
         verdict: &result.verdict,
@@ -80,11 +74,11 @@ fn common(
         flanks,
         gear: gear_quantities(
             &input.gear,
-            &outcome.prepared.blank,
+            &prepared.blank,
             [2.0 * input.radii[0], 2.0 * input.radii[1], input.faces[0], input.faces[1]],
         ),
-        worm: worm_quantities(job, outcome),
-        dresser: dresser_quantities(job, outcome),
+        worm: worm_quantities(prepared),
+        dresser: dresser_quantities(outcome),
         settings: settings_quantities(outcome),
         ratio: None,
         occupation: None,

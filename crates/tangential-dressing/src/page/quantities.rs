@@ -1,21 +1,19 @@
 //! Amounts of the drawing, data of worm and dresser, settings and lengths as the page lists them.
 
-use crate::job::{DresserProfile, EdgeAmounts, TangentialJob};
-use crate::workflow::{TangentialFlankResult, TangentialOutcome};
+use crate::ProfileKind;
+use crate::job::EdgeAmounts;
+use crate::workflow::prepare::Drawn;
+use crate::workflow::{TangentialFlankResult, TangentialOutcome, TangentialPrepared};
 use foundation::geometry::Flank;
 use generating_grinding::page::{TargetAmount, target_amounts};
 use report::Quantity;
 
-pub(super) fn amounts(job: &TangentialJob, flank: Flank, f: &TangentialFlankResult) -> Vec<TargetAmount> {
-    let Some(edge) = &job.target.edge_amounts else {
-        return target_amounts(
-            job.target.modifications.as_deref().unwrap_or_default(),
-            flank,
-            &f.flank.target_characteristics,
-        );
+pub(super) fn amounts(drawn: &Drawn, flank: Flank, f: &TangentialFlankResult) -> Vec<TargetAmount> {
+    let edge = match drawn {
+        Drawn::Modifications(specs) => return target_amounts(specs, flank, &f.flank.target_characteristics),
+        Drawn::Edge(amounts) => amounts[flank],
     };
-    let EdgeAmounts { pressure_angle_um, profile_crowning_um, lead_conical_um, lead_crowning_um } =
-        edge.sides()[flank];
+    let EdgeAmounts { pressure_angle_um, profile_crowning_um, lead_conical_um, lead_crowning_um } = edge;
     [
         ("pressure angle over the radius", pressure_angle_um),
         ("profile crowning over the radius", profile_crowning_um),
@@ -32,32 +30,32 @@ pub(super) fn amounts(job: &TangentialJob, flank: Flank, f: &TangentialFlankResu
     .collect()
 }
 
-pub(super) fn worm_quantities(job: &TangentialJob, outcome: &TangentialOutcome) -> Vec<Quantity> {
-    let worm = &outcome.prepared.model.pair.worm;
+pub(super) fn worm_quantities(prepared: &TangentialPrepared) -> Vec<Quantity> {
+    let worm = &prepared.model.pair.worm;
     let data = worm.data();
     let mut list = vec![
         Quantity::count("number of threads", "z_1", i64::from(data.teeth)),
         Quantity::text("hand", if data.helix_angle > 0.0 { "right" } else { "left" }),
         Quantity::number("pitch diameter", "d_1", 2.0 * worm.pitch_radius(), "mm"),
-        Quantity::number("tip diameter", "d_a1", 2.0 * outcome.prepared.worm_tip_radius, "mm"),
+        Quantity::number("tip diameter", "d_a1", 2.0 * prepared.worm_tip_radius, "mm"),
         Quantity::number("lead angle", "λ", 90.0 - data.helix_angle.to_degrees().abs(), "deg"),
     ];
-    list.extend(job.worm.width.map(|w| Quantity::number("worm width", "", w, "mm")));
+    list.extend(prepared.worm_width.map(|w| Quantity::number("worm width", "", w, "mm")));
     list
 }
 
-pub(super) fn dresser_quantities(job: &TangentialJob, outcome: &TangentialOutcome) -> Vec<Quantity> {
-    let s = &outcome.result.settings;
+pub(super) fn dresser_quantities(outcome: &TangentialOutcome) -> Vec<Quantity> {
+    let (s, prepared) = (&outcome.result.settings, &outcome.prepared);
     vec![
-        Quantity::number("tip diameter", "d_aA", job.dresser.tip_diameter, "mm"),
+        Quantity::number("tip diameter", "d_aA", prepared.dresser_tip_diameter, "mm"),
         Quantity::number("pitch diameter", "d_A", s.dresser_pitch_diameter_mm, "mm"),
         Quantity::number("nominal centre distance", "d_A0", s.dressing_centre_distance_mm, "mm"),
         Quantity::number("nominal crossing angle", "γ_A0", s.dressing_crossing_angle_deg, "deg"),
         Quantity::text(
             "nominal profile",
-            match job.dresser.profile {
-                DresserProfile::Conjugate => "conjugate to the involute worm",
-                DresserProfile::Straight => "straight line",
+            match prepared.model.input().profile {
+                ProfileKind::Conjugate => "conjugate to the involute worm",
+                ProfileKind::Straight => "straight line",
             },
         ),
     ]

@@ -1,8 +1,6 @@
 //! A run of tangential dressing as the control sees it: each pass with its own motion and stroke. Variables of dressing and grinding that
 //! cancel each other on the flank may each be large, so the worm of the rays in time is the one that the dresser left.
 
-use super::technology::technology;
-use crate::job::LoadedTangentialJob;
 use crate::workflow::{TangentialPass, TangentialPrepared, TangentialRun, passes_of_runs};
 use foundation::geometry::Sides;
 use foundation::kinematics::GeneratingMotion;
@@ -12,28 +10,25 @@ use generating_grinding::workflow::referee::stock;
 use run::RunFailure;
 use verdict::Remark;
 
-/// What the job's control leaves while the gear is ground, with the alarms of its interpolator; `None` for a job without one.
+/// What the control leaves while the gear is ground, with the alarms of its interpolator; `None` for a job without one.
 ///
 /// # Errors
 /// [`RunFailure`] on a key of `[control]`.
 pub fn control_of_tangential(
-    loaded: &LoadedTangentialJob,
     ready: &TangentialPrepared,
     runs: &Sides<Option<TangentialRun>>,
 ) -> Result<Option<(ControlResult, Vec<Remark>)>, RunFailure> {
-    let job = &loaded.job;
-    let Some(control) = &job.control else { return Ok(None) };
-    let technology = technology(&job.machine.clone().unwrap_or_default(), ready, job);
+    let Some(control) = &ready.control else { return Ok(None) };
     let passes: Vec<(TangentialPass<'_>, GeneratingMotion)> = passes_of_runs(runs)
         .into_iter()
         .filter_map(|pass| pass.motion(ready).map(|motion| (pass, motion)))
         .collect();
-    let tolerance = job.target.tolerance_um * 1e-3;
+    let tolerance = ready.tolerance();
     let run = ControlledRun {
         control,
         pair: &ready.model.pair,
-        worm_speed: technology.worm_speed,
-        feed_per_revolution: technology.feed_per_revolution,
+        worm_speed: ready.technology.worm_speed,
+        feed_per_revolution: ready.technology.feed_per_revolution,
         tolerance: &|_, _| tolerance,
         passes: passes.iter().map(|(pass, motion)| controlled(ready, pass, motion)).collect(),
     };

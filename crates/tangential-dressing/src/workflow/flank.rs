@@ -1,10 +1,9 @@
 //! One flank of a run: planned, refereed, and radial feed beside it.
 
-use super::prepare::{TangentialPrepared, measure_of};
+use super::prepare::TangentialPrepared;
 use super::referee::{DrivenMotions, Refereed, referee};
 use super::result::{RadialFeedResult, TangentialFlankResult};
 use super::settings::SettledPass;
-use crate::job::TangentialJob;
 use crate::{
     Fit, FitGrid, Judged, RollGrid, TangentialError, TangentialFlank, TangentialSettings, TangentialStrokes,
 };
@@ -43,7 +42,6 @@ fn topography(judged: &Judged, f: Vec<f64>) -> Topography {
 }
 
 pub(super) fn run_flank(
-    job: &TangentialJob,
     ready: &TangentialPrepared,
     judged: &Judged,
     pass: &SettledPass,
@@ -61,7 +59,7 @@ pub(super) fn run_flank(
     let driven = DrivenMotions::of_flank(&along_normals, &strokes)?;
     let refereed = referee(&along_normals, &strokes, &driven, &target, progress)?;
     let rays = &refereed.verdict.simulated;
-    let (difference, simulated) = match measure_of(job) {
+    let (difference, simulated) = match ready.rules.measure {
         Measure::Ray => (rays.minus(&planned), rays.clone()),
         Measure::Arc => {
             let normal = topography(judged, along_normals.deviations(&judged.grid).map_err(failed)?);
@@ -88,7 +86,6 @@ pub(super) fn run_flank(
 }
 
 pub(super) fn flank_result(
-    job: &TangentialJob,
     ready: &TangentialPrepared,
     judged: &Judged,
     run: &TangentialRun,
@@ -105,7 +102,7 @@ pub(super) fn flank_result(
             planned_um: run.planned.rows_um(),
             simulated_um: run.simulated.rows_um(),
             max_deviation_um: largest,
-            tolerance_share: largest / job.target.tolerance_um,
+            tolerance_share: largest / ready.tolerance_um,
             rms_deviation_um: deviation.rms() * 1e3,
             model_difference_um: run.model_difference * 1e3,
             referee_error_um: run.refereed.verdict.grinding.error_um,
@@ -129,7 +126,6 @@ pub(super) fn flank_result(
 
 /// Radial feed beside it: twist by formula and by contact, and the whole target as far as it goes.
 pub(super) fn radial_feed(
-    job: &TangentialJob,
     ready: &TangentialPrepared,
     pass: &SettledPass,
     flank: Flank,
@@ -138,9 +134,9 @@ pub(super) fn radial_feed(
 ) -> RadialFeedResult {
     let cos_b = ready.model.pair.work.flank(flank).base_helix_angle.cos();
     let crowning = CharacteristicsUm::of(target, cos_b).helix_crowning_um * cos_b * 1e-3;
-    let plain = ready.model.radial_feed(flank, crowning, measure_of(job), FitGrid::Radii(5));
+    let plain = ready.model.radial_feed(flank, crowning, ready.rules.measure, FitGrid::Radii(5));
     let whole = fitted.as_ref().map_err(Clone::clone).and_then(|(settings, _)| {
-        let ground = TangentialFlank::new(&ready.model, flank, &pass.flanks, settings, measure_of(job));
+        let ground = TangentialFlank::new(&ready.model, flank, &pass.flanks, settings, ready.rules.measure);
         let grid = RollGrid { w: target.w.clone(), z: target.z.clone() };
         Ok(Topography { f: ground.deviations(&grid)?, ..target.clone() }.minus(target))
     });

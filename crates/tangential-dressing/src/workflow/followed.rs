@@ -1,8 +1,10 @@
 //! A run of a job with its strokes, for programs to be followed on its bodies.
 
+use super::prepare::{given_settings, prepare_tangential};
 use super::programs::{Rays, Strokes, flanks_of};
+use super::run::{plan_prepared, simulate_prepared};
 use crate::job::LoadedTangentialJob;
-use crate::workflow::{TangentialOutcome, plan_tangential, simulate_tangential};
+use crate::workflow::TangentialOutcome;
 use foundation::numerics::Progress;
 use generating_grinding::workflow::programs::FollowedBodies;
 use generating_grinding::workflow::programs::follow::{Followed, follow};
@@ -11,6 +13,7 @@ use generating_grinding::workflow::programs::technology::Technology;
 use machine::Machine;
 use motion::Tracked;
 use run::RunFailure;
+use std::time::Instant;
 
 /// The worm is one area.
 const ONE_AREA: [f64; 1] = [0.0];
@@ -19,7 +22,6 @@ const ONE_AREA: [f64; 1] = [0.0];
 pub struct OnTangential {
     run: TangentialOutcome,
     strokes: Strokes,
-    tolerance_um: f64,
 }
 
 impl OnTangential {
@@ -28,21 +30,22 @@ impl OnTangential {
     /// # Errors
     /// Those of the run.
     pub fn new(loaded: &LoadedTangentialJob, progress: &dyn Progress) -> Result<Self, RunFailure> {
-        let mut plain = loaded.clone();
-        plain.job.machine = None;
-        let run = if plain.job.settings.is_some() {
-            simulate_tangential(&plain, progress)?
+        // Not on the machine of the job: no programs of its own.
+        let ready = prepare_tangential(loaded)?;
+        let begun = Instant::now();
+        let run = if loaded.job.settings.is_some() {
+            let settings = given_settings(loaded, &ready)?;
+            simulate_prepared(ready, settings, begun, progress)?
         } else {
-            plan_tangential(&plain, progress)?
+            plan_prepared(ready, begun, progress)?
         };
-        let clamped = loaded.job.machine.clone().unwrap_or_default();
-        let strokes = Strokes::new(&loaded.job, &clamped, &run.prepared, &run.flanks)?;
-        Ok(Self { run, strokes, tolerance_um: loaded.job.target.tolerance_um })
+        let strokes = Strokes::new(&run.prepared, &run.flanks)?;
+        Ok(Self { run, strokes })
     }
 
     /// How the job clamps its bodies.
     pub fn technology(&self) -> &Technology {
-        &self.strokes.technology
+        &self.run.prepared.technology
     }
 
     /// Follows a program and says what it makes of the flanks.
@@ -50,17 +53,17 @@ impl OnTangential {
     /// # Errors
     /// Those of [`follow`].
     pub fn follow(&self, machine: &Machine, tracked: &Tracked) -> Result<Followed, RunFailure> {
-        let Self { run, strokes, tolerance_um } = self;
+        let Self { run, strokes } = self;
         let sought = Sought {
             machine,
-            technology: &strokes.technology,
+            technology: &run.prepared.technology,
             indexing: &strokes.indexing,
             areas: &ONE_AREA,
             dressing: strokes.dressing.iter().collect(),
             grinding: strokes.grinding.iter().collect(),
         };
         let judge = Rays { ready: &run.prepared, runs: &run.flanks, passes: &strokes.passes };
-        follow(tracked, &sought, &flanks_of(&run.flanks), *tolerance_um, &judge)
+        follow(tracked, &sought, &flanks_of(&run.flanks), run.prepared.tolerance_um, &judge)
     }
 }
 

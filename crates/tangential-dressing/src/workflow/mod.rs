@@ -21,13 +21,11 @@ mod sensitivities;
 mod settings;
 mod summary;
 mod tables;
-mod technology;
 pub mod write;
 
 pub use flank::TangentialRun;
 pub use passes::{TangentialPass, passes_of_runs};
 pub use prepare::{TangentialPrepared, WantedFlank, prepare_tangential};
-pub use preview::{PreviewedPass, preview_passes};
 pub use referee::{DrivenMotions, referee, worm_rays};
 pub use result::{
     ChoiceStep, MethodResult, PassResult, RadialFeedResult, SensitivityResult, SettingsResult,

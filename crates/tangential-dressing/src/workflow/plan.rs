@@ -1,10 +1,8 @@
 //! Planning of tangential dressing: per pass which variables, which values, and what else was tried. Knows no referee.
 
-use super::finding;
-use super::prepare::{TangentialPrepared, channel_of, measure_of, variable_of, weights_of};
-use crate::job::{FitMethod as JobMethod, FitWeights, TangentialJob, VariableRule, Variables};
+use super::prepare::{Choice, FitRules, TangentialPrepared};
 use crate::{
-    Channel, Fit, FitGrid, FitLimits, FitMethod, FitTask, Selection, SelectionTask, TangentialError,
+    Channel, Fit, FitLimits, FitMethod, FitTask, Selection, SelectionTask, TangentialError,
     TangentialSettings, Variable,
 };
 use foundation::geometry::Flank;
@@ -42,30 +40,14 @@ const WORTH_MORE: f64 = 0.01;
 
 /// The task of a pass.
 pub fn task_of<'a>(
-    job: &TangentialJob,
     ready: &'a TangentialPrepared,
     pass: &'a [Flank],
     wanted: &'a (dyn Fn(Flank, f64, f64) -> f64 + Sync),
     limits: FitLimits,
 ) -> FitTask<'a> {
-    FitTask {
-        model: &ready.model,
-        pass,
-        wanted,
-        fixed: TangentialSettings::default(),
-        measure: measure_of(job),
-        grid: match job.dressing.weights {
-            FitWeights::Uniform => FitGrid::Graded(job.dressing.fit_points),
-            FitWeights::Source => FitGrid::Radii(job.dressing.fit_points),
-        },
-        weights: weights_of(job),
-        limits,
-    }
-}
-
-/// The grid of the result.
-pub fn result_grid(job: &TangentialJob) -> FitGrid {
-    FitGrid::Equidistant(job.grid.profile_points, job.grid.helix_points)
+    let FitRules { measure, grid, weights, .. } = ready.rules;
+    let fixed = TangentialSettings::default();
+    FitTask { model: &ready.model, pass, wanted, fixed, measure, grid, weights, limits }
 }
 
 /// Plans a pass.
@@ -73,48 +55,31 @@ pub fn result_grid(job: &TangentialJob) -> FitGrid {
 /// # Errors
 /// [`RunFailure`] with a finding on the key concerned.
 pub fn plan_pass(
-    job: &TangentialJob,
     ready: &TangentialPrepared,
     pass: &[Flank],
     progress: &dyn Progress,
 ) -> Result<PassPlan, RunFailure> {
     let wanted = |flank: Flank, w: f64, z: f64| ready.wanted(flank, w, z);
     let failed = |e: TangentialError| RunFailure::from(&e);
-    let splines = spline_variables(job, ready, pass)?;
-    let named = job.dressing.variables.named();
-    let limits = match &job.dressing.variables {
-        Variables::Rule(VariableRule::Source) => FitLimits::SOURCE,
-        Variables::Rule(VariableRule::Auto) | Variables::List(_) => FitLimits::STEADY,
-    };
-    let task = task_of(job, ready, pass, &wanted, limits);
+    let rules = &ready.rules;
+    let splines = rules.spline_variables(&ready.model, pass)?;
+    let task = task_of(ready, pass, &wanted, rules.limits);
     progress.start("fitting", 1);
-    let (free, start, selection) = match named {
-        Some(list) => {
-            let mut free = list
-                .iter()
-                .enumerate()
-                .map(|(i, &v)| variable_of(v, &format!("dressing.variables[{i}]")))
-                .collect::<Result<Vec<_>, _>>()?;
-            free.extend(splines);
+    let (free, start, selection) = match &rules.choice {
+        Choice::Given(list) => {
+            let free: Vec<Variable> = list.iter().cloned().chain(splines).collect();
             let start = vec![0.0; free.len()];
             (free, start, None)
         }
-        None => {
-            let excluded = job
-                .dressing
-                .exclude
-                .iter()
-                .enumerate()
-                .map(|(i, &c)| channel_of(c, &format!("dressing.exclude[{i}]")))
-                .collect::<Result<Vec<_>, _>>()?;
-            let mut candidates = SelectionTask::standard_candidates(pass.len() > 1, &excluded);
+        Choice::Chosen { excluded, most } => {
+            let mut candidates = SelectionTask::standard_candidates(pass.len() > 1, excluded);
             candidates.extend(splines);
             let selection = task
                 .select(&SelectionTask {
                     candidates,
-                    tolerance: job.target.tolerance_um * 1e-3,
-                    most: job.dressing.most_variables,
-                    judged_on: result_grid(job),
+                    tolerance: ready.tolerance(),
+                    most: *most,
+                    judged_on: rules.judged_on,
                 })
                 .map_err(failed)?;
             (selection.variables.clone(), selection.values.clone(), Some(selection))
@@ -124,8 +89,8 @@ pub fn plan_pass(
         // The flank is what is wanted without any of them.
         (nothing_to_fit(), Vec::new())
     } else {
-        let fit = best_fit(job, &task, &free, &start).map_err(failed)?;
-        let compared = if job.dressing.compare_methods { compare(job, &task, &free) } else { Vec::new() };
+        let fit = best_fit(ready, &task, &free, &start).map_err(failed)?;
+        let compared = if rules.compare_methods { compare(rules, &task, &free) } else { Vec::new() };
         (fit, compared)
     };
     progress.advance(1);
@@ -147,49 +112,19 @@ fn nothing_to_fit() -> Fit {
     }
 }
 
-/// Coefficients of the splines that the job asks for.
-fn spline_variables(
-    job: &TangentialJob,
-    ready: &TangentialPrepared,
-    pass: &[Flank],
-) -> Result<Vec<Variable>, RunFailure> {
-    let mut all = Vec::new();
-    for (i, spline) in job.dressing.splines.iter().enumerate() {
-        let field = format!("dressing.splines[{i}]");
-        let channel = channel_of(spline.channel, &field)?;
-        all.extend(
-            Variable::spline(channel, spline.intervals, ready.model.spline_range(channel, pass))
-                .map_err(|e| finding::on_field(&e, &field))?,
-        );
-    }
-    Ok(all)
-}
-
-/// Methods and steps that a job allows.
-fn ways(job: &TangentialJob) -> Vec<(FitMethod, usize)> {
-    let steps = job.dressing.steps;
-    let methods = match job.dressing.method {
-        JobMethod::Auto => FitMethod::ALL.to_vec(),
-        JobMethod::Svd => vec![FitMethod::Plain],
-        JobMethod::Damped => vec![FitMethod::Damped],
-        JobMethod::GaussNewton => vec![FitMethod::GaussNewton],
-    };
-    let stepped: &[usize] = if steps > 1 { &[1, steps] } else { &[1] };
-    stepped.iter().flat_map(|&n| methods.iter().map(move |&m| (m, n))).collect()
-}
-
 /// The fit of least weighted error among the ways that the job allows; more trouble is taken, stepping last, as long as no fit has
 /// settled within the tolerance, or is within half of it. What a selection found is taken further from where it is.
 fn best_fit(
-    job: &TangentialJob,
+    ready: &TangentialPrepared,
     task: &FitTask<'_>,
     free: &[Variable],
     start: &[f64],
 ) -> Result<Fit, TangentialError> {
-    let tolerance = job.target.tolerance_um * 1e-3;
+    let (rules, tolerance) = (&ready.rules, ready.tolerance());
+    let ways = rules.ways_there().into_iter().flat_map(|n| rules.methods.iter().map(move |&m| (m, n)));
     let mut best: Option<Fit> = None;
     let mut refused = None;
-    for (method, steps) in ways(job) {
+    for (method, steps) in ways {
         let enough = |b: &Fit| b.largest <= if b.converged { tolerance } else { 0.5 * tolerance };
         if best.as_ref().is_some_and(enough) {
             break;
@@ -213,13 +148,12 @@ fn best_fit(
 }
 
 /// Every method straight there and stepped, from nothing.
-fn compare(job: &TangentialJob, task: &FitTask<'_>, free: &[Variable]) -> Vec<MethodTried> {
+fn compare(rules: &FitRules, task: &FitTask<'_>, free: &[Variable]) -> Vec<MethodTried> {
     let zero = vec![0.0; free.len()];
-    let steps: &[usize] = if job.dressing.steps > 1 { &[1, job.dressing.steps] } else { &[1] };
-    let each = FitMethod::ALL.into_iter().flat_map(|m| steps.iter().map(move |&n| (m, n)));
+    let each = FitMethod::ALL.into_iter().flat_map(|m| rules.ways_there().into_iter().map(move |n| (m, n)));
     each.map(|(method, steps)| {
         let outcome = task.fit_in_steps(free, &zero, method, steps).and_then(|fit| {
-            let judged = task.judge(&task.fixed.with(free, &fit.values), result_grid(job))?;
+            let judged = task.judge(&task.fixed.with(free, &fit.values), rules.judged_on)?;
             let largest = judged.iter().map(|j| j.largest()).fold(0.0, f64::max);
             Ok((fit, largest))
         });
@@ -234,12 +168,11 @@ fn compare(job: &TangentialJob, task: &FitTask<'_>, free: &[Variable]) -> Vec<Me
 /// # Errors
 /// [`TangentialError`], most of all `Undercut`.
 pub fn conventional(
-    job: &TangentialJob,
     ready: &TangentialPrepared,
     pass: &[Flank],
 ) -> Result<(TangentialSettings, Fit), TangentialError> {
     let wanted = |flank: Flank, w: f64, z: f64| ready.wanted(flank, w, z);
-    let mut task = task_of(job, ready, pass, &wanted, FitLimits::STEADY);
+    let mut task = task_of(ready, pass, &wanted, FitLimits::STEADY);
     task.fixed.set(&Variable::shift_ratio(), -ready.model.shift_ratio);
     task.fixed.set(&Variable::power(Channel::ToolShift, 0), -ready.model.shift_offset(pass));
     let profile = (1..=4).map(|k| Variable::power(Channel::Profile(None), k));

@@ -1,10 +1,10 @@
 //! Passes as planned, without their referee.
 
-use super::plan::{plan_pass, result_grid, task_of};
-use super::prepare::prepare_tangential;
+use super::plan::{plan_pass, task_of};
+use super::prepare::TangentialPrepared;
 use super::remarks::flank_warnings;
 use super::settings::{SettledPass, job_settings};
-use crate::job::{LoadedTangentialJob, TangentialSettings};
+use crate::job::TangentialSettings;
 use crate::{FitLimits, TangentialError};
 use foundation::geometry::Flank;
 use foundation::numerics::Silent;
@@ -38,18 +38,16 @@ pub struct Previewed {
 ///
 /// # Errors
 /// As the plan.
-pub fn preview_passes(loaded: &LoadedTangentialJob) -> Result<Previewed, RunFailure> {
-    let job = &loaded.job;
-    let ready = prepare_tangential(loaded)?;
+pub fn preview_passes(ready: &TangentialPrepared) -> Result<Previewed, RunFailure> {
     let mut passes = Vec::with_capacity(ready.passes.len());
     let mut flanks = Vec::new();
     let mut warnings = Vec::new();
     for pass in &ready.passes {
-        let plan = plan_pass(job, &ready, pass, &Silent)?;
+        let plan = plan_pass(ready, pass, &Silent)?;
         let wanted = |flank: Flank, w: f64, z: f64| ready.wanted(flank, w, z);
-        let task = task_of(job, &ready, pass, &wanted, FitLimits::STEADY);
+        let task = task_of(ready, pass, &wanted, FitLimits::STEADY);
         let judged = task
-            .judge(&plan.settings, result_grid(job))
+            .judge(&plan.settings, ready.rules.judged_on)
             .map_err(|error: TangentialError| RunFailure::from(&error))?;
         for of in &judged {
             let over = |f: Vec<f64>| Topography { w: of.grid.w.clone(), z: of.grid.z.clone(), f };
@@ -61,5 +59,5 @@ pub fn preview_passes(loaded: &LoadedTangentialJob) -> Result<Previewed, RunFail
         }
         passes.push(SettledPass { flanks: pass.clone(), settings: plan.settings.clone(), plan: Some(plan) });
     }
-    Ok(Previewed { settings: job_settings(job, &ready, &passes), flanks, warnings })
+    Ok(Previewed { settings: job_settings(ready, &passes), flanks, warnings })
 }

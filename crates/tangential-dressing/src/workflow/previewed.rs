@@ -1,5 +1,6 @@
 //! The plan of a job of tangential dressing without its referee, as a preview.
 
+use super::prepare::prepare_tangential;
 use super::preview::{PreviewedPass, preview_passes};
 use crate::job::TangentialJob;
 use job::{Loaded, ProcessJob};
@@ -11,14 +12,15 @@ use std::collections::BTreeMap;
 /// # Errors
 /// As the plan.
 pub fn preview_tangential(loaded: &Loaded<TangentialJob>) -> Result<Preview, RunFailure> {
-    let previewed_passes = preview_passes(loaded)?;
+    let ready = prepare_tangential(loaded)?;
+    let previewed_passes = preview_passes(&ready)?;
     let mut flanks = BTreeMap::new();
     for PreviewedPass { flank, target, planned, cos_b } in &previewed_passes.flanks {
         flanks.insert(flank.name(), PreviewFlank::of(target, planned, *cos_b));
     }
     Ok(Preview {
         process: TangentialJob::NAME,
-        tolerance_um: loaded.job.target.tolerance_um,
+        tolerance_um: ready.tolerance_um,
         settings: Preview::settings_of(&previewed_passes.settings)?,
         warnings: previewed_passes.warnings,
         flanks,

@@ -1,7 +1,5 @@
 //! The programs of a run of tangential dressing: its passes as work for a machine, and its referee asked with motions from a text.
 
-use super::technology::technology;
-use crate::job::{LoadedTangentialJob, TangentialJob};
 use crate::workflow::{
     DrivenMotions, TangentialPass, TangentialPrepared, TangentialRun, passes_of_runs, referee, worm_rays,
 };
@@ -16,38 +14,33 @@ use generating_grinding::workflow::programs::judge::{Judge, ReadBack, RunFlank};
 use generating_grinding::workflow::programs::proof::THREAD_GRID;
 use generating_grinding::workflow::programs::run_programs::RunPrograms;
 use generating_grinding::workflow::programs::task::ProgramTask;
-use generating_grinding::workflow::programs::technology::Technology;
 use generating_grinding::workflow::programs::work::{DressingWork, GrindingWork};
-use job::tables::Machine as JobMachine;
 use machine::GearCoupling;
 use metrology::Topography;
 use motion::{ReadStroke, dresser_contacts};
 use run::RunFailure;
-use run::program_check::{dialects, machine_of_job};
+use run::program_check::dialects;
 
 /// Contacts looked at along the line in which the dresser touches a flank.
 const CONTACTS: usize = 5;
 
-/// Programs of a run whose job names a machine; `None` for one that names none.
+/// Programs of a run that was prepared with a machine; `None` without one.
 ///
 /// # Errors
-/// [`RunFailure`]: a machine that is none or cannot do it; programs that are not proven.
+/// [`RunFailure`]: a machine that cannot do it; programs that are not proven.
 pub fn programs_of_tangential(
-    loaded: &LoadedTangentialJob,
     ready: &TangentialPrepared,
     runs: &Sides<Option<TangentialRun>>,
 ) -> Result<Option<RunPrograms>, RunFailure> {
-    let job = &loaded.job;
-    let Some(job_machine) = &job.machine else { return Ok(None) };
-    let machine = machine_of_job(&loaded.document, &job_machine.file)?;
-    let strokes = Strokes::new(job, job_machine, ready, runs)?;
+    let Some(machine) = &ready.machine else { return Ok(None) };
+    let strokes = Strokes::new(ready, runs)?;
     let pair = &ready.model.pair;
     let gear = pair.work.data();
     let task = ProgramTask {
-        job: &job.job.name,
-        machine: &machine,
-        dialects: &dialects(&job.output.programs, &machine),
-        technology: strokes.technology.clone(),
+        job: &ready.info.name,
+        machine,
+        dialects: &dialects(&ready.output.programs, machine),
+        technology: ready.technology.clone(),
         dressing: strokes.dressing.clone(),
         lines: Vec::new(),
         grinding: strokes.grinding.clone(),
@@ -61,16 +54,14 @@ pub fn programs_of_tangential(
         },
         areas: vec![0.0],
     };
-    let given = job.grinding.feed_per_revolution.is_some();
     let judge = Rays { ready, runs, passes: &strokes.passes };
-    let mut programs = RunPrograms::new(&task, given, &flanks_of(runs), &judge)?;
+    let mut programs = RunPrograms::new(&task, ready.gives_feed, &flanks_of(runs), &judge)?;
     programs.result.clearance = clearance::check(&task, &programs.built)?;
     Ok(Some(programs))
 }
 
 /// The strokes of a run, pass by pass.
 pub(super) struct Strokes {
-    pub technology: Technology,
     pub indexing: Indexing,
     pub passes: Vec<Vec<Flank>>,
     pub dressing: Vec<DressingWork>,
@@ -78,17 +69,9 @@ pub(super) struct Strokes {
 }
 
 impl Strokes {
-    pub fn new(
-        job: &TangentialJob,
-        machine: &JobMachine,
-        ready: &TangentialPrepared,
-        runs: &Sides<Option<TangentialRun>>,
-    ) -> Result<Self, RunFailure> {
+    pub fn new(ready: &TangentialPrepared, runs: &Sides<Option<TangentialRun>>) -> Result<Self, RunFailure> {
         let worm = ready.model.pair.worm.data();
-        let technology =
-            technology(machine, ready, job).with_dresser(0.5 * job.dresser.tip_diameter, worm.normal_module);
         let mut strokes = Self {
-            technology,
             indexing: Indexing::new(worm.teeth.unsigned_abs(), ready.model.pair.work.data().teeth, None),
             passes: Vec::new(),
             dressing: Vec::new(),

@@ -2,9 +2,9 @@
 
 use super::flank::TangentialRun;
 use super::plan::PassPlan;
+use super::prepare::TangentialPrepared;
 use super::result::TangentialFlankResult;
 use super::settings::SettledPass;
-use crate::job::TangentialJob;
 use crate::{Channel, Judged, Shape, Variable};
 use foundation::geometry::Sides;
 use job::Diagnostic;
@@ -76,12 +76,12 @@ pub(super) fn worm_lengths(passes: &[SettledPass], runs: &Sides<Option<Tangentia
 }
 
 pub(super) fn check_worm_width(
-    job: &TangentialJob,
+    ready: &TangentialPrepared,
     runs: &Sides<Option<TangentialRun>>,
     passes: &[SettledPass],
     [_, longest]: [f64; 2],
 ) -> Result<(), RunFailure> {
-    let Some(width) = job.worm.width.filter(|&width| width < longest) else { return Ok(()) };
+    let Some(width) = ready.worm_width.filter(|&width| width < longest) else { return Ok(()) };
     let used: Vec<String> = runs
         .iter()
         .filter_map(|(flank, run)| {
@@ -104,7 +104,7 @@ pub(super) fn check_worm_width(
 }
 
 pub(super) fn missed(
-    job: &TangentialJob,
+    ready: &TangentialPrepared,
     flanks: &BTreeMap<&'static str, TangentialFlankResult>,
     passes: &[SettledPass],
 ) -> Remark {
@@ -113,7 +113,7 @@ pub(super) fn missed(
     let text = worst.map_or("no flank is ground".to_string(), |(flank, f)| {
         format!(
             "the {flank} flank differs from the target by up to {:.4} um, {:.4} um are allowed",
-            f.flank.max_deviation_um, job.target.tolerance_um
+            f.flank.max_deviation_um, ready.tolerance_um
         )
     });
     let chosen = passes.iter().any(|p| p.plan.as_ref().is_some_and(|plan| plan.selection.is_some()));

@@ -1,7 +1,6 @@
 //! The scene of grinding with a worm that is dressed tangentially: a stage for every dressed flank, then one for every pass of
 //! grinding. Knows no file.
 
-use crate::job::LoadedTangentialJob;
 use crate::workflow::{TangentialOutcome, TangentialRun};
 use crate::{TangentialFlank, TangentialModel};
 use contact::Measure;
@@ -19,7 +18,7 @@ use scene::{Body, BodyKind, Scene, Stage};
 
 /// Points of the line in which dresser and worm touch.
 const LINE: usize = 25;
-/// The worm goes on beyond what is used by this share of its normal module at each end, where the job gives no width.
+/// The worm goes on beyond what is used by this share of its normal module at each end, where none is given.
 const BESIDE: f64 = 1.5;
 /// Depth of the worm's spaces below its pitch cylinder, in normal modules: the dresser's reach.
 const DEDENDUM: f64 = 1.5;
@@ -35,10 +34,7 @@ struct Driven<'a> {
 ///
 /// # Errors
 /// [`RunFailure`] for bodies that cannot be meshed, a run without flanks, and motions without numbers.
-pub fn scene_of_tangential(
-    loaded: &LoadedTangentialJob,
-    outcome: &TangentialOutcome,
-) -> Result<Scene, RunFailure> {
+pub fn scene_of_tangential(outcome: &TangentialOutcome) -> Result<Scene, RunFailure> {
     let ready = &outcome.prepared;
     let model = &ready.model;
     let driven: Vec<Driven<'_>> = Flank::BOTH
@@ -54,7 +50,7 @@ pub fn scene_of_tangential(
     let radii = [pitch - DEDENDUM * module, ready.worm_tip_radius];
     let used = extremes(driven.iter().flat_map(|d| d.run.strokes.worm_faces));
     let beside = BESIDE * module;
-    let faces = match loaded.job.worm.width {
+    let faces = match ready.worm_width {
         Some(width) => [-0.5 * width, 0.5 * width],
         None => [used[0] - beside, used[1] + beside],
     };

@@ -1,13 +1,12 @@
 //! What a unit of each variable does to the unmodified flank.
 
-use super::prepare::{TangentialPrepared, measure_of};
+use super::prepare::TangentialPrepared;
 use super::result::SensitivityResult;
 use super::settings::SettledPass;
-use crate::job::TangentialJob;
 use crate::{Channel, FitGrid, Shape, TangentialError, TangentialFlank, TangentialSettings, Variable};
 
 /// The nine variables of the source, whose topographies every report shows (its table 3).
-pub(super) const SOURCE_VARIABLES: [(Channel, u32); 9] = [
+const SOURCE_VARIABLES: [(Channel, u32); 9] = [
     (Channel::Profile(None), 1),
     (Channel::Profile(None), 2),
     (Channel::Profile(None), 3),
@@ -24,7 +23,6 @@ const SENSITIVITY_POINTS: usize = 11;
 
 /// Derivatives of the unmodified flank by the variables of the source and those that the passes use.
 pub(super) fn sensitivities(
-    job: &TangentialJob,
     ready: &TangentialPrepared,
     passes: &[SettledPass],
 ) -> Result<Vec<SensitivityResult>, TangentialError> {
@@ -39,7 +37,8 @@ pub(super) fn sensitivities(
         }
         for &flank in &pass.flanks {
             let settings = TangentialSettings::default();
-            let plain = TangentialFlank::new(&ready.model, flank, &pass.flanks, &settings, measure_of(job));
+            let measure = ready.rules.measure;
+            let plain = TangentialFlank::new(&ready.model, flank, &pass.flanks, &settings, measure);
             let grid = FitGrid::Radii(SENSITIVITY_POINTS).of(&ready.model, flank);
             let (_, by) = plain.linearised(&grid, &variables)?;
             let columns = grid.z.len();
@@ -68,4 +67,15 @@ const ROUNDING: f64 = 1e-9;
 
 fn without_rounding(x: f64) -> f64 {
     if x.abs() < ROUNDING { 0.0 } else { x }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn variables_of_the_source_are_those_that_a_job_names_so() {
+        let named = crate::job::Variable::SOURCE.map(|v| v.to_string());
+        assert_eq!(named, SOURCE_VARIABLES.map(|(c, k)| Variable::power(c, k).to_string()));
+    }
 }

@@ -23,8 +23,8 @@ impl JobOutcome<TangentialJob> for TangentialOutcome {
         &self.result
     }
 
-    fn scene(&self, loaded: &LoadedTangentialJob) -> Option<Result<Scene, RunFailure>> {
-        Some(scene_of_tangential(loaded, self))
+    fn scene(&self, _: &LoadedTangentialJob) -> Option<Result<Scene, RunFailure>> {
+        Some(scene_of_tangential(self))
     }
 
     fn flanks(&self) -> Vec<FlankMaps<'_>> {

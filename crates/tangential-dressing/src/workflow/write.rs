@@ -21,8 +21,9 @@ pub fn write_tangential(
     outcome: &TangentialOutcome,
     directory: &Path,
 ) -> Result<Vec<PathBuf>, WriteError> {
-    let (job, result) = (&loaded.job, &outcome.result);
-    let with_settings = TangentialJob { settings: Some(result.settings.settings.clone()), ..job.clone() };
+    let result = &outcome.result;
+    let with_settings =
+        TangentialJob { settings: Some(result.settings.settings.clone()), ..loaded.job.clone() };
     let flanks = result.flanks.iter().map(|(name, f)| (*name, &f.flank));
     let mut files: Vec<NamedFile> = vec![
         ("result.json".into(), "result with settings and flanks", json(result)?),
@@ -58,7 +59,7 @@ pub fn write_tangential(
             files.push((path, "grinding motion over the feed", table.text().into()));
         }
     }
-    let release = Release::of(&result.verdict, job.output.programs_of_missed);
+    let release = Release::of(&result.verdict, outcome.prepared.output.programs_of_missed);
     files.extend(outcome.programs.iter().flat_map(|programs| program_files(programs, &release)));
-    write_with_report(files, directory, |named| page::html_page(job, outcome, named))
+    write_with_report(files, directory, |named| page::html_page(outcome, named))
 }

@@ -6,7 +6,6 @@ use crate::workflow::run::Outcome;
 use erased_serde::Serialize;
 use run::{Carried, Conclusion, FlankMaps, RunFailure, TaskOutcome, WriteError};
 use scene::Scene;
-use std::any::Any;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use verdict::Verdict;
@@ -69,10 +68,6 @@ impl TaskOutcome for PlannedPair {
     fn refusal(&self) -> Option<&RunFailure> {
         self.planned.as_ref().err()
     }
-
-    fn as_any(&self) -> &dyn Any {
-        self
-    }
 }
 
 impl TaskOutcome for CatalogueOutcome {
@@ -101,10 +96,6 @@ impl TaskOutcome for CatalogueOutcome {
             self.pairs.first().and_then(|pair| pair.refused.as_ref()).filter(|_| self.best().is_none())?;
         Some(format!("{}: no pair makes the profile: {}; {}", self.job, refused.text, refused.way_out))
     }
-
-    fn as_any(&self) -> &dyn Any {
-        self
-    }
 }
 
 impl TaskOutcome for FreeOutcome {
@@ -132,10 +123,6 @@ impl TaskOutcome for FreeOutcome {
         let [from, to] = self.range;
         (self.working() == 0)
             .then(|| format!("{}: no dresser makes the profile with {} {from} to {to}", self.job, self.free))
-    }
-
-    fn as_any(&self) -> &dyn Any {
-        self
     }
 }
 

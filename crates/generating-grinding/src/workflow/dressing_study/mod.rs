@@ -25,7 +25,6 @@ use rayon::prelude::*;
 use run::{Conclusion, RunFailure, TaskOutcome, WriteError};
 use schemars::JsonSchema;
 use serde::Serialize;
-use std::any::Any;
 use std::path::{Path, PathBuf};
 use verdict::Verdict;
 use worms::Along;
@@ -205,9 +204,5 @@ impl TaskOutcome for DressingStudyOutcome {
 
     fn conclusion(&self) -> Conclusion {
         if self.is_producible() { Conclusion::Done } else { Conclusion::NotProducible }
-    }
-
-    fn as_any(&self) -> &dyn Any {
-        self
     }
 }

@@ -3,7 +3,6 @@
 use super::{ExploreCandidate, ExploreOutcome, write_exploration};
 use erased_serde::Serialize;
 use run::{Conclusion, TaskOutcome, WriteError};
-use std::any::Any;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use verdict::Verdict;
@@ -37,10 +36,6 @@ impl TaskOutcome for ExploreOutcome {
         let refused =
             self.candidates.first().and_then(|c| c.refused.as_ref()).filter(|_| self.best().is_none())?;
         Some(format!("{}: no combination is allowed: {}; {}", self.job, refused.text, refused.way_out))
-    }
-
-    fn as_any(&self) -> &dyn Any {
-        self
     }
 }
 

@@ -1,26 +1,27 @@
 //! The flanks of a round as pictures: target, process and measurement with one scale, deviations with their own.
 
-use super::data::{FlankView, RoundView};
+use super::flanks::{flanks, measured, topography};
+use crate::workflow::{MeasuredFlankResult, RoundResult};
 use foundation::geometry::Flank;
 use report::cells::flank_title;
 use report::charts::{
     ChartError, FlankSections, LevelScale, NamedTopography, ProfileHelixDiagram, SectionTrace, Topography,
     TopographyNet, profile_helix_diagram, topography_net,
 };
-use report::data::{Block, Figure};
 use report::flank_pictures::{net_and_map, range_with_zero};
+use report::{Block, Figure};
 
 fn figure(id: &str, svg: report::charts::Svg, caption: &str) -> Block {
     Block::Figure(Figure::new(id, svg, caption))
 }
 
 fn panels(
-    round: &RoundView,
-    pick: impl Fn(&FlankView) -> Result<Option<Topography>, ChartError>,
+    round: &RoundResult,
+    pick: impl Fn(&MeasuredFlankResult) -> Result<Option<Topography>, ChartError>,
 ) -> Result<Vec<NamedTopography>, ChartError> {
     let mut panels = Vec::new();
-    for (flank, view) in round.flanks.iter() {
-        if let Some(found) = view.as_ref().map(&pick).transpose()?.flatten() {
+    for (flank, of) in flanks(round) {
+        if let Some(found) = pick(of)? {
             panels.push(NamedTopography::new(flank_title(flank), found));
         }
     }
@@ -28,9 +29,9 @@ fn panels(
 }
 
 /// Measured less target, about its mean: material that lies everywhere is thickness.
-fn deviation(flank: &FlankView) -> Result<Option<Topography>, ChartError> {
-    let Some(measured) = &flank.measured else { return Ok(None) };
-    let apart = measured.minus(&flank.target)?;
+fn deviation(of: &MeasuredFlankResult) -> Result<Option<Topography>, ChartError> {
+    let Some(measured) = measured(of)? else { return Ok(None) };
+    let apart = measured.minus(&topography(of, &of.target_um)?)?;
     let count = apart.f_um().iter().flatten().count() as f64;
     let mean = apart.f_um().iter().flatten().sum::<f64>() / count;
     let rows = apart.f_um().iter().map(|row| row.iter().map(|f| f - mean).collect()).collect();
@@ -38,20 +39,15 @@ fn deviation(flank: &FlankView) -> Result<Option<Topography>, ChartError> {
 }
 
 /// Nets of target, simulated and measured flank with one scale, and the traces through them.
-pub(super) fn stages(round: &RoundView) -> Result<Vec<Block>, ChartError> {
+pub(super) fn stages(round: &RoundResult) -> Result<Vec<Block>, ChartError> {
+    let maps = |rows: fn(&MeasuredFlankResult) -> &Vec<Vec<f64>>| {
+        panels(round, |of| topography(of, rows(of)).map(Some))
+    };
     let stages = [
-        ("target", "Target", panels(round, |flank| Ok(Some(flank.target.clone())))?),
-        ("planned-analytic", "Planned (analytic)", panels(round, |flank| Ok(Some(flank.planned.clone())))?),
-        (
-            "simulated-referee",
-            "Simulated (referee)",
-            panels(round, |flank| Ok(Some(flank.simulated.clone())))?,
-        ),
-        (
-            "measured-mean-of-the-teeth",
-            "Measured, mean of the teeth",
-            panels(round, |flank| Ok(flank.measured.clone()))?,
-        ),
+        ("target", "Target", maps(|of| &of.target_um)?),
+        ("planned-analytic", "Planned (analytic)", maps(|of| &of.planned_um)?),
+        ("simulated-referee", "Simulated (referee)", maps(|of| &of.simulated_um)?),
+        ("measured-mean-of-the-teeth", "Measured, mean of the teeth", panels(round, measured)?),
     ];
     let all = stages.iter().flat_map(|(.., panels)| panels).map(|panel| &panel.topography);
     let range = range_with_zero(all);
@@ -60,8 +56,8 @@ pub(super) fn stages(round: &RoundView) -> Result<Vec<Block>, ChartError> {
         let net = topography_net(&TopographyNet { title: name.to_owned(), panels, range_um: Some(range) })?;
         blocks.push(figure(id, net, ""));
     }
-    let columns: Vec<FlankSections> =
-        round.flanks.iter().filter_map(|(flank, view)| sections(flank, view.as_ref()?)).collect();
+    let columns = flanks(round).filter_map(|(flank, of)| sections(flank, of).transpose());
+    let columns: Vec<FlankSections> = columns.collect::<Result<_, ChartError>>()?;
     if !columns.is_empty() {
         let svg = profile_helix_diagram(&ProfileHelixDiagram {
             title: "Target and measurement in sections".to_owned(),
@@ -75,27 +71,28 @@ pub(super) fn stages(round: &RoundView) -> Result<Vec<Block>, ChartError> {
     Ok(blocks)
 }
 
-fn sections(flank: Flank, view: &FlankView) -> Option<FlankSections> {
-    let measured = view.measured.as_ref()?;
+fn sections(flank: Flank, of: &MeasuredFlankResult) -> Result<Option<FlankSections>, ChartError> {
+    let Some(measured) = measured(of)? else { return Ok(None) };
+    let target = topography(of, &of.target_um)?;
     let thirds = |n: usize| [n / 8, n / 2, n - 1 - n / 8];
-    Some(FlankSections {
+    Ok(Some(FlankSections {
         name: flank_title(flank).to_owned(),
         profiles: thirds(measured.z_mm().len())
-            .map(|j| SectionTrace::profile(measured, Some(&view.target), j))
+            .map(|j| SectionTrace::profile(&measured, Some(&target), j))
             .to_vec(),
         helices: thirds(measured.w_mm().len())
-            .map(|i| SectionTrace::helix(measured, Some(&view.target), i))
+            .map(|i| SectionTrace::helix(&measured, Some(&target), i))
             .to_vec(),
-    })
+    }))
 }
 
 /// Deviations of all rounds, as nets and maps with one scale.
-pub(super) fn deviations(rounds: &[RoundView]) -> Result<Vec<Block>, ChartError> {
+pub(super) fn deviations(rounds: &[RoundResult]) -> Result<Vec<Block>, ChartError> {
     let mut of_rounds = Vec::new();
     for round in rounds {
         let panels = panels(round, deviation)?;
         if !panels.is_empty() {
-            of_rounds.push((round.number, panels));
+            of_rounds.push((round.round, panels));
         }
     }
     let all = || of_rounds.iter().flat_map(|(_, panels)| panels).map(|panel| &panel.topography);

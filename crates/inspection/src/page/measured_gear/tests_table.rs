@@ -1,40 +1,19 @@
 //! Which part of every characteristic all teeth share.
 
+use crate::workflow::CharacteristicResult;
 use foundation::geometry::Flank;
 use report::cells::{fixed, fixed_or_none, flank_title};
 use report::charts::ChartError;
-use report::data::{Column, Table};
+use report::{Column, Table};
 
-/// The test of a characteristic.
-#[derive(Clone, Debug, PartialEq)]
-pub struct TestRow {
-    /// Flank.
-    pub flank: Flank,
-    /// Its symbol, for example `f_Hα`.
-    pub symbol: String,
-    /// Teeth.
-    pub teeth: usize,
-    /// What they share.
-    pub common_um: f64,
-    /// Standard uncertainty of that.
-    pub uncertainty_um: Option<f64>,
-    /// Above this it is corrected.
-    pub limit_um: Option<f64>,
-    /// Probability by chance.
-    pub p: Option<f64>,
-    /// Amplitude around the gear.
-    pub harmonic_um: Option<f64>,
-    /// What follows, in words.
-    pub decision: String,
-}
-
-pub(super) fn table(rows: &[TestRow]) -> Result<Table, ChartError> {
-    let row = |test: &TestRow| {
-        let name = &test.symbol;
+pub(super) fn table(tests: &[CharacteristicResult]) -> Result<Table, ChartError> {
+    let row = |test: &CharacteristicResult| {
+        let name = symbol(test.characteristic);
+        let flank = Flank::BOTH.into_iter().find(|flank| flank.name() == test.flank);
         Ok(vec![
-            flank_title(test.flank).to_owned(),
-            name.clone(),
-            test.teeth.to_string(),
+            flank.map_or(test.flank, flank_title).to_owned(),
+            name.to_owned(),
+            test.teeth.len().to_string(),
             fixed(name, test.common_um, 3)?,
             fixed_or_none(name, test.uncertainty_um, 3)?,
             fixed_or_none(name, test.limit_um, 3)?,
@@ -43,7 +22,7 @@ pub(super) fn table(rows: &[TestRow]) -> Result<Table, ChartError> {
                 p => fixed_or_none(name, p, 3)?,
             },
             fixed_or_none(name, test.harmonic_um, 3)?,
-            test.decision.clone(),
+            decision(test.decision).to_owned(),
         ])
     };
     Ok(Table {
@@ -59,10 +38,32 @@ pub(super) fn table(rows: &[TestRow]) -> Result<Table, ChartError> {
             Column::number("Once a turn", "µm"),
             Column::text("What follows"),
         ],
-        rows: rows.iter().map(row).collect::<Result<_, ChartError>>()?,
+        rows: tests.iter().map(row).collect::<Result<_, ChartError>>()?,
         note: "Deviations from the target, normal to the flank; slopes are positive where material rises towards the tip or the upper \
                face. A characteristic is corrected where its common part is above the limit, by chance in less than the share p of all \
                cases. What goes around the gear once a turn comes from clamping, and no setting removes it."
             .into(),
     })
+}
+
+fn symbol(characteristic: &str) -> &str {
+    match characteristic {
+        "fHa" => "f_Hα",
+        "Ca" => "C_α",
+        "fHb" => "f_Hβ",
+        "Cb" => "C_β",
+        other => other,
+    }
+}
+
+/// What follows, in words.
+fn decision(decision: &str) -> &str {
+    match decision {
+        "correct" => "CORRECT",
+        "below-dead-band" => "too small to correct",
+        "not-systematic" => "not systematic",
+        "first-harmonic" => "clamping, no correction",
+        "not-tested" => "one tooth tells nothing",
+        other => other,
+    }
 }

@@ -3,7 +3,7 @@
 use foundation::geometry::Sides;
 use foundation::numerics::Progress;
 use generating::correction::{Setting, SettingsFlank};
-use generating_grinding::job::{LoadedJob, SimulatedMeasurement};
+use generating_grinding::job::{Compensation, DiagonalRatio, LoadedJob, SimulatedMeasurement};
 use generating_grinding::workflow::execution::Execution;
 use generating_grinding::workflow::generating_finding;
 use generating_grinding::workflow::influence::influence;
@@ -15,6 +15,8 @@ use run::RunFailure;
 
 /// A planned job.
 pub(super) struct Ground {
+    /// The job, to be written back with a compensation.
+    pub job: LoadedJob,
     /// Bodies and targets.
     pub prepared: Prepared,
     /// Motions.
@@ -24,15 +26,57 @@ pub(super) struct Ground {
 }
 
 /// Plans a job and lets the referee grind it.
-pub(super) fn ground(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Ground, RunFailure> {
-    let prepared = prepare(loaded)?;
+pub(super) fn ground(job: LoadedJob, progress: &dyn Progress) -> Result<Ground, RunFailure> {
+    let prepared = prepare(&job)?;
     let plan = prepared.task().plan().map_err(|e| generating_finding::failure(&e))?;
     let execution = Execution::of_plan(&prepared, &plan);
     let simulated = by_rays(&prepared, &execution, progress)?;
-    Ok(Ground { prepared, execution, simulated })
+    Ok(Ground { job, prepared, execution, simulated })
 }
 
 impl Ground {
+    /// The compensation with which it was planned.
+    pub fn compensation(&self) -> Option<&Compensation> {
+        self.job.job.compensation.as_ref()
+    }
+
+    /// The same job with another compensation, planned and ground.
+    ///
+    /// # Errors
+    /// Those of planning and referee.
+    pub fn compensated(
+        &self,
+        compensation: Compensation,
+        progress: &dyn Progress,
+    ) -> Result<Self, RunFailure> {
+        let mut job = self.job.clone();
+        job.job.compensation = Some(compensation);
+        job.job.settings = None;
+        // What the settings do was found for this ratio.
+        if !self.prepared.rules.radial {
+            job.job.grinding.diagonal_ratio = Some(DiagonalRatio::Number(self.execution.ratio));
+        }
+        ground(job, progress)
+    }
+
+    /// What settings do, and what inspections evaluate, is known for cylinders.
+    ///
+    /// # Errors
+    /// [`RunFailure::BadInput`] for cones.
+    pub fn check_cylinders(&self) -> Result<(), RunFailure> {
+        let pair = &self.prepared.setup.pair;
+        if pair.work.is_cylindrical() && pair.worm.is_cylindrical() {
+            return Ok(());
+        }
+        let message = "measurements are judged against jobs of cylindrical gears and worms";
+        let finding = Diagnostic::new(Problem::InvalidJob, message)
+            .field("gear.cone_angle_deg")
+            .value(self.job.job.gear.cone_angle_deg)
+            .allowed("0")
+            .way_out("inspect the measurement without `--job`");
+        Err(RunFailure::bad_input(finding))
+    }
+
     /// What the same settings leave on a machine with deviations, normal, mm.
     pub fn with_deviations(
         &self,
@@ -70,24 +114,6 @@ impl Ground {
         settings.extend(orders(&of.work_angle_arcsec, arcsec, Setting::WorkAngle));
         Ok(flank.motion(&settings, of.crossing_angle_deg.to_radians()))
     }
-}
-
-/// What settings do, and what inspections evaluate, is known for cylinders.
-///
-/// # Errors
-/// [`RunFailure::BadInput`] for cones.
-pub(super) fn check_cylinders(prepared: &Prepared, loaded: &LoadedJob) -> Result<(), RunFailure> {
-    let pair = &prepared.setup.pair;
-    if pair.work.is_cylindrical() && pair.worm.is_cylindrical() {
-        return Ok(());
-    }
-    let message = "measurements are judged against jobs of cylindrical gears and worms";
-    let finding = Diagnostic::new(Problem::InvalidJob, message)
-        .field("gear.cone_angle_deg")
-        .value(loaded.job.gear.cone_angle_deg)
-        .allowed("0")
-        .way_out("inspect the measurement without `--job`");
-    Err(RunFailure::bad_input(finding))
 }
 
 fn by_rays(

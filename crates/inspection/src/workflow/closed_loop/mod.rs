@@ -17,6 +17,7 @@ pub use result::{
 };
 pub use round::Round;
 
+use super::asked::Asked;
 use super::drawn::DrawnGear;
 use super::files::read_measurement;
 use super::statements::Statements;
@@ -25,27 +26,27 @@ use generating_grinding::job::LoadedJob;
 use ground::ground;
 use job::{Diagnostic, Problem};
 use round::judge;
-pub(super) use round::{Wanted, of_header};
+pub(super) use round::of_header;
 use run::{JobFailure, RunFailure};
 use std::path::Path;
 use verdict::Remark;
 
-/// Judges a measured file against a job.
+/// Judges a measured file against a job with what it asks.
 ///
 /// # Errors
 /// [`JobFailure`]: what is wrong with file and job, a measurement of another gear, jobs for which no correction is known.
 pub(super) fn of_file(
     loaded: &LoadedJob,
-    wanted: &Wanted,
+    asked: &Asked,
     (path, statements): (&Path, &Statements),
     progress: &dyn Progress,
 ) -> Result<(Round, MeasuredFiles), JobFailure> {
-    let made = ground(loaded, progress)?;
-    let drawn = DrawnGear::of_job(loaded, &made.prepared.setup)?;
+    let made = ground(loaded.clone(), progress)?;
+    let drawn = DrawnGear::of_setup(&made.prepared.setup)?;
     let mut files = read_measurement(path, Some(&drawn), statements)?;
     check_teeth(&files)?;
     fill(&mut files, &drawn);
-    let round = judge(loaded, &made, wanted, files.inspection.clone(), 1, progress)?;
+    let round = judge(&made, asked, files.inspection.clone(), 1, progress)?;
     Ok((round, files))
 }
 
@@ -107,10 +108,10 @@ fn fill(files: &mut MeasuredFiles, drawn: &DrawnGear) {
 /// [`RunFailure`]: a job without `[inspection.simulated]`, and those of planning, referee and evaluation.
 pub(super) fn simulated(
     loaded: &LoadedJob,
-    wanted: &Wanted,
+    asked: &Asked,
     progress: &dyn Progress,
 ) -> Result<Vec<Round>, RunFailure> {
-    let Some(of) = loaded.job.inspection.as_ref().and_then(|table| table.simulated.clone()) else {
+    let Some(of) = &asked.table.simulated else {
         let finding = Diagnostic::new(
             Problem::MissingKey,
             "there is no measurement: neither a file nor a simulated one",
@@ -119,19 +120,18 @@ pub(super) fn simulated(
         .way_out("name a file (`flankwright inspect FILE --job JOB`), or give the table");
         return Err(RunFailure::bad_input(finding));
     };
-    let mut job = loaded.clone();
-    let mut made = ground(&job, progress)?;
+    let mut made = ground(loaded.clone(), progress)?;
     let mut rounds = Vec::new();
     for number in 1..=of.rounds + 1 {
-        let drawn = DrawnGear::of_job(&job, &made.prepared.setup)?;
-        let real = made.with_deviations(&of, progress)?;
-        let mut found = probe::measured(&drawn, &made.prepared.setup.pair.work, &real, &of, number);
-        found.name = Some(format!("{}, simulated, round {number}", loaded.job.job.name));
-        let mut round = judge(&job, &made, wanted, found, number, progress)?;
-        let next = round.next.take().zip(round.corrected.clone());
+        let drawn = DrawnGear::of_setup(&made.prepared.setup)?;
+        let real = made.with_deviations(of, progress)?;
+        let mut found = probe::measured(&drawn, &made.prepared.setup.pair.work, &real, of, number);
+        found.name = Some(format!("{}, simulated, round {number}", asked.name));
+        let mut round = judge(&made, asked, found, number, progress)?;
+        let next = round.next.take();
         rounds.push(round);
-        let Some((planned, corrected)) = next else { break };
-        (made, job) = (planned, corrected);
+        let Some(next) = next else { break };
+        made = next;
     }
     Ok(rounds)
 }

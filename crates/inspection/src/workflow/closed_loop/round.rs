@@ -1,12 +1,13 @@
 //! One round: a measurement against a job, from the surfaces to the corrected job and its proof.
 
+use super::super::asked::Asked;
 use super::super::drawn::DrawnGear;
 use super::super::evaluate::{EvaluatedGear, evaluate_inspection};
 use super::super::standing_out::standing_out;
 use super::super::surface::{MeasuredSurface, field_points, measured_surface};
 use super::characteristics::{TestedCharacteristic, tested};
 use super::correction::{FoundCorrection, compensation, correct, first_order, unit, worth_turning};
-use super::ground::{Ground, check_cylinders, ground};
+use super::ground::Ground;
 use super::lines::mean_lines;
 use super::result::{
     CharacteristicResult, CorrectedSettingResult, CorrectionResult, DifferenceResult, MachineChange,
@@ -14,11 +15,9 @@ use super::result::{
 };
 use foundation::geometry::{Flank, Sides};
 use foundation::numerics::Progress;
-use generating::FlankTarget;
 use generating::correction::{ClosedLoop, CorrectionError, LoopEnd};
-use generating_grinding::job::{DiagonalRatio, LoadedJob, Method};
+use generating_grinding::job::LoadedJob;
 use generating_grinding::workflow::influence::{influence, shifts_at_constant_ratio};
-use generating_grinding::workflow::prepare::prepare;
 use job::Diagnostic;
 use measured_files::inspection::Inspection;
 use metrology::Topography;
@@ -42,31 +41,6 @@ pub struct Round {
     pub(super) next: Option<Ground>,
 }
 
-/// The wanted flanks of a job without compensation.
-pub(in super::super) struct Wanted {
-    targets: Sides<Option<FlankTarget>>,
-}
-
-impl Wanted {
-    /// # Errors
-    /// Those of the job.
-    pub fn of_job(loaded: &LoadedJob) -> Result<Self, RunFailure> {
-        let mut plain = loaded.clone();
-        plain.job.compensation = None;
-        Ok(Self { targets: prepare(&plain)?.targets })
-    }
-
-    /// Whether a flank is to be ground.
-    pub fn asks_for(&self, flank: Flank) -> bool {
-        self.targets[flank].is_some()
-    }
-
-    /// Transverse deviation that is wanted, > 0 material, mm; NaN where none is defined.
-    pub fn design(&self) -> impl Fn(Flank, f64, f64) -> f64 + Sync + '_ {
-        |flank, w, z| self.targets[flank].as_ref().map_or(0.0, |t| t.value(w, z).unwrap_or(f64::NAN))
-    }
-}
-
 /// A header that makes no gear.
 pub(in super::super) fn of_header(error: &measured_files::inspection::InspectionError) -> RunFailure {
     RunFailure::bad_input(Diagnostic::of(error))
@@ -87,19 +61,17 @@ fn of_correction(error: &CorrectionError) -> RunFailure {
 
 /// Judges a measurement against a job that was planned, and corrects the job.
 pub(super) fn judge(
-    loaded: &LoadedJob,
     made: &Ground,
-    wanted: &Wanted,
+    asked: &Asked,
     inspection: Inspection,
     number: usize,
     progress: &dyn Progress,
 ) -> Result<Round, RunFailure> {
-    check_cylinders(&made.prepared, loaded)?;
-    let drawn = DrawnGear::of_job(loaded, &made.prepared.setup)?;
+    made.check_cylinders()?;
+    let drawn = DrawnGear::of_setup(&made.prepared.setup)?;
     drawn.is_of(&inspection)?;
-    let table = loaded.job.inspection.clone().unwrap_or_default();
-    let tolerance = 1e-3 * table.tolerance_um.unwrap_or(loaded.job.target.tolerance_um);
-    let design = wanted.design();
+    let (table, tolerance) = (&asked.table, 1e-3 * asked.tolerance_um);
+    let design = asked.design();
     let gear = evaluate_inspection(&inspection, Some(&design)).map_err(|error| of_header(&error))?;
     let setup = &made.prepared.setup;
     let fields = setup.fields.map(|_, field| [field.roll(), field.face()]);
@@ -161,7 +133,7 @@ pub(super) fn judge(
     let points = |field: &measured_files::inspection::Topography| {
         field_points(&inspection, &gear.gear, field, &design).unwrap_or_default()
     };
-    let tests = tested(&inspection, &gear, &fields, &table, tolerance, points);
+    let tests = tested(&inspection, &gear, &fields, table, tolerance, points);
     let lines = mean_lines(&inspection, &gear.gear, &design).map_err(|e| of_inspection(&e))?;
     let mut round = Round {
         result: RoundResult {
@@ -182,7 +154,7 @@ pub(super) fn judge(
         return Ok(round);
     }
     let influence = influence(&made.prepared, &made.execution)?;
-    let settings = worth_turning(&table, &tests, &influence);
+    let settings = worth_turning(table, &tests, &influence);
     if surfaces.iter().all(|(_, surface)| surface.is_none()) && !settings.is_empty() {
         let why = "without a measured surface nothing would be proven: measure a profile and a helix trace of the same tooth";
         round.result.no_correction = Some(why.into());
@@ -192,7 +164,7 @@ pub(super) fn judge(
         round.result.no_correction = Some(reason(&tests));
         return Ok(round);
     }
-    let found = correct(&table, settings, &lines, &influence, loaded.job.compensation.as_ref());
+    let found = correct(table, settings, &lines, &influence, made.compensation());
     let Some(found) = found.map_err(|e| of_correction(&e))? else {
         let why = "the measured traces do not determine any of the settings that may be turned: measure more of them";
         round.result.no_correction = Some(why.into());
@@ -207,16 +179,9 @@ pub(super) fn judge(
         });
         return Ok(round);
     }
-    let rounds = loaded.job.compensation.as_ref().map_or(0, |c| c.rounds) + 1;
-    let mut corrected = loaded.clone();
+    let rounds = made.compensation().map_or(0, |c| c.rounds) + 1;
     let is_ground = |flank: Flank| made.simulated[flank].is_some();
-    corrected.job.compensation = Some(compensation(&found, &influence, is_ground, rounds));
-    corrected.job.settings = None;
-    // What the settings do was found for this ratio.
-    if loaded.job.grinding.method == Method::Diagonal {
-        corrected.job.grinding.diagonal_ratio = Some(DiagonalRatio::Number(made.execution.ratio));
-    }
-    let next = ground(&corrected, progress)?;
+    let next = made.compensated(compensation(&found, &influence, is_ground, rounds), progress)?;
     let mut proof = BTreeMap::new();
     for flank in Flank::BOTH {
         let (Some(surface), Some(before), Some(after)) =
@@ -259,7 +224,7 @@ pub(super) fn judge(
         return Ok(round);
     }
     round.result.correction = Some(correction(&found, proof, made, &next));
-    round.corrected = Some(corrected);
+    round.corrected = Some(next.job.clone());
     round.next = Some(next);
     Ok(round)
 }

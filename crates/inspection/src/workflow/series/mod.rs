@@ -5,7 +5,6 @@ mod characteristics;
 mod document;
 mod figures;
 mod folder;
-mod page;
 mod read;
 mod result;
 mod summary;

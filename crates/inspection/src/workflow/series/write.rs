@@ -1,6 +1,7 @@
 //! Writes a series: document, table, sheets, page. All files of one series stand together.
 
-use super::{InspectionSeries, page, tables};
+use super::{InspectionSeries, tables};
+use crate::page::series::series_page;
 use report::html;
 use run::{SetFile, WriteError, json, write_set};
 use std::path::{Path, PathBuf};
@@ -13,7 +14,7 @@ pub fn write_inspection_series(
     series: &InspectionSeries,
     directory: &Path,
 ) -> Result<Vec<PathBuf>, WriteError> {
-    let page = html::render(&page::series_page(series)?);
+    let page = html::render(&series_page(series)?);
     let first = [
         ("series.json", json(&series.result)?),
         ("series.csv", tables::values(&series.result)?.text().into()),

@@ -1,0 +1,80 @@
+//! From a checked job of the electronic gearbox to gear, coupling, reference pulses, servo and set-ups to choose from. What stands
+//! behind it reads no job. Every finding names the job's key.
+
+mod chain;
+mod driven;
+mod offers;
+mod servo;
+mod set_up;
+
+pub use chain::Chain;
+pub use driven::Driven;
+pub use offers::{MOST_SET_UPS, Offer, Offers};
+pub use servo::FollowedServo;
+pub use set_up::SetUp;
+
+use crate::job::LoadedGearboxJob;
+use job::Diagnostic;
+use job::tables::JobInfo;
+use run::{JobFailure, RunFailure};
+
+/// Most pulses that a trace may hold: some hundred megabytes of text.
+pub const MOST_TRACED_PULSES: u64 = 5_000_000;
+
+/// A job made ready for its run.
+pub struct Prepared {
+    /// Name, process and description of the job.
+    pub info: JobInfo,
+    /// Largest error allowed at the flank, um; `None` where the job gives none.
+    pub tolerance_um: Option<f64>,
+    /// What stands between slide and workpiece.
+    pub chain: Chain,
+    /// What the slide does.
+    pub driven: Driven,
+    /// The servo of the workpiece spindle.
+    pub servo: Option<FollowedServo>,
+    /// Set-ups to choose from.
+    pub offers: Option<Offers>,
+    /// Whether every pulse is written.
+    pub traced: bool,
+}
+
+/// All that a run needs of a job.
+///
+/// # Errors
+/// What is wrong with gear, scale, coupling, servo and lists on their keys; with the train at its place; a trace that is too long.
+pub fn prepare(loaded: &LoadedGearboxJob) -> Result<Prepared, JobFailure> {
+    let job = &loaded.job;
+    let chain = Chain::of_job(job)?;
+    let driven = Driven::of_job(loaded, &chain.interpolation)?;
+    if job.output.pulse_trace {
+        check_trace(&driven, job.feed.pulses_per_interval)?;
+    }
+    let servo = job.servo.as_ref().map(|given| FollowedServo::of_job(job, given, &chain)).transpose()?;
+    let offers =
+        job.explore.as_ref().map(|given| Offers::of_job(given, chain.set_up, &driven)).transpose()?;
+    Ok(Prepared {
+        info: job.job.clone(),
+        tolerance_um: job.target.map(|target| target.tolerance_um),
+        chain,
+        driven,
+        servo,
+        offers,
+        traced: job.output.pulse_trace,
+    })
+}
+
+fn check_trace(driven: &Driven, pulses_per_interval: u32) -> Result<(), RunFailure> {
+    let pulses = driven.references.len() as u64 * u64::from(pulses_per_interval);
+    if pulses <= MOST_TRACED_PULSES {
+        return Ok(());
+    }
+    let message = format!("the trace would hold about {pulses} pulses");
+    Err(RunFailure::bad_input(
+        Diagnostic::with_code("trace-too-long", message)
+            .field("output.pulse_trace")
+            .value(pulses)
+            .allowed(format!("up to {MOST_TRACED_PULSES} pulses, reference pulses x pulses_per_interval"))
+            .way_out("trace a shorter motion, or leave `pulse_trace` out: errors.csv tells errors over the whole motion"),
+    ))
+}
