@@ -1,6 +1,6 @@
 //! The referee on a milled flank: normal rays shortened by all cutters of the plan, and what was predicted for each of them.
 
-use super::bodies::MillingBodies;
+use super::prepare::MillingBodies;
 use super::finding::failure;
 use crate::{FlankModel, FlankPlan, Half, MilledSide, MillingError, MillingPlan, OperationKind, Prediction};
 use foundation::geometry::Cutter;

@@ -1,6 +1,6 @@
 //! The whole part under motions: what they take from any surface of any space, and what they leave on the flanks that they finish.
 
-use super::bodies::MillingBodies;
+use super::prepare::MillingBodies;
 use super::part_rays::{PartRay, PartSurface};
 use foundation::numerics::Progress;
 use referee::{MilledRay, Swept, Unmilled};

@@ -1,14 +1,14 @@
 //! The bodies beside the flanks of a job: root cylinder, root cone or hub, and the ring of an internal gear.
 
-use crate::job::{MillingJob, RootBottom};
+use crate::job::{MilledRoot, RootBottom};
 use crate::{Wall, WallKind};
 use foundation::geometry::{BevelGear, Frustum};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-/// How far the root that the job draws lies below the root body, mm, above which the guide curve stands by `lead` mm; 0 where it does not.
-pub(super) fn below_root_body(job: &MillingJob, lead: f64) -> f64 {
-    match job.milling.root.map(|root| root.depth()) {
+/// How far the drawn root lies below the root body, mm, above which the guide curve stands by `lead` mm; 0 where it does not.
+pub(super) fn below_root_body(root: Option<&MilledRoot>, lead: f64) -> f64 {
+    match root.map(MilledRoot::depth) {
         Some(RootBottom::Height(height)) => (-height - lead).max(0.0),
         Some(RootBottom::Straight(_)) | None => 0.0,
     }

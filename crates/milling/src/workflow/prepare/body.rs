@@ -1,6 +1,5 @@
 //! What gears, bevel gears and blades have in common before their space is planned.
 
-use crate::job::MillingJob;
 use crate::{Land, LeadCurve, Retraction, SkewPlanes, Space, SpaceFlank};
 use foundation::geometry::{Frustum, Modified, NormalOffset, OffsetBase, Surface};
 use std::f64::consts::TAU;
@@ -39,16 +38,18 @@ pub(super) fn with_offset<S: OffsetBase + 'static>(
     }
 }
 
-/// A space with its column planes as the job sets them.
+/// A space with its column planes turned about the normal of the base body, degrees.
 pub(super) fn part(
-    job: &MillingJob,
+    skew_deg: f64,
     flanks: Vec<SpaceFlank>,
     lead: Arc<dyn LeadCurve>,
     spaces: usize,
     lands: Vec<Land>,
 ) -> Space {
-    let skew = job.milling.skew_deg;
-    let lead =
-        if skew == 0.0 { lead } else { Arc::new(SkewPlanes { curve: lead, angle: skew.to_radians() }) };
+    let lead = if skew_deg == 0.0 {
+        lead
+    } else {
+        Arc::new(SkewPlanes { curve: lead, angle: skew_deg.to_radians() })
+    };
     Space { flanks, lead, pitch: TAU / spaces as f64, lands, other_half: Vec::new(), walls: Vec::new() }
 }

@@ -87,7 +87,7 @@ pub(super) fn bladed(loaded: &LoadedMillingJob, given: &drawn::Blade) -> Result<
     };
     let side = given.side().map_or(Flank::Left, drawn::BladeSide::flank);
     let flanks = vec![SpaceFlank { side, active }];
-    let mut space = part(&loaded.job, flanks, blade.foot, spaces, Vec::new());
+    let mut space = part(loaded.job.milling.skew_deg, flanks, blade.foot, spaces, Vec::new());
     space.walls = walls;
     let unknown = given.thickness.is_none().then(|| Remark {
         code: "blade-back-not-judged",

@@ -1,12 +1,14 @@
-//! Drawings of the space: its flanks as nets, the paths of all operations, the cutter at three places of a row.
+//! Workpiece, cutter and paths: drawings of the space with its flanks as nets, the paths of all operations, the cutter at three places
+//! of a row; and what is milled.
 
+use super::cutter_words::cutter_words;
 use super::outline::silhouettes;
-use crate::page::SpaceView;
-use crate::workflow::MillingBodies;
+use crate::workflow::{MillingBodies, MillingOutcome, MillingResult};
 use crate::{CutterPlace, FlankPlan, MillingPlan, OperationKind};
 use foundation::numerics::equidistant;
 use nalgebra::Vector3;
-use report::charts::{Drawing, DrawingLayer, DrawingLook};
+use report::charts::{ChartError, Drawing, DrawingLayer, DrawingLook, drawing};
+use report::{Block, Figure, Quantity, Table};
 
 /// Lines of a flank's net: over the height, along the tooth; and points of each line.
 const ACROSS: usize = 7;
@@ -34,8 +36,34 @@ impl View {
     }
 }
 
+/// The drawings and the bodies.
+pub(super) fn blocks(outcome: &MillingOutcome) -> Result<Vec<Block>, ChartError> {
+    let (bodies, plan) = (&outcome.prepared.bodies, &outcome.plan);
+    let mut blocks = Vec::new();
+    for view in views(plan) {
+        let svg = drawing(&draw(&view, bodies, plan))?;
+        blocks.push(Block::Figure(Figure::new(view.id, svg, "")));
+    }
+    blocks.push(Block::Table(Table::of_quantities("", &quantities(&outcome.result))));
+    Ok(blocks)
+}
+
+fn quantities(result: &MillingResult) -> Vec<Quantity> {
+    let [spaces, milled] = result.spaces.map(|count| count as i64);
+    let mut list = vec![
+        Quantity::count("tooth spaces", "z", spaces),
+        Quantity::count("tooth spaces milled", "", milled),
+        Quantity::text("cutter of the flanks", cutter_words(&result.cutter)),
+        Quantity::number("its cutting length", "l_c", result.cutter.cutting_length, "mm"),
+    ];
+    for (name, flank) in &result.flanks {
+        list.push(Quantity::count(&format!("rows, {name} flank"), "", flank.rows.len() as i64));
+    }
+    list
+}
+
 /// The space from the front, from the side and obliquely.
-pub(super) fn views(bodies: &MillingBodies, plan: &MillingPlan) -> Vec<SpaceView> {
+fn views(plan: &MillingPlan) -> [View; 3] {
     // The space opens away from the base body.
     let opening = plan.flanks.first().and_then(|flank| {
         let columns = &flank.lines.path.columns;
@@ -46,7 +74,7 @@ pub(super) fn views(bodies: &MillingBodies, plan: &MillingPlan) -> Vec<SpaceView
     let (x, y, z) = (Vector3::x(), Vector3::y(), Vector3::z());
     let towards = Vector3::new(0.35, 0.72 * sense, -0.6).normalize();
     let right = (y * sense).cross(&towards).normalize();
-    let all = [
+    [
         View {
             id: "the-space-along-the-axis",
             title: "The space along the axis",
@@ -71,8 +99,7 @@ pub(super) fn views(bodies: &MillingBodies, plan: &MillingPlan) -> Vec<SpaceView
             right,
             up: towards.cross(&right),
         },
-    ];
-    all.iter().map(|view| SpaceView { id: view.id, drawing: draw(view, bodies, plan) }).collect()
+    ]
 }
 
 fn draw(view: &View, bodies: &MillingBodies, plan: &MillingPlan) -> Drawing {

@@ -1,22 +1,16 @@
-//! The programs and cutter locations of a milling job: its plan as work for tools, its machine, and the proof of every text by the
-//! referee's rays.
+//! The programs and cutter locations of a milling run, the proof of every text by the referee's rays, and what is said of them.
 
-use super::bodies::MillingBodies;
 use super::clamping::{Clamping, TOO_CLOSE};
 use super::machine_remarks::remarks;
+use super::prepare::PreparedMilling;
 use super::program_result::{MountTilt, ProgramOperation, ProgramResult};
-use super::programs::{
-    AtPole, CutterLocationText, MillingMachining, MillingProgram, MillingPrograms, MillingWork, RayProof,
-    ToolWork,
-};
+use super::programs::{CutterLocationText, MillingProgram, MillingPrograms, RayProof};
 use super::referee::{DEPTH, RefereedFlank, STOCK, rays as rays_of, swept};
 use super::whole_program::{ProgramUnderTest, text_tolerance};
-use crate::job::{CutterUse, MillingJob, MillingMachine, PoleWay};
-use crate::{MillingPlan, OperationKind};
+use super::work::{machining, work};
+use crate::MillingPlan;
 use foundation::numerics::Progress;
 use job::machine::LoadedMachine;
-use job::tables::Program as DialectName;
-use nc::TipControl;
 use run::RunFailure;
 use run::program_check::{PartProof, dialects};
 use verdict::{Remark, Verdict};
@@ -26,8 +20,6 @@ use verdict::{Remark, Verdict};
 pub struct MillingTexts {
     /// Programs, where the job has a machine and names controls.
     pub programs: Option<MillingPrograms>,
-    /// The machine that they are for.
-    pub machine: Option<LoadedMachine>,
     /// What was proven of each.
     pub proofs: Vec<RayProof>,
     /// What each does to the whole part.
@@ -39,48 +31,23 @@ pub struct MillingTexts {
 /// Of the referee's rays every so many are milled again as the texts say; a prime, so that all rows and columns come by.
 const PROVEN: usize = 7;
 
-/// The machine of a job and the options of its control.
-pub(super) fn machining<'a>(
-    given: &MillingMachine,
-    machine: &'a LoadedMachine,
-    dialects: &'a [DialectName],
-) -> MillingMachining<'a> {
-    let cap = given.pole_cap_deg.to_radians();
-    MillingMachining {
-        machine,
-        mount: given.mount,
-        tool_length: given.tool_length,
-        rtcp: given.rtcp,
-        tip_control: TipControl::Directions,
-        position_tolerance: 1e-3 * given.position_tolerance_um,
-        at_pole: match given.pole {
-            PoleWay::Slow => AtPole::Slow { cap },
-            PoleWay::Hold => AtPole::Hold { cap },
-            PoleWay::Mount => AtPole::Mount { cap },
-        },
-        dialects,
-    }
-}
-
 /// The texts of a plan, proven; programs for the dialects that the job names, else for all controls of its machine.
 ///
 /// # Errors
 /// [`RunFailure`]: a machine or control that cannot do it, a text that leaves another flank.
 pub(super) fn texts(
-    job: &MillingJob,
-    machine: Option<LoadedMachine>,
-    bodies: &MillingBodies,
+    prepared: &PreparedMilling,
     plan: &MillingPlan,
     flanks: &[RefereedFlank],
     progress: &dyn Progress,
 ) -> Result<MillingTexts, RunFailure> {
-    let work = work(job, bodies, plan);
-    let locations = job.output.cl.then(|| work.cutter_locations()).transpose()?;
-    let (Some(given), Some(machine)) = (&job.machine, machine) else {
+    let work = work(prepared, plan);
+    let locations = prepared.output.cl.then(|| work.cutter_locations()).transpose()?;
+    let (Some(mounting), Some(machine)) = (&prepared.mounting, &prepared.machine) else {
         return Ok(MillingTexts { locations, ..MillingTexts::default() });
     };
-    let dialects = dialects(&job.output.programs, &machine);
-    let programs = machining(given, &machine, &dialects).build(&work)?;
+    let dialects = dialects(&prepared.output.programs, machine);
+    let programs = machining(mounting, machine, &dialects).build(&work)?;
     let (mut rays, mut planned) = (Vec::new(), Vec::new());
     for (made, flank) in plan.flanks.iter().zip(flanks) {
         let all = rays_of(made, &flank.heights, &flank.lengths)
@@ -95,53 +62,23 @@ pub(super) fn texts(
     let proofs = programs.prove(&work, &rays, &planned, [STOCK, DEPTH], progress)?;
     let cutters = work.cutters();
     let of_program = |program: &MillingProgram| {
-        let (moves, tool_length) = (program.moves(), given.tool_length);
-        let tolerance = text_tolerance(job, given);
+        let moves = program.moves();
         let paths = work.paths(moves);
         let swept = &swept(&cutters, &paths, STOCK)?;
-        let clamping = Clamping::of_job(given);
-        ProgramUnderTest { bodies, plan, work: &work, moves, swept, tool_length, tolerance, clamping }
-            .prove(progress)
+        ProgramUnderTest {
+            bodies: &prepared.bodies,
+            plan,
+            work: &work,
+            moves,
+            swept,
+            tool_length: mounting.tool_length,
+            tolerance: text_tolerance(prepared, mounting),
+            clamping: Clamping::of_mounting(mounting),
+        }
+        .prove(progress)
     };
     let parts = programs.programs.iter().map(of_program).collect::<Result<Vec<_>, _>>()?;
-    Ok(MillingTexts { programs: Some(programs), machine: Some(machine), proofs, parts, locations })
-}
-
-/// Which cutter of the job does an operation, and how fast, mm/min.
-pub(super) fn purpose_and_feed(job: &MillingJob, kind: OperationKind) -> (CutterUse, f64) {
-    let feed = job.milling.feed_mm_per_min;
-    match kind {
-        OperationKind::Roughing => {
-            let own = job.milling.roughing.as_ref().and_then(|roughing| roughing.feed_mm_per_min);
-            (CutterUse::Roughing, own.unwrap_or(feed))
-        }
-        OperationKind::Bottom => (CutterUse::Bottom, feed),
-        OperationKind::Flank(_) | OperationKind::Fillet(_) => (CutterUse::Finishing, feed),
-    }
-}
-
-/// The plan as work for tools.
-pub(super) fn work<'a>(job: &'a MillingJob, bodies: &MillingBodies, plan: &MillingPlan) -> MillingWork<'a> {
-    let milling = &job.milling;
-    let tools = plan.operations.iter().map(|operation| {
-        let (purpose, feed) = purpose_and_feed(job, operation.kind);
-        ToolWork {
-            kind: operation.kind,
-            cutter: bodies.options.cutter_of(operation.kind).clone(),
-            number: job.cutter_for(purpose).1,
-            spindle_rpm: milling.spindle_rpm,
-            feed,
-            plunge_feed: milling.plunge_feed(),
-            paths: operation.paths.clone(),
-        }
-    });
-    MillingWork {
-        job: &job.job.name,
-        tools: tools.collect(),
-        spaces: bodies.milled,
-        pitch: bodies.pitch,
-        retraction: bodies.retraction,
-    }
+    Ok(MillingTexts { programs: Some(programs), proofs, parts, locations })
 }
 
 impl MillingTexts {
@@ -192,9 +129,9 @@ impl MillingTexts {
         }
     }
 
-    /// What the result says of the programs.
-    pub(super) fn results(&self) -> Vec<ProgramResult> {
-        let (Some(programs), Some(machine)) = (&self.programs, &self.machine) else { return Vec::new() };
+    /// What the result says of the programs and of their machine.
+    pub(super) fn results(&self, machine: Option<&LoadedMachine>) -> Vec<ProgramResult> {
+        let (Some(programs), Some(machine)) = (&self.programs, machine) else { return Vec::new() };
         let of = |((program, proof), part): ((&MillingProgram, &RayProof), &PartProof)| {
             let motion = &*program.motion;
             let operations = motion.operations.iter().enumerate();

@@ -2,10 +2,10 @@
 //! (`docs/mathematics/milling.md#flanks-as-patches`).
 
 use super::body::{Body, CLEARANCE, floor, part, with_offset};
-use super::finding::failure;
 use super::lands::lands;
 use super::walls::{below_root_body, ring, root_cylinder, root_in_ring};
 use crate::job::{LoadedMillingJob, MillingGear};
+use crate::workflow::finding::failure;
 use crate::{
     ActiveFlank, HeightLimits, HelixOnCylinder, LeadCurve, MirroredLead, Retraction, Space, SpaceFlank,
     lead_through_row,
@@ -81,8 +81,8 @@ pub(super) fn cylindrical(loaded: &LoadedMillingJob, given: &MillingGear) -> Res
             [tip, z, -twist * in_upper]
         };
         let lands = lands(flanks, spaces, &extent.face, place, sign);
-        let mut space = part(job, flanks.clone(), helix.clone(), spaces, lands);
-        let below = below_root_body(job, sign * (radius - root));
+        let mut space = part(job.milling.skew_deg, flanks.clone(), helix.clone(), spaces, lands);
+        let below = below_root_body(job.milling.root.as_ref(), sign * (radius - root));
         let (foot, ends) = (root - sign * below, [-half, half]);
         if sign < 0.0 {
             let turns = ends.map(|z| place(z)[2]);

@@ -2,12 +2,10 @@
 //! rays found there.
 
 use super::outline::outline;
-use crate::page::Titled;
-use crate::workflow::run::MillingOutcome;
-use crate::workflow::{MillingBodies, RefereedRoot};
+use crate::workflow::{MillingBodies, MillingOutcome, RefereedRoot, RootDeviationResult};
 use crate::{FlankPlan, OperationKind};
-use report::Quantity;
-use report::charts::{Drawing, DrawingLayer, DrawingLook, DrawingNote};
+use report::charts::{ChartError, Drawing, DrawingLayer, DrawingLook, DrawingNote, drawing};
+use report::{Block, Figure, Quantity, Table};
 
 /// Points of the fillet.
 const ARC: usize = 17;
@@ -28,16 +26,16 @@ struct Lines {
 /// Greatest height of the deviations in the drawing, mm.
 const DRAWN: f64 = 0.5;
 
-/// The drawing, if the root is milled.
-pub(super) fn root(outcome: &MillingOutcome) -> Option<Titled> {
-    let (bodies, plan) = (&outcome.bodies, &outcome.plan);
-    let (_, with_bottom) = bodies.options.root?;
+/// Drawing and figures, if the root is milled.
+pub(super) fn blocks(outcome: &MillingOutcome) -> Result<Vec<Block>, ChartError> {
+    let (bodies, plan) = (&outcome.prepared.bodies, &outcome.plan);
+    let Some((_, with_bottom)) = bodies.options.root else { return Ok(Vec::new()) };
     let mut lines = Lines::default();
     for flank in &plan.flanks {
         add(&mut lines, bodies, flank, with_bottom);
     }
     if lines.flank.is_empty() {
-        return None;
+        return Ok(Vec::new());
     }
     let bottom = match lines.lowest[..] {
         _ if !with_bottom => Vec::new(),
@@ -47,9 +45,11 @@ pub(super) fn root(outcome: &MillingOutcome) -> Option<Titled> {
     };
     let enlarged = enlargement(&outcome.root);
     let rays = format!("what the rays found, deviation {enlarged} times enlarged");
-    lines.quantities.extend(outcome.root.iter().flat_map(figures));
+    let found = outcome.root.iter().map(RefereedRoot::name);
+    let found = found.filter_map(|name| outcome.result.root.get_key_value(&name));
+    lines.quantities.extend(found.flat_map(|(name, part)| figures(name, part)));
     let layer = |name: &str, look, lines_mm| DrawingLayer { name: name.into(), look, lines_mm };
-    let drawing = Drawing {
+    let section = Drawing {
         title: "Root in the column plane in the middle of the tooth".into(),
         subtitle: "across and above the guide curve; the tool is cut off at the height of the flank".into(),
         axes: Some(["across the guide curve [mm]".into(), "above the guide curve [mm]".into()]),
@@ -67,7 +67,9 @@ pub(super) fn root(outcome: &MillingOutcome) -> Option<Titled> {
     let flank_pass = "The side of the tool goes on below the lowest active place, its corner leaves the fillet from q about o.";
     let bottom_pass = " The second pass, axis upright, joins both fillets.";
     let caption = format!("{flank_pass}{}", if with_bottom { bottom_pass } else { "" });
-    Some(Titled { drawing, caption, quantities: lines.quantities })
+    let svg = drawing(&section)?;
+    let figure = Figure::new("root-in-the-column-plane-in-the-middle-of-the-tooth", svg, caption);
+    Ok(vec![Block::Figure(figure), Block::Table(Table::of_quantities("", &lines.quantities))])
 }
 
 fn add(lines: &mut Lines, bodies: &MillingBodies, flank: &FlankPlan, with_bottom: bool) {
@@ -159,9 +161,8 @@ fn enlargement(root: &[RefereedRoot]) -> u32 {
 }
 
 /// What the rays found on a part.
-fn figures(part: &RefereedRoot) -> Vec<Quantity> {
-    let result = part.result();
-    let name = |what: &str| format!("{}, {what}", part.name().replace('_', " "));
+fn figures(part: &str, result: &RootDeviationResult) -> Vec<Quantity> {
+    let name = |what: &str| format!("{}, {what}", part.replace('_', " "));
     let mut list = vec![Quantity::count(&name("rays"), "", result.rays as i64)];
     let um = [
         ("highest stock", result.max_um),
