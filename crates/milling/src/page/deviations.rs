@@ -24,9 +24,8 @@ struct Worst {
 /// Places of the largest deviations, the worst first, apart from each other.
 fn worst(flank: &FlankResult) -> Vec<Worst> {
     let columns = flank.length.len();
-    let place = |(k, um): (usize, &Option<f64>)| {
-        Some(Worst { row: k / columns, column: k % columns, um: (*um)? })
-    };
+    let place =
+        |(k, um): (usize, &Option<f64>)| Some(Worst { row: k / columns, column: k % columns, um: (*um)? });
     let mut all: Vec<Worst> = flank.simulated_um.iter().enumerate().filter_map(place).collect();
     all.sort_by(|a, b| b.um.abs().total_cmp(&a.um.abs()));
     let share = |a: usize, b: usize, of: &[f64]| a.abs_diff(b) as f64 / of.len().max(2) as f64;

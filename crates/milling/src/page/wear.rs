@@ -2,9 +2,7 @@
 
 use super::shown_flank::ShownFlank;
 use crate::workflow::{MillingBodies, WearResult, histograms};
-use report::charts::{
-    ChartError, LineChart, Panel, Series, format_fixed, format_significant, line_chart,
-};
+use report::charts::{ChartError, LineChart, Panel, Series, format_fixed, format_significant, line_chart};
 use report::{Block, Figure};
 
 /// A flank with its load, and the load if all rows touched at the height of the first.

@@ -1,8 +1,8 @@
 //! What a milling run is judged by: the flanks that it mills, whether plan and simulation agree, the drawn root, everything else of the
 //! part that a cutter could enter, and the programs.
 
-use super::prepare::MillingBodies;
 use super::part_rays::{PartSurface, THIN_BACKS, has_thin_backs};
+use super::prepare::MillingBodies;
 use super::result::FlankResult;
 use super::root::RefereedRoot;
 use super::whole_part::WholePart;

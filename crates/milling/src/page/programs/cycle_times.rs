@@ -30,9 +30,7 @@ pub(super) fn table(shown: &ShownMotion<'_>) -> Table {
             ]
         })
         .collect();
-    let sum = |of: &dyn Fn(&ProgramOperation) -> f64| {
-        shown.result.operations.iter().map(of).sum::<f64>()
-    };
+    let sum = |of: &dyn Fn(&ProgramOperation) -> f64| shown.result.operations.iter().map(of).sum::<f64>();
     rows.push(vec![
         "all".into(),
         String::new(),
