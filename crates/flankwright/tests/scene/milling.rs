@@ -15,8 +15,7 @@ fn every_example_of_milling_has_a_scene() {
     for path in examples("milling") {
         let Some(loaded) = job(&path).of::<MillingJob>().cloned() else { panic!("{}", path.display()) };
         let outcome = run_milling(&loaded, &Silent).unwrap_or_else(|e| panic!("{}: {e:?}", path.display()));
-        let scene =
-            scene_of_milling(&outcome).unwrap_or_else(|e| panic!("{}: {e:?}", path.display()));
+        let scene = scene_of_milling(&outcome).unwrap_or_else(|e| panic!("{}: {e:?}", path.display()));
         let name = path.file_stem().unwrap().to_string_lossy().into_owned();
         check(&name, &scene);
         let part = &scene.bodies[0];

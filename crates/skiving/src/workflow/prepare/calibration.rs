@@ -1,11 +1,11 @@
 //! The beam by the switches of a mandrel, or where they are to be expected and how well they will tell it.
 
 use super::beam::nominal_beam;
-use super::finding::failure;
-use super::result::{CalibrationResult, MandrelSwitchResult};
 use crate::SkivingError;
-use crate::job::{CalibrationMove, MandrelCalibration, SkivingJob};
+use crate::job::{CalibrationMove, LightBarrier, MandrelCalibration};
 use crate::measuring::{Approach, Beam, BeamLine, Calibration, Mandrel, Observation};
+use crate::workflow::finding::failure;
+use crate::workflow::result::{CalibrationResult, MandrelSwitchResult};
 use nalgebra::{Vector2, Vector3};
 use run::RunFailure;
 
@@ -14,6 +14,8 @@ use run::RunFailure;
 pub struct CalibrationOutcome {
     /// The beam that the switches tell; `None` where they are only expected.
     pub beam: Option<Beam>,
+    /// Standard deviation of a switch, um.
+    pub noise_um: f64,
     /// Figures.
     pub result: CalibrationResult,
 }
@@ -26,11 +28,11 @@ const BESIDE: f64 = 5.0;
 /// # Errors
 /// [`RunFailure`]: the switches do not tell five unknowns apart, or the mandrel does not meet the beam.
 pub(super) fn calibrate(
-    job: &SkivingJob,
+    barrier: &LightBarrier,
     given: &MandrelCalibration,
 ) -> Result<CalibrationOutcome, RunFailure> {
     let on = |error: SkivingError| failure(&error);
-    let beam = nominal_beam(&job.light_barrier).map_err(on)?;
+    let beam = nominal_beam(barrier).map_err(on)?;
     let nominal = line_of(&beam);
     let mandrel = Mandrel { radius: given.radius, height: given.height };
     let measured = !given.switches.is_empty();
@@ -64,7 +66,7 @@ pub(super) fn calibrate(
     let tilts = [delta_deg, eps_deg].map(f64::to_radians);
     let point = Vector3::new(at.x, at.y, height);
     let beam = measured.then(|| Beam::new(point, tilts, fitted.line.radius)).transpose().map_err(on)?;
-    Ok(CalibrationOutcome { beam, result })
+    Ok(CalibrationOutcome { beam, noise_um: given.noise_um, result })
 }
 
 fn line_of(beam: &Beam) -> BeamLine {

@@ -1,57 +1,19 @@
-//! Fills the page of a skiving tool's measurement. Timing stays out of it, so that the same job gives the same bytes.
+//! The banner: the answer in one sentence and its figures.
 
-mod angles;
-mod comparison;
-mod measured;
-mod sheets;
-mod strip;
-mod tooth;
+use crate::workflow::SkivingResult;
+use report::charts::format_fixed;
+use run::{Answer, sentence};
 
-use super::result::SkivingResult;
-use super::run::SkivingOutcome;
-use crate::job::SkivingJob;
-use crate::page::SkivingReport;
-use report::charts::{ChartError, format_fixed};
-use report::html;
-use run::{Answer, report_head, sentence};
-
-/// The report of a run as a self-contained HTML page.
-///
-/// # Errors
-/// A number that is not finite.
-pub fn html_page(
-    job: &SkivingJob,
-    outcome: &SkivingOutcome,
-    files: &[(String, &'static str)],
-) -> Result<String, ChartError> {
-    let result = &outcome.result;
-    let answer = Answer {
+/// What a run came to.
+pub(super) fn answer(result: &SkivingResult) -> Answer<'_> {
+    Answer {
         process: "Measuring a skiving tool in the machine",
         status: result.verdict.status(),
         reason: result.verdict.reason(),
         warnings: &result.warnings,
         headline: headline(result),
         figures: figures(result),
-    };
-    let report = SkivingReport {
-        head: report_head(&job.job, answer, files),
-        verdict: result.verdict.clone(),
-        measured: outcome.measurement.as_ref().map(|m| measured::deviations(&outcome.bodies, m, result)),
-        angles: angles::angles(outcome),
-        strip: strip::strip(outcome),
-        pitch: measured::pitch(outcome),
-        tooth: Some(tooth::tooth(&outcome.bodies)),
-        edge_sections: tooth::sections(&outcome.bodies),
-        poses: tooth::poses(result),
-        profile: Some(comparison::profile(result)),
-        corrections: comparison::corrections(job, outcome),
-        conventional: comparison::conventional(&outcome.bodies, result),
-        history: comparison::history(outcome),
-        monte_carlo: comparison::monte_carlo(result),
-        sheets: sheets::sheets(job, result),
-        programs: comparison::programs(outcome),
-    };
-    Ok(html::render(&report.to_page()?))
+    }
 }
 
 fn headline(result: &SkivingResult) -> String {

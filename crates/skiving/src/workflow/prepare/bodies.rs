@@ -1,13 +1,13 @@
-//! From a checked job of measuring a skiving tool to its edges, tracks and poses. Every finding names the job's key.
+//! Edges, tracks and poses of a job.
 
 use super::beam::nominal_beam;
 use super::calibration::{CalibrationOutcome, calibrate};
-use super::finding::failure;
 use crate::evaluation::ProfileOptions;
 use crate::job::{LoadedSkivingJob, MeasuringPoses, Rake, RakeForm, SkivingJob};
 use crate::measuring::{
     BarrierData, Beam, FlankTracks, NearestFlank, PoseKind, PoseLimits, nearest_other_flank, reached_pose,
 };
+use crate::workflow::finding::failure;
 use crate::{
     MeasuringTrack, PairData, Setting, SettingLimits, SkivedFlank, SkivingError, SkivingPair, VirtualEdge,
 };
@@ -19,7 +19,7 @@ use run::{ModifiedFlank, RunFailure, blank_of_job, gear_of_job, modification_fin
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// A job made ready for measuring.
+/// Edges, tracks and poses, and what the tool is judged by.
 #[derive(Clone, Debug)]
 pub struct SkivingBodies {
     /// Tool, workpiece, motion.
@@ -61,7 +61,7 @@ impl SkivingBodies {
 ///
 /// # Errors
 /// [`RunFailure`] with a finding on the key concerned.
-pub fn prepare_skiving(loaded: &LoadedSkivingJob) -> Result<SkivingBodies, RunFailure> {
+pub(super) fn bodies_of_job(loaded: &LoadedSkivingJob) -> Result<SkivingBodies, RunFailure> {
     let job = &loaded.job;
     let on = |error: SkivingError| failure(&error);
     let gear = gear_of_job(&job.gear).map_err(RunFailure::bad_input)?;
@@ -76,7 +76,8 @@ pub fn prepare_skiving(loaded: &LoadedSkivingJob) -> Result<SkivingBodies, RunFa
         let wanted = wanted(loaded, &pair, flank)?;
         VirtualEdge::new(&pair, wanted).map_err(on)
     })?;
-    let calibration = job.calibration.as_ref().map(|given| calibrate(job, given)).transpose()?;
+    let calibration =
+        job.calibration.as_ref().map(|given| calibrate(&job.light_barrier, given)).transpose()?;
     let beam = match &calibration {
         Some(CalibrationOutcome { beam: Some(beam), .. }) => *beam,
         _ => nominal_beam(&job.light_barrier).map_err(on)?,
