@@ -147,7 +147,7 @@ fn carried_out(
     let bodies = &prepared.bodies;
     let begun = Instant::now();
     let measurement = match source {
-        Source::Job => measured(&prepared, own_readings(&prepared))?,
+        Source::Job => measured_of_job(&prepared)?,
         Source::Tool => measured(&prepared, None)?,
         Source::File(file) => measured(&prepared, Some((file, None)))?,
     };

@@ -16,6 +16,6 @@ pub struct Drawn {
 
 impl Drawn {
     pub(super) fn of_job(job: &SkivingJob) -> Self {
-        Self { tool: job.skiving_tool.clone(), gear: job.gear.clone(), barrier: job.light_barrier.clone() }
+        Self { tool: job.skiving_tool, gear: job.gear.clone(), barrier: job.light_barrier }
     }
 }

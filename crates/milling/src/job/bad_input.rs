@@ -1,7 +1,7 @@
 //! What is wrong with a job is reported with its key, value, allowed range, way out and place.
 
-use super::{read, ruled, sound, template, with_body};
-use crate::job::MillingJob;
+use super::MillingJob;
+use super::tests::{read, ruled, sound, template, with_body};
 use job::testing::{Case, assert_found};
 
 #[test]
