@@ -42,7 +42,7 @@ fn proof(result: &ProgramResult) -> String {
     )
 }
 
-/// What the axes do: what holds for all motions is told once, without names.
+/// What the axes do: what holds for all motions is given once, without names.
 fn remarks(motions: &[ShownMotion<'_>]) -> Vec<String> {
     let common = |remark: &&String| motions.iter().all(|shown| shown.result.remarks.contains(remark));
     let first = motions.first().map(|shown| &shown.result.remarks);
