@@ -25,7 +25,7 @@ fn root() -> PathBuf {
 fn example(name: &str) -> MillingBodies {
     let path = root().join(format!("examples/milling/{name}.toml"));
     let Ok(job) = read_job_of::<MillingJob>(&path) else { panic!("{name} is a job of milling") };
-    prepare_milling(&job).unwrap_or_else(|failure| panic!("{name}: {failure:?}"))
+    prepare_milling(&job).unwrap_or_else(|failure| panic!("{name}: {failure:?}")).bodies
 }
 
 /// Rows and columns of the flank on which locations are counted.

@@ -15,8 +15,8 @@ use std::path::Path;
 fn example(name: &str) -> (Loaded<SkivingJob>, SkivingBodies) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../examples/skiving/{name}.toml"));
     let Ok(loaded) = read_job_of::<SkivingJob>(&path) else { panic!("{name} is a job of skiving") };
-    let bodies = prepare_skiving(&loaded).unwrap_or_else(|failure| panic!("{name}: {failure:?}"));
-    (loaded, bodies)
+    let prepared = prepare_skiving(&loaded).unwrap_or_else(|failure| panic!("{name}: {failure:?}"));
+    (loaded, prepared.bodies)
 }
 
 /// A tool with errors everywhere, so that no touch is where it starts.

@@ -57,7 +57,7 @@ fn the_programs_of_milling_examples_mean_the_same_in_linuxcnc() {
         let Ok(loaded) = read_job_of::<MillingJob>(&path) else { panic!("{example} is no milling job") };
         let outcome = run_milling(&loaded, &flankwright::numerics::Silent).expect("a plan");
         let written = directory.path().join(example);
-        write_milling(&loaded.job, &outcome, &written).expect("files");
+        write_milling(&outcome, &written).expect("files");
         let programs = outcome.texts.programs.expect("programs");
         let made =
             programs.programs.iter().find(|made| made.dialect == Dialect::LinuxCnc).expect("a program");

@@ -306,7 +306,9 @@ impl PlanTask<'_> {
         }
         match (self.plan_by_fit(&ruled), ruled) {
             (Some(fitted), Ok(ruled)) if self.deviation(&fitted) < self.deviation(&ruled) => Ok(fitted),
-            (Some(fitted), Err(_)) if self.deviation(&fitted) <= USEFUL * self.unmodified(&fitted) => Ok(fitted),
+            (Some(fitted), Err(_)) if self.deviation(&fitted) <= USEFUL * self.unmodified(&fitted) => {
+                Ok(fitted)
+            }
             (_, ruled) => ruled,
         }
     }

@@ -6,7 +6,7 @@ use super::plan::{Equipped, LARGEST_DRESSING_MARGIN, PlanTask, Records};
 use super::planning_grid::GroundError;
 use super::ratio::{Candidate, FlankResidual, NoPlan, RatioChoice, RatioReason};
 use super::{
-    DressingRows, GeneratingError, GrindingPlan, IdealPlan, PlanGauge, PlannedTool, PlanningGrid,
+    DressingRows, FeedLaw, GeneratingError, GrindingPlan, IdealPlan, PlanGauge, PlannedTool, PlanningGrid,
     ProfilePlace, ProfilePolicy, SeriesRule, Tool,
 };
 use contact::{ContactError, ContactSolution, ModifiedThread};
@@ -116,6 +116,9 @@ impl PlanTask<'_> {
         ruled: &Result<GrindingPlan, Box<NoPlan>>,
     ) -> Result<GrindingPlan, GeneratingError> {
         let place = *self.places.first().ok_or(GeneratingError::NoFlank)?;
+        let which = self.rule(grid).which();
+        let [from, to] = self.setup.occupation(&FeedLaw::Ratio(ratio).law(self.setup, &which), &which);
+        self.rule(grid).check_width(to - from, ratio)?;
         let series = SeriesRule { nodes: FIRST_NODES, tolerance: SERIES * self.tolerance };
         let policy = ProfilePolicy { series, ..self.rule(grid).policy(place) };
         let ideally = |plan: IdealPlan| self.ideal_contacts(grid, &plan).map(|contacts| (plan, contacts));

@@ -279,8 +279,15 @@ fn tasks_without_flank_or_with_too_little_worm_are_refused() {
     says(&nothing.plan().unwrap_err(), "no-flank", &["no flank"], true);
     let narrow = GrindingSetup::new(SetupInput { worm_width: Some(20.0), ..input() }).unwrap();
     for ratio in [None, Some(-1.2)] {
-        let error = PlanTask { ratio, ..task(&narrow) }.plan().unwrap_err();
+        let error = PlanTask { ratio, ..task(&narrow) }.plan_by_rules().unwrap_err().error;
         says(&error, "worm-too-short", &["20.00 mm", "diagonal ratio"], false);
+    }
+    // A given ratio lifts the limits of axes, not the width of the worm; else a fit takes the ratio that the width allows.
+    let given = PlanTask { ratio: Some(-1.2), ..task(&narrow) };
+    says(&given.plan().unwrap_err(), "worm-too-short", &["20.00 mm"], false);
+    if let Ok(plan) = task(&narrow).plan() {
+        let [from, to] = plan.ideal.occupation;
+        assert!(to - from <= 20.0, "{}", to - from);
     }
 }
 

@@ -2,6 +2,8 @@
 //! ranges; contradictions between entries are found by [`job::read_any_job`]. What other processes say in the same words is taken
 //! from [`generating_grinding::job`]. Knows nothing of how a cutter is led along a flank.
 
+#[cfg(test)]
+mod bad_input;
 mod bevel;
 mod blade;
 mod checks;

@@ -21,7 +21,7 @@ fn loaded(example: &str, changes: &[(&str, &str)]) -> LoadedMillingJob {
 }
 
 fn bodies(changes: &[(&str, &str)]) -> MillingBodies {
-    prepare_milling(&loaded("double-helical", changes)).unwrap()
+    prepare_milling(&loaded("double-helical", changes)).unwrap().bodies
 }
 
 fn planned(bodies: &MillingBodies) -> MillingPlan {
@@ -151,7 +151,7 @@ fn spur(radius: Option<f64>) -> MillingBodies {
     let arcs = radius.map_or(String::new(), |radius| format!("approach_radius = {radius:?}\n"));
     let ends = format!("overrun = 0.0\n{arcs}rows = ");
     let roughing = ("[milling.roughing]\nallowance = 0.3\nstep_down = 3.0\nstep_over = 2.0\n", "");
-    prepare_milling(&loaded("spur-module-8", &[roughing, ("rows = ", ends.as_str())])).unwrap()
+    prepare_milling(&loaded("spur-module-8", &[roughing, ("rows = ", ends.as_str())])).unwrap().bodies
 }
 
 #[test]

@@ -174,7 +174,7 @@ fn spur() -> String {
 
 fn bodies() -> MillingBodies {
     match prepare_milling(&loaded(&spur())) {
-        Ok(bodies) => bodies,
+        Ok(prepared) => prepared.bodies,
         Err(failure) => panic!("{failure:?}"),
     }
 }

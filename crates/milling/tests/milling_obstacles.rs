@@ -30,7 +30,7 @@ fn loaded(text: &str) -> LoadedMillingJob {
 }
 
 fn planned(text: &str) -> (MillingBodies, Result<MillingPlan, MillingError>) {
-    let bodies = prepare_milling(&loaded(text)).unwrap();
+    let bodies = prepare_milling(&loaded(text)).unwrap().bodies;
     let plan = plan_all(&bodies.parts, &bodies.options);
     (bodies, plan)
 }

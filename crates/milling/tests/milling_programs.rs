@@ -188,7 +188,7 @@ impl Case {
             paths: operation.paths,
         };
         MillingWork {
-            job: self.name,
+            name: self.name,
             tools: planned.operations.into_iter().map(tool).collect(),
             spaces,
             pitch: self.space.pitch,
@@ -399,7 +399,7 @@ fn near_the_pole(shape: CutterShape) -> MillingWork<'static> {
         milling::CutterPlace { tip: centre - axis * radius, axis, contact: Some(contact) }
     };
     MillingWork {
-        job: "pole",
+        name: "pole",
         tools: vec![ToolWork {
             kind: OperationKind::Flank(MilledSide { flank: Flank::Left, half: None }),
             cutter,

@@ -1,240 +1,56 @@
 //! The page of five-axis milling: every section present, well-formed, and nothing drawn from numbers that are none.
 
-use milling::page::{
-    AxisCourse, CourseChart, CourseLine, DensityRow, FlankFigures, FlankView, MateFlankView, MateView,
-    MillingReport, OperationRow, OrientationView, OrientedRowView, PatternFigures, ProgramsView, RotaryView,
-    RowView, SpaceView, Titled, WearView,
-};
+use crate::milling_example::example;
+use foundation::numerics::Silent;
+use milling::page::html_page;
+use milling::workflow::{MillingOutcome, OrientationFigures, run_milling};
+use milling::{DensityLimits, DistanceLimits, Lines, Violated};
+use nalgebra::Vector3;
 use report::charts::{
-    ChartError, ContourMap, Drawing, DrawingLayer, DrawingLook, DrawingNote, MapFrame, MapMark,
-    NamedTopography, Svg, Topography, contour_map_in, drawing,
+    ContourMap, Drawing, DrawingLayer, DrawingLook, DrawingNote, MapFrame, MapMark, NamedTopography, Svg,
+    Topography, contour_map_in, drawing,
 };
-use report::{Column, PlanReport, Quantity, ReportHead, Table, Warning, html};
-use verdict::{Status, Verdict};
+use std::sync::OnceLock;
 
-const HEIGHTS: usize = 13;
-const LENGTHS: usize = 9;
-
-fn spread(from: f64, to: f64, count: usize) -> Vec<f64> {
-    (0..count).map(|k| from + (to - from) * k as f64 / (count - 1) as f64).collect()
-}
-
-/// Scallops of four rows, and a place that no cutter comes by.
-fn flank(name: &str, heights: [f64; 2]) -> FlankView {
-    let height = spread(heights[0], heights[1], HEIGHTS);
-    let um = |k: usize| 2.0 * (0.25 * std::f64::consts::PI * (k / LENGTHS) as f64).sin().abs();
-    let planned_um: Vec<Option<f64>> = (0..HEIGHTS * LENGTHS).map(|k| Some(um(k))).collect();
-    let mut simulated_um: Vec<Option<f64>> = planned_um.iter().map(|um| um.map(|um| um + 0.01)).collect();
-    simulated_um[4] = None;
-    let row = |k: usize| RowView {
-        scallop_um: (k < 3).then_some(2.0),
-        chord_um: -0.1 * k as f64,
-        out_of_plane_deg: 0.2 * k as f64,
-        axis_out_of_plane_deg: 0.0,
-        contact_height_mm: 4.0 + k as f64,
-        allowed_mm: Some([2.0, 9.0]),
+/// One space of a narrow spur gear with its root on a machine.
+fn spur() -> MillingOutcome {
+    static MADE: OnceLock<MillingOutcome> = OnceLock::new();
+    let made = || {
+        let changes = [
+            ("face_width = 60.0", "face_width = 12.0"),
+            ("rays_profile = 31\nrays_length = 11", "rays_profile = 13\nrays_length = 9"),
+            ("spindle_rpm = 8000.0", "spindle_rpm = 8000.0\nteeth = \"one\""),
+            ("tolerance_um = 40.0", "tolerance_um = 1.0"),
+        ];
+        run_milling(&example("spur-on-ac-table", &changes), &Silent).unwrap_or_else(|e| panic!("{e:?}"))
     };
-    FlankView {
-        name: name.into(),
-        height_title: "length of roll w [mm]".into(),
-        length_title: "z [mm]".into(),
-        height,
-        length: spread(-10.0, 10.0, LENGTHS),
-        planned_um,
-        simulated_um,
-        figures: FlankFigures {
-            max_um: 2.01,
-            rms_um: 1.2,
-            least_um: 0.01,
-            greatest_um: 2.01,
-            model_difference_um: 0.01,
-            referee_error_um: 0.001,
-        },
-        unmilled: vec![("no cutter comes by".into(), 1)],
-        rows: (0..4).map(row).collect(),
-        wear: Some(WearView {
-            bin_mm: 0.5,
-            load_m_per_mm: vec![0.0, 0.1, 0.1],
-            fixed_m_per_mm: vec![0.0, 0.2, 0.0],
-            peak_over_fixed: 0.5,
-            spread_mm: 1.0,
-        }),
-        density: vec![
-            DensityRow {
-                name: "along rows, least".into(),
-                measured_mm: 0.7,
-                limit_mm: Some(0.8),
-                violated: true,
-            },
-            DensityRow {
-                name: "along rows, greatest".into(),
-                measured_mm: 1.5,
-                limit_mm: Some(2.0),
-                violated: false,
-            },
-        ],
-    }
+    MADE.get_or_init(made).clone()
 }
 
-fn view(title: &str) -> Drawing {
-    let layer = |name: &str, look, lines_mm| DrawingLayer { name: name.into(), look, lines_mm };
-    Drawing {
-        title: title.into(),
-        subtitle: "one space".into(),
-        axes: Some(["x [mm]".into(), "y [mm]".into()]),
-        layers: vec![
-            layer(
-                "cutter",
-                DrawingLook::Body,
-                vec![vec![[0.0, 0.0], [10.0, 0.0], [10.0, 20.0], [0.0, 20.0]]],
-            ),
-            layer("flank", DrawingLook::Net, vec![vec![[0.0, 5.0], [4.0, 15.0]]]),
-            layer("left flank", DrawingLook::Path(1), vec![vec![[2.0, 5.0], [2.0, 9.0]], vec![]]),
-        ],
-        notes: vec![DrawingNote { at_mm: [5.0, 5.0], text: "lowest place".into() }],
-    }
-}
-
-fn report() -> MillingReport {
-    let time: Vec<f64> = spread(0.0, 60.0, 5001);
-    let mut angle: Vec<f64> = time.iter().map(|t| t.sin()).collect();
-    angle[777] = 7.5;
-    MillingReport {
-        head: ReportHead {
-            job_name: "spur".into(),
-            description: Some("a spur gear".into()),
-            process: "Five-axis milling",
-            version: "0.1.0".into(),
-            status: Status::Missed.into(),
-            headline: "the flank deviates by 2.01 um.".into(),
-            way_out: "lay more rows".into(),
-            figures: vec![("largest deviation".into(), "2.01 µm".into())],
-            warnings: vec![Warning { text: "row_min cannot be kept".into(), way_out: "relax it".into() }],
-            files: vec![("result.json".into(), "result".into())],
-        },
-        verdict: Verdict::new(),
-        tolerance_um: 1.0,
-        bodies: vec![Quantity::count("spaces", "z", 20)],
-        views: vec![
-            SpaceView { id: "along-the-axis", drawing: view("The space along the axis") },
-            SpaceView { id: "oblique", drawing: Drawing { axes: None, ..view("The space, oblique view") } },
-        ],
-        flanks: vec![flank("Left flank", [10.0, 30.0]), flank("Right flank", [10.0, 30.0])],
-        root: Some(Titled {
-            drawing: view("Root in the column plane"),
-            caption: "fillet".into(),
-            quantities: vec![Quantity::number("straight piece", "h_b", 4.76, "mm")],
-        }),
-        mate: Some(mate()),
-        operations: vec![OperationRow {
-            name: "left flank".into(),
-            cutter: "end mill 6 mm".into(),
-            paths: 14,
-            places: 350,
-            way_mm: 840.0,
-        }],
-        orientations: vec![orientation()],
-        programs: Some(ProgramsView {
-            proof: vec!["The texts were read back.".into()],
-            remarks: vec!["C is turned back twice.".into()],
-            courses: vec![CourseChart {
-                id: "axes-over-time".into(),
-                title: "Axes over time".into(),
-                caption: String::new(),
-                axes: vec![AxisCourse {
-                    name: "A".into(),
-                    unit: "deg".into(),
-                    lines: vec![CourseLine { name: "program".into(), time_s: time, value: angle }],
-                }],
-            }],
-            cycle_times: vec![Table {
-                caption: "Cycle times".into(),
-                columns: vec![Column::text("Operation"), Column::number("Time", "s")],
-                rows: vec![vec!["left flank".into(), "60".into()]],
-                note: String::new(),
-            }],
-        }),
-    }
-}
-
-/// A pattern of 2 mm round the middle of a flank of 10 mm by 6 mm; at one end the mate never comes by.
-fn mate() -> MateView {
-    let place = |i: usize, j: usize| [j as f64, i as f64];
-    let gap = |i: usize, j: usize| {
-        let [x, y] = place(i, j);
-        (j < 10).then(|| 1.5 * ((x - 5.0).powi(2) + (y - 3.0).powi(2)))
+/// A bevel gear with few rows and rays, rolled against its mate, without a machine.
+fn bevel() -> MillingOutcome {
+    static MADE: OnceLock<MillingOutcome> = OnceLock::new();
+    let made = || {
+        let changes = [
+            ("rays_profile = 81\nrays_length = 31", "rays_profile = 9\nrays_length = 7"),
+            ("rows = 14", "rows = 6"),
+            ("columns = 15", "columns = 9"),
+            ("spindle_rpm = 18000.0", "spindle_rpm = 18000.0\nteeth = \"one\""),
+        ];
+        run_milling(&example("straight-bevel-16", &changes), &Silent).unwrap_or_else(|e| panic!("{e:?}"))
     };
-    let rows = |value: &dyn Fn(usize, usize) -> Option<f64>| -> Vec<Vec<Option<f64>>> {
-        (0..7).map(|i| (0..11).map(|j| value(i, j)).collect()).collect()
-    };
-    let pattern =
-        PatternFigures { area: 20.9, centre: [50.0, 50.0], length: [30.0, 70.0], height: [16.7, 83.3] };
-    MateView {
-        quantities: vec![Quantity::count("teeth of the mate", "z_2", 24)],
-        marking_um: 6.0,
-        flanks: vec![MateFlankView {
-            name: "Left flank".into(),
-            places_mm: (0..7).map(|i| (0..11).map(|j| place(i, j)).collect()).collect(),
-            rolled_um: rows(&gap),
-            ease_off_um: rows(&|i, j| gap(i, j).map(|um| 1.1 * um)),
-            centre_mm: Some([5.0, 3.0]),
-            roll_deg: spread(-30.0, 30.0, 61),
-            transmission_um: (0..61).map(|k| -0.05 * f64::from(k % 20 - 10).powi(2)).collect(),
-            transmission_ease_off_um: vec![-1.0; 61],
-            patterns: [Some(pattern), None],
-            overlap_percent: 90.9,
-            peak_to_peak: [12.3, 4.56],
-        }],
-    }
+    MADE.get_or_init(made).clone()
 }
 
-/// A row on which the column plane saves 26 degrees, and one that the machine does not reach.
-fn orientation() -> OrientationView {
-    let figures = |travel: [f64; 2], lean: f64| RotaryView {
-        travel_deg: travel,
-        second: [0.02, 0.0],
-        reversals: [0, 1],
-        lean_deg: [-lean, 0.5 * lean],
-    };
-    let row = |name: &str, figures: Result<RotaryView, String>| OrientedRowView {
-        name: name.into(),
-        figures,
-        arc_mm: vec![0.0, 10.0, 20.0],
-        angles_deg: [vec![0.0, 20.0, 40.0], vec![80.0, 81.0, 80.0]],
-    };
-    OrientationView {
-        flank: "Left flank".into(),
-        machine: "the machine mill".into(),
-        axes: ["C".into(), "A".into()],
-        rows: vec![
-            row("in the column planes", Ok(figures([40.0, 2.0], 4.0))),
-            row("along the parameter lines", Ok(figures([67.0, 1.0], 16.0))),
-            row("along lines sheared by 2 % of the face", Err("beyond the travel of A".into())),
-        ],
-    }
+fn page(outcome: &MillingOutcome) -> String {
+    html_page(outcome, &[("result.json".into(), "result with rows and flanks")]).unwrap()
 }
 
-#[test]
-fn orientations_are_told_side_by_side() {
-    let told = page(&report());
-    let section = told.split("<h2>Orientation of the cutter").nth(1).unwrap().split("<h2>").next().unwrap();
-    assert!(section.contains("42.00° along the row, 26.00° less than"), "{section}");
-    assert!(section.contains("at most 4.00° instead of 16.00°"), "{section}");
-    assert!(section.contains("does not generally save rotary motion"));
-    assert!(section.contains("beyond the travel of A"));
-    // What the machine does not reach has no line.
-    let chart = section.split("<svg").nth(1).unwrap();
-    assert!(chart.contains("along the parameter lines") && !chart.contains("sheared"));
-    let mut alike = report();
-    alike.orientations[0].rows[1] = alike.orientations[0].rows[0].clone();
-    assert!(page(&alike).contains("as much as with the axis along the parameter lines"));
-    let mut out_of_reach = report();
-    out_of_reach.orientations[0].rows[0].figures = Err("beyond".into());
-    assert!(page(&out_of_reach).contains("not all orientations are within reach of the machine mill"));
-}
-
-fn page(report: &MillingReport) -> String {
-    html::render(&report.to_page().unwrap())
+/// A section of a page, from its heading to the next one.
+fn section<'a>(page: &'a str, heading: &str) -> &'a str {
+    let from = page.find(&format!("<h2>{heading}</h2>")).unwrap_or_else(|| panic!("{heading}"));
+    let rest = &page[from + 4..];
+    rest.split("<h2>").next().unwrap()
 }
 
 /// Every chart of a page is XML that holds numbers only.
@@ -257,140 +73,226 @@ fn assert_well_formed(page: &str) -> usize {
 
 #[test]
 fn the_page_is_complete() {
-    let text = page(&report());
+    let outcome = spur();
+    let text = page(&outcome);
     for heading in [
-        "Warnings",
         "Flanks",
+        "Scope of the verdict",
         "Workpiece, cutter and paths",
         "Deviations",
         "Rows",
         "Wear of the edge",
         "Density",
         "Root",
-        "Contact with the mate",
         "Operations",
+        "Orientation of the cutter",
         "Programs",
         "Files",
     ] {
         assert!(text.contains(&format!("<h2>{heading}</h2>")), "{heading}");
     }
     for part in [
-        "Remedy: lay more rows.",
-        "Remedy: relax it",
-        "no cutter comes by",
+        "Remedy: lay more rows",
         "Tolerance 1 µm",
         "greatest allowed",
         "one height for all rows",
-        "<td>NO</td>",
-        "The texts were read back.",
-        "90.9 % are common",
-        "30.0 to 70.0",
-        "12.3",
+        "end mill 6 mm, corner radius 1.5 mm",
+        "Read back by a reader that shares no code with the writer",
+        "Cycle times: ",
+        "result with rows and flanks",
     ] {
         assert!(text.contains(part), "{part}");
     }
-    // Two views, two maps, two sections, two charts of rows, wear, root, pattern, transmission error, orientation, axes.
-    assert_eq!(assert_well_formed(&text), 14);
-    assert_eq!(text, page(&report()));
+    for program in &outcome.result.programs {
+        assert!(text.contains(&program.file), "{}", program.file);
+    }
+    // Three views, two maps, two sections, two charts of rows, wear, root, both flanks' rotary axes, axes of the space and of a row.
+    assert_eq!(assert_well_formed(&text), 15);
+    assert_eq!(text, page(&spur()));
+}
+
+#[test]
+fn the_page_of_a_bevel_gear_shows_its_contact_and_no_program() {
+    let outcome = bevel();
+    let text = page(&outcome);
+    let mate = section(&text, "Contact with the mate");
+    let flank = &outcome.result.mate.as_ref().unwrap().flanks["left"];
+    let common = format!("{} % are common", report::charts::format_fixed(flank.overlap_percent, 1));
+    for part in [common.as_str(), "teeth of the mate", "Transmission error", "Left flank", "Right flank"] {
+        assert!(mate.contains(part), "{part}");
+    }
+    // A pattern for each flank, and the transmission error of both.
+    assert_eq!(assert_well_formed(mate), 3);
+    for absent in ["<h2>Root", "<h2>Programs"] {
+        assert!(!text.contains(absent), "{absent}");
+    }
 }
 
 #[test]
 fn absent_data_leave_no_section() {
-    let mut report = report();
-    (report.root, report.mate, report.programs, report.head.warnings) = (None, None, None, vec![]);
-    report.orientations.clear();
-    for flank in &mut report.flanks {
-        (flank.wear, flank.density) = (None, vec![]);
-        for row in &mut flank.rows {
-            row.allowed_mm = None;
-        }
-    }
-    report.flanks.pop();
-    let text = page(&report);
+    let mut outcome = bevel();
+    outcome.mate = None;
+    outcome.orientations.clear();
+    outcome.result.warnings.clear();
+    outcome.result.flanks.remove("right");
+    let left = outcome.result.flanks.get_mut("left").unwrap();
+    left.wear = None;
+    left.rows.iter_mut().for_each(|row| row.allowed_mm = None);
+    let text = page(&outcome);
     for absent in [
-        "<h2>Root",
         "<h2>Contact with the mate",
         "<h2>Orientation",
-        "<h2>Programs",
         "<h2>Warnings",
         "<h2>Wear",
-        "<h2>Density",
         "least allowed",
         "Right flank",
     ] {
         assert!(!text.contains(absent), "{absent}");
     }
-    assert_eq!(assert_well_formed(&text), 7);
+    // Three views, a map, two sections, two charts of rows.
+    assert_eq!(assert_well_formed(&text), 8);
+}
+
+#[test]
+fn orientations_are_told_side_by_side() {
+    let mut outcome = bevel();
+    let compared = &mut outcome.orientations[0];
+    for (figures, travel, lean) in
+        [(&mut compared.result.column, [40.0, 2.0], 4.0), (&mut compared.result.iso, [67.0, 1.0], 16.0)]
+    {
+        let OrientationFigures::Reached(figures) = figures else { panic!("reached") };
+        (figures.travel_deg, figures.lean_deg) = (travel, [-lean, 0.5 * lean]);
+    }
+    compared.result.sheared = OrientationFigures::not_reached("beyond the travel of A".into());
+    outcome.orientations.truncate(1);
+    let told = page(&outcome);
+    let told = section(&told, "Orientation of the cutter");
+    assert!(told.contains("42.00° along the row, 26.00° less than"), "{told}");
+    assert!(told.contains("at most 4.00° instead of 16.00°"), "{told}");
+    assert!(told.contains("does not generally save rotary motion"));
+    assert!(told.contains("beyond the travel of A"));
+    // What the machine does not reach has no line.
+    let chart = told.split("<svg").nth(1).unwrap();
+    assert!(chart.contains("along the parameter lines") && !chart.contains("sheared"));
+    let result = &mut outcome.orientations[0].result;
+    result.iso = result.column.clone();
+    assert!(page(&outcome).contains("as much as with the axis along the parameter lines"));
+    outcome.orientations[0].result.column = OrientationFigures::not_reached("beyond".into());
+    assert!(page(&outcome).contains("not all orientations are within reach of the machine"));
+}
+
+#[test]
+fn limits_of_distances_are_told_with_whether_they_are_kept() {
+    let mut outcome = bevel();
+    let row = DistanceLimits { greatest: Some(9.0), least: Some(8.0), ..DistanceLimits::default() };
+    let limits = DensityLimits { row, column: DistanceLimits::default() };
+    outcome.prepared.bodies.options.lines = Lines::Limited { limits, scallop: None, chord: None };
+    outcome.plan.flanks[0].lines.dense.violated =
+        vec![Violated { name: "row_min", measured: 2.0, limit: 8.0 }];
+    let text = page(&outcome);
+    let density = section(&text, "Density");
+    let line = |name: &str| density.split("<tr>").find(|row| row.contains(name)).unwrap().to_owned();
+    let (least, greatest) = (line("along rows, least<"), line("along rows, greatest<"));
+    assert!(least.contains("NO") && least.contains("yes"), "{least}");
+    assert!(greatest.contains("yes") && !greatest.contains("NO"), "{greatest}");
+    assert!(!line("along columns, least<").contains("yes"));
 }
 
 /// Heights of internal gears fall from root to tip: the map is the same, its coordinate ascends.
 #[test]
 fn falling_heights_are_turned_over() {
-    let mut report = report();
-    report.flanks = vec![flank("Left flank", [30.0, 10.0])];
-    assert_eq!(assert_well_formed(&page(&report)), 13);
+    let mut outcome = bevel();
+    let whole = assert_well_formed(&page(&outcome));
+    outcome.result.flanks.values_mut().for_each(|flank| flank.height.reverse());
+    assert_eq!(assert_well_formed(&page(&outcome)), whole);
 }
 
-/// The pattern is a closed ring of 2 mm about its centre, in the scale of the drawing, and ends where the mate ends.
+/// The pattern ends where the mate ends, and is drawn on the developed flank.
 #[test]
 fn the_contact_pattern_is_drawn_where_the_gap_is_small() {
-    let ring = |report: &MillingReport| {
-        let text = page(report);
-        let mut drawn = text.split("<svg ").skip(1).filter_map(|svg| svg.split("</svg>").next());
-        drawn.find(|svg| svg.contains("contact pattern")).unwrap().to_owned()
+    let drawn = |outcome: &MillingOutcome| {
+        let text = page(outcome);
+        let mut charts = text.split("<svg ").skip(1).filter_map(|svg| svg.split("</svg>").next());
+        charts.find(|svg| svg.contains("contact pattern")).unwrap().to_owned()
     };
-    let mut other = report();
-    let whole = ring(&other);
+    let mut other = bevel();
+    let whole = drawn(&other);
     for word in ["root", "tip", "toe", "heel", "centre", "rolled", "by the ease-offs", "[mm]"] {
         assert!(whole.contains(word), "{word}");
     }
-    other.mate.as_mut().unwrap().flanks[0].rolled_um.iter_mut().flatten().for_each(|gap| *gap = None);
-    assert!(ring(&other).len() < whole.len());
-    other.mate.as_mut().unwrap().flanks[0].transmission_um[7] = f64::NAN;
-    assert_eq!(other.to_page().unwrap_err().code(), "invalid-number");
+    other.mate.as_mut().unwrap().flanks[0].gaps[0].gaps.fill(f64::INFINITY);
+    assert!(drawn(&other).len() < whole.len());
+    other.mate.as_mut().unwrap().result.mean_pitch_radius_mm = f64::NAN;
+    assert_eq!(html_page(&other, &[]).unwrap_err().code(), "invalid-number");
 }
 
 #[test]
 fn the_worst_place_is_marked_and_a_hole_crossed_out() {
-    let mut report = report();
-    report.flanks.truncate(1);
-    report.flanks[0].simulated_um[60] = Some(-4.567);
-    let text = page(&report);
-    assert!(text.contains(">−4.57</text>"));
-    let at = report.flanks[0].length[60 % LENGTHS];
-    assert!(text.contains(&format!("at z [mm] = {}", format!("{at}").replace('-', "−"))), "{at}");
-}
-
-/// Thinning of long lines keeps their peaks.
-#[test]
-fn a_peak_of_an_axis_stays_in_its_chart() {
-    let axis = |text: &str| {
-        let from = text.find("Axes over time").unwrap();
-        text[from..].split("</svg>").next().unwrap().to_owned()
-    };
-    let mut low = report();
-    low.programs.as_mut().unwrap().courses[0].axes[0].lines[0].value[777] = 0.0;
-    assert!(axis(&page(&report())).contains(">8</text>"));
-    assert!(!axis(&page(&low)).contains(">8</text>"));
+    let mut outcome = bevel();
+    let left = outcome.result.flanks.get_mut("left").unwrap();
+    left.simulated_um[23] = Some(-45.67);
+    left.simulated_um[4] = None;
+    left.unmilled.insert("no cutter comes by".into(), 1);
+    let at = left.length[23 % left.length.len()];
+    let text = page(&outcome);
+    assert!(text.contains(">−45.7</text>"));
+    assert!(text.contains("1 (no cutter comes by)"));
+    let at = report::charts::format_significant(at, 4);
+    assert!(text.contains(&format!("at distance from the apex [mm] = {at}")), "{at}");
 }
 
 #[test]
 fn numbers_that_are_none_are_refused() {
-    let refused = |change: &dyn Fn(&mut MillingReport)| {
-        let mut report = report();
-        change(&mut report);
-        let made: Result<PlanReport, ChartError> = report.to_page();
-        made.expect_err("refused").code()
+    let refused = |change: &dyn Fn(&mut MillingOutcome)| {
+        let mut outcome = bevel();
+        change(&mut outcome);
+        html_page(&outcome, &[]).err().map_or("accepted", |error| error.code())
     };
-    assert_eq!(refused(&|report| report.flanks[0].simulated_um[7] = Some(f64::NAN)), "invalid-number");
-    assert_eq!(refused(&|report| report.flanks[1].rows[2].chord_um = f64::INFINITY), "invalid-number");
     assert_eq!(
-        refused(&|report| report.views[0].drawing.layers[1].lines_mm[0][0][1] = f64::NAN),
+        refused(&|made| made.result.flanks.get_mut("left").unwrap().simulated_um[7] = Some(f64::NAN)),
         "invalid-number"
     );
-    assert_eq!(refused(&|report| report.views[0].drawing.notes[0].at_mm[0] = f64::NAN), "invalid-number");
-    assert_eq!(refused(&|report| report.views[0].drawing.layers.clear()), "too-few-values");
-    assert_eq!(refused(&|report| report.flanks[0].height[3] = 0.0), "not-ascending");
+    assert_eq!(
+        refused(&|made| made.result.flanks.get_mut("right").unwrap().rows[2].chord_um = f64::INFINITY),
+        "invalid-number"
+    );
+    assert_eq!(
+        refused(&|made| made.plan.operations[0].paths[0].places[0].contact = Some(Vector3::repeat(f64::NAN))),
+        "invalid-number"
+    );
+    assert_eq!(refused(&|made| made.result.flanks.get_mut("left").unwrap().height[3] = 0.0), "not-ascending");
+}
+
+/// A drawing with a cutter of 10 mm by 20 mm.
+fn view(axes: Option<[String; 2]>) -> Drawing {
+    let layer = |name: &str, look, lines_mm| DrawingLayer { name: name.into(), look, lines_mm };
+    Drawing {
+        title: "view".into(),
+        subtitle: "one space".into(),
+        axes,
+        layers: vec![
+            layer(
+                "cutter",
+                DrawingLook::Body,
+                vec![vec![[0.0, 0.0], [10.0, 0.0], [10.0, 20.0], [0.0, 20.0]]],
+            ),
+            layer("flank", DrawingLook::Net, vec![vec![[0.0, 5.0], [4.0, 15.0]]]),
+            layer("left flank", DrawingLook::Path(1), vec![vec![[2.0, 5.0], [2.0, 9.0]], vec![]]),
+        ],
+        notes: vec![DrawingNote { at_mm: [5.0, 5.0], text: "lowest place".into() }],
+    }
+}
+
+#[test]
+fn drawings_of_no_numbers_are_refused() {
+    let refused = |change: &dyn Fn(&mut Drawing)| {
+        let mut shown = view(None);
+        change(&mut shown);
+        drawing(&shown).expect_err("refused").code()
+    };
+    assert_eq!(refused(&|shown| shown.layers[1].lines_mm[0][0][1] = f64::NAN), "invalid-number");
+    assert_eq!(refused(&|shown| shown.notes[0].at_mm[0] = f64::NAN), "invalid-number");
+    assert_eq!(refused(&|shown| shown.layers.clear()), "too-few-values");
 }
 
 /// Width and height of the body in a drawing that has one.
@@ -413,7 +315,7 @@ fn rectangle(svg: &Svg) -> [f64; 2] {
 #[test]
 fn both_directions_of_a_drawing_have_the_same_scale() {
     for axes in [None, Some(["x [mm]".to_owned(), "y [mm]".to_owned()])] {
-        let [width, height] = rectangle(&drawing(&Drawing { axes, ..view("view") }).unwrap());
+        let [width, height] = rectangle(&drawing(&view(axes)).unwrap());
         assert!((height - 2.0 * width).abs() < 0.02 && width > 50.0, "{width} by {height}");
     }
 }

@@ -26,7 +26,7 @@ const NARROW: [(&str, &str); 2] =
 
 #[test]
 fn the_verdict_names_every_surface_and_the_programs_carry_it() {
-    let (loaded, outcome) = run("spur-on-ac-table", &NARROW);
+    let (_, outcome) = run("spur-on-ac-table", &NARROW);
     let verdict = &outcome.result.verdict;
     assert_eq!(verdict.status(), Status::Met, "{:?}", verdict.reason());
     let judged: Vec<&str> = verdict.judged().iter().map(|one| one.item.as_str()).collect();
@@ -51,7 +51,7 @@ fn the_verdict_names_every_surface_and_the_programs_carry_it() {
     assert_eq!(part["spaces"], serde_json::json!([20, 20]), "{part}");
     assert!(part["depth_resolution_mm"].as_f64().unwrap() <= 0.02);
     let folder = tempfile::tempdir().unwrap();
-    write_milling(&loaded.job, &outcome, folder.path()).unwrap();
+    write_milling(&outcome, folder.path()).unwrap();
     let text = std::fs::read_to_string(folder.path().join("programs/milling-siemens.mpf")).unwrap();
     assert!(text.contains("; TARGET MET"), "{}", &text[..400]);
 }
@@ -64,12 +64,12 @@ fn programs_of_a_missed_target_are_written_on_request_only() {
         if asked {
             changes.push(("[output]", "[output]\nprograms_of_missed = true"));
         }
-        let (loaded, outcome) = run("spur-on-ac-table", &changes);
+        let (_, outcome) = run("spur-on-ac-table", &changes);
         let result = &outcome.result;
         assert_eq!(result.verdict.status(), Status::Missed);
         assert_eq!(result.warnings.iter().any(|warning| warning.code == "programs-not-written"), !asked);
         let folder = tempfile::tempdir().unwrap();
-        write_milling(&loaded.job, &outcome, folder.path()).unwrap();
+        write_milling(&outcome, folder.path()).unwrap();
         let program = folder.path().join("programs/milling-siemens.mpf");
         assert_eq!(program.exists(), asked);
         if asked {

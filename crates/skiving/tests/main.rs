@@ -6,5 +6,4 @@ mod peer;
 mod skiving;
 mod skiving_programs;
 mod skiving_report;
-mod skiving_report_sample;
 mod skiving_verdict;

@@ -43,13 +43,13 @@ fn machining(machine: &LoadedMachine) -> ToolMachining<'_> {
 
 fn measuring<'a>(flanks: &'a Sides<FlankTracks>, beam: &'a Beam) -> MeasuringWork<'a> {
     let (senses, revolutions) = (&Sense::BOTH, REVOLUTIONS);
-    MeasuringWork { job: "tool 7", flanks, beam, senses, revolutions, speed: SPEED }
+    MeasuringWork { name: "tool 7", flanks, beam, senses, revolutions, speed: SPEED }
 }
 
 fn scanning<'a>(sample: &Sample, edges: &'a Sides<VirtualEdge>, stylus: &'a Beam) -> ScanWork<'a> {
     let axes = if sample.tilt == [0.0; 2] { ScanAxes::WithoutY } else { ScanAxes::All };
     let (range, places, teeth, speed) = ([-0.9, 0.9], 31, &[0, 14, 28][..], 0.5);
-    ScanWork { job: "tool 7", edges, stylus, axes, range, places, teeth, speed }
+    ScanWork { name: "tool 7", edges, stylus, axes, range, places, teeth, speed }
 }
 
 fn refused(failure: RunFailure) -> (&'static str, String) {

@@ -137,7 +137,7 @@ fn reliefs_arcs_and_grids_are_made() {
                 let [mean, each] = flank.model_difference_um;
                 assert!(mean < 0.15 && each < 0.15, "{name}: {mean} {each}");
             }
-            assert!(outcome.bodies.edges.left.pieces().len() > 1, "{name}");
+            assert!(outcome.prepared.bodies.edges.left.pieces().len() > 1, "{name}");
         }
     }
 }

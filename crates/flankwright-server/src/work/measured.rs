@@ -59,7 +59,7 @@ pub(super) fn measured(
         (|| {
             let file = only_file(&folder).ok_or_else(|| several("switching angles"))?;
             let outcome = inspect_skiving(loaded, &file, progress)?;
-            write_skiving(&loaded.job, &outcome, &shelf.results()).map_err(Unmeasured::Unwritten)?;
+            write_skiving(&outcome, &shelf.results()).map_err(Unmeasured::Unwritten)?;
             Ok((json(&outcome.result)?, Vec::new()))
         })()
     } else {

@@ -15,14 +15,13 @@ fn every_example_of_milling_has_a_scene() {
     for path in examples("milling") {
         let Some(loaded) = job(&path).of::<MillingJob>().cloned() else { panic!("{}", path.display()) };
         let outcome = run_milling(&loaded, &Silent).unwrap_or_else(|e| panic!("{}: {e:?}", path.display()));
-        let scene =
-            scene_of_milling(&loaded, &outcome).unwrap_or_else(|e| panic!("{}: {e:?}", path.display()));
+        let scene = scene_of_milling(&outcome).unwrap_or_else(|e| panic!("{}: {e:?}", path.display()));
         let name = path.file_stem().unwrap().to_string_lossy().into_owned();
         check(&name, &scene);
         let part = &scene.bodies[0];
         assert_eq!(part.closed, part.id == "gear", "{name}");
         let at_part = vertices(part);
-        let cutter = &outcome.bodies.options.cutter;
+        let cutter = &outcome.prepared.bodies.options.cutter;
         let mut seen = 0;
         for stage in &scene.stages {
             let name = format!("{name}, {}", stage.id);

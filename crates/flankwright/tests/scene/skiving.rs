@@ -12,8 +12,7 @@ fn every_example_of_measuring_a_skiving_tool_has_a_scene() {
     for path in examples("skiving") {
         let Some(loaded) = job(&path).of::<SkivingJob>().cloned() else { panic!("{}", path.display()) };
         let outcome = run_skiving(&loaded, &Silent).unwrap_or_else(|_| panic!("{}", path.display()));
-        let scene =
-            scene_of_skiving(&loaded, &outcome).unwrap_or_else(|e| panic!("{}: {e:?}", path.display()));
+        let scene = scene_of_skiving(&outcome).unwrap_or_else(|e| panic!("{}: {e:?}", path.display()));
         let name = path.file_stem().unwrap().to_string_lossy().into_owned();
         check(&name, &scene);
         let tool = body(&scene, "tool");
@@ -22,7 +21,7 @@ fn every_example_of_measuring_a_skiving_tool_has_a_scene() {
             let name = format!("{name}, {}", stage.id);
             let beam = match &outcome.scan {
                 Some(scan) if stage.id.starts_with("scanning") => scan.stylus,
-                _ => outcome.bodies.beam,
+                _ => outcome.prepared.bodies.beam,
             };
             for frame in &stage.frames {
                 let [contact] = frame.contact[..] else { panic!("{name}: one contact in every frame") };

@@ -76,7 +76,7 @@ impl<'a> BestFitTask<'a> {
     /// Targets on a grid, functions with `intervals` over the flank; `free_profile`: a dresser is made for them.
     ///
     /// # Errors
-    /// Evaluation errors of the targets.
+    /// [`GeneratingError::NoFlank`]; evaluation errors of the targets.
     pub fn new(
         setup: &'a GrindingSetup,
         targets: &'a Sides<Option<FlankTarget>>,
@@ -85,6 +85,9 @@ impl<'a> BestFitTask<'a> {
         (tolerance, limits, dressing): (f64, DressingLimits, DressingRows),
     ) -> Result<Self, GeneratingError> {
         let which: Vec<Flank> = targets.iter().filter(|(_, t)| t.is_some()).map(|(f, _)| f).collect();
+        if which.is_empty() {
+            return Err(GeneratingError::NoFlank);
+        }
         // With a given dresser the reliefs of a target are what that dresser leaves.
         let given = targets.map(|_, target| match target {
             Some(target) if !free_profile => target.reliefs.clone(),

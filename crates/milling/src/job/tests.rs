@@ -1,20 +1,18 @@
 //! Jobs of five-axis milling as they are read: what stands in for absent keys, and which bodies and cutters there are.
 
-mod bad_input;
-
 use super::*;
 use foundation::geometry::CutterShape;
 use job::{JobError, Source, parse_job_of};
 
 /// The template without comments.
-fn template() -> String {
+pub(super) fn template() -> String {
     let text = MillingJob::TEMPLATE;
     let lines = text.lines().map(|line| line.split('#').next().unwrap_or(line).trim_end());
     lines.filter(|line| !line.is_empty()).map(|line| line.to_owned() + "\n").collect()
 }
 
 /// The template with the table that a comment holds in place of [gear].
-fn with_body(table: &str) -> String {
+pub(super) fn with_body(table: &str) -> String {
     let text = MillingJob::TEMPLATE;
     let from = text.find(&format!("# [{table}]")).unwrap();
     let body = text[from..].split("\n\n").next().unwrap();
@@ -25,16 +23,16 @@ fn with_body(table: &str) -> String {
 }
 
 /// Blades by lines.
-fn ruled() -> String {
+pub(super) fn ruled() -> String {
     let text = with_body("blade");
     text.lines().filter(|line| !line.starts_with("points")).map(|line| line.to_owned() + "\n").collect()
 }
 
-fn read(text: &str) -> Result<MillingJob, JobError> {
+pub(super) fn read(text: &str) -> Result<MillingJob, JobError> {
     parse_job_of(Source::new("job.toml", text)).map(|loaded| loaded.job)
 }
 
-fn sound(text: &str) -> MillingJob {
+pub(super) fn sound(text: &str) -> MillingJob {
     read(text).unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 

@@ -1,18 +1,54 @@
-//! The page of five-axis milling: figures of the flanks, drawings of the space with cutter and paths, deviations, rows, wear, density,
-//! root, contact with a mate, operations, orientation and programs. Finished numbers in, a page out.
+//! The report of a run, composed from its results and bodies: each section has a file with its tables and figures. Timing stays out of
+//! it, so that the same job gives the same bytes.
 
-mod compose;
-mod data;
+mod banner;
+mod cutter_words;
+mod density;
 mod deviations;
+mod flanks;
 mod mate;
+mod operations;
 mod orientation;
+mod outline;
 mod programs;
+mod root;
 mod rows;
-mod tables;
+mod shown_flank;
+mod space;
+mod wear;
 
-pub use data::{
-    DensityRow, FlankFigures, FlankView, MillingReport, OperationRow, RowView, SpaceView, Titled, WearView,
-};
-pub use mate::{MateFlankView, MateView, PatternFigures};
-pub use orientation::{OrientationView, OrientedRowView, RotaryView};
-pub use programs::{AxisCourse, CourseChart, CourseLine, ProgramsView};
+use crate::workflow::MillingOutcome;
+use report::charts::ChartError;
+use report::head::scope_blocks;
+use report::{Block, Section, html};
+use run::report_head;
+use shown_flank::ShownFlank;
+
+/// The report of a run as a self-contained HTML page; a section without blocks leaves no trace on it.
+///
+/// # Errors
+/// A number that is not finite.
+pub fn html_page(outcome: &MillingOutcome, files: &[(String, &'static str)]) -> Result<String, ChartError> {
+    let MillingOutcome { result, prepared, plan, .. } = outcome;
+    let shown = ShownFlank::of_run(plan, result);
+    let flanks = vec![Block::Table(flanks::table(&shown, result.tolerance_um))];
+    let sections = vec![
+        Section::new("flanks", "Flanks", flanks),
+        Section::new("scope-of-the-verdict", "Scope of the verdict", scope_blocks(&result.verdict)),
+        Section::new("workpiece-cutter-and-paths", "Workpiece, cutter and paths", space::blocks(outcome)?),
+        Section::new("deviations", "Deviations", deviations::blocks(&shown)?),
+        Section::new("rows", "Rows", rows::blocks(&shown)?),
+        Section::new("wear-of-the-edge", "Wear of the edge", wear::blocks(&prepared.bodies, &shown)?),
+        Section::new("density", "Density", density::blocks(&prepared.bodies.options.lines, &shown)),
+        Section::new("root", "Root", root::blocks(outcome)?),
+        Section::new("contact-with-the-mate", "Contact with the mate", mate::blocks(outcome.mate.as_ref())?),
+        Section::new("operations", "Operations", vec![Block::Table(operations::table(outcome))]),
+        Section::new(
+            "orientation-of-the-cutter",
+            "Orientation of the cutter",
+            orientation::blocks(&outcome.orientations)?,
+        ),
+        Section::new("programs", "Programs", programs::blocks(outcome)?),
+    ];
+    Ok(html::render(&report_head(&prepared.info, banner::answer(result), files).page(sections)))
+}

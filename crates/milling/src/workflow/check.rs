@@ -1,14 +1,14 @@
 //! `program check` of a milling job: a text of any origin is read, followed on the machine, proven for the whole part, and its cutters are
 //! milled against the flanks of the job's first space beside those of the job's own paths.
 
-use super::bodies::{MillingBodies, prepare_milling};
 use super::clamping::Clamping;
 use super::finding::failure;
-use super::of_job::{machining, work};
-use super::programs::{CheckedMotion, MillingWork, ROUNDING};
+use super::prepare::{Mounting, PreparedMilling, prepare_milling};
+use super::programs::{CheckedMotion, ROUNDING};
 use super::referee::{RefereedFlank, STOCK, rays, referee, swept};
 use super::whole_program::{ProgramUnderTest, text_tolerance};
-use crate::job::{LoadedMillingJob, MillingJob, MillingMachine};
+use super::work::{machining, work};
+use crate::job::LoadedMillingJob;
 use crate::{MillingPlan, plan_all};
 use foundation::numerics::Progress;
 use job::machine::LoadedMachine;
@@ -22,12 +22,10 @@ use verdict::Remark;
 
 /// A job made ready, so that texts can be held against it one after the other.
 pub struct MillingCheck<'a> {
-    job: &'a MillingJob,
-    given: &'a MillingMachine,
+    prepared: PreparedMilling,
+    mounting: Mounting,
     machine: &'a LoadedMachine,
-    bodies: MillingBodies,
     plan: MillingPlan,
-    work: MillingWork<'a>,
     /// The flanks of the job's own paths.
     own: Vec<RefereedFlank>,
 }
@@ -52,22 +50,20 @@ impl<'a> MillingCheck<'a> {
     /// # Errors
     /// [`RunFailure`]: a job without a machine table or that cannot be planned.
     pub fn new(
-        loaded: &'a LoadedMillingJob,
+        loaded: &LoadedMillingJob,
         machine: &'a LoadedMachine,
         progress: &dyn Progress,
     ) -> Result<Self, RunFailure> {
-        let job = &loaded.job;
-        let Some(given) = &job.machine else {
+        let Some(given) = &loaded.job.machine else {
             let text = "a program can only be followed with the mount and the tool length of the job";
             let finding = Diagnostic::new(Problem::MissingKey, text).field("machine");
             return Err(RunFailure::bad_input(finding.way_out("give the table [machine] in the job")));
         };
-        let bodies = prepare_milling(loaded)?;
+        let prepared = prepare_milling(loaded)?;
+        let bodies = &prepared.bodies;
         let plan = plan_all(&bodies.parts, &bodies.options).map_err(|error| failure(&error))?;
-        let work = work(job, &bodies, &plan);
-        let counts = [job.simulation.rays_profile, job.simulation.rays_length];
-        let own = referee(&bodies, &plan, counts, progress)?;
-        Ok(Self { job, given, machine, bodies, plan, work, own })
+        let own = referee(bodies, &plan, prepared.rays, progress)?;
+        Ok(Self { mounting: Mounting::of_job(given), prepared, machine, plan, own })
     }
 
     /// What a text does to axes and part.
@@ -80,8 +76,9 @@ impl<'a> MillingCheck<'a> {
         dialect: Dialect,
         progress: &dyn Progress,
     ) -> Result<CheckedProgram, RunFailure> {
-        let Self { job, given, machine, bodies, plan: made, work, own } = self;
-        let found = machining(given, machine, &[]).follow_text(work, text, dialect)?;
+        let Self { prepared, mounting, machine, plan: made, own } = self;
+        let work = &work(prepared, made);
+        let found = machining(mounting, machine, &[]).follow_text(work, text, dialect)?;
         let CheckedMotion { read, moves, ranges, ways, speeds, duration, words, remarks, limits } = found;
         let moved = Moved {
             ranges: &ranges,
@@ -104,14 +101,14 @@ impl<'a> MillingCheck<'a> {
         let (cutters, paths) = (work.cutters(), work.paths(&moves));
         let swept = swept(&cutters, &paths, STOCK)?;
         let under_test = ProgramUnderTest {
-            bodies,
+            bodies: &prepared.bodies,
             plan: made,
             work,
             moves: &moves,
             swept: &swept,
-            tool_length: given.tool_length,
-            tolerance: text_tolerance(job, given),
-            clamping: Clamping::of_job(given),
+            tool_length: mounting.tool_length,
+            tolerance: text_tolerance(prepared, mounting),
+            clamping: Clamping::of_mounting(mounting),
         };
         let proof = under_test.prove(progress)?;
         let told =

@@ -1,11 +1,11 @@
 //! The tool with neck, shank, holder and spindle against what clamps the workpiece, over all moves of a text, rapid moves included. Bodies
 //! on both sides are convex and turned; distances are theirs, not those of points on them.
 
+use super::prepare::Mounting;
 use super::programs::{FollowedMove, MillingWork};
-use crate::job::MillingMachine;
 use foundation::geometry::{Cutter, CutterShape, TurnedBody};
 use foundation::numerics::least_over;
-use job::tables::{BODY_CLEARANCE, ClampingBody};
+use job::tables::ClampingBody;
 use nalgebra::{Rotation3, Vector3};
 use referee::CutterPlace;
 use run::program_check::{BodyClearance, ProgramFault};
@@ -195,9 +195,9 @@ impl Near<'_> {
 }
 
 impl<'a> Clamping<'a> {
-    /// As a job has it.
-    pub fn of_job(given: &'a MillingMachine) -> Self {
-        Self { bodies: &given.clamping, kept: given.body_clearance.unwrap_or(BODY_CLEARANCE) }
+    /// As the workpiece is held.
+    pub fn of_mounting(mounting: &'a Mounting) -> Self {
+        Self { bodies: &mounting.clamping, kept: mounting.body_clearance }
     }
 
     /// What is not looked at, in words.

@@ -11,7 +11,7 @@ use run::{DerivedGeometry, RunFailure};
 /// # Errors
 /// Bodies that do not fit, column planes that do not meet the flank.
 pub fn of_milling(loaded: &LoadedMillingJob) -> Result<DerivedGeometry, RunFailure> {
-    let bodies = prepare_milling(loaded)?;
+    let bodies = prepare_milling(loaded)?.bodies;
     let mut derived = DerivedGeometry::default();
     derived.section("workpiece");
     derived.quantity("spaces", "tooth spaces", bodies.spaces as u64, "");

@@ -1,8 +1,8 @@
 //! What a milling run is judged by: the flanks that it mills, whether plan and simulation agree, the drawn root, everything else of the
 //! part that a cutter could enter, and the programs.
 
-use super::bodies::MillingBodies;
 use super::part_rays::{PartSurface, THIN_BACKS, has_thin_backs};
+use super::prepare::MillingBodies;
 use super::result::FlankResult;
 use super::root::RefereedRoot;
 use super::whole_part::WholePart;
@@ -22,7 +22,7 @@ pub(super) struct Judged<'a> {
     pub tolerance_um: f64,
 }
 
-/// The verdict on the plan; programs are judged by [`super::of_job::MillingTexts::judge`].
+/// The verdict on the plan; programs are judged by [`super::texts::MillingTexts::judge`].
 pub(super) fn verdict(found: &Judged<'_>) -> Verdict {
     let mut verdict = Verdict::new();
     for (name, flank) in found.flanks {

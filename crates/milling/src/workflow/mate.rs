@@ -1,17 +1,16 @@
 //! A bevel gear rolled against its mate: the wanted flanks of both, where they touch, and beside it what their ease-offs say.
 
-use super::bodies::MillingBodies;
-use super::mate_flank::{form_angles, start_of_flank};
+use super::mate_flank::start_of_flank;
+use super::prepare::{MatePair, MillingBodies};
 use super::result::{MateFlankResult, MateResult, PatternResult};
-use crate::job as drawn;
-use crate::job::{BevelFlank, MillingJob};
+use crate::job::BevelFlank;
 use contact::{
     ConjugateFlanks, ContactError, ContactPattern, FlankPlaces, GapField, RollCourse, RolledGear, RolledPair,
     overlap,
 };
 use foundation::geometry::{
-    BevelData, BevelGear, EaseOff, EaseOffAmounts, Flank, Modified, NormalOffset, Octoid, OffsetBase,
-    SphericalInvolute, Surface,
+    BevelGear, EaseOff, EaseOffAmounts, Flank, Modified, NormalOffset, Octoid, OffsetBase, SphericalInvolute,
+    Surface,
 };
 use foundation::numerics::equidistant;
 use job::Diagnostic;
@@ -49,38 +48,30 @@ pub struct MateFlank {
 /// Places over height and length.
 const PLACES: [usize; 2] = [33, 49];
 
-/// Contact with the mate, if the job has one.
+/// Contact of the gear with its mate.
 ///
 /// # Errors
-/// [`RunFailure`] for a mate that is no gear, and for gears that do not come together.
-pub(super) fn roll(job: &MillingJob, bodies: &MillingBodies) -> Result<Option<MateOutcome>, RunFailure> {
-    let (Some(mate), Some(bevel)) = (&job.mate, &job.bevel) else { return Ok(None) };
-    let made = |data, table| {
-        BevelGear::new(data).map_err(|error| RunFailure::bad_input(geometry_finding(&error, table)))
-    };
-    // A checked job has teeth for which there is a pitch cone.
-    let (Some(data), Some(angles)) = (mate.data(bevel), form_angles(job)?) else { return Ok(None) };
-    let begins = |data, angle| BevelData { form_angle: Some(angle), ..data };
-    let gears = [made(begins(bevel.data(), angles[0]), "bevel")?, made(begins(data, angles[1]), "mate")?];
+/// [`RunFailure`] for gears that do not come together.
+pub(super) fn roll(pair: &MatePair, bodies: &MillingBodies) -> Result<MateOutcome, RunFailure> {
+    let MatePair { gears, flank: form, .. } = pair;
     let (start, remark) = start_of_flank(&gears[0], &gears[1]);
-    let amounts = [job.target.ease_off.unwrap_or_default(), mate.ease_off];
-    let shaft_angle = gears[0].data().pitch_angle + gears[1].data().pitch_angle;
-    let radius = gears[1].mean_distance() * gears[1].data().pitch_angle.sin();
+    let [own, mate] = gears.each_ref().map(BevelGear::data);
+    let shaft_angle = own.pitch_angle + mate.pitch_angle;
+    let radius = gears[1].mean_distance() * mate.pitch_angle.sin();
     let mut flanks = Vec::new();
     let mut results = BTreeMap::new();
     for flank in bodies.flanks().filter(|flank| bodies.options.sides.contains(&flank.side)) {
         let side = flank.side;
-        let conjugate = match bevel.flank {
+        let conjugate = match form {
             BevelFlank::SphericalInvolute => ConjugateFlanks::involute(gears.clone(), side),
             BevelFlank::Octoid => {
                 ConjugateFlanks::octoid(gears.clone(), side).map_err(|error| failure(&error))?
             }
         };
         let heights = conjugate.heights();
-        let ease = [0, 1].map(|k| ease_off(&amounts[k], heights[k], &gears[k]));
-        let [own, other] = ease;
-        let ease = [own?, other?];
-        let surface = match bevel.flank {
+        let [own_ease, other_ease] = [0, 1].map(|k| ease_off(pair.ease_offs[k], heights[k], &gears[k]));
+        let ease = [own_ease?, other_ease?];
+        let surface = match form {
             BevelFlank::SphericalInvolute => modified(SphericalInvolute::new(&gears[1], side), &ease[1]),
             BevelFlank::Octoid => modified(Octoid::new(&gears[1], side), &ease[1]),
         };
@@ -90,37 +81,32 @@ pub(super) fn roll(job: &MillingJob, bodies: &MillingBodies) -> Result<Option<Ma
                 surface: active.surface.clone(),
                 heights: active.height_span(),
                 lengths: active.face,
-                teeth: bevel.teeth,
+                teeth: own.teeth,
             },
             RolledGear { surface, heights: heights[1], lengths: gears[1].face(), teeth: mate.teeth },
         ];
-        let contact = contact(rolled, shaft_angle, &conjugate, [&*ease[0], &*ease[1]], mate.roll_positions)
+        let contact = contact(rolled, shaft_angle, &conjugate, [&*ease[0], &*ease[1]], pair.roll_positions)
             .map_err(|error| failure(&error))?;
-        results.insert(side.name(), contact.figures(1e-3 * mate.marking_um, radius));
+        results.insert(side.name(), contact.figures(1e-3 * pair.marking_um, radius));
         flanks.push(contact);
     }
     let result = MateResult {
         teeth: mate.teeth,
-        pitch_cone_angle_deg: gears[1].data().pitch_angle.to_degrees(),
+        pitch_cone_angle_deg: mate.pitch_angle.to_degrees(),
         shaft_angle_deg: shaft_angle.to_degrees(),
         mean_pitch_radius_mm: radius,
-        marking_um: mate.marking_um,
+        marking_um: pair.marking_um,
         start_of_flank: start,
         flanks: results,
     };
-    Ok(Some(MateOutcome { result, flanks, remark }))
+    Ok(MateOutcome { result, flanks, remark })
 }
 
 fn ease_off(
-    amounts: &drawn::EaseOffAmounts,
+    amounts: EaseOffAmounts,
     heights: [f64; 2],
     gear: &BevelGear,
 ) -> Result<Arc<dyn NormalOffset>, RunFailure> {
-    let amounts = EaseOffAmounts {
-        length_crowning: 1e-3 * amounts.lengthwise_um,
-        profile_crowning: 1e-3 * amounts.profile_um,
-        bias: 1e-3 * amounts.bias_um,
-    };
     let ease = EaseOff::new(amounts, heights, gear.face())
         .map_err(|error| RunFailure::bad_input(geometry_finding(&error, "mate")))?;
     Ok(Arc::new(ease))

@@ -5,51 +5,17 @@
 //! at the rest of xi_p1 + xi_p2 from that of the mate's. A point at xi has the polar angle theta with cos theta = cos delta_b cos xi.
 
 use super::result::MateStartResult;
-use crate::job::{BevelFlank, MillingJob};
-use foundation::geometry::{BevelGear, Flank, Octoid};
-use run::{RunFailure, geometry_finding};
+use foundation::geometry::BevelGear;
 use verdict::Remark;
 
 /// Angles that count as the same, rad: rounding.
-const SAME: f64 = 1e-9;
+pub(super) const SAME: f64 = 1e-9;
 
 /// Polar angle of a gear's flank at which the tip of its mate engages, rad; `None` where that would be inside of the base cone.
 pub fn needed_polar_angle(gear: &BevelGear, mate: &BevelGear) -> Option<f64> {
     let [_, tip] = mate.heights();
     let arc = gear.pitch_roll() + mate.pitch_roll() - tip * mate.base_angle().sin();
     (arc >= 0.0).then(|| (gear.base_angle().cos() * arc.cos()).acos())
-}
-
-/// The gear of a job and its mate, both with the start of the flank that the drawing says or that follows from its proportions.
-fn drawn(job: &MillingJob) -> Result<Option<[BevelGear; 2]>, RunFailure> {
-    let (Some(mate), Some(bevel)) = (&job.mate, &job.bevel) else { return Ok(None) };
-    // A checked job has teeth for which there is a pitch cone.
-    let Some(data) = mate.data(bevel) else { return Ok(None) };
-    let made = |data, table| {
-        BevelGear::new(data).map_err(|error| RunFailure::bad_input(geometry_finding(&error, table)))
-    };
-    Ok(Some([made(bevel.data(), "bevel")?, made(data, "mate")?]))
-}
-
-/// Polar angles at which the flanks of the job's gear and of its mate begin, rad: as given, else so that the mate's tip finds a flank
-/// as far down as there can be one. `None` without a mate.
-///
-/// # Errors
-/// [`RunFailure`] for a mate that is no gear.
-pub(super) fn form_angles(job: &MillingJob) -> Result<Option<[f64; 2]>, RunFailure> {
-    let Some([gear, mate]) = drawn(job)? else { return Ok(None) };
-    let octoid = job.bevel.as_ref().is_some_and(|bevel| bevel.flank == BevelFlank::Octoid);
-    let start = |own: &BevelGear, other: &BevelGear| {
-        if own.data().form_angle.is_some() {
-            return own.form_angle();
-        }
-        let mut lowest = own.root_angle().max(own.base_angle());
-        if octoid {
-            lowest = lowest.max(Octoid::new(own, Flank::Left).lowest_polar_angle() + SAME);
-        }
-        own.form_angle().min(needed_polar_angle(own, other).map_or(lowest, |needed| needed.max(lowest)))
-    };
-    Ok(Some([start(&gear, &mate), start(&mate, &gear)]))
 }
 
 /// Where the flank begins and where the mate needs it to, with a remark where it does not reach so far.

@@ -19,10 +19,10 @@ pub(super) fn files(outcome: &MillingOutcome, formats: &[Mesh]) -> Result<Vec<Na
     for format in formats {
         match format {
             Mesh::Stl => {
-                files.push(("part.stl".into(), "the milled part, mm", stl(&part(&outcome.bodies)?)?))
+                files.push(("part.stl".into(), "the milled part, mm", stl(&part(&outcome.prepared.bodies)?)?))
             }
             Mesh::ThreeMf => {
-                let (part, title) = (part(&outcome.bodies)?, &outcome.result.job);
+                let (part, title) = (part(&outcome.prepared.bodies)?, &outcome.result.job);
                 let named = [NamedMesh { name: "part", mesh: &part }];
                 files.push(("part.3mf".into(), "the milled part", three_mf(title, &named)?));
             }

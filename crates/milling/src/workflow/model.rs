@@ -1,7 +1,7 @@
 //! The plan of a milling job with what its rows leave, asked place by place. No referee, no programs.
 
-use super::bodies::{MillingBodies, prepare_milling};
 use super::finding::failure;
+use super::prepare::{MillingBodies, prepare_milling};
 use super::referee::predict;
 use crate::job::MillingJob;
 use crate::{MillingPlan, Prediction, plan_all};
@@ -25,7 +25,7 @@ impl MillingModel {
         let Some(loaded) = job.of::<MillingJob>() else {
             return Err(RunFailure::other_process(job, "\"five-axis-milling\""));
         };
-        let bodies = prepare_milling(loaded)?;
+        let bodies = prepare_milling(loaded)?.bodies;
         progress.start("plan", 1);
         let plan = plan_all(&bodies.parts, &bodies.options).map_err(|error| failure(&error))?;
         progress.finish();

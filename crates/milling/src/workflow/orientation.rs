@@ -1,15 +1,14 @@
 //! The rotary motion of a row beside that of other systems (`docs/mathematics/milling.md#positions-of-five-axes`): the axis in the column
 //! planes, along the parameter lines of the flank, and along lines that an irregular patch has sheared; on the job's own flank and machine.
 
-use super::bodies::MillingBodies;
 use super::orientation_result::{OrientationFigures, OrientationResult};
+use super::prepare::{MillingBodies, PreparedMilling, WorkpieceKind};
 use super::programs::clamping;
-use crate::job::{MilledBody, MillingJob, MillingMount};
+use crate::job::MillingMount;
 use crate::{
     AxisChoice, FlankPlan, MilledSide, MillingError, MillingPlan, OrientedPlace, OrientedRow, RowCutter,
 };
 use foundation::kinematics::{Direction, Point};
-use job::machine::LoadedMachine;
 use job::{Diagnostic, Problem};
 use machine::five_axis::{Chain, Places, chain};
 use machine::{Machine, Positions};
@@ -77,29 +76,29 @@ pub(super) const SHEAR: f64 = 0.02;
 /// Places of a row.
 const POINTS: usize = 121;
 
-/// The comparison on every flank of a plan, in its order; empty where the job does not want it.
+/// The comparison on every flank of a plan, in its order, on the machine of the job, else on a table A-C; empty where the job does not want
+/// it.
 ///
 /// # Errors
 /// [`RunFailure`] for a machine that is none or has no five axes. What a row of the comparison does not reach is reported in the result.
 pub(super) fn orientations(
-    job: &MillingJob,
-    machine: Option<&LoadedMachine>,
-    bodies: &MillingBodies,
+    prepared: &PreparedMilling,
     plan: &MillingPlan,
 ) -> Result<Vec<ComparedOrientations>, RunFailure> {
-    if !job.simulation.compare_orientation {
+    if !prepared.compare_orientation {
         return Ok(Vec::new());
     }
+    let bodies = &prepared.bodies;
     let table;
-    let (machine, mount, tool_length) = match (&job.machine, machine) {
-        (Some(given), Some(machine)) => (&machine.machine, given.mount, given.tool_length),
+    let (machine, mount, tool_length) = match (&prepared.mounting, &prepared.machine) {
+        (Some(mounting), Some(machine)) => (&machine.machine, mounting.mount, mounting.tool_length),
         _ => {
             table = chain(Chain::AcTable, &Places::default()).map_err(|error| {
                 let finding = Diagnostic::new(Problem::InvalidMachine, error.to_string());
                 RunFailure::bad_input(finding.field("simulation.compare_orientation"))
             })?;
             // Bevel gears point their shank side down as they are described (`docs/mathematics/milling.md`).
-            let turned_over = matches!(job.body(), Some(MilledBody::Bevel(_)));
+            let turned_over = bodies.kind == WorkpieceKind::Bevel;
             (&table, MillingMount { turned_over, ..MillingMount::default() }, 0.0)
         }
     };

@@ -1,6 +1,6 @@
 //! The milled part as a closed body: teeth all around, swept along their length with a bore or a rim; of blades the milled side of each.
 
-use super::bodies::MillingBodies;
+use super::prepare::MillingBodies;
 use crate::{Space, SpaceFlank};
 use foundation::numerics::{equidistant, extremes};
 use nalgebra::{Rotation3, Vector3};

@@ -1,8 +1,8 @@
 //! Rays on the surfaces of the whole part: flanks of all spaces, the body between them, tips and ends of the teeth. What a motion
 //! does to any of them is judged, whether or not the job mills it.
 
-use super::bodies::MillingBodies;
 use super::finding::failure;
+use super::prepare::MillingBodies;
 use super::referee::DEPTH;
 use crate::{MilledSide, MillingPlan, RootPart, Space, SpaceFlank, WallKind, drawn_root};
 use foundation::geometry::Surface;

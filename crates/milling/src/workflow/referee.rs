@@ -1,7 +1,7 @@
 //! The referee on a milled flank: normal rays shortened by all cutters of the plan, and what was predicted for each of them.
 
-use super::bodies::MillingBodies;
 use super::finding::failure;
+use super::prepare::MillingBodies;
 use crate::{FlankModel, FlankPlan, Half, MilledSide, MillingError, MillingPlan, OperationKind, Prediction};
 use foundation::geometry::Cutter;
 use foundation::numerics::{Progress, equidistant};

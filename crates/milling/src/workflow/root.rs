@@ -1,8 +1,8 @@
 //! The referee on the drawn root: fillets and bottom in sections along the face, under all cutters of the plan, and what was predicted
 //! for every ray.
 
-use super::bodies::MillingBodies;
 use super::finding::failure;
+use super::prepare::MillingBodies;
 use super::referee::{STOCK, mill_paths, swept, unmilled};
 use super::result::RootDeviationResult;
 use crate::{FlankPlan, MillingPlan, RootModel, RootPart, RootPoint, drawn_root};

@@ -2,9 +2,9 @@
 
 mod mill;
 
-use crate::job::{LoadedMillingJob, MilledBody};
 use crate::workflow::MillingOutcome;
 use crate::workflow::part_mesh::{Fineness, part_with};
+use crate::workflow::prepare::WorkpieceKind;
 use crate::workflow::scene::mill::mill;
 use crate::{CutterPlace, MilledSide, MillingPlan, Operation, OperationKind};
 use foundation::geometry::Cutter;
@@ -36,26 +36,27 @@ struct ShownCutter<'a> {
 ///
 /// # Errors
 /// [`RunFailure`] for bodies that cannot be meshed and motions without numbers.
-pub fn scene_of_milling(loaded: &LoadedMillingJob, outcome: &MillingOutcome) -> Result<Scene, RunFailure> {
-    let sections = outcome.bodies.spaces * outcome.bodies.parts.len() * 4 * (HEIGHT + 1);
+pub fn scene_of_milling(outcome: &MillingOutcome) -> Result<Scene, RunFailure> {
+    let milled = &outcome.prepared.bodies;
+    let sections = milled.spaces * milled.parts.len() * 4 * (HEIGHT + 1);
     let length = (MOST_TRIANGLES / sections.max(1) + 1).clamp(LENGTH[0], LENGTH[1]);
     let fineness = Fineness { height: HEIGHT, length };
-    let part = part_with(&outcome.bodies, fineness).map_err(|e| unmeshed("part", &e))?;
-    let blades = matches!(loaded.job.body(), Some(MilledBody::Blade(_)));
-    let part = match blades {
-        true => Body::new("part", BodyKind::Part, part.check_watertight().is_ok(), &part),
-        false => Body::new("gear", BodyKind::Gear, part.check_watertight().is_ok(), &part),
+    let part = part_with(milled, fineness).map_err(|e| unmeshed("part", &e))?;
+    let (id, kind) = match milled.kind {
+        WorkpieceKind::Bladed => ("part", BodyKind::Part),
+        WorkpieceKind::Cylindrical | WorkpieceKind::Bevel => ("gear", BodyKind::Gear),
     };
+    let part = Body::new(id, kind, part.check_watertight().is_ok(), &part);
     let mut bodies = vec![part];
     let mut cutters: Vec<ShownCutter<'_>> = Vec::new();
     for operation in &outcome.plan.operations {
-        let cutter = outcome.bodies.options.cutter_of(operation.kind);
+        let cutter = milled.options.cutter_of(operation.kind);
         let Some(first) = operation.paths.iter().flat_map(|path| &path.places).next() else { continue };
         if cutters.iter().any(|shown| shown.cutter == cutter) {
             continue;
         }
         let id = match operation.kind {
-            _ if *cutter == outcome.bodies.options.cutter => "cutter",
+            _ if *cutter == milled.options.cutter => "cutter",
             OperationKind::Roughing => "cutter-roughing",
             OperationKind::Bottom => "cutter-bottom",
             OperationKind::Flank(_) | OperationKind::Fillet(_) => "cutter",
@@ -75,7 +76,7 @@ pub fn scene_of_milling(loaded: &LoadedMillingJob, outcome: &MillingOutcome) -> 
         .iter()
         .enumerate()
         .filter_map(|(number, operation)| {
-            let own = outcome.bodies.options.cutter_of(operation.kind);
+            let own = milled.options.cutter_of(operation.kind);
             stage(number, operation, own, &cutters, &outcome.plan)
         })
         .collect();

@@ -22,12 +22,12 @@ impl JobOutcome<MillingJob> for MillingOutcome {
         &self.result
     }
 
-    fn scene(&self, loaded: &LoadedMillingJob) -> Option<Result<Scene, RunFailure>> {
-        Some(scene_of_milling(loaded, self))
+    fn scene(&self, _: &LoadedMillingJob) -> Option<Result<Scene, RunFailure>> {
+        Some(scene_of_milling(self))
     }
 
-    fn write(&self, loaded: &LoadedMillingJob, directory: &Path) -> Result<Vec<PathBuf>, WriteError> {
-        write_milling(&loaded.job, self, directory)
+    fn write(&self, _: &LoadedMillingJob, directory: &Path) -> Result<Vec<PathBuf>, WriteError> {
+        write_milling(self, directory)
     }
 
     fn summary(&self, written: &[PathBuf]) -> String {

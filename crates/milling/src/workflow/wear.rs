@@ -1,6 +1,6 @@
 //! Load along the edge of a flank's plan, and what it would be if all rows touched at one height.
 
-use super::bodies::MillingBodies;
+use super::prepare::MillingBodies;
 use crate::{FlankPlan, RowLoad, WearHistogram};
 use foundation::geometry::CutterShape;
 
@@ -8,7 +8,7 @@ use foundation::geometry::CutterShape;
 const BIN: f64 = 0.5;
 
 /// Histograms of the heights of the plan and of the height of its first row for all; none for cutters whose contact is not chosen.
-pub(super) fn histograms(bodies: &MillingBodies, plan: &FlankPlan) -> Option<[WearHistogram; 2]> {
+pub(crate) fn histograms(bodies: &MillingBodies, plan: &FlankPlan) -> Option<[WearHistogram; 2]> {
     let cutter = &bodies.options.cutter;
     let first = plan.rows.first().filter(|row| row.window.is_some())?;
     if !matches!(cutter.shape(), CutterShape::Conical { .. }) {

@@ -1,7 +1,7 @@
 //! The whole part under motions: what they take from any surface of any space, and what they leave on the flanks that they finish.
 
-use super::bodies::MillingBodies;
 use super::part_rays::{PartRay, PartSurface};
+use super::prepare::MillingBodies;
 use foundation::numerics::Progress;
 use referee::{MilledRay, Swept, Unmilled};
 use run::RunFailure;

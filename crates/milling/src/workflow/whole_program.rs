@@ -1,14 +1,13 @@
 //! A program against the whole part: every block of its text, rapid moves included, on every surface of every space; rapid moves
 //! against the stock that stands at their time; feeds and spindle against the job.
 
-use super::bodies::MillingBodies;
 use super::clamping::Clamping;
 use super::part_rays::{Closeness, PartRay, PartSurface, THIN_BACKS, has_thin_backs, part_rays, spacing};
+use super::prepare::{MillingBodies, Mounting, PreparedMilling};
 use super::programs::{FollowedMove, MillingWork, OBLIQUE};
 use super::referee::{STOCK, mill_paths, swept};
 use super::whole_part::{FaultKind, PartFault, WholePart, allowed};
 use crate::MillingPlan;
-use crate::job::{MillingJob, MillingMachine};
 use foundation::numerics::Progress;
 use nalgebra::Vector3;
 use referee::{MillPath, MilledRay, Milling, Rapids, Swept, mill, rapid_hits};
@@ -33,8 +32,8 @@ pub(super) struct ProgramUnderTest<'a> {
 }
 
 /// A flank from a text may be off by the tolerance of the job and by what straight blocks and digits may add, mm.
-pub(super) fn text_tolerance(job: &MillingJob, given: &MillingMachine) -> f64 {
-    1e-3 * (job.target.tolerance_um + OBLIQUE * given.position_tolerance_um + DIGITS_UM)
+pub(super) fn text_tolerance(prepared: &PreparedMilling, mounting: &Mounting) -> f64 {
+    1e-3 * (prepared.tolerance_um + OBLIQUE * mounting.position_tolerance_um + DIGITS_UM)
 }
 
 /// What four decimals of positions and angles move a cutter by, um.

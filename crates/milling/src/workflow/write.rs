@@ -1,8 +1,8 @@
 //! Writes what a milling run produced. Every file appears whole or not at all.
 
 use super::run::MillingOutcome;
-use super::{meshes, page, tables};
-use crate::job::MillingJob;
+use super::{meshes, tables};
+use crate::page::html_page;
 use run::{NamedFile, Release, WriteError, json, write_with_report};
 use std::path::{Path, PathBuf};
 
@@ -10,11 +10,8 @@ use std::path::{Path, PathBuf};
 ///
 /// # Errors
 /// [`WriteError`]; files written before the error stay.
-pub fn write_milling(
-    job: &MillingJob,
-    outcome: &MillingOutcome,
-    directory: &Path,
-) -> Result<Vec<PathBuf>, WriteError> {
+pub fn write_milling(outcome: &MillingOutcome, directory: &Path) -> Result<Vec<PathBuf>, WriteError> {
+    let output = &outcome.prepared.output;
     let mut files: Vec<NamedFile> = vec![
         ("result.json".into(), "result with rows and flanks", json(&outcome.result)?),
         (
@@ -28,7 +25,7 @@ pub fn write_milling(
             tables::places(&outcome.plan)?.text().into(),
         ),
     ];
-    let release = Release::of(&outcome.result.verdict, job.output.programs_of_missed);
+    let release = Release::of(&outcome.result.verdict, output.programs_of_missed);
     for program in outcome.texts.programs.iter().flat_map(|programs| &programs.programs) {
         let text = release.program(&program.written.text, program.dialect);
         files.extend(text.map(|text| (program.file.clone(), "NC program: milling all spaces", text)));
@@ -37,6 +34,6 @@ pub fn write_milling(
         let text = release.cutter_locations(&locations.text);
         files.extend(text.map(|text| (locations.file.clone(), "cutter locations of all spaces", text)));
     }
-    files.extend(meshes::files(outcome, &job.output.meshes)?);
-    write_with_report(files, directory, |named| page::html_page(job, outcome, named))
+    files.extend(meshes::files(outcome, &output.meshes)?);
+    write_with_report(files, directory, |named| html_page(outcome, named))
 }

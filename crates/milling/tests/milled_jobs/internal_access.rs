@@ -10,7 +10,7 @@ fn planned(edges: f64, shank: &str) -> Result<(), MillingError> {
     let text = include_str!("../../../../examples/milling/internal-ring.toml");
     let text = text.replace("cutting_length = 12.0", &format!("cutting_length = {edges:?}\n{shank}"));
     let text = text.replace("rows = 30", "rows = 4").replace("columns = 11", "columns = 4");
-    let bodies = prepare_milling(&job(&text)).unwrap();
+    let bodies = prepare_milling(&job(&text)).unwrap().bodies;
     plan(&bodies.parts[0], &bodies.options).map(|_| ())
 }
 

@@ -37,7 +37,7 @@ fn bevel() -> String {
 #[test]
 fn rays_find_the_drawn_root() {
     for (name, text, um) in [("spur", spur(), 1e-6), ("helical", helical(), 3.0), ("bevel", bevel(), 6.7)] {
-        let bodies = prepare_milling(&job(&text)).unwrap();
+        let bodies = prepare_milling(&job(&text)).unwrap().bodies;
         let made = plan(&bodies.parts[0], &bodies.options).unwrap_or_else(|error| panic!("{name}: {error}"));
         let root = referee_root(&bodies, &made, SECTIONS, &Silent).unwrap();
         let names: Vec<String> = root.iter().map(|part| part.name()).collect();
@@ -61,7 +61,7 @@ fn rays_find_the_drawn_root() {
 #[test]
 fn clearing_leaves_the_fillets_alone() {
     let text = spur() + "\n[milling.roughing]\nallowance = 0.3\nstep_down = 3.0\nstep_over = 2.0\n";
-    let bodies = prepare_milling(&job(&text)).unwrap();
+    let bodies = prepare_milling(&job(&text)).unwrap().bodies;
     let made = plan(&bodies.parts[0], &bodies.options).unwrap();
     assert!(made.layers.iter().any(|layer| !layer.passes.is_empty()));
     for part in referee_root(&bodies, &made, SECTIONS, &Silent).unwrap().iter().take(2) {
@@ -82,7 +82,7 @@ fn clearing_leaves_the_fillets_alone() {
 /// With one row of one flank only, most of the root is not reached; no ray is forgotten.
 #[test]
 fn what_no_cutter_meets_is_counted() {
-    let bodies = prepare_milling(&job(&spur())).unwrap();
+    let bodies = prepare_milling(&job(&spur())).unwrap().bodies;
     let mut made = plan(&bodies.parts[0], &bodies.options).unwrap();
     made.operations.retain(|operation| matches!(operation.kind, OperationKind::Flank(_)));
     made.operations.truncate(1);

@@ -1,48 +1,37 @@
 //! The conventional method, with the beam parallel to the tool's axis in every pose, beside the virtual contact points.
 
+use crate::workflow::{ConventionalResult, SkivingBodies};
 use foundation::geometry::Flank;
 use report::cells::{NONE, fixed, fixed_or_none};
 use report::charts::ChartError;
-use report::data::{Block, Column, Table};
+use report::{Block, Column, Table};
 
-/// A track in both ways of measuring.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ConventionalRow {
-    /// Flank.
-    pub flank: Flank,
-    /// Track, from 1.
-    pub track: usize,
-    /// Deviation at the virtual contact point, um.
-    pub virtual_um: f64,
-    /// What the conventional method reads, um; none where the beam rests on the body instead of the rounding.
-    pub conventional_um: Option<f64>,
-    /// theta of the virtual contact point, deg.
-    pub contact_deg: f64,
-    /// Angle at which the conventional beam touches, deg.
-    pub touch_deg: Option<f64>,
-    /// theta_hi: where the rounding ends, deg.
-    pub end_deg: f64,
-}
-
-pub(super) fn blocks(rows: &[ConventionalRow]) -> Result<Vec<Block>, ChartError> {
-    let cells = |row: &ConventionalRow| {
+/// Both ways of measuring beside each other, of the simulated tool, else of the ideal one.
+pub(super) fn blocks(bodies: &SkivingBodies, rows: &[ConventionalResult]) -> Result<Vec<Block>, ChartError> {
+    if rows.is_empty() {
+        return Ok(Vec::new());
+    }
+    let cells = |row: &ConventionalResult| {
         let name = format!("comparison on the {} flank, track {}", row.flank, row.track);
-        let (reading, error) = match row.conventional_um {
-            Some(um) => (fixed(&name, um, 3)?, fixed(&name, um - row.virtual_um, 3)?),
+        let flank = if row.flank == Flank::Left.name() { Flank::Left } else { Flank::Right };
+        let section = &bodies.flanks[flank].tracks[row.track - 1].0.section;
+        let at_contact_um = row.measured_um.zip(row.reported_um).map_or(0.0, |(measured, _)| measured);
+        let (reading, error) = match reading_um(row) {
+            Some(um) => (fixed(&name, um, 3)?, fixed(&name, um - at_contact_um, 3)?),
             None => ("beam rests on the body".into(), NONE.into()),
         };
         Ok(vec![
             row.flank.to_string(),
             row.track.to_string(),
-            fixed(&name, row.virtual_um, 3)?,
+            fixed(&name, at_contact_um, 3)?,
             reading,
             error,
-            fixed(&name, row.contact_deg, 2)?,
+            fixed(&name, section.contact_angle.to_degrees(), 2)?,
             fixed_or_none(&name, row.touch_deg, 2)?,
-            fixed(&name, row.end_deg, 2)?,
+            fixed(&name, section.range[1].to_degrees(), 2)?,
         ])
     };
-    let blind = rows.iter().filter(|row| row.conventional_um.is_none()).count();
+    let blind = rows.iter().filter(|row| reading_um(row).is_none()).count();
     let mut blocks = vec![Block::Table(Table {
         caption: String::new(),
         columns: vec![
@@ -65,4 +54,9 @@ pub(super) fn blocks(rows: &[ConventionalRow]) -> Result<Vec<Block>, ChartError>
         )));
     }
     Ok(blocks)
+}
+
+/// What the conventional method reads, um; none where the beam rests on the body instead of the rounding.
+fn reading_um(row: &ConventionalResult) -> Option<f64> {
+    row.measured_um.zip(row.reported_um).map(|(_, reported)| reported).or(row.ideal_um)
 }

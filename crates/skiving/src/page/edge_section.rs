@@ -1,38 +1,13 @@
 //! A section across the rounded edge at one track: faces, rounding, contact point with its normal, and the light beam on it.
 
+use crate::measuring::{RealTool, conventional_reading};
+use crate::workflow::SkivingBodies;
 use foundation::geometry::Flank;
 use report::charts::{
     ChartError, Drawing, DrawingLayer, DrawingLook, DrawingNote, check_values, drawing, format_fixed,
     format_significant,
 };
-use report::data::{Block, Figure};
-
-/// The edge across its centre curve. Angles on the rounding count from the normal of the rake face, deg.
-#[derive(Clone, Debug, PartialEq)]
-pub struct EdgeSectionView {
-    /// Flank that the edge cuts.
-    pub flank: Flank,
-    /// Its track, from 1.
-    pub track: usize,
-    /// rho_e: radius of the rounding, um.
-    pub rounding_um: f64,
-    /// theta: contact point.
-    pub contact_deg: f64,
-    /// theta_lo and theta_hi: where the rounding begins and ends.
-    pub range_deg: [f64; 2],
-    /// theta_c: normal of the clearance face.
-    pub clearance_deg: f64,
-    /// b_r: width of the chamfer on the rake face, um; 0 for none.
-    pub rake_chamfer_um: f64,
-    /// Width of the chamfer on the clearance face, um; 0 for none.
-    pub clearance_chamfer_um: f64,
-    /// r_L: radius of the beam, um; none for no beam.
-    pub beam_um: Option<f64>,
-    /// Angle between the beam and the plane of the section, deg.
-    pub beam_across_deg: f64,
-    /// Where a beam parallel to the tool's axis would touch instead; none where it rests on the body.
-    pub conventional_deg: Option<f64>,
-}
+use report::{Block, Figure};
 
 /// How far the rake face is drawn, and how far clearance face and beam are, in radii of the rounding.
 const RAKE: f64 = 4.0;
@@ -44,8 +19,63 @@ const CONTACT: f64 = 2.4;
 /// Points of an arc.
 const ARC: usize = 60;
 
-impl EdgeSectionView {
-    pub(super) fn block(&self) -> Result<Block, ChartError> {
+/// The section across each edge at its middle track; nothing for sharp edges.
+pub(super) fn blocks(bodies: &SkivingBodies) -> Result<Vec<Block>, ChartError> {
+    if bodies.pair.tool().rounding().radius == 0.0 {
+        return Ok(Vec::new());
+    }
+    Flank::BOTH.into_iter().map(|flank| EdgeSection::of_middle(bodies, flank).block()).collect()
+}
+
+/// The edge across its centre curve. Angles on the rounding count from the normal of the rake face, deg.
+struct EdgeSection {
+    /// Flank that the edge cuts.
+    flank: Flank,
+    /// Its track, from 1.
+    track: usize,
+    /// rho_e: radius of the rounding, um.
+    rounding_um: f64,
+    /// theta: contact point.
+    contact_deg: f64,
+    /// theta_lo and theta_hi: where the rounding begins and ends.
+    range_deg: [f64; 2],
+    /// theta_c: normal of the clearance face.
+    clearance_deg: f64,
+    /// b_r: width of the chamfer on the rake face, um; 0 for none.
+    rake_chamfer_um: f64,
+    /// r_L: radius of the beam, um.
+    beam_um: f64,
+    /// Angle between the beam and the plane of the section, deg.
+    beam_across_deg: f64,
+    /// Where a beam parallel to the tool's axis would touch instead; none where it rests on the body.
+    conventional_deg: Option<f64>,
+}
+
+impl EdgeSection {
+    /// At the middle track of an edge.
+    fn of_middle(bodies: &SkivingBodies, flank: Flank) -> Self {
+        let rounding = bodies.pair.tool().rounding();
+        let tracks = &bodies.flanks[flank].tracks;
+        let middle = tracks.len() / 2;
+        let (track, pose) = &tracks[middle];
+        let ideal = RealTool::ideal(bodies.teeth());
+        let usual = conventional_reading(&bodies.edges[flank], &ideal, track, &bodies.beam, 0);
+        let section = &track.section;
+        Self {
+            flank,
+            track: middle + 1,
+            rounding_um: 1e3 * rounding.radius,
+            contact_deg: section.contact_angle.to_degrees(),
+            range_deg: section.range.map(f64::to_degrees),
+            clearance_deg: section.clearance_angle.to_degrees(),
+            rake_chamfer_um: 1e3 * rounding.rake_chamfer_width,
+            beam_um: 1e3 * bodies.beam.radius,
+            beam_across_deg: pose.beam_in_tool.dot(&section.tangent).abs().min(1.0).asin().to_degrees(),
+            conventional_deg: usual.ok().map(|found| found.angle.to_degrees()),
+        }
+    }
+
+    fn block(&self) -> Result<Block, ChartError> {
         self.check()?;
         let svg = drawing(&Drawing {
             title: format!("Edge for the {} flank across track {}", self.flank, self.track),
@@ -57,13 +87,11 @@ impl EdgeSectionView {
             notes: self.notes(),
         })?;
         let [lo, hi] = self.range_deg.map(|degrees| format_fixed(degrees, 2));
-        let beam = self.beam_um.map_or(String::new(), |um| {
-            format!(
-                " Beam of {} µm radius, {}° out of the plane of the section.",
-                format_significant(um, 4),
-                format_fixed(self.beam_across_deg, 2)
-            )
-        });
+        let beam = format!(
+            " Beam of {} µm radius, {}° out of the plane of the section.",
+            format_significant(self.beam_um, 4),
+            format_fixed(self.beam_across_deg, 2)
+        );
         let caption = format!(
             "Rounding ρ = {} µm, θ from {lo}° to {hi}°; contact at θ = {}°, {}° before the rounding ends.{beam}",
             format_significant(self.rounding_um, 4),
@@ -77,9 +105,9 @@ impl EdgeSectionView {
     fn check(&self) -> Result<(), ChartError> {
         let name = format!("section of the {} edge, track {}", self.flank, self.track);
         let [lo, hi] = self.range_deg;
-        let lengths = [self.rounding_um, self.rake_chamfer_um, self.clearance_chamfer_um];
+        let lengths = [self.rounding_um, self.rake_chamfer_um];
         check_values(&format!("{name}, lengths"), &lengths)?;
-        check_values(&format!("{name}, beam"), &[self.beam_um.unwrap_or(0.0), self.beam_across_deg])?;
+        check_values(&format!("{name}, beam"), &[self.beam_um, self.beam_across_deg])?;
         let touch = self.conventional_deg.unwrap_or(0.0);
         check_values(&format!("{name}, angles"), &[self.contact_deg, lo, hi, self.clearance_deg, touch])
     }
@@ -90,32 +118,24 @@ impl EdgeSectionView {
         let arc: Vec<[f64; 2]> =
             (0..=ARC).map(|k| self.on_rounding(lo + (hi - lo) * k as f64 / ARC as f64)).collect();
         let far = 1e-3 * FACES * self.rounding_um;
-        // Off the rounding on both sides: a chamfer if there is one, then the face.
+        // Off the rounding on both sides: on the rake face a chamfer if there is one, then the face.
         let rake_edge = along(self.on_rounding(lo), lo, -1e-3 * self.rake_chamfer_um);
         let rake = along(rake_edge, 0.0, -1e-3 * RAKE * self.rounding_um);
-        let clearance_edge = along(self.on_rounding(hi), hi, 1e-3 * self.clearance_chamfer_um);
+        let clearance_edge = self.on_rounding(hi);
         let clearance = along(clearance_edge, self.clearance_deg, far);
         let mut body = vec![rake, rake_edge];
         body.extend(&arc);
         body.extend([clearance_edge, clearance, [rake[0], clearance[1]]]);
-        let mut chamfers = Vec::new();
-        for (width, line) in [
-            (self.rake_chamfer_um, [rake_edge, self.on_rounding(lo)]),
-            (self.clearance_chamfer_um, [self.on_rounding(hi), clearance_edge]),
-        ] {
-            if width > 0.0 {
-                chamfers.push(line.to_vec());
-            }
-        }
+        let chamfer = (self.rake_chamfer_um > 0.0).then(|| vec![rake_edge, self.on_rounding(lo)]);
         let ray = |degrees, radii| vec![[0.0, 0.0], self.beyond(degrees, radii)];
         let rays = vec![ray(lo, ENDS[0]), ray(hi, ENDS[1])];
         let touch = self.conventional_deg.map(|at| vec![self.on_rounding(at), self.beyond(at, CONVENTIONAL)]);
         let normal = vec![self.on_rounding(self.contact_deg), self.beyond(self.contact_deg, CONTACT)];
         let mut layers = vec![layer("tooth", DrawingLook::Material, vec![body])];
-        layers.extend(self.beam().map(|ring| layer("light beam", DrawingLook::OtherBody, vec![ring])));
+        layers.push(layer("light beam", DrawingLook::OtherBody, vec![self.beam()]));
         layers.extend([
             layer("rounding", DrawingLook::Edge, vec![arc]),
-            layer("chamfer", DrawingLook::DottedEdge, chamfers),
+            layer("chamfer", DrawingLook::DottedEdge, chamfer.into_iter().collect()),
             layer("ends of the rounding", DrawingLook::Net, rays),
             layer("normal at the contact", DrawingLook::Path(0), vec![normal]),
             layer("where a conventional beam touches", DrawingLook::Path(1), touch.into_iter().collect()),
@@ -124,8 +144,8 @@ impl EdgeSectionView {
     }
 
     /// The beam where the plane cuts it, as far as the faces are drawn.
-    fn beam(&self) -> Option<Vec<[f64; 2]>> {
-        let radius = 1e-3 * self.beam_um?;
+    fn beam(&self) -> Vec<[f64; 2]> {
+        let radius = 1e-3 * self.beam_um;
         let slope = self.beam_across_deg.to_radians().sin().abs();
         let far = 1e-3 * FACES * self.rounding_um;
         // Along its own direction the ellipse is as long as radius / slope.
@@ -139,7 +159,7 @@ impl EdgeSectionView {
                 along([x, y], self.contact_deg, along_beam)
             })
         };
-        Some(side(1.0).chain(side(-1.0)).collect())
+        side(1.0).chain(side(-1.0)).collect()
     }
 
     fn notes(&self) -> Vec<DrawingNote> {

@@ -1,12 +1,10 @@
-//! The page of measuring a power-skiving tool: deviations of all teeth, angles and signal of the light barrier, concentricity, pitch,
-//! the tooth with its contact points, poses, the workpiece to come, corrections, comparison, history, Monte Carlo, programs. Finished
-//! numbers in, a page out; teeth count from 0, tracks from 1.
+//! The report of measuring a power-skiving tool, composed from its results and bodies: each section has a file with its tables and
+//! figures. Teeth count from 0, tracks from 1. Timing stays out of it, so that the same job gives the same bytes.
 
 mod angles;
-mod compose;
+mod banner;
 mod conventional;
 mod corrections;
-mod data;
 mod edge_section;
 mod history;
 mod measured;
@@ -15,22 +13,52 @@ mod pitch;
 mod poses;
 mod profile;
 mod programs;
+mod regrinding;
+mod sheets;
+mod spread;
 mod strip;
 mod tooth;
-mod uncertain_figure;
 
-pub use angles::{AngleEdge, AngleStation, AngleTrack, AngleView};
-pub use conventional::ConventionalRow;
-pub use corrections::{CorrectionsView, SettingChange, WearRow};
-pub use data::{DataSheet, SkivingReport};
-pub use edge_section::EdgeSectionView;
-pub use history::{HistoryRow, HistoryView, WearTrend};
-pub use measured::{FlankDeviations, MeasuredView, TrackDeviations, WorstTooth};
-pub use monte_carlo::{MonteCarloRow, MonteCarloView};
-pub use pitch::PitchView;
-pub use poses::PoseRow;
-pub use profile::{FlankProfile, ProfileView};
-pub use programs::{ProgramRow, ProgramsView};
-pub use strip::{StripView, ToothMark, ToothSignal};
-pub use tooth::ToothView;
-pub use uncertain_figure::UncertainFigure;
+use crate::workflow::SkivingOutcome;
+use report::charts::ChartError;
+use report::head::scope_blocks;
+use report::{Block, Section, html};
+use run::report_head;
+
+/// The report of a run as a self-contained HTML page; a section without blocks leaves no trace on it.
+///
+/// # Errors
+/// A number that is not finite, or lists of different length.
+pub fn html_page(outcome: &SkivingOutcome, files: &[(String, &'static str)]) -> Result<String, ChartError> {
+    let (result, prepared) = (&outcome.result, &outcome.prepared);
+    let bodies = &prepared.bodies;
+    let mut tooth = vec![tooth::block(bodies)?];
+    tooth.extend(edge_section::blocks(bodies)?);
+    let [concentricity, pitch] = pitch::blocks(outcome)?;
+    let sections = vec![
+        Section::new("scope-of-the-verdict", "Scope of the verdict", scope_blocks(&result.verdict)),
+        Section::new("measured-deviations", "Measured deviations", measured::blocks(outcome)?),
+        Section::new("angles-of-the-edges", "Angles of the edges", angles::blocks(outcome)?),
+        Section::new("signal-over-one-turn", "Signal over one turn", strip::blocks(outcome)?),
+        Section::new("concentricity", "Concentricity", concentricity),
+        Section::new("pitch", "Pitch", pitch),
+        Section::new("tooth-and-contact-points", "Tooth and contact points", tooth),
+        Section::new("measuring-poses", "Measuring poses", poses::blocks(&result.tracks)?),
+        Section::new("profile-of-the-workpiece", "Profile of the workpiece", profile::blocks(result)?),
+        Section::new("corrections", "Corrections", corrections::blocks(outcome)?),
+        Section::new(
+            "comparison-with-the-conventional-method",
+            "Comparison with the conventional method",
+            conventional::blocks(bodies, &result.conventional)?,
+        ),
+        Section::new("history", "History", history::blocks(outcome)?),
+        Section::new("monte-carlo", "Monte Carlo", monte_carlo::blocks(result.monte_carlo.as_ref())?),
+        Section::new(
+            "tool-workpiece-and-measurement",
+            "Tool, workpiece and measurement",
+            vec![Block::Tables(sheets::tables(prepared, result))],
+        ),
+        Section::new("programs", "Programs", programs::blocks(&result.programs)?),
+    ];
+    Ok(html::render(&report_head(&prepared.info, banner::answer(result), files).page(sections)))
+}

@@ -1,31 +1,33 @@
 //! Concentricity around the tool and pitch over its teeth.
 
-use super::UncertainFigure;
+use super::spread::spread;
+use crate::workflow::{MeasurementResult, SkivingOutcome};
+use foundation::geometry::Flank;
 use report::cells::{fixed, significant, significant_or_none};
 use report::charts::{
-    ChartError, LineChart, LineFrame, Panel, PolarChart, PolarCurve, Series, Svg, check_length,
-    format_significant, line_chart_in, polar_chart,
+    ChartError, LineChart, LineFrame, Panel, PolarChart, PolarCurve, Series, Svg, format_significant,
+    line_chart_in, polar_chart,
 };
-use report::data::{Block, Column, Figure, Table};
+use report::{Block, Column, Figure, Table};
 
-/// Pitch and concentricity at one track, tooth by tooth.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PitchView {
+/// Pitch and concentricity at the middle track, tooth by tooth.
+struct DrawnPitch<'a> {
     /// Radius that angles are turned into lengths with, mm.
-    pub radius_mm: f64,
+    radius_mm: f64,
     /// f_p,k: from each tooth to the next, um.
-    pub single_um: Vec<f64>,
+    single_um: Vec<f64>,
     /// F_p,k: from tooth 0 to each, um.
-    pub cumulative_um: Vec<f64>,
+    cumulative_um: Vec<f64>,
     /// Deviation of each tooth's centre, um.
-    pub centre_um: Vec<f64>,
+    centre_um: Vec<f64>,
     /// Cosine and sine part of the centres' first harmonic, um.
-    pub harmonic_um: [f64; 2],
+    harmonic_um: [f64; 2],
     /// Outlier teeth.
-    pub outliers: Vec<usize>,
-    /// F_p, f_p,max, eccentricity, wobble and what else there is.
-    pub figures: Vec<UncertainFigure>,
+    outliers: &'a [usize],
 }
+
+/// A figure: name, symbol, value, unit, standard deviation where the measurement tells.
+type UncertainFigure = (&'static str, &'static str, f64, &'static str, Option<f64>);
 
 /// Smallest span of the values, um.
 const LEAST_UM: f64 = 1.0;
@@ -35,37 +37,42 @@ const SMOOTH: usize = 180;
 /// Directions with a number, about.
 const SPOKES: usize = 12;
 
-impl PitchView {
-    /// The polar chart.
-    pub(super) fn concentricity(&self) -> Result<Vec<Block>, ChartError> {
-        self.check()?;
-        let caption = "Seen on the rake face. A circle of the first harmonic beside the circle of zero is an eccentric tool; what is left is pitch.";
-        Ok(vec![Block::Figure(Figure::new(
-            "pitch-and-concentricity-around-the-tool",
-            self.polar()?,
-            caption,
-        ))])
-    }
+/// Concentricity, and pitch; nothing where nothing is measured.
+pub(super) fn blocks(outcome: &SkivingOutcome) -> Result<[Vec<Block>; 2], ChartError> {
+    let Some((drawn, measured)) = DrawnPitch::of_run(outcome).zip(outcome.result.measurement.as_ref()) else {
+        return Ok([Vec::new(), Vec::new()]);
+    };
+    let caption = "Seen on the rake face. A circle of the first harmonic beside the circle of zero is an eccentric tool; what is left is pitch.";
+    let concentricity = Figure::new("pitch-and-concentricity-around-the-tool", drawn.polar()?, caption);
+    let caption = format!(
+        "At the radius {} mm. Single pitch k goes from tooth k to the next; cumulative pitch counts from tooth 0.",
+        fixed("radius of the pitch", drawn.radius_mm, 4)?
+    );
+    let pitch = Figure::new("pitch-over-the-teeth", drawn.over_teeth()?, caption);
+    Ok([
+        vec![Block::Figure(concentricity)],
+        vec![Block::Figure(pitch), Block::Table(figures(outcome, measured)?)],
+    ])
+}
 
-    /// Bars and line over the teeth, and the figures.
-    pub(super) fn pitch(&self) -> Result<Vec<Block>, ChartError> {
-        self.check()?;
-        let caption = format!(
-            "At the radius {} mm. Single pitch k goes from tooth k to the next; cumulative pitch counts from tooth 0.",
-            fixed("radius of the pitch", self.radius_mm, 4)?
-        );
-        let mut blocks =
-            vec![Block::Figure(Figure::new("pitch-over-the-teeth", self.over_teeth()?, caption))];
-        if !self.figures.is_empty() {
-            blocks.push(Block::Table(figures_table(&self.figures)?));
-        }
-        Ok(blocks)
-    }
-
-    fn check(&self) -> Result<(), ChartError> {
-        let teeth = self.cumulative_um.len();
-        check_length("single pitch", teeth, self.single_um.len())?;
-        check_length("tooth centres", teeth, self.centre_um.len())
+impl<'a> DrawnPitch<'a> {
+    fn of_run(outcome: &'a SkivingOutcome) -> Option<Self> {
+        let evaluation = &outcome.measurement.as_ref()?.evaluation;
+        let flanks = &outcome.prepared.bodies.flanks;
+        let middle = flanks.left.tracks.len() / 2;
+        let radius = |flank: Flank| flanks[flank].tracks[middle].0.radius();
+        let radius_mm = 0.5 * (radius(Flank::Left) + radius(Flank::Right));
+        let of_angle = |angle: f64| 1e3 * radius_mm * angle;
+        let um = |values: &[f64]| -> Vec<f64> { values.iter().map(|mm| 1e3 * mm).collect() };
+        let pitch = &evaluation.pitch;
+        Some(Self {
+            radius_mm,
+            single_um: um(&pitch.single),
+            cumulative_um: um(&pitch.cumulative),
+            centre_um: pitch.centres[middle].iter().map(|angle| of_angle(*angle)).collect(),
+            harmonic_um: pitch.first_harmonic.map(of_angle),
+            outliers: &evaluation.mounting.left_out,
+        })
     }
 
     fn direction(&self, tooth: usize) -> f64 {
@@ -145,17 +152,29 @@ impl PitchView {
     }
 }
 
-fn figures_table(figures: &[UncertainFigure]) -> Result<Table, ChartError> {
-    let row = |figure: &UncertainFigure| {
+fn figures(outcome: &SkivingOutcome, measured: &MeasurementResult) -> Result<Table, ChartError> {
+    let (pitch, mounting) = (&measured.pitch, &measured.mounting);
+    let spread = |name: &str| spread(&outcome.result, name);
+    let [e, om] = [mounting.eccentricity_sigma_um, mounting.wobble_sigma_urad];
+    let figures: [UncertainFigure; 7] = [
+        ("total cumulative pitch deviation", "F_p", pitch.total_um, "µm", spread("F_p")),
+        ("largest single pitch deviation", "f_pmax", pitch.largest_single_um, "µm", spread("f_p,max")),
+        ("first harmonic of the tooth centres", "", pitch.first_harmonic_um, "µm", None),
+        ("eccentricity", "e_x", mounting.eccentricity_um[0], "µm", e.map(|sigma| sigma[0])),
+        ("eccentricity", "e_y", mounting.eccentricity_um[1], "µm", e.map(|sigma| sigma[1])),
+        ("wobble", "ω_x", mounting.wobble_urad[0], "µrad", om.map(|sigma| sigma[0])),
+        ("wobble", "ω_y", mounting.wobble_urad[1], "µrad", om.map(|sigma| sigma[1])),
+    ];
+    let row = |&(name, symbol, value, unit, deviation): &UncertainFigure| {
         Ok(vec![
-            figure.name.clone(),
-            figure.symbol.clone(),
-            significant(&figure.name, figure.value, 4)?,
-            figure.unit.clone(),
-            significant_or_none(&figure.name, figure.deviation, 2)?,
+            name.to_owned(),
+            symbol.to_owned(),
+            significant(name, value, 4)?,
+            unit.to_owned(),
+            significant_or_none(name, deviation, 2)?,
         ])
     };
-    let unknown = figures.iter().any(|figure| figure.deviation.is_none());
+    let unknown = figures.iter().any(|(.., deviation)| deviation.is_none());
     Ok(Table {
         caption: "Figures".into(),
         columns: vec![

@@ -1,67 +1,43 @@
 //! Tracks and the poses in which they are measured.
 
+use crate::workflow::TrackResult;
 use foundation::geometry::Flank;
 use report::cells::{fixed, fixed_or_none};
 use report::charts::ChartError;
-use report::data::{Block, Column, Table};
+use report::{Block, Column, Table};
+use std::collections::BTreeMap;
 
-/// A track with its pose.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PoseRow {
-    /// Flank.
-    pub flank: Flank,
-    /// Track, from 1.
-    pub track: usize,
-    /// x = -1..1 along the edge.
-    pub place: f64,
-    /// w: conjugate length of roll, mm.
-    pub roll_mm: f64,
-    /// R of the contact point, mm.
-    pub radius_mm: f64,
-    /// Height of the contact point, mm.
-    pub height_mm: f64,
-    /// phi_1, deg.
-    pub tool_angle_deg: f64,
-    /// theta on the rounding, deg.
-    pub contact_deg: f64,
-    /// L: way of the normal per turn, mm/rad.
-    pub lever_mm: f64,
-    /// A, deg.
-    pub swivel_deg: f64,
-    /// B of tooth 0, deg.
-    pub turn_deg: f64,
-    /// X, Y, Z, mm.
-    pub position_mm: [f64; 3],
-    /// eta: angle between beam and flank direction, deg.
-    pub off_flank_deg: f64,
-    /// Gap between the beam and the nearest other flank, mm.
-    pub gap_mm: Option<f64>,
-    /// Standard deviation of a single reading, um.
-    pub sigma_um: Option<f64>,
-}
+/// A track of a flank.
+type Row<'a> = (Flank, &'a TrackResult);
 
 /// What the contact points are, and where the axes stand.
-pub(super) fn blocks(rows: &[PoseRow]) -> Result<Vec<Block>, ChartError> {
-    Ok(vec![Block::Table(tracks(rows)?), Block::Table(axes(rows)?)])
+pub(super) fn blocks(of: &BTreeMap<&'static str, Vec<TrackResult>>) -> Result<Vec<Block>, ChartError> {
+    let of_flank = |flank: Flank| of.get(flank.name()).into_iter().flatten().map(move |track| (flank, track));
+    let rows: Vec<Row<'_>> = Flank::BOTH.into_iter().flat_map(of_flank).collect();
+    if rows.is_empty() {
+        return Ok(Vec::new());
+    }
+    Ok(vec![Block::Table(tracks(&rows)?), Block::Table(axes(&rows)?)])
 }
 
-fn name(row: &PoseRow) -> String {
-    format!("pose of the {} flank, track {}", row.flank, row.track)
+fn name((flank, row): &Row<'_>) -> String {
+    format!("pose of the {flank} flank, track {}", row.track)
 }
 
-fn tracks(rows: &[PoseRow]) -> Result<Table, ChartError> {
-    let cells = |row: &PoseRow| {
+fn tracks(rows: &[Row<'_>]) -> Result<Table, ChartError> {
+    let cells = |row: &Row<'_>| {
         let name = name(row);
+        let (flank, row) = row;
         Ok(vec![
-            row.flank.to_string(),
+            flank.to_string(),
             row.track.to_string(),
             fixed(&name, row.place, 2)?,
-            fixed(&name, row.roll_mm, 4)?,
+            fixed(&name, row.w_mm, 4)?,
             fixed(&name, row.radius_mm, 4)?,
             fixed(&name, row.height_mm, 4)?,
             fixed(&name, row.tool_angle_deg, 4)?,
-            fixed(&name, row.contact_deg, 2)?,
-            fixed(&name, row.lever_mm, 4)?,
+            fixed(&name, row.contact_angle_deg, 2)?,
+            fixed(&name, row.lever_mm_per_rad, 4)?,
         ])
     };
     Ok(Table {
@@ -82,21 +58,24 @@ fn tracks(rows: &[PoseRow]) -> Result<Table, ChartError> {
     })
 }
 
-fn axes(rows: &[PoseRow]) -> Result<Table, ChartError> {
-    let cells = |row: &PoseRow| {
+fn axes(rows: &[Row<'_>]) -> Result<Table, ChartError> {
+    let cells = |row: &Row<'_>| {
         let name = name(row);
+        let (flank, row) = row;
         let [x, y, z] = row.position_mm;
+        let gap = row.other_flank_gap_mm;
+        let gap = gap.is_finite().then_some(gap);
         Ok(vec![
-            row.flank.to_string(),
+            flank.to_string(),
             row.track.to_string(),
-            fixed(&name, row.swivel_deg, 4)?,
-            fixed(&name, row.turn_deg, 4)?,
+            fixed(&name, row.a_deg, 4)?,
+            fixed(&name, row.b_deg, 4)?,
             fixed(&name, x, 4)?,
             fixed(&name, y, 4)?,
             fixed(&name, z, 4)?,
             fixed(&name, row.off_flank_deg, 2)?,
-            fixed_or_none(&name, row.gap_mm, 2)?,
-            fixed_or_none(&name, row.sigma_um, 2)?,
+            fixed_or_none(&name, gap, 2)?,
+            fixed(&name, row.single_sigma_um, 2)?,
         ])
     };
     Ok(Table {

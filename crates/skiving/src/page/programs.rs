@@ -1,58 +1,52 @@
 //! Programs of the measurement and what was proven of them.
 
+use crate::workflow::programs::ToolProgramResult;
 use report::cells::fixed;
 use report::charts::ChartError;
-use report::data::{Block, Column, Quantity, Table};
+use report::{Block, Column, Quantity, Table};
 
-/// Programs.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ProgramsView {
-    /// What was proven from the texts, paragraph by paragraph.
-    pub proof: Vec<String>,
-    /// The programs.
-    pub programs: Vec<ProgramRow>,
-    /// Figures of the proof.
-    pub figures: Vec<Quantity>,
-}
+/// What holds of every text.
+const PROOF: &str = "Every text was read by a reader that shares nothing with the writer, its axes were taken through the kinematics of the \
+                     machine to the tool, and the ideal tool was measured there: it switches where it should, as far as numbers are rounded.";
 
-/// A program.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ProgramRow {
-    /// Path below the directory of the run.
-    pub file: String,
-    /// Control.
-    pub control: String,
-    /// Blocks.
-    pub blocks: usize,
-    /// Time of the whole program, s.
-    pub duration_s: f64,
-}
-
-impl ProgramsView {
-    pub(super) fn blocks(&self) -> Result<Vec<Block>, ChartError> {
-        let row = |program: &ProgramRow| {
-            Ok(vec![
-                program.file.clone(),
-                program.control.clone(),
-                program.blocks.to_string(),
-                fixed(&program.file, program.duration_s, 1)?,
-            ])
-        };
-        let mut blocks: Vec<Block> = self.proof.iter().cloned().map(Block::Paragraph).collect();
-        blocks.push(Block::Table(Table {
-            caption: String::new(),
-            columns: vec![
-                Column::name("File"),
-                Column::text("Control"),
-                Column::number("Blocks", ""),
-                Column::number("Duration", "s"),
-            ],
-            rows: self.programs.iter().map(row).collect::<Result<_, ChartError>>()?,
-            note: String::new(),
-        }));
-        if !self.figures.is_empty() {
-            blocks.push(Block::Table(Table::of_quantities("Figures of the proof", &self.figures)));
-        }
-        Ok(blocks)
+/// Proof, files and figures; nothing without programs.
+pub(super) fn blocks(programs: &[ToolProgramResult]) -> Result<Vec<Block>, ChartError> {
+    if programs.is_empty() {
+        return Ok(Vec::new());
     }
+    let row = |program: &ToolProgramResult| {
+        Ok(vec![
+            program.file.clone(),
+            program.control.to_owned(),
+            program.blocks.to_string(),
+            fixed(&program.file, program.duration_s, 1)?,
+        ])
+    };
+    let table = Table {
+        caption: String::new(),
+        columns: vec![
+            Column::name("File"),
+            Column::text("Control"),
+            Column::number("Blocks", ""),
+            Column::number("Duration", "s"),
+        ],
+        rows: programs.iter().map(row).collect::<Result<_, ChartError>>()?,
+        note: String::new(),
+    };
+    let figures = Table::of_quantities("Figures of the proof", &figures(programs));
+    Ok(vec![Block::Paragraph(PROOF.into()), Block::Table(table), Block::Table(figures)])
+}
+
+/// The worst of all programs.
+fn figures(programs: &[ToolProgramResult]) -> Vec<Quantity> {
+    let worst = |of: fn(&ToolProgramResult) -> f64| programs.iter().map(of).fold(0.0, f64::max);
+    let um = |name: &str, value: f64| Quantity::number(name, "", value, "µm");
+    let mut figures = vec![
+        um("touch of the ideal tool off its nominal place", worst(|p| p.proof_difference_um)),
+        um("beam off its place at the contact", worst(|p| p.proof_axis_distance_um)),
+        um("explained by rounded numbers", worst(|p| p.proof_allowed_um)),
+    ];
+    let between = programs.iter().filter_map(|p| p.between_places_um).reduce(f64::max);
+    figures.extend(between.map(|left| um("left by straight blocks between places of a scan", left)));
+    figures
 }

@@ -1,13 +1,13 @@
 //! `program check` of a job that measures a skiving tool: a text of any origin is read and followed on the machine; its recordings at the
 //! light barrier or its scans are found by where the tool stands, and judged with the ways between them.
 
-use super::prepare::{SkivingBodies, prepare_skiving};
+use super::prepare::{PreparedSkiving, ToolMounting, prepare_skiving};
 use super::program_work::{machining, measuring_work, scan_work};
 use super::programs::{
     TextBlocks, TextJudgement, ToolProgram, check_measuring, check_scan, looks_like_scan, measuring_programs,
     scan_programs,
 };
-use crate::job::{LoadedSkivingJob, SkivingMachine};
+use crate::job::LoadedSkivingJob;
 use foundation::numerics::Progress;
 use job::machine::LoadedMachine;
 use job::{Diagnostic, Problem};
@@ -18,10 +18,9 @@ use std::io::BufRead;
 
 /// A job made ready, so that texts can be held against it one after the other.
 pub struct SkivingCheck<'a> {
-    loaded: &'a LoadedSkivingJob,
-    given: &'a SkivingMachine,
+    prepared: PreparedSkiving,
+    mounting: ToolMounting,
     machine: &'a LoadedMachine,
-    bodies: SkivingBodies,
 }
 
 impl<'a> SkivingCheck<'a> {
@@ -29,13 +28,13 @@ impl<'a> SkivingCheck<'a> {
     ///
     /// # Errors
     /// [`RunFailure`]: a job without a machine table or whose bodies cannot be.
-    pub fn new(loaded: &'a LoadedSkivingJob, machine: &'a LoadedMachine) -> Result<Self, RunFailure> {
+    pub fn new(loaded: &LoadedSkivingJob, machine: &'a LoadedMachine) -> Result<Self, RunFailure> {
         let Some(given) = &loaded.job.machine else {
             let text = "a program can only be followed with the tool length and the retreat of the job";
             let finding = Diagnostic::new(Problem::MissingKey, text).field("machine");
             return Err(RunFailure::bad_input(finding.way_out("give the table [machine] in the job")));
         };
-        Ok(Self { loaded, given, machine, bodies: prepare_skiving(loaded)? })
+        Ok(Self { prepared: prepare_skiving(loaded)?, mounting: ToolMounting::of_job(given), machine })
     }
 
     /// The job's own programs, without the lines that tell its verdict.
@@ -43,12 +42,12 @@ impl<'a> SkivingCheck<'a> {
     /// # Errors
     /// [`RunFailure`]: a machine that does not reach a pose, a text that is not proven.
     pub fn programs(&self) -> Result<Vec<ToolProgram>, RunFailure> {
-        let job = &self.loaded.job;
-        let machining = machining(job, self.given, self.machine);
-        let mut programs = measuring_programs(&measuring_work(job, &self.bodies), &machining)?;
-        if let Some(given) = &job.stylus {
-            let scan = super::scan::scan(&self.bodies, given, None)?;
-            programs.extend(scan_programs(&scan_work(job, &self.bodies, given, &scan), &machining)?);
+        let prepared = &self.prepared;
+        let machining = machining(prepared, &self.mounting, self.machine);
+        let mut programs = measuring_programs(&measuring_work(prepared), &machining)?;
+        if let Some(given) = &prepared.stylus {
+            let scan = super::scan::scan(&prepared.bodies, given, None)?;
+            programs.extend(scan_programs(&scan_work(prepared, given, &scan), &machining)?);
         }
         Ok(programs)
     }
@@ -58,18 +57,18 @@ impl<'a> SkivingCheck<'a> {
     /// # Errors
     /// [`RunFailure`]: a text that is no program for this machine, a job that the machine cannot carry out.
     pub fn check(&self, text: impl BufRead, dialect: Dialect) -> Result<CheckedProgram, RunFailure> {
-        let job = &self.loaded.job;
+        let prepared = &self.prepared;
         let (mut checked, words, blocks) = checked_axes(text, dialect, self.machine)?;
-        let machining = machining(job, self.given, self.machine);
+        let machining = machining(prepared, &self.mounting, self.machine);
         let text = TextBlocks { dialect, words: &words, blocks: &blocks };
-        let scanned = job.stylus.as_ref().filter(|_| looks_like_scan(&machining, &text));
+        let scanned = prepared.stylus.as_ref().filter(|_| looks_like_scan(&machining, &text));
         let (kind, judged) = match scanned {
             Some(given) => {
-                let scan = super::scan::scan(&self.bodies, given, None)?;
-                let work = scan_work(job, &self.bodies, given, &scan);
+                let scan = super::scan::scan(&prepared.bodies, given, None)?;
+                let work = scan_work(prepared, given, &scan);
                 ("scan", check_scan(&work, &machining, &text)?)
             }
-            None => ("measuring", check_measuring(&measuring_work(job, &self.bodies), &machining, &text)?),
+            None => ("measuring", check_measuring(&measuring_work(prepared), &machining, &text)?),
         };
         let TextJudgement { sound: [sound, wanted], difference, axis_distance, allowed, faults } = judged;
         checked.kind = Some(kind);

@@ -10,7 +10,7 @@ use run::{DerivedGeometry, RunFailure};
 /// # Errors
 /// Bodies that do not skive, an edge that does not make the flank, poses that the machine does not reach.
 pub fn of_skiving(loaded: &LoadedSkivingJob) -> Result<DerivedGeometry, RunFailure> {
-    let bodies = prepare_skiving(loaded)?;
+    let bodies = prepare_skiving(loaded)?.bodies;
     let (tool, motion) = (bodies.pair.tool(), bodies.pair.motion());
     let mut derived = DerivedGeometry::default();
     derived.section("skiving");

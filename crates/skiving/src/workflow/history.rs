@@ -1,13 +1,13 @@
 //! A measurement as a line of its tool's history, and what the lines since the last grinding say together.
 
 use super::measurement::Measurement;
-use super::prepare::SkivingBodies;
+use super::prepare::{HistoryFile, PreparedSkiving, SkivingBodies};
 use super::result::{FlankTrendResult, HistoryResult, MeasurementResult};
 use crate::history::{
     HistoryRecord, RecordedEdge, RecordedFlank, RecordedFlanks, RecordedMounting, RecordedPitch,
     append_history,
 };
-use crate::job::{LoadedSkivingJob, ToolHistory};
+use crate::job::ToolHistory;
 use crate::wear::{WearPoint, WearTrend};
 use foundation::geometry::{Flank, Sides};
 use foundation::numerics::root_mean_square;
@@ -38,16 +38,17 @@ const DECIMALS: f64 = 1e4;
 /// # Errors
 /// [`JobFailure`]: a history that cannot be read, or that says otherwise.
 pub(super) fn noted(
-    loaded: &LoadedSkivingJob,
-    bodies: &SkivingBodies,
+    prepared: &PreparedSkiving,
     result: Option<&MeasurementResult>,
     measurement: Option<&Measurement>,
 ) -> Result<Option<Noted>, JobFailure> {
-    let (Some(given), Some(result), Some(measurement)) = (&loaded.job.history, result, measurement) else {
+    let (Some(given), Some(result), Some(measurement)) = (&prepared.history, result, measurement) else {
         return Ok(None);
     };
-    let record = record(given, bodies, result, measurement);
-    let history = append_history(&loaded.beside(&given.file), &record)?;
+    let HistoryFile { path, entry } = given;
+    let bodies = &prepared.bodies;
+    let record = record(entry, bodies, result, measurement);
+    let history = append_history(path, &record)?;
     let cycle: Vec<HistoryRecord> = history.cycle_until(&record).into_iter().cloned().collect();
     let trend = |flank: Flank| {
         let points: Vec<WearPoint> = cycle.iter().map(|record| record.wear_point(flank)).collect();
@@ -59,10 +60,10 @@ pub(super) fn noted(
         (flank.name(), FlankTrendResult::new(now, trends[flank].as_ref()))
     });
     let result = HistoryResult {
-        tool: given.tool.clone(),
+        tool: entry.tool.clone(),
         measurements: cycle.len(),
-        parts: given.parts,
-        resharpened: given.resharpened,
+        parts: entry.parts,
+        resharpened: entry.resharpened,
         flanks: flanks.collect(),
     };
     let remarks = remarks(&trends);

@@ -1,14 +1,13 @@
 //! A measured tool: readings of a simulated one or from a file, their evaluation, the correction that answers them.
 
 use super::finding::{failure, of_readings};
-use super::prepare::SkivingBodies;
+use super::prepare::{Recording, SkivingBodies};
 use super::readings_file::ReadingsFile;
 use super::resharpening::{Resharpening, states};
 use crate::evaluation::{
     Deviations, Evaluation, MeasuredTool, MissingSwitch, Repeated, correction, evaluate_measured,
     measured_tool, measured_tool_near, tool_as_measured,
 };
-use crate::job::SkivingJob;
 use crate::measuring::{
     BarrierData, Noise, Reading, RealTool, Sense, Switches, nominal_angle, readings, switches,
 };
@@ -66,21 +65,20 @@ pub struct Measurement {
 /// # Errors
 /// [`RunFailure`]: a tooth that cannot be measured, or is missing.
 pub(super) fn simulated(
-    job: &SkivingJob,
     bodies: &SkivingBodies,
+    recording: &Recording,
     tool: RealTool,
 ) -> Result<Measurement, RunFailure> {
     let on = |error: SkivingError| failure(&error);
     tool.check(bodies.teeth()).map_err(on)?;
-    let measuring = &job.measuring;
     let switched = switches(&bodies.flanks, &bodies.beam, &bodies.barrier, &tool).map_err(on)?;
-    let mut noise = Noise::new(measuring.seed);
+    let mut noise = Noise::new(recording.seed);
     let seen = readings(
         &bodies.flanks,
         &switched,
         &bodies.barrier,
-        measuring.senses.list(),
-        measuring.revolutions,
+        recording.senses,
+        recording.revolutions,
         &mut noise,
     );
     let measured =

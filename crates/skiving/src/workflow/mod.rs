@@ -1,8 +1,6 @@
-//! Measuring a skiving tool in the machine, from job to result: tracks and poses, readings simulated or read, what they say of the tool
-//! and of the workpiece to come, correction of the setting, calibration, scan, history, files.
+//! Measuring a skiving tool in the machine, from job to result: preparation, readings simulated or read, what they say of the tool and
+//! of the workpiece to come, correction of the setting, scan, history, files.
 
-mod beam;
-mod calibration;
 pub mod check;
 mod conventional;
 pub mod derived;
@@ -12,8 +10,7 @@ mod measurement;
 mod model;
 mod monte_carlo;
 mod outcome;
-mod page;
-mod prepare;
+pub mod prepare;
 mod program_work;
 pub mod programs;
 mod readings_file;
@@ -33,7 +30,7 @@ pub mod write;
 pub use check::SkivingCheck;
 pub use measurement::{Measurement, Taken};
 pub use model::MeasuringModel;
-pub use prepare::{SkivingBodies, prepare_skiving};
+pub use prepare::{PreparedSkiving, SkivingBodies, prepare_skiving};
 pub use resharpening::{
     BrokenEdge, DecidingCause, DecidingEdge, EdgeResharpening, Resharpening, ToothResharpening, WithoutBroken,
 };

@@ -28,9 +28,9 @@ impl MeasuringModel {
         let Some(loaded) = job.of::<SkivingJob>() else {
             return Err(RunFailure::other_process(job, "\"skiving-tool-measuring\"").into());
         };
-        let bodies = prepare_skiving(loaded)?;
-        let measurement = measured_of_job(loaded, &bodies)?;
-        Ok(Self { bodies, measurement })
+        let prepared = prepare_skiving(loaded)?;
+        let measurement = measured_of_job(&prepared)?;
+        Ok(Self { bodies: prepared.bodies, measurement })
     }
 
     /// Edges, tracks and poses.

@@ -1,12 +1,11 @@
 //! Warnings about the poses, readings and results of a measured tool.
 
 use super::measurement::Measurement;
-use super::prepare::SkivingBodies;
+use super::prepare::{CalibrationOutcome, PreparedSkiving};
 use super::resharpening::Resharpening;
-use super::result::{CalibrationResult, CorrectionResult, SkivedFlankResult};
-use crate::job::SkivingJob;
+use super::result::{CorrectionResult, SkivedFlankResult};
+use crate::job::LightBarrier;
 use crate::measuring::Sense;
-use run::parquet_warning;
 use std::collections::BTreeMap;
 use verdict::Remark;
 
@@ -21,8 +20,7 @@ const RESIDUAL: f64 = 4.0;
 
 /// What a run has found.
 pub(super) struct Findings<'a> {
-    pub job: &'a SkivingJob,
-    pub bodies: &'a SkivingBodies,
+    pub prepared: &'a PreparedSkiving,
     pub measurement: Option<&'a Measurement>,
     pub flanks: &'a BTreeMap<&'static str, SkivedFlankResult>,
     pub correction: Option<&'a CorrectionResult>,
@@ -30,15 +28,15 @@ pub(super) struct Findings<'a> {
 
 /// All warnings.
 pub(super) fn warnings(found: &Findings<'_>) -> Vec<Remark> {
-    let mut warnings: Vec<Remark> = parquet_warning(&found.job.output.tables).into_iter().collect();
+    let mut warnings = found.prepared.warnings.clone();
     let mut warn = |code: &'static str, text: String, way_out: &str| {
         warnings.push(Remark { code, text, way_out: way_out.into() });
     };
-    let (job, bodies) = (found.job, found.bodies);
+    let bodies = &found.prepared.bodies;
     if let Some(calibration) = bodies.calibration.as_ref().filter(|c| c.result.measured) {
-        of_calibration(job, &calibration.result, &mut warn);
+        of_calibration(&found.prepared.drawn.barrier, calibration, &mut warn);
     }
-    let tracks = job.measuring.tracks.len();
+    let tracks = bodies.flanks.left.tracks.len();
     if tracks < 5 {
         let tracks = if tracks == 1 { "one track tells".into() } else { format!("{tracks} tracks tell") };
         let text = format!("{tracks} pitch and eccentricity, but little of the profile");
@@ -54,7 +52,7 @@ pub(super) fn warnings(found: &Findings<'_>) -> Vec<Remark> {
         );
     }
     let Some(measurement) = found.measurement else { return warnings };
-    of_readings(job, bodies, measurement, &mut warn);
+    of_readings(found.prepared, measurement, &mut warn);
     let mounting = &measurement.evaluation.mounting;
     if mounting.deviation[2].max(mounting.deviation[3]) > UNKNOWN_WOBBLE {
         let text = "the tracks do not tell the wobble of this tool from its eccentricity";
@@ -111,11 +109,11 @@ fn of_resharpening(found: &Resharpening, warn: &mut impl FnMut(&'static str, Str
 }
 
 fn of_calibration(
-    job: &SkivingJob,
-    found: &CalibrationResult,
+    given: &LightBarrier,
+    calibration: &CalibrationOutcome,
     warn: &mut impl FnMut(&'static str, String, &str),
 ) {
-    let given = &job.light_barrier;
+    let found = &calibration.result;
     let away = (found.point_mm[0] - given.point[0]).hypot(found.point_mm[1] - given.point[1]);
     let turned = (found.tilt_x_deg - given.tilt_x_deg).abs().max((found.tilt_y_deg - given.tilt_y_deg).abs());
     if away > FAR[0] || turned > FAR[1] {
@@ -124,7 +122,7 @@ fn of_calibration(
         );
         warn("calibration-far", text, "check the switches of the mandrel, or correct [light_barrier]");
     }
-    let noise = job.calibration.as_ref().map_or(0.0, |given| given.noise_um);
+    let noise = calibration.noise_um;
     if noise > 0.0 && found.residual_um > RESIDUAL * noise {
         let text =
             format!("a switch of the mandrel lies {:.2} um off the calibrated beam", found.residual_um);
@@ -133,13 +131,13 @@ fn of_calibration(
 }
 
 fn of_readings(
-    job: &SkivingJob,
-    bodies: &SkivingBodies,
+    prepared: &PreparedSkiving,
     measurement: &Measurement,
     warn: &mut impl FnMut(&'static str, String, &str),
 ) {
     let taken = &measurement.taken;
-    let delay = bodies.barrier.speed * bodies.barrier.latency;
+    let barrier = &prepared.bodies.barrier;
+    let delay = barrier.speed * barrier.latency;
     if taken.senses.len() == 1 && delay > 0.0 {
         let text = format!(
             "in one sense the delay of the barrier shifts the clocking of the tool by {:.5} deg",
@@ -157,7 +155,7 @@ fn of_readings(
         );
         warn("switches-missing", text, "look whether these teeth are broken off, else measure again");
     }
-    let wanted = (job.measuring.senses.list(), job.measuring.revolutions);
+    let wanted = (prepared.recording.senses, prepared.recording.revolutions);
     if (taken.senses.as_slice(), taken.revolutions) != wanted {
         let words = |senses: &[Sense], revolutions: usize| {
             let senses = if senses.len() == 2 { "both senses" } else { "one sense" };

@@ -2,7 +2,7 @@
 
 use super::measurement::{Measurement, evaluated, simulated};
 use super::outcome::{flank_results, measurement_result, settings, track_results};
-use super::prepare::{SkivingBodies, prepare_skiving};
+use super::prepare::{PreparedSkiving, needs_measurement, prepare_skiving};
 use super::program_work::programs;
 use super::programs::ToolProgram;
 use super::readings_file::ReadingsFile;
@@ -12,22 +12,22 @@ use super::result::SkivingResult;
 use super::scan::{Scan, scan};
 use super::verdict::{Judged, is_sound, verdict};
 use super::{conventional, history, monte_carlo, referee};
-use crate::job::{LoadedSkivingJob, SkivingJob};
+use crate::job::LoadedSkivingJob;
 use crate::readings::read_skiving_readings;
 use foundation::numerics::Progress;
 use job::{Diagnostic, Problem};
-use run::{JobFailure, Release, RunFailure};
+use run::{JobFailure, RunFailure};
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Instant;
-use verdict::Verdict;
 
 /// Everything that a run produces.
+#[derive(Clone, Debug)]
 pub struct SkivingOutcome {
     /// The document of `result.json`.
     pub result: SkivingResult,
-    /// Edges, tracks, poses.
-    pub bodies: SkivingBodies,
+    /// Edges, tracks and poses, and what was done with them.
+    pub prepared: PreparedSkiving,
     /// The measured tool.
     pub measurement: Option<Measurement>,
     /// The scan of a stylus.
@@ -45,8 +45,7 @@ pub struct SkivingOutcome {
 /// # Errors
 /// [`JobFailure`]: bad input, or a tool that cannot be measured.
 pub fn run_skiving(loaded: &LoadedSkivingJob, progress: &dyn Progress) -> Result<SkivingOutcome, JobFailure> {
-    let readings = readings_of_job(loaded);
-    run(loaded, readings.as_deref().map(named_by_job), progress)
+    run(loaded, Source::Job, progress)
 }
 
 /// Measures the tool of `[tool_errors]`.
@@ -64,7 +63,7 @@ pub fn simulate_skiving(
                 .way_out("add `[tool_errors]`; an empty table is a tool without errors");
         return Err(RunFailure::bad_input(finding).into());
     }
-    run(loaded, None, progress)
+    run(loaded, Source::Tool, progress)
 }
 
 /// Evaluates a file of switching angles as measured on the tool of a job.
@@ -76,94 +75,97 @@ pub fn inspect_skiving(
     file: &Path,
     progress: &dyn Progress,
 ) -> Result<SkivingOutcome, JobFailure> {
-    run(loaded, Some((file, None)), progress)
-}
-
-/// Tables that need something measured: a job may leave that to the file that `inspect` is given.
-fn needs_measurement(job: &SkivingJob, measured: bool) -> Result<(), RunFailure> {
-    let tables = [("history", job.history.is_some()), ("monte_carlo", job.monte_carlo.is_some())];
-    match tables.into_iter().find(|(_, given)| *given && !measured) {
-        None => Ok(()),
-        Some((table, _)) => {
-            let message = format!("[{table}] needs a measured tool, and nothing is measured");
-            let finding = Diagnostic::new(Problem::MissingKey, message)
-                .field(table)
-                .allowed("a table [readings] or [tool_errors], or a file given to `flankwright inspect`")
-                .way_out(format!("add `[readings]`, or leave `[{table}]` out"));
-            Err(RunFailure::bad_input(finding))
-        }
-    }
-}
-
-/// The file of readings that a job names.
-fn readings_of_job(loaded: &LoadedSkivingJob) -> Option<PathBuf> {
-    loaded.job.readings.as_ref().map(|given| loaded.beside(&given.file))
+    run(loaded, Source::File(file), progress)
 }
 
 /// A file of readings with the key that names it.
 type NamedReadings<'a> = (&'a Path, Option<&'static str>);
 
-fn named_by_job(path: &Path) -> NamedReadings<'_> {
-    (path, Some("readings.file"))
+/// The file of readings that the job names.
+fn own_readings(prepared: &PreparedSkiving) -> Option<NamedReadings<'_>> {
+    prepared.readings.as_deref().map(|path| (path, Some("readings.file")))
 }
 
 /// What a job measures: its readings if it names some, else the tool with its errors, else nothing.
 ///
 /// # Errors
 /// As [`run_skiving`].
-pub(super) fn measured_of_job(
-    loaded: &LoadedSkivingJob,
-    bodies: &SkivingBodies,
-) -> Result<Option<Measurement>, JobFailure> {
-    let readings = readings_of_job(loaded);
-    measured(&loaded.job, bodies, readings.as_deref().map(named_by_job))
+pub(super) fn measured_of_job(prepared: &PreparedSkiving) -> Result<Option<Measurement>, JobFailure> {
+    measured(prepared, own_readings(prepared))
 }
 
 fn measured(
-    job: &SkivingJob,
-    bodies: &SkivingBodies,
+    prepared: &PreparedSkiving,
     readings: Option<NamedReadings<'_>>,
 ) -> Result<Option<Measurement>, JobFailure> {
-    Ok(match (readings, &job.tool_errors) {
+    let bodies = &prepared.bodies;
+    Ok(match (readings, &prepared.tool_errors) {
         (Some((path, key)), _) => {
-            let seen = read_skiving_readings(path, job.measuring.tracks.len())?;
+            let seen = read_skiving_readings(path, bodies.flanks.left.tracks.len())?;
             let name = path.display().to_string();
             Some(evaluated(bodies, seen, &ReadingsFile { name: &name, key })?)
         }
-        (None, Some(errors)) => Some(simulated(job, bodies, real_tool(bodies, errors)?)?),
+        (None, Some(errors)) => Some(simulated(bodies, &prepared.recording, real_tool(bodies, errors)?)?),
         (None, None) => None,
     })
 }
 
+/// Where the readings of a run come from.
+#[derive(Clone, Copy)]
+enum Source<'a> {
+    /// What the job names: its readings, else the tool with its errors.
+    Job,
+    /// The tool with its errors.
+    Tool,
+    /// A file.
+    File(&'a Path),
+}
+
 fn run(
     loaded: &LoadedSkivingJob,
-    readings: Option<NamedReadings<'_>>,
+    source: Source<'_>,
     progress: &dyn Progress,
 ) -> Result<SkivingOutcome, JobFailure> {
-    let job = &loaded.job;
-    needs_measurement(job, readings.is_some() || job.tool_errors.is_some())?;
-    let mut timing = BTreeMap::new();
+    let read = match source {
+        Source::Job => loaded.job.readings.is_some(),
+        Source::Tool => false,
+        Source::File(_) => true,
+    };
+    needs_measurement(&loaded.job, read || loaded.job.tool_errors.is_some())?;
     let begun = Instant::now();
-    let bodies = prepare_skiving(loaded)?;
-    timing.insert("edges and poses", begun.elapsed().as_secs_f64());
+    let prepared = prepare_skiving(loaded)?.on_machine(loaded)?;
+    let timing = BTreeMap::from([("edges and poses", begun.elapsed().as_secs_f64())]);
+    carried_out(prepared, source, timing, progress)
+}
 
+fn carried_out(
+    prepared: PreparedSkiving,
+    source: Source<'_>,
+    mut timing: BTreeMap<&'static str, f64>,
+    progress: &dyn Progress,
+) -> Result<SkivingOutcome, JobFailure> {
+    let bodies = &prepared.bodies;
     let begun = Instant::now();
-    let measurement = measured(job, &bodies, readings)?;
+    let measurement = match source {
+        Source::Job => measured_of_job(&prepared)?,
+        Source::Tool => measured(&prepared, None)?,
+        Source::File(file) => measured(&prepared, Some((file, None)))?,
+    };
     timing.insert("measurement", begun.elapsed().as_secs_f64());
 
     let begun = Instant::now();
-    let left = referee::of_measurement(&bodies, measurement.as_ref(), progress)?;
+    let left = referee::of_measurement(bodies, measurement.as_ref(), progress)?;
     timing.insert("referee", begun.elapsed().as_secs_f64());
 
     let begun = Instant::now();
-    let conventional = conventional::conventional(&bodies, measurement.as_ref());
-    let scan = job.stylus.as_ref().map(|given| scan(&bodies, given, measurement.as_ref())).transpose()?;
+    let conventional = conventional::conventional(bodies, measurement.as_ref());
+    let scan = prepared.stylus.as_ref().map(|given| scan(bodies, given, measurement.as_ref())).transpose()?;
     timing.insert("comparison", begun.elapsed().as_secs_f64());
 
     let begun = Instant::now();
-    let monte_carlo = match (&job.monte_carlo, &measurement) {
+    let monte_carlo = match (&prepared.monte_carlo, &measurement) {
         (Some(given), Some(measurement)) => {
-            Some(monte_carlo::monte_carlo(given, &bodies, measurement, progress)?)
+            Some(monte_carlo::monte_carlo(given, bodies, measurement, progress)?)
         }
         _ => None,
     };
@@ -172,42 +174,40 @@ fn run(
     }
 
     let begun = Instant::now();
-    let programs = programs(loaded, &bodies, scan.as_ref(), progress)?;
+    let programs = programs(&prepared, scan.as_ref(), progress)?;
     if !programs.is_empty() {
         timing.insert("programs", begun.elapsed().as_secs_f64());
     }
 
-    let flanks = flank_results(&bodies, measurement.as_ref(), &left);
-    let measured = measurement.as_ref().map(|m| measurement_result(&bodies, m));
-    let tolerance_um = job.target.tolerance_um;
+    let flanks = flank_results(bodies, measurement.as_ref(), &left);
+    let measured = measurement.as_ref().map(|m| measurement_result(bodies, m));
     let judged = Judged {
-        job,
-        bodies: &bodies,
+        prepared: &prepared,
         measured: measurement.as_ref().zip(measured.as_ref()),
         flanks: &flanks,
         programs: programs.iter().map(|program| program.file.clone()).collect(),
     };
     let (verdict, sound) = (verdict(&judged), is_sound(&judged));
-    let history = history::noted(loaded, &bodies, measured.as_ref(), measurement.as_ref())?;
+    let history = history::noted(&prepared, measured.as_ref(), measurement.as_ref())?;
     let correction = measured.as_ref().map(|m| &m.correction);
     let found =
-        Findings { job, bodies: &bodies, measurement: measurement.as_ref(), flanks: &flanks, correction };
+        Findings { prepared: &prepared, measurement: measurement.as_ref(), flanks: &flanks, correction };
     let mut warnings = warnings(&found);
     warnings.extend(history.iter().flat_map(|noted| noted.remarks.clone()));
     if !programs.is_empty() {
-        warnings.extend(release(&verdict, sound, job).remark(&verdict));
+        warnings.extend(prepared.release(&verdict, sound).remark(&verdict));
     }
     let result = SkivingResult {
-        job: job.job.name.clone(),
+        job: prepared.info.name.clone(),
         process: "skiving-tool-measuring",
         version: env!("CARGO_PKG_VERSION"),
         verdict,
-        tolerance_um,
+        tolerance_um: prepared.tolerance_um,
         warnings,
-        settings: settings(&bodies),
+        settings: settings(bodies),
         flanks,
-        tracks: track_results(&bodies),
-        measuring_time_s: measuring_time(job, measurement.as_ref()),
+        tracks: track_results(bodies),
+        measuring_time_s: measuring_time(&prepared, measurement.as_ref()),
         measurement: measured,
         conventional,
         scan: scan.as_ref().map(|scan| scan.result.clone()),
@@ -217,22 +217,15 @@ fn run(
         programs: programs.iter().map(ToolProgram::result).collect(),
         timing_s: timing,
     };
-    Ok(SkivingOutcome { result, bodies, measurement, scan, programs, sound, history })
+    Ok(SkivingOutcome { result, prepared, measurement, scan, programs, sound, history })
 }
 
-/// Measuring programs are there to find out about a tool, however it turns out: they are written with the verdict in their first lines.
-/// Only where the ideal edge does not make the flank their poses are in doubt, and they are written on request.
-pub(super) fn release(verdict: &Verdict, sound: bool, job: &SkivingJob) -> Release {
-    Release::of(verdict, sound || job.output.programs_of_missed)
-}
-
-/// flanks x tracks x (revolutions x 60/rpm x senses + time of a move), `docs/mathematics/skiving.md#light-barrier`.
-fn measuring_time(job: &SkivingJob, measurement: Option<&Measurement>) -> f64 {
-    let measuring = &job.measuring;
-    let poses = 2.0 * measuring.tracks.len() as f64;
+/// Time of all tracks of both flanks.
+fn measuring_time(prepared: &PreparedSkiving, measurement: Option<&Measurement>) -> f64 {
+    let recording = &prepared.recording;
     let turns = match measurement {
-        Some(m) => (m.taken.revolutions * m.taken.senses.len()) as f64,
-        None => (measuring.revolutions * measuring.senses.list().len()) as f64,
+        Some(m) => m.taken.revolutions * m.taken.senses.len(),
+        None => recording.revolutions * recording.senses.len(),
     };
-    poses * (turns * 60.0 / measuring.speed_rpm + measuring.move_time_s)
+    recording.time_s(2 * prepared.bodies.flanks.left.tracks.len(), turns)
 }

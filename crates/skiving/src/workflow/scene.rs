@@ -4,7 +4,6 @@
 mod skiving_mesh;
 
 use crate::MeasuringTrack;
-use crate::job::LoadedSkivingJob;
 use crate::measuring::{Beam, MeasuringPose};
 use crate::workflow::SkivingOutcome;
 use crate::workflow::finding::failure;
@@ -25,8 +24,8 @@ const REACH: f64 = 1.0;
 ///
 /// # Errors
 /// [`RunFailure`] for bodies that cannot be meshed and poses without numbers.
-pub fn scene_of_skiving(_loaded: &LoadedSkivingJob, outcome: &SkivingOutcome) -> Result<Scene, RunFailure> {
-    let bodies = &outcome.bodies;
+pub fn scene_of_skiving(outcome: &SkivingOutcome) -> Result<Scene, RunFailure> {
+    let bodies = &outcome.prepared.bodies;
     let tool = bodies.pair.tool();
     let mesh =
         skiving_tool(tool, &bodies.edges).map_err(|e| failure(&e))?.map_err(|e| unmeshed("tool", &e))?;

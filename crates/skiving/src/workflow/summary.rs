@@ -22,12 +22,12 @@ impl JobOutcome<SkivingJob> for SkivingOutcome {
         &self.result
     }
 
-    fn scene(&self, loaded: &LoadedSkivingJob) -> Option<Result<Scene, RunFailure>> {
-        Some(scene_of_skiving(loaded, self))
+    fn scene(&self, _: &LoadedSkivingJob) -> Option<Result<Scene, RunFailure>> {
+        Some(scene_of_skiving(self))
     }
 
-    fn write(&self, loaded: &LoadedSkivingJob, directory: &Path) -> Result<Vec<PathBuf>, WriteError> {
-        write_skiving(&loaded.job, self, directory)
+    fn write(&self, _: &LoadedSkivingJob, directory: &Path) -> Result<Vec<PathBuf>, WriteError> {
+        write_skiving(self, directory)
     }
 
     fn summary(&self, written: &[PathBuf]) -> String {

@@ -2,10 +2,9 @@
 //! beyond its limit than the readings scatter is called missed; what lies beyond by less is not judged.
 
 use super::measurement::Measurement;
-use super::prepare::SkivingBodies;
+use super::prepare::{PreparedSkiving, SkivingBodies};
 use super::result::{MeasurementResult, SkivedFlankResult};
 use crate::MeasuringTrack;
-use crate::job::SkivingJob;
 use foundation::geometry::Flank;
 use foundation::numerics::{bisect, normal_upper_tail, power_series};
 use std::collections::BTreeMap;
@@ -18,8 +17,7 @@ const PER_BROKEN: usize = 3;
 
 /// What a run has to show for its verdict.
 pub(super) struct Judged<'a> {
-    pub job: &'a SkivingJob,
-    pub bodies: &'a SkivingBodies,
+    pub prepared: &'a PreparedSkiving,
     pub measured: Option<(&'a Measurement, &'a MeasurementResult)>,
     pub flanks: &'a BTreeMap<&'static str, SkivedFlankResult>,
     /// Controls whose measuring programs were proven.
@@ -46,7 +44,7 @@ pub(super) fn verdict(found: &Judged<'_>) -> Verdict {
     }
     verdict.leave("tip edges, root fillets and chamfers of the tool", "the tracks lie on the flanks' edges");
     verdict.leave("feed marks and the flank along the tooth", "the profile is judged for a feed of nothing");
-    if found.job.machine.is_none() {
+    if found.prepared.mounting.is_none() {
         verdict.leave("programs", "the job names no machine");
     }
     for program in &found.programs {
@@ -71,7 +69,7 @@ pub(super) fn verdict(found: &Judged<'_>) -> Verdict {
 /// Whether the ideal edge makes the wanted flank, as far as the run tells: prediction and referee agree, and of a tool that is not measured
 /// the profile keeps its tolerance.
 pub(super) fn is_sound(found: &Judged<'_>) -> bool {
-    let tolerance = found.job.target.tolerance_um;
+    let tolerance = found.prepared.tolerance_um;
     found.flanks.values().all(|flank| {
         agree(flank.model_difference_um[0], tolerance)
             && (found.measured.is_some() || flank.max_deviation_um <= tolerance)
@@ -147,7 +145,7 @@ fn worn(
     let limit = result.profile.wear_limit_um;
     let means = &result.profile.track_mean_um[flank.name()];
     let factor = guard_factor(2 * means.len()) / (measurement.evaluation.count() as f64).sqrt();
-    let scatter = scatter_um(found.bodies, measurement, flank);
+    let scatter = scatter_um(&found.prepared.bodies, measurement, flank);
     let of_track = |(mean, sigma): (&f64, f64)| {
         let guard = factor * sigma;
         (place(-mean, limit, guard), -mean, guard)
@@ -186,11 +184,11 @@ struct Edge {
 /// Single edges about the compensation curve.
 fn band(found: &Judged<'_>, measurement: &Measurement, flank: Flank, verdict: &mut Verdict) {
     let evaluation = &measurement.evaluation;
-    let tracks = &found.bodies.flanks[flank].tracks;
-    let half_um = 0.5e3 * found.bodies.options.band;
+    let tracks = &found.prepared.bodies.flanks[flank].tracks;
+    let half_um = 0.5e3 * found.prepared.bodies.options.band;
     let incomplete = measurement.measured.incomplete();
-    let factor = guard_factor(2 * tracks.len() * found.bodies.teeth());
-    let scatter = scatter_um(found.bodies, measurement, flank);
+    let factor = guard_factor(2 * tracks.len() * found.prepared.bodies.teeth());
+    let scatter = scatter_um(&found.prepared.bodies, measurement, flank);
     let edge = |tooth: usize| {
         let of_track = |(number, (track, _)): (usize, &(MeasuringTrack, _))| {
             let curve = power_series(&evaluation.profile.curve[flank], track.place)[0];
@@ -203,8 +201,10 @@ fn band(found: &Judged<'_>, measurement: &Measurement, flank: Flank, verdict: &m
         let (_, off_um, guard_um) = *all.iter().max_by(|a, b| a.1.total_cmp(&b.1))?;
         Some(Edge { tooth, place, off_um, guard_um })
     };
-    let edges: Vec<Edge> =
-        (0..found.bodies.teeth()).filter(|tooth| !incomplete.contains(tooth)).filter_map(edge).collect();
+    let edges: Vec<Edge> = (0..found.prepared.bodies.teeth())
+        .filter(|tooth| !incomplete.contains(tooth))
+        .filter_map(edge)
+        .collect();
     let Some(worst) = edges.iter().max_by(|a, b| a.off_um.total_cmp(&b.off_um)) else { return };
     let place = edges.iter().map(|edge| edge.place).max().unwrap_or(Place::Within);
     let beyond = edges.iter().filter(|edge| edge.place == Place::Beyond).count();
@@ -242,10 +242,10 @@ fn band(found: &Judged<'_>, measurement: &Measurement, flank: Flank, verdict: &m
 
 /// The workpiece to come, and whether prediction and referee agree on it.
 fn of_workpiece(found: &Judged<'_>, verdict: &mut Verdict) {
-    let tolerance = found.job.target.tolerance_um;
+    let tolerance = found.prepared.tolerance_um;
     for (name, flank) in found.flanks {
         let guard_um = found.measured.map_or(0.0, |(measurement, _)| {
-            let scatter = scatter_um(found.bodies, measurement, flank_named(name));
+            let scatter = scatter_um(&found.prepared.bodies, measurement, flank_named(name));
             let largest = scatter.iter().copied().fold(0.0, f64::max);
             largest * guard_factor(2 * scatter.len()) / (measurement.evaluation.count() as f64).sqrt()
         });
@@ -306,7 +306,7 @@ fn of_teeth(found: &Judged<'_>, measurement: &Measurement, verdict: &mut Verdict
         let text = format!(
             "{} of {} did not switch the light barrier on every track: {}",
             counted_teeth(incomplete.len()),
-            found.bodies.teeth(),
+            found.prepared.bodies.teeth(),
             numbers(&incomplete)
         );
         let item = format!("teeth without a switch: {}", numbers(&incomplete));
@@ -314,11 +314,11 @@ fn of_teeth(found: &Judged<'_>, measurement: &Measurement, verdict: &mut Verdict
         verdict.owe(item, Remark::new("switches-missing", text, way_out));
     }
     let broken = &measurement.evaluation.mounting.left_out;
-    if PER_BROKEN * broken.len() > found.bodies.teeth() {
+    if PER_BROKEN * broken.len() > found.prepared.bodies.teeth() {
         let text = format!(
             "{} of {} are outliers: which of them are whole is no longer certain",
             counted_teeth(broken.len()),
-            found.bodies.teeth()
+            found.prepared.bodies.teeth()
         );
         let way_out = "grind the tool again, or check `gear`, `skiving_tool` and the readings";
         verdict.owe("mounting and correction", Remark::new("too-many-broken", text, way_out));

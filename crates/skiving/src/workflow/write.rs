@@ -1,8 +1,8 @@
 //! Writes what a run produced. Every file appears whole or not at all.
 
-use super::run::{SkivingOutcome, release};
-use super::{page, tables};
-use crate::job::SkivingJob;
+use super::run::SkivingOutcome;
+use super::tables;
+use crate::page::html_page;
 use crate::readings::readings_table;
 use run::{NamedFile, WriteError, json, write_with_report};
 use std::path::{Path, PathBuf};
@@ -11,11 +11,7 @@ use std::path::{Path, PathBuf};
 ///
 /// # Errors
 /// [`WriteError`]; files written before the error stay.
-pub fn write_skiving(
-    job: &SkivingJob,
-    outcome: &SkivingOutcome,
-    directory: &Path,
-) -> Result<Vec<PathBuf>, WriteError> {
+pub fn write_skiving(outcome: &SkivingOutcome, directory: &Path) -> Result<Vec<PathBuf>, WriteError> {
     let result = &outcome.result;
     let mut files: Vec<NamedFile> = vec![
         ("result.json".into(), "result with tracks, deviations, verdict", json(result)?),
@@ -50,7 +46,7 @@ pub fn write_skiving(
     if let Some(scan) = &result.scan {
         files.push(("motions/scan.csv".into(), "scan of a stylus", tables::scan(scan)?.text().into()));
     }
-    let release = release(&result.verdict, outcome.sound, job);
+    let release = outcome.prepared.release(&result.verdict, outcome.sound);
     for program in &outcome.programs {
         if let Some(text) = release.program(&program.written.text, program.dialect) {
             files.push((program.file.clone(), "NC program: measuring the tool", text));
@@ -63,5 +59,5 @@ pub fn write_skiving(
             tables::monte_carlo(found)?.text().into(),
         ));
     }
-    write_with_report(files, directory, |named| page::html_page(job, outcome, named))
+    write_with_report(files, directory, |named| html_page(outcome, named))
 }

@@ -156,7 +156,7 @@ impl MillingMachining<'_> {
         let refused = |error: NcError| of_writer(&error, Some(dialect));
         let words = self.words(setup, control)?;
         let mut blocks = Blocks::new(setup, &words, self.tip_control);
-        let mut lines = comments(work.job, Some(self));
+        let mut lines = comments(work.name, Some(self));
         if tilted {
             lines.push("WORKPIECE TILTED ON THE TABLE AS RESULT AND REPORT SAY".into());
         }
@@ -164,7 +164,7 @@ impl MillingMachining<'_> {
         blocks.motion(&motion);
         let Blocks { blocks, expected, .. } = blocks;
         let header = Header {
-            name: program_name(work.job),
+            name: program_name(work.name),
             axes: words.words.clone(),
             chord_tolerance: self.position_tolerance,
         };
@@ -309,20 +309,20 @@ fn lever(tools: &[ToolPasses], work: &MillingWork<'_>) -> f64 {
 }
 
 /// [A-Z0-9_]{1,24} of the job's name and M.
-pub(super) fn program_name(job: &str) -> String {
+pub(super) fn program_name(name: &str) -> String {
     let letter = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_uppercase() } else { '_' };
-    let word: String = job.chars().map(letter).take(22).collect();
+    let word: String = name.chars().map(letter).take(22).collect();
     format!("{word}_M")
 }
 
 /// What the head of a program says.
-pub(super) fn comments(job: &str, machining: Option<&MillingMachining<'_>>) -> Vec<String> {
+pub(super) fn comments(name: &str, machining: Option<&MillingMachining<'_>>) -> Vec<String> {
     let plain = |text: &str| -> String {
         let kept = text.to_ascii_uppercase();
         let letters = kept.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { ' ' });
         letters.take(60).collect::<String>().split_whitespace().collect::<Vec<_>>().join(" ")
     };
-    let mut lines = vec![format!("{} MILLING", plain(job)).trim().to_owned()];
+    let mut lines = vec![format!("{} MILLING", plain(name)).trim().to_owned()];
     match machining {
         None => lines.push("COORDINATES OF THE WORKPIECE".into()),
         Some(machining) => {

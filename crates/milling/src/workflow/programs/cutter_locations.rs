@@ -40,7 +40,7 @@ impl MillingWork<'_> {
     pub fn cutter_locations(&self) -> Result<CutterLocationText, RunFailure> {
         let mut text = Locations { work: self, blocks: Vec::new(), last: None, count: 0 };
         text.blocks.extend(
-            super::build::comments(self.job, None).into_iter().map(|line| Block::Comment(line.into())),
+            super::build::comments(self.name, None).into_iter().map(|line| Block::Comment(line.into())),
         );
         let tools = all_passes(self)?;
         for tool in &tools {
@@ -49,7 +49,7 @@ impl MillingWork<'_> {
         text.blocks.push(Block::End);
         let axes = ["X", "Y", "Z"].iter().zip("XYZ".chars());
         let header = Header {
-            name: super::build::program_name(self.job),
+            name: super::build::program_name(self.name),
             axes: axes.map(|(name, letter)| AxisWord::letter(name, AxisMotion::Linear, letter)).collect(),
             chord_tolerance: NO_TOLERANCE,
         };

@@ -36,7 +36,7 @@ pub struct ToolWork {
 #[derive(Clone, Debug)]
 pub struct MillingWork<'a> {
     /// Name of the job.
-    pub job: &'a str,
+    pub name: &'a str,
     /// Operations in the order of cutting.
     pub tools: Vec<ToolWork>,
     /// Number of spaces that are milled, from 1.

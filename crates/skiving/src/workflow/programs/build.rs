@@ -57,8 +57,8 @@ pub fn measuring_programs(
 ) -> Result<Vec<ToolProgram>, RunFailure> {
     let made = |&name: &DialectName| {
         let (laid, target) = laid_measuring(work, machining, dialect_of(name))?;
-        let heading = format!("{} MEASURING THE TOOL", plain(work.job));
-        let mut made = written(&laid.course, &target, machining, (work.job, "measuring", &heading))?;
+        let heading = format!("{} MEASURING THE TOOL", plain(work.name));
+        let mut made = written(&laid.course, &target, machining, (work.name, "measuring", &heading))?;
         let lever = laid.lever + work.beam.radius;
         made.rounding = bound(&made.program, &target, lever)?;
         made.proof = measured(&laid, &target, work, machining, (&made.read, made.rounding))?;
@@ -78,8 +78,8 @@ pub fn scan_programs(
 ) -> Result<Vec<ToolProgram>, RunFailure> {
     let made = |&name: &DialectName| {
         let (laid, target) = laid_scan(work, machining, dialect_of(name))?;
-        let heading = format!("{} SCANNING THE TOOL", plain(work.job));
-        let mut made = written(&laid.course, &target, machining, (work.job, "scan", &heading))?;
+        let heading = format!("{} SCANNING THE TOOL", plain(work.name));
+        let mut made = written(&laid.course, &target, machining, (work.name, "scan", &heading))?;
         let lever = laid.lever + work.stylus.radius;
         made.rounding = bound(&made.program, &target, lever)?;
         made.proof = scanned(&laid, &target, work, machining, (&made.read, made.rounding))?;
@@ -100,7 +100,7 @@ pub fn prove_measuring(
     text: &str,
 ) -> Result<Proof, RunFailure> {
     let (laid, target) = laid_measuring(work, machining, dialect)?;
-    let program = planned(&laid.course, &target, machining, (work.job, ""))?;
+    let program = planned(&laid.course, &target, machining, (work.name, ""))?;
     let bound = bound(&program, &target, laid.lever + work.beam.radius)?;
     measured(&laid, &target, work, machining, (&target.read(text)?.blocks, bound))
 }
@@ -116,7 +116,7 @@ pub fn prove_scan(
     text: &str,
 ) -> Result<Proof, RunFailure> {
     let (laid, target) = laid_scan(work, machining, dialect)?;
-    let program = planned(&laid.course, &target, machining, (work.job, ""))?;
+    let program = planned(&laid.course, &target, machining, (work.name, ""))?;
     let bound = bound(&program, &target, laid.lever + work.stylus.radius)?;
     scanned(&laid, &target, work, machining, (&target.read(text)?.blocks, bound))
 }
@@ -172,10 +172,10 @@ fn written(
     course: &Course<'_>,
     target: &Target<'_>,
     machining: &ToolMachining<'_>,
-    (job, kind, heading): (&str, &str, &str),
+    (name, kind, heading): (&str, &str, &str),
 ) -> Result<ToolProgram, RunFailure> {
     let machine = &machining.machine.machine;
-    let program = planned(course, target, machining, (job, heading.trim_start()))?;
+    let program = planned(course, target, machining, (name, heading.trim_start()))?;
     let written =
         write_checked(&program, target.dialect, &target.options).map_err(|error| target.refused(&error))?;
     let found = target.read(&written.text)?.blocks;

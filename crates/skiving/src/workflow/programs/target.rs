@@ -75,7 +75,7 @@ pub(super) fn planned(
     course: &Course<'_>,
     target: &Target<'_>,
     machining: &ToolMachining<'_>,
-    (job, heading): (&str, &str),
+    (name, heading): (&str, &str),
 ) -> Result<Program, RunFailure> {
     let mut blocks: Vec<Block> = Vec::new();
     if !heading.is_empty() {
@@ -85,7 +85,7 @@ pub(super) fn planned(
     }
     blocks.extend(course.blocks(&target.words, machining.output));
     let header = Header {
-        name: program_name(job),
+        name: program_name(name),
         axes: target.words.words.clone(),
         chord_tolerance: target.control.chord_tolerance_um.map_or(CHORD_TOLERANCE, |um| um * 1e-3),
     };
@@ -108,8 +108,8 @@ pub(super) fn plain(text: &str) -> String {
 }
 
 /// [A-Z0-9_]{1,24} of the job's name and T.
-fn program_name(job: &str) -> String {
+fn program_name(name: &str) -> String {
     let letter = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_uppercase() } else { '_' };
-    let word: String = job.chars().map(letter).take(22).collect();
+    let word: String = name.chars().map(letter).take(22).collect();
     format!("{word}_T")
 }

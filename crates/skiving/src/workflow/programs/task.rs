@@ -41,7 +41,7 @@ pub struct ToolMachining<'a> {
 #[derive(Clone, Copy, Debug)]
 pub struct MeasuringWork<'a> {
     /// Name of the job.
-    pub job: &'a str,
+    pub name: &'a str,
     /// Tracks with their poses.
     pub flanks: &'a Sides<FlankTracks>,
     /// The beam.
@@ -58,7 +58,7 @@ pub struct MeasuringWork<'a> {
 #[derive(Clone, Copy, Debug)]
 pub struct ScanWork<'a> {
     /// Name of the job.
-    pub job: &'a str,
+    pub name: &'a str,
     /// The edges.
     pub edges: &'a Sides<VirtualEdge>,
     /// The stylus.

@@ -54,7 +54,7 @@ pub fn check_measuring(
     text: &TextBlocks<'_>,
 ) -> Result<TextJudgement, RunFailure> {
     let (laid, target) = laid_measuring(work, machining, text.dialect)?;
-    let program = planned(&laid.course, &target, machining, (work.job, ""))?;
+    let program = planned(&laid.course, &target, machining, (work.name, ""))?;
     let allowed = bound(&program, &target, laid.lever + work.beam.radius)?.distance + OWN_ROUNDING;
     let followed = follow(text.blocks, &machining.machine.machine, text.words, machining.output);
     let digits = [allowed, target.half_angle()];
@@ -75,7 +75,7 @@ pub fn check_scan(
     text: &TextBlocks<'_>,
 ) -> Result<TextJudgement, RunFailure> {
     let (laid, target) = laid_scan(work, machining, text.dialect)?;
-    let program = planned(&laid.course, &target, machining, (work.job, ""))?;
+    let program = planned(&laid.course, &target, machining, (work.name, ""))?;
     let allowed = bound(&program, &target, laid.lever + work.stylus.radius)?.distance + OWN_ROUNDING;
     let followed = follow(text.blocks, &machining.machine.machine, text.words, machining.output);
     let judged = scans(&laid, work, &followed, allowed)?;
