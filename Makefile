@@ -6,7 +6,7 @@ DEMO ?= examples/twist-free-crowning.toml
 # The time at which a stage of `make test` begins.
 begins = @date '+at %T: $(1)'
 
-.PHONY: demo release test fuzz setup web types python notebooks docs browser api-fuzz load format check instructions milling-speed dependencies clean
+.PHONY: demo release test drawings fuzz setup web types python notebooks docs browser api-fuzz load format check instructions milling-speed dependencies clean
 
 setup:
 	@scripts/setup
@@ -101,6 +101,10 @@ instructions: setup
 milling-speed: setup
 	@scripts/opencamlib-peer
 	$(CARGO) bench --package flankwright --bench mill_planning
+
+# Plans of the 120 ordinary drawings in crates/generating-grinding/tests/drawings.json: how many are met, missed, refused.
+drawings: setup
+	$(CARGO) run --profile demo --package flankwright-generating-grinding --example drawings
 
 clean:
 	$(CARGO) clean

@@ -2517,6 +2517,8 @@ export interface components {
        * @default []
        */
       d_v_yA_mm: number[];
+      /** @description A further part of that profile over the length of roll w, um and um/mm^k: what a best fit found. */
+      profile_pieces?: components["schemas"]["Pieces"] | null;
       /**
        * @description Profile that the dresser leaves on the gear: coefficients of (w - w_m)^k, um/mm^k, transverse, > 0 material left.
        * @default []
@@ -4616,11 +4618,11 @@ export interface components {
       /** @description From where to where along the tooth. */
       length_percent: [number, number];
     };
-    /** @description A law in pieces of third degree. */
+    /** @description A law or a profile in pieces of third degree. */
     Pieces: {
-      /** @description Ends of the pieces over z_V2, mm, ascending: one more than pieces. Beyond both ends the law goes on straight. */
+      /** @description Ends of the pieces over z_V2, for a profile over w, mm, ascending: one more than pieces. Beyond both ends it goes on straight. */
       breaks_mm: number[];
-      /** @description Per piece the coefficients of (z_V2 - first end)^k, k = 0..3, in the unit of the key per mm^k. */
+      /** @description Per piece the coefficients of (z_V2 - first end)^k, or of w, k = 0..3, in the unit of the key per mm^k. */
       coefficients: number[][];
     };
     /** @description Pitches of a flank. */
