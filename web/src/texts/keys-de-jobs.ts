@@ -234,6 +234,7 @@ export const JOB_KEYS_DE: Record<string, string> = {
   tool_shift: "Werkzeugshift",
   delta_d_pieces: "Achsabstandskorrektur in Stücken",
   delta_phi_2_pieces: "Drehkorrektur in Stücken",
+  profile_pieces: "Profil in Stücken",
   h_mm: "Halbe Länge des Übergangs",
   slope: "Steigung",
   w_t_mm: "w am Übergang",

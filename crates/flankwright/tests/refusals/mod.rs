@@ -22,7 +22,7 @@ fn way_out(finding: &Diagnostic) -> &str {
 }
 
 /// m 1.5, z 95, beta 32 deg with helix crowning, helix slope and profile slope.
-fn with_slopes(ratio: &str) -> LoadedJob {
+fn with_slopes(grinding: &str) -> LoadedJob {
     job(&format!(
         r#"
 [job]
@@ -53,7 +53,7 @@ width = 160.0
 tip_diameter = 123.0
 [grinding]
 method = "diagonal"
-{ratio}
+{grinding}
 [grid]
 profile_points = 9
 helix_points = 9
@@ -61,10 +61,21 @@ helix_points = 9
     ))
 }
 
+/// No best fit follows where the command is not corrected.
+const BY_RULES: &str = "precompensation = false";
+
+/// What the rules refuse is made by a best fit.
+#[test]
+fn slopes_beyond_the_limits_of_the_rules_are_made_by_a_fit() {
+    let outcome = plan_job(&with_slopes(""), &Silent).unwrap_or_else(|e| panic!("{e:?}"));
+    assert_eq!(outcome.result.verdict.status(), Status::Met, "{:?}", outcome.result.verdict.reason());
+    assert!(outcome.result.settings.settings.left.is_some_and(|left| left.profile_pieces.is_some()));
+}
+
 /// The default limits of planning are no limit of the machine: the finding says so and names a ratio, which is met.
 #[test]
 fn a_default_limit_of_planning_is_told_with_the_ratio_that_lifts_it() {
-    let loaded = with_slopes("");
+    let loaded = with_slopes(BY_RULES);
     let finding = refused(&loaded);
     assert_eq!((finding.code, finding.field.as_deref()), ("axis-limit", Some("grinding.diagonal_ratio")));
     assert!(finding.message.contains("offset the dresser tangentially"), "{finding}");
@@ -80,7 +91,7 @@ fn a_default_limit_of_planning_is_told_with_the_ratio_that_lifts_it() {
 /// A refusal hands over reason, bodies, candidates and the picture of what limits.
 #[test]
 fn a_refused_plan_writes_a_report() {
-    let loaded = with_slopes("");
+    let loaded = with_slopes(BY_RULES);
     let finding = refused(&loaded);
     let directory = tempfile::tempdir().expect("a directory");
     std::fs::write(directory.path().join("topography.csv"), "of an earlier run").expect("a file");
@@ -199,7 +210,9 @@ fn a_worm_whose_tip_is_short_is_named() {
 /// Linear and parabolic reliefs on a large gear: the search for a contact ends, but nothing folds there.
 #[test]
 fn a_contact_that_is_not_found_is_no_undercut() {
-    let loaded = job(r#"
+    let large = |grinding: &str| {
+        job(&format!(
+            r#"
 [job]
 name = "large"
 process = "generating-grinding"
@@ -216,11 +229,11 @@ form_diameter = 458.2663
 [target]
 tolerance_um = 1.0
 modifications = [
-  { kind = "helix_crowning", amount_um = 43.8 },
-  { kind = "helix_slope", amount_um = -11.7 },
-  { kind = "profile_slope", amount_um = 2.9 },
-  { kind = "tip_relief", amount_um = 13.9, length_mm = 4.845, exponent = 2 },
-  { kind = "end_relief_II", amount_um = 22.5, length_mm = 9.275, exponent = 2 },
+  {{ kind = "helix_crowning", amount_um = 43.8 }},
+  {{ kind = "helix_slope", amount_um = -11.7 }},
+  {{ kind = "profile_slope", amount_um = 2.9 }},
+  {{ kind = "tip_relief", amount_um = 13.9, length_mm = 4.845, exponent = 2 }},
+  {{ kind = "end_relief_II", amount_um = 22.5, length_mm = 9.275, exponent = 2 }},
 ]
 [worm]
 threads = 2
@@ -230,10 +243,16 @@ tip_diameter = 274.3
 tip_diameter = 144.2
 [grinding]
 method = "diagonal"
+{grinding}
 [grid]
 profile_points = 9
 helix_points = 9
-"#);
+"#
+        ))
+    };
+    let fitted = plan_job(&large(""), &Silent).unwrap_or_else(|e| panic!("{e:?}"));
+    assert_eq!(fitted.result.verdict.status(), Status::Met, "{:?}", fitted.result.verdict.reason());
+    let loaded = large(BY_RULES);
     let finding = refused(&loaded);
     assert_eq!(finding.code, "contact-not-found", "{finding}");
     assert!(finding.message.contains("diameter 4") && !finding.message.contains("undercut"), "{finding}");
