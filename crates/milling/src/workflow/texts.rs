@@ -1,4 +1,5 @@
-//! The programs and cutter locations of a milling run, the proof of every text by the referee's rays, and what verdict and result state of them.
+//! The programs and cutter locations of a milling run, the proof of every text by the referee's rays, and what verdict and result state
+//! of them.
 
 use super::clamping::{Clamping, TOO_CLOSE};
 use super::machine_remarks::remarks;
