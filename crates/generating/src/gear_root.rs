@@ -1,22 +1,11 @@
 //! The root of the gear, ground by the worm's tip: what tip radius the head of the dresser must leave along the worm, and what the
 //! rounded edge of the tip leaves between root and flank (`docs/mathematics/dressing.md#conditions`). Cylinders only. Knows no dresser.
 
-use super::{GeneratingError, GrindingSetup};
+use super::{GearRootChoice, GeneratingError, GrindingSetup};
 use contact::{RootFillet, TipCorner};
 use foundation::geometry::Flank;
 use foundation::kinematics::{GeneratingMotion, MotionLaw};
 use foundation::numerics::{Chebyshev, equidistant};
-
-/// What is wanted of the root. mm.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct GearRootChoice {
-    /// Radius of the edge between flank and tip of the worm.
-    pub corner_radius: f64,
-    /// The root is a cylinder even where the centre distance changes; else the worm's tip is one.
-    pub constant: bool,
-    /// Least radius of curvature that the fillet must have.
-    pub least_fillet_radius: Option<f64>,
-}
 
 /// Tip radius over the worm's z.
 #[derive(Clone, Debug)]

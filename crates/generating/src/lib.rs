@@ -16,6 +16,7 @@ mod fit_levers;
 pub mod fit_shift;
 pub mod free_lines;
 pub mod gear_root;
+mod gear_root_choice;
 pub mod ideal_plan;
 pub mod least_squares;
 mod line_functions;
@@ -35,6 +36,7 @@ mod ratio_nodes;
 pub mod setup;
 mod share;
 pub mod stroke_layout;
+mod stroke_place;
 pub mod stroked;
 pub mod strokes;
 pub mod target;
@@ -58,7 +60,8 @@ pub use feed_law::FeedLaw;
 pub use fit_levers::{AllowedLever, FlankDemand, LeverBodies, LeverFit, LeverSearch};
 pub use fit_shift::{DEFAULT_NODES, ShiftCoordinates, ShiftFit, fit_shift};
 pub use free_lines::{FreeLines, equal_ratio_lines, lines_for_ratio};
-pub use gear_root::{GearRootChoice, GroundRoot, WormTip};
+pub use gear_root::{GroundRoot, WormTip};
+pub use gear_root_choice::GearRootChoice;
 pub use ideal_plan::IdealPlan;
 pub use line_functions::{LineFunctions, LineWorm};
 pub use lines::FlankLines;
@@ -78,9 +81,8 @@ pub use ratio::{
 };
 pub use setup::{DresserChoice, DressingLimits, GrindingSetup, ProfilePlace, SetupInput, Tool};
 pub use share::Command;
-pub use stroke_layout::{
-    AreaOfDresser, DressedSection, GivenDresser, StrokeChoice, StrokeLayout, StrokePlace,
-};
+pub use stroke_layout::{AreaOfDresser, DressedSection, GivenDresser, StrokeChoice};
+pub use stroke_place::{StrokeLayout, StrokePlace};
 pub use stroked::StrokedFlank;
 pub use strokes::Strokes;
 pub use target::{Carrier, ClassFit, FlankTarget};

@@ -3,7 +3,10 @@
 
 use super::dressed::with_profiles;
 use super::setup::dressing_place;
-use super::{Carried, Decomposition, DresserChoice, GeneratingError, GrindingSetup, IdealWorm};
+use super::{
+    Carried, Decomposition, DresserChoice, GeneratingError, GrindingSetup, IdealWorm, StrokeLayout,
+    StrokePlace,
+};
 use dressing::{ActiveArea, DresserTool, ProfileSection, Stroke, divide};
 use foundation::geometry::{Flank, Sides};
 use foundation::kinematics::MotionLaw;
@@ -50,30 +53,6 @@ pub struct StrokeChoice {
     pub sections: Vec<DressedSection>,
     /// Overlap of neighbouring strokes, mm.
     pub overlap: f64,
-}
-
-/// One stroke: what dresses which lengths of roll.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StrokePlace {
-    /// Number of the dresser, from 0.
-    pub dresser: usize,
-    /// What of it cuts.
-    pub area: ActiveArea,
-    /// Lengths of roll of the worm on which the active part is laid, mm.
-    pub range: [f64; 2],
-}
-
-/// The strokes of a job on its bodies.
-#[derive(Clone, Debug)]
-pub struct StrokeLayout {
-    /// The dressers on the worm, each with its own modification.
-    pub dressers: Vec<DresserTool>,
-    /// Their tip radii, mm.
-    pub tip_radii: Vec<f64>,
-    /// The strokes of each flank, in ascending order of the sections.
-    pub strokes: Sides<Vec<StrokePlace>>,
-    /// Lengths of roll that have to be dressed: the used profile and what the contact may leave it by, up to the worm's tip. mm.
-    pub profile: Sides<[f64; 2]>,
 }
 
 /// Share of the used profile by which the outer sections go beyond it: the contact moves with the modification.
