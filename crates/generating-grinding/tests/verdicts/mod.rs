@@ -68,6 +68,15 @@ fn the_scope_names_what_was_not_judged() {
     assert!(result.verdict.not_judged().iter().all(|one| !one.asked));
 }
 
+/// No best fit follows where the command is not corrected.
+const BY_RULES: &str = "precompensation = false";
+
+/// What a best fit makes of a job that the rules alone miss.
+fn fitted(loaded: &LoadedJob) {
+    let verdict = planned(loaded).verdict;
+    assert_eq!(verdict.status(), Status::Met, "{:?}", verdict.reason());
+}
+
 /// m 3.5, z 19, beta -35 deg with its worm of seven or three threads.
 fn left_handed(target: &str, worm: &str, rest: &str) -> LoadedJob {
     job(&format!(
@@ -118,14 +127,20 @@ fn a_profile_that_the_planner_drops_is_named() {
     );
 }
 
-/// A profile crowning that varies along the worm is planned and not dressed.
+/// A profile crowning that varies along the worm is planned by the rules and not dressed.
 #[test]
 fn a_worm_that_is_not_dressed_as_planned_is_named() {
-    let loaded = left_handed(
-        r#"{ kind = "formula", f_um = "-10*u^2*v^2" }"#,
-        "threads = 3\ntip_diameter = 200.0",
-        "[dresser]\ntip_diameter = 123.0\npitch_diameter = 115.65\n[dressing]\nprofile_crowning_by = \"dresser\"\n[grinding]\nmethod = \"diagonal\"\ndiagonal_ratio = \"auto\"",
-    );
+    let varying = |grinding: &str| {
+        left_handed(
+            r#"{ kind = "formula", f_um = "-10*u^2*v^2" }"#,
+            "threads = 3\ntip_diameter = 200.0",
+            &format!(
+                "[dresser]\ntip_diameter = 123.0\npitch_diameter = 115.65\n[dressing]\nprofile_crowning_by = \"dresser\"\n[grinding]\nmethod = \"diagonal\"\ndiagonal_ratio = \"auto\"\n{grinding}"
+            ),
+        )
+    };
+    fitted(&varying(""));
+    let loaded = varying(BY_RULES);
     let result = planned(&loaded);
     let reason = result.verdict.reason().expect("a miss");
     assert_eq!(reason.code, "worm-not-dressed", "{reason:?}");
@@ -137,8 +152,9 @@ fn reliefs_beside_a_given_dresser_are_named() {
     let relief = |end: &str| {
         format!(r#"{{ kind = "end_relief_{end}", amount_um = 15.0, length_mm = 5.0, transition_mm = 1.0 }}"#)
     };
-    let loaded = job(&format!(
-        r#"
+    let with = |grinding: &str| {
+        job(&format!(
+            r#"
 [job]
 name = "reliefs"
 process = "generating-grinding"
@@ -166,13 +182,17 @@ tip_diameter = 140.0
 modification = "none"
 [grinding]
 method = "diagonal"
+{grinding}
 [grid]
 profile_points = 11
 helix_points = 21
 "#,
-        relief("I"),
-        relief("II")
-    ));
+            relief("I"),
+            relief("II")
+        ))
+    };
+    fitted(&with(""));
+    let loaded = with(BY_RULES);
     let result = planned(&loaded);
     let reason = result.verdict.reason().expect("a miss");
     assert_eq!(reason.code, "fitted-to-third-degree", "{reason:?}");
@@ -182,7 +202,9 @@ helix_points = 21
 /// those points, such a flank is not met.
 #[test]
 fn a_plan_that_its_simulation_contradicts_is_not_met() {
-    let loaded = job(r#"
+    let linear = |grinding: &str| {
+        job(&format!(
+            r#"
 [job]
 name = "linear"
 process = "generating-grinding"
@@ -199,8 +221,8 @@ form_diameter = 125.5
 [target]
 tolerance_um = 2.0
 modifications = [
-  { kind = "helix_crowning", amount_um = 12.0 },
-  { kind = "end_relief_I", amount_um = 30.0, length_mm = 6.0 },
+  {{ kind = "helix_crowning", amount_um = 12.0 }},
+  {{ kind = "end_relief_I", amount_um = 30.0, length_mm = 6.0 }},
 ]
 [worm]
 threads = 3
@@ -211,8 +233,12 @@ tip_diameter = 123.0
 [grinding]
 method = "diagonal"
 feed_per_revolution = 0.4
-"#);
-    let result = planned(&loaded);
+{grinding}
+"#
+        ))
+    };
+    fitted(&linear(""));
+    let result = planned(&linear(BY_RULES));
     let worst = result.flanks.values().map(|f| f.model_difference_um).fold(0.0, f64::max);
     assert!(worst > 0.2, "{worst}");
     assert_ne!(result.verdict.status(), Status::Met);
