@@ -210,7 +210,7 @@ fn a_worm_whose_tip_is_short_is_named() {
 /// Linear and parabolic reliefs on a large gear: the search for a contact ends, but nothing folds there.
 #[test]
 fn a_contact_that_is_not_found_is_no_undercut() {
-    let large = |grinding: &str| {
+    let large = |factor: f64| {
         job(&format!(
             r#"
 [job]
@@ -229,11 +229,11 @@ form_diameter = 458.2663
 [target]
 tolerance_um = 1.0
 modifications = [
-  {{ kind = "helix_crowning", amount_um = 43.8 }},
-  {{ kind = "helix_slope", amount_um = -11.7 }},
-  {{ kind = "profile_slope", amount_um = 2.9 }},
-  {{ kind = "tip_relief", amount_um = 13.9, length_mm = 4.845, exponent = 2 }},
-  {{ kind = "end_relief_II", amount_um = 22.5, length_mm = 9.275, exponent = 2 }},
+  {{ kind = "helix_crowning", amount_um = {} }},
+  {{ kind = "helix_slope", amount_um = {} }},
+  {{ kind = "profile_slope", amount_um = {} }},
+  {{ kind = "tip_relief", amount_um = {}, length_mm = 4.845, exponent = 2 }},
+  {{ kind = "end_relief_II", amount_um = {}, length_mm = 9.275, exponent = 2 }},
 ]
 [worm]
 threads = 2
@@ -243,16 +243,20 @@ tip_diameter = 274.3
 tip_diameter = 144.2
 [grinding]
 method = "diagonal"
-{grinding}
 [grid]
 profile_points = 9
 helix_points = 9
-"#
+"#,
+            43.8 * factor,
+            -11.7 * factor,
+            2.9 * factor,
+            13.9 * factor,
+            22.5 * factor
         ))
     };
-    let fitted = plan_job(&large(""), &Silent).unwrap_or_else(|e| panic!("{e:?}"));
+    let fitted = plan_job(&large(1.0), &Silent).unwrap_or_else(|e| panic!("{e:?}"));
     assert_eq!(fitted.result.verdict.status(), Status::Met, "{:?}", fitted.result.verdict.reason());
-    let loaded = large(BY_RULES);
+    let loaded = large(5.0);
     let finding = refused(&loaded);
     assert_eq!(finding.code, "contact-not-found", "{finding}");
     assert!(finding.message.contains("diameter 4") && !finding.message.contains("undercut"), "{finding}");

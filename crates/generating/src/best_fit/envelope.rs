@@ -1,4 +1,4 @@
-//! Where a planned flank is really ground, and what has to be commanded there (`docs/mathematics/best-fit.md#from-the-flank-to-the-command`).
+//! Where a planned flank is really ground, and what has to be commanded there (`docs/mathematics/best-fit.md#where-the-tool-touches`).
 
 use super::super::least_squares::{Arguments, DiagonalCoordinates, FlankCoordinates, WormFunctions};
 use super::super::{FlankLines, GrindingSetup};
