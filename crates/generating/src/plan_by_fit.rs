@@ -4,10 +4,10 @@ use super::best_fit::{BestFit, BestFitTask, Contacts};
 use super::dressed::DRESSING_MARGIN;
 use super::plan::{Equipped, LARGEST_DRESSING_MARGIN, PlanTask, Records};
 use super::planning_grid::GroundError;
-use super::ratio::{Candidate, FlankResidual, NoPlan, RatioChoice, RatioReason};
+use super::ratio::{CORRECTION_AXES, Candidate, FlankResidual, NoPlan, RatioChoice, RatioReason};
 use super::{
-    DressingRows, FeedLaw, GeneratingError, GrindingPlan, IdealPlan, PlanGauge, PlannedTool, PlanningGrid,
-    ProfilePlace, ProfilePolicy, SeriesRule, Tool,
+    DressingLimits, DressingRows, FeedLaw, GeneratingError, GrindingPlan, IdealPlan, PlanGauge, PlannedTool,
+    PlanningGrid, ProfilePlace, ProfilePolicy, SeriesRule, Tool,
 };
 use contact::{ContactError, ContactSolution, ModifiedThread};
 use foundation::geometry::{Flank, Sides};
@@ -38,6 +38,8 @@ const SERIES: f64 = 1e-3;
 /// Length of the tool beyond its contacts, mm: room for the search and for dressed lines that are not those of the ideal worm.
 const MARGIN_OF_CONTACTS: f64 = 3.0;
 
+/// Share of the limit aimed at by a fit that follows one beyond it.
+const NARROWER: f64 = 0.9;
 /// Determinant ratio that every contact keeps.
 const LEAST_DETERMINANT_RATIO: f64 = 0.1;
 /// Shares of what is wanted, one of which is made first where the whole folds, the largest step from there, the smallest, and how many of them.
@@ -79,10 +81,11 @@ impl PlanTask<'_> {
 
     /// The best plan by fits at some ratios; `None` where none can be carried out. `ruled` is what the rules came to.
     pub(super) fn plan_by_fit(&self, ruled: &Result<GrindingPlan, Box<NoPlan>>) -> Option<GrindingPlan> {
-        let fits = |grid| {
-            let rules = (self.tolerance, self.limits, self.dressing);
+        let within = |grid, limits: DressingLimits| {
+            let rules = (self.tolerance, limits, self.dressing);
             BestFitTask::new(self.setup, &self.targets, grid, self.free_dresser, rules).ok()
         };
+        let fits = |grid| within(grid, self.limits);
         let scan = PlanningGrid::new(self.setup, SCAN_GRID[0], SCAN_GRID[1]);
         let ratios = match self.ratio {
             Some(ratio) => vec![ratio],
@@ -95,7 +98,14 @@ impl PlanTask<'_> {
         let task = fits((&grid, FIT_INTERVALS))?;
         let mut best: Option<GrindingPlan> = None;
         for ratio in ratios.into_iter().take(CARRIED_OUT) {
-            let Ok(plan) = self.fitted_at(&task, &grid, ratio, ruled) else { continue };
+            let mut fitted = self.fitted_at(&task, &grid, ratio, ruled);
+            if let Err(error) = &fitted
+                && let Some(narrower) = self.narrower(error)
+                && let Some(task) = within((&grid, FIT_INTERVALS), narrower)
+            {
+                fitted = self.fitted_at(&task, &grid, ratio, ruled);
+            }
+            let Ok(plan) = fitted else { continue };
             let better = best.as_ref().is_none_or(|known| self.deviation(&plan) < self.deviation(known));
             if better {
                 best = Some(plan);
@@ -105,6 +115,18 @@ impl PlanTask<'_> {
             }
         }
         best
+    }
+
+    /// Limits with which the first order keeps an axis that went beyond its own: it answers to large modifications more than it says.
+    fn narrower(&self, error: &GeneratingError) -> Option<DressingLimits> {
+        let GeneratingError::AxisLimit { axis, value, limit, .. } = error else { return None };
+        let by = NARROWER * limit / value;
+        let mut limits = self.limits;
+        match CORRECTION_AXES.iter().position(|known| known == axis) {
+            Some(j) => limits.correction[j] *= by,
+            None => limits.delta_d *= by,
+        }
+        Some(limits)
     }
 
     /// The best fit at one ratio, carried out.

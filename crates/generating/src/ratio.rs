@@ -169,6 +169,8 @@ pub(super) struct Rule<'a> {
     pub dressing: DressingRows,
 }
 
+/// Names of the corrections of the dressing motion, in their order.
+pub(super) const CORRECTION_AXES: [&str; 4] = ["d_phi_S", "d_gamma", "d_d", "d_v_yA"];
 /// Share of the tolerance by which a part of the target may miss the tool's lines before it is best-fitted instead.
 pub(super) const LINE_SHARE: f64 = 0.1;
 
@@ -360,7 +362,7 @@ impl Rule<'_> {
             let angle = j < 2;
             let convert = |x: f64| if angle { x.to_degrees() } else { x };
             return Err(GeneratingError::AxisLimit {
-                axis: ["d_phi_S", "d_gamma", "d_d", "d_v_yA"][j],
+                axis: CORRECTION_AXES[j],
                 value: convert(value),
                 limit: convert(self.limits.correction[j]),
                 unit: if angle { "deg" } else { "mm" },

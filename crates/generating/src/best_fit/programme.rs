@@ -132,7 +132,8 @@ impl FlankProgramme<'_> {
     fn keep_envelope(&self, programme: &mut ConeProgramme) -> Option<()> {
         let bend = self.bases.columns() + 1;
         // Every second point of every second row tells it for splines of fewer pieces than that.
-        let thinned = |&(k, _): &(usize, _)| (k / self.row) % 2 == 0 && (k % self.row) % 2 == 0;
+        let thinned =
+            |&(k, _): &(usize, _)| (k / self.row).is_multiple_of(2) && (k % self.row).is_multiple_of(2);
         for (_, (place, section)) in self.places.iter().enumerate().filter(thinned) {
             let [a, b, c] = self.envelope.curvature_rows(section, self.bases, place)?;
             let scaled = |row: &[(usize, f64)], by: f64| -> Vec<(usize, f64)> {
