@@ -49,19 +49,10 @@ const LEAST_STEP: f64 = 0.03;
 const SHARES: usize = 10;
 
 /// A fit that is carried out.
-struct Begun<'f, T> {
+struct CarriedOut<'f, T> {
     fit: BestFit<'f>,
     made: T,
     contacts: Sides<Option<Contacts>>,
-}
-
-/// A fit that is carried out and corrected.
-struct Settled<'f, T> {
-    fit: BestFit<'f>,
-    made: T,
-    contacts: Sides<Option<Contacts>>,
-    /// Distance to the target after each round, mm.
-    record: Vec<f64>,
 }
 
 impl PlanTask<'_> {
@@ -144,12 +135,13 @@ impl PlanTask<'_> {
         let series = SeriesRule { nodes: FIRST_NODES, tolerance: SERIES * self.tolerance };
         let policy = ProfilePolicy { series, ..self.rule(grid).policy(place) };
         let ideally = |plan: IdealPlan| self.ideal_contacts(grid, &plan).map(|contacts| (plan, contacts));
-        let ideal = self.settled(task, self.begun(task, ratio, &ideally)?, ROUNDS, ideally)?;
+        let begun = self.begun(task, ratio, &ideally)?;
+        let (ideal, ideal_record) = self.settled(task, begun, ROUNDS, ideally);
         let margin = self.margin(&ideal.made, &ideal.contacts).max(DRESSING_MARGIN);
         let dressed = |plan: IdealPlan| self.equipped(&plan, policy, grid, margin);
         let (made, contacts) = dressed(ideal.made)?;
-        let begun = Begun { fit: ideal.fit, made, contacts };
-        let dressed = self.settled(task, begun, DRESSED_ROUNDS, dressed)?;
+        let begun = CarriedOut { fit: ideal.fit, made, contacts };
+        let (dressed, dressed_record) = self.settled(task, begun, DRESSED_ROUNDS, dressed);
         let mut equipped = dressed.made;
         equipped.ideal.outside = dressed.fit.off;
         let candidate = self.candidate_of(&equipped, grid, ratio, place);
@@ -171,7 +163,7 @@ impl PlanTask<'_> {
             candidates,
             failed,
         };
-        let records = Records { ideal: Sides::both(ideal.record), dressed: Sides::both(dressed.record) };
+        let records = Records { ideal: Sides::both(ideal_record), dressed: Sides::both(dressed_record) };
         self.finish(equipped, choice, policy, grid, records)
     }
 
@@ -182,11 +174,11 @@ impl PlanTask<'_> {
         task: &'f BestFitTask<'_>,
         ratio: f64,
         carried_out: &impl Fn(IdealPlan) -> Result<(IdealPlan, Sides<Option<Contacts>>), GeneratingError>,
-    ) -> Result<Begun<'f, IdealPlan>, GeneratingError> {
+    ) -> Result<CarriedOut<'f, IdealPlan>, GeneratingError> {
         let at = |share: f64| {
             let fit = task.at(ratio, share)?;
             let (made, contacts) = task.plan(&fit).and_then(carried_out)?;
-            Ok::<_, GeneratingError>(Begun { fit, made, contacts })
+            Ok::<_, GeneratingError>(CarriedOut { fit, made, contacts })
         };
         let refusal = match at(1.0) {
             Ok(begun) => return Ok(begun),
@@ -200,7 +192,7 @@ impl PlanTask<'_> {
             let next = loop {
                 let carried = task.plan(&fit).and_then(carried_out);
                 if let Ok((made, contacts)) = carried {
-                    break Some(Begun { fit, made, contacts });
+                    break Some(CarriedOut { fit, made, contacts });
                 }
                 if more - share < LEAST_STEP {
                     break None;
@@ -218,14 +210,14 @@ impl PlanTask<'_> {
     }
 
     /// Corrects a fit and its plan where the tool touches, as long as a round comes nearer; `carried_out` makes the tool of a plan and its
-    /// contacts.
+    /// contacts. With the distance to the target after each round, mm.
     fn settled<'f, T>(
         &self,
         task: &BestFitTask<'_>,
-        Begun { mut fit, mut made, mut contacts }: Begun<'f, T>,
+        CarriedOut { mut fit, mut made, mut contacts }: CarriedOut<'f, T>,
         rounds: usize,
         carried_out: impl Fn(IdealPlan) -> Result<(T, Sides<Option<Contacts>>), GeneratingError>,
-    ) -> Result<Settled<'f, T>, GeneratingError> {
+    ) -> (CarriedOut<'f, T>, Vec<f64>) {
         let mut off = fit.judge(self.setup, &contacts);
         let mut record = vec![off];
         let (mut better, mut halved) = (None, 0);
@@ -247,7 +239,7 @@ impl PlanTask<'_> {
                 _ => (better, halved) = (Some(fit.halfway(&tried)), halved + 1),
             }
         }
-        Ok(Settled { fit, made, contacts, record })
+        (CarriedOut { fit, made, contacts }, record)
     }
 
     /// Length of the tool beyond the used width that the contacts of a plan need, mm.

@@ -18,7 +18,7 @@ use std::sync::Arc;
 
 /// Length over which the functions of the lines and of the feed go on beyond the flank, mm: the contact runs ahead by a few.
 const BEYOND: f64 = 8.0;
-/// Smoothness tried by an estimate, from smooth to rough.
+/// Smoothness tried for a planned flank, from smooth to rough.
 const SMOOTHNESS: [f64; 9] = [1e2, 1e1, 1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
 /// Curvature of a planned flank over that of the gap: hollows stay well below 1, where the envelope breaks; crests keep a determinant ratio of
 /// 0.3.
@@ -40,7 +40,7 @@ pub struct FlankFit<'a> {
 /// A flank near what is wanted that can be made, in second order.
 struct PlannedFlank {
     functions: WormFunctions,
-    /// What it costs: 1 is the tolerance or a limit of envelope or axes.
+    /// What it costs: 1 is the tolerance or a limit of the envelope.
     cost: f64,
 }
 
@@ -121,7 +121,7 @@ impl<'a> FlankFit<'a> {
 
     fn planned_at(&self, smoothness: f64, share: f64) -> Option<PlannedFlank> {
         let smoother = Smoother { bases: &self.bases, rows: &self.rows };
-        let mut x = smoother.fit(self.wanted, &vec![1.0; self.wanted.len()], smoothness)?;
+        let mut x = smoother.fit(self.wanted, smoothness)?;
         x.iter_mut().for_each(|x| *x *= share);
         let functions = self.bases.functions(&x).ok()?;
         let values = self.rows.values(&x);
@@ -178,8 +178,8 @@ impl<'a> FlankFit<'a> {
         Some(FlankCommand { coefficients, cost })
     }
 
-    /// The next command, for a share of what is wanted, from where the tool touched: `at` are the contacts on the grid with their points (w_1, z_1) on the unmodified worm.
-    /// The flank follows the command one to one at a foot that is held.
+    /// The next command, for a share of what is wanted, from where the tool touched: `at` are the contacts on the grid with their points
+    /// (w_1, z_1) on the unmodified worm. The flank follows the command one to one at a foot that is held.
     pub fn next(
         &self,
         command: &FlankCommand,

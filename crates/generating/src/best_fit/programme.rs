@@ -156,6 +156,7 @@ impl FlankProgramme<'_> {
         Some(())
     }
 
+    /// The shares of the axes within their limits: B-splines lie within their coefficients.
     fn keep_axes(&self, programme: &mut ConeProgramme) {
         let bend = self.bases.columns() + 1;
         self.axes.each(self.bases, |entries| {

@@ -37,14 +37,14 @@ impl Rows {
         self.rows.iter().map(|row| row.iter().map(|&(column, factor)| x[column] * factor).sum()).collect()
     }
 
-    /// A^T W A / n and A^T W b / n.
-    fn normal(&self, weights: &[f64], values: &[f64]) -> (DMatrix<f64>, DVector<f64>) {
+    /// A^T A / n and A^T b / n.
+    fn normal(&self, values: &[f64]) -> (DMatrix<f64>, DVector<f64>) {
         let mut matrix = DMatrix::zeros(self.columns, self.columns);
         let mut right = DVector::zeros(self.columns);
         let share = 1.0 / self.rows.len().max(1) as f64;
-        for ((row, weight), value) in self.rows.iter().zip(weights).zip(values) {
+        for (row, value) in self.rows.iter().zip(values) {
             for (i, &(column, factor)) in row.iter().enumerate() {
-                let scaled = factor * weight * share;
+                let scaled = factor * share;
                 right[column] += scaled * value;
                 for &(other, along) in &row[..=i] {
                     // `row` ascends: the lower triangle.
@@ -74,10 +74,10 @@ pub struct Smoother<'a> {
 }
 
 impl Smoother<'_> {
-    /// Coefficients that make mean(weight (value - fit)^2) + `smoothness` mean(third differences^2) + the choice among equals small.
+    /// Coefficients that make mean((value - fit)^2) + `smoothness` mean(third differences^2) + the choice among equals small.
     /// `None` where a number is not finite.
-    pub fn fit(&self, values: &[f64], weights: &[f64], smoothness: f64) -> Option<Vec<f64>> {
-        let (mut matrix, right) = self.rows.normal(weights, values);
+    pub fn fit(&self, values: &[f64], smoothness: f64) -> Option<Vec<f64>> {
+        let (mut matrix, right) = self.rows.normal(values);
         for block in &self.bases.blocks {
             add_differences(&mut matrix, block, &[-1.0, 3.0, -3.0, 1.0], smoothness);
             add_differences(&mut matrix, block, &[1.0, -2.0, 1.0], BEND);
