@@ -11,7 +11,7 @@ use flankwright::workflow::inspection::series::{
 };
 use flankwright::workflow::inspection::{SheetOptions, Statements, inspect_for_job, inspect_gear};
 use flankwright::workflow::skiving::inspect_skiving;
-use flankwright::workflow::{Carried, JobFailure, RunFailure};
+use flankwright::workflow::{JobFailure, RunFailure};
 use pyo3::prelude::*;
 
 use crate::failure::Failure;
@@ -72,7 +72,7 @@ pub fn inspect(
             return Ok(Held::Completed(Box::new(inspect_gear(&file, &statements, tolerance_class)?)));
         };
         if let Some(loaded) = job.of::<SkivingJob>() {
-            return Ok(Held::Completed(Carried::boxed(loaded, inspect_skiving(loaded, &file, progress)?)));
+            return Ok(Held::Completed(Box::new(inspect_skiving(loaded, &file, progress)?)));
         }
         if let Some(loaded) = job.of::<Job>() {
             let found = inspect_for_job(loaded, &file, &statements, tolerance_class, progress)?;

@@ -6,26 +6,25 @@ pub use ::run::program_check::{
     ProgramCheck, ProgramFault, ThreadProof,
 };
 pub use ::run::{
-    Answer, AnyProcess, Carried, CharacteristicsUm, Conclusion, DerivedGeometry, DerivedQuantity,
-    DerivedSection, DocumentFormat, FlankMaps, JobFailure, JobOutcome, Preview, PreviewChart, PreviewFlank,
-    Process, Processes, Remark, RunFailure, Task, TaskOutcome, WriteError, blank_of_job, cancel, gear_of_job,
-    json, report_head, summary, write_with_report,
+    Answer, AnyProcess, CharacteristicsUm, Conclusion, DerivedGeometry, DerivedQuantity, DerivedSection,
+    DocumentFormat, FlankMaps, JobFailure, Preview, PreviewChart, PreviewFlank, Process, Processes, Remark,
+    RunFailure, Task, TaskOutcome, WriteError, blank_of_job, cancel, gear_of_job, json, report_head, summary,
+    write_with_report,
 };
 pub use generating_grinding::workflow::{
     AxisInfluence, AxisResult, Built, BuiltProgram, CandidateResult, CatalogueLimits, CatalogueOutcome,
-    CataloguePair, CataloguePlan, ClearanceResult, ControlFlankResult, ControlResult, CrowningCurve,
-    CrowningPoint, CurveEnd, Deviation, DeviationCurve, DeviationQuantile, DressingModel,
-    DressingStudyOutcome, DressingWork, EqualRatioOffer, ErrorTrace, ExecutedFlank, Execution,
-    ExploreCandidate, ExploreOutcome, FilletResult, FilletSection, FlankFigures, FlankResult, ForwardModel,
-    FreeOutcome, FreePair, FreePoint, FreeRange, GearRootResult, GrindingWork, Indexing, JobResult,
-    LifeCurve, LifePoint, LineDressingResult, MOST_COMBINATIONS, MOST_PAIRS, Outcome, PAIR_RANKING,
-    PairFlank, PairLife, Partition, PassResult, PlannedPair, Prepared, ProfileCurve, ProgramResult,
-    ProgramTask, ProgramsResult, ProofResult, RANKING, Refused, RunPrograms, SettingsResult, StageReport,
-    StrokeCurve, StrokeFigures, StrokePlan, StudyCurves, Trace, Verdict, WormCurve, WormPoint, WormUse,
-    WrittenFlank, controlled, equal_ratio_offers, explore_job, occupation_chart, plan_from_catalogue,
-    plan_job, prepare, proven, rank_catalogue, setup_of_job, simulate_job, study_dressing, study_free_worm,
-    tolerance_of_job, wanted_of_catalogue, write_catalogue, write_dressing_study, write_exploration,
-    write_free_study, write_outcome,
+    CataloguePair, ClearanceResult, ControlFlankResult, ControlResult, CrowningCurve, CrowningPoint,
+    CurveEnd, Deviation, DeviationCurve, DeviationQuantile, DressingModel, DressingStudyOutcome,
+    DressingWork, EqualRatioOffer, ErrorTrace, ExecutedFlank, Execution, ExploreCandidate, ExploreOutcome,
+    FilletResult, FilletSection, FlankFigures, FlankResult, ForwardModel, FreeOutcome, FreePair, FreePoint,
+    FreeRange, GearRootResult, GrindingWork, Indexing, JobOutcome, JobResult, LifeCurve, LifePoint,
+    LineDressingResult, MOST_COMBINATIONS, MOST_PAIRS, Outcome, PAIR_RANKING, PairFlank, PairLife, Partition,
+    PassResult, PlannedPair, Prepared, ProfileCurve, ProgramResult, ProgramTask, ProgramsResult, ProofResult,
+    RANKING, Refused, RunPrograms, SettingsResult, StageReport, StrokeCurve, StrokeFigures, StrokePlan,
+    StudyCurves, Trace, Verdict, WormCurve, WormPoint, WormUse, WrittenFlank, controlled, equal_ratio_offers,
+    explore_job, occupation_chart, plan_from_catalogue, plan_job, prepare, proven, rank_catalogue,
+    setup_of_job, simulate_job, study_dressing, study_free_worm, tolerance_of_job, wanted_of_catalogue,
+    write_catalogue, write_dressing_study, write_exploration, write_free_study, write_outcome,
 };
 pub use verdict::Status;
 

@@ -6,7 +6,7 @@ use crate::workflow::derived::of_gearbox;
 use crate::workflow::run_gearbox;
 use ::job::ProcessJob;
 use foundation::numerics::Progress;
-use run::{Carried, DerivedGeometry, DocumentFormat, JobFailure, Process, Remark, Task, TaskOutcome};
+use run::{DerivedGeometry, DocumentFormat, JobFailure, Process, Remark, Task, TaskOutcome};
 
 /// Electronic gearbox.
 pub struct ElectronicGearbox;
@@ -33,7 +33,7 @@ impl Process for ElectronicGearbox {
         progress: &dyn Progress,
     ) -> Result<Box<dyn TaskOutcome>, JobFailure> {
         debug_assert_eq!(task, Task::Plan);
-        Ok(Carried::boxed(loaded, run_gearbox(loaded, progress)?))
+        Ok(Box::new(run_gearbox(loaded, progress)?))
     }
 
     /// A gearbox is run, not planned: its command is one of its own.

@@ -5,10 +5,12 @@ use crate::job::{Job, LoadedJob};
 use crate::workflow::derived::of_grinding;
 use crate::workflow::programs::{BodiesCheck, OnGrinding};
 use crate::workflow::refusal::Evidence;
-use crate::workflow::{CatalogueOutcome, DressingStudyOutcome, ExploreOutcome, FreeOutcome, JobResult};
 use crate::workflow::{
-    PlannedPair, explore_job, plan_from_catalogue, plan_job, preview_job, rank_catalogue, simulate_job,
-    study_dressing, study_free_worm,
+    CatalogueOutcome, DressingStudyOutcome, ExploreOutcome, FreeOutcome, JobOutcome, JobResult, Outcome,
+};
+use crate::workflow::{
+    explore_job, plan_from_catalogue, plan_job, preview_job, rank_catalogue, simulate_job, study_dressing,
+    study_free_worm,
 };
 use ::job::ProcessJob;
 use foundation::numerics::Progress;
@@ -16,8 +18,7 @@ use job::Diagnostic;
 use job::machine::LoadedMachine;
 use run::program_check::ProgramCheck;
 use run::{
-    Carried, DerivedGeometry, DocumentFormat, JobFailure, Preview, Process, Remark, RunFailure, Task,
-    TaskOutcome,
+    DerivedGeometry, DocumentFormat, JobFailure, Preview, Process, Remark, RunFailure, Task, TaskOutcome,
 };
 
 /// What carries out `inspect` for a job: measuring the simulated machine is the room of inspection, which stands above this one.
@@ -62,7 +63,7 @@ impl Process for GeneratingGrinding {
     ) -> Result<Box<dyn TaskOutcome>, JobFailure> {
         match task {
             Task::Plan => plan(loaded, progress),
-            Task::Simulate => Ok(Carried::boxed(loaded, simulate_job(loaded, progress)?)),
+            Task::Simulate => Ok(with_job(loaded, simulate_job(loaded, progress)?)),
             Task::Explore => explore(loaded, progress),
             Task::Inspect => (self.inspect)(loaded, progress),
         }
@@ -104,13 +105,15 @@ impl Process for GeneratingGrinding {
     }
 }
 
+fn with_job(loaded: &LoadedJob, outcome: Outcome) -> Box<dyn TaskOutcome> {
+    Box::new(JobOutcome { loaded: loaded.clone(), outcome })
+}
+
 fn plan(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Box<dyn TaskOutcome>, JobFailure> {
     let Some(catalogue) = catalogue_of_job(loaded)? else {
-        return Ok(Carried::boxed(loaded, plan_job(loaded, progress)?));
+        return Ok(with_job(loaded, plan_job(loaded, progress)?));
     };
-    let plan = plan_from_catalogue(loaded, &catalogue, progress)?;
-    let planned = plan.planned.map(|(loaded, outcome)| Carried { loaded, outcome: *outcome });
-    Ok(Box::new(PlannedPair { planned, ranking: plan.ranking }))
+    Ok(Box::new(plan_from_catalogue(loaded, &catalogue, progress)?))
 }
 
 fn explore(loaded: &LoadedJob, progress: &dyn Progress) -> Result<Box<dyn TaskOutcome>, JobFailure> {

@@ -68,26 +68,54 @@ pub struct DressedFlank {
 /// Continuation of the used profile at each end, as a share of it, over which a worm counts as finished.
 const FINISHED_PROFILE: f64 = 0.08;
 
-/// The rectangle of the worm flank that a dressing motion finishes: roll (the used profile with a continuation, up to the
-/// worm's tip) and worm positions between the contact lines at both ends of the stroke. mm.
-pub fn finished_area(
-    setup: &GrindingSetup,
-    tool: &DresserTool,
-    flank: Flank,
-    corrections: &[Chebyshev; 4],
-) -> ([f64; 2], [f64; 2]) {
+/// The rectangle of the worm flank that a dressing motion finishes: roll (the used profile with a continuation, up to the worm's tip) and worm
+/// positions between the contact lines at both ends of the stroke. mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FinishedArea {
+    /// Lengths of roll on the worm.
+    pub w: [f64; 2],
+    /// Worm positions.
+    pub z: [f64; 2],
+    /// Largest modification expected there, normal.
+    pub largest: f64,
+}
+
+impl FinishedArea {
+    /// Of a motion of the dresser.
+    pub fn new(
+        setup: &GrindingSetup,
+        tool: &DresserTool,
+        flank: Flank,
+        corrections: &[Chebyshev; 4],
+    ) -> Self {
+        let dresser = &tool.flanks[flank];
+        let w = finished_rolls(setup, tool, flank);
+        let mut largest: f64 = 0.0;
+        // A dressed line is bent: its ends alone do not tell how far it lies from its place at rest.
+        let mut line = |v: f64| {
+            let dk = std::array::from_fn(|j| corrections[j].value(v));
+            let profile = DressedProfile::new(tool, flank, dk);
+            let mut place = |w: f64| match profile.at_roll(w) {
+                Ok(at) => {
+                    largest = largest.max(at.f.abs());
+                    at.b - v
+                }
+                Err(_) => dresser.line.value(w) - v,
+            };
+            extremes(equidistant(w, LINE_POINTS).into_iter().map(&mut place))
+        };
+        let (from, to) = corrections[0].interval();
+        let z = [line(to)[1], line(from)[0]];
+        Self { w, z, largest }
+    }
+}
+
+/// The lengths of roll on the worm over which a dresser finishes it: the used profile with a continuation, up to the worm's tip. mm.
+pub fn finished_rolls(setup: &GrindingSetup, tool: &DresserTool, flank: Flank) -> [f64; 2] {
     let dresser = &tool.flanks[flank];
     let margin = FINISHED_PROFILE * dresser.range.length();
     let tip = dresser.worm.length_of_roll(setup.largest_tip_radius).unwrap_or(0.0);
-    let w = [dresser.range.w_nf - margin, (dresser.range.w_na + margin).min(tip)];
-    let ends = |v: f64| {
-        let dk = std::array::from_fn(|j| corrections[j].value(v));
-        let profile = DressedProfile::new(tool, flank, dk);
-        w.map(|w| profile.at_roll(w).map_or(dresser.line.value(w), |at| at.b) - v)
-    };
-    let (from, to) = corrections[0].interval();
-    let (lowest, highest) = (ends(to), ends(from));
-    (w, [lowest[0].max(lowest[1]), highest[0].min(highest[1])])
+    [dresser.range.w_nf - margin, (dresser.range.w_na + margin).min(tip)]
 }
 
 /// Polynomial profile p_0, p_1, ... that the dresser carries: all of it but what the dressing motion makes.

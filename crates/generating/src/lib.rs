@@ -49,7 +49,7 @@ pub use carried::{Carried, FieldSpline, misfit_of_lines};
 pub use curve_law::{CurveLaw, WantedCurve};
 pub use decomposition::{Decomposition, decompose_diagonal, decompose_radial, radial_residual};
 pub use dressed::{
-    DressedFlank, dress_flanks, dresser_of_plan, dresser_profile, dressing_interval, finished_area,
+    DressedFlank, FinishedArea, dress_flanks, dresser_of_plan, dresser_profile, dressing_interval,
 };
 pub use equal_ratio::{
     EqualRatio, EqualRatioSearch, Lever, RatioRoot, WormLine, generatrix, worm_at_crossing_angle,

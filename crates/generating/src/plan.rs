@@ -1,7 +1,7 @@
 //! The whole plan of generating grinding: ratio, precompensated decomposition, dressing motion, planned flank
 //! (`docs/mathematics/planning.md#from-the-ratio-to-the-flank`; everything but the referee).
 
-use super::dressed::{DRESSING_MARGIN, DressedFlank, dress_flanks, dresser_of_plan, finished_area};
+use super::dressed::{DRESSING_MARGIN, DressedFlank, FinishedArea, dress_flanks, dresser_of_plan};
 use super::least_squares::FitNorm;
 use super::planning_grid::GroundError;
 use super::precompensation::{FREE_ROUNDS, ROUNDS, corrected, precompensate};
@@ -573,7 +573,7 @@ impl PlannedTool {
     fn length(&self, setup: &GrindingSetup, dresser: Option<&DresserTool>, flank: Flank) -> [f64; 2] {
         match (self, dresser) {
             (Self::Dressed(dressed), Some(dresser)) => {
-                finished_area(setup, dresser, flank, &dressed.corrections).1
+                FinishedArea::new(setup, dresser, flank, &dressed.corrections).z
             }
             (Self::Dressed(_), None) => [0.0; 2],
             (Self::Stroked(stroked), _) => stroked.area.1,

@@ -1,7 +1,7 @@
 //! Plans by a best fit to the whole target (`docs/mathematics/best-fit.md`), for targets that the closed decomposition misses or refuses.
 
-use super::best_fit::{BestFit, BestFitTask, Contacts};
-use super::dressed::DRESSING_MARGIN;
+use super::best_fit::{BestFit, BestFitTask, Contact, Contacts};
+use super::dressed::{DRESSING_MARGIN, finished_rolls};
 use super::plan::{Equipped, LARGEST_DRESSING_MARGIN, PlanTask, Records};
 use super::planning_grid::GroundError;
 use super::ratio::{CORRECTION_AXES, Candidate, FlankResidual, NoPlan, RatioChoice, RatioReason};
@@ -18,8 +18,10 @@ const FIT_INTERVALS: usize = 24;
 /// The same where ratios are compared.
 const SCAN_GRID: [usize; 2] = [9, 25];
 const SCAN_INTERVALS: usize = 12;
+/// Factor between ratios of one sign that are carried out.
+const APART: f64 = 1.9;
 /// Ratios that are carried out, at most.
-const CARRIED_OUT: usize = 4;
+const CARRIED_OUT: usize = 6;
 /// Rounds of correction with the ideal worm, and with the worm as dressed.
 const ROUNDS: usize = 12;
 const DRESSED_ROUNDS: usize = 4;
@@ -40,8 +42,14 @@ const MARGIN_OF_CONTACTS: f64 = 3.0;
 
 /// Share of the limit aimed at by a fit that follows one beyond it.
 const NARROWER: f64 = 0.9;
+/// The same where no dressing motion is found.
+const WELL_NARROWER: f64 = 0.3;
 /// Determinant ratio that every contact keeps.
 const LEAST_DETERMINANT_RATIO: f64 = 0.1;
+/// Length of roll that contacts stay within the finished part of the worm, mm: rays stand between the points of a fit. And by how much
+/// beyond that counts as a tolerance, mm.
+const ROOM_AT_ENDS: f64 = 0.02;
+const STRAINED: f64 = 0.3;
 /// Shares of what is wanted, one of which is made first where the whole folds, the largest step from there, the smallest, and how many of them.
 const FIRST_SHARES: [f64; 2] = [0.4, 0.15];
 const SHARE_STEP: f64 = 0.3;
@@ -53,6 +61,11 @@ struct CarriedOut<'f, T> {
     fit: BestFit<'f>,
     made: T,
     contacts: Sides<Option<Contacts>>,
+}
+
+/// Whether two ratios are so far apart that one may do what the other cannot.
+fn far_apart(a: f64, b: f64) -> bool {
+    a * b < 0.0 || a.abs().max(b.abs()) > APART * a.abs().min(b.abs())
 }
 
 impl PlanTask<'_> {
@@ -88,7 +101,12 @@ impl PlanTask<'_> {
         let grid = PlanningGrid::new(self.setup, FIT_GRID[0], FIT_GRID[1]);
         let task = fits((&grid, FIT_INTERVALS))?;
         let mut best: Option<GrindingPlan> = None;
-        for ratio in ratios.into_iter().take(CARRIED_OUT) {
+        let mut tried: Vec<f64> = Vec::new();
+        while tried.len() < CARRIED_OUT {
+            // What one ratio cannot do its neighbours hardly can.
+            let next = |ratio: &&f64| tried.iter().all(|other| far_apart(**ratio, *other));
+            let Some(&ratio) = ratios.iter().find(next) else { break };
+            tried.push(ratio);
             let mut fitted = self.fitted_at(&task, &grid, ratio, ruled);
             if let Err(error) = &fitted
                 && let Some(narrower) = self.narrower(error)
@@ -110,9 +128,16 @@ impl PlanTask<'_> {
 
     /// Limits with which the first order keeps an axis that went beyond its own: it answers to large modifications more than it says.
     fn narrower(&self, error: &GeneratingError) -> Option<DressingLimits> {
-        let GeneratingError::AxisLimit { axis, value, limit, .. } = error else { return None };
-        let by = NARROWER * limit / value;
         let mut limits = self.limits;
+        let (axis, by) = match error {
+            GeneratingError::AxisLimit { axis, value, limit, .. } => (axis, NARROWER * limit / value),
+            // Far from where the first order holds.
+            GeneratingError::Dressing(_) => {
+                limits.correction.iter_mut().for_each(|limit| *limit *= WELL_NARROWER);
+                return Some(limits);
+            }
+            _ => return None,
+        };
         match CORRECTION_AXES.iter().position(|known| known == axis) {
             Some(j) => limits.correction[j] *= by,
             None => limits.delta_d *= by,
@@ -142,6 +167,7 @@ impl PlanTask<'_> {
         let (made, contacts) = dressed(ideal.made)?;
         let begun = CarriedOut { fit: ideal.fit, made, contacts };
         let (dressed, dressed_record) = self.settled(task, begun, DRESSED_ROUNDS, dressed);
+        self.unbroken(grid, &dressed.contacts)?;
         let mut equipped = dressed.made;
         equipped.ideal.outside = dressed.fit.off;
         let candidate = self.candidate_of(&equipped, grid, ratio, place);
@@ -210,7 +236,7 @@ impl PlanTask<'_> {
     }
 
     /// Corrects a fit and its plan where the tool touches, as long as a round comes nearer; `carried_out` makes the tool of a plan and its
-    /// contacts. With the distance to the target after each round, mm.
+    /// contacts. With the distance to the target after each round, mm, to which limits that are not kept add.
     fn settled<'f, T>(
         &self,
         task: &BestFitTask<'_>,
@@ -218,14 +244,17 @@ impl PlanTask<'_> {
         rounds: usize,
         carried_out: impl Fn(IdealPlan) -> Result<(T, Sides<Option<Contacts>>), GeneratingError>,
     ) -> (CarriedOut<'f, T>, Vec<f64>) {
-        let mut off = fit.judge(self.setup, &contacts);
+        let judge = |fit: &mut BestFit<'_>, at: &Sides<Option<Contacts>>| {
+            fit.judge(self.setup, at) + self.tolerance * self.strain(at)
+        };
+        let mut off = judge(&mut fit, &contacts);
         let mut record = vec![off];
         let (mut better, mut halved) = (None, 0);
         while record.len() <= rounds && halved <= HALVINGS && off > SETTLED * self.tolerance {
             let Some(next) = better.take().or_else(|| fit.next(self.setup, &contacts, 1.0)) else { break };
             let mut tried = next;
             let carried = task.plan(&tried).and_then(&carried_out).ok();
-            let now = carried.as_ref().map(|(_, at)| tried.judge(self.setup, at));
+            let now = carried.as_ref().map(|(_, at)| judge(&mut tried, at));
             record.extend(now);
             match (carried, now) {
                 (Some((tool, at)), Some(now)) if now < off => {
@@ -262,30 +291,57 @@ impl PlanTask<'_> {
             let Some(worm) = &ideal.worms[flank] else { return Ok(None) };
             let thread = ModifiedThread::new(self.setup.pair.flanks[flank].worm, worm);
             let ground = grid.ground(self.setup, flank, &ideal.motion, &thread)?;
-            self.unbroken(flank, grid, &ground)?;
             Ok(Some(ground.into_iter().map(|at| (at, at.tool)).collect()))
         };
         let (left, right) = rayon::join(|| of_flank(Flank::Left), || of_flank(Flank::Right));
-        Ok(Sides { left: left?, right: right? })
+        let contacts = Sides { left: left?, right: right? };
+        self.unbroken(grid, &contacts)?;
+        Ok(contacts)
     }
 
-    /// Refuses contacts near a fold.
+    /// Refuses contacts near a fold and beyond the finished part of the worm.
     fn unbroken(
         &self,
-        flank: Flank,
         grid: &PlanningGrid,
-        ground: &[ContactSolution],
+        contacts: &Sides<Option<Contacts>>,
     ) -> Result<(), GeneratingError> {
-        let least =
-            ground.iter().enumerate().min_by(|a, b| a.1.determinant_ratio.total_cmp(&b.1.determinant_ratio));
-        match least {
-            Some((k, at)) if at.determinant_ratio < LEAST_DETERMINANT_RATIO => {
+        for (flank, at) in contacts.iter() {
+            let Some(at) = at else { continue };
+            let by_ratio = |(_, a): &(usize, &Contact), (_, b): &(usize, &Contact)| {
+                a.0.determinant_ratio.total_cmp(&b.0.determinant_ratio)
+            };
+            if let Some((k, (least, _))) = at.iter().enumerate().min_by(by_ratio)
+                && least.determinant_ratio < LEAST_DETERMINANT_RATIO
+            {
                 let (w, z) = (grid.w[flank][k / grid.z.len()], grid.z[k % grid.z.len()]);
-                let ratio = at.determinant_ratio;
-                Err(GeneratingError::Contact(ContactError::Undercut { flank, w, z, ratio }))
+                let ratio = least.determinant_ratio;
+                return Err(ContactError::Undercut { flank, w, z, ratio }.into());
             }
-            _ => Ok(()),
+            let beyond = self.beyond(flank)?;
+            if let Some(&(_, (p, q))) = at.iter().find(|(_, (w, _))| beyond(*w) > 0.0) {
+                return Err(ContactError::WormSurfaceMissing { p, q }.into());
+            }
         }
+        Ok(())
+    }
+
+    /// How far a length of roll on the worm lies beyond what is finished of it, mm.
+    fn beyond(&self, flank: Flank) -> Result<impl Fn(f64) -> f64 + use<>, GeneratingError> {
+        let [low, high] = finished_rolls(self.setup, self.setup.dresser()?, flank);
+        Ok(move |w: f64| (low + ROOM_AT_ENDS - w).max(w - high + ROOM_AT_ENDS))
+    }
+
+    /// How far contacts are beyond the limits of envelope and worm: 0 within them, else what counts as so many tolerances.
+    fn strain(&self, contacts: &Sides<Option<Contacts>>) -> f64 {
+        let of_flank = |flank: Flank| {
+            let (Some(at), Ok(beyond)) = (&contacts[flank], self.beyond(flank)) else { return 0.0 };
+            let of_contact = |(at, (w, _)): &Contact| {
+                let folds = (LEAST_DETERMINANT_RATIO - at.determinant_ratio) / LEAST_DETERMINANT_RATIO;
+                f64::max(folds, beyond(*w) / STRAINED)
+            };
+            at.iter().map(of_contact).fold(0.0, f64::max)
+        };
+        f64::max(of_flank(Flank::Left), of_flank(Flank::Right))
     }
 
     /// The tool of a plan, reaching `margin` beyond the used width or further, and its contacts.

@@ -8,9 +8,7 @@ use ::job::ProcessJob;
 use foundation::numerics::Progress;
 use job::machine::LoadedMachine;
 use run::program_check::ProgramCheck;
-use run::{
-    Carried, DerivedGeometry, DocumentFormat, JobFailure, Process, Remark, RunFailure, Task, TaskOutcome,
-};
+use run::{DerivedGeometry, DocumentFormat, JobFailure, Process, Remark, RunFailure, Task, TaskOutcome};
 
 /// Five-axis milling.
 pub struct FiveAxisMilling;
@@ -37,7 +35,7 @@ impl Process for FiveAxisMilling {
         progress: &dyn Progress,
     ) -> Result<Box<dyn TaskOutcome>, JobFailure> {
         debug_assert_eq!(task, Task::Plan);
-        Ok(Carried::boxed(loaded, run_milling(loaded, progress)?))
+        Ok(Box::new(run_milling(loaded, progress)?))
     }
 
     fn commands(&self) -> Vec<&'static str> {

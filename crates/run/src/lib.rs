@@ -42,7 +42,7 @@ pub use finish::{finished, unmeshed};
 pub use gear::{blank_of_job, gear_of_job, job_files, specs_of_flank};
 pub use grinding_motion::{GrindingMotion, grinding_motion_chart};
 pub use modified_flank::ModifiedFlank;
-pub use outcome::{Carried, Conclusion, FlankMaps, JobOutcome, TaskOutcome, complaint};
+pub use outcome::{Conclusion, FlankMaps, TaskOutcome};
 pub use output_set::{SetFile, write_set};
 pub use output_warnings::{output_warnings, parquet_warning};
 pub use preview::{Preview, PreviewChart, PreviewFlank};

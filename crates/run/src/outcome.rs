@@ -3,7 +3,6 @@
 use super::finding::RunFailure;
 use super::write_error::WriteError;
 use erased_serde::Serialize;
-use job::{Loaded, ProcessJob};
 use scene::Scene;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -39,6 +38,9 @@ pub enum Conclusion {
 
 /// A task that was carried out, with all that is needed to show it and to write it.
 pub trait TaskOutcome: Send + Sync {
+    /// Name of the job.
+    fn job(&self) -> &str;
+
     /// Whether the target is met; studies have no verdict.
     fn verdict(&self) -> Option<&Verdict>;
 
@@ -86,7 +88,15 @@ pub trait TaskOutcome: Send + Sync {
 
     /// What is reported where all else is quiet: why a target is missed, or why nothing can be made.
     fn complaint(&self) -> Option<String> {
-        None
+        let verdict = self.verdict()?;
+        let reason = verdict.reason()?;
+        Some(format!(
+            "{}: target {}: {} {}",
+            self.job(),
+            verdict.status().words(),
+            reason.text,
+            reason.way_out
+        ))
     }
 
     /// Why the bodies that a study chose cannot make the target.
@@ -97,87 +107,5 @@ pub trait TaskOutcome: Send + Sync {
     /// Whether the target is met; studies have no status.
     fn status(&self) -> Option<Status> {
         self.verdict().map(Verdict::status)
-    }
-}
-
-/// A verdict that is not "met" as one line.
-pub fn complaint(job: &str, verdict: &Verdict) -> Option<String> {
-    let reason = verdict.reason()?;
-    Some(format!("{job}: target {}: {} {}", verdict.status().words(), reason.text, reason.way_out))
-}
-
-/// The outcome of a run of a job of type `J`: as [`TaskOutcome`], with the job beside it.
-pub trait JobOutcome<J>: Send + Sync + 'static {
-    /// Whether the target is met.
-    fn verdict(&self) -> &Verdict;
-
-    /// What stands in `result.json`.
-    fn result(&self) -> &dyn Serialize;
-
-    /// As [`TaskOutcome::scene`].
-    ///
-    /// # Errors
-    /// Bodies that cannot be drawn.
-    fn scene(&self, _: &Loaded<J>) -> Option<Result<Scene, RunFailure>> {
-        None
-    }
-
-    /// As [`TaskOutcome::flanks`].
-    fn flanks(&self) -> Vec<FlankMaps<'_>> {
-        Vec::new()
-    }
-
-    /// As [`TaskOutcome::write`].
-    ///
-    /// # Errors
-    /// [`WriteError`].
-    fn write(&self, loaded: &Loaded<J>, directory: &Path) -> Result<Vec<PathBuf>, WriteError>;
-
-    /// As [`TaskOutcome::summary`].
-    fn summary(&self, written: &[PathBuf]) -> String;
-}
-
-/// An outcome with the job that it is of.
-pub struct Carried<J, O> {
-    /// The job as it was carried out.
-    pub loaded: Loaded<J>,
-    /// Its outcome.
-    pub outcome: O,
-}
-
-impl<J: ProcessJob, O: JobOutcome<J>> Carried<J, O> {
-    /// An outcome of a job as one of any task.
-    pub fn boxed(loaded: &Loaded<J>, outcome: O) -> Box<dyn TaskOutcome> {
-        Box::new(Self { loaded: loaded.clone(), outcome })
-    }
-}
-
-impl<J: ProcessJob, O: JobOutcome<J>> TaskOutcome for Carried<J, O> {
-    fn verdict(&self) -> Option<&Verdict> {
-        Some(self.outcome.verdict())
-    }
-
-    fn result(&self) -> &dyn Serialize {
-        self.outcome.result()
-    }
-
-    fn scene(&self) -> Option<Result<Scene, RunFailure>> {
-        self.outcome.scene(&self.loaded)
-    }
-
-    fn flanks(&self) -> Vec<FlankMaps<'_>> {
-        self.outcome.flanks()
-    }
-
-    fn write(&self, directory: &Path) -> Result<Vec<PathBuf>, WriteError> {
-        self.outcome.write(&self.loaded, directory)
-    }
-
-    fn summary(&self, written: &[PathBuf], _: usize) -> String {
-        self.outcome.summary(written)
-    }
-
-    fn complaint(&self) -> Option<String> {
-        complaint(&self.loaded.job.info().name, self.outcome.verdict())
     }
 }

@@ -8,8 +8,8 @@ use flankwright::numerics::Progress;
 use flankwright::report::{Block, Section, html};
 use flankwright::verdict::{Remark, Verdict};
 use flankwright::workflow::{
-    Answer, Carried, DerivedGeometry, DocumentFormat, JobFailure, JobOutcome, Process, RunFailure, Task,
-    TaskOutcome, WriteError, gear_of_job, json, report_head, summary, write_with_report,
+    Answer, DerivedGeometry, DocumentFormat, JobFailure, Process, RunFailure, Task, TaskOutcome, WriteError,
+    gear_of_job, json, report_head, summary, write_with_report,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -72,36 +72,48 @@ pub struct ChamferResult {
     verdict: Verdict,
 }
 
-impl JobOutcome<ChamferJob> for ChamferResult {
-    fn verdict(&self) -> &Verdict {
-        &self.verdict
+/// What a run comes to.
+struct ChamferOutcome {
+    head: JobInfo,
+    result: ChamferResult,
+}
+
+impl TaskOutcome for ChamferOutcome {
+    fn job(&self) -> &str {
+        &self.head.name
+    }
+
+    fn verdict(&self) -> Option<&Verdict> {
+        Some(&self.result.verdict)
     }
 
     fn result(&self) -> &dyn AnySerialize {
-        self
+        &self.result
     }
 
-    fn write(&self, loaded: &Loaded<ChamferJob>, directory: &Path) -> Result<Vec<PathBuf>, WriteError> {
-        let files = vec![("result.json".to_owned(), "tip land and verdict", json(self)?)];
+    fn write(&self, directory: &Path) -> Result<Vec<PathBuf>, WriteError> {
+        let result = &self.result;
+        let files = vec![("result.json".to_owned(), "tip land and verdict", json(result)?)];
         write_with_report(files, directory, |named| {
             let answer = Answer {
                 process: "Tip chamfering",
-                status: self.verdict.status(),
-                reason: self.verdict.reason(),
+                status: result.verdict.status(),
+                reason: result.verdict.reason(),
                 warnings: &[],
-                headline: format!("The chamfers leave a tip land of {:.3} mm.", self.land_left_mm),
+                headline: format!("The chamfers leave a tip land of {:.3} mm.", result.land_left_mm),
                 figures: Vec::new(),
             };
-            let text = format!("The tip land is {:.3} mm wide before chamfering.", self.tip_land_mm);
+            let text = format!("The tip land is {:.3} mm wide before chamfering.", result.tip_land_mm);
             let sections = vec![Section::new("tip-land", "Tip land", vec![Block::Paragraph(text)])];
-            Ok(html::render(&report_head(&loaded.job.job, answer, named).page(sections)))
+            Ok(html::render(&report_head(&self.head, answer, named).page(sections)))
         })
     }
 
-    fn summary(&self, written: &[PathBuf]) -> String {
-        let status = self.verdict.status().words();
-        let mut text = format!("{}: tip land {:.3} mm, target {status}\n", self.job, self.land_left_mm);
-        summary::closing(&mut text, &self.verdict, &[], &Default::default(), written);
+    fn summary(&self, written: &[PathBuf], _: usize) -> String {
+        let result = &self.result;
+        let status = result.verdict.status().words();
+        let mut text = format!("{}: tip land {:.3} mm, target {status}\n", result.job, result.land_left_mm);
+        summary::closing(&mut text, &result.verdict, &[], &Default::default(), written);
         text
     }
 }
@@ -162,7 +174,7 @@ impl Process for TipChamfering {
             land_left_mm: left,
             verdict,
         };
-        Ok(Carried::boxed(loaded, result))
+        Ok(Box::new(ChamferOutcome { head: job.job.clone(), result }))
     }
 
     fn derived(&self, loaded: &Loaded<ChamferJob>) -> Result<(DerivedGeometry, Vec<Remark>), JobFailure> {

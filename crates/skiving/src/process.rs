@@ -8,9 +8,7 @@ use ::job::ProcessJob;
 use foundation::numerics::Progress;
 use job::machine::LoadedMachine;
 use run::program_check::ProgramCheck;
-use run::{
-    Carried, DerivedGeometry, DocumentFormat, JobFailure, Process, Remark, RunFailure, Task, TaskOutcome,
-};
+use run::{DerivedGeometry, DocumentFormat, JobFailure, Process, Remark, RunFailure, Task, TaskOutcome};
 
 /// Measuring a skiving tool.
 pub struct SkivingToolMeasuring;
@@ -40,7 +38,7 @@ impl Process for SkivingToolMeasuring {
             Task::Simulate => simulate_skiving(loaded, progress)?,
             Task::Plan | Task::Explore | Task::Inspect => run_skiving(loaded, progress)?,
         };
-        Ok(Carried::boxed(loaded, outcome))
+        Ok(Box::new(outcome))
     }
 
     fn commands(&self) -> Vec<&'static str> {

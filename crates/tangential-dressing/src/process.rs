@@ -12,8 +12,7 @@ use generating_grinding::workflow::programs::BodiesCheck;
 use job::machine::LoadedMachine;
 use run::program_check::ProgramCheck;
 use run::{
-    Carried, DerivedGeometry, DocumentFormat, JobFailure, Preview, Process, Remark, RunFailure, Task,
-    TaskOutcome,
+    DerivedGeometry, DocumentFormat, JobFailure, Preview, Process, Remark, RunFailure, Task, TaskOutcome,
 };
 
 /// Tangential dressing.
@@ -44,7 +43,7 @@ impl Process for TangentialDressing {
             Task::Simulate => simulate_tangential(loaded, progress)?,
             Task::Plan | Task::Explore | Task::Inspect => plan_tangential(loaded, progress)?,
         };
-        Ok(Carried::boxed(loaded, outcome))
+        Ok(Box::new(TangentialJobOutcome { loaded: loaded.clone(), outcome }))
     }
 
     fn commands(&self) -> Vec<&'static str> {

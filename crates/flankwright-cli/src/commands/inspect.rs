@@ -6,7 +6,7 @@ use clap::Args;
 use flankwright::exchange::{AnyJob, Diagnostic, Job, Problem, ProcessJob, SkivingJob};
 use flankwright::workflow::inspection::SheetOptions;
 use flankwright::workflow::skiving::inspect_skiving;
-use flankwright::workflow::{Carried, Task};
+use flankwright::workflow::{Task, TaskOutcome};
 
 use super::measured_gear::Asked;
 use super::statements::StatementArguments;
@@ -115,7 +115,7 @@ fn of_tool(job: &AnyJob, file: Option<&Path>, common: &CommonArguments) -> Resul
     let bars = Bars::new(common.quiet);
     let done = inspect_skiving(loaded, file, &bars);
     bars.finish();
-    let done = done.map(|outcome| Carried::boxed(loaded, outcome));
+    let done = done.map(|outcome| Box::new(outcome) as Box<dyn TaskOutcome>);
     outcome::deliver(Task::Inspect, job, common, outcome::ROWS, done)
 }
 

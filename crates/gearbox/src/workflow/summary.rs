@@ -3,28 +3,31 @@
 use super::result::{ExploreResult, GearboxResult, RangeUm, ServoResult};
 use super::run::GearboxOutcome;
 use super::write::write_gearbox;
-use crate::job::{GearboxJob, LoadedGearboxJob};
 use erased_serde::Serialize;
 use run::summary::{closing, fixed, give};
-use run::{JobOutcome, WriteError};
+use run::{TaskOutcome, WriteError};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use verdict::Verdict;
 
-impl JobOutcome<GearboxJob> for GearboxOutcome {
-    fn verdict(&self) -> &Verdict {
-        &self.result.verdict
+impl TaskOutcome for GearboxOutcome {
+    fn job(&self) -> &str {
+        &self.result.job
+    }
+
+    fn verdict(&self) -> Option<&Verdict> {
+        Some(&self.result.verdict)
     }
 
     fn result(&self) -> &dyn Serialize {
         &self.result
     }
 
-    fn write(&self, _: &LoadedGearboxJob, directory: &Path) -> Result<Vec<PathBuf>, WriteError> {
+    fn write(&self, directory: &Path) -> Result<Vec<PathBuf>, WriteError> {
         write_gearbox(self, directory)
     }
 
-    fn summary(&self, written: &[PathBuf]) -> String {
+    fn summary(&self, written: &[PathBuf], _: usize) -> String {
         summary(&self.result, written)
     }
 }

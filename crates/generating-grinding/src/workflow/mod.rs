@@ -35,10 +35,9 @@ pub mod tip_land;
 pub mod write;
 
 pub use catalogue::{
-    CatalogueLimits, CatalogueOutcome, CataloguePair, CataloguePlan, FreeOutcome, FreePair, FreePoint,
-    FreeRange, LifeCurve, LifePoint, MOST_PAIRS, PAIR_RANKING, PairFlank, PairLife, PlannedPair,
-    plan_from_catalogue, rank_catalogue, study_free_worm, wanted_of_catalogue, write_catalogue,
-    write_free_study,
+    CatalogueLimits, CatalogueOutcome, CataloguePair, FreeOutcome, FreePair, FreePoint, FreeRange, LifeCurve,
+    LifePoint, MOST_PAIRS, PAIR_RANKING, PairFlank, PairLife, PlannedPair, plan_from_catalogue,
+    rank_catalogue, study_free_worm, wanted_of_catalogue, write_catalogue, write_free_study,
 };
 pub use control::{ControlFlankResult, ControlResult, ErrorTrace, Trace};
 pub use dressing_model::DressingModel;
@@ -68,5 +67,5 @@ pub use referee::{StageReport, Verdict};
 pub use result::{CandidateResult, FlankResult, JobResult, SettingsResult};
 pub use run::{Outcome, plan_job, simulate_job};
 pub use stroke_plan::StrokePlan;
-pub use summary::{controlled, proven};
+pub use summary::{JobOutcome, controlled, proven};
 pub use write::write_outcome;

@@ -7,7 +7,7 @@ use super::stroke_plan::StrokePlan;
 use dressing::DresserTool;
 use foundation::geometry::{Flank, InvoluteFlank, Sides};
 use foundation::numerics::{CubicSpline, Progress, Silent};
-use generating::{GrindingSetup, StrokeLayout, finished_area};
+use generating::{FinishedArea, GrindingSetup, StrokeLayout};
 use metrology::Topography;
 use referee::{
     ActiveThreads, DressedSurface, Dressing, Grinding, GrindingMode, RayGrid, RemovalError, Statistics,
@@ -197,19 +197,20 @@ fn of_dressed<T>(
     setup: &GrindingSetup,
     dresser: &DresserTool,
     dressing: &ExecutedDressing,
-    (flank, stock): (Flank, f64),
+    (flank, expected): (Flank, f64),
     take: impl FnOnce(&[Dressing<'_>], [f64; 2], [f64; 2]) -> Result<T, RemovalError>,
 ) -> Result<T, RemovalError> {
     // Only where rays stand follows from the finished area. Beyond its tip the worm does not exist; what it does not reach
     // stays uncut and is told.
-    let (w, z) = finished_area(setup, dresser, flank, &dressing.corrections);
+    let FinishedArea { w, z, largest } = FinishedArea::new(setup, dresser, flank, &dressing.corrections);
     let z = [z[0] + WORM_MARGIN, z[1] - WORM_MARGIN];
+    let worm = setup.pair.worm.flank(flank);
     let stage = Dressing {
-        worm: setup.pair.worm.flank(flank),
+        worm,
         dresser: &dresser.flanks[flank].profile,
         motion: &dressing.motion,
         shift_range: dressing.driven,
-        stock,
+        stock: stock(worm, expected.max(largest)),
     };
     take(&[stage], w, z)
 }
@@ -219,7 +220,7 @@ fn of_stroked<T>(
     setup: &GrindingSetup,
     layout: &StrokeLayout,
     strokes: &ExecutedStrokes,
-    (flank, stock): (Flank, f64),
+    (flank, expected): (Flank, f64),
     take: impl FnOnce(&[Dressing<'_>], [f64; 2], [f64; 2]) -> Result<T, RemovalError>,
 ) -> Result<T, RemovalError> {
     let mut bodies = Vec::with_capacity(strokes.strokes.len());
@@ -235,7 +236,7 @@ fn of_stroked<T>(
             dresser: body,
             motion: &stroke.motion,
             shift_range: stroke.driven,
-            stock,
+            stock: stock(setup.pair.worm.flank(flank), expected),
         })
         .collect();
     // Only where rays stand follows from the process: what the strokes do not reach there stays uncut and is told.
@@ -270,7 +271,7 @@ fn on_worm<T>(
     take: impl FnOnce(&[Dressing<'_>], [f64; 2], [f64; 2]) -> Result<T, RemovalError>,
 ) -> Result<Option<T>, RemovalError> {
     let Some(executed) = &execution.flanks[flank] else { return Ok(None) };
-    let of = (flank, stock(setup.pair.worm.flank(flank), executed.target.largest()));
+    let of = (flank, executed.target.largest());
     match (&executed.tool, &execution.dresser, &setup.strokes) {
         (ExecutedTool::Dressed(dressing), Some(dresser), _) => {
             of_dressed(setup, dresser, dressing, of, take).map(Some)

@@ -6,38 +6,50 @@ use super::result::JobResult;
 use super::run::Outcome;
 use super::scene::scene_of_grinding;
 use super::write::write_outcome;
-use crate::job::{Job, LoadedJob};
+use crate::job::LoadedJob;
 use erased_serde::Serialize;
 use run::summary::{closing, fixed, opening};
-use run::{FlankMaps, JobOutcome, RunFailure, WriteError};
+use run::{FlankMaps, RunFailure, TaskOutcome, WriteError};
 use scene::Scene;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use verdict::Verdict;
 
-impl JobOutcome<Job> for Outcome {
-    fn verdict(&self) -> &Verdict {
-        &self.result.verdict
+/// A run of generating grinding with the job that it is of: what is written has the job with its settings.
+pub struct JobOutcome {
+    /// The job as it was carried out.
+    pub loaded: LoadedJob,
+    /// What its run produced.
+    pub outcome: Outcome,
+}
+
+impl TaskOutcome for JobOutcome {
+    fn job(&self) -> &str {
+        &self.outcome.result.job
+    }
+
+    fn verdict(&self) -> Option<&Verdict> {
+        Some(&self.outcome.result.verdict)
     }
 
     fn result(&self) -> &dyn Serialize {
-        &self.result
+        &self.outcome.result
     }
 
-    fn scene(&self, _: &LoadedJob) -> Option<Result<Scene, RunFailure>> {
-        Some(scene_of_grinding(self))
+    fn scene(&self) -> Option<Result<Scene, RunFailure>> {
+        Some(scene_of_grinding(&self.outcome))
     }
 
     fn flanks(&self) -> Vec<FlankMaps<'_>> {
-        self.result.flanks.iter().map(|(name, flank)| flank.maps(name)).collect()
+        self.outcome.result.flanks.iter().map(|(name, flank)| flank.maps(name)).collect()
     }
 
-    fn write(&self, loaded: &LoadedJob, directory: &Path) -> Result<Vec<PathBuf>, WriteError> {
-        write_outcome(loaded, self, directory)
+    fn write(&self, directory: &Path) -> Result<Vec<PathBuf>, WriteError> {
+        write_outcome(&self.loaded, &self.outcome, directory)
     }
 
-    fn summary(&self, written: &[PathBuf]) -> String {
-        summary(&self.result, written)
+    fn summary(&self, written: &[PathBuf], _: usize) -> String {
+        summary(&self.outcome.result, written)
     }
 }
 

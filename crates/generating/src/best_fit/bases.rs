@@ -25,6 +25,8 @@ pub struct Place {
 pub struct Block {
     /// The B-splines.
     pub basis: BSplineBasis,
+    /// Range of its argument over the flank.
+    flank: [f64; 2],
     /// Column of the first coefficient.
     pub first: usize,
     /// What it is.
@@ -32,6 +34,15 @@ pub struct Block {
 }
 
 impl Block {
+    /// Its argument at a place.
+    pub fn argument(&self, place: &Place) -> f64 {
+        match self.kind {
+            Kind::Constant | Kind::Linear => place.at.x,
+            Kind::Profile => place.at.profile,
+            Kind::Kinematic => place.at.path,
+        }
+    }
+
     /// Column of the first B-spline that counts at `x`, and `[B, B', B'']` of those from there: the polynomials go on beyond the ends as the
     /// functions made of them do, those of the profile straight.
     pub fn jets(&self, x: f64) -> (usize, [[f64; 3]; DEGREE + 1]) {
@@ -46,17 +57,33 @@ impl Block {
         (self.first + first, jets.map(|[f, f1, _]| [f + f1 * (x - end), f1, 0.0]))
     }
 
+    /// Adds the squares of second differences beyond the flank, where hardly any place tells what the function is: it goes on straight.
+    pub fn straight_beyond(&self, weight: f64, form: &mut Vec<(usize, usize, f64)>) {
+        let count = self.basis.count().saturating_sub(2);
+        let [low, high] = self.basis.interval();
+        // About the middle of a B-spline: coefficients stand evenly but for the last two at each end.
+        let step = (high - low) / (self.basis.count() - DEGREE) as f64;
+        let middle = |j: usize| low + (j as f64 - 0.5 * (DEGREE - 1) as f64) * step;
+        for j in (0..count).filter(|&j| !(self.flank[0]..=self.flank[1]).contains(&middle(j + 1))) {
+            square(&[1.0, -2.0, 1.0], weight / count as f64, self.first + j, form);
+        }
+    }
+
     /// Adds the squares of differences of neighbouring coefficients, each over the number of them, times a weight, to a quadratic form as
     /// (row, column, value), row <= column.
     pub fn differences(&self, stencil: &[f64], weight: f64, form: &mut Vec<(usize, usize, f64)>) {
         let count = self.basis.count().saturating_sub(stencil.len() - 1);
         for j in 0..count {
-            for (b, &by_b) in stencil.iter().enumerate() {
-                for (a, &by_a) in stencil[..=b].iter().enumerate() {
-                    let value = weight / count as f64 * by_a * by_b;
-                    form.push((self.first + j + a, self.first + j + b, value));
-                }
-            }
+            square(stencil, weight / count as f64, self.first + j, form);
+        }
+    }
+}
+
+/// Adds the square of a sum of neighbouring coefficients, the first of them at `first`, times a weight.
+fn square(stencil: &[f64], weight: f64, first: usize, form: &mut Vec<(usize, usize, f64)>) {
+    for (b, &by_b) in stencil.iter().enumerate() {
+        for (a, &by_a) in stencil[..=b].iter().enumerate() {
+            form.push((first + a, first + b, weight * by_a * by_b));
         }
     }
 }
@@ -122,7 +149,7 @@ impl Bases {
             let basis = BSplineBasis::uniform([from, to], count, DEGREE, &[])
                 .map_err(GeneratingError::InvalidSpline)?;
             let count = basis.count();
-            blocks.push(Block { basis, first, kind });
+            blocks.push(Block { basis, flank: [low, high], first, kind });
             first += count;
         }
         let [low, high] = ranges.w;
@@ -144,13 +171,8 @@ impl Bases {
     pub fn row(&self, place: &Place, row: &mut Vec<(usize, f64)>) {
         row.clear();
         for block in &self.blocks {
-            let (argument, factor) = match block.kind {
-                Kind::Constant => (place.at.x, 1.0),
-                Kind::Linear => (place.at.x, self.scale.u(place.w)),
-                Kind::Profile => (place.at.profile, 1.0),
-                Kind::Kinematic => (place.at.path, 1.0),
-            };
-            let (first, jets) = block.jets(argument);
+            let factor = if block.kind == Kind::Linear { self.scale.u(place.w) } else { 1.0 };
+            let (first, jets) = block.jets(block.argument(place));
             row.extend(jets.iter().enumerate().map(|(k, [b, ..])| (first + k, b * factor)));
         }
     }

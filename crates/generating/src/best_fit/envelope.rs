@@ -23,11 +23,13 @@ pub struct Envelope<'a> {
 pub struct Section {
     /// Relative curvature over (dw_2, dz_V2) and its inverse.
     pub h: Matrix2<f64>,
-    inverse: Matrix2<f64>,
+    pub inverse: Matrix2<f64>,
     /// Workpiece coordinates (w, z) under the worm's foot by the displacement.
     pub worm: Matrix2<f64>,
     /// Displacement by the step (w_1, z_1) on the worm; zero where the worm does not tell.
     back: Matrix2<f64>,
+    /// Step of the length of roll on the worm by the displacement.
+    pub reach: RowVector2<f64>,
     /// zeta by the displacement.
     pub path: RowVector2<f64>,
     /// cos b2.
@@ -92,7 +94,13 @@ impl<'a> Envelope<'a> {
         };
         let [by_shift, by_feed] = self.lines.work_feeds;
         let path = RowVector2::new(0.0, by_shift * self.ratio + by_feed);
-        Some(Section { h: curvature.h, inverse, back, worm, path, cos: self.lines.cos_b2 })
+        let reach = RowVector2::new(moves[(0, 0)], moves[(0, 1)]);
+        Some(Section { h: curvature.h, inverse, back, worm, reach, path, cos: self.lines.cos_b2 })
+    }
+
+    /// Length of roll on the worm opposite length of roll w, without modification.
+    pub fn worm_roll(&self, w: f64) -> f64 {
+        self.lines.worm_point(w, self.lines.z_m, &self.shift).0
     }
 
     /// Length of roll at which (w, z) is ground when the worm touches it at (w_1, z_1).

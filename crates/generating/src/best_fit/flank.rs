@@ -8,7 +8,7 @@ use super::super::least_squares::{
 use super::super::{GeneratingError, GrindingSetup};
 use super::bases::{Bases, Place, Ranges};
 use super::envelope::{Envelope, Section};
-use super::programme::{AxisShares, Curvature, FlankProgramme};
+use super::programme::{AxisShares, Curvature, FlankProgramme, Reach};
 use super::smoother::{Rows, Smoother};
 use contact::ContactSolution;
 use foundation::geometry::Flank;
@@ -18,6 +18,8 @@ use std::sync::Arc;
 
 /// Length over which the functions of the lines and of the feed go on beyond the flank, mm: the contact runs ahead by a few.
 const BEYOND: f64 = 8.0;
+/// Where the envelope is looked at beyond the ends of the flank, mm.
+const BESIDE: [f64; 3] = [1.5, 3.5, 6.0];
 /// Smoothness tried for a planned flank, from smooth to rough.
 const SMOOTHNESS: [f64; 9] = [1e2, 1e1, 1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
 /// Curvature of a planned flank over that of the gap: hollows stay well below 1, where the envelope breaks; crests keep a determinant ratio of
@@ -35,6 +37,8 @@ pub struct FlankFit<'a> {
     rows: Rows,
     tolerance: f64,
     axes: &'a AxisShares,
+    reach: Reach,
+    beside: Vec<(Place, Section)>,
 }
 
 /// A flank near what is wanted that can be made, in second order.
@@ -64,7 +68,8 @@ impl FlankCommand {
 
 impl<'a> FlankFit<'a> {
     /// `wanted` (transverse, mm) on the grid `w` x `z`, row-major, by the functions of `class` under the ratio of `shift`, with `intervals`
-    /// over the flank. `tolerance` is transverse, mm.
+    /// over the flank. `tolerance` is transverse, mm; `limits` are
+    /// the lengths of roll between which the worm has its profile.
     ///
     /// # Errors
     /// `DirectionAlongPath`, `InvalidSpline`, `DegenerateDirection` where bodies have no contact of second order.
@@ -74,7 +79,7 @@ impl<'a> FlankFit<'a> {
         (class, ratio, shift): (FunctionClass, f64, &MotionLaw),
         (w, z): (&'a [f64], &'a [f64]),
         wanted: &'a [f64],
-        (tolerance, axes): (f64, &'a AxisShares),
+        (tolerance, axes, limits): (f64, &'a AxisShares, [f64; 2]),
         intervals: usize,
     ) -> Result<Self, GeneratingError> {
         let lines = &setup.lines[flank];
@@ -100,7 +105,14 @@ impl<'a> FlankFit<'a> {
             .map(|(w, z)| envelope.unmoved(w, z))
             .collect();
         let rows = Rows::new(&bases, &places);
-        Ok(Self { envelope, bases, sections, w, z, wanted, rows, tolerance, axes })
+        let ends = extremes(z.iter().copied());
+        let out = |by: f64| [ends[0] - by, ends[1] + by];
+        let beside = w.iter().zip(&sections).step_by(2).flat_map(|(&w, section)| {
+            BESIDE.into_iter().flat_map(out).map(|z| (envelope.unmoved(w, z), *section)).collect::<Vec<_>>()
+        });
+        let beside = beside.collect();
+        let reach = Reach { limits, unmodified: w.iter().map(|&w| envelope.worm_roll(w)).collect() };
+        Ok(Self { envelope, bases, sections, w, z, wanted, rows, tolerance, axes, reach, beside })
     }
 
     fn points(&self) -> impl Iterator<Item = (&Section, f64, f64)> {
@@ -168,11 +180,13 @@ impl<'a> FlankFit<'a> {
             envelope: &self.envelope,
             bases: &self.bases,
             places,
+            beside: &self.beside,
             row: self.z.len(),
             wanted,
             tolerance: self.tolerance,
             curvature,
             axes: self.axes,
+            reach: &self.reach,
         };
         let (coefficients, cost) = programme.solve()?;
         Some(FlankCommand { coefficients, cost })

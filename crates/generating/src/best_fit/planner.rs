@@ -1,7 +1,7 @@
 //! Best fits over the diagonal ratios, and the plans that make them.
 
 use super::super::carried::FittedFlank;
-use super::super::dressed::dressing_response;
+use super::super::dressed::{dressing_response, finished_rolls};
 use super::super::least_squares::FunctionClass;
 use super::super::{
     DressingLimits, DressingRows, FeedLaw, FlankTarget, GeneratingError, GrindingSetup, IdealPlan,
@@ -19,6 +19,8 @@ use std::sync::Arc;
 
 /// Evaluations of the golden section about the best ratio.
 const GOLDEN: usize = 8;
+/// Ratios that are expected to cost no more than this count as equally good.
+const EASY: f64 = 0.5;
 
 /// What is to be planned.
 pub struct BestFitTask<'a> {
@@ -33,6 +35,8 @@ pub struct BestFitTask<'a> {
     /// Normal, mm.
     tolerance: f64,
     axes: Sides<AxisShares>,
+    /// Lengths of roll between which the worm is finished.
+    reach: Sides<[f64; 2]>,
 }
 
 /// A ratio with what its fit is expected to cost.
@@ -54,8 +58,11 @@ pub struct BestFit<'a> {
     pub off: Sides<f64>,
 }
 
-/// Contacts on the grid with their points on the unmodified worm.
-pub type Contacts = Vec<(ContactSolution, (f64, f64))>;
+/// A contact with its point on the unmodified worm.
+pub type Contact = (ContactSolution, (f64, f64));
+
+/// Contacts on the grid.
+pub type Contacts = Vec<Contact>;
 
 /// What the functions of a flank ask of the axes, as shares of the limits.
 fn axis_shares(
@@ -108,7 +115,9 @@ impl<'a> BestFitTask<'a> {
             Ok::<_, GeneratingError>(wanted)
         })?;
         let axes = Sides::from_fn(|flank| axis_shares(setup, flank, limits, dressing));
-        Ok(Self { setup, which, grid, intervals, wanted, given, free_profile, tolerance, axes })
+        let dresser = setup.dresser()?;
+        let reach = Sides::from_fn(|flank| finished_rolls(setup, dresser, flank));
+        Ok(Self { setup, which, grid, intervals, wanted, given, free_profile, tolerance, axes, reach })
     }
 
     fn class(&self, ratio: f64) -> FunctionClass {
@@ -128,7 +137,7 @@ impl<'a> BestFitTask<'a> {
                 (self.class(ratio), ratio, &shift),
                 (&self.grid.w[flank], &self.grid.z),
                 &self.wanted[flank],
-                (self.tolerance / self.setup.lines[flank].cos_b2, &self.axes[flank]),
+                (self.tolerance / self.setup.lines[flank].cos_b2, &self.axes[flank], self.reach[flank]),
                 self.intervals,
             )
             .map(|fit| Some(Arc::new(fit)))
@@ -149,10 +158,12 @@ impl<'a> BestFitTask<'a> {
         let mut tried: Vec<Expected> =
             candidates(self.setup, &self.which).into_par_iter().map(expected).collect();
         let order = |a: &Expected, b: &Expected| {
-            a.cost.total_cmp(&b.cost).then(a.ratio.abs().total_cmp(&b.ratio.abs()))
+            // Costs within a tenth are one: the estimate is no better.
+            let class = |of: &Expected| (of.cost.max(EASY).ln() / 0.1).round();
+            class(a).total_cmp(&class(b)).then(a.ratio.abs().total_cmp(&b.ratio.abs()))
         };
         tried.sort_by(order);
-        if let Some(best) = tried.first().copied().filter(|best| best.ratio != 0.0 && best.cost > 0.4) {
+        if let Some(best) = tried.first().copied().filter(|best| best.ratio != 0.0 && best.cost > EASY) {
             let (a, b) = (0.8 * best.ratio, 1.25 * best.ratio);
             let mut found = Vec::new();
             golden_section(a, b, GOLDEN, |ratio| {

@@ -33,6 +33,10 @@ const BEND: f64 = 30.0;
 const NEAR: f64 = 0.2;
 /// Share of the limits of the axes that costs nothing, in first order; a bend adds to it.
 const AXES: f64 = 0.5;
+/// Length of roll on the worm by which contacts stay off its ends for nothing, mm; a bend takes it away. Contacts that are further than the second
+/// number from an end without modification do not come there.
+const OFF_THE_ENDS: f64 = 0.3;
+const FAR_FROM_ENDS: f64 = 4.0;
 /// Price of the excess against smoothness.
 const EXCESS: f64 = 1e3;
 /// Weight of the second differences against that of the third, and of the coefficients of F_K and F_L themselves: choose among equal
@@ -40,6 +44,8 @@ const EXCESS: f64 = 1e3;
 const STRAIGHT: f64 = 1e-3;
 const TRAVEL: f64 = 1e-5;
 const RIDGE: f64 = 1e-9;
+/// Weight of the second differences beyond the flank.
+const BEYOND: f64 = 10.0;
 /// Accuracy of the interior points.
 const ACCURACY: f64 = 1e-6;
 
@@ -69,6 +75,15 @@ impl AxisShares {
     }
 }
 
+/// How far the worm goes in its profile, as lengths of roll on it, mm.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reach {
+    /// Where it ends.
+    pub limits: [f64; 2],
+    /// What touches each row of the grid where nothing is modified.
+    pub unmodified: Vec<f64>,
+}
+
 /// What is to be commanded on one flank.
 pub struct FlankProgramme<'a> {
     /// Contact.
@@ -77,6 +92,8 @@ pub struct FlankProgramme<'a> {
     pub bases: &'a Bases,
     /// Where the tool touches, with the contact there: a grid, row by row.
     pub places: &'a [(Place, Section)],
+    /// Places beside the flank, where the tool must not cut ahead of its contact.
+    pub beside: &'a [(Place, Section)],
     /// Points of a row.
     pub row: usize,
     /// The command that is wanted at each of them, transverse, mm.
@@ -87,6 +104,8 @@ pub struct FlankProgramme<'a> {
     pub curvature: Curvature,
     /// The axes.
     pub axes: &'a AxisShares,
+    /// How far the worm goes.
+    pub reach: &'a Reach,
 }
 
 impl FlankProgramme<'_> {
@@ -104,6 +123,7 @@ impl FlankProgramme<'_> {
         programme.positive.push(Affine { entries: room, constant: LARGEST_BEND });
         self.stay_near(&mut programme);
         self.keep_envelope(&mut programme)?;
+        self.keep_reach(&mut programme);
         self.keep_axes(&mut programme);
         self.be_smooth(&mut programme);
         let ConeOptimum { mut x, .. } = programme.solve(ACCURACY)?;
@@ -128,13 +148,37 @@ impl FlankProgramme<'_> {
         }
     }
 
+    /// Points that tell enough of curvatures and slopes of splines of fewer pieces: every second of every second row.
+    fn thinned(&self) -> impl Iterator<Item = (usize, &(Place, Section))> {
+        let row = self.row;
+        let thinned = move |&(k, _): &(usize, _)| (k / row).is_multiple_of(2) && (k % row).is_multiple_of(2);
+        self.places.iter().enumerate().filter(thinned)
+    }
+
+    /// The tool touches where it still has its profile: the place on the worm moves with the slopes of the command at the foot.
+    fn keep_reach(&self, programme: &mut ConeProgramme) {
+        let bend = self.bases.columns() + 1;
+        let Reach { limits, unmodified } = self.reach;
+        for (k, (place, section)) in self.thinned() {
+            let at = unmodified[k / self.row];
+            for (room, sign) in [(at - limits[0], 1.0), (limits[1] - at, -1.0)] {
+                if room > FAR_FROM_ENDS {
+                    continue;
+                }
+                let moves = self.envelope.reach_row(section, self.bases, place);
+                let by = sign * self.tolerance;
+                let mut entries: Vec<(usize, f64)> = moves.into_iter().map(|(k, a)| (k, by * a)).collect();
+                entries.push((bend, OFF_THE_ENDS / LARGEST_BEND));
+                programme.positive.push(Affine { entries, constant: room - OFF_THE_ENDS });
+            }
+        }
+    }
+
     /// Both eigenvalues of the curvature over that of the gap between their limits.
     fn keep_envelope(&self, programme: &mut ConeProgramme) -> Option<()> {
         let bend = self.bases.columns() + 1;
-        // Every second point of every second row tells it for splines of fewer pieces than that.
-        let thinned =
-            |&(k, _): &(usize, _)| (k / self.row).is_multiple_of(2) && (k % self.row).is_multiple_of(2);
-        for (_, (place, section)) in self.places.iter().enumerate().filter(thinned) {
+        let on_flank = self.thinned().map(|(_, at)| at);
+        for (place, section) in on_flank.chain(self.beside) {
             let [a, b, c] = self.envelope.curvature_rows(section, self.bases, place)?;
             let scaled = |row: &[(usize, f64)], by: f64| -> Vec<(usize, f64)> {
                 row.iter().map(|&(k, x)| (k, x * by * self.tolerance)).collect()
@@ -177,12 +221,37 @@ impl FlankProgramme<'_> {
             };
             block.differences(&[-1.0, 3.0, -3.0, 1.0], 1.0, &mut programme.quadratic);
             block.differences(&[1.0, -2.0, 1.0], STRAIGHT, &mut programme.quadratic);
+            block.straight_beyond(BEYOND, &mut programme.quadratic);
             block.differences(&[1.0], travel + RIDGE, &mut programme.quadratic);
         }
     }
 }
 
 impl Envelope<'_> {
+    /// The row of the step of the length of roll on the worm that a command asks for where the tool touches, by the coefficients in mm.
+    pub fn reach_row(&self, section: &Section, bases: &Bases, place: &Place) -> Vec<(usize, f64)> {
+        let answer = -section.reach * section.inverse * section.cos;
+        let worm = answer * section.worm.transpose();
+        let path = (answer * section.path.transpose())[0];
+        let [x, _, along] = self.jets(place.w, 0.0);
+        let (u, u_w) = bases.factor(place.w);
+        let along_lines = worm[0] * x.fu + worm[1] * x.fv;
+        let mut row = Vec::new();
+        for block in &bases.blocks {
+            let (first, jets) = block.jets(block.argument(place));
+            row.extend(jets.into_iter().enumerate().map(|(k, [f, f1, _])| {
+                let value = match block.kind {
+                    Kind::Constant => along_lines * f1,
+                    Kind::Linear => along_lines * f1 * u + worm[0] * f * u_w,
+                    Kind::Profile => worm[0] * f1,
+                    Kind::Kinematic => path * f1 * along.fv,
+                };
+                (first + k, value)
+            }));
+        }
+        row
+    }
+
     /// The rows of the symmetric matrix (xx, xy, yy) whose eigenvalues are the curvatures of the functions over those of the gap, by the
     /// coefficients in mm. `None` where the gap is not open in all directions.
     pub fn curvature_rows(
@@ -194,16 +263,11 @@ impl Envelope<'_> {
         let root = section.h.cholesky()?.l().try_inverse()?;
         let (worm, path) = (root * section.worm.transpose(), root * section.path.transpose());
         let mut rows: [Vec<(usize, f64)>; 3] = Default::default();
-        let &Place { w, at } = place;
+        let w = place.w;
         // Straight coordinates: their slopes are the same everywhere.
         let [x, _, along] = self.jets(w, 0.0);
         for block in &bases.blocks {
-            let argument = match block.kind {
-                Kind::Constant | Kind::Linear => at.x,
-                Kind::Profile => at.profile,
-                Kind::Kinematic => at.path,
-            };
-            let (first, jets) = block.jets(argument);
+            let (first, jets) = block.jets(block.argument(place));
             let (u, u_w) = bases.factor(w);
             for (k, [_, f1, f2]) in jets.into_iter().enumerate() {
                 let own = Matrix2::new(x.fu * x.fu, x.fu * x.fv, x.fu * x.fv, x.fv * x.fv) * f2;

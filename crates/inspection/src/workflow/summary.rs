@@ -7,12 +7,16 @@ use super::write::write_gear_inspection;
 use crate::workflow::closed_loop::RoundResult;
 use erased_serde::Serialize;
 use run::summary::{closing, fixed, give, opening};
-use run::{Remark, TaskOutcome, WriteError, complaint};
+use run::{Remark, TaskOutcome, WriteError};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use verdict::{Status, Verdict};
 
 impl TaskOutcome for GearInspection {
+    fn job(&self) -> &str {
+        &self.result.job
+    }
+
     fn verdict(&self) -> Option<&Verdict> {
         Some(&self.result.verdict)
     }
@@ -27,10 +31,6 @@ impl TaskOutcome for GearInspection {
 
     fn summary(&self, written: &[PathBuf], _: usize) -> String {
         summary(&self.result, written)
-    }
-
-    fn complaint(&self) -> Option<String> {
-        complaint(&self.result.job, &self.result.verdict)
     }
 }
 

@@ -4,33 +4,36 @@ use super::result::MillingResult;
 use super::run::MillingOutcome;
 use super::scene::scene_of_milling;
 use super::write::write_milling;
-use crate::job::{LoadedMillingJob, MillingJob};
 use erased_serde::Serialize;
 use run::summary::{closing, opening};
-use run::{JobOutcome, RunFailure, WriteError};
+use run::{RunFailure, TaskOutcome, WriteError};
 use scene::Scene;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use verdict::Verdict;
 
-impl JobOutcome<MillingJob> for MillingOutcome {
-    fn verdict(&self) -> &Verdict {
-        &self.result.verdict
+impl TaskOutcome for MillingOutcome {
+    fn job(&self) -> &str {
+        &self.result.job
+    }
+
+    fn verdict(&self) -> Option<&Verdict> {
+        Some(&self.result.verdict)
     }
 
     fn result(&self) -> &dyn Serialize {
         &self.result
     }
 
-    fn scene(&self, _: &LoadedMillingJob) -> Option<Result<Scene, RunFailure>> {
+    fn scene(&self) -> Option<Result<Scene, RunFailure>> {
         Some(scene_of_milling(self))
     }
 
-    fn write(&self, _: &LoadedMillingJob, directory: &Path) -> Result<Vec<PathBuf>, WriteError> {
+    fn write(&self, directory: &Path) -> Result<Vec<PathBuf>, WriteError> {
         write_milling(self, directory)
     }
 
-    fn summary(&self, written: &[PathBuf]) -> String {
+    fn summary(&self, written: &[PathBuf], _: usize) -> String {
         summary(&self.result, written)
     }
 }

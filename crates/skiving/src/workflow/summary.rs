@@ -4,33 +4,36 @@ use super::result::{MeasurementResult, SkivingResult};
 use super::run::SkivingOutcome;
 use super::scene::scene_of_skiving;
 use super::write::write_skiving;
-use crate::job::{LoadedSkivingJob, SkivingJob};
 use erased_serde::Serialize;
 use run::summary::{closing, fixed, opening};
-use run::{JobOutcome, RunFailure, WriteError};
+use run::{RunFailure, TaskOutcome, WriteError};
 use scene::Scene;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use verdict::Verdict;
 
-impl JobOutcome<SkivingJob> for SkivingOutcome {
-    fn verdict(&self) -> &Verdict {
-        &self.result.verdict
+impl TaskOutcome for SkivingOutcome {
+    fn job(&self) -> &str {
+        &self.result.job
+    }
+
+    fn verdict(&self) -> Option<&Verdict> {
+        Some(&self.result.verdict)
     }
 
     fn result(&self) -> &dyn Serialize {
         &self.result
     }
 
-    fn scene(&self, _: &LoadedSkivingJob) -> Option<Result<Scene, RunFailure>> {
+    fn scene(&self) -> Option<Result<Scene, RunFailure>> {
         Some(scene_of_skiving(self))
     }
 
-    fn write(&self, _: &LoadedSkivingJob, directory: &Path) -> Result<Vec<PathBuf>, WriteError> {
+    fn write(&self, directory: &Path) -> Result<Vec<PathBuf>, WriteError> {
         write_skiving(self, directory)
     }
 
-    fn summary(&self, written: &[PathBuf]) -> String {
+    fn summary(&self, written: &[PathBuf], _: usize) -> String {
         summary(&self.result, written)
     }
 }

@@ -32,4 +32,5 @@ pub use result::{
     TangentialFlankResult, TangentialResult, VariableValue,
 };
 pub use run::{TangentialOutcome, plan_tangential, simulate_tangential};
+pub use summary::TangentialJobOutcome;
 pub use write::write_tangential;

@@ -4,39 +4,51 @@ use super::result::TangentialResult;
 use super::run::TangentialOutcome;
 use super::scene::scene_of_tangential;
 use super::write::write_tangential;
-use crate::job::{LoadedTangentialJob, TangentialJob};
+use crate::job::LoadedTangentialJob;
 use erased_serde::Serialize;
 use generating_grinding::workflow::{controlled, proven};
 use run::summary::{closing, fixed, opening};
-use run::{FlankMaps, JobOutcome, RunFailure, WriteError};
+use run::{FlankMaps, RunFailure, TaskOutcome, WriteError};
 use scene::Scene;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use verdict::Verdict;
 
-impl JobOutcome<TangentialJob> for TangentialOutcome {
-    fn verdict(&self) -> &Verdict {
-        &self.result.verdict
+/// A run of tangential dressing with the job that it is of: what is written has the job with its settings.
+pub struct TangentialJobOutcome {
+    /// The job as it was carried out.
+    pub loaded: LoadedTangentialJob,
+    /// What its run produced.
+    pub outcome: TangentialOutcome,
+}
+
+impl TaskOutcome for TangentialJobOutcome {
+    fn job(&self) -> &str {
+        &self.outcome.result.job
+    }
+
+    fn verdict(&self) -> Option<&Verdict> {
+        Some(&self.outcome.result.verdict)
     }
 
     fn result(&self) -> &dyn Serialize {
-        &self.result
+        &self.outcome.result
     }
 
-    fn scene(&self, _: &LoadedTangentialJob) -> Option<Result<Scene, RunFailure>> {
-        Some(scene_of_tangential(self))
+    fn scene(&self) -> Option<Result<Scene, RunFailure>> {
+        Some(scene_of_tangential(&self.outcome))
     }
 
     fn flanks(&self) -> Vec<FlankMaps<'_>> {
-        self.result.flanks.iter().map(|(name, of)| of.flank.maps(name)).collect()
+        self.outcome.result.flanks.iter().map(|(name, of)| of.flank.maps(name)).collect()
     }
 
-    fn write(&self, loaded: &LoadedTangentialJob, directory: &Path) -> Result<Vec<PathBuf>, WriteError> {
-        write_tangential(loaded, self, directory)
+    fn write(&self, directory: &Path) -> Result<Vec<PathBuf>, WriteError> {
+        write_tangential(&self.loaded, &self.outcome, directory)
     }
 
-    fn summary(&self, written: &[PathBuf]) -> String {
-        summary(&self.result, written)
+    fn summary(&self, written: &[PathBuf], _: usize) -> String {
+        summary(&self.outcome.result, written)
     }
 }
 

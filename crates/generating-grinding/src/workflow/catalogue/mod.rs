@@ -17,7 +17,7 @@ pub use free_files::write_free_study;
 pub use outcome::{
     CatalogueLimits, CatalogueOutcome, CataloguePair, LifeCurve, LifePoint, PAIR_RANKING, PairFlank, PairLife,
 };
-pub use plan::{CataloguePlan, plan_from_catalogue};
+pub use plan::plan_from_catalogue;
 pub use summary::PlannedPair;
 pub use task::MOST_PAIRS;
 

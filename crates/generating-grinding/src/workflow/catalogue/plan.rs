@@ -2,10 +2,12 @@
 
 use super::outcome::CatalogueOutcome;
 use super::ranked;
+use super::summary::PlannedPair;
 use super::task::Task;
 use super::variant::job_of_pair;
 use crate::catalogue::LoadedCatalogue;
 use crate::job::LoadedJob;
+use crate::workflow::JobOutcome;
 use crate::workflow::run::{Outcome, plan_job};
 use foundation::numerics::Progress;
 use job::Diagnostic;
@@ -15,14 +17,6 @@ use verdict::{Remark, Status};
 /// Pairs that are planned until one meets the tolerance.
 const TRIED: usize = 6;
 
-/// A plan with worm and dresser from a catalogue.
-pub struct CataloguePlan {
-    /// The ranking of all pairs.
-    pub ranking: CatalogueOutcome,
-    /// The job with the pair that was taken, and its plan; or why no pair of the catalogue could be planned.
-    pub planned: Result<(LoadedJob, Box<Outcome>), RunFailure>,
-}
-
 /// Plans the first pair of the ranking whose plan meets the tolerance; if none of the first does, the one that misses it least.
 ///
 /// # Errors
@@ -31,7 +25,7 @@ pub fn plan_from_catalogue(
     loaded: &LoadedJob,
     catalogue: &LoadedCatalogue,
     progress: &dyn Progress,
-) -> Result<CataloguePlan, RunFailure> {
+) -> Result<PlannedPair, RunFailure> {
     let task = Task::new(loaded, catalogue)?;
     let (pairs, lives) = ranked(&task, progress);
     let ranking = CatalogueOutcome::new(loaded, &catalogue.catalogue, &task, &pairs, lives);
@@ -68,11 +62,11 @@ pub fn plan_from_catalogue(
     let planned = match best {
         Some((_, rank, variant, mut outcome)) => {
             outcome.result.warnings.insert(0, remark(&ranking, rank, passed));
-            Ok((variant, Box::new(outcome)))
+            Ok(Box::new(JobOutcome { loaded: variant, outcome }))
         }
         None => Err(refusal.unwrap_or_else(|| nothing_fits(&ranking))),
     };
-    Ok(CataloguePlan { ranking, planned })
+    Ok(PlannedPair { ranking, planned })
 }
 
 /// Which pair was taken and which were passed over.

@@ -1,10 +1,9 @@
 //! What a terminal shows of a ranking of pairs and of the plan of the best, and how it ended.
 
 use super::{CatalogueOutcome, CataloguePair, FreeOutcome, PairFlank, write_catalogue, write_free_study};
-use crate::job::Job;
-use crate::workflow::run::Outcome;
+use crate::workflow::JobOutcome;
 use erased_serde::Serialize;
-use run::{Carried, Conclusion, FlankMaps, RunFailure, TaskOutcome, WriteError};
+use run::{Conclusion, FlankMaps, RunFailure, TaskOutcome, WriteError};
 use scene::Scene;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -13,7 +12,7 @@ use verdict::Verdict;
 /// The plan of the best pair of a catalogue, with the ranking of all.
 pub struct PlannedPair {
     /// The plan, with the job that has this pair; or why no pair makes the target.
-    pub planned: Result<Carried<Job, Outcome>, RunFailure>,
+    pub planned: Result<Box<JobOutcome>, RunFailure>,
     /// All pairs.
     pub ranking: CatalogueOutcome,
 }
@@ -22,13 +21,17 @@ impl PlannedPair {
     /// What there is to show: the plan, or the ranking.
     fn shown(&self) -> &dyn TaskOutcome {
         match &self.planned {
-            Ok(planned) => planned,
+            Ok(planned) => planned.as_ref(),
             Err(_) => &self.ranking,
         }
     }
 }
 
 impl TaskOutcome for PlannedPair {
+    fn job(&self) -> &str {
+        self.shown().job()
+    }
+
     fn verdict(&self) -> Option<&Verdict> {
         self.shown().verdict()
     }
@@ -42,7 +45,7 @@ impl TaskOutcome for PlannedPair {
     }
 
     fn flanks(&self) -> Vec<FlankMaps<'_>> {
-        self.planned.as_ref().map_or_else(|_| Vec::new(), TaskOutcome::flanks)
+        self.planned.as_ref().map_or_else(|_| Vec::new(), |planned| planned.flanks())
     }
 
     fn write(&self, directory: &Path) -> Result<Vec<PathBuf>, WriteError> {
@@ -71,6 +74,10 @@ impl TaskOutcome for PlannedPair {
 }
 
 impl TaskOutcome for CatalogueOutcome {
+    fn job(&self) -> &str {
+        &self.job
+    }
+
     fn verdict(&self) -> Option<&Verdict> {
         None
     }
@@ -99,6 +106,10 @@ impl TaskOutcome for CatalogueOutcome {
 }
 
 impl TaskOutcome for FreeOutcome {
+    fn job(&self) -> &str {
+        &self.job
+    }
+
     fn verdict(&self) -> Option<&Verdict> {
         None
     }

@@ -182,6 +182,10 @@ fn of_each<B: Sync, T: Send>(all: &[B], progress: &dyn Progress, study: impl Fn(
 }
 
 impl TaskOutcome for DressingStudyOutcome {
+    fn job(&self) -> &str {
+        &self.job
+    }
+
     fn verdict(&self) -> Option<&Verdict> {
         None
     }

@@ -8,6 +8,10 @@ use std::path::{Path, PathBuf};
 use verdict::Verdict;
 
 impl TaskOutcome for ExploreOutcome {
+    fn job(&self) -> &str {
+        &self.job
+    }
+
     fn verdict(&self) -> Option<&Verdict> {
         None
     }
