@@ -9,7 +9,7 @@ use super::{
     DressingLimits, DressingRows, FeedLaw, GeneratingError, GrindingPlan, IdealPlan, PlanGauge, PlannedTool,
     PlanningGrid, ProfilePlace, ProfilePolicy, SeriesRule, Tool,
 };
-use contact::{ContactError, ContactSolution, ModifiedThread};
+use contact::{ContactError, ModifiedThread};
 use foundation::geometry::{Flank, Sides};
 
 /// Points over profile and face width of the fit, and intervals of its functions over the flank.
@@ -33,6 +33,9 @@ const HALVINGS: usize = 4;
 const WORTH: f64 = 0.9;
 /// A plan below this share of the tolerance needs no further ratio.
 const GOOD: f64 = 0.6;
+/// From so many ratios on this share is enough.
+const SOUGHT: usize = 3;
+const WITHIN: f64 = 0.9;
 /// Nodes of DK(v) to begin with: as fine as the splines.
 const FIRST_NODES: usize = 97;
 /// Share of the tolerance that the last quarter of the series of DK may hold.
@@ -85,11 +88,11 @@ impl PlanTask<'_> {
 
     /// The best plan by fits at some ratios; `None` where none can be carried out. `ruled` is what the rules came to.
     pub(super) fn plan_by_fit(&self, ruled: &Result<GrindingPlan, Box<NoPlan>>) -> Option<GrindingPlan> {
-        let within = |grid, limits: DressingLimits| {
-            let rules = (self.tolerance, limits, self.dressing);
+        let within = |grid, limits: DressingLimits, on_worm: bool| {
+            let rules = (self.tolerance, limits, self.dressing, on_worm);
             BestFitTask::new(self.setup, &self.targets, grid, self.free_dresser, rules).ok()
         };
-        let fits = |grid| within(grid, self.limits);
+        let fits = |grid| within(grid, self.limits, false);
         let scan = PlanningGrid::new(self.setup, SCAN_GRID[0], SCAN_GRID[1]);
         let ratios = match self.ratio {
             Some(ratio) => vec![ratio],
@@ -109,8 +112,8 @@ impl PlanTask<'_> {
             tried.push(ratio);
             let mut fitted = self.fitted_at(&task, &grid, ratio, ruled);
             if let Err(error) = &fitted
-                && let Some(narrower) = self.narrower(error)
-                && let Some(task) = within((&grid, FIT_INTERVALS), narrower)
+                && let Some((narrower, on_worm)) = self.narrower(error)
+                && let Some(task) = within((&grid, FIT_INTERVALS), narrower, on_worm)
             {
                 fitted = self.fitted_at(&task, &grid, ratio, ruled);
             }
@@ -119,30 +122,33 @@ impl PlanTask<'_> {
             if better {
                 best = Some(plan);
             }
-            if best.as_ref().is_some_and(|known| self.deviation(known) <= GOOD * self.tolerance) {
+            let enough = if tried.len() < SOUGHT { GOOD } else { WITHIN };
+            if best.as_ref().is_some_and(|known| self.deviation(known) <= enough * self.tolerance) {
                 break;
             }
         }
         best
     }
 
-    /// Limits with which the first order keeps an axis that went beyond its own: it answers to large modifications more than it says.
-    fn narrower(&self, error: &GeneratingError) -> Option<DressingLimits> {
+    /// Limits with which the first order keeps an axis that went beyond its own, since it answers to large modifications more than it says; and
+    /// whether contacts are to be kept on the worm.
+    fn narrower(&self, error: &GeneratingError) -> Option<(DressingLimits, bool)> {
         let mut limits = self.limits;
         let (axis, by) = match error {
             GeneratingError::AxisLimit { axis, value, limit, .. } => (axis, NARROWER * limit / value),
             // Far from where the first order holds.
             GeneratingError::Dressing(_) => {
                 limits.correction.iter_mut().for_each(|limit| *limit *= WELL_NARROWER);
-                return Some(limits);
+                return Some((limits, false));
             }
+            GeneratingError::Contact(ContactError::WormSurfaceMissing { .. }) => return Some((limits, true)),
             _ => return None,
         };
         match CORRECTION_AXES.iter().position(|known| known == axis) {
             Some(j) => limits.correction[j] *= by,
             None => limits.delta_d *= by,
         }
-        Some(limits)
+        Some((limits, false))
     }
 
     /// The best fit at one ratio, carried out.
@@ -168,6 +174,7 @@ impl PlanTask<'_> {
         let begun = CarriedOut { fit: ideal.fit, made, contacts };
         let (dressed, dressed_record) = self.settled(task, begun, DRESSED_ROUNDS, dressed);
         self.unbroken(grid, &dressed.contacts)?;
+        self.on_the_worm(&dressed.contacts)?;
         let mut equipped = dressed.made;
         equipped.ideal.outside = dressed.fit.off;
         let candidate = self.candidate_of(&equipped, grid, ratio, place);
@@ -299,7 +306,7 @@ impl PlanTask<'_> {
         Ok(contacts)
     }
 
-    /// Refuses contacts near a fold and beyond the finished part of the worm.
+    /// Refuses contacts near a fold.
     fn unbroken(
         &self,
         grid: &PlanningGrid,
@@ -317,8 +324,15 @@ impl PlanTask<'_> {
                 let ratio = least.determinant_ratio;
                 return Err(ContactError::Undercut { flank, w, z, ratio }.into());
             }
+        }
+        Ok(())
+    }
+
+    /// Refuses contacts beyond the finished part of the worm.
+    fn on_the_worm(&self, contacts: &Sides<Option<Contacts>>) -> Result<(), GeneratingError> {
+        for (flank, at) in contacts.iter() {
             let beyond = self.beyond(flank)?;
-            if let Some(&(_, (p, q))) = at.iter().find(|(_, (w, _))| beyond(*w) > 0.0) {
+            if let Some(&(_, (p, q))) = at.iter().flatten().find(|(_, (w, _))| beyond(*w) > 0.0) {
                 return Err(ContactError::WormSurfaceMissing { p, q }.into());
             }
         }

@@ -37,7 +37,7 @@ pub struct FlankFit<'a> {
     rows: Rows,
     tolerance: f64,
     axes: &'a AxisShares,
-    reach: Reach,
+    reach: Option<Reach>,
     beside: Vec<(Place, Section)>,
 }
 
@@ -69,7 +69,7 @@ impl FlankCommand {
 impl<'a> FlankFit<'a> {
     /// `wanted` (transverse, mm) on the grid `w` x `z`, row-major, by the functions of `class` under the ratio of `shift`, with `intervals`
     /// over the flank. `tolerance` is transverse, mm; `limits` are
-    /// the lengths of roll between which the worm has its profile.
+    /// the lengths of roll between which contacts are kept on the worm.
     ///
     /// # Errors
     /// `DirectionAlongPath`, `InvalidSpline`, `DegenerateDirection` where bodies have no contact of second order.
@@ -79,7 +79,7 @@ impl<'a> FlankFit<'a> {
         (class, ratio, shift): (FunctionClass, f64, &MotionLaw),
         (w, z): (&'a [f64], &'a [f64]),
         wanted: &'a [f64],
-        (tolerance, axes, limits): (f64, &'a AxisShares, [f64; 2]),
+        (tolerance, axes, limits): (f64, &'a AxisShares, Option<[f64; 2]>),
         intervals: usize,
     ) -> Result<Self, GeneratingError> {
         let lines = &setup.lines[flank];
@@ -111,7 +111,8 @@ impl<'a> FlankFit<'a> {
             BESIDE.into_iter().flat_map(out).map(|z| (envelope.unmoved(w, z), *section)).collect::<Vec<_>>()
         });
         let beside = beside.collect();
-        let reach = Reach { limits, unmodified: w.iter().map(|&w| envelope.worm_roll(w)).collect() };
+        let reach = limits
+            .map(|limits| Reach { limits, unmodified: w.iter().map(|&w| envelope.worm_roll(w)).collect() });
         Ok(Self { envelope, bases, sections, w, z, wanted, rows, tolerance, axes, reach, beside })
     }
 
@@ -186,7 +187,7 @@ impl<'a> FlankFit<'a> {
             tolerance: self.tolerance,
             curvature,
             axes: self.axes,
-            reach: &self.reach,
+            reach: self.reach.as_ref(),
         };
         let (coefficients, cost) = programme.solve()?;
         Some(FlankCommand { coefficients, cost })

@@ -20,7 +20,7 @@ use std::sync::Arc;
 /// Evaluations of the golden section about the best ratio.
 const GOLDEN: usize = 8;
 /// Ratios that are expected to cost no more than this count as equally good.
-const EASY: f64 = 0.5;
+const EASY: f64 = 0.3;
 
 /// What is to be planned.
 pub struct BestFitTask<'a> {
@@ -35,8 +35,8 @@ pub struct BestFitTask<'a> {
     /// Normal, mm.
     tolerance: f64,
     axes: Sides<AxisShares>,
-    /// Lengths of roll between which the worm is finished.
-    reach: Sides<[f64; 2]>,
+    /// Lengths of roll between which the worm is finished, where the contact is to be kept there.
+    reach: Sides<Option<[f64; 2]>>,
 }
 
 /// A ratio with what its fit is expected to cost.
@@ -80,7 +80,8 @@ fn axis_shares(
 }
 
 impl<'a> BestFitTask<'a> {
-    /// Targets on a grid, functions with `intervals` over the flank; `free_profile`: a dresser is made for them.
+    /// Targets on a grid, functions with `intervals` over the flank; `free_profile`: a dresser is made for them; `on_worm`: contacts are kept
+    /// on the finished part of the worm.
     ///
     /// # Errors
     /// [`GeneratingError::NoFlank`]; evaluation errors of the targets.
@@ -89,7 +90,7 @@ impl<'a> BestFitTask<'a> {
         targets: &'a Sides<Option<FlankTarget>>,
         (grid, intervals): (&'a PlanningGrid, usize),
         free_profile: bool,
-        (tolerance, limits, dressing): (f64, DressingLimits, DressingRows),
+        (tolerance, limits, dressing, on_worm): (f64, DressingLimits, DressingRows, bool),
     ) -> Result<Self, GeneratingError> {
         let which: Vec<Flank> = targets.iter().filter(|(_, t)| t.is_some()).map(|(f, _)| f).collect();
         if which.is_empty() {
@@ -116,7 +117,7 @@ impl<'a> BestFitTask<'a> {
         })?;
         let axes = Sides::from_fn(|flank| axis_shares(setup, flank, limits, dressing));
         let dresser = setup.dresser()?;
-        let reach = Sides::from_fn(|flank| finished_rolls(setup, dresser, flank));
+        let reach = Sides::from_fn(|flank| on_worm.then(|| finished_rolls(setup, dresser, flank)));
         Ok(Self { setup, which, grid, intervals, wanted, given, free_profile, tolerance, axes, reach })
     }
 

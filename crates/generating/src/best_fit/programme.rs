@@ -60,7 +60,7 @@ pub struct AxisShares {
 
 impl AxisShares {
     /// Every sum of coefficients that is the share of an axis.
-    fn each(&self, bases: &Bases, mut take: impl FnMut(&[(usize, f64)])) {
+    pub fn each(&self, bases: &Bases, mut take: impl FnMut(&[(usize, f64)])) {
         let block = |kind: Kind| bases.blocks.iter().find(|block| block.kind == kind);
         if let (Some(constant), Some(linear)) = (block(Kind::Constant), block(Kind::Linear)) {
             for [by_constant, by_linear] in &self.lines {
@@ -104,8 +104,8 @@ pub struct FlankProgramme<'a> {
     pub curvature: Curvature,
     /// The axes.
     pub axes: &'a AxisShares,
-    /// How far the worm goes.
-    pub reach: &'a Reach,
+    /// How far the worm goes, where contacts are kept on it.
+    pub reach: Option<&'a Reach>,
 }
 
 impl FlankProgramme<'_> {
@@ -158,7 +158,7 @@ impl FlankProgramme<'_> {
     /// The tool touches where it still has its profile: the place on the worm moves with the slopes of the command at the foot.
     fn keep_reach(&self, programme: &mut ConeProgramme) {
         let bend = self.bases.columns() + 1;
-        let Reach { limits, unmodified } = self.reach;
+        let Some(Reach { limits, unmodified }) = self.reach else { return };
         for (k, (place, section)) in self.thinned() {
             let at = unmodified[k / self.row];
             for (room, sign) in [(at - limits[0], 1.0), (limits[1] - at, -1.0)] {
@@ -231,25 +231,31 @@ impl Envelope<'_> {
     /// The row of the step of the length of roll on the worm that a command asks for where the tool touches, by the coefficients in mm.
     pub fn reach_row(&self, section: &Section, bases: &Bases, place: &Place) -> Vec<(usize, f64)> {
         let answer = -section.reach * section.inverse * section.cos;
-        let worm = answer * section.worm.transpose();
-        let path = (answer * section.path.transpose())[0];
+        let slopes = self.slope_rows(section, bases, place);
+        slopes.into_iter().map(|(k, slope)| (k, (answer * slope)[0])).collect()
+    }
+
+    /// The slopes of the functions over the displacement of the contact, by the coefficients in mm.
+    pub fn slope_rows(&self, section: &Section, bases: &Bases, place: &Place) -> Vec<(usize, Vector2<f64>)> {
+        let (worm, path) = (section.worm.transpose(), section.path.transpose());
         let [x, _, along] = self.jets(place.w, 0.0);
         let (u, u_w) = bases.factor(place.w);
-        let along_lines = worm[0] * x.fu + worm[1] * x.fv;
-        let mut row = Vec::new();
+        let along_lines = worm * Vector2::new(x.fu, x.fv);
+        let by_w: Vector2<f64> = worm.column(0).into();
+        let mut rows = Vec::new();
         for block in &bases.blocks {
             let (first, jets) = block.jets(block.argument(place));
-            row.extend(jets.into_iter().enumerate().map(|(k, [f, f1, _])| {
-                let value = match block.kind {
+            rows.extend(jets.into_iter().enumerate().map(|(k, [f, f1, _])| {
+                let slope: Vector2<f64> = match block.kind {
                     Kind::Constant => along_lines * f1,
-                    Kind::Linear => along_lines * f1 * u + worm[0] * f * u_w,
-                    Kind::Profile => worm[0] * f1,
-                    Kind::Kinematic => path * f1 * along.fv,
+                    Kind::Linear => along_lines * (f1 * u) + by_w * (f * u_w),
+                    Kind::Profile => by_w * f1,
+                    Kind::Kinematic => path * (f1 * along.fv),
                 };
-                (first + k, value)
+                (first + k, slope)
             }));
         }
-        row
+        rows
     }
 
     /// The rows of the symmetric matrix (xx, xy, yy) whose eigenvalues are the curvatures of the functions over those of the gap, by the
