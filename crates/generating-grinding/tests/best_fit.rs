@@ -74,6 +74,18 @@ fn the_referee_meets_an_end_relief_and_its_settings_run_again() {
 }
 
 #[test]
+fn a_fit_keeps_to_the_tip_of_the_worm_and_shifts_no_more_than_it_must() {
+    // The contact of the free fit of d004 leaves the tip of the worm; d100 is a spur gear, whose end relief needs no shift.
+    for (name, ratio) in [("d004", None), ("d100", Some(0.0))] {
+        let planned = refereed(&load(&drawing(name)), |loaded| plan_job(loaded, &Silent));
+        let settings = &planned.result.settings;
+        assert!(ratio.is_none_or(|ratio| settings.settings.diagonal_ratio == ratio), "{name}");
+        let apart = planned.result.flanks.values().map(|flank| flank.model_difference_um).fold(0.0, f64::max);
+        assert!(apart < 0.1 * planned.result.tolerance_um, "{name}: {apart} um");
+    }
+}
+
+#[test]
 fn pieces_of_a_profile_that_do_not_meet_are_refused_by_name() {
     let mut job = drawing("d031");
     let (_, execution) = fitted("d031");

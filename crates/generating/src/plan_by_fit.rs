@@ -1,6 +1,6 @@
 //! Plans by a best fit to the whole target (`docs/mathematics/best-fit.md`), for targets that the closed decomposition misses or refuses.
 
-use super::best_fit::{BestFit, BestFitTask, Contact, Contacts};
+use super::best_fit::{BestFit, BestFitTask, Contact, Contacts, Expected};
 use super::dressed::{DRESSING_MARGIN, finished_rolls};
 use super::plan::{Equipped, LARGEST_DRESSING_MARGIN, PlanTask, Records};
 use super::planning_grid::GroundError;
@@ -18,8 +18,9 @@ const FIT_INTERVALS: usize = 24;
 /// The same where ratios are compared.
 const SCAN_GRID: [usize; 2] = [9, 25];
 const SCAN_INTERVALS: usize = 12;
-/// Factor between ratios of one sign that are carried out.
+/// Factor between ratios of one sign that are carried out, where they are expected to cost no more than this.
 const APART: f64 = 1.9;
+const EASY: f64 = 0.4;
 /// Ratios that are carried out, at most.
 const CARRIED_OUT: usize = 6;
 /// Rounds of correction with the ideal worm, and with the worm as dressed.
@@ -95,20 +96,21 @@ impl PlanTask<'_> {
         let fits = |grid| within(grid, self.limits, false);
         let scan = PlanningGrid::new(self.setup, SCAN_GRID[0], SCAN_GRID[1]);
         let ratios = match self.ratio {
-            Some(ratio) => vec![ratio],
-            None => {
-                let expected = fits((&scan, SCAN_INTERVALS))?.ratios();
-                expected.into_iter().map(|expected| expected.ratio).collect()
-            }
+            Some(ratio) => vec![Expected { ratio, cost: 0.0 }],
+            None => fits((&scan, SCAN_INTERVALS))?.ratios(),
         };
         let grid = PlanningGrid::new(self.setup, FIT_GRID[0], FIT_GRID[1]);
         let task = fits((&grid, FIT_INTERVALS))?;
         let mut best: Option<GrindingPlan> = None;
         let mut tried: Vec<f64> = Vec::new();
         while tried.len() < CARRIED_OUT {
-            // What one ratio cannot do its neighbours hardly can.
-            let next = |ratio: &&f64| tried.iter().all(|other| far_apart(**ratio, *other));
-            let Some(&ratio) = ratios.iter().find(next) else { break };
+            // What one ratio cannot do that was expected to be easy its neighbours hardly can.
+            let next = |expected: &&Expected| {
+                let apart = |other: &f64| far_apart(expected.ratio, *other);
+                let new = |other: &f64| expected.ratio != *other;
+                if expected.cost <= EASY { tried.iter().all(apart) } else { tried.iter().all(new) }
+            };
+            let Some(&Expected { ratio, .. }) = ratios.iter().find(next) else { break };
             tried.push(ratio);
             let mut fitted = self.fitted_at(&task, &grid, ratio, ruled);
             if let Err(error) = &fitted

@@ -12,4 +12,4 @@ mod programme;
 mod ratios;
 mod smoother;
 
-pub(super) use planner::{BestFit, BestFitTask, Contact, Contacts};
+pub(super) use planner::{BestFit, BestFitTask, Contact, Contacts, Expected};

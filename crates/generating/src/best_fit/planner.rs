@@ -159,8 +159,8 @@ impl<'a> BestFitTask<'a> {
         let mut tried: Vec<Expected> =
             candidates(self.setup, &self.which).into_par_iter().map(expected).collect();
         let order = |a: &Expected, b: &Expected| {
-            // Costs within a tenth are one: the estimate is no better.
-            let class = |of: &Expected| (of.cost.max(EASY).ln() / 0.1).round();
+            // Costs within a hundredth are one.
+            let class = |of: &Expected| (of.cost.max(EASY).ln() / 0.01).round();
             class(a).total_cmp(&class(b)).then(a.ratio.abs().total_cmp(&b.ratio.abs()))
         };
         tried.sort_by(order);
