@@ -1,10 +1,10 @@
 //! Tangential dressing in the registry of processes.
 
 use crate::job::{LoadedTangentialJob, TangentialJob};
-use crate::workflow::TangentialResult;
 use crate::workflow::derived::of_tangential;
 use crate::workflow::followed::OnTangential;
 use crate::workflow::previewed::preview_tangential;
+use crate::workflow::{TangentialJobOutcome, TangentialResult};
 use crate::workflow::{plan_tangential, simulate_tangential};
 use ::job::ProcessJob;
 use foundation::numerics::Progress;
