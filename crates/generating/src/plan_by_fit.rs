@@ -20,7 +20,7 @@ const SCAN_GRID: [usize; 2] = [9, 25];
 const SCAN_INTERVALS: usize = 12;
 /// Factor between ratios of one sign that are carried out, where they are expected to cost no more than this.
 const APART: f64 = 1.9;
-const EASY: f64 = 0.4;
+const APART_UP_TO: f64 = 0.4;
 /// Ratios that are carried out, at most.
 const CARRIED_OUT: usize = 6;
 /// Rounds of correction with the ideal worm, and with the worm as dressed.
@@ -108,7 +108,7 @@ impl PlanTask<'_> {
             let next = |expected: &&Expected| {
                 let apart = |other: &f64| far_apart(expected.ratio, *other);
                 let new = |other: &f64| expected.ratio != *other;
-                if expected.cost <= EASY { tried.iter().all(apart) } else { tried.iter().all(new) }
+                if expected.cost <= APART_UP_TO { tried.iter().all(apart) } else { tried.iter().all(new) }
             };
             let Some(&Expected { ratio, .. }) = ratios.iter().find(next) else { break };
             tried.push(ratio);

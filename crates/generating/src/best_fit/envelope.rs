@@ -21,8 +21,9 @@ pub struct Envelope<'a> {
 /// The contact at one length of roll.
 #[derive(Clone, Copy, Debug)]
 pub struct Section {
-    /// Relative curvature over (dw_2, dz_V2) and its inverse.
+    /// Relative curvature over (dw_2, dz_V2).
     pub h: Matrix2<f64>,
+    /// Its inverse.
     pub inverse: Matrix2<f64>,
     /// Workpiece coordinates (w, z) under the worm's foot by the displacement.
     pub worm: Matrix2<f64>,

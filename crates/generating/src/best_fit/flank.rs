@@ -68,8 +68,8 @@ impl FlankCommand {
 
 impl<'a> FlankFit<'a> {
     /// `wanted` (transverse, mm) on the grid `w` x `z`, row-major, by the functions of `class` under the ratio of `shift`, with `intervals`
-    /// over the flank. `tolerance` is transverse, mm; `limits` are
-    /// the lengths of roll between which contacts are kept on the worm.
+    /// over the flank. `tolerance` is transverse, mm; `limits` are the lengths of roll between which contacts are kept on
+    /// the worm.
     ///
     /// # Errors
     /// `DirectionAlongPath`, `InvalidSpline`, `DegenerateDirection` where bodies have no contact of second order.

@@ -229,14 +229,14 @@ impl FlankProgramme<'_> {
 
 impl Envelope<'_> {
     /// The row of the step of the length of roll on the worm that a command asks for where the tool touches, by the coefficients in mm.
-    pub fn reach_row(&self, section: &Section, bases: &Bases, place: &Place) -> Vec<(usize, f64)> {
+    fn reach_row(&self, section: &Section, bases: &Bases, place: &Place) -> Vec<(usize, f64)> {
         let answer = -section.reach * section.inverse * section.cos;
         let slopes = self.slope_rows(section, bases, place);
         slopes.into_iter().map(|(k, slope)| (k, (answer * slope)[0])).collect()
     }
 
     /// The slopes of the functions over the displacement of the contact, by the coefficients in mm.
-    pub fn slope_rows(&self, section: &Section, bases: &Bases, place: &Place) -> Vec<(usize, Vector2<f64>)> {
+    fn slope_rows(&self, section: &Section, bases: &Bases, place: &Place) -> Vec<(usize, Vector2<f64>)> {
         let (worm, path) = (section.worm.transpose(), section.path.transpose());
         let [x, _, along] = self.jets(place.w, 0.0);
         let (u, u_w) = bases.factor(place.w);
