@@ -26,6 +26,8 @@ use pyo3::prelude::*;
 /// The extension module of the package `flankwright`.
 #[pymodule]
 mod _core {
+    use pyo3::prelude::{Bound, PyModule, PyResult};
+
     #[pymodule_export]
     use crate::beside::use_threads;
     #[pymodule_export]
@@ -56,6 +58,15 @@ mod _core {
     use crate::task::{preview, preview_many, run, run_many};
     #[pymodule_export]
     use crate::verify::verify;
+
+    /// Adds the processes of this wheel that the registry does not have of itself.
+    #[pymodule_init]
+    fn init(_module: &Bound<'_, PyModule>) -> PyResult<()> {
+        #[cfg(feature = "sample-process")]
+        flankwright::add_process(flankwright_sample_process::TipChamfering)
+            .map_err(|error| pyo3::exceptions::PyRuntimeError::new_err(error.to_string()))?;
+        Ok(())
+    }
 
     /// The version of the program.
     #[pymodule_export]

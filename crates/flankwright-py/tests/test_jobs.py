@@ -57,3 +57,13 @@ def test_a_job_goes_through_a_pickle() -> None:
 
 def test_the_schema_knows_all_tables() -> None:
     assert "$defs" in fw.schema() or "oneOf" in fw.schema()
+
+
+def test_a_process_that_the_registry_got_is_there_too(tmp_path: Path) -> None:
+    assert "tip-chamfering" in str(fw.schema())
+    job = fw.Job.template("tip-chamfering")
+    assert (job.process, job["chamfer.width"]) == ("tip-chamfering", 0.3)
+    result = fw.plan(job)
+    result.write(tmp_path / "out")
+    assert result.status == "met" and "The chamfers leave a tip land" in (tmp_path / "out" / "report.html").read_text()
+    assert fw.plan(job.replace({"chamfer.width": 2.0})).status == "missed"

@@ -10,6 +10,7 @@ pub mod diagonal_ratio;
 mod dresser;
 mod dressing;
 mod dressing_study;
+mod economy;
 mod explore;
 mod gauge;
 mod gear_root;
@@ -31,6 +32,7 @@ pub use diagonal_ratio::{
 pub use dresser::{Dresser, DresserContact, DresserModification, FixedDresser, OtherDresser};
 pub use dressing::{Condition, DegreeOfFreedom, Dressing, DressingFlanks, ProfileCrowningBy};
 pub use dressing_study::{Compare, DressingStudy, StudyOver};
+pub use economy::{AxisLimits, Prefer};
 pub use explore::Explore;
 pub use gauge::{Gauge, GaugeRule, GivenGauge};
 pub use gear_root::{GearRoot, RootAlong};

@@ -4,6 +4,7 @@ mod areas;
 mod best_fit;
 #[path = "../../generating/tests/cylindrical_pair/mod.rs"]
 mod cylindrical_pair;
+mod economy;
 mod explore;
 mod line_dressing_job;
 mod page;

@@ -8,6 +8,7 @@ pub mod correction;
 pub mod curve_law;
 pub mod decomposition;
 pub mod dressed;
+mod economy;
 pub mod equal_ratio;
 mod equal_swivel;
 pub mod error;
@@ -51,6 +52,7 @@ pub use decomposition::{Decomposition, decompose_diagonal, decompose_radial, rad
 pub use dressed::{
     DressedFlank, FinishedArea, dress_flanks, dresser_of_plan, dresser_profile, dressing_interval,
 };
+pub use economy::Prefer;
 pub use equal_ratio::{
     EqualRatio, EqualRatioSearch, Lever, RatioRoot, WormLine, generatrix, worm_at_crossing_angle,
 };
@@ -69,7 +71,7 @@ pub use local_envelope::{LocalEnvelope, kinematic_compliance};
 pub use made::MadeFlank;
 pub use motion::{common_motion, motion_of_flanks};
 pub use natural_twist::{NaturalTwist, natural_twist};
-pub use plan::{FlankPlan, GrindingPlan, PlanTask, PlannedTool};
+pub use plan::{DEFAULT_LEAST_DETERMINANT, FlankPlan, GrindingPlan, PlanTask, PlannedTool};
 pub use planning_grid::PlanningGrid;
 pub use policy::{DressingRows, FlankRows, FreeCoefficients, PlanGauge, ProfilePolicy, SeriesRule};
 pub use quadratic::{

@@ -8,13 +8,14 @@ use super::precompensation::{FREE_ROUNDS, ROUNDS, corrected, precompensate};
 use super::ratio::{Candidate, FlankResidual, NoPlan, RatioChoice, RatioReason, Rule};
 use super::{
     DressingLimits, DressingRows, EqualSwivel, FeedLaw, FlankTarget, FreeCoefficients, GeneratingError,
-    GrindingSetup, IdealPlan, MadeFlank, PlanGauge, PlanningGrid, ProfilePlace, ProfilePolicy, StrokedFlank,
-    SwivelSide, Tool, equal_swivel,
+    GrindingSetup, IdealPlan, MadeFlank, PlanGauge, PlanningGrid, Prefer, ProfilePlace, ProfilePolicy,
+    StrokedFlank, SwivelSide, Tool, equal_swivel,
 };
 use contact::{ContactError, ContactSolution};
 use dressing::DresserTool;
 use foundation::geometry::{Flank, Sides};
 use foundation::kinematics::{GeneratingMotion, MotionLaw};
+use foundation::modification::ToleranceMap;
 use foundation::numerics::extremes;
 
 /// What is to be planned.
@@ -24,8 +25,10 @@ pub struct PlanTask<'a> {
     pub setup: &'a GrindingSetup,
     /// Target per flank; `None` for a flank that is not ground.
     pub targets: Sides<Option<FlankTarget>>,
-    /// Tolerance, mm.
+    /// Tolerance, mm; of a map the tightest.
     pub tolerance: f64,
+    /// The tolerance over the flank, where it is not the same everywhere.
+    pub tolerance_map: Option<ToleranceMap>,
     /// Limits of the correcting axes.
     pub limits: DressingLimits,
     /// Diagonal ratio given in the job; 0 = radial; `None` = auto.
@@ -46,6 +49,10 @@ pub struct PlanTask<'a> {
     pub dressing: DressingRows,
     /// Result grid: points over the profile and over the face width.
     pub grid: (usize, usize),
+    /// What decides among ratios that keep to half the tolerance.
+    pub prefer: Prefer,
+    /// Determinant ratio that every contact is to keep.
+    pub least_determinant: f64,
 }
 
 /// The flank of a planned tool.
@@ -98,12 +105,16 @@ pub struct GrindingPlan {
     pub between: Sides<f64>,
 }
 
+/// Determinant ratio that every contact keeps where nothing else is asked for.
+pub const DEFAULT_LEAST_DETERMINANT: f64 = 0.1;
 /// Largest margin dressed beyond the used worm width, mm.
 pub(super) const LARGEST_DRESSING_MARGIN: f64 = 48.0;
 /// Distance of the contacts from the ends of the finished worm, mm: room for the search of a check of the plan.
 const CONTACT_MARGIN: f64 = 1.5;
 /// A fit takes the place of a refusal if it leaves at most this share of what an unmodified flank would.
 const USEFUL: f64 = 0.5;
+/// Share of the tolerance within which a cheaper ratio is taken.
+const HALF: f64 = 0.5;
 /// Outer rounds with the worm as dressed.
 const OUTER_ROUNDS: usize = 3;
 
@@ -144,6 +155,8 @@ impl PlanTask<'_> {
             norm: self.norm,
             gauge: self.gauge,
             dressing: self.dressing,
+            least_determinant: self.least_determinant,
+            tolerance_map: self.tolerance_map.as_ref(),
         }
     }
 
@@ -204,6 +217,7 @@ impl PlanTask<'_> {
                     dressing_share: 0.0,
                     delta_d_share: 0.0,
                     occupation,
+                    feed_travel: last - first,
                     error: error.max(),
                     residuals: FlankResidual::of(self.setup, &plan, &error),
                     determinant: error.determinant,
@@ -289,8 +303,20 @@ impl PlanTask<'_> {
     pub fn plan_by_rules(&self) -> Result<GrindingPlan, Box<NoPlan>> {
         let grid = self.planning_grid();
         let choice = self.choose_or_tried(&grid)?;
+        if let Some(plan) = self.cheaper(&grid, &choice) {
+            return Ok(plan);
+        }
         let (candidates, failed) = (choice.candidates.clone(), choice.failed.clone());
         self.plan_with(&grid, choice).map_err(|error| Box::new(NoPlan { error, candidates, failed }))
+    }
+
+    /// The plan of a ratio that costs less than the chosen one, where there is one that keeps to half the tolerance.
+    fn cheaper(&self, grid: &PlanningGrid, choice: &RatioChoice) -> Option<GrindingPlan> {
+        if !self.precompensation {
+            return None;
+        }
+        let cheaper = self.rule(grid).cheaper(self.prefer, choice)?;
+        self.plan_with(grid, cheaper).ok().filter(|plan| self.deviation(plan) <= HALF * self.tolerance)
     }
 
     /// As [`PlanTask::plan`]; a refusal brings along the candidates that were judged. By the rules ([`PlanTask::plan_by_rules`]), and where
@@ -322,11 +348,18 @@ impl PlanTask<'_> {
         Flank::BOTH.into_iter().filter_map(of_flank).fold(0.0, f64::max)
     }
 
-    /// Largest distance of a plan to the target on its result grid and between, what is only best-fitted included, normal, mm.
+    /// Largest distance of a plan to the target on its result grid and between, what is only best-fitted included, normal, mm. With a map of
+    /// the tolerance on its grid, each distance by what the tolerance there is over the tightest.
     pub(super) fn deviation(&self, plan: &GrindingPlan) -> f64 {
         let of_flank = |flank: Flank| {
             let made = plan.flanks[flank].as_ref()?;
-            let off = made.planned.iter().zip(&made.target).map(|(at, target)| (at.f_n - target).abs());
+            let distances = made.planned.iter().zip(&made.target).map(|(at, target)| (at.f_n - target).abs());
+            if let Some(map) = &self.tolerance_map {
+                let places = made.w.iter().flat_map(|&w| made.z.iter().map(move |&z| (w, z)));
+                let weighed = distances.zip(places).map(|(off, (w, z))| off / map.value(w, z));
+                return Some(weighed.fold(0.0, f64::max) * self.tolerance);
+            }
+            let off = distances;
             let outside = plan.ideal.outside[flank] * self.setup.lines[flank].cos_b2;
             Some(off.fold(plan.between[flank].max(outside), f64::max))
         };

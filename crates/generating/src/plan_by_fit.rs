@@ -7,7 +7,7 @@ use super::planning_grid::GroundError;
 use super::ratio::{CORRECTION_AXES, Candidate, FlankResidual, NoPlan, RatioChoice, RatioReason};
 use super::{
     DressingLimits, DressingRows, FeedLaw, GeneratingError, GrindingPlan, IdealPlan, PlanGauge, PlannedTool,
-    PlanningGrid, ProfilePlace, ProfilePolicy, SeriesRule, Tool,
+    PlanningGrid, Prefer, ProfilePlace, ProfilePolicy, SeriesRule, Tool,
 };
 use contact::{ContactError, ModifiedThread};
 use foundation::geometry::{Flank, Sides};
@@ -33,7 +33,7 @@ const SETTLED: f64 = 0.25;
 const HALVINGS: usize = 4;
 const WORTH: f64 = 0.9;
 /// A plan below this share of the tolerance needs no further ratio.
-const GOOD: f64 = 0.6;
+const GOOD: f64 = 0.5;
 /// From so many ratios on this share is enough.
 const SOUGHT: usize = 3;
 const WITHIN: f64 = 0.9;
@@ -48,8 +48,8 @@ const MARGIN_OF_CONTACTS: f64 = 3.0;
 const NARROWER: f64 = 0.9;
 /// The same where no dressing motion is found.
 const WELL_NARROWER: f64 = 0.3;
-/// Determinant ratio that every contact keeps.
-const LEAST_DETERMINANT_RATIO: f64 = 0.1;
+/// Tolerances within which the command stays near the target where none within one can be carried out.
+const FURTHER: [f64; 3] = [3.0, 10.0, 30.0];
 /// Length of roll that contacts stay within the finished part of the worm, mm: rays stand between the points of a fit. And by how much
 /// beyond that counts as a tolerance, mm.
 const ROOM_AT_ENDS: f64 = 0.02;
@@ -89,15 +89,17 @@ impl PlanTask<'_> {
 
     /// The best plan by fits at some ratios; `None` where none can be carried out. `ruled` is what the rules came to.
     pub(super) fn plan_by_fit(&self, ruled: &Result<GrindingPlan, Box<NoPlan>>) -> Option<GrindingPlan> {
-        let within = |grid, limits: DressingLimits, on_worm: bool| {
-            let rules = (self.tolerance, limits, self.dressing, on_worm);
-            BestFitTask::new(self.setup, &self.targets, grid, self.free_dresser, rules).ok()
+        let as_near = |grid, near: f64, limits: DressingLimits, on_worm: bool| {
+            let rules = (near * self.tolerance, limits, self.dressing, on_worm);
+            let map = self.tolerance_map.as_ref();
+            BestFitTask::new(self.setup, (&self.targets, map), grid, self.free_dresser, rules).ok()
         };
+        let within = |grid, limits: DressingLimits, on_worm: bool| as_near(grid, 1.0, limits, on_worm);
         let fits = |grid| within(grid, self.limits, false);
         let scan = PlanningGrid::new(self.setup, SCAN_GRID[0], SCAN_GRID[1]);
         let ratios = match self.ratio {
             Some(ratio) => vec![Expected { ratio, cost: 0.0 }],
-            None => fits((&scan, SCAN_INTERVALS))?.ratios(),
+            None => fits((&scan, SCAN_INTERVALS))?.ratios(self.prefer),
         };
         let grid = PlanningGrid::new(self.setup, FIT_GRID[0], FIT_GRID[1]);
         let task = fits((&grid, FIT_INTERVALS))?;
@@ -124,12 +126,24 @@ impl PlanTask<'_> {
             if better {
                 best = Some(plan);
             }
-            let enough = if tried.len() < SOUGHT { GOOD } else { WITHIN };
+            let enough = match self.prefer {
+                Prefer::Accuracy => SETTLED,
+                Prefer::Worm | Prefer::Time if tried.len() < SOUGHT => GOOD,
+                Prefer::Worm | Prefer::Time => WITHIN,
+            };
             if best.as_ref().is_some_and(|known| self.deviation(known) <= enough * self.tolerance) {
                 break;
             }
         }
-        best
+        if best.is_some() {
+            return best;
+        }
+        // None can be carried out: what is less near to the target is easier to make.
+        FURTHER.into_iter().find_map(|near| {
+            let task = as_near((&grid, FIT_INTERVALS), near, self.limits, true)?;
+            let plans = tried.iter().filter_map(|&ratio| self.fitted_at(&task, &grid, ratio, ruled).ok());
+            plans.min_by(|a, b| self.deviation(a).total_cmp(&self.deviation(b)))
+        })
     }
 
     /// Limits with which the first order keeps an axis that went beyond its own, since it answers to large modifications more than it says; and
@@ -320,7 +334,7 @@ impl PlanTask<'_> {
                 a.0.determinant_ratio.total_cmp(&b.0.determinant_ratio)
             };
             if let Some((k, (least, _))) = at.iter().enumerate().min_by(by_ratio)
-                && least.determinant_ratio < LEAST_DETERMINANT_RATIO
+                && least.determinant_ratio < self.least_determinant
             {
                 let (w, z) = (grid.w[flank][k / grid.z.len()], grid.z[k % grid.z.len()]);
                 let ratio = least.determinant_ratio;
@@ -352,7 +366,7 @@ impl PlanTask<'_> {
         let of_flank = |flank: Flank| {
             let (Some(at), Ok(beyond)) = (&contacts[flank], self.beyond(flank)) else { return 0.0 };
             let of_contact = |(at, (w, _)): &Contact| {
-                let folds = (LEAST_DETERMINANT_RATIO - at.determinant_ratio) / LEAST_DETERMINANT_RATIO;
+                let folds = (self.least_determinant - at.determinant_ratio) / self.least_determinant;
                 f64::max(folds, beyond(*w) / STRAINED)
             };
             at.iter().map(of_contact).fold(0.0, f64::max)
@@ -450,7 +464,8 @@ impl PlanTask<'_> {
             dressing_share,
             delta_d_share: delta_d / self.limits.delta_d,
             occupation,
-            error: equipped.error.max(),
+            feed_travel: feeds[1] - feeds[0],
+            error: equipped.error.weighed_max(&grid.weights(self.tolerance_map.as_ref())),
             residuals: FlankResidual::of(self.setup, ideal, &equipped.error),
             determinant: equipped.error.determinant,
             refusal,

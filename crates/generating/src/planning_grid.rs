@@ -5,6 +5,7 @@ use super::{FlankTarget, GeneratingError, GrindingSetup};
 use contact::{ContactSolution, ExactContact, ToolSurface};
 use foundation::geometry::{Flank, Sides};
 use foundation::kinematics::{GeneratingMotion, MotionLaw};
+use foundation::modification::ToleranceMap;
 use foundation::numerics::{Polynomial2, equidistant, root_mean_square};
 
 /// Points on the flanks on which a plan is judged, row-major `[w][z]`.
@@ -39,6 +40,15 @@ impl PlanningGrid {
         const PLACE: f64 = 0.382;
         let inside = |x: &[f64]| x.windows(2).map(|cell| cell[0] + PLACE * (cell[1] - cell[0])).collect();
         Self { w: self.w.map(|_, w| inside(w)), z: inside(&self.z), ..self.clone() }
+    }
+
+    /// The tightest tolerance over that of each place of a map, by flank and grid point; `None` without a map.
+    pub fn weights(&self, map: Option<&ToleranceMap>) -> Sides<Option<Vec<f64>>> {
+        Sides::from_fn(|flank| {
+            let (map, tightest) = (map?, map?.tightest());
+            let row = |&w: &f64| self.z.iter().map(move |&z| tightest / map.value(w, z));
+            Some(self.w[flank].iter().flat_map(row).collect())
+        })
     }
 
     /// Target values on one flank, normal, mm.
@@ -139,6 +149,16 @@ impl GroundError {
     pub fn rms(&self, flank: Flank) -> Option<f64> {
         let errors = self.error[flank].as_ref()?;
         Some(root_mean_square(errors))
+    }
+
+    /// Largest |error| of all flanks, mm, each weighed by what [`PlanningGrid::weights`] gives for its place.
+    pub fn weighed_max(&self, weights: &Sides<Option<Vec<f64>>>) -> f64 {
+        let of_flank = |flank: Flank| {
+            let (errors, weights) = (self.error[flank].as_ref()?, weights[flank].as_ref());
+            let weight = |k: usize| weights.map_or(1.0, |weights| weights[k]);
+            Some(errors.iter().enumerate().map(|(k, e)| e.abs() * weight(k)).fold(0.0, f64::max))
+        };
+        Flank::BOTH.into_iter().filter_map(of_flank).fold(0.0, f64::max)
     }
 
     /// Largest |error| of all flanks, mm.

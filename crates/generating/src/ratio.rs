@@ -10,6 +10,7 @@ use super::{
 };
 use contact::FOLD_BEGINS;
 use foundation::geometry::{Flank, Sides};
+use foundation::modification::ToleranceMap;
 use foundation::numerics::Polynomial2;
 
 /// What the ideal tool misses of the target on one flank, on the planning grid. Normal, mm.
@@ -53,7 +54,9 @@ pub struct Candidate {
     pub delta_d_share: f64,
     /// Used worm width, mm.
     pub occupation: f64,
-    /// Largest error of the ideal worm, mm.
+    /// Travel of the feed without overrun, mm.
+    pub feed_travel: f64,
+    /// Largest error of the ideal worm, mm; weighed by the tightest tolerance over that of its place.
     pub error: f64,
     /// What it misses per flank; `None` for a flank that is not ground.
     pub residuals: Sides<Option<FlankResidual>>,
@@ -85,6 +88,10 @@ pub enum RatioReason {
     Compromise,
     /// Scan over both signs.
     Scan,
+    /// The least used width of the worm within half the tolerance and half the limits of the axes.
+    LeastWorm,
+    /// The least travel of the feed within these.
+    LeastTravel,
     /// No ratio is exact enough: the one of least error.
     LeastError,
     /// The ratio that lays the tool's lines onto reliefs or waves of the target.
@@ -152,7 +159,7 @@ const SCORE_ROUNDS: usize = 2;
 const GOLDEN: usize = 9;
 /// Ratios per sign in the scan.
 const SCAN: usize = 24;
-/// Least determinant ratio allowed.
+/// Least determinant ratio that the rule allows; a task may ask for more.
 pub const LEAST_DETERMINANT: f64 = FOLD_BEGINS;
 
 /// What the rule needs to know.
@@ -167,6 +174,10 @@ pub(super) struct Rule<'a> {
     pub norm: FitNorm,
     pub gauge: PlanGauge,
     pub dressing: DressingRows,
+    /// Asked for by the task.
+    pub least_determinant: f64,
+    /// Where less than the tightest tolerance is asked for.
+    pub tolerance_map: Option<&'a ToleranceMap>,
 }
 
 /// Names of the corrections of the dressing motion, in their order.
@@ -242,7 +253,8 @@ impl Rule<'_> {
         let feed = FeedLaw::Ratio(ratio);
         let correct = |rounds| precompensate(self.setup, self.targets, self.grid, &feed, policy, rounds);
         let (mut plan, mut error, _) = correct(SCORE_ROUNDS)?;
-        if error.max() > self.tolerance / 2.0 {
+        let weights = self.grid.weights(self.tolerance_map);
+        if error.weighed_max(&weights) > self.tolerance / 2.0 {
             (plan, error, _) = correct(ROUNDS)?;
         }
         let mut dressing_share: f64 = 0.0;
@@ -275,12 +287,14 @@ impl Rule<'_> {
             .check_width(occupation, ratio)
             .and_then(|()| self.check_axes(dressing_share, worst, delta_d))
             .and_then(|()| {
-                if error.determinant < LEAST_DETERMINANT {
-                    let (ratio, limit) = (error.determinant, LEAST_DETERMINANT);
+                let limit = LEAST_DETERMINANT.max(self.least_determinant);
+                if error.determinant < limit {
+                    let ratio = error.determinant;
                     return Err(GeneratingError::EnvelopeBroken { flank: self.which()[0], ratio, limit });
                 }
-                if error.max() > self.tolerance / 2.0 {
-                    let (error_um, allowed_um) = (error.max() * 1e3, self.tolerance * 500.0);
+                let off = error.weighed_max(&weights);
+                if off > self.tolerance / 2.0 {
+                    let (error_um, allowed_um) = (off * 1e3, self.tolerance * 500.0);
                     return Err(GeneratingError::ModelError { ratio, error_um, allowed_um });
                 }
                 Ok(())
@@ -292,7 +306,8 @@ impl Rule<'_> {
             dressing_share,
             delta_d_share,
             occupation,
-            error: error.max(),
+            feed_travel: feeds[1] - feeds[0],
+            error: error.weighed_max(&weights),
             residuals: FlankResidual::of(self.setup, &plan, &error),
             determinant: error.determinant,
             refusal,

@@ -9,7 +9,7 @@ use foundation::numerics::Polynomial2;
 use generating::least_squares::FitNorm;
 use generating::{
     Command, Decomposition, DresserChoice, DressingLimits, DressingRows, FeedLaw, FlankTarget, Gauge,
-    GeneratingError, GrindingSetup, IdealPlan, LocalEnvelope, PlanGauge, PlanTask, PlanningGrid,
+    GeneratingError, GrindingSetup, IdealPlan, LocalEnvelope, PlanGauge, PlanTask, PlanningGrid, Prefer,
     ProfilePlace, ProfilePolicy, QuadraticWorm, SeriesRule, SetupInput, constant_only_profile_crowning,
     decompose_diagonal, decompose_quadratic, decompose_radial, kinematic_compliance, motion_of_flanks,
     natural_twist, product_functions, radial_residual,
@@ -84,6 +84,7 @@ fn task(setup: &GrindingSetup) -> PlanTask<'_> {
         setup,
         targets: targets(setup, 20.0),
         tolerance: 1e-3,
+        tolerance_map: None,
         limits: DressingLimits::default(),
         ratio: None,
         places: vec![ProfilePlace::Dresser],
@@ -94,6 +95,8 @@ fn task(setup: &GrindingSetup) -> PlanTask<'_> {
         dressing: DressingRows::default(),
         precompensation: true,
         grid: (5, 5),
+        prefer: Prefer::Accuracy,
+        least_determinant: 0.1,
     }
 }
 

@@ -149,6 +149,7 @@ export const KEY_NAMES_DE: Record<string, string> = {
   least_determinant_ratio: "Kleinstes Determinantenverhältnis",
   feed_stroke_mm: "Vorschubweg",
   worm_occupation_mm: "Belegung der Schnecke",
+  feed_travel_mm: "Vorschubweg",
   lead_correction_ratio: "Verhältnis K*",
   diagonal_ratio_reason: "Grund des Diagonalverhältnisses",
   candidates: "Kandidaten",

@@ -112,37 +112,66 @@ impl Condition {
         }
     }
 
-    /// Residual and gradient (columns phi_S, gamma, d, v_y) at DK. `hint` holds the profile parameter of a pitch point: that of
-    /// a correction nearby, or NaN.
+    /// What the row is to be, in the unit of [`Made::value`].
+    pub(crate) fn wanted(&self) -> f64 {
+        match *self {
+            Self::Point { f, .. } => f,
+            Self::Map { w, .. } => w,
+            Self::Head { r, .. } => r,
+            Self::Fixed { x, .. } => x,
+        }
+    }
+
+    /// Whether two rows ask for the same thing, perhaps with other wanted values.
+    pub(crate) fn asks_as(&self, other: &Self) -> bool {
+        match (*self, *other) {
+            (Self::Point { flank, w, .. }, Self::Point { flank: its, w: roll, .. }) => {
+                (flank, w) == (its, roll)
+            }
+            (Self::Map { flank, t, .. }, Self::Map { flank: its, t: parameter, .. }) => {
+                (flank, t) == (its, parameter)
+            }
+            (Self::Head { t, .. }, Self::Head { t: parameter, .. }) => t == parameter,
+            (Self::Fixed { j, .. }, Self::Fixed { j: component, .. }) => j == component,
+            _ => false,
+        }
+    }
+
+    /// What the row comes to at DK. `hint` holds the profile parameter of a pitch point: that of a correction nearby, or NaN.
     ///
     /// # Errors
     /// Those of the forward calculation.
-    pub(crate) fn row(
+    pub(crate) fn made(
         &self,
         tool: &DresserTool,
         dk: &DressingCorrection,
         hint: &mut f64,
-    ) -> Result<(f64, [f64; 4]), DressingError> {
+    ) -> Result<Made, DressingError> {
+        let of = |(value, gradient)| Made { value, gradient, b: None };
         match *self {
-            Self::Point { flank, w, f } => {
+            Self::Point { flank, w, .. } => {
                 let at = near(&DressedProfile::new(tool, flank, *dk), w, hint)?;
-                Ok((at.f - f, at.df_dk))
+                Ok(Made { value: at.f, gradient: at.df_dk, b: Some(at.b) })
             }
-            Self::Map { flank, t, w } => {
-                let (value, gradient) = DressedProfile::new(tool, flank, *dk).map_gradient(t)?;
-                Ok((value - w, gradient))
-            }
-            Self::Head { t, r } => {
-                let (value, gradient) = head_gradient(tool, t, dk)?;
-                Ok((value - r, gradient))
-            }
-            Self::Fixed { j, x } => {
+            Self::Map { flank, t, .. } => DressedProfile::new(tool, flank, *dk).map_gradient(t).map(of),
+            Self::Head { t, .. } => head_gradient(tool, t, dk).map(of),
+            Self::Fixed { j, .. } => {
                 let mut gradient = [0.0; 4];
                 gradient[j] = 1.0;
-                Ok((dk[j] - x, gradient))
+                Ok(of((dk[j], gradient)))
             }
         }
     }
+}
+
+/// What a row comes to.
+pub(crate) struct Made {
+    /// f_n, length of roll or radius, mm; a component of DK, rad or mm.
+    pub value: f64,
+    /// Its gradient, columns phi_S, gamma, d, v_y.
+    pub gradient: [f64; 4],
+    /// Of a pitch point: worm z of the contact at v_zS = 0, mm.
+    pub b: Option<f64>,
 }
 
 /// The profile point at w from the parameter found last, or from afar where that leads nowhere.

@@ -2,7 +2,8 @@
 //! (`docs/mathematics/dressing.md#conditions`). Works in the K chart: the solution is the one connected with the start.
 
 use crate::conditions::path_end::{axis_margin, correction_scale, reason_of_break};
-use crate::{Condition, DressedProfile, DresserTool, DressingError, PathReason};
+use crate::conditions::rows::Made;
+use crate::{Condition, ConditionsAlong, DressedProfile, DresserTool, DressingError, PathReason};
 use foundation::geometry::Flank;
 use foundation::inverse::{
     ContinuationOptions, NewtonError, NewtonOptions, Path, PathEnd, PathPoint, Watch, follow, newton,
@@ -56,8 +57,8 @@ impl<'a> ConditionSolver<'a> {
         condition: &Condition,
         dk: &DressingCorrection,
     ) -> Result<(f64, [f64; 4]), DressingError> {
-        let mut from_afar = f64::NAN;
-        condition.row(self.tool, dk, &mut from_afar)
+        let made = condition.made(self.tool, dk, &mut { f64::NAN })?;
+        Ok((made.value - condition.wanted(), made.gradient))
     }
 
     /// Residuals and Jacobian (columns phi_S, gamma, d, v_y) of four rows at DK.
@@ -79,16 +80,20 @@ impl<'a> ConditionSolver<'a> {
         dk: &DressingCorrection,
         hints: &mut [f64; 4],
     ) -> Result<(Vector4<f64>, Matrix4<f64>), DressingError> {
-        let mut residual = Vector4::zeros();
-        let mut jacobian = Matrix4::zeros();
-        for (i, condition) in conditions.iter().enumerate() {
-            let (value, gradient) = condition.row(self.tool, dk, &mut hints[i])?;
-            residual[i] = value;
-            for j in 0..4 {
-                jacobian[(i, j)] = gradient[j];
-            }
-        }
-        Ok((residual, jacobian))
+        let made = self.made(conditions, dk, hints)?;
+        let residual = Vector4::from_fn(|i, _| made[i].value - conditions[i].wanted());
+        Ok((residual, jacobian_of(&made)))
+    }
+
+    fn made(
+        &self,
+        conditions: &[Condition; 4],
+        dk: &DressingCorrection,
+        hints: &mut [f64; 4],
+    ) -> Result<[Made; 4], DressingError> {
+        let [a, b, c, d] = hints;
+        let at = |i: usize, hint: &mut f64| conditions[i].made(self.tool, dk, hint);
+        Ok([at(0, a)?, at(1, b)?, at(2, c)?, at(3, d)?])
     }
 
     /// Singular values of the rows in scaled unknowns (phi/r_S, gamma/20, d, 5 v), descending.
@@ -183,9 +188,18 @@ impl<'a> ConditionSolver<'a> {
         x: Vector4<f64>,
         mut hints: [f64; 4],
     ) -> Result<DressingCorrection, NewtonError> {
+        self.root(x, |dk| self.rows_near(conditions, dk, &mut hints).ok())
+    }
+
+    /// The corrections at which rows vanish, by Newton's method.
+    fn root(
+        &self,
+        x: Vector4<f64>,
+        mut rows: impl FnMut(&DressingCorrection) -> Option<(Vector4<f64>, Matrix4<f64>)>,
+    ) -> Result<DressingCorrection, NewtonError> {
         let mut nearest = (f64::INFINITY, x);
         let found = newton(x, &NewtonOptions::default(), |x| {
-            let (r, j) = self.rows_near(conditions, &self.correction(x), &mut hints).ok()?;
+            let (r, j) = rows(&self.correction(x))?;
             let missed = r.amax();
             if missed < nearest.0 {
                 nearest = (missed, *x);
@@ -197,6 +211,37 @@ impl<'a> ConditionSolver<'a> {
             Err(NewtonError::Stuck { .. }) if nearest.0 < MET => Ok(self.correction(&nearest.1)),
             Err(error) => Err(error),
         }
+    }
+
+    /// Solves conditions at the worm position v whose wanted values stand where the dresser touches: places and values follow the correction
+    /// in one iteration, whose Jacobian leaves out that they do. `None` where this does not converge or the rows ask for other lengths of
+    /// roll at other places.
+    pub(crate) fn solve_following(
+        &self,
+        conditions: &dyn ConditionsAlong,
+        v: f64,
+        rows: &[Condition; 4],
+        start: &DressingCorrection,
+    ) -> Option<DressingCorrection> {
+        self.check(rows, start).ok()?;
+        let mut hints = [f64::NAN; 4];
+        let mut begun = false;
+        let at = |dk: &DressingCorrection| {
+            let made = self.made(rows, dk, &mut hints).ok()?;
+            let places = made.each_ref().map(|made| made.b.map_or(0.0, |b| b - v));
+            let there = conditions.at(v, &places);
+            let jacobian = jacobian_of(&made);
+            if !begun {
+                let sigma = self.singular_values_of(&jacobian);
+                (sigma[3] >= SINGULAR * sigma[0]).then_some(())?;
+                begun = true;
+            }
+            let alike = (0..4).all(|i| there[i].asks_as(&rows[i]) && !there[..i].contains(&there[i]));
+            let residual = Vector4::from_fn(|i, _| made[i].value - there[i].wanted());
+            alike.then_some((residual, jacobian))
+        };
+        let x = Vector4::from_fn(|j, _| start[j] / self.scale[j]);
+        self.root(x, at).ok().filter(|dk| self.margin(dk).0 >= 0.0)
     }
 
     /// Follows the solution while the residual at the start is scaled from 1 to 0; the continuation parameter is the share removed.
@@ -255,4 +300,8 @@ impl<'a> ConditionSolver<'a> {
         let circles: Vec<_> = conditions.iter().filter_map(circle).collect();
         reason_of_break(&circles)
     }
+}
+
+fn jacobian_of(made: &[Made; 4]) -> Matrix4<f64> {
+    Matrix4::from_fn(|i, j| made[i].gradient[j])
 }

@@ -58,6 +58,9 @@ pub fn solve_conditions_at(
     let mut rows = conditions.at(v, &[somewhere(&tool.flanks.left); 4]);
     let guessed = rows.map(|row| row.flank().map_or(0.0, |flank| somewhere(&tool.flanks[flank])));
     rows = conditions.at(v, &guessed);
+    if let Some(dk) = solver.solve_following(conditions, v, &rows, start) {
+        return Ok(dk);
+    }
     let mut dk = *start;
     let mut b = places(tool, &rows, &dk, v)?;
     let mut moved = f64::INFINITY;

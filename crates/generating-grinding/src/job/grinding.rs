@@ -4,6 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::diagonal_ratio::DiagonalRatio;
+use super::economy::{AxisLimits, Prefer};
 use super::gauge::Gauge;
 use job::tables::Flanks;
 
@@ -19,6 +20,17 @@ pub struct Grinding {
     /// Shift of the worm per feed of the gear; default `"auto"` (method radial: 0).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub diagonal_ratio: Option<DiagonalRatio>,
+    /// What decides among ratios that are good enough for `diagonal_ratio = "auto"`; default `"worm"`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub prefer: Option<Prefer>,
+    /// Largest corrections that a plan may ask of the axes on its own.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub axis_limits: Option<AxisLimits>,
+    /// Determinant ratio that the envelope keeps along every contact; 0 is a fold, 1 an unmodified flank. Default 0.1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 1,
+        "x-way-out" = "give a ratio between 0 (fold) and 1 (unmodified), e.g. 0.3"))]
+    pub least_determinant_ratio: Option<f64>,
     /// Whether the exact error is fed back into the commands; default by the method: diagonal yes, radial no.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub precompensation: Option<bool>,

@@ -77,7 +77,9 @@ impl GrindingPage<'_> {
         if !self.settings.is_empty() {
             blocks.push(Block::Table(Table::of_quantities("", &self.settings)));
         }
-        blocks.extend(self.ratio.into_iter().flat_map(ratio::choice));
+        if let Some(settings) = self.ratio {
+            blocks.extend(ratio::choice(settings)?);
+        }
         if let Some(chart) = self.occupation {
             let caption = "Which part of the tool's width each area takes; areas a pitch apart share no line of the tool.";
             let svg = worm_occupation_chart(chart)?;

@@ -31,6 +31,18 @@ pub fn judge_flank(
     }
 }
 
+/// Judges how near the envelope of a flank comes to a fold.
+pub fn judge_envelope(verdict: &mut Verdict, name: &str, ratio: f64, limit: f64) {
+    let detail = format!("determinant ratio {ratio:.3}, at least {limit}");
+    verdict.judge(format!("envelope of the {name} flank"), ratio >= limit, detail, || {
+        Remark::new(
+            "determinant-ratio-below-limit",
+            format!("the envelope of the {name} flank comes near a fold: determinant ratio {ratio:.3}, at least {limit} is wanted"),
+            "round the edges of reliefs (transition_mm), take smaller amounts or another diagonal ratio, or lower grinding.least_determinant_ratio",
+        )
+    });
+}
+
 /// Notes the flanks that a run leaves out.
 pub fn leave_other_flanks<T>(verdict: &mut Verdict, flanks: &BTreeMap<&'static str, T>) {
     for flank in Flank::BOTH.into_iter().filter(|flank| !flanks.contains_key(flank.name())) {

@@ -84,6 +84,8 @@ pub struct CandidateResult {
     pub score: f64,
     /// Worm length used.
     pub worm_occupation_mm: f64,
+    /// Travel of the feed without overrun.
+    pub feed_travel_mm: f64,
     /// Largest error of the ideal worm.
     pub ideal_error_um: f64,
     /// Why it is not allowed, if so.
@@ -98,6 +100,7 @@ impl CandidateResult {
             profile_crowning_by: candidate.place.name(),
             score: candidate.score(),
             worm_occupation_mm: candidate.occupation,
+            feed_travel_mm: candidate.feed_travel,
             ideal_error_um: candidate.error * 1e3,
             refused: candidate.refusal.as_ref().map(ToString::to_string),
         }

@@ -3,7 +3,8 @@
 use super::equal_ratio_offers::equal_ratio_remark;
 use super::execution::Execution;
 use super::flank_verdict::{
-    judge_clearance, judge_control, judge_flank, judge_programs, leave_other_flanks, owe_line_dressing,
+    judge_clearance, judge_control, judge_envelope, judge_flank, judge_programs, leave_other_flanks,
+    owe_line_dressing,
 };
 use super::gear_root::gear_root;
 use super::line_dressing::{LineDressingResult, WrittenFlank, line_dressing};
@@ -198,6 +199,10 @@ fn finish(
             })
         });
     }
+    for (name, flank) in &flanks {
+        let limit = prepared.rules.least_determinant();
+        judge_envelope(&mut verdict, name, flank.least_determinant_ratio, limit);
+    }
     leave_other_flanks(&mut verdict, &flanks);
     judge_tip_edge(&mut verdict, &tip_edge, tolerance);
     judge_control(&mut verdict, control.as_ref(), tolerance);
@@ -307,6 +312,12 @@ pub fn ratio_reason(reason: RatioReason) -> &'static str {
             "No allowed ratio is exact to half the tolerance on an ideal worm: the one of least error."
         }
         RatioReason::Scan => "Ratio with the smallest dressing corrections among those tried.",
+        RatioReason::LeastWorm => {
+            "The ratio that uses least of the worm within half the tolerance and half the limits of the axes (`grinding.prefer`)."
+        }
+        RatioReason::LeastTravel => {
+            "The ratio of the shortest feed travel within half the tolerance and half the limits of the axes (`grinding.prefer`)."
+        }
         RatioReason::LinesOfTarget => {
             "The ratio that lays the tool's lines onto reliefs or waves of the target."
         }

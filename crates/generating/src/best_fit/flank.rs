@@ -34,6 +34,7 @@ pub struct FlankFit<'a> {
     w: &'a [f64],
     z: &'a [f64],
     wanted: &'a [f64],
+    weights: Option<&'a [f64]>,
     rows: Rows,
     tolerance: f64,
     axes: &'a AxisShares,
@@ -68,7 +69,7 @@ impl FlankCommand {
 
 impl<'a> FlankFit<'a> {
     /// `wanted` (transverse, mm) on the grid `w` x `z`, row-major, by the functions of `class` under the ratio of `shift`, with `intervals`
-    /// over the flank. `tolerance` is transverse, mm; `limits` are the lengths of roll between which contacts are kept on
+    /// over the flank. `weights` are the tightest tolerance over that of each place. `tolerance` is transverse, mm; `limits` are the lengths of roll between which contacts are kept on
     /// the worm.
     ///
     /// # Errors
@@ -78,7 +79,7 @@ impl<'a> FlankFit<'a> {
         flank: Flank,
         (class, ratio, shift): (FunctionClass, f64, &MotionLaw),
         (w, z): (&'a [f64], &'a [f64]),
-        wanted: &'a [f64],
+        (wanted, weights): (&'a [f64], Option<&'a [f64]>),
         (tolerance, axes, limits): (f64, &'a AxisShares, Option<[f64; 2]>),
         intervals: usize,
     ) -> Result<Self, GeneratingError> {
@@ -113,7 +114,7 @@ impl<'a> FlankFit<'a> {
         let beside = beside.collect();
         let reach = limits
             .map(|limits| Reach { limits, unmodified: w.iter().map(|&w| envelope.worm_roll(w)).collect() });
-        Ok(Self { envelope, bases, sections, w, z, wanted, rows, tolerance, axes, reach, beside })
+        Ok(Self { envelope, bases, sections, w, z, wanted, weights, rows, tolerance, axes, reach, beside })
     }
 
     fn points(&self) -> impl Iterator<Item = (&Section, f64, f64)> {
@@ -138,8 +139,7 @@ impl<'a> FlankFit<'a> {
         x.iter_mut().for_each(|x| *x *= share);
         let functions = self.bases.functions(&x).ok()?;
         let values = self.rows.values(&x);
-        let off =
-            values.iter().zip(self.wanted).map(|(f, wanted)| (f - share * wanted).abs()).fold(0.0, f64::max);
+        let off = self.largest(values.iter().zip(self.wanted).map(|(f, wanted)| f - share * wanted));
         let curvature = extremes(
             self.points().flat_map(|(section, w, z)| self.envelope.foot(section, &functions, w, z).curvature),
         );
@@ -184,6 +184,7 @@ impl<'a> FlankFit<'a> {
             beside: &self.beside,
             row: self.z.len(),
             wanted,
+            weights: self.weights,
             tolerance: self.tolerance,
             curvature,
             axes: self.axes,
@@ -220,11 +221,15 @@ impl<'a> FlankFit<'a> {
         self.programmed(&places, &values, Curvature::COMMAND)
     }
 
-    /// Largest distance of contacts to what is wanted, transverse, mm.
+    /// Largest distance of contacts to what is wanted, by weight, transverse, mm.
     pub fn off(&self, at: &[(ContactSolution, (f64, f64))], cos_b2: f64) -> f64 {
-        let off =
-            self.wanted.iter().zip(at).map(|(wanted, (contact, _))| (wanted - contact.f_n / cos_b2).abs());
-        off.fold(0.0, f64::max)
+        self.largest(self.wanted.iter().zip(at).map(|(wanted, (contact, _))| wanted - contact.f_n / cos_b2))
+    }
+
+    /// The largest of some distances on the grid, each by its weight.
+    fn largest(&self, distances: impl Iterator<Item = f64>) -> f64 {
+        let weight = |k: usize| self.weights.map_or(1.0, |weights| weights[k]);
+        distances.enumerate().map(|(k, off)| off.abs() * weight(k)).fold(0.0, f64::max)
     }
 
     /// The functions of a command with their coordinates; `off` is what it leaves, transverse, mm.

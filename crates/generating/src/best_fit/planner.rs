@@ -5,14 +5,14 @@ use super::super::dressed::{dressing_response, finished_rolls};
 use super::super::least_squares::FunctionClass;
 use super::super::{
     DressingLimits, DressingRows, FeedLaw, FlankTarget, GeneratingError, GrindingSetup, IdealPlan,
-    PlanningGrid,
+    PlanningGrid, Prefer,
 };
 use super::flank::{FlankCommand, FlankFit};
 use super::programme::AxisShares;
 use super::ratios::{candidates, fits};
 use contact::ContactSolution;
 use foundation::geometry::{Flank, Sides};
-use foundation::modification::Modification;
+use foundation::modification::{Modification, ToleranceMap};
 use foundation::numerics::golden_section;
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -30,6 +30,8 @@ pub struct BestFitTask<'a> {
     /// Intervals of every function over the flank.
     intervals: usize,
     wanted: Sides<Vec<f64>>,
+    /// The tightest tolerance over that of each place, where it is not the same everywhere.
+    weights: Sides<Option<Vec<f64>>>,
     given: Sides<Vec<Modification>>,
     free_profile: bool,
     /// Normal, mm.
@@ -87,7 +89,7 @@ impl<'a> BestFitTask<'a> {
     /// [`GeneratingError::NoFlank`]; evaluation errors of the targets.
     pub fn new(
         setup: &'a GrindingSetup,
-        targets: &'a Sides<Option<FlankTarget>>,
+        (targets, map): (&'a Sides<Option<FlankTarget>>, Option<&ToleranceMap>),
         (grid, intervals): (&'a PlanningGrid, usize),
         free_profile: bool,
         (tolerance, limits, dressing, on_worm): (f64, DressingLimits, DressingRows, bool),
@@ -118,7 +120,20 @@ impl<'a> BestFitTask<'a> {
         let axes = Sides::from_fn(|flank| axis_shares(setup, flank, limits, dressing));
         let dresser = setup.dresser()?;
         let reach = Sides::from_fn(|flank| on_worm.then(|| finished_rolls(setup, dresser, flank)));
-        Ok(Self { setup, which, grid, intervals, wanted, given, free_profile, tolerance, axes, reach })
+        let weights = grid.weights(map);
+        Ok(Self {
+            setup,
+            which,
+            grid,
+            intervals,
+            wanted,
+            weights,
+            given,
+            free_profile,
+            tolerance,
+            axes,
+            reach,
+        })
     }
 
     fn class(&self, ratio: f64) -> FunctionClass {
@@ -137,7 +152,7 @@ impl<'a> BestFitTask<'a> {
                 flank,
                 (self.class(ratio), ratio, &shift),
                 (&self.grid.w[flank], &self.grid.z),
-                &self.wanted[flank],
+                (&self.wanted[flank], self.weights[flank].as_deref()),
                 (self.tolerance / self.setup.lines[flank].cos_b2, &self.axes[flank], self.reach[flank]),
                 self.intervals,
             )
@@ -152,16 +167,21 @@ impl<'a> BestFitTask<'a> {
         })
     }
 
-    /// Ratios by what their fits are expected to cost, the best first; refined about the best. Among those well within the tolerance the
-    /// smaller one comes first: it uses less worm.
-    pub fn ratios(&self) -> Vec<Expected> {
+    /// Ratios by what their fits are expected to cost, the best first; refined about the best. Among those well within the tolerance the one
+    /// that is preferred comes first: the smaller one uses less worm.
+    pub fn ratios(&self, prefer: Prefer) -> Vec<Expected> {
         let expected = |ratio: f64| Expected { ratio, cost: self.cost(ratio) };
         let mut tried: Vec<Expected> =
             candidates(self.setup, &self.which).into_par_iter().map(expected).collect();
         let order = |a: &Expected, b: &Expected| {
+            let easy = if prefer == Prefer::Accuracy { 0.0 } else { EASY };
             // Costs within a hundredth are one.
-            let class = |of: &Expected| (of.cost.max(EASY).ln() / 0.01).round();
-            class(a).total_cmp(&class(b)).then(a.ratio.abs().total_cmp(&b.ratio.abs()))
+            let class = |of: &Expected| (of.cost.max(easy).ln() / 0.01).round();
+            let price = |of: &Expected| match prefer {
+                Prefer::Accuracy | Prefer::Worm => of.ratio.abs(),
+                Prefer::Time => self.feed_travel(of.ratio),
+            };
+            class(a).total_cmp(&class(b)).then(price(a).total_cmp(&price(b)))
         };
         tried.sort_by(order);
         if let Some(best) = tried.first().copied().filter(|best| best.ratio != 0.0 && best.cost > EASY) {
@@ -182,6 +202,12 @@ impl<'a> BestFitTask<'a> {
         tried.retain(|tried| tried.cost.is_finite());
         tried.dedup_by(|a, b| (a.ratio - b.ratio).abs() < 1e-3 * b.ratio.abs());
         tried
+    }
+
+    fn feed_travel(&self, ratio: f64) -> f64 {
+        let shift = FeedLaw::Ratio(ratio).law(self.setup, &self.which);
+        let [from, to] = self.setup.feed_range(&shift, &self.which);
+        to - from
     }
 
     /// The best fit at a ratio with its first command, for a share of what is wanted.

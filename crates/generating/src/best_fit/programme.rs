@@ -98,7 +98,9 @@ pub struct FlankProgramme<'a> {
     pub row: usize,
     /// The command that is wanted at each of them, transverse, mm.
     pub wanted: &'a [f64],
-    /// Transverse, mm.
+    /// The tightest tolerance over that of each place, where it is not the same everywhere.
+    pub weights: Option<&'a [f64]>,
+    /// Transverse, mm; the tightest.
     pub tolerance: f64,
     /// What the functions are.
     pub curvature: Curvature,
@@ -133,13 +135,15 @@ impl FlankProgramme<'_> {
         Some((x, cost))
     }
 
-    /// |wanted - f| <= NEAR + excess, in tolerances.
+    /// |wanted - f| <= NEAR + excess, in tolerances of the place.
     fn stay_near(&self, programme: &mut ConeProgramme) {
         let excess = self.bases.columns();
         let mut row = Vec::new();
-        for ((place, _), wanted) in self.places.iter().zip(self.wanted) {
-            let wanted = wanted / self.tolerance;
+        for (k, ((place, _), wanted)) in self.places.iter().zip(self.wanted).enumerate() {
+            let weight = self.weights.map_or(1.0, |weights| weights[k]);
+            let wanted = weight * wanted / self.tolerance;
             self.bases.row(place, &mut row);
+            row.iter_mut().for_each(|(_, a)| *a *= weight);
             for sign in [1.0, -1.0] {
                 let mut entries: Vec<(usize, f64)> = row.iter().map(|&(k, a)| (k, -sign * a)).collect();
                 entries.push((excess, 1.0));

@@ -18,8 +18,8 @@ use foundation::geometry::Flank;
 use foundation::kinematics::MotionLaw;
 use generating::least_squares::FitNorm;
 use generating::{
-    Candidate, DressingRows, GeneratingError, GrindingPlan, GrindingSetup, PlanGauge, PlanTask, PlanningGrid,
-    RatioChoice,
+    Candidate, DEFAULT_LEAST_DETERMINANT, DressingRows, GeneratingError, GrindingPlan, GrindingSetup,
+    PlanGauge, PlanTask, PlanningGrid, Prefer, RatioChoice,
 };
 use serde_json::Value;
 
@@ -53,6 +53,7 @@ fn one(
         setup: &setup,
         targets: input.targets(&setup)?,
         tolerance: input.tolerance(),
+        tolerance_map: None,
         limits: input.limits(),
         ratio: None,
         law: None,
@@ -63,6 +64,9 @@ fn one(
         free_dresser: true,
         precompensation: true,
         grid: (GRID, GRID),
+        // The rule of the listed ratios.
+        prefer: Prefer::Accuracy,
+        least_determinant: DEFAULT_LEAST_DETERMINANT,
     };
     let Some(listed) = expected.given("K_ZV1", ledger) else { return Ok(()) };
     let found = task.plan()?;

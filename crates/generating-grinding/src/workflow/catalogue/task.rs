@@ -2,13 +2,13 @@
 
 use super::bodies::bodies;
 use crate::catalogue::LoadedCatalogue;
-use crate::job::{CatalogueSource, LoadedJob};
+use crate::job::{AxisLimits, CatalogueSource, LoadedJob};
 use crate::workflow::generating_finding;
-use crate::workflow::prepare::{tolerance_of_job, wanted_flanks};
+use crate::workflow::prepare::{axis_limits, tolerance_of_job, wanted_flanks};
 use dressing::catalogue::{CatalogueDresser, CatalogueSearch, CatalogueWorm, PairLimits, Wanted};
 use foundation::geometry::{Flank, Gear, Sides};
 use foundation::modification::{EvaluationField, Modification};
-use generating::{DressingLimits, FlankTarget, GearWorkshop, GeneratingError};
+use generating::{FlankTarget, GearWorkshop, GeneratingError};
 use job::{Diagnostic, Problem};
 use run::{RunFailure, blank_of_job, gear_of_job, geometry_finding};
 
@@ -63,7 +63,7 @@ impl Task {
                 cos_base_helix: gear.flanks().map(|_, f| f.base_helix_angle.cos()),
                 tolerance: Some(tolerance),
             },
-            limits: limits(source),
+            limits: limits(source, job.grinding.axis_limits.unwrap_or_default()),
             tolerance_um: tolerance * 1e3,
         })
     }
@@ -82,9 +82,9 @@ impl Task {
     }
 }
 
-fn limits(source: &CatalogueSource) -> PairLimits {
+fn limits(source: &CatalogueSource, axes: AxisLimits) -> PairLimits {
     PairLimits {
-        correction: DressingLimits::default().correction,
+        correction: axis_limits(axes).correction,
         stretch: Some(source.largest_stretch),
         tip_land: source.smallest_tip_land,
         clearance: source.clearance,

@@ -15,7 +15,7 @@ mod tools;
 pub use bodies::{designed_worm, setup_of_job, worm_choice_of_job};
 pub use cycle::Cycle;
 pub use dressing::{DressingTask, PointDresser};
-pub use planning::PlanningRules;
+pub use planning::{PlanningRules, axis_limits};
 pub use settings::GivenSettings;
 pub use targets::{tolerance_of_job, wanted_flanks};
 

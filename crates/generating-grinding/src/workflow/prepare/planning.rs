@@ -2,12 +2,13 @@
 
 use super::Prepared;
 use crate::job::{
-    Condition, DegreeOfFreedom, DiagonalRatio, Dressing, DressingFlanks, Gauge, GaugeRule, Job, Method,
-    ProfileCrowningBy,
+    AxisLimits, Condition, DegreeOfFreedom, DiagonalRatio, Dressing, DressingFlanks, Gauge, GaugeRule, Job,
+    Method, Prefer as Preference, ProfileCrowningBy,
 };
 use generating::least_squares::FitNorm;
 use generating::{
-    DressingLimits, DressingRows, FlankRows, FreeCoefficients, PlanGauge, PlanTask, ProfilePlace,
+    DEFAULT_LEAST_DETERMINANT, DressingLimits, DressingRows, FlankRows, FreeCoefficients, PlanGauge,
+    PlanTask, Prefer, ProfilePlace,
 };
 use job::tables::Fit;
 use job::{Diagnostic, Problem};
@@ -30,6 +31,9 @@ pub struct PlanningRules {
     gauge: PlanGauge,
     dressing: DressingRows,
     grid: (usize, usize),
+    prefer: Prefer,
+    limits: DressingLimits,
+    least_determinant: f64,
 }
 
 impl PlanningRules {
@@ -61,12 +65,39 @@ impl PlanningRules {
             },
             dressing: dressing_rows(&job.dressing),
             grid: (job.grid.profile_points, job.grid.helix_points),
+            prefer: match job.grinding.prefer {
+                Some(Preference::Accuracy) => Prefer::Accuracy,
+                Some(Preference::Worm) | None => Prefer::Worm,
+                Some(Preference::Time) => Prefer::Time,
+            },
+            limits: axis_limits(job.grinding.axis_limits.unwrap_or_default()),
+            least_determinant: job.grinding.least_determinant_ratio.unwrap_or(DEFAULT_LEAST_DETERMINANT),
         })
+    }
+
+    /// Determinant ratio that every contact is to keep.
+    pub fn least_determinant(&self) -> f64 {
+        self.least_determinant
     }
 
     /// Points of the result grid along profile and helix.
     pub fn grid(&self) -> (usize, usize) {
         self.grid
+    }
+}
+
+/// What the correcting axes may do, by the job or by default.
+pub fn axis_limits(given: AxisLimits) -> DressingLimits {
+    let DressingLimits { correction: [phi, gamma, d, v], delta_d } = DressingLimits::default();
+    let angle = |degrees: Option<f64>, default| degrees.map_or(default, f64::to_radians);
+    DressingLimits {
+        correction: [
+            angle(given.d_phi_s_deg, phi),
+            angle(given.d_gamma_deg, gamma),
+            given.d_d_mm.unwrap_or(d),
+            given.d_v_ya_mm.unwrap_or(v),
+        ],
+        delta_d: given.delta_d_mm.unwrap_or(delta_d),
     }
 }
 
@@ -117,7 +148,10 @@ impl Prepared {
             setup: &self.setup,
             targets: self.targets.clone(),
             tolerance: self.tolerance.tightest(),
-            limits: DressingLimits::default(),
+            tolerance_map: (!self.tolerance.is_uniform()).then(|| self.tolerance.clone()),
+            limits: rules.limits,
+            prefer: rules.prefer,
+            least_determinant: rules.least_determinant,
             ratio: if rules.radial { Some(0.0) } else { rules.given_ratio },
             law: self.law.clone(),
             norm: rules.norm,
