@@ -5,7 +5,7 @@ use super::dressed::{DRESSING_MARGIN, DressedFlank, FinishedArea, dress_flanks, 
 use super::least_squares::FitNorm;
 use super::planning_grid::GroundError;
 use super::precompensation::{FREE_ROUNDS, ROUNDS, corrected, precompensate};
-use super::ratio::{Candidate, FlankResidual, NoPlan, RatioChoice, RatioReason, Rule};
+use super::ratio::{Candidate, FlankResidual, LEAST_DETERMINANT, NoPlan, RatioChoice, RatioReason, Rule};
 use super::{
     DressingLimits, DressingRows, EqualSwivel, FeedLaw, FlankTarget, FreeCoefficients, GeneratingError,
     GrindingSetup, IdealPlan, MadeFlank, PlanGauge, PlanningGrid, Prefer, ProfilePlace, ProfilePolicy,
@@ -111,6 +111,8 @@ pub const DEFAULT_LEAST_DETERMINANT: f64 = 0.1;
 pub(super) const LARGEST_DRESSING_MARGIN: f64 = 48.0;
 /// Distance of the contacts from the ends of the finished worm, mm: room for the search of a check of the plan.
 const CONTACT_MARGIN: f64 = 1.5;
+/// Share of the tolerance within which a plan with edges is taken as it is.
+const WELL_WITHIN: f64 = 0.75;
 /// A fit takes the place of a refusal if it leaves at most this share of what an unmodified flank would.
 const USEFUL: f64 = 0.5;
 /// Share of the tolerance within which a cheaper ratio is taken.
@@ -161,7 +163,7 @@ impl PlanTask<'_> {
     }
 
     /// Whether polynomials tell the whole plan.
-    fn is_smooth(&self) -> bool {
+    pub(super) fn is_smooth(&self) -> bool {
         let bare = |t: &Option<FlankTarget>| t.as_ref().is_none_or(|t| t.rest.is_empty());
         self.law.is_none()
             && self.targets.iter().all(|(_, t)| bare(t))
@@ -327,16 +329,28 @@ impl PlanTask<'_> {
     /// [`NoPlan`].
     pub fn plan_or_tried(&self) -> Result<GrindingPlan, Box<NoPlan>> {
         let ruled = self.plan_by_rules();
-        if !self.may_be_fitted() || ruled.as_ref().is_ok_and(|plan| self.deviation(plan) <= self.tolerance) {
+        if !self.may_be_fitted() || ruled.as_ref().is_ok_and(|plan| self.is_sound(plan)) {
             return ruled;
         }
         match (self.plan_by_fit(&ruled), ruled) {
-            (Some(fitted), Ok(ruled)) if self.deviation(&fitted) < self.deviation(&ruled) => Ok(fitted),
+            (Some(fitted), Ok(ruled)) if self.strain_of(&fitted) < self.strain_of(&ruled) => Ok(fitted),
             (Some(fitted), Err(_)) if self.deviation(&fitted) <= USEFUL * self.unmodified(&fitted) => {
                 Ok(fitted)
             }
             (_, ruled) => ruled,
         }
+    }
+
+    /// Whether a plan by the rules needs no other: within the tolerance, and far enough from a fold and from the tolerance that points between
+    /// those of a grid do not tell another tale.
+    fn is_sound(&self, plan: &GrindingPlan) -> bool {
+        let (share, least) = if self.is_smooth() { (1.0, 0.0) } else { (WELL_WITHIN, LEAST_DETERMINANT) };
+        self.deviation(plan) <= share * self.tolerance && plan.determinant >= self.least_determinant.max(least)
+    }
+
+    /// What speaks against a plan: its deviation, mm, and more than any deviation a contact beyond the least determinant ratio.
+    fn strain_of(&self, plan: &GrindingPlan) -> f64 {
+        if plan.determinant < self.least_determinant { f64::INFINITY } else { self.deviation(plan) }
     }
 
     /// What an unmodified flank in the best place would miss of the target of a plan, normal, mm.

@@ -80,19 +80,24 @@ impl PlanTask<'_> {
             && self.law.is_none()
             && self.gauge == PlanGauge::Centred
             && matches!(self.dressing, DressingRows::Alone(_))
-            && self.precompensation
+            && (self.precompensation || self.keeps_natural_twist() && !self.is_smooth())
             && Flank::BOTH.into_iter().all(|flank| self.setup.lines[flank].is_cylindrical())
             && self.setup.pair.worm.is_cylindrical()
             && self.setup.pair.work.is_cylindrical()
             && !(self.free_dresser && self.places.first() != Some(&ProfilePlace::Dresser))
     }
 
+    /// Whether the twist that a feed without shift leaves stays: nothing of the traces in the middle is given up for it.
+    fn keeps_natural_twist(&self) -> bool {
+        self.ratio == Some(0.0) && !self.precompensation
+    }
+
     /// The best plan by fits at some ratios; `None` where none can be carried out. `ruled` is what the rules came to.
     pub(super) fn plan_by_fit(&self, ruled: &Result<GrindingPlan, Box<NoPlan>>) -> Option<GrindingPlan> {
         let as_near = |grid, near: f64, limits: DressingLimits, on_worm: bool| {
             let rules = (near * self.tolerance, limits, self.dressing, on_worm);
-            let map = self.tolerance_map.as_ref();
-            BestFitTask::new(self.setup, (&self.targets, map), grid, self.free_dresser, rules).ok()
+            let (map, twist) = (self.tolerance_map.as_ref(), self.keeps_natural_twist());
+            BestFitTask::new(self.setup, (&self.targets, map, twist), grid, self.free_dresser, rules).ok()
         };
         let within = |grid, limits: DressingLimits, on_worm: bool| as_near(grid, 1.0, limits, on_worm);
         let fits = |grid| within(grid, self.limits, false);

@@ -4,7 +4,7 @@ use super::super::carried::FittedFlank;
 use super::super::dressed::{dressing_response, finished_rolls};
 use super::super::least_squares::FunctionClass;
 use super::super::{
-    DressingLimits, DressingRows, FeedLaw, FlankTarget, GeneratingError, GrindingSetup, IdealPlan,
+    DressingLimits, DressingRows, FeedLaw, FlankLines, FlankTarget, GeneratingError, GrindingSetup, IdealPlan,
     PlanningGrid, Prefer,
 };
 use super::flank::{FlankCommand, FlankFit};
@@ -81,15 +81,29 @@ fn axis_shares(
     AxisShares { lines, path: of.cos_b2 / (of.sin_an * limits.delta_d) }
 }
 
+/// The flank whose traces through the middle are those of the target, as a feed without shift leaves it: the helix trace moves along the
+/// path of the contact from profile line to profile line.
+fn with_natural_twist(
+    target: &FlankTarget,
+    lines: &FlankLines,
+    w: f64,
+    z: f64,
+) -> Result<f64, GeneratingError> {
+    let along = lines.t_k * (w - lines.w_m);
+    Ok(target.value(lines.w_m, z + along)? + target.value(w, lines.z_m)?
+        - target.value(lines.w_m, lines.z_m + along)?)
+}
+
 impl<'a> BestFitTask<'a> {
-    /// Targets on a grid, functions with `intervals` over the flank; `free_profile`: a dresser is made for them; `on_worm`: contacts are kept
+    /// Targets on a grid, with a map of the tolerance or the same everywhere; with `natural_twist` of each target what its traces through the
+    /// middle become without shift. Functions with `intervals` over the flank; `free_profile`: a dresser is made for them; `on_worm`: contacts are kept
     /// on the finished part of the worm.
     ///
     /// # Errors
     /// [`GeneratingError::NoFlank`]; evaluation errors of the targets.
     pub fn new(
         setup: &'a GrindingSetup,
-        (targets, map): (&'a Sides<Option<FlankTarget>>, Option<&ToleranceMap>),
+        (targets, map, natural_twist): (&'a Sides<Option<FlankTarget>>, Option<&ToleranceMap>, bool),
         (grid, intervals): (&'a PlanningGrid, usize),
         free_profile: bool,
         (tolerance, limits, dressing, on_worm): (f64, DressingLimits, DressingRows, bool),
@@ -108,7 +122,10 @@ impl<'a> BestFitTask<'a> {
             let mut wanted = Vec::with_capacity(grid.w[flank].len() * grid.z.len());
             for &w in &grid.w[flank] {
                 for &z in &grid.z {
-                    let mut f = target.value(w, z)?;
+                    let mut f = match natural_twist {
+                        true => with_natural_twist(target, &setup.lines[flank], w, z)?,
+                        false => target.value(w, z)?,
+                    };
                     for made in &given[flank] {
                         f -= made.value(w, z)?;
                     }
