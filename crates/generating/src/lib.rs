@@ -4,6 +4,7 @@
 pub mod areas;
 mod best_fit;
 pub mod carried;
+mod class_fit;
 pub mod correction;
 pub mod curve_law;
 pub mod decomposition;
@@ -46,6 +47,7 @@ pub mod workshop;
 pub mod worm_function;
 
 pub use carried::{Carried, FieldSpline, misfit_of_lines};
+pub use class_fit::ClassFit;
 pub use curve_law::{CurveLaw, WantedCurve};
 pub use decomposition::{Decomposition, decompose_diagonal, decompose_radial, radial_residual};
 pub use dressed::{
@@ -85,7 +87,7 @@ pub use stroke_layout::{AreaOfDresser, DressedSection, GivenDresser, StrokeChoic
 pub use stroke_place::{StrokeLayout, StrokePlace};
 pub use stroked::StrokedFlank;
 pub use strokes::Strokes;
-pub use target::{Carrier, ClassFit, FlankTarget};
+pub use target::{Carrier, FlankTarget};
 pub use tip_land::LeastRoom;
 pub use variable_ratio::VariableRatio;
 pub use workshop::GearWorkshop;
