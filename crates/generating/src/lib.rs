@@ -35,7 +35,6 @@ mod quadratic;
 pub mod ratio;
 mod ratio_nodes;
 pub mod setup;
-mod share;
 pub mod stroke_layout;
 mod stroke_place;
 pub mod stroked;
@@ -64,7 +63,7 @@ pub use fit_shift::{DEFAULT_NODES, ShiftCoordinates, ShiftFit, fit_shift};
 pub use free_lines::{FreeLines, equal_ratio_lines, lines_for_ratio};
 pub use gear_root::{GroundRoot, WormTip};
 pub use gear_root_choice::GearRootChoice;
-pub use ideal_plan::IdealPlan;
+pub use ideal_plan::{Command, IdealPlan};
 pub use line_functions::{LineFunctions, LineWorm};
 pub use lines::FlankLines;
 pub use local_envelope::{LocalEnvelope, kinematic_compliance};
@@ -82,7 +81,6 @@ pub use ratio::{
     Candidate, FlankResidual, LEAST_DETERMINANT, NoPlan, RatioChoice, RatioReason, lead_correction_ratio,
 };
 pub use setup::{DresserChoice, DressingLimits, GrindingSetup, ProfilePlace, SetupInput, Tool};
-pub use share::Command;
 pub use stroke_layout::{AreaOfDresser, DressedSection, GivenDresser, StrokeChoice};
 pub use stroke_place::{StrokeLayout, StrokePlace};
 pub use stroked::StrokedFlank;
