@@ -2,14 +2,13 @@
 
 use super::Prepared;
 use crate::job::{
-    Condition, DegreeOfFreedom, DiagonalRatio, Dressing, DressingFlanks, Gauge, GaugeRule, Job, Method,
+    Condition, DegreeOfFreedom, DiagonalRatio, Dressing, DressingFlanks, Fit, Gauge, GaugeRule, Job, Method,
     ProfileCrowningBy,
 };
 use generating::least_squares::FitNorm;
 use generating::{
     DressingLimits, DressingRows, FlankRows, FreeCoefficients, PlanGauge, PlanTask, ProfilePlace,
 };
-use job::tables::Fit;
 use job::{Diagnostic, Problem};
 use run::RunFailure;
 

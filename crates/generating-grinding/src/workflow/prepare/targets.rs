@@ -1,12 +1,11 @@
 //! What the drawing wants: targets of the flanks that are ground and their tolerance. Each modification is built here, once.
 
-use crate::job::{Job, LoadedJob};
+use crate::job::{Job, LoadedJob, ToleranceMapSource};
 use foundation::geometry::{Flank, Sides};
 use foundation::modification::{
     EvaluationField, GridSpec, Modification, ModificationError, ModificationSpec, PointMethod, PointsSpec,
     ToleranceMap,
 };
-use job::tables::ToleranceMapSource;
 use job::{Diagnostic, TableForm, read_tolerances, table_form};
 use run::{job_files, modification_finding};
 use verdict::Remark;
