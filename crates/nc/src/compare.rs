@@ -25,6 +25,15 @@ const LARGE_FEED: f64 = 1e8;
 /// Where polynomials are compared.
 const PLACES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
+/// A text with what was read from it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Checked {
+    /// The text, and what rounding did.
+    pub written: Written,
+    /// What the reader found in the text; [`ReadProgram::with_netlist`] adds the gears of a netlist.
+    pub read: ReadProgram,
+}
+
 /// Writes the program, reads it with the reader that shares nothing with the writer, and compares: what comes out was read back.
 ///
 /// # Errors
@@ -33,12 +42,12 @@ pub fn write_checked(
     program: &Program,
     dialect: Dialect,
     options: &WriteOptions,
-) -> Result<Written, NcError> {
+) -> Result<Checked, NcError> {
     let written = write(program, dialect, options)?;
-    let found = read(written.text.as_bytes(), dialect, program.axes())
+    let read = read(written.text.as_bytes(), dialect, program.axes())
         .map_err(|error| NcError::NotReadBack(error.to_string().into()))?;
-    compare(program, &found, &written, options)?;
-    Ok(written)
+    compare(program, &read, &written, options)?;
+    Ok(Checked { written, read })
 }
 
 /// Writes the cutter locations, reads them with the reader that shares nothing with the writer, and compares.

@@ -11,7 +11,7 @@ mod program;
 mod reader;
 mod writer;
 
-pub use compare::{compare, write_checked, write_cl_checked};
+pub use compare::{Checked, compare, write_checked, write_cl_checked};
 pub use dialect::Dialect;
 pub use error::NcError;
 pub use expand::split_turns;
