@@ -105,8 +105,8 @@ fn two_flank_job(c: &mut Criterion) {
                     };
                     let words = axis_words(&machine.machine, &axes, word).expect("words");
                     let layout = lay_out(&machine.machine, &words, passes, &options()).expect("a layout");
-                    let written = write_checked(&layout.program, dialect, &WriteOptions::default());
-                    bytes += written.expect("a program").text.len();
+                    let checked = write_checked(&layout.program, dialect, &WriteOptions::default());
+                    bytes += checked.expect("a program").written.text.len();
                 }
             }
             bytes

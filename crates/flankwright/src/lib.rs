@@ -153,8 +153,8 @@
 //! let words = axis_words(machine, &axes, |name| grinder.file.axes[name].letter.as_deref())?;
 //! let header = Header { name: "TOUR".into(), axes: words.words.clone(), chord_tolerance: 1e-4 };
 //! let blocks = vec![Block::Rapid(words.targets(machine, &at, |_| true)), Block::End];
-//! let written = write_checked(&Program::new(header, blocks)?, Dialect::Siemens, &WriteOptions::default())?;
-//! assert!(written.text.contains("X-153.000000"), "{}", written.text);
+//! let checked = write_checked(&Program::new(header, blocks)?, Dialect::Siemens, &WriteOptions::default())?;
+//! assert!(checked.written.text.contains("X-153.000000"), "{}", checked.written.text);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!

@@ -21,6 +21,7 @@ mod settings;
 mod steps;
 mod stroke_study;
 mod strokes;
+mod target;
 mod worm;
 
 pub use catalogue::{CatalogueSource, FreeQuantity, FreeWorm};
@@ -43,9 +44,10 @@ pub use settings::{FlankSettings, Pieces, Settings, StrokeSettings, StrokeTables
 pub use steps::Steps;
 pub use stroke_study::{AxisDeviations, Distribution, DresserArea, StrokeSection, StrokeStudy};
 pub use strokes::{DressedSection, StrokeArea, Strokes};
+pub use target::{Fit, Target, ToleranceMapSource, ToleranceTable};
 pub use worm::{Tool, Worm};
 
-use job::tables::{Control, Gear, Grid, Hand, JobInfo, Machine, OneOrSides, Output, Target};
+use job::tables::{Control, Gear, Grid, Hand, JobInfo, Machine, OneOrSides, Output};
 use job::{Diagnostic, Document, Loaded, Problem, ProcessJob};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -1,18 +1,37 @@
-//! Tool functions and motion for one command, before any dresser is asked, and what the ideal tool leaves
-//! (`docs/mathematics/planning.md`).
+//! Tool functions and motion for one command, before any dresser is asked, and what the ideal tool leaves (`docs/mathematics/planning.md`):
+//! the command of each flank is split between motion, dresser and lines of the tool
+//! (`docs/mathematics/generating-contact.md#decomposition-of-a-target`, `docs/mathematics/planning.md#who-carries-what`).
 
-use super::carried::{Carried, FittedFlank};
+use super::carried::{Carried, FittedFlank, RestFit, misfit_of_lines};
+use super::least_squares::{DiagonalCoordinates, FitSettings, FunctionClass};
 use super::motion::with_fitted_motion;
 use super::planning_grid::GroundError;
-use super::share::{RestCarrier, share};
 use super::{
-    Command, Decomposition, FeedLaw, FlankTarget, GeneratingError, GrindingSetup, IdealWorm, PlanningGrid,
-    ProfilePolicy, Tool, common_motion,
+    Decomposition, FeedLaw, FieldSpline, FlankLines, FlankTarget, GeneratingError, GrindingSetup, IdealWorm,
+    PlanningGrid, ProfilePlace, ProfilePolicy, Tool, common_motion, decompose_diagonal, decompose_radial,
 };
 use contact::ModifiedThread;
 use foundation::geometry::{Flank, Sides};
 use foundation::kinematics::{GeneratingMotion, MotionLaw};
 use foundation::modification::Modification;
+use foundation::numerics::Polynomial2;
+use std::sync::Arc;
+
+/// What is commanded on one flank: the target plus the corrections found so far.
+#[derive(Clone, Debug)]
+pub struct Command {
+    /// Polynomial in (u, y), transverse, mm.
+    pub polynomial: Polynomial2,
+    /// Corrections that are no polynomials; only where the tool's lines carry more than polynomials.
+    pub corrections: Vec<Arc<FieldSpline>>,
+}
+
+impl Command {
+    /// The target itself.
+    pub fn of(target: &FlankTarget) -> Self {
+        Self { polynomial: target.of_class.clone(), corrections: Vec::new() }
+    }
+}
 
 /// Tool functions and motion for one command, before any dresser is asked.
 #[derive(Clone, Debug)]
@@ -184,4 +203,156 @@ impl IdealPlan {
         // The parameters of a thread are (w_1, z_1).
         GroundError::of(setup, targets, grid, &self.motion.shift, ground, |_, at| Some(at.tool))
     }
+}
+
+/// How the parts of a target that are no polynomials are carried.
+#[derive(Clone, Debug)]
+enum RestCarrier {
+    /// There are none, or a tool carries them whatever they are.
+    Whole,
+    /// They stand on the lines as they are, missing them by this much, transverse, mm.
+    Lines(f64),
+    /// Worm functions and a motion by least squares.
+    Fitted(Arc<RestFit>),
+    /// The class of polynomials fits them better than splines do.
+    Polynomials,
+}
+
+impl RestCarrier {
+    /// The best carrier under a constant ratio with lines of direction t.
+    fn of(
+        target: &FlankTarget,
+        lines: &FlankLines,
+        t: f64,
+        policy: ProfilePolicy,
+    ) -> Result<Self, GeneratingError> {
+        let Some(samples) = &target.rest_samples else { return Ok(Self::Whole) };
+        let misfit: f64 = target.rest.iter().map(|term| misfit_of_lines(term, lines, t)).sum();
+        if misfit <= policy.line_tolerance {
+            return Ok(Self::Lines(misfit));
+        }
+        let coordinates = DiagonalCoordinates::new(t, lines.t_k, lines.profile_slope())?;
+        let settings = FitSettings { norm: policy.norm, ..FitSettings::new(FunctionClass::CLK) };
+        let fit = RestFit::fit(samples, coordinates, &settings)?;
+        let better = fit.report.quality().largest < target.outside;
+        Ok(if better { Self::Fitted(Arc::new(fit)) } else { Self::Polynomials })
+    }
+}
+
+/// One flank's share of a plan.
+struct Share {
+    /// Closed decomposition.
+    parts: Decomposition,
+    /// What the lines carry beside it.
+    carried: Carried,
+    /// How the rest of the target is carried.
+    rest: RestCarrier,
+    /// Best-fitted only, mm.
+    outside: f64,
+}
+
+impl Share {
+    /// Parts and carried functions that leave nothing outside.
+    fn whole(parts: Decomposition, carried: Carried) -> Self {
+        Self { parts, carried, rest: RestCarrier::Whole, outside: 0.0 }
+    }
+}
+
+/// Steepest worm lines on the workpiece, |tan(rho_2)|: beyond it the shift is too small to tell them from the profile.
+const STEEPEST: f64 = 1e4;
+
+/// Splits the command of one flank between motion, dresser and lines of the tool.
+fn share(
+    setup: &GrindingSetup,
+    flank: Flank,
+    target: &FlankTarget,
+    command: &Command,
+    feed: &FeedLaw,
+    policy: ProfilePolicy,
+    known: Option<&RestCarrier>,
+) -> Result<Share, GeneratingError> {
+    let lines = &setup.lines[flank];
+    if matches!(setup.tool, Tool::Given(_)) {
+        // The tool is what it is: only the motion is free.
+        let mut parts = decompose_radial(&command.polynomial, lines.t_k);
+        parts.profile.clear();
+        return Ok(Share::whole(parts, Carried::default()));
+    }
+    let corrections = command.corrections.clone();
+    if let FeedLaw::Ratio(ratio) = *feed {
+        let t = lines.work_direction(ratio);
+        let steep = t.is_nan() || t.abs() > STEEPEST || (t - lines.t_k).abs() < 1e-6;
+        if ratio != 0.0 && (steep || lines.big_t1.abs() < 1e-9) {
+            return Err(GeneratingError::DegenerateDirection { flank, ratio });
+        }
+    }
+    if feed.is_radial() {
+        return Ok(radial_share(lines, target, command, policy));
+    }
+    if matches!(setup.tool, Tool::Made) {
+        let polynomial = Some(command.polynomial.clone());
+        let carried = Carried { polynomial, terms: target.rest.clone(), fitted: None, corrections };
+        return Ok(Share::whole(Decomposition::nothing(lines.t_k), carried));
+    }
+    let a = &command.polynomial;
+    let FeedLaw::Ratio(ratio) = *feed else {
+        // Along curves the profile stays with the dresser and all else stands on the lines.
+        let mut parts = Decomposition::nothing(lines.t_k);
+        if policy.free_dresser && lines.profile_slope() == 0.0 {
+            let highest = a.terms().map(|(i, ..)| i).max().unwrap_or(0);
+            parts.profile = (0..=highest).map(|i| if i < 2 { 0.0 } else { a.coefficient(i, 0) }).collect();
+        }
+        let profile = parts.profile.iter().enumerate().map(|(i, &p)| (i, 0, -p));
+        let polynomial = Some(a.add(&Polynomial2::from_terms(profile)));
+        let carried = Carried { polynomial, terms: target.rest.clone(), fitted: None, corrections };
+        return Ok(Share::whole(parts, carried));
+    };
+    let t = lines.work_direction(ratio);
+    let rest = match known {
+        Some(rest) => rest.clone(),
+        None => RestCarrier::of(target, lines, t, policy)?,
+    };
+    let a = match rest {
+        RestCarrier::Polynomials => a.add(&target.fit_of_rest()),
+        _ => a.clone(),
+    };
+    let p_2 = match policy.place {
+        ProfilePlace::Diagonal => 0.0,
+        ProfilePlace::Dresser | ProfilePlace::Correction => a.coefficient(2, 0),
+    };
+    let free = policy.gauge[flank];
+    let p_2 = free.and_then(|free| free.k_20).unwrap_or(p_2);
+    let mut parts = decompose_diagonal(&a, t, lines.t_k, p_2, lines.profile_slope());
+    if let Some(free) = free {
+        parts = parts.with_gauge(free.k_10, free.k_k0);
+    }
+    if !policy.free_dresser {
+        parts.profile.truncate(3); // no dresser is there to carry u^3 and higher
+    }
+    let (terms, fitted, outside) = match &rest {
+        RestCarrier::Whole => (Vec::new(), None, 0.0),
+        RestCarrier::Lines(misfit) => (target.rest.clone(), None, *misfit),
+        RestCarrier::Fitted(fit) => (Vec::new(), Some(fit.clone()), fit.report.quality().largest),
+        RestCarrier::Polynomials => (Vec::new(), None, target.outside),
+    };
+    Ok(Share { parts, carried: Carried { polynomial: None, terms, fitted, corrections }, rest, outside })
+}
+
+/// The share of a flank without tool shift.
+fn radial_share(lines: &FlankLines, target: &FlankTarget, command: &Command, policy: ProfilePolicy) -> Share {
+    let a = if target.rest.is_empty() {
+        command.polynomial.clone()
+    } else {
+        command.polynomial.add(&target.fit_of_rest())
+    };
+    let mut parts = decompose_radial(&a, lines.t_k);
+    // The target's own profile terms only: compensating ones are advice, not plan
+    // (`docs/mathematics/generating-contact.md#what-the-grinding-motion-leaves-to-first-order`).
+    for (i, p) in parts.profile.iter_mut().enumerate() {
+        *p = if i == 0 { 0.0 } else { a.coefficient(i, 0) };
+    }
+    if !policy.free_dresser {
+        parts.profile.clear();
+    }
+    Share { parts, carried: Carried::default(), rest: RestCarrier::Polynomials, outside: target.outside }
 }

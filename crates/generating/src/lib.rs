@@ -4,6 +4,7 @@
 pub mod areas;
 mod best_fit;
 pub mod carried;
+mod class_fit;
 pub mod correction;
 pub mod curve_law;
 pub mod decomposition;
@@ -35,7 +36,6 @@ mod quadratic;
 pub mod ratio;
 mod ratio_nodes;
 pub mod setup;
-mod share;
 pub mod stroke_layout;
 mod stroke_place;
 pub mod stroked;
@@ -47,6 +47,7 @@ pub mod workshop;
 pub mod worm_function;
 
 pub use carried::{Carried, FieldSpline, misfit_of_lines};
+pub use class_fit::ClassFit;
 pub use curve_law::{CurveLaw, WantedCurve};
 pub use decomposition::{Decomposition, decompose_diagonal, decompose_radial, radial_residual};
 pub use dressed::{
@@ -64,7 +65,7 @@ pub use fit_shift::{DEFAULT_NODES, ShiftCoordinates, ShiftFit, fit_shift};
 pub use free_lines::{FreeLines, equal_ratio_lines, lines_for_ratio};
 pub use gear_root::{GroundRoot, WormTip};
 pub use gear_root_choice::GearRootChoice;
-pub use ideal_plan::IdealPlan;
+pub use ideal_plan::{Command, IdealPlan};
 pub use line_functions::{LineFunctions, LineWorm};
 pub use lines::FlankLines;
 pub use local_envelope::{LocalEnvelope, kinematic_compliance};
@@ -82,12 +83,11 @@ pub use ratio::{
     Candidate, FlankResidual, LEAST_DETERMINANT, NoPlan, RatioChoice, RatioReason, lead_correction_ratio,
 };
 pub use setup::{DresserChoice, DressingLimits, GrindingSetup, ProfilePlace, SetupInput, Tool};
-pub use share::Command;
 pub use stroke_layout::{AreaOfDresser, DressedSection, GivenDresser, StrokeChoice};
 pub use stroke_place::{StrokeLayout, StrokePlace};
 pub use stroked::StrokedFlank;
 pub use strokes::Strokes;
-pub use target::{Carrier, ClassFit, FlankTarget};
+pub use target::{Carrier, FlankTarget};
 pub use tip_land::LeastRoom;
 pub use variable_ratio::VariableRatio;
 pub use workshop::GearWorkshop;

@@ -345,7 +345,8 @@ impl PlanTask<'_> {
     /// those of a grid do not tell another tale.
     fn is_sound(&self, plan: &GrindingPlan) -> bool {
         let (share, least) = if self.is_smooth() { (1.0, 0.0) } else { (WELL_WITHIN, LEAST_DETERMINANT) };
-        self.deviation(plan) <= share * self.tolerance && plan.determinant >= self.least_determinant.max(least)
+        self.deviation(plan) <= share * self.tolerance
+            && plan.determinant >= self.least_determinant.max(least)
     }
 
     /// What speaks against a plan: its deviation, mm, and more than any deviation a contact beyond the least determinant ratio.

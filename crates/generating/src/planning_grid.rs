@@ -1,6 +1,6 @@
 //! The points on which a plan is judged, and how far what is ground there is from the target.
 
-use super::target::ClassFit;
+use super::class_fit::ClassFit;
 use super::{FlankTarget, GeneratingError, GrindingSetup};
 use contact::{ContactSolution, ExactContact, ToolSurface};
 use foundation::geometry::{Flank, Sides};

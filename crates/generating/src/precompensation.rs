@@ -1,8 +1,8 @@
 //! The correction of a command by the errors of the exact flank, round by round
 //! (`docs/mathematics/planning.md#from-the-ratio-to-the-flank`).
 
+use super::class_fit::ClassFit;
 use super::planning_grid::GroundError;
-use super::target::ClassFit;
 use super::{
     Command, FeedLaw, FieldSpline, FlankLines, FlankTarget, GeneratingError, GrindingSetup, IdealPlan,
     PlanningGrid, ProfilePolicy, Tool,

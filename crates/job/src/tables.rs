@@ -19,4 +19,4 @@ pub use machine::{BODY_CLEARANCE, Clamping, ClampingBody, Machine};
 pub use one_or_sides::{OneOrSides, one_or_sides_schema, pressure_angle_schema};
 pub use output::{Mesh, Output, Program, Table};
 pub use process::{JobInfo, ProcessName};
-pub use target::{Fit, Modification, Target, ToleranceMapSource, ToleranceTable, default_tolerance};
+pub use target::{Modification, default_tolerance};

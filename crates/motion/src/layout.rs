@@ -1,11 +1,11 @@
 //! From passes to the neutral program: approach, infeed, stroke, retraction, repetition, coupling, time (`docs/mathematics/programs.md`).
 
 use super::path::AxisPath;
-use super::speed::{Braked, PathLimits};
+use super::speed::Braked;
 use super::trace::AxisTrace;
-use super::{AxisWords, Course, LineCourse, MotionError, Waypoint};
-use machine::{Machine, Positions, Role, Station};
-use nc::{Block, Header, Program};
+use super::{AxisWords, Course, LineCourse, MotionError};
+use machine::{Machine, Station};
+use nc::Program;
 
 mod gear;
 mod passes;
@@ -160,36 +160,4 @@ pub fn lay_out_lines(
         writer.lines(pass)?;
     }
     writer.finish((!passes.is_empty()).then_some(Station::Dresser))
-}
-
-/// The way between two waypoints as path length: mm of the parameter, or of the lift where the parameter stands.
-fn lengths(path: &AxisPath) -> Vec<f64> {
-    let mut sum = 0.0;
-    let mut out = Vec::with_capacity(path.nodes.len());
-    out.push(0.0);
-    for pair in path.nodes.windows(2) {
-        let (a, b): (&Waypoint, &Waypoint) = (&pair[0].0, &pair[1].0);
-        sum += (b.v - a.v).abs().max((b.lift - a.lift).abs());
-        out.push(sum);
-    }
-    out
-}
-
-/// Axes of a station that programs give targets of: all but the dresser's own rotation, which is a spindle.
-fn driven(machine: &Machine, station: Station) -> Result<Vec<usize>, MotionError> {
-    let dresser = machine.role(Role::Dresser);
-    let all = machine.axes_at(station)?;
-    Ok(all.into_iter().filter(|&axis| station == Station::Work || Some(axis) != dresser).collect())
-}
-
-/// The header of a program for these axes.
-fn header(words: &AxisWords, options: &LayoutOptions) -> Header {
-    Header { name: options.name.clone(), axes: words.words.clone(), chord_tolerance: options.tolerance }
-}
-
-/// Where all axes stand, if they have been positioned.
-type Standing = Option<Positions>;
-
-fn comment(text: &str) -> Block {
-    Block::Comment(text.into())
 }

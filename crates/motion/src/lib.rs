@@ -4,10 +4,8 @@
 
 mod axes;
 mod course;
-mod dressing_course;
 mod drive;
 mod error;
-mod grinding_course;
 mod layout;
 mod line_course;
 pub mod milling;
@@ -19,10 +17,8 @@ mod trace;
 mod waypoint;
 
 pub use axes::{AxisWords, axis_words};
-pub use course::Course;
-pub use dressing_course::{DressingCourse, dresser_contacts};
+pub use course::{Course, DressingCourse, GrindingCourse, dresser_contacts};
 pub use error::MotionError;
-pub use grinding_course::GrindingCourse;
 pub use layout::{
     Coupling, Layout, LayoutOptions, LinePass, Pass, PassReport, WorkGear, in_words, lay_out, lay_out_lines,
 };

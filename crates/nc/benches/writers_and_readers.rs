@@ -19,7 +19,7 @@ fn benchmark(criterion: &mut Criterion) {
     let options = WriteOptions::default();
     for dialect in Dialect::ALL {
         let program = programs::stroke(dialect, BLOCKS);
-        let text = write_checked(&program, dialect, &options).expect("a program").text;
+        let text = write_checked(&program, dialect, &options).expect("a program").written.text;
         let mut group = criterion.benchmark_group(dialect.name());
         group.throughput(Throughput::Elements(BLOCKS as u64));
         group.sample_size(10);

@@ -2,11 +2,10 @@
 //! known here, only neutral programs and how far rounding may have moved them.
 
 use super::reader::{HalGear, read_hal};
-use super::writer::{cl_options, resolved};
 use super::{
-    AxisMotion, AxisWord, BSplineMotion, Block, ClCutter, Coupling, CubicMotion, CubicSpan, CurveTable,
-    Dialect, Gear, GearSynchronisation, MAXIMUM_AXES, NcError, Orientation, Pace, Program, ReadProgram,
-    Targets, TipMotion, Word, WriteOptions, Written, read, read_cl, write, write_cl,
+    AxisMotion, AxisWord, BSplineMotion, Block, Coupling, CubicMotion, CubicSpan, CurveTable, Gear,
+    GearSynchronisation, MAXIMUM_AXES, NcError, Orientation, Pace, Program, ReadProgram, Targets, TipMotion,
+    Word, WriteOptions, Written,
 };
 
 /// Relative difference of times.
@@ -18,52 +17,12 @@ const POLYNOMIAL: f64 = 1e-9;
 /// Relative difference of ratios: two numbers of 15 digits.
 const RATIO: f64 = 2e-14;
 /// Rounding of the conversions themselves, relative.
-const CONVERSION: f64 = 1e-15;
+pub(super) const CONVERSION: f64 = 1e-15;
 /// Times of feeds from here on, and from there on, have other decimals (see the writers' options).
 const SMALL_FEED: f64 = 1.0;
 const LARGE_FEED: f64 = 1e8;
 /// Where polynomials are compared.
 const PLACES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
-
-/// Writes the program, reads it with the reader that shares nothing with the writer, and compares: what comes out was read back.
-///
-/// # Errors
-/// Those of [`write()`]; `NotReadBack` and `ReadBackMismatch` tell of a fault in this library.
-pub fn write_checked(
-    program: &Program,
-    dialect: Dialect,
-    options: &WriteOptions,
-) -> Result<Written, NcError> {
-    let written = write(program, dialect, options)?;
-    let found = read(written.text.as_bytes(), dialect, program.axes())
-        .map_err(|error| NcError::NotReadBack(error.to_string().into()))?;
-    compare(program, &found, &written, options)?;
-    Ok(written)
-}
-
-/// Writes the cutter locations, reads them with the reader that shares nothing with the writer, and compares.
-///
-/// # Errors
-/// Those of [`write_cl()`]; `NotReadBack` and `ReadBackMismatch` tell of a fault in this library.
-pub fn write_cl_checked(program: &Program, cutter: Option<&ClCutter>) -> Result<String, NcError> {
-    let text = write_cl(program, cutter)?;
-    let found = read_cl(text.as_bytes()).map_err(|error| NcError::NotReadBack(error.to_string().into()))?;
-    let wanted = Program::new(program.header().clone(), resolved(program)?)?;
-    let options = cl_options();
-    let lengths = |cutter: &ClCutter| [cutter.diameter, cutter.corner_radius, cutter.cutting_length];
-    let half = 0.5 * 10f64.powi(-i32::from(options.decimals.mm));
-    let same = match (cutter.map(lengths), found.cutter.as_ref().map(lengths)) {
-        (None, None) => true,
-        (Some(a), Some(b)) => a.iter().zip(b).all(|(a, b)| (a - b).abs() <= half + CONVERSION * a.abs()),
-        _ => false,
-    };
-    if !same || found.name.as_ref() != Some(&program.header().name) {
-        return Err(NcError::ReadBackMismatch { block: 0, axis: "name or cutter".into(), delta: f64::NAN });
-    }
-    let read = ReadProgram { name: found.name, chord_tolerance: None, blocks: found.blocks };
-    compare_blocks(&wanted, &read, 0.0, None, &options)?;
-    Ok(text)
-}
 
 /// Compares a program with what was read from its text, and the netlist of its gear with the gear.
 ///
@@ -79,7 +38,7 @@ pub fn compare(
 }
 
 /// The same with what the text came with: the change of the lead ratio, and the netlist.
-fn compare_blocks(
+pub(super) fn compare_blocks(
     program: &Program,
     found: &ReadProgram,
     lead_ratio: f64,

@@ -3,6 +3,7 @@
 //! dialect and one of cutter locations, readers that share no code with the writers, and the comparison of what was written with what was
 //! read back. Knows axes and couplings by their names and numbers only: no gear, no process, no file.
 
+mod checked;
 mod compare;
 mod dialect;
 mod error;
@@ -11,7 +12,8 @@ mod program;
 mod reader;
 mod writer;
 
-pub use compare::{compare, write_checked, write_cl_checked};
+pub use checked::{Checked, write_checked, write_cl_checked};
+pub use compare::compare;
 pub use dialect::Dialect;
 pub use error::NcError;
 pub use expand::split_turns;

@@ -218,10 +218,10 @@ fn written_programs_with_damage() {
         // Tips in every other case of the dialects that have them, cutter locations where the third has none.
         let text = match (dialect, case / 3 % 2) {
             (_, 0) => write_checked(&random(dialect, case, 12, false), dialect, &WriteOptions::default())
-                .map(|written| written.text),
+                .map(|checked| checked.written.text),
             (Dialect::LinuxCnc, _) => write_cl(&tips(Dialect::Siemens, case, 12, false), None),
             _ => write_checked(&tips(dialect, case, 12, true), dialect, &WriteOptions::default())
-                .map(|written| written.text),
+                .map(|checked| checked.written.text),
         };
         let text = text.unwrap_or_else(|error| panic!("{case}: {error}"));
         for _ in 0..40 {

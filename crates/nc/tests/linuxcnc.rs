@@ -45,7 +45,7 @@ fn written_programs_mean_in_linuxcnc_what_the_neutral_program_says() {
     let Some((client, directory)) = client("interpretation of written programs") else { return };
     let mut found = Found::default();
     for (program, options) in programs() {
-        let text = write_checked(&program, Dialect::LinuxCnc, &options).unwrap().text;
+        let text = write_checked(&program, Dialect::LinuxCnc, &options).unwrap().written.text;
         found.add(&client, &directory, &program, &text);
     }
     found.tell();
@@ -61,7 +61,7 @@ fn the_sample_of_the_specification_gives_its_values() {
     let target = target.with(C, angle.to_radians());
     let blocks = vec![Block::Rapid(start), Block::Linear { target, duration: 0.05 }];
     let sample = without_second_spindle(&program(Dialect::LinuxCnc, blocks));
-    let text = write_checked(&sample, Dialect::LinuxCnc, &stand_alone()).unwrap().text;
+    let text = write_checked(&sample, Dialect::LinuxCnc, &stand_alone()).unwrap().written.text;
     assert!(
         text.contains("G1 X119.999602 Y-14.850000 Z-24.750000 A20.0000000 C72.1224769 F1200.000000\n"),
         "{text}"
@@ -102,7 +102,7 @@ fn a_milled_row_of_axis_values_means_the_same_in_linuxcnc() {
         ..stand_alone()
     };
     for options in [stand_alone(), milling] {
-        let text = write_checked(&row, Dialect::LinuxCnc, &options).unwrap().text;
+        let text = write_checked(&row, Dialect::LinuxCnc, &options).unwrap().written.text;
         let path = file(&directory, &text);
         let output = client.interpret_with_tools(&path, directory.path(), "T5 P5 Z0\n");
         let canonical_text = String::from_utf8_lossy(&output.stdout);
@@ -140,7 +140,7 @@ fn nine_letters_are_read_by_the_running_control() {
         .collect();
     blocks.push(Block::End);
     let program = Program::new(header, blocks).unwrap();
-    let text = write_checked(&program, Dialect::LinuxCnc, &WriteOptions::default()).unwrap().text;
+    let text = write_checked(&program, Dialect::LinuxCnc, &WriteOptions::default()).unwrap().written.text;
     let path = file(&directory, &text);
     assert!(!client.interpret(&path, directory.path()).status.success(), "rs274 has six letters");
     let Some(parsed) = client.parse(&path, directory.path()) else {
@@ -190,7 +190,8 @@ fn what_the_reader_takes_of_a_damaged_program_linuxcnc_takes_too() {
     let mut taken = 0;
     for seed in 0..150 {
         let program = without_second_spindle(&random(Dialect::LinuxCnc, seed, 15, true));
-        let mut bytes = write_checked(&program, Dialect::LinuxCnc, &stand_alone()).unwrap().text.into_bytes();
+        let mut bytes =
+            write_checked(&program, Dialect::LinuxCnc, &stand_alone()).unwrap().written.text.into_bytes();
         let alphabet = b"0123456789.-+ GMXYZABCFPS()%;\nxg/";
         let place = draw.below(bytes.len() as u64) as usize;
         bytes[place] = alphabet[draw.below(alphabet.len() as u64) as usize];

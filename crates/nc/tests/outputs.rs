@@ -24,7 +24,7 @@ fn every_control_is_told_in_its_own_words() {
     ] {
         let program = recording(dialect);
         let options = WriteOptions::default();
-        let written = write_checked(&program, dialect, &options).unwrap();
+        let written = write_checked(&program, dialect, &options).unwrap().written;
         let text = &written.text;
         assert!(text.contains(on) && text.contains(off), "{text}");
         assert_eq!(detect_dialect(text.as_bytes()), Some(dialect));

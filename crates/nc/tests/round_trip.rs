@@ -12,7 +12,7 @@ use proptest::prelude::*;
 use std::io::{BufReader, Read};
 
 fn text(program: &Program, dialect: Dialect) -> String {
-    write_checked(program, dialect, &WriteOptions::default()).unwrap().text
+    write_checked(program, dialect, &WriteOptions::default()).unwrap().written.text
 }
 
 proptest! {
@@ -23,7 +23,7 @@ proptest! {
         for dialect in Dialect::ALL {
             let program = random(dialect, seed, 60, false);
             let options = WriteOptions { decimals: Decimals { mm, deg, feed }, ..WriteOptions::default() };
-            let written = write_checked(&program, dialect, &options).unwrap();
+            let written = write_checked(&program, dialect, &options).unwrap().written;
             prop_assert_eq!(&written, &write(&program, dialect, &options).unwrap());
             prop_assert!(written.text.is_ascii() && written.text.ends_with('\n'));
             prop_assert!(!written.text.contains('\r') && !written.text.lines().any(|line| line.ends_with(' ')));
@@ -50,7 +50,7 @@ proptest! {
         for dialect in Dialect::ALL {
             let program = random(dialect, seed, 30, false);
             let options = WriteOptions::default();
-            let written = write_checked(&program, dialect, &options).unwrap();
+            let written = write_checked(&program, dialect, &options).unwrap().written;
             let mut bytes = written.text.clone().into_bytes();
             let digits: Vec<usize> = words_of_motions(&bytes);
             prop_assume!(!digits.is_empty());
@@ -158,7 +158,8 @@ fn a_gear_of_fanuc_is_told_by_its_bodies_and_its_rounding_is_reported() {
     gear.teeth = Some(ToothData { teeth: 40, threads: 3, normal_module: 2.0, helix_angle: exact });
     let written =
         write_checked(&program(Dialect::Fanuc, geared(gear, None)), Dialect::Fanuc, &WriteOptions::default())
-            .unwrap();
+            .unwrap()
+            .written;
     let expected = "%\nO0001 (GRIND 1)\nG21 G90 G17 G40 G49 G80\nG93\nS300 M3\nG81 T40 L3 Q2.00000 P20.0000\n\
         G1 Z30.000000 F30.000000\nG80\nG94\nM5\nM30\n%\n";
     assert_eq!(written.text, expected);
@@ -173,7 +174,7 @@ fn a_gear_of_linuxcnc_is_a_netlist_beside_the_program() {
     let program = program(Dialect::LinuxCnc, geared(three_leaders(), Some(at)));
     let mut options = WriteOptions::default();
     options.linuxcnc.hal = Some(HalOptions { following_error: 0.01f64.to_radians() });
-    let written = write_checked(&program, Dialect::LinuxCnc, &options).unwrap();
+    let written = write_checked(&program, Dialect::LinuxCnc, &options).unwrap().written;
     assert!(written.text.contains("M64 P4\nG1 Z30.000000 F30.000000\nM65 P4\n"), "{}", written.text);
     let hal = written.hal.clone().unwrap();
     // 3/40 of a revolution of the spindle is 27 deg of C.
@@ -370,7 +371,7 @@ fn blocks_that_linuxcnc_cannot_keep_in_time_are_warned_of() {
         let program = program(Dialect::LinuxCnc, blocks.collect());
         let mut options = WriteOptions::default();
         options.linuxcnc.accelerations = vec![1e5, 1e5, 1e5, 90.0, 5000f64.to_radians(), 90.0];
-        write_checked(&program, Dialect::LinuxCnc, &options).unwrap().warnings
+        write_checked(&program, Dialect::LinuxCnc, &options).unwrap().written.warnings
     };
     assert_eq!(run(81.0), []);
     let warnings = run(83.0);
@@ -564,5 +565,5 @@ fn words_lines_and_headers_beyond_a_control_are_refused() {
     let far = crate::programs::program(Dialect::Siemens, far);
     assert_eq!(write_checked(&far, Dialect::Siemens, &modulo).unwrap_err().code(), "nc-number-range");
     let near = split_turns(&far).unwrap();
-    assert!(write_checked(&near, Dialect::Siemens, &modulo).unwrap().text.contains("C2=IC("));
+    assert!(write_checked(&near, Dialect::Siemens, &modulo).unwrap().written.text.contains("C2=IC("));
 }

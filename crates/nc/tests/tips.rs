@@ -77,13 +77,13 @@ const AXIS_LINES: &str = "N10 G94 G0 X-27.7686 Y-28.7287 Z23.4326 C26.32532 A80.
 
 #[test]
 fn the_reference_lines_come_out_character_for_character() {
-    let text = write_checked(&row_of_tips(), Dialect::Siemens, &milling()).unwrap().text;
+    let text = write_checked(&row_of_tips(), Dialect::Siemens, &milling()).unwrap().written.text;
     let head =
         "; ROW\nG710 G90 G17 G40 G500 G64\nG93\nT5 D5 M6\nS1=3000.000000 M1=3\nTRAORI\nORIWKS\nG94 F1200.0\n";
     assert!(text.starts_with(&[head, TRAORI_LINES].concat()), "{text}");
     assert!(text.ends_with("F1189.9\nTRAFOOF\nG94\nM1=5\nM30\n"), "{text}");
     for dialect in Dialect::ALL {
-        let text = write_checked(&row_of_axes(), dialect, &milling()).unwrap().text;
+        let text = write_checked(&row_of_axes(), dialect, &milling()).unwrap().written.text;
         assert!(text.contains(AXIS_LINES), "{text}");
     }
     let cutter = ClCutter { diameter: 5.0, corner_radius: 1.0, cutting_length: 20.0 };
@@ -98,7 +98,7 @@ fn the_reference_lines_come_out_character_for_character() {
 
 #[test]
 fn fanuc_is_told_tips_by_directions_and_by_angles() {
-    let text = write_checked(&row_of_tips(), Dialect::Fanuc, &milling()).unwrap().text;
+    let text = write_checked(&row_of_tips(), Dialect::Fanuc, &milling()).unwrap().written.text;
     let lines = TRAORI_LINES.replace("A3=", "I").replace("B3=", "J").replace("C3=", "K");
     let head = "T5 M6\nS3000 M3\nG43.5 H5\nG94 F1200.0\n";
     assert!(text.contains(&[head, &lines].concat()) && text.contains("\nG49\nG94\nM5\nM30\n%\n"), "{text}");
@@ -117,7 +117,7 @@ fn fanuc_is_told_tips_by_directions_and_by_angles() {
     let wanted =
         format!("N10 G0 {words}\nN20 G1 {words} F120.000\nN30 G94 G1 X5.2022 Y73.1313 Z-9.8314 F600.0\n");
     for (dialect, head) in [(Dialect::Fanuc, "G43.4 H5\n"), (Dialect::Siemens, "TRAORI\nORIMKS\n")] {
-        let text = write_checked(&program, dialect, &milling()).unwrap().text;
+        let text = write_checked(&program, dialect, &milling()).unwrap().written.text;
         assert!(text.contains(&[head, &wanted].concat()), "{text}");
     }
 }
@@ -162,7 +162,7 @@ proptest! {
         let options = options(seed);
         for dialect in WITH_TIPS {
             let program = tips(dialect, seed, 60, true);
-            let written = write_checked(&program, dialect, &options).unwrap();
+            let written = write_checked(&program, dialect, &options).unwrap().written;
             prop_assert!(written.text.is_ascii() && !written.text.lines().any(|line| line.ends_with(' ')));
             prop_assert_eq!(detect_dialect(written.text.as_bytes()), Some(dialect));
             // What was read is a program itself and writes the same text but for times, which are inverses of feeds.
@@ -188,7 +188,7 @@ proptest! {
         let options = options(seed);
         for dialect in WITH_TIPS {
             let program = tips(dialect, seed, 30, true);
-            let written = write_checked(&program, dialect, &options).unwrap();
+            let written = write_checked(&program, dialect, &options).unwrap().written;
             let mut bytes = written.text.clone().into_bytes();
             let digits = digits_of_tips(&written.text);
             let at = digits[place.index(digits.len())];
@@ -231,7 +231,7 @@ fn digits_of_tips(text: &str) -> Vec<usize> {
 fn a_truncated_text_under_tip_control_is_refused() {
     for dialect in WITH_TIPS {
         let program = tips(dialect, 3, 30, true);
-        let text = write_checked(&program, dialect, &WriteOptions::default()).unwrap().text;
+        let text = write_checked(&program, dialect, &WriteOptions::default()).unwrap().written.text;
         let whole = read(text.as_bytes(), dialect, program.axes()).unwrap();
         for length in 0..text.len() {
             if let Ok(found) = read(&text.as_bytes()[..length], dialect, program.axes()) {
@@ -585,7 +585,7 @@ fn rounding_adds_no_more_than_is_stated_for_axis_values() {
         blocks.push(Block::End);
         let program = Program::new(trunnion(), blocks).unwrap();
         let bound = rounding_bound(&program, &options, reach, 0.0).unwrap();
-        let text = write_checked(&program, Dialect::Siemens, &options).unwrap().text;
+        let text = write_checked(&program, Dialect::Siemens, &options).unwrap().written.text;
         let found = read(text.as_bytes(), Dialect::Siemens, program.axes()).unwrap();
         let mut places = Targets::NONE;
         for (wanted, found) in program.blocks().iter().zip(&found.blocks) {
@@ -631,7 +631,7 @@ fn rounding_adds_no_more_than_is_stated_for_tips() {
         blocks.extend([Block::TipControlOff, Block::End]);
         let program = Program::new(trunnion(), blocks).unwrap();
         let bound = rounding_bound(&program, &options, 0.0, lever).unwrap();
-        let text = write_checked(&program, Dialect::Fanuc, &options).unwrap().text;
+        let text = write_checked(&program, Dialect::Fanuc, &options).unwrap().written.text;
         let found = read(text.as_bytes(), Dialect::Fanuc, program.axes()).unwrap();
         for (wanted, found) in program.blocks().iter().zip(&found.blocks) {
             let (Block::Tip(a), Block::Tip(b)) = (wanted, found) else { continue };

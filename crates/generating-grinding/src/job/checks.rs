@@ -17,7 +17,7 @@ use job::{Diagnostic, Problem, shown_number};
 pub(crate) fn check(job: &Job) -> Vec<Diagnostic> {
     let mut findings = Vec::new();
     every_job(&job.job, &job.gear, &job.grid, &mut findings);
-    target(job, &mut findings);
+    job.target.check(&mut findings);
     catalogue::check(job, &mut findings);
     // Without a worm there is nothing to say about it.
     if !job.worm.is_absent() {
@@ -90,25 +90,5 @@ fn settings(job: &Job, findings: &mut Vec<Diagnostic>) {
                     .way_out("give the stroke from its smaller to its larger worm position"),
             );
         }
-    }
-}
-
-fn target(job: &Job, findings: &mut Vec<Diagnostic>) {
-    let allowed = "either `modifications = [ ... ]` or `file = \"grid.csv\"`";
-    match (&job.target.modifications, &job.target.file) {
-        (None, None) => findings.push(
-            Diagnostic::new(Problem::MissingKey, "`target` does not say which flank is wanted")
-                .field("target.modifications")
-                .allowed(allowed)
-                .way_out("add `modifications`; an empty list asks for the pure involute"),
-        ),
-        (Some(_), Some(file)) => findings.push(
-            Diagnostic::new(Problem::InvalidJob, "the target is given twice")
-                .field("target.file")
-                .value(format!("{file:?}"))
-                .allowed(allowed)
-                .way_out("keep one of them; a grid can also be an entry of the list (kind = \"grid\")"),
-        ),
-        _ => {}
     }
 }

@@ -4,8 +4,8 @@ use super::super::carried::FittedFlank;
 use super::super::dressed::{dressing_response, finished_rolls};
 use super::super::least_squares::FunctionClass;
 use super::super::{
-    DressingLimits, DressingRows, FeedLaw, FlankLines, FlankTarget, GeneratingError, GrindingSetup, IdealPlan,
-    PlanningGrid, Prefer,
+    DressingLimits, DressingRows, FeedLaw, FlankLines, FlankTarget, GeneratingError, GrindingSetup,
+    IdealPlan, PlanningGrid, Prefer,
 };
 use super::flank::{FlankCommand, FlankFit};
 use super::programme::AxisShares;

@@ -1,11 +1,10 @@
 //! The electronic gearbox of a pass: which axes lead the workpiece and by how much, and a table for what is not linear.
 
-use super::{
-    AxisPath, AxisWords, LayoutOptions, Machine, MotionError, Pass, Positions, Role, STANDS_STILL, WorkGear,
-};
-use crate::Course;
+use super::{LayoutOptions, Pass, STANDS_STILL, WorkGear};
+use crate::path::AxisPath;
+use crate::{AxisWords, Course, MotionError};
 use foundation::numerics::CubicSpline;
-use machine::Joint;
+use machine::{Joint, Machine, Positions, Role};
 use nc::{
     Block, Coupling, CubicSpan, CurveTable, Gear, GearLeader, GearSynchronisation, Repetition, TablePiece,
     Word,

@@ -1,13 +1,13 @@
 //! Writes pass after pass into blocks and into the trace.
 
 use super::gear::{GearBlocks, couple};
-use super::{
-    AxisPath, AxisTrace, AxisWords, Block, Coupling, Layout, LayoutOptions, Machine, MotionError, Pass,
-    PassReport, PathLimits, Positions, Program, Role, STANDS_STILL, Standing, Station, Waypoint, comment,
-    driven, header, lengths,
-};
-use crate::Course;
-use nc::Word;
+use super::{Coupling, Layout, LayoutOptions, Pass, PassReport, STANDS_STILL};
+use crate::path::AxisPath;
+use crate::speed::PathLimits;
+use crate::trace::AxisTrace;
+use crate::{AxisWords, Course, MotionError, Waypoint};
+use machine::{Machine, Positions, Role, Station};
+use nc::{Block, Header, Program, Word};
 
 mod lines;
 
@@ -18,7 +18,8 @@ pub(super) struct Writer<'a> {
     options: &'a LayoutOptions,
     blocks: Vec<Block>,
     trace: AxisTrace,
-    standing: Standing,
+    /// Where all axes stand, once they have been positioned.
+    standing: Option<Positions>,
     reports: Vec<PassReport>,
     tables: u32,
     at_rest: Vec<(usize, f64)>,
@@ -323,4 +324,33 @@ fn spindle_of(machine: &Machine, words: &AxisWords, role: Role) -> Option<u8> {
         Word::Spindle(spindle) => Some(spindle),
         _ => None,
     }
+}
+
+/// The way between two waypoints as path length: mm of the parameter, or of the lift where the parameter stands.
+fn lengths(path: &AxisPath) -> Vec<f64> {
+    let mut sum = 0.0;
+    let mut out = Vec::with_capacity(path.nodes.len());
+    out.push(0.0);
+    for pair in path.nodes.windows(2) {
+        let (a, b): (&Waypoint, &Waypoint) = (&pair[0].0, &pair[1].0);
+        sum += (b.v - a.v).abs().max((b.lift - a.lift).abs());
+        out.push(sum);
+    }
+    out
+}
+
+/// Axes of a station that programs give targets of: all but the dresser's own rotation, which is a spindle.
+fn driven(machine: &Machine, station: Station) -> Result<Vec<usize>, MotionError> {
+    let dresser = machine.role(Role::Dresser);
+    let all = machine.axes_at(station)?;
+    Ok(all.into_iter().filter(|&axis| station == Station::Work || Some(axis) != dresser).collect())
+}
+
+/// The header of a program for these axes.
+fn header(words: &AxisWords, options: &LayoutOptions) -> Header {
+    Header { name: options.name.clone(), axes: words.words.clone(), chord_tolerance: options.tolerance }
+}
+
+fn comment(text: &str) -> Block {
+    Block::Comment(text.into())
 }

@@ -59,38 +59,36 @@ pub(crate) fn read_hal(text: &str, name: &str, leaders: usize) -> Option<HalGear
     Some(HalGear { gains: gains.collect::<Option<_>>()?, offset, connected, guard })
 }
 
-/// Puts the gears that a netlist defines before the blocks that switch them on, and their positions into these.
-///
-/// # Errors
-/// `Missing` for a gear that the netlist does not hold, or that a spindle leads whose number it does not tell.
-pub(super) fn with_netlist(
-    program: ReadProgram,
-    netlist: &str,
-    axes: &[AxisWord],
-) -> Result<ReadProgram, ReadError> {
-    let mut blocks = Vec::with_capacity(program.blocks.len() + 1);
-    let mut defined = BTreeSet::new();
-    for block in program.blocks {
-        match block {
-            Block::GearOn { follower, synchronisation: None } if !defined.contains(&follower) => {
-                let (gear, at) = gear_of(netlist, follower, axes).ok_or_else(|| ReadError {
-                    line: 1,
-                    column: 1,
-                    problem: ReadProblem::Missing,
-                    word: axes.get(follower).map_or("", |axis| axis.name.as_str()).into(),
-                    allowed: "a netlist with the gear of this axis, led by axes with letters",
-                })?;
-                blocks.push(Block::GearDefine(Box::new(gear)));
-                blocks.push(Block::GearOn { follower, synchronisation: Some(Box::new(at)) });
+impl ReadProgram {
+    /// Puts the gears that a netlist defines before the blocks that switch them on, and their positions into these.
+    ///
+    /// # Errors
+    /// `Missing` for a gear that the netlist does not hold, or that a spindle leads whose number it does not tell.
+    pub fn with_netlist(self, netlist: &str, axes: &[AxisWord]) -> Result<Self, ReadError> {
+        let mut blocks = Vec::with_capacity(self.blocks.len() + 1);
+        let mut defined = BTreeSet::new();
+        for block in self.blocks {
+            match block {
+                Block::GearOn { follower, synchronisation: None } if !defined.contains(&follower) => {
+                    let (gear, at) = gear_of(netlist, follower, axes).ok_or_else(|| ReadError {
+                        line: 1,
+                        column: 1,
+                        problem: ReadProblem::Missing,
+                        word: axes.get(follower).map_or("", |axis| axis.name.as_str()).into(),
+                        allowed: "a netlist with the gear of this axis, led by axes with letters",
+                    })?;
+                    blocks.push(Block::GearDefine(Box::new(gear)));
+                    blocks.push(Block::GearOn { follower, synchronisation: Some(Box::new(at)) });
+                }
+                Block::GearDefine(gear) => {
+                    defined.insert(gear.follower);
+                    blocks.push(Block::GearDefine(gear));
+                }
+                other => blocks.push(other),
             }
-            Block::GearDefine(gear) => {
-                defined.insert(gear.follower);
-                blocks.push(Block::GearDefine(gear));
-            }
-            other => blocks.push(other),
         }
+        Ok(Self { blocks, ..self })
     }
-    Ok(ReadProgram { blocks, ..program })
 }
 
 /// The gear of an axis with the follower's place where all leaders are at 0.

@@ -71,7 +71,7 @@ pub fn read_with_netlist(
     netlist: &str,
     axes: &[AxisWord],
 ) -> Result<ReadProgram, ReadError> {
-    hal::with_netlist(read(text, Dialect::LinuxCnc, axes)?, netlist, axes)
+    read(text, Dialect::LinuxCnc, axes)?.with_netlist(netlist, axes)
 }
 
 /// Reads cutter locations in the words of APT, as [`crate::write_cl`] writes them.

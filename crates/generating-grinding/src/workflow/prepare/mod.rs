@@ -20,23 +20,22 @@ pub use settings::GivenSettings;
 pub use targets::{tolerance_of_job, wanted_flanks};
 
 use super::equal_ratio_offers::free_lines;
-use super::generating_finding;
-use crate::job::{LoadedJob, Method, Tool as JobTool};
+use crate::job::{LoadedJob, Tool as JobTool};
 use crate::workflow::programs::technology::Technology;
 use foundation::geometry::{Flank, Sides};
 use foundation::kinematics::MotionLaw;
 use foundation::modification::{ModificationSpec, ToleranceMap};
 use generating::areas::AreaPlan;
-use generating::{Carrier, FlankTarget, GrindingSetup, Tool};
+use generating::{FlankTarget, GrindingSetup, Tool};
 use job::machine::LoadedMachine;
 use job::tables::{Control, JobInfo, Output};
 use job::{Diagnostic, Problem};
+use run::RunFailure;
 use run::program_check::machine_of_job;
-use run::{RunFailure, face_names_remark};
 use shift::shift_of_job;
 use strokes::strokes_of_job;
-use targets::{TargetEntries, is_ground, specs_of_job};
-use tools::{dresser_profile, tool_modifications};
+use targets::{JobTargets, is_ground, targets_of_job};
+use tools::tool_modifications;
 use verdict::Remark;
 
 /// A job made ready for planning.
@@ -100,7 +99,6 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
         setup.tool = Tool::Given(Box::new(tool_modifications(loaded, &setup)?));
     }
     let tolerance = tolerance_of_job(loaded).map_err(RunFailure::bad_input)?;
-    let mut warnings = Vec::new();
     let strokes = strokes_of_job(loaded, &setup)?;
     // In strokes the corrections make the whole profile, as a dresser made for the target would.
     let given = match &strokes {
@@ -108,59 +106,8 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
         Some(_) => None,
     };
     setup.strokes = strokes.map(Box::new);
-    let cylindrical = setup.pair.work.is_cylindrical();
-    // Without a shift even a freely made tool only leaves profile lines.
-    let carrier = match (&setup.tool, job.grinding.method) {
-        (Tool::Made | Tool::Given(_), Method::Diagonal) => Carrier::Lines,
-        _ if cylindrical => Carrier::Dresser,
-        _ => Carrier::DresserOnCone,
-    };
-    let (entries, remark) = TargetEntries::of_job(loaded).map_err(RunFailure::bad_input)?;
-    warnings.extend(remark);
-    let mut reliefs = Sides::both(Vec::new());
-    let targets = Sides::try_from_fn(|flank| {
-        if !is_ground(job, flank) {
-            return Ok(None);
-        }
-        let field = &setup.fields[flank];
-        let wanted = entries.flank(loaded, flank, field).map_err(RunFailure::bad_input)?;
-        for warning in wanted.flank.warnings() {
-            warnings.push(Remark {
-                code: warning.code(),
-                text: format!("{flank} flank: {warning}"),
-                way_out: "check the length against the evaluation range".into(),
-            });
-        }
-        let target = match given {
-            None => {
-                reliefs[flank] = wanted.reliefs;
-                FlankTarget::carried_by(wanted.flank, carrier)
-            }
-            Some(specs) => {
-                let made =
-                    dresser_profile(loaded, specs, flank, field, ("dresser.modification", "the target"))
-                        .map_err(RunFailure::bad_input)?;
-                reliefs[flank] = specs.to_vec();
-                FlankTarget::with_given_dresser(wanted.flank, made)
-            }
-        };
-        let cos = setup.lines[flank].cos_b2;
-        target
-            .and_then(|target| target.weighed_by(|w, z| tolerance.value(w, z) / cos))
-            .map(Some)
-            .map_err(|e| RunFailure::bad_input(generating_finding::generating_finding(&e)))
-    })?;
-    warnings.extend(face_names_remark(specs_of_job(job)));
-    if let Some(compensation) = &job.compensation {
-        warnings.push(Remark {
-            code: "compensated",
-            text: format!(
-                "the flank that is planned is the target with the compensation of {} measurements",
-                compensation.rounds
-            ),
-            way_out: "leave [compensation] out to plan the target alone".into(),
-        });
-    }
+    let JobTargets { targets, reliefs, remarks: mut warnings } =
+        targets_of_job(loaded, &setup, given, &tolerance)?;
     let rules = PlanningRules::of_job(job, given.is_none())?;
     warnings.extend(remarks_on_bodies(&setup));
     if job.point_dresser().is_some() && job.dressing.line_direction_deg.is_none() {

@@ -2,15 +2,14 @@
 
 use super::Prepared;
 use crate::job::{
-    AxisLimits, Condition, DegreeOfFreedom, DiagonalRatio, Dressing, DressingFlanks, Gauge, GaugeRule, Job,
-    Method, Prefer as Preference, ProfileCrowningBy,
+    AxisLimits, Condition, DegreeOfFreedom, DiagonalRatio, Dressing, DressingFlanks, Fit, Gauge, GaugeRule,
+    Job, Method, Prefer as Preference, ProfileCrowningBy,
 };
 use generating::least_squares::FitNorm;
 use generating::{
     DEFAULT_LEAST_DETERMINANT, DressingLimits, DressingRows, FlankRows, FreeCoefficients, PlanGauge,
     PlanTask, Prefer, ProfilePlace,
 };
-use job::tables::Fit;
 use job::{Diagnostic, Problem};
 use run::RunFailure;
 

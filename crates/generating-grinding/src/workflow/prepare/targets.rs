@@ -1,14 +1,16 @@
 //! What the drawing wants: targets of the flanks that are ground and their tolerance. Each modification is built here, once.
 
-use crate::job::{Job, LoadedJob};
+use super::tools::dresser_profile;
+use crate::job::{Job, LoadedJob, Method, ToleranceMapSource};
+use crate::workflow::generating_finding;
 use foundation::geometry::{Flank, Sides};
 use foundation::modification::{
     EvaluationField, GridSpec, Modification, ModificationError, ModificationSpec, PointMethod, PointsSpec,
     ToleranceMap,
 };
-use job::tables::ToleranceMapSource;
+use generating::{Carrier, FlankTarget, GrindingSetup, Tool};
 use job::{Diagnostic, TableForm, read_tolerances, table_form};
-use run::{job_files, modification_finding};
+use run::{RunFailure, face_names_remark, job_files, modification_finding};
 use verdict::Remark;
 
 /// Fewest scattered points that a spline surface is fitted to.
@@ -44,15 +46,15 @@ fn target_file(loaded: &LoadedJob, file: &str) -> Result<(ModificationSpec, Opti
 }
 
 /// The wanted flank with what it was made from.
-pub(super) struct Wanted {
+struct Wanted {
     /// The flank.
-    pub flank: Modification,
+    flank: Modification,
     /// Entries of the target, sums opened, that depend on the profile only and are no polynomials.
-    pub reliefs: Vec<ModificationSpec>,
+    reliefs: Vec<ModificationSpec>,
 }
 
 /// The entries of a target that stand in the job, or the table that it names.
-pub(super) struct TargetEntries {
+struct TargetEntries {
     wanted: Vec<ModificationSpec>,
     from_file: bool,
 }
@@ -62,7 +64,7 @@ impl TargetEntries {
     ///
     /// # Errors
     /// A finding on `target.file`.
-    pub fn of_job(loaded: &LoadedJob) -> Result<(Self, Option<Remark>), Diagnostic> {
+    fn of_job(loaded: &LoadedJob) -> Result<(Self, Option<Remark>), Diagnostic> {
         let target = &loaded.job.target;
         let Some(name) = &target.file else {
             let wanted = target.modifications.clone().unwrap_or_default();
@@ -76,12 +78,7 @@ impl TargetEntries {
     ///
     /// # Errors
     /// A finding on the entry that cannot be built.
-    pub fn flank(
-        &self,
-        loaded: &LoadedJob,
-        flank: Flank,
-        field: &EvaluationField,
-    ) -> Result<Wanted, Diagnostic> {
+    fn flank(&self, loaded: &LoadedJob, flank: Flank, field: &EvaluationField) -> Result<Wanted, Diagnostic> {
         let more = loaded.job.compensation.as_ref().map_or(&[][..], |c| &c.modifications[..]);
         let all: Vec<ModificationSpec> = self.wanted.iter().chain(more).cloned().collect();
         let built = Modification::of_entries(&all, flank, field, &job_files(loaded));
@@ -112,6 +109,88 @@ pub fn wanted_flanks(
         let ground = is_ground(&loaded.job, flank);
         ground.then(|| entries.flank(loaded, flank, &fields[flank]).map(|wanted| wanted.flank)).transpose()
     })
+}
+
+/// The targets of a job, with what is reported on the way.
+pub(super) struct JobTargets {
+    /// Targets of the flanks that are ground, weighed by the tolerance.
+    pub targets: Sides<Option<FlankTarget>>,
+    /// Profile forms that are no polynomials and go into the dresser as they stand, as the job describes them.
+    pub reliefs: Sides<Vec<ModificationSpec>>,
+    /// Remarks on the target, each with a way out.
+    pub remarks: Vec<Remark>,
+}
+
+/// What carries the parts of the targets.
+fn carrier_of(method: Method, setup: &GrindingSetup) -> Carrier {
+    // Without a shift even a freely made tool only leaves profile lines.
+    match (&setup.tool, method) {
+        (Tool::Made | Tool::Given(_), Method::Diagonal) => Carrier::Lines,
+        _ if setup.pair.work.is_cylindrical() => Carrier::Dresser,
+        _ => Carrier::DresserOnCone,
+    }
+}
+
+/// The wanted flanks of a job split into what motion, dresser and lines of the tool may carry; `given` is the modification of a dresser
+/// that exists.
+///
+/// # Errors
+/// [`RunFailure`] with a finding on the entry of the target or on the modification of the dresser.
+pub(super) fn targets_of_job(
+    loaded: &LoadedJob,
+    setup: &GrindingSetup,
+    given: Option<&[ModificationSpec]>,
+    tolerance: &ToleranceMap,
+) -> Result<JobTargets, RunFailure> {
+    let job = &loaded.job;
+    let carrier = carrier_of(job.grinding.method, setup);
+    let (entries, remark) = TargetEntries::of_job(loaded).map_err(RunFailure::bad_input)?;
+    let mut remarks: Vec<Remark> = remark.into_iter().collect();
+    let mut reliefs = Sides::both(Vec::new());
+    let targets = Sides::try_from_fn(|flank| {
+        if !is_ground(job, flank) {
+            return Ok(None);
+        }
+        let field = &setup.fields[flank];
+        let wanted = entries.flank(loaded, flank, field).map_err(RunFailure::bad_input)?;
+        for warning in wanted.flank.warnings() {
+            remarks.push(Remark {
+                code: warning.code(),
+                text: format!("{flank} flank: {warning}"),
+                way_out: "check the length against the evaluation range".into(),
+            });
+        }
+        let target = match given {
+            None => {
+                reliefs[flank] = wanted.reliefs;
+                FlankTarget::carried_by(wanted.flank, carrier)
+            }
+            Some(specs) => {
+                let made =
+                    dresser_profile(loaded, specs, flank, field, ("dresser.modification", "the target"))
+                        .map_err(RunFailure::bad_input)?;
+                reliefs[flank] = specs.to_vec();
+                FlankTarget::with_given_dresser(wanted.flank, made)
+            }
+        };
+        let cos = setup.lines[flank].cos_b2;
+        target
+            .and_then(|target| target.weighed_by(|w, z| tolerance.value(w, z) / cos))
+            .map(Some)
+            .map_err(|e| RunFailure::bad_input(generating_finding::generating_finding(&e)))
+    })?;
+    remarks.extend(face_names_remark(specs_of_job(job)));
+    if let Some(compensation) = &job.compensation {
+        remarks.push(Remark {
+            code: "compensated",
+            text: format!(
+                "the flank that is planned is the target with the compensation of {} measurements",
+                compensation.rounds
+            ),
+            way_out: "leave [compensation] out to plan the target alone".into(),
+        });
+    }
+    Ok(JobTargets { targets, reliefs, remarks })
 }
 
 /// Whether a flank is ground.
@@ -148,7 +227,7 @@ pub fn tolerance_of_job(loaded: &LoadedJob) -> Result<ToleranceMap, Diagnostic> 
 }
 
 /// Every modification that stands in a job: of the target, of what is added to it, of tools.
-pub(super) fn specs_of_job(job: &Job) -> Vec<&ModificationSpec> {
+fn specs_of_job(job: &Job) -> Vec<&ModificationSpec> {
     let mut specs: Vec<&ModificationSpec> = job.target.modifications.iter().flatten().collect();
     specs.extend(job.compensation.iter().flat_map(|compensation| &compensation.modifications));
     specs.extend(job.worm.modifications.iter().flatten());

@@ -14,8 +14,8 @@ use motion::{
     WorkGear, in_words, lay_out,
 };
 use nc::{
-    Block, Dialect, FanucOptions, HalOptions, NcError, WriteOptions, Written, read, read_with_netlist,
-    split_turns, write_checked,
+    Block, Checked, Dialect, FanucOptions, HalOptions, NcError, WriteOptions, Written, split_turns,
+    write_checked,
 };
 use run::RunFailure;
 use run::program_check::{control_of, decimals_of, dialect_of, ending_of, words_for};
@@ -180,13 +180,14 @@ impl ProgramTask<'_> {
             let degrees = control.following_error_deg.unwrap_or(FOLLOWING_ERROR_DEG);
             write_options.linuxcnc.hal = Some(HalOptions { following_error: degrees.to_radians() });
         }
-        let written =
+        let Checked { written, read } =
             write_checked(&layout.program, dialect, &write_options).map_err(|e| refused(&e, dialect))?;
         let read = match &written.hal {
-            Some(netlist) => read_with_netlist(written.text.as_bytes(), netlist, &words.words),
-            None => read(written.text.as_bytes(), dialect, &words.words),
+            Some(netlist) => read
+                .with_netlist(netlist, &words.words)
+                .map_err(|e| refused(&NcError::NotReadBack(e.to_string().into()), dialect))?,
+            None => read,
         };
-        let read = read.map_err(|e| refused(&NcError::NotReadBack(e.to_string().into()), dialect))?;
         let mut start = Positions::default();
         for &(axis, value) in &layout.at_rest {
             start[axis] = value;

@@ -18,8 +18,8 @@ use motion::milling::{MillingSetup, TiltedMount};
 use motion::{AxisWords, MotionError};
 use nalgebra::Vector3;
 use nc::{
-    Block, Decimals, Dialect, FanucOptions, FeedWords, Header, NcError, Program, RoundingBound, WriteOptions,
-    Written, read, rounding_bound, write_checked,
+    Block, Checked, Decimals, Dialect, FanucOptions, FeedWords, Header, NcError, Program, RoundingBound,
+    WriteOptions, Written, rounding_bound, write_checked,
 };
 use run::RunFailure;
 use run::program_check::{control_of, decimals_of, dialect_of, ending_of, words_for};
@@ -181,13 +181,11 @@ impl MillingMachining<'_> {
             program_number: control.program_number.unwrap_or(1),
             contour_mode: control.contour_mode,
         };
-        let written = write_checked(&program, dialect, &options).map_err(refused)?;
+        let Checked { written, read } = write_checked(&program, dialect, &options).map_err(refused)?;
         let rounding = rounding_bound(&program, &options, from_axes, from_tip).map_err(refused)?;
-        let found = read(written.text.as_bytes(), dialect, &words.words)
-            .map_err(|error| refused(NcError::NotReadBack(error.to_string().into())))?;
         let follower = Follower { setup, words: &words, tool_length: self.tool_length };
         let moves = follower
-            .follow(&found.blocks)
+            .follow(&read.blocks)
             .map_err(|error| not_proven(format!("program for {}: {error}", dialect.name())))?;
         let half = |digits: u8| 0.5 * 10f64.powi(-i32::from(digits));
         let direction = (3f64.sqrt() * half(options.tip_decimals.direction)).asin();
@@ -201,7 +199,7 @@ impl MillingMachining<'_> {
             program,
             written,
             words,
-            read: found.blocks,
+            read: read.blocks,
             rounding,
             motion,
             read_difference,

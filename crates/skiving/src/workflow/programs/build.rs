@@ -11,7 +11,7 @@ use super::task::{MeasuringWork, ScanWork, ToolMachining};
 use job::tables::Program as DialectName;
 use machine::Positions;
 use motion::{AxisWords, track};
-use nc::{Block, Dialect, Program, RoundingBound, Written, write_checked};
+use nc::{Block, Checked, Dialect, Program, RoundingBound, Written, write_checked};
 use run::RunFailure;
 use run::program_check::{dialect_of, ending_of};
 
@@ -176,11 +176,10 @@ fn written(
 ) -> Result<ToolProgram, RunFailure> {
     let machine = &machining.machine.machine;
     let program = planned(course, target, machining, (name, heading.trim_start()))?;
-    let written =
+    let Checked { written, read } =
         write_checked(&program, target.dialect, &target.options).map_err(|error| target.refused(&error))?;
-    let found = target.read(&written.text)?.blocks;
-    let tracked =
-        track(&found, machine, &target.words, &Positions::default()).map_err(|error| of_motion(&error))?;
+    let tracked = track(&read.blocks, machine, &target.words, &Positions::default())
+        .map_err(|error| of_motion(&error))?;
     for (axis, speed) in machine.axes().iter().zip(&tracked.speeds) {
         if axis.limits.velocity.is_some_and(|limit| *speed > limit * (1.0 + 1e-6)) {
             let shown = axis.joint.shown(*speed);
@@ -196,7 +195,7 @@ fn written(
         program,
         written,
         words: target.words.clone(),
-        read: found,
+        read: read.blocks,
         recordings: Vec::new(),
         scanned: Vec::new(),
         rounding: RoundingBound { distance: 0.0, block: 0, places: 0.0, angles: 0.0 },
