@@ -22,6 +22,7 @@ modifications = [{ kind = "helix_crowning", amount_um = 20.0 }]
 profile_crowning_by = "dresser"
 [grinding]
 method = "diagonal"
+prefer = "accuracy"
 feed_per_revolution = 0.3
 "#;
 

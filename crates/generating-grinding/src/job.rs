@@ -44,7 +44,7 @@ pub use settings::{FlankSettings, Pieces, Settings, StrokeSettings, StrokeTables
 pub use steps::Steps;
 pub use stroke_study::{AxisDeviations, Distribution, DresserArea, StrokeSection, StrokeStudy};
 pub use strokes::{DressedSection, StrokeArea, Strokes};
-pub use target::{Fit, Target, ToleranceMapSource, ToleranceTable};
+pub use target::{Fit, Judged, JudgedTraces, Target, ToleranceMapSource, ToleranceTable};
 pub use worm::{Tool, Worm};
 
 use job::tables::{Control, Gear, Grid, Hand, JobInfo, Machine, OneOrSides, Output};

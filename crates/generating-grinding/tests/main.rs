@@ -6,6 +6,7 @@ mod best_fit;
 mod cylindrical_pair;
 mod economy;
 mod explore;
+mod judged_traces;
 mod line_dressing_job;
 mod page;
 mod plan;

@@ -47,7 +47,7 @@ impl Rule<'_> {
         let known = choice.candidates.iter().find(|c| c.ratio == choice.ratio)?;
         let mut judged = Vec::new();
         let mut allowed = |share: f64| {
-            let candidate = self.judge(share * choice.ratio, choice.place).ok()?;
+            let candidate = self.judge(share * choice.ratio + 0.0, choice.place).ok()?;
             judged.push(candidate.clone());
             (candidate.refusal.is_none() && candidate.score() <= AXES).then_some(candidate)
         };

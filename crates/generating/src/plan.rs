@@ -318,7 +318,12 @@ impl PlanTask<'_> {
             return None;
         }
         let cheaper = self.rule(grid).cheaper(self.prefer, choice)?;
-        self.plan_with(grid, cheaper).ok().filter(|plan| self.deviation(plan) <= HALF * self.tolerance)
+        let keeps = |plan: &GrindingPlan| {
+            self.deviation(plan) <= HALF * self.tolerance
+                && plan.determinant >= self.least_determinant.max(LEAST_DETERMINANT)
+                && self.keeps_to_the_worm(plan)
+        };
+        self.plan_with(grid, cheaper).ok().filter(keeps)
     }
 
     /// As [`PlanTask::plan`]; a refusal brings along the candidates that were judged. By the rules ([`PlanTask::plan_by_rules`]), and where
@@ -448,15 +453,18 @@ impl PlanTask<'_> {
         let between = if self.is_smooth() && !fitted {
             Sides::both(0.0)
         } else {
-            let inner = result_grid.between();
-            let ground = |flank: Flank| {
-                best.flanks[flank]
-                    .as_ref()
-                    .map(|tool| tool.ground(self.setup, flank, &inner, &best.ideal.motion))
-            };
             let shift = &best.ideal.motion.shift;
-            let error = GroundError::of(self.setup, &self.targets, &inner, shift, ground, |_, _| None)?;
-            Sides::from_fn(|flank| error.largest(flank).unwrap_or(0.0))
+            let errors = [result_grid.between(), result_grid.along_traces()].map(|inner| {
+                let ground = |flank: Flank| {
+                    let tool = best.flanks[flank].as_ref()?;
+                    Some(tool.ground(self.setup, flank, &inner, &best.ideal.motion))
+                };
+                GroundError::of(self.setup, &self.targets, &inner, shift, ground, |_, _| None)
+            });
+            let [cells, traces] = errors;
+            let (cells, traces) = (cells?, traces?);
+            let of = |error: &GroundError, flank: Flank| error.largest(flank).unwrap_or(0.0);
+            Sides::from_fn(|flank| f64::max(of(&cells, flank), of(&traces, flank)))
         };
         let determinant = flanks
             .iter()
@@ -552,6 +560,14 @@ impl PlanTask<'_> {
             }
         };
         Ok((dresser, flanks))
+    }
+
+    /// Whether a tool that is dressed in one stroke is touched on its finished part only.
+    fn keeps_to_the_worm(&self, plan: &GrindingPlan) -> bool {
+        plan.flanks.iter().filter_map(|(flank, plan)| Some((flank, plan.as_ref()?))).all(|(flank, plan)| {
+            let (PlannedTool::Dressed(_), Ok(beyond)) = (&plan.tool, self.beyond(flank)) else { return true };
+            plan.planned.iter().all(|at| plan.tool.foot(at).is_some_and(|(w, _)| beyond(w) <= 0.0))
+        })
     }
 
     /// Whether every contact on the tool lies inside the finished area with [`CONTACT_MARGIN`] to spare.

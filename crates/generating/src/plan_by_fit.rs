@@ -361,7 +361,7 @@ impl PlanTask<'_> {
     }
 
     /// How far a length of roll on the worm lies beyond what is finished of it, mm.
-    fn beyond(&self, flank: Flank) -> Result<impl Fn(f64) -> f64 + use<>, GeneratingError> {
+    pub(super) fn beyond(&self, flank: Flank) -> Result<impl Fn(f64) -> f64 + use<>, GeneratingError> {
         let [low, high] = finished_rolls(self.setup, self.setup.dresser()?, flank);
         Ok(move |w: f64| (low + ROOM_AT_ENDS - w).max(w - high + ROOM_AT_ENDS))
     }

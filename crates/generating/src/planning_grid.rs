@@ -42,6 +42,20 @@ impl PlanningGrid {
         Self { w: self.w.map(|_, w| inside(w)), z: inside(&self.z), ..self.clone() }
     }
 
+    /// Points close together along a few helix traces off those of this grid: an edge across the face shows there, however sharp.
+    pub(super) fn along_traces(&self) -> Self {
+        const TRACES: usize = 7;
+        const PER_CELL: u8 = 4;
+        let place = |cell: &[f64], share: f64| cell[0] + share * (cell[1] - cell[0]);
+        let w = self.w.map(|_, w| {
+            let every = (w.len() / TRACES).max(1);
+            w.windows(2).step_by(every).map(|cell| place(cell, 0.5)).collect()
+        });
+        let inside =
+            |cell| (0..PER_CELL).map(move |k| place(cell, (f64::from(k) + 0.5) / f64::from(PER_CELL)));
+        Self { w, z: self.z.windows(2).flat_map(inside).collect(), ..self.clone() }
+    }
+
     /// The tightest tolerance over that of each place of a map, by flank and grid point; `None` without a map.
     pub fn weights(&self, map: Option<&ToleranceMap>) -> Sides<Option<Vec<f64>>> {
         Sides::from_fn(|flank| {

@@ -372,6 +372,22 @@ const CASES: &[Case] = &[
         "grinding.diagonal_ratio",
         &["areas"],
     ),
+    case("[target]", "[target]\ntraces = { beside_um = 5.0 }", "invalid-job", "target.traces", &["judged"]),
+    case(
+        "[target]",
+        "[target]\njudged = \"traces\"\ntraces = { beside_um = 0.01 }",
+        "invalid-number",
+        "target.traces.beside_um",
+        &["at least tolerance_um"],
+    ),
+    case(
+        "[target]",
+        "[target]\njudged = \"traces\"\ntraces = { profile_z_mm = [0.0, 500.0] }",
+        "invalid-number",
+        "target.traces.profile_z_mm[1]",
+        &["outside the evaluated range", " to "],
+    ),
+    case("[target]", "[target]\njudged = \"lines\"", "unknown-value", "target.judged", &["field", "traces"]),
     case(
         "diagonal_ratio = \"auto\"",
         "diagonal_ratio = -1.0\nprefer = \"worm\"",
@@ -382,7 +398,7 @@ const CASES: &[Case] = &[
     case(
         "overrun = 1.0",
         "prefer = \"cost\"",
-        "invalid-word",
+        "unknown-value",
         "grinding.prefer",
         &["accuracy", "worm", "time"],
     ),

@@ -105,7 +105,10 @@ fn tables_and_toml_are_the_same_catalogue() {
 
 #[test]
 fn plan_takes_the_best_pair_and_simulate_runs_it() {
-    let (planned, directory) = with_bodies("plan", &beside(), &small(), &["--json"]);
+    // The ranking is for the ratio of least corrections.
+    let auto = "diagonal_ratio = \"auto\"";
+    let accurate = beside().replace(auto, &format!("{auto}\nprefer = \"accuracy\""));
+    let (planned, directory) = with_bodies("plan", &accurate, &small(), &["--json"]);
     assert_eq!(planned.exit, Some(0), "{planned:?}");
     let result = planned.json();
     assert_eq!(result["status"], "met");

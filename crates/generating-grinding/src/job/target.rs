@@ -18,6 +18,12 @@ pub struct Target {
     /// beside the job file, or a table. Bilinear between the places of its grid; beyond the grid its border continues.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tolerance_map: Option<ToleranceMapSource>,
+    /// How the drawing judges the flank.
+    #[serde(default, skip_serializing_if = "Judged::is_default")]
+    pub judged: Judged,
+    /// Which traces are judged, with `judged = "traces"`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub traces: Option<JudgedTraces>,
     /// What the best fit of a target that the tool's lines cannot carry makes small.
     #[serde(default, skip_serializing_if = "Fit::is_default")]
     pub fit: Fit,
@@ -52,7 +58,65 @@ impl Target {
             ),
             _ => {}
         }
+        let traces = self.judged == Judged::Traces;
+        if self.traces.is_some() && !traces {
+            findings.push(
+                Diagnostic::new(Problem::InvalidJob, "traces are given, but the whole field is judged")
+                    .field("target.traces")
+                    .value("a table")
+                    .allowed("no table, or judged = \"traces\"")
+                    .way_out("add judged = \"traces\", or leave `traces` out"),
+            );
+        }
+        if self.tolerance_map.is_some() && traces {
+            findings.push(
+                Diagnostic::new(
+                    Problem::InvalidJob,
+                    "a tolerance for every place and traces are two ways to judge",
+                )
+                .field("target.judged")
+                .value("\"traces\"")
+                .allowed("\"field\" with tolerance_map")
+                .way_out("leave `judged` out, or give `tolerance_um` in place of the map"),
+            );
+        }
     }
+}
+
+/// How a drawing judges a flank.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Judged {
+    /// The tolerance holds at every place.
+    #[default]
+    Field,
+    /// It holds on helix and profile traces; beside them a wider band.
+    Traces,
+}
+
+impl Judged {
+    fn is_default(&self) -> bool {
+        *self == Self::default()
+    }
+}
+
+/// Traces that a drawing judges. Places next to them on the result grid are judged as they are.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct JudgedTraces {
+    /// Lengths of roll of the helix traces, mm; default the middle of the evaluated profile.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("minItems" = 1, "maxItems" = 100))]
+    pub helix_w_mm: Option<Vec<f64>>,
+    /// Face positions of the profile traces, mm; default the middle of the evaluated face.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("minItems" = 1, "maxItems" = 100))]
+    pub profile_z_mm: Option<Vec<f64>>,
+    /// Largest deviation allowed beside the traces, normal to the flank, um; default three times `tolerance_um`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 10000,
+        "x-way-out" = "give the band in micrometres, e.g. 6.0"))]
+    pub beside_um: Option<f64>,
 }
 
 /// Where the tolerances stand.

@@ -7,16 +7,22 @@ use foundation::geometry::Flank;
 use std::collections::BTreeMap;
 use verdict::{Remark, Verdict, agree};
 
-/// Judges one flank on its simulation: `met` by the rule of its process, then whether plan and simulation agree.
+/// Judges one flank on its simulation: `met` by the rule of its process, then whether plan and simulation agree. `judged_on` says in words
+/// where the tolerance holds, if that is not everywhere.
 pub fn judge_flank(
     verdict: &mut Verdict,
     name: &str,
     flank: &FlankResult,
-    tolerance_um: f64,
+    (tolerance_um, judged_on): (f64, Option<&str>),
     met: bool,
     missed: impl FnOnce() -> Remark,
 ) {
-    let detail = format!("{:.4} of {tolerance_um} um", flank.max_deviation_um);
+    let detail = match judged_on {
+        None => format!("{:.4} of {tolerance_um} um", flank.max_deviation_um),
+        Some(places) => {
+            format!("{:.3} of the tolerance: {tolerance_um} um on {places}", flank.tolerance_share)
+        }
+    };
     verdict.judge(format!("{name} flank"), met, detail, missed);
     let difference = flank.model_difference_um;
     if !agree(difference, tolerance_um) {

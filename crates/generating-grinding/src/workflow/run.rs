@@ -190,14 +190,21 @@ fn finish(
     };
     let mut verdict = Verdict::new();
     for (name, flank) in &flanks {
-        judge_flank(&mut verdict, name, flank, tolerance, met(flank), || {
-            missed(&Miss {
-                prepared: &prepared,
-                plan: plan.as_ref(),
-                flanks: &flanks,
-                ratio: execution.ratio,
-            })
-        });
+        judge_flank(
+            &mut verdict,
+            name,
+            flank,
+            (tolerance, prepared.judged_on.as_deref()),
+            met(flank),
+            || {
+                missed(&Miss {
+                    prepared: &prepared,
+                    plan: plan.as_ref(),
+                    flanks: &flanks,
+                    ratio: execution.ratio,
+                })
+            },
+        );
     }
     for (name, flank) in &flanks {
         let limit = prepared.rules.least_determinant();

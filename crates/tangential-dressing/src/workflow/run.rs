@@ -145,7 +145,7 @@ fn finish(
     let mut verdict = Verdict::new();
     for (name, TangentialFlankResult { flank, .. }) in &flanks {
         let met = flank.tolerance_share <= 1.0;
-        judge_flank(&mut verdict, name, flank, tolerance, met, || missed(&ready, &flanks, &passes));
+        judge_flank(&mut verdict, name, flank, (tolerance, None), met, || missed(&ready, &flanks, &passes));
     }
     leave_other_flanks(&mut verdict, &flanks);
     judge_control(&mut verdict, control.as_ref(), tolerance);

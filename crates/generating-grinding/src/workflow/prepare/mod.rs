@@ -5,6 +5,7 @@
 mod bodies;
 mod cycle;
 mod dressing;
+mod judged;
 mod planning;
 mod settings;
 mod shift;
@@ -15,6 +16,7 @@ mod tools;
 pub use bodies::{designed_worm, setup_of_job, worm_choice_of_job};
 pub use cycle::Cycle;
 pub use dressing::{DressingTask, PointDresser};
+use judged::tolerance_over_flank;
 pub use planning::{PlanningRules, axis_limits};
 pub use settings::GivenSettings;
 pub use targets::{tolerance_of_job, wanted_flanks};
@@ -52,6 +54,8 @@ pub struct Prepared {
     pub reliefs: Sides<Vec<ModificationSpec>>,
     /// Tolerance over the flank, normal.
     pub tolerance: ToleranceMap,
+    /// Where it holds and what is allowed elsewhere, in words; `None` for the whole flank.
+    pub judged_on: Option<String>,
     /// What planning is asked for.
     pub rules: PlanningRules,
     /// The law of the shift, where the job asks for one in place of a ratio.
@@ -98,7 +102,7 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
     if job.worm.tool == JobTool::Given {
         setup.tool = Tool::Given(Box::new(tool_modifications(loaded, &setup)?));
     }
-    let tolerance = tolerance_of_job(loaded).map_err(RunFailure::bad_input)?;
+    let (tolerance, judged_on) = tolerance_over_flank(loaded, &setup).map_err(RunFailure::bad_input)?;
     let strokes = strokes_of_job(loaded, &setup)?;
     // In strokes the corrections make the whole profile, as a dresser made for the target would.
     let given = match &strokes {
@@ -134,6 +138,7 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
         drawn: job.target.modifications.clone().unwrap_or_default(),
         reliefs,
         tolerance,
+        judged_on,
         rules,
         law: shift.law,
         areas: shift.areas,
