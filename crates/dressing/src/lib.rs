@@ -29,8 +29,8 @@ pub use conditions::{
     CrowningPoint, CrowningRange, CrowningRows, NodePlan, NodeSolution, PathReason, PitchPoint, ProfileFit,
     RowAlong, SoftCondition, TwoFlankWish, fit_profile, fit_profile_along, fit_profile_on_path, four_points,
     map_of_upper_end, pitch_rolls, profile_error, refit_profile, residue_of_motion, shift_through,
-    solve_conditions_along, solve_conditions_at, solve_dressing_motion, solve_node, solve_two_flank_motion,
-    three_points, three_points_with_map, two_flank_points, two_flank_rolls, two_points, uncorrected_profile,
+    solve_conditions_along, solve_conditions_at, solve_dressing_motion, solve_two_flank_motion, three_points,
+    three_points_with_map, two_flank_points, two_flank_rolls, two_points, uncorrected_profile,
 };
 pub use contact_line::ContactLine;
 pub use dresser::{DresserTool, FlankDresser, GeometricRange};

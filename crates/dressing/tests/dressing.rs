@@ -4,7 +4,7 @@
 use dressing::{
     Condition, ConditionSolver, ContactLine, DressedProfile, DressedWorm, DresserTool, DressingError,
     GeometricRange, TiltChart, dressing_motion, full_tip_land, nominal_contact, quasi_static_modification,
-    solve_node, stretch,
+    solve_conditions_at, stretch,
 };
 use foundation::geometry::{Flank, Gear, GearData, GeometryError, Sides};
 use foundation::kinematics::{DressingChain, DressingCorrection, DressingMotion};
@@ -305,8 +305,8 @@ fn a_target_beyond_the_fold_names_flank_position_and_share() {
     says(&error, "no-zero", &["left", "percent"]);
     let DressingError::NoZero { fraction, .. } = error else { panic!("{error}") };
     assert!(fraction > 0.0 && fraction < 1.0);
-    let wanted = |_: [f64; 3]| [0.0, 0.060, 0.0];
-    let error = solve_node(&tool, Flank::Left, 50.0, 7.5, &[0.0; 4], &wanted).unwrap_err();
+    let rows = |_: f64, _: &[f64; 4]| three_points(range, 0.060);
+    let error = solve_conditions_at(&solver, 7.5, &[0.0; 4], &rows).unwrap_err();
     says(&error, "no-zero", &["v_zS = 7.500 mm"]);
 }
 

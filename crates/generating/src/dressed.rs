@@ -121,8 +121,9 @@ pub fn finished_rolls(setup: &GrindingSetup, tool: &DresserTool, flank: Flank) -
 /// Polynomial profile p_0, p_1, ... that the dresser carries: all of it but what the dressing motion makes.
 pub fn dresser_profile(worm: &IdealWorm, policy: ProfilePolicy) -> Vec<f64> {
     let mut profile = worm.parts.profile.clone();
-    if let (ProfilePlace::Correction, Some(p_2)) = (policy.place, profile.get_mut(2)) {
-        *p_2 = 0.0;
+    if policy.place == ProfilePlace::Correction {
+        // A slope stands here without shift only; the lines have it elsewhere.
+        profile.iter_mut().take(3).skip(1).for_each(|p| *p = 0.0);
     }
     profile
 }
@@ -203,7 +204,8 @@ impl<'a> Wish<'a> {
             let mut base = uncorrected.at_roll(w)?.f;
             if policy.place == ProfilePlace::Correction {
                 let u = worm.lines.work_roll(w) - worm.lines.w_m;
-                base -= worm.lines.cos_b2 * worm.parts.profile.get(2).copied().unwrap_or(0.0) * u * u;
+                let p = |i: usize| worm.parts.profile.get(i).copied().unwrap_or(0.0);
+                base -= worm.lines.cos_b2 * (p(1) + p(2) * u) * u;
             }
             Ok(base)
         };
@@ -430,6 +432,11 @@ pub fn dress_flanks(
     Ok(Sides { left: left?, right: right? })
 }
 
+/// Whether the dressing motion makes a part of the profile.
+pub(super) fn asks_corrections(worm: &IdealWorm, policy: ProfilePolicy) -> bool {
+    policy.place == ProfilePlace::Correction && dresser_profile(worm, policy) != worm.parts.profile
+}
+
 /// DK(v) over the used worm width with as many nodes as it takes.
 fn dress(
     setup: &GrindingSetup,
@@ -441,7 +448,8 @@ fn dress(
 ) -> Result<([Chebyshev; 4], Vec<NodeSolution>), GeneratingError> {
     let interval = common_interval(setup, tool, plan, flanks, margin);
     let SeriesRule { nodes, tolerance } = policy.series;
-    let (mut radial, mut most, mut lever) = (true, nodes, [0.0, 10.0, 1.0, 0.1]);
+    let (mut radial, mut asked) = (true, false);
+    let (mut most, mut lever) = (nodes, [0.0, 10.0, 1.0, 0.1]);
     for &flank in flanks {
         let worm = plan.worms[flank].as_ref().ok_or(GeneratingError::NoFlank)?;
         let (first, last) = tool.flanks[flank].profile.interval();
@@ -453,11 +461,16 @@ fn dress(
             }
         }
         radial &= worm.is_radial();
+        asked |= asks_corrections(worm, policy);
         // Polynomials settle with few nodes; reliefs and waves on the lines take as many as they need.
         if !worm.carried.is_empty() {
             most = MOST_NODES;
         }
         lever[0] = f64::max(lever[0], worm.lines.cos_b1 * setup.pair.worm.flank(flank).base_radius);
+    }
+    if radial && asked {
+        // The same all along the worm.
+        return motion(setup, plan, tool, flanks, policy, NodePlan { interval, nodes: 1 });
     }
     if radial {
         let zero = Chebyshev::constant(interval.0, interval.1, 0.0);

@@ -352,7 +352,9 @@ fn radial_share(lines: &FlankLines, target: &FlankTarget, command: &Command, pol
         *p = if i == 0 { 0.0 } else { a.coefficient(i, 0) };
     }
     if !policy.free_dresser {
-        parts.profile.clear();
+        // What three pitch points make of a dresser that is given.
+        let made = if policy.place == ProfilePlace::Correction { 3 } else { 0 };
+        parts.profile.truncate(made);
     }
     Share { parts, carried: Carried::default(), rest: RestCarrier::Polynomials, outside: target.outside }
 }

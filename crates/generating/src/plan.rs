@@ -112,9 +112,9 @@ pub(super) const LARGEST_DRESSING_MARGIN: f64 = 48.0;
 /// Distance of the contacts from the ends of the finished worm, mm: room for the search of a check of the plan.
 const CONTACT_MARGIN: f64 = 1.5;
 /// Share of the tolerance within which a plan with edges is taken as it is.
-const WELL_WITHIN: f64 = 0.75;
+const WELL_WITHIN: f64 = 0.4;
 /// A fit takes the place of a refusal if it leaves at most this share of what an unmodified flank would.
-const USEFUL: f64 = 0.5;
+const USEFUL: f64 = 1.0;
 /// Share of the tolerance within which a cheaper ratio is taken.
 const HALF: f64 = 0.5;
 /// Outer rounds with the worm as dressed.
@@ -189,7 +189,9 @@ impl PlanTask<'_> {
     /// As [`PlanTask::choose`]; a refusal brings along what was tried.
     fn choose_or_tried(&self, grid: &PlanningGrid) -> Result<RatioChoice, Box<NoPlan>> {
         let rule = self.rule(grid);
-        let place = *self.places.first().ok_or(GeneratingError::NoFlank)?;
+        let first = *self.places.first().ok_or(GeneratingError::NoFlank)?;
+        // Without shift no motion makes a profile but that of dressing.
+        let place = if self.corrects_profile_without_shift() { ProfilePlace::Correction } else { first };
         let (feed, rounds) = match (&self.law, self.ratio) {
             (Some(law), _) => (FeedLaw::Law(law.clone()), ROUNDS),
             (None, Some(ratio)) => (FeedLaw::Ratio(ratio), 0),
@@ -240,6 +242,11 @@ impl PlanTask<'_> {
             candidates: vec![candidate],
             failed: Vec::new(),
         })
+    }
+
+    /// Whether the dressing motion is to make the profile of a gear that is ground without shift.
+    fn corrects_profile_without_shift(&self) -> bool {
+        self.ratio == Some(0.0) && self.law.is_none() && self.places.contains(&ProfilePlace::Correction)
     }
 
     /// Both flanks as the question of equal swivel has them.
@@ -309,7 +316,14 @@ impl PlanTask<'_> {
             return Ok(plan);
         }
         let (candidates, failed) = (choice.candidates.clone(), choice.failed.clone());
-        self.plan_with(&grid, choice).map_err(|error| Box::new(NoPlan { error, candidates, failed }))
+        let planned = match self.plan_with(&grid, choice.clone()) {
+            // More than the dressing motion can make: the target is missed by its profile.
+            Err(_) if self.corrects_profile_without_shift() => {
+                self.plan_with(&grid, RatioChoice { place: ProfilePlace::Diagonal, ..choice })
+            }
+            planned => planned,
+        };
+        planned.map_err(|error| Box::new(NoPlan { error, candidates, failed }))
     }
 
     /// The plan of a ratio that costs less than the chosen one, where there is one that keeps to half the tolerance.
@@ -360,7 +374,7 @@ impl PlanTask<'_> {
     }
 
     /// What an unmodified flank in the best place would miss of the target of a plan, normal, mm.
-    fn unmodified(&self, plan: &GrindingPlan) -> f64 {
+    pub(super) fn unmodified(&self, plan: &GrindingPlan) -> f64 {
         let of_flank = |flank: Flank| {
             let [low, high] = extremes(plan.flanks[flank].as_ref()?.target.iter().copied());
             Some(0.5 * (high - low))

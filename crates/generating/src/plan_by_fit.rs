@@ -48,6 +48,8 @@ const MARGIN_OF_CONTACTS: f64 = 3.0;
 const NARROWER: f64 = 0.9;
 /// The same where no dressing motion is found.
 const WELL_NARROWER: f64 = 0.3;
+/// A fit that leaves more than this of what an unmodified flank would is hardly one.
+const OF_UNMODIFIED: f64 = 0.5;
 /// Tolerances within which the command stays near the target where none within one can be carried out.
 const FURTHER: [f64; 3] = [3.0, 10.0, 30.0];
 /// Length of roll that contacts stay within the finished part of the worm, mm: rays stand between the points of a fit. And by how much
@@ -140,15 +142,21 @@ impl PlanTask<'_> {
                 break;
             }
         }
-        if best.is_some() {
+        if best.as_ref().is_some_and(|known| self.deviation(known) <= OF_UNMODIFIED * self.unmodified(known))
+        {
             return best;
         }
-        // None can be carried out: what is less near to the target is easier to make.
-        FURTHER.into_iter().find_map(|near| {
+        // None that is worth it can be carried out: what is less near to the target is easier to make, and without shift the worm needs no
+        // corrections.
+        if self.ratio.is_none() && !tried.contains(&0.0) {
+            tried.push(0.0);
+        }
+        let nearer = |a: &GrindingPlan, b: &GrindingPlan| self.deviation(a).total_cmp(&self.deviation(b));
+        let further = FURTHER.into_iter().find_map(|near| {
             let task = as_near((&grid, FIT_INTERVALS), near, self.limits, true)?;
-            let plans = tried.iter().filter_map(|&ratio| self.fitted_at(&task, &grid, ratio, ruled).ok());
-            plans.min_by(|a, b| self.deviation(a).total_cmp(&self.deviation(b)))
-        })
+            tried.iter().filter_map(|&ratio| self.fitted_at(&task, &grid, ratio, ruled).ok()).min_by(nearer)
+        });
+        best.into_iter().chain(further).min_by(nearer)
     }
 
     /// Limits with which the first order keeps an axis that went beyond its own, since it answers to large modifications more than it says; and
@@ -470,7 +478,7 @@ impl PlanTask<'_> {
             delta_d_share: delta_d / self.limits.delta_d,
             occupation,
             feed_travel: feeds[1] - feeds[0],
-            error: equipped.error.weighed_max(&grid.weights(self.tolerance_map.as_ref())),
+            error: equipped.error.max(),
             residuals: FlankResidual::of(self.setup, ideal, &equipped.error),
             determinant: equipped.error.determinant,
             refusal,

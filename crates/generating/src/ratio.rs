@@ -1,6 +1,6 @@
 //! The diagonal ratio "auto" (`docs/mathematics/planning.md#choice-of-the-ratio`): candidates, their score and why one of them is taken.
 
-use super::dressed::{dresser_of_plan, sample_corrections};
+use super::dressed::{asks_corrections, dresser_of_plan, sample_corrections};
 use super::least_squares::FitNorm;
 use super::planning_grid::GroundError;
 use super::precompensation::{ROUNDS, precompensate};
@@ -56,7 +56,7 @@ pub struct Candidate {
     pub occupation: f64,
     /// Travel of the feed without overrun, mm.
     pub feed_travel: f64,
-    /// Largest error of the ideal worm, mm; weighed by the tightest tolerance over that of its place.
+    /// Largest error of the ideal worm, mm.
     pub error: f64,
     /// What it misses per flank; `None` for a flank that is not ground.
     pub residuals: Sides<Option<FlankResidual>>,
@@ -260,7 +260,13 @@ impl Rule<'_> {
         let mut dressing_share: f64 = 0.0;
         let mut worst = (0, 0.0);
         let corrections = match &self.setup.tool {
-            Tool::Dressed(_) if ratio != 0.0 => {
+            Tool::Dressed(_)
+                if ratio != 0.0
+                    || plan
+                        .worms
+                        .iter()
+                        .any(|(_, worm)| worm.as_ref().is_some_and(|w| asks_corrections(w, policy))) =>
+            {
                 let tool = dresser_of_plan(self.setup, &plan, policy)?;
                 sample_corrections(self.setup, &plan, &tool, &self.which(), policy, SCORE_NODES)?
             }
@@ -307,7 +313,7 @@ impl Rule<'_> {
             delta_d_share,
             occupation,
             feed_travel: feeds[1] - feeds[0],
-            error: error.weighed_max(&weights),
+            error: error.max(),
             residuals: FlankResidual::of(self.setup, &plan, &error),
             determinant: error.determinant,
             refusal,

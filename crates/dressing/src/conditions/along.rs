@@ -1,5 +1,7 @@
 //! Conditions that vary along the worm: the four rows as functions of the worm position and of where the dresser touches
-//! (`docs/mathematics/dressing.md#conditions`). Knows no solver.
+//! (`docs/mathematics/dressing.md#conditions`).
+//!
+//! Rows by laws (`RowAlong`) are kept for pitch points and maps that move over the width: no command reaches them yet.
 
 use crate::Condition;
 use foundation::geometry::Flank;

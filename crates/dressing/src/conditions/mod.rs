@@ -29,6 +29,6 @@ pub use sets::{
 pub use solver::ConditionSolver;
 pub use topological::{
     NodePlan, NodeSolution, pitch_rolls, residue_of_motion, solve_conditions_along, solve_conditions_at,
-    solve_dressing_motion, solve_node,
+    solve_dressing_motion,
 };
 pub use two_flanks::{TwoFlankWish, solve_two_flank_motion, two_flank_rolls};

@@ -1,5 +1,5 @@
 //! Topological dressing: the correction DK(v) along the worm for a wanted modification f*(w, b)
-//! (`docs/mathematics/dressing.md#conditions`). Knows no gear and no reason for the targets.
+//! (`docs/mathematics/dressing.md#conditions`).
 
 use crate::{
     Condition, ConditionSolver, ConditionsAlong, DressedProfile, DressedWorm, DresserTool, DressingError,
@@ -123,23 +123,6 @@ impl ConditionsAlong for ThreePoints<'_> {
     }
 }
 
-/// Solves the 3-point rows with the radius map at one worm position v: f(w_i) = wanted(b_0 - v, b_1 - v, b_2 - v)_i, w_i
-/// = [`pitch_rolls`].
-///
-/// # Errors
-/// Those of [`solve_conditions_at`].
-pub fn solve_node(
-    tool: &DresserTool,
-    flank: Flank,
-    reference_radius: f64,
-    v: f64,
-    start: &DressingCorrection,
-    wanted: &dyn Fn([f64; 3]) -> [f64; 3],
-) -> Result<DressingCorrection, DressingError> {
-    let rows = ThreePoints { dresser: &tool.flanks[flank], wanted };
-    solve_conditions_at(&ConditionSolver::new(tool, reference_radius), v, start, &rows)
-}
-
 /// DK(v) of the 3-point rows with the radius map as Chebyshev series over the plan's interval.
 ///
 /// # Errors
@@ -155,7 +138,7 @@ pub fn solve_dressing_motion(
     solve_conditions_along(&ConditionSolver::new(tool, reference_radius), plan, &rows)
 }
 
-/// What the exact envelope of a motion leaves beyond the wanted modification at worm points (w, b), mm normal: the part of the
+/// Kept for conditions that move over the width: no command reaches it yet. What the exact envelope of a motion leaves beyond the wanted modification at worm points (w, b), mm normal: the part of the
 /// target that three points and one line of contact cannot follow, and what the motion itself adds.
 ///
 /// # Errors

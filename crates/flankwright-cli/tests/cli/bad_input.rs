@@ -389,13 +389,6 @@ const CASES: &[Case] = &[
     ),
     case("[target]", "[target]\njudged = \"lines\"", "unknown-value", "target.judged", &["field", "traces"]),
     case(
-        "diagonal_ratio = \"auto\"",
-        "diagonal_ratio = -1.0\nprefer = \"worm\"",
-        "invalid-job",
-        "grinding.prefer",
-        &["\"worm\"", "auto"],
-    ),
-    case(
         "overrun = 1.0",
         "prefer = \"cost\"",
         "unknown-value",

@@ -68,9 +68,6 @@ impl ConeProgramme {
             tol_gap_abs: accuracy,
             tol_gap_rel: accuracy,
             tol_feas: accuracy,
-            iterative_refinement_reltol: 1e-9,
-            iterative_refinement_abstol: 1e-9,
-            iterative_refinement_max_iter: 3,
             ..DefaultSettings::default()
         };
         let mut solver = DefaultSolver::new(&p, &self.cost, &a, &right, &cones, settings).ok()?;

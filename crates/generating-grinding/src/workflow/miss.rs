@@ -143,13 +143,13 @@ fn profile_without_ratio(miss: &Miss<'_>) -> Option<Remark> {
     let um = miss.largest(short);
     (asked && um > miss.tolerance_um()).then(|| {
         let by_correction = miss.prepared.rules.places.contains(&ProfilePlace::Correction);
-        let how = if by_correction { "dressing.profile_crowning_by = \"correction\" included, " } else { "" };
+        let why = if by_correction { "corrections of the dressing motion do not reach so far with this worm" } else { "dressing makes none of it as the job has it" };
         Remark::new(
             "profile-needs-a-ratio",
             format!(
-                "With diagonal_ratio = 0 this planner makes no profile correction beyond the profile of the given dresser ({how}{um:.3} um are not made). This is a limit of the planner, not of the process."
+                "{um:.3} um of the profile are not made: without shift a dresser that is given makes a profile by dressing corrections alone, and {why}."
             ),
-            "Give a small diagonal_ratio, for example -0.05, or let the dresser be made for the target (dresser.modification = \"target\").",
+            "Take a worm with more threads, give a small diagonal_ratio, for example -0.05, or let the dresser be made for the target (dresser.modification = \"target\").",
         )
     })
 }

@@ -111,19 +111,28 @@ helix_points = 11
     ))
 }
 
-/// Without a shift the planner drops the profile that a given dresser lacks; it is the planner that cannot, not the process.
+/// Without a shift the dressing motion makes the profile that a given dresser lacks, as far as the worm lets it.
 #[test]
-fn a_profile_that_the_planner_drops_is_named() {
-    let loaded = left_handed(
+fn corrections_make_a_profile_without_shift() {
+    let radial = |modification: &str, worm: &str| {
+        let rest =
+            "[dresser]\ntip_diameter = 123.0\nmodification = \"none\"\n[grinding]\nmethod = \"radial\"";
+        planned(&left_handed(modification, worm, rest)).verdict
+    };
+    let seven = "threads = 7\ntip_diameter = 108.75";
+    for modification in [
         r#"{ kind = "profile_crowning", amount_um = 5.0 }"#,
-        "threads = 7\ntip_diameter = 108.75",
-        "[dresser]\ntip_diameter = 123.0\nmodification = \"none\"\n[dressing]\nprofile_crowning_by = \"correction\"\n[grinding]\nmethod = \"radial\"",
-    );
-    let result = planned(&loaded);
-    let reason = result.verdict.reason().expect("a miss");
+        r#"{ kind = "profile_slope", amount_um = 6.0 }"#,
+    ] {
+        let verdict = radial(modification, seven);
+        assert_eq!(verdict.status(), Status::Met, "{modification}: {:?}", verdict.reason());
+    }
+    let verdict =
+        radial(r#"{ kind = "profile_crowning", amount_um = 40.0 }"#, "threads = 3\ntip_diameter = 200.0");
+    let reason = verdict.reason().expect("a miss");
     assert_eq!(reason.code, "profile-needs-a-ratio", "{reason:?}");
     assert!(
-        reason.text.contains("limit of the planner") && !reason.way_out.contains("threads"),
+        reason.text.contains("do not reach so far") && reason.way_out.contains("more threads"),
         "{reason:?}"
     );
 }

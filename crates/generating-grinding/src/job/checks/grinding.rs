@@ -25,7 +25,6 @@ pub(super) fn check(job: &Job, findings: &mut Vec<Diagnostic>) {
             .way_out("leave `free_ratio` out, or use diagonal_ratio = \"areas\""),
         );
     }
-    no_choice_of_ratio(grinding, findings);
     if let Some(ratio) = grinding.roughing_ratio
         && grinding.roughing_areas == 0
     {
@@ -38,25 +37,6 @@ pub(super) fn check(job: &Job, findings: &mut Vec<Diagnostic>) {
         );
     }
     active_threads(job, findings);
-}
-
-/// What a choice goes by, where the job leaves none.
-fn no_choice_of_ratio(grinding: &Grinding, findings: &mut Vec<Diagnostic>) {
-    let auto = matches!(grinding.diagonal_ratio, None | Some(DiagonalRatio::Rule(DiagonalRule::Auto)));
-    if let Some(prefer) = grinding.prefer
-        && (grinding.method == Method::Radial || !auto)
-    {
-        findings.push(
-            Diagnostic::new(
-                Problem::InvalidJob,
-                "a preference among ratios is given, but no ratio is left to choose",
-            )
-            .field("grinding.prefer")
-            .value(format!("{:?}", format!("{prefer:?}").to_lowercase()))
-            .allowed("no key, or method = \"diagonal\" with diagonal_ratio = \"auto\"")
-            .way_out("leave `prefer` out, or let the ratio be chosen"),
-        );
-    }
 }
 
 fn shift_without_method(grinding: &Grinding, findings: &mut Vec<Diagnostic>) {

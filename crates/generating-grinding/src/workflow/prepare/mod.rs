@@ -22,7 +22,7 @@ pub use settings::GivenSettings;
 pub use targets::{tolerance_of_job, wanted_flanks};
 
 use super::equal_ratio_offers::free_lines;
-use crate::job::{LoadedJob, Tool as JobTool};
+use crate::job::{DiagonalRatio, DiagonalRule, Grinding, LoadedJob, Method, Tool as JobTool};
 use crate::workflow::programs::technology::Technology;
 use foundation::geometry::{Flank, Sides};
 use foundation::kinematics::MotionLaw;
@@ -114,6 +114,7 @@ pub fn prepare(loaded: &LoadedJob) -> Result<Prepared, RunFailure> {
         targets_of_job(loaded, &setup, given, &tolerance)?;
     let rules = PlanningRules::of_job(job, given.is_none())?;
     warnings.extend(remarks_on_bodies(&setup));
+    warnings.extend(no_choice_of_ratio(&job.grinding));
     if job.point_dresser().is_some() && job.dressing.line_direction_deg.is_none() {
         let remark;
         (setup, remark) = with_free_lines(setup, &targets);
@@ -162,6 +163,17 @@ impl Prepared {
         let machine = machine.map(|machine| machine_of_job(&loaded.document, &machine.file)).transpose()?;
         Ok(Self { machine, ..self })
     }
+}
+
+/// What a choice of the ratio would go by, where the job leaves none.
+fn no_choice_of_ratio(grinding: &Grinding) -> Option<Remark> {
+    let auto = matches!(grinding.diagonal_ratio, None | Some(DiagonalRatio::Rule(DiagonalRule::Auto)));
+    let chosen = grinding.method == Method::Diagonal && auto;
+    (grinding.prefer.is_some() && !chosen).then(|| Remark {
+        code: "no-ratio-to-choose",
+        text: "grinding.prefer decides nothing: the job leaves no diagonal ratio to choose".into(),
+        way_out: "leave `prefer` out, or let the ratio be chosen (diagonal_ratio = \"auto\")".into(),
+    })
 }
 
 /// What the bodies do beside the evaluated flank.

@@ -55,6 +55,7 @@ impl Ground {
         // What the settings do was found for this ratio.
         if !self.prepared.rules.radial {
             job.job.grinding.diagonal_ratio = Some(DiagonalRatio::Number(self.execution.ratio));
+            job.job.grinding.prefer = None;
         }
         ground(job, progress)
     }
